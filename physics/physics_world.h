@@ -1,0 +1,49 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "runtime/world/frame_changes.h"
+#include "runtime/world/world.h"
+
+namespace rubble {
+
+struct PhysicsSettings {
+    int substeps = 2;                  ///< of 1/60 s
+    int solverIterations = 10;
+    double sleepVelocity = 0.08;       ///< m/s below which a body may fall asleep
+    double sleepAngularVelocity = 0.15;///< rad/s
+    double sleepTime = 0.5;            ///< s of calm before it does
+    double impactThreshold = 50.0;     ///< N s below which a contact is not reported
+};
+
+struct PhysicsFigures {
+    int bodies = 0, awake = 0, contacts = 0, colliderBoxes = 0;
+};
+
+/// Bullet's world behind one wall. [main-thread]
+class PhysicsWorld {
+public:
+    explicit PhysicsWorld(const PhysicsSettings& settings = {});
+    ~PhysicsWorld();
+    PhysicsWorld(const PhysicsWorld&) = delete;
+    PhysicsWorld& operator=(const PhysicsWorld&) = delete;
+
+    /// Creates, destroys and re-shapes bodies as the journal says, then applies its impulses. Colliders are rebuilt off
+    /// to the side and swapped; a piece starts with its parent's motion (v + w x r, w), which World has already set.
+    void apply(const FrameChanges& changes, const World& world);
+    /// 1/60 s.
+    void step();
+    /// Bodies that moved, fell asleep or woke in the last step, in slot order; valid until the next call.
+    std::span<const BodyPose> poses() const;
+    /// Contacts harder than the threshold in the last step, in a fixed order; valid until the next call.
+    std::span<const Impact> impacts() const;
+    PhysicsFigures figures() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace rubble

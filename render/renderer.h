@@ -1,0 +1,72 @@
+#pragma once
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/core/result.h"
+#include "runtime/frame/frame_snapshot.h"
+
+namespace rubble {
+
+/// Looks up a GL function in the context that is current.
+using GlLoader = void* (*)(const char* name);
+
+/// Which picture of the world: a camera and a size in pixels.
+struct View {
+    glm::dvec3 position{0.0};
+    glm::dquat rotation{1, 0, 0, 0};   ///< looks along -z, y up
+    float verticalFov = 1.05f;         ///< radians
+    glm::ivec2 size{1280, 720};
+    unsigned framebuffer;          ///< GL name of the target
+    bool cut = false;                  ///< the camera jumped: history is forgotten
+};
+
+/// Quality against speed. Presets "fast", "balanced", "accurate".
+struct RenderSettings {
+    int skyRays = 2;                   ///< cosine-weighted rays a pixel
+    int sunRays = 1;
+    float skyDistance = 24.0f;         ///< metres
+    int filterPasses = 3;              ///< of the spatial filter
+    bool temporal = true;              ///< reprojected accumulation and TAA
+    float bloom = 0.04f;
+    static RenderSettings preset(std::string_view name);
+};
+
+struct RenderFigures {
+    int drawCalls = 0;
+    int bodyDraws = 0;                 ///< of those, the ones that draw voxel bodies
+    uint64_t uploadBytes = 0;          ///< to the GL since the last figures
+    uint64_t textureBytes = 0;         ///< held now
+    int shapes = 0;
+    int bricks = 0;
+    std::vector<std::pair<const char*, double>> passMs;  ///< in the order drawn; with GL_TIME_ELAPSED where it is honest, else after glFinish
+};
+
+/// The deferred ray-traced renderer: a list of passes. [render-thread] All calls with the same GL context current.
+class Renderer {
+public:
+    /// shaderFolder: where shaders/ lies. Fails with what is missing of GL or which shader line is wrong.
+    static Result<std::unique_ptr<Renderer>> create(GlLoader loader, const std::string& shaderFolder, const RenderSettings& settings);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    void apply(FrameSnapshot&& snapshot);
+    /// alpha in [0, 1]: how far between the previous and current poses.
+    void draw(const View& view, float alpha);
+    /// Which intermediate target draw() shows: "final" (default), "albedo", "normal", "depth", ... ; false if there is none such.
+    bool showPass(std::string_view name);
+    std::vector<std::string> passNames() const;
+    const RenderFigures& figures() const;
+
+private:
+    struct Impl;
+    explicit Renderer(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace rubble

@@ -1,0 +1,58 @@
+#pragma once
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <optional>
+
+namespace rubble {
+
+/// Where one thread leaves values for another. Values are moved in and out; nothing else is shared.
+template <class T>
+class Mailbox {
+public:
+    /// [any-thread] A value posted after close() is dropped.
+    void post(T value) {
+        {
+            const std::lock_guard lock(m_mutex);
+            if (m_closed) return;
+            m_values.push_back(std::move(value));
+        }
+        m_ready.notify_one();
+    }
+    /// [any-thread] The oldest value, or nothing.
+    std::optional<T> tryTake() {
+        const std::lock_guard lock(m_mutex);
+        return pop();
+    }
+    /// [any-thread] Waits for a value; nothing once the box is closed and empty.
+    std::optional<T> take() {
+        std::unique_lock lock(m_mutex);
+        m_ready.wait(lock, [&] { return m_closed || !m_values.empty(); });
+        return pop();
+    }
+    void close() {
+        {
+            const std::lock_guard lock(m_mutex);
+            m_closed = true;
+        }
+        m_ready.notify_all();
+    }
+    size_t size() const {
+        const std::lock_guard lock(m_mutex);
+        return m_values.size();
+    }
+
+private:
+    std::optional<T> pop() {
+        if (m_values.empty()) return std::nullopt;
+        std::optional<T> value(std::move(m_values.front()));
+        m_values.pop_front();
+        return value;
+    }
+    mutable std::mutex m_mutex;
+    std::condition_variable m_ready;
+    std::deque<T> m_values;
+    bool m_closed = false;
+};
+
+}  // namespace rubble

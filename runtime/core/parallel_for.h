@@ -1,0 +1,16 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+
+namespace rubble {
+
+/// Runs body(i) for i in [0, count), in any order, perhaps on several threads; returns when all are done.
+/// Results must not depend on the order or on the number of threads.
+using ParallelFor = std::function<void(size_t count, const std::function<void(size_t)>& body)>;
+
+/// One thread, in order: what is used where a host gives nothing better.
+inline void serialFor(size_t count, const std::function<void(size_t)>& body) {
+    for (size_t i = 0; i < count; ++i) body(i);
+}
+
+}  // namespace rubble

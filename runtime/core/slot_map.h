@@ -1,0 +1,84 @@
+#pragma once
+#include <cassert>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace rubble {
+
+/// Objects in numbered slots, named by handles that go stale when their object is erased.
+/// Iteration is in slot order and a freed slot is reused last-in first-out, so that the same calls give the same handles.
+template <class Handle, class T>
+class SlotMap {
+public:
+    explicit SlotMap(uint8_t world = 0) : m_world(world) {}
+
+    Handle insert(T value) {
+        uint32_t slot;
+        if (m_free.empty()) {
+            slot = uint32_t(m_slots.size());
+            assert(slot < 0xffffffu && "SlotMap is full: 16,777,215 slots");
+            m_slots.emplace_back();
+        } else {
+            slot = m_free.back();
+            m_free.pop_back();
+        }
+        m_slots[slot].value = std::move(value);
+        ++m_size;
+        return Handle::make(m_world, m_slots[slot].generation, slot);
+    }
+
+    bool erase(Handle handle) {
+        if (!find(handle)) return false;
+        Slot& slot = m_slots[handle.slot()];
+        slot.value.reset();
+        ++slot.generation;
+        m_free.push_back(handle.slot());
+        --m_size;
+        return true;
+    }
+
+    /// nullptr if the handle is stale, empty or of another world.
+    T* find(Handle handle) { return const_cast<T*>(std::as_const(*this).find(handle)); }
+    const T* find(Handle handle) const {
+        if (!handle || handle.world() != m_world || handle.slot() >= m_slots.size()) return nullptr;
+        const Slot& slot = m_slots[handle.slot()];
+        if (!slot.value || (slot.generation & 0xffffffu) != handle.generation()) return nullptr;
+        return &*slot.value;
+    }
+    T& at(Handle handle) {
+        T* value = find(handle);
+        assert(value && "stale handle");
+        return *value;
+    }
+    const T& at(Handle handle) const { return const_cast<SlotMap*>(this)->at(handle); }
+
+    /// f(handle, value) for every object, in slot order.
+    template <class F>
+    void forEach(F&& f) {
+        for (uint32_t i = 0; i < m_slots.size(); ++i)
+            if (m_slots[i].value) f(Handle::make(m_world, m_slots[i].generation, i), *m_slots[i].value);
+    }
+    template <class F>
+    void forEach(F&& f) const {
+        for (uint32_t i = 0; i < m_slots.size(); ++i)
+            if (m_slots[i].value) f(Handle::make(m_world, m_slots[i].generation, i), *m_slots[i].value);
+    }
+
+    size_t size() const { return m_size; }
+    /// Slots ever used: the length of a side table indexed by Handle::slot().
+    size_t slotCount() const { return m_slots.size(); }
+
+private:
+    struct Slot {
+        std::optional<T> value;
+        uint32_t generation = 1;
+    };
+    std::vector<Slot> m_slots;
+    std::vector<uint32_t> m_free;
+    size_t m_size = 0;
+    uint8_t m_world = 0;
+};
+
+}  // namespace rubble

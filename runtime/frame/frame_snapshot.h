@@ -1,0 +1,69 @@
+#pragma once
+#include <cstdint>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "runtime/core/handle.h"
+#include "runtime/core/pose.h"
+#include "runtime/shadow/shadow_volume.h"
+#include "runtime/voxel/palette.h"
+#include "runtime/voxel/voxel_grid.h"
+#include "runtime/world/frame_changes.h"
+#include "runtime/world/lights.h"
+
+namespace rubble {
+
+/// A shape that the renderer has not seen yet, with its bricks by reference.
+struct SnapshotShape {
+    ShapeHandle shape;
+    glm::ivec3 size;                 ///< voxels
+    float voxelSize;                 ///< metres
+    PaletteRef palette;
+    std::vector<BrickChange> bricks; ///< all that are not empty
+};
+
+struct SnapshotPalette {
+    ShapeHandle shape;
+    PaletteRef palette;
+};
+
+/// Where a shape (its grid's corner) was at the previous step and is at this one.
+struct SnapshotPose {
+    ShapeHandle shape;
+    Pose previous;
+    Pose current;
+};
+
+/// A light in the world, as the renderer draws it.
+struct SnapshotLight {
+    LightKind kind;
+    glm::dvec3 position;
+    glm::vec3 direction;
+    glm::vec3 color;
+    float radius, reach, coneInner, coneOuter;
+};
+
+/// What one frame hands to the renderer: values only, and only what changed since the snapshot before. All of it shows
+/// the step `version`, the shadow volume too, so light and bodies agree.
+struct FrameSnapshot {
+    uint64_t version = 0;
+    uint64_t newestStep = 0;                     ///< newestStep - version = age of what is drawn, in steps
+    bool replacesAll = false;                    ///< a level was loaded: forget everything before
+    std::vector<ShapeHandle> destroyed;          ///< applied first
+    std::vector<SnapshotShape> created;
+    std::vector<BrickChange> bricks;
+    std::vector<SnapshotPalette> palettes;
+    std::vector<SnapshotPose> poses;             ///< shapes that moved in this step, or came to rest in it (previous == current)
+    bool lightsChanged = false;
+    std::vector<SnapshotLight> lights;           ///< all enabled lights, if lightsChanged
+    bool environmentChanged = false;
+    Environment environment;
+    bool shadowReplacesAll = false;
+    std::vector<ShadowPatch> shadow;
+};
+
+/// Appends a later snapshot to an earlier one, so that applying the result equals applying both. Nothing is dropped.
+void merge(FrameSnapshot& into, FrameSnapshot&& later);
+
+}  // namespace rubble

@@ -1,0 +1,49 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+
+#include "physics/physics_world.h"
+#include "render/renderer.h"
+#include "runtime/core/profile.h"
+#include "runtime/frame/snapshots.h"
+#include "runtime/shadow/shadow_worker.h"
+#include "runtime/world/world.h"
+
+namespace rubble {
+
+struct FrameLoopSettings {
+    PhysicsSettings physics;
+    ShadowWorker::Mode shadow = ShadowWorker::Mode::Thread;
+    bool shadowVolume = true;          ///< off: nothing is drawn with rays, and nothing is paid
+};
+
+/// The two functions of a frame, and the only place that knows every module.
+class FrameLoop {
+public:
+    explicit FrameLoop(const FrameLoopSettings& settings = {});
+
+    void load(const Level& level);
+    /// [main-thread] Exactly 1/60 s; the host or its clock decides how many.
+    void step();
+    /// [render-thread] alpha: how far between the last two steps.
+    void draw(Renderer& renderer, const View& view, float alpha);
+
+    EditQueue& edits() { return m_edits; }
+    World& world() { return m_world; }
+    PhysicsWorld& physics() { return m_physics; }
+    ShadowWorker* shadow() { return m_shadow.get(); }
+    /// The journal of the last step; valid until the next.
+    const FrameChanges& changes() const { return m_changes; }
+    const StageTimes& times() const { return m_times; }
+
+private:
+    World m_world;
+    PhysicsWorld m_physics;
+    std::unique_ptr<ShadowWorker> m_shadow;
+    Snapshots m_snapshots;
+    EditQueue m_edits;
+    FrameChanges m_changes;
+    StageTimes m_times;
+};
+
+}  // namespace rubble

@@ -1,0 +1,36 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "runtime/shadow/shadow_volume.h"
+#include "runtime/world/frame_changes.h"
+#include "runtime/world/world.h"
+
+namespace rubble {
+
+/// Keeps the shadow volume up to date, on a thread of its own or inline, from a replica of the world's shapes that shares
+/// their bricks. [main-thread] calls only; the worker sees values.
+class ShadowWorker {
+public:
+    enum class Mode { Thread, Inline };
+    explicit ShadowWorker(Mode mode);
+    ~ShadowWorker();   ///< stops at once, whatever is queued
+    ShadowWorker(const ShadowWorker&) = delete;
+    ShadowWorker& operator=(const ShadowWorker&) = delete;
+
+    /// Copies out of the world what this step changed (bricks by reference, poses of bodies that moved) and queues it. Never waits.
+    void submit(const FrameChanges& changes, const World& world);
+    /// What has been published since the last call, oldest first; each publication is one version.
+    std::vector<ShadowPatches> takePatches();
+    /// Waits until `version` is published: for tests, benchmarks and pictures that must not depend on timing.
+    void waitFor(uint64_t version);
+    /// Step of the newest publication.
+    uint64_t publishedVersion() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace rubble

@@ -1,0 +1,57 @@
+#pragma once
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+
+namespace rubble {
+
+inline constexpr int kBrickSize = 8;  ///< voxels on a side: OpenVDB's leaf size
+inline constexpr int kBrickVoxels = kBrickSize * kBrickSize * kBrickSize;
+
+/// Position of a voxel inside its brick: x + 8 y + 64 z.
+constexpr int voxelIndex(glm::ivec3 inBrick) { return inBrick.x + inBrick.y * 8 + inBrick.z * 64; }
+constexpr glm::ivec3 voxelInBrick(int index) { return {index & 7, index >> 3 & 7, index >> 6}; }
+
+/// 8x8x8 voxels: a palette index each, 0 = empty. Never changed once a grid holds it: pieces, replicas, undo and
+/// snapshots share it by reference. A brick of one index stores no index array.
+struct Brick {
+    std::array<uint64_t, 8> occupancy{};  ///< word z, bit x + 8 y
+    std::unique_ptr<std::array<uint8_t, kBrickVoxels>> indices;  ///< null if every solid voxel has `uniform`
+    uint8_t uniform = 0;
+
+    bool solid(int index) const { return occupancy[index >> 6] >> (index & 63) & 1; }
+    uint8_t at(int index) const { return !solid(index) ? uint8_t(0) : indices ? (*indices)[index] : uniform; }
+    uint8_t at(glm::ivec3 inBrick) const { return at(voxelIndex(inBrick)); }
+    int count() const {
+        int sum = 0;
+        for (uint64_t word : occupancy) sum += std::popcount(word);
+        return sum;
+    }
+    bool full() const {
+        for (uint64_t word : occupancy)
+            if (~word) return false;
+        return true;
+    }
+};
+
+using BrickRef = std::shared_ptr<const Brick>;
+using BrickIndices = std::array<uint8_t, kBrickVoxels>;
+
+/// All 512 indices of a brick; zeros for nullptr.
+void expandBrick(const Brick* brick, BrickIndices& out);
+/// A brick with these indices, uniform if they allow it; nullptr if all are zero.
+BrickRef makeBrick(const BrickIndices& indices);
+/// The same indices wherever `keep` (laid out as occupancy) has a bit, empty elsewhere; nullptr if nothing is left.
+BrickRef maskBrick(const Brick& brick, const std::array<uint64_t, 8>& keep);
+/// A hash of the content alone: equal for equal voxels however they are stored.
+uint64_t hashBrick(const Brick& brick);
+/// Calls f(index) for every set bit, in ascending order.
+template <class F>
+void forEachVoxel(const std::array<uint64_t, 8>& occupancy, F&& f) {
+    for (int z = 0; z < 8; ++z)
+        for (uint64_t word = occupancy[z]; word; word &= word - 1) f(z * 64 + std::countr_zero(word));
+}
+
+}  // namespace rubble

@@ -1,0 +1,29 @@
+#pragma once
+#include <glm/vec3.hpp>
+
+#include "runtime/voxel/voxel_grid.h"
+
+namespace rubble {
+
+/// A ray in the grid's own cells: cell c covers [c, c + 1]. The direction need not be normalised; tMax is in its lengths.
+struct CellRay {
+    glm::dvec3 origin;
+    glm::dvec3 direction;
+    double tMax;
+};
+
+struct CellHit {
+    bool hit = false;
+    glm::ivec3 cell{0};
+    double t = 0.0;      ///< where the ray enters the cell; 0 if it starts inside
+    int axis = -1;       ///< axis of the face entered through; -1 if it starts inside
+    int sign = 0;        ///< +1 or -1: the face's outward normal along that axis
+    int steps = 0;       ///< cells and bricks visited, at most nx + ny + nz + 3
+};
+
+/// The first solid voxel that the ray touches. Walks bricks, then cells, and computes t from the integer boundary instead
+/// of adding up differences (Amanatides & Woo 1987, with the accumulated error removed). Zero components never divide;
+/// a NaN anywhere gives no hit.
+CellHit walkRay(const VoxelGrid& grid, const CellRay& ray);
+
+}  // namespace rubble

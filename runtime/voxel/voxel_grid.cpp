@@ -1,0 +1,112 @@
+#include "runtime/voxel/voxel_grid.h"
+
+#include <cassert>
+
+#include "runtime/core/hash.h"
+
+namespace rubble {
+namespace {
+
+uint64_t placedHash(glm::ivec3 brick, const Brick& content) {
+    const int32_t place[3] = {brick.x, brick.y, brick.z};
+    return hashBytes(place, sizeof place, hashBrick(content));
+}
+
+}  // namespace
+
+VoxelGrid::VoxelGrid(glm::ivec3 size) : m_size(size), m_nodeSize((size + 31) / 32) {
+    assert(size.x > 0 && size.y > 0 && size.z > 0 && size.x <= kMaxGridSize && size.y <= kMaxGridSize && size.z <= kMaxGridSize);
+    m_nodes.resize(size_t(m_nodeSize.x) * m_nodeSize.y * m_nodeSize.z);
+}
+
+VoxelGrid::VoxelGrid(const VoxelGrid& other)
+    : m_size(other.m_size), m_nodeSize(other.m_nodeSize), m_voxels(other.m_voxels), m_hash(other.m_hash), m_bricks(other.m_bricks) {
+    m_nodes.resize(other.m_nodes.size());
+    for (size_t i = 0; i < m_nodes.size(); ++i)
+        if (other.m_nodes[i]) m_nodes[i] = std::make_unique<Node>(*other.m_nodes[i]);
+}
+
+VoxelGrid& VoxelGrid::operator=(VoxelGrid other) noexcept {
+    std::swap(m_size, other.m_size);
+    std::swap(m_nodeSize, other.m_nodeSize);
+    std::swap(m_nodes, other.m_nodes);
+    std::swap(m_voxels, other.m_voxels);
+    std::swap(m_hash, other.m_hash);
+    std::swap(m_bricks, other.m_bricks);
+    return *this;
+}
+
+void VoxelGrid::setBrick(glm::ivec3 brick, BrickRef value) {
+    assert(brick.x >= 0 && brick.y >= 0 && brick.z >= 0 && brick.x * 8 < m_size.x && brick.y * 8 < m_size.y && brick.z * 8 < m_size.z);
+    auto& node = m_nodes[nodeIndex(brick >> 2)];
+    if (!node) {
+        if (!value) return;
+        node = std::make_unique<Node>();
+    }
+    const int child = childIndex(brick);
+    BrickRef& place = node->bricks[child];
+    if (place) {
+        m_voxels -= uint64_t(place->count());
+        m_hash -= placedHash(brick, *place);
+        --m_bricks;
+    }
+    const int count = value ? value->count() : 0;
+    place = count ? std::move(value) : nullptr;
+    const uint64_t bit = uint64_t(1) << child;
+    if (place) {
+        node->mask |= bit;
+        m_voxels += uint64_t(count);
+        m_hash += placedHash(brick, *place);
+        ++m_bricks;
+    } else {
+        node->mask &= ~bit;
+        if (!node->mask) node.reset();
+    }
+}
+
+size_t VoxelGrid::memoryBytes() const {
+    size_t bytes = m_nodes.size() * sizeof(m_nodes[0]);
+    for (const auto& node : m_nodes)
+        if (node) bytes += sizeof(Node);
+    forEachBrick([&](glm::ivec3, const BrickRef& brick) { bytes += sizeof(Brick) + 16 + (brick->indices ? kBrickVoxels : 0); });
+    return bytes;
+}
+
+GridWriter::GridWriter(VoxelGrid& grid) : m_grid(grid) {
+    const glm::ivec3 bricks = grid.sizeInBricks();
+    m_lookup.resize(size_t(bricks.x) * bricks.y * bricks.z);
+}
+
+GridWriter::Pending& GridWriter::pendingFor(glm::ivec3 brick) {
+    const glm::ivec3 bricks = m_grid.sizeInBricks();
+    uint32_t& place = m_lookup[(size_t(brick.z) * bricks.y + brick.y) * bricks.x + brick.x];
+    if (!place) {
+        m_pending.push_back(std::make_unique<Pending>(Pending{brick, {}}));
+        expandBrick(m_grid.brickAt(brick), m_pending.back()->indices);
+        place = uint32_t(m_pending.size());
+    }
+    return *m_pending[place - 1];
+}
+
+void GridWriter::set(glm::ivec3 cell, uint8_t index) {
+    if (m_grid.contains(cell)) pendingFor(cell >> 3).indices[voxelIndex(cell & 7)] = index;
+}
+
+uint8_t GridWriter::at(glm::ivec3 cell) const {
+    if (!m_grid.contains(cell)) return 0;
+    const glm::ivec3 bricks = m_grid.sizeInBricks();
+    const glm::ivec3 brick = cell >> 3;
+    const uint32_t place = m_lookup[(size_t(brick.z) * bricks.y + brick.y) * bricks.x + brick.x];
+    return place ? m_pending[place - 1]->indices[voxelIndex(cell & 7)] : m_grid.at(cell);
+}
+
+void GridWriter::flush() {
+    const glm::ivec3 bricks = m_grid.sizeInBricks();
+    for (const auto& pending : m_pending) {
+        m_grid.setBrick(pending->brick, makeBrick(pending->indices));
+        m_lookup[(size_t(pending->brick.z) * bricks.y + pending->brick.y) * bricks.x + pending->brick.x] = 0;
+    }
+    m_pending.clear();
+}
+
+}  // namespace rubble

@@ -1,0 +1,120 @@
+#pragma once
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "runtime/voxel/brick.h"
+
+namespace rubble {
+
+inline constexpr int kMaxGridSize = 4096;  ///< voxels on a side
+
+/// A sparse grid of voxels: shared bricks under a two-level directory (nodes of 4x4x4 bricks, allocated where something is).
+/// Owned by one thread; copying copies the directory and shares the bricks, so a copy may live on another thread.
+/// Coordinates: cells in [0, size); bricks in [0, sizeInBricks).
+class VoxelGrid {
+public:
+    VoxelGrid() = default;
+    /// size in voxels, each in [1, kMaxGridSize].
+    explicit VoxelGrid(glm::ivec3 size);
+    VoxelGrid(const VoxelGrid& other);
+    VoxelGrid(VoxelGrid&&) noexcept = default;
+    VoxelGrid& operator=(VoxelGrid other) noexcept;
+
+    glm::ivec3 size() const { return m_size; }
+    glm::ivec3 sizeInBricks() const { return (m_size + 7) / 8; }
+    bool contains(glm::ivec3 cell) const {
+        return cell.x >= 0 && cell.y >= 0 && cell.z >= 0 && cell.x < m_size.x && cell.y < m_size.y && cell.z < m_size.z;
+    }
+
+    /// Palette index of a cell; 0 if empty or outside.
+    uint8_t at(glm::ivec3 cell) const {
+        if (!contains(cell)) return 0;
+        const Brick* brick = brickAt(cell >> 3);
+        return brick ? brick->at(cell & 7) : uint8_t(0);
+    }
+    /// nullptr if the brick is empty or outside.
+    const Brick* brickAt(glm::ivec3 brick) const {
+        const BrickRef* ref = find(brick);
+        return ref ? ref->get() : nullptr;
+    }
+    BrickRef shareBrick(glm::ivec3 brick) const {
+        const BrickRef* ref = find(brick);
+        return ref ? *ref : nullptr;
+    }
+    /// Replaces a brick; an empty or null one clears its place. Voxels outside size() must be empty.
+    void setBrick(glm::ivec3 brick, BrickRef value);
+
+    bool empty() const { return m_voxels == 0; }
+    uint64_t voxelCount() const { return m_voxels; }
+    size_t brickCount() const { return m_bricks; }
+    /// Sum over bricks of a hash of place and content, kept up to date: equal grids have equal hashes.
+    uint64_t contentHash() const { return m_hash; }
+    /// Bytes of the directory and of the bricks it holds (shared ones counted in full).
+    size_t memoryBytes() const;
+
+    /// f(ivec3 brick, const BrickRef&) for every brick that holds something, in a fixed order.
+    template <class F>
+    void forEachBrick(F&& f) const {
+        for (size_t n = 0; n < m_nodes.size(); ++n) {
+            if (!m_nodes[n]) continue;
+            const glm::ivec3 base = nodePosition(n) * 4;
+            for (uint64_t mask = m_nodes[n]->mask; mask; mask &= mask - 1) {
+                const int i = std::countr_zero(mask);
+                f(base + glm::ivec3(i & 3, i >> 2 & 3, i >> 4), m_nodes[n]->bricks[i]);
+            }
+        }
+    }
+
+private:
+    struct Node {
+        uint64_t mask = 0;  ///< which bricks are there: bit x + 4 y + 16 z
+        std::array<BrickRef, 64> bricks;
+    };
+    const BrickRef* find(glm::ivec3 brick) const {
+        const glm::ivec3 node = brick >> 2;
+        if (brick.x < 0 || brick.y < 0 || brick.z < 0 || node.x >= m_nodeSize.x || node.y >= m_nodeSize.y || node.z >= m_nodeSize.z)
+            return nullptr;
+        const auto& found = m_nodes[nodeIndex(node)];
+        return found ? &found->bricks[childIndex(brick)] : nullptr;
+    }
+    size_t nodeIndex(glm::ivec3 node) const { return (size_t(node.z) * m_nodeSize.y + node.y) * m_nodeSize.x + node.x; }
+    glm::ivec3 nodePosition(size_t n) const {
+        return {int(n % m_nodeSize.x), int(n / m_nodeSize.x % m_nodeSize.y), int(n / m_nodeSize.x / m_nodeSize.y)};
+    }
+    static int childIndex(glm::ivec3 brick) { return (brick.x & 3) + (brick.y & 3) * 4 + (brick.z & 3) * 16; }
+
+    glm::ivec3 m_size{0};
+    glm::ivec3 m_nodeSize{0};
+    std::vector<std::unique_ptr<Node>> m_nodes;
+    uint64_t m_voxels = 0;
+    uint64_t m_hash = 0;
+    size_t m_bricks = 0;
+};
+
+/// Collects single-voxel writes to a grid and makes each touched brick once, when it is destroyed or flushed.
+/// The grid must not be changed by others meanwhile.
+class GridWriter {
+public:
+    explicit GridWriter(VoxelGrid& grid);
+    ~GridWriter() { flush(); }
+    GridWriter(const GridWriter&) = delete;
+    GridWriter& operator=(const GridWriter&) = delete;
+
+    /// Cells outside the grid are ignored. Index 0 empties.
+    void set(glm::ivec3 cell, uint8_t index);
+    /// The value with the pending writes.
+    uint8_t at(glm::ivec3 cell) const;
+    void flush();
+
+private:
+    struct Pending {
+        glm::ivec3 brick;
+        BrickIndices indices;
+    };
+    Pending& pendingFor(glm::ivec3 brick);
+    VoxelGrid& m_grid;
+    std::vector<std::unique_ptr<Pending>> m_pending;
+    std::vector<uint32_t> m_lookup;  ///< a brick's place in m_pending plus one
+};
+
+}  // namespace rubble

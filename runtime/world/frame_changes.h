@@ -1,0 +1,70 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "runtime/core/handle.h"
+#include "runtime/voxel/brick.h"
+#include "runtime/voxel/palette.h"
+#include "runtime/world/level.h"
+
+namespace rubble {
+
+/// One brick of a shape after the step; null = now empty.
+struct BrickChange {
+    ShapeHandle shape;
+    glm::ivec3 brick;
+    BrickRef content;
+};
+
+/// Voxels of one palette entry that were removed from one shape.
+struct RemovedVoxels {
+    ShapeHandle shape;
+    uint8_t entry;
+    uint8_t material;
+    std::array<uint8_t, 3> color;
+    uint64_t count;
+};
+
+/// A shape came apart. The parent handle lives on in the anchored, largest or lowest piece; children are new shapes,
+/// each on a body of its own. parentOffset[i]: the cell of the parent at which child i's cell 0 lies.
+struct ShapeSplit {
+    ShapeHandle parent;
+    std::vector<ShapeHandle> children;
+    std::vector<glm::ivec3> parentOffset;
+};
+
+struct ImpulseApplied {
+    BodyHandle body;
+    glm::dvec3 position;
+    glm::dvec3 impulse;
+};
+
+/// Everything that one step of edits changed: the one journal that physics, shadow, renderer, recording and undo read.
+/// Handles refer to the World after the edits, except in the destroyed lists. Each list is in the order it happened;
+/// a step in which nothing happens allocates nothing.
+struct FrameChanges {
+    uint64_t step = 0;
+    bool levelReplaced = false;                  ///< everything before is gone: start from the World
+    std::vector<BodyHandle> bodiesCreated;
+    std::vector<BodyHandle> bodiesDestroyed;
+    std::vector<ShapeHandle> shapesCreated;      ///< read their grid from the World: their bricks are not in `bricks`
+    std::vector<ShapeHandle> shapesDestroyed;
+    std::vector<ShapeSplit> splits;
+    std::vector<BrickChange> bricks;             ///< carved or painted, each brick once, of shapes that were there before
+    std::vector<ShapeHandle> carved;             ///< shapes whose occupancy (so mass and collider) changed, each once
+    std::vector<ShapeHandle> palettes;           ///< shapes whose palette changed
+    std::vector<RemovedVoxels> removed;
+    std::vector<LightHandle> lights;             ///< lights created, moved to another shape, or switched
+    std::vector<LightGroupHandle> groupsOut;
+    std::vector<ImpulseApplied> impulses;
+    uint64_t paintedVoxels = 0;
+    uint64_t paintMerges = 0;                    ///< colours that found no free palette entry and took the nearest
+
+    bool empty() const {
+        return !levelReplaced && bodiesCreated.empty() && bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() &&
+               bricks.empty() && palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty();
+    }
+};
+
+}  // namespace rubble

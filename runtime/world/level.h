@@ -1,0 +1,61 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/voxel/material.h"
+#include "runtime/voxel/palette.h"
+#include "runtime/voxel/voxel_grid.h"
+#include "runtime/world/lights.h"
+
+namespace rubble {
+
+/// A box of cells, high end excluded.
+struct CellBox {
+    glm::ivec3 low{0};
+    glm::ivec3 high{0};
+    bool empty() const { return low.x >= high.x || low.y >= high.y || low.z >= high.z; }
+    friend bool operator==(const CellBox&, const CellBox&) = default;
+};
+
+/// A voxel shape as data: what files hold and scenes make.
+struct LevelShape {
+    std::string name;
+    Pose local;                      ///< in its body; the grid's corner is its origin
+    float voxelSize = 0.1f;          ///< metres
+    VoxelGrid grid;
+    PaletteRef palette;
+    std::vector<CellBox> anchors;    ///< cells of a static shape that hold to the world; empty: its bottom layer of cells
+    std::vector<std::string> tags;
+    bool hidden = false;
+};
+
+struct LevelBody {
+    std::string name;
+    Pose pose;
+    bool isStatic = true;
+    glm::vec3 velocity{0.0f};        ///< m/s
+    glm::vec3 angularVelocity{0.0f}; ///< rad/s
+    std::vector<LevelShape> shapes;
+    std::vector<std::string> tags;
+};
+
+/// Light::shape and Light::group are not set in a level: the names below stand for them.
+struct LevelLight {
+    Light light;
+    std::string shapeName;           ///< "" = fixed in the world
+    std::string groupName;           ///< "" = none
+};
+
+/// A level as data, independent of any World. PaletteEntry::lightGroup is the index into lightGroups plus one.
+struct Level {
+    std::string name;
+    MaterialTable materials = defaultMaterials();
+    std::vector<LevelBody> bodies;
+    std::vector<LevelLight> lights;
+    std::vector<LightGroup> lightGroups;
+    Environment environment;
+    std::vector<std::pair<std::string, Pose>> locations;  ///< named places: spawn points, cameras
+};
+
+}  // namespace rubble

@@ -1,0 +1,132 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/core/handle.h"
+#include "runtime/core/pose.h"
+#include "runtime/core/slot_map.h"
+#include "runtime/voxel/mass_properties.h"
+#include "runtime/voxel/voxel_grid.h"
+#include "runtime/world/edit.h"
+#include "runtime/world/frame_changes.h"
+#include "runtime/world/level.h"
+
+namespace rubble {
+
+/// A voxel grid on a body.
+struct Shape {
+    std::string name;
+    BodyHandle body;
+    Pose local;                        ///< in its body; the grid's corner is the origin
+    float voxelSize = 0.1f;            ///< metres
+    VoxelGrid grid;
+    PaletteRef palette;
+    MassMoments moments;               ///< of the grid, always up to date
+    std::vector<CellBox> anchors;      ///< cells that hold a static shape to the world
+    std::vector<std::string> tags;
+    bool isPiece = false;              ///< came off something
+};
+
+/// A rigid body: a frame that shapes are fixed to. Its origin is not its centre of mass.
+struct Body {
+    std::string name;
+    Pose pose;                         ///< metres, world
+    glm::dvec3 velocity{0.0};          ///< of the centre of mass, m/s
+    glm::dvec3 angularVelocity{0.0};   ///< rad/s, world axes
+    bool isStatic = true;
+    bool asleep = false;
+    std::vector<ShapeHandle> shapes;
+    std::vector<std::string> tags;
+};
+
+/// A body's new state, as physics hands it over.
+struct BodyPose {
+    BodyHandle body;
+    Pose pose;
+    glm::dvec3 velocity{0.0};
+    glm::dvec3 angularVelocity{0.0};
+    bool asleep = false;
+};
+
+/// A contact that hit hard, as physics reports it.
+struct Impact {
+    BodyHandle body;
+    BodyHandle other;
+    glm::dvec3 position{0.0};
+    glm::dvec3 normal{0.0};
+    double impulse = 0.0;              ///< N s
+};
+
+struct WorldHit {
+    bool hit = false;
+    double distance = 0.0;             ///< metres
+    glm::dvec3 position{0.0};
+    glm::dvec3 normal{0.0};
+    ShapeHandle shape;
+    glm::ivec3 cell{0};
+    uint8_t entry = 0;
+};
+
+/// Where every voxel of the level is now. imported = standing + inPieces + removed, always.
+struct Ledger {
+    uint64_t imported = 0, standing = 0, inPieces = 0, removed = 0;
+    bool balances() const { return imported == standing + inPieces + removed; }
+};
+
+/// The voxel world: bodies, shapes, lights and groups. Edits go in, one journal of changes comes out.
+/// Owned by the main thread. Destruction is in integers and in slot order: the same edits give the same bytes.
+class World {
+public:
+    explicit World(uint8_t id = 1);
+
+    /// Replaces everything by the level; the next applyEdits() reports levelReplaced.
+    void load(const Level& level);
+    /// The whole world as data: load(toLevel()) gives the same hash of bodies and voxels.
+    Level toLevel() const;
+
+    /// One step: carves, splits, paints, puts light groups out. Counts the step.
+    FrameChanges applyEdits(const Edits& edits);
+    void setPoses(std::span<const BodyPose> poses);
+    /// The edits that impacts cause by their force; nothing in this version's default rules below `impactThreshold`.
+    Edits damageFrom(std::span<const Impact> impacts) const;
+
+    const SlotMap<BodyHandle, Body>& bodies() const { return m_bodies; }
+    const SlotMap<ShapeHandle, Shape>& shapes() const { return m_shapes; }
+    const SlotMap<LightHandle, Light>& lights() const { return m_lights; }
+    const SlotMap<LightGroupHandle, LightGroup>& lightGroups() const { return m_groups; }
+    const MaterialTable& materials() const { return m_materials; }
+    const Environment& environment() const { return m_environment; }
+    const std::vector<std::pair<std::string, Pose>>& locations() const { return m_locations; }
+    void setEnvironment(const Environment& environment);
+
+    /// Grid corner -> world.
+    Pose shapeToWorld(ShapeHandle shape) const;
+    /// A light's frame -> world.
+    Pose lightToWorld(const Light& light) const;
+    /// Mass of all shapes of a body in the body's frame.
+    MassProperties bodyMass(BodyHandle body) const;
+    /// First voxel that a world ray touches, up to maxDistance metres; direction need not be normalised.
+    WorldHit raycast(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const;
+    Ledger ledger() const;
+    uint64_t step() const { return m_step; }
+    /// Of everything that matters to what happens next: voxels, palettes, bodies, velocities, lights, groups, in slot order.
+    uint64_t hash() const;
+
+private:
+    uint8_t m_id;
+    uint64_t m_step = 0;
+    bool m_levelReplaced = false;
+    SlotMap<BodyHandle, Body> m_bodies;
+    SlotMap<ShapeHandle, Shape> m_shapes;
+    SlotMap<LightHandle, Light> m_lights;
+    SlotMap<LightGroupHandle, LightGroup> m_groups;
+    MaterialTable m_materials = defaultMaterials();
+    Environment m_environment;
+    std::vector<std::pair<std::string, Pose>> m_locations;
+    uint64_t m_imported = 0, m_removed = 0;
+    std::string m_name;
+};
+
+}  // namespace rubble
