@@ -115,6 +115,9 @@ public:
     uint64_t hash() const;
 
 private:
+    /// Fills in initialVoxels of groups that do not bring it.
+    void countGroupVoxels();
+
     uint8_t m_id;
     uint64_t m_step = 0;
     bool m_levelReplaced = false;

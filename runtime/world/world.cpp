@@ -1,0 +1,243 @@
+#include "runtime/world/world.h"
+
+#include <algorithm>
+#include <glm/mat3x3.hpp>
+#include <limits>
+#include <unordered_map>
+
+#include "runtime/core/hash.h"
+#include "runtime/voxel/ray_walk.h"
+
+namespace rubble {
+namespace {
+
+/// The lowest layer of cells that holds anything, as a box over the whole grid.
+CellBox bottomLayer(const VoxelGrid& grid) {
+    int lowest = grid.size().y;
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        if (position.y * kBrickSize >= lowest) return;
+        forEachVoxel(brick->occupancy, [&](int i) { lowest = std::min(lowest, position.y * kBrickSize + voxelInBrick(i).y); });
+    });
+    return {{0, lowest, 0}, {grid.size().x, lowest + 1, grid.size().z}};
+}
+
+glm::dmat3 inertiaMatrix(const std::array<double, 6>& t) {
+    return {t[0], t[3], t[5], t[3], t[1], t[4], t[5], t[4], t[2]};
+}
+
+/// Chains field after field into one hash.
+struct Hasher {
+    uint64_t state = 0;
+    void add(uint64_t value) { state = hashValue(value, state); }
+    void add(const glm::dvec3& v) { state = hashBytes(&v, sizeof v, state); }
+    void add(const glm::dquat& q) { state = hashBytes(&q, sizeof q, state); }
+    void add(const Pose& pose) {
+        add(pose.position);
+        add(pose.rotation);
+    }
+};
+
+}  // namespace
+
+World::World(uint8_t id) : m_id(id), m_bodies(id), m_shapes(id), m_lights(id), m_groups(id) {}
+
+void World::load(const Level& level) {
+    *this = World(m_id);
+    m_levelReplaced = true;
+    m_name = level.name;
+    m_materials = level.materials;
+    m_locations = level.locations;
+    setEnvironment(level.environment);
+    for (const LightGroup& group : level.lightGroups) m_groups.insert(group);
+
+    std::unordered_map<std::string, ShapeHandle> byName;
+    for (const LevelBody& source : level.bodies) {
+        Body body{source.name, source.pose, source.velocity, source.angularVelocity, source.isStatic, false, {}, source.tags};
+        body.asleep = !source.isStatic && source.velocity == glm::vec3(0.0f) && source.angularVelocity == glm::vec3(0.0f);
+        const BodyHandle bodyHandle = m_bodies.insert(std::move(body));
+        for (const LevelShape& from : source.shapes) {
+            Shape shape{from.name, bodyHandle, from.local, from.voxelSize, from.grid, from.palette, {}, from.anchors, from.tags, false};
+            if (!shape.palette) shape.palette = std::make_shared<const Palette>();
+            if (source.isStatic && shape.anchors.empty()) shape.anchors = {bottomLayer(shape.grid)};
+            shape.moments = gridMoments(shape.grid, *shape.palette, m_materials);
+            m_imported += shape.grid.voxelCount();
+            const ShapeHandle handle = m_shapes.insert(std::move(shape));
+            m_bodies.at(bodyHandle).shapes.push_back(handle);
+            byName.emplace(from.name, handle);
+        }
+    }
+    countGroupVoxels();
+    for (const LevelLight& source : level.lights) {
+        Light light = source.light;
+        const auto shape = byName.find(source.shapeName);
+        light.shape = source.shapeName.empty() || shape == byName.end() ? ShapeHandle{} : shape->second;
+        m_groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
+            if (!source.groupName.empty() && group.name == source.groupName) light.group = handle;
+        });
+        m_lights.insert(std::move(light));
+    }
+}
+
+void World::countGroupVoxels() {
+    if (m_groups.size() == 0) return;
+    std::vector<uint64_t> counts(m_groups.slotCount());
+    m_shapes.forEach([&](ShapeHandle, const Shape& shape) {
+        const Palette& palette = *shape.palette;
+        if (std::none_of(palette.begin(), palette.end(), [](const PaletteEntry& entry) { return entry.lightGroup != 0; })) return;
+        shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+            forEachVoxel(brick->occupancy, [&](int i) {
+                const uint32_t group = palette[brick->at(i)].lightGroup;
+                if (group && group <= counts.size()) ++counts[group - 1];
+            });
+        });
+    });
+    m_groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
+        if (group.initialVoxels == 0) group.initialVoxels = counts[handle.slot()];
+    });
+}
+
+Level World::toLevel() const {
+    Level level;
+    level.name = m_name;
+    level.materials = m_materials;
+    level.environment = m_environment;
+    level.locations = m_locations;
+    std::vector<std::string> shapeNames(m_shapes.slotCount());
+    m_bodies.forEach([&](BodyHandle, const Body& body) {
+        LevelBody out{body.name, body.pose, body.isStatic, body.velocity, body.angularVelocity, {}, body.tags};
+        for (const ShapeHandle handle : body.shapes) {
+            const Shape& shape = m_shapes.at(handle);
+            out.shapes.push_back({shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors, shape.tags, false});
+            shapeNames[handle.slot()] = shape.name;
+        }
+        level.bodies.push_back(std::move(out));
+    });
+    std::vector<std::string> groupNames(m_groups.slotCount());
+    m_groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
+        groupNames[handle.slot()] = group.name;
+        level.lightGroups.push_back(group);
+    });
+    m_lights.forEach([&](LightHandle, const Light& light) {
+        LevelLight out{light, m_shapes.find(light.shape) ? shapeNames[light.shape.slot()] : "",
+                       m_groups.find(light.group) ? groupNames[light.group.slot()] : ""};
+        out.light.shape = {};
+        out.light.group = {};
+        level.lights.push_back(std::move(out));
+    });
+    return level;
+}
+
+void World::setEnvironment(const Environment& environment) {
+    m_environment = environment;
+    const float length = glm::length(environment.sunDirection);
+    m_environment.sunDirection = length > 0.0f ? environment.sunDirection / length : glm::vec3(0.0f, 1.0f, 0.0f);
+}
+
+void World::setPoses(std::span<const BodyPose> poses) {
+    for (const BodyPose& pose : poses)
+        if (Body* body = m_bodies.find(pose.body)) {
+            body->pose = pose.pose;
+            body->velocity = pose.velocity;
+            body->angularVelocity = pose.angularVelocity;
+            body->asleep = pose.asleep;
+        }
+}
+
+Pose World::shapeToWorld(ShapeHandle handle) const {
+    const Shape& shape = m_shapes.at(handle);
+    return m_bodies.at(shape.body).pose * shape.local;
+}
+
+Pose World::lightToWorld(const Light& light) const {
+    return m_shapes.find(light.shape) ? shapeToWorld(light.shape) * light.local : light.local;
+}
+
+MassProperties World::bodyMass(BodyHandle handle) const {
+    const Body& body = m_bodies.at(handle);
+    MassProperties sum;
+    std::vector<std::pair<const Shape*, MassProperties>> parts;
+    parts.reserve(body.shapes.size());
+    for (const ShapeHandle shapeHandle : body.shapes) {
+        const Shape& shape = m_shapes.at(shapeHandle);
+        parts.emplace_back(&shape, massProperties(shape.moments, shape.voxelSize));
+        sum.mass += parts.back().second.mass;
+        sum.center += parts.back().second.mass * shape.local.transformPoint(parts.back().second.center);
+    }
+    if (sum.mass <= 0.0) return sum;
+    sum.center /= sum.mass;
+    glm::dmat3 inertia(0.0);
+    for (const auto& [shape, part] : parts) {
+        const glm::dmat3 rotation = glm::mat3_cast(shape->local.rotation);
+        const glm::dvec3 r = shape->local.transformPoint(part.center) - sum.center;
+        inertia += rotation * inertiaMatrix(part.inertia) * glm::transpose(rotation);
+        inertia += part.mass * (glm::dmat3(glm::dot(r, r)) - glm::outerProduct(r, r));  // parallel axes
+    }
+    sum.inertia = {inertia[0][0], inertia[1][1], inertia[2][2], inertia[1][0], inertia[2][1], inertia[2][0]};
+    principalAxes(sum.inertia, sum.principalInertia, sum.principalAxes);
+    return sum;
+}
+
+WorldHit World::raycast(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const {
+    WorldHit best;
+    const double length = glm::length(direction);
+    if (!(length > 0.0) || !(maxDistance > 0.0)) return best;
+    direction /= length;
+    best.distance = maxDistance;
+    m_shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
+        const Pose pose = shapeToWorld(handle);
+        const double cellsPerMetre = 1.0 / shape.voxelSize;
+        const CellRay ray{pose.inversePoint(origin) * cellsPerMetre, glm::conjugate(pose.rotation) * direction, best.distance * cellsPerMetre};
+        const CellHit hit = walkRay(shape.grid, ray);
+        if (!hit.hit || (best.hit && hit.t * shape.voxelSize >= best.distance)) return;
+        glm::dvec3 normalLocal(0.0);
+        if (hit.axis >= 0) normalLocal[hit.axis] = hit.sign;
+        const double distance = hit.t * shape.voxelSize;
+        best = {true, distance, origin + direction * distance, hit.axis < 0 ? -direction : pose.rotation * normalLocal, handle, hit.cell,
+                shape.grid.at(hit.cell)};
+    });
+    return best;
+}
+
+Ledger World::ledger() const {
+    Ledger ledger{m_imported, 0, 0, m_removed};
+    m_shapes.forEach([&](ShapeHandle, const Shape& shape) { (shape.isPiece ? ledger.inPieces : ledger.standing) += shape.grid.voxelCount(); });
+    return ledger;
+}
+
+uint64_t World::hash() const {
+    Hasher hasher;
+    hasher.add(m_step);
+    m_bodies.forEach([&](BodyHandle handle, const Body& body) {
+        hasher.add(handle.bits);
+        hasher.add(body.pose);
+        hasher.add(body.velocity);
+        hasher.add(body.angularVelocity);
+        hasher.add(uint64_t(body.isStatic) << 1 | uint64_t(body.asleep));
+    });
+    const Palette* lastPalette = nullptr;
+    uint64_t paletteHash = 0;
+    m_shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
+        if (shape.palette.get() != lastPalette) {
+            lastPalette = shape.palette.get();
+            paletteHash = hashPalette(*shape.palette);
+        }
+        hasher.add(handle.bits);
+        hasher.add(shape.body.bits);
+        hasher.add(shape.local);
+        hasher.add(shape.grid.contentHash());
+        hasher.add(paletteHash);
+    });
+    m_lights.forEach([&](LightHandle handle, const Light& light) {
+        hasher.add(handle.bits);
+        hasher.add(light.shape.bits);
+        hasher.add(light.local);
+        hasher.add(uint64_t(light.enabled));
+    });
+    m_groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
+        hasher.add(handle.bits);
+        hasher.add(group.removedVoxels << 1 | uint64_t(group.out));
+    });
+    return hasher.state;
+}
+
+}  // namespace rubble
