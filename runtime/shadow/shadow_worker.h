@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "runtime/shadow/shadow_volume.h"
@@ -19,8 +20,8 @@ public:
     ShadowWorker(const ShadowWorker&) = delete;
     ShadowWorker& operator=(const ShadowWorker&) = delete;
 
-    /// Copies out of the world what this step changed (bricks by reference, poses of bodies that moved) and queues it. Never waits.
-    void submit(const FrameChanges& changes, const World& world);
+    /// Copies out what this step changed (bricks by reference, poses of the bodies in `moved`) and queues it. Never waits.
+    void submit(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world);
     /// What has been published since the last call, oldest first; each publication is one version.
     std::vector<ShadowPatches> takePatches();
     /// Waits until `version` is published: for tests, benchmarks and pictures that must not depend on timing.
