@@ -15,6 +15,7 @@ struct FrameLoopSettings {
     PhysicsSettings physics;
     ShadowWorker::Mode shadow = ShadowWorker::Mode::Thread;
     bool shadowVolume = true;          ///< off: nothing is drawn with rays, and nothing is paid
+    bool waitForShadow = false;        ///< each step waits for its shadow volume: pictures that do not depend on timing
 };
 
 /// The two functions of a frame, and the only place that knows every module.
@@ -35,8 +36,12 @@ public:
     /// The journal of the last step; valid until the next.
     const FrameChanges& changes() const { return m_changes; }
     const StageTimes& times() const { return m_times; }
+    /// How many steps the shadow volume was behind when the last step was published, before any waiting.
+    uint64_t shadowAge() const { return m_shadowAge; }
 
 private:
+    std::vector<ShadowPatches> takePatches();
+
     World m_world;
     PhysicsWorld m_physics;
     std::unique_ptr<ShadowWorker> m_shadow;
@@ -44,6 +49,8 @@ private:
     EditQueue m_edits;
     FrameChanges m_changes;
     StageTimes m_times;
+    uint64_t m_shadowAge = 0;
+    bool m_waitForShadow;
 };
 
 }  // namespace rubble

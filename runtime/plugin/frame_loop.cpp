@@ -1,0 +1,66 @@
+#include "runtime/plugin/frame_loop.h"
+
+namespace rubble {
+
+FrameLoop::FrameLoop(const FrameLoopSettings& settings) : m_physics(settings.physics), m_waitForShadow(settings.waitForShadow) {
+    if (settings.shadowVolume) m_shadow = std::make_unique<ShadowWorker>(settings.shadow);
+}
+
+void FrameLoop::load(const Level& level) {
+    m_edits.take();
+    m_world.load(level);
+}
+
+void FrameLoop::step() {
+    m_times = {};
+    {
+        const ScopedTimer timer(m_times[Stage::Edits]);
+        m_changes = m_world.applyEdits(m_edits.take());
+    }
+    {
+        const ScopedTimer timer(m_times[Stage::Physics]);
+        m_physics.apply(m_changes, m_world);
+        m_physics.step();
+    }
+    {
+        const ScopedTimer timer(m_times[Stage::Poses]);
+        m_world.setPoses(m_physics.poses());
+    }
+    {
+        const ScopedTimer timer(m_times[Stage::Impacts]);
+        m_edits.push(m_world.damageFrom(m_physics.impacts()));  // lands next step: no stage runs twice
+    }
+    {
+        const ScopedTimer timer(m_times[Stage::Shadow]);
+        if (m_shadow) m_shadow->submit(m_changes, m_physics.poses(), m_world);
+    }
+    {
+        const ScopedTimer timer(m_times[Stage::Publish]);
+        m_snapshots.publish(m_changes, m_physics.poses(), m_world, takePatches());
+    }
+}
+
+std::vector<ShadowPatches> FrameLoop::takePatches() {
+    if (m_shadow) {
+        m_shadowAge = m_changes.step - m_shadow->publishedVersion();
+        if (m_waitForShadow) m_shadow->waitFor(m_changes.step);
+        return m_shadow->takePatches();
+    }
+    std::vector<ShadowPatches> none(1);
+    none[0].version = m_changes.step;
+    none[0].replacesAll = m_changes.levelReplaced;
+    return none;
+}
+
+void FrameLoop::draw(Renderer& renderer, const View& view, float alpha) {
+    {
+        m_times[Stage::Apply] = 0.0;
+        const ScopedTimer timer(m_times[Stage::Apply]);
+        if (auto snapshot = m_snapshots.take()) renderer.apply(std::move(*snapshot));
+    }
+    m_times[Stage::Draw] = 0.0;
+    const ScopedTimer timer(m_times[Stage::Draw]);
+    renderer.draw(view, alpha);
+}
+
+}  // namespace rubble
