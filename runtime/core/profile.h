@@ -6,7 +6,7 @@
 namespace rubble {
 
 /// The stages of FrameLoop::step() and draw(), in order.
-enum class Stage : uint8_t { Edits, Physics, Poses, Impacts, Shadow, Publish, Apply, Draw, kCount };
+enum class Stage : uint8_t { ApplyEdits, Physics, Poses, Impacts, Shadow, Publish, Apply, Draw, kCount };
 constexpr std::array<const char*, size_t(Stage::kCount)> kStageNames = {"edits", "physics", "poses", "impacts", "shadow", "publish", "apply", "draw"};
 
 /// What one step and one draw cost, by stage, in milliseconds. Time is only reported: nothing is decided by it.

@@ -14,7 +14,7 @@ void FrameLoop::load(const Level& level) {
 void FrameLoop::step() {
     m_times = {};
     {
-        const ScopedTimer timer(m_times[Stage::Edits]);
+        const ScopedTimer timer(m_times[Stage::ApplyEdits]);
         m_changes = m_world.applyEdits(m_edits.take());
     }
     {

@@ -1,0 +1,65 @@
+#include "runtime/core/slot_map.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "runtime/core/handle.h"
+#include "runtime/core/random.h"
+
+namespace rubble {
+namespace {
+
+TEST(SlotMap, StaleHandlesAreReportedNeverFollowed) {
+    SlotMap<BodyHandle, std::string> map(3);
+    const BodyHandle first = map.insert("first");
+    EXPECT_EQ(first.type(), HandleType::Body);
+    EXPECT_EQ(first.world(), 3);
+    EXPECT_TRUE(map.erase(first));
+    EXPECT_FALSE(map.erase(first));
+    const BodyHandle second = map.insert("second");
+    EXPECT_EQ(second.slot(), first.slot());
+    EXPECT_NE(second, first);
+    EXPECT_EQ(map.find(first), nullptr);
+    EXPECT_EQ(*map.find(second), "second");
+    EXPECT_EQ(map.find(BodyHandle{}), nullptr);
+    EXPECT_EQ(map.find(BodyHandle::make(4, second.generation(), second.slot())), nullptr) << "another world's handle";
+}
+
+TEST(SlotMap, BehavesLikeAMapUnderRandomUse) {
+    SlotMap<ShapeHandle, int> map(1);
+    std::map<uint64_t, int> expected;
+    std::vector<ShapeHandle> all;
+    Random random(5);
+    for (int i = 0; i < 20000; ++i) {
+        if (random.below(3) || expected.empty()) {
+            const ShapeHandle handle = map.insert(i);
+            ASSERT_TRUE(expected.emplace(handle.bits, i).second) << "a handle was given twice";
+            all.push_back(handle);
+        } else {
+            const ShapeHandle handle = all[random.below(uint32_t(all.size()))];
+            ASSERT_EQ(map.erase(handle), expected.erase(handle.bits) == 1);
+        }
+    }
+    EXPECT_EQ(map.size(), expected.size());
+    for (const ShapeHandle handle : all) {
+        const auto found = expected.find(handle.bits);
+        const int* value = map.find(handle);
+        ASSERT_EQ(value != nullptr, found != expected.end());
+        if (value) {
+            ASSERT_EQ(*value, found->second);
+        }
+    }
+    size_t visited = 0;
+    uint32_t lastSlot = 0;
+    map.forEach([&](ShapeHandle handle, int) {
+        EXPECT_TRUE(visited == 0 || handle.slot() > lastSlot);
+        lastSlot = handle.slot();
+        ++visited;
+    });
+    EXPECT_EQ(visited, map.size());
+}
+
+}  // namespace
+}  // namespace rubble
