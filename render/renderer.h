@@ -21,7 +21,7 @@ struct View {
     glm::dquat rotation{1, 0, 0, 0};   ///< looks along -z, y up
     float verticalFov = 1.05f;         ///< radians
     glm::ivec2 size{1280, 720};
-    unsigned framebuffer;          ///< GL name of the target
+    unsigned framebuffer = 0;          ///< GL name of the target
     bool cut = false;                  ///< the camera jumped: history is forgotten
 };
 

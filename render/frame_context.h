@@ -1,0 +1,39 @@
+#pragma once
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "render/renderer.h"
+#include "render/shader_library/shader_library.h"
+#include "render/target_pool.h"
+
+namespace rubble {
+
+class Scene;
+
+/// The uniforms that every pass sees (lib/frame.glsl).
+struct FrameBlock {
+    using vec4 = glm::vec4;
+    using ivec4 = glm::ivec4;
+    using mat4 = glm::mat4;
+#include "shaders/shared/frame_block.h"
+};
+
+/// What a pass has at hand while it draws one frame.
+struct FrameContext {
+    const FrameBlock& block;          ///< bound for shaders already
+    const RenderSettings& settings;
+    const Scene& scene;               ///< the world's mirror on the GPU: bodies, lights, environment, shadow volume
+    TargetPool& targets;
+    const Texture& blueNoise;         ///< 64x64, R8, repeats
+    RenderFigures& figures;
+    VertexArray& emptyVertexArray;
+
+    /// Draws one triangle over the framebuffer that is bound, with the program that is in use. State: no depth test, no blending.
+    void drawFullscreen() const {
+        glBindVertexArray(emptyVertexArray.get());
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        ++figures.drawCalls;
+    }
+};
+
+}  // namespace rubble

@@ -1,0 +1,28 @@
+#include "render/gl/framebuffer.h"
+
+#include <cassert>
+
+namespace rubble {
+
+Framebuffer::Framebuffer(const std::vector<const Texture*>& colors, const Texture* depth) : m_name(GlName<FramebufferKind>::make()) {
+    m_size = colors.empty() ? depth->size() : colors[0]->size();
+    glBindFramebuffer(GL_FRAMEBUFFER, name());
+    std::vector<GLenum> buffers;
+    for (const Texture* color : colors) {
+        assert(color->size() == m_size && "attachments differ in size");
+        const GLenum attachment = GLenum(GL_COLOR_ATTACHMENT0 + buffers.size());
+        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, color->name(), 0);
+        buffers.push_back(attachment);
+    }
+    if (depth) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->name(), 0);
+    if (buffers.empty()) buffers.push_back(GL_NONE);
+    glDrawBuffers(GLsizei(buffers.size()), buffers.data());
+    assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && "a combination of attachments that the GL refuses");
+}
+
+void Framebuffer::begin() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, name());
+    glViewport(0, 0, m_size.x, m_size.y);
+}
+
+}  // namespace rubble

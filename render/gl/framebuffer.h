@@ -1,0 +1,27 @@
+#pragma once
+#include <initializer_list>
+#include <vector>
+
+#include "render/gl/texture.h"
+
+namespace rubble {
+
+/// Textures to draw into: colour attachments in order (all of one size), and a depth buffer or none.
+class Framebuffer {
+public:
+    Framebuffer() = default;
+    Framebuffer(std::initializer_list<const Texture*> colors, const Texture* depth = nullptr)
+        : Framebuffer(std::vector<const Texture*>(colors), depth) {}
+    Framebuffer(const std::vector<const Texture*>& colors, const Texture* depth);
+
+    GLuint name() const { return m_name.get(); }
+    glm::ivec2 size() const { return m_size; }
+    /// Makes it the target and sets the viewport to all of it.
+    void begin() const;
+
+private:
+    GlName<FramebufferKind> m_name;
+    glm::ivec2 m_size{0};
+};
+
+}  // namespace rubble

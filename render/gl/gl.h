@@ -1,0 +1,13 @@
+#pragma once
+#include <glad/gl.h>
+
+#include "runtime/core/result.h"
+
+namespace rubble {
+
+/// Loads the functions of GL 3.3 core through a host's loader. Fails with what is missing.
+Result<Done> loadGl(void* (*loader)(const char* name));
+/// True on a renderer without a GPU, where a timer query says little and glFinish costs nothing.
+bool isSoftwareGl();
+
+}  // namespace rubble

@@ -1,0 +1,131 @@
+#include "render/gl/program.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+namespace rubble {
+namespace {
+
+GLuint compile(GLenum stage, const std::string& source, std::string& log) {
+    const GLuint shader = glCreateShader(stage);
+    const char* text = source.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    GLint done = 0, length = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
+    if (done) return shader;
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    log.resize(size_t(length));
+    glGetShaderInfoLog(shader, length, &length, log.data());
+    log.resize(size_t(length));
+    glDeleteShader(shader);
+    return 0;
+}
+
+bool isSampler(GLenum type) {
+    switch (type) {
+        case GL_SAMPLER_2D:
+        case GL_SAMPLER_3D:
+        case GL_SAMPLER_BUFFER:
+        case GL_INT_SAMPLER_2D:
+        case GL_INT_SAMPLER_BUFFER:
+        case GL_UNSIGNED_INT_SAMPLER_2D:
+        case GL_UNSIGNED_INT_SAMPLER_3D:
+        case GL_UNSIGNED_INT_SAMPLER_BUFFER: return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+Program::Program(const std::string& vertexSource, const std::string& fragmentSource, std::string& log, bool& vertexFailed) {
+    const GLuint vertex = compile(GL_VERTEX_SHADER, vertexSource, log);
+    vertexFailed = !vertex;
+    if (!vertex) return;
+    const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragmentSource, log);
+    if (!fragment) {
+        glDeleteShader(vertex);
+        return;
+    }
+    auto program = GlName<ProgramKind>::make();
+    glAttachShader(program.get(), vertex);
+    glAttachShader(program.get(), fragment);
+    glDeleteShader(vertex);
+    glDeleteShader(fragment);
+    glLinkProgram(program.get());
+    GLint done = 0, length = 0;
+    glGetProgramiv(program.get(), GL_LINK_STATUS, &done);
+    if (!done) {
+        glGetProgramiv(program.get(), GL_INFO_LOG_LENGTH, &length);
+        log.resize(size_t(length));
+        glGetProgramInfoLog(program.get(), length, &length, log.data());
+        log.resize(size_t(length));
+        return;
+    }
+    m_name = std::move(program);
+    listUniforms();
+}
+
+void Program::listUniforms() {
+    use();
+    GLint count = 0;
+    glGetProgramiv(name(), GL_ACTIVE_UNIFORMS, &count);
+    int units = 0;
+    for (GLint i = 0; i < count; ++i) {
+        char text[128];
+        GLsizei length = 0;
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(name(), GLuint(i), sizeof text, &length, &size, &type, text);
+        const GLint location = glGetUniformLocation(name(), text);
+        if (location < 0) continue;  // a member of a block
+        int unit = -1;
+        if (isSampler(type)) {
+            unit = units++;
+            glUniform1i(location, unit);
+        }
+        m_uniforms.push_back({text, location, unit});
+    }
+    const GLuint block = glGetUniformBlockIndex(name(), "FrameBlock");
+    if (block != GL_INVALID_INDEX) glUniformBlockBinding(name(), block, 0);
+    glUseProgram(0);
+}
+
+const Program::Uniform* Program::find(std::string_view name) const {
+    for (const Uniform& uniform : m_uniforms)
+        if (uniform.name == name) return &uniform;
+    return nullptr;
+}
+
+void Program::set(std::string_view name, int value) const {
+    if (const Uniform* u = find(name)) glUniform1i(u->location, value);
+}
+void Program::set(std::string_view name, float value) const {
+    if (const Uniform* u = find(name)) glUniform1f(u->location, value);
+}
+void Program::set(std::string_view name, glm::vec2 value) const {
+    if (const Uniform* u = find(name)) glUniform2fv(u->location, 1, glm::value_ptr(value));
+}
+void Program::set(std::string_view name, glm::vec3 value) const {
+    if (const Uniform* u = find(name)) glUniform3fv(u->location, 1, glm::value_ptr(value));
+}
+void Program::set(std::string_view name, glm::vec4 value) const {
+    if (const Uniform* u = find(name)) glUniform4fv(u->location, 1, glm::value_ptr(value));
+}
+void Program::set(std::string_view name, glm::ivec2 value) const {
+    if (const Uniform* u = find(name)) glUniform2iv(u->location, 1, glm::value_ptr(value));
+}
+void Program::set(std::string_view name, glm::ivec3 value) const {
+    if (const Uniform* u = find(name)) glUniform3iv(u->location, 1, glm::value_ptr(value));
+}
+void Program::set(std::string_view name, const glm::mat4& value) const {
+    if (const Uniform* u = find(name)) glUniformMatrix4fv(u->location, 1, GL_FALSE, glm::value_ptr(value));
+}
+
+void Program::bind(std::string_view sampler, GLenum target, GLuint texture) const {
+    const Uniform* u = find(sampler);
+    if (!u || u->unit < 0) return;
+    glActiveTexture(GLenum(GL_TEXTURE0 + u->unit));
+    glBindTexture(target, texture);
+}
+
+}  // namespace rubble

@@ -1,0 +1,71 @@
+#include "render/shader_library/shader_source.h"
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <regex>
+#include <sstream>
+
+namespace rubble {
+namespace {
+
+constexpr const char* kPrefix = "#version 330 core\nprecision highp float;\nprecision highp int;\n";
+constexpr int kPrefixLines = 3;
+
+std::optional<std::string> includedFile(const std::string& line) {
+    static const std::regex pattern(R"(^\s*#\s*include\s*"([^"]+)\".*)");
+    std::smatch match;
+    if (!std::regex_match(line, match, pattern)) return {};
+    return match[1].str();
+}
+
+/// Appends a file to the source; returns what went wrong, or nothing.
+std::string append(const std::filesystem::path& folder, const std::string& file, const std::string& from, ShaderSource& source) {
+    if (std::find(source.files.begin(), source.files.end(), file) != source.files.end()) return {};
+    std::ifstream stream(folder / file);
+    if (!stream) return from + "expected a shader file " + (folder / file).string() + ", found none";
+    const int index = int(source.files.size());
+    source.files.push_back(file);
+    std::string line;
+    for (int number = 1; std::getline(stream, line); ++number) {
+        if (const auto included = includedFile(line)) {
+            const std::string here = file + ":" + std::to_string(number) + ": ";
+            if (std::string error = append(folder, *included, here, source); !error.empty()) return error;
+            continue;
+        }
+        source.text += line + "\n";
+        source.lines.push_back({index, number});
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string ShaderSource::explain(const std::string& log) const {
+    // Mesa "0:12(5): error", NVIDIA "0(12) : error", ANGLE "ERROR: 0:12: ...".
+    static const std::regex pattern(R"(\b0(?::(\d+)(\(\d+\))?|\((\d+)\)))");
+    std::istringstream in(log);
+    std::string line, out;
+    while (std::getline(in, line)) {
+        std::smatch match;
+        if (std::regex_search(line, match, pattern)) {
+            const int number = std::stoi(match[1].matched ? match[1].str() : match[3].str());
+            if (number >= 1 && number <= int(lines.size()) && lines[size_t(number - 1)].file >= 0) {
+                const Line& where = lines[size_t(number - 1)];
+                line = match.prefix().str() + files[size_t(where.file)] + ":" + std::to_string(where.line) + match.suffix().str();
+            }
+        }
+        out += line + "\n";
+    }
+    return out;
+}
+
+Result<ShaderSource> readShader(const std::filesystem::path& folder, const std::string& file) {
+    ShaderSource source;
+    source.text = kPrefix;
+    source.lines.assign(kPrefixLines, {-1, 0});
+    if (std::string error = append(folder, file, "", source); !error.empty()) return Error{error};
+    return source;
+}
+
+}  // namespace rubble

@@ -1,0 +1,71 @@
+#include "render/target_pool.h"
+
+#include <cassert>
+
+namespace rubble {
+
+void TargetPool::beginFrame(glm::ivec2 viewSize, bool cut) {
+    if (viewSize != m_viewSize) {
+        m_framebuffers.clear();
+        m_slots.clear();
+        m_viewSize = viewSize;
+        cut = true;
+    }
+    ++m_frame;
+    if (cut) m_cutFrame = m_frame;
+    for (auto& [name, slot] : m_slots)
+        if (slot.isHistory) slot.current ^= 1;
+}
+
+TargetPool::Slot& TargetPool::slot(std::string_view name, GLenum internalFormat, int divisor, Filter filter, bool isHistory) {
+    auto found = m_slots.find(name);
+    if (found == m_slots.end()) {
+        const glm::ivec2 size = glm::max((m_viewSize + divisor - 1) / divisor, glm::ivec2(1));
+        found = m_slots.try_emplace(std::string(name)).first;
+        found->second.isHistory = isHistory;
+        for (int i = 0; i <= int(isHistory); ++i) found->second.textures[i] = Texture(internalFormat, size, filter);
+    }
+    Slot& slot = found->second;
+    assert(slot.isHistory == isHistory && slot.textures[0].internalFormat() == internalFormat && "one name, two kinds of target");
+    slot.drawn[slot.current] = m_frame;
+    return slot;
+}
+
+const Texture& TargetPool::target(std::string_view name, GLenum internalFormat, int divisor, Filter filter) {
+    return slot(name, internalFormat, divisor, filter, false).textures[0];
+}
+
+History TargetPool::history(std::string_view name, GLenum internalFormat, int divisor, Filter filter) {
+    const Slot& found = slot(name, internalFormat, divisor, filter, true);
+    const int previous = found.current ^ 1;
+    return {found.textures[found.current], found.textures[previous], found.drawn[previous] + 1 == m_frame && m_cutFrame != m_frame};
+}
+
+const Texture* TargetPool::find(std::string_view name) const {
+    const auto found = m_slots.find(name);
+    return found == m_slots.end() ? nullptr : &found->second.textures[found->second.current];
+}
+
+const Texture& TargetPool::at(std::string_view name) const {
+    const Texture* found = find(name);
+    assert(found && "a pass reads a target that no earlier pass has drawn");
+    return *found;
+}
+
+const Framebuffer& TargetPool::framebuffer(std::initializer_list<const Texture*> colors, const Texture* depth) {
+    std::vector<GLuint> key{depth ? depth->name() : 0};
+    for (const Texture* color : colors) key.push_back(color->name());
+    const auto found = m_framebuffers.find(key);
+    if (found != m_framebuffers.end()) return found->second;
+    return m_framebuffers.emplace(std::move(key), Framebuffer(colors, depth)).first->second;
+}
+
+uint64_t TargetPool::bytes() const {
+    uint64_t sum = 0;
+    for (const auto& [name, slot] : m_slots)
+        for (const Texture& texture : slot.textures)
+            if (texture) sum += texture.bytes();
+    return sum;
+}
+
+}  // namespace rubble

@@ -1,0 +1,44 @@
+// What the G-buffer holds and how to read it. Targets (render/passes/gbuffer_pass.h makes them):
+//   albedo    RGBA8    rgb sRGB-encoded colour; a palette index / 255 (0 = sky)
+//   normal    RGBA16F  xyz world normal, unit length; w emission, a multiple of the linear colour
+//   material  RGBA8    r roughness, g metallic, b reflectivity (0.08 = 1/12.5 at 1.0: see reflectanceOf), a 1 if the body moves
+//   motion    RG16F    uv of the point now minus its uv in the last frame, both without jitter
+//   depth     R32F     linear: metres along the view axis; kSkyDepth where nothing was hit
+// Glass (opacity < 255) is not in these. Where the scene has some, the pass "glass" adds:
+//   glassTint RGBA8    rgb share of the light behind that comes through all panes (1 = no glass)
+//   glassSurface RGBA16F xyz normal of the nearest pane, w its linear depth (0 = no glass)
+const float kSkyDepth = 65000.0;
+
+uniform sampler2D uAlbedo;
+uniform sampler2D uNormal;
+uniform sampler2D uMaterial;
+uniform sampler2D uMotion;
+uniform sampler2D uDepth;
+
+vec3 srgbToLinear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(vec3(0.04045), c)); }
+
+struct Surface {
+    bool sky;
+    float depth;        // metres along the view axis
+    vec3 albedo;        // linear
+    vec3 normal;        // world
+    float emission;     // radiance = albedo * emission
+    float roughness, metallic, reflectivity;
+    float moving;       // 1 if its body moved since the last frame
+};
+
+Surface readSurface(ivec2 pixel) {
+    Surface s;
+    s.depth = texelFetch(uDepth, pixel, 0).r;
+    s.sky = s.depth >= kSkyDepth;
+    s.albedo = srgbToLinear(texelFetch(uAlbedo, pixel, 0).rgb);
+    vec4 normal = texelFetch(uNormal, pixel, 0);
+    s.normal = normal.xyz;
+    s.emission = normal.w;
+    vec4 material = texelFetch(uMaterial, pixel, 0);
+    s.roughness = material.r;
+    s.metallic = material.g;
+    s.reflectivity = material.b;
+    s.moving = material.a;
+    return s;
+}
