@@ -1,6 +1,7 @@
 #include "render/target_pool.h"
 
 #include <cassert>
+#include <glm/common.hpp>
 
 namespace rubble {
 

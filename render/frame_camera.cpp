@@ -1,0 +1,68 @@
+#include "render/frame_camera.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace rubble {
+namespace {
+
+constexpr float kNear = 0.05f, kFar = 2000.0f;
+constexpr int kJitterPeriod = 16;
+
+/// Van der Corput's radical inverse: with bases 2 and 3 the Halton sequence.
+float radicalInverse(int base, int index) {
+    float result = 0.0f, digit = 1.0f;
+    for (; index > 0; index /= base) {
+        digit /= float(base);
+        result += digit * float(index % base);
+    }
+    return result;
+}
+
+glm::mat4 projection(const View& view, glm::vec2 jitterUv) {
+    const float aspect = float(view.size.x) / float(view.size.y);
+    glm::mat4 p = glm::perspective(view.verticalFov, aspect, kNear, kFar);
+    p[2][0] += jitterUv.x * 2.0f;  // shifts clip space by -2 jitter: what lies at pixel centre + jitter comes to the centre
+    p[2][1] += jitterUv.y * 2.0f;
+    return p;
+}
+
+}  // namespace
+
+void FrameCamera::begin(const View& view, bool jittered, glm::dvec3 originWorld, FrameBlock& block) {
+    const bool cut = view.cut || m_frame == 0 || view.size != m_lastSize || originWorld != m_lastOrigin;
+    if (view.cut) m_frame = 0;  // the same noise after each cut: a still picture does not depend on what came before
+    const glm::vec2 size(view.size);
+    const int index = m_frame % kJitterPeriod + 1;
+    const glm::vec2 jitter = jittered ? (glm::vec2(radicalInverse(2, index), radicalInverse(3, index)) - 0.5f) / size : glm::vec2(0.0f);
+
+    const glm::vec3 position(view.position - originWorld);
+    const glm::mat3 axes = glm::mat3_cast(glm::quat(view.rotation));
+    const glm::mat4 toCamera = glm::translate(glm::mat4(glm::transpose(axes)), -position);
+    const glm::mat4 plain = projection(view, glm::vec2(0.0f)) * toCamera;
+    const float tanY = std::tan(view.verticalFov * 0.5f);
+
+    block.viewProjection = projection(view, jitter) * toCamera;
+    block.viewProjectionPlain = plain;
+    block.previousViewProjection = cut ? plain : m_lastViewProjection;
+    block.cameraPosition = glm::vec4(position, kNear);
+    block.previousCameraPosition = cut ? glm::vec4(position, 0.0f) : m_lastPosition;
+    block.cameraRight = glm::vec4(axes[0], tanY * size.x / size.y);
+    block.cameraUp = glm::vec4(axes[1], tanY);
+    block.cameraForward = glm::vec4(-axes[2], kFar);
+    block.targetSize = glm::vec4(size, 1.0f / size);
+    block.jitter = glm::vec4(jitter, cut ? jitter : m_lastJitter);
+    // Roberts' R1 and R2 sequences, extremelearning.com.au/unreasonable-effectiveness-of-quasirandom-sequences.
+    const float n = float(m_frame % 4096);
+    block.noiseOffset = glm::fract(n * glm::vec4(0.7548776662f, 0.5698402910f, 0.6180339887f, 0.8191725134f));
+    block.counters = glm::ivec4(m_frame, cut ? 0 : 1, 0, 0);
+
+    m_lastViewProjection = plain;
+    m_lastPosition = glm::vec4(position, 0.0f);
+    m_lastJitter = jitter;
+    m_lastSize = view.size;
+    m_lastOrigin = originWorld;
+    ++m_frame;
+}
+
+}  // namespace rubble

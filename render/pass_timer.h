@@ -1,0 +1,31 @@
+#pragma once
+#include <chrono>
+#include <utility>
+#include <vector>
+
+#include "render/gl/name.h"
+
+namespace rubble {
+
+/// Times the passes of a frame: by GL_TIME_ELAPSED, read one frame later, on a GPU; after glFinish on a software
+/// renderer, whose queries do not see the work.
+class PassTimer {
+public:
+    explicit PassTimer(bool software) : m_software(software) {}
+    /// Collects the frame before and starts a new one. `out` gets the times in the order drawn.
+    void beginFrame(std::vector<std::pair<const char*, double>>& out);
+    void begin(const char* name);
+    void end(std::vector<std::pair<const char*, double>>& out);
+
+private:
+    struct Timed {
+        const char* name;
+        GlName<QueryKind> query;
+    };
+    bool m_software;
+    std::chrono::steady_clock::time_point m_start;
+    std::vector<Timed> m_running;
+    size_t m_count = 0;
+};
+
+}  // namespace rubble

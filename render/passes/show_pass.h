@@ -1,0 +1,21 @@
+#pragma once
+#include <string_view>
+
+#include "render/frame_context.h"
+
+namespace rubble {
+
+/// Draws one target to the view's framebuffer, scaled to what an eye can see.
+class ShowPass {
+public:
+    /// How a target's values become a colour; the numbers are those of passes/show.frag.
+    enum class Mode { Color = 0, Linear = 1, Signed = 2, Distance = 3, Motion = 4, Alpha = 5, Red = 6 };
+
+    explicit ShowPass(ShaderLibrary& shaders);
+    void draw(const FrameContext& frame, const Texture& target, Mode mode, unsigned framebuffer, glm::ivec2 size) const;
+
+private:
+    const Program& m_program;
+};
+
+}  // namespace rubble

@@ -1,0 +1,148 @@
+#include "render/renderer.h"
+
+#include "render/frame_camera.h"
+#include "render/frame_context.h"
+#include "render/gl/state_guard.h"
+#include "render/pass_timer.h"
+#include "render/passes/gbuffer_pass.h"
+#include "render/passes/show_pass.h"
+#include "render/passes/simple_light_pass.h"
+#include "render/scene/blue_noise.h"
+#include "render/scene/scene.h"
+
+namespace rubble {
+namespace {
+
+/// The intermediate targets that can be shown, and how.
+struct Shown {
+    const char* name;
+    const char* target;
+    ShowPass::Mode mode;
+};
+using enum ShowPass::Mode;
+constexpr Shown kShown[] = {
+    {"final", "final", Color},         {"albedo", "albedo", Color},       {"normal", "normal", Signed}, {"emission", "normal", Alpha},
+    {"material", "material", Color},   {"motion", "motion", Motion},      {"depth", "depth", Distance}, {"glassTint", "glassTint", Color},
+    {"glassSurface", "glassSurface", Signed},
+};
+
+}  // namespace
+
+struct Renderer::Impl {
+    Impl(const std::string& shaderFolder, const RenderSettings& given) : settings(given), shaders(shaderFolder) {
+        blueNoise = Texture(GL_R8, glm::ivec2(kBlueNoiseSize), Filter::Nearest, Wrap::Repeat);
+        blueNoise.upload(makeBlueNoise().data());
+    }
+
+    /// The frame: each pass reads what those above it have drawn.
+    void drawPasses(const FrameContext& frame) {
+        run("gbuffer", [&] { gbuffer.draw(frame); });
+        run("simple light", [&] { simpleLight.draw(frame); });
+    }
+
+    template <class F>
+    void run(const char* name, F&& draw) {
+        timer.begin(name);
+        draw();
+        timer.end(figures.passMs);
+    }
+    void draw(const View& view, float alpha);
+    void fillBlock(const View& view);
+    void uploadBlock();
+
+    RenderSettings settings;
+    ShaderLibrary shaders;
+    Scene scene;
+    TargetPool targets;
+    FrameCamera camera;
+    FrameBlock block{};
+    GlName<BufferKind> blockBuffer = GlName<BufferKind>::make();
+    VertexArray emptyVertexArray = VertexArray::make();
+    Texture blueNoise;
+    PassTimer timer{isSoftwareGl()};
+    RenderFigures figures;
+    const Shown* shown = &kShown[0];
+
+    GBufferPass gbuffer{shaders};
+    SimpleLightPass simpleLight{shaders};
+    ShowPass show{shaders};
+};
+
+void Renderer::Impl::fillBlock(const View& view) {
+    camera.begin(view, settings.temporal, scene.origin(), block);
+    const Environment& e = scene.environment();
+    block.counters.z = int(scene.lights().size());
+    block.sunDirection = glm::vec4(glm::normalize(e.sunDirection), e.sunAngle);
+    block.sunColor = glm::vec4(e.sunColor, 0.0f);
+    block.skyColor = glm::vec4(e.skyColor, 0.0f);
+    block.horizonColor = glm::vec4(e.horizonColor, 0.0f);
+    block.groundColor = glm::vec4(e.groundColor, 0.0f);
+    block.fogColor = glm::vec4(e.fogColor, e.fogDistance);
+    block.exposure = glm::vec4(e.exposure);
+}
+
+void Renderer::Impl::uploadBlock() {
+    glBindBuffer(GL_UNIFORM_BUFFER, blockBuffer.get());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, blockBuffer.get());
+}
+
+void Renderer::Impl::draw(const View& view, float) {
+    const GlStateGuard hostState;
+    timer.beginFrame(figures.passMs);
+    figures.drawCalls = figures.bodyDraws = 0;
+    targets.beginFrame(view.size, view.cut);
+    fillBlock(view);
+    uploadBlock();
+    const FrameContext frame{block, settings, scene, targets, blueNoise, figures, emptyVertexArray};
+    drawPasses(frame);
+    const Texture* target = targets.find(shown->target);
+    run("show", [&] { show.draw(frame, target ? *target : blueNoise, shown->mode, view.framebuffer, view.size); });
+    figures.textureBytes = targets.bytes() + blueNoise.bytes();
+}
+
+RenderSettings RenderSettings::preset(std::string_view name) {
+    RenderSettings settings;
+    if (name == "fast") {
+        settings.skyRays = 1;
+        settings.skyDistance = 12.0f;
+        settings.filterPasses = 2;
+    }
+    if (name == "accurate") {
+        settings.skyRays = 8;
+        settings.sunRays = 4;
+    }
+    return settings;
+}
+
+Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader, const std::string& shaderFolder, const RenderSettings& settings) {
+    if (auto loaded = loadGl(loader); !loaded) return Error{loaded.error()};
+    auto impl = std::make_unique<Impl>(shaderFolder, settings);
+    if (!impl->shaders.errors().empty()) return Error{impl->shaders.errors().front()};
+    return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));
+}
+
+Renderer::Renderer(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
+Renderer::~Renderer() = default;
+
+void Renderer::apply(FrameSnapshot&& snapshot) { m_impl->scene.apply(std::move(snapshot)); }
+void Renderer::draw(const View& view, float alpha) { m_impl->draw(view, alpha); }
+
+bool Renderer::showPass(std::string_view name) {
+    for (const Shown& shown : kShown)
+        if (shown.name == name) {
+            m_impl->shown = &shown;
+            return true;
+        }
+    return false;
+}
+
+std::vector<std::string> Renderer::passNames() const {
+    std::vector<std::string> names;
+    for (const Shown& shown : kShown) names.emplace_back(shown.name);
+    return names;
+}
+
+const RenderFigures& Renderer::figures() const { return m_impl->figures; }
+
+}  // namespace rubble

@@ -1,0 +1,17 @@
+// Any target, made visible. Modes as in render/passes/show_pass.h.
+uniform sampler2D uTarget;
+uniform int uMode;
+in vec2 uv;
+out vec4 color;
+
+void main() {
+    vec4 v = texture(uTarget, uv);
+    vec3 c = v.rgb;
+    if (uMode == 1) c = pow(c / (1.0 + c), vec3(1.0 / 2.2));           // unbounded light
+    if (uMode == 2) c = v.rgb * 0.5 + 0.5;                             // directions
+    if (uMode == 3) c = vec3(1.0 - exp(-v.r / 20.0));                  // metres
+    if (uMode == 4) c = vec3(v.rg * 10.0 + 0.5, 0.5);                  // uv a frame
+    if (uMode == 5) c = vec3(v.a);
+    if (uMode == 6) c = v.rrr;
+    color = vec4(c, 1.0);
+}
