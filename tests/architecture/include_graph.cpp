@@ -36,7 +36,9 @@ const std::vector<Room>& rooms() {
         {"render/",
          {"runtime/core/", "runtime/voxel/", "runtime/world/lights.h", "runtime/world/frame_changes.h", "runtime/shadow/shadow_volume.h",
           "runtime/frame/frame_snapshot.h", "render/", "shaders/shared/"}},
-        {"shaders/", {"shaders/"}},
+        {"shaders/shared/", {"shared/", "shaders/shared/"}},  // GLSL names its files from shaders/
+        {"shaders/lib/", {"shared/", "lib/"}},
+        {"shaders/passes/", {"shared/", "lib/"}},
         {"samples/hello/", {"rubble/rubble.h"}},
         {"samples/hosts/", {"rubble/rubble.h", "samples/hosts/"}},
         {"samples/scenes/", {"runtime/core/", "runtime/voxel/", "runtime/destruction/", "runtime/world/", "runtime/assets/", "samples/scenes/"}},
