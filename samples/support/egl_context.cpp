@@ -1,0 +1,51 @@
+#include "samples/support/egl_context.h"
+
+#define EGL_NO_X11
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+namespace rubble {
+
+bool EglContext::open(void* display) {
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return false;
+    m_display = display;
+    const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
+    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                              EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    EGLConfig config = EGL_NO_CONFIG_KHR;
+    EGLint count = 0;
+    eglChooseConfig(display, wanted, &config, 1, &count);
+    if (!eglBindAPI(EGL_OPENGL_API)) return false;
+    m_context = eglCreateContext(display, count ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
+    return m_context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_context);
+}
+
+Result<std::unique_ptr<GlContext>> EglContext::create() {
+    const auto queryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    const auto platformDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    if (!platformDisplay) return Error{"EGL: expected eglGetPlatformDisplayEXT, found none"};
+    EGLDeviceEXT devices[8];
+    EGLint count = 0;
+    if (queryDevices) queryDevices(8, devices, &count);
+    for (EGLint i = 0; i <= count; ++i) {
+        auto result = std::make_unique<EglContext>();
+        const bool surfaceless = i == count;
+        EGLDisplay display = surfaceless ? platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)
+                                         : platformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr);
+        if (result->open(display)) return std::unique_ptr<GlContext>(std::move(result));
+    }
+    return Error{"EGL: no device gave an OpenGL 3.3 core context without a surface"};
+}
+
+EglContext::~EglContext() {
+    if (!m_display) return;
+    eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (m_context) eglDestroyContext(m_display, m_context);
+    eglTerminate(m_display);
+}
+
+GlLoader EglContext::loader() const {
+    return [](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); };
+}
+
+}  // namespace rubble

@@ -1,0 +1,29 @@
+#include "samples/support/osmesa_context.h"
+
+#include <GL/osmesa.h>
+
+namespace rubble {
+
+Result<std::unique_ptr<GlContext>> OsMesaContext::create() {
+    const int attributes[] = {OSMESA_FORMAT,  OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3,
+                              OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+    auto result = std::make_unique<OsMesaContext>();
+    result->m_context = OSMesaCreateContextAttribs(attributes, nullptr);
+    if (!result->m_context) return Error{"OSMesa: no OpenGL 3.3 core context (Debian package libosmesa6)"};
+    constexpr int kSide = 16;
+    result->m_pixels.resize(kSide * kSide * 4);
+    if (!OSMesaMakeCurrent(result->m_context, result->m_pixels.data(), GL_UNSIGNED_BYTE, kSide, kSide))
+        return Error{"OSMesa: the context cannot be made current"};
+    return std::unique_ptr<GlContext>(std::move(result));
+}
+
+OsMesaContext::~OsMesaContext() {
+    OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+    if (m_context) OSMesaDestroyContext(m_context);
+}
+
+GlLoader OsMesaContext::loader() const {
+    return [](const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); };
+}
+
+}  // namespace rubble
