@@ -16,9 +16,9 @@ struct ImportReport {
 };
 
 struct VoxImportSettings {
-    bool teardownPalette = false;      ///< palette rows name materials, as in the reference game
-    double voxelSize = 0.1;            ///< metres
-    bool oneBody = false;              ///< all objects on one static body instead of a body each
+    bool teardownPalette = false;  ///< palette rows name materials, as in the reference game
+    double voxelSize = 0.1;        ///< metres
+    bool oneBody = false;          ///< all objects on one static body instead of a body each
 };
 
 /// Reads a MagicaVoxel file (every chunk of versions 150 and 200). Y is up in the result.

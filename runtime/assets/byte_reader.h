@@ -1,0 +1,81 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <type_traits>
+
+namespace rubble {
+
+/// Reads little-endian values from a file's bytes and never past their end. The first failure is kept, with its place;
+/// after it everything reads as zero, so a parser checks failed() where it loops and once at its end.
+/// Offsets count from the start of the file, also in a reader of a part of it.
+class ByteReader {
+public:
+    ByteReader(std::span<const uint8_t> bytes, std::string context, size_t fileOffset = 0)
+        : m_bytes(bytes), m_context(std::move(context)), m_fileOffset(fileOffset) {}
+
+    template <class T>
+    T read() {
+        static_assert(std::is_trivially_copyable_v<T>);
+        T value{};
+        if (need(sizeof(T), "a value")) std::memcpy(&value, m_bytes.data() + m_position, sizeof(T)), m_position += sizeof(T);
+        return value;
+    }
+    /// An element count that the remaining bytes can hold at `bytesEach` bytes an element.
+    uint32_t readCount(size_t bytesEach, const char* what) {
+        const size_t start = m_position;
+        const uint32_t count = read<uint32_t>();
+        if (failed() || count <= remaining() / bytesEach) return failed() ? 0 : count;
+        m_position = start;
+        fail(fmt::format("{} {} ({} bytes each)", count, what, bytesEach), fmt::format("{} bytes", m_bytes.size() - start - 4));
+        return 0;
+    }
+    std::string readString() {
+        const uint32_t length = readCount(1, "characters");
+        std::string text(reinterpret_cast<const char*>(m_bytes.data()) + m_position, length);
+        m_position += length;
+        return text;
+    }
+    std::span<const uint8_t> readBytes(size_t count) {
+        if (!need(count, "a block")) return {};
+        m_position += count;
+        return m_bytes.subspan(m_position - count, count);
+    }
+    /// The next `count` bytes as a reader of their own.
+    ByteReader part(size_t count, std::string context) {
+        const size_t start = offset();
+        return ByteReader(readBytes(count), std::move(context), start);
+    }
+
+    size_t remaining() const { return failed() ? 0 : m_bytes.size() - m_position; }
+    size_t offset() const { return m_fileOffset + m_position; }
+    bool failed() const { return !m_error.empty(); }
+    const std::string& error() const { return m_error; }
+    /// Keeps the first failure only. `offset`: where in the file; the current place if not given.
+    void fail(const std::string& expected, const std::string& found, size_t offset = SIZE_MAX) {
+        if (failed()) return;
+        m_error = fmt::format("byte {}, {}: expected {}, found {}", offset == SIZE_MAX ? this->offset() : offset, m_context, expected, found);
+    }
+    /// Takes over the failure of a reader of a part.
+    void adopt(const ByteReader& part) {
+        if (!failed()) m_error = part.m_error;
+    }
+
+private:
+    bool need(size_t count, const char* what) {
+        if (failed()) return false;
+        if (count <= m_bytes.size() - m_position) return true;
+        fail(fmt::format("{} of {} bytes", what, count), fmt::format("{} bytes before the end", m_bytes.size() - m_position));
+        return false;
+    }
+    std::span<const uint8_t> m_bytes;
+    std::string m_context;
+    std::string m_error;
+    size_t m_fileOffset;
+    size_t m_position = 0;
+};
+
+}  // namespace rubble

@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <tuple>
+
+#include "runtime/assets/assets.h"
+
+namespace rubble {
+namespace {
+
+const std::string kModels = RUBBLE_SOURCE_DIR "/../shared/models/";
+
+/// Counted by an independent script, one line a file.
+struct Known {
+    const char* file;
+    int models, shapes;
+    uint64_t voxels;
+    int colors;
+};
+
+void PrintTo(const Known& known, std::ostream* out) {
+    *out << known.file;
+}
+
+class RealModels : public testing::TestWithParam<Known> {};
+
+TEST_P(RealModels, HaveTheirPartsVoxelsAndColours) {
+    const Known& known = GetParam();
+    const std::string path = kModels + known.file;
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+    ImportReport report;
+    const Result<Level> level = importVox(path, {}, &report);
+    ASSERT_TRUE(level) << level.error();
+    std::map<int, uint64_t> colors;
+    uint64_t voxels = 0;
+    for (const LevelBody& body : level->bodies)
+        for (const LevelShape& shape : body.shapes) {
+            voxels += shape.grid.voxelCount();
+            shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+                forEachVoxel(brick->occupancy, [&](int i) {
+                    ++colors[brick->at(i)];
+                    ASSERT_NE(int((*shape.palette)[brick->at(i)].material), 0);
+                });
+            });
+        }
+    EXPECT_EQ(report.models, known.models);
+    EXPECT_EQ(report.shapes, known.shapes);
+    EXPECT_EQ(report.voxels, known.voxels);
+    EXPECT_EQ(voxels, known.voxels);
+    EXPECT_EQ(int(colors.size()), known.colors);
+    std::printf("| %s | %d | %d | %llu | %d |\n", known.file, report.models, report.shapes, static_cast<unsigned long long>(voxels),
+                int(colors.size()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RealModels,
+                         testing::Values(Known{"axes.vox", 4, 10, 12452, 4}, Known{"chr_cop1.vox", 1, 1, 267, 10},
+                                         Known{"metal-material.vox", 1, 1, 20, 1}, Known{"obj_house3.vox", 1, 1, 119892, 9},
+                                         Known{"obj_store12.vox", 1, 1, 85149, 12}, Known{"obj_store15.vox", 1, 1, 125486, 14},
+                                         Known{"placeholder-with-materials.vox", 1, 1, 4, 4}, Known{"scene_checkpoint.vox", 1, 1, 130774, 44},
+                                         Known{"scene_depot.vox", 1, 1, 120245, 29}, Known{"scene_house6.vox", 1, 1, 207466, 24},
+                                         Known{"scene_store7.vox", 1, 1, 173018, 42}, Known{"scene_theater.vox", 1, 1, 128329, 30},
+                                         Known{"test_multiple_model_scene.vox", 41, 104, 12926, 7}, Known{"veh_bus.vox", 1, 1, 27286, 13},
+                                         Known{"veh_cab1.vox", 1, 1, 3097, 11}, Known{"veh_fire.vox", 1, 1, 15302, 17},
+                                         Known{"veh_police1.vox", 1, 1, 3132, 11}),
+                         [](const auto& parameter) {
+                             std::string name = parameter.param.file;
+                             for (char& c : name)
+                                 if (!isalnum(static_cast<unsigned char>(c))) c = '_';
+                             return name;
+                         });
+
+TEST(RealModels, PartsOfTheBigSceneFitWithoutOverlap) {
+    const std::string path = kModels + "test_multiple_model_scene.vox";
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+    const Result<Level> level = importVox(path, {});
+    ASSERT_TRUE(level) << level.error();
+    std::map<std::tuple<int, int, int>, std::string> cells;
+    int overlaps = 0;
+    for (const LevelBody& body : level->bodies) {
+        const LevelShape& shape = body.shapes.at(0);
+        const glm::ivec3 corner(glm::round(body.pose.position / 0.1));
+        shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
+            forEachVoxel(content->occupancy, [&](int i) {
+                const glm::ivec3 c = corner + brick * 8 + voxelInBrick(i);
+                const auto [at, fresh] = cells.emplace(std::tuple(c.x, c.y, c.z), shape.name);
+                if (!fresh && overlaps++ < 5)
+                    std::printf("overlap of %s and %s at %d %d %d\n", at->second.c_str(), shape.name.c_str(), c.x, c.y, c.z);
+            });
+        });
+    }
+    EXPECT_EQ(overlaps, 0);
+}
+
+}  // namespace
+}  // namespace rubble
