@@ -14,6 +14,9 @@ inline constexpr int kBrickVoxels = kBrickSize * kBrickSize * kBrickSize;
 constexpr int voxelIndex(glm::ivec3 inBrick) { return inBrick.x + inBrick.y * 8 + inBrick.z * 64; }
 constexpr glm::ivec3 voxelInBrick(int index) { return {index & 7, index >> 3 & 7, index >> 6}; }
 
+/// One bit a voxel of a brick: word z, bit x + 8 y.
+using BrickBits = std::array<uint64_t, 8>;
+
 /// 8x8x8 voxels: a palette index each, 0 = empty. Never changed once a grid holds it: pieces, replicas, undo and
 /// snapshots share it by reference. A brick of one index stores no index array.
 struct Brick {

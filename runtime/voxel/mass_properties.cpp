@@ -1,5 +1,6 @@
 #include "runtime/voxel/mass_properties.h"
 
+#include <bit>
 #include <cmath>
 #include <glm/mat3x3.hpp>
 
@@ -47,11 +48,34 @@ MassMoments MassMoments::shifted(glm::ivec3 offset) const {
 }
 
 MassMoments brickMoments(const Brick& brick, glm::ivec3 brickPosition, const Palette& palette, const MaterialTable& materials) {
+    return brickMoments(brick, brick.occupancy, brickPosition, palette, materials);
+}
+
+MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 brickPosition, const Palette& palette, const MaterialTable& materials) {
+    // Row by row with plain integers: inside a brick nothing overflows 64 bits.
+    std::array<int64_t, 3> first{};
+    std::array<int64_t, 6> second{};
     MassMoments sum;
-    forEachVoxel(brick.occupancy, [&](int i) {
-        const uint32_t density = materials[palette[brick.indices ? (*brick.indices)[size_t(i)] : brick.uniform].material].density;
-        sum.add(voxelInBrick(i), density);
-    });
+    for (int z = 0; z < 8; ++z) {
+        const uint64_t word = of[size_t(z)] & brick.occupancy[size_t(z)];
+        for (int y = 0; y < 8; ++y) {
+            int64_t weight = 0, weightX = 0, weightXX = 0;
+            for (unsigned row = unsigned(word >> (8 * y)) & 0xffu; row; row &= row - 1) {
+                const int x = std::countr_zero(row);
+                const uint8_t entry = brick.indices ? (*brick.indices)[size_t(x + 8 * y + 64 * z)] : brick.uniform;
+                const int64_t density = materials[palette[entry].material].density, p = 2 * x + 1;
+                weight += density, weightX += density * p, weightXX += density * p * p;
+                ++sum.voxels;
+            }
+            const int64_t py = 2 * y + 1, pz = 2 * z + 1;
+            sum.weight += weight;
+            first[0] += weightX, first[1] += weight * py, first[2] += weight * pz;
+            second[0] += weightXX, second[1] += weight * py * py, second[2] += weight * pz * pz;
+            second[3] += weightX * py, second[4] += weight * py * pz, second[5] += weightX * pz;
+        }
+    }
+    sum.first = first;
+    for (size_t i = 0; i < 6; ++i) sum.second[i] = second[i];
     return sum.shifted(brickPosition * kBrickSize);
 }
 

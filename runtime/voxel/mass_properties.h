@@ -30,6 +30,8 @@ struct MassMoments {
 
 /// Sums over one brick at the given brick coordinate.
 MassMoments brickMoments(const Brick& brick, glm::ivec3 brickPosition, const Palette& palette, const MaterialTable& materials);
+/// The same over the solid voxels among `of` alone.
+MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 brickPosition, const Palette& palette, const MaterialTable& materials);
 MassMoments gridMoments(const VoxelGrid& grid, const Palette& palette, const MaterialTable& materials);
 
 /// What a rigid body needs, from the moments. Metres and kilograms, in the shape's frame.

@@ -3,20 +3,13 @@
 #include <string>
 #include <vector>
 
+#include "runtime/voxel/cell_box.h"
 #include "runtime/voxel/material.h"
 #include "runtime/voxel/palette.h"
 #include "runtime/voxel/voxel_grid.h"
 #include "runtime/world/lights.h"
 
 namespace rubble {
-
-/// A box of cells, high end excluded.
-struct CellBox {
-    glm::ivec3 low{0};
-    glm::ivec3 high{0};
-    bool empty() const { return low.x >= high.x || low.y >= high.y || low.z >= high.z; }
-    friend bool operator==(const CellBox&, const CellBox&) = default;
-};
 
 /// A voxel shape as data: what files hold and scenes make.
 struct LevelShape {

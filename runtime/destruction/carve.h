@@ -1,0 +1,25 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "runtime/destruction/brush.h"
+#include "runtime/voxel/mass_properties.h"
+#include "runtime/voxel/palette.h"
+#include "runtime/voxel/voxel_grid.h"
+
+namespace rubble {
+
+/// What carves took out of one grid; several carves add up.
+struct Carved {
+    std::vector<glm::ivec3> bricks;            ///< that changed; a brick may occur once a carve
+    std::array<uint64_t, 256> removed{};       ///< voxels by palette entry
+    uint64_t voxels = 0;
+    MassMoments moments;                       ///< of what was removed
+};
+
+/// Empties the cells that the brush touches, each class of hardness within its own radius; unbreakable and unphysical
+/// voxels stay. Costs the bricks within the brush's bounds.
+void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials, Carved& out);
+
+}  // namespace rubble
