@@ -15,15 +15,15 @@ struct CellRay {
 struct CellHit {
     bool hit = false;
     glm::ivec3 cell{0};
-    double t = 0.0;      ///< where the ray enters the cell; 0 if it starts inside
+    double t = 0.0;      ///< where the ray enters the cell; 0 if it starts inside; infinite if beyond any double
     int axis = -1;       ///< axis of the face entered through; -1 if it starts inside
     int sign = 0;        ///< +1 or -1: the face's outward normal along that axis
-    int steps = 0;       ///< cells and bricks visited, at most nx + ny + nz + 3
+    int steps = 0;       ///< cells, bricks and nodes visited, at most nx + ny + nz + 3
 };
 
-/// The first solid voxel that the ray touches. Walks bricks, then cells, and computes t from the integer boundary instead
-/// of adding up differences (Amanatides & Woo 1987, with the accumulated error removed). Zero components never divide;
-/// a NaN anywhere gives no hit.
+/// The first solid voxel that the ray touches. Walks empty bricks and directory nodes in one step each, then cells (see
+/// CellWalk for the rules on faces, edges and corners: the leaps change nothing). Zero components never divide; a NaN
+/// anywhere, or an infinite origin or direction, gives no hit. A voxel entered exactly at tMax is hit.
 CellHit walkRay(const VoxelGrid& grid, const CellRay& ray);
 
 }  // namespace rubble

@@ -41,6 +41,8 @@ public:
         const BrickRef* ref = find(brick);
         return ref ? *ref : nullptr;
     }
+    /// True if none of the 4x4x4 bricks of a directory node (its coordinates are brick >> 2) is there.
+    bool nodeEmpty(glm::ivec3 node) const { return !m_nodes[nodeIndex(node)]; }
     /// Replaces a brick; an empty or null one clears its place. Voxels outside size() must be empty.
     void setBrick(glm::ivec3 brick, BrickRef value);
 

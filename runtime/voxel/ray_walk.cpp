@@ -1,0 +1,32 @@
+#include "runtime/voxel/ray_walk.h"
+
+#include "runtime/voxel/cell_walk.h"
+
+namespace rubble {
+
+CellHit walkRay(const VoxelGrid& grid, const CellRay& ray) {
+    constexpr int kNodeSize = 4 * kBrickSize;
+    CellHit out;
+    CellWalk walk;
+    bool inside = walk.start(ray, grid.size());
+    while (inside) {
+        ++out.steps;
+        const glm::ivec3 cell = walk.cell();
+        const glm::ivec3 position = cell >> 3;
+        const Brick* brick = grid.brickAt(position);
+        if (!brick) {
+            const int size = grid.nodeEmpty(position >> 2) ? kNodeSize : kBrickSize;
+            const glm::ivec3 low = cell & ~(size - 1);
+            inside = walk.leave(low, low + size);
+            continue;
+        }
+        for (glm::ivec3 at = cell; inside && at >> 3 == position; at = walk.cell()) {
+            if (brick->solid(voxelIndex(at & 7))) return {true, at, walk.t(), walk.axis(), walk.sign(), out.steps};
+            inside = walk.step();
+            if (inside && walk.cell() >> 3 == position) ++out.steps;
+        }
+    }
+    return out;
+}
+
+}  // namespace rubble
