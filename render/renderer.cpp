@@ -87,8 +87,9 @@ void Renderer::Impl::uploadBlock() {
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, blockBuffer.get());
 }
 
-void Renderer::Impl::draw(const View& view, float) {
+void Renderer::Impl::draw(const View& view, float alpha) {
     const GlStateGuard hostState;
+    figures.uploadBytes = scene.beginFrame(alpha, view.position);
     timer.beginFrame(figures.passMs);
     figures.drawCalls = figures.bodyDraws = 0;
     targets.beginFrame(view.size, view.cut);
@@ -98,7 +99,9 @@ void Renderer::Impl::draw(const View& view, float) {
     drawPasses(frame);
     const Texture* target = targets.find(shown->target);
     run("show", [&] { show.draw(frame, target ? *target : blueNoise, shown->mode, view.framebuffer, view.size); });
-    figures.textureBytes = targets.bytes() + blueNoise.bytes();
+    figures.textureBytes = targets.bytes() + scene.bytes() + blueNoise.bytes();
+    figures.shapes = scene.bodies().shapes();
+    figures.bricks = scene.bodies().bricks();
 }
 
 RenderSettings RenderSettings::preset(std::string_view name) {
@@ -117,6 +120,7 @@ RenderSettings RenderSettings::preset(std::string_view name) {
 
 Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader, const std::string& shaderFolder, const RenderSettings& settings) {
     if (auto loaded = loadGl(loader); !loaded) return Error{loaded.error()};
+    const GlStateGuard hostState;
     auto impl = std::make_unique<Impl>(shaderFolder, settings);
     if (!impl->shaders.errors().empty()) return Error{impl->shaders.errors().front()};
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));

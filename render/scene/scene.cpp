@@ -1,13 +1,30 @@
 #include "render/scene/scene.h"
 
-namespace rubble {
+#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 
-Scene::Scene() = default;
-Scene::~Scene() = default;
+namespace rubble {
+namespace {
+
+constexpr double kSector = 6.4;             // metres: 64 shadow cells
+constexpr double kRebaseDistance = 1024.0;  // floats are still good to 0.06 mm there
+
+}  // namespace
 
 void Scene::apply(FrameSnapshot&& snapshot) {
+    if (snapshot.replacesAll) m_bodies.clear();
+    for (ShapeHandle shape : snapshot.destroyed) m_bodies.destroy(shape);
+    for (const SnapshotShape& shape : snapshot.created) m_bodies.create(shape);
+    for (const BrickChange& change : snapshot.bricks) m_bodies.setBrick(change);
+    for (const SnapshotPalette& palette : snapshot.palettes) m_bodies.setPalette(palette.shape, palette.palette);
+    for (const SnapshotPose& pose : snapshot.poses) m_bodies.setPose(pose);
     if (snapshot.lightsChanged) m_lights = std::move(snapshot.lights);
     if (snapshot.environmentChanged) m_environment = snapshot.environment;
+}
+
+uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld) {
+    if (glm::distance(cameraWorld, m_origin) > kRebaseDistance) m_origin = glm::round(cameraWorld / kSector) * kSector;
+    return m_bodies.beginFrame(alpha, m_origin);
 }
 
 void Scene::bindShadow(const Program&) const {}

@@ -1,0 +1,247 @@
+#include "render/scene/bodies.h"
+
+#include <bit>
+#include <glm/common.hpp>
+
+namespace rubble {
+namespace {
+
+constexpr uint32_t kNoTable = ~0u;
+
+glm::vec4 packed(glm::quat q) { return {q.x, q.y, q.z, q.w}; }
+int childOf(glm::ivec3 brick) { return (brick.x & 3) + (brick.y & 3) * 4 + (brick.z & 3) * 16; }
+
+bool hasGlassEntry(const Palette& palette) {
+    return std::any_of(palette.begin() + 1, palette.end(), [](const PaletteEntry& e) { return e.opacity < 255; });
+}
+
+}  // namespace
+
+Bodies::Shape* Bodies::find(ShapeHandle handle) {
+    if (handle.slot() >= m_shapes.size() || !m_shapes[handle.slot()] || m_shapes[handle.slot()]->handle != handle) return nullptr;
+    return m_shapes[handle.slot()].get();
+}
+
+void Bodies::create(const SnapshotShape& given) {
+    const uint32_t slot = given.shape.slot();
+    if (slot < m_shapes.size() && m_shapes[slot]) destroy(m_shapes[slot]->handle);
+    if (slot >= m_shapes.size()) {
+        m_shapes.resize(slot + 1);
+        m_instances.resize(slot + 1);
+        m_placements.resize(slot + 1);
+        m_layouts.resize(slot + 1);
+    }
+    auto shape = std::make_unique<Shape>();
+    shape->handle = given.shape;
+    shape->size = given.size;
+    shape->sizeInNodes = (given.size + 31) / 32;
+    shape->voxelSize = given.voxelSize;
+    const uint32_t nodes = uint32_t(shape->sizeInNodes.x * shape->sizeInNodes.y * shape->sizeInNodes.z);
+    shape->bricks.resize(nodes);
+    shape->firstNode = m_nodeRanges.take(nodes);
+    m_nodes.resize(std::max<size_t>(m_nodes.size(), m_nodeRanges.end()));
+    for (uint32_t n = 0; n < nodes; ++n) m_nodes.change(shape->firstNode + n) = Node{{0, 0}, kNoTable, 0};
+
+    m_instances[slot] = Instance{};
+    m_instances[slot].voxelSize = given.voxelSize;
+    m_layouts.change(slot) = Layout{shape->firstNode, 0, 0, 0, glm::ivec4(shape->sizeInNodes, 0), glm::ivec4(0), glm::ivec4(0)};
+    m_shapes[slot] = std::move(shape);
+    ++m_shapeCount;
+    usePalette(*m_shapes[slot], slot, given.palette);
+    for (const BrickChange& change : given.bricks) putBrick(*m_shapes[slot], change.brick, change.content);
+    m_boundsDirty.push_back(slot);
+    m_moving.push_back(slot);
+    m_shapes[slot]->moving = true;
+}
+
+void Bodies::destroy(ShapeHandle handle) {
+    Shape* shape = find(handle);
+    if (!shape) return;
+    release(*shape, handle.slot());
+    m_shapes[handle.slot()].reset();
+    m_instances[handle.slot()] = Instance{};
+    --m_shapeCount;
+}
+
+void Bodies::release(Shape& shape, uint32_t slot) {
+    for (size_t n = 0; n < shape.bricks.size(); ++n) {
+        if (!shape.bricks[n]) continue;
+        for (const BrickRef& brick : *shape.bricks[n])
+            if (brick) m_atlas.release(brick.get());
+        m_tableSlots.give(m_nodes[shape.firstNode + n].table);
+    }
+    m_nodeRanges.give(shape.firstNode, uint32_t(shape.bricks.size()));
+    m_glassShapes -= m_instances[slot].glass;
+    if (shape.palette) releasePalette(shape.palette.get());
+    shape.palette = nullptr;
+}
+
+void Bodies::clear() {
+    for (const auto& shape : m_shapes)
+        if (shape) destroy(ShapeHandle(shape->handle));
+    m_moving.clear();
+    m_boundsDirty.clear();
+}
+
+void Bodies::setBrick(const BrickChange& change) {
+    Shape* shape = find(change.shape);
+    if (!shape) return;
+    putBrick(*shape, change.brick, change.content);
+    m_boundsDirty.push_back(change.shape.slot());
+}
+
+void Bodies::putBrick(Shape& shape, glm::ivec3 brick, const BrickRef& content) {
+    const glm::ivec3 node = brick >> 2;
+    const size_t n = (size_t(node.z) * size_t(shape.sizeInNodes.y) + size_t(node.y)) * size_t(shape.sizeInNodes.x) + size_t(node.x);
+    if (!shape.bricks[n] && !content) return;
+    Node& gpuNode = m_nodes.change(shape.firstNode + n);
+    if (!shape.bricks[n]) {
+        shape.bricks[n] = std::make_unique<std::array<BrickRef, 64>>();
+        gpuNode.table = m_tableSlots.take();
+        m_tables.resize(std::max<size_t>(m_tables.size(), m_tableSlots.end()));
+        m_tables.change(gpuNode.table) = Table{};
+    }
+    const int child = childOf(brick);
+    BrickRef& held = (*shape.bricks[n])[size_t(child)];
+    const uint32_t entry = content ? m_atlas.acquire(content) << 8 | BrickAtlas::occupiedWords(*content) : 0;
+    if (held) m_atlas.release(held.get());
+    held = content;
+    m_tables.change(gpuNode.table).entry[child] = entry;
+    uint32_t& mask = gpuNode.mask[child >> 5];
+    const uint32_t bit = 1u << (child & 31);
+    mask = content ? mask | bit : mask & ~bit;
+}
+
+void Bodies::updateBounds(uint32_t slot) {
+    const Shape& shape = *m_shapes[slot];
+    glm::ivec3 low(1 << 20), high(0);
+    for (size_t n = 0; n < shape.bricks.size(); ++n) {
+        const Node& node = m_nodes[shape.firstNode + n];
+        const int i = int(n), nx = shape.sizeInNodes.x, ny = shape.sizeInNodes.y;
+        const glm::ivec3 base = glm::ivec3(i % nx, i / nx % ny, i / nx / ny) * 4;
+        for (uint64_t mask = node.mask[0] | uint64_t(node.mask[1]) << 32; mask; mask &= mask - 1) {
+            const int child = std::countr_zero(mask);
+            const glm::ivec3 brick = base + glm::ivec3(child & 3, child >> 2 & 3, child >> 4);
+            low = glm::min(low, brick * 8);
+            high = glm::max(high, brick * 8 + 8);
+        }
+    }
+    high = glm::min(high, shape.size);
+    m_instances[slot].low = low;
+    m_instances[slot].high = high;
+    m_layouts.change(slot).low = glm::ivec4(low, 0);
+    m_layouts.change(slot).high = glm::ivec4(high, 0);
+}
+
+uint32_t Bodies::acquirePalette(const PaletteRef& palette) {
+    PaletteUse& use = m_paletteUses[palette.get()];
+    if (use.references++) return use.slot;
+    use.palette = palette;
+    use.slot = m_paletteSlots.take();
+    m_palettes.resize(std::max<size_t>(m_palettes.size(), m_paletteSlots.end()));
+    PackedPalette& packedPalette = m_palettes.change(use.slot);
+    for (size_t i = 0; i < 256; ++i) {
+        const PaletteEntry& e = (*palette)[i];
+        uint32_t* to = packedPalette.entry[i];
+        to[0] = uint32_t(e.red) | uint32_t(e.green) << 8 | uint32_t(e.blue) << 16 | uint32_t(e.opacity) << 24;
+        to[1] = uint32_t(e.roughness) | uint32_t(e.metallic) << 8 | uint32_t(e.reflectivity) << 16 | uint32_t(e.material) << 24;
+        to[2] = std::bit_cast<uint32_t>(e.emission);
+        to[3] = e.lightGroup;
+    }
+    return use.slot;
+}
+
+void Bodies::releasePalette(const Palette* palette) {
+    const auto found = m_paletteUses.find(palette);
+    if (--found->second.references) return;
+    m_paletteSlots.give(found->second.slot);
+    m_paletteUses.erase(found);
+}
+
+void Bodies::usePalette(Shape& shape, uint32_t slot, const PaletteRef& palette) {
+    const uint32_t paletteSlot = acquirePalette(palette);
+    if (shape.palette) releasePalette(shape.palette.get());
+    shape.palette = palette;
+    const bool glass = hasGlassEntry(*palette);
+    m_glassShapes += int(glass) - int(m_instances[slot].glass);
+    m_instances[slot].glass = glass;
+    m_layouts.change(slot).palette = paletteSlot;
+    m_layouts.change(slot).flags = glass ? 1 : 0;
+}
+
+void Bodies::setPalette(ShapeHandle handle, const PaletteRef& palette) {
+    if (Shape* shape = find(handle)) usePalette(*shape, handle.slot(), palette);
+}
+
+void Bodies::setPose(const SnapshotPose& pose) {
+    Shape* shape = find(pose.shape);
+    if (!shape) return;
+    shape->previous = pose.previous;
+    shape->current = pose.current;
+    if (!shape->moving) m_moving.push_back(pose.shape.slot());
+    shape->moving = true;
+}
+
+uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld) {
+    if (originWorld != m_origin) {
+        m_origin = originWorld;
+        for (uint32_t slot = 0; slot < m_shapes.size(); ++slot) {
+            if (!m_shapes[slot]) continue;
+            m_shapes[slot]->placed = false;
+            if (!m_shapes[slot]->moving) m_moving.push_back(slot);
+            m_shapes[slot]->moving = true;
+        }
+    }
+    std::sort(m_boundsDirty.begin(), m_boundsDirty.end());
+    m_boundsDirty.erase(std::unique(m_boundsDirty.begin(), m_boundsDirty.end()), m_boundsDirty.end());
+    for (uint32_t slot : m_boundsDirty)
+        if (m_shapes[slot]) updateBounds(slot);
+    m_boundsDirty.clear();
+
+    std::vector<uint32_t> still;
+    std::sort(m_moving.begin(), m_moving.end());
+    m_moving.erase(std::unique(m_moving.begin(), m_moving.end()), m_moving.end());
+    for (uint32_t slot : m_moving)
+        if (m_shapes[slot]) {
+            place(slot, alpha, originWorld);
+            if (m_shapes[slot]->moving) still.push_back(slot);
+        }
+    m_moving = std::move(still);
+    return m_atlas.upload() + m_nodes.upload() + m_tables.upload() + m_placements.upload() + m_layouts.upload() + m_palettes.upload();
+}
+
+void Bodies::place(uint32_t slot, float alpha, glm::dvec3 originWorld) {
+    Shape& shape = *m_shapes[slot];
+    const glm::dvec3 position = glm::mix(shape.previous.position, shape.current.position, double(alpha)) - originWorld;
+    const glm::quat rotation = glm::normalize(glm::slerp(glm::quat(shape.previous.rotation), glm::quat(shape.current.rotation), alpha));
+    Placement& to = m_placements.change(slot);
+    const Placement last = to;
+    to.rotation = packed(rotation);
+    to.position = glm::vec4(glm::vec3(position), shape.voxelSize);
+    to.lastRotation = shape.placed ? last.rotation : to.rotation;
+    to.lastPosition = shape.placed ? glm::vec4(glm::vec3(last.position), 0.0f) : glm::vec4(glm::vec3(position), 0.0f);
+    const bool moved = to.lastRotation != to.rotation || glm::vec3(to.lastPosition) != glm::vec3(to.position);
+    to.lastPosition.w = moved ? 1.0f : 0.0f;
+    m_instances[slot].position = glm::vec3(position);
+    m_instances[slot].rotation = rotation;
+    const bool arrived = shape.previous == shape.current && !moved && shape.placed;
+    shape.placed = true;
+    if (arrived) shape.moving = false;
+}
+
+void Bodies::bind(const Program& program) const {
+    program.set("uBrickWords", m_atlas.words());
+    program.set("uBrickIndices", m_atlas.indices());
+    program.set("uNodes", m_nodes.texture());
+    program.set("uTables", m_tables.texture());
+    program.set("uPlacements", m_placements.texture());
+    program.set("uLayouts", m_layouts.texture());
+    program.set("uPalettes", m_palettes.texture());
+}
+
+uint64_t Bodies::bytes() const {
+    return m_atlas.bytes() + m_nodes.texture().bytes() + m_tables.texture().bytes() + m_placements.texture().bytes() +
+           m_layouts.texture().bytes() + m_palettes.texture().bytes();
+}
+
+}  // namespace rubble

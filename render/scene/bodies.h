@@ -1,0 +1,105 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "render/gl/program.h"
+#include "render/scene/brick_atlas.h"
+#include "render/scene/mirrored_buffer.h"
+#include "runtime/frame/frame_snapshot.h"
+
+namespace rubble {
+
+/// All shapes on the GPU: bricks in one atlas, a two-level directory each, palettes, and an instance each. The layout of the
+/// buffers is that of lib/bodies.glsl.
+class Bodies {
+public:
+    /// What draws one shape.
+    struct Instance {
+        glm::ivec3 low{0}, high{0};    ///< cells that hold something, in bricks' steps
+        glm::vec3 position{0};         ///< drawn now, from the render origin
+        glm::quat rotation{1, 0, 0, 0};
+        float voxelSize = 0.1f;
+        bool glass = false;            ///< its palette has entries of opacity < 255
+        bool empty() const { return low.x >= high.x; }
+    };
+
+    void create(const SnapshotShape& shape);
+    void destroy(ShapeHandle shape);
+    void clear();
+    void setBrick(const BrickChange& change);
+    void setPalette(ShapeHandle shape, const PaletteRef& palette);
+    void setPose(const SnapshotPose& pose);
+
+    /// Places what moves between its last two poses and sends what changed. Returns the bytes sent.
+    uint64_t beginFrame(float alpha, glm::dvec3 originWorld);
+    /// Sets the samplers of lib/bodies.glsl. The program must be in use.
+    void bind(const Program& program) const;
+
+    /// By slot; those with nothing in them are empty().
+    const std::vector<Instance>& instances() const { return m_instances; }
+    bool hasGlass() const { return m_glassShapes > 0; }
+    int shapes() const { return m_shapeCount; }
+    int bricks() const { return m_atlas.bricks(); }
+    uint64_t bytes() const;
+
+private:
+    /// On the GPU, lib/bodies.glsl reads these as texels.
+    struct Node {
+        uint32_t mask[2] = {0, 0};     ///< which of its 4x4x4 bricks are there
+        uint32_t table = 0;            ///< first entry in m_tables
+        uint32_t unused = 0;
+    };
+    struct Table {
+        uint32_t entry[64] = {};       ///< slot << 8 | occupied 4x4x4 words
+    };
+    struct Placement {
+        glm::vec4 rotation{0, 0, 0, 1}, position{0}, lastRotation{0, 0, 0, 1}, lastPosition{0};
+    };
+    struct Layout {
+        uint32_t node = 0, palette = 0, flags = 0, unused = 0;
+        glm::ivec4 sizeInNodes{0}, low{0}, high{0};
+    };
+    struct PackedPalette {
+        uint32_t entry[256][4] = {};
+    };
+    struct Shape {
+        ShapeHandle handle;
+        glm::ivec3 size{0}, sizeInNodes{0};
+        float voxelSize = 0.1f;
+        uint32_t firstNode = 0;
+        PaletteRef palette;
+        std::vector<std::unique_ptr<std::array<BrickRef, 64>>> bricks;  ///< by node
+        Pose previous, current;
+        bool placed = false;           ///< has been drawn: its last placement is one to reproject from
+        bool moving = false;           ///< is in m_moving
+    };
+    Shape* find(ShapeHandle handle);
+    void release(Shape& shape, uint32_t slot);
+    void putBrick(Shape& shape, glm::ivec3 brick, const BrickRef& content);
+    void updateBounds(uint32_t slot);
+    uint32_t acquirePalette(const PaletteRef& palette);
+    void releasePalette(const Palette* palette);
+    void usePalette(Shape& shape, uint32_t slot, const PaletteRef& palette);
+    void place(uint32_t slot, float alpha, glm::dvec3 originWorld);
+
+    struct PaletteUse {
+        PaletteRef palette;
+        uint32_t slot = 0, references = 0;
+    };
+    BrickAtlas m_atlas;
+    MirroredBuffer<Node> m_nodes{GL_RGBA32UI, "brick directory"};
+    MirroredBuffer<Table> m_tables{GL_R32UI, "brick tables"};
+    MirroredBuffer<Placement> m_placements{GL_RGBA32F, "instances"};
+    MirroredBuffer<Layout> m_layouts{GL_RGBA32UI, "shape layouts"};
+    MirroredBuffer<PackedPalette> m_palettes{GL_RGBA32UI, "palettes"};
+    Ranges m_nodeRanges;
+    Slots m_tableSlots, m_paletteSlots;
+    std::unordered_map<const Palette*, PaletteUse> m_paletteUses;
+    std::vector<std::unique_ptr<Shape>> m_shapes;   ///< by the handle's slot
+    std::vector<Instance> m_instances;
+    std::vector<uint32_t> m_moving, m_boundsDirty;  ///< slots
+    glm::dvec3 m_origin{0.0};
+    int m_shapeCount = 0, m_glassShapes = 0;
+};
+
+}  // namespace rubble

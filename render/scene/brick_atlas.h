@@ -1,0 +1,42 @@
+#pragma once
+#include <unordered_map>
+#include <vector>
+
+#include "render/gl/texture.h"
+#include "render/scene/slots.h"
+#include "runtime/voxel/brick.h"
+
+namespace rubble {
+
+/// The bricks of all shapes on the GPU, each once however many shapes share it: occupancy as eight 4x4x4 words, and a
+/// palette index a voxel. Layouts: lib/bodies.glsl.
+class BrickAtlas {
+public:
+    /// The slot of a brick; uploads it with the next upload() if it is new. Each acquire wants a release.
+    uint32_t acquire(const BrickRef& brick);
+    void release(const Brick* brick);
+    /// Which of a brick's eight 4x4x4 words hold anything: bit x + 2 y + 4 z.
+    static uint32_t occupiedWords(const Brick& brick);
+
+    uint64_t upload();
+    int bricks() const { return int(m_slots.used()); }
+    uint64_t bytes() const { return m_words.bytes() + m_indices.bytes(); }
+    const BufferTexture& words() const { return m_words; }
+    const BufferTexture& indices() const { return m_indices; }
+
+private:
+    struct Entry {
+        BrickRef brick;  ///< held, so that its address means this brick
+        uint32_t slot;
+        uint32_t references;
+    };
+    std::unordered_map<const Brick*, Entry> m_entries;
+    std::vector<const Brick*> m_bySlot;
+    std::vector<uint32_t> m_pending;  ///< slots to upload
+    Slots m_slots;
+    BufferTexture m_words{GL_RGBA32UI};   ///< 4 texels a brick
+    BufferTexture m_indices{GL_R32UI};    ///< 128 texels a brick
+    bool m_full = false;
+};
+
+}  // namespace rubble

@@ -1,0 +1,64 @@
+#pragma once
+#include <algorithm>
+#include <vector>
+
+#include "render/gl/texture.h"
+#include "runtime/core/log.h"
+
+namespace rubble {
+
+/// An array in main memory with a copy that shaders read. Writing marks a page; upload() sends the marked pages only.
+template <class T>
+class MirroredBuffer {
+public:
+    MirroredBuffer(GLenum texelFormat, const char* name) : m_texture(texelFormat), m_name(name) {}
+
+    size_t size() const { return m_data.size(); }
+    void resize(size_t count) {
+        m_data.resize(count);
+        m_pageDirty.resize((count + kPage - 1) / kPage, 0);
+    }
+    const T& operator[](size_t i) const { return m_data[i]; }
+    /// For writing: element i will be uploaded.
+    T& change(size_t i) {
+        const size_t page = i / kPage;
+        if (!m_pageDirty[page]) m_dirty.push_back(page);
+        m_pageDirty[page] = 1;
+        return m_data[i];
+    }
+
+    /// Returns the bytes sent. What the GL has no room for is logged and stays out of the picture.
+    uint64_t upload() {
+        if (m_dirty.empty()) return 0;
+        if (!m_texture.reserve(m_data.size() * sizeof(T))) {
+            logError(std::string(m_name) + ": full at " + std::to_string(m_texture.bytes()) + " bytes, the largest buffer texture of this GL");
+            m_data.resize(m_texture.bytes() / sizeof(T));
+        }
+        std::sort(m_dirty.begin(), m_dirty.end());
+        uint64_t sent = 0;
+        for (size_t i = 0; i < m_dirty.size();) {
+            size_t end = i + 1;
+            while (end < m_dirty.size() && m_dirty[end] == m_dirty[end - 1] + 1) ++end;
+            const size_t first = m_dirty[i] * kPage, last = std::min((m_dirty[end - 1] + 1) * kPage, m_data.size());
+            if (first < last) {
+                m_texture.upload(first * sizeof(T), std::as_bytes(std::span(m_data).subspan(first, last - first)));
+                sent += (last - first) * sizeof(T);
+            }
+            i = end;
+        }
+        for (size_t page : m_dirty) m_pageDirty[page] = 0;
+        m_dirty.clear();
+        return sent;
+    }
+    const BufferTexture& texture() const { return m_texture; }
+
+private:
+    static constexpr size_t kPage = sizeof(T) >= 256 ? 1 : 256 / sizeof(T);  ///< elements
+    std::vector<T> m_data;
+    std::vector<uint8_t> m_pageDirty;
+    std::vector<size_t> m_dirty;
+    BufferTexture m_texture;
+    const char* m_name;
+};
+
+}  // namespace rubble

@@ -1,0 +1,59 @@
+// The bodies' buffers (filled by render/scene/bodies.cpp) and what one texel of each means.
+uniform usamplerBuffer uNodes;         // a node of 4x4x4 bricks: 64-bit mask of its bricks, number of its table
+uniform usamplerBuffer uTables;        // 64 texels a table: slot << 8 | mask of the brick's occupied 4x4x4 words
+uniform usamplerBuffer uBrickWords;    // 4 texels a brick: eight 64-bit words of 4x4x4 cells, two a texel
+uniform usamplerBuffer uBrickIndices;  // 128 texels a brick: 512 palette indices, four a texel
+uniform samplerBuffer uPlacements;     // 4 texels an instance: rotation, position and voxel size, and both as they were last frame
+uniform usamplerBuffer uLayouts;       // 4 texels an instance: first node, palette, flags; size in nodes; low cell; high cell
+uniform usamplerBuffer uPalettes;      // 256 texels a palette: colour and opacity, surface, emission
+
+const uint kHasGlass = 1u;
+
+// All fetches go through here: WebGL2 has no buffer textures and will read 2D ones.
+uvec4 fetchNode(int i) { return texelFetch(uNodes, i); }
+uint fetchTable(int i) { return texelFetch(uTables, i).r; }
+uvec4 fetchWords(int i) { return texelFetch(uBrickWords, i); }
+uint fetchIndices(int i) { return texelFetch(uBrickIndices, i).r; }
+
+struct Placement {
+    vec4 rotation;
+    vec3 position;    // of cell 0's corner, world
+    float voxelSize;  // metres
+    vec4 lastRotation;
+    vec3 lastPosition;
+    float moved;      // 1 if it differs from last frame's
+};
+
+Placement readPlacement(int instance) {
+    vec4 p = texelFetch(uPlacements, instance * 4 + 1), q = texelFetch(uPlacements, instance * 4 + 3);
+    return Placement(texelFetch(uPlacements, instance * 4), p.xyz, p.w, texelFetch(uPlacements, instance * 4 + 2), q.xyz, q.w);
+}
+
+struct Layout {
+    int node, palette;
+    uint flags;
+    ivec3 sizeInNodes, low, high;
+};
+
+Layout readLayout(int instance) {
+    uvec4 a = texelFetch(uLayouts, instance * 4);
+    return Layout(int(a.x), int(a.y), a.z, ivec3(texelFetch(uLayouts, instance * 4 + 1).xyz), ivec3(texelFetch(uLayouts, instance * 4 + 2).xyz),
+                  ivec3(texelFetch(uLayouts, instance * 4 + 3).xyz));
+}
+
+struct Entry {
+    vec3 color;       // sRGB
+    float opacity, roughness, metallic, reflectivity, emission;
+};
+
+Entry readEntry(int palette, int index) {
+    uvec4 v = texelFetch(uPalettes, palette * 256 + index);
+    uvec4 bytes = uvec4(0u, 8u, 16u, 24u);
+    vec4 a = vec4((uvec4(v.x) >> bytes) & 255u) / 255.0, b = vec4((uvec4(v.y) >> bytes) & 255u) / 255.0;
+    return Entry(a.rgb, a.a, b.r, b.g, b.b, uintBitsToFloat(v.z));
+}
+
+bool isGlass(int palette, int index) { return texelFetch(uPalettes, palette * 256 + index).x >> 24 < 255u; }
+
+vec3 rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
+vec3 rotateBack(vec4 q, vec3 v) { return rotate(vec4(-q.xyz, q.w), v); }

@@ -1,0 +1,63 @@
+// The first voxel of one body that a ray meets: nodes of 32^3 cells, bricks of 8^3, words of 4^3, cells. Exact: no cell that
+// the ray passes is left out, and what is empty is leapt.
+#include "lib/bodies.glsl"
+#include "lib/cell_walk.glsl"
+
+// What a walk stops at.
+const int kStopAtSolid = 0;   // every voxel
+const int kStopAtOpaque = 1;  // voxels of opacity 255
+const int kStopAtGlass = 2;   // the others
+
+struct VoxelHit {
+    bool hit;
+    ivec3 cell;
+    int index;      // palette entry
+    float t;        // in lengths of the direction
+    vec3 normal;    // of the face entered through, in the body; 0 if the ray begins inside the voxel
+    int steps;
+};
+
+int indexAt(int slot, ivec3 cell) {
+    ivec3 c = cell & 7;
+    return int((fetchIndices(slot * 128 + (c.x >> 2) + c.y * 2 + c.z * 16) >> uint((c.x & 3) * 8)) & 255u);
+}
+
+// Side of the empty block that holds the cell; 0 if the cell is solid, and then slot is its brick's.
+int emptySizeAt(Layout body, ivec3 cell, out int slot) {
+    slot = 0;
+    ivec3 node = cell >> 5;
+    uvec4 n = fetchNode(body.node + node.x + body.sizeInNodes.x * (node.y + body.sizeInNodes.y * node.z));
+    if ((n.x | n.y) == 0u) return 32;
+    int child = childOf(cell >> 3);
+    if (!bitOf(n.xy, child)) return 8;
+    uint entry = fetchTable(int(n.z) * 64 + child);
+    int word = (cell.x >> 2 & 1) + (cell.y >> 2 & 1) * 2 + (cell.z >> 2 & 1) * 4;
+    if ((entry >> uint(word) & 1u) == 0u) return 4;
+    slot = int(entry >> 8);
+    uvec4 pair = fetchWords(slot * 4 + (word >> 1));
+    return bitOf((word & 1) == 0 ? pair.xy : pair.zw, childOf(cell)) ? 0 : 1;
+}
+
+// originCells and direction in the body's cells; tMin and tMax in lengths of the direction.
+VoxelHit walkVoxels(Layout body, vec3 originCells, vec3 direction, float tMin, float tMax, int stopAt) {
+    VoxelHit result = VoxelHit(false, ivec3(0), 0, tMax, vec3(0.0), 0);
+    CellWalk w;
+    if (!startWalk(w, originCells, direction, tMin, tMax, body.low, body.high)) return result;
+    bool plain = stopAt == kStopAtSolid || (stopAt == kStopAtOpaque && (body.flags & kHasGlass) == 0u);
+    for (int i = 0; i < 8192; ++i) {
+        int slot;
+        int size = emptySizeAt(body, w.cell, slot);
+        result.steps = i + 1;
+        if (size == 0) {
+            int index = indexAt(slot, w.cell);
+            if (plain || isGlass(body.palette, index) == (stopAt == kStopAtGlass)) {
+                vec3 outward = vec3(1 - 2 * w.ahead);
+                return VoxelHit(true, w.cell, index, max(w.t, 0.0), vec3(w.axis) * outward, result.steps);
+            }
+            size = 1;
+        }
+        leaveBlock(w, size);
+        if (!(w.t <= tMax) || !insideCells(w.cell, body.low, body.high)) break;
+    }
+    return result;
+}
