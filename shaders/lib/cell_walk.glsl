@@ -31,7 +31,7 @@ bool startWalk(out CellWalk w, vec3 origin, vec3 direction, float tMin, float tM
     w.t = first;
     w.axis = enter.z >= first ? ivec3(0, 0, 1) : enter.y >= first ? ivec3(0, 1, 0) : ivec3(enter.x >= first ? 1 : 0, 0, 0);
     w.cell = clamp(ivec3(floor(origin + direction * first)), low, high - 1);
-    w.cell = w.axis * mix(high - 1, low, up) + (1 - w.axis) * w.cell;
+    w.cell = w.axis * (low + (1 - w.ahead) * (high - 1 - low)) + (1 - w.axis) * w.cell;
     bool beside = any(lessThan(mix(vec3(0.0), origin - vec3(low), zero), vec3(0.0))) ||
                   any(greaterThanEqual(mix(vec3(-1.0), origin - vec3(high), zero), vec3(0.0)));
     // Written so that a NaN makes it false.
@@ -46,7 +46,7 @@ void leaveBlock(inout CellWalk w, int size) {
     w.axis = leave.x <= w.t ? ivec3(1, 0, 0) : leave.y <= w.t ? ivec3(0, 1, 0) : ivec3(0, 0, 1);
     ivec3 beside = clamp(ivec3(floor(w.origin + w.direction * w.t)), low, low + (size - 1));
     // Never back: rounding may put a point a hair before the cell that the ray is in.
-    beside = mix(min(beside, w.cell), max(beside, w.cell), bvec3(w.ahead));
+    beside = w.ahead * max(beside, w.cell) + (1 - w.ahead) * min(beside, w.cell);
     ivec3 across = low - 1 + w.ahead * (size + 1);
     w.cell = w.axis * across + (1 - w.axis) * beside;
 }

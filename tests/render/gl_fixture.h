@@ -1,0 +1,29 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "render/gl/gl.h"
+#include "samples/support/gl_context.h"
+
+namespace rubble {
+
+/// One context for all tests of the program.
+inline GlContext& testContext() {
+    static const auto context = [] {
+        const char* kind = std::getenv("RUBBLE_TEST_GL");
+        auto made = GlContext::create(GlContext::kindOf(kind ? kind : "osmesa"));
+        if (!made || !loadGl(made.value()->loader())) std::abort();
+        return std::move(made).value();
+    }();
+    return *context;
+}
+
+class GlTest : public ::testing::Test {
+protected:
+    void SetUp() override { testContext(); }
+    void TearDown() override { EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR)); }
+    static std::string shaderFolder() { return RUBBLE_SOURCE_DIR "/shaders"; }
+};
+
+}  // namespace rubble

@@ -1,0 +1,92 @@
+#include "render/renderer.h"
+
+#include <set>
+
+#include "render/gl/offscreen.h"
+#include "runtime/core/random.h"
+#include "samples/support/camera.h"
+#include "samples/support/image.h"
+#include "tests/render/gl_fixture.h"
+#include "tests/render/test_scene.h"
+
+namespace rubble {
+namespace {
+
+class RendererTest : public GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        RenderSettings settings;
+        settings.temporal = false;
+        auto made = Renderer::create(testContext().loader(), shaderFolder(), settings);
+        ASSERT_TRUE(made) << made.error();
+        renderer = std::move(made).value();
+    }
+    /// With RUBBLE_PICTURES=FOLDER every pass is written there, for eyes.
+    void writePictures(const View& view, const Offscreen& target, const std::string& name) {
+        const char* folder = std::getenv("RUBBLE_PICTURES");
+        if (!folder) return;
+        for (const std::string& pass : renderer->passNames()) {
+            ASSERT_TRUE(renderer->showPass(pass));
+            renderer->draw(view, 1.0f);
+            Image image(view.size.x, view.size.y);
+            image.rgb = target.readRgb();
+            ASSERT_TRUE(writePng(std::string(folder) + "/" + name + "_" + pass + ".png", image));
+        }
+        for (const auto& [pass, ms] : renderer->figures().passMs) printf("%-16s %7.2f ms\n", pass, ms);
+    }
+    std::unique_ptr<Renderer> renderer;
+};
+
+/// A floor, a wall with a hole, rotated boxes.
+TestScene corner() {
+    TestScene scene;
+    const PaletteRef palette = testPalette();
+    VoxelGrid floor({160, 4, 160});
+    {
+        GridWriter writer(floor);
+        for (int z = 0; z < 160; ++z)
+            for (int x = 0; x < 160; ++x)
+                for (int y = 0; y < 3; ++y) writer.set({x, y, z}, uint8_t(1 + hashCell(x, y, z) % 3));
+    }
+    scene.add(floor, {{-8, -0.3, -8}, {1, 0, 0, 0}}, palette);
+    VoxelGrid wall({80, 40, 4});
+    {
+        GridWriter writer(wall);
+        for (int z = 0; z < 4; ++z)
+            for (int y = 0; y < 40; ++y)
+                for (int x = 0; x < 80; ++x)
+                    if ((x - 40) * (x - 40) + (y - 20) * (y - 20) > 100) writer.set({x, y, z}, uint8_t(10 + y % 4));
+    }
+    scene.add(wall, {{-4, 0, -3}, {1, 0, 0, 0}}, palette);
+    for (int i = 0; i < 6; ++i) {
+        VoxelGrid box({10 + i, 8, 12});
+        GridWriter writer(box);
+        fillBox(writer, {0, 0, 0}, {10 + i, 8, 12}, uint8_t(30 + i));
+        writer.flush();
+        scene.add(box, {{-4.0 + 1.4 * i, 0.4 + 0.1 * i, -0.5 + 0.3 * i}, glm::angleAxis(0.4 * i, glm::normalize(glm::dvec3(1, i, 0.5)))}, palette);
+    }
+    return scene;
+}
+
+TEST_F(RendererTest, DrawsACornerInAFewDraws) {
+    renderer->apply(corner().take());
+    Offscreen target({640, 360});
+    Camera camera;
+    camera.position = {3, 2.5, 6};
+    camera.lookAt({0, 0.8, -1});
+    const View view = camera.view(target.size(), target.framebuffer());
+    renderer->draw(view, 1.0f);
+    EXPECT_EQ(renderer->figures().shapes, 8);
+    EXPECT_LE(renderer->figures().bodyDraws, 16);
+    EXPECT_GT(renderer->figures().uploadBytes, 0u);
+    renderer->draw(view, 1.0f);
+    renderer->draw(view, 1.0f);
+    EXPECT_EQ(renderer->figures().uploadBytes, 0u) << "nothing changed";
+    const std::vector<uint8_t> pixels = target.readRgb();
+    EXPECT_GT(std::set<uint8_t>(pixels.begin(), pixels.end()).size(), 50u) << "an empty picture";
+    writePictures(view, target, "corner");
+}
+
+}  // namespace
+}  // namespace rubble
