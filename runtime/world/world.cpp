@@ -42,7 +42,9 @@ struct Hasher {
 World::World(uint8_t id) : m_id(id), m_bodies(id), m_shapes(id), m_lights(id), m_groups(id) {}
 
 void World::load(const Level& level) {
+    const WorldSettings settings = m_settings;
     *this = World(m_id);
+    m_settings = settings;
     m_levelReplaced = true;
     m_name = level.name;
     m_materials = level.materials;

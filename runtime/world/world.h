@@ -27,6 +27,7 @@ struct Shape {
     std::vector<CellBox> anchors;      ///< cells that hold a static shape to the world
     std::vector<std::string> tags;
     bool isPiece = false;              ///< came off something
+    bool nothingLoose = false;         ///< known since its last split: a cut need only look around itself
 };
 
 /// A rigid body: a frame that shapes are fixed to. Its origin is not its centre of mass.
@@ -75,6 +76,15 @@ struct Ledger {
     bool balances() const { return imported == standing + inPieces + removed; }
 };
 
+/// How a world breaks.
+struct WorldSettings {
+    uint64_t minPieceVoxels = 1;       ///< smaller pieces vanish: they count as removed
+    double impactThreshold = 2000.0;   ///< N s below which an impact breaks nothing
+    double impactRadius = 0.25;        ///< metres that an impact at the threshold takes out of soft materials
+    double impactRadiusLimit = 0.6;    ///< metres
+    size_t impactsAStep = 8;           ///< how many impacts break something in one step, the hardest first
+};
+
 /// The voxel world: bodies, shapes, lights and groups. Edits go in, one journal of changes comes out.
 /// Owned by the main thread. Destruction is in integers and in slot order: the same edits give the same bytes.
 class World {
@@ -89,8 +99,10 @@ public:
     /// One step: carves, splits, paints, puts light groups out. Counts the step.
     FrameChanges applyEdits(const Edits& edits);
     void setPoses(std::span<const BodyPose> poses);
-    /// The edits that impacts cause by their force; nothing in this version's default rules below `impactThreshold`.
+    /// The edits that impacts cause by their force; see WorldSettings.
     Edits damageFrom(std::span<const Impact> impacts) const;
+    const WorldSettings& settings() const { return m_settings; }
+    void setSettings(const WorldSettings& settings) { m_settings = settings; }
 
     const SlotMap<BodyHandle, Body>& bodies() const { return m_bodies; }
     const SlotMap<ShapeHandle, Shape>& shapes() const { return m_shapes; }
@@ -115,6 +127,7 @@ public:
     uint64_t hash() const;
 
 private:
+    friend class EditStep;
     /// Fills in initialVoxels of groups that do not bring it.
     void countGroupVoxels();
 
@@ -127,6 +140,7 @@ private:
     SlotMap<LightGroupHandle, LightGroup> m_groups;
     MaterialTable m_materials = defaultMaterials();
     Environment m_environment;
+    WorldSettings m_settings;
     std::vector<std::pair<std::string, Pose>> m_locations;
     uint64_t m_imported = 0, m_removed = 0;
     std::string m_name;

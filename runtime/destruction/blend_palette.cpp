@@ -1,0 +1,111 @@
+#include "runtime/destruction/blend_palette.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace rubble {
+namespace {
+
+constexpr int kSmallestStep = 8;     ///< bytes of a channel: bounds how many entries a blend can use
+constexpr int kNearColor = 3;        ///< channels this close count as the same blend
+constexpr int kPaintReserve = 24;    ///< entries kept for the paint itself
+
+int distance2(const PaletteEntry& a, const PaletteEntry& b) {
+    const int red = a.red - b.red, green = a.green - b.green, blue = a.blue - b.blue;
+    return red * red + green * green + blue * blue;
+}
+
+PaletteEntry withColor(PaletteEntry entry, std::array<uint8_t, 3> color) {
+    entry.red = color[0], entry.green = color[1], entry.blue = color[2];
+    return entry;
+}
+
+bool differsInColorOnly(const PaletteEntry& a, const PaletteEntry& b) { return withColor(a, {b.red, b.green, b.blue}) == b; }
+
+uint8_t stepped(int from, int to, int strength) {
+    const int way = to - from;
+    const int step = std::max(std::abs(way) * strength / 255, std::min(std::abs(way), kSmallestStep));
+    return uint8_t(way < 0 ? from - step : from + step);
+}
+
+bool isFree(const PaletteEntry& entry) { return entry.material == 0; }
+
+}  // namespace
+
+BlendPalette::BlendPalette(const VoxelGrid& grid, const Palette& palette, const Paint& paint) : m_grid(grid), m_palette(palette), m_paint(paint) {
+    m_blended.fill(-1);
+}
+
+uint8_t BlendPalette::blended(uint8_t source) {
+    if (m_blended[source] < 0) {
+        m_blended[source] = choose(source);
+        m_isTaken[size_t(m_blended[source])] = true;
+    }
+    return uint8_t(m_blended[source]);
+}
+
+uint8_t BlendPalette::choose(uint8_t source) {
+    const PaletteEntry from = m_palette[source];
+    const PaletteEntry goal = withColor(from, m_paint.color);
+    if (from == goal || isFree(from)) return source;
+    const PaletteEntry wanted = withColor(from, {stepped(from.red, goal.red, m_paint.strength), stepped(from.green, goal.green, m_paint.strength),
+                                                 stepped(from.blue, goal.blue, m_paint.strength)});
+    if (const auto near = findNear(source, wanted)) return *near;
+    if (freeCount() <= kPaintReserve) freeUnused();
+    const auto nearest = nearestCloser(source, wanted);
+    if (freeCount() > kPaintReserve || !nearest)
+        if (const auto made = allocate(freeCount() > kPaintReserve ? wanted : goal)) return *made;
+    ++m_merges;
+    return nearest.value_or(source);
+}
+
+/// Entries may stand in for a blend only if they bring the colour nearer to the paint: otherwise it would never get there.
+std::optional<uint8_t> BlendPalette::findNear(uint8_t source, const PaletteEntry& wanted) const {
+    const auto near = nearestCloser(source, wanted);
+    if (!near) return std::nullopt;
+    const PaletteEntry& found = m_palette[*near];
+    const int largest = std::max({std::abs(found.red - wanted.red), std::abs(found.green - wanted.green), std::abs(found.blue - wanted.blue)});
+    const bool wantsPaint = wanted == withColor(wanted, m_paint.color);
+    return largest <= (wantsPaint ? 0 : kNearColor) ? near : std::nullopt;
+}
+
+std::optional<uint8_t> BlendPalette::nearestCloser(uint8_t source, const PaletteEntry& wanted) const {
+    const PaletteEntry goal = withColor(wanted, m_paint.color);
+    const int startDistance = distance2(m_palette[source], goal);
+    std::optional<uint8_t> best;
+    for (int i = 1; i < 256; ++i) {
+        const PaletteEntry& entry = m_palette[size_t(i)];
+        if (!differsInColorOnly(entry, wanted) || distance2(entry, goal) >= startDistance) continue;
+        if (!best || distance2(entry, wanted) < distance2(m_palette[*best], wanted)) best = uint8_t(i);
+    }
+    return best;
+}
+
+std::optional<uint8_t> BlendPalette::allocate(const PaletteEntry& entry) {
+    for (int i = 1; i < 256; ++i) {
+        if (!isFree(m_palette[size_t(i)]) || m_isTaken[size_t(i)]) continue;
+        m_palette[size_t(i)] = entry;
+        m_hasChanged = true;
+        return uint8_t(i);
+    }
+    return std::nullopt;
+}
+
+int BlendPalette::freeCount() const {
+    return int(std::count_if(m_palette.begin() + 1, m_palette.end(), isFree));
+}
+
+void BlendPalette::freeUnused() {
+    if (m_hasFreedUnused) return;
+    m_hasFreedUnused = true;
+    std::array<bool, 256> isUsed = m_isTaken;
+    m_grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+        if (!brick->indices) isUsed[brick->uniform] = true;
+        else
+            for (const uint8_t entry : *brick->indices) isUsed[entry] = true;
+    });
+    for (size_t i = 1; i < 256; ++i)
+        if (!isUsed[i] && !isFree(m_palette[i])) m_palette[i] = {.material = 0};
+}
+
+}  // namespace rubble

@@ -1,0 +1,53 @@
+#include <algorithm>
+#include <utility>
+
+#include "runtime/world/edit_step.h"
+
+namespace rubble {
+
+FrameChanges World::applyEdits(const Edits& edits) {
+    FrameChanges changes;
+    changes.step = ++m_step;
+    changes.levelReplaced = std::exchange(m_levelReplaced, false);
+    if (!edits.empty()) EditStep(*this, changes).run(edits);
+    return changes;
+}
+
+EditStep::EditStep(World& world, FrameChanges& changes) : m_world(world), m_changes(changes), m_groupRemoved(world.m_groups.slotCount()) {
+    m_bounds.reserve(world.m_shapes.size());
+    world.m_shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
+        const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
+        m_bounds.push_back({handle, world.shapeToWorld(handle).transformPoint(half), glm::length(half)});
+    });
+}
+
+void EditStep::run(const Edits& edits) {
+    for (const Edit& edit : edits) std::visit([&](const auto& each) { apply(each); }, edit);
+    for (auto& [slot, each] : m_touched)
+        if (!each.carved.empty()) splitShape(each);
+    settleMotions();
+    updateLightGroups();
+    for (const Push& each : m_pushes) std::visit([&](const auto& edit) { push(edit); }, each);
+    listChangedBricks();
+}
+
+EditStep::Touched& EditStep::touched(ShapeHandle shape) {
+    Touched& out = m_touched[shape.slot()];
+    out.shape = shape;
+    return out;
+}
+
+void EditStep::listChangedBricks() {
+    for (auto& [slot, each] : m_touched) {
+        const Shape* shape = m_world.m_shapes.find(each.shape);
+        if (!shape) continue;
+        if (!each.carved.empty()) m_changes.carved.push_back(each.shape);
+        std::vector<glm::ivec3>& bricks = each.carved;
+        bricks.insert(bricks.end(), each.painted.begin(), each.painted.end());
+        std::sort(bricks.begin(), bricks.end(), cellBefore);
+        bricks.erase(std::unique(bricks.begin(), bricks.end()), bricks.end());
+        for (const glm::ivec3 brick : bricks) m_changes.bricks.push_back({each.shape, brick, shape->grid.shareBrick(brick)});
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,62 @@
+#include "runtime/core/log.h"
+#include "runtime/world/edit_step.h"
+
+namespace rubble {
+
+std::vector<ShapeHandle> EditStep::shapesNear(const EditReach& reach) const {
+    std::vector<ShapeHandle> out;
+    for (const Bounds& bounds : m_bounds) {
+        const glm::dvec3 away = bounds.center - reach.center;
+        const double sum = bounds.radius + reach.radius;
+        if (reach.radius >= 0.0 && glm::dot(away, away) <= sum * sum) out.push_back(bounds.shape);
+    }
+    return out;
+}
+
+void EditStep::apply(const CarveEdit& edit) {
+    if (!edit.shape) {
+        for (const ShapeHandle handle : shapesNear(editReach(edit))) carveShape(handle, edit);
+        return;
+    }
+    if (m_world.m_shapes.find(edit.shape))
+        carveShape(edit.shape, edit);
+    else
+        logWarning("CarveEdit: the handle of its shape is stale; nothing was carved");
+}
+
+void EditStep::carveShape(ShapeHandle handle, const CarveEdit& edit) {
+    Shape& shape = m_world.m_shapes.at(handle);
+    const Brush brush = resolveBrush(edit, m_world.shapeToWorld(handle), shape.voxelSize);
+    if (brushBricks(brush, shape.grid.sizeInBricks()).empty()) return;
+    rememberMotion(shape.body);
+    Carved carved;
+    carve(shape.grid, brush, *shape.palette, m_world.m_materials, carved);
+    if (carved.voxels == 0) return;
+    shape.moments -= carved.moments;
+    countRemoved(handle, carved.removed);
+    std::vector<glm::ivec3>& bricks = touched(handle).carved;
+    bricks.insert(bricks.end(), carved.bricks.begin(), carved.bricks.end());
+}
+
+void EditStep::countRemoved(ShapeHandle handle, const std::array<uint64_t, 256>& removed) {
+    const Palette& palette = *m_world.m_shapes.at(handle).palette;
+    for (size_t i = 1; i < 256; ++i) {
+        if (!removed[i]) continue;
+        const PaletteEntry& entry = palette[i];
+        m_changes.removed.push_back({handle, uint8_t(i), entry.material, {entry.red, entry.green, entry.blue}, removed[i]});
+        m_world.m_removed += removed[i];
+        if (entry.lightGroup && entry.lightGroup <= m_groupRemoved.size()) m_groupRemoved[entry.lightGroup - 1] += removed[i];
+    }
+}
+
+void EditStep::apply(const ExplodeEdit& edit) {
+    CarveEdit hole{.position = edit.position};
+    hole.radii = {edit.size, 0.7 * edit.size, 0.4 * edit.size};
+    apply(hole);
+    constexpr std::array<uint8_t, 3> kSoot = {24, 21, 18};
+    const uint32_t seed = uint32_t(m_changes.step);
+    apply(PaintEdit{edit.position, 1.45 * edit.size, kSoot, 190, 20, seed});
+    m_pushes.emplace_back(edit);
+}
+
+}  // namespace rubble

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <glm/common.hpp>
+#include <limits>
+
+#include "runtime/world/edit_step.h"
+
+namespace rubble {
+namespace {
+
+/// Squared distance in cells from a point to the centre of the nearest voxel.
+double nearestVoxel2(const VoxelGrid& grid, glm::dvec3 point) {
+    double best = std::numeric_limits<double>::infinity();
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        const glm::dvec3 low = glm::dvec3(position * kBrickSize), high = low + double(kBrickSize);
+        const glm::dvec3 toBox = point - glm::clamp(point, low, high);
+        if (glm::dot(toBox, toBox) >= best) return;
+        forEachVoxel(brick->occupancy, [&](int i) {
+            const glm::dvec3 away = point - (low + glm::dvec3(voxelInBrick(i)) + 0.5);
+            best = std::min(best, glm::dot(away, away));
+        });
+    });
+    return best;
+}
+
+/// The palette with one group's entries dark; null if they already are.
+PaletteRef darkened(const Palette& palette, uint32_t group) {
+    const auto shines = [&](const PaletteEntry& entry) { return entry.lightGroup == group && entry.emission > 0.0f; };
+    if (std::none_of(palette.begin(), palette.end(), shines)) return nullptr;
+    auto out = std::make_shared<Palette>(palette);
+    for (PaletteEntry& entry : *out)
+        if (shines(entry)) entry.emission = 0.0f;
+    return out;
+}
+
+}  // namespace
+
+/// A light goes with the piece that has the voxel nearest to it; the parent first, then the children in order.
+void EditStep::moveLights(const ShapeSplit& split) {
+    const Shape& parent = m_world.m_shapes.at(split.parent);
+    m_world.m_lights.forEach([&](LightHandle handle, Light& light) {
+        if (light.shape != split.parent) return;
+        const glm::dvec3 pointCells = light.local.position / double(parent.voxelSize);
+        double best = nearestVoxel2(parent.grid, pointCells);
+        const size_t kParent = split.children.size();
+        size_t host = kParent;
+        for (size_t i = 0; i < split.children.size(); ++i) {
+            const double distance = nearestVoxel2(m_world.m_shapes.at(split.children[i]).grid, pointCells - glm::dvec3(split.parentOffset[i]));
+            if (distance < best) best = distance, host = i;
+        }
+        if (host == kParent) return;
+        light.shape = split.children[host];
+        light.local.position -= glm::dvec3(split.parentOffset[host]) * double(parent.voxelSize);
+        m_changes.lights.push_back(handle);
+    });
+}
+
+/// Lights whose shape is gone hang where they were, dark.
+void EditStep::putOutLightsOf(ShapeHandle shape) {
+    m_world.m_lights.forEach([&](LightHandle handle, Light& light) {
+        if (light.shape != shape) return;
+        light.local = m_world.lightToWorld(light);
+        light.shape = {};
+        light.enabled = false;
+        m_changes.lights.push_back(handle);
+    });
+}
+
+void EditStep::updateLightGroups() {
+    m_world.m_groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
+        const uint64_t removed = m_groupRemoved[handle.slot()];
+        group.removedVoxels += removed;
+        if (group.out || removed == 0 || double(group.removedVoxels) < double(group.threshold) * double(group.initialVoxels)) return;
+        group.out = true;
+        m_changes.groupsOut.push_back(handle);
+        darkenGroup(handle);
+    });
+}
+
+void EditStep::darkenGroup(LightGroupHandle group) {
+    m_world.m_lights.forEach([&](LightHandle handle, Light& light) {
+        if (light.group != group || !light.enabled) return;
+        light.enabled = false;
+        std::vector<LightHandle>& lights = m_changes.lights;
+        if (std::find(lights.begin(), lights.end(), handle) == lights.end()) lights.push_back(handle);
+    });
+    std::vector<std::pair<PaletteRef, PaletteRef>> seen;  // shapes go on sharing what they shared
+    m_world.m_shapes.forEach([&](ShapeHandle handle, Shape& shape) {
+        auto known = std::find_if(seen.begin(), seen.end(), [&](const auto& pair) { return pair.first == shape.palette; });
+        if (known == seen.end()) known = seen.insert(seen.end(), {shape.palette, darkened(*shape.palette, group.slot() + 1)});
+        if (!known->second) return;
+        shape.palette = known->second;
+        std::vector<ShapeHandle>& palettes = m_changes.palettes;
+        if (std::find(palettes.begin(), palettes.end(), handle) == palettes.end()) palettes.push_back(handle);
+    });
+}
+
+}  // namespace rubble

@@ -1,0 +1,54 @@
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/core/log.h"
+#include "runtime/core/random.h"
+#include "runtime/world/edit_step.h"
+
+namespace rubble {
+namespace {
+
+constexpr double kPushReach = 2.5;        ///< radius of the push as a multiple of the explosion's size
+constexpr double kPushImpulse = 1500.0;   ///< N s at the centre for size 1, if the edit does not say
+constexpr double kPushSpeed = 9.0;        ///< m/s that a blast of size 1 gives at most: light pieces do not become bullets
+constexpr double kPushOffset = 0.2;       ///< of a body's mean radius: how far from its centre of mass it is hit, so that it tumbles
+
+/// A point of the unit cube around zero, the same for a body at every run.
+glm::dvec3 tumble(BodyHandle body, uint64_t step) {
+    Random random(body.bits, step);
+    const float x = random.unit();
+    const float y = random.unit();
+    const float z = random.unit();
+    return glm::dvec3(x, y, z) * 2.0 - 1.0;
+}
+
+}  // namespace
+
+void EditStep::apply(const ImpulseEdit& edit) { m_pushes.emplace_back(edit); }
+
+void EditStep::push(const ImpulseEdit& edit) {
+    const Body* body = m_world.m_bodies.find(edit.body);
+    if (!body)
+        logWarning("ImpulseEdit: the handle of its body is stale; nothing was pushed");
+    else if (!body->isStatic)
+        m_changes.impulses.push_back({edit.body, edit.position, edit.impulse});
+}
+
+void EditStep::push(const ExplodeEdit& edit) {
+    const double reach = kPushReach * edit.size;
+    const double strongest = edit.impulse > 0.0 ? edit.impulse : kPushImpulse * edit.size * edit.size;
+    m_world.m_bodies.forEach([&](BodyHandle handle, const Body& body) {
+        if (body.isStatic) return;
+        const MassProperties mass = m_world.bodyMass(handle);
+        const glm::dvec3 center = body.pose.transformPoint(mass.center);
+        const glm::dvec3 away = center - edit.position;
+        const double distance = glm::length(away);
+        if (!(distance < reach) || mass.mass <= 0.0) return;
+        const glm::dvec3 direction = distance > 1e-6 ? away / distance : glm::dvec3(0.0, 1.0, 0.0);
+        const double size = std::min(strongest, mass.mass * kPushSpeed * edit.size) * (1.0 - distance / reach);
+        const double meanRadius = glm::length(glm::dvec3(mass.principalInertia)) > 0.0 ? std::sqrt(mass.principalInertia.x / mass.mass) : 0.0;
+        m_changes.impulses.push_back({handle, center + tumble(handle, m_changes.step) * (kPushOffset * meanRadius), direction * size});
+    });
+}
+
+}  // namespace rubble

@@ -1,0 +1,152 @@
+#include <algorithm>
+
+#include "runtime/world/edit_step.h"
+
+namespace rubble {
+namespace {
+
+MassMoments componentMoments(const Shape& shape, const Component& component, const MaterialTable& materials) {
+    MassMoments sum;
+    for (const BrickShare& share : component.shares)
+        sum += brickMoments(*shape.grid.brickAt(share.brick), share.voxels, share.brick, *shape.palette, materials);
+    return sum;
+}
+
+void sortUnique(std::vector<glm::ivec3>& bricks) {
+    std::sort(bricks.begin(), bricks.end(), cellBefore);
+    bricks.erase(std::unique(bricks.begin(), bricks.end()), bricks.end());
+}
+
+}  // namespace
+
+void EditStep::splitShape(Touched& touched) {
+    const ShapeHandle parent = touched.shape;
+    const uint64_t smallest = m_world.m_settings.minPieceVoxels;
+    sortUnique(touched.carved);
+    Shape* shape = &m_world.m_shapes.at(parent);
+    const bool isAnchored = m_world.m_bodies.at(shape->body).isStatic;
+    const Loose loose = shape->nothingLoose ? findLooseNear(shape->grid, shape->anchors, isAnchored, touched.carved)
+                                            : findLoose(shape->grid, shape->anchors, isAnchored);
+    shape->nothingLoose = true;
+    ShapeSplit split{parent, {}, {}};
+    for (const Component& component : loose.pieces) {
+        const MassMoments moments = componentMoments(*shape, component, m_world.m_materials);
+        if (moments.weight == 0) continue;  // unphysical voxels are not touched: they stay where they are
+        for (const BrickShare& share : component.shares) touched.carved.push_back(share.brick);
+        shape->moments -= moments;
+        if (component.voxels < smallest) {
+            dropPiece(parent, component);
+            continue;
+        }
+        Piece piece = takePiece(shape->grid, component);
+        split.parentOffset.push_back(piece.offset);
+        split.children.push_back(createChild(parent, std::move(piece), moments));
+        shape = &m_world.m_shapes.at(parent);  // the new shape may have moved the others
+    }
+    const bool isFree = loose.isAdrift || !isAnchored;
+    if (isFree && shape->grid.voxelCount() < smallest)
+        for (const Component& rest : findComponents(shape->grid)) {
+            shape->moments -= componentMoments(*shape, rest, m_world.m_materials);
+            dropPiece(parent, rest);
+        }
+    if (!split.children.empty()) moveLights(split);
+    if (shape->grid.empty())
+        destroyShape(parent);
+    else if (loose.isAdrift && shape->moments.weight > 0)
+        rehome(parent);
+    if (!split.children.empty()) m_changes.splits.push_back(std::move(split));
+}
+
+void EditStep::dropPiece(ShapeHandle parent, const Component& component) {
+    Shape& shape = m_world.m_shapes.at(parent);
+    std::array<uint64_t, 256> removed{};
+    for (const BrickShare& share : component.shares) {
+        const BrickRef brick = shape.grid.shareBrick(share.brick);
+        forEachVoxel(share.voxels, [&](int i) { ++removed[brick->at(i)]; });
+    }
+    takePiece(shape.grid, component);
+    countRemoved(parent, removed);
+}
+
+ShapeHandle EditStep::createChild(ShapeHandle parentHandle, Piece piece, const MassMoments& moments) {
+    const Shape& parent = m_world.m_shapes.at(parentHandle);
+    const Body& from = m_world.m_bodies.at(parent.body);
+    Body body{.name = parent.name};
+    body.isStatic = false;
+    body.pose = m_world.shapeToWorld(parentHandle) * Pose{glm::dvec3(piece.offset) * double(parent.voxelSize)};
+    if (!from.isStatic) {
+        const Motion& motion = m_motions.at(parent.body.slot());
+        const glm::dvec3 center = massProperties(moments.shifted(-piece.offset), parent.voxelSize).center;
+        body.velocity = motion.velocityAt(body.pose.transformPoint(center));
+        body.angularVelocity = motion.angularVelocity;
+    }
+    Shape shape{.name = parent.name, .voxelSize = parent.voxelSize};
+    shape.grid = std::move(piece.grid);
+    shape.palette = parent.palette;
+    shape.moments = moments.shifted(-piece.offset);
+    shape.tags = parent.tags;
+    shape.isPiece = true;
+    shape.nothingLoose = true;
+    const BodyHandle bodyHandle = m_world.m_bodies.insert(std::move(body));
+    shape.body = bodyHandle;
+    const ShapeHandle handle = m_world.m_shapes.insert(std::move(shape));
+    m_world.m_bodies.at(bodyHandle).shapes.push_back(handle);
+    m_changes.bodiesCreated.push_back(bodyHandle);
+    m_changes.shapesCreated.push_back(handle);
+    return handle;
+}
+
+void EditStep::rehome(ShapeHandle handle) {
+    Body body{.name = m_world.m_shapes.at(handle).name};
+    body.isStatic = false;
+    body.pose = m_world.shapeToWorld(handle);
+    body.shapes = {handle};
+    const BodyHandle newBody = m_world.m_bodies.insert(std::move(body));
+    Shape& shape = m_world.m_shapes.at(handle);
+    const BodyHandle oldBody = shape.body;
+    std::vector<ShapeHandle>& left = m_world.m_bodies.at(oldBody).shapes;
+    std::erase(left, handle);
+    if (left.empty()) {
+        m_world.m_bodies.erase(oldBody);
+        m_changes.bodiesDestroyed.push_back(oldBody);
+    }
+    shape.body = newBody;
+    shape.local = {};
+    shape.anchors.clear();
+    shape.isPiece = true;
+    m_changes.bodiesCreated.push_back(newBody);
+    m_changes.rehomed.push_back(handle);
+}
+
+void EditStep::destroyShape(ShapeHandle handle) {
+    putOutLightsOf(handle);
+    const BodyHandle body = m_world.m_shapes.at(handle).body;
+    m_world.m_shapes.erase(handle);
+    m_changes.shapesDestroyed.push_back(handle);
+    std::vector<ShapeHandle>& left = m_world.m_bodies.at(body).shapes;
+    std::erase(left, handle);
+    if (!left.empty()) return;
+    m_world.m_bodies.erase(body);
+    m_changes.bodiesDestroyed.push_back(body);
+}
+
+void EditStep::rememberMotion(BodyHandle handle) {
+    const Body& body = m_world.m_bodies.at(handle);
+    if (body.isStatic || m_motions.contains(handle.slot())) return;
+    const glm::dvec3 center = body.pose.transformPoint(m_world.bodyMass(handle).center);
+    m_motions[handle.slot()] = {handle, center, body.velocity, body.angularVelocity};
+}
+
+/// What is left of a body keeps moving as it did: its centre of mass is another one now, and has that point's velocity.
+void EditStep::settleMotions() {
+    for (const auto& [slot, motion] : m_motions) {
+        Body* body = m_world.m_bodies.find(motion.body);
+        if (!body) continue;
+        const glm::dvec3 center = body->pose.transformPoint(m_world.bodyMass(motion.body).center);
+        if (center == motion.center) continue;
+        body->velocity = motion.velocityAt(center);
+        body->asleep = false;
+    }
+}
+
+}  // namespace rubble

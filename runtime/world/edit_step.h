@@ -1,0 +1,85 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "runtime/destruction/attachment.h"
+#include "runtime/destruction/carve.h"
+#include "runtime/destruction/split.h"
+#include "runtime/world/resolve_brush.h"
+#include "runtime/world/world.h"
+
+namespace rubble {
+
+/// One step of edits on a World: what World::applyEdits() does, stage by stage. Lives for one call.
+class EditStep {
+public:
+    EditStep(World& world, FrameChanges& changes);
+    void run(const Edits& edits);
+
+private:
+    /// What happened to a shape in this step, besides what the journal already holds.
+    struct Touched {
+        ShapeHandle shape;
+        std::vector<glm::ivec3> carved;     ///< bricks; may repeat until the split
+        std::vector<glm::ivec3> painted;
+    };
+    /// How a free body moved before anything was taken from it.
+    struct Motion {
+        BodyHandle body;
+        glm::dvec3 center;                  ///< of mass, world
+        glm::dvec3 velocity, angularVelocity;
+        glm::dvec3 velocityAt(glm::dvec3 point) const { return velocity + glm::cross(angularVelocity, point - center); }
+    };
+    struct Bounds {
+        ShapeHandle shape;
+        glm::dvec3 center;
+        double radius;
+    };
+    using Push = std::variant<ExplodeEdit, ImpulseEdit>;
+
+    // edit_carve.cpp
+    void apply(const CarveEdit& edit);
+    void apply(const ExplodeEdit& edit);
+    void carveShape(ShapeHandle handle, const CarveEdit& edit);
+    void countRemoved(ShapeHandle handle, const std::array<uint64_t, 256>& removed);
+    std::vector<ShapeHandle> shapesNear(const EditReach& reach) const;
+
+    // edit_paint.cpp
+    void apply(const PaintEdit& edit);
+    void paintShape(ShapeHandle handle, const PaintEdit& edit, const CarveEdit& sphere);
+
+    // edit_split.cpp
+    void splitShape(Touched& touched);
+    void dropPiece(ShapeHandle parent, const Component& component);
+    ShapeHandle createChild(ShapeHandle parent, Piece piece, const MassMoments& moments);
+    void rehome(ShapeHandle shape);
+    void destroyShape(ShapeHandle shape);
+    void rememberMotion(BodyHandle body);
+    void settleMotions();
+
+    // edit_lights.cpp
+    void moveLights(const ShapeSplit& split);
+    void putOutLightsOf(ShapeHandle shape);
+    void updateLightGroups();
+    void darkenGroup(LightGroupHandle group);
+
+    // edit_push.cpp
+    void apply(const ImpulseEdit& edit);
+    void push(const ExplodeEdit& edit);
+    void push(const ImpulseEdit& edit);
+
+    Touched& touched(ShapeHandle shape);
+    void listChangedBricks();
+
+    World& m_world;
+    FrameChanges& m_changes;
+    std::vector<Bounds> m_bounds;             ///< of every shape at the start of the step, in slot order
+    std::map<uint32_t, Touched> m_touched;    ///< by slot
+    std::map<uint32_t, Motion> m_motions;     ///< by slot
+    std::vector<Push> m_pushes;               ///< wait until the pieces exist
+    std::vector<uint64_t> m_groupRemoved;     ///< voxels, by slot of the group
+};
+
+}  // namespace rubble
