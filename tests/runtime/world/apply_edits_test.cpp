@@ -1,0 +1,199 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/runtime/world/count_allocations.h"
+#include "tests/runtime/world/worlds.h"
+
+namespace rubble {
+namespace {
+
+using test::oneShapeLevel;
+using test::sphereCarve;
+
+/// A mast of 4x40x4 on a foot of 16x4x16 cells of 0.1 m.
+VoxelGrid mast() {
+    VoxelGrid grid({16, 44, 16});
+    GridWriter writer(grid);
+    for (int z = 0; z < 16; ++z)
+        for (int x = 0; x < 16; ++x)
+            for (int y = 0; y < 44; ++y)
+                if (y < 4 || (x >= 6 && x < 10 && z >= 6 && z < 10)) writer.set({x, y, z}, 1);
+    writer.flush();
+    return grid;
+}
+
+TEST(ApplyEdits, AStepWithoutEditsAllocatesNothing) {
+    World world;
+    world.load(oneShapeLevel(mast(), true));
+    EXPECT_TRUE(world.applyEdits({}).levelReplaced);
+    const Edits none;
+    const size_t before = test::countAllocations();
+    const FrameChanges changes = world.applyEdits(none);
+    const size_t after = test::countAllocations();
+    EXPECT_EQ(after, before);
+    EXPECT_TRUE(changes.empty());
+    EXPECT_EQ(changes.step, 2u);
+    EXPECT_EQ(world.step(), 2u);
+}
+
+TEST(ApplyEdits, WhatIsCutOffBecomesABody) {
+    World world;
+    world.load(oneShapeLevel(mast(), true, {{10.0, 0.0, -3.0}}));
+    const ShapeHandle parent = test::firstShape(world);
+    const uint64_t before = world.shapes().at(parent).grid.voxelCount();
+    const FrameChanges changes = world.applyEdits({sphereCarve({10.8, 2.0, -2.2}, 0.4)});
+    ASSERT_EQ(changes.splits.size(), 1u);
+    ASSERT_EQ(changes.splits[0].children.size(), 1u);
+    EXPECT_EQ(changes.splits[0].parent, parent);
+    const ShapeHandle child = changes.splits[0].children[0];
+    EXPECT_EQ(changes.shapesCreated, std::vector{child});
+    EXPECT_EQ(changes.carved, std::vector{parent});
+    const Shape& piece = world.shapes().at(child);
+    EXPECT_TRUE(piece.isPiece);
+    EXPECT_EQ(changes.bodiesCreated, std::vector{piece.body});
+    EXPECT_FALSE(world.bodies().at(piece.body).isStatic);
+    // The child's cells lie where they were.
+    EXPECT_EQ(changes.splits[0].parentOffset[0] % 8, glm::ivec3(0));
+    const glm::dvec3 corner = world.shapeToWorld(child).position - world.shapeToWorld(parent).position;
+    EXPECT_LT(glm::length(corner - glm::dvec3(changes.splits[0].parentOffset[0]) * 0.1), 1e-6);
+    uint64_t removed = 0;
+    for (const RemovedVoxels& each : changes.removed) removed += each.count;
+    EXPECT_EQ(before, world.shapes().at(parent).grid.voxelCount() + piece.grid.voxelCount() + removed);
+    const Ledger ledger = world.ledger();
+    EXPECT_TRUE(ledger.balances());
+    EXPECT_EQ(ledger.inPieces, piece.grid.voxelCount());
+    EXPECT_EQ(ledger.removed, removed);
+}
+
+TEST(ApplyEdits, TheJournalHoldsEveryChangedBrickOnce) {
+    World world;
+    world.load(oneShapeLevel(mast(), true));
+    const ShapeHandle parent = test::firstShape(world);
+    VoxelGrid replica = world.shapes().at(parent).grid;
+    Random random(3);
+    for (int step = 0; step < 20; ++step) {
+        const float x = random.unit(), y = random.unit(), z = random.unit();
+        PaintEdit paint{.position = {1.6 * x, 4.4 * y, 1.6 * z}, .radius = 0.3};
+        const FrameChanges changes = world.applyEdits({sphereCarve({1.6 * z, 4.4 * x, 1.6 * y}, 0.3), paint});
+        for (size_t i = 0; i < changes.bricks.size(); ++i) {
+            EXPECT_EQ(changes.bricks[i].shape, parent);
+            for (size_t j = 0; j < i; ++j) EXPECT_NE(changes.bricks[i].brick, changes.bricks[j].brick);
+            replica.setBrick(changes.bricks[i].brick, changes.bricks[i].content);
+        }
+        ASSERT_EQ(replica.contentHash(), world.shapes().at(parent).grid.contentHash());
+    }
+}
+
+TEST(ApplyEdits, AFreeShapeKeepsItsLargestPiece) {
+    World world;
+    world.load(oneShapeLevel(mast(), false));
+    const ShapeHandle parent = test::firstShape(world);
+    const FrameChanges changes = world.applyEdits({sphereCarve({0.8, 2.0, 0.8}, 0.4)});
+    ASSERT_EQ(changes.splits.size(), 1u);
+    EXPECT_GT(world.shapes().at(parent).grid.voxelCount(), world.shapes().at(changes.splits[0].children[0]).grid.voxelCount());
+    EXPECT_TRUE(changes.rehomed.empty());
+}
+
+TEST(ApplyEdits, AStaticShapeWithoutItsAnchorsComesLoose) {
+    World world;
+    world.load(oneShapeLevel(mast(), true));
+    const ShapeHandle shape = test::firstShape(world);
+    const BodyHandle oldBody = world.shapes().at(shape).body;
+    CarveEdit foot{.kind = BrushKind::Box, .position = {0.8, 0.3, 0.8}, .halfSize = {2.0, 0.3, 2.0}};
+    const FrameChanges changes = world.applyEdits({foot});
+    EXPECT_EQ(changes.rehomed, std::vector{shape});
+    EXPECT_EQ(changes.bodiesDestroyed, std::vector{oldBody});
+    ASSERT_EQ(changes.bodiesCreated.size(), 1u);
+    EXPECT_EQ(world.shapes().at(shape).body, changes.bodiesCreated[0]);
+    EXPECT_FALSE(world.bodies().at(changes.bodiesCreated[0]).isStatic);
+    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_EQ(world.ledger().standing, 0u);
+}
+
+TEST(ApplyEdits, WhatIsCarvedAwayWhollyIsDestroyed) {
+    World world;
+    Level level = oneShapeLevel(mast(), false);
+    level.lights.push_back({.light = {.name = "lamp", .local = {{0.5, 0.5, 0.5}}}, .shapeName = "shape"});
+    world.load(level);
+    const ShapeHandle shape = test::firstShape(world);
+    const FrameChanges changes = world.applyEdits({sphereCarve({0.8, 2.0, 0.8}, 20.0)});
+    EXPECT_EQ(changes.shapesDestroyed, std::vector{shape});
+    EXPECT_EQ(world.bodies().size(), 0u);
+    EXPECT_EQ(world.shapes().find(shape), nullptr);
+    EXPECT_TRUE(changes.bricks.empty());
+    EXPECT_EQ(changes.lights.size(), 1u);
+    world.lights().forEach([&](LightHandle, const Light& light) { EXPECT_FALSE(light.enabled); });
+    EXPECT_TRUE(world.ledger().balances());
+}
+
+TEST(ApplyEdits, SmallPiecesVanishIfTheSettingSaysSo) {
+    World world;
+    world.setSettings({.minPieceVoxels = 100000});
+    world.load(oneShapeLevel(mast(), true));
+    EXPECT_EQ(world.settings().minPieceVoxels, 100000u);
+    const FrameChanges changes = world.applyEdits({sphereCarve({0.8, 2.0, 0.8}, 0.4)});
+    EXPECT_TRUE(changes.splits.empty());
+    EXPECT_EQ(world.shapes().size(), 1u);
+    const Ledger ledger = world.ledger();
+    EXPECT_TRUE(ledger.balances());
+    EXPECT_EQ(ledger.inPieces, 0u);
+    EXPECT_GT(ledger.removed, 350u);  // the mast above the cut went too
+}
+
+TEST(ApplyEdits, StaleHandlesChangeNothing) {
+    World world;
+    world.load(oneShapeLevel(mast(), false));
+    const ShapeHandle shape = test::firstShape(world);
+    const BodyHandle body = world.shapes().at(shape).body;
+    world.applyEdits({sphereCarve({0.8, 2.0, 0.8}, 20.0)});
+    CarveEdit carve = sphereCarve({0.8, 2.0, 0.8}, 1.0);
+    carve.shape = shape;
+    EXPECT_TRUE(world.applyEdits({carve, ImpulseEdit{body, {}, {1, 0, 0}}}).empty());
+}
+
+TEST(ApplyEdits, NumbersThatAreNoneChangeNothing) {
+    World world;
+    world.load(oneShapeLevel(mast(), true));
+    world.applyEdits({});
+    const double nan = std::nan("");
+    const uint64_t voxels = world.ledger().standing;
+    CarveEdit box{.kind = BrushKind::Box, .position = {0.8, nan, 0.8}, .halfSize = {1, 1, 1}};
+    world.applyEdits({sphereCarve({nan, 0, 0}, 1.0), sphereCarve({0.8, 2.0, 0.8}, nan), box, PaintEdit{.position = {nan, 0, 0}},
+                      ExplodeEdit{{nan, 0, 0}, 1.0}, sphereCarve({1e300, 0, 0}, 1.0)});
+    EXPECT_EQ(world.ledger().standing, voxels);
+}
+
+TEST(ApplyEdits, AnExplosionPushesWhatItBrokeOffAndSootsTheRest) {
+    World world;
+    world.load(oneShapeLevel(mast(), true));
+    const FrameChanges changes = world.applyEdits({ExplodeEdit{{0.8, 2.0, 0.8}, 0.9}});
+    ASSERT_EQ(changes.splits.size(), 1u);
+    ASSERT_EQ(changes.impulses.size(), 1u);
+    EXPECT_GT(changes.impulses[0].impulse.y, 0.0);
+    EXPECT_EQ(changes.impulses[0].body, changes.bodiesCreated[0]);
+    EXPECT_GT(changes.paintedVoxels, 0u);
+}
+
+TEST(ApplyEdits, TheSameEditsGiveTheSameHash) {
+    const auto run = [] {
+        World world;
+        world.load(oneShapeLevel(test::towerGrid({64, 60, 48}), true));
+        std::vector<uint64_t> hashes;
+        Random random(11);
+        for (int step = 0; step < 30; ++step) {
+            const double x = random.unit() * 6.4, y = random.unit() * 6.0, z = random.unit() * 4.8;
+            if (step % 3 == 0) world.applyEdits({ExplodeEdit{{x, y, z}, 1.3}});
+            if (step % 3 == 1) world.applyEdits({sphereCarve({x, y, z}, 0.8), PaintEdit{.position = {y, x, z}, .probability = 90, .seed = 5}});
+            if (step % 3 == 2) world.applyEdits({CarveEdit{.kind = BrushKind::Capsule, .position = {x, y, z}, .end = {z, x, y}, .radii = {0.2, 0.2, 0.2}}});
+            hashes.push_back(world.hash());
+        }
+        EXPECT_TRUE(world.ledger().balances());
+        EXPECT_GT(world.shapes().size(), 3u);
+        return hashes;
+    };
+    EXPECT_EQ(run(), run());
+}
+
+}  // namespace
+}  // namespace rubble
