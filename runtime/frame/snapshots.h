@@ -2,6 +2,7 @@
 #include <deque>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "runtime/core/mailbox.h"
 #include "runtime/frame/frame_snapshot.h"
@@ -13,14 +14,44 @@ namespace rubble {
 /// step and is then posted together with the volume's patches: what is drawn is one version of the world throughout.
 class Snapshots {
 public:
-    /// [main-thread] `moved` are the poses that physics has just handed over. Never waits.
+    /// [main-thread] `moved` are the poses that physics has just handed over; `patches` what the shadow worker published
+    /// since the last call. Never waits. A step in which nothing happens posts nothing and allocates nothing.
     void publish(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, std::vector<ShadowPatches> patches);
+    /// [main-thread] The same where no shadow worker is used: nothing waits.
+    void publishWithoutShadow(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world);
     /// [render-thread] All posted snapshots merged into one, or nothing.
     std::optional<FrameSnapshot> take();
 
 private:
-    std::deque<FrameSnapshot> m_waiting;   ///< steps whose shadow is not there yet, oldest first
+    struct Waiting {
+        FrameSnapshot snapshot;
+        bool needsShadow;                  ///< the step also changed the shadow volume
+    };
+    /// A shape's newest pose in a snapshot. Indexed by the shape's slot.
+    struct Placed {
+        ShapeHandle shape;
+        Pose pose;
+        uint64_t listedIn = 0;             ///< the m_count of the last snapshot that holds its pose
+    };
+    void enqueue(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world);
+    void addCreated(const FrameChanges& changes, const World& world, FrameSnapshot& out);
+    void addChanged(const FrameChanges& changes, const World& world, FrameSnapshot& out) const;
+    void addPoses(std::span<const BodyPose> moved, const World& world, FrameSnapshot& out);
+    /// Nothing if the snapshot already holds it.
+    void addPose(ShapeHandle shape, const World& world, FrameSnapshot& out);
+    void addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, FrameSnapshot& out);
+    /// Moves the oldest waiting snapshot, without its shadow, behind `out`.
+    void releaseOldest(std::optional<FrameSnapshot>& out);
+    void post(std::optional<FrameSnapshot> snapshot, uint64_t newestStep);
+
+    std::deque<Waiting> m_waiting;         ///< oldest first
     Mailbox<FrameSnapshot> m_posted;
+    std::vector<Placed> m_placed;
+    uint64_t m_count = 0;                  ///< of calls of publish
+    std::vector<ShapeHandle> m_moving;     ///< shapes that the newest snapshot shows moving
+    std::vector<ShapeHandle> m_moved;      ///< the same while it is being made
+    std::vector<BodyHandle> m_lightBodies; ///< that carry a light, ascending
+    std::optional<Environment> m_environment;
 };
 
 }  // namespace rubble

@@ -10,6 +10,13 @@
 
 namespace rubble {
 
+/// Whether a step can change the shadow volume. A version is published for each step that can (or for a later one that
+/// includes it), and for no other.
+inline bool changesShadow(const FrameChanges& changes, std::span<const BodyPose> moved) {
+    return changes.levelReplaced || !changes.shapesCreated.empty() || !changes.shapesDestroyed.empty() || !changes.bricks.empty() ||
+           !changes.palettes.empty() || !moved.empty();
+}
+
 /// Keeps the shadow volume up to date, on a thread of its own or inline, from a replica of the world's shapes that shares
 /// their bricks. [main-thread] calls only; the worker sees values.
 class ShadowWorker {

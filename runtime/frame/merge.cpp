@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <unordered_map>
+
+#include "runtime/core/hash.h"
+#include "runtime/frame/frame_snapshot.h"
+
+namespace rubble {
+namespace {
+
+struct BrickPlace {
+    ShapeHandle shape;
+    glm::ivec3 brick;
+    friend bool operator==(const BrickPlace&, const BrickPlace&) = default;
+};
+struct BrickPlaceHash {
+    size_t operator()(const BrickPlace& place) const { return hashBytes(&place.brick, sizeof place.brick, place.shape.bits); }
+};
+
+ShapeHandle keyOf(const SnapshotShape& v) {
+    return v.shape;
+}
+ShapeHandle keyOf(const SnapshotPose& v) {
+    return v.shape;
+}
+ShapeHandle keyOf(const SnapshotPalette& v) {
+    return v.shape;
+}
+BrickPlace keyOf(const BrickChange& v) {
+    return {v.shape, v.brick};
+}
+BrickPlace keyOf(const ShadowPatch& v) {
+    return {{}, v.brick};
+}
+
+/// The later value of a key takes the earlier one's place; new keys follow in their order.
+template <class Hash, class T>
+void mergeByKey(std::vector<T>& into, std::vector<T>&& later) {
+    if (into.empty()) {
+        into = std::move(later);
+        return;
+    }
+    if (later.empty()) return;
+    std::unordered_map<decltype(keyOf(into[0])), size_t, Hash> places;
+    places.reserve(into.size());
+    for (size_t i = 0; i < into.size(); ++i) places.emplace(keyOf(into[i]), i);
+    for (T& value : later) {
+        const auto place = places.find(keyOf(value));
+        if (place == places.end())
+            into.push_back(std::move(value));
+        else
+            into[place->second] = std::move(value);
+    }
+}
+
+using ShapeHash = std::hash<ShapeHandle>;
+using ShapePlaces = std::unordered_map<ShapeHandle, size_t>;
+
+/// Forgets what the destroyed shapes had. One that the receiver has not seen yet goes without a word.
+void mergeDestroyed(FrameSnapshot& into, const std::vector<ShapeHandle>& destroyed) {
+    if (destroyed.empty()) return;
+    ShapePlaces gone;
+    for (const ShapeHandle shape : destroyed) gone.emplace(shape, 0);
+    ShapePlaces unseen;
+    for (const SnapshotShape& shape : into.created) unseen.emplace(shape.shape, 0);
+    const auto isGone = [&](const auto& value) { return gone.contains(value.shape); };
+    std::erase_if(into.created, isGone);
+    std::erase_if(into.bricks, isGone);
+    std::erase_if(into.palettes, isGone);
+    std::erase_if(into.poses, isGone);
+    for (const ShapeHandle shape : destroyed)
+        if (!unseen.contains(shape)) into.destroyed.push_back(shape);
+}
+
+/// Bricks and palettes of shapes that `into` creates change what it creates; the others stay in `later`.
+void mergeIntoCreated(FrameSnapshot& into, FrameSnapshot& later) {
+    if (into.created.empty() || (later.bricks.empty() && later.palettes.empty())) return;
+    ShapePlaces created;
+    for (size_t i = 0; i < into.created.size(); ++i) created.emplace(into.created[i].shape, i);
+
+    std::vector<std::vector<BrickChange>> bricksOf(into.created.size());
+    std::vector<BrickChange> otherBricks;
+    for (BrickChange& brick : later.bricks) {
+        const auto place = created.find(brick.shape);
+        (place == created.end() ? otherBricks : bricksOf[place->second]).push_back(std::move(brick));
+    }
+    later.bricks = std::move(otherBricks);
+    for (size_t i = 0; i < bricksOf.size(); ++i) {
+        if (bricksOf[i].empty()) continue;
+        mergeByKey<BrickPlaceHash>(into.created[i].bricks, std::move(bricksOf[i]));
+        std::erase_if(into.created[i].bricks, [](const BrickChange& brick) { return !brick.content; });
+    }
+    std::vector<SnapshotPalette> otherPalettes;
+    for (SnapshotPalette& palette : later.palettes) {
+        const auto place = created.find(palette.shape);
+        if (place == created.end())
+            otherPalettes.push_back(std::move(palette));
+        else
+            into.created[place->second].palette = std::move(palette.palette);
+    }
+    later.palettes = std::move(otherPalettes);
+}
+
+}  // namespace
+
+void merge(FrameSnapshot& into, FrameSnapshot&& later) {
+    if (later.replacesAll) {
+        into = std::move(later);
+        return;
+    }
+    into.version = std::max(into.version, later.version);
+    into.newestStep = std::max(into.newestStep, later.newestStep);
+    mergeDestroyed(into, later.destroyed);
+    mergeIntoCreated(into, later);
+    mergeByKey<ShapeHash>(into.created, std::move(later.created));
+    mergeByKey<BrickPlaceHash>(into.bricks, std::move(later.bricks));
+    mergeByKey<ShapeHash>(into.palettes, std::move(later.palettes));
+    mergeByKey<ShapeHash>(into.poses, std::move(later.poses));
+    if (later.lightsChanged) {
+        into.lightsChanged = true;
+        into.lights = std::move(later.lights);
+    }
+    if (later.environmentChanged) {
+        into.environmentChanged = true;
+        into.environment = later.environment;
+    }
+    if (later.shadowReplacesAll) {
+        into.shadowReplacesAll = true;
+        into.shadow = std::move(later.shadow);
+    } else {
+        mergeByKey<BrickPlaceHash>(into.shadow, std::move(later.shadow));
+    }
+}
+
+}  // namespace rubble

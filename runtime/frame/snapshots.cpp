@@ -1,0 +1,170 @@
+#include "runtime/frame/snapshots.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "runtime/shadow/shadow_worker.h"
+
+namespace rubble {
+namespace {
+
+constexpr size_t kMaxPosted = 16;  ///< snapshots that may pile up before the main thread merges them
+
+SnapshotShape describeShape(ShapeHandle handle, const Shape& shape) {
+    SnapshotShape out{handle, shape.grid.size(), shape.voxelSize, shape.palette, {}};
+    out.bricks.reserve(shape.grid.brickCount());
+    shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) { out.bricks.push_back({handle, brick, content}); });
+    return out;
+}
+
+bool showsNothing(const FrameSnapshot& s) {
+    return !s.replacesAll && s.destroyed.empty() && s.created.empty() && s.bricks.empty() && s.palettes.empty() && s.poses.empty() &&
+           !s.lightsChanged && !s.environmentChanged;
+}
+
+void append(std::optional<FrameSnapshot>& out, FrameSnapshot&& later) {
+    if (out)
+        merge(*out, std::move(later));
+    else
+        out = std::move(later);
+}
+
+}  // namespace
+
+void Snapshots::publish(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, std::vector<ShadowPatches> patches) {
+    enqueue(changes, moved, world);
+    std::optional<FrameSnapshot> out;
+    for (ShadowPatches& publication : patches) {
+        while (!m_waiting.empty() && m_waiting.front().snapshot.version <= publication.version) releaseOldest(out);
+        FrameSnapshot shadow;
+        shadow.version = publication.version;
+        shadow.shadowReplacesAll = publication.replacesAll;
+        shadow.shadow = std::move(publication.patches);
+        append(out, std::move(shadow));
+    }
+    while (!m_waiting.empty() && !m_waiting.front().needsShadow) releaseOldest(out);
+    post(std::move(out), changes.step);
+}
+
+void Snapshots::publishWithoutShadow(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world) {
+    enqueue(changes, moved, world);
+    std::optional<FrameSnapshot> out;
+    while (!m_waiting.empty()) releaseOldest(out);
+    post(std::move(out), changes.step);
+}
+
+std::optional<FrameSnapshot> Snapshots::take() {
+    std::optional<FrameSnapshot> out;
+    while (auto posted = m_posted.tryTake()) append(out, std::move(*posted));
+    return out;
+}
+
+void Snapshots::releaseOldest(std::optional<FrameSnapshot>& out) {
+    append(out, std::move(m_waiting.front().snapshot));
+    m_waiting.pop_front();
+}
+
+void Snapshots::post(std::optional<FrameSnapshot> snapshot, uint64_t newestStep) {
+    if (!snapshot) return;
+    snapshot->newestStep = newestStep;
+    // Nobody draws: what is posted must not grow with time.
+    if (m_posted.size() >= kMaxPosted)
+        if (auto all = take()) {
+            merge(*all, std::move(*snapshot));
+            snapshot = std::move(all);
+        }
+    m_posted.post(std::move(*snapshot));
+}
+
+void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world) {
+    if (changes.levelReplaced) {
+        m_waiting.clear();
+        m_placed.clear();
+        m_moving.clear();
+    }
+    ++m_count;
+    FrameSnapshot out;
+    out.version = out.newestStep = changes.step;
+    out.replacesAll = out.shadowReplacesAll = changes.levelReplaced;
+    addCreated(changes, world, out);
+    addChanged(changes, world, out);
+    addPoses(moved, world, out);
+    addLights(changes, moved, world, out);
+    if (changes.levelReplaced || !m_environment || *m_environment != world.environment()) {
+        out.environmentChanged = true;
+        out.environment = world.environment();
+        m_environment = world.environment();
+    }
+    const bool needsShadow = changesShadow(changes, moved);
+    if (needsShadow || !showsNothing(out)) m_waiting.push_back({std::move(out), needsShadow});
+}
+
+void Snapshots::addCreated(const FrameChanges& changes, const World& world, FrameSnapshot& out) {
+    const auto add = [&](ShapeHandle handle, const Shape& shape) {
+        if (m_placed.size() <= handle.slot()) m_placed.resize(world.shapes().slotCount());
+        m_placed[handle.slot()] = {handle, world.shapeToWorld(handle), 0};
+        out.created.push_back(describeShape(handle, shape));
+    };
+    if (changes.levelReplaced) return world.shapes().forEach(add);
+    for (const ShapeHandle handle : changes.shapesCreated)
+        if (const Shape* shape = world.shapes().find(handle)) add(handle, *shape);
+    // A piece was where its parent was, so that it does not jump in its first step.
+    for (const ShapeSplit& split : changes.splits)
+        for (size_t i = 0; i < split.children.size(); ++i) {
+            const Shape* child = world.shapes().find(split.children[i]);
+            if (!child || m_placed.size() <= split.parent.slot() || m_placed[split.parent.slot()].shape != split.parent) continue;
+            const Pose offset{glm::dvec3(split.parentOffset[i]) * double(child->voxelSize)};
+            m_placed[split.children[i].slot()].pose = m_placed[split.parent.slot()].pose * offset;
+        }
+}
+
+void Snapshots::addChanged(const FrameChanges& changes, const World& world, FrameSnapshot& out) const {
+    if (changes.levelReplaced) return;
+    out.destroyed = changes.shapesDestroyed;
+    for (const BrickChange& brick : changes.bricks)
+        if (world.shapes().find(brick.shape)) out.bricks.push_back(brick);
+    for (const ShapeHandle handle : changes.palettes)
+        if (const Shape* shape = world.shapes().find(handle)) out.palettes.push_back({handle, shape->palette});
+}
+
+void Snapshots::addPose(ShapeHandle shape, const World& world, FrameSnapshot& out) {
+    assert(shape.slot() < m_placed.size() && m_placed[shape.slot()].shape == shape && "a shape moved that was never created");
+    Placed& placed = m_placed[shape.slot()];
+    if (placed.listedIn == m_count) return;
+    placed.listedIn = m_count;
+    const Pose current = world.shapeToWorld(shape);
+    out.poses.push_back({shape, placed.pose, current});
+    if (placed.pose != current) m_moved.push_back(shape);
+    placed.pose = current;
+}
+
+void Snapshots::addPoses(std::span<const BodyPose> moved, const World& world, FrameSnapshot& out) {
+    m_moved.clear();
+    for (const SnapshotShape& created : out.created) addPose(created.shape, world, out);
+    for (const BodyPose& pose : moved)
+        if (const Body* body = world.bodies().find(pose.body))
+            for (const ShapeHandle shape : body->shapes) addPose(shape, world, out);
+    // What moved in the step before and not in this one has come to rest: said once.
+    for (const ShapeHandle shape : m_moving)
+        if (world.shapes().find(shape)) addPose(shape, world, out);
+    std::swap(m_moving, m_moved);
+}
+
+void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, FrameSnapshot& out) {
+    const bool listChanged = changes.levelReplaced || !changes.lights.empty() || !changes.groupsOut.empty();
+    const auto carries = [&](const BodyPose& pose) { return std::binary_search(m_lightBodies.begin(), m_lightBodies.end(), pose.body); };
+    if (!listChanged && (m_lightBodies.empty() || std::none_of(moved.begin(), moved.end(), carries))) return;
+    out.lightsChanged = true;
+    m_lightBodies.clear();
+    world.lights().forEach([&](LightHandle, const Light& light) {
+        if (const Shape* shape = world.shapes().find(light.shape)) m_lightBodies.push_back(shape->body);
+        const LightGroup* group = world.lightGroups().find(light.group);
+        if (!light.enabled || (group && group->out)) return;
+        const Pose pose = world.lightToWorld(light);
+        const glm::vec3 direction(pose.rotation * glm::dvec3(0.0, 0.0, -1.0));
+        out.lights.push_back({light.kind, pose.position, direction, light.color, light.radius, light.reach, light.coneInner, light.coneOuter});
+    });
+    std::sort(m_lightBodies.begin(), m_lightBodies.end());
+}
+
+}  // namespace rubble

@@ -1,0 +1,186 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <tuple>
+
+#include "runtime/core/random.h"
+#include "runtime/frame/frame_snapshot.h"
+
+namespace rubble {
+namespace {
+
+/// What a receiver knows after applying snapshots: the meaning of a snapshot, without any renderer.
+struct Receiver {
+    struct Shape {
+        PaletteRef palette;
+        std::map<std::tuple<int, int, int>, BrickRef> bricks;
+        Pose previous, current;
+        bool operator==(const Shape&) const = default;
+    };
+    std::map<ShapeHandle, Shape> shapes;
+    std::map<std::tuple<int, int, int>, ShadowBrickRef> shadow;
+    size_t lights = 0;
+    float exposure = 0.0f;
+    uint64_t version = 0, newestStep = 0;
+    bool operator==(const Receiver&) const = default;
+
+    void apply(const FrameSnapshot& s) {
+        if (s.replacesAll) shapes.clear();
+        if (s.shadowReplacesAll) shadow.clear();
+        for (const ShapeHandle shape : s.destroyed) ASSERT_EQ(shapes.erase(shape), 1u) << "destroys what was never created";
+        for (const SnapshotShape& created : s.created) {
+            ASSERT_TRUE(shapes.emplace(created.shape, Shape{created.palette, {}, {}, {}}).second);
+            for (const BrickChange& brick : created.bricks) set(brick);
+        }
+        for (const BrickChange& brick : s.bricks) set(brick);
+        for (const SnapshotPalette& palette : s.palettes) shapes.at(palette.shape).palette = palette.palette;
+        for (const SnapshotPose& pose : s.poses) {
+            shapes.at(pose.shape).previous = pose.previous;
+            shapes.at(pose.shape).current = pose.current;
+        }
+        for (const ShadowPatch& patch : s.shadow) {
+            const auto key = std::tuple(patch.brick.x, patch.brick.y, patch.brick.z);
+            if (patch.content)
+                shadow[key] = patch.content;
+            else
+                shadow.erase(key);
+        }
+        if (s.lightsChanged) lights = s.lights.size();
+        if (s.environmentChanged) exposure = s.environment.exposure;
+        version = s.version;
+        newestStep = s.newestStep;
+    }
+    void set(const BrickChange& change) {
+        const auto key = std::tuple(change.brick.x, change.brick.y, change.brick.z);
+        if (change.content)
+            shapes.at(change.shape).bricks[key] = change.content;
+        else
+            shapes.at(change.shape).bricks.erase(key);
+    }
+};
+
+/// Draws snapshots that a world could have made: shapes live and die, and only living ones change.
+class Story {
+public:
+    explicit Story(uint64_t seed) : m_random(seed) {}
+    FrameSnapshot next() {
+        FrameSnapshot s;
+        s.version = s.newestStep = ++m_step;
+        if (!m_random.below(12)) {
+            s.replacesAll = s.shadowReplacesAll = s.lightsChanged = s.environmentChanged = true;
+            m_living.clear();
+        }
+        while (!m_living.empty() && m_random.below(3) == 0) {
+            const size_t i = m_random.below(uint32_t(m_living.size()));
+            s.destroyed.push_back(m_living[i]);
+            m_living.erase(m_living.begin() + ptrdiff_t(i));
+        }
+        const std::vector<ShapeHandle> old = m_living;
+        while (m_random.below(2)) create(s);
+        std::map<std::pair<ShapeHandle, int>, bool> touched;
+        for (const ShapeHandle shape : old) {
+            const int brick = m_random.between(0, 2);
+            if (m_random.below(2)) s.bricks.push_back({shape, {brick, 0, 0}, m_random.below(3) ? std::make_shared<const Brick>() : nullptr});
+            if (!m_random.below(3)) s.palettes.push_back({shape, std::make_shared<const Palette>()});
+            if (m_random.below(2)) s.poses.push_back({shape, drawPose(), drawPose()});
+        }
+        for (int i = 0; i < 3; ++i)
+            if (m_random.below(2)) s.shadow.push_back({{i, 0, -1}, m_random.below(3) ? std::make_shared<const ShadowBrick>() : nullptr});
+        if (!m_random.below(4)) s.lightsChanged = true, s.lights.resize(m_random.below(5));
+        if (!m_random.below(4)) s.environmentChanged = true, s.environment.exposure = m_random.unit();
+        return s;
+    }
+
+private:
+    void create(FrameSnapshot& s) {
+        const ShapeHandle shape = ShapeHandle::make(1, m_step & 0xffffff, uint32_t(m_living.size()) + m_random.below(100) * 1000);
+        if (std::find(m_living.begin(), m_living.end(), shape) != m_living.end()) return;
+        m_living.push_back(shape);
+        s.created.push_back({shape, {24, 8, 8}, 0.1f, std::make_shared<const Palette>(), {}});
+        for (int i = 0; i < 3; ++i)
+            if (m_random.below(2)) s.created.back().bricks.push_back({shape, {i, 0, 0}, std::make_shared<const Brick>()});
+        const Pose pose = drawPose();
+        s.poses.push_back({shape, pose, pose});
+    }
+    Pose drawPose() {
+        const double x = m_random.unit();
+        return {{x, 0.0, 0.0}};
+    }
+    Random m_random;
+    uint64_t m_step = 0;
+    std::vector<ShapeHandle> m_living;
+};
+
+/// Copies: a snapshot is applied alone and merged.
+FrameSnapshot copyOf(const FrameSnapshot& s) {
+    return s;
+}
+
+TEST(MergeSnapshots, AppliesAsAllOfThemDoInTurn) {
+    for (uint64_t seed = 0; seed < 300; ++seed) {
+        Story story(seed);
+        Random random(seed, 1);
+        Receiver inTurn, merged;
+        for (int round = 0; round < 8; ++round) {
+            FrameSnapshot all = story.next();
+            inTurn.apply(all);
+            for (uint32_t more = random.below(6); more; --more) {
+                FrameSnapshot later = story.next();
+                inTurn.apply(later);
+                merge(all, copyOf(later));
+            }
+            merged.apply(all);
+            ASSERT_FALSE(HasFatalFailure()) << "seed " << seed;
+            ASSERT_TRUE(inTurn == merged) << "seed " << seed << " round " << round;
+        }
+    }
+}
+
+TEST(MergeSnapshots, IsAssociative) {
+    for (uint64_t seed = 0; seed < 100; ++seed) {
+        Story story(seed);
+        Receiver left, right;
+        const FrameSnapshot first = story.next();
+        left.apply(first);
+        right.apply(first);
+        const FrameSnapshot a = story.next(), b = story.next(), c = story.next();
+        FrameSnapshot ab = copyOf(a), bc = copyOf(b), abc = copyOf(a);
+        merge(ab, copyOf(b));
+        merge(ab, copyOf(c));
+        merge(bc, copyOf(c));
+        merge(abc, copyOf(bc));
+        left.apply(ab);
+        right.apply(abc);
+        ASSERT_TRUE(left == right) << "seed " << seed;
+    }
+}
+
+TEST(MergeSnapshots, WhatIsCreatedAndDestroyedInBetweenLeavesNoTrace) {
+    const ShapeHandle shape = ShapeHandle::make(1, 1, 0);
+    FrameSnapshot first, second;
+    first.created.push_back({shape, {8, 8, 8}, 0.1f, nullptr, {{shape, {0, 0, 0}, std::make_shared<const Brick>()}}});
+    first.poses.push_back({shape, {}, {}});
+    second.destroyed.push_back(shape);
+    merge(first, std::move(second));
+    EXPECT_TRUE(first.created.empty() && first.destroyed.empty() && first.poses.empty());
+}
+
+TEST(MergeSnapshots, ACreatedShapeTakesLaterBricksAndTheNewestPose) {
+    const ShapeHandle shape = ShapeHandle::make(1, 1, 0);
+    const BrickRef brick = std::make_shared<const Brick>();
+    FrameSnapshot first, second;
+    first.created.push_back({shape, {8, 8, 8}, 0.1f, nullptr, {{shape, {0, 0, 0}, brick}}});
+    first.poses.push_back({shape, {}, {}});
+    second.bricks = {{shape, {0, 0, 0}, nullptr}, {shape, {1, 0, 0}, brick}};
+    second.poses.push_back({shape, {{1, 0, 0}}, {{2, 0, 0}}});
+    merge(first, std::move(second));
+    EXPECT_TRUE(first.bricks.empty());
+    ASSERT_EQ(first.created[0].bricks.size(), 1u);
+    EXPECT_EQ(first.created[0].bricks[0].brick, glm::ivec3(1, 0, 0));
+    ASSERT_EQ(first.poses.size(), 1u);
+    EXPECT_EQ(first.poses[0].previous.position.x, 1.0);
+    EXPECT_EQ(first.poses[0].current.position.x, 2.0);
+}
+
+}  // namespace
+}  // namespace rubble
