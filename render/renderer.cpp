@@ -79,6 +79,8 @@ void Renderer::Impl::fillBlock(const View& view) {
     block.groundColor = glm::vec4(e.groundColor, 0.0f);
     block.fogColor = glm::vec4(e.fogColor, e.fogDistance);
     block.exposure = glm::vec4(e.exposure);
+    block.shadowSectorLow = glm::ivec4(scene.shadowSectorLow(), scene.shadow().sectorCount().x > 0);
+    block.shadowSectorCount = glm::ivec4(scene.shadow().sectorCount(), 0);
 }
 
 void Renderer::Impl::uploadBlock() {

@@ -18,15 +18,16 @@ void Scene::apply(FrameSnapshot&& snapshot) {
     for (const BrickChange& change : snapshot.bricks) m_bodies.setBrick(change);
     for (const SnapshotPalette& palette : snapshot.palettes) m_bodies.setPalette(palette.shape, palette.palette);
     for (const SnapshotPose& pose : snapshot.poses) m_bodies.setPose(pose);
+    m_shadow.apply(snapshot.shadow, snapshot.shadowReplacesAll);
     if (snapshot.lightsChanged) m_lights = std::move(snapshot.lights);
     if (snapshot.environmentChanged) m_environment = snapshot.environment;
 }
 
 uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld) {
     if (glm::distance(cameraWorld, m_origin) > kRebaseDistance) m_origin = glm::round(cameraWorld / kSector) * kSector;
-    return m_bodies.beginFrame(alpha, m_origin);
+    return m_bodies.beginFrame(alpha, m_origin) + m_shadow.upload();
 }
 
-void Scene::bindShadow(const Program&) const {}
+glm::ivec3 Scene::shadowSectorLow() const { return m_shadow.sectorLow() - glm::ivec3(glm::round(m_origin / kSector)); }
 
 }  // namespace rubble

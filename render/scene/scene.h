@@ -3,6 +3,7 @@
 
 #include "render/gl/program.h"
 #include "render/scene/bodies.h"
+#include "render/scene/shadow_mirror.h"
 #include "runtime/frame/frame_snapshot.h"
 
 namespace rubble {
@@ -18,15 +19,19 @@ public:
     const std::vector<SnapshotLight>& lights() const { return m_lights; }
     const Environment& environment() const { return m_environment; }
     /// Sets the samplers that lib/shadow_trace.glsl reads. The program must be in use.
-    void bindShadow(const Program& program) const;
+    void bindShadow(const Program& program) const { m_shadow.bind(program); }
+    const ShadowMirror& shadow() const { return m_shadow; }
+    /// Its directory's first sector, counted from the render origin.
+    glm::ivec3 shadowSectorLow() const;
     /// Any shape with a palette entry of opacity < 255.
     bool hasGlass() const { return m_bodies.hasGlass(); }
     /// World position that the GPU's coordinates are relative to: a corner of the shadow volume's sectors.
     glm::dvec3 origin() const { return m_origin; }
-    uint64_t bytes() const { return m_bodies.bytes(); }
+    uint64_t bytes() const { return m_bodies.bytes() + m_shadow.bytes(); }
 
 private:
     Bodies m_bodies;
+    ShadowMirror m_shadow;
     std::vector<SnapshotLight> m_lights;
     Environment m_environment;
     glm::dvec3 m_origin{0.0};
