@@ -4,9 +4,19 @@
 #include "render/frame_context.h"
 #include "render/gl/state_guard.h"
 #include "render/pass_timer.h"
+#include "render/passes/accumulate_pass.h"
+#include "render/passes/bloom_pass.h"
+#include "render/passes/composite_pass.h"
+#include "render/passes/exposure_pass.h"
+#include "render/passes/filter_pass.h"
 #include "render/passes/gbuffer_pass.h"
+#include "render/passes/local_lights_pass.h"
+#include "render/passes/reflections_pass.h"
 #include "render/passes/show_pass.h"
-#include "render/passes/simple_light_pass.h"
+#include "render/passes/sky_pass.h"
+#include "render/passes/sun_pass.h"
+#include "render/passes/taa_pass.h"
+#include "render/passes/tonemap_pass.h"
 #include "render/scene/blue_noise.h"
 #include "render/scene/scene.h"
 
@@ -21,9 +31,12 @@ struct Shown {
 };
 using enum ShowPass::Mode;
 constexpr Shown kShown[] = {
-    {"final", "final", Color},         {"albedo", "albedo", Color},       {"normal", "normal", Signed}, {"emission", "normal", Alpha},
-    {"material", "material", Color},   {"motion", "motion", Motion},      {"depth", "depth", Distance}, {"glassTint", "glassTint", Color},
-    {"glassSurface", "glassSurface", Signed},
+    {"final", "final", Color},        {"albedo", "albedo", Color},       {"normal", "normal", Signed},
+    {"emission", "normal", Alpha},    {"material", "material", Color},   {"motion", "motion", Motion},
+    {"depth", "depth", Distance},     {"glassTint", "glassTint", Color}, {"glassSurface", "glassSurface", Signed},
+    {"sunRaw", "light", Alpha},       {"skyRaw", "light", Linear},       {"sun", "lighting", Alpha},
+    {"light", "lighting", Linear},    {"history", "surface", History},   {"reflection", "reflection", Linear},
+    {"radiance", "radiance", Linear}, {"resolved", "resolved", Linear},  {"bloom", "bloom0", Linear},
 };
 
 }  // namespace
@@ -37,7 +50,25 @@ struct Renderer::Impl {
     /// The frame: each pass reads what those above it have drawn.
     void drawPasses(const FrameContext& frame) {
         run("gbuffer", [&] { gbuffer.draw(frame); });
-        run("simple light", [&] { simpleLight.draw(frame); });
+        clearLight(frame);
+        if (settings.sun && block.sunDirection.y > 0.0f) run("sun", [&] { sun.draw(frame); });
+        if (settings.sky) run("sky", [&] { sky.draw(frame); });
+        if (settings.localLights && !scene.lights().empty()) run("local lights", [&] { localLights.draw(frame); });
+        run("accumulate", [&] { accumulate.draw(frame); });
+        run("filter", [&] { filter.draw(frame); });
+        if (ReflectionsPass::needed(frame)) run("reflections", [&] { reflections.draw(frame); });
+        run("composite", [&] { composite.draw(frame); });
+        run("taa", [&] { taa.draw(frame); });
+        if (settings.bloom > 0.0f) run("bloom", [&] { bloom.draw(frame); });
+        run("exposure", [&] { exposure.draw(frame); });
+        run("tonemap", [&] { tonemap.draw(frame); });
+    }
+
+    /// Passes add to it, each in its own channels.
+    void clearLight(const FrameContext& frame) {
+        frame.targets.framebuffer({&frame.targets.target("light", GL_RGBA16F)}).begin();
+        const float none[4] = {0, 0, 0, 0};
+        glClearBufferfv(GL_COLOR, 0, none);
     }
 
     template <class F>
@@ -64,7 +95,17 @@ struct Renderer::Impl {
     const Shown* shown = &kShown[0];
 
     GBufferPass gbuffer{shaders};
-    SimpleLightPass simpleLight{shaders};
+    SunPass sun{shaders};
+    SkyPass sky{shaders};
+    LocalLightsPass localLights{shaders};
+    AccumulatePass accumulate{shaders};
+    FilterPass filter{shaders};
+    ReflectionsPass reflections{shaders};
+    CompositePass composite{shaders};
+    TaaPass taa{shaders};
+    BloomPass bloom{shaders};
+    ExposurePass exposure{shaders};
+    TonemapPass tonemap{shaders};
     ShowPass show{shaders};
 };
 
@@ -131,8 +172,12 @@ Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader, const std::s
 Renderer::Renderer(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 Renderer::~Renderer() = default;
 
-void Renderer::apply(FrameSnapshot&& snapshot) { m_impl->scene.apply(std::move(snapshot)); }
-void Renderer::draw(const View& view, float alpha) { m_impl->draw(view, alpha); }
+void Renderer::apply(FrameSnapshot&& snapshot) {
+    m_impl->scene.apply(std::move(snapshot));
+}
+void Renderer::draw(const View& view, float alpha) {
+    m_impl->draw(view, alpha);
+}
 
 bool Renderer::showPass(std::string_view name) {
     for (const Shown& shown : kShown)
@@ -149,6 +194,8 @@ std::vector<std::string> Renderer::passNames() const {
     return names;
 }
 
-const RenderFigures& Renderer::figures() const { return m_impl->figures; }
+const RenderFigures& Renderer::figures() const {
+    return m_impl->figures;
+}
 
 }  // namespace rubble

@@ -32,6 +32,10 @@ struct RenderSettings {
     float skyDistance = 24.0f;         ///< metres
     int filterPasses = 3;              ///< of the spatial filter
     bool temporal = true;              ///< reprojected accumulation and TAA
+    int historyFrames = 32;            ///< how many pictures the accumulation remembers
+    int warmUpFrames = 0;              ///< drawn unseen before the first picture and after each cut: clean stills
+    bool sun = true, sky = true, localLights = true, reflections = true;
+    bool bevel = true;                 ///< rounds the edges of near voxels in light
     float bloom = 0.04f;
     static RenderSettings preset(std::string_view name);
 };

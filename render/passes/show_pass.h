@@ -9,7 +9,7 @@ namespace rubble {
 class ShowPass {
 public:
     /// How a target's values become a colour; the numbers are those of passes/show.frag.
-    enum class Mode { Color = 0, Linear = 1, Signed = 2, Distance = 3, Motion = 4, Alpha = 5, Red = 6 };
+    enum class Mode { Color = 0, Linear = 1, Signed = 2, Distance = 3, Motion = 4, Alpha = 5, Red = 6, History = 7 };
 
     explicit ShowPass(ShaderLibrary& shaders);
     void draw(const FrameContext& frame, const Texture& target, Mode mode, unsigned framebuffer, glm::ivec2 size) const;

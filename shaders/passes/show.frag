@@ -13,5 +13,6 @@ void main() {
     if (uMode == 4) c = vec3(v.rg * 10.0 + 0.5, 0.5);                  // uv a frame
     if (uMode == 5) c = vec3(v.a);
     if (uMode == 6) c = v.rrr;
+    if (uMode == 7) c = vec3(v.b / 32.0);                              // frames accumulated
     color = vec4(c, 1.0);
 }

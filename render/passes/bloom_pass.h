@@ -1,0 +1,17 @@
+#pragma once
+#include "render/frame_context.h"
+
+namespace rubble {
+
+/// The glow around what outshines the picture, in "bloom0" (half size): five halvings and back.
+class BloomPass {
+public:
+    explicit BloomPass(ShaderLibrary& shaders);
+    void draw(const FrameContext& frame) const;
+
+private:
+    const Program& m_down;
+    const Program& m_up;
+};
+
+}  // namespace rubble

@@ -1,0 +1,27 @@
+#pragma once
+#include "render/gl/gl.h"
+
+namespace rubble {
+
+inline constexpr const char* kFarVertexShader = "lib/fullscreen_far.vert";
+
+/// While it lives, triangles of kFarVertexShader touch only the pixels that show a surface, or only those of the sky. The
+/// framebuffer must have the G-buffer's depth buffer. Much cheaper than a branch where branches do not skip work.
+class DepthLimit {
+public:
+    enum class To { Surfaces, Sky };
+    explicit DepthLimit(To to) {
+        glEnable(GL_DEPTH_TEST);
+        glDepthMask(GL_FALSE);
+        glDepthFunc(to == To::Surfaces ? GL_GREATER : GL_EQUAL);
+    }
+    ~DepthLimit() {
+        glDisable(GL_DEPTH_TEST);
+        glDepthMask(GL_TRUE);
+        glDepthFunc(GL_LESS);
+    }
+    DepthLimit(const DepthLimit&) = delete;
+    DepthLimit& operator=(const DepthLimit&) = delete;
+};
+
+}  // namespace rubble

@@ -1,0 +1,16 @@
+#pragma once
+#include "render/frame_context.h"
+
+namespace rubble {
+
+/// Adapts the exposure to "resolved": one texel, the history "exposure".
+class ExposurePass {
+public:
+    explicit ExposurePass(ShaderLibrary& shaders);
+    void draw(const FrameContext& frame) const;
+
+private:
+    const Program& m_program;
+};
+
+}  // namespace rubble

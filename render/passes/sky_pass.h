@@ -1,0 +1,16 @@
+#pragma once
+#include "render/frame_context.h"
+
+namespace rubble {
+
+/// Writes the colour of "light": mean radiance from the sky and from what hides it.
+class SkyPass {
+public:
+    explicit SkyPass(ShaderLibrary& shaders);
+    void draw(const FrameContext& frame) const;
+
+private:
+    const Program& m_program;
+};
+
+}  // namespace rubble

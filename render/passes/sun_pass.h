@@ -1,0 +1,16 @@
+#pragma once
+#include "render/frame_context.h"
+
+namespace rubble {
+
+/// Writes the alpha of "light": the share of the sun's disc that each pixel sees.
+class SunPass {
+public:
+    explicit SunPass(ShaderLibrary& shaders);
+    void draw(const FrameContext& frame) const;
+
+private:
+    const Program& m_program;
+};
+
+}  // namespace rubble

@@ -1,0 +1,20 @@
+#include "render/passes/taa_pass.h"
+
+namespace rubble {
+
+TaaPass::TaaPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/taa.frag")) {}
+
+void TaaPass::draw(const FrameContext& frame) const {
+    if (!m_program) return;
+    const History resolved = frame.targets.history("resolved", GL_RGBA16F, 1, Filter::Linear);
+    frame.targets.framebuffer({&resolved.current}).begin();
+    m_program.use();
+    m_program.set("uColor", frame.targets.at("radiance"));
+    m_program.set("uHistory", resolved.previous);
+    m_program.set("uHistoryValid", int(frame.settings.temporal && resolved.valid));
+    m_program.set("uDepth", frame.targets.at("depth"));
+    m_program.set("uMotion", frame.targets.at("motion"));
+    frame.drawFullscreen();
+}
+
+}  // namespace rubble

@@ -1,0 +1,16 @@
+#pragma once
+#include "render/frame_context.h"
+
+namespace rubble {
+
+/// Anti-aliases "radiance" over time into the history "resolved".
+class TaaPass {
+public:
+    explicit TaaPass(ShaderLibrary& shaders);
+    void draw(const FrameContext& frame) const;
+
+private:
+    const Program& m_program;
+};
+
+}  // namespace rubble

@@ -1,0 +1,16 @@
+#pragma once
+#include "render/frame_context.h"
+
+namespace rubble {
+
+/// Turns "resolved" into "final": exposure, bloom, film curve, vignette, dither.
+class TonemapPass {
+public:
+    explicit TonemapPass(ShaderLibrary& shaders);
+    void draw(const FrameContext& frame) const;
+
+private:
+    const Program& m_program;
+};
+
+}  // namespace rubble

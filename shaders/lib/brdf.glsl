@@ -1,0 +1,28 @@
+/// Schlick's approximation; f0 is the reflectance straight on.
+vec3 fresnel(vec3 f0, float cosine) {
+    float m = 1.0 - clamp(cosine, 0.0, 1.0);
+    float m2 = m * m;
+    return f0 + (1.0 - f0) * m2 * m2 * m;
+}
+
+/// Fresnel for light gathered from all around: a rough surface shows less of its edge (Lagarde's clamp of Schlick's term).
+vec3 fresnelRough(vec3 f0, float cosine, float roughness) {
+    float m = 1.0 - clamp(cosine, 0.0, 1.0);
+    float m2 = m * m;
+    return f0 + (max(vec3(1.0 - roughness), f0) - f0) * m2 * m2 * m;
+}
+
+/// GGX with Smith's height-correlated masking, without fresnel: radiance out per irradiance in (cosine not included).
+/// Walter et al. 2007; Heitz 2014.
+float specularLobe(vec3 n, vec3 v, vec3 l, float roughness) {
+    float alpha = max(roughness * roughness, 0.003);
+    float a2 = alpha * alpha;
+    vec3 h = normalize(v + l);
+    float nh = clamp(dot(n, h), 0.0, 1.0);
+    float nl = clamp(dot(n, l), 1e-4, 1.0);
+    float nv = clamp(dot(n, v), 1e-4, 1.0);
+    float d = nh * nh * (a2 - 1.0) + 1.0;
+    float distribution = a2 / (3.14159265 * d * d);
+    float masking = nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2);
+    return distribution * 0.5 / max(masking, 1e-5);
+}

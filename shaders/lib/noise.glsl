@@ -1,0 +1,47 @@
+// Blue noise on a 64x64 tile, animated by the R2 sequence (Martin Roberts, "The unreasonable effectiveness of
+// quasirandom sequences"): low discrepancy over time at each pixel, blue over the screen at each time.
+uniform sampler2D uBlueNoise;
+
+/// Two numbers in [0, 1) for a pixel. `dimension` tells the draws of one frame apart; `index` counts draws over time.
+vec2 blueNoise(ivec2 pixel, int dimension, int index) {
+    ivec2 first = (pixel + dimension * ivec2(23, 41)) & 63;
+    ivec2 second = (pixel + dimension * ivec2(23, 41) + ivec2(37, 11)) & 63;
+    vec2 base = vec2(texelFetch(uBlueNoise, first, 0).r, texelFetch(uBlueNoise, second, 0).r);
+    // The index wraps so that the product keeps its fraction's bits in float.
+    return fract(base + float(index & 1023) * vec2(0.7548776662, 0.5698402910));
+}
+
+/// A well mixed hash of 32 bits (the "lowbias32" constants found by Chris Wellons' prospector).
+uint hashBits(uint x) {
+    x ^= x >> 16;
+    x *= 0x7feb352du;
+    x ^= x >> 15;
+    x *= 0x846ca68bu;
+    return x ^ (x >> 16);
+}
+
+float hash01(ivec2 p) { return float(hashBits(uint(p.x) + hashBits(uint(p.y))) >> 8) * (1.0 / 16777216.0); }
+float hash01(ivec3 p) { return float(hashBits(uint(p.x) + hashBits(uint(p.y) + hashBits(uint(p.z)))) >> 8) * (1.0 / 16777216.0); }
+
+/// Smooth noise in [0, 1] with features of size 1.
+float valueNoise(vec2 p) {
+    vec2 cell = floor(p);
+    vec2 f = p - cell;
+    f = f * f * (3.0 - 2.0 * f);
+    ivec2 i = ivec2(cell);
+    float low = mix(hash01(i), hash01(i + ivec2(1, 0)), f.x);
+    float high = mix(hash01(i + ivec2(0, 1)), hash01(i + ivec2(1, 1)), f.x);
+    return mix(low, high, f.y);
+}
+
+/// Sum of octaves in [0, 1], each turned so that no axis shows.
+float fractalNoise(vec2 p, int octaves) {
+    float sum = 0.0, weight = 0.5, total = 0.0;
+    for (int i = 0; i < octaves; ++i) {
+        sum += weight * valueNoise(p);
+        total += weight;
+        weight *= 0.5;
+        p = mat2(1.62, 1.18, -1.18, 1.62) * p + 17.3;
+    }
+    return sum / total;
+}

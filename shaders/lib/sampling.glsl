@@ -1,0 +1,48 @@
+const float kPi = 3.14159265;
+
+/// Two unit vectors that make a right-handed frame with n (Duff et al., "Building an orthonormal basis, revisited").
+mat3 basisAround(vec3 n) {
+    float s = n.z < 0.0 ? -1.0 : 1.0;
+    float a = -1.0 / (s + n.z);
+    float b = n.x * n.y * a;
+    return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
+}
+
+/// Uniform on the unit disc.
+vec2 discPoint(vec2 u) {
+    float angle = 2.0 * kPi * u.x;
+    return sqrt(u.y) * vec2(cos(angle), sin(angle));
+}
+
+/// A direction around n with density cos / pi: the mean radiance over these is irradiance / pi.
+vec3 cosineDirection(vec3 n, vec2 u) {
+    vec2 d = discPoint(u);
+    return normalize(basisAround(n) * vec3(d, sqrt(max(0.0, 1.0 - u.y))));
+}
+
+/// Uniform on the unit sphere.
+vec3 spherePoint(vec2 u) {
+    float z = 1.0 - 2.0 * u.y;
+    float angle = 2.0 * kPi * u.x;
+    return vec3(sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(angle), sin(angle)), z);
+}
+
+/// A direction toward a disc of angular radius `angle` radians around `axis`.
+vec3 coneDirection(vec3 axis, float angle, vec2 u) {
+    return normalize(basisAround(axis) * vec3(discPoint(u) * angle, 1.0));
+}
+
+/// A half vector seen from v in proportion to what a GGX surface shows of it (Heitz 2018, "Sampling the GGX distribution of
+/// visible normals"). All in the surface's frame, z up.
+vec3 visibleHalfVector(vec3 v, float alpha, vec2 u) {
+    vec3 stretched = normalize(vec3(alpha * v.xy, v.z));
+    mat3 frame = basisAround(stretched);
+    vec2 d = discPoint(u);
+    float s = 0.5 * (1.0 + stretched.z);
+    // The disc's lower half is what the surface hides; the basis must have its second axis upward for that.
+    vec3 t1 = normalize(abs(stretched.z) < 0.9999 ? cross(vec3(0, 0, 1), stretched) : frame[0]);
+    vec3 t2 = cross(stretched, t1);
+    d.y = mix(sqrt(max(0.0, 1.0 - d.x * d.x)), d.y, s);
+    vec3 h = d.x * t1 + d.y * t2 + sqrt(max(0.0, 1.0 - dot(d, d))) * stretched;
+    return normalize(vec3(alpha * h.xy, max(1e-4, h.z)));
+}

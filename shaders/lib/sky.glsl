@@ -1,0 +1,96 @@
+// The sky and what lies beyond the level. Directions are world space, y up; results are radiance.
+#include "lib/frame.glsl"
+#include "lib/noise.glsl"
+
+/// Haze-coloured light around the sun: what air and thin cloud scatter forward. mu: cosine to the sun.
+vec3 sunGlow(float mu) {
+    float m = max(mu, 0.0);
+    float m2 = m * m;
+    float m8 = m2 * m2 * m2 * m2;
+    float m32 = m8 * m8 * m8 * m8;
+    float m256 = pow(m32, 8.0);
+    return frame.sunColor.rgb * (0.012 * m2 + 0.035 * m8 + 0.10 * m32 + 0.45 * m256);
+}
+
+/// The clear sky without sun disc, clouds and hills: smooth, for the rays that leave the world.
+vec3 skyRadiance(vec3 direction) {
+    float mu = dot(direction, frame.sunDirection.xyz);
+    float up = max(direction.y, 0.0);
+    vec3 sky = mix(frame.horizonColor.rgb, frame.skyColor.rgb, 1.0 - pow(1.0 - min(up, 1.0), 4.0));
+    sky += sunGlow(mu) * (1.0 - 0.6 * up);
+    return mix(frame.groundColor.rgb, sky, smoothstep(-0.06, 0.02, direction.y));
+}
+
+/// The air's own light between the eye and a far point in this direction.
+vec3 hazeRadiance(vec3 direction) {
+    return frame.fogColor.rgb + sunGlow(dot(direction, frame.sunDirection.xyz)) * 0.6;
+}
+
+/// Share of light that the air keeps over a distance: half at fogDistance.
+float hazeAmount(float distanceMetres) { return 1.0 - exp2(-distanceMetres / frame.fogColor.w); }
+
+vec3 withClouds(vec3 sky, vec3 direction) {
+    float height = direction.y + 0.06;
+    if (height < 0.07) return sky;
+    vec2 place = direction.xz / height * 1.3 + 40.0;
+    // Streets of cloud: stretched along one axis, fading where the foreshortening would crowd them.
+    vec2 stretched = place * vec2(0.75, 1.25);
+    float density = fractalNoise(stretched, 6) * 0.75 + valueNoise(stretched * 0.35 + 9.1) * 0.35;
+    float cover = smoothstep(0.52, 0.80, density);
+    if (cover <= 0.0) return sky;
+    vec2 toSun = normalize(frame.sunDirection.xz) * 0.35;
+    float thickness = fractalNoise(stretched + toSun, 4) * 0.75 + valueNoise((stretched + toSun) * 0.35 + 9.1) * 0.35;
+    float lit = clamp(1.0 - (thickness - 0.45) * 2.6, 0.0, 1.0);
+    float mu = max(dot(direction, frame.sunDirection.xyz), 0.0);
+    vec3 shade = mix(frame.skyColor.rgb, frame.horizonColor.rgb, 0.55) * 0.75;
+    vec3 bright = frame.sunColor.rgb * (0.13 + 0.16 * pow(mu, 6.0)) + frame.skyColor.rgb * 0.35;
+    vec3 cloud = mix(shade, bright, lit);
+    float fade = smoothstep(0.07, 0.30, height);
+    return mix(sky, cloud, cover * 0.85 * fade);
+}
+
+/// Height of a hill layer as the tangent of its elevation: periodic around the horizon.
+float hillLine(vec2 heading, float frequency, float seed, int octaves) {
+    return fractalNoise(heading * frequency + seed, octaves);
+}
+
+vec3 withHills(vec3 sky, vec3 direction) {
+    vec2 heading = normalize(direction.xz);
+    float slope = direction.y / max(length(direction.xz), 1e-4);
+    if (slope > 0.16) return sky;
+    vec3 haze = hazeRadiance(direction);
+    vec3 light = frame.sunColor.rgb * 0.06 + frame.skyColor.rgb * 0.35;
+    float pixel = 0.0022;   // softens the outline by about a pixel
+    float far = 0.035 + 0.085 * hillLine(heading, 3.1, 11.0, 4);
+    sky = mix(sky, mix(vec3(0.16, 0.20, 0.24) * light, haze, 0.80), smoothstep(pixel, -pixel, slope - far));
+    float middle = 0.015 + 0.060 * hillLine(heading, 5.7, 47.0, 5);
+    sky = mix(sky, mix(vec3(0.14, 0.20, 0.13) * light, haze, 0.62), smoothstep(pixel, -pixel, slope - middle));
+    float woods = 0.004 + 0.024 * hillLine(heading, 9.0, 83.0, 3) + 0.010 * hillLine(heading, 140.0, 5.0, 3);
+    float shading = 0.75 + 0.5 * valueNoise(vec2(atan(heading.y, heading.x) * 160.0, slope * 500.0));
+    sky = mix(sky, mix(vec3(0.13, 0.18, 0.08) * light * shading, haze, 0.42), smoothstep(pixel, -pixel, slope - woods));
+    return sky;
+}
+
+/// Fields from the level's edge to the horizon: a plane a little under the ground, so that a level is no table in the void.
+vec3 fieldsBelow(vec3 direction, float eyeHeight) {
+    float distanceMetres = eyeHeight / max(-direction.y, 1e-4);
+    vec2 place = direction.xz * distanceMetres + frame.cameraPosition.xz;
+    float detail = exp2(-distanceMetres * 0.02);
+    float patches = fractalNoise(place * 0.02, 3);
+    float tufts = mix(0.5, fractalNoise(place * 0.9, 3), detail);
+    vec3 albedo = mix(vec3(0.115, 0.155, 0.055), vec3(0.22, 0.20, 0.085), smoothstep(0.35, 0.7, patches)) * (0.75 + 0.5 * tufts);
+    vec3 light = frame.sunColor.rgb * max(frame.sunDirection.y, 0.0) * 0.3183 + skyRadiance(vec3(0, 1, 0)) * 0.8;
+    return mix(albedo * light, hazeRadiance(direction), hazeAmount(distanceMetres));
+}
+
+/// Everything behind the level as the camera sees it. eyeHeight: over the plane of the fields.
+vec3 backgroundRadiance(vec3 direction, float eyeHeight) {
+    vec3 result;
+    if (direction.y < 0.0 && eyeHeight > 0.0) return fieldsBelow(direction, eyeHeight);
+    float mu = dot(direction, frame.sunDirection.xyz);
+    vec3 sky = withClouds(skyRadiance(vec3(direction.x, max(direction.y, 0.02), direction.z)), direction);
+    // The disc itself, a little larger than life and far from its true radiance: it must bloom, not flicker.
+    float edge = 1.0 - 0.5 * frame.sunDirection.w * frame.sunDirection.w * 4.0;
+    sky += frame.sunColor.rgb * 12.0 * smoothstep(edge, 1.0 - (1.0 - edge) * 0.6, mu);
+    return withHills(sky, direction);
+}

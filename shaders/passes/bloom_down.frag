@@ -1,0 +1,19 @@
+// Half the size. The first level keeps only what outshines display white.
+uniform sampler2D uSource;
+uniform vec2 uTexel;   // 1 / size of the source
+uniform float uThreshold;  // radiance; 0 = keep all
+in vec2 uv;
+out vec4 result;
+
+vec3 bright(vec2 place) {
+    vec3 c = texture(uSource, place).rgb;
+    float peak = max(c.r, max(c.g, c.b));
+    // One hot pixel must not flicker over the picture.
+    return uThreshold > 0.0 ? min(c * max(peak - uThreshold, 0.0) / max(peak, 1e-4), vec3(12.0)) : c;
+}
+
+void main() {
+    vec3 sum = bright(uv + uTexel * vec2(-0.9, -0.9)) + bright(uv + uTexel * vec2(0.9, -0.9)) + bright(uv + uTexel * vec2(-0.9, 0.9)) +
+               bright(uv + uTexel * vec2(0.9, 0.9));
+    result = vec4(sum * 0.25, 1.0);
+}

@@ -1,0 +1,44 @@
+// Surfaces: light x albedo, highlights, reflections, emission, air, glass: the picture in linear radiance.
+#include "lib/gbuffer.glsl"
+#include "lib/frame.glsl"
+#include "lib/noise.glsl"
+#include "lib/brdf.glsl"
+#include "lib/bevel.glsl"
+#include "lib/sky.glsl"
+#include "lib/glass.glsl"
+
+uniform sampler2D uLight;        // rgb mean radiance from sky and lamps, a share of the sun
+uniform bool uBevel;
+
+in vec2 uv;
+out vec4 radiance;
+
+vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel) {
+    vec3 normal = uBevel ? bevelledNormal(s, pixel) : s.normal;
+    vec4 light = texelFetch(uLight, pixel, 0);
+    vec3 sun = frame.sunColor.rgb * light.a * max(dot(normal, frame.sunDirection.xyz), 0.0);
+    vec3 f0 = mix(vec3(s.reflectivity), s.albedo, s.metallic);
+    vec3 diffuse = s.albedo * (1.0 - s.metallic) * (light.rgb + sun / 3.14159265);
+
+    vec3 halfVector = normalize(view + frame.sunDirection.xyz);
+    vec3 highlight = sun * fresnel(f0, dot(view, halfVector)) * specularLobe(normal, view, frame.sunDirection.xyz, s.roughness);
+
+    vec3 share = fresnelRough(f0, dot(normal, view), s.roughness);
+    vec3 mirrored = light.rgb;
+    if (uReflections) {
+        vec4 traced = texelFetch(uReflection, pixel, 0);
+        float smoothness = 1.0 - smoothstep(0.35, 0.6, s.roughness);
+        mirrored = mix(mirrored, traced.rgb, traced.a * smoothness);
+    }
+    return diffuse * (1.0 - share) + min(highlight, vec3(30.0)) + mirrored * share + s.albedo * s.emission;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Surface s = readSurface(pixel);
+    vec3 ray = viewRay(uv);
+    vec3 direction = normalize(ray);
+    vec3 color = surfaceRadiance(s, -direction, pixel);
+    color = mix(color, hazeRadiance(direction), hazeAmount(length(ray) * s.depth));
+    radiance = vec4(onlyFinite(throughGlass(color, direction, pixel)), 1.0);
+}

@@ -1,0 +1,28 @@
+// One texel: how much brighter or darker than the level's exposure the picture is shown. The eye adapts slowly and only in part.
+#include "lib/frame.glsl"
+#include "lib/color.glsl"
+
+uniform sampler2D uColor;
+uniform sampler2D uLast;
+uniform bool uLastValid;
+
+out vec4 exposure;
+
+const ivec2 kTaps = ivec2(32, 18);
+const float kMiddle = 0.42;     // mean luminance that needs no correction
+const float kStrength = 0.35;   // of the adaptation: 1 would bring every picture to the same mean
+const float kSpeed = 0.05;      // a frame
+
+void main() {
+    float sum = 0.0, total = 0.0;
+    for (int y = 0; y < kTaps.y; ++y)
+        for (int x = 0; x < kTaps.x; ++x) {
+            vec2 place = (vec2(x, y) + 0.5) / vec2(kTaps);
+            vec2 aside = place - 0.5;
+            float w = exp(-3.0 * dot(aside, aside));
+            sum += w * log2(clamp(luminance(texture(uColor, place).rgb) * frame.exposure.x, 0.01, 8.0));
+            total += w;
+        }
+    float target = clamp(pow(kMiddle / exp2(sum / total), kStrength), 0.7, 1.6);
+    exposure = vec4(uLastValid ? mix(texelFetch(uLast, ivec2(0), 0).r, target, kSpeed) : target);
+}

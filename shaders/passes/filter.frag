@@ -1,0 +1,77 @@
+// One step of an edge-stopping a-trous filter on light (Dammertz et al. 2010; variance guidance after Schied et al. 2017):
+// taps at a stride, each weighted by plane distance and by how far its light differs from the centre's in standard
+// deviations; only taps of the same orientation count, which for voxels is the same number. A constant stays itself.
+#include "lib/frame.glsl"
+#include "lib/color.glsl"
+#include "lib/surface_history.glsl"
+
+uniform sampler2D uLight;
+uniform sampler2D uSurface;   // lib/surface_history.glsl
+uniform int uStride;
+uniform float uSunRays;
+
+in vec2 uv;
+out vec4 filtered;
+
+const int kTaps = 9;
+
+/// 1 for no difference, 0 from twice the scale on: a bell without an exponential.
+float bell(float x) {
+    float y = max(0.0, 1.0 - 0.25 * x * x);
+    return y * y;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    ivec2 high = ivec2(frame.targetSize.xy) - 1;
+    vec4 centre = texelFetch(uSurface, pixel, 0);
+    vec4 own = texelFetch(uLight, pixel, 0);
+    vec3 normal = unpackNormal(centre.y);
+    // Height of a tap over the centre's plane = dot(normal, ray) x depth - own height, and dot(normal, ray) is linear in pixels.
+    float facing = dot(normal, viewRay(uv));
+    float facingX = dot(normal, frame.cameraRight.xyz) * 2.0 * frame.cameraRight.w * frame.targetSize.z;
+    float facingY = dot(normal, frame.cameraUp.xyz) * 2.0 * frame.cameraUp.w * frame.targetSize.w;
+    float planeScale = 1.0 / (0.01 + 0.0015 * centre.x);
+
+    vec4 lights[kTaps];
+    float lums[kTaps];
+    float weights[kTaps];
+    float sun = 0.0, total = 0.0, lum = 0.0, squares = 0.0;
+    for (int i = 0; i < kTaps; ++i) {
+        ivec2 offset = (ivec2(i % 3, i / 3) - 1);
+        ivec2 p = clamp(pixel + offset * uStride, ivec2(0), high);
+        vec2 there = texelFetch(uSurface, p, 0).xy;
+        vec2 away = vec2(p - pixel);
+        float height = (facing + facingX * away.x + facingY * away.y) * there.x - facing * centre.x;
+        float kernel = float((2 - abs(offset.x)) * (2 - abs(offset.y)));
+        float w = there.y == centre.y ? kernel * max(0.0, 1.0 - abs(height) * planeScale) : 0.0;
+        vec4 light = texelFetch(uLight, p, 0);
+        float l = luminance(light.rgb);
+        weights[i] = w;
+        lights[i] = light;
+        lums[i] = l;
+        sun += w * light.a;
+        lum += w * l;
+        squares += w * l * l;
+        total += w;
+    }
+    sun /= total;
+    lum /= total;
+    // Deviation of the accumulated value: from moments over time once there are some, else from the neighbours.
+    float ownLum = lums[4];
+    float spatial = max(squares / total - lum * lum, 0.0);
+    float temporal = max(centre.w - ownLum * ownLum, 0.0) / centre.z;
+    float skyDeviation = sqrt(mix(spatial, temporal, clamp((centre.z - 3.0) / 6.0, 0.0, 1.0)));
+    float sunDeviation = sqrt(max(sun * (1.0 - sun), 0.0) / (uSunRays * centre.z));
+    float skyScale = 1.0 / (3.0 * skyDeviation + 0.02 * ownLum + 1e-4);
+    float sunScale = 1.0 / (1.5 * sunDeviation + 0.004);
+
+    vec4 sum = vec4(0.0);
+    vec2 totals = vec2(0.0);
+    for (int i = 0; i < kTaps; ++i) {
+        vec2 w = weights[i] * vec2(bell((lums[i] - ownLum) * skyScale), bell((lights[i].a - own.a) * sunScale));
+        sum += lights[i] * w.xxxy;
+        totals += w;
+    }
+    filtered = sum / totals.xxxy;
+}

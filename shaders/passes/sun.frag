@@ -1,0 +1,26 @@
+// Share of the sun's disc that each pixel sees, in the alpha of `light`: rays to random points of the disc.
+#include "lib/gbuffer.glsl"
+#include "lib/frame.glsl"
+#include "lib/noise.glsl"
+#include "lib/sampling.glsl"
+#include "lib/shadow_trace.glsl"
+
+uniform int uRays;
+uniform float uReach;  // metres
+
+in vec2 uv;
+out vec4 light;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Surface s = readSurface(pixel);
+    light = vec4(0.0);
+    if (s.sky || dot(s.normal, frame.sunDirection.xyz) <= 0.0) return;
+    vec3 origin = shadowOrigin(worldFromDepth(uv, s.depth), s.normal);
+    for (int i = 0; i < uRays; ++i) {
+        vec2 u = blueNoise(pixel, 0, frame.counters.x * uRays + i);
+        float t;
+        if (!shadowTrace(origin, coneDirection(frame.sunDirection.xyz, frame.sunDirection.w, u), uReach, t)) light.a += 1.0;
+    }
+    light.a /= float(uRays);
+}

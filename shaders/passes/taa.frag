@@ -1,0 +1,89 @@
+// Temporal anti-aliasing: the jittered picture mixed into its own history, which is fetched sharply (Catmull-Rom) and
+// clipped to the colours around the pixel (Karis 2014; Salvi 2016). Radiance is compressed meanwhile, so that bright points do not flicker.
+#include "lib/frame.glsl"
+#include "lib/color.glsl"
+
+uniform sampler2D uColor;
+uniform sampler2D uHistory;
+uniform bool uHistoryValid;
+uniform sampler2D uDepth;
+uniform sampler2D uMotion;
+
+const float kSkyDepth = 65000.0;
+const float kNewShare = 0.1;
+
+in vec2 uv;
+out vec4 resolved;
+
+vec3 compress(vec3 c) { return c / (1.0 + luminance(c)); }
+vec3 expand(vec3 c) { return c / max(1.0 - luminance(c), 1e-3); }
+
+/// Nine taps of Catmull-Rom in five bilinear fetches: the corners are dropped (Jimenez 2016).
+vec3 historyAt(vec2 place) {
+    vec2 size = frame.targetSize.xy;
+    vec2 p = place * size;
+    vec2 centre = floor(p - 0.5) + 0.5;
+    vec2 f = p - centre;
+    vec2 w0 = f * (-0.5 + f * (1.0 - 0.5 * f));
+    vec2 w1 = 1.0 + f * f * (-2.5 + 1.5 * f);
+    vec2 w2 = f * (0.5 + f * (2.0 - 1.5 * f));
+    vec2 w3 = f * f * (-0.5 + 0.5 * f);
+    vec2 w12 = w1 + w2;
+    vec2 t0 = (centre - 1.0) / size, t12 = (centre + w2 / w12) / size, t3 = (centre + 2.0) / size;
+    vec4 sum = vec4(texture(uHistory, vec2(t12.x, t0.y)).rgb, 1.0) * (w12.x * w0.y);
+    sum += vec4(texture(uHistory, vec2(t0.x, t12.y)).rgb, 1.0) * (w0.x * w12.y);
+    sum += vec4(texture(uHistory, t12).rgb, 1.0) * (w12.x * w12.y);
+    sum += vec4(texture(uHistory, vec2(t3.x, t12.y)).rgb, 1.0) * (w3.x * w12.y);
+    sum += vec4(texture(uHistory, vec2(t12.x, t3.y)).rgb, 1.0) * (w12.x * w3.y);
+    return max(sum.rgb / sum.a, vec3(0.0));
+}
+
+/// Motion of the nearest surface around the pixel, so that edges move with what is in front; the sky's by the camera alone.
+vec2 motionAt(ivec2 nearest, float depth) {
+    if (depth < kSkyDepth) return texelFetch(uMotion, nearest, 0).rg;
+    vec4 far = vec4(frame.cameraPosition.xyz + viewRay(uv) * 4000.0, 1.0);
+    vec4 before = frame.previousViewProjection * far;
+    vec4 now = frame.viewProjectionPlain * far;
+    return (now.xy / now.w - before.xy / before.w) * 0.5;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    ivec2 high = ivec2(frame.targetSize.xy) - 1;
+    vec2 jitterPixels = frame.jitter.xy * frame.targetSize.xy;
+    vec3 sum = vec3(0.0), squares = vec3(0.0), now = vec3(0.0), low = vec3(1e9), top = vec3(-1e9);
+    float total = 0.0, depth = 1e9;
+    ivec2 nearest = pixel;
+    for (int i = 0; i < 9; ++i) {
+        ivec2 offset = ivec2(i % 3, i / 3) - 1;
+        ivec2 p = clamp(pixel + offset, ivec2(0), high);
+        vec3 c = toYCoCg(compress(texelFetch(uColor, p, 0).rgb));
+        sum += c;
+        squares += c * c;
+        low = min(low, c);
+        top = max(top, c);
+        vec2 away = vec2(offset) + jitterPixels;
+        float w = exp(-2.3 * dot(away, away));
+        now += c * w;
+        total += w;
+        float d = texelFetch(uDepth, p, 0).r;
+        if (d < depth) {
+            depth = d;
+            nearest = p;
+        }
+    }
+    now /= total;
+    resolved = vec4(expand(fromYCoCg(now)), 1.0);
+    vec2 before = uv - motionAt(nearest, depth);
+    if (!uHistoryValid || any(lessThan(before, vec2(0.0))) || any(greaterThan(before, vec2(1.0)))) return;
+    vec3 history = toYCoCg(compress(historyAt(before)));
+    vec3 mean = sum / 9.0;
+    vec3 deviation = sqrt(max(squares / 9.0 - mean * mean, vec3(0.0)));
+    vec3 boxLow = max(low, mean - 1.25 * deviation), boxHigh = min(top, mean + 1.25 * deviation);
+    vec3 middle = 0.5 * (boxLow + boxHigh), extent = 0.5 * (boxHigh - boxLow) + 1e-4;
+    vec3 offset = history - middle;
+    vec3 ratio = abs(offset / extent);
+    float outside = max(ratio.x, max(ratio.y, ratio.z));
+    if (outside > 1.0) history = middle + offset / outside;
+    resolved.rgb = expand(fromYCoCg(mix(history, now, kNewShare)));
+}

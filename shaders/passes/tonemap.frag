@@ -1,0 +1,40 @@
+// Radiance to display: exposure, bloom, film curve, a slight vignette, and dither so that skies show no bands.
+#include "lib/frame.glsl"
+#include "lib/noise.glsl"
+#include "lib/color.glsl"
+
+uniform sampler2D uColor;
+uniform sampler2D uBloom;
+uniform float uBloomShare;
+uniform sampler2D uExposure;
+uniform float uSharpen;
+
+in vec2 uv;
+out vec4 color;
+
+/// A film-like shoulder and toe (Narkowicz 2015, a fit of the ACES curve).
+vec3 filmCurve(vec3 x) { return clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0); }
+
+/// Lifts the contrast to the four neighbours, less where it is strong already, so that edges get no halo.
+vec3 sharpened(ivec2 p) {
+    ivec2 high = ivec2(frame.targetSize.xy) - 1;
+    vec3 centre = texelFetch(uColor, p, 0).rgb;
+    vec3 a = texelFetch(uColor, max(p - ivec2(1, 0), ivec2(0)), 0).rgb, b = texelFetch(uColor, min(p + ivec2(1, 0), high), 0).rgb;
+    vec3 c = texelFetch(uColor, max(p - ivec2(0, 1), ivec2(0)), 0).rgb, d = texelFetch(uColor, min(p + ivec2(0, 1), high), 0).rgb;
+    vec3 low = min(centre, min(min(a, b), min(c, d))), top = max(centre, max(max(a, b), max(c, d)));
+    return clamp(centre + (centre - (a + b + c + d) * 0.25) * uSharpen, low, top);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 c = sharpened(pixel);
+    if (uBloomShare > 0.0) c += texture(uBloom, uv).rgb * uBloomShare;
+    c *= frame.exposure.x * texelFetch(uExposure, ivec2(0), 0).r;
+    vec2 aside = (uv - 0.5) * vec2(1.0, 0.8);
+    float r2 = dot(aside, aside);
+    c *= 1.0 - 0.5 * r2 * r2 - 0.12 * r2;
+    // 0.5: with exposure 1 a white wall in the default evening sun lands at three quarters of display white.
+    c = linearToSrgb(filmCurve(c * 0.5));
+    vec2 noise = blueNoise(pixel, 40, frame.counters.x);
+    color = vec4(c + (noise.x + noise.y - 1.0) / 255.0, 1.0);
+}
