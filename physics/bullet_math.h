@@ -9,8 +9,12 @@
 
 namespace rubble {
 
-inline btVector3 toBullet(glm::dvec3 v) { return {btScalar(v.x), btScalar(v.y), btScalar(v.z)}; }
-inline glm::dvec3 fromBullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+inline btVector3 toBullet(glm::dvec3 v) {
+    return {btScalar(v.x), btScalar(v.y), btScalar(v.z)};
+}
+inline glm::dvec3 fromBullet(const btVector3& v) {
+    return {v.x(), v.y(), v.z()};
+}
 inline btMatrix3x3 toBullet(const glm::dquat& q) {
     const glm::dmat3 m = glm::mat3_cast(q);
     return {btScalar(m[0][0]), btScalar(m[1][0]), btScalar(m[2][0]), btScalar(m[0][1]), btScalar(m[1][1]),
@@ -23,7 +27,9 @@ inline glm::dquat fromBullet(const btMatrix3x3& m) {
 inline btTransform toBullet(const Pose& world, glm::dvec3 origin) {
     return btTransform(toBullet(world.rotation), toBullet(world.position - origin));
 }
-inline Pose fromBullet(const btTransform& t, glm::dvec3 origin) { return {origin + fromBullet(t.getOrigin()), fromBullet(t.getBasis())}; }
+inline Pose fromBullet(const btTransform& t, glm::dvec3 origin) {
+    return {origin + fromBullet(t.getOrigin()), fromBullet(t.getBasis())};
+}
 inline Pose inverse(const Pose& pose) {
     const glm::dquat rotation = glm::conjugate(pose.rotation);
     return {-(rotation * pose.position), rotation};

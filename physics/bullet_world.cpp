@@ -6,6 +6,7 @@ BulletWorld::BulletWorld(int solverIterations)
     : btDiscreteDynamicsWorld(&(BulletParts::dispatcher), &(BulletParts::broadphase), &(BulletParts::solver), &(BulletParts::configuration)) {
     setForceUpdateAllAabbs(false);
     getDispatchInfo().m_useContinuous = false;  // only inflates bounds: compounds get no continuous collision from Bullet
+    setGravity({0, 0, 0});
     getSolverInfo().m_numIterations = solverIterations;
 }
 

@@ -28,8 +28,8 @@ public:
     /// Collision objects whose bounds in the broadphase overlap these.
     void overlapping(const btVector3& low, const btVector3& high, std::vector<btCollisionObject*>& out);
 
-    std::function<void()> beforeSolve;   ///< contacts are known, impulses are not
-    std::function<void()> afterSolve;    ///< contacts carry their impulses, poses are still old
+    std::function<void()> beforeSolve;  ///< contacts are known, impulses are not
+    std::function<void()> afterSolve;   ///< contacts carry their impulses, poses are still old
 
 protected:
     void calculateSimulationIslands() override;

@@ -22,11 +22,11 @@ public:
 
 private:
     struct Hit {
-        int body, other;                  ///< slots; body > other
-        glm::dvec3 position, normal;      ///< weighted by impulse
+        int body, other;              ///< slots; body > other
+        glm::dvec3 position, normal;  ///< weighted by impulse
         double impulse;
     };
-    std::vector<double> m_approach;       ///< by manifold, of this substep
+    std::vector<double> m_approach;  ///< by manifold, of this substep
     std::vector<Hit> m_hits;
 };
 

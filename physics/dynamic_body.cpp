@@ -11,11 +11,13 @@
 namespace rubble {
 namespace {
 
-constexpr double kFarthest = 1e6;   ///< metres from Bullet's zero: beyond, float positions step by 6 cm
-constexpr double kFastest = 1e4;    ///< m/s and rad/s
+constexpr double kFarthest = 1e6;  ///< metres from Bullet's zero: beyond, float positions step by 6 cm
+constexpr double kFastest = 1e4;   ///< m/s and rad/s
 constexpr float kAngularDamping = 0.1f;
 
-bool finiteBelow(glm::dvec3 v, double limit) { return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.z) < limit; }
+bool finiteBelow(glm::dvec3 v, double limit) {
+    return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.z) < limit;
+}
 
 }  // namespace
 
@@ -66,8 +68,8 @@ std::vector<ColliderBox> DynamicBody::collectBoxes(const World& world, const Bod
                 voxelSize *= 2.0;
                 cells = mergeGrid(coarse, solid);
             }
-            logInfo(fmt::format("physics: shape '{}' collides as {} boxes of {} m cells: exact, it would be {} (at most {})", shape.name, cells.size(),
-                                voxelSize, exact, kMaxBoxes));
+            logInfo(fmt::format("physics: shape '{}' collides as {} boxes of {} m cells: exact, it would be {} (at most {})", shape.name,
+                                cells.size(), voxelSize, exact, kMaxBoxes));
         }
         appendBoxes(cells, voxelSize, m_bodyInCenter * shape.local, boxes);
     }
@@ -108,8 +110,8 @@ void DynamicBody::restore(glm::dvec3 origin) {
 bool DynamicBody::refresh(glm::dvec3 origin) {
     const BodyPose now{m_handle, fromBullet(m_rigid->getWorldTransform(), origin) * m_bodyInCenter, fromBullet(m_rigid->getLinearVelocity()),
                        fromBullet(m_rigid->getAngularVelocity()), m_asleep};
-    const bool differs =
-        !(now.pose == m_state.pose && now.velocity == m_state.velocity && now.angularVelocity == m_state.angularVelocity && now.asleep == m_state.asleep);
+    const bool differs = !(now.pose == m_state.pose && now.velocity == m_state.velocity && now.angularVelocity == m_state.angularVelocity &&
+                           now.asleep == m_state.asleep);
     m_state = now;
     return differs;
 }

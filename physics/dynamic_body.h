@@ -46,15 +46,15 @@ public:
     double reach() const { return m_reach; }
 
     Settling settling;
-    bool touching = false;     ///< had a contact in the last substep
-    bool readd = false;        ///< was woken in place: Bullet's lists do not know yet
+    bool touching = false;  ///< had a contact in the last substep
+    bool readd = false;     ///< was woken in place: Bullet's lists do not know yet
 
 private:
     std::vector<ColliderBox> collectBoxes(const World& world, const Body& body, SurfaceSum& surface) const;
 
     BodyHandle m_handle;
     MassProperties m_mass;
-    Pose m_centerInBody;       ///< principal frame -> body frame
+    Pose m_centerInBody;  ///< principal frame -> body frame
     Pose m_bodyInCenter;
     BodyPose m_state;
     std::optional<Collider> m_collider;

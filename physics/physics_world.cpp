@@ -16,10 +16,10 @@ namespace rubble {
 namespace {
 
 constexpr double kStep = 1.0 / 60.0;
-constexpr double kDisturbed = 0.01;        ///< metres a body moves before what touches it is woken
-constexpr double kDisturbedAngle = 0.02;   ///< radians
-constexpr btScalar kTouchDistance = 0.02f; ///< metres between bounds that count as touching: Bullet's contact breaking threshold
-constexpr double kWakeSpeed = 0.05;        ///< m/s that a hit must give a sleeping body to wake it
+constexpr double kDisturbed = 0.01;         ///< metres a body moves before what touches it is woken
+constexpr double kDisturbedAngle = 0.02;    ///< radians
+constexpr btScalar kTouchDistance = 0.02f;  ///< metres between bounds that count as touching: Bullet's contact breaking threshold
+constexpr double kWakeSpeed = 0.05;         ///< m/s that a hit must give a sleeping body to wake it
 
 }  // namespace
 
@@ -59,15 +59,15 @@ struct PhysicsWorld::Impl {
     PhysicsSettings settings;
     BulletWorld bullet;
     ContactLog contacts;
-    glm::dvec3 origin{0.0};                                   ///< world position of Bullet's zero
+    glm::dvec3 origin{0.0};  ///< world position of Bullet's zero
     glm::vec3 gravity{0.0f};
-    std::vector<std::unique_ptr<DynamicBody>> dynamics;       ///< by body slot
-    std::vector<std::unique_ptr<StaticShape>> statics;        ///< by shape slot
-    std::vector<BodyHandle> shapeBody;                        ///< by shape slot
-    std::vector<BodyHandle> handles;                          ///< by body slot
-    std::vector<uint32_t> awake;                              ///< body slots, ascending
-    std::vector<uint32_t> ended;                              ///< fell asleep or were quarantined in this step
-    std::vector<btCollisionObject*> found;                    ///< of the last query
+    std::vector<std::unique_ptr<DynamicBody>> dynamics;  ///< by body slot
+    std::vector<std::unique_ptr<StaticShape>> statics;   ///< by shape slot
+    std::vector<BodyHandle> shapeBody;                   ///< by shape slot
+    std::vector<BodyHandle> handles;                     ///< by body slot
+    std::vector<uint32_t> awake;                         ///< body slots, ascending
+    std::vector<uint32_t> ended;                         ///< fell asleep or were quarantined in this step
+    std::vector<btCollisionObject*> found;               ///< of the last query
     std::vector<BodyPose> poses;
     std::vector<Impact> impacts;
     bool contactsKnown = false;
@@ -262,7 +262,8 @@ void PhysicsWorld::Impl::wakeTouching(btVector3 low, btVector3 high) {
     const btVector3 around(kTouchDistance, kTouchDistance, kTouchDistance);
     found.clear();
     bullet.overlapping(low - around, high + around, found);
-    std::sort(found.begin(), found.end(), [](const btCollisionObject* a, const btCollisionObject* b) { return a->getUserIndex() < b->getUserIndex(); });
+    std::sort(found.begin(), found.end(),
+              [](const btCollisionObject* a, const btCollisionObject* b) { return a->getUserIndex() < b->getUserIndex(); });
     for (btCollisionObject* object : found)
         if (DynamicBody* body = dynamicOf(*object)) wake(*body);
 }
@@ -391,8 +392,12 @@ void PhysicsWorld::step() {
     impl.report();
 }
 
-std::span<const BodyPose> PhysicsWorld::poses() const { return m_impl->poses; }
-std::span<const Impact> PhysicsWorld::impacts() const { return m_impl->impacts; }
+std::span<const BodyPose> PhysicsWorld::poses() const {
+    return m_impl->poses;
+}
+std::span<const Impact> PhysicsWorld::impacts() const {
+    return m_impl->impacts;
+}
 
 PhysicsFigures PhysicsWorld::figures() const {
     PhysicsFigures figures;

@@ -10,13 +10,13 @@
 namespace rubble {
 
 struct PhysicsSettings {
-    int substeps = 2;                  ///< of 1/60 s
+    int substeps = 2;  ///< of 1/60 s
     int solverIterations = 10;
-    double sleepVelocity = 0.02;       ///< m/s of drift, averaged over sleepTime, below which a touching body falls asleep
-    double sleepAngularVelocity = 0.04;///< rad/s
-    double sleepTime = 0.5;            ///< s of calm before it does
-    double impactThreshold = 50.0;     ///< N s below which a contact is not reported
-    double impactSpeed = 0.5;          ///< m/s of approach below which it counts as resting and is not reported
+    double sleepVelocity = 0.02;         ///< m/s of drift, averaged over sleepTime, below which a touching body falls asleep
+    double sleepAngularVelocity = 0.04;  ///< rad/s
+    double sleepTime = 0.5;              ///< s of calm before it does
+    double impactThreshold = 50.0;       ///< N s below which a contact is not reported
+    double impactSpeed = 0.5;            ///< m/s of approach below which it counts as resting and is not reported
 };
 
 struct PhysicsFigures {

@@ -36,9 +36,7 @@ private:
     };
     /// Regions in the order of their coordinates.
     struct Before {
-        bool operator()(const glm::ivec3& a, const glm::ivec3& b) const {
-            return a.z != b.z ? a.z < b.z : a.y != b.y ? a.y < b.y : a.x < b.x;
-        }
+        bool operator()(const glm::ivec3& a, const glm::ivec3& b) const { return a.z != b.z ? a.z < b.z : a.y != b.y ? a.y < b.y : a.x < b.x; }
     };
     using RegionSet = std::set<glm::ivec3, Before>;
 

@@ -7,7 +7,9 @@
 namespace rubble {
 namespace {
 
-SolidEntries all() { return ~SolidEntries{}; }
+SolidEntries all() {
+    return ~SolidEntries{};
+}
 
 /// Random blocks and random holes: large boxes, ragged edges, many bricks and regions.
 VoxelGrid ragged(glm::ivec3 size, uint64_t seed) {

@@ -41,7 +41,9 @@ struct PhysicsScene {
         return level.bodies.back();
     }
     /// A floor of 20 x 20 m whose top is at y = 0 around `middle`.
-    void addFloor(uint8_t entry = 7, glm::dvec3 middle = {0, 0, 0}) { add(blockGrid({200, 10, 200}, entry), middle + glm::dvec3(-10, -1, -10), true); }
+    void addFloor(uint8_t entry = 7, glm::dvec3 middle = {0, 0, 0}) {
+        add(blockGrid({200, 10, 200}, entry), middle + glm::dvec3(-10, -1, -10), true);
+    }
 
     void load(bool wakeAll = true) {
         world.load(level);
