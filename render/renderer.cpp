@@ -10,6 +10,7 @@
 #include "render/passes/exposure_pass.h"
 #include "render/passes/filter_pass.h"
 #include "render/passes/gbuffer_pass.h"
+#include "render/passes/glass_pass.h"
 #include "render/passes/local_lights_pass.h"
 #include "render/passes/reflections_pass.h"
 #include "render/passes/show_pass.h"
@@ -50,6 +51,7 @@ struct Renderer::Impl {
     /// The frame: each pass reads what those above it have drawn.
     void drawPasses(const FrameContext& frame) {
         run("gbuffer", [&] { gbuffer.draw(frame); });
+        if (scene.hasGlass()) run("glass", [&] { glass.draw(frame, gbuffer.order()); });
         clearLight(frame);
         if (settings.sun && block.sunDirection.y > 0.0f) run("sun", [&] { sun.draw(frame); });
         if (settings.sky) run("sky", [&] { sky.draw(frame); });
@@ -95,6 +97,7 @@ struct Renderer::Impl {
     const Shown* shown = &kShown[0];
 
     GBufferPass gbuffer{shaders};
+    GlassPass glass{shaders};
     SunPass sun{shaders};
     SkyPass sky{shaders};
     LocalLightsPass localLights{shaders};

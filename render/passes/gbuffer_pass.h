@@ -10,7 +10,7 @@ namespace rubble {
 /// behind what is drawn costs one comparison a pixel.
 class GBufferPass {
 public:
-    static constexpr int kMaxDraws = 16;
+    static constexpr int kMaxDraws = 15;  ///< and one for glass: 16
 
     explicit GBufferPass(ShaderLibrary& shaders);
     void draw(const FrameContext& frame);

@@ -4,6 +4,7 @@
 #include "runtime/core/random.h"
 #include "runtime/voxel/ray_walk.h"
 #include "samples/support/camera.h"
+#include "render/passes/glass_pass.h"
 #include "tests/render/gbuffer_fixture.h"
 
 namespace rubble {
@@ -174,6 +175,36 @@ TEST_F(GBufferTest, SixteenDrawsForAnyNumberOfBodies) {
         glFinish();
         printf("%d bodies: %.1f ms\n", count, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     }
+}
+
+TEST_F(GBufferTest, GlassIsSeenThrough) {
+    auto palette = std::make_shared<Palette>(*testPalette());
+    (*palette)[20] = {200, 240, 240, 64};
+    VoxelGrid room({30, 30, 30});
+    {
+        GridWriter writer(room);
+        fillBox(writer, {0, 0, 0}, {30, 30, 2}, 9);     // a wall
+        fillBox(writer, {0, 0, 10}, {30, 30, 11}, 20);  // two panes before it
+        fillBox(writer, {0, 0, 20}, {30, 30, 22}, 20);
+    }
+    TestScene made;
+    made.add(room, {{-1.5, -1.5, -5}, {1, 0, 0, 0}}, palette);
+    Scene scene;
+    scene.apply(made.take());
+    ASSERT_TRUE(scene.hasGlass());
+    View view;
+    view.size = {64, 36};
+    draw(scene, view);
+    GlassPass glass(*shaders);
+    ASSERT_TRUE(shaders->errors().empty()) << shaders->errors().front();
+    glass.draw(context(scene), pass->order());
+    const size_t middle = 18 * 64 + 32;
+    EXPECT_EQ(std::lround(read(targets.at("albedo"))[middle].w * 255), 9) << "the wall behind the panes";
+    EXPECT_NEAR(read(targets.at("depth"))[middle].x, 4.8, 1e-3);
+    const double pane = 1.0 - 64.0 / 255;
+    EXPECT_NEAR(read(targets.at("glassTint"))[middle].y, pane * pane, 0.01) << "two panes, however thick";
+    EXPECT_NEAR(read(targets.at("glassSurface"))[middle].z, 1.0, 1e-3);
+    EXPECT_NEAR(read(targets.at("glassSurface"))[middle].w, 2.8, 0.005) << "the nearer pane";
 }
 
 TEST_F(GBufferTest, UploadsFollowTheChange) {
