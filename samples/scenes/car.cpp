@@ -1,0 +1,119 @@
+#include "samples/scenes/car.h"
+
+#include "samples/scenes/recipes.h"
+
+namespace rubble::scenes {
+namespace {
+
+struct CarSwatches {
+    CarSwatches(Canvas& c, const Recipe& recipe)
+        : paint(c.mix(recipe)), seam(c.mix(recipe, 72)), black(c.mix(kPlasticBlack)), tyre(c.mix(kTyre)), steel(c.mix(kSteel)), iron(c.mix(kDarkSteel)),
+          glass(c.mix(kGlass)), seat(c.mix(kClothCream, 80)), head(c.mix(kHeadlamp)), tail(c.mix(kTailLamp)), plate(c.mix(kLaneWhite)), rust(c.mix(kRust)) {}
+    Swatch paint, seam, black, tyre, steel, iron, glass, seat, head, tail, plate, rust;
+};
+
+void drawWheels(Canvas& c, const CarSwatches& s, std::initializer_list<int> places, int width) {
+    for (int x : places)
+        for (int z : {0, width - 3}) {
+            // The arch, then the tyre and its rim; an axle stub ties the wheel to the floor.
+            c.fill({x - 5, 1, z}, {x + 5, 9, z + 3}, [&](ivec3 cell) {
+                const int dx = 2 * cell.x + 1 - 2 * x, dy = 2 * cell.y + 1 - 8;
+                return dx * dx + dy * dy <= 86 ? uint8_t(0) : c.at(cell);
+            });
+            c.ring(2, z, z + 3, {2 * x, 8, 0}, 4, 8, s.tyre);
+            c.ring(2, z, z + 3, {2 * x, 8, 0}, -1, 4, s.steel);
+        }
+    for (int x : places) c.box({x - 1, 3, 2}, {x + 1, 5, width - 2}, s.iron);
+}
+
+/// A cabin whose screens lean: cells x0..x1 at its foot, drawn in by lean cells a layer in front and behind.
+void drawCabin(Canvas& c, const CarSwatches& s, int low, int top, int x0, int x1, int leanBack, int leanFront, int width) {
+    for (int y = low; y <= top; ++y) {
+        const int back = x0 + (y - low) * leanBack / 4, front = x1 - (y - low) * leanFront / 4;
+        const int inset = y > low ? 1 : 0;
+        for (int x = back; x < front; ++x)
+            for (int z = inset; z < width - inset; ++z) {
+                const bool side = z == inset || z == width - inset - 1, end = x <= back + 1 || x >= front - 2;
+                if (y == top) {
+                    c.set({x, y, z}, s.paint);
+                } else if (side || end) {
+                    const bool pillar = (side && (end || (x >= (x0 + x1) / 2 - 1 && x < (x0 + x1) / 2 + 1))) || y == low;
+                    c.set({x, y, z}, pillar ? s.paint : s.glass);
+                } else {
+                    c.setEntry({x, y, z}, 0);
+                }
+            }
+    }
+}
+
+void drawSeats(Canvas& c, const CarSwatches& s, std::initializer_list<int> rows, int width) {
+    for (int x : rows)
+        for (int z : {3, width - 8}) {
+            c.box({x, 3, z}, {x + 5, 6, z + 5}, s.seat);
+            c.box({x, 6, z}, {x + 1, 11, z + 5}, s.seat);
+        }
+}
+
+}  // namespace
+
+LevelShape makeCar(std::string name, const Recipe& paint) {
+    constexpr int kLength = 42, kWidth = 18;
+    Canvas c({kLength, 15, kWidth});
+    const CarSwatches s(c, paint);
+    c.box({1, 2, 0}, {kLength - 1, 9, kWidth}, s.paint);
+    c.box({0, 3, 1}, {kLength, 8, kWidth - 1}, s.paint);
+    c.box({0, 2, 1}, {1, 4, kWidth - 1}, s.black);
+    c.box({kLength - 1, 2, 1}, {kLength, 4, kWidth - 1}, s.black);
+    c.box({1, 2, 0}, {kLength - 1, 3, kWidth}, s.black);
+    c.clear({3, 3, 1}, {kLength - 3, 8, kWidth - 1});
+    c.clear({11, 8, 1}, {31, 9, kWidth - 1});
+    c.box({33, 3, 5}, {kLength - 4, 7, kWidth - 5}, s.iron);                     // engine
+    c.box({31, 3, 1}, {32, 9, kWidth - 1}, s.black);                             // bulkhead
+    drawCabin(c, s, 9, 14, 9, 34, 3, 7, kWidth);
+    drawSeats(c, s, {13, 21}, kWidth);
+    c.box({29, 6, 1}, {31, 8, kWidth - 1}, s.black);                             // dashboard
+    c.box({28, 8, 4}, {29, 10, 8}, s.black);                                     // wheel
+    c.box({28, 7, 5}, {29, 8, 7}, s.black);
+    drawWheels(c, s, {8, 33}, kWidth);
+    for (int z : {1, kWidth - 5}) {
+        c.box({kLength - 1, 5, z}, {kLength, 7, z + 4}, s.head);
+        c.box({0, 5, z}, {1, 7, z + 4}, s.tail);
+    }
+    c.box({kLength - 1, 4, 5}, {kLength, 7, kWidth - 5}, s.black);               // grille
+    c.box({kLength - 1, 4, 7}, {kLength, 5, 11}, s.plate);
+    c.box({0, 4, 7}, {1, 5, 11}, s.plate);
+    for (int z : {0, kWidth - 1}) {
+        for (int x : {13, 22, 30}) c.box({x, 3, z}, {x + 1, 9, z + 1}, s.seam);
+        for (int x : {20, 28}) c.box({x, 7, z}, {x + 2, 8, z + 1}, s.steel);
+    }
+    c.stain({1, 2, 0}, {kLength - 1, 4, kWidth}, s.rust, 8);
+    c.dropLoose();
+    return c.finish(std::move(name));
+}
+
+LevelShape makeVan(std::string name, const Recipe& paint) {
+    constexpr int kLength = 50, kWidth = 20, kHeight = 23;
+    Canvas c({kLength, kHeight, kWidth});
+    const CarSwatches s(c, paint);
+    c.box({0, 2, 0}, {kLength, 11, kWidth}, s.paint);
+    c.clear({1, 4, 1}, {kLength - 2, 11, kWidth - 1});
+    drawCabin(c, s, 11, kHeight - 1, 34, kLength - 1, 0, 3, kWidth);
+    c.box({0, 11, 0}, {35, kHeight, kWidth}, s.paint);
+    c.clear({1, 4, 1}, {34, kHeight - 1, kWidth - 1});
+    c.box({0, 13, 0}, {34, 15, 1}, s.seam);
+    c.box({0, 13, kWidth - 1}, {34, 15, kWidth}, s.seam);
+    c.box({0, 2, 0}, {kLength, 4, kWidth}, s.black);
+    c.box({kLength - 8, 4, 4}, {kLength - 2, 9, kWidth - 4}, s.iron);
+    drawSeats(c, s, {37}, kWidth);
+    drawWheels(c, s, {9, 40}, kWidth);
+    for (int z : {1, kWidth - 4}) {
+        c.box({kLength - 1, 6, z}, {kLength, 9, z + 3}, s.head);
+        c.box({0, 6, z}, {1, 10, z + 3}, s.tail);
+    }
+    c.box({kLength - 1, 5, 6}, {kLength, 9, kWidth - 6}, s.black);
+    c.box({0, 4, kWidth / 2 - 1}, {1, 21, kWidth / 2}, s.seam);
+    c.dropLoose();
+    return c.finish(std::move(name));
+}
+
+}  // namespace rubble::scenes

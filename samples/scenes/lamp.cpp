@@ -1,0 +1,41 @@
+#include "samples/scenes/lamp.h"
+
+#include "samples/scenes/recipes.h"
+
+namespace rubble::scenes {
+
+ivec3 addStreetLamp(Level& level, const std::string& name, ivec3 cell, bool alongX) {
+    constexpr int kBase = 4;       // cells in the ground
+    constexpr int kTop = kBase + 50;
+    constexpr int kReach = 17;
+    const uint32_t group = addLightGroup(level, name);
+    Canvas c(alongX ? ivec3(kReach + 3, kTop + 5, 5) : ivec3(5, kTop + 5, kReach + 3));
+    const Swatch iron = c.mix(kDarkSteel), foot = c.mix(kConcrete), glow = c.mix(kLampGlow, 100, group), rust = c.mix(kRust);
+    // Drawn along +z from the post; along -x the same is laid out mirrored.
+    const auto place = [&](ivec3 low, ivec3 high, Swatch swatch) {
+        if (alongX) {
+            const int sx = kReach + 3;
+            c.box({sx - high.z, low.y, low.x}, {sx - low.z, high.y, high.x}, swatch);
+        } else {
+            c.box(low, high, swatch);
+        }
+    };
+    place({0, 0, 0}, {5, kBase, 5}, foot);
+    place({1, kBase, 1}, {4, kBase + 6, 4}, iron);
+    place({2, kBase, 2}, {3, kTop, 3}, iron);
+    place({1, kBase + 6, 2}, {2, kBase + 24, 3}, iron);
+    place({2, kTop, 2}, {3, kTop + 3, 4}, iron);
+    place({2, kTop + 2, 3}, {3, kTop + 4, kReach - 6}, iron);
+    place({1, kTop + 2, kReach - 6}, {4, kTop + 4, kReach + 2}, iron);
+    place({2, kTop + 4, kReach - 5}, {3, kTop + 5, kReach + 1}, iron);
+    place({1, kTop + 1, kReach - 5}, {4, kTop + 2, kReach + 1}, glow);
+    c.stain({0, kBase, 0}, {c.size().x, kBase + 5, c.size().z}, rust, 25);
+    const glm::dvec3 head = alongX ? glm::dvec3(5.0, kTop + 0.4, 2.5) : glm::dvec3(2.5, kTop + 0.4, kReach - 2.0);
+    const ivec3 size = c.size();
+    const ivec3 corner = cell - (alongX ? ivec3(size.x - 3, kBase, 2) : ivec3(2, kBase, 2));
+    addStatic(level, c.finish(name), corner);
+    addLight(level, name, group, LightKind::Cone, head, kWarmLight * 75.0f, 12.0f, 0.18f);
+    return corner + ivec3(head);
+}
+
+}  // namespace rubble::scenes

@@ -1,0 +1,163 @@
+#include "samples/scenes/street.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "runtime/core/random.h"
+#include "samples/scenes/recipes.h"
+
+namespace rubble::scenes {
+namespace {
+
+using Surface = GroundPlan::Surface;
+constexpr int kTile = 160;
+constexpr int kRockTop = 8;
+constexpr int kGroundHeight = kGroundDepth + 4;  // room for tufts
+
+struct GroundSwatches {
+    explicit GroundSwatches(Canvas& c)
+        : rock(c.mix(kRock)), dirt(c.mix(kDirt)), grass(c.mix(kGrass)), grassDark(c.mix(kGrass, 82)), dry(c.mix(kGrassDry)), asphalt(c.mix(kAsphalt)),
+          asphaltWorn(c.mix(kAsphalt, 112)), patch(c.mix(kAsphaltPatch)), crack(c.mix(kAsphaltCrack)), white(c.mix(kLaneWhite)), kerb(c.mix(kKerb)),
+          kerbWorn(c.mix(kKerb, 115)), paving(c.mix(kPaving)), joint(c.mix(kPavingJoint)), moss(c.mix(kMoss)), concrete(c.mix(kConcrete, 95)),
+          manhole(c.mix(kManhole)), litter(c.mix(kLeavesAutumn)), flowers(c.mix(kFlowers)) {}
+    Swatch rock, dirt, grass, grassDark, dry, asphalt, asphaltWorn, patch, crack, white, kerb, kerbWorn, paving, joint, moss, concrete, manhole, litter, flowers;
+};
+
+bool inside(const CellBox& box, int x, int z) { return x >= box.low.x && x < box.high.x && z >= box.low.z && z < box.high.z; }
+
+Surface surfaceAt(const GroundPlan& plan, int x, int z) {
+    Surface surface = Surface::Lawn;
+    for (const GroundPlan::Area& area : plan.areas)
+        if (inside(area.box, x, z)) surface = area.surface;
+    return surface;
+}
+
+/// Smooth value noise in [0, 255] on a lattice of `step` cells.
+int softNoise(int x, int z, int step, uint32_t seed) {
+    const int cx = x / step, cz = z / step, fx = x % step, fz = z % step;
+    const auto corner = [&](int dx, int dz) { return int(hashCell(cx + dx, 0, cz + dz, seed) >> 24); };
+    const int near = corner(0, 0) * (step - fx) + corner(1, 0) * fx;
+    const int far = corner(0, 1) * (step - fx) + corner(1, 1) * fx;
+    return (near * (step - fz) + far * fz) / (step * step);
+}
+
+bool onLine(const std::vector<CellBox>& boxes, int x, int z) {
+    return std::any_of(boxes.begin(), boxes.end(), [&](const CellBox& box) { return inside(box, x, z); });
+}
+
+/// Cracks run where a wavy noise crosses its middle, in some stretches only.
+bool cracked(int x, int z) {
+    const int wave = softNoise(x, z, 37, 301) * 2 + softNoise(x, z, 11, 302) / 2;
+    return std::abs(wave - 300) < 5 && softNoise(x, z, 60, 303) > 120;
+}
+
+uint8_t roadCell(const GroundPlan& plan, const GroundSwatches& s, ivec3 c) {
+    for (const ivec3& hole : plan.manholes) {
+        const int dx = c.x - hole.x, dz = c.z - hole.z, square = dx * dx + dz * dz;
+        if (square <= 16) return square <= 9 && (dx + dz) % 2 == 0 ? PaintBox::pickFor(s.manhole, 1) : PaintBox::pick(s.manhole, c);
+        if (square <= 25) return PaintBox::pick(s.crack, c);
+    }
+    if (cracked(c.x, c.z)) return PaintBox::pick(s.crack, c);
+    const bool worn = hashCell(c.x, 0, c.z, 304) % 100 < uint32_t(softNoise(c.x, c.z, 23, 305)) / 7;
+    const bool dashX = onLine(plan.lanesAlongX, c.x, c.z) && c.x % 40 < 24, dashZ = onLine(plan.lanesAlongZ, c.x, c.z) && c.z % 40 < 24;
+    if (!worn && (dashX || dashZ || onLine(plan.solidLines, c.x, c.z))) return PaintBox::pick(s.white, c);
+    const int repair = softNoise(c.x / 2, c.z / 2, 31, 306);
+    if (repair > 196) return PaintBox::pick(s.patch, c);
+    return PaintBox::pick(softNoise(c.x, c.z, 45, 307) > 150 ? s.asphaltWorn : s.asphalt, c);
+}
+
+uint8_t pavingCell(const GroundSwatches& s, ivec3 c) {
+    const int row = c.z / 6, shift = row % 2 * 3;
+    if (c.z % 6 == 0 || (c.x + shift) % 6 == 0) {
+        return PaintBox::pick(softNoise(c.x, c.z, 29, 311) > 190 ? s.moss : s.joint, c);
+    }
+    const uint32_t slab = hashCell((c.x + shift) / 6, 0, row, 312);
+    return hashCell(c.x, 0, c.z, 313) % 5 ? PaintBox::pickFor(s.paving, slab) : PaintBox::pick(s.paving, c);
+}
+
+uint8_t lawnCell(const GroundSwatches& s, ivec3 c) {
+    const int tone = softNoise(c.x, c.z, 27, 321);
+    if (hashCell(c.x, 1, c.z, 322) % 90 == 0) return PaintBox::pick(s.litter, c);
+    if (softNoise(c.x, c.z, 17, 323) > 215) return PaintBox::pick(s.dirt, c);
+    return PaintBox::pick(tone > 180 ? s.dry : tone < 90 ? s.grassDark : s.grass, c);
+}
+
+struct Column {
+    int top;        ///< cells of ground
+    uint8_t entry;  ///< of the topmost
+};
+
+bool besideRoad(const GroundPlan& plan, int x, int z) {
+    for (int d = 1; d <= 2; ++d)
+        for (const glm::ivec2 way : {glm::ivec2(d, 0), glm::ivec2(-d, 0), glm::ivec2(0, d), glm::ivec2(0, -d)})
+            if (surfaceAt(plan, x + way.x, z + way.y) == Surface::Road) return true;
+    return false;
+}
+
+Column columnAt(const GroundPlan& plan, const GroundSwatches& s, int x, int z) {
+    const Surface surface = surfaceAt(plan, x, z);
+    const ivec3 cell(x, 0, z);
+    if (surface == Surface::Road) return {kGroundDepth - kRoadDrop, roadCell(plan, s, cell)};
+    if (surface == Surface::Paving && besideRoad(plan, x, z)) {
+        const bool seam = (x + z) % 10 == 0;
+        return {kGroundDepth, PaintBox::pick(seam ? s.joint : hashCell(x, 2, z, 331) % 4 == 0 ? s.kerbWorn : s.kerb, cell)};
+    }
+    if (surface == Surface::Paving) return {kGroundDepth, pavingCell(s, cell)};
+    if (surface == Surface::Concrete) return {kGroundDepth, PaintBox::pick(x % 20 == 0 || z % 20 == 0 ? s.joint : s.concrete, cell)};
+    if (surface == Surface::Earth) return {kGroundDepth, PaintBox::pick(s.dirt, cell)};
+    return {kGroundDepth, lawnCell(s, cell)};
+}
+
+void drawColumn(Canvas& canvas, const GroundPlan& plan, const GroundSwatches& s, ivec3 corner, int x, int z) {
+    const int gx = corner.x + x, gz = corner.z + z;
+    const Column column = columnAt(plan, s, gx, gz);
+    const Surface surface = surfaceAt(plan, gx, gz);
+    const bool stone = surface == Surface::Road || surface == Surface::Paving || surface == Surface::Concrete;
+    for (int y = kRockTop; y < column.top - 1; ++y)
+        canvas.set({x, y, z}, stone && y == column.top - 2 ? s.asphalt : s.dirt);
+    canvas.setEntry({x, column.top - 1, z}, column.entry);
+    for (const CellBox& box : plan.foundations)
+        if (inside(box, gx, gz)) canvas.clear({x, kGroundDepth + box.low.y, z}, {x + 1, kGroundHeight, z + 1});
+}
+
+/// Tufts stand in drifts, along edges of lawns most.
+void drawTufts(Canvas& canvas, const GroundPlan& plan, const GroundSwatches& s, ivec3 corner, ivec3 size) {
+    for (int z = 0; z < size.z; ++z)
+        for (int x = 0; x < size.x; ++x) {
+            const int gx = corner.x + x, gz = corner.z + z;
+            if (surfaceAt(plan, gx, gz) != Surface::Lawn || !canvas.at({x, kGroundDepth - 1, z})) continue;
+            const uint32_t dice = hashCell(gx, 5, gz, 341);
+            if (int(dice % 1000) >= std::max(2, softNoise(gx, gz, 19, 342) - 150) / 2) continue;
+            const bool flower = dice >> 20 & 1 && softNoise(gx, gz, 40, 343) > 185;
+            const int height = 1 + int(dice >> 24 & 1);
+            canvas.box({x, kGroundDepth, z}, {x + 1, kGroundDepth + height, z + 1}, s.grass);
+            if (flower) canvas.set({x, kGroundDepth + height, z}, s.flowers);
+        }
+}
+
+LevelShape groundTile(const GroundPlan& plan, ivec3 corner) {
+    const ivec3 size(std::min(kTile, plan.size.x - corner.x), kGroundHeight, std::min(kTile, plan.size.z - corner.z));
+    Canvas canvas(size);
+    const GroundSwatches swatches(canvas);
+    // The rock is one entry, so that its bricks are stored as one byte each.
+    canvas.fill(ivec3(0), {size.x, kRockTop, size.z}, [&](ivec3) { return swatches.rock.first; });
+    for (int z = 0; z < size.z; ++z)
+        for (int x = 0; x < size.x; ++x) drawColumn(canvas, plan, swatches, corner, x, z);
+    drawTufts(canvas, plan, swatches, corner, size);
+    LevelShape shape = canvas.finish("ground " + std::to_string(corner.x / kTile) + " " + std::to_string(corner.z / kTile));
+    shape.local.position = glm::dvec3(corner) * kVoxel;
+    return shape;
+}
+
+}  // namespace
+
+void addGround(Level& level, const GroundPlan& plan) {
+    LevelBody body;
+    body.name = "ground";
+    body.pose.position.y = -kGroundDepth * kVoxel;
+    for (int z = 0; z < plan.size.z; z += kTile)
+        for (int x = 0; x < plan.size.x; x += kTile) body.shapes.push_back(groundTile(plan, {x, 0, z}));
+    level.bodies.push_back(std::move(body));
+}
+
+}  // namespace rubble::scenes
