@@ -1,19 +1,16 @@
 #pragma once
+#include <cstdint>
+
 #include "runtime/world/level.h"
 
-namespace rubble::scenes {
+namespace rubble {
 
 /// The town corner, late in the day: a furnished brick house on a corner lot, a shop, a water tower, streets. 64 x 64 m.
-Level town();
+/// The seed grows the trees; what stands where never changes. Locations: "camera", "camera_house", "camera_street", "player".
+Level makeTown(uint64_t seed);
 
-/// The streets and the far side of them with an empty lot, for `model` to stand on: centred, on the pavement's level, its
-/// bodies, lights and groups appended after the street's.
-Level streetStage(const Level& model);
+/// The streets with an empty square where the house is, for `model` to stand on: centred there, its lowest voxel on the
+/// ground. What of the neighbourhood would touch it is left out. modelLow and modelHigh: its bounds in the stage, metres.
+Level makeStreetStage(const Level& model, uint64_t seed, glm::dvec3& modelLow, glm::dvec3& modelHigh);
 
-/// World bounds of a level's bodies in metres.
-struct Bounds {
-    glm::dvec3 low{0.0}, high{0.0};
-};
-Bounds levelBounds(const Level& level);
-
-}  // namespace rubble::scenes
+}  // namespace rubble

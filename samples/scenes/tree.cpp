@@ -23,7 +23,7 @@ void drawClump(Canvas& c, ivec3 center, ivec3 radius, Swatch leaf, Swatch shade)
 
 }  // namespace
 
-LevelShape makeTree(std::string name, int height, const Recipe& leaves, uint32_t seed) {
+LevelShape makeTree(std::string name, int height, const Recipe& leaves, uint64_t seed) {
     const int half = height * 2 / 5;
     Canvas c({2 * half + 1, height + kTreeRoot, 2 * half + 1});
     const Swatch bark = c.mix(kBark), leaf = c.mix(leaves), shade = c.mix(leaves, 78);
@@ -45,7 +45,7 @@ LevelShape makeTree(std::string name, int height, const Recipe& leaves, uint32_t
         const int reach = half * random.between(38, 62) / 100;
         const int rise = height * random.between(12, 38) / 100;
         const int jitterX = random.between(-3, 3), jitterZ = random.between(-3, 3);
-        const ivec3 way = kWays[(i + int(seed)) % 8];
+        const ivec3 way = kWays[(i + int(seed % 8)) % 8];
         const ivec3 tip = ivec3(half, start + rise, half) + way * reach / 4 + ivec3(jitterX, 0, jitterZ);
         c.bar({half, start, half}, tip, i < 4 ? 2 : 1, bark);
         const int size = half * random.between(42, 58) / 100;

@@ -1,0 +1,138 @@
+#include "samples/scenes/demolition.h"
+
+#include <glm/geometric.hpp>
+
+#include "samples/scenes/fracture.h"
+#include "samples/scenes/house.h"
+#include "samples/scenes/lettering.h"
+#include "samples/scenes/script_clock.h"
+#include "samples/scenes/shop.h"
+#include "samples/scenes/town_plan.h"
+#include "samples/scenes/water_tower.h"
+
+namespace rubble {
+namespace {
+
+using namespace scenes;
+using glm::dvec3;
+
+/// A point of the house's shape, in cells, as metres of the world.
+dvec3 inHouse(double x, double y, double z) {
+    return (dvec3(plan::kHouse) - dvec3(kHouseMargin, kFooting, kHouseMargin) + dvec3(x, y, z)) * kVoxel;
+}
+
+/// A smile on the sunny brick wall, the word BOOM on the concrete one.
+void spray(ScriptClock& clock) {
+    constexpr std::array<uint8_t, 3> kYellow{250, 205, 30}, kBlue{20, 40, 120}, kPink{240, 30, 130};
+    const dvec3 face = inHouse(8.5, 31.0, 45.0);
+    for (int i = clock.first(0.45, 40, 0.9); i < clock.last(0.45, 40, 0.9); ++i) {
+        // Strokes from side to side, a disc of 0.9 m in all.
+        const double y = -0.8 + 1.6 * (i / 5) / 7.0, half = glm::sqrt(std::max(0.0, 0.81 - y * y)), z = half * (i % 5 - 2) / 2.0;
+        clock.add(PaintEdit{face + dvec3(0, y, i / 5 % 2 ? -z : z), 0.24, kYellow, 215, 235, uint32_t(i)});
+    }
+    static constexpr int kFace[][2] = {{-3, 3}, {-3, 2}, {3, 3}, {3, 2}, {-5, -1}, {-4, -3}, {-3, -4}, {-1, -5}, {0, -5}, {1, -5}, {3, -4}, {4, -3}, {5, -1}};
+    for (int i = clock.first(0.95, 13, 1.25); i < clock.last(0.95, 13, 1.25); ++i)
+        clock.add(PaintEdit{face + dvec3(0.0, kFace[i][1] * 0.1, kFace[i][0] * 0.1), 0.13, kBlue, 250, 255, uint32_t(i)});
+
+    constexpr std::string_view kWord = "BOOM";
+    const dvec3 wall = (dvec3(plan::kWall) + dvec3(8.5, 3.5, 3.5)) * kVoxel;
+    for (int letter = clock.first(0.5, 4, 1.4); letter < clock.last(0.5, 4, 1.4); ++letter)
+        for (int row = 0; row < kLetterHeight; ++row)
+            for (int column = 0; column < kLetterWidth; ++column)
+                if (letterRows(kWord[size_t(letter)])[row] >> (kLetterWidth - 1 - column) & 1)
+                    clock.add(PaintEdit{wall + dvec3(letter * kLetterAdvance + column, kLetterHeight - 1 - row, 0) * kVoxel, 0.08, kPink, 255, 255, 0});
+}
+
+void hammer(ScriptClock& clock) {
+    static constexpr double kHits[][3] = {{8.5, 20, 96}, {8.5, 26, 92}, {8.5, 40, 78}, {8.5, 16, 66}, {8.5, 22, 70}};
+    for (int i = clock.first(1.45, 5, 1.8); i < clock.last(1.45, 5, 1.8); ++i) clock.add(carveSphere(inHouse(kHits[i][0], kHits[i][1], kHits[i][2]), {0.42, 0.3, 0.0}));
+}
+
+/// The wall that faces the sun: cracks run out, then the charge throws the pieces. Ground floor first, then the one above.
+void blowWall(ScriptClock& clock, uint64_t seed) {
+    const dvec3 low = inHouse(9.5, 17.0, 80.0), high = inHouse(9.5, 43.0, 78.0), inside = inHouse(34.0, 10.0, 84.0);
+    clock.spread(2.3, 2.55, fracture({low, 0, 2.1, 0.25, 10, Hardness::Medium, seed + 1}));
+    if (clock.at(2.58)) clock.add(ExplodeEdit{low + dvec3(0.5, -0.2, 0.0), 1.5});
+    clock.spread(3.2, 3.42, fracture({high, 0, 1.9, 0.25, 9, Hardness::Medium, seed + 2}));
+    if (clock.at(3.47)) clock.add(ExplodeEdit{high + dvec3(0.6, -0.2, 0.2), 1.4});
+    if (clock.at(3.95)) clock.add(ExplodeEdit{inside, 0.9});
+}
+
+/// The torch goes round the upper floor of the front room; when the last edge is through, the floor comes down with all on it.
+void cutFloor(ScriptClock& clock) {
+    const double y = 29.9;
+    const dvec3 corners[4] = {inHouse(12.5, y, 58.5), inHouse(12.5, y, 99.5), inHouse(60.5, y, 99.5), inHouse(60.5, y, 58.5)};
+    constexpr int kCuts = 8;
+    for (int side = 0; side < 4; ++side) {
+        const double start = 4.1 + side * 0.22;
+        const dvec3 from = corners[side], to = corners[(side + 1) % 4];
+        for (int i = clock.first(start, kCuts, start + 0.2); i < clock.last(start, kCuts, start + 0.2); ++i)
+            clock.add(carveCapsule(from + (to - from) * (double(i) / kCuts), from + (to - from) * (double(i + 1) / kCuts), {0.27, 0.0, 0.0}));
+    }
+    // What still clings to the bricks' inner faces.
+    if (clock.at(5.02))
+        for (int side = 0; side < 4; ++side) clock.add(carveCapsule(corners[side], corners[(side + 1) % 4], {0.28, 0.12, 0.0}));
+}
+
+void shootLamps(ScriptClock& clock) {
+    const dvec3 head = (dvec3(plan::kCornerLamp) + dvec3(0.5, 51.0, 13.0)) * kVoxel;
+    if (clock.at(5.95)) clock.add(carveSphere(head, {0.45, 0.45, 0.45}));
+    const dvec3 other = (dvec3(plan::kShopLamp) + dvec3(0.5, 51.0, 13.0)) * kVoxel;
+    if (clock.at(6.6)) clock.add(carveSphere(other, {0.45, 0.45, 0.45}));
+}
+
+/// Long gaps in the front legs, short ones behind: the tower drops to its front and falls on the shop.
+void fellTower(ScriptClock& clock) {
+    const auto leg = [&](int i, double low, double high) {
+        const dvec3 foot = (dvec3(plan::kTower) + dvec3(WaterTowerPlan::kLegs[i]) + dvec3(1.5, 0, 1.5)) * kVoxel;
+        clock.add(carveCapsule(foot + dvec3(0, low, 0), foot + dvec3(0, high, 0), {0.4, 0.4, 0.4}));
+    };
+    if (clock.at(5.6)) leg(2, 0.6, 3.6);
+    if (clock.at(5.75)) leg(3, 0.6, 3.6);
+    if (clock.at(5.9)) {
+        const dvec3 pipe = (dvec3(plan::kTower) + dvec3(24, 0, 24)) * kVoxel;
+        clock.add(carveCapsule(pipe + dvec3(0, 0.7, 0), pipe + dvec3(0, 3.6, 0), {0.5, 0.5, 0.5}));
+    }
+    if (clock.at(6.05)) leg(0, 1.0, 1.4);
+    if (clock.at(6.15)) leg(1, 1.0, 1.4);
+}
+
+void breakShop(ScriptClock& clock, uint64_t seed) {
+    const dvec3 front = (dvec3(plan::kShop) + dvec3(30, 15, ShopPlan::kDepth - 1.5)) * kVoxel;
+    clock.spread(6.9, 7.05, fracture({front, 2, 1.4, 0.2, 10, Hardness::Soft, seed + 3}));
+    clock.spread(6.95, 7.1, fracture({front + dvec3(5.5, 0, 0), 2, 1.4, 0.2, 10, Hardness::Soft, seed + 4}));
+    if (clock.at(7.15)) clock.add(ExplodeEdit{front + dvec3(1.0, -0.4, -1.6), 1.2});
+}
+
+void blowCarAndWall(ScriptClock& clock, uint64_t seed) {
+    const dvec3 car = (dvec3(plan::kRedCar) + dvec3(12.0, 0.0, 5.0)) * kVoxel;
+    if (clock.at(7.95)) clock.add(ExplodeEdit{car, 0.9, 9e4});
+    const dvec3 wall = (dvec3(plan::kWall) + dvec3(64, 7, 2.5)) * kVoxel;
+    clock.spread(8.6, 8.8, fracture({wall, 2, 1.1, 0.3, 8, Hardness::Medium, seed + 5}));
+    if (clock.at(8.88)) clock.add(ExplodeEdit{wall + dvec3(0, -0.2, -0.4), 1.0});
+    const dvec3 corner = inHouse(12.0, 20.0, 101.0);
+    clock.spread(8.9, 9.05, fracture({inHouse(30, 18, 102.5), 2, 1.6, 0.25, 9, Hardness::Medium, seed + 6}));
+    if (clock.at(9.1)) clock.add(ExplodeEdit{corner + dvec3(1.6, -0.2, -0.6), 1.3});
+}
+
+}  // namespace
+
+Edits demolition(int step, uint64_t seed) {
+    ScriptClock clock(step);
+    spray(clock);
+    hammer(clock);
+    blowWall(clock, seed);
+    cutFloor(clock);
+    fellTower(clock);
+    shootLamps(clock);
+    breakShop(clock, seed);
+    blowCarAndWall(clock, seed);
+    return clock.take();
+}
+
+Pose demolitionCamera(double seconds) {
+    const double drift = seconds * 0.06;  // metres: enough for depth, too little to lose the comparison between pictures
+    return lookAt({4.6 + drift, 6.8, 54.0 - drift * 0.5}, {25.0, 3.7, 33.5});
+}
+
+}  // namespace rubble
