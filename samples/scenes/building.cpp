@@ -103,7 +103,8 @@ void drawFloor(Canvas& canvas, ivec3 low, ivec3 high, int y, const FloorSwatches
             if (seam || end)
                 canvas.setEntry({x, y, z}, open ? uint8_t(0) : PaintBox::pick(s.seam, {x, y, z}));
             else
-                canvas.setEntry({x, y, z}, hashCell(x / 3, y, z, 65) % 4 ? PaintBox::pickFor(s.board, plank) : PaintBox::pick(s.board, {x / 3, y, z}));
+                canvas.setEntry({x, y, z},
+                                hashCell(x / 3, y, z, 65) % 4 ? PaintBox::pickFor(s.board, plank) : PaintBox::pick(s.board, {x / 3, y, z}));
             for (int d = 1; d <= 2; ++d)
                 if (joist) canvas.set({x, y - d, z}, s.joist);
             if (ceiling) canvas.set({x, y - 3, z}, s.ceiling);
@@ -116,10 +117,14 @@ void drawInnerWall(Canvas& canvas, ivec3 low, ivec3 high, Swatch skin, Swatch ot
         for (int z = low.z; z < high.z; ++z)
             for (int y = low.y; y < high.y; ++y) {
                 const int u = alongX ? x - low.x : z - low.z, k = alongX ? z - low.z : x - low.x;
-                if (k == 0) canvas.set({x, y, z}, skin);
-                else if (k == 2) canvas.set({x, y, z}, otherSkin);
-                else if (u % 6 == 0 || y == low.y || y == high.y - 1) canvas.set({x, y, z}, stud);
-                else if (y == low.y + 9) canvas.set({x, y, z}, wire);
+                if (k == 0)
+                    canvas.set({x, y, z}, skin);
+                else if (k == 2)
+                    canvas.set({x, y, z}, otherSkin);
+                else if (u % 6 == 0 || y == low.y || y == high.y - 1)
+                    canvas.set({x, y, z}, stud);
+                else if (y == low.y + 9)
+                    canvas.set({x, y, z}, wire);
             }
 }
 
@@ -138,7 +143,7 @@ void drawGableRoof(Canvas& canvas, ivec3 low, ivec3 high, int y, const RoofSwatc
             const uint32_t tile = hashCell((x + row % 2 * 2) / 4, row, z > (low.z + high.z) / 2, 71);
             const bool seam = (x + row % 2 * 2) % 4 == 0;
             for (int d = 0; d < 3; ++d)
-                canvas.setEntry({x, height + d, z}, edge ? PaintBox::pick(s.barge, {x, height, z})
+                canvas.setEntry({x, height + d, z}, edge                    ? PaintBox::pick(s.barge, {x, height, z})
                                                     : seam || tile % 9 == 0 ? PaintBox::pickFor(s.tileDark, tile >> 8)
                                                                             : PaintBox::pickFor(s.tile, tile >> 8));
             if ((x - low.x) % 8 == 4)

@@ -6,9 +6,9 @@
 /// Parts that houses and shops are put together from: walls, windows, doors, floors, roofs.
 namespace rubble::scenes {
 
-inline constexpr int kStorey = 27;     ///< cells from floor to floor
+inline constexpr int kStorey = 27;  ///< cells from floor to floor
 inline constexpr int kDoorHeight = 21;
-inline constexpr int kFooting = 3;     ///< cells that a building reaches into the ground
+inline constexpr int kFooting = 3;  ///< cells that a building reaches into the ground
 
 /// A wall's own coordinates: u along it as seen from outside, y up, k inward from its outer face.
 struct WallFrame {
@@ -28,7 +28,7 @@ WallFrames wallFrames(ivec3 low, ivec3 high);
 /// What an outer wall is made of: two cells of stone and one of plaster.
 struct WallSwatches {
     Swatch stone, joint, plaster, dirty, wire, pipe;
-    bool courses = true;   ///< bricks in courses with joints
+    bool courses = true;  ///< bricks in courses with joints
 };
 void drawWall(Canvas& canvas, const WallFrame& wall, int low, int high, const WallSwatches& s);
 

@@ -7,8 +7,18 @@ namespace {
 
 struct CarSwatches {
     CarSwatches(Canvas& c, const Recipe& recipe)
-        : paint(c.mix(recipe)), seam(c.mix(recipe, 72)), black(c.mix(kPlasticBlack)), tyre(c.mix(kTyre)), steel(c.mix(kSteel)), iron(c.mix(kDarkSteel)),
-          glass(c.mix(kGlass)), seat(c.mix(kClothCream, 80)), head(c.mix(kHeadlamp)), tail(c.mix(kTailLamp)), plate(c.mix(kLaneWhite)), rust(c.mix(kRust)) {}
+        : paint(c.mix(recipe)),
+          seam(c.mix(recipe, 72)),
+          black(c.mix(kPlasticBlack)),
+          tyre(c.mix(kTyre)),
+          steel(c.mix(kSteel)),
+          iron(c.mix(kDarkSteel)),
+          glass(c.mix(kGlass)),
+          seat(c.mix(kClothCream, 80)),
+          head(c.mix(kHeadlamp)),
+          tail(c.mix(kTailLamp)),
+          plate(c.mix(kLaneWhite)),
+          rust(c.mix(kRust)) {}
     Swatch paint, seam, black, tyre, steel, iron, glass, seat, head, tail, plate, rust;
 };
 
@@ -67,19 +77,19 @@ LevelShape makeCar(std::string name, const Recipe& paint) {
     c.box({1, 2, 0}, {kLength - 1, 3, kWidth}, s.black);
     c.clear({3, 3, 1}, {kLength - 3, 8, kWidth - 1});
     c.clear({11, 8, 1}, {31, 9, kWidth - 1});
-    c.box({33, 3, 5}, {kLength - 4, 7, kWidth - 5}, s.iron);                     // engine
-    c.box({31, 3, 1}, {32, 9, kWidth - 1}, s.black);                             // bulkhead
+    c.box({33, 3, 5}, {kLength - 4, 7, kWidth - 5}, s.iron);  // engine
+    c.box({31, 3, 1}, {32, 9, kWidth - 1}, s.black);          // bulkhead
     drawCabin(c, s, 9, 14, 9, 34, 3, 7, kWidth);
     drawSeats(c, s, {13, 21}, kWidth);
-    c.box({29, 6, 1}, {31, 8, kWidth - 1}, s.black);                             // dashboard
-    c.box({28, 8, 4}, {29, 10, 8}, s.black);                                     // wheel
+    c.box({29, 6, 1}, {31, 8, kWidth - 1}, s.black);  // dashboard
+    c.box({28, 8, 4}, {29, 10, 8}, s.black);          // wheel
     c.box({28, 7, 5}, {29, 8, 7}, s.black);
     drawWheels(c, s, {8, 33}, kWidth);
     for (int z : {1, kWidth - 5}) {
         c.box({kLength - 1, 5, z}, {kLength, 7, z + 4}, s.head);
         c.box({0, 5, z}, {1, 7, z + 4}, s.tail);
     }
-    c.box({kLength - 1, 4, 5}, {kLength, 7, kWidth - 5}, s.black);               // grille
+    c.box({kLength - 1, 4, 5}, {kLength, 7, kWidth - 5}, s.black);  // grille
     c.box({kLength - 1, 4, 7}, {kLength, 5, 11}, s.plate);
     c.box({0, 4, 7}, {1, 5, 11}, s.plate);
     for (int z : {0, kWidth - 1}) {

@@ -51,7 +51,8 @@ void slice(ScriptClock& clock, const Target& target) {
     const int rows = std::clamp(int(target.size().z / (1.3 * radius)) + 2, 2, 600);
     for (int i = clock.first(4.1, rows, 5.0); i < clock.last(4.1, rows, 5.0); ++i) {
         const double z = target.low.z + target.size().z * i / (rows - 1);
-        clock.add(carveCapsule({target.low.x - 0.2, target.low.y + height, z}, {target.high.x + 0.2, target.low.y + height, z}, {radius, radius, radius}));
+        clock.add(
+            carveCapsule({target.low.x - 0.2, target.low.y + height, z}, {target.high.x + 0.2, target.low.y + height, z}, {radius, radius, radius}));
     }
 }
 

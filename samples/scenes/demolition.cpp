@@ -30,7 +30,8 @@ void spray(ScriptClock& clock) {
         const double y = -0.8 + 1.6 * (i / 5) / 7.0, half = glm::sqrt(std::max(0.0, 0.81 - y * y)), z = half * (i % 5 - 2) / 2.0;
         clock.add(PaintEdit{face + dvec3(0, y, i / 5 % 2 ? -z : z), 0.24, kYellow, 215, 235, uint32_t(i)});
     }
-    static constexpr int kFace[][2] = {{-3, 3}, {-3, 2}, {3, 3}, {3, 2}, {-5, -1}, {-4, -3}, {-3, -4}, {-1, -5}, {0, -5}, {1, -5}, {3, -4}, {4, -3}, {5, -1}};
+    static constexpr int kFace[][2] = {{-3, 3},  {-3, 2}, {3, 3},  {3, 2},  {-5, -1}, {-4, -3}, {-3, -4},
+                                       {-1, -5}, {0, -5}, {1, -5}, {3, -4}, {4, -3},  {5, -1}};
     for (int i = clock.first(0.95, 13, 1.25); i < clock.last(0.95, 13, 1.25); ++i)
         clock.add(PaintEdit{face + dvec3(0.0, kFace[i][1] * 0.1, kFace[i][0] * 0.1), 0.13, kBlue, 250, 255, uint32_t(i)});
 
@@ -40,12 +41,14 @@ void spray(ScriptClock& clock) {
         for (int row = 0; row < kLetterHeight; ++row)
             for (int column = 0; column < kLetterWidth; ++column)
                 if (letterRows(kWord[size_t(letter)])[row] >> (kLetterWidth - 1 - column) & 1)
-                    clock.add(PaintEdit{wall + dvec3(letter * kLetterAdvance + column, kLetterHeight - 1 - row, 0) * kVoxel, 0.08, kPink, 255, 255, 0});
+                    clock.add(
+                        PaintEdit{wall + dvec3(letter * kLetterAdvance + column, kLetterHeight - 1 - row, 0) * kVoxel, 0.08, kPink, 255, 255, 0});
 }
 
 void hammer(ScriptClock& clock) {
     static constexpr double kHits[][3] = {{8.5, 20, 96}, {8.5, 26, 92}, {8.5, 40, 78}, {8.5, 16, 66}, {8.5, 22, 70}};
-    for (int i = clock.first(1.45, 5, 1.8); i < clock.last(1.45, 5, 1.8); ++i) clock.add(carveSphere(inHouse(kHits[i][0], kHits[i][1], kHits[i][2]), {0.42, 0.3, 0.0}));
+    for (int i = clock.first(1.45, 5, 1.8); i < clock.last(1.45, 5, 1.8); ++i)
+        clock.add(carveSphere(inHouse(kHits[i][0], kHits[i][1], kHits[i][2]), {0.42, 0.3, 0.0}));
 }
 
 /// The wall that faces the sun: cracks run out, then the charge throws the pieces. Ground floor first, then the one above.

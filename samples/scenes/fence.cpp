@@ -10,7 +10,8 @@ namespace rubble::scenes {
 LevelShape makeConcreteWall(std::string name, int length, int height) {
     const int top = kFenceFoot + height;
     Canvas c({length, top + 1, 5});
-    const Swatch concrete = c.mix(kConcrete), seam = c.mix(kConcreteDark), coping = c.mix(kKerb, 108), rebar = c.mix(kRebar), moss = c.mix(kMoss), dirty = c.mix(kConcrete, 82);
+    const Swatch concrete = c.mix(kConcrete), seam = c.mix(kConcreteDark), coping = c.mix(kKerb, 108), rebar = c.mix(kRebar), moss = c.mix(kMoss),
+                 dirty = c.mix(kConcrete, 82);
     c.box({0, 0, 1}, {length, top, 4}, concrete);
     // Panels of formwork, with the holes of their ties.
     for (int x = 0; x < length; x += 24) c.box({x, kFenceFoot, 1}, {x + 1, top, 4}, seam);
@@ -45,8 +46,10 @@ LevelShape makePicketFence(std::string name, int length, int height, bool alongZ
     Canvas c(alongZ ? ivec3(2, top, length) : ivec3(length, top, 2));
     const Swatch wood = c.mix(kFenceWood), dark = c.mix(kFenceWood, 84), moss = c.mix(kMoss);
     const auto place = [&](int u0, int u1, int y0, int y1, int k0, int k1, Swatch swatch) {
-        if (alongZ) c.box({k0, y0, u0}, {k1, y1, u1}, swatch);
-        else c.box({u0, y0, k0}, {u1, y1, k1}, swatch);
+        if (alongZ)
+            c.box({k0, y0, u0}, {k1, y1, u1}, swatch);
+        else
+            c.box({u0, y0, k0}, {u1, y1, k1}, swatch);
     };
     for (int y : {kFenceFoot + 3, kFenceFoot + height * 3 / 4}) place(0, length, y, y + 1, 1, 2, dark);
     for (int u = 0; u < length; u += 3) {

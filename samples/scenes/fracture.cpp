@@ -13,7 +13,8 @@ constexpr double kHalfCut = 0.055;  ///< metres: a cut takes one cell, two where
 constexpr int kRings = 3;
 
 /// cos of the twelfths of a turn; sin is three twelfths behind. Written out: libm differs between machines.
-constexpr std::array<double, 12> kCosine = {1.0, 0.86602540378443865, 0.5, 0.0, -0.5, -0.86602540378443865, -1.0, -0.86602540378443865, -0.5, 0.0, 0.5, 0.86602540378443865};
+constexpr std::array<double, 12> kCosine = {1.0,  0.86602540378443865,  0.5,  0.0, -0.5, -0.86602540378443865,
+                                            -1.0, -0.86602540378443865, -0.5, 0.0, 0.5,  0.86602540378443865};
 
 /// Directions between two twelfths are mixed and made unit length.
 glm::dvec2 direction(double twelfths) {

@@ -6,15 +6,15 @@ namespace rubble::scenes {
 
 LevelShape makeTable(std::string name);
 LevelShape makeChair(std::string name, const struct Recipe& seat);
-LevelShape makeShelf(std::string name, uint32_t seed);      ///< full of books
+LevelShape makeShelf(std::string name, uint32_t seed);  ///< full of books
 LevelShape makeBed(std::string name, const Recipe& blanket);
 LevelShape makeSofa(std::string name, const Recipe& cloth);
 LevelShape makeBath(std::string name);
 LevelShape makeToilet(std::string name);
-LevelShape makeCounter(std::string name, int length);       ///< kitchen cupboards with a sink
+LevelShape makeCounter(std::string name, int length);  ///< kitchen cupboards with a sink
 LevelShape makeFridge(std::string name);
 LevelShape makeWardrobe(std::string name);
-LevelShape makeTelevision(std::string name);                ///< on its stand
+LevelShape makeTelevision(std::string name);  ///< on its stand
 LevelShape makeCrate(std::string name);
 LevelShape makeBarrel(std::string name, const Recipe& paint);
 LevelShape makeBin(std::string name);

@@ -7,18 +7,30 @@
 namespace rubble::scenes {
 namespace {
 
-constexpr int kFloor0 = kFooting + 1;            // boards of the ground floor
+constexpr int kFloor0 = kFooting + 1;  // boards of the ground floor
 constexpr int kFloor1 = kFloor0 + kStorey;
-constexpr int kFloor2 = kFloor1 + kStorey;       // the attic's
+constexpr int kFloor2 = kFloor1 + kStorey;  // the attic's
 constexpr int kRoofBase = kFloor2 - 1;
 constexpr int kEaves = 4;
 
 struct HouseSwatches {
     HouseSwatches(Canvas& c, const HouseStyle& style)
-        : concrete(c.mix(kConcrete)), white(c.mix(kWhiteWood)), timber(c.mix(kTimber)), door(c.mix(*style.door)), steel(c.mix(kDarkSteel)),
-          plaster(c.mix(kPlaster)), green(c.mix(kWallpaperGreen)), rose(c.mix(kWallpaperRose)), tile(c.mix(kTileWhite)), rug(c.mix(kClothRed)),
-          rugEdge(c.mix(kClothOchre)), rugBlue(c.mix(kClothTeal)), wire(c.mix(kWire)), pipe(c.mix(kCopperPipe)) {
-        walls = {c.mix(*style.wall), c.mix(style.courses ? kBrickJoint : *style.wall, 96), plaster, c.mix(*style.wall, 78), wire, pipe, style.courses};
+        : concrete(c.mix(kConcrete)),
+          white(c.mix(kWhiteWood)),
+          timber(c.mix(kTimber)),
+          door(c.mix(*style.door)),
+          steel(c.mix(kDarkSteel)),
+          plaster(c.mix(kPlaster)),
+          green(c.mix(kWallpaperGreen)),
+          rose(c.mix(kWallpaperRose)),
+          tile(c.mix(kTileWhite)),
+          rug(c.mix(kClothRed)),
+          rugEdge(c.mix(kClothOchre)),
+          rugBlue(c.mix(kClothTeal)),
+          wire(c.mix(kWire)),
+          pipe(c.mix(kCopperPipe)) {
+        walls = {c.mix(*style.wall), c.mix(style.courses ? kBrickJoint : *style.wall, 96), plaster, c.mix(*style.wall, 78), wire, pipe,
+                 style.courses};
         windows = {white, c.mix(kGlass), concrete, c.mix(kClothCream), walls.dirty};
         floors = {c.mix(kFloorBoard), c.mix(kFloorSeam), timber, plaster};
         roof = {c.mix(*style.roof), c.mix(*style.roof, 84), timber, c.mix(*style.roof, 76), white};
@@ -31,7 +43,7 @@ struct HouseSwatches {
 };
 
 struct HouseFrame {
-    ivec3 low, high;     // of the walls
+    ivec3 low, high;  // of the walls
     WallFrames walls;
 };
 
@@ -50,8 +62,9 @@ void drawGables(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s)
                     const int shifted = u + (y % 2) * 2 + 400;
                     const bool joint = s.walls.courses && shifted % 4 == 0;
                     const uint32_t brick = hashCell(shifted / 4, y, 0, 42);
-                    canvas.setEntry(cell, joint ? PaintBox::pickFor(s.walls.joint, brick)
-                                                : s.walls.courses ? PaintBox::pickFor(s.walls.stone, brick >> 8) : PaintBox::pick(s.walls.stone, cell));
+                    canvas.setEntry(cell, joint             ? PaintBox::pickFor(s.walls.joint, brick)
+                                          : s.walls.courses ? PaintBox::pickFor(s.walls.stone, brick >> 8)
+                                                            : PaintBox::pick(s.walls.stone, cell));
                 }
         }
     // A round attic window in the gable that is seen.
@@ -150,7 +163,8 @@ void drawRug(Canvas& canvas, ivec3 low, ivec3 high, Swatch field, Swatch edge) {
 void drawPorch(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s) {
     const int z0 = frame.high.z, z1 = z0 + 19, x0 = 74, x1 = 112;
     canvas.box({x0, 0, z0}, {x1, kFloor0, z1}, s.concrete);
-    canvas.fill({x0, kFloor0, z0}, {x1, kFloor0 + 1, z1}, [&](ivec3 c) { return PaintBox::pickFor(c.x % 4 == 3 ? s.floors.seam : s.floors.board, uint32_t(c.x / 4)); });
+    canvas.fill({x0, kFloor0, z0}, {x1, kFloor0 + 1, z1},
+                [&](ivec3 c) { return PaintBox::pickFor(c.x % 4 == 3 ? s.floors.seam : s.floors.board, uint32_t(c.x / 4)); });
     canvas.box({86, 0, z1}, {102, kFloor0, z1 + 3}, s.concrete);
     for (int x : {x0, x1 - 2})
         for (int z : {z0 + 1, z1 - 2}) canvas.box({x, kFloor0 + 1, z}, {x + 2, kFloor0 + 24, z + 2}, s.white);
@@ -186,8 +200,13 @@ void drawChimney(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s
             for (int z = low.z; z < low.z + 8; ++z) {
                 const bool flue = x > low.x + 2 && x < low.x + 7 && z > low.z + 1 && z < low.z + 6;
                 const uint32_t brick = hashCell((x + z + y % 2 * 2) / 4, y, 1, 73);
-                if (flue) canvas.setEntry({x, y, z}, 0);
-                else canvas.setEntry({x, y, z}, PaintBox::pickFor((x + z + y % 2 * 2) % 4 == 0 ? s.walls.joint : y > top - 4 ? s.walls.dirty : s.walls.stone, brick));
+                if (flue)
+                    canvas.setEntry({x, y, z}, 0);
+                else
+                    canvas.setEntry({x, y, z}, PaintBox::pickFor((x + z + y % 2 * 2) % 4 == 0 ? s.walls.joint
+                                                                 : y > top - 4                ? s.walls.dirty
+                                                                                              : s.walls.stone,
+                                                                 brick));
             }
     canvas.box({low.x - 1, top, low.z - 1}, {low.x + 11, top + 1, low.z + 9}, s.concrete);
     canvas.clear({low.x + 3, top, low.z + 2}, {low.x + 7, top + 1, low.z + 6});
@@ -197,7 +216,7 @@ void drawChimney(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s
 void drawCeilingLamp(Level& level, Canvas& canvas, const std::string& house, const std::string& name, ivec3 hook, const HouseSwatches& s) {
     const uint32_t group = addLightGroup(level, name);
     const Swatch glow = canvas.mix(kBulbGlow, 100, group);
-    canvas.box(hook - ivec3(0, 3, 0), hook + ivec3(1, 0, 1), s.wire);
+    canvas.box(hook - ivec3(0, 3, 0), hook + ivec3(1), s.wire);
     canvas.box(hook - ivec3(2, 4, 2), hook + ivec3(3, -3, 3), s.rugEdge);
     canvas.box(hook - ivec3(1, 5, 1), hook + ivec3(2, -4, 2), glow);
     addLight(level, house, group, LightKind::Sphere, glm::dvec3(hook) + glm::dvec3(0.5, -6.0, 0.5), kWarmLight * 9.0f, 7.0f, 0.12f);

@@ -5,12 +5,12 @@
 namespace rubble::scenes {
 
 struct HouseStyle {
-    int width = 112, depth = 96;       ///< of the walls, cells; the front (+z) has the door
+    int width = 112, depth = 96;  ///< of the walls, cells; the front (+z) has the door
     const Recipe* wall = &kBrick;
     const Recipe* roof = &kRoofTile;
     const Recipe* door = &kGreenWood;
-    bool courses = true;               ///< bricks; else plastered outside
-    bool rooms = true;                 ///< inner walls, stairs, lamps and a porch; a plain shell with floors otherwise
+    bool courses = true;  ///< bricks; else plastered outside
+    bool rooms = true;    ///< inner walls, stairs, lamps and a porch; a plain shell with floors otherwise
 };
 
 /// Cells between the shape's low corner and the walls: eaves left, right and behind.
@@ -20,7 +20,7 @@ inline constexpr int kHouseFront = 24;
 
 /// Where things are inside the detailed house, in cells of its shape.
 struct HouseRooms {
-    static constexpr int kGroundFloor = 5, kUpperFloor = 32;   ///< y of the first free cell above the boards
+    static constexpr int kGroundFloor = 5, kUpperFloor = 32;  ///< y of the first free cell above the boards
     static constexpr CellBox kLiving{{11, 5, 57}, {62, 28, 101}};
     static constexpr CellBox kKitchen{{11, 5, 11}, {62, 28, 54}};
     static constexpr CellBox kBedroom{{11, 32, 57}, {62, 55, 101}};

@@ -5,7 +5,9 @@ namespace rubble::scenes {
 
 void addHouseFurniture(Level& level, ivec3 cell) {
     const ivec3 corner = cell - ivec3(kHouseMargin, kFooting, kHouseMargin);
-    const auto put = [&](LevelShape shape, int x, int y, int z, Turn turn = Turn::None) { addLoose(level, std::move(shape), corner + ivec3(x, y, z), turn); };
+    const auto put = [&](LevelShape shape, int x, int y, int z, Turn turn = Turn::None) {
+        addLoose(level, std::move(shape), corner + ivec3(x, y, z), turn);
+    };
     constexpr int kLow = HouseRooms::kGroundFloor, kHigh = HouseRooms::kUpperFloor;
 
     // Living room

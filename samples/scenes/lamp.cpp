@@ -5,7 +5,7 @@
 namespace rubble::scenes {
 
 ivec3 addStreetLamp(Level& level, const std::string& name, ivec3 cell, bool alongX) {
-    constexpr int kBase = 4;       // cells in the ground
+    constexpr int kBase = 4;  // cells in the ground
     constexpr int kTop = kBase + 50;
     constexpr int kReach = 17;
     const uint32_t group = addLightGroup(level, name);

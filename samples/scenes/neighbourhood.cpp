@@ -24,7 +24,8 @@ GroundPlan crossingStreets(ivec3 size) {
     };
     const int middleZ = (kStreetLow + kStreetHigh) / 2, middleX = (kSideLow + kSideHigh) / 2;
     ground.lanesAlongX = {groundArea(kSideHigh + 44, middleZ - 1, edge, middleZ + 1)};
-    ground.lanesAlongZ = {groundArea(middleX - 1, kSideEnd, middleX + 1, kStreetLow - 44), groundArea(middleX - 1, kStreetHigh + 44, middleX + 1, edge)};
+    ground.lanesAlongZ = {groundArea(middleX - 1, kSideEnd, middleX + 1, kStreetLow - 44),
+                          groundArea(middleX - 1, kStreetHigh + 44, middleX + 1, edge)};
     // Zebra crossings on the two arms of the corner.
     for (int i = 0; i < 8; ++i) {
         ground.solidLines.push_back(groundArea(kSideHigh + 8, kStreetLow + 4 + i * 10, kSideHigh + 32, kStreetLow + 9 + i * 10));

@@ -12,7 +12,9 @@ namespace {
 constexpr int kEntriesPerSwatch = 6;
 
 // Nothing is pure black or white: linear albedo 0.04 to 0.8 is sRGB 56 to 231, a little darker allowed for one channel.
-uint8_t channel(int value, bool emits) { return uint8_t(std::clamp(value, emits ? 0 : 28, emits ? 255 : 232)); }
+uint8_t channel(int value, bool emits) {
+    return uint8_t(std::clamp(value, emits ? 0 : 28, emits ? 255 : 232));
+}
 
 }  // namespace
 

@@ -17,7 +17,7 @@ struct Recipe {
     uint8_t metallic = 0;
     uint8_t reflectivity = 10;
     uint8_t opacity = 255;
-    int variation = 6;          ///< percent of value up and down between neighbouring voxels
+    int variation = 6;  ///< percent of value up and down between neighbouring voxels
     float emission = 0.0f;
 };
 

@@ -8,11 +8,16 @@ namespace rubble::scenes {
 glm::dquat turnRotation(Turn turn) {
     constexpr double kHalfRoot = 0.70710678118654752440;
     switch (turn) {
-        case Turn::Quarter: return {kHalfRoot, 0, kHalfRoot, 0};
-        case Turn::Half: return {0, 0, 1, 0};
-        case Turn::ThreeQuarters: return {kHalfRoot, 0, -kHalfRoot, 0};
-        case Turn::Askew: return glm::normalize(glm::dquat(1.0, 0, 0.04, 0));
-        case Turn::None: break;
+        case Turn::Quarter:
+            return {kHalfRoot, 0, kHalfRoot, 0};
+        case Turn::Half:
+            return {0, 0, 1, 0};
+        case Turn::ThreeQuarters:
+            return {kHalfRoot, 0, -kHalfRoot, 0};
+        case Turn::Askew:
+            return glm::normalize(glm::dquat(1.0, 0, 0.04, 0));
+        case Turn::None:
+            break;
     }
     return {1, 0, 0, 0};
 }

@@ -16,9 +16,21 @@ constexpr int kX0 = Plan::kMargin, kX1 = kX0 + Plan::kWidth, kZ0 = Plan::kMargin
 
 struct ShopSwatches {
     explicit ShopSwatches(Canvas& c)
-        : concrete(c.mix(kConcrete)), plaster(c.mix(kPlaster)), steel(c.mix(kDarkSteel)), glass(c.mix(kGlass)), tile(c.mix(kTileWhite)),
-          tileDark(c.mix(kTileWhite, 72)), wood(c.mix(kDarkWood)), red(c.mix(kClothRed)), cream(c.mix(kClothCream)), felt(c.mix(kRoofFelt)),
-          board(c.mix(kPlasticBlack)), goods(c.mix(kGoods)), joist(c.mix(kSteel)), pipe(c.mix(kCopperPipe)), white(c.mix(kWhiteWood)) {
+        : concrete(c.mix(kConcrete)),
+          plaster(c.mix(kPlaster)),
+          steel(c.mix(kDarkSteel)),
+          glass(c.mix(kGlass)),
+          tile(c.mix(kTileWhite)),
+          tileDark(c.mix(kTileWhite, 72)),
+          wood(c.mix(kDarkWood)),
+          red(c.mix(kClothRed)),
+          cream(c.mix(kClothCream)),
+          felt(c.mix(kRoofFelt)),
+          board(c.mix(kPlasticBlack)),
+          goods(c.mix(kGoods)),
+          joist(c.mix(kSteel)),
+          pipe(c.mix(kCopperPipe)),
+          white(c.mix(kWhiteWood)) {
         walls = {c.mix(kBrickYellow), c.mix(kBrickYellow, 84), plaster, c.mix(kBrickYellow, 76), c.mix(kWire), pipe, true};
         windows = {white, glass, concrete, cream, walls.dirty};
     }
@@ -31,9 +43,8 @@ void drawShell(Canvas& c, const WallFrames& walls, const ShopSwatches& s) {
     c.box({kX0 - 1, 0, kZ0 - 1}, {kX1 + 1, kFooting, kZ1 + 1}, s.concrete);
     c.box({kX0, kFooting, kZ0}, {kX1, kFloor, kZ1}, s.concrete);
     for (const WallFrame* wall : {&walls.left, &walls.right, &walls.back, &walls.front}) drawWall(c, *wall, kFloor, kRoof + 6, s.walls);
-    c.fill({kX0 + 3, kFloor, kZ0 + 3}, {kX1 - 3, kFloor + 1, kZ1 - 3}, [&](ivec3 cell) {
-        return PaintBox::pick((cell.x / 5 + cell.z / 5) % 2 ? s.tile : s.tileDark, cell);
-    });
+    c.fill({kX0 + 3, kFloor, kZ0 + 3}, {kX1 - 3, kFloor + 1, kZ1 - 3},
+           [&](ivec3 cell) { return PaintBox::pick((cell.x / 5 + cell.z / 5) % 2 ? s.tile : s.tileDark, cell); });
     // Ceiling, steel joists, roof deck, and felt under a parapet with a coping.
     c.box({kX0 + 3, kCeiling, kZ0 + 3}, {kX1 - 3, kCeiling + 1, kZ1 - 3}, s.plaster);
     for (int x = kX0 + 6; x < kX1 - 3; x += 9) c.box({x, kCeiling + 1, kZ0 + 3}, {x + 1, kRoof - 1, kZ1 - 3}, s.joist);
@@ -61,7 +72,8 @@ void drawFront(Canvas& c, const WallFrame& front, const ShopSwatches& s) {
             if (!door && y < kLow) continue;
             for (int k = 0; k < 3; ++k) c.setEntry(front.cell(u, y, k), 0);
             const int pane = door ? (u - 52) % 8 : (u - 8) % 15;
-            const bool post = pane == 0 || u == 52 || u == 67 || u == Plan::kWidth - 9 || y == kHigh - 1 || (!door && y == kLow) || (door && y == kFloor + 1);
+            const bool post =
+                pane == 0 || u == 52 || u == 67 || u == Plan::kWidth - 9 || y == kHigh - 1 || (!door && y == kLow) || (door && y == kFloor + 1);
             c.set(front.cell(u, y, 1), post ? s.steel : s.glass);
             if (door && y == kFloor + 11 && (pane == 6 || pane == 2)) c.set(front.cell(u, y, 0), s.steel);
         }
@@ -89,7 +101,8 @@ void drawSign(Level& level, Canvas& c, const std::string& name, const ShopSwatch
     c.box({x0 - 5, y0 - 2, kZ1}, {x0 + kTextWidth + 5, y0 + kLetterHeight * kScale + 4, kZ1 + 2}, s.board);
     drawLettering(c, {x0, y0 + 1, kZ1 + 2}, kText, kScale, glow);
     for (int i : {1, 3})
-        addLight(level, name, group, LightKind::Sphere, glm::dvec3(x0 + kTextWidth * i / 4, y0 + 6, kZ1 + 9), glm::vec3(0.25f, 0.95f, 0.85f) * 7.0f, 8.0f, 0.3f);
+        addLight(level, name, group, LightKind::Sphere, glm::dvec3(x0 + kTextWidth * i / 4, y0 + 6, kZ1 + 9), glm::vec3(0.25f, 0.95f, 0.85f) * 7.0f,
+                 8.0f, 0.3f);
 }
 
 void drawInside(Level& level, Canvas& c, const std::string& name, const ShopSwatches& s) {
@@ -114,7 +127,9 @@ void drawInside(Level& level, Canvas& c, const std::string& name, const ShopSwat
     for (int x : {26, 60, 94})
         for (int z : {30, 72}) {
             c.box({kX0 + x - 6, kCeiling - 1, kZ0 + z}, {kX0 + x + 6, kCeiling, kZ0 + z + 2}, glow);
-            if (z == 72) addLight(level, name, group, LightKind::Sphere, glm::dvec3(kX0 + x, kCeiling - 3, kZ0 + z + 1), glm::vec3(1.0f, 0.86f, 0.66f) * 9.0f, 8.0f, 0.25f);
+            if (z == 72)
+                addLight(level, name, group, LightKind::Sphere, glm::dvec3(kX0 + x, kCeiling - 3, kZ0 + z + 1), glm::vec3(1.0f, 0.86f, 0.66f) * 9.0f,
+                         8.0f, 0.25f);
         }
 }
 

@@ -16,14 +16,32 @@ constexpr int kGroundHeight = kGroundDepth + 4;  // room for tufts
 
 struct GroundSwatches {
     explicit GroundSwatches(Canvas& c)
-        : rock(c.mix(kRock)), dirt(c.mix(kDirt)), grass(c.mix(kGrass)), grassDark(c.mix(kGrass, 82)), dry(c.mix(kGrassDry)), asphalt(c.mix(kAsphalt)),
-          asphaltWorn(c.mix(kAsphalt, 112)), patch(c.mix(kAsphaltPatch)), crack(c.mix(kAsphaltCrack)), white(c.mix(kLaneWhite)), kerb(c.mix(kKerb)),
-          kerbWorn(c.mix(kKerb, 115)), paving(c.mix(kPaving)), joint(c.mix(kPavingJoint)), moss(c.mix(kMoss)), concrete(c.mix(kConcrete, 95)),
-          manhole(c.mix(kManhole)), litter(c.mix(kLeavesAutumn)), flowers(c.mix(kFlowers)) {}
-    Swatch rock, dirt, grass, grassDark, dry, asphalt, asphaltWorn, patch, crack, white, kerb, kerbWorn, paving, joint, moss, concrete, manhole, litter, flowers;
+        : rock(c.mix(kRock)),
+          dirt(c.mix(kDirt)),
+          grass(c.mix(kGrass)),
+          grassDark(c.mix(kGrass, 82)),
+          dry(c.mix(kGrassDry)),
+          asphalt(c.mix(kAsphalt)),
+          asphaltWorn(c.mix(kAsphalt, 112)),
+          patch(c.mix(kAsphaltPatch)),
+          crack(c.mix(kAsphaltCrack)),
+          white(c.mix(kLaneWhite)),
+          kerb(c.mix(kKerb)),
+          kerbWorn(c.mix(kKerb, 115)),
+          paving(c.mix(kPaving)),
+          joint(c.mix(kPavingJoint)),
+          moss(c.mix(kMoss)),
+          concrete(c.mix(kConcrete, 95)),
+          manhole(c.mix(kManhole)),
+          litter(c.mix(kLeavesAutumn)),
+          flowers(c.mix(kFlowers)) {}
+    Swatch rock, dirt, grass, grassDark, dry, asphalt, asphaltWorn, patch, crack, white, kerb, kerbWorn, paving, joint, moss, concrete, manhole,
+        litter, flowers;
 };
 
-bool inside(const CellBox& box, int x, int z) { return x >= box.low.x && x < box.high.x && z >= box.low.z && z < box.high.z; }
+bool inside(const CellBox& box, int x, int z) {
+    return x >= box.low.x && x < box.high.x && z >= box.low.z && z < box.high.z;
+}
 
 Surface surfaceAt(const GroundPlan& plan, int x, int z) {
     Surface surface = Surface::Lawn;
@@ -113,8 +131,7 @@ void drawColumn(Canvas& canvas, const GroundPlan& plan, const GroundSwatches& s,
     const Column column = columnAt(plan, s, gx, gz);
     const Surface surface = surfaceAt(plan, gx, gz);
     const bool stone = surface == Surface::Road || surface == Surface::Paving || surface == Surface::Concrete;
-    for (int y = kRockTop; y < column.top - 1; ++y)
-        canvas.set({x, y, z}, stone && y == column.top - 2 ? s.asphalt : s.dirt);
+    for (int y = kRockTop; y < column.top - 1; ++y) canvas.set({x, y, z}, stone && y == column.top - 2 ? s.asphalt : s.dirt);
     canvas.setEntry({x, column.top - 1, z}, column.entry);
     for (const CellBox& box : plan.foundations)
         if (inside(box, gx, gz)) canvas.clear({x, kGroundDepth + box.low.y, z}, {x + 1, kGroundHeight, z + 1});

@@ -17,11 +17,11 @@ struct GroundPlan {
     };
     ivec3 size{640, 0, 640};
     std::vector<Area> areas;
-    std::vector<CellBox> lanesAlongX;     ///< dashed white centre lines
+    std::vector<CellBox> lanesAlongX;  ///< dashed white centre lines
     std::vector<CellBox> lanesAlongZ;
-    std::vector<CellBox> solidLines;      ///< stop lines and zebra bars
-    std::vector<ivec3> manholes;          ///< centres
-    std::vector<CellBox> foundations;     ///< where buildings stand: the ground leaves them room, y: from this depth up
+    std::vector<CellBox> solidLines;   ///< stop lines and zebra bars
+    std::vector<ivec3> manholes;       ///< centres
+    std::vector<CellBox> foundations;  ///< where buildings stand: the ground leaves them room, y: from this depth up
 };
 
 /// One static body, "ground", in tiles: unbreakable rock, dirt, and what lies on it. Its lawn is at y = 0.

@@ -1,8 +1,8 @@
 #include "samples/scenes/town.h"
 
 #include "samples/scenes/car.h"
-#include "samples/scenes/environment.h"
 #include "samples/scenes/demolition.h"
+#include "samples/scenes/environment.h"
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/house.h"
@@ -23,11 +23,11 @@ using Surface = GroundPlan::Surface;
 GroundPlan townGround() {
     GroundPlan ground = crossingStreets({640, 0, 640});
     const ivec3 house = kHouse, shop = kShop;
-    ground.areas.push_back({Surface::Paving, groundArea(house.x + 78, house.z + 118, house.x + 94, kStreetLow - kPavement)});     // path to the porch
-    ground.areas.push_back({Surface::Concrete, groundArea(300, house.z + 20, 330, kStreetLow - kPavement)});                      // drive
-    ground.areas.push_back({Surface::Paving, groundArea(330, shop.z, shop.x + ShopPlan::kWidth + 20, kStreetLow - kPavement)});    // before the shop
+    ground.areas.push_back({Surface::Paving, groundArea(house.x + 78, house.z + 118, house.x + 94, kStreetLow - kPavement)});    // path to the porch
+    ground.areas.push_back({Surface::Concrete, groundArea(300, house.z + 20, 330, kStreetLow - kPavement)});                     // drive
+    ground.areas.push_back({Surface::Paving, groundArea(330, shop.z, shop.x + ShopPlan::kWidth + 20, kStreetLow - kPavement)});  // before the shop
     ground.areas.push_back({Surface::Earth, groundArea(kTower.x - 6, kTower.z - 6, kTower.x + 56, kTower.z + 56)});
-    ground.areas.push_back({Surface::Earth, groundArea(kHouse.x + 14, kHouse.z + 100, kHouse.x + 62, kHouse.z + 106)});            // flower bed
+    ground.areas.push_back({Surface::Earth, groundArea(kHouse.x + 14, kHouse.z + 100, kHouse.x + 62, kHouse.z + 106)});  // flower bed
     return ground;
 }
 

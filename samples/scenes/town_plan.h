@@ -4,18 +4,18 @@
 /// Where the town's things stand, in cells, so that the demolition finds them. x to the right, z toward the camera, y = 0 on the lawns.
 namespace rubble::scenes::plan {
 
-inline constexpr glm::ivec3 kHouse{180, 0, 296};        ///< low corner of its walls, 112 x 96
-inline constexpr glm::ivec3 kShop{352, 0, 262};         ///< low corner of its walls, 120 x 100
-inline constexpr glm::ivec3 kTower{424, 0, 192};        ///< low corner of its legs' square, 48 x 48
-inline constexpr glm::ivec3 kWall{138, 0, 438};         ///< concrete wall along x
+inline constexpr glm::ivec3 kHouse{180, 0, 296};  ///< low corner of its walls, 112 x 96
+inline constexpr glm::ivec3 kShop{352, 0, 262};   ///< low corner of its walls, 120 x 100
+inline constexpr glm::ivec3 kTower{424, 0, 192};  ///< low corner of its legs' square, 48 x 48
+inline constexpr glm::ivec3 kWall{138, 0, 438};   ///< concrete wall along x
 inline constexpr int kWallLength = 112, kWallHeight = 12;
 inline constexpr glm::ivec3 kShopLamp{336, 0, 392};
 inline constexpr glm::ivec3 kCornerLamp{304, 0, 456};
 inline constexpr glm::ivec3 kRedCar{196, -2, 474};
 
-inline constexpr int kStreetLow = 470, kStreetHigh = 552;      ///< z of the street along x
-inline constexpr int kSideLow = 28, kSideHigh = 110;           ///< x of the street along z
-inline constexpr int kSideEnd = 150;                           ///< z at which that one ends
+inline constexpr int kStreetLow = 470, kStreetHigh = 552;  ///< z of the street along x
+inline constexpr int kSideLow = 28, kSideHigh = 110;       ///< x of the street along z
+inline constexpr int kSideEnd = 150;                       ///< z at which that one ends
 inline constexpr int kPavement = 24;
 
 }  // namespace rubble::scenes::plan

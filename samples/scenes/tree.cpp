@@ -13,7 +13,8 @@ void drawClump(Canvas& c, ivec3 center, ivec3 radius, Swatch leaf, Swatch shade)
     c.fill(glm::max(center - radius, ivec3(0)), glm::min(center + radius + 1, c.size()), [&](ivec3 cell) {
         if (c.at(cell)) return c.at(cell);
         const ivec3 d = cell - center;
-        const int distance = d.x * d.x * 1024 / (radius.x * radius.x) + d.y * d.y * 1024 / (radius.y * radius.y) + d.z * d.z * 1024 / (radius.z * radius.z);
+        const int distance =
+            d.x * d.x * 1024 / (radius.x * radius.x) + d.y * d.y * 1024 / (radius.y * radius.y) + d.z * d.z * 1024 / (radius.z * radius.z);
         const int ragged = int(hashCell(cell.x / 2, cell.y / 2, cell.z / 2, 91) % 480);
         if (distance + ragged > 1130) return uint8_t(0);
         if (distance < 560 && hashCell(cell.x / 3, cell.y / 3, cell.z / 3, 92) % 3 != 0) return uint8_t(0);
