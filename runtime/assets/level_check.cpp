@@ -1,0 +1,89 @@
+#include "runtime/assets/level_check.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "runtime/assets/level_fields.h"
+#include "runtime/assets/names.h"
+
+namespace rubble {
+namespace {
+
+/// Visits all fields and keeps the path to the first bad one.
+class FieldCheck {
+public:
+    template <class T>
+    void operator()(const char* name, const T& value) {
+        if (!m_error.empty()) return;
+        const size_t length = m_path.size();
+        m_path += m_path.empty() ? name : std::string(".") + name;
+        check(value);
+        m_path.resize(length);
+    }
+    template <class T>
+        requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+    void check(T value) {
+        if constexpr (std::is_floating_point_v<T>)
+            if (!std::isfinite(value)) fail("a finite number", fmt::format("{}", value));
+    }
+    void check(const std::string& text) {
+        if (!isUtf8(text)) fail("text in UTF-8", "other bytes");
+    }
+    template <class T>
+    void check(const glm::vec<3, T>& v) {
+        for (int i = 0; i < 3; ++i) check(v[i]);
+    }
+    void check(const glm::dquat& q) {
+        const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+        if (!(std::abs(length - 1.0) < 1e-3)) fail("a rotation of length 1", fmt::format("{}", length));
+    }
+    void check(const VoxelGrid&) {}
+    void check(const PaletteRef& palette) {
+        if (!palette) return;
+        for (size_t i = 0; i < palette->size(); ++i) {
+            const PaletteEntry& entry = (*palette)[i];
+            if (!(entry.emission >= 0.0f && std::isfinite(entry.emission))) fail("an emission of 0 or more", fmt::format("{} in entry {}", entry.emission, i));
+            if (entry.lightGroup > m_lightGroups) fail(fmt::format("a light group of at most {}", m_lightGroups), fmt::format("{} in entry {}", entry.lightGroup, i));
+            if (entry.material >= m_materials) fail(fmt::format("a material below {}", m_materials), fmt::format("{} in entry {}", entry.material, i));
+        }
+    }
+    template <class T>
+    void check(const std::vector<T>& values) {
+        for (size_t i = 0; i < values.size() && m_error.empty(); ++i) {
+            const size_t length = m_path.size();
+            m_path += fmt::format("[{}]", i);
+            check(values[i]);
+            m_path.resize(length);
+        }
+    }
+    template <class T>
+        requires std::is_class_v<T>
+    void check(const T& value) {
+        if constexpr (std::is_same_v<T, LevelShape>)
+            if (!(value.voxelSize > 0.0f && value.voxelSize <= 1000.0f)) fail("a voxel size above 0 and up to 1000 m", fmt::format("{}", value.voxelSize));
+        fields(*this, value);
+    }
+
+    Result<Done> run(const Level& level) {
+        m_lightGroups = level.lightGroups.size();
+        m_materials = level.materials.materials.size();
+        if (m_materials < 1 || m_materials > 256) return Error{fmt::format("materials: expected 1 to 256, found {}", m_materials)};
+        check(level);
+        if (!m_error.empty()) return Error{m_error};
+        return Done{};
+    }
+
+private:
+    void fail(const std::string& expected, const std::string& found) {
+        if (m_error.empty()) m_error = fmt::format("{}: expected {}, found {}", m_path, expected, found);
+    }
+    std::string m_path, m_error;
+    size_t m_lightGroups = 0, m_materials = 0;
+};
+
+}  // namespace
+
+Result<Done> checkLevel(const Level& level) { return FieldCheck().run(level); }
+
+}  // namespace rubble

@@ -1,0 +1,138 @@
+#pragma once
+#include <array>
+#include <concepts>
+#include <span>
+#include <type_traits>
+
+#include "runtime/world/level.h"
+
+namespace rubble {
+
+// The one list of what a level holds. An archive is called with a name and a value for each field; the baked format, the
+// metadata of .vdb files, the hash of a level and its check are archives, so none can forget a field that another has.
+// A grid's voxels are no field: archives see its size here and its bricks apart.
+
+template <class T, class Named>
+concept Is = std::same_as<std::remove_const_t<T>, Named>;
+
+inline constexpr std::array<const char*, 2> kLightKindNames = {"sphere", "cone"};
+inline constexpr std::array<const char*, 5> kHardnessNames = {"soft", "medium", "hard", "unbreakable", "unphysical"};
+inline std::span<const char* const> enumNames(LightKind) { return kLightKindNames; }
+inline std::span<const char* const> enumNames(Hardness) { return kHardnessNames; }
+
+template <class A>
+void fields(A& a, Is<Pose> auto& pose) {
+    a("position", pose.position);
+    a("rotation", pose.rotation);
+}
+template <class A>
+void fields(A& a, Is<CellBox> auto& box) {
+    a("low", box.low);
+    a("high", box.high);
+}
+template <class A>
+void fields(A& a, Is<PaletteEntry> auto& entry) {
+    a("red", entry.red);
+    a("green", entry.green);
+    a("blue", entry.blue);
+    a("opacity", entry.opacity);
+    a("roughness", entry.roughness);
+    a("metallic", entry.metallic);
+    a("reflectivity", entry.reflectivity);
+    a("material", entry.material);
+    a("emission", entry.emission);
+    a("light_group", entry.lightGroup);
+}
+template <class A>
+void fields(A& a, Is<Material> auto& material) {
+    a("name", material.name);
+    a("hardness", material.hardness);
+    a("density", material.density);
+    a("tensile_strength", material.tensileStrength);
+    a("compressive_strength", material.compressiveStrength);
+    a("shear_strength", material.shearStrength);
+    a("friction", material.friction);
+    a("restitution", material.restitution);
+    a("heat_capacity", material.heatCapacity);
+    a("ignition_temperature", material.ignitionTemperature);
+    a("burn_time", material.burnTime);
+    a("fragments", material.fragments);
+    a("sledge", material.sledge);
+    a("torch", material.torch);
+    a("gun", material.gun);
+    a("explosive", material.explosive);
+}
+template <class A>
+void fields(A& a, Is<LevelShape> auto& shape) {
+    a("name", shape.name);
+    a("local", shape.local);
+    a("voxel_size", shape.voxelSize);
+    a("size", shape.grid);
+    a("palette", shape.palette);
+    a("anchors", shape.anchors);
+    a("tags", shape.tags);
+    a("hidden", shape.hidden);
+}
+template <class A>
+void fields(A& a, Is<LevelBody> auto& body) {
+    a("name", body.name);
+    a("pose", body.pose);
+    a("static", body.isStatic);
+    a("velocity", body.velocity);
+    a("angular_velocity", body.angularVelocity);
+    a("shapes", body.shapes);
+    a("tags", body.tags);
+}
+template <class A>
+void fields(A& a, Is<LevelLight> auto& light) {
+    a("name", light.light.name);
+    a("kind", light.light.kind);
+    a("shape", light.shapeName);
+    a("group", light.groupName);
+    a("local", light.light.local);
+    a("color", light.light.color);
+    a("radius", light.light.radius);
+    a("reach", light.light.reach);
+    a("cone_inner", light.light.coneInner);
+    a("cone_outer", light.light.coneOuter);
+    a("enabled", light.light.enabled);
+}
+template <class A>
+void fields(A& a, Is<LightGroup> auto& group) {
+    a("name", group.name);
+    a("threshold", group.threshold);
+    a("initial_voxels", group.initialVoxels);
+    a("removed_voxels", group.removedVoxels);
+    a("out", group.out);
+}
+template <class A>
+void fields(A& a, Is<Environment> auto& environment) {
+    a("sun_direction", environment.sunDirection);
+    a("sun_color", environment.sunColor);
+    a("sun_angle", environment.sunAngle);
+    a("sky_color", environment.skyColor);
+    a("horizon_color", environment.horizonColor);
+    a("ground_color", environment.groundColor);
+    a("fog_color", environment.fogColor);
+    a("fog_distance", environment.fogDistance);
+    a("exposure", environment.exposure);
+    a("gravity", environment.gravity);
+}
+using NamedPose = std::pair<std::string, Pose>;
+template <class A>
+void fields(A& a, Is<NamedPose> auto& location) {
+    a("name", location.first);
+    a("pose", location.second);
+}
+template <class A>
+void fields(A& a, Is<Level> auto& level) {
+    a("name", level.name);
+    a("materials", level.materials.materials);
+    a("environment", level.environment);
+    a("light_groups", level.lightGroups);
+    a("lights", level.lights);
+    a("locations", level.locations);
+    a("bodies", level.bodies);
+}
+
+}  // namespace rubble

@@ -1,0 +1,23 @@
+#pragma once
+#include <map>
+#include <vector>
+
+#include "runtime/voxel/palette.h"
+
+namespace rubble {
+
+/// The different palettes of a level, in the order in which they are first used; a file holds each once.
+class PaletteList {
+public:
+    /// The number of a palette with this content; a null one counts as the default palette.
+    uint32_t add(const PaletteRef& palette);
+    std::vector<PaletteRef>& palettes() { return m_palettes; }
+    const std::vector<PaletteRef>& palettes() const { return m_palettes; }
+
+private:
+    std::vector<PaletteRef> m_palettes;
+    std::map<const Palette*, uint32_t> m_byAddress;
+    std::multimap<uint64_t, uint32_t> m_byHash;
+};
+
+}  // namespace rubble

@@ -1,0 +1,67 @@
+// rubble-vdb: turns .vdb files into baked .rubble levels and back, in a process of its own that a hostile file may kill.
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "runtime/assets/assets.h"
+#include "runtime/assets/vdb/vdb_file.h"
+
+namespace {
+
+using namespace rubble;
+
+void limitProcess(uint64_t memoryMib, uint64_t seconds) {
+    const auto limit = [](auto resource, uint64_t value) {
+        const struct rlimit both {value, value};
+        setrlimit(resource, &both);
+    };
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // sanitizers reserve terabytes
+    limit(RLIMIT_AS, memoryMib << 20);
+#else
+    (void)memoryMib;
+#endif
+    limit(RLIMIT_CPU, seconds);
+    limit(RLIMIT_CORE, 0);
+}
+
+int fail(const std::string& text) {
+    std::fprintf(stderr, "error: %s\n", text.c_str());
+    return 1;
+}
+
+int toVdb(const std::string& in, const std::string& out) {
+    const Result<Level> level = readRubble(in);
+    if (!level) return fail(level.error());
+    const Result<Done> done = writeVdbFile(out, *level);
+    return done ? 0 : fail(done.error());
+}
+
+int toRubble(const std::string& in, const std::string& out) {
+    std::vector<std::string> remarks;
+    const Result<Level> level = readVdbFile(in, remarks);
+    for (const std::string& remark : remarks) std::fprintf(stderr, "note: %s\n", remark.c_str());
+    if (!level) return fail(level.error());
+    const Result<Done> done = writeRubble(out, *level);
+    return done ? 0 : fail(done.error());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Turns OpenVDB files into baked Rubble levels and back");
+    std::string in, out;
+    uint64_t memoryMib = 4096, seconds = 120;
+    app.add_option("--memory-mib", memoryMib, "Address space it may use")->capture_default_str();
+    app.add_option("--seconds", seconds, "Processor time it may use")->capture_default_str();
+    app.require_subcommand(1);
+    CLI::App* toVdbCommand = app.add_subcommand("to-vdb", "IN.rubble -> OUT.vdb");
+    CLI::App* toRubbleCommand = app.add_subcommand("to-rubble", "IN.vdb -> OUT.rubble");
+    for (CLI::App* command : {toVdbCommand, toRubbleCommand}) {
+        command->add_option("in", in, "File to read")->required();
+        command->add_option("out", out, "File to write")->required();
+    }
+    CLI11_PARSE(app, argc, argv);
+    limitProcess(memoryMib, seconds);
+    return *toVdbCommand ? toVdb(in, out) : toRubble(in, out);
+}

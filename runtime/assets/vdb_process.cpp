@@ -1,0 +1,149 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "runtime/assets/assets.h"
+#include "runtime/assets/vdb_tool.h"
+#include "runtime/core/log.h"
+
+extern char** environ;
+
+namespace rubble {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr size_t kMaxOutput = 64 << 10;
+
+/// A positive number from the environment, or the default.
+uint64_t setting(const char* name, uint64_t otherwise) {
+    const char* text = std::getenv(name);
+    const uint64_t value = text ? std::strtoull(text, nullptr, 10) : 0;
+    return value ? value : otherwise;
+}
+
+/// A folder of our own that goes when the object does.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::error_code code;
+        std::string pattern = (fs::temp_directory_path(code) / "rubble-XXXXXX").string();
+        if (mkdtemp(pattern.data())) m_path = pattern;
+    }
+    ~TemporaryFolder() {
+        std::error_code code;
+        if (!m_path.empty()) fs::remove_all(m_path, code);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    const std::string& path() const { return m_path; }
+
+private:
+    std::string m_path;
+};
+
+/// Starts a program with its stdout and stderr in a pipe; the process id, or -errno.
+pid_t start(const std::vector<std::string>& command, int writeEnd) {
+    std::vector<char*> arguments;
+    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, writeEnd, 1);
+    posix_spawn_file_actions_adddup2(&actions, writeEnd, 2);
+    pid_t child = 0;
+    const int code = posix_spawn(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    return code ? -code : child;
+}
+
+/// Collects output until the other end closes it; false when time runs out first.
+bool readUntil(int readEnd, Clock::time_point deadline, std::string& output) {
+    for (;;) {
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+        if (left <= 0) return false;
+        pollfd wait{readEnd, POLLIN, 0};
+        const int ready = poll(&wait, 1, int(std::min<int64_t>(left, 1000)));
+        if (ready < 0 && errno != EINTR) return true;
+        if (ready <= 0) continue;
+        char buffer[4096];
+        const ssize_t got = read(readEnd, buffer, sizeof buffer);
+        if (got == 0 || (got < 0 && errno != EINTR)) return true;
+        if (got > 0 && output.size() < kMaxOutput) output.append(buffer, size_t(got));
+    }
+}
+
+std::string fateOf(int status, bool inTime, uint64_t seconds) {
+    if (!inTime) return fmt::format("stopped after {} s (RUBBLE_VDB_SECONDS raises the limit)", seconds);
+    if (WIFSIGNALED(status)) return fmt::format("killed by signal {} ({}): the file is damaged or hostile", WTERMSIG(status), strsignal(WTERMSIG(status)));
+    return fmt::format("ended with code {}", WEXITSTATUS(status));
+}
+
+}  // namespace
+
+Result<std::string> runVdbTool(const std::string& tool, const std::vector<std::string>& arguments) {
+    const uint64_t seconds = setting("RUBBLE_VDB_SECONDS", 120);
+    std::vector<std::string> command{tool, "--memory-mib", std::to_string(setting("RUBBLE_VDB_MEMORY_MIB", 4096)), "--seconds", std::to_string(seconds)};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) return Error{fmt::format("{}: no pipe: {}", tool, std::strerror(errno))};
+    const pid_t child = start(command, ends[1]);
+    close(ends[1]);
+    if (child < 0) {
+        close(ends[0]);
+        return Error{fmt::format("{}: cannot start: {}", tool, std::strerror(-child))};
+    }
+    std::string output;
+    const bool inTime = readUntil(ends[0], Clock::now() + std::chrono::seconds(seconds), output);
+    close(ends[0]);
+    if (!inTime) kill(child, SIGKILL);
+    int status = 0;
+    pid_t waited;
+    while ((waited = waitpid(child, &status, 0)) < 0 && errno == EINTR) {}
+    while (!output.empty() && output.back() == '\n') output.pop_back();
+    // Where a host ignores SIGCHLD there is no status; what the tool wrote decides then.
+    if (inTime && (waited < 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 0))) return output;
+    if (inTime && WIFEXITED(status) && output.find("error: ") != std::string::npos) return Error{output.substr(output.find("error: ") + 7)};
+    return Error{fmt::format("{}: {}{}{}", fs::path(tool).filename().string(), fateOf(status, inTime, seconds), output.empty() ? "" : ": ", output)};
+}
+
+Result<Level> readVdb(const std::string& path, const std::string& vdbTool, ImportReport* report) {
+    const TemporaryFolder folder;
+    const std::string baked = folder.path() + "/level.rubble";
+    const Result<std::string> output = runVdbTool(vdbTool, {"to-rubble", path, baked});
+    if (!output) return Error{output.error().find(path) == std::string::npos ? path + ": " + output.error() : output.error()};
+    std::string line;
+    for (size_t at = 0; at < output->size(); at += line.size() + 1) {
+        line = output->substr(at, output->find('\n', at) - at);
+        if (!line.starts_with("note: ")) continue;
+        if (report) report->lines.push_back(line.substr(6));
+        else logWarning(path + ": " + line.substr(6));
+    }
+    Result<Level> level = readRubble(baked);
+    if (level && report) countLevel(*level, *report);
+    return level;
+}
+
+Result<Level> readVdb(const std::string& path, const std::string& vdbTool) { return readVdb(path, vdbTool, nullptr); }
+
+Result<Done> writeVdb(const std::string& path, const Level& level, const std::string& vdbTool) {
+    const TemporaryFolder folder;
+    const std::string baked = folder.path() + "/level.rubble";
+    if (const Result<Done> done = writeRubble(baked, level); !done) return done;
+    const Result<std::string> output = runVdbTool(vdbTool, {"to-vdb", baked, path});
+    if (!output) return Error{output.error()};
+    return Done{};
+}
+
+}  // namespace rubble

@@ -1,0 +1,126 @@
+#include "runtime/assets/rubble_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+
+#include "runtime/core/hash.h"
+#include "tests/runtime/assets/sample_level.h"
+
+namespace rubble {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(RubbleFile, RoundTripKeepsTheHash) {
+    const Level level = sampleLevel();
+    const std::vector<uint8_t> bytes = levelToRubble(level);
+    const Result<Level> back = levelFromRubble(bytes, "sample.rubble");
+    ASSERT_TRUE(back) << back.error();
+    EXPECT_EQ(hashLevel(*back), hashLevel(level));
+    EXPECT_EQ(levelToRubble(*back), bytes);
+    EXPECT_EQ(back->bodies[0].shapes[0].palette, back->bodies[1].shapes[0].palette) << "shared palettes stay shared";
+    EXPECT_EQ(back->bodies[0].shapes[0].grid.voxelCount(), level.bodies[0].shapes[0].grid.voxelCount());
+}
+
+TEST(RubbleFile, TheHashSeesEveryField) {
+    const uint64_t original = hashLevel(sampleLevel());
+    const std::vector<std::function<void(Level&)>> changes = {
+        [](Level& l) { l.name += "x"; },
+        [](Level& l) { l.materials.materials[3].burnTime += 1; },
+        [](Level& l) { l.environment.fogDistance += 1; },
+        [](Level& l) { l.locations[0].second.position.x += 1e-12; },
+        [](Level& l) { l.bodies[0].tags.pop_back(); },
+        [](Level& l) { l.bodies[0].isStatic = false; },
+        [](Level& l) { l.bodies[1].velocity.z = 0; },
+        [](Level& l) { l.bodies[1].pose.rotation = glm::dquat(1, 0, 0, 0); },
+        [](Level& l) { l.bodies[0].shapes[0].anchors[1].high.x += 1; },
+        [](Level& l) { l.bodies[1].shapes[0].hidden = false; },
+        [](Level& l) { l.bodies[0].shapes[1].voxelSize = 0.1f; },
+        [](Level& l) {
+            auto palette = std::make_shared<Palette>(*l.bodies[0].shapes[0].palette);
+            (*palette)[200].blue = 9;
+            l.bodies[0].shapes[0].palette = palette;
+        },
+        [](Level& l) { GridWriter(l.bodies[0].shapes[0].grid).set({19, 8, 32}, 77); },
+        [](Level& l) { l.lights[0].light.coneOuter = 0.7f; },
+        [](Level& l) { l.lights[0].groupName = "unused"; },
+        [](Level& l) { l.lightGroups[1].out = false; },
+    };
+    for (size_t i = 0; i < changes.size(); ++i) {
+        Level level = sampleLevel();
+        changes[i](level);
+        EXPECT_NE(hashLevel(level), original) << "change " << i;
+    }
+}
+
+TEST(RubbleFile, EveryTruncationAndEveryBitFlipIsRefused) {
+    std::vector<uint8_t> bytes = levelToRubble(sampleLevel());
+    for (size_t length = 0; length < bytes.size(); length += length < 400 ? 1 : 37)
+        ASSERT_FALSE(levelFromRubble(std::span(bytes).first(length), "t")) << length;
+    for (size_t byte = 0; byte < bytes.size(); byte += byte < 400 ? 1 : 7)
+        for (int bit = 0; bit < 8; ++bit) {
+            bytes[byte] ^= uint8_t(1 << bit);
+            const Result<Level> level = levelFromRubble(bytes, "t.rubble");
+            ASSERT_FALSE(level) << "byte " << byte << " bit " << bit;
+            ASSERT_EQ(level.error().rfind("t.rubble: byte ", 0), 0u) << level.error();
+            bytes[byte] ^= uint8_t(1 << bit);
+        }
+}
+
+/// The file with one value of its chunk header changed and all its checksums made right again: a liar, not damage.
+std::vector<uint8_t> forge(std::vector<uint8_t> bytes, size_t offsetInHeader, uint64_t value) {
+    std::memcpy(bytes.data() + 32 + offsetInHeader, &value, 8);
+    uint64_t stored;
+    std::memcpy(&stored, bytes.data() + 32 + 16, 8);
+    const uint64_t hash = hashBytes(bytes.data() + 64, size_t(stored), hashBytes(bytes.data() + 32, 24));
+    std::memcpy(bytes.data() + 32 + 24, &hash, 8);
+    return bytes;
+}
+
+TEST(RubbleFile, LiesWithRightChecksumsAreRefused) {
+    const std::vector<uint8_t> bytes = levelToRubble(sampleLevel());
+    const Result<Level> bomb = levelFromRubble(forge(bytes, 8, uint64_t(1) << 28), "t");
+    ASSERT_FALSE(bomb);
+    EXPECT_NE(bomb.error().find("possible size"), std::string::npos) << bomb.error();
+    ASSERT_FALSE(levelFromRubble(forge(bytes, 8, 5000), "t"));
+}
+
+TEST(RubbleFile, SenselessLevelsAreNotWritten) {
+    const std::string path = (fs::path(testing::TempDir()) / "senseless.rubble").string();
+    const auto error = [&](const std::function<void(Level&)>& change) {
+        Level level = sampleLevel();
+        change(level);
+        const Result<Done> done = writeRubble(path, level);
+        return done ? "written" : done.error();
+    };
+    EXPECT_NE(error([](Level& l) { l.bodies[1].pose.position.y = std::numeric_limits<double>::quiet_NaN(); }).find("bodies[1].pose.position"), std::string::npos);
+    EXPECT_NE(error([](Level& l) { l.bodies[0].shapes[1].voxelSize = 0; }).find("voxel size"), std::string::npos);
+    EXPECT_NE(error([](Level& l) { l.lights[0].light.name = "\xff"; }).find("lights[0].name: expected text in UTF-8"), std::string::npos);
+    EXPECT_NE(error([](Level& l) { l.lightGroups.pop_back(); }).find("light group"), std::string::npos);
+    EXPECT_NE(error([](Level& l) { l.bodies[0].pose.rotation = glm::dquat(2, 0, 0, 0); }).find("rotation"), std::string::npos);
+    EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(RubbleFile, FilesAreReplacedWhole) {
+    const fs::path folder = fs::path(testing::TempDir()) / "rubble_file_test";
+    fs::create_directories(folder);
+    const std::string path = (folder / "level.rubble").string();
+    ASSERT_TRUE(writeRubble(path, sampleLevel()));
+    Level second = sampleLevel();
+    second.name = "second";
+    ASSERT_TRUE(writeRubble(path, second));
+    const Result<Level> back = readLevel(path, "");
+    ASSERT_TRUE(back) << back.error();
+    EXPECT_EQ(back->name, "second");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1) << "no neighbours stay";
+    EXPECT_NE(writeRubble("/no/such/folder/x.rubble", second).error().find("/no/such/folder"), std::string::npos);
+    fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace rubble

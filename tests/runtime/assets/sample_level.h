@@ -1,0 +1,82 @@
+#pragma once
+#include "runtime/world/level.h"
+
+namespace rubble {
+
+/// A level in which nothing has its default: turned and moving bodies, shared and own palettes, lights with groups, odd
+/// names, an empty grid, uniform, full and mixed bricks.
+inline Level sampleLevel() {
+    Level level;
+    level.name = "sample \"level\" \xc3\xa9";
+    level.materials.materials.push_back({.name = "cheese", .hardness = Hardness::Hard, .density = 950, .friction = 0.123f, .gun = false});
+    level.environment.sunDirection = {0.1f, 0.7f, -0.3f};
+    level.environment.exposure = 1.25f;
+    level.environment.gravity = {0.0f, -1.62f, 0.0f};
+    level.locations.emplace_back("spawn", Pose{{1.0 / 3.0, 2e-7, -12345.678}, glm::angleAxis(0.3, glm::dvec3(0, 1, 0))});
+
+    auto shared = std::make_shared<Palette>();
+    (*shared)[1] = {.red = 200, .green = 10, .blue = 30, .opacity = 99, .roughness = 3, .metallic = 250, .reflectivity = 77, .material = 4};
+    (*shared)[255] = {.red = 1, .green = 2, .blue = 3, .material = 18};
+    auto glowing = std::make_shared<Palette>(*shared);
+    (*glowing)[7] = {.red = 255, .green = 240, .blue = 200, .material = 1, .emission = 6.1f, .lightGroup = 2};
+
+    LevelBody house;
+    house.name = "house";
+    house.tags = {"a=b", ""};
+    LevelShape walls;
+    walls.name = "walls.north";
+    walls.grid = VoxelGrid({20, 9, 33});
+    {
+        GridWriter writer(walls.grid);
+        for (int z = 0; z < 33; ++z)
+            for (int y = 0; y < 9; ++y)
+                for (int x = 0; x < 20; ++x)
+                    if (x < 8 || (x + y * z) % 3 == 0) writer.set({x, y, z}, x < 8 ? uint8_t(1) : uint8_t(x * 13 + y * 5 + z));
+    }
+    walls.palette = shared;
+    walls.anchors = {{{0, 0, 0}, {20, 1, 33}}, {{4, 0, 4}, {5, 9, 6}}};
+    house.shapes.push_back(walls);
+    LevelShape lamp;
+    lamp.name = "lamp";
+    lamp.local = {{0.3, 4.0, -2.5}, glm::angleAxis(1.1, glm::normalize(glm::dvec3(1, 2, 3)))};
+    lamp.voxelSize = 0.05f;
+    lamp.grid = VoxelGrid({3, 5, 2});
+    {
+        GridWriter writer(lamp.grid);
+        writer.set({0, 4, 0}, 7);
+        writer.set({2, 0, 1}, 1);
+    }
+    lamp.palette = glowing;
+    lamp.tags = {"light"};
+    house.shapes.push_back(lamp);
+    level.bodies.push_back(house);
+
+    LevelBody cart;
+    cart.name = "cart";
+    cart.pose = {{-1000.25, 0.1, 3.75}, glm::angleAxis(-2.0, glm::normalize(glm::dvec3(0.2, 1, 0)))};
+    cart.isStatic = false;
+    cart.velocity = {1.5f, 0.0f, -0.25f};
+    cart.angularVelocity = {0.0f, 0.1f, 0.0f};
+    LevelShape empty;
+    empty.name = "lamp";  // names need not be unique in a level
+    empty.grid = VoxelGrid({40, 1, 1});
+    empty.palette = shared;
+    empty.hidden = true;
+    cart.shapes.push_back(empty);
+    level.bodies.push_back(cart);
+
+    level.lightGroups = {{.name = "unused"}, {.name = "bulb", .threshold = 0.6f, .initialVoxels = 1, .removedVoxels = 0, .out = true}};
+    LevelLight light;
+    light.light.name = "bulb light";
+    light.light.kind = LightKind::Cone;
+    light.light.local.position = {0.01, 0.02, 0.03};
+    light.light.color = {3.0f, 2.5f, 1.0f / 3.0f};
+    light.light.reach = 9.0f;
+    light.light.enabled = false;
+    light.shapeName = "lamp";
+    light.groupName = "bulb";
+    level.lights.push_back(light);
+    return level;
+}
+
+}  // namespace rubble
