@@ -16,7 +16,7 @@ public:
         put(value);
     }
     template <class T>
-        requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
     void put(T value) {
         const auto* raw = reinterpret_cast<const uint8_t*>(&value);
         m_bytes.insert(m_bytes.end(), raw, raw + sizeof value);
@@ -38,10 +38,8 @@ public:
         for (const T& value : values) put(value);
     }
     template <class T>
-        requires std::is_class_v<T>
-    void put(const T& value) {
-        fields(*this, value);
-    }
+    requires std::is_class_v<T>
+    void put(const T& value) { fields(*this, value); }
 
 private:
     std::vector<uint8_t>& m_bytes;
@@ -57,20 +55,19 @@ public:
         get(value);
     }
     template <class T>
-        requires std::is_arithmetic_v<T>
-    void get(T& value) {
-        value = m_in.read<T>();
-    }
+    requires std::is_arithmetic_v<T>
+    void get(T& value) { value = m_in.read<T>(); }
     void get(bool& value) {
         const auto byte = m_in.read<uint8_t>();
         if (byte > 1) m_in.fail("0 or 1", std::to_string(byte), m_in.offset() - 1);
         value = byte == 1;
     }
     template <class T>
-        requires std::is_enum_v<T>
+    requires std::is_enum_v<T>
     void get(T& value) {
         const auto byte = m_in.read<uint8_t>();
-        if (byte >= enumNames(value).size()) return m_in.fail(fmt::format("a value below {}", enumNames(value).size()), std::to_string(byte), m_in.offset() - 1);
+        if (byte >= enumNames(value).size())
+            return m_in.fail(fmt::format("a value below {}", enumNames(value).size()), std::to_string(byte), m_in.offset() - 1);
         value = T(byte);
     }
     void get(std::string& text) { text = m_in.readString(); }
@@ -84,7 +81,8 @@ public:
         get(size);
         if (size == glm::ivec3(0)) return;
         for (int i = 0; i < 3; ++i)
-            if (size[i] < 1 || size[i] > kMaxGridSize) return m_in.fail(fmt::format("a grid size of 1 to {}", kMaxGridSize), std::to_string(size[i]), m_in.offset() - 12);
+            if (size[i] < 1 || size[i] > kMaxGridSize)
+                return m_in.fail(fmt::format("a grid size of 1 to {}", kMaxGridSize), std::to_string(size[i]), m_in.offset() - 12);
         const glm::ivec3 nodes = (size + 31) / 32;
         m_nodes += uint64_t(nodes.x) * uint64_t(nodes.y) * uint64_t(nodes.z);
         if (m_nodes > kMaxDirectoryNodes) return m_in.fail("grids of 2^39 cells in all", "more", m_in.offset() - 12);
@@ -103,10 +101,8 @@ public:
         for (uint32_t i = 0; i < count && !m_in.failed(); ++i) get(values.emplace_back());
     }
     template <class T>
-        requires std::is_class_v<T>
-    void get(T& value) {
-        fields(*this, value);
-    }
+    requires std::is_class_v<T>
+    void get(T& value) { fields(*this, value); }
 
 private:
     ByteReader& m_in;
@@ -200,7 +196,8 @@ void readBrick(ByteReader& in, VoxelGrid& grid) {
     if (position.x >= bricks.x || position.y >= bricks.y || position.z >= bricks.z || (brick && !fitsGrid(*brick, position, grid.size())))
         return in.fail(fmt::format("a brick inside a grid of {}x{}x{} cells", grid.size().x, grid.size().y, grid.size().z),
                        fmt::format("brick ({}, {}, {})", position.x, position.y, position.z), start);
-    if (!brick || grid.brickAt(position)) return in.fail("each brick once and not empty", fmt::format("brick ({}, {}, {})", position.x, position.y, position.z), start);
+    if (!brick || grid.brickAt(position))
+        return in.fail("each brick once and not empty", fmt::format("brick ({}, {}, {})", position.x, position.y, position.z), start);
     grid.setBrick(position, std::move(brick));
 }
 

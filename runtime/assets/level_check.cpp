@@ -22,7 +22,7 @@ public:
         m_path.resize(length);
     }
     template <class T>
-        requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
     void check(T value) {
         if constexpr (std::is_floating_point_v<T>)
             if (!std::isfinite(value)) fail("a finite number", fmt::format("{}", value));
@@ -43,9 +43,12 @@ public:
         if (!palette) return;
         for (size_t i = 0; i < palette->size(); ++i) {
             const PaletteEntry& entry = (*palette)[i];
-            if (!(entry.emission >= 0.0f && std::isfinite(entry.emission))) fail("an emission of 0 or more", fmt::format("{} in entry {}", entry.emission, i));
-            if (entry.lightGroup > m_lightGroups) fail(fmt::format("a light group of at most {}", m_lightGroups), fmt::format("{} in entry {}", entry.lightGroup, i));
-            if (entry.material >= m_materials) fail(fmt::format("a material below {}", m_materials), fmt::format("{} in entry {}", entry.material, i));
+            if (!(entry.emission >= 0.0f && std::isfinite(entry.emission)))
+                fail("an emission of 0 or more", fmt::format("{} in entry {}", entry.emission, i));
+            if (entry.lightGroup > m_lightGroups)
+                fail(fmt::format("a light group of at most {}", m_lightGroups), fmt::format("{} in entry {}", entry.lightGroup, i));
+            if (entry.material >= m_materials)
+                fail(fmt::format("a material below {}", m_materials), fmt::format("{} in entry {}", entry.material, i));
         }
     }
     template <class T>
@@ -58,10 +61,11 @@ public:
         }
     }
     template <class T>
-        requires std::is_class_v<T>
+    requires std::is_class_v<T>
     void check(const T& value) {
         if constexpr (std::is_same_v<T, LevelShape>)
-            if (!(value.voxelSize > 0.0f && value.voxelSize <= 1000.0f)) fail("a voxel size above 0 and up to 1000 m", fmt::format("{}", value.voxelSize));
+            if (!(value.voxelSize > 0.0f && value.voxelSize <= 1000.0f))
+                fail("a voxel size above 0 and up to 1000 m", fmt::format("{}", value.voxelSize));
         fields(*this, value);
     }
 
@@ -84,6 +88,8 @@ private:
 
 }  // namespace
 
-Result<Done> checkLevel(const Level& level) { return FieldCheck().run(level); }
+Result<Done> checkLevel(const Level& level) {
+    return FieldCheck().run(level);
+}
 
 }  // namespace rubble

@@ -17,8 +17,12 @@ concept Is = std::same_as<std::remove_const_t<T>, Named>;
 
 inline constexpr std::array<const char*, 2> kLightKindNames = {"sphere", "cone"};
 inline constexpr std::array<const char*, 5> kHardnessNames = {"soft", "medium", "hard", "unbreakable", "unphysical"};
-inline std::span<const char* const> enumNames(LightKind) { return kLightKindNames; }
-inline std::span<const char* const> enumNames(Hardness) { return kHardnessNames; }
+inline std::span<const char* const> enumNames(LightKind) {
+    return kLightKindNames;
+}
+inline std::span<const char* const> enumNames(Hardness) {
+    return kHardnessNames;
+}
 
 template <class A>
 void fields(A& a, Is<Pose> auto& pose) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<char, 8> kMagic = {'R', 'U', 'B', 'B', 'L', 'E', '\r', '\n'};
 constexpr uint32_t kVersion = 1;
-constexpr size_t kGridChunkBytes = 8u << 20;      // a GRID chunk is closed once it holds this much
+constexpr size_t kGridChunkBytes = 8u << 20;  // a GRID chunk is closed once it holds this much
 constexpr uint64_t kMaxChunkBytes = 512u << 20;
 constexpr uint64_t kMaxFileBytes = uint64_t(8) << 30;
 
@@ -41,7 +41,8 @@ uint64_t hashHeader(const Header& header) {
 
 void appendChunk(std::vector<uint8_t>& out, std::array<char, 4> kind, const std::vector<uint8_t>& raw) {
     std::vector<uint8_t> packed(size_t(LZ4_compressBound(int(raw.size()))));
-    const int length = LZ4_compress_default(reinterpret_cast<const char*>(raw.data()), reinterpret_cast<char*>(packed.data()), int(raw.size()), int(packed.size()));
+    const int length =
+        LZ4_compress_default(reinterpret_cast<const char*>(raw.data()), reinterpret_cast<char*>(packed.data()), int(raw.size()), int(packed.size()));
     const bool smaller = length > 0 && size_t(length) < raw.size();
     if (smaller) packed.resize(size_t(length));
     const std::vector<uint8_t>& stored = smaller ? packed : raw;
@@ -90,15 +91,21 @@ std::vector<uint8_t> readChunk(ByteReader& in, ChunkHeader& header) {
     const size_t start = in.offset();
     header = in.read<ChunkHeader>();
     if (in.failed()) return {};
-    if (header.storedBytes > in.remaining()) return in.fail(fmt::format("{} bytes of a chunk", header.storedBytes), fmt::format("{}", in.remaining()), start + 16), std::vector<uint8_t>{};
+    if (header.storedBytes > in.remaining())
+        return in.fail(fmt::format("{} bytes of a chunk", header.storedBytes), fmt::format("{}", in.remaining()), start + 16), std::vector<uint8_t>{};
     const auto stored = in.readBytes(size_t(header.storedBytes));
-    if (hashBytes(stored.data(), stored.size(), hashHeader(header)) != header.hash) return in.fail("a chunk whose checksum fits", "a damaged one", start), std::vector<uint8_t>{};
+    if (hashBytes(stored.data(), stored.size(), hashHeader(header)) != header.hash)
+        return in.fail("a chunk whose checksum fits", "a damaged one", start), std::vector<uint8_t>{};
     // LZ4 cannot pack by more than 255 to 1: a larger claim is a lie that would only cost memory.
-    if (header.rawBytes > kMaxChunkBytes || header.rawBytes > header.storedBytes * 255 + 64 || header.codec > 1 || (header.codec == 0 && header.rawBytes != header.storedBytes))
-        return in.fail("a possible size and codec", fmt::format("{} bytes from {}, codec {}", header.rawBytes, header.storedBytes, header.codec), start), std::vector<uint8_t>{};
+    if (header.rawBytes > kMaxChunkBytes || header.rawBytes > header.storedBytes * 255 + 64 || header.codec > 1 ||
+        (header.codec == 0 && header.rawBytes != header.storedBytes))
+        return in.fail("a possible size and codec", fmt::format("{} bytes from {}, codec {}", header.rawBytes, header.storedBytes, header.codec),
+                       start),
+               std::vector<uint8_t>{};
     if (header.codec == 0) return {stored.begin(), stored.end()};
     std::vector<uint8_t> raw(size_t(header.rawBytes));
-    const int length = LZ4_decompress_safe(reinterpret_cast<const char*>(stored.data()), reinterpret_cast<char*>(raw.data()), int(stored.size()), int(raw.size()));
+    const int length =
+        LZ4_decompress_safe(reinterpret_cast<const char*>(stored.data()), reinterpret_cast<char*>(raw.data()), int(stored.size()), int(raw.size()));
     if (length != int(raw.size())) in.fail(fmt::format("{} bytes unpacked", raw.size()), std::to_string(length), start);
     return raw;
 }

@@ -86,7 +86,8 @@ bool readUntil(int readEnd, Clock::time_point deadline, std::string& output) {
 
 std::string fateOf(int status, bool inTime, uint64_t seconds) {
     if (!inTime) return fmt::format("stopped after {} s (RUBBLE_VDB_SECONDS raises the limit)", seconds);
-    if (WIFSIGNALED(status)) return fmt::format("killed by signal {} ({}): the file is damaged or hostile", WTERMSIG(status), strsignal(WTERMSIG(status)));
+    if (WIFSIGNALED(status))
+        return fmt::format("killed by signal {} ({}): the file is damaged or hostile", WTERMSIG(status), strsignal(WTERMSIG(status)));
     return fmt::format("ended with code {}", WEXITSTATUS(status));
 }
 
@@ -94,7 +95,8 @@ std::string fateOf(int status, bool inTime, uint64_t seconds) {
 
 Result<std::string> runVdbTool(const std::string& tool, const std::vector<std::string>& arguments) {
     const uint64_t seconds = setting("RUBBLE_VDB_SECONDS", 120);
-    std::vector<std::string> command{tool, "--memory-mib", std::to_string(setting("RUBBLE_VDB_MEMORY_MIB", 4096)), "--seconds", std::to_string(seconds)};
+    std::vector<std::string> command{tool, "--memory-mib", std::to_string(setting("RUBBLE_VDB_MEMORY_MIB", 4096)), "--seconds",
+                                     std::to_string(seconds)};
     command.insert(command.end(), arguments.begin(), arguments.end());
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) return Error{fmt::format("{}: no pipe: {}", tool, std::strerror(errno))};
@@ -110,7 +112,8 @@ Result<std::string> runVdbTool(const std::string& tool, const std::vector<std::s
     if (!inTime) kill(child, SIGKILL);
     int status = 0;
     pid_t waited;
-    while ((waited = waitpid(child, &status, 0)) < 0 && errno == EINTR) {}
+    while ((waited = waitpid(child, &status, 0)) < 0 && errno == EINTR) {
+    }
     while (!output.empty() && output.back() == '\n') output.pop_back();
     // Where a host ignores SIGCHLD there is no status; what the tool wrote decides then.
     if (inTime && (waited < 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 0))) return output;
@@ -127,15 +130,19 @@ Result<Level> readVdb(const std::string& path, const std::string& vdbTool, Impor
     for (size_t at = 0; at < output->size(); at += line.size() + 1) {
         line = output->substr(at, output->find('\n', at) - at);
         if (!line.starts_with("note: ")) continue;
-        if (report) report->lines.push_back(line.substr(6));
-        else logWarning(path + ": " + line.substr(6));
+        if (report)
+            report->lines.push_back(line.substr(6));
+        else
+            logWarning(path + ": " + line.substr(6));
     }
     Result<Level> level = readRubble(baked);
     if (level && report) countLevel(*level, *report);
     return level;
 }
 
-Result<Level> readVdb(const std::string& path, const std::string& vdbTool) { return readVdb(path, vdbTool, nullptr); }
+Result<Level> readVdb(const std::string& path, const std::string& vdbTool) {
+    return readVdb(path, vdbTool, nullptr);
+}
 
 Result<Done> writeVdb(const std::string& path, const Level& level, const std::string& vdbTool) {
     const TemporaryFolder folder;

@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
     progress.end();
     if (!quiet)
         for (const std::string& line : report.lines) fmt::print("  {}\n", line);
-    fmt::print("{}: {} models -> {} shapes on {} bodies, {} voxels, {} lights; hash {:016x}\n", out, report.models, report.shapes, level->bodies.size(), report.voxels,
-               level->lights.size(), hashLevel(*level));
+    fmt::print("{}: {} models -> {} shapes on {} bodies, {} voxels, {} lights; hash {:016x}\n", out, report.models, report.shapes,
+               level->bodies.size(), report.voxels, level->lights.size(), hashLevel(*level));
     return 0;
 }

@@ -23,15 +23,9 @@ public:
         (*m_object)[name] = make(value);
     }
     template <class T>
-        requires std::is_arithmetic_v<T>
-    json make(T value) {
-        return value;
-    }
+    requires std::is_arithmetic_v<T> json make(T value) { return value; }
     template <class T>
-        requires std::is_enum_v<T>
-    json make(T value) {
-        return enumNames(value)[size_t(value)];
-    }
+    requires std::is_enum_v<T> json make(T value) { return enumNames(value)[size_t(value)]; }
     json make(const std::string& text) { return text; }
     template <class T>
     json make(const glm::vec<3, T>& v) {
@@ -47,8 +41,7 @@ public:
         return list;
     }
     template <class T>
-        requires std::is_class_v<T>
-    json make(const T& value) {
+    requires std::is_class_v<T> json make(const T& value) {
         json object = json::object();
         json* outer = std::exchange(m_object, &object);
         fields(*this, value);
@@ -86,21 +79,22 @@ public:
         value = from.get<bool>();
     }
     template <class T>
-        requires std::is_floating_point_v<T>
+    requires std::is_floating_point_v<T>
     void get(const json& from, T& value) {
         if (!from.is_number()) return fail("a number", from);
         value = from.get<T>();
     }
     template <class T>
-        requires std::is_integral_v<T>
+    requires std::is_integral_v<T>
     void get(const json& from, T& value) {
-        const bool fits = from.is_number_unsigned() ? from.get<uint64_t>() <= uint64_t(std::numeric_limits<T>::max())
-                                                    : from.is_number_integer() && std::is_signed_v<T> && from.get<int64_t>() >= int64_t(std::numeric_limits<T>::min());
+        const bool fits = from.is_number_unsigned()
+                              ? from.get<uint64_t>() <= uint64_t(std::numeric_limits<T>::max())
+                              : from.is_number_integer() && std::is_signed_v<T> && from.get<int64_t>() >= int64_t(std::numeric_limits<T>::min());
         if (!fits) return fail(fmt::format("a whole number from {} to {}", std::numeric_limits<T>::min(), std::numeric_limits<T>::max()), from);
         value = from.get<T>();
     }
     template <class T>
-        requires std::is_enum_v<T>
+    requires std::is_enum_v<T>
     void get(const json& from, T& value) {
         const auto names = enumNames(value);
         for (size_t i = 0; i < names.size(); ++i)
@@ -144,7 +138,7 @@ public:
         for (size_t i = 0; i < from.size() && m_error.empty(); ++i) enter(fmt::format("[{}]", i), from[i], values.emplace_back());
     }
     template <class T>
-        requires std::is_class_v<T>
+    requires std::is_class_v<T>
     void get(const json& from, T& value) {
         if (!from.is_object()) return fail("an object", from);
         const json* outer = std::exchange(m_object, &from);
@@ -190,7 +184,8 @@ std::vector<PaletteRef> palettesFromJson(const json& list, JsonIn& in) {
         auto palette = std::make_shared<Palette>();
         for (size_t i = 0; entries.is_array() && i < entries.size() && in.error().empty(); ++i) {
             uint8_t index = 0;
-            if (entries[i].is_object() && entries[i].contains("index")) in.enter(fmt::format(".palettes[{}][{}].index", palettes.size(), i), entries[i]["index"], index);
+            if (entries[i].is_object() && entries[i].contains("index"))
+                in.enter(fmt::format(".palettes[{}][{}].index", palettes.size(), i), entries[i]["index"], index);
             in.enter(fmt::format(".palettes[{}][{}]", palettes.size(), i), entries[i], (*palette)[index]);
         }
         palettes.push_back(std::move(palette));

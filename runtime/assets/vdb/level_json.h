@@ -13,8 +13,8 @@ namespace rubble {
 std::map<std::string, std::string> levelToJson(const Level& level, const std::vector<std::string>& gridNames);
 
 struct JsonLevel {
-    Level level;                          ///< grids empty, with their sizes
-    std::vector<std::string> gridNames;   ///< one a shape, in order
+    Level level;                         ///< grids empty, with their sizes
+    std::vector<std::string> gridNames;  ///< one a shape, in order
 };
 /// What is missing keeps its default; what has the wrong type or range is an error with its path.
 Result<JsonLevel> levelFromJson(const std::map<std::string, std::string>& topics);

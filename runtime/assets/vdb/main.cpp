@@ -13,7 +13,7 @@ using namespace rubble;
 
 void limitProcess(uint64_t memoryMib, uint64_t seconds) {
     const auto limit = [](auto resource, uint64_t value) {
-        const struct rlimit both {value, value};
+        const struct rlimit both { value, value };
         setrlimit(resource, &both);
     };
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // sanitizers reserve terabytes

@@ -26,10 +26,18 @@ constexpr uint64_t kMaxFileBytes = uint64_t(2) << 30;
 constexpr uint64_t kMaxVoxels = uint64_t(1) << 28;  // of one file, tiles expanded
 const std::string kPrefix = "rubble.";
 
-openvdb::Vec3d toVdb(glm::dvec3 v) { return {v.x, v.y, v.z}; }
-glm::dvec3 fromVdb(const openvdb::Vec3d& v) { return {v.x(), v.y(), v.z()}; }
-openvdb::Coord toCoord(glm::ivec3 c) { return {c.x, c.y, c.z}; }
-glm::ivec3 fromCoord(const openvdb::Coord& c) { return {c.x(), c.y(), c.z()}; }
+openvdb::Vec3d toVdb(glm::dvec3 v) {
+    return {v.x, v.y, v.z};
+}
+glm::dvec3 fromVdb(const openvdb::Vec3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+openvdb::Coord toCoord(glm::ivec3 c) {
+    return {c.x, c.y, c.z};
+}
+glm::ivec3 fromCoord(const openvdb::Coord& c) {
+    return {c.x(), c.y(), c.z()};
+}
 
 /// Index -> world with cell i covering [i, i + 1] voxels: the transform of cell centres.
 openvdb::math::Transform::Ptr cellTransform(const Pose& corner, double voxelSize) {
@@ -114,7 +122,8 @@ public:
         if (solid.box.empty()) return solid;
         for (int i = 0; i < 3; ++i) {
             const int64_t length = int64_t(solid.box.max()[i]) - solid.box.min()[i] + 1;
-            if (length > kMaxGridSize) return Error{fmt::format("grid '{}': expected at most {} cells on a side, found {}", grid.getName(), kMaxGridSize, length)};
+            if (length > kMaxGridSize)
+                return Error{fmt::format("grid '{}': expected at most {} cells on a side, found {}", grid.getName(), kMaxGridSize, length)};
         }
         solid.grid = VoxelGrid(fromCoord(solid.box.dim()));
         GridWriter writer(solid.grid);
@@ -122,11 +131,15 @@ public:
         const auto visit = [&](auto value, bool active, const openvdb::CoordBBox& cells) {
             const int index = indexOf(value, active);
             if (index == 0) return true;
-            if (index < 0 || index > 255) return error = fmt::format("grid '{}': expected values of 0 to 255, found {} at cell ({}, {}, {})", grid.getName(), index, cells.min().x(), cells.min().y(), cells.min().z()), false;
+            if (index < 0 || index > 255)
+                return error = fmt::format("grid '{}': expected values of 0 to 255, found {} at cell ({}, {}, {})", grid.getName(), index,
+                                           cells.min().x(), cells.min().y(), cells.min().z()),
+                       false;
             openvdb::CoordBBox part = cells;
             part.intersect(solid.box);
             if (part.empty()) return true;
-            if ((m_voxels += part.volume()) > kMaxVoxels) return error = fmt::format("grid '{}': expected at most {} voxels in a file, found more", grid.getName(), kMaxVoxels), false;
+            if ((m_voxels += part.volume()) > kMaxVoxels)
+                return error = fmt::format("grid '{}': expected at most {} voxels in a file, found more", grid.getName(), kMaxVoxels), false;
             for (auto cell = part.begin(); cell; ++cell) writer.set(fromCoord(*cell - solid.box.min()), uint8_t(index));
             return true;
         };
@@ -145,7 +158,9 @@ private:
 
 /// Where a grid's cell corners are, if its cells are cubes.
 Result<std::pair<Pose, double>> cornerPose(const openvdb::GridBase& grid, const openvdb::Coord& cell) {
-    const auto refuse = [&](const std::string& found) { return Error{fmt::format("grid '{}': expected a transform of turned, equal-sided cells, found {}", grid.getName(), found)}; };
+    const auto refuse = [&](const std::string& found) {
+        return Error{fmt::format("grid '{}': expected a transform of turned, equal-sided cells, found {}", grid.getName(), found)};
+    };
     if (!grid.transform().isLinear()) return refuse("a frustum");
     const openvdb::Mat4d matrix = grid.transform().baseMap()->getAffineMap()->getMat4();
     for (int i = 0; i < 16; ++i)
@@ -177,7 +192,8 @@ public:
         for (auto name = m_file.beginName(); name != m_file.endName(); ++name) m_names.push_back(name.gridName());
         const auto version = metadata->getMetadata<openvdb::Int32Metadata>(kPrefix + "version");
         if (!version) return readForeign();
-        if (version->value() != kProfileVersion) return Error{fmt::format("metadata rubble.version: expected {}, found {}", kProfileVersion, version->value())};
+        if (version->value() != kProfileVersion)
+            return Error{fmt::format("metadata rubble.version: expected {}, found {}", kProfileVersion, version->value())};
         return readProfile(*metadata);
     }
 
@@ -202,7 +218,8 @@ private:
 
     Result<Done> readShape(const LevelBody& body, LevelShape& shape, const std::string& prefix) {
         const std::string name = prefix + ".palette_index";
-        if (std::find(m_names.begin(), m_names.end(), name) == m_names.end()) return Error{fmt::format("expected a grid '{}' for shape '{}', found none", name, shape.name)};
+        if (std::find(m_names.begin(), m_names.end(), name) == m_names.end())
+            return Error{fmt::format("expected a grid '{}' for shape '{}', found none", name, shape.name)};
         const auto grid = openvdb::gridPtrCast<openvdb::Int32Grid>(m_file.readGrid(name));
         if (!grid) return Error{fmt::format("grid '{}': expected type Int32, found another", name)};
         openvdb::CoordBBox declared;
@@ -226,7 +243,8 @@ private:
     void remarkUnused(const std::vector<std::string>& prefixes) {
         for (const std::string& name : m_names) {
             const std::string prefix = name.substr(0, name.rfind('.'));
-            if (std::find(prefixes.begin(), prefixes.end(), prefix) == prefixes.end()) m_remarks.push_back(fmt::format("grid '{}': belongs to no shape, skipped", name));
+            if (std::find(prefixes.begin(), prefixes.end(), prefix) == prefixes.end())
+                m_remarks.push_back(fmt::format("grid '{}': belongs to no shape, skipped", name));
         }
     }
 
@@ -234,7 +252,8 @@ private:
         Level level;
         level.name = printableName(std::filesystem::path(m_path).stem().string());
         UniqueNames names;
-        const bool hasDensity = std::any_of(m_names.begin(), m_names.end(), [](const std::string& name) { return suffix(name) == "density" || suffix(name) == "palette_index"; });
+        const bool hasDensity = std::any_of(m_names.begin(), m_names.end(),
+                                            [](const std::string& name) { return suffix(name) == "density" || suffix(name) == "palette_index"; });
         for (const std::string& name : m_names) {
             if (suffix(name) == "color" || suffix(name) == "emission" || suffix(name) == "light_group" || suffix(name) == "paint") continue;
             if (suffix(name) == "density" && std::find(m_names.begin(), m_names.end(), prefixOf(name) + "palette_index") != m_names.end()) continue;
@@ -245,7 +264,8 @@ private:
                 m_remarks.push_back(solid ? fmt::format("grid '{}': nothing solid, skipped", name) : solid.error() + ", skipped");
                 continue;
             }
-            const std::string own = prefixOf(name).empty() ? (suffix(name) == "density" || suffix(name) == "palette_index" ? level.name : name) : prefixOf(name).substr(0, prefixOf(name).size() - 1);
+            const std::string own = prefixOf(name).empty() ? (suffix(name) == "density" || suffix(name) == "palette_index" ? level.name : name)
+                                                           : prefixOf(name).substr(0, prefixOf(name).size() - 1);
             addForeign(level, names.unique(printableName(own)), *grid, name, std::move(*solid));
         }
         if (level.bodies.empty()) {
@@ -259,16 +279,20 @@ private:
         const openvdb::CoordBBox none;
         if (const auto* whole = dynamic_cast<const openvdb::Int32Grid*>(&grid); whole && suffix(name) == "palette_index")
             return m_expander.expand(*whole, none, [](int32_t value, bool active) { return active ? value : 0; });
-        if (const auto* flags = dynamic_cast<const openvdb::BoolGrid*>(&grid)) return m_expander.expand(*flags, none, [](bool value, bool active) { return active && value ? 1 : 0; });
-        if (const auto* mask = dynamic_cast<const openvdb::MaskGrid*>(&grid)) return m_expander.expand(*mask, none, [](bool, bool active) { return active ? 1 : 0; });
+        if (const auto* flags = dynamic_cast<const openvdb::BoolGrid*>(&grid))
+            return m_expander.expand(*flags, none, [](bool value, bool active) { return active && value ? 1 : 0; });
+        if (const auto* mask = dynamic_cast<const openvdb::MaskGrid*>(&grid))
+            return m_expander.expand(*mask, none, [](bool, bool active) { return active ? 1 : 0; });
         const auto* number = dynamic_cast<const openvdb::FloatGrid*>(&grid);
         if (!number) return Error{fmt::format("grid '{}': expected Float, Bool or Mask, or Int32 palette_index, found {}", name, grid.type())};
-        if (number->getGridClass() == openvdb::GRID_LEVEL_SET) return m_expander.expand(*number, none, [](float value, bool) { return value < 0.0f ? 1 : 0; });
+        if (number->getGridClass() == openvdb::GRID_LEVEL_SET)
+            return m_expander.expand(*number, none, [](float value, bool) { return value < 0.0f ? 1 : 0; });
         if (hasDensity && suffix(name) != "density") return Error{fmt::format("grid '{}': expected density, found another channel", name)};
         float most = 0.0f;
         for (auto it = number->cbeginValueOn(); it; ++it) most = std::max(most, *it);
         const float threshold = std::min(0.5f, most * 0.5f);
-        return m_expander.expand(*number, none, [threshold](float value, bool active) { return active && value > 0.0f && value >= threshold ? 1 : 0; });
+        return m_expander.expand(*number, none,
+                                 [threshold](float value, bool active) { return active && value > 0.0f && value >= threshold ? 1 : 0; });
     }
 
     void addForeign(Level& level, const std::string& shapeName, const openvdb::GridBase& grid, const std::string& name, Solid solid) {
@@ -283,7 +307,8 @@ private:
         shape.grid = std::move(solid.grid);
         openvdb::Vec3SGrid::Ptr color;
         const std::string colorName = prefixOf(name) + "color";
-        if (std::find(m_names.begin(), m_names.end(), colorName) != m_names.end()) color = openvdb::gridPtrCast<openvdb::Vec3SGrid>(m_file.readGrid(colorName));
+        if (std::find(m_names.begin(), m_names.end(), colorName) != m_names.end())
+            color = openvdb::gridPtrCast<openvdb::Vec3SGrid>(m_file.readGrid(colorName));
         if (suffix(name) == "palette_index") {
             shape.palette = defaultForeignPalette(shape.grid);
         } else if (color) {
@@ -295,7 +320,8 @@ private:
         } else {
             shape.palette = plainForeignPalette();
         }
-        m_remarks.push_back(fmt::format("grid '{}' -> shape '{}', {} voxels of {} m{}", name, shapeName, shape.grid.voxelCount(), shape.voxelSize, color ? ", colours from '" + colorName + "'" : ""));
+        m_remarks.push_back(fmt::format("grid '{}' -> shape '{}', {} voxels of {} m{}", name, shapeName, shape.grid.voxelCount(), shape.voxelSize,
+                                        color ? ", colours from '" + colorName + "'" : ""));
     }
 
     static std::string suffix(const std::string& name) { return name.substr(name.rfind('.') + 1); }

@@ -30,7 +30,8 @@ VdbGridEntry readGridEntry(ByteReader& in) {
     const auto here = int64_t(in.offset());
     if (in.failed()) return entry;
     if (grid < here || blocks < grid || end < blocks || end - here > int64_t(in.remaining()))
-        in.fail(fmt::format("rising offsets from {} to {}", here, size_t(here) + in.remaining()), fmt::format("{}, {}, {}", grid, blocks, end), start);
+        in.fail(fmt::format("rising offsets from {} to {}", here, size_t(here) + in.remaining()), fmt::format("{}, {}, {}", grid, blocks, end),
+                start);
     else
         in.readBytes(size_t(end - here));
     return entry;
@@ -41,9 +42,11 @@ VdbGridEntry readGridEntry(ByteReader& in) {
 Result<std::vector<VdbGridEntry>> scanVdbHeader(std::span<const uint8_t> bytes, const std::string& name) {
     ByteReader in(bytes, "OpenVDB header");
     if (const auto magic = in.read<int64_t>(); magic != kMagic) in.fail("an OpenVDB file", "other bytes", 0);
-    if (const auto version = in.read<uint32_t>(); version < kOldest || version > kNewest) in.fail(fmt::format("file version {} to {}", kOldest, kNewest), std::to_string(version), 8);
+    if (const auto version = in.read<uint32_t>(); version < kOldest || version > kNewest)
+        in.fail(fmt::format("file version {} to {}", kOldest, kNewest), std::to_string(version), 8);
     in.read<std::array<uint32_t, 2>>();  // of the library
-    if (const auto hasOffsets = in.read<uint8_t>(); hasOffsets != 1) in.fail("a file with grid offsets (1)", std::to_string(hasOffsets), in.offset() - 1);
+    if (const auto hasOffsets = in.read<uint8_t>(); hasOffsets != 1)
+        in.fail("a file with grid offsets (1)", std::to_string(hasOffsets), in.offset() - 1);
     in.readBytes(kUuidCharacters);
     skipMetadata(in);
     const uint32_t count = in.readCount(36, "grids");

@@ -46,7 +46,9 @@ TEST(RubbleFile, TheHashSeesEveryField) {
             (*palette)[200].blue = 9;
             l.bodies[0].shapes[0].palette = palette;
         },
-        [](Level& l) { GridWriter(l.bodies[0].shapes[0].grid).set({19, 8, 32}, 77); },
+        [](Level& l) {
+            GridWriter(l.bodies[0].shapes[0].grid).set({19, 8, 32}, 77);
+        },
         [](Level& l) { l.lights[0].light.coneOuter = 0.7f; },
         [](Level& l) { l.lights[0].groupName = "unused"; },
         [](Level& l) { l.lightGroups[1].out = false; },
@@ -98,7 +100,8 @@ TEST(RubbleFile, SenselessLevelsAreNotWritten) {
         const Result<Done> done = writeRubble(path, level);
         return done ? "written" : done.error();
     };
-    EXPECT_NE(error([](Level& l) { l.bodies[1].pose.position.y = std::numeric_limits<double>::quiet_NaN(); }).find("bodies[1].pose.position"), std::string::npos);
+    EXPECT_NE(error([](Level& l) { l.bodies[1].pose.position.y = std::numeric_limits<double>::quiet_NaN(); }).find("bodies[1].pose.position"),
+              std::string::npos);
     EXPECT_NE(error([](Level& l) { l.bodies[0].shapes[1].voxelSize = 0; }).find("voxel size"), std::string::npos);
     EXPECT_NE(error([](Level& l) { l.lights[0].light.name = "\xff"; }).find("lights[0].name: expected text in UTF-8"), std::string::npos);
     EXPECT_NE(error([](Level& l) { l.lightGroups.pop_back(); }).find("light group"), std::string::npos);
