@@ -5,6 +5,50 @@
 #include <glm/mat3x3.hpp>
 
 namespace rubble {
+namespace {
+
+/// Sums over one row of a brick along x, in doubled cell centres.
+struct RowSums {
+    int64_t weight = 0, first = 0, second = 0;
+};
+
+/// The sums of every possible row of voxels of weight one.
+constexpr std::array<RowSums, 256> kRowSums = [] {
+    std::array<RowSums, 256> out{};
+    for (size_t row = 0; row < 256; ++row)
+        for (int64_t x = 0; x < 8; ++x)
+            if (row >> x & 1) out[row].weight += 1, out[row].first += 2 * x + 1, out[row].second += (2 * x + 1) * (2 * x + 1);
+    return out;
+}();
+
+/// Moments inside one brick, where 64 bits hold everything.
+struct LocalMoments {
+    int64_t voxels = 0, weight = 0;
+    std::array<int64_t, 3> first{};
+    std::array<int64_t, 6> second{};
+
+    void add(const RowSums& row, int64_t count, int64_t y, int64_t z) {
+        const int64_t py = 2 * y + 1, pz = 2 * z + 1;
+        voxels += count;
+        weight += row.weight;
+        first[0] += row.first, first[1] += row.weight * py, first[2] += row.weight * pz;
+        second[0] += row.second, second[1] += row.weight * py * py, second[2] += row.weight * pz * pz;
+        second[3] += row.first * py, second[4] += row.weight * py * pz, second[5] += row.first * pz;
+    }
+    /// From voxels of weight one to voxels of this density.
+    void weigh(int64_t density) {
+        weight *= density;
+        for (int64_t& sum : first) sum *= density;
+        for (int64_t& sum : second) sum *= density;
+    }
+    MassMoments moments() const {
+        MassMoments out{voxels, weight, first, {}};
+        for (size_t i = 0; i < 6; ++i) out.second[i] = second[i];
+        return out;
+    }
+};
+
+}  // namespace
 
 void MassMoments::add(glm::ivec3 cell, uint32_t density) {
     const int64_t w = density;
@@ -52,31 +96,26 @@ MassMoments brickMoments(const Brick& brick, glm::ivec3 brickPosition, const Pal
 }
 
 MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 brickPosition, const Palette& palette, const MaterialTable& materials) {
-    // Row by row with plain integers: inside a brick nothing overflows 64 bits.
-    std::array<int64_t, 3> first{};
-    std::array<int64_t, 6> second{};
-    MassMoments sum;
-    for (int z = 0; z < 8; ++z) {
-        const uint64_t word = of[size_t(z)] & brick.occupancy[size_t(z)];
-        for (int y = 0; y < 8; ++y) {
-            int64_t weight = 0, weightX = 0, weightXX = 0;
-            for (unsigned row = unsigned(word >> (8 * y)) & 0xffu; row; row &= row - 1) {
-                const int x = std::countr_zero(row);
-                const uint8_t entry = brick.indices ? (*brick.indices)[size_t(x + 8 * y + 64 * z)] : brick.uniform;
-                const int64_t density = materials[palette[entry].material].density, p = 2 * x + 1;
-                weight += density, weightX += density * p, weightXX += density * p * p;
-                ++sum.voxels;
+    LocalMoments local;
+    for (size_t z = 0; z < 8; ++z) {
+        const uint64_t word = of[z] & brick.occupancy[z];
+        for (size_t y = 0; word >> 8 * y && y < 8; ++y) {
+            const uint8_t row = uint8_t(word >> 8 * y);
+            if (!brick.indices) {
+                local.add(kRowSums[row], kRowSums[row].weight, int64_t(y), int64_t(z));
+                continue;
             }
-            const int64_t py = 2 * y + 1, pz = 2 * z + 1;
-            sum.weight += weight;
-            first[0] += weightX, first[1] += weight * py, first[2] += weight * pz;
-            second[0] += weightXX, second[1] += weight * py * py, second[2] += weight * pz * pz;
-            second[3] += weightX * py, second[4] += weight * py * pz, second[5] += weightX * pz;
+            RowSums sums;
+            for (unsigned left = row; left; left &= left - 1) {
+                const int x = std::countr_zero(left);
+                const int64_t density = materials[palette[(*brick.indices)[size_t(x) + 8 * y + 64 * z]].material].density, p = 2 * x + 1;
+                sums.weight += density, sums.first += density * p, sums.second += density * p * p;
+            }
+            local.add(sums, std::popcount(row), int64_t(y), int64_t(z));
         }
     }
-    sum.first = first;
-    for (size_t i = 0; i < 6; ++i) sum.second[i] = second[i];
-    return sum.shifted(brickPosition * kBrickSize);
+    if (!brick.indices) local.weigh(materials[palette[brick.uniform].material].density);
+    return local.moments().shifted(brickPosition * kBrickSize);
 }
 
 MassMoments gridMoments(const VoxelGrid& grid, const Palette& palette, const MaterialTable& materials) {
