@@ -68,10 +68,10 @@ void carveAndCompare(VoxelGrid grid, std::vector<CellBox> anchors, bool isAnchor
 }
 
 TEST(Attachment, LocalSearchEqualsAFloodFill) {
-    const glm::ivec3 size(48, 50, 40);
-    const std::vector<CellBox> bottom = {{{0, 0, 0}, {48, 1, 40}}};
-    const std::vector<CellBox> corners = {{{0, 0, 0}, {3, 50, 3}}, {{44, 40, 30}, {48, 50, 40}}};
-    for (uint64_t seed = 1; seed <= 4; ++seed) {
+    const glm::ivec3 size(40, 38, 36);
+    const std::vector<CellBox> bottom = {{{0, 0, 0}, {40, 1, 36}}};
+    const std::vector<CellBox> corners = {{{0, 0, 0}, {3, 38, 3}}, {{36, 30, 30}, {40, 38, 36}}};
+    for (uint64_t seed = 1; seed <= 2; ++seed) {
         carveAndCompare(test::towerGrid(size), bottom, true, seed, 40, 3.0);
         carveAndCompare(test::towerGrid(size), corners, true, seed, 40, 4.0);
         carveAndCompare(test::towerGrid(size), {}, false, seed, 40, 4.0);

@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include "tests/runtime/world/worlds.h"
+
+namespace rubble {
+namespace {
+
+/// A lamp post of entry 1 with a head of entry 6 that glows, and a light inside the head; at 1 m per 10 cells.
+Level lampPost() {
+    VoxelGrid grid({8, 40, 8});
+    {
+        GridWriter writer(grid);
+        for (int y = 0; y < 40; ++y)
+            for (int i = 0; i < 16; ++i) writer.set({2 + i % 4, y, 2 + i / 4}, y < 34 ? 1 : 6);
+    }
+    Level level = test::oneShapeLevel(std::move(grid), true);
+    Palette palette = test::fiveEntries();
+    palette[6] = {.material = 1, .emission = 4.0f, .lightGroup = 1};
+    level.bodies[0].shapes[0].palette = std::make_shared<const Palette>(palette);
+    level.lightGroups.push_back({.name = "lamp", .threshold = 0.4f});
+    level.lights.push_back({.light = {.name = "bulb", .local = {{0.4, 3.7, 0.4}}}, .shapeName = "shape", .groupName = "lamp"});
+    return level;
+}
+
+const Light& firstLight(const World& world) {
+    const Light* first = nullptr;
+    world.lights().forEach([&](LightHandle, const Light& light) { first = &light; });
+    return *first;
+}
+
+bool anyGlow(const World& world) {
+    bool glows = false;
+    world.shapes().forEach([&](ShapeHandle, const Shape& shape) {
+        for (const PaletteEntry& entry : *shape.palette) glows = glows || (entry.lightGroup == 1 && entry.emission > 0.0f);
+    });
+    return glows;
+}
+
+TEST(LightEdits, ALightFallsWithThePieceThatHoldsIt) {
+    World world;
+    world.load(lampPost());
+    const glm::dvec3 before = world.lightToWorld(firstLight(world)).position;
+    const FrameChanges changes = world.applyEdits({test::sphereCarve({0.4, 1.5, 0.4}, 0.4)});
+    ASSERT_EQ(changes.splits.size(), 1u);
+    EXPECT_EQ(changes.lights.size(), 1u);
+    EXPECT_EQ(firstLight(world).shape, changes.splits[0].children[0]);
+    EXPECT_LT(glm::length(world.lightToWorld(firstLight(world)).position - before), 1e-6);
+    EXPECT_TRUE(firstLight(world).enabled);
+    EXPECT_TRUE(changes.groupsOut.empty());
+}
+
+TEST(LightEdits, AGroupGoesOutWhenEnoughOfItIsGone) {
+    World world;
+    world.load(lampPost());
+    // Half a head is more than the threshold; a corner of it is less.
+    const FrameChanges corner = world.applyEdits({test::sphereCarve({0.2, 4.0, 0.2}, 0.15)});
+    EXPECT_TRUE(corner.groupsOut.empty());
+    EXPECT_TRUE(anyGlow(world));
+    CarveEdit half{.kind = BrushKind::Box, .position = {0.4, 3.85, 0.4}, .halfSize = {1.0, 0.16, 1.0}};
+    const FrameChanges changes = world.applyEdits({half});
+    ASSERT_EQ(changes.groupsOut.size(), 1u);
+    EXPECT_TRUE(world.lightGroups().at(changes.groupsOut[0]).out);
+    EXPECT_FALSE(firstLight(world).enabled);
+    EXPECT_EQ(changes.lights.size(), 1u);
+    EXPECT_FALSE(changes.palettes.empty());
+    EXPECT_FALSE(anyGlow(world));
+    EXPECT_TRUE(world.applyEdits({half}).groupsOut.empty()) << "it goes out once";
+}
+
+TEST(LightEdits, PiecesOfAGroupGoDarkWithIt) {
+    World world;
+    world.load(lampPost());
+    // The head is cut off in two pieces, then half of it is destroyed in another place.
+    world.applyEdits({test::sphereCarve({0.4, 1.5, 0.4}, 0.4)});
+    world.applyEdits({CarveEdit{.kind = BrushKind::Box, .position = {0.4, 3.65, 0.4}, .halfSize = {1.0, 0.06, 1.0}}});
+    EXPECT_EQ(world.shapes().size(), 3u);
+    EXPECT_TRUE(anyGlow(world));
+    const FrameChanges changes = world.applyEdits({CarveEdit{.kind = BrushKind::Box, .position = {0.4, 3.95, 0.4}, .halfSize = {1.0, 0.11, 1.0}}});
+    EXPECT_EQ(changes.groupsOut.size(), 1u);
+    EXPECT_EQ(changes.palettes.size(), world.shapes().size());
+    EXPECT_FALSE(anyGlow(world));
+}
+
+TEST(LightEdits, PaintSurvivesASplit) {
+    World world;
+    world.load(lampPost());
+    for (int i = 0; i < 20; ++i) world.applyEdits({PaintEdit{.position = {0.2, 2.8, 0.4}, .radius = 0.25, .color = {1, 2, 250}}});
+    const auto blueVoxels = [&] {
+        int count = 0;
+        world.shapes().forEach([&](ShapeHandle, const Shape& shape) {
+            shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+                forEachVoxel(brick->occupancy, [&](int i) {
+                    const PaletteEntry& entry = (*shape.palette)[brick->at(i)];
+                    count += entry.red == 1 && entry.green == 2 && entry.blue == 250;
+                });
+            });
+        });
+        return count;
+    };
+    const int painted = blueVoxels();
+    EXPECT_GT(painted, 5);
+    const FrameChanges changes = world.applyEdits({test::sphereCarve({0.4, 1.5, 0.4}, 0.4)});
+    ASSERT_EQ(changes.splits.size(), 1u);
+    EXPECT_EQ(blueVoxels(), painted);
+}
+
+}  // namespace
+}  // namespace rubble
