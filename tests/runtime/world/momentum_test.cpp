@@ -52,7 +52,10 @@ TEST(Momentum, TheSplitConservesWhatTheCarveLeft) {
         const BodyHandle bodyHandle = world.shapes().at(shape).body;
         const float x = random.unit(), y = random.unit(), z = random.unit();
         const Pose pose = world.shapeToWorld(shape);
-        const CarveEdit cut = test::sphereCarve(pose.transformPoint(Vector(4.0 * x, 6.0 * y, 3.3 * z)), 1.4);
+        // A slab across the whole tower, a little aslant.
+        const glm::dquat aslant = glm::normalize(glm::dquat(1.0, 0.3 * x, 0.3 * y, 0.3 * z));
+        const CarveEdit cut{.kind = BrushKind::Box, .position = pose.transformPoint({2.0, 1.5 + 3.0 * y, 1.6}), .halfSize = {9.0, 0.2, 9.0},
+                            .rotation = pose.rotation * aslant};
 
         // The body after the carve and before the split: the carved grid as one rigid body that moves as before.
         const Body before = world.bodies().at(bodyHandle);
