@@ -1,8 +1,9 @@
 // Steps a ray through cells, in blocks of any power of two. Every crossing's t is computed from its integer plane, so
 // nothing accumulates (Amanatides & Woo 1987, with that error removed). The C++ side is runtime/voxel/cell_walk.h.
 // A point on a face belongs to the cell that the ray is going into; to the higher one if it runs along the face.
-const float kNever = 3.0e38;
-// Below this share of the direction's length a component moves nothing that a float could tell, and its inverse may overflow.
+const float kNever = 3.0e38;     // later than any crossing
+const float kFarthest = 1.0e30;  // no ray goes on longer
+// Directions have a length near 1 (1e-6 to 1e6): a component below this moves nothing that a float could tell.
 const float kZeroDirection = 1.0e-20;
 
 struct CellWalk {
@@ -15,27 +16,30 @@ struct CellWalk {
     ivec3 axis;     // 1 on the axis of the face that the cell was entered through; 0 if the ray began in it
 };
 
-// Puts a ray into the box [low, high), at tMin or where it enters. False if it misses, or holds a NaN.
+// Puts a ray into the box [low, high), at tMin or where it enters. False if it misses, or holds a NaN or an infinity
+// (tMax may be infinite).
 bool startWalk(out CellWalk w, vec3 origin, vec3 direction, float tMin, float tMax, ivec3 low, ivec3 high) {
     bvec3 zero = lessThan(abs(direction), vec3(kZeroDirection));
+    bvec3 up = greaterThanEqual(mix(direction, vec3(0.0), zero), vec3(0.0));
     w.origin = origin;
     w.direction = direction;
     w.inverse = mix(1.0 / mix(direction, vec3(1.0), zero), vec3(0.0), zero);
     w.never = mix(vec3(0.0), vec3(kNever), zero);
-    bvec3 up = greaterThanEqual(direction, vec3(0.0));
     w.ahead = ivec3(up);
-    vec3 near = mix(vec3(high), vec3(low), up), far = mix(vec3(low), vec3(high), up);
-    vec3 enter = (near - origin) * w.inverse - w.never;
-    vec3 leave = (far - origin) * w.inverse + w.never;
+    vec3 enter = (mix(vec3(high), vec3(low), up) - origin) * w.inverse - w.never;
+    vec3 leave = (mix(vec3(low), vec3(high), up) - origin) * w.inverse + w.never;
     float first = max(max(enter.x, enter.y), max(enter.z, tMin));
     w.t = first;
-    w.axis = enter.z >= first ? ivec3(0, 0, 1) : enter.y >= first ? ivec3(0, 1, 0) : ivec3(enter.x >= first ? 1 : 0, 0, 0);
-    w.cell = clamp(ivec3(floor(origin + direction * first)), low, high - 1);
-    w.cell = w.axis * (low + (1 - w.ahead) * (high - 1 - low)) + (1 - w.axis) * w.cell;
-    bool beside = any(lessThan(mix(vec3(0.0), origin - vec3(low), zero), vec3(0.0))) ||
-                  any(greaterThanEqual(mix(vec3(-1.0), origin - vec3(high), zero), vec3(0.0)));
-    // Written so that a NaN makes it false.
-    return !beside && first <= min(min(leave.x, leave.y), min(leave.z, tMax)) && any(not(zero)) == true && direction == direction;
+    w.axis = enter.x >= first ? ivec3(1, 0, 0) : enter.y >= first ? ivec3(0, 1, 0) : ivec3(0, 0, enter.z >= first ? 1 : 0);
+    vec3 point = origin + direction * first;
+    ivec3 begin = clamp(ivec3(mix(ceil(point) - 1.0, floor(point), up)), low, high - 1);
+    w.cell = w.axis * (low + (1 - w.ahead) * (high - 1 - low)) + (1 - w.axis) * begin;
+
+    bvec3 outside = bvec3(ivec3(lessThan(origin, vec3(low))) + ivec3(greaterThanEqual(origin, vec3(high))));
+    bool beside = any(bvec3(ivec3(zero) * ivec3(outside)));
+    // Comparisons that a NaN fails.
+    bool finite = all(lessThan(abs(origin), vec3(1.0e30))) && all(lessThan(abs(direction), vec3(1.0e30))) && tMax >= tMin;
+    return finite && !beside && first <= min(min(leave.x, leave.y), min(leave.z, tMax));
 }
 
 // To the first cell outside the block of `size` cells (a power of two, aligned) that holds the present one.

@@ -42,6 +42,8 @@ int emptySizeAt(Layout body, ivec3 cell, out int slot) {
 VoxelHit walkVoxels(Layout body, vec3 originCells, vec3 direction, float tMin, float tMax, int stopAt) {
     VoxelHit result = VoxelHit(false, ivec3(0), 0, tMax, vec3(0.0), 0);
     CellWalk w;
+    if (isnan(tMax)) return result;
+    tMax = min(tMax, kFarthest);
     if (!startWalk(w, originCells, direction, tMin, tMax, body.low, body.high)) return result;
     bool plain = stopAt == kStopAtSolid || (stopAt == kStopAtOpaque && (body.flags & kHasGlass) == 0u);
     for (int i = 0; i < 8192; ++i) {
