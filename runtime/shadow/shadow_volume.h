@@ -22,7 +22,7 @@ struct ShadowBrick {
 };
 using ShadowBrickRef = std::shared_ptr<const ShadowBrick>;
 
-inline constexpr float kShadowCell = 0.1f;   ///< metres
+inline constexpr float kShadowCell = 0.1f;  ///< metres
 inline constexpr int kShadowBrickCells = 16;
 
 /// One brick of the world's shadow volume after an update; null content = empty now. Coordinates in bricks, any sign.
@@ -33,8 +33,8 @@ struct ShadowPatch {
 
 /// What the worker publishes: the bricks that differ from its last publication, and which step they show.
 struct ShadowPatches {
-    uint64_t version = 0;    ///< the step whose snapshot this volume equals, bit for bit; only grows
-    bool replacesAll = false;///< a level was loaded: forget every brick before these
+    uint64_t version = 0;      ///< the step whose snapshot this volume equals, bit for bit; only grows
+    bool replacesAll = false;  ///< a level was loaded: forget every brick before these
     std::vector<ShadowPatch> patches;
 };
 

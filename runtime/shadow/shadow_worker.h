@@ -23,7 +23,7 @@ class ShadowWorker {
 public:
     enum class Mode { Thread, Inline };
     explicit ShadowWorker(Mode mode);
-    ~ShadowWorker();   ///< stops at once, whatever is queued
+    ~ShadowWorker();  ///< stops at once, whatever is queued
     ShadowWorker(const ShadowWorker&) = delete;
     ShadowWorker& operator=(const ShadowWorker&) = delete;
 

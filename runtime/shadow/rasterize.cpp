@@ -1,0 +1,122 @@
+#include "runtime/shadow/rasterize.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr int kSide = kShadowBrickCells;
+
+/// Voxels are cells, shifted: whole rows of 8 at once.
+void copyShifted(const VoxelGrid& grid, const ShadowLattice& lattice, glm::ivec3 brick, CellRows& rows) {
+    glm::ivec3 shift;  // cell - voxel
+    for (int a = 0; a < 3; ++a) shift[a] = lattice.base[a] - int(lattice.origin[size_t(a)] >> 32);
+    const glm::ivec3 low = brick * kSide - shift;
+    for (int bz = low.z >> 3; bz <= (low.z + kSide - 1) >> 3; ++bz)
+        for (int by = low.y >> 3; by <= (low.y + kSide - 1) >> 3; ++by)
+            for (int bx = low.x >> 3; bx <= (low.x + kSide - 1) >> 3; ++bx) {
+                const Brick* from = grid.brickAt({bx, by, bz});
+                if (!from) continue;
+                const glm::ivec3 at = glm::ivec3(bx, by, bz) * kBrickSize - low;
+                for (int z = std::max(0, -at.z); z < std::min(kBrickSize, kSide - at.z); ++z)
+                    for (int y = std::max(0, -at.y); y < std::min(kBrickSize, kSide - at.y); ++y) {
+                        const uint32_t row = uint32_t(from->occupancy[size_t(z)] >> (y * 8) & 0xff);
+                        rows[size_t(y + at.y + (z + at.z) * kSide)] |= uint16_t(at.x < 0 ? row >> -at.x : row << at.x);
+                    }
+            }
+}
+
+/// Samples along one row of the world, in a box of a shape's cells.
+struct SampleRow {
+    FixedPoint first, step;
+    FixedPoint size;  ///< of the grid
+
+    FixedPoint at(int64_t i) const { return {first[0] + i * step[0], first[1] + i * step[1], first[2] + i * step[2]}; }
+    bool inside(int64_t i) const {
+        const FixedPoint p = at(i);
+        return uint64_t(p[0]) < uint64_t(size[0]) && uint64_t(p[1]) < uint64_t(size[1]) && uint64_t(p[2]) < uint64_t(size[2]);
+    }
+    /// The samples of [0, count) that lie inside the grid: an interval, as the grid's box is convex.
+    void clip(int count, const std::array<double, 3>& inverseStep, int& low, int& high) const {
+        double from = 0.0, to = count;
+        for (size_t k = 0; k < 3; ++k) {
+            if (step[k] == 0) {
+                if (uint64_t(first[k]) >= uint64_t(size[k])) from = to;
+                continue;
+            }
+            const double a = -double(first[k]) * inverseStep[k], b = double(size[k] - first[k]) * inverseStep[k];
+            from = std::max(from, std::min(a, b));
+            to = std::min(to, std::max(a, b));
+        }
+        low = high = 0;
+        if (!(from <= to)) return;
+        // The estimate is right to a sample: the integers decide.
+        low = std::max(0, int(from) - 1);
+        high = std::min(count, int(to) + 2);
+        while (low < high && !inside(low)) ++low;
+        while (low < high && !inside(high - 1)) --high;
+    }
+};
+
+/// Sets bit (i + start) / samples of `row` for every sample i that lies in a solid voxel.
+void sampleRow(const VoxelGrid& grid, const SampleRow& line, int low, int high, int samples, uint16_t& row, int firstBit) {
+    glm::ivec3 place(-1);
+    const Brick* brick = nullptr;
+    FixedPoint p = line.at(low);
+    for (int i = low; i < high; ++i) {
+        const glm::ivec3 voxel(int(p[0] >> 32), int(p[1] >> 32), int(p[2] >> 32));
+        for (size_t k = 0; k < 3; ++k) p[k] += line.step[k];
+        if (voxel >> 3 != place) {
+            place = voxel >> 3;
+            brick = grid.brickAt(place);
+        }
+        if (brick && brick->solid(voxelIndex(voxel & 7))) row |= uint16_t(1u << (firstBit + (samples == 1 ? i : i / samples)));
+    }
+}
+
+}  // namespace
+
+void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds, glm::ivec3 brick, CellRows& rows) {
+    if (lattice.isShift()) return copyShifted(grid, lattice, brick, rows);
+    const glm::ivec3 corner = brick * kSide;
+    glm::ivec3 low, high;  // in the brick
+    for (int a = 0; a < 3; ++a) {
+        low[a] = std::max(0, bounds.low[a] - corner[a]);
+        high[a] = std::min(kSide, bounds.high[a] - corner[a]);
+        if (low[a] >= high[a]) return;
+    }
+    SampleRow line;
+    std::array<double, 3> inverseStep;
+    line.step = lattice.step[0];
+    for (size_t k = 0; k < 3; ++k) {
+        line.size[k] = int64_t(grid.size()[int(k)]) << 32;
+        inverseStep[k] = line.step[k] ? 1.0 / double(line.step[k]) : 0.0;
+    }
+    const int count = (high.x - low.x) * lattice.samples;
+    for (int z = low.z; z < high.z; ++z)
+        for (int y = low.y; y < high.y; ++y)
+            for (int s = 0; s < lattice.samples * lattice.samples; ++s) {
+                line.first = lattice.sample(corner + glm::ivec3(low.x, y, z));
+                const int64_t sy = s % lattice.samples, sz = s / lattice.samples;
+                for (size_t k = 0; k < 3; ++k) line.first[k] += sy * lattice.step[1][k] + sz * lattice.step[2][k];
+                int from, to;
+                line.clip(count, inverseStep, from, to);
+                if (from < to) sampleRow(grid, line, from, to, lattice.samples, rows[size_t(y + z * kSide)], low.x);
+            }
+}
+
+ShadowBrick packRows(const CellRows& rows) {
+    ShadowBrick out;
+    for (int z = 0; z < kSide; ++z)
+        for (int y = 0; y < kSide; ++y) {
+            const uint64_t row = rows[size_t(y + z * kSide)];
+            if (!row) continue;
+            uint64_t* words = &out.words[size_t((y >> 2) * 4 + (z >> 2) * 16)];
+            const int bit = (y & 3) * 4 + (z & 3) * 16;
+            for (int x = 0; x < 4; ++x) words[x] |= (row >> (x * 4) & 15) << bit;
+        }
+    return out;
+}
+
+}  // namespace rubble

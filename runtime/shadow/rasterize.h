@@ -1,0 +1,20 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "runtime/shadow/shadow_lattice.h"
+#include "runtime/shadow/shadow_volume.h"
+#include "runtime/voxel/voxel_grid.h"
+
+namespace rubble {
+
+/// The cells of one shadow brick as rows along x: row y + 16 z, bit x.
+using CellRows = std::array<uint16_t, kShadowBrickCells * kShadowBrickCells>;
+
+/// Sets the cells of shadow brick `brick` that the grid's voxels occupy, by the lattice's rule. `bounds` holds all cells
+/// that the grid can set.
+void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds, glm::ivec3 brick, CellRows& rows);
+
+ShadowBrick packRows(const CellRows& rows);
+
+}  // namespace rubble

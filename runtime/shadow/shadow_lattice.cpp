@@ -1,0 +1,75 @@
+#include "runtime/shadow/shadow_lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/shadow/shadow_volume.h"
+
+namespace rubble {
+namespace {
+
+constexpr double kCell = double(kShadowCell);
+constexpr double kFixedOne = 0x1p32;
+constexpr double kFarthest = 1e8;  // metres: cells stay in 32 bits
+constexpr int kMaxSamples = 8;     // voxels under 0.0125 m are sampled sparsely
+
+FixedPoint toFixed(glm::dvec3 v) {
+    FixedPoint out;
+    for (int k = 0; k < 3; ++k) out[size_t(k)] = std::llround(v[k] * kFixedOne);
+    return out;
+}
+
+}  // namespace
+
+bool ShadowLattice::place(const Pose& shapeToWorld, double voxelSize) {
+    const glm::dquat& r = shapeToWorld.rotation;
+    const double square = glm::dot(r, r);
+    if (!(square > 0.5 && square < 2.0) || !(voxelSize > 0.0)) return false;
+    for (int a = 0; a < 3; ++a)
+        if (!(std::fabs(shapeToWorld.position[a]) <= kFarthest)) return false;
+
+    const glm::dquat worldToShape = glm::conjugate(r) / std::sqrt(square);
+    const double voxelsPerCell = kCell / voxelSize;
+    samples = int(std::clamp(std::ceil(voxelsPerCell - 1e-6), 1.0, double(kMaxSamples)));
+    glm::dvec3 firstWorld(0.0);
+    for (int a = 0; a < 3; ++a) {
+        const double cell = std::floor(shapeToWorld.position[a] / kCell);
+        base[a] = int(cell);
+        firstWorld[a] = (cell + 0.5 / samples) * kCell - shapeToWorld.position[a];
+        glm::dvec3 axis(0.0);
+        axis[a] = voxelsPerCell / samples;
+        step[size_t(a)] = toFixed(worldToShape * axis);
+    }
+    origin = toFixed(worldToShape * firstWorld / voxelSize);
+    return true;
+}
+
+bool ShadowLattice::isShift() const {
+    if (samples != 1) return false;
+    for (size_t a = 0; a < 3; ++a)
+        for (size_t k = 0; k < 3; ++k)
+            if (step[a][k] != (a == k ? int64_t(1) << 32 : 0)) return false;
+    return true;
+}
+
+CellBox shadowBounds(const Pose& shapeToWorld, double voxelSize, const CellBox& boxLocal) {
+    constexpr double kMargin = 1e-3;  // cells: more than all roundings together
+    glm::dvec3 low(1e300), high(-1e300);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 local(corner & 1 ? boxLocal.high.x : boxLocal.low.x, corner & 2 ? boxLocal.high.y : boxLocal.low.y,
+                               corner & 4 ? boxLocal.high.z : boxLocal.low.z);
+        const glm::dvec3 world = shapeToWorld.transformPoint(local * voxelSize) / kCell;
+        for (int a = 0; a < 3; ++a) {
+            low[a] = std::min(low[a], world[a]);
+            high[a] = std::max(high[a], world[a]);
+        }
+    }
+    CellBox out;
+    for (int a = 0; a < 3; ++a) {
+        out.low[a] = int(std::floor(low[a] - kMargin));
+        out.high[a] = int(std::floor(high[a] + kMargin)) + 1;
+    }
+    return out;
+}
+
+}  // namespace rubble

@@ -1,0 +1,235 @@
+#include "runtime/shadow/shadow_replica.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace rubble {
+namespace {
+
+CellBox toBricks(const CellBox& cells) {
+    return {cells.low >> 4, (cells.high + (kShadowBrickCells - 1)) >> 4};
+}
+
+template <class F>
+void forEachCell(const CellBox& box, F&& f) {
+    for (int z = box.low.z; z < box.high.z; ++z)
+        for (int y = box.low.y; y < box.high.y; ++y)
+            for (int x = box.low.x; x < box.high.x; ++x) f(glm::ivec3(x, y, z));
+}
+
+bool isBefore(glm::ivec3 a, glm::ivec3 b) {
+    return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
+}
+
+BrickRef onlyOpaque(const BrickRef& brick, const std::array<bool, 256>& entries) {
+    if (!brick) return nullptr;
+    if (!brick->indices) return entries[brick->uniform] ? brick : nullptr;
+    std::array<uint64_t, 8> keep = brick->occupancy;
+    forEachVoxel(brick->occupancy, [&](int i) {
+        if (!entries[(*brick->indices)[size_t(i)]]) keep[size_t(i >> 6)] &= ~(uint64_t(1) << (i & 63));
+    });
+    return keep == brick->occupancy ? brick : maskBrick(*brick, keep);
+}
+
+VoxelGrid onlyOpaque(const VoxelGrid& grid, const std::array<bool, 256>& entries) {
+    VoxelGrid out(grid.size());
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) { out.setBrick(position, onlyOpaque(brick, entries)); });
+    return out;
+}
+
+}  // namespace
+
+size_t ShadowReplica::PlaceHash::operator()(glm::ivec3 brick) const {
+    const uint64_t h = uint64_t(uint32_t(brick.x)) * 0x9e3779b97f4a7c15ull ^ uint64_t(uint32_t(brick.y)) * 0xc2b2ae3d27d4eb4full ^
+                       uint64_t(uint32_t(brick.z)) * 0x165667b19e3779f9ull;
+    return size_t(h ^ h >> 29);
+}
+
+ShadowReplica::Shape* ShadowReplica::find(ShapeHandle handle) {
+    if (handle.slot() >= m_shapes.size() || !m_shapes[handle.slot()]) return nullptr;
+    return m_shapes[handle.slot()]->handle == handle ? m_shapes[handle.slot()].get() : nullptr;
+}
+
+void ShadowReplica::apply(ShadowStep&& step, const std::atomic<bool>& stop) {
+    if (step.replacesAll) {
+        m_shapes.clear();
+        m_places.clear();
+        m_touched.clear();
+    }
+    for (const ShapeHandle handle : step.destroyed) destroy(handle);
+    for (ShadowStep::NewShape& shape : step.created) {
+        if (stop) return;
+        create(std::move(shape));
+    }
+    for (const BrickChange& change : step.bricks)
+        if (Shape* shape = find(change.shape)) setBrick(*shape, change);
+    for (const ShadowStep::ShapePalette& palette : step.palettes)
+        if (Shape* shape = find(palette.shape)) setPalette(*shape, *palette.palette);
+    for (const ShadowStep::ShapePose& pose : step.poses)
+        if (Shape* shape = find(pose.shape)) setPose(*shape, pose.pose, pose.asleep);
+}
+
+void ShadowReplica::create(ShadowStep::NewShape&& from) {
+    destroy(from.shape);
+    auto shape = std::make_unique<Shape>();
+    shape->handle = from.shape;
+    shape->grid = std::move(from.grid);
+    shape->voxelSize = from.voxelSize;
+    shape->pose = from.pose;
+    shape->entries.fill(true);
+    Shape& placed = *shape;
+    if (m_shapes.size() <= from.shape.slot()) m_shapes.resize(from.shape.slot() + 1);
+    m_shapes[from.shape.slot()] = std::move(shape);
+    setPalette(placed, *from.palette);
+    insert(placed);
+}
+
+void ShadowReplica::destroy(ShapeHandle handle) {
+    Shape* shape = find(handle);
+    if (!shape) return;
+    remove(*shape);
+    m_shapes[handle.slot()].reset();
+}
+
+void ShadowReplica::setBrick(Shape& shape, const BrickChange& change) {
+    const BrickRef before = shape.casting().shareBrick(change.brick);
+    shape.grid.setBrick(change.brick, change.content);
+    if (shape.hasTranslucent) shape.opaque.setBrick(change.brick, onlyOpaque(change.content, shape.entries));
+    const Brick* after = shape.casting().brickAt(change.brick);
+    const bool same = before && after ? before->occupancy == after->occupancy : !before && !after;
+    if (!same && shape.placed) touchVoxels(shape, change.brick);
+}
+
+void ShadowReplica::setPalette(Shape& shape, const Palette& palette) {
+    OpaqueEntries entries;
+    for (size_t i = 0; i < entries.size(); ++i) entries[i] = palette[i].opacity >= kMinOpacity;
+    if (entries == shape.entries) return;
+    shape.entries = entries;
+    shape.hasTranslucent = std::find(entries.begin(), entries.end(), false) != entries.end();
+    shape.opaque = shape.hasTranslucent ? onlyOpaque(shape.grid, entries) : VoxelGrid();
+    if (!shape.placed) return;
+    remove(shape);
+    insert(shape);
+}
+
+void ShadowReplica::setPose(Shape& shape, const Pose& pose, bool asleep) {
+    if (pose == shape.pose && shape.moving == !asleep) return;
+    remove(shape);
+    shape.pose = pose;
+    shape.moving = !asleep;
+    insert(shape);
+}
+
+void ShadowReplica::insert(Shape& shape) {
+    shape.placed = shape.grid.size().x > 0 && shape.lattice.place(shape.pose, shape.voxelSize);
+    if (!shape.placed) return;
+    shape.bounds = shadowBounds(shape.pose, shape.voxelSize, {glm::ivec3(0), shape.grid.size()});
+    for (const glm::ivec3 brick : bricksOf(shape)) cover(shape, brick);
+}
+
+void ShadowReplica::remove(Shape& shape) {
+    for (const glm::ivec3 brick : shape.covered) {
+        Place& place = m_places.at(brick);
+        std::erase(shape.moving ? place.moving : place.resting, shape.handle.slot());
+        if (!shape.moving) place.rest.reset();
+        touch(brick, place);
+    }
+    shape.covered.clear();
+}
+
+void ShadowReplica::cover(Shape& shape, glm::ivec3 brick) {
+    Place& place = m_places[brick];
+    (shape.moving ? place.moving : place.resting).push_back(shape.handle.slot());
+    if (!shape.moving) place.rest.reset();
+    shape.covered.push_back(brick);
+    touch(brick, place);
+}
+
+void ShadowReplica::touch(glm::ivec3 brick, Place& place) {
+    if (place.touched) return;
+    place.touched = true;
+    m_touched.push_back(brick);
+}
+
+std::vector<glm::ivec3> ShadowReplica::bricksOf(const Shape& shape) const {
+    constexpr size_t kFewBricks = 64;  // whose whole box is looked at, as that is cheaper than each for itself
+    std::vector<glm::ivec3> bricks;
+    const auto add = [&](glm::ivec3 brick) { bricks.push_back(brick); };
+    const VoxelGrid& grid = shape.casting();
+    if (grid.brickCount() <= kFewBricks && grid.brickCount() > 0) {
+        CellBox used{grid.size(), glm::ivec3(0)};
+        grid.forEachBrick([&](glm::ivec3 position, const BrickRef&) {
+            for (int a = 0; a < 3; ++a) {
+                used.low[a] = std::min(used.low[a], position[a] * kBrickSize);
+                used.high[a] = std::max(used.high[a], std::min(position[a] * kBrickSize + kBrickSize, grid.size()[a]));
+            }
+        });
+        forEachCell(toBricks(shadowBounds(shape.pose, shape.voxelSize, used)), add);
+        return bricks;
+    }
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef&) {
+        const CellBox box{position * kBrickSize, position * kBrickSize + kBrickSize};
+        forEachCell(toBricks(shadowBounds(shape.pose, shape.voxelSize, box)), add);
+    });
+    std::sort(bricks.begin(), bricks.end(), isBefore);
+    bricks.erase(std::unique(bricks.begin(), bricks.end()), bricks.end());
+    return bricks;
+}
+
+void ShadowReplica::touchVoxels(Shape& shape, glm::ivec3 voxelBrick) {
+    const CellBox box{voxelBrick * kBrickSize, voxelBrick * kBrickSize + kBrickSize};
+    forEachCell(toBricks(shadowBounds(shape.pose, shape.voxelSize, box)), [&](glm::ivec3 brick) {
+        Place& place = m_places[brick];
+        std::vector<uint32_t>& slots = shape.moving ? place.moving : place.resting;
+        if (std::find(slots.begin(), slots.end(), shape.handle.slot()) == slots.end()) return cover(shape, brick);
+        if (!shape.moving) place.rest.reset();
+        touch(brick, place);
+    });
+}
+
+void ShadowReplica::fillFrom(const std::vector<uint32_t>& slots, glm::ivec3 brick, CellRows& rows) const {
+    for (const uint32_t slot : slots) rasterize(m_shapes[slot]->casting(), m_shapes[slot]->lattice, m_shapes[slot]->bounds, brick, rows);
+}
+
+void ShadowReplica::fill(Place& place, glm::ivec3 brick, CellRows& rows) const {
+    rows.fill(0);
+    if (place.moving.empty()) {
+        place.rest.reset();
+        return fillFrom(place.resting, brick, rows);
+    }
+    if (!place.resting.empty()) {
+        if (!place.rest) {
+            place.rest = std::make_unique<CellRows>();
+            fillFrom(place.resting, brick, *place.rest);
+        }
+        rows = *place.rest;
+    }
+    fillFrom(place.moving, brick, rows);
+}
+
+bool ShadowReplica::update(ShadowPatches& out, const std::atomic<bool>& stop) {
+    CellRows rows;
+    for (const glm::ivec3 brick : m_touched) {
+        if (stop) return false;
+        const auto found = m_places.find(brick);
+        Place& place = found->second;
+        place.touched = false;
+        fill(place, brick, rows);
+        const bool isEmpty = std::all_of(rows.begin(), rows.end(), [](uint16_t row) { return row == 0; });
+        if (!isEmpty) {
+            const ShadowBrick packed = packRows(rows);
+            if (!place.published || *place.published != packed) {
+                place.published = std::make_shared<const ShadowBrick>(packed);
+                out.patches.push_back({brick, place.published});
+            }
+        } else if (place.published) {
+            place.published = nullptr;
+            out.patches.push_back({brick, nullptr});
+        }
+        if (place.resting.empty() && place.moving.empty()) m_places.erase(found);
+    }
+    m_touched.clear();
+    return true;
+}
+
+}  // namespace rubble

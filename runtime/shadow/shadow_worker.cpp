@@ -1,0 +1,107 @@
+#include "runtime/shadow/shadow_worker.h"
+
+#include <atomic>
+#include <cassert>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "runtime/core/mailbox.h"
+#include "runtime/shadow/shadow_replica.h"
+#include "runtime/shadow/shadow_step.h"
+
+namespace rubble {
+
+struct ShadowWorker::Impl {
+    /// What both threads see, under the mutex.
+    struct Shared {
+        std::vector<ShadowPatches> published;  ///< not yet taken
+        uint64_t publishedVersion = 0;
+        uint64_t queuedVersion = 0;     ///< of the newest step that the worker has to deal with
+        uint64_t submittedVersion = 0;  ///< steps after queuedVersion change nothing
+        uint64_t epoch = 0;
+        uint64_t version() const { return publishedVersion == queuedVersion ? submittedVersion : publishedVersion; }
+    };
+
+    /// [worker] One publication for this step and all others that wait.
+    void work(ShadowStep&& first) {
+        ShadowPatches publication;
+        std::optional<ShadowStep> step = std::move(first);
+        uint64_t epoch = 0;
+        while (step && !stop) {
+            publication.version = step->version;
+            publication.replacesAll = publication.replacesAll || step->replacesAll;
+            epoch = step->epoch;
+            replica.apply(std::move(*step), stop);
+            step = queue.tryTake();
+        }
+        if (stop || !replica.update(publication, stop)) return;
+        const std::lock_guard lock(mutex);
+        if (epoch != shared.epoch) return;  // of a level that is gone: the next publication replaces all
+        shared.publishedVersion = publication.version;
+        shared.published.push_back(std::move(publication));
+        changed.notify_all();
+    }
+
+    mutable std::mutex mutex;
+    std::condition_variable changed;
+    Shared shared;
+    Mailbox<ShadowStep> queue;
+    std::atomic<bool> stop = false;
+    ShadowReplica replica;  ///< [worker]
+    std::thread thread;     ///< none if inline
+};
+
+ShadowWorker::ShadowWorker(Mode mode) : m_impl(std::make_unique<Impl>()) {
+    if (mode == Mode::Inline) return;
+    m_impl->thread = std::thread([impl = m_impl.get()] {
+        while (auto step = impl->queue.take()) impl->work(std::move(*step));
+    });
+}
+
+ShadowWorker::~ShadowWorker() {
+    m_impl->stop = true;
+    m_impl->queue.close();
+    if (m_impl->thread.joinable()) m_impl->thread.join();
+}
+
+void ShadowWorker::submit(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world) {
+    const bool isQueued = changesShadow(changes, moved);
+    ShadowStep step;
+    if (isQueued) step = makeShadowStep(changes, moved, world);
+    {
+        const std::lock_guard lock(m_impl->mutex);
+        Impl::Shared& shared = m_impl->shared;
+        if (changes.levelReplaced) {
+            ++shared.epoch;
+            shared.published.clear();
+            shared.publishedVersion = changes.step - 1;
+        }
+        shared.submittedVersion = changes.step;
+        if (isQueued) shared.queuedVersion = changes.step;
+        step.epoch = shared.epoch;
+    }
+    if (!isQueued) return;
+    if (m_impl->thread.joinable())
+        m_impl->queue.post(std::move(step));
+    else
+        m_impl->work(std::move(step));
+}
+
+std::vector<ShadowPatches> ShadowWorker::takePatches() {
+    const std::lock_guard lock(m_impl->mutex);
+    return std::exchange(m_impl->shared.published, {});
+}
+
+void ShadowWorker::waitFor(uint64_t version) {
+    std::unique_lock lock(m_impl->mutex);
+    assert(version <= m_impl->shared.submittedVersion && "waiting for a step that was never submitted");
+    m_impl->changed.wait(lock, [&] { return m_impl->shared.version() >= version; });
+}
+
+uint64_t ShadowWorker::publishedVersion() const {
+    const std::lock_guard lock(m_impl->mutex);
+    return m_impl->shared.version();
+}
+
+}  // namespace rubble

@@ -1,0 +1,147 @@
+#include "runtime/shadow/rasterize.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/runtime/shadow/volume.h"
+
+namespace rubble {
+namespace {
+
+constexpr double kCell = double(kShadowCell);
+
+bool isShell(glm::ivec3 c, glm::ivec3 size) {
+    const glm::ivec3 far = size - 1 - c;
+    return std::min({c.x, c.y, c.z, far.x, far.y, far.z}) == 0;
+}
+
+TEST(Rasterize, AlignedShapesAreCopiedBitForBit) {
+    Random random(1);
+    for (const glm::ivec3 offset : {glm::ivec3(0), glm::ivec3(-3, 5, 129), glm::ivec3(1000, -1001, 16)}) {
+        const glm::ivec3 size(37, 20, 18);
+        const VoxelGrid grid = makeGrid(size, [&](glm::ivec3) { return uint8_t(random.below(2)); });
+        const Volume volume = rebuild(worldOf({makeBody(grid, {glm::dvec3(offset) * 0.1}, true)}));
+        size_t wrong = 0;
+        for (int z = -2; z < size.z + 2; ++z)
+            for (int y = -2; y < size.y + 2; ++y)
+                for (int x = -2; x < size.x + 2; ++x) wrong += volume.at(offset + glm::ivec3(x, y, z)) != (grid.at({x, y, z}) != 0);
+        EXPECT_EQ(wrong, 0u);
+        EXPECT_EQ(volume.cellCount(), grid.voxelCount());
+    }
+}
+
+TEST(Rasterize, QuarterTurnsKeepEveryVoxel) {
+    Random random(2);
+    const VoxelGrid grid = makeGrid({20, 9, 13}, [&](glm::ivec3) { return uint8_t(random.below(2)); });
+    for (int turn = 0; turn < 64; ++turn) {
+        glm::dquat rotation(1, 0, 0, 0);
+        for (int a = 0; a < 3; ++a) {
+            glm::dvec3 axis(0.0);
+            axis[a] = 1.0;
+            rotation = rotation * glm::angleAxis(double(turn >> (2 * a) & 3) * std::acos(-1.0) / 2.0, axis);
+        }
+        const Volume volume = rebuild(worldOf({makeBody(grid, {{0.5, -1.3, 2.0}, rotation}, true)}));
+        EXPECT_EQ(volume.cellCount(), grid.voxelCount()) << turn;
+    }
+}
+
+/// The rule, cell by cell, in floating point.
+TEST(Rasterize, TurnedShapesFollowTheRule) {
+    Random random(3);
+    for (int round = 0; round < 8; ++round) {
+        const float voxelSize = round % 4 == 3 ? 0.05f : round % 4 == 2 ? 0.17f : 0.1f;
+        const glm::ivec3 size(random.between(1, 20), random.between(1, 20), random.between(1, 20));
+        const VoxelGrid grid = makeGrid(size, [&](glm::ivec3) { return uint8_t(random.below(3) == 0); });
+        const Pose pose{drawPoint(random, -3.0, 3.0), drawRotation(random)};
+        const Volume volume = rebuild(worldOf({makeBody(grid, pose, true, voxelSize)}));
+        const int samples = voxelSize < 0.1f ? 2 : 1;
+        size_t wrong = 0, sure = 0;
+        const glm::ivec3 middle(glm::floor(pose.position / kCell));
+        for (int i = 0; i < 80 * 80 * 80; ++i) {
+            const glm::ivec3 cell = middle + glm::ivec3(i % 80, i / 80 % 80, i / 6400) - 40;
+            bool expected = false, isSure = true;
+            for (int s = 0; s < samples * samples * samples; ++s) {
+                const glm::dvec3 sub(s % samples, s / samples % samples, s / samples / samples);
+                const glm::dvec3 local = pose.inversePoint((glm::dvec3(cell) + (sub + 0.5) / double(samples)) * kCell) / double(voxelSize);
+                const glm::dvec3 distance = glm::abs(local - glm::round(local));
+                isSure = isSure && std::min({distance.x, distance.y, distance.z}) > 1e-6;
+                expected = expected || grid.at(glm::ivec3(glm::floor(local)));
+            }
+            if (!isSure) continue;
+            ++sure;
+            wrong += volume.at(cell) != expected;
+        }
+        EXPECT_EQ(wrong, 0u) << "round " << round;
+        EXPECT_GT(sure, size_t(500'000));
+        EXPECT_TRUE(!volume.empty() || grid.empty() || grid.voxelCount() < 20);
+    }
+}
+
+TEST(Rasterize, GlassLetsLightThrough) {
+    const VoxelGrid grid = makeGrid({16, 16, 1}, [](glm::ivec3 c) { return uint8_t(c.x >= 4 && c.x < 12 && c.y >= 4 && c.y < 12 ? 2 : 1); });
+    const Volume volume = rebuild(worldOf({makeBody(grid, {}, true)}));
+    EXPECT_EQ(volume.cellCount(), 16u * 16 - 64);
+    EXPECT_FALSE(volume.occluded({0.8, 0.8, -1.0}, {0, 0, 1}, 3.0));
+    EXPECT_TRUE(volume.occluded({0.2, 0.8, -1.0}, {0, 0, 1}, 3.0));
+}
+
+/// Rays from random points of a closed room, however it is turned and however small its voxels.
+TEST(Rasterize, AClosedRoomIsDark) {
+    Random random(4);
+    int leaks = 0;
+    for (int round = 0; round < 48; ++round) {
+        const float voxelSize = round % 3 == 0 ? 0.1f : round % 3 == 1 ? 0.06f : 0.2f;
+        const glm::ivec3 size(24, 20, 28);
+        const VoxelGrid grid = makeGrid(size, [&](glm::ivec3 c) { return uint8_t(isShell(c, size)); });
+        glm::dquat rotation = drawRotation(random);
+        if (round < 3) rotation = glm::dquat(1, 0, 0, 0);
+        if (round >= 3 && round < 9) rotation = glm::angleAxis(std::acos(-1.0) / 4.0, glm::dvec3(round % 2, 1 - round % 2, 0));
+        const Pose pose{drawPoint(random, -3.0, 3.0), rotation};
+        const Volume volume = rebuild(worldOf({makeBody(grid, pose, true, voxelSize)}));
+        for (int i = 0; i < 2000; ++i) {
+            const glm::dvec3 part = drawPoint(random, 0.0, 1.0);
+            const glm::dvec3 direction = drawPoint(random, -1.0, 1.0);
+            if (glm::dot(direction, direction) < 0.01) continue;
+            const double wall = double(voxelSize) + kCell;  // a cell away from the walls
+            const glm::dvec3 local = wall + part * (glm::dvec3(size) * double(voxelSize) - 2.0 * wall);
+            leaks += !volume.occluded(pose.transformPoint(local), glm::normalize(direction), 12.0);
+        }
+    }
+    EXPECT_EQ(leaks, 0);
+}
+
+/// A lone cube, falling and turning: from half a cell's extent above its faces, the sun is seen.
+TEST(Rasterize, ALoneCubeDoesNotShadowItself) {
+    Random random(5);
+    const VoxelGrid grid = makeGrid({12, 12, 12}, [](glm::ivec3) { return uint8_t(1); });
+    const glm::dvec3 sun = glm::normalize(glm::dvec3(-0.6, 0.36, 0.5));
+    int lit = 0, points = 0;
+    for (int turn = 0; turn < 16; ++turn) {
+        const Pose pose{{0.013 * turn, 5.0 - 0.29 * turn, 0.007 * turn}, drawRotation(random)};
+        const Volume volume = rebuild(worldOf({makeBody(grid, pose, false)}));
+        for (int i = 0; i < 3000; ++i) {
+            const int axis = int(random.below(3)), side = int(random.below(2));
+            glm::dvec3 local = drawPoint(random, 0.0, 1.2), normalLocal(0.0);
+            local[axis] = side * 1.2;
+            normalLocal[axis] = side ? 1.0 : -1.0;
+            const glm::dvec3 normal = pose.rotation * normalLocal;
+            if (glm::dot(normal, sun) <= 0.0) continue;
+            const double extent = std::fabs(normal.x) + std::fabs(normal.y) + std::fabs(normal.z);
+            ++points;
+            lit += !volume.occluded(pose.transformPoint(local) + normal * (0.52 * kCell * extent), sun, 6.0);
+        }
+    }
+    EXPECT_GE(lit, points * 0.995) << lit << " of " << points;
+    EXPECT_GT(points, 10'000);
+}
+
+TEST(Rasterize, UnusablePosesCastNothing) {
+    const VoxelGrid grid = makeGrid({8, 8, 8}, [](glm::ivec3) { return uint8_t(1); });
+    const double nan = std::nan("");
+    for (const Pose& pose : {Pose{{nan, 0, 0}}, Pose{{1e30, 0, 0}}, Pose{{0, 0, 0}, {nan, 0, 0, 0}}})
+        EXPECT_TRUE(rebuild(worldOf({makeBody(grid, pose, false)})).empty());
+}
+
+}  // namespace
+}  // namespace rubble

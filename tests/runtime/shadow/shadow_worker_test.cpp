@@ -1,0 +1,168 @@
+#include "runtime/shadow/shadow_worker.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <thread>
+
+#include "tests/runtime/shadow/volume.h"
+
+namespace rubble {
+namespace {
+
+int editCount() {
+    return std::getenv("RUBBLE_LONG") ? 10'000 : 500;
+}
+
+/// A world of 128^3 voxels with 50 bodies that move about in it, and random edits of it.
+class Demolition {
+public:
+    explicit Demolition(uint64_t seed) : m_random(seed) {
+        std::vector<LevelBody> bodies;
+        const auto building = [](glm::ivec3 c) { return uint8_t(c.y < 6 ? 1 : c.y % 30 < 2 || c.x % 40 < 2 ? 1 : c.z % 50 < 1 ? 2 : 0); };
+        bodies.push_back(makeBody(makeGrid({128, 128, 128}, building), {}, true));
+        bodies.push_back(
+            makeBody(makeGrid({20, 60, 3}, [](glm::ivec3) { return uint8_t(1); }), {{3, 1, 9}, glm::angleAxis(0.6, glm::dvec3(0, 1, 0))}, true));
+        for (int i = 0; i < 50; ++i) {
+            const int size = m_random.between(2, 14);
+            const uint8_t entry = uint8_t(1 + m_random.below(8) / 7);
+            const Pose pose{drawPoint(m_random, 0.0, 12.0), drawRotation(m_random)};
+            bodies.push_back(makeBody(makeGrid(glm::ivec3(size), [&](glm::ivec3) { return entry; }), pose, false));
+        }
+        m_world = worldOf(std::move(bodies));
+    }
+
+    /// One step: an edit, then new poses for the bodies that are awake.
+    void step() {
+        Edits edits;
+        CarveEdit carve;
+        carve.position = drawPoint(m_random, 0.0, 12.8);
+        const double radius = 0.1 + double(m_random.unit());
+        carve.radii = {radius, radius, radius};
+        PaintEdit paint;
+        paint.position = carve.position;
+        if (m_random.below(5)) edits.push_back(carve);
+        if (!m_random.below(5)) edits.push_back(paint);
+        m_changes = m_world.applyEdits(edits);
+        move();
+    }
+    const World& world() const { return m_world; }
+    const FrameChanges& changes() const { return m_changes; }
+    std::span<const BodyPose> moved() const { return m_moved; }
+
+private:
+    void move() {
+        m_moved.clear();
+        std::vector<BodyHandle> awake;
+        m_world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+            if (!body.isStatic && awake.size() < 50) awake.push_back(handle);
+        });
+        for (const BodyHandle handle : awake) {
+            const Body& body = m_world.bodies().at(handle);
+            if (body.asleep && m_random.below(20)) continue;
+            const bool sleeps = !m_random.below(30);
+            const glm::dvec3 turn = drawPoint(m_random, -0.1, 0.1), shift = drawPoint(m_random, -0.2, 0.2);
+            Pose pose = body.pose;
+            if (!sleeps) {
+                pose.position += shift;
+                pose.rotation = glm::normalize(glm::dquat(1.0, turn.x, turn.y, turn.z) * pose.rotation);
+            }
+            m_moved.push_back({handle, pose, {}, {}, sleeps});
+        }
+        m_world.setPoses(m_moved);
+    }
+    Random m_random;
+    World m_world;
+    FrameChanges m_changes;
+    std::vector<BodyPose> m_moved;
+};
+
+void expectRebuildAtEveryPublish(ShadowWorker::Mode mode, int edits) {
+    Demolition demolition(11);
+    ShadowWorker worker(mode);
+    Random random(12);
+    Volume volume;
+    std::map<uint64_t, Volume> expected;  // of the steps that are not published yet
+    uint64_t version = 0;
+    int publications = 0;
+    for (int i = 0; i < edits; ++i) {
+        demolition.step();
+        const uint64_t step = demolition.changes().step;
+        worker.submit(demolition.changes(), demolition.moved(), demolition.world());
+        expected[step] = rebuild(demolition.world());
+        if (i + 1 == edits || !random.below(3)) worker.waitFor(step);
+        for (const ShadowPatches& publication : worker.takePatches()) {
+            ASSERT_GT(publication.version, version) << "versions only grow";
+            version = publication.version;
+            volume.apply(publication);
+            ASSERT_TRUE(volume == expected.at(version)) << "at version " << version;
+            expected.erase(expected.begin(), expected.upper_bound(version));
+            ++publications;
+        }
+        ASSERT_TRUE(mode == ShadowWorker::Mode::Thread || version == step);
+    }
+    EXPECT_EQ(version, demolition.changes().step);
+    EXPECT_GT(publications, edits / 4);
+    EXPECT_GT(demolition.world().shapes().size(), 52u) << "nothing broke off";
+}
+
+TEST(ShadowWorker, EqualsARebuildAtEveryPublishInline) {
+    expectRebuildAtEveryPublish(ShadowWorker::Mode::Inline, editCount() / 4);
+}
+TEST(ShadowWorker, EqualsARebuildAtEveryPublishOnItsThread) {
+    expectRebuildAtEveryPublish(ShadowWorker::Mode::Thread, editCount());
+}
+
+TEST(ShadowWorker, StopsAndChangesLevelsAtAnyPoint) {
+    Random random(5);
+    for (int round = 0; round < 12; ++round) {
+        ShadowWorker worker(ShadowWorker::Mode::Thread);
+        Volume volume;
+        uint64_t step = 0;
+        for (int level = 0; level < 2; ++level) {
+            Demolition demolition(uint64_t(round) * 2 + uint64_t(level));  // its steps begin at 1 again
+            for (uint32_t i = 2 + random.below(4); i; --i) {
+                demolition.step();
+                worker.submit(demolition.changes(), demolition.moved(), demolition.world());
+                if (random.below(2)) continue;
+                for (const ShadowPatches& publication : worker.takePatches()) volume.apply(publication);
+            }
+            step = demolition.changes().step;
+            if (random.below(2)) continue;
+            worker.waitFor(step);
+            for (const ShadowPatches& publication : worker.takePatches()) volume.apply(publication);
+            ASSERT_TRUE(volume == rebuild(demolition.world()));
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(random.below(20'000)));
+    }
+}
+
+TEST(ShadowWorker, AStepInWhichNothingHappensIsFree) {
+    for (const auto mode : {ShadowWorker::Mode::Inline, ShadowWorker::Mode::Thread}) {
+        World world;
+        ShadowWorker worker(mode);
+        for (int i = 0; i < 10; ++i) {
+            const FrameChanges changes = world.applyEdits({});
+            worker.submit(changes, {}, world);
+            EXPECT_EQ(worker.publishedVersion(), changes.step) << "nothing to wait for";
+            EXPECT_TRUE(worker.takePatches().empty());
+        }
+    }
+}
+
+TEST(ShadowWorker, SleepingBodiesCostNothing) {
+    const VoxelGrid cube = makeGrid(glm::ivec3(8), [](glm::ivec3) { return uint8_t(1); });
+    World world = worldOf({makeBody(cube, {{1, 1, 1}, glm::angleAxis(0.4, glm::dvec3(0, 1, 0))}, false), makeBody(cube, {{5, 1, 1}}, false)});
+    ShadowWorker worker(ShadowWorker::Mode::Inline);
+    worker.submit(world.applyEdits({}), {}, world);
+    EXPECT_FALSE(worker.takePatches().at(0).patches.empty());
+    std::vector<BodyPose> asleep;
+    world.bodies().forEach([&](BodyHandle handle, const Body& body) { asleep.push_back({handle, body.pose, {}, {}, true}); });
+    worker.submit(world.applyEdits({}), asleep, world);
+    const std::vector<ShadowPatches> patches = worker.takePatches();
+    ASSERT_EQ(patches.size(), 1u) << "a version for each step that may have changed something";
+    EXPECT_TRUE(patches[0].patches.empty());
+}
+
+}  // namespace
+}  // namespace rubble

@@ -1,0 +1,129 @@
+#pragma once
+#include <map>
+#include <tuple>
+
+#include "runtime/core/random.h"
+#include "runtime/shadow/shadow_replica.h"
+#include "runtime/shadow/shadow_worker.h"
+#include "runtime/voxel/cell_walk.h"
+
+namespace rubble {
+
+/// A volume as its receiver has it: every patch applied.
+class Volume {
+public:
+    using Key = std::tuple<int, int, int>;
+    void apply(const ShadowPatches& publication) {
+        if (publication.replacesAll) m_bricks.clear();
+        for (const ShadowPatch& patch : publication.patches) {
+            const Key key(patch.brick.x, patch.brick.y, patch.brick.z);
+            if (patch.content)
+                m_bricks[key] = *patch.content;
+            else
+                m_bricks.erase(key);
+        }
+    }
+    bool at(glm::ivec3 cell) const {
+        const auto brick = m_bricks.find({cell.x >> 4, cell.y >> 4, cell.z >> 4});
+        if (brick == m_bricks.end()) return false;
+        const glm::ivec3 word = cell >> 2 & 3, bit = cell & 3;
+        return brick->second.words[size_t(word.x + 4 * word.y + 16 * word.z)] >> (bit.x + 4 * bit.y + 16 * bit.z) & 1;
+    }
+    /// True if a ray from a point in metres meets a cell within `reach` metres (unit direction). Plain walk, cell by cell.
+    bool occluded(glm::dvec3 originWorld, glm::dvec3 direction, double reach) const {
+        const double cell = double(kShadowCell);
+        const int half = int(reach / cell) + 4;
+        const glm::ivec3 low = glm::ivec3(glm::floor(originWorld / cell)) - half;
+        CellWalk walk;
+        const CellRay ray{originWorld / cell - glm::dvec3(low), direction, reach / cell};
+        for (bool inside = walk.start(ray, glm::ivec3(2 * half)); inside; inside = walk.step())
+            if (at(low + walk.cell())) return true;
+        return false;
+    }
+    size_t cellCount() const {
+        size_t count = 0;
+        for (const auto& [key, brick] : m_bricks)
+            for (const uint64_t word : brick.words) count += size_t(std::popcount(word));
+        return count;
+    }
+    bool empty() const { return m_bricks.empty(); }
+    friend bool operator==(const Volume&, const Volume&) = default;
+
+private:
+    std::map<Key, ShadowBrick> m_bricks;
+};
+
+/// The volume of a world, made from nothing.
+inline Volume rebuild(const World& world) {
+    FrameChanges changes;
+    changes.levelReplaced = true;
+    changes.step = 1;
+    const std::atomic<bool> never = false;
+    ShadowReplica replica;
+    replica.apply(makeShadowStep(changes, {}, world), never);
+    ShadowPatches publication;
+    replica.update(publication, never);
+    Volume out;
+    out.apply(publication);
+    return out;
+}
+
+inline glm::dquat drawRotation(Random& random) {
+    for (;;) {
+        double q[4];
+        for (double& part : q) part = 2.0 * double(random.unit()) - 1.0;
+        const glm::dquat rotation(q[0], q[1], q[2], q[3]);
+        const double square = glm::dot(rotation, rotation);
+        if (square > 0.01 && square <= 1.0) return glm::normalize(rotation);
+    }
+}
+
+inline glm::dvec3 drawPoint(Random& random, double low, double high) {
+    glm::dvec3 p;
+    for (int a = 0; a < 3; ++a) p[a] = low + (high - low) * double(random.unit());
+    return p;
+}
+
+/// A palette of stone, with entry 2 of glass.
+inline PaletteRef stoneAndGlass() {
+    auto palette = std::make_shared<Palette>();
+    for (PaletteEntry& entry : *palette) entry.material = defaultMaterials().find("brick");
+    (*palette)[2].material = defaultMaterials().find("glass");
+    (*palette)[2].opacity = 60;
+    return palette;
+}
+
+template <class F>
+VoxelGrid makeGrid(glm::ivec3 size, F&& entryAt) {
+    VoxelGrid grid(size);
+    GridWriter writer(grid);
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x)
+                if (const uint8_t entry = entryAt(glm::ivec3(x, y, z))) writer.set({x, y, z}, entry);
+    writer.flush();
+    return grid;
+}
+
+inline LevelBody makeBody(VoxelGrid grid, const Pose& pose, bool isStatic, float voxelSize = 0.1f) {
+    LevelBody body;
+    body.pose = pose;
+    body.isStatic = isStatic;
+    LevelShape shape;
+    shape.name = "shape";
+    shape.voxelSize = voxelSize;
+    shape.grid = std::move(grid);
+    shape.palette = stoneAndGlass();
+    body.shapes.push_back(std::move(shape));
+    return body;
+}
+
+inline World worldOf(std::vector<LevelBody> bodies) {
+    Level level;
+    level.bodies = std::move(bodies);
+    World world;
+    world.load(level);
+    return world;
+}
+
+}  // namespace rubble
