@@ -37,9 +37,10 @@ bool startWalk(out CellWalk w, vec3 origin, vec3 direction, float tMin, float tM
 
     bvec3 outside = bvec3(ivec3(lessThan(origin, vec3(low))) + ivec3(greaterThanEqual(origin, vec3(high))));
     bool beside = any(bvec3(ivec3(zero) * ivec3(outside)));
-    // Comparisons that a NaN fails.
-    bool finite = all(lessThan(abs(origin), vec3(1.0e30))) && all(lessThan(abs(direction), vec3(1.0e30))) && tMax >= tMin;
-    return finite && !beside && first <= min(min(leave.x, leave.y), min(leave.z, tMax));
+    // isnan, as compilers turn comparisons round and a NaN then passes.
+    bool finite = !any(isnan(origin)) && !any(isnan(direction)) && !isnan(tMax) && all(lessThan(abs(origin), vec3(kFarthest))) &&
+                  all(lessThan(abs(direction), vec3(kFarthest)));
+    return finite && tMax >= tMin && !beside && first <= min(min(leave.x, leave.y), min(leave.z, tMax));
 }
 
 // To the first cell outside the block of `size` cells (a power of two, aligned) that holds the present one.
