@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-enum class HandleType : uint8_t { None, Body, Shape, Light, LightGroup };
+enum class HandleType : uint8_t { None, Body, Shape, Light, LightGroup, World, Renderer };
 
 /// A value that names an object of one World: type, world, generation and slot in 64 bits.
 /// A handle whose generation is older than its slot's is stale: it is reported, never followed. Zero is "nothing".

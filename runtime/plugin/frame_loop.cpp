@@ -1,8 +1,11 @@
 #include "runtime/plugin/frame_loop.h"
 
+#include <algorithm>
+
 namespace rubble {
 
-FrameLoop::FrameLoop(const FrameLoopSettings& settings) : m_physics(settings.physics), m_waitForShadow(settings.waitForShadow) {
+FrameLoop::FrameLoop(const FrameLoopSettings& settings)
+    : m_world(settings.worldId), m_physics(settings.physics), m_publish(settings.publish), m_waitForShadow(settings.waitForShadow) {
     if (settings.shadowVolume) m_shadow = std::make_unique<ShadowWorker>(settings.shadow);
 }
 
@@ -12,7 +15,7 @@ void FrameLoop::load(const Level& level) {
 }
 
 void FrameLoop::step() {
-    m_times = {};
+    std::fill_n(m_times.ms.begin(), size_t(Stage::Apply), 0.0);  // the stages after that are the render thread's
     {
         const ScopedTimer timer(m_times[Stage::ApplyEdits]);
         m_changes = m_world.applyEdits(m_edits.take());
@@ -34,7 +37,7 @@ void FrameLoop::step() {
         const ScopedTimer timer(m_times[Stage::Shadow]);
         if (m_shadow) m_shadow->submit(m_changes, m_physics.poses(), m_world);
     }
-    {
+    if (m_publish) {
         const ScopedTimer timer(m_times[Stage::Publish]);
         m_snapshots.publish(m_changes, m_physics.poses(), m_world, takePatches());
     }

@@ -1,0 +1,368 @@
+#include <exception>
+#include <new>
+#include <string>
+
+#include "runtime/assets/assets.h"
+#include "runtime/core/log.h"
+#include "runtime/plugin/c_abi/checks.h"
+#include "runtime/plugin/c_abi/edits.h"
+#include "runtime/plugin/c_abi/reads.h"
+#include "runtime/plugin/c_abi/registry.h"
+
+// The table of rubble.h. Inside a function a wrong call throws; guarded() makes a result of it, and nothing gets out.
+namespace rubble::abi {
+namespace {
+
+thread_local std::string g_lastError;
+rubble_host g_host = {};
+
+rubble_result remember(const char* function, const Refusal& refusal) {
+    g_lastError = std::string(function) + ": " + refusal.text;
+    return refusal.code;
+}
+
+template <class F>
+rubble_result guarded(const char* function, F&& body) noexcept try {
+    try {
+        body();
+        return RUBBLE_OK;
+    } catch (const Refusal& refusal) {
+        return remember(function, refusal);
+    } catch (const std::bad_alloc&) {
+        return remember(function, {RUBBLE_ERROR_MEMORY, "out of memory"});
+    } catch (const std::exception& error) {
+        return remember(function, {RUBBLE_ERROR_INTERNAL, error.what()});
+    }
+} catch (...) {
+    return RUBBLE_ERROR_MEMORY;  // even the message found no memory
+}
+
+FrameLoop& loopOf(const std::shared_ptr<HostedWorld>& hosted) {
+    return hosted->loop;
+}
+
+const char* lastError() {
+    return g_lastError.c_str();
+}
+
+void logToHost(void*, LogLevel level, std::string_view message) {
+    const std::string text(message);
+    g_host.log(g_host.user, int32_t(level), text.c_str());
+}
+
+rubble_result setHost(const rubble_host* host) {
+    return guarded("set_host", [&] {
+        const rubble_host services = host ? readable(host, "host") : rubble_host{};
+        setLogSink(nullptr, nullptr);
+        g_host = services;
+        if (g_host.log) setLogSink(logToHost, nullptr);
+    });
+}
+
+// ---- worlds ----
+
+FrameLoopSettings loopSettings(uint32_t flags) {
+    constexpr uint32_t known = RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW;
+    if (flags & ~known) throw Refusal{RUBBLE_ERROR_ARGUMENT, "settings->flags has unknown bits: " + std::to_string(flags)};
+    FrameLoopSettings settings;
+    settings.publish = settings.shadowVolume = !(flags & RUBBLE_WORLD_NO_RENDERER);
+    settings.shadow = flags & RUBBLE_WORLD_SHADOW_INLINE ? ShadowWorker::Mode::Inline : ShadowWorker::Mode::Thread;
+    settings.waitForShadow = flags & RUBBLE_WORLD_WAIT_FOR_SHADOW;
+    return settings;
+}
+
+rubble_result worldCreate(const rubble_world_settings* settings, rubble_world* out) {
+    return guarded("world_create", [&] {
+        required(out, "out") = 0;
+        const FrameLoopSettings read = loopSettings(settings ? readable(settings, "settings").flags : 0);
+        *out = Registry::instance().createWorld(read, read.publish).bits;
+    });
+}
+
+rubble_result worldDestroy(rubble_world world) {
+    return guarded("world_destroy", [&] { Registry::instance().destroyWorld(readHandle<HandleType::World>(world, "world")); });
+}
+
+rubble_result loadLevel(rubble_world world, const char* path, const char* vdbTool) {
+    return guarded("load_level", [&] {
+        const auto hosted = Registry::instance().world(world);
+        const Result<Level> level = readLevel(&required(path, "path"), vdbTool ? vdbTool : "");
+        if (!level) throw Refusal{RUBBLE_ERROR_FILE, level.error()};
+        hosted->loop.load(*level);
+    });
+}
+
+rubble_result step(rubble_world world) {
+    return guarded("step", [&] {
+        const auto hosted = Registry::instance().world(world);
+        hosted->loop.step();
+        hosted->events.fill(hosted->loop.changes());
+    });
+}
+
+// ---- edits ----
+
+template <class HostEdit>
+rubble_result pushEdit(const char* function, rubble_world world, const HostEdit* edit) {
+    return guarded(function, [&] {
+        const auto hosted = Registry::instance().world(world);
+        hosted->loop.edits().push(toEdit(hosted->loop.world(), readable(edit, function)));
+    });
+}
+
+rubble_result carve(rubble_world world, const rubble_carve* edit) {
+    return pushEdit("carve", world, edit);
+}
+rubble_result explode(rubble_world world, const rubble_explosion* edit) {
+    return pushEdit("explode", world, edit);
+}
+rubble_result paint(rubble_world world, const rubble_paint* edit) {
+    return pushEdit("paint", world, edit);
+}
+rubble_result pushBody(rubble_world world, const rubble_impulse* edit) {
+    return pushEdit("push", world, edit);
+}
+
+// ---- reads ----
+
+/// Rows for a host's array: counts all, writes those that fit.
+template <class Row>
+class RowWriter {
+public:
+    RowWriter(Row* out, uint32_t capacity, uint32_t* count) : m_out(out), m_capacity(capacity), m_count(required(count, "count")) {
+        if (capacity) required(out, "out");
+        m_count = 0;
+    }
+    template <class Make>
+    void add(Make&& make) {
+        if (m_count < m_capacity) m_out[m_count] = make();
+        ++m_count;
+    }
+    void finish() const {
+        if (m_capacity && m_count > m_capacity)
+            throw Refusal{RUBBLE_ERROR_CAPACITY, "there are " + std::to_string(m_count) + " rows, the array holds " + std::to_string(m_capacity)};
+    }
+
+private:
+    Row* m_out;
+    uint32_t m_capacity;
+    uint32_t& m_count;
+};
+
+rubble_result events(rubble_world world, rubble_events* out) {
+    return guarded("events", [&] { writeTo(out, Registry::instance().world(world)->events.view()); });
+}
+
+rubble_result bodyStates(rubble_world world, rubble_body_state* out, uint32_t capacity, uint32_t* count) {
+    return guarded("body_states", [&] {
+        const auto hosted = Registry::instance().world(world);
+        RowWriter<rubble_body_state> rows(out, capacity, count);
+        hosted->loop.world().bodies().forEach([&](BodyHandle handle, const Body& body) { rows.add([&] { return bodyState(handle, body); }); });
+        rows.finish();
+    });
+}
+
+const Body& bodyOf(const World& world, rubble_body bits) {
+    const Body* body = world.bodies().find(readHandle<HandleType::Body>(bits, "body"));
+    if (!body) throw Refusal{RUBBLE_ERROR_STALE, bits ? "body is stale" : "body is 0"};
+    return *body;
+}
+
+rubble_result oneBodyState(rubble_world world, rubble_body body, rubble_body_state* out) {
+    return guarded("body_state", [&] {
+        const auto hosted = Registry::instance().world(world);
+        required(out, "out") = bodyState(BodyHandle{body}, bodyOf(hosted->loop.world(), body));
+    });
+}
+
+rubble_result shapeStates(rubble_world world, rubble_body body, rubble_shape_state* out, uint32_t capacity, uint32_t* count) {
+    return guarded("shape_states", [&] {
+        const auto hosted = Registry::instance().world(world);
+        const World& inside = hosted->loop.world();
+        RowWriter<rubble_shape_state> rows(out, capacity, count);
+        const auto add = [&](ShapeHandle handle, const Shape& shape) { rows.add([&] { return shapeState(inside, handle, shape); }); };
+        if (body)
+            for (const ShapeHandle handle : bodyOf(inside, body).shapes) add(handle, inside.shapes().at(handle));
+        else
+            inside.shapes().forEach(add);
+        rows.finish();
+    });
+}
+
+rubble_result raycast(rubble_world world, const double origin[3], const double direction[3], double maxDistance, rubble_hit* out) {
+    return guarded("raycast", [&] {
+        const auto hosted = Registry::instance().world(world);
+        const glm::dvec3 from = readVector(reinterpret_cast<const double(&)[3]>(required(origin, "origin")), "origin");
+        const glm::dvec3 along = readVector(reinterpret_cast<const double(&)[3]>(required(direction, "direction")), "direction");
+        if (along == glm::dvec3(0.0)) throw Refusal{RUBBLE_ERROR_ARGUMENT, "direction is zero"};
+        const double reach = readNumber(maxDistance, 1e-6, 1e6, 0.0, "max_distance");
+        const World& inside = hosted->loop.world();
+        writeTo(out, hitState(inside, inside.raycast(from, along, reach)));
+    });
+}
+
+rubble_result stateHash(rubble_world world, uint64_t* out) {
+    return guarded("state_hash", [&] { required(out, "out") = Registry::instance().world(world)->loop.world().hash(); });
+}
+
+rubble_result ledger(rubble_world world, rubble_ledger* out) {
+    return guarded("ledger", [&] {
+        const Ledger all = Registry::instance().world(world)->loop.world().ledger();
+        rubble_ledger rows = {};
+        rows.imported = all.imported;
+        rows.standing = all.standing;
+        rows.in_pieces = all.inPieces;
+        rows.removed = all.removed;
+        writeTo(out, rows);
+    });
+}
+
+rubble_result figures(rubble_world world, rubble_figures* out) {
+    return guarded("figures", [&] {
+        const auto hosted = Registry::instance().world(world);
+        FrameLoop& loop = hosted->loop;
+        const PhysicsFigures physics = loop.physics().figures();
+        const StageTimes& times = loop.times();
+        rubble_figures rows = {};
+        rows.bodies = uint32_t(physics.bodies);
+        rows.bodies_awake = uint32_t(physics.awake);
+        rows.contacts = uint32_t(physics.contacts);
+        rows.step = loop.world().step();
+        rows.shadow_age = loop.shadowAge();
+        rows.edits_ms = times[Stage::ApplyEdits];
+        rows.physics_ms = times[Stage::Physics];
+        rows.poses_ms = times[Stage::Poses];
+        rows.impacts_ms = times[Stage::Impacts];
+        rows.shadow_ms = times[Stage::Shadow];
+        rows.publish_ms = times[Stage::Publish];
+        writeTo(out, rows);
+    });
+}
+
+// ---- renderer ----
+
+std::string readPreset(const char* preset) {
+    const std::string name = preset ? preset : "balanced";
+    if (name != "fast" && name != "balanced" && name != "accurate")
+        throw Refusal{RUBBLE_ERROR_ARGUMENT, "settings->preset is \"" + name + "\", expected fast, balanced or accurate"};
+    return name;
+}
+
+rubble_result rendererCreate(rubble_world world, const rubble_renderer_settings* settings, rubble_renderer* out) {
+    return guarded("renderer_create", [&] {
+        required(out, "out") = 0;
+        const auto hosted = Registry::instance().world(world);
+        const rubble_renderer_settings& read = readable(settings, "settings");
+        const std::string folder = &required(read.shader_folder, "settings->shader_folder");
+        const RenderSettings preset = RenderSettings::preset(readPreset(read.preset));
+        if (!g_host.gl_get_proc_address) throw Refusal{RUBBLE_ERROR_GL, "the host has set no gl_get_proc_address"};
+        if (!hosted->drawable) throw Refusal{RUBBLE_ERROR_ARGUMENT, "the world was created with RUBBLE_WORLD_NO_RENDERER"};
+        if (hosted->hadRenderer) throw Refusal{RUBBLE_ERROR_ARGUMENT, "the world has or had a renderer; it can have one"};
+        Result<std::unique_ptr<Renderer>> renderer = Renderer::create(g_host.gl_get_proc_address, folder, preset);
+        if (!renderer) throw Refusal{RUBBLE_ERROR_GL, renderer.error()};
+        hosted->hadRenderer = true;
+        *out = Registry::instance().addRenderer(std::make_shared<HostedRenderer>(HostedRenderer{hosted, std::move(*renderer)})).bits;
+    });
+}
+
+View readView(const rubble_view& given) {
+    constexpr uint32_t largest = 16384;
+    if (given.width < 1 || given.width > largest || given.height < 1 || given.height > largest)
+        throw Refusal{RUBBLE_ERROR_ARGUMENT,
+                      "view is " + std::to_string(given.width) + " x " + std::to_string(given.height) + " pixels, expected 1 to 16384"};
+    if (given.flags & ~uint32_t(RUBBLE_VIEW_CUT)) throw Refusal{RUBBLE_ERROR_ARGUMENT, "view->flags has unknown bits"};
+    View view;
+    view.position = readVector(given.position, "position");
+    view.rotation = readRotation(given.rotation, "rotation");
+    view.verticalFov = float(readNumber(given.vertical_fov, 0.01, 3.0, view.verticalFov, "vertical_fov"));
+    view.size = glm::ivec2(given.width, given.height);
+    view.framebuffer = given.framebuffer;
+    view.cut = given.flags & RUBBLE_VIEW_CUT;
+    return view;
+}
+
+rubble_result rendererDraw(rubble_renderer renderer, const rubble_view* view) {
+    return guarded("renderer_draw", [&] {
+        const auto hosted = Registry::instance().renderer(renderer);
+        const auto world = hosted->world.lock();
+        if (!world) throw Refusal{RUBBLE_ERROR_STALE, "the renderer's world is destroyed"};
+        const rubble_view& given = readable(view, "view");
+        const double alpha = readNumber(given.alpha, 0.0, 1.0, 0.0, "alpha");
+        world->loop.draw(*hosted->renderer, readView(given), float(alpha));
+        hosted->applyMs = world->loop.times()[Stage::Apply];
+        hosted->drawMs = world->loop.times()[Stage::Draw];
+    });
+}
+
+rubble_result rendererShowPass(rubble_renderer renderer, const char* name) {
+    return guarded("renderer_show_pass", [&] {
+        const auto hosted = Registry::instance().renderer(renderer);
+        if (hosted->renderer->showPass(name ? name : "final")) return;
+        std::string text = "no pass \"" + std::string(name ? name : "final") + "\", there are:";
+        for (const std::string& pass : hosted->renderer->passNames()) text += " " + pass;
+        throw Refusal{RUBBLE_ERROR_ARGUMENT, text};
+    });
+}
+
+rubble_result rendererFigures(rubble_renderer renderer, rubble_draw_figures* out) {
+    return guarded("renderer_figures", [&] {
+        const auto hosted = Registry::instance().renderer(renderer);
+        const RenderFigures& all = hosted->renderer->figures();
+        rubble_draw_figures rows = {};
+        rows.draw_calls = uint32_t(all.drawCalls);
+        rows.shapes = uint32_t(all.shapes);
+        rows.bricks = uint32_t(all.bricks);
+        rows.upload_bytes = all.uploadBytes;
+        rows.texture_bytes = all.textureBytes;
+        rows.apply_ms = hosted->applyMs;
+        rows.draw_ms = hosted->drawMs;
+        writeTo(out, rows);
+    });
+}
+
+rubble_result rendererDestroy(rubble_renderer renderer) {
+    return guarded("renderer_destroy", [&] { Registry::instance().destroyRenderer(readHandle<HandleType::Renderer>(renderer, "renderer")); });
+}
+
+constexpr rubble_api kApi = {
+    sizeof(rubble_api),
+    RUBBLE_VERSION,
+    lastError,
+    setHost,
+    worldCreate,
+    worldDestroy,
+    loadLevel,
+    step,
+    carve,
+    explode,
+    paint,
+    pushBody,
+    events,
+    bodyStates,
+    oneBodyState,
+    shapeStates,
+    raycast,
+    stateHash,
+    ledger,
+    figures,
+    rendererCreate,
+    rendererDraw,
+    rendererShowPass,
+    rendererFigures,
+    rendererDestroy,
+};
+
+}  // namespace
+}  // namespace rubble::abi
+
+extern "C" rubble_result rubble_get_api(uint32_t version, const rubble_api** table) {
+    return rubble::abi::guarded("rubble_get_api", [&] {
+        rubble::abi::required(table, "table") = nullptr;
+        if (version != RUBBLE_VERSION) {
+            const std::string text = "version " + std::to_string(version) + " asked for, this plugin speaks " + std::to_string(RUBBLE_VERSION);
+            rubble::logError("rubble_get_api: " + text);  // without a table the host cannot ask for the last error
+            throw rubble::abi::Refusal{RUBBLE_ERROR_VERSION, text};
+        }
+        *table = &rubble::abi::kApi;
+    });
+}

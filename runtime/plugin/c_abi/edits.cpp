@@ -1,0 +1,89 @@
+#include "runtime/plugin/c_abi/edits.h"
+
+#include <algorithm>
+
+#include "runtime/plugin/c_abi/checks.h"
+
+namespace rubble::abi {
+namespace {
+
+constexpr double kLargestBrush = 100.0;  // metres
+
+BrushKind readBrush(uint32_t brush) {
+    if (brush > RUBBLE_BRUSH_CAPSULE) throw Refusal{RUBBLE_ERROR_ARGUMENT, "brush is " + std::to_string(brush) + ", expected 0 to 2"};
+    constexpr BrushKind kinds[] = {BrushKind::Sphere, BrushKind::Box, BrushKind::Capsule};
+    return kinds[brush];
+}
+
+Hardness readHardness(uint32_t hardness) {
+    if (hardness > RUBBLE_HARDNESS_HARD) throw Refusal{RUBBLE_ERROR_ARGUMENT, "hardness is " + std::to_string(hardness) + ", expected 0 to 3"};
+    constexpr Hardness classes[] = {Hardness::Hard, Hardness::Soft, Hardness::Medium, Hardness::Hard};
+    return classes[hardness];
+}
+
+void readRadii(const rubble_carve& carve, CarveEdit& edit) {
+    for (int i = 0; i < 3; ++i) edit.radii[size_t(i)] = readNumber(carve.radii[i], 1e-3, kLargestBrush, 0.0, "radii");
+    if (edit.radii[0] == 0.0) throw Refusal{RUBBLE_ERROR_ARGUMENT, "radii[0] is 0: nothing would be removed"};
+    if (!std::is_sorted(edit.radii.rbegin(), edit.radii.rend()))
+        throw Refusal{RUBBLE_ERROR_ARGUMENT, "radii grow: expected that soft >= medium >= hard"};
+}
+
+void readHalfSize(const rubble_carve& carve, CarveEdit& edit) {
+    edit.halfSize = readVector(carve.half_size, "half_size");
+    for (int i = 0; i < 3; ++i)
+        if (!(edit.halfSize[i] > 0.0 && edit.halfSize[i] <= kLargestBrush))
+            throw Refusal{RUBBLE_ERROR_ARGUMENT, "half_size is " + std::to_string(edit.halfSize[i]) + ", expected more than 0, at most 100"};
+}
+
+uint8_t readShare(uint32_t share, uint8_t ifZero, const char* name) {
+    return uint8_t(readNumber(share, 1, 255, ifZero, name));
+}
+
+}  // namespace
+
+CarveEdit toEdit(const World& world, const rubble_carve& carve) {
+    CarveEdit edit;
+    edit.kind = readBrush(carve.brush);
+    edit.position = readVector(carve.position, "position");
+    edit.hardnessLimit = readHardness(carve.hardness);
+    if (edit.kind == BrushKind::Box) {
+        readHalfSize(carve, edit);
+        edit.rotation = readRotation(carve.rotation, "rotation");
+    } else {
+        readRadii(carve, edit);
+    }
+    if (edit.kind == BrushKind::Capsule) edit.end = readVector(carve.end, "end");
+    edit.shape = readHandle<HandleType::Shape>(carve.shape, "shape");
+    if (edit.shape && !world.shapes().find(edit.shape)) throw Refusal{RUBBLE_ERROR_STALE, "shape is stale"};
+    return edit;
+}
+
+ExplodeEdit toEdit(const World&, const rubble_explosion& explosion) {
+    ExplodeEdit edit;
+    edit.position = readVector(explosion.position, "position");
+    edit.size = readNumber(explosion.size, 0.5, 4.0, 1.0, "size");
+    edit.impulse = readNumber(explosion.impulse, 0.0, 1e9, 0.0, "impulse");
+    return edit;
+}
+
+PaintEdit toEdit(const World&, const rubble_paint& paint) {
+    PaintEdit edit;
+    edit.position = readVector(paint.position, "position");
+    edit.radius = readNumber(paint.radius, 1e-3, 10.0, 0.5, "radius");
+    std::copy_n(paint.color, 3, edit.color.begin());
+    edit.strength = readShare(paint.strength, 64, "strength");
+    edit.probability = readShare(paint.probability, 255, "probability");
+    edit.seed = paint.seed;
+    return edit;
+}
+
+ImpulseEdit toEdit(const World& world, const rubble_impulse& impulse) {
+    ImpulseEdit edit;
+    edit.body = readHandle<HandleType::Body>(impulse.body, "body");
+    if (!world.bodies().find(edit.body)) throw Refusal{RUBBLE_ERROR_STALE, "body is stale"};
+    edit.position = readVector(impulse.position, "position");
+    edit.impulse = readVector(impulse.impulse, "impulse");
+    return edit;
+}
+
+}  // namespace rubble::abi

@@ -1,0 +1,74 @@
+#include "runtime/plugin/c_abi/registry.h"
+
+#include "runtime/plugin/c_abi/checks.h"
+
+namespace rubble::abi {
+namespace {
+
+constexpr uint32_t kMostWorlds = 255;  // a world's number is eight bits of each handle
+
+template <class Map, class Id>
+auto& found(Map& map, Id id, const char* name) {
+    auto* value = map.find(id);
+    if (!value) throw Refusal{RUBBLE_ERROR_STALE, std::string(name) + (id ? " is stale" : " is 0")};
+    return *value;
+}
+
+}  // namespace
+
+Registry& Registry::instance() {
+    static Registry registry;
+    return registry;
+}
+
+Registry::~Registry() {
+    // A host that ends with living renderers has most likely no GL context any more: their GL objects went with it.
+    m_renderers.forEach([](RendererId, std::shared_ptr<HostedRenderer>& hosted) { static_cast<void>(hosted->renderer.release()); });
+}
+
+WorldId Registry::createWorld(FrameLoopSettings settings, bool drawable) {
+    const std::lock_guard lock(m_mutex);
+    if (m_worlds.size() >= kMostWorlds) throw Refusal{RUBBLE_ERROR_CAPACITY, "255 worlds exist already"};
+    // The slot decides the number that the world's own handles carry, so the world is made after its place.
+    const WorldId id = m_worlds.insert(nullptr);
+    settings.worldId = uint8_t(id.slot() + 1);
+    try {
+        m_worlds.at(id) = std::make_shared<HostedWorld>(settings);
+    } catch (...) {
+        m_worlds.erase(id);
+        throw;
+    }
+    m_worlds.at(id)->drawable = drawable;
+    return id;
+}
+
+void Registry::destroyWorld(WorldId id) {
+    std::shared_ptr<HostedWorld> last;  // ends outside the lock: it joins a thread
+    const std::lock_guard lock(m_mutex);
+    last = std::move(found(m_worlds, id, "world"));
+    m_worlds.erase(id);
+}
+
+std::shared_ptr<HostedWorld> Registry::world(uint64_t handle) {
+    const std::lock_guard lock(m_mutex);
+    return found(m_worlds, readHandle<HandleType::World>(handle, "world"), "world");
+}
+
+RendererId Registry::addRenderer(std::shared_ptr<HostedRenderer> renderer) {
+    const std::lock_guard lock(m_mutex);
+    return m_renderers.insert(std::move(renderer));
+}
+
+void Registry::destroyRenderer(RendererId id) {
+    std::shared_ptr<HostedRenderer> last;
+    const std::lock_guard lock(m_mutex);
+    last = std::move(found(m_renderers, id, "renderer"));
+    m_renderers.erase(id);
+}
+
+std::shared_ptr<HostedRenderer> Registry::renderer(uint64_t handle) {
+    const std::lock_guard lock(m_mutex);
+    return found(m_renderers, readHandle<HandleType::Renderer>(handle, "renderer"), "renderer");
+}
+
+}  // namespace rubble::abi

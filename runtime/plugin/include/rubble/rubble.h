@@ -1,0 +1,334 @@
+/* Rubble: voxel worlds that break, behind a C interface (C99, C++ and anything that can call C).
+ *
+ *     const rubble_api* api;
+ *     if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) ...;
+ *     rubble_world world;
+ *     api->world_create(NULL, &world);
+ *     api->load_level(world, "town.rubble", NULL);
+ *     for (;;) { api->explode(world, &explosion); api->step(world); api->events(world, &events); ... }
+ *
+ * Rules, for every function and struct:
+ *  - One export. The table only grows at its end: a function f is there if api->struct_size > offsetof(rubble_api, f).
+ *  - A struct that has `struct_size` first is filled in by the host: struct_size = sizeof, everything else zero or set.
+ *    Zero means default. Such a struct may grow at its end; what the plugin does not know must be zero.
+ *    Rows of arrays have no struct_size and never change.
+ *  - Handles are values. 0 is nothing. A handle of something that is gone is reported (RUBBLE_ERROR_STALE), never followed.
+ *  - Nothing but RUBBLE_OK means that nothing was done; last_error() says what was expected and what was found.
+ *  - Edits are commands: they wait in a queue and happen in the next step(), in the order given.
+ *  - Reads copy out, except events(): its arrays live until the next step(), load_level() or world_destroy() of that world.
+ *  - Threads: [main-thread] one thread per world at a time; [render-thread] the thread with the GL context, one at a time,
+ *    may run beside the main thread; [any-thread] any. Destroy a world only while its renderer is not drawing.
+ *  - Lengths are metres, masses kilograms, times seconds, angles radians; y is up; world positions are double.
+ *    Rotations are quaternions x, y, z, w; all zero means no rotation.
+ *  - The plugin opens no window, makes no GL context, opens no file that the host did not name, and restores the GL state
+ *    that it touches.
+ *
+ * What it does not do: network, sound, input, textures on triangles, threads of the host's job system, the host's allocator. */
+#ifndef RUBBLE_RUBBLE_H
+#define RUBBLE_RUBBLE_H
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define RUBBLE_VERSION 1u
+
+#if defined(_WIN32)
+#define RUBBLE_EXPORT
+#else
+#define RUBBLE_EXPORT __attribute__((visibility("default")))
+#endif
+
+typedef uint64_t rubble_world;
+typedef uint64_t rubble_renderer;
+typedef uint64_t rubble_body;        /* a rigid body: a frame that shapes are fixed to */
+typedef uint64_t rubble_shape;       /* a grid of voxels on a body */
+typedef uint64_t rubble_light_group; /* lights that go out together */
+
+typedef int32_t rubble_result;
+enum {
+    RUBBLE_OK = 0,
+    RUBBLE_ERROR_NULL = 1,        /* a pointer that must not be null is */
+    RUBBLE_ERROR_VERSION = 2,     /* the plugin does not speak the version asked for */
+    RUBBLE_ERROR_STRUCT_SIZE = 3, /* struct_size is smaller than version 1's, or names fields the plugin does not know */
+    RUBBLE_ERROR_STALE = 4,       /* the handle names nothing, or nothing any more, or something of another world */
+    RUBBLE_ERROR_ARGUMENT = 5,    /* a value is out of range */
+    RUBBLE_ERROR_CAPACITY = 6,    /* the array given is too short; the count says how long it must be */
+    RUBBLE_ERROR_FILE = 7,        /* the file is missing, damaged or of an unknown kind */
+    RUBBLE_ERROR_GL = 8,          /* something of OpenGL is missing, or a shader does not compile */
+    RUBBLE_ERROR_MEMORY = 9,
+    RUBBLE_ERROR_INTERNAL = 10 /* a fault of the plugin: please report last_error() */
+};
+
+enum { RUBBLE_LOG_INFO = 0, RUBBLE_LOG_WARNING = 1, RUBBLE_LOG_ERROR = 2 };
+
+/* Services of the host, for the whole process. */
+typedef struct rubble_host {
+    uint32_t struct_size;
+    uint32_t reserved;
+    void* user;
+    /* Called from any thread, one message at a time. Null: standard error. */
+    void (*log)(void* user, int32_t level, const char* message);
+    /* Looks up a GL function in the current context. Null: no renderer can be made. */
+    void* (*gl_get_proc_address)(const char* name);
+} rubble_host;
+
+enum {
+    RUBBLE_WORLD_NO_RENDERER = 1,    /* for servers and for hosts that draw themselves: nothing is prepared for a renderer */
+    RUBBLE_WORLD_SHADOW_INLINE = 2,  /* keeps the shadow volume up to date inside step(), without a thread */
+    RUBBLE_WORLD_WAIT_FOR_SHADOW = 4 /* step() waits for the shadow volume: pictures that do not depend on timing */
+};
+
+typedef struct rubble_world_settings {
+    uint32_t struct_size;
+    uint32_t flags; /* RUBBLE_WORLD_... */
+} rubble_world_settings;
+
+/* ---- edits ---- */
+
+enum { RUBBLE_BRUSH_SPHERE = 0, RUBBLE_BRUSH_BOX = 1, RUBBLE_BRUSH_CAPSULE = 2 };
+enum { RUBBLE_HARDNESS_DEFAULT = 0, RUBBLE_HARDNESS_SOFT = 1, RUBBLE_HARDNESS_MEDIUM = 2, RUBBLE_HARDNESS_HARD = 3 };
+
+/* Removes the voxels inside, by the hardness of their material. */
+typedef struct rubble_carve {
+    uint32_t struct_size;
+    uint32_t brush;      /* RUBBLE_BRUSH_... */
+    double position[3];  /* sphere and box: centre; capsule: one end */
+    double end[3];       /* capsule: other end */
+    double half_size[3]; /* box */
+    double rotation[4];  /* box */
+    double radii[3];     /* sphere, capsule: for soft, medium and hard materials; each at most the one before */
+    uint32_t hardness;   /* box: the hardest that it removes; default: hard */
+    uint32_t reserved;
+    rubble_shape shape; /* only this one; 0: all */
+} rubble_carve;
+
+/* Carves a sphere and pushes what is near away from it. */
+typedef struct rubble_explosion {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double position[3];
+    double size;    /* 0.5 to 4; 0: 1. Soft, medium and hard voxels within 1.0, 0.7 and 0.4 of it in metres are removed */
+    double impulse; /* N s on a body at the centre; 0: size decides */
+} rubble_explosion;
+
+/* Blends the colours of voxels toward a paint, a step a call. Materials stay. */
+typedef struct rubble_paint {
+    uint32_t struct_size;
+    uint8_t color[4];    /* sRGB; the fourth is not read */
+    double position[3];
+    double radius;       /* 0: 0.5 */
+    uint32_t strength;   /* share of the way to the paint, 1 to 255 of 255; 0: 64 */
+    uint32_t probability; /* share of the voxels touched at the rim, 1 to 255 of 255; 0: 255 */
+    uint32_t seed;       /* of which voxels they are */
+    uint32_t reserved;
+} rubble_paint;
+
+typedef struct rubble_impulse {
+    uint32_t struct_size;
+    uint32_t reserved;
+    rubble_body body;
+    double position[3]; /* world */
+    double impulse[3];  /* N s */
+} rubble_impulse;
+
+/* ---- events: what the last step did ---- */
+
+/* Voxels of one colour that were removed from one shape. */
+typedef struct rubble_removed {
+    rubble_shape shape;
+    uint64_t count;
+    uint8_t color[3]; /* sRGB */
+    uint8_t material; /* index into the level's materials */
+    uint32_t entry;   /* of the shape's palette */
+} rubble_removed;
+
+/* A piece came off: one row a piece. `cell` of the parent is where the piece's cell 0 lies. */
+typedef struct rubble_split {
+    rubble_shape parent;
+    rubble_shape piece;
+    int32_t cell[3];
+    uint32_t reserved;
+} rubble_split;
+
+typedef struct rubble_events {
+    uint32_t struct_size;
+    uint32_t level_replaced; /* 1: a level was loaded; everything before is gone, ask for body_states() */
+    uint64_t step;
+    uint64_t painted_voxels;
+    const rubble_removed* removed;
+    const rubble_split* splits;
+    const rubble_body* bodies_created;
+    const rubble_body* bodies_destroyed;
+    const rubble_shape* shapes_created;
+    const rubble_shape* shapes_destroyed;
+    const rubble_light_group* groups_out;
+    uint32_t removed_count;
+    uint32_t split_count;
+    uint32_t bodies_created_count;
+    uint32_t bodies_destroyed_count;
+    uint32_t shapes_created_count;
+    uint32_t shapes_destroyed_count;
+    uint32_t groups_out_count;
+    uint32_t reserved;
+} rubble_events;
+
+/* ---- reads ---- */
+
+enum { RUBBLE_BODY_STATIC = 1, RUBBLE_BODY_ASLEEP = 2 };
+
+typedef struct rubble_body_state {
+    rubble_body body;
+    double position[3]; /* of its frame, which is not its centre of mass */
+    double rotation[4];
+    double velocity[3]; /* of the centre of mass */
+    double angular_velocity[3];
+    uint32_t flags; /* RUBBLE_BODY_... */
+    uint32_t shape_count;
+} rubble_body_state;
+
+typedef struct rubble_shape_state {
+    rubble_shape shape;
+    rubble_body body;
+    double position[3]; /* of the grid's corner, in the world */
+    double rotation[4];
+    double voxel_size;
+    int32_t size[3]; /* of the grid, in voxels */
+    uint32_t reserved;
+    uint64_t voxels; /* that are not empty */
+} rubble_shape_state;
+
+typedef struct rubble_hit {
+    uint32_t struct_size;
+    uint32_t hit; /* 0: nothing within max_distance, and nothing below is set */
+    double distance;
+    double position[3];
+    double normal[3];
+    rubble_shape shape;
+    rubble_body body;
+    int32_t cell[3]; /* of the shape's grid */
+    uint32_t entry;  /* of its palette */
+} rubble_hit;
+
+/* Where every voxel of the level is: imported = standing + in_pieces + removed. */
+typedef struct rubble_ledger {
+    uint32_t struct_size;
+    uint32_t reserved;
+    uint64_t imported;
+    uint64_t standing;
+    uint64_t in_pieces;
+    uint64_t removed;
+} rubble_ledger;
+
+/* What the last step cost. */
+typedef struct rubble_figures {
+    uint32_t struct_size;
+    uint32_t bodies;
+    uint32_t bodies_awake;
+    uint32_t contacts;
+    uint64_t step;
+    uint64_t shadow_age; /* steps by which the shadow volume is behind */
+    double edits_ms;
+    double physics_ms;
+    double poses_ms;
+    double impacts_ms;
+    double shadow_ms;
+    double publish_ms;
+} rubble_figures;
+
+/* ---- renderer ---- */
+
+typedef struct rubble_renderer_settings {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const char* shader_folder; /* where the project's folder shaders/ is */
+    const char* preset;        /* "fast", "balanced" or "accurate"; null: "balanced" */
+} rubble_renderer_settings;
+
+enum { RUBBLE_VIEW_CUT = 1 /* the camera jumped: forget what was accumulated */ };
+
+typedef struct rubble_view {
+    uint32_t struct_size;
+    uint32_t flags;       /* RUBBLE_VIEW_... */
+    uint32_t framebuffer; /* GL name of the target; 0: the window's */
+    uint32_t width;       /* pixels */
+    uint32_t height;
+    uint32_t reserved;
+    double position[3];  /* of the camera, which looks along -z with y up */
+    double rotation[4];
+    double vertical_fov; /* 0: 1.05 */
+    double alpha;        /* 0 to 1: how far between the last two steps */
+} rubble_view;
+
+/* What the last draw cost. */
+typedef struct rubble_draw_figures {
+    uint32_t struct_size;
+    uint32_t draw_calls;
+    uint32_t shapes;
+    uint32_t bricks;
+    uint64_t upload_bytes;
+    uint64_t texture_bytes; /* held now */
+    double apply_ms;
+    double draw_ms; /* of this thread; the GPU may take longer */
+} rubble_draw_figures;
+
+/* ---- the table ---- */
+
+typedef struct rubble_api {
+    uint32_t struct_size;
+    uint32_t version;
+
+    /* [any-thread] Why the calling thread's last failed call failed; lives until its next call that fails. Never null. */
+    const char* (*last_error)(void);
+    /* [main-thread] Copies the host's services. Null: the defaults. Call it before anything else, not while worlds step. */
+    rubble_result (*set_host)(const rubble_host* host);
+
+    /* [main-thread] An empty world. settings may be null. At most 255 worlds at a time. */
+    rubble_result (*world_create)(const rubble_world_settings* settings, rubble_world* out);
+    rubble_result (*world_destroy)(rubble_world world);
+    /* [main-thread] Replaces everything by a level: a .rubble, .vdb or .vox file, by the name's ending (UTF-8). vdb_tool: the
+     * program rubble-vdb, run as a child for .vdb; may be null otherwise. On an error the world is as it was. */
+    rubble_result (*load_level)(rubble_world world, const char* path, const char* vdb_tool);
+    /* [main-thread] 1/60 s: queued edits, then physics. The host decides how many. */
+    rubble_result (*step)(rubble_world world);
+
+    /* [main-thread] Commands for the next step. */
+    rubble_result (*carve)(rubble_world world, const rubble_carve* carve);
+    rubble_result (*explode)(rubble_world world, const rubble_explosion* explosion);
+    rubble_result (*paint)(rubble_world world, const rubble_paint* paint);
+    rubble_result (*push)(rubble_world world, const rubble_impulse* impulse);
+
+    /* [main-thread] */
+    rubble_result (*events)(rubble_world world, rubble_events* out);
+    /* [main-thread] All bodies in a fixed order. Writes up to `capacity` rows and the number there are to *count, which
+     * may be more (RUBBLE_ERROR_CAPACITY). With capacity 0, out may be null: only *count is written, and it is RUBBLE_OK. */
+    rubble_result (*body_states)(rubble_world world, rubble_body_state* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*body_state)(rubble_world world, rubble_body body, rubble_body_state* out);
+    /* [main-thread] Like body_states(), for the shapes of one body, or of all with body 0. */
+    rubble_result (*shape_states)(rubble_world world, rubble_body body, rubble_shape_state* out, uint32_t capacity, uint32_t* count);
+    /* [main-thread] The first voxel that a ray meets. The direction need not be normalised. */
+    rubble_result (*raycast)(rubble_world world, const double origin[3], const double direction[3], double max_distance, rubble_hit* out);
+    /* [main-thread] Of all that decides what happens next: equal worlds have equal hashes. */
+    rubble_result (*state_hash)(rubble_world world, uint64_t* out);
+    rubble_result (*ledger)(rubble_world world, rubble_ledger* out);
+    rubble_result (*figures)(rubble_world world, rubble_figures* out);
+
+    /* [render-thread] All with the same GL context current (3.3 core or later). A world has one renderer in its life.
+     * Destroy it while its context is current. */
+    rubble_result (*renderer_create)(rubble_world world, const rubble_renderer_settings* settings, rubble_renderer* out);
+    rubble_result (*renderer_draw)(rubble_renderer renderer, const rubble_view* view);
+    /* [render-thread] Which intermediate picture is drawn, for looking into the renderer; null or "final": the picture. */
+    rubble_result (*renderer_show_pass)(rubble_renderer renderer, const char* name);
+    rubble_result (*renderer_figures)(rubble_renderer renderer, rubble_draw_figures* out);
+    rubble_result (*renderer_destroy)(rubble_renderer renderer);
+} rubble_api;
+
+/* [any-thread] The one export: the plugin's table for this version of the interface, or RUBBLE_ERROR_VERSION and null. */
+RUBBLE_EXPORT rubble_result rubble_get_api(uint32_t version, const rubble_api** table);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,39 @@
+#include "tests/abi/test_level.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "runtime/assets/assets.h"
+
+namespace rubble {
+
+std::string writeTestLevel() {
+    auto palette = std::make_shared<Palette>();
+    (*palette)[1].red = 200, (*palette)[1].green = 80, (*palette)[1].blue = 60;
+    (*palette)[1].material = defaultMaterials().find("brick");
+    LevelShape shape;
+    shape.name = "table";
+    shape.grid = VoxelGrid({17, 10, 17});
+    shape.palette = palette;
+    GridWriter writer(shape.grid);
+    for (int x = 0; x < 17; ++x)
+        for (int z = 0; z < 17; ++z) {
+            const bool pillar = x >= 7 && x <= 9 && z >= 7 && z <= 9;
+            for (int y = pillar ? 0 : 8; y < 10; ++y) writer.set({x, y, z}, 1);
+        }
+    LevelBody body;
+    body.name = "table";
+    body.shapes.push_back(std::move(shape));
+    Level level;
+    level.name = "table";
+    level.bodies.push_back(std::move(body));
+
+    const std::string path = std::filesystem::temp_directory_path() / ("rubble_abi_" + std::to_string(getpid()) + ".rubble");
+    const Result<Done> written = writeRubble(path, level);
+    EXPECT_TRUE(written) << written.error();
+    return path;
+}
+
+}  // namespace rubble
