@@ -37,10 +37,6 @@ rubble_result guarded(const char* function, F&& body) noexcept try {
     return RUBBLE_ERROR_MEMORY;  // even the message found no memory
 }
 
-FrameLoop& loopOf(const std::shared_ptr<HostedWorld>& hosted) {
-    return hosted->loop;
-}
-
 const char* lastError() {
     return g_lastError.c_str();
 }
