@@ -1,0 +1,116 @@
+// Sunlight by rays through the worker's own volume: a body does not shadow itself, a closed room lets nothing in.
+#include <cmath>
+
+#include "render/gl/framebuffer.h"
+#include "runtime/shadow/shadow_worker.h"
+#include "runtime/frame/snapshots.h"
+#include "tests/render/gbuffer_fixture.h"
+
+namespace rubble {
+namespace {
+
+class ShadowLightTest : public GBufferTest {
+protected:
+    struct Count {
+        int facing = 0, lit = 0;
+    };
+    /// Pixels that face the sun, and those of them that the sun's rays reach.
+    Count sunlit(Scene& scene, const View& view, glm::vec3 toSun) {
+        draw(scene, view);
+        block.sunDirection = glm::vec4(toSun, 0.0f);
+        glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
+        const Program& program = shaders->load("../tests/render/shaders/sunlit.frag");
+        EXPECT_TRUE(program) << shaders->errors().front();
+        const Texture& out = targets.target("sunlit", GL_RGBA32F);
+        targets.framebuffer({&out}).begin();
+        program.use();
+        GBufferPass::bind(program, targets);
+        scene.bindShadow(program);
+        context(scene).drawFullscreen();
+        Count count;
+        for (const glm::vec4& pixel : read(out)) {
+            count.facing += pixel.x > 0.0f;
+            count.lit += pixel.y > 0.0f;
+        }
+        return count;
+    }
+    /// A world's first snapshot, with its shadow volume.
+    static FrameSnapshot firstSnapshot(const Level& level) {
+        World world;
+        world.load(level);
+        const FrameChanges changes = world.applyEdits({});
+        ShadowWorker worker(ShadowWorker::Mode::Inline);
+        worker.submit(changes, {}, world);
+        Snapshots snapshots;
+        snapshots.publish(changes, {}, world, worker.takePatches());
+        auto snapshot = snapshots.take();
+        EXPECT_TRUE(snapshot);
+        return std::move(*snapshot);
+    }
+    static LevelBody bodyOf(VoxelGrid grid, const Pose& pose) {
+        LevelBody body;
+        body.pose = pose;
+        body.isStatic = false;
+        LevelShape shape;
+        shape.grid = std::move(grid);
+        shape.palette = testPalette();
+        body.shapes.push_back(std::move(shape));
+        return body;
+    }
+};
+
+TEST_F(ShadowLightTest, LoneCubeIsLitInSixteenRotations) {
+    const glm::vec3 toSun = glm::normalize(glm::vec3(-0.6f, 0.36f, 0.5f));
+    Count all;
+    for (int i = 0; i < 16; ++i) {
+        VoxelGrid cube({10, 10, 10});
+        {
+            GridWriter writer(cube);
+            fillBox(writer, {0, 0, 0}, {10, 10, 10}, 4);
+        }
+        const glm::dquat rotation = glm::angleAxis(0.39 * i, glm::normalize(glm::dvec3(1.0, 0.4 * i, 0.3)));
+        const glm::dvec3 center(0.013 * i, 3.0 - 0.037 * i, 0.0);  // falling: at no place of the lattice in particular
+        Level level;
+        level.bodies.push_back(bodyOf(cube, {center - rotation * glm::dvec3(0.5), rotation}));
+        Scene scene;
+        scene.apply(firstSnapshot(level));
+        View view;
+        view.size = {240, 180};
+        view.position = glm::dvec3(toSun) * 2.5 + glm::dvec3(0.6, 2.8, 0.2);
+        view.rotation = glm::quatLookAt(glm::normalize(center - view.position), glm::dvec3(0, 1, 0));
+        const Count count = sunlit(scene, view, toSun);
+        EXPECT_GT(count.facing, 3000);
+        EXPECT_GE(count.lit, count.facing * 0.995) << "rotation " << i;
+        all.facing += count.facing;
+        all.lit += count.lit;
+    }
+    RecordProperty("lit", std::to_string(double(all.lit) / all.facing));
+}
+
+TEST_F(ShadowLightTest, ClosedRoomIsDarkInside) {
+    for (const double turn : {0.0, 0.3, 0.785}) {
+        VoxelGrid room({30, 24, 26});
+        {
+            GridWriter writer(room);
+            fillBox(writer, {0, 0, 0}, {30, 24, 26}, 4);
+            fillBox(writer, {1, 1, 1}, {29, 23, 25}, 0);
+        }
+        const glm::dquat rotation = glm::angleAxis(turn, glm::normalize(glm::dvec3(0.2, 1.0, 0.1)));
+        Level level;
+        level.bodies.push_back(bodyOf(room, {glm::dvec3(0.03, 0.21, 0.07), rotation}));
+        Scene scene;
+        scene.apply(firstSnapshot(level));
+        for (int side = 0; side < 4; ++side) {
+            View view;
+            view.size = {160, 120};
+            view.verticalFov = 1.4f;
+            view.position = glm::dvec3(0.03, 0.21, 0.07) + rotation * glm::dvec3(1.5, 1.2, 1.3);
+            view.rotation = glm::angleAxis(1.57 * side, glm::dvec3(0, 1, 0));
+            const Count count = sunlit(scene, view, glm::normalize(glm::vec3(-0.6f, 0.36f, 0.5f)));
+            EXPECT_EQ(count.lit, 0) << "of " << count.facing << ", turned by " << turn;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace rubble
