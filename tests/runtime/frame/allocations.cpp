@@ -1,0 +1,29 @@
+#include "tests/runtime/frame/allocations.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+std::atomic<size_t> g_allocations = 0;
+}
+
+void* operator new(size_t size) {
+    ++g_allocations;
+    if (void* memory = std::malloc(size ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, size_t) noexcept {
+    std::free(memory);
+}
+
+namespace rubble {
+
+size_t allocationCount() {
+    return g_allocations;
+}
+
+}  // namespace rubble
