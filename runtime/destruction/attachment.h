@@ -9,8 +9,8 @@ namespace rubble {
 
 /// What no longer belongs to a shape.
 struct Loose {
-    std::vector<Component> pieces;   ///< that leave it, ordered by their lowest cell
-    bool isAdrift = false;           ///< nothing holds to an anchor any more: what stays is the largest component
+    std::vector<Component> pieces;  ///< that leave it, ordered by their lowest cell
+    bool isAdrift = false;          ///< nothing holds to an anchor any more: what stays is the largest component
 };
 
 /// What a shape's grid loses. `anchors`: a component that has a cell in one of them stays. None are given for a shape that

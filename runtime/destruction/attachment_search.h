@@ -32,7 +32,7 @@ private:
         uint32_t set = kNone;
     };
     struct Frontier {
-        int distance;      ///< from the nearest anchor, in cells along the axes
+        int distance;  ///< from the nearest anchor, in cells along the axes
         uint32_t part;
         friend auto operator<=>(const Frontier&, const Frontier&) = default;
     };
@@ -41,7 +41,7 @@ private:
         bool isAnchored = false;
         uint64_t voxels = 0;
         std::vector<uint32_t> parts;
-        std::vector<Frontier> frontier;   ///< a heap, nearest first
+        std::vector<Frontier> frontier;  ///< a heap, nearest first
     };
     struct Range {
         uint32_t first = 0, end = 0;
@@ -59,10 +59,10 @@ private:
 
     const VoxelGrid& m_grid;
     std::span<const CellBox> m_anchors;
-    std::unordered_map<uint32_t, Range> m_bricks;   ///< looked up, never iterated
+    std::unordered_map<uint32_t, Range> m_bricks;  ///< looked up, never iterated
     std::vector<Part> m_parts;
     std::vector<Set> m_sets;
-    std::vector<uint32_t> m_open;                   ///< sets that may still grow
+    std::vector<uint32_t> m_open;  ///< sets that may still grow
     bool m_anchorsTouched = false;
     std::vector<BrickPart> m_scratch;
 };

@@ -6,9 +6,9 @@
 namespace rubble {
 namespace {
 
-constexpr int kSmallestStep = 8;     ///< bytes of a channel: bounds how many entries a blend can use
-constexpr int kNearColor = 3;        ///< channels this close count as the same blend
-constexpr int kPaintReserve = 24;    ///< entries kept for the paint itself
+constexpr int kSmallestStep = 8;   ///< bytes of a channel: bounds how many entries a blend can use
+constexpr int kNearColor = 3;      ///< channels this close count as the same blend
+constexpr int kPaintReserve = 24;  ///< entries kept for the paint itself
 
 int distance2(const PaletteEntry& a, const PaletteEntry& b) {
     const int red = a.red - b.red, green = a.green - b.green, blue = a.blue - b.blue;
@@ -20,7 +20,9 @@ PaletteEntry withColor(PaletteEntry entry, std::array<uint8_t, 3> color) {
     return entry;
 }
 
-bool differsInColorOnly(const PaletteEntry& a, const PaletteEntry& b) { return withColor(a, {b.red, b.green, b.blue}) == b; }
+bool differsInColorOnly(const PaletteEntry& a, const PaletteEntry& b) {
+    return withColor(a, {b.red, b.green, b.blue}) == b;
+}
 
 uint8_t stepped(int from, int to, int strength) {
     const int way = to - from;
@@ -28,7 +30,9 @@ uint8_t stepped(int from, int to, int strength) {
     return uint8_t(way < 0 ? from - step : from + step);
 }
 
-bool isFree(const PaletteEntry& entry) { return entry.material == 0; }
+bool isFree(const PaletteEntry& entry) {
+    return entry.material == 0;
+}
 
 }  // namespace
 
@@ -100,7 +104,8 @@ void BlendPalette::freeUnused() {
     m_hasFreedUnused = true;
     std::array<bool, 256> isUsed = m_isTaken;
     m_grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
-        if (!brick->indices) isUsed[brick->uniform] = true;
+        if (!brick->indices)
+            isUsed[brick->uniform] = true;
         else
             for (const uint8_t entry : *brick->indices) isUsed[entry] = true;
     });

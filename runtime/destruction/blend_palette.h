@@ -29,8 +29,8 @@ private:
     const VoxelGrid& m_grid;
     Palette m_palette;
     const Paint& m_paint;
-    std::array<int16_t, 256> m_blended;        ///< -1: not asked for yet
-    std::array<bool, 256> m_isTaken{};         ///< chosen in this step: not to be freed
+    std::array<int16_t, 256> m_blended;  ///< -1: not asked for yet
+    std::array<bool, 256> m_isTaken{};   ///< chosen in this step: not to be freed
     bool m_hasFreedUnused = false;
     bool m_hasChanged = false;
     uint64_t m_merges = 0;

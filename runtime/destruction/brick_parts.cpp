@@ -38,7 +38,9 @@ void fillBrick(BrickBits& seeds, const BrickBits& open) {
 }
 
 /// Column x = 0 of a layer as eight bits.
-uint64_t gatherColumn(uint64_t layer) { return (layer & kFirstColumn) * 0x0102040810204080ull >> 56; }
+uint64_t gatherColumn(uint64_t layer) {
+    return (layer & kFirstColumn) * 0x0102040810204080ull >> 56;
+}
 
 void findFaces(BrickPart& part) {
     for (size_t z = 0; z < 8; ++z) {

@@ -13,9 +13,13 @@ int64_t quantise(double cells) {
     return int64_t(std::clamp(steps, -double(kBrushLimit), double(kBrushLimit)));
 }
 
-Point quantise(glm::dvec3 cells) { return {quantise(cells.x), quantise(cells.y), quantise(cells.z)}; }
+Point quantise(glm::dvec3 cells) {
+    return {quantise(cells.x), quantise(cells.y), quantise(cells.z)};
+}
 
-bool isNumber(glm::dvec3 v) { return !std::isnan(v.x) && !std::isnan(v.y) && !std::isnan(v.z); }
+bool isNumber(glm::dvec3 v) {
+    return !std::isnan(v.x) && !std::isnan(v.y) && !std::isnan(v.z);
+}
 
 std::array<int64_t, 3> quantiseRadii(std::array<double, 3> radii) {
     std::array<int64_t, 3> out{};
@@ -53,7 +57,9 @@ bool inBox(const Brush& brush, const Point& point, int64_t grow) {
 
 }  // namespace
 
-Brush sphereBrush(glm::dvec3 center, std::array<double, 3> radii) { return capsuleBrush(center, center, radii); }
+Brush sphereBrush(glm::dvec3 center, std::array<double, 3> radii) {
+    return capsuleBrush(center, center, radii);
+}
 
 Brush capsuleBrush(glm::dvec3 from, glm::dvec3 to, std::array<double, 3> radii) {
     Brush brush;

@@ -16,17 +16,17 @@ enum class BrushKind : uint8_t { Sphere, Box, Capsule };
 /// touches the same cells on every machine. A cell is touched if its centre is inside. All kinds are convex.
 struct Brush {
     BrushKind kind = BrushKind::Sphere;
-    std::array<int64_t, 3> a{};              ///< sphere: centre; capsule: one end; box: centre
-    std::array<int64_t, 3> b{};              ///< capsule: other end; box: half sizes
-    std::array<int32_t, 9> axes{};           ///< box: its unit axes (rows) in 1/65536
-    std::array<int64_t, 3> radii{};          ///< soft, medium, hard: r0 >= r1 >= r2; box: how much each is grown or shrunk
+    std::array<int64_t, 3> a{};      ///< sphere: centre; capsule: one end; box: centre
+    std::array<int64_t, 3> b{};      ///< capsule: other end; box: half sizes
+    std::array<int32_t, 9> axes{};   ///< box: its unit axes (rows) in 1/65536
+    std::array<int64_t, 3> radii{};  ///< soft, medium, hard: r0 >= r1 >= r2; box: how much each is grown or shrunk
 
     friend bool operator==(const Brush&, const Brush&) = default;
 };
 
-inline constexpr int64_t kBrushUnit = 256;                    ///< steps of a cell
-inline constexpr int64_t kBrushLimit = kBrushUnit << 18;      ///< coordinates and radii are clamped to +- this
-inline constexpr int64_t kBrushNothing = -4 * kBrushLimit;    ///< a radius that touches no cell
+inline constexpr int64_t kBrushUnit = 256;                  ///< steps of a cell
+inline constexpr int64_t kBrushLimit = kBrushUnit << 18;    ///< coordinates and radii are clamped to +- this
+inline constexpr int64_t kBrushNothing = -4 * kBrushLimit;  ///< a radius that touches no cell
 
 /// From positions and radii in cells (soft, medium, hard). The only places where a brush is rounded; a NaN touches nothing,
 /// a radius of zero or less touches nothing of its class, and a harder class never gets more than a softer one.

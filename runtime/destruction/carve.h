@@ -12,10 +12,10 @@ namespace rubble {
 
 /// What carves took out of one grid; several carves add up.
 struct Carved {
-    std::vector<glm::ivec3> bricks;            ///< that changed; a brick may occur once a carve
-    std::array<uint64_t, 256> removed{};       ///< voxels by palette entry
+    std::vector<glm::ivec3> bricks;       ///< that changed; a brick may occur once a carve
+    std::array<uint64_t, 256> removed{};  ///< voxels by palette entry
     uint64_t voxels = 0;
-    MassMoments moments;                       ///< of what was removed
+    MassMoments moments;  ///< of what was removed
 };
 
 /// Empties the cells that the brush touches, each class of hardness within its own radius; unbreakable and unphysical

@@ -52,8 +52,8 @@ struct UnionFind {
 /// The parts of all bricks, brick after brick by number.
 struct GridParts {
     std::vector<BrickPart> parts;
-    std::vector<glm::ivec3> bricks;      ///< position by brick number
-    std::vector<uint32_t> firstPart;     ///< by brick number; one more at the end
+    std::vector<glm::ivec3> bricks;   ///< position by brick number
+    std::vector<uint32_t> firstPart;  ///< by brick number; one more at the end
 };
 
 GridParts collectParts(const VoxelGrid& grid, const BrickNumbers& numbers) {

@@ -9,7 +9,7 @@ namespace rubble {
 /// A 6-connected component of the voxels of one brick, and where it reaches the brick's faces.
 struct BrickPart {
     BrickBits voxels{};
-    std::array<uint64_t, 6> faces{};   ///< -x +x -y +y -z +z: one bit a cell; facing faces have the same bit order
+    std::array<uint64_t, 6> faces{};  ///< -x +x -y +y -z +z: one bit a cell; facing faces have the same bit order
 };
 
 /// The direction of each of BrickPart::faces; face i ^ 1 of the neighbour there touches face i.
@@ -28,7 +28,7 @@ struct BrickShare {
 struct Component {
     std::vector<BrickShare> shares;
     uint64_t voxels = 0;
-    glm::ivec3 lowest{0};              ///< the cell that comes first by z, then y, then x
+    glm::ivec3 lowest{0};  ///< the cell that comes first by z, then y, then x
 };
 
 /// Whether cell a comes before cell b, by z, then y, then x.

@@ -12,10 +12,16 @@ static_assert(std::endian::native == std::endian::little, "a row of eight indice
 constexpr uint64_t kOnes = 0x0101010101010101ull;
 
 /// 1 in every byte that is not zero.
-uint64_t nonZeroBytes(uint64_t row) { return (((row & 0x7f * kOnes) + 0x7f * kOnes) | row) >> 7 & kOnes; }
+uint64_t nonZeroBytes(uint64_t row) {
+    return (((row & 0x7f * kOnes) + 0x7f * kOnes) | row) >> 7 & kOnes;
+}
 /// Eight bytes of 0 or 1 as eight bits, and back.
-uint64_t gatherBits(uint64_t ones) { return ones * 0x0102040810204080ull >> 56; }
-uint64_t spreadBits(uint64_t bits) { return nonZeroBytes((bits & 0xff) * kOnes & 0x8040201008040201ull); }
+uint64_t gatherBits(uint64_t ones) {
+    return ones * 0x0102040810204080ull >> 56;
+}
+uint64_t spreadBits(uint64_t bits) {
+    return nonZeroBytes((bits & 0xff) * kOnes & 0x8040201008040201ull);
+}
 
 uint64_t loadRow(const BrickIndices& indices, size_t row) {
     uint64_t out;
@@ -23,7 +29,9 @@ uint64_t loadRow(const BrickIndices& indices, size_t row) {
     return out;
 }
 
-void storeRow(BrickIndices& indices, size_t row, uint64_t value) { std::memcpy(indices.data() + 8 * row, &value, 8); }
+void storeRow(BrickIndices& indices, size_t row, uint64_t value) {
+    std::memcpy(indices.data() + 8 * row, &value, 8);
+}
 
 }  // namespace
 
@@ -58,8 +66,7 @@ BrickRef makeBrick(const BrickIndices& indices) {
 BrickRef maskBrick(const Brick& brick, const std::array<uint64_t, 8>& keep) {
     BrickIndices indices;
     expandBrick(&brick, indices);
-    for (size_t row = 0; row < 64; ++row)
-        storeRow(indices, row, loadRow(indices, row) & spreadBits(keep[row / 8] >> 8 * (row % 8)) * 0xff);
+    for (size_t row = 0; row < 64; ++row) storeRow(indices, row, loadRow(indices, row) & spreadBits(keep[row / 8] >> 8 * (row % 8)) * 0xff);
     return makeBrick(indices);
 }
 

@@ -38,6 +38,7 @@ EditStep::Touched& EditStep::touched(ShapeHandle shape) {
 }
 
 void EditStep::listChangedBricks() {
+    std::erase_if(m_changes.palettes, [&](ShapeHandle shape) { return !m_world.m_shapes.find(shape); });
     for (auto& [slot, each] : m_touched) {
         const Shape* shape = m_world.m_shapes.find(each.shape);
         if (!shape) continue;

@@ -8,10 +8,10 @@
 namespace rubble {
 namespace {
 
-constexpr double kPushReach = 2.5;        ///< radius of the push as a multiple of the explosion's size
-constexpr double kPushImpulse = 1500.0;   ///< N s at the centre for size 1, if the edit does not say
-constexpr double kPushSpeed = 9.0;        ///< m/s that a blast of size 1 gives at most: light pieces do not become bullets
-constexpr double kPushOffset = 0.2;       ///< of a body's mean radius: how far from its centre of mass it is hit, so that it tumbles
+constexpr double kPushReach = 2.5;       ///< radius of the push as a multiple of the explosion's size
+constexpr double kPushImpulse = 1500.0;  ///< N s at the centre for size 1, if the edit does not say
+constexpr double kPushSpeed = 9.0;       ///< m/s that a blast of size 1 gives at most: light pieces do not become bullets
+constexpr double kPushOffset = 0.2;      ///< of a body's mean radius: how far from its centre of mass it is hit, so that it tumbles
 
 /// A point of the unit cube around zero, the same for a body at every run.
 glm::dvec3 tumble(BodyHandle body, uint64_t step) {
@@ -24,7 +24,18 @@ glm::dvec3 tumble(BodyHandle body, uint64_t step) {
 
 }  // namespace
 
-void EditStep::apply(const ImpulseEdit& edit) { m_pushes.emplace_back(edit); }
+/// Whether a sphere around one of the body's shapes meets the reach: cheap, before its mass is asked for.
+bool EditStep::isNear(const Body& body, glm::dvec3 point, double reach) const {
+    return std::any_of(body.shapes.begin(), body.shapes.end(), [&](ShapeHandle handle) {
+        const Shape& shape = m_world.m_shapes.at(handle);
+        const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
+        return glm::length((body.pose * shape.local).transformPoint(half) - point) < reach + glm::length(half);
+    });
+}
+
+void EditStep::apply(const ImpulseEdit& edit) {
+    m_pushes.emplace_back(edit);
+}
 
 void EditStep::push(const ImpulseEdit& edit) {
     const Body* body = m_world.m_bodies.find(edit.body);
@@ -38,7 +49,7 @@ void EditStep::push(const ExplodeEdit& edit) {
     const double reach = kPushReach * edit.size;
     const double strongest = edit.impulse > 0.0 ? edit.impulse : kPushImpulse * edit.size * edit.size;
     m_world.m_bodies.forEach([&](BodyHandle handle, const Body& body) {
-        if (body.isStatic) return;
+        if (body.isStatic || !isNear(body, edit.position, reach)) return;
         const MassProperties mass = m_world.bodyMass(handle);
         const glm::dvec3 center = body.pose.transformPoint(mass.center);
         const glm::dvec3 away = center - edit.position;
@@ -46,7 +57,7 @@ void EditStep::push(const ExplodeEdit& edit) {
         if (!(distance < reach) || mass.mass <= 0.0) return;
         const glm::dvec3 direction = distance > 1e-6 ? away / distance : glm::dvec3(0.0, 1.0, 0.0);
         const double size = std::min(strongest, mass.mass * kPushSpeed * edit.size) * (1.0 - distance / reach);
-        const double meanRadius = glm::length(glm::dvec3(mass.principalInertia)) > 0.0 ? std::sqrt(mass.principalInertia.x / mass.mass) : 0.0;
+        const double meanRadius = std::sqrt(mass.principalInertia.x / mass.mass);
         m_changes.impulses.push_back({handle, center + tumble(handle, m_changes.step) * (kPushOffset * meanRadius), direction * size});
     });
 }

@@ -116,6 +116,9 @@ void EditStep::rehome(ShapeHandle handle) {
     shape.isPiece = true;
     m_changes.bodiesCreated.push_back(newBody);
     m_changes.rehomed.push_back(handle);
+    m_world.m_lights.forEach([&](LightHandle light, const Light& rider) {
+        if (rider.shape == handle) m_changes.lights.push_back(light);
+    });
 }
 
 void EditStep::destroyShape(ShapeHandle handle) {

@@ -22,13 +22,13 @@ private:
     /// What happened to a shape in this step, besides what the journal already holds.
     struct Touched {
         ShapeHandle shape;
-        std::vector<glm::ivec3> carved;     ///< bricks; may repeat until the split
+        std::vector<glm::ivec3> carved;  ///< bricks; may repeat until the split
         std::vector<glm::ivec3> painted;
     };
     /// How a free body moved before anything was taken from it.
     struct Motion {
         BodyHandle body;
-        glm::dvec3 center;                  ///< of mass, world
+        glm::dvec3 center;  ///< of mass, world
         glm::dvec3 velocity, angularVelocity;
         glm::dvec3 velocityAt(glm::dvec3 point) const { return velocity + glm::cross(angularVelocity, point - center); }
     };
@@ -67,6 +67,7 @@ private:
 
     // edit_push.cpp
     void apply(const ImpulseEdit& edit);
+    bool isNear(const Body& body, glm::dvec3 point, double reach) const;
     void push(const ExplodeEdit& edit);
     void push(const ImpulseEdit& edit);
 
@@ -75,11 +76,11 @@ private:
 
     World& m_world;
     FrameChanges& m_changes;
-    std::vector<Bounds> m_bounds;             ///< of every shape at the start of the step, in slot order
-    std::map<uint32_t, Touched> m_touched;    ///< by slot
-    std::map<uint32_t, Motion> m_motions;     ///< by slot
-    std::vector<Push> m_pushes;               ///< wait until the pieces exist
-    std::vector<uint64_t> m_groupRemoved;     ///< voxels, by slot of the group
+    std::vector<Bounds> m_bounds;           ///< of every shape at the start of the step, in slot order
+    std::map<uint32_t, Touched> m_touched;  ///< by slot
+    std::map<uint32_t, Motion> m_motions;   ///< by slot
+    std::vector<Push> m_pushes;             ///< wait until the pieces exist
+    std::vector<uint64_t> m_groupRemoved;   ///< voxels, by slot of the group
 };
 
 }  // namespace rubble

@@ -56,7 +56,7 @@ struct FrameChanges {
     std::vector<ShapeHandle> palettes;           ///< shapes whose palette changed
     std::vector<ShapeHandle> rehomed;            ///< shapes that lost their last anchor: now on a new body of their own, in bodiesCreated
     std::vector<RemovedVoxels> removed;          ///< a record for each edit, shape and entry
-    std::vector<LightHandle> lights;             ///< lights created, moved to another shape, or switched
+    std::vector<LightHandle> lights;             ///< lights created, moved to another shape or body, or switched
     std::vector<LightGroupHandle> groupsOut;
     std::vector<ImpulseApplied> impulses;
     uint64_t paintedVoxels = 0;

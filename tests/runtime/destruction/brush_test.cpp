@@ -11,7 +11,9 @@ namespace {
 
 using Point = glm::dvec3;
 
-double unit(Random& random) { return double(random.unit()) * 2.0 - 1.0; }
+double unit(Random& random) {
+    return double(random.unit()) * 2.0 - 1.0;
+}
 
 Point randomPoint(Random& random, double scale) {
     const double x = unit(random), y = unit(random), z = unit(random);
@@ -24,7 +26,9 @@ glm::dquat randomRotation(Random& random) {
 }
 
 /// Signed distance in cells to the surface, in doubles, by the textbook.
-double toSphere(Point p, Point center, double radius) { return glm::length(p - center) - radius; }
+double toSphere(Point p, Point center, double radius) {
+    return glm::length(p - center) - radius;
+}
 double toCapsule(Point p, Point a, Point b, double radius) {
     const double length2 = glm::dot(b - a, b - a);
     const double t = length2 > 0 ? std::clamp(glm::dot(p - a, b - a) / length2, 0.0, 1.0) : 0.0;
@@ -61,9 +65,12 @@ TEST(Brush, TouchesTheCellsThatGeometrySays) {
         const Point half = glm::abs(randomPoint(random, 14.0)) + 0.1;
         const double radius = 0.3 + 14.0 * random.unit();
         const glm::dquat rotation = randomRotation(random);
-        expectTouched(sphereBrush(a, {radius, 0, 0}), [&](Point p) { return toSphere(p, a, radius); }, "sphere");
-        expectTouched(capsuleBrush(a, b, {radius, 0, 0}), [&](Point p) { return toCapsule(p, a, b, radius); }, "capsule");
-        expectTouched(boxBrush(a, half, rotation, Hardness::Hard), [&](Point p) { return toBox(p, a, half, rotation); }, "box");
+        expectTouched(
+            sphereBrush(a, {radius, 0, 0}), [&](Point p) { return toSphere(p, a, radius); }, "sphere");
+        expectTouched(
+            capsuleBrush(a, b, {radius, 0, 0}), [&](Point p) { return toCapsule(p, a, b, radius); }, "capsule");
+        expectTouched(
+            boxBrush(a, half, rotation, Hardness::Hard), [&](Point p) { return toBox(p, a, half, rotation); }, "box");
     }
 }
 

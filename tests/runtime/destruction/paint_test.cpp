@@ -13,9 +13,13 @@ PaletteEntry withoutColor(PaletteEntry entry) {
     entry.red = entry.green = entry.blue = 0;
     return entry;
 }
-std::array<uint8_t, 3> colorOf(const PaletteEntry& entry) { return {entry.red, entry.green, entry.blue}; }
+std::array<uint8_t, 3> colorOf(const PaletteEntry& entry) {
+    return {entry.red, entry.green, entry.blue};
+}
 
-PaletteRef shared(const Palette& palette) { return std::make_shared<const Palette>(palette); }
+PaletteRef shared(const Palette& palette) {
+    return std::make_shared<const Palette>(palette);
+}
 
 bool isExposed(const test::PlainGrid& grid, glm::ivec3 cell) {
     for (const glm::ivec3 step : kFaceSteps)

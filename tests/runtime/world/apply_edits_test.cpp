@@ -185,7 +185,8 @@ TEST(ApplyEdits, TheSameEditsGiveTheSameHash) {
             const double x = random.unit() * 6.4, y = random.unit() * 6.0, z = random.unit() * 4.8;
             if (step % 3 == 0) world.applyEdits({ExplodeEdit{{x, y, z}, 1.3}});
             if (step % 3 == 1) world.applyEdits({sphereCarve({x, y, z}, 0.8), PaintEdit{.position = {y, x, z}, .probability = 90, .seed = 5}});
-            if (step % 3 == 2) world.applyEdits({CarveEdit{.kind = BrushKind::Capsule, .position = {x, y, z}, .end = {z, x, y}, .radii = {0.2, 0.2, 0.2}}});
+            if (step % 3 == 2)
+                world.applyEdits({CarveEdit{.kind = BrushKind::Capsule, .position = {x, y, z}, .end = {z, x, y}, .radii = {0.2, 0.2, 0.2}}});
             hashes.push_back(world.hash());
         }
         EXPECT_TRUE(world.ledger().balances());

@@ -54,7 +54,9 @@ TEST(Momentum, TheSplitConservesWhatTheCarveLeft) {
         const Pose pose = world.shapeToWorld(shape);
         // A slab across the whole tower, a little aslant.
         const glm::dquat aslant = glm::normalize(glm::dquat(1.0, 0.3 * x, 0.3 * y, 0.3 * z));
-        const CarveEdit cut{.kind = BrushKind::Box, .position = pose.transformPoint({2.0, 1.5 + 3.0 * y, 1.6}), .halfSize = {9.0, 0.2, 9.0},
+        const CarveEdit cut{.kind = BrushKind::Box,
+                            .position = pose.transformPoint({2.0, 1.5 + 3.0 * y, 1.6}),
+                            .halfSize = {9.0, 0.2, 9.0},
                             .rotation = pose.rotation * aslant};
 
         // The body after the carve and before the split: the carved grid as one rigid body that moves as before.
@@ -91,7 +93,8 @@ TEST(Momentum, PiecesOfSomethingStaticStartAtRest) {
     level.bodies[0].velocity = level.bodies[0].angularVelocity = {};
     world.load(level);
     Edits edits;
-    for (int i = 0; i < 12; ++i) edits.push_back(test::sphereCarve(world.shapeToWorld(test::firstShape(world)).transformPoint(Vector(i % 4, i * 0.5, i % 3)), 0.8));
+    for (int i = 0; i < 12; ++i)
+        edits.push_back(test::sphereCarve(world.shapeToWorld(test::firstShape(world)).transformPoint(Vector(i % 4, i * 0.5, i % 3)), 0.8));
     const FrameChanges changes = world.applyEdits(edits);
     EXPECT_FALSE(changes.bodiesCreated.empty());
     for (const BodyHandle handle : changes.bodiesCreated) EXPECT_EQ(world.bodies().at(handle).velocity, Vector(0.0));
