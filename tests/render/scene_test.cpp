@@ -1,0 +1,116 @@
+// The parts of the scene's mirror that need no picture.
+#include "render/scene/blue_noise.h"
+#include "render/scene/brick_atlas.h"
+#include "render/scene/slots.h"
+#include "render/gl/state_guard.h"
+#include "tests/render/gl_fixture.h"
+
+#include <map>
+#include <set>
+
+#include "runtime/core/random.h"
+
+namespace rubble {
+namespace {
+
+TEST(Ranges, NeverOverlapAndComeBackTogether) {
+    Ranges ranges;
+    Random random(4);
+    std::map<uint32_t, uint32_t> held;
+    for (int i = 0; i < 5000; ++i) {
+        if (held.empty() || random.below(2)) {
+            const uint32_t count = 1 + random.below(20);
+            const uint32_t start = ranges.take(count);
+            const auto after = held.lower_bound(start);
+            ASSERT_TRUE(after == held.end() || start + count <= after->first);
+            ASSERT_TRUE(after == held.begin() || std::prev(after)->first + std::prev(after)->second <= start);
+            held[start] = count;
+        } else {
+            const auto one = std::next(held.begin(), int(random.below(uint32_t(held.size()))));
+            ranges.give(one->first, one->second);
+            held.erase(one);
+        }
+    }
+    for (const auto& [start, count] : held) ranges.give(start, count);
+    EXPECT_EQ(ranges.take(ranges.end()), 0u) << "all gaps have become one";
+}
+
+TEST(BlueNoise, EveryThresholdEquallyOftenAndNoClumps) {
+    const std::vector<uint8_t> tile = makeBlueNoise();
+    std::vector<int> counts(256);
+    for (uint8_t value : tile) ++counts[value];
+    for (int count : counts) EXPECT_EQ(count, kBlueNoiseSize * kBlueNoiseSize / 256);
+    // Neighbours of blue noise differ more than those of white noise, whose mean difference is a third of the range.
+    double difference = 0.0;
+    for (int y = 0; y < kBlueNoiseSize; ++y)
+        for (int x = 0; x < kBlueNoiseSize; ++x) {
+            const int here = y * kBlueNoiseSize + x, right = y * kBlueNoiseSize + (x + 1) % kBlueNoiseSize;
+            difference += std::abs(int(tile[size_t(here)]) - int(tile[size_t(right)]));
+        }
+    EXPECT_GT(difference / double(tile.size()), 256.0 / 3 * 1.15);
+}
+
+class BrickAtlasTest : public GlTest {};
+
+TEST_F(BrickAtlasTest, SharedBricksAreSentOnceAndFreedWithTheirLastUser) {
+    BrickAtlas atlas;
+    BrickIndices indices{};
+    indices[0] = 1;
+    const BrickRef one = makeBrick(indices);
+    const uint32_t slot = atlas.acquire(one);
+    EXPECT_EQ(atlas.acquire(one), slot);
+    EXPECT_EQ(atlas.upload(), 576u);
+    EXPECT_EQ(atlas.upload(), 0u);
+    atlas.release(one.get());
+    EXPECT_EQ(atlas.bricks(), 1);
+    atlas.release(one.get());
+    EXPECT_EQ(atlas.bricks(), 0);
+    EXPECT_EQ(one.use_count(), 1) << "the atlas lets go of it";
+}
+
+class StateGuardTest : public GlTest {};
+
+TEST_F(StateGuardTest, PutsBackWhatAHostHadSet) {
+    GLuint texture, buffer;
+    glGenTextures(1, &texture);
+    glGenBuffers(1, &buffer);
+    glActiveTexture(GL_TEXTURE3);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_GREATER);
+    glViewport(1, 2, 3, 4);
+    {
+        const GlStateGuard guard;
+        EXPECT_FALSE(glIsEnabled(GL_BLEND)) << "passes start from a known state";
+        glActiveTexture(GL_TEXTURE3);
+        glBindTexture(GL_TEXTURE_2D, 0);
+        glBindBuffer(GL_ARRAY_BUFFER, 0);
+        glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+        glDepthFunc(GL_LEQUAL);
+        glViewport(0, 0, 16, 16);
+        glActiveTexture(GL_TEXTURE0);
+    }
+    GLint value[4];
+    const auto get = [&](GLenum name) {
+        glGetIntegerv(name, value);
+        return value[0];
+    };
+    EXPECT_EQ(get(GL_ACTIVE_TEXTURE), GL_TEXTURE3);
+    EXPECT_EQ(get(GL_TEXTURE_BINDING_2D), GLint(texture));
+    EXPECT_EQ(get(GL_ARRAY_BUFFER_BINDING), GLint(buffer));
+    EXPECT_TRUE(glIsEnabled(GL_BLEND));
+    EXPECT_EQ(get(GL_BLEND_DST_RGB), GL_ONE);
+    EXPECT_EQ(get(GL_DEPTH_WRITEMASK), GL_FALSE);
+    EXPECT_EQ(get(GL_DEPTH_FUNC), GL_GREATER);
+    EXPECT_EQ(get(GL_VIEWPORT), 1);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    glDeleteTextures(1, &texture);
+    glDeleteBuffers(1, &buffer);
+}
+
+}  // namespace
+}  // namespace rubble

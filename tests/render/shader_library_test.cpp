@@ -1,0 +1,104 @@
+#include "render/shader_library/shader_library.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "render/frame_context.h"
+#include "tests/render/gl_fixture.h"
+
+namespace rubble {
+namespace {
+
+class ShaderLibraryTest : public GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        folder = std::filesystem::path(testing::TempDir()) / ("shaders_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        std::filesystem::create_directories(folder / "lib");
+        write("full.vert", "void main() { gl_Position = vec4(0.0); }\n");
+    }
+    void TearDown() override {
+        std::filesystem::remove_all(folder);
+        GlTest::TearDown();
+    }
+    void write(const std::string& file, const std::string& text) { std::ofstream(folder / file) << text; }
+    std::filesystem::path folder;
+};
+
+TEST_F(ShaderLibraryTest, ErrorsNameTheFileAndLineOfAnInclude) {
+    write("lib/broken.glsl", "// one\n// two\nfloat three() { return nothing; }\n");
+    write("a.frag", "// one\n#include \"lib/broken.glsl\"\nout vec4 color;\nvoid main() { color = vec4(three()); }\n");
+    ShaderLibrary shaders(folder);
+    EXPECT_FALSE(shaders.load("a.frag", "full.vert"));
+    ASSERT_EQ(shaders.errors().size(), 1u);
+    EXPECT_NE(shaders.errors()[0].find("lib/broken.glsl:3"), std::string::npos) << shaders.errors()[0];
+}
+
+TEST_F(ShaderLibraryTest, ErrorsAfterAnIncludeNameTheIncludingFile) {
+    write("lib/fine.glsl", "float one() { return 1.0; }\n\n\n\n");
+    write("a.frag", "#include \"lib/fine.glsl\"\n#include \"lib/fine.glsl\"\nout vec4 color;\nvoid main() { color = one; }\n");
+    ShaderLibrary shaders(folder);
+    EXPECT_FALSE(shaders.load("a.frag", "full.vert"));
+    EXPECT_NE(shaders.errors().at(0).find("a.frag:4"), std::string::npos) << shaders.errors()[0];
+}
+
+TEST_F(ShaderLibraryTest, MissingFilesAreNamedWithWhoAskedForThem) {
+    write("a.frag", "\n#include \"lib/none.glsl\"\nvoid main() {}\n");
+    ShaderLibrary shaders(folder);
+    EXPECT_FALSE(shaders.load("a.frag", "full.vert"));
+    EXPECT_NE(shaders.errors().at(0).find("a.frag:2"), std::string::npos) << shaders.errors()[0];
+    EXPECT_NE(shaders.errors().at(0).find("none.glsl"), std::string::npos);
+}
+
+TEST_F(ShaderLibraryTest, ReloadKeepsTheLastGoodProgram) {
+    const auto touch = [&](int seconds) {
+        std::filesystem::last_write_time(folder / "a.frag", std::filesystem::file_time_type::clock::now() + std::chrono::seconds(seconds));
+    };
+    write("a.frag", "out vec4 color;\nvoid main() { color = vec4(1.0); }\n");
+    ShaderLibrary shaders(folder);
+    const Program& program = shaders.load("a.frag", "full.vert");
+    ASSERT_TRUE(program);
+    const GLuint first = program.name();
+    EXPECT_FALSE(shaders.reloadChanged()) << "nothing changed";
+
+    write("a.frag", "out vec4 color;\nvoid main() { color = oops; }\n");
+    touch(10);
+    EXPECT_FALSE(shaders.reloadChanged());
+    EXPECT_EQ(program.name(), first);
+    EXPECT_NE(shaders.errors().at(0).find("a.frag:2"), std::string::npos);
+
+    write("a.frag", "out vec4 color;\nvoid main() { color = vec4(0.5); }\n");
+    touch(20);
+    EXPECT_TRUE(shaders.reloadChanged());
+    EXPECT_TRUE(program);
+    EXPECT_TRUE(shaders.errors().empty());
+}
+
+TEST_F(ShaderLibraryTest, FrameBlockLiesInTheShaderAsInMemory) {
+    write("a.frag", "");
+    ShaderLibrary shaders(shaderFolder());
+    const Program& program = shaders.load("passes/gbuffer.frag", "passes/gbuffer.vert");
+    ASSERT_TRUE(program);
+    const GLuint block = glGetUniformBlockIndex(program.name(), "FrameBlock");
+    ASSERT_NE(block, GL_INVALID_INDEX);
+    GLint size = 0;
+    glGetActiveUniformBlockiv(program.name(), block, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
+    EXPECT_EQ(size_t(size), sizeof(FrameBlock));
+    const std::pair<const char*, size_t> members[] = {
+        {"FrameBlock.viewProjection", offsetof(FrameBlock, viewProjection)},
+        {"FrameBlock.cameraForward", offsetof(FrameBlock, cameraForward)},
+        {"FrameBlock.counters", offsetof(FrameBlock, counters)},
+        {"FrameBlock.shadowSectorCount", offsetof(FrameBlock, shadowSectorCount)},
+    };
+    for (const auto& [name, offset] : members) {
+        GLuint index = GL_INVALID_INDEX;
+        GLint found = -1;
+        glGetUniformIndices(program.name(), 1, &name, &index);
+        ASSERT_NE(index, GL_INVALID_INDEX) << name;
+        glGetActiveUniformsiv(program.name(), 1, &index, GL_UNIFORM_OFFSET, &found);
+        EXPECT_EQ(size_t(found), offset) << name;
+    }
+}
+
+}  // namespace
+}  // namespace rubble
