@@ -107,7 +107,9 @@ TEST_F(Abi, EqualCommandsGiveEqualWorlds) {
     for (int step = 0; step < 30; ++step) {
         const rubble_explosion explosion = blow();
         for (const rubble_world world : {m_world, other}) {
-            if (step == 3) ASSERT_EQ(api()->explode(world, &explosion), RUBBLE_OK);
+            if (step == 3) {
+                ASSERT_EQ(api()->explode(world, &explosion), RUBBLE_OK);
+            }
             ASSERT_EQ(api()->step(world), RUBBLE_OK);
         }
         ASSERT_EQ(api()->state_hash(m_world, &hash), RUBBLE_OK);

@@ -8,6 +8,21 @@
 #include "runtime/assets/assets.h"
 
 namespace rubble {
+namespace {
+
+VoxelGrid tableGrid() {
+    VoxelGrid grid({17, 10, 17});
+    GridWriter writer(grid);
+    for (int x = 0; x < 17; ++x)
+        for (int z = 0; z < 17; ++z) {
+            const bool leg = x >= 7 && x <= 9 && z >= 7 && z <= 9;
+            for (int y = leg ? 0 : 8; y < 10; ++y) writer.set({x, y, z}, 1);
+        }
+    writer.flush();
+    return grid;
+}
+
+}  // namespace
 
 std::string writeTestLevel() {
     auto palette = std::make_shared<Palette>();
@@ -15,14 +30,8 @@ std::string writeTestLevel() {
     (*palette)[1].material = defaultMaterials().find("brick");
     LevelShape shape;
     shape.name = "table";
-    shape.grid = VoxelGrid({17, 10, 17});
+    shape.grid = tableGrid();
     shape.palette = palette;
-    GridWriter writer(shape.grid);
-    for (int x = 0; x < 17; ++x)
-        for (int z = 0; z < 17; ++z) {
-            const bool pillar = x >= 7 && x <= 9 && z >= 7 && z <= 9;
-            for (int y = pillar ? 0 : 8; y < 10; ++y) writer.set({x, y, z}, 1);
-        }
     LevelBody body;
     body.name = "table";
     body.shapes.push_back(std::move(shape));
