@@ -39,6 +39,17 @@ public:
         return true;
     }
 
+    /// Erases everything, and gives out slots like a new map again; handles from before are stale.
+    void clear() {
+        m_free.clear();
+        for (size_t i = m_slots.size(); i-- > 0;) {
+            m_slots[i].generation += m_slots[i].value.has_value();
+            m_slots[i].value.reset();
+            m_free.push_back(uint32_t(i));
+        }
+        m_size = 0;
+    }
+
     /// nullptr if the handle is stale, empty or of another world.
     T* find(Handle handle) { return const_cast<T*>(std::as_const(*this).find(handle)); }
     const T* find(Handle handle) const {

@@ -15,7 +15,7 @@ constexpr double kPushOffset = 0.2;      ///< of a body's mean radius: how far f
 
 /// A point of the unit cube around zero, the same for a body at every run.
 glm::dvec3 tumble(BodyHandle body, uint64_t step) {
-    Random random(body.bits, step);
+    Random random(body.slot(), step);
     const float x = random.unit();
     const float y = random.unit();
     const float z = random.unit();

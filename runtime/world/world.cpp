@@ -41,11 +41,17 @@ struct Hasher {
 
 World::World(uint8_t id) : m_id(id), m_bodies(id), m_shapes(id), m_lights(id), m_groups(id) {}
 
-void World::load(const Level& level) {
-    const WorldSettings settings = m_settings;
-    *this = World(m_id);
-    m_settings = settings;
+void World::clear() {
+    m_bodies.clear();
+    m_shapes.clear();
+    m_lights.clear();
+    m_groups.clear();
+    m_step = m_imported = m_removed = 0;
     m_levelReplaced = true;
+}
+
+void World::load(const Level& level) {
+    clear();
     m_name = level.name;
     m_materials = level.materials;
     m_locations = level.locations;
@@ -210,7 +216,7 @@ uint64_t World::hash() const {
     Hasher hasher;
     hasher.add(m_step);
     m_bodies.forEach([&](BodyHandle handle, const Body& body) {
-        hasher.add(handle.bits);
+        hasher.add(handle.slot());
         hasher.add(body.pose);
         hasher.add(body.velocity);
         hasher.add(body.angularVelocity);
@@ -223,20 +229,20 @@ uint64_t World::hash() const {
             lastPalette = shape.palette.get();
             paletteHash = hashPalette(*shape.palette);
         }
-        hasher.add(handle.bits);
-        hasher.add(shape.body.bits);
+        hasher.add(handle.slot());
+        hasher.add(shape.body.slot());
         hasher.add(shape.local);
         hasher.add(shape.grid.contentHash());
         hasher.add(paletteHash);
     });
     m_lights.forEach([&](LightHandle handle, const Light& light) {
-        hasher.add(handle.bits);
-        hasher.add(light.shape.bits);
+        hasher.add(handle.slot());
+        hasher.add(uint64_t(bool(light.shape)) << 32 | light.shape.slot());
         hasher.add(light.local);
         hasher.add(uint64_t(light.enabled));
     });
     m_groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
-        hasher.add(handle.bits);
+        hasher.add(handle.slot());
         hasher.add(group.removedVoxels << 1 | uint64_t(group.out));
     });
     return hasher.state;

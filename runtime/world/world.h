@@ -91,7 +91,7 @@ class World {
 public:
     explicit World(uint8_t id = 1);
 
-    /// Replaces everything by the level; the next applyEdits() reports levelReplaced.
+    /// Replaces everything by the level, and all handles from before go stale; the next applyEdits() reports levelReplaced.
     void load(const Level& level);
     /// The whole world as data: load(toLevel()) gives the same hash of bodies and voxels.
     Level toLevel() const;
@@ -124,10 +124,12 @@ public:
     Ledger ledger() const;
     uint64_t step() const { return m_step; }
     /// Of everything that matters to what happens next: voxels, palettes, bodies, velocities, lights, groups, in slot order.
+    /// The number of the world and the generations of its slots do not matter to that.
     uint64_t hash() const;
 
 private:
     friend class EditStep;
+    void clear();
     /// Fills in initialVoxels of groups that do not bring it.
     void countGroupVoxels();
 

@@ -27,6 +27,16 @@ TEST(SlotMap, StaleHandlesAreReportedNeverFollowed) {
     EXPECT_EQ(map.find(BodyHandle::make(4, second.generation(), second.slot())), nullptr) << "another world's handle";
 }
 
+TEST(SlotMap, ClearedItGivesSlotsLikeANewOneAndOldHandlesAreStale) {
+    SlotMap<BodyHandle, int> used(1), fresh(1);
+    const BodyHandle first = used.insert(1), second = used.insert(2), third = used.insert(3);
+    used.erase(second);
+    used.clear();
+    EXPECT_EQ(used.size(), 0u);
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(used.insert(i).slot(), fresh.insert(i).slot());
+    for (const BodyHandle handle : {first, second, third}) EXPECT_EQ(used.find(handle), nullptr);
+}
+
 TEST(SlotMap, BehavesLikeAMapUnderRandomUse) {
     SlotMap<ShapeHandle, int> map(1);
     std::map<uint64_t, int> expected;
