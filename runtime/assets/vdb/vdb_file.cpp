@@ -164,7 +164,7 @@ Result<std::pair<Pose, double>> cornerPose(const openvdb::GridBase& grid, const 
     if (!grid.transform().isLinear()) return refuse("a frustum");
     const openvdb::Mat4d matrix = grid.transform().baseMap()->getAffineMap()->getMat4();
     for (int i = 0; i < 16; ++i)
-        if (!std::isfinite(matrix.asPointer()[i]) || std::abs(matrix.asPointer()[i]) > 1e9) return refuse("numbers that are not finite");
+        if (!(std::abs(matrix.asPointer()[i]) <= 1e9)) return refuse(fmt::format("{}", matrix.asPointer()[i]));
     glm::dmat3 axes;
     for (int i = 0; i < 3; ++i) axes[i] = {matrix(i, 0), matrix(i, 1), matrix(i, 2)};
     const double size = glm::length(axes[0]);

@@ -1,0 +1,221 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "runtime/assets/assets.h"
+#include "runtime/assets/file_bytes.h"
+#include "runtime/assets/vdb_tool.h"
+#include "tests/runtime/assets/sample_level.h"
+#include "tests/runtime/assets/vdb/foreign_vdb.h"
+
+namespace rubble {
+namespace {
+
+namespace fs = std::filesystem;
+const std::string kTool = RUBBLE_BINARY_DIR "/bin/rubble-vdb";
+const std::string kModels = RUBBLE_SOURCE_DIR "/../shared/models/";
+
+class VdbFile : public testing::Test {
+protected:
+    void SetUp() override {
+        m_folder = fs::path(testing::TempDir()) / ("vdb_test_" + std::to_string(getpid()));
+        fs::create_directories(m_folder);
+    }
+    void TearDown() override { fs::remove_all(m_folder); }
+    std::string path(const std::string& name) const { return (m_folder / name).string(); }
+
+    /// What is read from a file of another program; the notes in `report`.
+    Result<Level> foreign(const std::string& kind, ImportReport* report = nullptr) const {
+        writeForeignVdb(kind, path("foreign.vdb"));
+        ImportReport unused;
+        return readVdb(path("foreign.vdb"), kTool, report ? report : &unused);
+    }
+
+    fs::path m_folder;
+};
+
+std::string notes(const ImportReport& report) {
+    std::string all;
+    for (const std::string& line : report.lines) all += line + "\n";
+    return all;
+}
+
+TEST_F(VdbFile, RoundTripKeepsTheHash) {
+    const Level level = sampleLevel();
+    const Result<Done> done = writeVdb(path("a.vdb"), level, kTool);
+    ASSERT_TRUE(done) << done.error();
+    ImportReport report;
+    const Result<Level> back = readVdb(path("a.vdb"), kTool, &report);
+    ASSERT_TRUE(back) << back.error();
+    EXPECT_EQ(hashLevel(*back), hashLevel(level));
+    EXPECT_EQ(notes(report), "");
+    EXPECT_EQ(std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()), 1) << "no neighbours stay";
+}
+
+TEST_F(VdbFile, RoundTripOfARealScene) {
+    const std::string model = kModels + "test_multiple_model_scene.vox";
+    if (!fs::exists(model)) GTEST_SKIP() << model << " is not there";
+    const Result<Level> level = importVox(model, {});
+    ASSERT_TRUE(level) << level.error();
+    ASSERT_TRUE(writeVdb(path("scene.vdb"), *level, kTool));
+    const Result<Level> back = readLevel(path("scene.vdb"), kTool);
+    ASSERT_TRUE(back) << back.error();
+    EXPECT_EQ(hashLevel(*back), hashLevel(*level));
+}
+
+TEST_F(VdbFile, VdbPrintListsTheGrids) {
+    if (std::system("command -v vdb_print >/dev/null") != 0) GTEST_SKIP() << "vdb_print is not installed (libopenvdb-tools)";
+    ASSERT_TRUE(writeVdb(path("a.vdb"), sampleLevel(), kTool));
+    ASSERT_EQ(std::system(("vdb_print " + path("a.vdb") + " > " + path("list.txt")).c_str()), 0);
+    const auto bytes = readFileBytes(path("list.txt"), 1 << 20);
+    ASSERT_TRUE(bytes);
+    const std::string list(bytes->begin(), bytes->end());
+    for (const char* grid :
+         {"walls_north.palette_index", "walls_north.density", "walls_north.color", "lamp.emission", "lamp.light_group", "lamp_2.palette_index"})
+        EXPECT_NE(list.find(grid), std::string::npos) << grid << " is not in\n" << list;
+}
+
+TEST_F(VdbFile, BlenderListsTheGrids) {
+    if (std::system("command -v blender >/dev/null") != 0) GTEST_SKIP() << "blender is not installed";
+    ASSERT_TRUE(writeVdb(path("a.vdb"), sampleLevel(), kTool));
+    std::ofstream(path("list.py")) << "import bpy\nv = bpy.data.volumes.new('v')\nv.filepath = r'" << path("a.vdb")
+                                   << "'\nv.grids.load()\nprint('GRIDS', sorted((g.name, g.data_type) for g in v.grids))\n";
+    ASSERT_EQ(std::system(("blender -b --factory-startup -P " + path("list.py") + " > " + path("list.txt") + " 2>&1").c_str()), 0);
+    const auto bytes = readFileBytes(path("list.txt"), 1 << 20);
+    ASSERT_TRUE(bytes);
+    const std::string list(bytes->begin(), bytes->end());
+    EXPECT_NE(list.find("('walls_north.density', 'FLOAT')"), std::string::npos) << list;
+    EXPECT_NE(list.find("('walls_north.palette_index', 'INT')"), std::string::npos) << list;
+}
+
+TEST_F(VdbFile, BoolGridsAreOccupancy) {
+    const Result<Level> level = foreign("bool");
+    ASSERT_TRUE(level) << level.error();
+    ASSERT_EQ(level->bodies.size(), 1u);
+    const LevelShape& shape = level->bodies[0].shapes.at(0);
+    EXPECT_EQ(shape.name, "blob");
+    EXPECT_EQ(shape.grid.voxelCount(), 3u);
+    EXPECT_EQ(shape.grid.size(), glm::ivec3(9, 3, 3));
+    EXPECT_EQ(int(shape.grid.at({8, 2, 2})), 1);
+    EXPECT_FLOAT_EQ(shape.voxelSize, 0.25f);
+    // Cell centres lie at whole indices there: the corner of cell -5 is at -5.5.
+    EXPECT_EQ(level->bodies[0].pose.position, glm::dvec3(-5.5, -0.5, -0.5) * 0.25);
+    EXPECT_NE((*shape.palette)[1].material, 0);
+}
+
+TEST_F(VdbFile, TilesAreExpanded) {
+    const Result<Level> level = foreign("mask tile");
+    ASSERT_TRUE(level) << level.error();
+    EXPECT_EQ(level->bodies.at(0).shapes.at(0).grid.voxelCount(), 128u * 128 * 128);
+}
+
+TEST_F(VdbFile, LevelSetsAreFilled) {
+    const Result<Level> level = foreign("level set");
+    ASSERT_TRUE(level) << level.error();
+    const double expected = 4.0 / 3.0 * M_PI * 8.0 / 0.001;
+    EXPECT_NEAR(double(level->bodies.at(0).shapes.at(0).grid.voxelCount()), expected, expected * 0.01);
+}
+
+TEST_F(VdbFile, FogIsSolidFromHalfWithItsColours) {
+    ImportReport report;
+    const Result<Level> level = foreign("fog", &report);
+    ASSERT_TRUE(level) << level.error();
+    ASSERT_EQ(level->bodies.size(), 1u) << "other channels are no shapes";
+    const LevelShape& shape = level->bodies[0].shapes.at(0);
+    EXPECT_EQ(shape.name, "foreign");
+    EXPECT_EQ(shape.grid.voxelCount(), 500u);
+    const PaletteEntry &blue = (*shape.palette)[shape.grid.at({1, 0, 0})], &red = (*shape.palette)[shape.grid.at({2, 0, 0})];
+    EXPECT_EQ(int(blue.blue), 255);
+    EXPECT_EQ(int(blue.red), 0);
+    EXPECT_EQ(int(red.red), 255);
+    EXPECT_NE(notes(report).find("'temperature'"), std::string::npos) << notes(report);
+    EXPECT_NE(notes(report).find("'odd'"), std::string::npos) << notes(report);
+}
+
+TEST_F(VdbFile, PaletteIndexWithoutMetadata) {
+    const Result<Level> level = foreign("indices");
+    ASSERT_TRUE(level) << level.error();
+    const LevelShape& shape = level->bodies.at(0).shapes.at(0);
+    EXPECT_EQ(shape.name, "door");
+    EXPECT_EQ(shape.grid.voxelCount(), 4u);
+    EXPECT_EQ(int(shape.grid.at({1, 1, 0})), 255);
+}
+
+TEST_F(VdbFile, TurnedGridsKeepTheirPlace) {
+    const Result<Level> level = foreign("turned");
+    ASSERT_TRUE(level) << level.error();
+    const LevelBody& body = level->bodies.at(0);
+    // OpenVDB turns row vectors: x goes to (cos, 0, -sin).
+    const glm::dvec3 index(3, 2, 1);
+    const glm::dvec3 turned(std::cos(0.7) * index.x + std::sin(0.7) * index.z, index.y, -std::sin(0.7) * index.x + std::cos(0.7) * index.z);
+    const glm::dvec3 expected = turned * 0.1 + glm::dvec3(5, 6, 7);
+    const glm::dvec3 centre = body.pose.transformPoint((glm::dvec3(8, 2, 1) + 0.5) * 0.1);  // the same cell in the shape
+    EXPECT_LT(glm::length(centre - expected), 1e-6) << centre.x << " " << centre.y << " " << centre.z;
+}
+
+TEST_F(VdbFile, WhatCannotBeVoxelsIsRefusedWithAReason) {
+    const auto error = [&](const char* kind) {
+        const Result<Level> level = foreign(kind);
+        return level ? "no error" : level.error();
+    };
+    EXPECT_NE(error("stretched").find("equal-sided cells, found stretched"), std::string::npos) << error("stretched");
+    EXPECT_NE(error("far away").find("found 1000000000000"), std::string::npos) << error("far away");
+    EXPECT_NE(error("huge box").find("at most 4096 cells on a side"), std::string::npos) << error("huge box");
+    EXPECT_NE(error("huge tile").find("voxels"), std::string::npos) << error("huge tile");
+    EXPECT_NE(error("wrong index").find("found 300"), std::string::npos) << error("wrong index");
+}
+
+TEST_F(VdbFile, DamagedFilesKillAtMostTheChild) {
+    ASSERT_TRUE(writeVdb(path("a.vdb"), sampleLevel(), kTool));
+    const std::vector<uint8_t> whole = *readFileBytes(path("a.vdb"), 1 << 24);
+    const auto read = [&](const std::vector<uint8_t>& bytes) {
+        std::ofstream(path("b.vdb"), std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+        ImportReport report;
+        return readVdb(path("b.vdb"), kTool, &report);
+    };
+    for (size_t part : {0, 5, 11, 60, 90}) {
+        const Result<Level> level = read({whole.begin(), whole.begin() + std::ptrdiff_t(whole.size() * part / 100)});
+        ASSERT_FALSE(level) << part;
+        EXPECT_NE(level.error().find("b.vdb: byte "), std::string::npos) << level.error();
+        EXPECT_NE(level.error().find("expected"), std::string::npos) << level.error();
+    }
+    EXPECT_FALSE(read(std::vector<uint8_t>(100000, 0xa5)));
+    uint32_t state = 1;
+    for (int round = 0; round < 25; ++round) {  // whatever happens in there, we live and get a level or a reason
+        std::vector<uint8_t> bytes = whole;
+        for (int i = 0; i < 8; ++i) {
+            state = state * 1664525u + 1013904223u;
+            bytes[200 + (state >> 8) % (bytes.size() - 200)] ^= uint8_t(1u << (state & 7));
+        }
+        const Result<Level> level = read(bytes);
+        if (level) continue;
+        EXPECT_NE(level.error().find("b.vdb"), std::string::npos) << level.error();
+    }
+}
+
+TEST_F(VdbFile, TheChildHasLimits) {
+    const auto script = [&](const char* name, const char* text) {
+        std::ofstream(path(name)) << "#!/bin/sh\n" << text << "\n";
+        fs::permissions(path(name), fs::perms::owner_all);
+        return path(name);
+    };
+    setenv("RUBBLE_VDB_SECONDS", "1", 1);
+    const Result<Level> slow = readVdb(path("a.vdb"), script("slow", "exec sleep 60"));
+    unsetenv("RUBBLE_VDB_SECONDS");
+    ASSERT_FALSE(slow);
+    EXPECT_NE(slow.error().find("stopped after 1 s"), std::string::npos) << slow.error();
+    const Result<Level> crash = readVdb(path("a.vdb"), script("crash", "kill -SEGV $$"));
+    ASSERT_FALSE(crash);
+    EXPECT_NE(crash.error().find("killed by signal 11"), std::string::npos) << crash.error();
+    const Result<Level> missing = readVdb(path("a.vdb"), "/no/such/tool");
+    ASSERT_FALSE(missing);
+    EXPECT_NE(missing.error().find("/no/such/tool"), std::string::npos) << missing.error();
+    EXPECT_NE(readVdb("/no/such.vdb", kTool).error().find("/no/such.vdb"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rubble
