@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace rubble {
 namespace {
@@ -51,9 +52,10 @@ struct SampleRow {
         }
         low = high = 0;
         if (!(from <= to)) return;
-        // The estimate is right to a sample: the integers decide.
-        low = std::max(0, int(from) - 1);
-        high = std::min(count, int(to) + 2);
+        // The estimate errs by far less than a millionth of a sample; where that matters the integers decide.
+        low = int(std::ceil(from - 1e-6));
+        high = std::min(count, int(to + 1e-6) + 1);
+        low = std::max(low, 0);
         while (low < high && !inside(low)) ++low;
         while (low < high && !inside(high - 1)) --high;
     }
@@ -75,6 +77,23 @@ void sampleRow(const VoxelGrid& grid, const SampleRow& line, int low, int high, 
     }
 }
 
+/// False if no sample of a box of cells can lie in the grid: its centre is too far out along one of the grid's axes.
+bool canMeet(const VoxelGrid& grid, const ShadowLattice& lattice, glm::ivec3 low, glm::ivec3 high) {
+    const FixedPoint first = lattice.sample(low), last = lattice.sample(high);  // the last is one beyond: to be safe
+    for (size_t k = 0; k < 3; ++k) {
+        int64_t reach = 0;  // twice
+        for (size_t a = 0; a < 3; ++a) reach += std::abs(lattice.step[a][k]) * (high[int(a)] - low[int(a)]) * lattice.samples;
+        const int64_t size = int64_t(grid.size()[int(k)]) << 32;
+        if (std::abs(first[k] + last[k] - size) > reach + size) return false;
+    }
+    return true;
+}
+
+FixedPoint operator+(FixedPoint a, const FixedPoint& b) {
+    for (size_t k = 0; k < 3; ++k) a[k] += b[k];
+    return a;
+}
+
 }  // namespace
 
 void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds, glm::ivec3 brick, CellRows& rows) {
@@ -86,6 +105,7 @@ void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBo
         high[a] = std::min(kSide, bounds.high[a] - corner[a]);
         if (low[a] >= high[a]) return;
     }
+    if (!canMeet(grid, lattice, corner + low, corner + high)) return;
     SampleRow line;
     std::array<double, 3> inverseStep;
     line.step = lattice.step[0];
@@ -94,16 +114,17 @@ void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBo
         inverseStep[k] = line.step[k] ? 1.0 / double(line.step[k]) : 0.0;
     }
     const int count = (high.x - low.x) * lattice.samples;
-    for (int z = low.z; z < high.z; ++z)
+    FixedPoint plane = lattice.sample(corner + low);
+    for (int sz = low.z * lattice.samples; sz < high.z * lattice.samples; ++sz, plane = plane + lattice.step[2]) {
+        const int z = sz / lattice.samples;
+        line.first = plane;
         for (int y = low.y; y < high.y; ++y)
-            for (int s = 0; s < lattice.samples * lattice.samples; ++s) {
-                line.first = lattice.sample(corner + glm::ivec3(low.x, y, z));
-                const int64_t sy = s % lattice.samples, sz = s / lattice.samples;
-                for (size_t k = 0; k < 3; ++k) line.first[k] += sy * lattice.step[1][k] + sz * lattice.step[2][k];
+            for (int sy = 0; sy < lattice.samples; ++sy, line.first = line.first + lattice.step[1]) {
                 int from, to;
                 line.clip(count, inverseStep, from, to);
                 if (from < to) sampleRow(grid, line, from, to, lattice.samples, rows[size_t(y + z * kSide)], low.x);
             }
+    }
 }
 
 ShadowBrick packRows(const CellRows& rows) {

@@ -1,0 +1,100 @@
+// The exact walk over bricks, against the reference's walk over an object's mips and against every voxel in turn.
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <glm/geometric.hpp>
+
+#include "runtime/core/random.h"
+#include "tests/benchmark/reference_walks.h"
+
+namespace rubble {
+namespace {
+
+/// A block of houses: walls one voxel thick, floors, gaps between the houses.
+const VoxelGrid& houses() {
+    static const VoxelGrid grid = [] {
+        const glm::ivec3 size(256, 128, 256);
+        VoxelGrid out(size);
+        GridWriter writer(out);
+        for (int z = 0; z < size.z; ++z)
+            for (int y = 0; y < size.y; ++y)
+                for (int x = 0; x < size.x; ++x) {
+                    const int height = 30 + int(hashCell(x / 64, 0, z / 64) % 90), hx = x % 64, hz = z % 64;
+                    const bool isHouse = hx >= 8 && hx < 56 && hz >= 8 && hz < 56 && y < height;
+                    const bool isWall = hx == 8 || hx == 55 || hz == 8 || hz == 55, isWindow = y % 24 > 8 && y % 24 < 18 && (hx + hz) % 12 < 6;
+                    if (y < 2 || (isHouse && ((isWall && !isWindow) || y % 24 == 0))) writer.set({x, y, z}, 1);
+                }
+        writer.flush();
+        return out;
+    }();
+    return grid;
+}
+
+/// From points around and inside, to points inside: what a camera sees.
+const std::vector<CellRay>& rays() {
+    static const std::vector<CellRay> all = [] {
+        std::vector<CellRay> out;
+        Random random(1);
+        for (int i = 0; i < 20'000; ++i) {
+            glm::dvec3 from, to;
+            for (int a = 0; a < 3; ++a) {
+                from[a] = (1.4 * double(random.unit()) - 0.2) * houses().size()[a];
+                to[a] = double(random.unit()) * houses().size()[a];
+            }
+            out.push_back({from, glm::normalize(to - from), 1000.0});
+        }
+        return out;
+    }();
+    return all;
+}
+
+template <class F>
+void run(benchmark::State& state, F&& walk) {
+    int hits = 0;
+    size_t different = 0;
+    for (auto _ : state)
+        for (const CellRay& ray : rays()) hits += walk(ray);
+    for (const CellRay& ray : rays()) different += walk(ray) != walkRay(houses(), ray).hit;
+    benchmark::DoNotOptimize(hits);
+    state.counters["rays"] = benchmark::Counter(double(rays().size()), benchmark::Counter::kIsIterationInvariantRate);
+    state.counters["wrong_a_million"] = double(different) * 1e6 / double(rays().size());
+}
+
+void rayWalkBricks(benchmark::State& state) {
+    run(state, [](const CellRay& ray) { return walkRay(houses(), ray).hit; });
+}
+void rayWalkMips(benchmark::State& state) {
+    const MipGrid grid(houses());
+    run(state, [&](const CellRay& ray) { return walkMips(grid, ray); });
+}
+void rayWalkVoxels(benchmark::State& state) {
+    const MipGrid grid(houses());
+    run(state, [&](const CellRay& ray) { return walkVoxels(grid, ray); });
+}
+BENCHMARK(rayWalkBricks)->Unit(benchmark::kMillisecond);
+BENCHMARK(rayWalkMips)->Unit(benchmark::kMillisecond);
+BENCHMARK(rayWalkVoxels)->Unit(benchmark::kMillisecond);
+
+/// The ratios in one process and in turns, as a machine's speed drifts.
+void rayWalkRatios(benchmark::State& state) {
+    const MipGrid grid(houses());
+    double bricks = 0.0, mips = 0.0, voxels = 0.0;
+    const auto time = [](double& seconds, auto&& walk) {
+        const auto start = std::chrono::steady_clock::now();
+        int hits = 0;
+        for (const CellRay& ray : rays()) hits += walk(ray);
+        benchmark::DoNotOptimize(hits);
+        seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    for (auto _ : state) {
+        time(bricks, [](const CellRay& ray) { return walkRay(houses(), ray).hit; });
+        time(mips, [&](const CellRay& ray) { return walkMips(grid, ray); });
+        time(voxels, [&](const CellRay& ray) { return walkVoxels(grid, ray); });
+    }
+    state.counters["mips_over_bricks"] = mips / bricks;
+    state.counters["voxels_over_bricks"] = voxels / bricks;
+}
+BENCHMARK(rayWalkRatios)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace rubble

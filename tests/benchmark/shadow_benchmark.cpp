@@ -1,0 +1,129 @@
+// The shadow worker with bodies of 16^3 voxels that all move: what an update costs, and how old the volume is at 60 Hz.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "runtime/core/random.h"
+#include "runtime/shadow/shadow_worker.h"
+
+namespace rubble {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double msSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+VoxelGrid solid(glm::ivec3 size) {
+    VoxelGrid grid(size);
+    GridWriter writer(grid);
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) writer.set({x, y, z}, 1);
+    writer.flush();
+    return grid;
+}
+
+LevelBody makeBody(VoxelGrid grid, glm::dvec3 position, bool isStatic) {
+    LevelBody body;
+    body.pose.position = position;
+    body.isStatic = isStatic;
+    auto palette = std::make_shared<Palette>();
+    (*palette)[1].material = defaultMaterials().find("brick");
+    LevelShape shape;
+    shape.grid = std::move(grid);
+    shape.palette = palette;
+    body.shapes.push_back(std::move(shape));
+    return body;
+}
+
+/// Bodies over a floor, falling at about 10 m/s and turning.
+class Fall {
+public:
+    explicit Fall(int bodies) {
+        Level level;
+        level.bodies.push_back(makeBody(solid({512, 8, 512}), {0, 0, 0}, true));
+        for (int i = 0; i < bodies; ++i) {
+            glm::dvec3 position;
+            for (int a = 0; a < 3; ++a) position[a] = 50.0 * double(m_random.unit());
+            level.bodies.push_back(makeBody(solid(glm::ivec3(16)), position * glm::dvec3(1.0, 0.2, 1.0), false));
+        }
+        m_world.load(level);
+        m_world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+            if (!body.isStatic) m_moved.push_back({handle, body.pose, {}, {}, false});
+        });
+    }
+    void step() {
+        m_changes = m_world.applyEdits({});
+        for (BodyPose& body : m_moved) {
+            body.pose.position.y -= body.pose.position.y < 0.0 ? -10.0 : 0.17;
+            glm::dvec3 turn;
+            for (int a = 0; a < 3; ++a) turn[a] = 0.1 * double(m_random.unit());
+            body.pose.rotation = glm::normalize(glm::dquat(1.0, turn.x, turn.y, turn.z) * body.pose.rotation);
+        }
+        m_world.setPoses(m_moved);
+    }
+    void submitTo(ShadowWorker& worker) const { worker.submit(m_changes, m_moved, m_world); }
+    uint64_t stepNumber() const { return m_changes.step; }
+
+private:
+    Random m_random{1};
+    World m_world;
+    FrameChanges m_changes;
+    std::vector<BodyPose> m_moved;
+};
+
+/// The worker's time for one step.
+void shadowUpdate(benchmark::State& state) {
+    Fall fall(int(state.range(0)));
+    ShadowWorker worker(ShadowWorker::Mode::Inline);
+    size_t patches = 0;
+    const auto step = [&] {
+        fall.step();
+        fall.submitTo(worker);
+        for (const ShadowPatches& publication : worker.takePatches()) patches += publication.patches.size();
+    };
+    step();
+    patches = 0;
+    for (auto _ : state) step();
+    state.counters["bricks_a_step"] = benchmark::Counter(double(patches), benchmark::Counter::kAvgIterations);
+}
+BENCHMARK(shadowUpdate)->Arg(50)->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond);
+
+double percentile(std::vector<double> values, double part) {
+    std::sort(values.begin(), values.end());
+    return values[size_t(part * double(values.size() - 1))];
+}
+
+/// Ten seconds at 60 Hz. Age: steps between the world and the newest publication, when the step asks for patches.
+void shadowAge(benchmark::State& state) {
+    Fall fall(int(state.range(0)));
+    ShadowWorker worker(ShadowWorker::Mode::Thread);
+    fall.step();
+    fall.submitTo(worker);
+    worker.waitFor(fall.stepNumber());
+    std::vector<double> ages, waits;
+    Clock::time_point next = Clock::now();
+    for (auto _ : state) {
+        fall.step();
+        const Clock::time_point start = Clock::now();
+        fall.submitTo(worker);
+        benchmark::DoNotOptimize(worker.takePatches());
+        waits.push_back(msSince(start));
+        ages.push_back(double(fall.stepNumber() - worker.publishedVersion()));
+        next += std::chrono::microseconds(16'667);
+        std::this_thread::sleep_until(next);
+    }
+    state.counters["age_p50"] = percentile(ages, 0.5);
+    state.counters["age_p99"] = percentile(ages, 0.99);
+    state.counters["age_max"] = percentile(ages, 1.0);
+    state.counters["main_ms_p50"] = percentile(waits, 0.5);
+    state.counters["main_ms_p99"] = percentile(waits, 0.99);
+    state.counters["main_ms_max"] = percentile(waits, 1.0);
+}
+BENCHMARK(shadowAge)->Arg(200)->Iterations(600)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace rubble
