@@ -37,9 +37,10 @@ void FrameLoop::step() {
         const ScopedTimer timer(m_times[Stage::Shadow]);
         if (m_shadow) m_shadow->submit(m_changes, m_physics.poses(), m_world);
     }
-    if (m_publish) {
+    {
         const ScopedTimer timer(m_times[Stage::Publish]);
-        m_snapshots.publish(m_changes, m_physics.poses(), m_world, takePatches());
+        std::vector<ShadowPatches> patches = takePatches();
+        if (m_publish) m_snapshots.publish(m_changes, m_physics.poses(), m_world, std::move(patches));
     }
 }
 

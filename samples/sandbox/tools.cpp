@@ -1,0 +1,45 @@
+#include "samples/sandbox/tools.h"
+
+namespace rubble {
+namespace {
+
+constexpr double kHammerReach = 3.5;       // metres
+constexpr double kSprayReach = 5.0;
+constexpr double kExplosiveReach = 60.0;
+constexpr double kHammerImpulse = 400.0;   // N s
+constexpr std::array<std::array<uint8_t, 3>, 4> kSprayColors = {{{214, 40, 57}, {247, 181, 0}, {27, 153, 139}, {46, 94, 170}}};
+
+}  // namespace
+
+Edits useTool(Tool tool, const World& world, glm::dvec3 originWorld, glm::dvec3 directionWorld, uint32_t seed) {
+    const double reach = tool == Tool::Hammer ? kHammerReach : tool == Tool::SprayCan ? kSprayReach : kExplosiveReach;
+    const WorldHit hit = world.raycast(originWorld, directionWorld, reach);
+    if (!hit.hit) return {};
+    switch (tool) {
+        case Tool::Hammer: {
+            CarveEdit carve;
+            carve.position = hit.position;
+            carve.radii = {0.45, 0.25, 0.0};
+            ImpulseEdit push{world.shapes().at(hit.shape).body, hit.position, glm::normalize(directionWorld) * kHammerImpulse};
+            return {carve, push};
+        }
+        case Tool::Explosive: {
+            ExplodeEdit explosion;
+            explosion.position = hit.position;
+            explosion.size = 1.6;
+            return {explosion};
+        }
+        case Tool::SprayCan: {
+            PaintEdit paint;
+            paint.position = hit.position;
+            paint.radius = 0.35;
+            paint.color = kSprayColors[seed / 256 % kSprayColors.size()];
+            paint.probability = 96;
+            paint.seed = seed;
+            return {paint};
+        }
+    }
+    return {};
+}
+
+}  // namespace rubble

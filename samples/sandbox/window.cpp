@@ -1,0 +1,129 @@
+#include "samples/sandbox/window.h"
+
+#include <GLFW/glfw3.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "runtime/core/log.h"
+#include "runtime/plugin/frame_loop.h"
+#include "samples/sandbox/player.h"
+#include "samples/sandbox/stage.h"
+#include "samples/sandbox/tools.h"
+#include "samples/scenes/demolition.h"
+#include "samples/support/image.h"
+#include "samples/support/window.h"
+
+namespace rubble {
+namespace {
+
+constexpr double kStepSeconds = 1.0 / 60.0;
+constexpr int kMostStepsAFrame = 4;          ///< slower than that, game time falls behind instead of spiralling
+constexpr double kMouseRadiansAPixel = 0.0025;
+constexpr int kScreenshotFrames = 12;        ///< drawn before --screenshot writes its picture
+constexpr double kToolSeconds[] = {0.25, 0.5, 0.03};   ///< between two uses of a tool while the button is held
+
+/// The running game behind one window.
+class Game {
+public:
+    Game(const SandboxOptions& options, Window& window, SandboxStage stage, std::unique_ptr<Renderer> renderer)
+        : m_options(options), m_window(window), m_stage(std::move(stage)), m_renderer(std::move(renderer)), m_seed(uint32_t(options.seed)) {
+        reset();
+        m_renderer->showPass(options.pass);
+        m_passes = m_renderer->passNames();
+    }
+
+    /// One turn of the loop; false when the game is over.
+    bool frame() {
+        if (!m_window.poll() || m_window.pressed(GLFW_KEY_ESCAPE)) return false;
+        const auto now = std::chrono::steady_clock::now();
+        const double elapsed = std::min(std::chrono::duration<double>(now - m_last).count(), 0.25);
+        m_last = now;
+        readKeys(elapsed);
+        m_lag = std::min(m_lag + elapsed, kMostStepsAFrame * kStepSeconds);
+        for (; m_lag >= kStepSeconds; m_lag -= kStepSeconds) m_loop.step();
+        draw(m_lag / kStepSeconds);
+        return true;
+    }
+
+    Image picture() const { return m_window.readPixels(); }
+
+private:
+    void reset() {
+        m_loop.load(m_stage.level);
+        m_player.place(m_stage.hasModel ? modelCamera(m_stage.modelLow, m_stage.modelHigh, 0.0) : demolitionCamera(0.0));
+        m_cut = true;
+        m_loop.step();
+    }
+
+    void readKeys(double elapsed) {
+        PlayerInput input;
+        input.forward = m_window.held(GLFW_KEY_W) - m_window.held(GLFW_KEY_S);
+        input.right = m_window.held(GLFW_KEY_D) - m_window.held(GLFW_KEY_A);
+        input.up = m_window.held(GLFW_KEY_SPACE) - m_window.held(GLFW_KEY_LEFT_SHIFT);
+        input.fast = m_window.held(GLFW_KEY_LEFT_CONTROL);
+        const glm::dvec2 mouse = m_window.takeMouseMotion();
+        input.turnRight = mouse.x * kMouseRadiansAPixel;
+        input.turnUp = -mouse.y * kMouseRadiansAPixel;
+        m_player.move(input, m_loop.world(), elapsed);
+        for (int i = 0; i < 3; ++i)
+            if (m_window.pressed(GLFW_KEY_1 + i)) m_tool = Tool(i);
+        if (m_window.pressed(GLFW_KEY_F)) m_player.toggleWalk();
+        if (m_window.pressed(GLFW_KEY_R)) reset();
+        if (m_window.pressed(GLFW_KEY_P)) {
+            m_pass = (m_pass + 1) % m_passes.size();
+            m_renderer->showPass(m_passes[m_pass]);
+            m_window.setTitle("Rubble sandbox: " + m_passes[m_pass]);
+        }
+        m_toolWait -= elapsed;
+        if (m_window.mouseHeld() && m_toolWait <= 0.0) {
+            m_loop.edits().push(useTool(m_tool, m_loop.world(), m_player.camera().position, m_player.camera().forward(), m_seed++));
+            m_toolWait = kToolSeconds[int(m_tool)];
+        }
+    }
+
+    void draw(double alpha) {
+        View view = m_player.camera().view(m_window.size(), 0);
+        view.cut = std::exchange(m_cut, false);
+        m_loop.draw(*m_renderer, view, float(alpha));
+        m_window.present();
+    }
+
+    SandboxOptions m_options;
+    Window& m_window;
+    SandboxStage m_stage;
+    std::unique_ptr<Renderer> m_renderer;
+    FrameLoop m_loop;
+    Player m_player;
+    Tool m_tool = Tool::Hammer;
+    uint32_t m_seed;
+    double m_toolWait = 0.0, m_lag = 0.0;
+    bool m_cut = true;
+    std::vector<std::string> m_passes;
+    size_t m_pass = 0;
+    std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+int runWindow(const SandboxOptions& options) {
+    Result<SandboxStage> stage = loadStage(options);
+    if (!stage) return logError(stage.error()), 1;
+    auto window = Window::create({options.width, options.height}, "Rubble sandbox");
+    if (!window) return logError(window.error()), 1;
+    auto renderer = Renderer::create((*window)->loader(), options.shaders, RenderSettings::preset(options.preset));
+    if (!renderer) return logError(renderer.error()), 1;
+    Game game(options, **window, std::move(*stage), std::move(*renderer));
+    for (int frames = 1; game.frame(); ++frames) {
+        if (options.screenshot.empty() || frames < kScreenshotFrames) continue;
+        auto written = writePng(options.screenshot, game.picture());
+        if (!written) return logError(written.error()), 1;
+        break;
+    }
+    return 0;
+}
+
+}  // namespace rubble

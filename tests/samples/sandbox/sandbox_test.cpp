@@ -1,0 +1,84 @@
+// The sandbox as a user starts it: as a program, with its files read back.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "samples/support/image.h"
+
+namespace rubble {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path outFolder(const std::string& name) {
+    const fs::path folder = fs::temp_directory_path() / ("rubble_sandbox_test_" + name);
+    fs::remove_all(folder);
+    return folder;
+}
+
+int runSandbox(const std::string& arguments, const std::string& prefix = "env -u DISPLAY -u WAYLAND_DISPLAY") {
+    return std::system((prefix + " " RUBBLE_BINARY_DIR "/bin/sandbox " + arguments + " >/dev/null").c_str());
+}
+
+nlohmann::json figuresOf(const fs::path& folder) {
+    std::ifstream file(folder / "figures.json");
+    return nlohmann::json::parse(file, nullptr, false);
+}
+
+size_t colorsIn(const Image& image) {
+    std::set<uint32_t> colors;
+    for (size_t i = 0; i < image.rgb.size(); i += 3) colors.insert(uint32_t(image.rgb[i]) << 16 | uint32_t(image.rgb[i + 1]) << 8 | image.rgb[i + 2]);
+    return colors.size();
+}
+
+TEST(Sandbox, WithoutADisplayWritesPicturesAndFigures) {
+    const fs::path out = outFolder("headless");
+    ASSERT_EQ(runSandbox("--seconds 0.2 --fps 10 --size 160x90 --preset fast --out " + out.string()), 0);
+    const Result<Image> frame = readPng((out / "frames" / "0001.png").string());
+    ASSERT_TRUE(frame) << frame.error();
+    EXPECT_EQ(frame->width, 160);
+    EXPECT_GT(colorsIn(*frame), 1000u) << "a lit scene has many colours";
+    EXPECT_TRUE(readPng((out / "contact_sheet.png").string()));
+    const nlohmann::json figures = figuresOf(out);
+    ASSERT_FALSE(figures.is_discarded());
+    EXPECT_EQ(figures["state_hash"].size(), 12u);
+    EXPECT_LE(figures["series"]["draw calls for bodies"]["max"].get<double>(), 16.0);
+    const auto& ledger = figures["ledger"];
+    EXPECT_EQ(ledger["imported"].get<uint64_t>(), ledger["standing"].get<uint64_t>() + ledger["in_pieces"].get<uint64_t>() + ledger["removed"].get<uint64_t>());
+}
+
+TEST(Sandbox, SameSeedSameStateWithTheWorkerOnOrOff) {
+    const fs::path threaded = outFolder("threaded"), inlined = outFolder("inlined");
+    ASSERT_EQ(runSandbox("--no-render --seconds 2.5 --out " + threaded.string()), 0);
+    ASSERT_EQ(runSandbox("--no-render --inline-shadow --seconds 2.5 --out " + inlined.string()), 0);
+    const nlohmann::json a = figuresOf(threaded), b = figuresOf(inlined);
+    ASSERT_EQ(a["state_hash"].size(), 150u);
+    EXPECT_EQ(a["state_hash"], b["state_hash"]);
+    EXPECT_NE(a["state_hash"].front(), a["state_hash"].back()) << "something must have happened";
+    EXPECT_GT(a["voxels_removed"].get<uint64_t>(), 0u);
+}
+
+TEST(Sandbox, RefusesWhatItCannotDo) {
+    EXPECT_NE(runSandbox("--size 5x5 2>/dev/null"), 0);
+    EXPECT_NE(runSandbox("--model /no/such/file.vox 2>/dev/null"), 0);
+    EXPECT_NE(runSandbox("--seconds 0.1 --size 64x36 --pass nonsense 2>/dev/null"), 0);
+}
+
+TEST(Sandbox, OpensItsWindowUnderXvfb) {
+    if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) GTEST_SKIP() << "xvfb-run is not installed";
+    const fs::path out = outFolder("window");
+    fs::create_directories(out);
+    const std::string picture = (out / "window.png").string();
+    ASSERT_EQ(runSandbox("--size 320x180 --preset fast --screenshot " + picture, "xvfb-run -a -s '-screen 0 640x480x24'"), 0);
+    const Result<Image> image = readPng(picture);
+    ASSERT_TRUE(image) << image.error();
+    EXPECT_EQ(image->width, 320);
+    EXPECT_GT(colorsIn(*image), 1000u);
+}
+
+}  // namespace
+}  // namespace rubble
