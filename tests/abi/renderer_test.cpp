@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <rubble/rubble.h>
+#include <set>
+#include <vector>
+
+#include "render/gl/offscreen.h"
+#include "tests/abi/test_level.h"
+#include "tests/render/gl_fixture.h"
+
+namespace rubble {
+namespace {
+
+constexpr int kWidth = 64, kHeight = 36;
+
+template <class T>
+T sized() {
+    T value = {};
+    value.struct_size = sizeof(T);
+    return value;
+}
+
+/// A host with a GL context without a window, which it hands to the plugin.
+class AbiRenderer : public GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        ASSERT_EQ(rubble_get_api(RUBBLE_VERSION, &m_api), RUBBLE_OK);
+        auto host = sized<rubble_host>();
+        host.gl_get_proc_address = testContext().loader();
+        ASSERT_EQ(m_api->set_host(&host), RUBBLE_OK);
+        auto settings = sized<rubble_world_settings>();
+        settings.flags = RUBBLE_WORLD_WAIT_FOR_SHADOW;
+        ASSERT_EQ(m_api->world_create(&settings, &m_world), RUBBLE_OK) << m_api->last_error();
+    }
+    void TearDown() override {
+        m_api->world_destroy(m_world);
+        m_api->set_host(nullptr);
+        GlTest::TearDown();
+    }
+    rubble_renderer_settings settings() const {
+        auto settings = sized<rubble_renderer_settings>();
+        settings.shader_folder = RUBBLE_SOURCE_DIR "/shaders";
+        settings.preset = "fast";
+        return settings;
+    }
+    const rubble_api* m_api = nullptr;
+    rubble_world m_world = 0;
+};
+
+TEST_F(AbiRenderer, DrawsTheLevel) {
+    const std::string level = writeTestLevel();
+    ASSERT_EQ(m_api->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << m_api->last_error();
+    std::filesystem::remove(level);
+    ASSERT_EQ(m_api->step(m_world), RUBBLE_OK);
+    const rubble_renderer_settings given = settings();
+    rubble_renderer renderer = 0, second = 0;
+    ASSERT_EQ(m_api->renderer_create(m_world, &given, &renderer), RUBBLE_OK) << m_api->last_error();
+    EXPECT_EQ(m_api->renderer_create(m_world, &given, &second), RUBBLE_ERROR_ARGUMENT);
+    EXPECT_EQ(m_api->renderer_show_pass(renderer, "no such pass"), RUBBLE_ERROR_ARGUMENT);
+
+    const Offscreen target({kWidth, kHeight});
+    auto view = sized<rubble_view>();
+    view.framebuffer = target.framebuffer();
+    view.width = kWidth;
+    view.position[0] = 0.85, view.position[1] = 1.0, view.position[2] = 4.0;
+    EXPECT_EQ(m_api->renderer_draw(renderer, &view), RUBBLE_ERROR_ARGUMENT) << "a height of 0 was drawn";
+    view.height = kHeight;
+    glViewport(1, 2, 3, 4);
+    ASSERT_EQ(m_api->renderer_draw(renderer, &view), RUBBLE_OK) << m_api->last_error();
+    GLint viewport[4] = {};
+    glGetIntegerv(GL_VIEWPORT, viewport);
+    EXPECT_EQ(viewport[2], 3) << "the host's state is not restored";
+
+    const std::vector<uint8_t> picture = target.readRgb();
+    std::set<uint8_t> reds;
+    for (size_t i = 0; i < picture.size(); i += 3) reds.insert(picture[i]);
+    EXPECT_GT(reds.size(), 8u) << "a picture of one colour";
+    auto figures = sized<rubble_draw_figures>();
+    ASSERT_EQ(m_api->renderer_figures(renderer, &figures), RUBBLE_OK);
+    EXPECT_EQ(figures.shapes, 1u);
+    EXPECT_GT(figures.draw_calls, 0u);
+
+    ASSERT_EQ(m_api->world_destroy(m_world), RUBBLE_OK);
+    EXPECT_EQ(m_api->renderer_draw(renderer, &view), RUBBLE_ERROR_STALE) << "the world is gone";
+    EXPECT_EQ(m_api->renderer_destroy(renderer), RUBBLE_OK);
+    EXPECT_EQ(m_api->renderer_draw(renderer, &view), RUBBLE_ERROR_STALE);
+}
+
+TEST_F(AbiRenderer, SaysWhichShaderFolderIsMissing) {
+    rubble_renderer_settings given = settings();
+    given.shader_folder = "no/such/folder";
+    rubble_renderer renderer = 1;
+    EXPECT_EQ(m_api->renderer_create(m_world, &given, &renderer), RUBBLE_ERROR_GL);
+    EXPECT_NE(std::string(m_api->last_error()).find("no/such/folder"), std::string::npos) << m_api->last_error();
+    EXPECT_EQ(renderer, 0u);
+}
+
+}  // namespace
+}  // namespace rubble
