@@ -1,12 +1,29 @@
 #include "physics/bullet_world.h"
 
 namespace rubble {
+namespace {
+
+constexpr btScalar kSlop = 0.002f;  ///< metres that contacts may overlap: without it they come and go, and nothing settles
+
+btDefaultCollisionConstructionInfo poolSizes() {
+    btDefaultCollisionConstructionInfo info;
+    info.m_customCollisionAlgorithmMaxElementSize = int(sizeof(BoxCollision));
+    return info;
+}
+
+}  // namespace
+
+BulletParts::BulletParts() : configuration(poolSizes()) {
+    for (const int first : {BOX_SHAPE_PROXYTYPE, COMPOUND_SHAPE_PROXYTYPE})
+        for (const int second : {BOX_SHAPE_PROXYTYPE, COMPOUND_SHAPE_PROXYTYPE}) dispatcher.registerCollisionCreateFunc(first, second, &boxCollision);
+}
 
 BulletWorld::BulletWorld(int solverIterations)
     : btDiscreteDynamicsWorld(&(BulletParts::dispatcher), &(BulletParts::broadphase), &(BulletParts::solver), &(BulletParts::configuration)) {
     setForceUpdateAllAabbs(false);
     getDispatchInfo().m_useContinuous = false;  // only inflates bounds: compounds get no continuous collision from Bullet
     setGravity({0, 0, 0});
+    getSolverInfo().m_linearSlop = kSlop;
     getSolverInfo().m_numIterations = solverIterations;
 }
 

@@ -8,10 +8,14 @@
 #include <functional>
 #include <vector>
 
+#include "physics/box_collision.h"
+
 namespace rubble {
 
 /// The parts that Bullet's world points to: made before it, gone after it.
 struct BulletParts {
+    BulletParts();
+    BoxCollisionFactory boxCollision;
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher{&configuration};
     btDbvtBroadphase broadphase;

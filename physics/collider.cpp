@@ -1,6 +1,6 @@
 #include "physics/collider.h"
 
-#include <BulletCollision/BroadphaseCollision/btDbvt.h>
+#include <LinearMath/btAabbUtil2.h>
 
 #include <algorithm>
 
@@ -8,13 +8,32 @@
 
 namespace rubble {
 
+Bounds Bounds::seenThrough(const btTransform& transform) const {
+    Bounds out;
+    btTransformAabb(low, high, btScalar(0), transform, out.low, out.high);
+    return out;
+}
+
 Collider::Collider(const std::vector<ColliderBox>& boxes) {
-    m_boxes.reserve(boxes.size());  // the compound points into it
-    for (const ColliderBox& box : boxes) m_boxes.emplace_back(toBullet(box.halfSize));
-    if (boxes.size() == 1 && glm::length(boxes[0].place.position) < 1e-6 && std::abs(boxes[0].place.rotation.w) > 1.0 - 1e-12) return;
-    m_compound.emplace(true, int(boxes.size()));
-    for (size_t i = 0; i < boxes.size(); ++i) m_compound->addChildShape(toBullet(boxes[i].place, glm::dvec3(0.0)), &m_boxes[i]);
-    if (boxes.size() > 8) m_compound->getDynamicAabbTree()->optimizeTopDown();
+    m_boxes.reserve(boxes.size());  // the parts and the compound point into it
+    m_parts.reserve(boxes.size());
+    m_bounds.reserve(boxes.size());
+    for (const ColliderBox& box : boxes) {
+        Part part;
+        part.box = &m_boxes.emplace_back(toBullet(box.halfSize));
+        part.place = toBullet(box.place, glm::dvec3(0.0));
+        m_parts.push_back(part);
+        Bounds& bounds = m_bounds.emplace_back();
+        part.box->getAabb(part.place, bounds.low, bounds.high);
+        if (m_parts.size() == 1) m_all = bounds;
+        m_all.include(bounds);
+    }
+    const bool plain = boxes.size() == 1 && glm::length(boxes[0].place.position) < 1e-6 && std::abs(boxes[0].place.rotation.w) > 1.0 - 1e-12;
+    if (!plain) {
+        m_compound.emplace(false, int(boxes.size()));
+        for (size_t i = 0; i < boxes.size(); ++i) m_compound->addChildShape(m_parts[i].place, &m_boxes[i]);
+    }
+    if (!boxes.empty()) shape()->setUserPointer(this);
 }
 
 void appendBoxes(const std::vector<CellBox>& cells, double voxelSize, const Pose& frame, std::vector<ColliderBox>& out) {

@@ -17,18 +17,48 @@ struct ColliderBox {
     glm::dvec3 halfSize;
 };
 
-/// Boxes as one Bullet shape: made once, never edited. One box at the frame's origin is a plain btBoxShape, anything else a compound.
+struct Bounds {
+    btVector3 low{0, 0, 0}, high{0, 0, 0};
+    /// Without branches: most answers are no, in no pattern.
+    bool meets(const Bounds& o) const {
+        return (int(low.x() <= o.high.x()) & int(high.x() >= o.low.x()) & int(low.y() <= o.high.y()) & int(high.y() >= o.low.y()) &
+                int(low.z() <= o.high.z()) & int(high.z() >= o.low.z())) != 0;
+    }
+    void include(const Bounds& o) {
+        low.setMin(o.low);
+        high.setMax(o.high);
+    }
+    /// Bounds of these bounds after a transform.
+    Bounds seenThrough(const btTransform& transform) const;
+};
+
+/// Boxes as one Bullet shape: made once, never edited. One box at the frame's origin is a plain btBoxShape, anything else a
+/// compound (without Bullet's tree: BoxCollision reads the parts).
 class Collider {
 public:
+    struct Part {
+        btTransform place;
+        const btBoxShape* box;
+    };
+
     explicit Collider(const std::vector<ColliderBox>& boxes);
     Collider(const Collider&) = delete;
     Collider& operator=(const Collider&) = delete;
 
     btCollisionShape* shape() { return m_compound ? static_cast<btCollisionShape*>(&*m_compound) : &m_boxes.front(); }
+    /// The collider that a shape belongs to.
+    static const Collider& of(const btCollisionShape& shape) { return *static_cast<const Collider*>(shape.getUserPointer()); }
     int boxCount() const { return int(m_boxes.size()); }
+    const Part& part(int i) const { return m_parts[size_t(i)]; }
+    /// Of a part and of all parts, in the collider's frame.
+    const Bounds& bounds(int i) const { return m_bounds[size_t(i)]; }
+    const Bounds& bounds() const { return m_all; }
 
 private:
     std::vector<btBoxShape> m_boxes;
+    std::vector<Part> m_parts;
+    std::vector<Bounds> m_bounds;
+    Bounds m_all;
     std::optional<btCompoundShape> m_compound;
 };
 

@@ -81,6 +81,8 @@ void DynamicBody::setAsleep(bool asleep) {
     m_rigid->setMassProps(asleep ? btScalar(0) : btScalar(m_mass.mass), asleep ? btVector3(0, 0, 0) : m_inertia);
     m_rigid->updateInertiaTensor();
     m_rigid->forceActivationState(asleep ? ISLAND_SLEEPING : ACTIVE_TAG);
+    sleepersTouched.clear();
+    freshlyAwake = true;
     if (!asleep) return settling.restart(m_rigid->getWorldTransform());
     m_rigid->setLinearVelocity({0, 0, 0});
     m_rigid->setAngularVelocity({0, 0, 0});

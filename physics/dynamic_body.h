@@ -46,8 +46,11 @@ public:
     double reach() const { return m_reach; }
 
     Settling settling;
-    bool touching = false;  ///< had a contact in the last substep
-    bool readd = false;     ///< was woken in place: Bullet's lists do not know yet
+    double slowSeconds = 0.0;               ///< how long it has been slow: the longer, the more drift counts as calm
+    bool freshlyAwake = true;               ///< has not moved noticeably since it woke
+    std::vector<uint32_t> sleepersTouched;  ///< slots of sleeping bodies that it has touched since it last moved noticeably
+    bool touching = false;                  ///< had a contact in the last substep
+    bool readd = false;                     ///< was woken in place: Bullet's lists do not know yet
 
 private:
     std::vector<ColliderBox> collectBoxes(const World& world, const Body& body, SurfaceSum& surface) const;

@@ -16,9 +16,12 @@ namespace rubble {
 namespace {
 
 constexpr double kStep = 1.0 / 60.0;
-constexpr double kDisturbed = 0.01;         ///< metres a body moves before what touches it is woken
-constexpr double kDisturbedAngle = 0.02;    ///< radians
+constexpr double kDisturbed = 0.02;         ///< metres a body moves before what touches it is woken
+constexpr double kDisturbedAngle = 0.04;    ///< radians
 constexpr btScalar kTouchDistance = 0.02f;  ///< metres between bounds that count as touching: Bullet's contact breaking threshold
+constexpr double kSlow = 0.3;               ///< m/s: a touching body slower than this is on its way to rest
+constexpr btScalar kSlowDamping = 0.97f;    ///< of its speeds, a step
+constexpr double kMostPatience = 4.0;       ///< times the drift of the settings that is calm after seconds of being slow
 constexpr double kWakeSpeed = 0.05;         ///< m/s that a hit must give a sleeping body to wake it
 
 }  // namespace
@@ -54,6 +57,7 @@ struct PhysicsWorld::Impl {
     void readdWoken();
     void quarantineBroken();
     void settle();
+    void disturb();
     void report();
 
     PhysicsSettings settings;
@@ -281,7 +285,9 @@ void PhysicsWorld::Impl::noteContacts() {
         if (b) b->touching = true;
         if (!a || !b || a->asleep() == b->asleep()) continue;
         DynamicBody& sleeper = a->asleep() ? *a : *b;
-        const DynamicBody& hitter = a->asleep() ? *b : *a;
+        DynamicBody& hitter = a->asleep() ? *b : *a;
+        std::vector<uint32_t>& touched = hitter.sleepersTouched;
+        if (std::find(touched.begin(), touched.end(), sleeper.handle().slot()) == touched.end()) touched.push_back(sleeper.handle().slot());
         const double share = hitter.mass().mass / (hitter.mass().mass + sleeper.mass().mass);
         if (ContactLog::approachSpeed(manifold) * share > kWakeSpeed && sleeper.wakeInPlace()) insertSorted(awake, sleeper.handle().slot());
     }
@@ -298,30 +304,46 @@ void PhysicsWorld::Impl::readdWoken() {
     }
 }
 
+/// Puts the calm to sleep.
 void PhysicsWorld::Impl::settle() {
-    const double radius = settings.sleepVelocity * settings.sleepTime, angle = settings.sleepAngularVelocity * settings.sleepTime;
     const bool weightless = gravity == glm::vec3(0.0f);
     for (const uint32_t slot : awake) {
         DynamicBody& body = *dynamics[slot];
-        const double calm = body.settling.calm(body.rigid().getWorldTransform(), radius, angle, kStep);
+        btRigidBody& rigid = body.rigid();
+        const double speed = std::max(double(rigid.getLinearVelocity().length()), double(rigid.getAngularVelocity().length()) * body.reach());
+        body.slowSeconds = body.touching && speed < kSlow ? body.slowSeconds + kStep : 0.0;
+        if (body.slowSeconds > 0.0) {
+            rigid.setLinearVelocity(rigid.getLinearVelocity() * kSlowDamping);
+            rigid.setAngularVelocity(rigid.getAngularVelocity() * kSlowDamping);
+        }
+        const double allowed = settings.sleepTime * std::min(1.0 + body.slowSeconds, kMostPatience);
+        const double calm =
+            body.settling.calm(rigid.getWorldTransform(), settings.sleepVelocity * allowed, settings.sleepAngularVelocity * allowed, kStep);
         if (calm < settings.sleepTime || !(body.touching || weightless)) continue;
         sleep(body);
         ended.push_back(slot);
     }
     for (const uint32_t slot : ended) eraseSorted(awake, slot);
+}
 
-    // What moved wakes what it touched before and what it touches now. Those woken join `awake` behind our back: walk a copy of its length.
+/// What moved wakes what it touched; the first time after it woke, all that its bounds touch: Bullet reports no contacts
+/// between sleepers. Those woken join `awake` at their place, so the walk finds its own again.
+void PhysicsWorld::Impl::disturb() {
     for (size_t i = 0; i < awake.size(); ++i) {
         const uint32_t slot = awake[i];
         DynamicBody& body = *dynamics[slot];
         const btTransform before = body.settling.disturbedAt();
         if (!body.settling.disturbed(body.rigid().getWorldTransform(), kDisturbed, kDisturbedAngle)) continue;
-        btVector3 low, high, lowBefore, highBefore;
-        body.rigid().getAabb(low, high);
-        body.rigid().getCollisionShape()->getAabb(before, lowBefore, highBefore);
-        low.setMin(lowBefore);
-        high.setMax(highBefore);
-        wakeTouching(low, high);
+        if (body.freshlyAwake) {
+            btVector3 low, high;
+            body.rigid().getCollisionShape()->getAabb(before, low, high);
+            wakeTouching(low, high);
+        }
+        body.freshlyAwake = false;
+        std::sort(body.sleepersTouched.begin(), body.sleepersTouched.end());
+        for (const uint32_t touched : body.sleepersTouched)
+            if (DynamicBody* sleeper = dynamicAt(touched)) wake(*sleeper);
+        body.sleepersTouched.clear();
         i = size_t(std::lower_bound(awake.begin(), awake.end(), slot) - awake.begin());
     }
 }
@@ -387,6 +409,7 @@ void PhysicsWorld::step() {
         }
         impl.readdWoken();
         impl.settle();
+        impl.disturb();
         impl.contacts.impacts(impl.settings.impactThreshold, impl.handles, impl.origin, impl.impacts);
     }
     impl.report();
