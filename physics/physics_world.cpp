@@ -20,9 +20,9 @@ constexpr double kDisturbed = 0.02;         ///< metres a body moves before what
 constexpr double kDisturbedAngle = 0.04;    ///< radians
 constexpr btScalar kTouchDistance = 0.02f;  ///< metres between bounds that count as touching: Bullet's contact breaking threshold
 constexpr double kSlow = 0.3;               ///< m/s: a touching body slower than this is on its way to rest
-constexpr btScalar kSlowDamping = 0.97f;    ///< of its speeds, a step
+constexpr double kSlowDamping = 0.03;       ///< share of its speeds lost a step, and the same again for each second of being slow
 constexpr double kMostPatience = 4.0;       ///< times the drift of the settings that is calm after seconds of being slow
-constexpr double kWakeSpeed = 0.05;         ///< m/s that a hit must give a sleeping body to wake it
+constexpr double kWakeSpeed = 0.15;         ///< m/s that a hit must give a sleeping body to wake it
 
 }  // namespace
 
@@ -32,7 +32,10 @@ struct PhysicsWorld::Impl {
             noteContacts();
             contacts.beforeSolve(*bullet.getDispatcher());
         };
-        bullet.afterSolve = [this] { contacts.afterSolve(*bullet.getDispatcher(), settings.impactSpeed); };
+        bullet.afterSolve = [this] {
+            contacts.afterSolve(*bullet.getDispatcher(), settings.impactSpeed);
+            brakeFast();
+        };
     }
     ~Impl() { clear(); }
 
@@ -56,6 +59,8 @@ struct PhysicsWorld::Impl {
     void noteContacts();
     void readdWoken();
     void quarantineBroken();
+    void brakeFast();
+    void releaseFast();
     void settle();
     void disturb();
     void report();
@@ -72,6 +77,7 @@ struct PhysicsWorld::Impl {
     std::vector<uint32_t> awake;                         ///< body slots, ascending
     std::vector<uint32_t> ended;                         ///< fell asleep or were quarantined in this step
     std::vector<btCollisionObject*> found;               ///< of the last query
+    std::vector<std::pair<uint32_t, btVector3>> braked;  ///< body slot and the velocity it gets back after the substep
     std::vector<BodyPose> poses;
     std::vector<Impact> impacts;
     bool contactsKnown = false;
@@ -239,6 +245,7 @@ void PhysicsWorld::Impl::applyImpulses(const FrameChanges& changes) {
         DynamicBody* body = dynamicAt(applied.body.slot());
         if (!body || body->handle() != applied.body || body->quarantined()) continue;
         wake(*body);
+        body->slowSeconds = 0.0;
         btRigidBody& rigid = body->rigid();
         rigid.applyImpulse(toBullet(applied.impulse), toBullet(applied.position - origin) - rigid.getCenterOfMassPosition());
     }
@@ -304,6 +311,33 @@ void PhysicsWorld::Impl::readdWoken() {
     }
 }
 
+/// Continuous collision against what stands still: a body that would fly through it in this substep stops just inside it,
+/// and meets it with its full velocity in the next. A ray from the centre stands for the body.
+void PhysicsWorld::Impl::brakeFast() {
+    const double seconds = kStep / settings.substeps;
+    for (const uint32_t slot : awake) {
+        DynamicBody& body = *dynamics[slot];
+        const btVector3 velocity = body.rigid().getLinearVelocity();
+        const double way = double(velocity.length()) * seconds;
+        if (way < 0.5 * body.reach() || !body.finite()) continue;
+        const btVector3 from = body.rigid().getCenterOfMassPosition();
+        const btVector3 to = from + velocity.normalized() * btScalar(way + body.reach());
+        btCollisionWorld::ClosestRayResultCallback ray(from, to);
+        ray.m_collisionFilterMask = btBroadphaseProxy::StaticFilter;
+        bullet.rayTest(from, to, ray);
+        if (!ray.hasHit()) continue;
+        const double free = double(ray.m_closestHitFraction) * (way + body.reach()) - 0.9 * body.reach();
+        if (free >= way) continue;
+        braked.emplace_back(slot, velocity);
+        body.rigid().setLinearVelocity(velocity * btScalar(std::max(free, 0.0) / way));
+    }
+}
+
+void PhysicsWorld::Impl::releaseFast() {
+    for (const auto& [slot, velocity] : braked) dynamics[slot]->rigid().setLinearVelocity(velocity);
+    braked.clear();
+}
+
 /// Puts the calm to sleep.
 void PhysicsWorld::Impl::settle() {
     const bool weightless = gravity == glm::vec3(0.0f);
@@ -312,11 +346,13 @@ void PhysicsWorld::Impl::settle() {
         btRigidBody& rigid = body.rigid();
         const double speed = std::max(double(rigid.getLinearVelocity().length()), double(rigid.getAngularVelocity().length()) * body.reach());
         body.slowSeconds = body.touching && speed < kSlow ? body.slowSeconds + kStep : 0.0;
+        const double patience = std::min(1.0 + body.slowSeconds, kMostPatience);
         if (body.slowSeconds > 0.0) {
-            rigid.setLinearVelocity(rigid.getLinearVelocity() * kSlowDamping);
-            rigid.setAngularVelocity(rigid.getAngularVelocity() * kSlowDamping);
+            const btScalar kept = btScalar(1.0 - kSlowDamping * patience);
+            rigid.setLinearVelocity(rigid.getLinearVelocity() * kept);
+            rigid.setAngularVelocity(rigid.getAngularVelocity() * kept);
         }
-        const double allowed = settings.sleepTime * std::min(1.0 + body.slowSeconds, kMostPatience);
+        const double allowed = settings.sleepTime * patience;
         const double calm =
             body.settling.calm(rigid.getWorldTransform(), settings.sleepVelocity * allowed, settings.sleepAngularVelocity * allowed, kStep);
         if (calm < settings.sleepTime || !(body.touching || weightless)) continue;
@@ -405,6 +441,7 @@ void PhysicsWorld::step() {
         for (int i = 0; i < impl.settings.substeps; ++i) {
             impl.readdWoken();
             impl.bullet.substep(btScalar(kStep / impl.settings.substeps));
+            impl.releaseFast();
             impl.quarantineBroken();
         }
         impl.readdWoken();

@@ -57,6 +57,11 @@ struct PhysicsScene {
         });
         physics.apply(nudge, world);
     }
+    /// The level as it is now in a new World of the same handles: what edits would have made of it.
+    void replaceWorld() {
+        world = World();
+        world.load(level);
+    }
     void step(int count = 1) {
         for (int i = 0; i < count; ++i) {
             physics.step();
