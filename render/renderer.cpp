@@ -80,6 +80,7 @@ struct Renderer::Impl {
         timer.end(figures.passMs);
     }
     void draw(const View& view, float alpha);
+    void drawOnce(const View& view);
     void fillBlock(const View& view);
     void uploadBlock();
 
@@ -94,6 +95,7 @@ struct Renderer::Impl {
     Texture blueNoise;
     PassTimer timer{isSoftwareGl()};
     RenderFigures figures;
+    bool drawnBefore = false;
     const Shown* shown = &kShown[0];
 
     GBufferPass gbuffer{shaders};
@@ -136,6 +138,19 @@ void Renderer::Impl::uploadBlock() {
 void Renderer::Impl::draw(const View& view, float alpha) {
     const GlStateGuard hostState;
     figures.uploadBytes = scene.beginFrame(alpha, view.position);
+    const bool fresh = view.cut || !drawnBefore;
+    drawnBefore = true;
+    View each = view;
+    for (int i = fresh ? settings.warmUpFrames : 0; i >= 0; --i) {
+        drawOnce(each);
+        each.cut = false;
+    }
+    figures.textureBytes = targets.bytes() + scene.bytes() + blueNoise.bytes();
+    figures.shapes = scene.bodies().shapes();
+    figures.bricks = scene.bodies().bricks();
+}
+
+void Renderer::Impl::drawOnce(const View& view) {
     timer.beginFrame(figures.passMs);
     figures.drawCalls = figures.bodyDraws = 0;
     targets.beginFrame(view.size, view.cut);
@@ -145,9 +160,6 @@ void Renderer::Impl::draw(const View& view, float alpha) {
     drawPasses(frame);
     const Texture* target = targets.find(shown->target);
     run("show", [&] { show.draw(frame, target ? *target : blueNoise, shown->mode, view.framebuffer, view.size); });
-    figures.textureBytes = targets.bytes() + scene.bytes() + blueNoise.bytes();
-    figures.shapes = scene.bodies().shapes();
-    figures.bricks = scene.bodies().bricks();
 }
 
 RenderSettings RenderSettings::preset(std::string_view name) {
@@ -160,6 +172,7 @@ RenderSettings RenderSettings::preset(std::string_view name) {
     if (name == "accurate") {
         settings.skyRays = 8;
         settings.sunRays = 4;
+        settings.filterPasses = 5;
     }
     return settings;
 }

@@ -30,7 +30,7 @@ struct RenderSettings {
     int skyRays = 2;                   ///< cosine-weighted rays a pixel
     int sunRays = 1;
     float skyDistance = 24.0f;         ///< metres
-    int filterPasses = 3;              ///< of the spatial filter
+    int filterPasses = 4;              ///< of the spatial filter
     bool temporal = true;              ///< reprojected accumulation and TAA
     int historyFrames = 32;            ///< how many pictures the accumulation remembers
     int warmUpFrames = 0;              ///< drawn unseen before the first picture and after each cut: clean stills

@@ -5,25 +5,51 @@
 #include <cassert>
 
 namespace rubble {
+namespace {
+
+/// Binds for making and filling, on the last unit that GlStateGuard restores: the units of a program that is being set up
+/// keep what they hold.
+void bindAside(GLenum target, GLuint texture) {
+    glActiveTexture(GL_TEXTURE15);
+    glBindTexture(target, texture);
+}
+
+}  // namespace
 
 PixelFormat pixelFormat(GLenum internalFormat) {
     switch (internalFormat) {
-        case GL_R8: return {GL_RED, GL_UNSIGNED_BYTE, 1};
-        case GL_RG8: return {GL_RG, GL_UNSIGNED_BYTE, 2};
-        case GL_RGBA8: return {GL_RGBA, GL_UNSIGNED_BYTE, 4};
-        case GL_R16F: return {GL_RED, GL_HALF_FLOAT, 2};
-        case GL_RG16F: return {GL_RG, GL_HALF_FLOAT, 4};
-        case GL_RGBA16F: return {GL_RGBA, GL_HALF_FLOAT, 8};
-        case GL_R11F_G11F_B10F: return {GL_RGB, GL_UNSIGNED_INT_10F_11F_11F_REV, 4};
-        case GL_R32F: return {GL_RED, GL_FLOAT, 4};
-        case GL_RG32F: return {GL_RG, GL_FLOAT, 8};
-        case GL_RGBA32F: return {GL_RGBA, GL_FLOAT, 16};
-        case GL_R32UI: return {GL_RED_INTEGER, GL_UNSIGNED_INT, 4};
-        case GL_RG32UI: return {GL_RG_INTEGER, GL_UNSIGNED_INT, 8};
-        case GL_RGBA32UI: return {GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16};
-        case GL_RGBA32I: return {GL_RGBA_INTEGER, GL_INT, 16};
-        case GL_DEPTH_COMPONENT24: return {GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4};
-        case GL_DEPTH_COMPONENT32F: return {GL_DEPTH_COMPONENT, GL_FLOAT, 4};
+        case GL_R8:
+            return {GL_RED, GL_UNSIGNED_BYTE, 1};
+        case GL_RG8:
+            return {GL_RG, GL_UNSIGNED_BYTE, 2};
+        case GL_RGBA8:
+            return {GL_RGBA, GL_UNSIGNED_BYTE, 4};
+        case GL_R16F:
+            return {GL_RED, GL_HALF_FLOAT, 2};
+        case GL_RG16F:
+            return {GL_RG, GL_HALF_FLOAT, 4};
+        case GL_RGBA16F:
+            return {GL_RGBA, GL_HALF_FLOAT, 8};
+        case GL_R11F_G11F_B10F:
+            return {GL_RGB, GL_UNSIGNED_INT_10F_11F_11F_REV, 4};
+        case GL_R32F:
+            return {GL_RED, GL_FLOAT, 4};
+        case GL_RG32F:
+            return {GL_RG, GL_FLOAT, 8};
+        case GL_RGBA32F:
+            return {GL_RGBA, GL_FLOAT, 16};
+        case GL_R32UI:
+            return {GL_RED_INTEGER, GL_UNSIGNED_INT, 4};
+        case GL_RG32UI:
+            return {GL_RG_INTEGER, GL_UNSIGNED_INT, 8};
+        case GL_RGBA32UI:
+            return {GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16};
+        case GL_RGBA32I:
+            return {GL_RGBA_INTEGER, GL_INT, 16};
+        case GL_DEPTH_COMPONENT24:
+            return {GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4};
+        case GL_DEPTH_COMPONENT32F:
+            return {GL_DEPTH_COMPONENT, GL_FLOAT, 4};
     }
     assert(false && "a texture format that pixelFormat() does not list");
     return {};
@@ -32,7 +58,7 @@ PixelFormat pixelFormat(GLenum internalFormat) {
 Texture::Texture(GLenum internalFormat, glm::ivec2 size, Filter filter, Wrap wrap)
     : m_name(GlName<TextureKind>::make()), m_internalFormat(internalFormat), m_size(size) {
     const PixelFormat pixel = pixelFormat(internalFormat);
-    glBindTexture(GL_TEXTURE_2D, name());
+    bindAside(GL_TEXTURE_2D, name());
     glTexImage2D(GL_TEXTURE_2D, 0, GLint(internalFormat), size.x, size.y, 0, pixel.format, pixel.type, nullptr);
     const GLint filterGl = filter == Filter::Linear ? GL_LINEAR : GL_NEAREST;
     const GLint wrapGl = wrap == Wrap::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
@@ -43,17 +69,21 @@ Texture::Texture(GLenum internalFormat, glm::ivec2 size, Filter filter, Wrap wra
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
-void Texture::upload(const void* pixels) { uploadRows(0, m_size.y, pixels); }
+void Texture::upload(const void* pixels) {
+    uploadRows(0, m_size.y, pixels);
+}
 
 void Texture::uploadRows(int firstRow, int rows, const void* pixels) {
     const PixelFormat pixel = pixelFormat(m_internalFormat);
-    glBindTexture(GL_TEXTURE_2D, name());
+    bindAside(GL_TEXTURE_2D, name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, firstRow, m_size.x, rows, pixel.format, pixel.type, pixels);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
-BufferTexture::BufferTexture(GLenum internalFormat) : m_texture(GlName<TextureKind>::make()), m_internalFormat(internalFormat) { reserve(4096); }
+BufferTexture::BufferTexture(GLenum internalFormat) : m_texture(GlName<TextureKind>::make()), m_internalFormat(internalFormat) {
+    reserve(4096);
+}
 
 bool BufferTexture::reserve(uint64_t bytes) {
     if (bytes <= m_capacity) return true;
@@ -72,7 +102,7 @@ bool BufferTexture::reserve(uint64_t bytes) {
         glBindBuffer(GL_COPY_READ_BUFFER, 0);
     }
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
-    glBindTexture(GL_TEXTURE_BUFFER, m_texture.get());
+    bindAside(GL_TEXTURE_BUFFER, m_texture.get());
     glTexBuffer(GL_TEXTURE_BUFFER, m_internalFormat, buffer.get());
     m_buffer = std::move(buffer);
     m_capacity = capacity;

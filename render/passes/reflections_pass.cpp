@@ -19,6 +19,7 @@ void ReflectionsPass::draw(const FrameContext& frame) const {
     GBufferPass::bind(m_program, frame.targets);
     frame.scene.bindShadow(m_program);
     bindBounce(m_program, frame);
+    m_program.set("uLight", frame.targets.at("lighting"));
     m_program.set("uBlueNoise", frame.blueNoise);
     const Texture* pane = frame.targets.find("glassSurface");
     m_program.set("uGlass", int(pane && frame.scene.hasGlass()));

@@ -19,6 +19,7 @@ void SkyPass::draw(const FrameContext& frame) const {
     frame.scene.bindShadow(m_program);
     bindBounce(m_program, frame);
     m_program.set("uBlueNoise", frame.blueNoise);
+    m_program.set("uLastLight", frame.targets.history("accumulated", GL_RGBA16F).previous);
     m_program.set("uRays", frame.settings.skyRays);
     m_program.set("uReach", frame.settings.skyDistance);
     frame.drawFullscreen();

@@ -5,7 +5,7 @@ uniform sampler2D uLastSurface;   // x linear depth
 uniform bool uLastValid;
 uniform bool uSunUp;
 
-const float kBounceAlbedo = 0.32;
+const float kBounceAlbedo = 0.50;
 const float kShadowCellMetres = 0.1;
 
 /// The cell face that a ray has come through at a point on the shadow volume's cells.
@@ -26,16 +26,22 @@ bool radianceOnScreen(vec3 hitWorld, out vec3 radiance) {
     ivec2 pixel = ivec2((clip.xy / clip.w * 0.5 + 0.5) * frame.targetSize.xy);
     float depth = texelFetch(uLastSurface, pixel, 0).x;
     if (abs(depth - clip.w) > 0.12 + 0.01 * clip.w) return false;
-    radiance = min(texelFetch(uLastRadiance, pixel, 0).rgb, vec3(6.0));
-    return true;
+    // Without the air between the eye and the place: it does not light a closed room. Bright dots met by few rays would speckle.
+    vec3 fromEye = hitWorld - frame.cameraPosition.xyz;
+    float range = length(fromEye);
+    float haze = hazeAmount(range);
+    radiance = texelFetch(uLastRadiance, pixel, 0).rgb - hazeRadiance(fromEye / max(range, 1e-3)) * haze;
+    radiance = clamp(radiance / (1.0 - haze), vec3(0.0), vec3(3.0));
+    return haze < 0.9;
 }
 
-vec3 bounceRadiance(vec3 hitWorld, vec3 direction) {
+/// lightHere: mean radiance where the ray started. A hit that no picture shows is taken to be lit as much: right in the long
+/// run inside a room, where it sums up all bounces, and zero in a closed one.
+vec3 bounceRadiance(vec3 hitWorld, vec3 direction, vec3 lightHere) {
     vec3 radiance;
     if (radianceOnScreen(hitWorld, radiance)) return radiance;
     vec3 normal = faceNormal(hitWorld, direction);
-    // The sky is seen by half of what a hit's hemisphere holds, at best; inside houses by far less. A small share keeps shade readable.
-    vec3 irradiance = 0.10 * mix(frame.groundColor.rgb, frame.skyColor.rgb, 0.5 + 0.5 * normal.y);
+    vec3 irradiance = 0.9 * lightHere;
     float facing = dot(normal, frame.sunDirection.xyz);
     float t;
     if (uSunUp && facing > 0.0 && !shadowTrace(shadowOrigin(hitWorld, normal), frame.sunDirection.xyz, 64.0, t))

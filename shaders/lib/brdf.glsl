@@ -5,11 +5,12 @@ vec3 fresnel(vec3 f0, float cosine) {
     return f0 + (1.0 - f0) * m2 * m2 * m;
 }
 
-/// Fresnel for light gathered from all around: a rough surface shows less of its edge (Lagarde's clamp of Schlick's term).
+/// Fresnel for light gathered from all around: a rough surface shows less of its edge (after Lagarde's clamp of Schlick's term).
 vec3 fresnelRough(vec3 f0, float cosine, float roughness) {
     float m = 1.0 - clamp(cosine, 0.0, 1.0);
     float m2 = m * m;
-    return f0 + (max(vec3(1.0 - roughness), f0) - f0) * m2 * m2 * m;
+    float smoothness = 1.0 - roughness;
+    return f0 + (max(vec3(smoothness * smoothness), f0) - f0) * m2 * m2 * m;
 }
 
 /// GGX with Smith's height-correlated masking, without fresnel: radiance out per irradiance in (cosine not included).

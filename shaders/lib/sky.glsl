@@ -23,11 +23,14 @@ vec3 skyRadiance(vec3 direction) {
 
 /// The air's own light between the eye and a far point in this direction.
 vec3 hazeRadiance(vec3 direction) {
-    return frame.fogColor.rgb + sunGlow(dot(direction, frame.sunDirection.xyz)) * 0.6;
+    return frame.fogColor.rgb + sunGlow(dot(direction, frame.sunDirection.xyz)) * 0.5;
 }
 
-/// Share of light that the air keeps over a distance: half at fogDistance.
-float hazeAmount(float distanceMetres) { return 1.0 - exp2(-distanceMetres / frame.fogColor.w); }
+/// Share of light that the air takes over a distance: half at fogDistance, little near by.
+float hazeAmount(float distanceMetres) {
+    float ratio = distanceMetres / frame.fogColor.w;
+    return 1.0 - exp2(-ratio * sqrt(ratio));
+}
 
 vec3 withClouds(vec3 sky, vec3 direction) {
     float height = direction.y + 0.06;
@@ -62,12 +65,12 @@ vec3 withHills(vec3 sky, vec3 direction) {
     vec3 light = frame.sunColor.rgb * 0.06 + frame.skyColor.rgb * 0.35;
     float pixel = 0.0022;   // softens the outline by about a pixel
     float far = 0.035 + 0.085 * hillLine(heading, 3.1, 11.0, 4);
-    sky = mix(sky, mix(vec3(0.16, 0.20, 0.24) * light, haze, 0.80), smoothstep(pixel, -pixel, slope - far));
+    sky = mix(sky, mix(vec3(0.16, 0.20, 0.24) * light, haze, 0.86), smoothstep(pixel, -pixel, slope - far));
     float middle = 0.015 + 0.060 * hillLine(heading, 5.7, 47.0, 5);
-    sky = mix(sky, mix(vec3(0.14, 0.20, 0.13) * light, haze, 0.62), smoothstep(pixel, -pixel, slope - middle));
+    sky = mix(sky, mix(vec3(0.14, 0.20, 0.13) * light, haze, 0.74), smoothstep(pixel, -pixel, slope - middle));
     float woods = 0.004 + 0.024 * hillLine(heading, 9.0, 83.0, 3) + 0.010 * hillLine(heading, 140.0, 5.0, 3);
     float shading = 0.75 + 0.5 * valueNoise(vec2(atan(heading.y, heading.x) * 160.0, slope * 500.0));
-    sky = mix(sky, mix(vec3(0.13, 0.18, 0.08) * light * shading, haze, 0.42), smoothstep(pixel, -pixel, slope - woods));
+    sky = mix(sky, mix(vec3(0.13, 0.18, 0.08) * light * shading, haze, 0.60), smoothstep(pixel, -pixel, slope - woods));
     return sky;
 }
 
@@ -80,7 +83,8 @@ vec3 fieldsBelow(vec3 direction, float eyeHeight) {
     float tufts = mix(0.5, fractalNoise(place * 0.9, 3), detail);
     vec3 albedo = mix(vec3(0.115, 0.155, 0.055), vec3(0.22, 0.20, 0.085), smoothstep(0.35, 0.7, patches)) * (0.75 + 0.5 * tufts);
     vec3 light = frame.sunColor.rgb * max(frame.sunDirection.y, 0.0) * 0.3183 + skyRadiance(vec3(0, 1, 0)) * 0.8;
-    return mix(albedo * light, hazeRadiance(direction), hazeAmount(distanceMetres));
+    // The far fields keep some colour: a white band under the hills would look like water.
+    return mix(albedo * light, hazeRadiance(direction), min(hazeAmount(distanceMetres), 0.72));
 }
 
 /// Everything behind the level as the camera sees it. eyeHeight: over the plane of the fields.

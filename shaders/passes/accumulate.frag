@@ -77,7 +77,7 @@ float trustedFrames(ivec2 pixel, inout Past past) {
     float mean = now / 25.0;
     float deviation = sqrt(max(squares / 25.0 - mean * mean, 0.0)) / 5.0 + 0.03 * mean + 1e-4;
     float surprise = abs(mean - then / 9.0) / deviation;
-    return mix(uLongest, 1.0, smoothstep(2.5, 5.0, surprise));
+    return mix(uLongest, 1.0, smoothstep(2.0, 4.0, surprise));
 }
 
 void main() {

@@ -9,8 +9,8 @@ uniform bool uLastValid;
 out vec4 exposure;
 
 const ivec2 kTaps = ivec2(32, 18);
-const float kMiddle = 0.42;     // mean luminance that needs no correction
-const float kStrength = 0.35;   // of the adaptation: 1 would bring every picture to the same mean
+const float kMiddle = 0.34;     // mean luminance that needs no correction
+const float kStrength = 0.45;   // of the adaptation: 1 would bring every picture to the same mean
 const float kSpeed = 0.05;      // a frame
 
 void main() {
@@ -23,6 +23,6 @@ void main() {
             sum += w * log2(clamp(luminance(texture(uColor, place).rgb) * frame.exposure.x, 0.01, 8.0));
             total += w;
         }
-    float target = clamp(pow(kMiddle / exp2(sum / total), kStrength), 0.7, 1.6);
+    float target = clamp(pow(kMiddle / exp2(sum / total), kStrength), 0.7, 2.2);
     exposure = vec4(uLastValid ? mix(texelFetch(uLast, ivec2(0), 0).r, target, kSpeed) : target);
 }

@@ -36,11 +36,11 @@ void main() {
     vec4 lights[kTaps];
     float lums[kTaps];
     float weights[kTaps];
-    float sun = 0.0, total = 0.0, lum = 0.0, squares = 0.0;
+    float sun = 0.0, total = 0.0, lum = 0.0, squares = 0.0, temporal = 0.0;
     for (int i = 0; i < kTaps; ++i) {
         ivec2 offset = (ivec2(i % 3, i / 3) - 1);
         ivec2 p = clamp(pixel + offset * uStride, ivec2(0), high);
-        vec2 there = texelFetch(uSurface, p, 0).xy;
+        vec4 there = texelFetch(uSurface, p, 0);
         vec2 away = vec2(p - pixel);
         float height = (facing + facingX * away.x + facingY * away.y) * there.x - facing * centre.x;
         float kernel = float((2 - abs(offset.x)) * (2 - abs(offset.y)));
@@ -53,18 +53,20 @@ void main() {
         sun += w * light.a;
         lum += w * l;
         squares += w * l * l;
+        temporal += w * max(there.w - l * l, 0.0) / max(there.z, 1.0);
         total += w;
     }
     sun /= total;
     lum /= total;
-    // Deviation of the accumulated value: from moments over time once there are some, else from the neighbours.
+    // Deviation of the accumulated value: from moments over time once there are some (of the neighbours too: one pixel's own
+    // few samples may agree by chance), else from how the neighbours differ.
     float ownLum = lums[4];
     float spatial = max(squares / total - lum * lum, 0.0);
-    float temporal = max(centre.w - ownLum * ownLum, 0.0) / centre.z;
-    float skyDeviation = sqrt(mix(spatial, temporal, clamp((centre.z - 3.0) / 6.0, 0.0, 1.0)));
-    float sunDeviation = sqrt(max(sun * (1.0 - sun), 0.0) / (uSunRays * centre.z));
-    float skyScale = 1.0 / (3.0 * skyDeviation + 0.02 * ownLum + 1e-4);
-    float sunScale = 1.0 / (1.5 * sunDeviation + 0.004);
+    float skyDeviation = sqrt(mix(spatial, temporal / total, clamp((centre.z - 3.0) / 6.0, 0.0, 1.0)));
+    float sunDeviation = sqrt(max(sun * (1.0 - sun), 1e-6) / max(uSunRays * centre.z, 1.0));
+    float skyScale = 1.0 / (4.0 * skyDeviation + 0.05 * lum + 1e-4);
+    // The sun's noise lies in narrow penumbras: wide steps would only soften shadows.
+    float sunScale = uStride > 2 ? 1e4 : 1.0 / (1.5 * sunDeviation + 0.004);
 
     vec4 sum = vec4(0.0);
     vec2 totals = vec2(0.0);

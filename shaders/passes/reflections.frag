@@ -10,6 +10,7 @@
 
 uniform sampler2D uGlassSurface;
 uniform bool uGlass;
+uniform sampler2D uLight;
 
 in vec2 uv;
 out vec4 reflection;
@@ -17,12 +18,11 @@ out vec4 reflection;
 const float kReach = 40.0;
 const float kWeakest = 0.012;  // share of light below which no ray is worth its price
 
-/// Radiance of a mirror ray.
-vec3 mirrored(vec3 origin, vec3 direction) {
+/// Radiance of a mirror ray. The sun's disc is left to the specular lobe, which has no noise.
+vec3 mirrored(vec3 origin, vec3 direction, vec3 lightHere) {
     float t;
-    if (shadowTrace(origin, direction, kReach, t)) return bounceRadiance(origin + direction * t, direction);
+    if (shadowTrace(origin, direction, kReach, t)) return bounceRadiance(origin + direction * t, direction, lightHere);
     vec3 sky = direction.y > 0.0 ? withHills(withClouds(skyRadiance(direction), direction), direction) : skyRadiance(direction);
-    // The sun's disc is left to the specular lobe, which has no noise.
     return sky;
 }
 
@@ -54,5 +54,5 @@ void main() {
     }
     vec3 direction = reflect(-view, halfVector);
     direction += s.normal * max(0.0, 0.02 - dot(direction, s.normal));
-    reflection = vec4(mirrored(shadowOrigin(position, s.normal), normalize(direction)), 1.0);
+    reflection = vec4(mirrored(shadowOrigin(position, s.normal), normalize(direction), texelFetch(uLight, pixel, 0).rgb), 1.0);
 }

@@ -9,6 +9,7 @@
 
 uniform int uRays;
 uniform float uReach;  // metres
+uniform sampler2D uLastLight;
 
 in vec2 uv;
 out vec4 light;
@@ -19,11 +20,14 @@ void main() {
     light = vec4(0.0);
     if (s.sky) return;
     vec3 origin = shadowOrigin(worldFromDepth(uv, s.depth), s.normal);
+    vec2 lastUv = uv - texelFetch(uMotion, pixel, 0).rg;
+    bool known = uLastValid && lastUv == clamp(lastUv, vec2(0.0), vec2(0.999));
+    vec3 lightHere = known ? texelFetch(uLastLight, ivec2(lastUv * frame.targetSize.xy), 0).rgb : vec3(0.0);
     for (int i = 0; i < uRays; ++i) {
         vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, frame.counters.x * uRays + i));
         float t;
         if (shadowTrace(origin, direction, uReach, t))
-            light.rgb += bounceRadiance(origin + direction * t, direction);
+            light.rgb += bounceRadiance(origin + direction * t, direction, lightHere);
         else
             light.rgb += skyRadiance(direction);
     }

@@ -1,0 +1,34 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include "render/gl/offscreen.h"
+#include "render/renderer.h"
+#include "samples/support/image.h"
+#include "tests/golden/lit_scene.h"
+#include "tests/render/gl_fixture.h"
+
+namespace rubble {
+
+/// A renderer, a target, and pictures of any pass of them.
+class Drawing : public GlTest {
+protected:
+    void start(const LitScene& scene, glm::ivec2 size, const RenderSettings& settings = {}) {
+        auto made = Renderer::create(testContext().loader(), shaderFolder(), settings);
+        ASSERT_TRUE(made) << made.error();
+        renderer = std::move(made).value();
+        renderer->apply(scene.snapshot());
+        target = std::make_unique<Offscreen>(size);
+    }
+    /// Draws `frames` pictures and returns the last, as `pass` shows it.
+    Image draw(const Camera& camera, int frames = 1, const char* pass = "final") {
+        EXPECT_TRUE(renderer->showPass(pass)) << pass;
+        for (int i = 0; i < frames; ++i) renderer->draw(camera.view(target->size(), target->framebuffer()), 1.0f);
+        Image image(target->size().x, target->size().y);
+        image.rgb = target->readRgb();
+        return image;
+    }
+    std::unique_ptr<Renderer> renderer;
+    std::unique_ptr<Offscreen> target;
+};
+
+}  // namespace rubble

@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tests/golden/drawing.h"
+
+namespace rubble {
+namespace {
+
+const glm::dquat kLevel(1, 0, 0, 0);
+constexpr glm::ivec2 kSmall(96, 64);
+
+PaletteRef plain() {
+    auto palette = std::make_shared<Palette>();
+    PaletteEntry& e = (*palette)[1];
+    e.red = e.green = e.blue = 186;  // albedo one half
+    e.material = 1;
+    return palette;
+}
+
+uint8_t solid(glm::ivec3) {
+    return 1;
+}
+
+Camera lookingAt(glm::dvec3 from, glm::dvec3 at) {
+    Camera camera;
+    camera.position = from;
+    camera.lookAt(at);
+    return camera;
+}
+
+/// Share of the lit among the pixels that face the sun: show pass "normal" and "sunRaw" side by side.
+double litShare(const Image& normals, const Image& albedo, const Image& sun, glm::vec3 toSun) {
+    int facing = 0, lit = 0;
+    for (size_t i = 0; i < sun.rgb.size(); i += 3) {
+        if (albedo.rgb[i] == 0) continue;
+        const glm::vec3 n = glm::vec3(normals.rgb[i], normals.rgb[i + 1], normals.rgb[i + 2]) / 127.5f - 1.0f;
+        if (glm::dot(n, toSun) < 0.05f) continue;
+        ++facing;
+        lit += sun.rgb[i] > 127;
+    }
+    EXPECT_GT(facing, 100);
+    return double(lit) / facing;
+}
+
+class LightTest : public Drawing {};
+
+TEST_F(LightTest, ALoneFallingCubeDoesNotShadowItself) {
+    LitScene scene(plain());
+    scene.environment.sunDirection = {-0.6f, 0.5f, 0.62f};
+    const glm::vec3 toSun = glm::normalize(scene.environment.sunDirection);
+    const ShapeHandle cube = scene.add({8, 8, 8}, {{0, 5, 0}, kLevel}, solid);
+    RenderSettings settings;
+    settings.temporal = false;  // no jitter: all passes see the same pixels
+    start(scene, kSmall, settings);
+    for (int i = 0; i < 16; ++i) {
+        const glm::dquat turn = glm::angleAxis(0.41 * i, glm::normalize(glm::dvec3(std::sin(i), 1.0, std::cos(2.0 * i))));
+        const glm::dvec3 centre(0.013 * i, 5.0 - 0.137 * i, -0.021 * i);
+        scene.move(cube, {centre - turn * glm::dvec3(0.4), turn});
+        renderer->apply(scene.step());
+        const Camera camera = lookingAt(centre + glm::dvec3(-1.0, 0.9, 1.1), centre);
+        const Image normals = draw(camera, 1, "normal"), albedo = draw(camera, 1, "albedo"), sun = draw(camera, 1, "sunRaw");
+        EXPECT_GE(litShare(normals, albedo, sun, toSun), 0.995) << "rotation " << i;
+    }
+}
+
+TEST_F(LightTest, AClosedRoomOfOneVoxelIsDark) {
+    LitScene scene(plain());
+    scene.add({40, 28, 40}, {{-2, 0, -2}, kLevel},
+              [](glm::ivec3 c) { return uint8_t(c.x == 0 || c.y == 0 || c.z == 0 || c.x == 39 || c.y == 27 || c.z == 39); });
+    start(scene, kSmall);
+    const Camera camera = lookingAt({1.4, 1.6, 1.5}, {-1, 0.6, -1});
+    const auto brightest = [&](const char* pass) {
+        const Image image = draw(camera, 8, pass);
+        return int(*std::max_element(image.rgb.begin(), image.rgb.end()));
+    };
+    EXPECT_EQ(brightest("sunRaw"), 0);
+    // 4 of 255 is a radiance of 1e-4 under a sky of 0.7: what half floats leave of the haze that is taken out again.
+    EXPECT_LE(brightest("skyRaw"), 4);
+    EXPECT_LE(brightest("light"), 4);
+}
+
+/// Every pixel of a floor under a sky that is the same everywhere must show that sky's radiance after the filter.
+TEST_F(LightTest, AnEvenSkySurvivesTheDenoiser) {
+    LitScene scene(plain());
+    Environment& air = scene.environment;
+    air.sunColor = glm::vec3(0.0f);
+    air.skyColor = air.horizonColor = air.groundColor = glm::vec3(0.5f);
+    scene.add({80, 2, 80}, {{-4, -0.2, -4}, kLevel}, solid);
+    start(scene, kSmall);
+    const Image light = draw(lookingAt({0, 1.5, 2}, {0, 0, 0}), 6, "light");
+    const int expected = int(std::lround(255.0 * std::pow(0.5 / 1.5, 1.0 / 2.2)));  // as passes/show.frag maps it
+    for (int y = 20; y < 60; ++y)
+        for (int x = 8; x < 88; ++x) ASSERT_NEAR(*light.at(x, y), expected, 2) << x << ", " << y;
+}
+
+TEST_F(LightTest, NoBufferHoldsANumberThatIsNone) {
+    LitScene scene = streetScene();
+    start(scene, {160, 90});
+    for (int i = 0; i < 4; ++i) draw(streetCamera(i));
+    for (GLuint name = 1; name < 256; ++name) {
+        if (!glIsTexture(name)) continue;
+        while (glGetError() != GL_NO_ERROR) {
+        }
+        glBindTexture(GL_TEXTURE_2D, name);
+        if (glGetError() != GL_NO_ERROR) continue;  // of another kind
+        GLint width = 0, height = 0, format = 0;
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+        if (width == 0 || (format != GL_RGBA16F && format != GL_RGBA32F && format != GL_RG16F && format != GL_R32F)) continue;
+        std::vector<float> values(size_t(width) * height * 4);
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, values.data());
+        const auto bad = std::count_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
+        EXPECT_EQ(bad, 0) << "texture " << name << ", format " << format << ", " << width << "x" << height;
+    }
+}
+
+/// Mean of the pixels in a box of the image.
+double meanOf(const Image& image, glm::ivec2 low, glm::ivec2 high) {
+    double sum = 0;
+    for (int y = low.y; y < high.y; ++y)
+        for (int x = low.x; x < high.x; ++x) sum += image.at(x, y)[1];
+    return sum / ((high.x - low.x) * (high.y - low.y));
+}
+
+TEST_F(LightTest, AWallThatOpensIsSeenInTwelveFrames) {
+    LitScene scene(plain());
+    scene.environment.sunDirection = {0.0f, 0.3f, 1.0f};
+    const auto wall = [](glm::ivec3) { return uint8_t(1); };
+    scene.add({80, 2, 80}, {{-4, -0.2, -4}, kLevel}, solid);
+    const ShapeHandle screen = scene.add({80, 60, 2}, {{-4, 0, 2}, kLevel}, wall);
+    start(scene, kSmall);
+    const Camera camera = lookingAt({0, 3.0, -1.5}, {0, 0, 1.0});
+    const glm::ivec2 low(36, 30), high(60, 42);
+    const double before = meanOf(draw(camera, 40, "sun"), low, high), skyBefore = meanOf(draw(camera, 1, "light"), low, high);
+    scene.edit(screen, [](glm::ivec3) { return uint8_t(0); });
+    renderer->apply(scene.step());
+    const double after = meanOf(draw(camera, 12, "sun"), low, high), skyAfter = meanOf(draw(camera, 1, "light"), low, high);
+    const double settled = meanOf(draw(camera, 60, "sun"), low, high), skySettled = meanOf(draw(camera, 1, "light"), low, high);
+    EXPECT_LT(before, 5.0);
+    EXPECT_GT(settled, 250.0);
+    EXPECT_GE(after - before, 0.9 * (settled - before));
+    EXPECT_GT(skySettled, skyBefore + 5.0);
+    EXPECT_GE(skyAfter - skyBefore, 0.9 * (skySettled - skyBefore));
+}
+
+}  // namespace
+}  // namespace rubble
