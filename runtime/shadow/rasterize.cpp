@@ -61,20 +61,27 @@ struct SampleRow {
     }
 };
 
-/// Sets bit (i + start) / samples of `row` for every sample i that lies in a solid voxel.
-void sampleRow(const VoxelGrid& grid, const SampleRow& line, int low, int high, int samples, uint16_t& row, int firstBit) {
+/// Bit i / samples set for every sample i in [low, high) that lies in a solid voxel.
+template <bool kOneSample>
+uint64_t sampleRow(const VoxelGrid& grid, const SampleRow& line, int low, int high, int samples) {
+    uint64_t bits = 0;
     glm::ivec3 place(-1);
-    const Brick* brick = nullptr;
-    FixedPoint p = line.at(low);
+    const uint64_t* occupancy = nullptr;
+    const FixedPoint start = line.at(low);
+    int64_t x = start[0], y = start[1], z = start[2];
     for (int i = low; i < high; ++i) {
-        const glm::ivec3 voxel(int(p[0] >> 32), int(p[1] >> 32), int(p[2] >> 32));
-        for (size_t k = 0; k < 3; ++k) p[k] += line.step[k];
-        if (voxel >> 3 != place) {
-            place = voxel >> 3;
-            brick = grid.brickAt(place);
+        const int vx = int(x >> 32), vy = int(y >> 32), vz = int(z >> 32);
+        x += line.step[0], y += line.step[1], z += line.step[2];
+        if (((vx >> 3) ^ place.x) | ((vy >> 3) ^ place.y) | ((vz >> 3) ^ place.z)) {
+            static constexpr std::array<uint64_t, 8> kNothing{};
+            place = {vx >> 3, vy >> 3, vz >> 3};
+            const Brick* brick = grid.brickAt(place);
+            occupancy = (brick ? brick->occupancy : kNothing).data();
         }
-        if (brick && brick->solid(voxelIndex(voxel & 7))) row |= uint16_t(1u << (firstBit + (samples == 1 ? i : i / samples)));
+        const uint64_t solid = occupancy[vz & 7] >> ((vx & 7) | (vy & 7) << 3) & 1;
+        bits |= solid << (kOneSample ? i : i / samples);
     }
+    return bits;
 }
 
 /// False if no sample of a box of cells can lie in the grid: its centre is too far out along one of the grid's axes.
@@ -94,18 +101,11 @@ FixedPoint operator+(FixedPoint a, const FixedPoint& b) {
     return a;
 }
 
-}  // namespace
-
-void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds, glm::ivec3 brick, CellRows& rows) {
-    if (lattice.isShift()) return copyShifted(grid, lattice, brick, rows);
-    const glm::ivec3 corner = brick * kSide;
-    glm::ivec3 low, high;  // in the brick
-    for (int a = 0; a < 3; ++a) {
-        low[a] = std::max(0, bounds.low[a] - corner[a]);
-        high[a] = std::min(kSide, bounds.high[a] - corner[a]);
-        if (low[a] >= high[a]) return;
-    }
-    if (!canMeet(grid, lattice, corner + low, corner + high)) return;
+/// The cells of a box at most 64 wide: row(y, z) gets them from its low end on, rows without any are left out.
+template <class Row>
+void rasterizeBox(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& box, Row&& row) {
+    if (!canMeet(grid, lattice, box.low, box.high)) return;
+    const int samples = lattice.samples;
     SampleRow line;
     std::array<double, 3> inverseStep;
     line.step = lattice.step[0];
@@ -113,18 +113,54 @@ void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBo
         line.size[k] = int64_t(grid.size()[int(k)]) << 32;
         inverseStep[k] = line.step[k] ? 1.0 / double(line.step[k]) : 0.0;
     }
-    const int count = (high.x - low.x) * lattice.samples;
-    FixedPoint plane = lattice.sample(corner + low);
-    for (int sz = low.z * lattice.samples; sz < high.z * lattice.samples; ++sz, plane = plane + lattice.step[2]) {
-        const int z = sz / lattice.samples;
+    const glm::ivec3 count = (box.high - box.low) * samples;
+    FixedPoint plane = lattice.sample(box.low);
+    for (int z = 0; z < count.z; ++z, plane = plane + lattice.step[2]) {
         line.first = plane;
-        for (int y = low.y; y < high.y; ++y)
-            for (int sy = 0; sy < lattice.samples; ++sy, line.first = line.first + lattice.step[1]) {
-                int from, to;
-                line.clip(count, inverseStep, from, to);
-                if (from < to) sampleRow(grid, line, from, to, lattice.samples, rows[size_t(y + z * kSide)], low.x);
-            }
+        for (int y = 0; y < count.y; ++y, line.first = line.first + lattice.step[1]) {
+            int from, to;
+            line.clip(count.x, inverseStep, from, to);
+            if (from >= to) continue;
+            if (samples == 1)
+                row(y, z, sampleRow<true>(grid, line, from, to, 1));
+            else
+                row(y / samples, z / samples, sampleRow<false>(grid, line, from, to, samples));
+        }
     }
+}
+
+}  // namespace
+
+void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds, glm::ivec3 brick, CellRows& rows) {
+    if (lattice.isShift()) return copyShifted(grid, lattice, brick, rows);
+    const glm::ivec3 corner = brick * kSide;
+    CellBox box;
+    for (int a = 0; a < 3; ++a) {
+        box.low[a] = std::max(corner[a], bounds.low[a]);
+        box.high[a] = std::min(corner[a] + kSide, bounds.high[a]);
+    }
+    if (box.empty()) return;
+    const glm::ivec3 low = box.low - corner;
+    rasterizeBox(grid, lattice, box, [&](int y, int z, uint64_t bits) { rows[size_t(low.y + y + (low.z + z) * kSide)] |= uint16_t(bits << low.x); });
+}
+
+bool ShapeRaster::make(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds) {
+    const glm::ivec3 size = bounds.high - bounds.low;
+    if (size.x > 64 || size.y > 256 || size.z > 256) return false;
+    m_bounds = bounds;
+    m_rows.assign(size_t(size.y) * size_t(size.z), 0);
+    rasterizeBox(grid, lattice, bounds, [&](int y, int z, uint64_t bits) { m_rows[size_t(y + z * size.y)] |= bits; });
+    return true;
+}
+
+void ShapeRaster::addTo(glm::ivec3 brick, CellRows& rows) const {
+    const glm::ivec3 offset = m_bounds.low - brick * kSide, size = m_bounds.high - m_bounds.low;
+    if (offset.x >= kSide || offset.x <= -64) return;
+    for (int z = std::max(0, -offset.z); z < std::min(size.z, kSide - offset.z); ++z)
+        for (int y = std::max(0, -offset.y); y < std::min(size.y, kSide - offset.y); ++y) {
+            const uint64_t bits = m_rows[size_t(y + z * size.y)];
+            rows[size_t(y + offset.y + (z + offset.z) * kSide)] |= uint16_t(offset.x < 0 ? bits >> -offset.x : bits << offset.x);
+        }
 }
 
 ShadowBrick packRows(const CellRows& rows) {

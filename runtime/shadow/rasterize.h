@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "runtime/shadow/shadow_lattice.h"
 #include "runtime/shadow/shadow_volume.h"
@@ -14,6 +15,20 @@ using CellRows = std::array<uint16_t, kShadowBrickCells * kShadowBrickCells>;
 /// Sets the cells of shadow brick `brick` that the grid's voxels occupy, by the lattice's rule. `bounds` holds all cells
 /// that the grid can set.
 void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds, glm::ivec3 brick, CellRows& rows);
+
+/// All cells of a small shape, made once a pose and then copied into each brick it touches.
+class ShapeRaster {
+public:
+    /// False, and nothing is made, if the bounds are wider than a row of 64 cells.
+    bool make(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds);
+    void addTo(glm::ivec3 brick, CellRows& rows) const;
+    bool isMade() const { return !m_rows.empty(); }
+    void clear() { m_rows.clear(); }
+
+private:
+    CellBox m_bounds;
+    std::vector<uint64_t> m_rows;  ///< bit x, row y + z * height, from the low end of the bounds
+};
 
 ShadowBrick packRows(const CellRows& rows);
 

@@ -97,7 +97,9 @@ void ShadowReplica::setBrick(Shape& shape, const BrickChange& change) {
     if (shape.hasTranslucent) shape.opaque.setBrick(change.brick, onlyOpaque(change.content, shape.entries));
     const Brick* after = shape.casting().brickAt(change.brick);
     const bool same = before && after ? before->occupancy == after->occupancy : !before && !after;
-    if (!same && shape.placed) touchVoxels(shape, change.brick);
+    if (same || !shape.placed) return;
+    shape.raster.clear();
+    touchVoxels(shape, change.brick);
 }
 
 void ShadowReplica::setPalette(Shape& shape, const Palette& palette) {
@@ -121,6 +123,7 @@ void ShadowReplica::setPose(Shape& shape, const Pose& pose, bool asleep) {
 }
 
 void ShadowReplica::insert(Shape& shape) {
+    shape.raster.clear();
     shape.placed = shape.grid.size().x > 0 && shape.lattice.place(shape.pose, shape.voxelSize);
     if (!shape.placed) return;
     shape.bounds = shadowBounds(shape.pose, shape.voxelSize, {glm::ivec3(0), shape.grid.size()});
@@ -188,7 +191,13 @@ void ShadowReplica::touchVoxels(Shape& shape, glm::ivec3 voxelBrick) {
 }
 
 void ShadowReplica::fillFrom(const std::vector<uint32_t>& slots, glm::ivec3 brick, CellRows& rows) const {
-    for (const uint32_t slot : slots) rasterize(m_shapes[slot]->casting(), m_shapes[slot]->lattice, m_shapes[slot]->bounds, brick, rows);
+    for (const uint32_t slot : slots) {
+        Shape& shape = *m_shapes[slot];
+        if (shape.moving && (shape.raster.isMade() || shape.raster.make(shape.casting(), shape.lattice, shape.bounds)))
+            shape.raster.addTo(brick, rows);
+        else
+            rasterize(shape.casting(), shape.lattice, shape.bounds, brick, rows);
+    }
 }
 
 void ShadowReplica::fill(Place& place, glm::ivec3 brick, CellRows& rows) const {

@@ -37,6 +37,7 @@ private:
         Pose pose;
         ShadowLattice lattice;
         CellBox bounds;       ///< in shadow cells
+        ShapeRaster raster;   ///< of a moving shape; made when it is first needed
         bool placed = false;  ///< false if its pose is unusable
         bool moving = false;
         std::vector<glm::ivec3> covered;  ///< the bricks whose lists it is in
