@@ -61,25 +61,42 @@ struct SampleRow {
     }
 };
 
+/// Voxels straight from the bricks, remembering the last one.
+class BrickSource {
+public:
+    explicit BrickSource(const VoxelGrid& grid) : m_grid(grid) {}
+    uint64_t solid(int x, int y, int z) {
+        if (((x >> 3) ^ m_place.x) | ((y >> 3) ^ m_place.y) | ((z >> 3) ^ m_place.z)) {
+            static constexpr std::array<uint64_t, 8> kNothing{};
+            m_place = {x >> 3, y >> 3, z >> 3};
+            const Brick* brick = m_grid.brickAt(m_place);
+            m_occupancy = (brick ? brick->occupancy : kNothing).data();
+        }
+        return m_occupancy[z & 7] >> ((x & 7) | (y & 7) << 3) & 1;
+    }
+
+private:
+    const VoxelGrid& m_grid;
+    glm::ivec3 m_place{-1};
+    const uint64_t* m_occupancy = nullptr;
+};
+
+/// Voxels from rows along x.
+struct RowSource {
+    const uint64_t* rows;
+    int height;
+    uint64_t solid(int x, int y, int z) const { return rows[y + z * height] >> x & 1; }
+};
+
 /// Bit i / samples set for every sample i in [low, high) that lies in a solid voxel.
-template <bool kOneSample>
-uint64_t sampleRow(const VoxelGrid& grid, const SampleRow& line, int low, int high, int samples) {
+template <bool kOneSample, class Source>
+uint64_t sampleRow(Source& source, const SampleRow& line, int low, int high, int samples) {
     uint64_t bits = 0;
-    glm::ivec3 place(-1);
-    const uint64_t* occupancy = nullptr;
-    const FixedPoint start = line.at(low);
+    const FixedPoint start = line.at(low), step = line.step;
     int64_t x = start[0], y = start[1], z = start[2];
     for (int i = low; i < high; ++i) {
-        const int vx = int(x >> 32), vy = int(y >> 32), vz = int(z >> 32);
-        x += line.step[0], y += line.step[1], z += line.step[2];
-        if (((vx >> 3) ^ place.x) | ((vy >> 3) ^ place.y) | ((vz >> 3) ^ place.z)) {
-            static constexpr std::array<uint64_t, 8> kNothing{};
-            place = {vx >> 3, vy >> 3, vz >> 3};
-            const Brick* brick = grid.brickAt(place);
-            occupancy = (brick ? brick->occupancy : kNothing).data();
-        }
-        const uint64_t solid = occupancy[vz & 7] >> ((vx & 7) | (vy & 7) << 3) & 1;
-        bits |= solid << (kOneSample ? i : i / samples);
+        bits |= source.solid(int(x >> 32), int(y >> 32), int(z >> 32)) << (kOneSample ? i : i / samples);
+        x += step[0], y += step[1], z += step[2];
     }
     return bits;
 }
@@ -102,8 +119,8 @@ FixedPoint operator+(FixedPoint a, const FixedPoint& b) {
 }
 
 /// The cells of a box at most 64 wide: row(y, z) gets them from its low end on, rows without any are left out.
-template <class Row>
-void rasterizeBox(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& box, Row&& row) {
+template <class Source, class Row>
+void rasterizeBox(const VoxelGrid& grid, Source source, const ShadowLattice& lattice, const CellBox& box, Row&& row) {
     if (!canMeet(grid, lattice, box.low, box.high)) return;
     const int samples = lattice.samples;
     SampleRow line;
@@ -122,9 +139,9 @@ void rasterizeBox(const VoxelGrid& grid, const ShadowLattice& lattice, const Cel
             line.clip(count.x, inverseStep, from, to);
             if (from >= to) continue;
             if (samples == 1)
-                row(y, z, sampleRow<true>(grid, line, from, to, 1));
+                row(y, z, sampleRow<true>(source, line, from, to, 1));
             else
-                row(y / samples, z / samples, sampleRow<false>(grid, line, from, to, samples));
+                row(y / samples, z / samples, sampleRow<false>(source, line, from, to, samples));
         }
     }
 }
@@ -141,15 +158,26 @@ void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBo
     }
     if (box.empty()) return;
     const glm::ivec3 low = box.low - corner;
-    rasterizeBox(grid, lattice, box, [&](int y, int z, uint64_t bits) { rows[size_t(low.y + y + (low.z + z) * kSide)] |= uint16_t(bits << low.x); });
+    rasterizeBox(grid, BrickSource(grid), lattice, box,
+                 [&](int y, int z, uint64_t bits) { rows[size_t(low.y + y + (low.z + z) * kSide)] |= uint16_t(bits << low.x); });
 }
 
 bool ShapeRaster::make(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds) {
-    const glm::ivec3 size = bounds.high - bounds.low;
-    if (size.x > 64 || size.y > 256 || size.z > 256) return false;
+    const glm::ivec3 size = bounds.high - bounds.low, voxels = grid.size();
+    if (size.x > 64 || size.y > 256 || size.z > 256 || voxels.x > 64 || voxels.y > 256 || voxels.z > 256) return false;
+    if (m_voxels.empty()) {
+        m_voxels.assign(size_t(voxels.y) * size_t(voxels.z), 0);
+        grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+            forEachVoxel(brick->occupancy, [&](int i) {
+                const glm::ivec3 voxel = position * kBrickSize + voxelInBrick(i);
+                m_voxels[size_t(voxel.y + voxel.z * voxels.y)] |= uint64_t(1) << voxel.x;
+            });
+        });
+    }
     m_bounds = bounds;
     m_rows.assign(size_t(size.y) * size_t(size.z), 0);
-    rasterizeBox(grid, lattice, bounds, [&](int y, int z, uint64_t bits) { m_rows[size_t(y + z * size.y)] |= bits; });
+    rasterizeBox(grid, RowSource{m_voxels.data(), voxels.y}, lattice, bounds,
+                 [&](int y, int z, uint64_t bits) { m_rows[size_t(y + z * size.y)] |= bits; });
     return true;
 }
 

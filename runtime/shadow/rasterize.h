@@ -19,15 +19,20 @@ void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBo
 /// All cells of a small shape, made once a pose and then copied into each brick it touches.
 class ShapeRaster {
 public:
-    /// False, and nothing is made, if the bounds are wider than a row of 64 cells.
+    /// False, and nothing is made, if the bounds or the grid are wider than a row of 64.
     bool make(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds);
     void addTo(glm::ivec3 brick, CellRows& rows) const;
     bool isMade() const { return !m_rows.empty(); }
-    void clear() { m_rows.clear(); }
+    void poseChanged() { m_rows.clear(); }
+    void voxelsChanged() {
+        m_rows.clear();
+        m_voxels.clear();
+    }
 
 private:
     CellBox m_bounds;
-    std::vector<uint64_t> m_rows;  ///< bit x, row y + z * height, from the low end of the bounds
+    std::vector<uint64_t> m_voxels;  ///< the grid's: bit x, row y + z * height
+    std::vector<uint64_t> m_rows;    ///< bit x, row y + z * height, from the low end of the bounds
 };
 
 ShadowBrick packRows(const CellRows& rows);

@@ -98,7 +98,7 @@ void ShadowReplica::setBrick(Shape& shape, const BrickChange& change) {
     const Brick* after = shape.casting().brickAt(change.brick);
     const bool same = before && after ? before->occupancy == after->occupancy : !before && !after;
     if (same || !shape.placed) return;
-    shape.raster.clear();
+    shape.raster.voxelsChanged();
     touchVoxels(shape, change.brick);
 }
 
@@ -108,6 +108,7 @@ void ShadowReplica::setPalette(Shape& shape, const Palette& palette) {
     if (entries == shape.entries) return;
     shape.entries = entries;
     shape.hasTranslucent = std::find(entries.begin(), entries.end(), false) != entries.end();
+    shape.raster.voxelsChanged();
     shape.opaque = shape.hasTranslucent ? onlyOpaque(shape.grid, entries) : VoxelGrid();
     if (!shape.placed) return;
     remove(shape);
@@ -123,7 +124,7 @@ void ShadowReplica::setPose(Shape& shape, const Pose& pose, bool asleep) {
 }
 
 void ShadowReplica::insert(Shape& shape) {
-    shape.raster.clear();
+    shape.raster.poseChanged();
     shape.placed = shape.grid.size().x > 0 && shape.lattice.place(shape.pose, shape.voxelSize);
     if (!shape.placed) return;
     shape.bounds = shadowBounds(shape.pose, shape.voxelSize, {glm::ivec3(0), shape.grid.size()});
