@@ -7,8 +7,13 @@ namespace rubble {
 
 Edits World::damageFrom(std::span<const Impact> impacts) const {
     std::vector<const Impact*> hardest;
-    for (const Impact& impact : impacts)
-        if (impact.impulse >= m_settings.impactThreshold) hardest.push_back(&impact);
+    for (const Impact& impact : impacts) {
+        if (!(impact.impulse >= m_settings.impactThreshold)) continue;
+        double heavier = 0.0;
+        for (const BodyHandle handle : {impact.body, impact.other})
+            if (const Body* body = m_bodies.find(handle); body && !body->isStatic) heavier = std::max(heavier, bodyMass(handle).mass);
+        if (impact.impulse >= m_settings.impactSpeed * heavier) hardest.push_back(&impact);
+    }
     std::stable_sort(hardest.begin(), hardest.end(), [](const Impact* a, const Impact* b) { return a->impulse > b->impulse; });
     if (hardest.size() > m_settings.impactsAStep) hardest.resize(m_settings.impactsAStep);
     Edits edits;

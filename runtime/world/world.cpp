@@ -200,8 +200,8 @@ WorldHit World::raycast(glm::dvec3 origin, glm::dvec3 direction, double maxDista
         glm::dvec3 normalLocal(0.0);
         if (hit.axis >= 0) normalLocal[hit.axis] = hit.sign;
         const double distance = hit.t * shape.voxelSize;
-        best = {true, distance, origin + direction * distance, hit.axis < 0 ? -direction : pose.rotation * normalLocal, handle, hit.cell,
-                shape.grid.at(hit.cell)};
+        best = {true,   distance, origin + direction * distance, hit.axis < 0 ? -direction : pose.rotation * normalLocal,
+                handle, hit.cell, shape.grid.at(hit.cell)};
     });
     return best;
 }

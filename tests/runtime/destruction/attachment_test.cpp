@@ -81,6 +81,60 @@ TEST(Attachment, LocalSearchEqualsAFloodFill) {
     }
 }
 
+TEST(Attachment, WhatLosesItsOnlyAnchorIsFound) {
+    VoxelGrid grid({24, 40, 8});
+    {
+        GridWriter writer(grid);
+        for (int y = 0; y < 40; ++y) writer.set({2, y, 4}, 1), writer.set({20, y, 4}, 1);
+    }
+    const std::vector<CellBox> anchors = {{{0, 0, 0}, {24, 1, 8}}};
+    ASSERT_TRUE(findLoose(grid, anchors, true).pieces.empty());
+    GridWriter(grid).set({2, 0, 4}, 0);
+    Loose loose = findLooseNear(grid, anchors, true, std::vector{glm::ivec3(0, 0, 0)});
+    ASSERT_EQ(loose.pieces.size(), 1u);
+    EXPECT_FALSE(loose.isAdrift);
+    EXPECT_EQ(loose.pieces[0].voxels, 39u);
+    takePiece(grid, loose.pieces[0]);
+    GridWriter(grid).set({20, 0, 4}, 0);
+    loose = findLooseNear(grid, anchors, true, std::vector{glm::ivec3(2, 0, 0)});
+    EXPECT_TRUE(loose.isAdrift);
+    EXPECT_TRUE(loose.pieces.empty());
+}
+
+TEST(Attachment, ALargePieceIsFoundThoughTheFootIsHeldAtOnce) {
+    VoxelGrid grid({64, 56, 64});
+    {
+        GridWriter writer(grid);
+        for (int z = 0; z < 64; ++z)
+            for (int x = 0; x < 64; ++x)
+                for (int y = 0; y < 56; ++y) {
+                    const bool isHead = y >= 32 && x >= 16 && x < 48 && z >= 16 && z < 48;
+                    const bool isNeck = x >= 30 && x < 34 && z >= 30 && z < 34;
+                    if (y < 16 || isHead || isNeck) writer.set({x, y, z}, 1);
+                }
+    }
+    Carved carved;
+    carve(grid, boxBrush({32, 24, 32}, {6, 2, 6}, {1, 0, 0, 0}, Hardness::Hard), test::fiveEntries(), test::fiveMaterials(), carved);
+    const std::vector<CellBox> anchors = {{{0, 0, 0}, {64, 1, 64}}};
+    const Loose loose = findLooseNear(grid, anchors, true, carved.bricks);
+    ASSERT_EQ(loose.pieces.size(), 1u);
+    EXPECT_FALSE(loose.isAdrift);
+    EXPECT_EQ(loose.pieces[0].voxels, uint64_t(32 * 24 * 32 + 4 * 4 * 6));
+}
+
+TEST(Attachment, ALongThinRestIsNotTakenForTheLargest) {
+    VoxelGrid grid({400, 24, 24});
+    {
+        GridWriter writer(grid);
+        for (int i = 0; i < 24 * 24 * 24; ++i) writer.set({i % 24, i / 24 % 24, i / 576}, 1);
+        for (int x = 24; x < 400; ++x) writer.set({x, 4, 4}, 1);
+    }
+    GridWriter(grid).set({26, 4, 4}, 0);
+    const Loose loose = findLooseNear(grid, {}, false, std::vector{glm::ivec3(3, 0, 0)});
+    ASSERT_EQ(loose.pieces.size(), 1u);
+    EXPECT_EQ(loose.pieces[0].voxels, 373u);
+}
+
 TEST(Attachment, WithoutAnyAnchorTheLargestStays) {
     VoxelGrid grid({24, 8, 8});
     {
