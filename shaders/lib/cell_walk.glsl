@@ -58,7 +58,13 @@ void leaveBlock(inout CellWalk w, int size) {
 
 bool insideCells(ivec3 cell, ivec3 low, ivec3 high) { return all(greaterThanEqual(cell, low)) && all(lessThan(cell, high)); }
 
-// Bit i of a 64-bit mask.
-bool bitOf(uvec2 mask, int i) { return (((i < 32 ? mask.x : mask.y) >> uint(i & 31)) & 1u) != 0u; }
+// Of 4x4x4 children, a 64-bit mask (bit x + 4 y + 16 z) says which are there. For the child at c (its lowest two bits count):
+// 0 if it is there, 2 if none of its aligned 2x2x2 is, else 1: the side of an empty block, in children.
+int emptyChildren(uvec2 mask, ivec3 c) {
+    uint layer = (c.z & 2) == 0 ? mask.x : mask.y;
+    uint octant = layer >> uint((c.x & 2) + (c.y & 2) * 4);
+    if ((octant & 0x00330033u) == 0u) return 2;
+    return 1 - int(octant >> uint((c.x & 1) + (c.y & 1) * 4 + (c.z & 1) * 16) & 1u);
+}
 // The place of a child among 4x4x4.
 int childOf(ivec3 c) { return (c.x & 3) + (c.y & 3) * 4 + (c.z & 3) * 16; }

@@ -18,12 +18,12 @@ int shadowEmptySize(ivec3 cell, ivec3 sectors) {
     ivec3 s = cell >> 6;
     uvec4 sector = fetchShadowSector(s.x + sectors.x * (s.y + sectors.y * s.z));
     if ((sector.x | sector.y) == 0u) return 64;
-    int brick = childOf(cell >> 4);
-    if (!bitOf(sector.xy, brick)) return 16;
-    uvec4 entry = fetchShadowTable(int(sector.z) * 64 + brick);
-    int word = childOf(cell >> 2);
-    if (!bitOf(entry.zw, word)) return 4;
-    return bitOf(fetchShadowBrick(int(entry.x) * 64 + word), childOf(cell)) ? 0 : 1;
+    int empty = emptyChildren(sector.xy, cell >> 4);
+    if (empty != 0) return empty * 16;
+    uvec4 entry = fetchShadowTable(int(sector.z) * 64 + childOf(cell >> 4));
+    empty = emptyChildren(entry.zw, cell >> 2);
+    if (empty != 0) return empty * 4;
+    return emptyChildren(fetchShadowBrick(int(entry.x) * 64 + childOf(cell >> 2)), cell);
 }
 
 // A point of the world (from the render origin) in the directory's cells.

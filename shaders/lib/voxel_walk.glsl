@@ -28,14 +28,14 @@ int emptySizeAt(Layout body, ivec3 cell, out int slot) {
     ivec3 node = cell >> 5;
     uvec4 n = fetchNode(body.node + node.x + body.sizeInNodes.x * (node.y + body.sizeInNodes.y * node.z));
     if ((n.x | n.y) == 0u) return 32;
-    int child = childOf(cell >> 3);
-    if (!bitOf(n.xy, child)) return 8;
-    uint entry = fetchTable(int(n.z) * 64 + child);
+    int empty = emptyChildren(n.xy, cell >> 3);
+    if (empty != 0) return empty * 8;
+    uint entry = fetchTable(int(n.z) * 64 + childOf(cell >> 3));
     int word = (cell.x >> 2 & 1) + (cell.y >> 2 & 1) * 2 + (cell.z >> 2 & 1) * 4;
     if ((entry >> uint(word) & 1u) == 0u) return 4;
     slot = int(entry >> 8);
     uvec4 pair = fetchWords(slot * 4 + (word >> 1));
-    return bitOf((word & 1) == 0 ? pair.xy : pair.zw, childOf(cell)) ? 0 : 1;
+    return emptyChildren((word & 1) == 0 ? pair.xy : pair.zw, cell);
 }
 
 // originCells and direction in the body's cells; tMin and tMax in lengths of the direction.

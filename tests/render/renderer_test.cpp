@@ -25,10 +25,11 @@ protected:
         ASSERT_TRUE(made) << made.error();
         renderer = std::move(made).value();
     }
-    /// With RUBBLE_PICTURES=FOLDER every pass is written there, for eyes.
+    /// With RUBBLE_PICTURES=FOLDER every pass is written there, for eyes; with RUBBLE_PICTURES=- only the times are printed.
     void writePictures(const View& view, const Offscreen& target, const std::string& name) {
         const char* folder = std::getenv("RUBBLE_PICTURES");
         if (!folder) return;
+        if (std::string(folder) == "-") return printTimes();
         for (const std::string& pass : renderer->passNames()) {
             ASSERT_TRUE(renderer->showPass(pass));
             renderer->draw(view, 1.0f);
@@ -36,7 +37,12 @@ protected:
             image.rgb = target.readRgb();
             ASSERT_TRUE(writePng(std::string(folder) + "/" + name + "_" + pass + ".png", image));
         }
-        for (const auto& [pass, ms] : renderer->figures().passMs) printf("%-16s %7.2f ms\n", pass, ms);
+        printTimes();
+    }
+    void printTimes() const {
+        double sum = 0.0;
+        for (const auto& [pass, ms] : renderer->figures().passMs) printf("%-16s %7.2f ms\n", pass, ms), sum += ms;
+        printf("%-16s %7.2f ms\n", "all", sum);
     }
     std::unique_ptr<Renderer> renderer;
 };
