@@ -12,12 +12,12 @@
 namespace rubble {
 
 struct FrameLoopSettings {
-    uint8_t worldId = 1;               ///< part of every handle, so that one world's handle is not taken for another's
+    uint8_t worldId = 1;  ///< part of every handle, so that one world's handle is not taken for another's
     PhysicsSettings physics;
     ShadowWorker::Mode shadow = ShadowWorker::Mode::Thread;
-    bool shadowVolume = true;          ///< off: nothing is drawn with rays, and nothing is paid
-    bool publish = true;               ///< off: for worlds that nobody draws
-    bool waitForShadow = false;        ///< each step waits for its shadow volume: pictures that do not depend on timing
+    bool shadowVolume = true;    ///< off: nothing is drawn with rays, and nothing is paid
+    bool publish = true;         ///< off: for worlds that nobody draws
+    bool waitForShadow = false;  ///< each step waits for its shadow volume: pictures that do not depend on timing
 };
 
 /// The two functions of a frame, and the only place that knows every module.

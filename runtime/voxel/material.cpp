@@ -9,6 +9,7 @@ using enum Hardness;
 // Handbook (wood); EN 1992-1-1 C25/30 (concrete); EN 1996-1-1 (brick and mortar); EN 572 (float glass); EN 10025 S235
 // (steel); Ashby & Jones, Engineering Materials 1 (plastic, rock, ice, plaster).
 std::vector<Material> makeDefaults() {
+    // clang-format off
     return {
         //name           hardness     kg/m3  tensile compress. shear   mu     e      J/kgK  ign K  burn  fragments   sledge torch gun explosive
         {"empty",        Unphysical,     0,  0,      0,        0,      0,     0,     0,     0,     0,    "none",     false, false, false, false},
@@ -30,6 +31,7 @@ std::vector<Material> makeDefaults() {
         {"unphysical",   Unphysical,     0,  0,      0,        0,      0,     0,     0,     0,     0,    "none",     false, false, false, false},
         {"snow",         Soft,         200,  0.01e6f,0.05e6f,  0.01e6f,0.30f, 0.00f, 2090,  0,     0,    "crumble",  true, true, true, true},
     };
+    // clang-format on
 }
 
 }  // namespace

@@ -117,12 +117,12 @@ typedef struct rubble_explosion {
 /* Blends the colours of voxels toward a paint, a step a call. Materials stay. */
 typedef struct rubble_paint {
     uint32_t struct_size;
-    uint8_t color[4];    /* sRGB; the fourth is not read */
+    uint8_t color[4]; /* sRGB; the fourth is not read */
     double position[3];
-    double radius;       /* 0: 0.5 */
-    uint32_t strength;   /* share of the way to the paint, 1 to 255 of 255; 0: 64 */
+    double radius;        /* 0: 0.5 */
+    uint32_t strength;    /* share of the way to the paint, 1 to 255 of 255; 0: 64 */
     uint32_t probability; /* share of the voxels touched at the rim, 1 to 255 of 255; 0: 255 */
-    uint32_t seed;       /* of which voxels they are */
+    uint32_t seed;        /* of which voxels they are */
     uint32_t reserved;
 } rubble_paint;
 
@@ -256,7 +256,7 @@ typedef struct rubble_view {
     uint32_t width;       /* pixels */
     uint32_t height;
     uint32_t reserved;
-    double position[3];  /* of the camera, which looks along -z with y up */
+    double position[3]; /* of the camera, which looks along -z with y up */
     double rotation[4];
     double vertical_fov; /* 0: 1.05 */
     double alpha;        /* 0 to 1: how far between the last two steps */
