@@ -1,22 +1,17 @@
 #pragma once
-#include <vector>
-
 #include "render/frame_context.h"
 
 namespace rubble {
 
-/// Adds sphere and cone lights to the colour of "light". Without lights it has no texture and draws nothing.
+/// Adds sphere and cone lights to the colour of "light", each within the part of the view that it can reach. Draws nothing
+/// for lights whose reach the view does not meet.
 class LocalLightsPass {
 public:
     explicit LocalLightsPass(ShaderLibrary& shaders);
-    void draw(const FrameContext& frame);
+    void draw(const FrameContext& frame) const;
 
 private:
-    void upload(const FrameContext& frame);
-
     const Program& m_program;
-    std::vector<glm::vec4> m_texels;  ///< four a light, as passes/local_lights.frag reads them
-    Texture m_lights;
 };
 
 }  // namespace rubble

@@ -1,29 +1,54 @@
 #include "render/passes/reflections_pass.h"
 
 #include "render/passes/bounce.h"
+#include "render/passes/depth_limit.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/scene.h"
 
 namespace rubble {
+namespace {
 
-ReflectionsPass::ReflectionsPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/reflections.frag")) {}
+/// Sets the samplers of lib/mirror.glsl and of the G-buffer.
+void bindMirror(const Program& program, const FrameContext& frame) {
+    GBufferPass::bind(program, frame.targets);
+    const Texture* pane = frame.targets.find("glassSurface");
+    const bool glass = pane && frame.scene.hasGlass();
+    program.set("uGlass", int(glass));
+    if (glass) program.set("uGlassSurface", *pane);
+}
+
+}  // namespace
+
+ReflectionsPass::ReflectionsPass(ShaderLibrary& shaders)
+    : m_mask(shaders.load("passes/reflection_mask.frag")), m_program(shaders.load("passes/reflections.frag", kFarVertexShader)) {}
 
 bool ReflectionsPass::needed(const FrameContext& frame) {
     return frame.settings.reflections;
 }
 
 void ReflectionsPass::draw(const FrameContext& frame) const {
-    if (!m_program) return;
-    frame.targets.framebuffer({&frame.targets.target("reflection", GL_RGBA16F)}).begin();
+    if (!m_mask || !m_program) return;
+    const Texture& mask = frame.targets.target("mirrorDepth", GL_DEPTH_COMPONENT32F);
+    frame.targets.framebuffer({&frame.targets.target("reflection", GL_RGBA16F)}, &mask).begin();
+    const float none[4] = {0, 0, 0, 0}, farthest = 1.0f;
+    glClearBufferfv(GL_COLOR, 0, none);
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);  // the triangle lies at one half: marked pixels come nearer than the far plane
+    m_mask.use();
+    bindMirror(m_mask, frame);
+    frame.drawFullscreen();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+
+    const DepthLimit limit(DepthLimit::To::Surfaces);
     m_program.use();
-    GBufferPass::bind(m_program, frame.targets);
+    bindMirror(m_program, frame);
     frame.scene.bindShadow(m_program);
     bindBounce(m_program, frame);
     m_program.set("uLight", frame.targets.at("lighting"));
     m_program.set("uBlueNoise", frame.blueNoise);
-    const Texture* pane = frame.targets.find("glassSurface");
-    m_program.set("uGlass", int(pane && frame.scene.hasGlass()));
-    if (pane) m_program.set("uGlassSurface", *pane);
     frame.drawFullscreen();
 }
 

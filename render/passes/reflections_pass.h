@@ -12,6 +12,7 @@ public:
     static bool needed(const FrameContext& frame);
 
 private:
+    const Program& m_mask;
     const Program& m_program;
 };
 

@@ -7,11 +7,12 @@ namespace rubble::scenes {
 inline Environment lateAfternoon() {
     Environment air;
     air.sunDirection = {-0.90f, 0.36f, 0.08f};
-    air.sunColor = {9.0f, 7.6f, 5.8f};
-    air.skyColor = {0.55f, 0.70f, 1.00f};
-    air.horizonColor = {0.95f, 0.86f, 0.76f};
-    air.groundColor = {0.22f, 0.20f, 0.18f};
-    air.fogColor = {0.62f, 0.66f, 0.72f};
+    air.sunColor = {11.5f, 8.7f, 5.7f};
+    air.skyColor = {0.24f, 0.42f, 0.80f};
+    air.horizonColor = {0.74f, 0.64f, 0.52f};
+    air.groundColor = {0.20f, 0.17f, 0.13f};
+    air.fogColor = {0.46f, 0.50f, 0.56f};
+    air.exposure = 1.1f;
     air.fogDistance = 150.0f;
     return air;
 }

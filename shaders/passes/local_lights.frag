@@ -1,13 +1,18 @@
-// Irradiance / pi from sphere and cone lights, added to the colour of `light`: one ray to a random point of each light
-// whose reach meets the pixel.
+// Irradiance / pi from sphere and cone lights, added to the colour of `light`: one ray to a random point of the
+// light. One draw a light, blended.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 #include "lib/sampling.glsl"
 #include "lib/shadow_trace.glsl"
 
-// Three texels a light: position, radius | intensity, reach | direction of a cone, scale of its edge | w of texel 3: see below
-uniform sampler2D uLights;  // row = light: 0 xyz position w radius, 1 rgb intensity w reach, 2 xyz direction w unused, 3 x cos outer, y 1 / (cos inner - cos outer)
+uniform vec4 uPlace;   // xyz centre, w radius
+uniform vec4 uPower;   // rgb intensity, w reach
+uniform vec3 uAxis;    // of a cone
+uniform vec2 uCone;    // cosine of the outer half angle; 1 / (cosine of the inner - cosine of the outer)
+uniform int uIndex;    // tells the noise of lights apart
+
+const float kFaintest = 0.002;  // radiance of a white surface below which no ray is worth its price
 
 in vec2 uv;
 out vec4 light;
@@ -23,27 +28,17 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = readSurface(pixel);
     light = vec4(0.0);
-    if (s.sky) return;
     vec3 position = worldFromDepth(uv, s.depth);
+    vec3 toCentre = uPlace.xyz - position;
+    float range = length(toCentre);
+    float facing = dot(s.normal, toCentre) / range;
+    float edge = clamp((-dot(toCentre, uAxis) / range - uCone.x) * uCone.y, 0.0, 1.0);
+    vec3 arriving = uPower.rgb * (attenuation(range, uPlace.w, uPower.w) * edge * edge * facing / kPi);
+    if (facing <= 0.0 || max(arriving.r, max(arriving.g, arriving.b)) < kFaintest) discard;
     vec3 origin = shadowOrigin(position, s.normal);
-    for (int i = 0; i < frame.counters.z; ++i) {
-        vec4 place = texelFetch(uLights, ivec2(0, i), 0);
-        vec4 power = texelFetch(uLights, ivec2(1, i), 0);
-        vec3 toCentre = place.xyz - position;
-        float range = length(toCentre);
-        if (range >= power.w) continue;
-        float facing = dot(s.normal, toCentre);
-        if (facing <= 0.0) continue;
-        vec4 cone = texelFetch(uLights, ivec2(3, i), 0);
-        float along = -dot(toCentre, texelFetch(uLights, ivec2(2, i), 0).xyz) / range;
-        float edge = clamp((along - cone.x) * cone.y, 0.0, 1.0);
-        vec3 arriving = power.rgb * (attenuation(range, place.w, power.w) * edge * edge * facing / range / kPi);
-        if (max(arriving.r, max(arriving.g, arriving.b)) < 0.002) continue;
-        vec3 target = place.xyz + place.w * spherePoint(blueNoise(pixel, 2 + i, frame.counters.x));
-        vec3 toTarget = target - origin;
-        float distanceMetres = length(toTarget);
-        float t;
-        // The ray ends before the light's own glowing voxels.
-        if (!shadowTrace(origin, toTarget / distanceMetres, distanceMetres - max(place.w, 0.12), t)) light.rgb += arriving;
-    }
+    vec3 toTarget = uPlace.xyz + uPlace.w * spherePoint(blueNoise(pixel, 2 + uIndex, frame.counters.x)) - origin;
+    float distanceMetres = length(toTarget);
+    float t;
+    // The ray ends before the light's own glowing voxels.
+    if (!shadowTrace(origin, toTarget / distanceMetres, distanceMetres - max(uPlace.w, 0.12), t)) light.rgb = arriving;
 }

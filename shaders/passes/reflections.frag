@@ -7,16 +7,14 @@
 #include "lib/brdf.glsl"
 #include "lib/sky.glsl"
 #include "lib/bounce.glsl"
+#include "lib/mirror.glsl"
 
-uniform sampler2D uGlassSurface;
-uniform bool uGlass;
 uniform sampler2D uLight;
 
 in vec2 uv;
 out vec4 reflection;
 
 const float kReach = 40.0;
-const float kWeakest = 0.012;  // share of light below which no ray is worth its price
 
 /// Radiance of a mirror ray. The sun's disc is left to the specular lobe, which has no noise.
 vec3 mirrored(vec3 origin, vec3 direction, vec3 lightHere) {
@@ -28,31 +26,16 @@ vec3 mirrored(vec3 origin, vec3 direction, vec3 lightHere) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    Surface s = readSurface(pixel);
-    float roughness = s.roughness;
-    float f0 = max(s.reflectivity, s.metallic * max(s.albedo.r, max(s.albedo.g, s.albedo.b)));
-    vec4 pane = uGlass ? texelFetch(uGlassSurface, pixel, 0) : vec4(0.0);
-    bool isPane = pane.w > 0.0;
-    reflection = vec4(0.0);
-    if (isPane) {
-        s.normal = normalize(pane.xyz);
-        s.depth = pane.w;
-        roughness = 0.0;
-        f0 = 0.05;
-    } else if (s.sky) {
-        return;
+    Mirror m = mirrorAt(pixel, uv);
+    vec3 halfVector = m.normal;
+    if (m.roughness > 0.03) {
+        mat3 basis = basisAround(m.normal);
+        // The rarest, widest normals are left out: they are most of the noise.
+        vec2 u = blueNoise(pixel, 20, frame.counters.x) * vec2(1.0, 0.85);
+        halfVector = basis * visibleHalfVector(m.view * basis, m.roughness * m.roughness, u);
     }
-    vec3 position = worldFromDepth(uv, s.depth);
-    vec3 view = normalize(frame.cameraPosition.xyz - position);
-    float share = (1.0 - smoothstep(0.35, 0.6, roughness)) * fresnel(vec3(f0), dot(s.normal, view)).x;
-    if (share < kWeakest) return;
-    vec3 halfVector = s.normal;
-    if (roughness > 0.03) {
-        mat3 basis = basisAround(s.normal);
-        vec3 h = visibleHalfVector(view * basis, roughness * roughness, blueNoise(pixel, 20, frame.counters.x) * vec2(1.0, 0.85));
-        halfVector = basis * h;
-    }
-    vec3 direction = reflect(-view, halfVector);
-    direction += s.normal * max(0.0, 0.02 - dot(direction, s.normal));
-    reflection = vec4(mirrored(shadowOrigin(position, s.normal), normalize(direction), texelFetch(uLight, pixel, 0).rgb), 1.0);
+    vec3 direction = reflect(-m.view, halfVector);
+    direction += m.normal * max(0.0, 0.02 - dot(direction, m.normal));
+    vec3 lightHere = texelFetch(uLight, pixel, 0).rgb;
+    reflection = vec4(mirrored(shadowOrigin(m.position, m.normal), normalize(direction), lightHere), 1.0);
 }

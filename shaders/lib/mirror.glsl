@@ -1,0 +1,28 @@
+// Which pixels mirror enough to be worth a ray, and how they do. Needs lib/gbuffer, frame, brdf.
+uniform sampler2D uGlassSurface;
+uniform bool uGlass;
+
+const float kWeakestMirror = 0.012;  // share of light
+const float kPaneReflectance = 0.05;
+
+struct Mirror {
+    vec3 position, normal, view;
+    float roughness;
+    float share;   // of the light that it mirrors
+};
+
+/// The nearest pane, else the surface.
+Mirror mirrorAt(ivec2 pixel, vec2 uv) {
+    Surface s = readSurface(pixel);
+    float f0 = max(s.reflectivity, s.metallic * max(s.albedo.r, max(s.albedo.g, s.albedo.b)));
+    vec4 pane = uGlass ? texelFetch(uGlassSurface, pixel, 0) : vec4(0.0);
+    Mirror m;
+    bool isPane = pane.w > 0.0;
+    m.normal = isPane ? normalize(pane.xyz) : s.normal;
+    m.roughness = isPane ? 0.0 : s.roughness;
+    f0 = isPane ? kPaneReflectance : s.sky ? 0.0 : f0;
+    m.position = worldFromDepth(uv, isPane ? pane.w : s.depth);
+    m.view = normalize(frame.cameraPosition.xyz - m.position);
+    m.share = f0 <= 0.0 ? 0.0 : (1.0 - smoothstep(0.35, 0.6, m.roughness)) * fresnel(vec3(f0), dot(m.normal, m.view)).x;
+    return m;
+}
