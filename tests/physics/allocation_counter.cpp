@@ -1,4 +1,4 @@
-#include "allocation_counter.h"
+#include "tests/physics/allocation_counter.h"
 
 #include <cstdlib>
 #include <new>

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "allocation_counter.h"
+#include "tests/physics/allocation_counter.h"
 #include "physics_scene.h"
 #include "runtime/core/random.h"
 
