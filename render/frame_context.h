@@ -20,11 +20,11 @@ struct FrameBlock {
 
 /// What a pass has at hand while it draws one frame.
 struct FrameContext {
-    const FrameBlock& block;          ///< bound for shaders already
+    const FrameBlock& block;  ///< bound for shaders already
     const RenderSettings& settings;
-    const Scene& scene;               ///< the world's mirror on the GPU: bodies, lights, environment, shadow volume
+    const Scene& scene;  ///< the world's mirror on the GPU: bodies, lights, environment, shadow volume
     TargetPool& targets;
-    const Texture& blueNoise;         ///< 64x64, R8, repeats
+    const Texture& blueNoise;  ///< 64x64, R8, repeats
     RenderFigures& figures;
     VertexArray& emptyVertexArray;
 

@@ -18,33 +18,33 @@ using GlLoader = void* (*)(const char* name);
 /// Which picture of the world: a camera and a size in pixels.
 struct View {
     glm::dvec3 position{0.0};
-    glm::dquat rotation{1, 0, 0, 0};   ///< looks along -z, y up
-    float verticalFov = 1.05f;         ///< radians
+    glm::dquat rotation{1, 0, 0, 0};  ///< looks along -z, y up
+    float verticalFov = 1.05f;        ///< radians
     glm::ivec2 size{1280, 720};
-    unsigned framebuffer = 0;          ///< GL name of the target
-    bool cut = false;                  ///< the camera jumped: history is forgotten
+    unsigned framebuffer = 0;  ///< GL name of the target
+    bool cut = false;          ///< the camera jumped: history is forgotten
 };
 
 /// Quality against speed. Presets "fast", "balanced", "accurate".
 struct RenderSettings {
-    int skyRays = 2;                   ///< cosine-weighted rays a pixel
+    int skyRays = 2;  ///< cosine-weighted rays a pixel
     int sunRays = 1;
-    float skyDistance = 24.0f;         ///< metres
-    int filterPasses = 4;              ///< of the spatial filter
-    bool temporal = true;              ///< reprojected accumulation and TAA
-    int historyFrames = 32;            ///< how many pictures the accumulation remembers
-    int warmUpFrames = 0;              ///< drawn unseen before the first picture and after each cut: clean stills
+    float skyDistance = 24.0f;  ///< metres
+    int filterPasses = 4;       ///< of the spatial filter
+    bool temporal = true;       ///< reprojected accumulation and TAA
+    int historyFrames = 32;     ///< how many pictures the accumulation remembers
+    int warmUpFrames = 0;       ///< drawn unseen before the first picture and after each cut: clean stills
     bool sun = true, sky = true, localLights = true, reflections = true;
-    bool bevel = true;                 ///< rounds the edges of near voxels in light
+    bool bevel = true;  ///< rounds the edges of near voxels in light
     float bloom = 0.04f;
     static RenderSettings preset(std::string_view name);
 };
 
 struct RenderFigures {
     int drawCalls = 0;
-    int bodyDraws = 0;                 ///< of those, the ones that draw voxel bodies
-    uint64_t uploadBytes = 0;          ///< to the GL since the last figures
-    uint64_t textureBytes = 0;         ///< held now
+    int bodyDraws = 0;          ///< of those, the ones that draw voxel bodies
+    uint64_t uploadBytes = 0;   ///< to the GL since the last figures
+    uint64_t textureBytes = 0;  ///< held now
     int shapes = 0;
     int bricks = 0;
     std::vector<std::pair<const char*, double>> passMs;  ///< in the order drawn; with GL_TIME_ELAPSED where it is honest, else after glFinish

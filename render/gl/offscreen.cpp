@@ -13,7 +13,8 @@ std::vector<uint8_t> Offscreen::readRgb() const {
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, size().x, size().y, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
     for (int top = 0, bottom = size().y - 1; top < bottom; ++top, --bottom)
-        std::swap_ranges(pixels.begin() + long(rowBytes) * top, pixels.begin() + long(rowBytes) * (top + 1), pixels.begin() + long(rowBytes) * bottom);
+        std::swap_ranges(pixels.begin() + long(rowBytes) * top, pixels.begin() + long(rowBytes) * (top + 1),
+                         pixels.begin() + long(rowBytes) * bottom);
     return pixels;
 }
 

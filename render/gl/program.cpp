@@ -30,7 +30,8 @@ bool isSampler(GLenum type) {
         case GL_INT_SAMPLER_BUFFER:
         case GL_UNSIGNED_INT_SAMPLER_2D:
         case GL_UNSIGNED_INT_SAMPLER_3D:
-        case GL_UNSIGNED_INT_SAMPLER_BUFFER: return true;
+        case GL_UNSIGNED_INT_SAMPLER_BUFFER:
+            return true;
     }
     return false;
 }

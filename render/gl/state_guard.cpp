@@ -6,7 +6,9 @@ namespace {
 constexpr GLenum kBlendNames[6] = {GL_BLEND_SRC_RGB,   GL_BLEND_DST_RGB,      GL_BLEND_SRC_ALPHA,
                                    GL_BLEND_DST_ALPHA, GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA};
 
-void setSwitch(GLenum name, bool on) { on ? glEnable(name) : glDisable(name); }
+void setSwitch(GLenum name, bool on) {
+    on ? glEnable(name) : glDisable(name);
+}
 
 }  // namespace
 

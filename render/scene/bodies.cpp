@@ -8,8 +8,12 @@ namespace {
 
 constexpr uint32_t kNoTable = ~0u;
 
-glm::vec4 packed(glm::quat q) { return {q.x, q.y, q.z, q.w}; }
-int childOf(glm::ivec3 brick) { return (brick.x & 3) + (brick.y & 3) * 4 + (brick.z & 3) * 16; }
+glm::vec4 packed(glm::quat q) {
+    return {q.x, q.y, q.z, q.w};
+}
+int childOf(glm::ivec3 brick) {
+    return (brick.x & 3) + (brick.y & 3) * 4 + (brick.z & 3) * 16;
+}
 
 bool hasGlassEntry(const Palette& palette) {
     return std::any_of(palette.begin() + 1, palette.end(), [](const PaletteEntry& e) { return e.opacity < 255; });
@@ -240,8 +244,8 @@ void Bodies::bind(const Program& program) const {
 }
 
 uint64_t Bodies::bytes() const {
-    return m_atlas.bytes() + m_nodes.texture().bytes() + m_tables.texture().bytes() + m_placements.texture().bytes() +
-           m_layouts.texture().bytes() + m_palettes.texture().bytes();
+    return m_atlas.bytes() + m_nodes.texture().bytes() + m_tables.texture().bytes() + m_placements.texture().bytes() + m_layouts.texture().bytes() +
+           m_palettes.texture().bytes();
 }
 
 }  // namespace rubble

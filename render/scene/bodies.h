@@ -15,11 +15,11 @@ class Bodies {
 public:
     /// What draws one shape.
     struct Instance {
-        glm::ivec3 low{0}, high{0};    ///< cells that hold something, in bricks' steps
-        glm::vec3 position{0};         ///< drawn now, from the render origin
+        glm::ivec3 low{0}, high{0};  ///< cells that hold something, in bricks' steps
+        glm::vec3 position{0};       ///< drawn now, from the render origin
         glm::quat rotation{1, 0, 0, 0};
         float voxelSize = 0.1f;
-        bool glass = false;            ///< its palette has entries of opacity < 255
+        bool glass = false;  ///< its palette has entries of opacity < 255
         bool empty() const { return low.x >= high.x; }
     };
 
@@ -45,12 +45,12 @@ public:
 private:
     /// On the GPU, lib/bodies.glsl reads these as texels.
     struct Node {
-        uint32_t mask[2] = {0, 0};     ///< which of its 4x4x4 bricks are there
-        uint32_t table = 0;            ///< first entry in m_tables
+        uint32_t mask[2] = {0, 0};  ///< which of its 4x4x4 bricks are there
+        uint32_t table = 0;         ///< first entry in m_tables
         uint32_t unused = 0;
     };
     struct Table {
-        uint32_t entry[64] = {};       ///< slot << 8 | occupied 4x4x4 words
+        uint32_t entry[64] = {};  ///< slot << 8 | occupied 4x4x4 words
     };
     struct Placement {
         glm::vec4 rotation{0, 0, 0, 1}, position{0}, lastRotation{0, 0, 0, 1}, lastPosition{0};
@@ -70,8 +70,8 @@ private:
         PaletteRef palette;
         std::vector<std::unique_ptr<std::array<BrickRef, 64>>> bricks;  ///< by node
         Pose previous, current;
-        bool placed = false;           ///< has been drawn: its last placement is one to reproject from
-        bool moving = false;           ///< is in m_moving
+        bool placed = false;  ///< has been drawn: its last placement is one to reproject from
+        bool moving = false;  ///< is in m_moving
     };
     Shape* find(ShapeHandle handle);
     void release(Shape& shape, uint32_t slot);
@@ -95,7 +95,7 @@ private:
     Ranges m_nodeRanges;
     Slots m_tableSlots, m_paletteSlots;
     std::unordered_map<const Palette*, PaletteUse> m_paletteUses;
-    std::vector<std::unique_ptr<Shape>> m_shapes;   ///< by the handle's slot
+    std::vector<std::unique_ptr<Shape>> m_shapes;  ///< by the handle's slot
     std::vector<Instance> m_instances;
     std::vector<uint32_t> m_moving, m_boundsDirty;  ///< slots
     glm::dvec3 m_origin{0.0};

@@ -15,8 +15,7 @@ constexpr size_t kWordBytes = 64, kIndexBytes = kBrickVoxels;
 uint64_t wordOf(const Brick& brick, int x, int y, int z) {
     uint64_t word = 0;
     for (int dz = 0; dz < 4; ++dz)
-        for (int dy = 0; dy < 4; ++dy)
-            word |= (brick.occupancy[size_t(z * 4 + dz)] >> (x * 4 + (y * 4 + dy) * 8) & 15) << (dy * 4 + dz * 16);
+        for (int dy = 0; dy < 4; ++dy) word |= (brick.occupancy[size_t(z * 4 + dz)] >> (x * 4 + (y * 4 + dy) * 8) & 15) << (dy * 4 + dz * 16);
     return word;
 }
 

@@ -34,8 +34,8 @@ private:
     std::vector<const Brick*> m_bySlot;
     std::vector<uint32_t> m_pending;  ///< slots to upload
     Slots m_slots;
-    BufferTexture m_words{GL_RGBA32UI};   ///< 4 texels a brick
-    BufferTexture m_indices{GL_R32UI};    ///< 128 texels a brick
+    BufferTexture m_words{GL_RGBA32UI};  ///< 4 texels a brick
+    BufferTexture m_indices{GL_R32UI};   ///< 128 texels a brick
     bool m_full = false;
 };
 

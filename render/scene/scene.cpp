@@ -1,7 +1,7 @@
 #include "render/scene/scene.h"
 
-#include <glm/geometric.hpp>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace rubble {
 namespace {
@@ -28,6 +28,8 @@ uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld) {
     return m_bodies.beginFrame(alpha, m_origin) + m_shadow.upload();
 }
 
-glm::ivec3 Scene::shadowSectorLow() const { return m_shadow.sectorLow() - glm::ivec3(glm::round(m_origin / kSector)); }
+glm::ivec3 Scene::shadowSectorLow() const {
+    return m_shadow.sectorLow() - glm::ivec3(glm::round(m_origin / kSector));
+}
 
 }  // namespace rubble

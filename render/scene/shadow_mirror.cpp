@@ -7,7 +7,9 @@ namespace rubble {
 namespace {
 
 constexpr uint32_t kNone = ~0u;
-int childOf(glm::ivec3 brick) { return (brick.x & 3) + (brick.y & 3) * 4 + (brick.z & 3) * 16; }
+int childOf(glm::ivec3 brick) {
+    return (brick.x & 3) + (brick.y & 3) * 4 + (brick.z & 3) * 16;
+}
 
 }  // namespace
 
@@ -82,7 +84,9 @@ void ShadowMirror::put(const ShadowPatch& patch) {
     at = Sector{};
 }
 
-uint64_t ShadowMirror::upload() { return m_sectors.upload() + m_tables.upload() + m_bricks.upload(); }
+uint64_t ShadowMirror::upload() {
+    return m_sectors.upload() + m_tables.upload() + m_bricks.upload();
+}
 
 void ShadowMirror::bind(const Program& program) const {
     program.set("uShadowSectors", m_sectors.texture());

@@ -29,14 +29,14 @@ public:
 
 private:
     struct Sector {
-        uint32_t mask[2] = {0, 0};   ///< which of its bricks hold something
+        uint32_t mask[2] = {0, 0};  ///< which of its bricks hold something
         uint32_t table = ~0u;
         uint32_t unused = 0;
     };
     struct Child {
-        uint32_t slot = ~0u;         ///< in m_bricks
+        uint32_t slot = ~0u;  ///< in m_bricks
         uint32_t unused = 0;
-        uint32_t mask[2] = {0, 0};   ///< which of its words hold something
+        uint32_t mask[2] = {0, 0};  ///< which of its words hold something
     };
     struct Table {
         Child children[64];

@@ -7,7 +7,9 @@
 
 namespace rubble {
 
-GlContext::Kind GlContext::kindOf(std::string_view name) { return name == "osmesa" ? Kind::OsMesa : name == "egl" ? Kind::Egl : Kind::Auto; }
+GlContext::Kind GlContext::kindOf(std::string_view name) {
+    return name == "osmesa" ? Kind::OsMesa : name == "egl" ? Kind::Egl : Kind::Auto;
+}
 
 Result<std::unique_ptr<GlContext>> GlContext::create(Kind kind) {
     if (kind == Kind::OsMesa) return OsMesaContext::create();

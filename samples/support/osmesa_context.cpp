@@ -5,8 +5,17 @@
 namespace rubble {
 
 Result<std::unique_ptr<GlContext>> OsMesaContext::create() {
-    const int attributes[] = {OSMESA_FORMAT,  OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3,
-                              OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_DEPTH_BITS,
+                              24,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              3,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              3,
+                              0};
     auto result = std::make_unique<OsMesaContext>();
     result->m_context = OSMesaCreateContextAttribs(attributes, nullptr);
     if (!result->m_context) return Error{"OSMesa: no OpenGL 3.3 core context (Debian package libosmesa6)"};

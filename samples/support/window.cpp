@@ -46,9 +46,15 @@ bool Window::poll() {
     return !glfwWindowShouldClose(m_window);
 }
 
-bool Window::held(int key) const { return m_down[size_t(key)]; }
-bool Window::pressed(int key) const { return m_down[size_t(key)] && !m_wasDown[size_t(key)]; }
-bool Window::mouseHeld() const { return glfwGetMouseButton(m_window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS; }
+bool Window::held(int key) const {
+    return m_down[size_t(key)];
+}
+bool Window::pressed(int key) const {
+    return m_down[size_t(key)] && !m_wasDown[size_t(key)];
+}
+bool Window::mouseHeld() const {
+    return glfwGetMouseButton(m_window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+}
 
 glm::dvec2 Window::takeMouseMotion() {
     glm::dvec2 now;
@@ -62,8 +68,12 @@ glm::ivec2 Window::size() const {
     return size;
 }
 
-void Window::setTitle(const std::string& title) { glfwSetWindowTitle(m_window, title.c_str()); }
-void Window::present() { glfwSwapBuffers(m_window); }
+void Window::setTitle(const std::string& title) {
+    glfwSetWindowTitle(m_window, title.c_str());
+}
+void Window::present() {
+    glfwSwapBuffers(m_window);
+}
 
 Image Window::readPixels() const {
     const glm::ivec2 pixels = size();

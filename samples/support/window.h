@@ -38,7 +38,7 @@ private:
     explicit Window(GLFWwindow* window);
     GLFWwindow* m_window;
     glm::dvec2 m_mouse{0.0};
-    std::string m_down, m_wasDown;   ///< one byte a key
+    std::string m_down, m_wasDown;  ///< one byte a key
 };
 
 }  // namespace rubble

@@ -1,10 +1,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "render/passes/glass_pass.h"
 #include "runtime/core/random.h"
 #include "runtime/voxel/ray_walk.h"
 #include "samples/support/camera.h"
-#include "render/passes/glass_pass.h"
 #include "tests/render/gbuffer_fixture.h"
 
 namespace rubble {
@@ -30,7 +30,8 @@ Expected trace(const std::vector<Body>& bodies, const View& view, int x, int y) 
     Expected nearest;
     for (const Body& body : bodies) {
         const glm::dquat back = glm::conjugate(body.pose.rotation);
-        const CellHit hit = walkRay(body.grid, {body.pose.inversePoint(view.position) / double(body.voxelSize), back * ray / double(body.voxelSize), nearest.depth});
+        const CellHit hit =
+            walkRay(body.grid, {body.pose.inversePoint(view.position) / double(body.voxelSize), back * ray / double(body.voxelSize), nearest.depth});
         if (!hit.hit || hit.t >= nearest.depth) continue;
         glm::dvec3 normal(0.0);
         if (hit.axis >= 0) normal[hit.axis] = hit.sign;
@@ -95,8 +96,7 @@ TEST_F(GBufferTest, EqualsTheWalkInDouble) {
             const size_t i = size_t(y) * size_t(view.size.x) + size_t(x);
             hits += expected.index != 0;
             const bool same = std::abs(depth[i].x - expected.depth) < 1e-4 * expected.depth &&
-                              int(std::lround(albedo[i].w * 255)) == expected.index &&
-                              glm::distance(glm::dvec3(normal[i]), expected.normal) < 2e-3;
+                              int(std::lround(albedo[i].w * 255)) == expected.index && glm::distance(glm::dvec3(normal[i]), expected.normal) < 2e-3;
             differ += !same;
         }
     const int pixels = view.size.x * view.size.y;

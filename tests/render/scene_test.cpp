@@ -1,14 +1,13 @@
 // The parts of the scene's mirror that need no picture.
-#include "render/scene/blue_noise.h"
-#include "render/scene/brick_atlas.h"
-#include "render/scene/slots.h"
-#include "render/gl/state_guard.h"
-#include "tests/render/gl_fixture.h"
-
 #include <map>
 #include <set>
 
+#include "render/gl/state_guard.h"
+#include "render/scene/blue_noise.h"
+#include "render/scene/brick_atlas.h"
+#include "render/scene/slots.h"
 #include "runtime/core/random.h"
+#include "tests/render/gl_fixture.h"
 
 namespace rubble {
 namespace {

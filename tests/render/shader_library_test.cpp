@@ -13,7 +13,8 @@ class ShaderLibraryTest : public GlTest {
 protected:
     void SetUp() override {
         GlTest::SetUp();
-        folder = std::filesystem::path(testing::TempDir()) / ("shaders_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        folder =
+            std::filesystem::path(testing::TempDir()) / ("shaders_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
         std::filesystem::create_directories(folder / "lib");
         write("full.vert", "void main() { gl_Position = vec4(0.0); }\n");
     }

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "render/gl/framebuffer.h"
-#include "runtime/shadow/shadow_worker.h"
 #include "runtime/frame/snapshots.h"
+#include "runtime/shadow/shadow_worker.h"
 #include "tests/render/gbuffer_fixture.h"
 
 namespace rubble {
