@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/physics/allocation_counter.h"
+#include "tests/support/allocation_count.h"
 #include "physics_scene.h"
 #include "runtime/core/random.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/shadow/shadow_worker.h"
-#include "tests/runtime/frame/allocations.h"
+#include "tests/support/allocation_count.h"
 
 namespace rubble {
 namespace {

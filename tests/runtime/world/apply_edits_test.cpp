@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tests/runtime/world/count_allocations.h"
+#include "tests/support/allocation_count.h"
 #include "tests/runtime/world/worlds.h"
 
 namespace rubble {
@@ -28,9 +28,9 @@ TEST(ApplyEdits, AStepWithoutEditsAllocatesNothing) {
     world.load(oneShapeLevel(mast(), true));
     EXPECT_TRUE(world.applyEdits({}).levelReplaced);
     const Edits none;
-    const size_t before = test::countAllocations();
+    const size_t before = allocationCount();
     const FrameChanges changes = world.applyEdits(none);
-    const size_t after = test::countAllocations();
+    const size_t after = allocationCount();
     EXPECT_EQ(after, before);
     EXPECT_TRUE(changes.empty());
     EXPECT_EQ(changes.step, 2u);

@@ -1,12 +1,15 @@
-#include "tests/physics/allocation_counter.h"
+#include "tests/support/allocation_count.h"
 
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
-static size_t g_count = 0;
+namespace {
+std::atomic<size_t> g_allocations = 0;
+}
 
 void* operator new(size_t size) {
-    ++g_count;
+    ++g_allocations;
     if (void* memory = std::malloc(size ? size : 1)) return memory;
     throw std::bad_alloc();
 }
@@ -20,7 +23,7 @@ void operator delete(void* memory, size_t) noexcept {
 namespace rubble {
 
 size_t allocationCount() {
-    return g_count;
+    return g_allocations;
 }
 
 }  // namespace rubble
