@@ -131,6 +131,10 @@ LitScene streetScene() {
     const double elevation = 20.0 * 0.01745329, azimuth = 35.0 * 0.01745329;  // from the left, a little from the front
     scene.environment.sunDirection = {float(-std::cos(elevation) * std::cos(azimuth)), float(std::sin(elevation)),
                                       float(-std::cos(elevation) * std::sin(azimuth))};
+    scene.environment.sunColor = {11.5f, 8.7f, 5.7f};
+    scene.environment.skyColor = {0.24f, 0.42f, 0.80f};
+    scene.environment.horizonColor = {0.74f, 0.64f, 0.52f};
+    scene.environment.fogColor = {0.46f, 0.50f, 0.56f};
     const glm::dquat level(1, 0, 0, 0);
     scene.add({240, 5, 240}, {{-12.0, -0.4, -12.0}, level}, groundAt);
     scene.add({56, 30, 44}, {{-2.0, 0.0, 1.0}, level}, roomAt);

@@ -1,0 +1,84 @@
+#include <cstdlib>
+#include <filesystem>
+
+#include "tests/golden/drawing.h"
+
+namespace rubble {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Compilers and GL versions round differently, and a rounded ray may miss a corner: a few pixels may differ, all together may not.
+constexpr int kClearlyDifferent = 24;         // of 255
+constexpr double kDifferentShare = 0.005;     // of the pixels
+constexpr double kMeanDifference = 1.0;       // of 255
+
+struct Difference {
+    Image image;  ///< four times as strong as it is
+    double share = 0, mean = 0;
+};
+
+Difference compare(const Image& actual, const Image& expected) {
+    Difference difference{Image(actual.width, actual.height)};
+    const size_t pixels = actual.rgb.size() / 3;
+    for (size_t i = 0; i < pixels; ++i) {
+        int largest = 0;
+        for (size_t k = i * 3; k < i * 3 + 3; ++k) {
+            const int d = std::abs(int(actual.rgb[k]) - int(expected.rgb[k]));
+            difference.image.rgb[k] = uint8_t(std::min(255, 4 * d));
+            difference.mean += d / double(actual.rgb.size());
+            largest = std::max(largest, d);
+        }
+        difference.share += (largest > kClearlyDifferent) / double(pixels);
+    }
+    return difference;
+}
+
+/// Compares with tests/golden/images/NAME.png; a failure writes actual, expected and difference under the build folder.
+/// RUBBLE_UPDATE_GOLDEN=1 writes the golden picture instead: look at it before you commit it.
+void expectPicture(const Image& actual, const std::string& name) {
+    const std::string golden = RUBBLE_SOURCE_DIR "/tests/golden/images/" + name + ".png";
+    if (std::getenv("RUBBLE_UPDATE_GOLDEN")) {
+        fs::create_directories(fs::path(golden).parent_path());
+        ASSERT_TRUE(writePng(golden, actual));
+        GTEST_SKIP() << "wrote " << golden;
+    }
+    const auto expected = readPng(golden);
+    ASSERT_TRUE(expected) << expected.error();
+    ASSERT_EQ(expected->width, actual.width);
+    ASSERT_EQ(expected->height, actual.height);
+    const Difference difference = compare(actual, *expected);
+    if (difference.share <= kDifferentShare && difference.mean <= kMeanDifference) return;
+    const std::string folder = RUBBLE_BINARY_DIR "/golden/";
+    fs::create_directories(folder);
+    EXPECT_TRUE(writePng(folder + name + "_actual.png", actual));
+    EXPECT_TRUE(writePng(folder + name + "_expected.png", *expected));
+    EXPECT_TRUE(writePng(folder + name + "_difference.png", difference.image));
+    ADD_FAILURE() << name << ": " << difference.share * 100 << " % of the pixels differ clearly, " << difference.mean
+                  << " of 255 on average; see " << folder << name << "_{actual,expected,difference}.png";
+}
+
+class PictureTest : public Drawing {
+protected:
+    Image street(int camera) {
+        RenderSettings settings;
+        settings.warmUpFrames = 7;
+        start(streetScene(), {320, 180}, settings);
+        return draw(streetCamera(camera));
+    }
+};
+
+TEST_F(PictureTest, TheStreetInTheEvening) { expectPicture(street(0), "street"); }
+TEST_F(PictureTest, TheRoomBehindTheHole) { expectPicture(street(2), "room"); }
+
+TEST_F(PictureTest, ADifferentPictureIsNoticed) {
+    Image a(64, 64), b(64, 64);
+    for (int y = 20; y < 26; ++y)
+        for (int x = 20; x < 26; ++x) b.at(x, y)[0] = 90;
+    EXPECT_GT(compare(a, b).share, kDifferentShare);
+    for (uint8_t& v : b.rgb) v = 2;
+    EXPECT_GT(compare(a, b).mean, kMeanDifference);
+}
+
+}  // namespace
+}  // namespace rubble
