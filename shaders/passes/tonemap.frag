@@ -12,8 +12,8 @@ uniform float uSharpen;
 in vec2 uv;
 out vec4 color;
 
-/// A film-like shoulder and toe (Narkowicz 2015, a fit of the ACES curve).
-vec3 filmCurve(vec3 x) { return clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0); }
+/// A film-like shoulder (after Narkowicz 2015, a fit of the ACES curve) with a lighter toe: shade keeps its colours.
+vec3 filmCurve(vec3 x) { return clamp((x * (2.51 * x + 0.05)) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0); }
 
 /// Lifts the contrast to the four neighbours, less where it is strong already, so that edges get no halo.
 vec3 sharpened(ivec2 p) {
