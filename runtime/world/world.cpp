@@ -59,11 +59,14 @@ void World::load(const Level& level) {
     for (const LightGroup& group : level.lightGroups) m_groups.insert(group);
 
     std::unordered_map<std::string, ShapeHandle> byName;
+    const auto isHidden = [](const LevelShape& shape) { return shape.hidden; };  // kept in files, not part of the world
     for (const LevelBody& source : level.bodies) {
+        if (!source.shapes.empty() && std::all_of(source.shapes.begin(), source.shapes.end(), isHidden)) continue;
         Body body{source.name, source.pose, source.velocity, source.angularVelocity, source.isStatic, false, {}, source.tags};
         body.asleep = !source.isStatic && source.velocity == glm::vec3(0.0f) && source.angularVelocity == glm::vec3(0.0f);
         const BodyHandle bodyHandle = m_bodies.insert(std::move(body));
         for (const LevelShape& from : source.shapes) {
+            if (isHidden(from)) continue;
             Shape shape{from.name, bodyHandle, from.local, from.voxelSize, from.grid, from.palette, {}, from.anchors, from.tags, false};
             if (!shape.palette) shape.palette = std::make_shared<const Palette>();
             if (source.isStatic && shape.anchors.empty()) shape.anchors = {bottomLayer(shape.grid)};

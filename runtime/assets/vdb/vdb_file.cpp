@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 #include "runtime/assets/assets.h"
 #include "runtime/assets/file_bytes.h"
@@ -181,15 +182,34 @@ Result<std::pair<Pose, double>> cornerPose(const openvdb::GridBase& grid, const 
     return std::pair(pose, size);
 }
 
+/// Opens the library's list of grid types, which it closes to all but grids.
+struct GridTypes : openvdb::GridBase {
+    using openvdb::GridBase::registerGrid;
+};
+
 /// One open file.
 class VdbReader {
 public:
     VdbReader(const std::string& path, std::vector<std::string>& remarks) : m_path(path), m_remarks(remarks), m_file(path) {}
 
+    /// The library refuses a whole file for one grid type that it does not know. An empty stand-in lets it read the rest.
+    void skipUnknownTypes(const std::vector<VdbGridEntry>& entries) {
+        for (const VdbGridEntry& entry : entries) {
+            const std::string type = entry.type.substr(0, entry.type.find("_HalfFloat"));
+            const bool known = openvdb::GridBase::isRegistered(type) && !m_unknownTypes.contains(type);
+            if (known) continue;
+            if (m_unknownTypes.insert(type).second) GridTypes::registerGrid(type, [] { return openvdb::GridBase::Ptr(openvdb::BoolGrid::create()); });
+            const std::string name = openvdb::io::GridDescriptor::nameAsString(entry.name);
+            m_unknown.insert(name);
+            m_remarks.push_back(fmt::format("grid '{}': type {} is not known, skipped", name, type));
+        }
+    }
+
     Result<Level> read() {
         m_file.open(false);
         const openvdb::MetaMap::ConstPtr metadata = m_file.getMetadata();
-        for (auto name = m_file.beginName(); name != m_file.endName(); ++name) m_names.push_back(name.gridName());
+        for (auto name = m_file.beginName(); name != m_file.endName(); ++name)
+            if (!m_unknown.contains(name.gridName())) m_names.push_back(name.gridName());
         const auto version = metadata->getMetadata<openvdb::Int32Metadata>(kPrefix + "version");
         if (!version) return readForeign();
         if (version->value() != kProfileVersion)
@@ -332,8 +352,15 @@ private:
     std::vector<std::string>& m_remarks;
     openvdb::io::File m_file;
     std::vector<std::string> m_names;
+    std::set<std::string> m_unknown, m_unknownTypes;
     Expander m_expander;
 };
+
+Result<std::vector<VdbGridEntry>> scanFile(const std::string& path) {
+    const Result<std::vector<uint8_t>> bytes = readFileBytes(path, kMaxFileBytes);
+    if (!bytes) return Error{bytes.error()};
+    return scanVdbHeader(*bytes, path);
+}
 
 }  // namespace
 
@@ -366,14 +393,13 @@ Result<Done> writeVdbFile(const std::string& path, const Level& level) try {
 }
 
 Result<Level> readVdbFile(const std::string& path, std::vector<std::string>& remarks) try {
-    {
-        const Result<std::vector<uint8_t>> bytes = readFileBytes(path, kMaxFileBytes);
-        if (!bytes) return Error{bytes.error()};
-        if (const auto header = scanVdbHeader(*bytes, path); !header) return Error{header.error()};
-    }
+    const Result<std::vector<VdbGridEntry>> entries = scanFile(path);
+    if (!entries) return Error{entries.error()};
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 2);
     openvdb::initialize();
-    Result<Level> level = VdbReader(path, remarks).read();
+    VdbReader reader(path, remarks);
+    reader.skipUnknownTypes(*entries);
+    Result<Level> level = reader.read();
     if (!level) return Error{path + ": " + level.error()};
     if (const Result<Done> checked = checkLevel(*level); !checked) return Error{path + ": " + checked.error()};
     return level;

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "runtime/assets/vox_palette.h"
+#include "runtime/world/world.h"
 #include "tests/runtime/assets/vox_writer.h"
 
 namespace rubble {
@@ -135,6 +136,11 @@ TEST(VoxImport, LayersHiddenFlagsNamesAndFrames) {
     EXPECT_EQ(shape(4).grid.voxelCount(), 2u);
     EXPECT_TRUE(reportHas(report, "1 later poses"));
     EXPECT_TRUE(reportHas(report, "model 2: no voxels"));
+
+    World world;  // what is hidden is kept in files, but is no part of the world
+    world.load(level);
+    EXPECT_EQ(world.bodies().size(), 2u);
+    EXPECT_EQ(world.ledger().imported, 2u);
 }
 
 TEST(VoxImport, OneBodyHoldsAllObjects) {

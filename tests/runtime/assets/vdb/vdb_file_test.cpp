@@ -107,6 +107,14 @@ TEST_F(VdbFile, BoolGridsAreOccupancy) {
     EXPECT_NE((*shape.palette)[1].material, 0);
 }
 
+TEST_F(VdbFile, GridsOfUnknownTypesAreSkipped) {
+    ImportReport report;
+    const Result<Level> level = foreign("odd type", &report);
+    ASSERT_TRUE(level) << level.error();
+    EXPECT_EQ(level->bodies.size(), 1u);
+    EXPECT_NE(notes(report).find("'bytes': type Tree_uint8_5_4_3"), std::string::npos) << notes(report);
+}
+
 TEST_F(VdbFile, TilesAreExpanded) {
     const Result<Level> level = foreign("mask tile");
     ASSERT_TRUE(level) << level.error();
