@@ -17,10 +17,10 @@ namespace rubble {
 /// A shape that the renderer has not seen yet, with its bricks by reference.
 struct SnapshotShape {
     ShapeHandle shape;
-    glm::ivec3 size;                 ///< voxels
-    float voxelSize;                 ///< metres
+    glm::ivec3 size;  ///< voxels
+    float voxelSize;  ///< metres
     PaletteRef palette;
-    std::vector<BrickChange> bricks; ///< all that are not empty
+    std::vector<BrickChange> bricks;  ///< all that are not empty
 };
 
 struct SnapshotPalette {
@@ -48,15 +48,15 @@ struct SnapshotLight {
 /// the step `version`, the shadow volume too, so light and bodies agree.
 struct FrameSnapshot {
     uint64_t version = 0;
-    uint64_t newestStep = 0;                     ///< newestStep - version = age of what is drawn, in steps
-    bool replacesAll = false;                    ///< a level was loaded: forget everything before
-    std::vector<ShapeHandle> destroyed;          ///< applied first
+    uint64_t newestStep = 0;             ///< newestStep - version = age of what is drawn, in steps
+    bool replacesAll = false;            ///< a level was loaded: forget everything before
+    std::vector<ShapeHandle> destroyed;  ///< applied first
     std::vector<SnapshotShape> created;
     std::vector<BrickChange> bricks;
     std::vector<SnapshotPalette> palettes;
-    std::vector<SnapshotPose> poses;             ///< shapes that moved in this step, or came to rest in it (previous == current)
+    std::vector<SnapshotPose> poses;  ///< shapes that moved in this step, or came to rest in it (previous == current)
     bool lightsChanged = false;
-    std::vector<SnapshotLight> lights;           ///< all enabled lights, if lightsChanged
+    std::vector<SnapshotLight> lights;  ///< all enabled lights, if lightsChanged
     bool environmentChanged = false;
     Environment environment;
     bool shadowReplacesAll = false;

@@ -25,13 +25,13 @@ public:
 private:
     struct Waiting {
         FrameSnapshot snapshot;
-        bool needsShadow;                  ///< the step also changed the shadow volume
+        bool needsShadow;  ///< the step also changed the shadow volume
     };
     /// A shape's newest pose in a snapshot. Indexed by the shape's slot.
     struct Placed {
         ShapeHandle shape;
         Pose pose;
-        uint64_t listedIn = 0;             ///< the m_count of the last snapshot that holds its pose
+        uint64_t listedIn = 0;  ///< the m_count of the last snapshot that holds its pose
     };
     void enqueue(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world);
     void addCreated(const FrameChanges& changes, const World& world, FrameSnapshot& out);
@@ -44,13 +44,13 @@ private:
     void releaseOldest(std::optional<FrameSnapshot>& out);
     void post(std::optional<FrameSnapshot> snapshot, uint64_t newestStep);
 
-    std::deque<Waiting> m_waiting;         ///< oldest first
+    std::deque<Waiting> m_waiting;  ///< oldest first
     Mailbox<FrameSnapshot> m_posted;
     std::vector<Placed> m_placed;
-    uint64_t m_count = 0;                  ///< of calls of publish
-    std::vector<ShapeHandle> m_moving;     ///< shapes that the newest snapshot shows moving
-    std::vector<ShapeHandle> m_moved;      ///< the same while it is being made
-    std::vector<BodyHandle> m_lightBodies; ///< that carry a light, ascending
+    uint64_t m_count = 0;                   ///< of calls of publish
+    std::vector<ShapeHandle> m_moving;      ///< shapes that the newest snapshot shows moving
+    std::vector<ShapeHandle> m_moved;       ///< the same while it is being made
+    std::vector<BodyHandle> m_lightBodies;  ///< that carry a light, ascending
     std::optional<Environment> m_environment;
 };
 

@@ -15,10 +15,10 @@ struct CellRay {
 struct CellHit {
     bool hit = false;
     glm::ivec3 cell{0};
-    double t = 0.0;      ///< where the ray enters the cell; 0 if it starts inside; infinite if beyond any double
-    int axis = -1;       ///< axis of the face entered through; -1 if it starts inside
-    int sign = 0;        ///< +1 or -1: the face's outward normal along that axis
-    int steps = 0;       ///< cells, bricks and nodes visited, at most nx + ny + nz + 3
+    double t = 0.0;  ///< where the ray enters the cell; 0 if it starts inside; infinite if beyond any double
+    int axis = -1;   ///< axis of the face entered through; -1 if it starts inside
+    int sign = 0;    ///< +1 or -1: the face's outward normal along that axis
+    int steps = 0;   ///< cells, bricks and nodes visited, at most nx + ny + nz + 3
 };
 
 /// The first solid voxel that the ray touches. Walks empty bricks and directory nodes in one step each, then cells (see
