@@ -99,7 +99,7 @@ MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 bri
     LocalMoments local;
     for (size_t z = 0; z < 8; ++z) {
         const uint64_t word = of[z] & brick.occupancy[z];
-        for (size_t y = 0; word >> 8 * y && y < 8; ++y) {
+        for (size_t y = 0; y < 8; ++y) {
             const uint8_t row = uint8_t(word >> 8 * y);
             if (!brick.indices) {
                 local.add(kRowSums[row], kRowSums[row].weight, int64_t(y), int64_t(z));
