@@ -77,27 +77,27 @@ void cutFloor(ScriptClock& clock) {
         for (int side = 0; side < 4; ++side) clock.add(carveCapsule(corners[side], corners[(side + 1) % 4], {0.28, 0.12, 0.0}));
 }
 
+/// The street lamp's head and the porch's: their groups go out, and the light on what they lit with them.
 void shootLamps(ScriptClock& clock) {
     const dvec3 head = (dvec3(plan::kCornerLamp) + dvec3(0.5, 51.0, 13.0)) * kVoxel;
     if (clock.at(5.95)) clock.add(carveSphere(head, {0.45, 0.45, 0.45}));
-    const dvec3 other = (dvec3(plan::kShopLamp) + dvec3(0.5, 51.0, 13.0)) * kVoxel;
-    if (clock.at(6.6)) clock.add(carveSphere(other, {0.45, 0.45, 0.45}));
+    if (clock.at(6.1)) clock.add(carveSphere(inHouse(93.5, 23.5, 114.5), {0.35, 0.3, 0.0}));
 }
 
-/// Long gaps in the front legs, short ones behind: the tower drops to its front and falls on the shop.
+/// A long gap in the leg nearest the shop, a short one in the farthest: the tower leans over and falls on the shop.
 void fellTower(ScriptClock& clock) {
     const auto leg = [&](int i, double low, double high) {
         const dvec3 foot = (dvec3(plan::kTower) + dvec3(WaterTowerPlan::kLegs[i]) + dvec3(1.5, 0, 1.5)) * kVoxel;
         clock.add(carveCapsule(foot + dvec3(0, low, 0), foot + dvec3(0, high, 0), {0.4, 0.4, 0.4}));
     };
-    if (clock.at(5.6)) leg(2, 0.6, 3.6);
-    if (clock.at(5.75)) leg(3, 0.6, 3.6);
+    if (clock.at(5.5)) leg(2, 0.6, 4.2);
+    if (clock.at(5.62)) leg(3, 0.8, 2.4);
+    if (clock.at(5.74)) leg(0, 0.8, 2.4);
     if (clock.at(5.9)) {
         const dvec3 pipe = (dvec3(plan::kTower) + dvec3(24, 0, 24)) * kVoxel;
         clock.add(carveCapsule(pipe + dvec3(0, 0.7, 0), pipe + dvec3(0, 3.6, 0), {0.5, 0.5, 0.5}));
     }
-    if (clock.at(6.05)) leg(0, 1.0, 1.4);
-    if (clock.at(6.15)) leg(1, 1.0, 1.4);
+    if (clock.at(6.05)) leg(1, 1.0, 1.3);
 }
 
 void breakShop(ScriptClock& clock, uint64_t seed) {

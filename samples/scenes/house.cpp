@@ -213,13 +213,14 @@ void drawChimney(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s
 }
 
 /// A lamp that hangs from a ceiling: its bulb glows in a group of its own and carries a light.
-void drawCeilingLamp(Level& level, Canvas& canvas, const std::string& house, const std::string& name, ivec3 hook, const HouseSwatches& s) {
+void drawCeilingLamp(Level& level, Canvas& canvas, const std::string& house, const std::string& name, ivec3 hook, float strength,
+                     const HouseSwatches& s) {
     const uint32_t group = addLightGroup(level, name);
     const Swatch glow = canvas.mix(kBulbGlow, 100, group);
     canvas.box(hook - ivec3(0, 3, 0), hook + ivec3(1), s.wire);
     canvas.box(hook - ivec3(2, 4, 2), hook + ivec3(3, -3, 3), s.rugEdge);
     canvas.box(hook - ivec3(1, 5, 1), hook + ivec3(2, -4, 2), glow);
-    addLight(level, house, group, LightKind::Sphere, glm::dvec3(hook) + glm::dvec3(0.5, -6.0, 0.5), kWarmLight * 9.0f, 7.0f, 0.12f);
+    addLight(level, house, group, LightKind::Sphere, glm::dvec3(hook) + glm::dvec3(0.5, -6.0, 0.5), kWarmLight * strength, 8.0f, 0.12f);
 }
 
 }  // namespace
@@ -242,9 +243,10 @@ void addHouse(Level& level, const std::string& name, ivec3 cell, const HouseStyl
         drawPorch(canvas, frame, s);
         drawRug(canvas, {18, kFloor0, 66}, {48, kFloor0 + 1, 92}, s.rug, s.rugEdge);
         drawRug(canvas, {22, kFloor1, 70}, {46, kFloor1 + 1, 90}, s.rugBlue, s.rugEdge);
-        drawCeilingLamp(level, canvas, name, name + " living lamp", {36, HouseRooms::kLiving.high.y - 1, 79}, s);
-        drawCeilingLamp(level, canvas, name, name + " bedroom lamp", {36, HouseRooms::kBedroom.high.y - 1, 79}, s);
-        drawCeilingLamp(level, canvas, name, name + " hall lamp", {92, HouseRooms::kHall.high.y - 1, 84}, s);
+        drawCeilingLamp(level, canvas, name, name + " living lamp", {36, HouseRooms::kLiving.high.y - 1, 79}, 16.0f, s);
+        drawCeilingLamp(level, canvas, name, name + " bedroom lamp", {36, HouseRooms::kBedroom.high.y - 1, 79}, 16.0f, s);
+        drawCeilingLamp(level, canvas, name, name + " hall lamp", {92, HouseRooms::kHall.high.y - 1, 84}, 14.0f, s);
+        drawCeilingLamp(level, canvas, name, name + " porch lamp", {93, kFloor0 + 23, frame.high.z + 10}, 26.0f, s);
     }
     addStatic(level, canvas.finish(name), cell - ivec3(kHouseMargin, kFooting, kHouseMargin));
 }

@@ -34,7 +34,7 @@ ivec3 addStreetLamp(Level& level, const std::string& name, ivec3 cell, bool alon
     const ivec3 size = c.size();
     const ivec3 corner = cell - (alongX ? ivec3(size.x - 3, kBase, 2) : ivec3(2, kBase, 2));
     addStatic(level, c.finish(name), corner);
-    addLight(level, name, group, LightKind::Cone, head, kWarmLight * 75.0f, 12.0f, 0.18f);
+    addLight(level, name, group, LightKind::Cone, head, kWarmLight * 150.0f, 14.0f, 0.18f);
     return corner + ivec3(head);
 }
 

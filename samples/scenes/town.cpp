@@ -48,12 +48,12 @@ void addYardTrees(Level& level, uint64_t seed) {
     addTree(level, "tree yard", {160, 0, 262}, 74, kLeaves, seed + 2);
     addTree(level, "tree behind", {246, 0, 226}, 92, kLeavesDark, seed + 7);
     addTree(level, "tree autumn", {500, 0, 420}, 72, kLeavesAutumn, seed + 11);
-    addTree(level, "tree shop", {520, 0, 240}, 88, kLeaves, seed + 20);
+    addTree(level, "tree across", {14, 0, 452}, 76, kLeavesDark, seed + 90);
+    addTree(level, "tree shop", {576, 0, 250}, 88, kLeaves, seed + 20);
 }
 
 void addThings(Level& level) {
     addStreetLamp(level, "lamp corner", kCornerLamp, false);
-    addStreetLamp(level, "lamp shop", kShopLamp, false);
     addLoose(level, makeCar("car red", kCarRed), kRedCar);
     addLoose(level, makeCar("car blue", kCarBlue), {300, -2, 528}, Turn::Half);
     addLoose(level, makeCar("car yellow", kCarYellow), {88, -2, 300}, Turn::Quarter);
