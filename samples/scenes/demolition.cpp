@@ -51,14 +51,16 @@ void hammer(ScriptClock& clock) {
         clock.add(carveSphere(inHouse(kHits[i][0], kHits[i][1], kHits[i][2]), {0.42, 0.3, 0.0}));
 }
 
-/// The wall that faces the sun: cracks run out, then the charge throws the pieces. Ground floor first, then the one above.
-void blowWall(ScriptClock& clock, uint64_t seed) {
-    const dvec3 low = inHouse(9.5, 17.0, 80.0), high = inHouse(9.5, 43.0, 78.0), inside = inHouse(34.0, 10.0, 84.0);
-    clock.spread(2.3, 2.55, fracture({low, 0, 2.1, 0.25, 10, Hardness::Medium, seed + 1}));
-    if (clock.at(2.58)) clock.add(ExplodeEdit{low + dvec3(0.5, -0.2, 0.0), 1.5});
-    clock.spread(3.2, 3.42, fracture({high, 0, 1.9, 0.25, 9, Hardness::Medium, seed + 2}));
-    if (clock.at(3.47)) clock.add(ExplodeEdit{high + dvec3(0.6, -0.2, 0.2), 1.4});
-    if (clock.at(3.95)) clock.add(ExplodeEdit{inside, 0.9});
+/// The wall that faces the sun: cracks run out, then a charge in the room throws the pieces out. Ground floor first, then
+/// the one above, then the front, so that the rooms stand open to the light.
+void blowWalls(ScriptClock& clock, uint64_t seed) {
+    const dvec3 low = inHouse(9.5, 17.0, 80.0), high = inHouse(9.5, 43.0, 78.0), front = inHouse(34.0, 29.0, 102.5);
+    clock.spread(2.35, 2.55, fracture({low, 0, 2.1, 0.25, 10, Hardness::Medium, seed + 1}));
+    if (clock.at(2.58)) clock.add(ExplodeEdit{low + dvec3(1.25, -0.3, 0.1), 1.6});
+    clock.spread(3.25, 3.42, fracture({high, 0, 2.0, 0.25, 9, Hardness::Medium, seed + 2}));
+    if (clock.at(3.47)) clock.add(ExplodeEdit{high + dvec3(1.2, -0.3, 0.1), 1.5});
+    clock.spread(4.1, 4.3, fracture({front, 2, 2.2, 0.25, 11, Hardness::Medium, seed + 3}));
+    if (clock.at(4.36)) clock.add(ExplodeEdit{front + dvec3(0.1, -1.0, -1.2), 1.5});
 }
 
 /// The torch goes round the upper floor of the front room; when the last edge is through, the floor comes down with all on it.
@@ -67,7 +69,7 @@ void cutFloor(ScriptClock& clock) {
     const dvec3 corners[4] = {inHouse(12.5, y, 58.5), inHouse(12.5, y, 99.5), inHouse(60.5, y, 99.5), inHouse(60.5, y, 58.5)};
     constexpr int kCuts = 8;
     for (int side = 0; side < 4; ++side) {
-        const double start = 4.1 + side * 0.22;
+        const double start = 4.15 + side * 0.2;
         const dvec3 from = corners[side], to = corners[(side + 1) % 4];
         for (int i = clock.first(start, kCuts, start + 0.2); i < clock.last(start, kCuts, start + 0.2); ++i)
             clock.add(carveCapsule(from + (to - from) * (double(i) / kCuts), from + (to - from) * (double(i + 1) / kCuts), {0.27, 0.0, 0.0}));
@@ -102,20 +104,30 @@ void fellTower(ScriptClock& clock) {
 
 void breakShop(ScriptClock& clock, uint64_t seed) {
     const dvec3 front = (dvec3(plan::kShop) + dvec3(30, 15, ShopPlan::kDepth - 1.5)) * kVoxel;
-    clock.spread(6.9, 7.05, fracture({front, 2, 1.4, 0.2, 10, Hardness::Soft, seed + 3}));
-    clock.spread(6.95, 7.1, fracture({front + dvec3(5.5, 0, 0), 2, 1.4, 0.2, 10, Hardness::Soft, seed + 4}));
+    clock.spread(6.9, 7.05, fracture({front, 2, 1.4, 0.2, 10, Hardness::Soft, seed + 7}));
+    clock.spread(6.95, 7.1, fracture({front + dvec3(5.5, 0, 0), 2, 1.4, 0.2, 10, Hardness::Soft, seed + 8}));
     if (clock.at(7.15)) clock.add(ExplodeEdit{front + dvec3(1.0, -0.4, -1.6), 1.2});
 }
 
+/// The tower has landed on the shop: its sign goes out.
+void putOutSign(ScriptClock& clock) {
+    const dvec3 sign = (dvec3(plan::kShop) + dvec3(60, 46, ShopPlan::kDepth + 2)) * kVoxel;
+    if (clock.at(8.75)) clock.add(ExplodeEdit{sign, 1.8});
+}
+
 void blowCarAndWall(ScriptClock& clock, uint64_t seed) {
-    const dvec3 car = (dvec3(plan::kRedCar) + dvec3(12.0, 0.0, 5.0)) * kVoxel;
-    if (clock.at(7.95)) clock.add(ExplodeEdit{car, 0.9, 9e4});
+    const dvec3 car = (dvec3(plan::kRedCar) + dvec3(16.0, -5.0, 7.0)) * kVoxel;
+    if (clock.at(7.9)) clock.add(ExplodeEdit{car, 1.2, 1.6e5});
     const dvec3 wall = (dvec3(plan::kWall) + dvec3(64, 7, 2.5)) * kVoxel;
     clock.spread(8.6, 8.8, fracture({wall, 2, 1.1, 0.3, 8, Hardness::Medium, seed + 5}));
-    if (clock.at(8.88)) clock.add(ExplodeEdit{wall + dvec3(0, -0.2, -0.4), 1.0});
-    const dvec3 corner = inHouse(12.0, 20.0, 101.0);
-    clock.spread(8.9, 9.05, fracture({inHouse(30, 18, 102.5), 2, 1.6, 0.25, 9, Hardness::Medium, seed + 6}));
-    if (clock.at(9.1)) clock.add(ExplodeEdit{corner + dvec3(1.6, -0.2, -0.6), 1.3});
+    if (clock.at(8.88)) clock.add(ExplodeEdit{wall + dvec3(0, -0.2, -0.5), 1.0});
+}
+
+/// The roof over the open rooms goes last: tiles and rafters fly up into the sun.
+void blowRoof(ScriptClock& clock, uint64_t seed) {
+    const dvec3 roof = inHouse(36.0, 70.0, 86.0);
+    clock.spread(9.2, 9.5, fracture({roof, 1, 2.2, 1.2, 10, Hardness::Medium, seed + 6}));
+    if (clock.at(9.55)) clock.add(ExplodeEdit{roof - dvec3(0, 1.4, 0.2), 1.6});
 }
 
 }  // namespace
@@ -124,12 +136,14 @@ Edits demolition(int step, uint64_t seed) {
     ScriptClock clock(step);
     spray(clock);
     hammer(clock);
-    blowWall(clock, seed);
+    blowWalls(clock, seed);
     cutFloor(clock);
     fellTower(clock);
     shootLamps(clock);
     breakShop(clock, seed);
     blowCarAndWall(clock, seed);
+    putOutSign(clock);
+    blowRoof(clock, seed);
     return clock.take();
 }
 

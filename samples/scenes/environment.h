@@ -6,7 +6,7 @@ namespace rubble::scenes {
 /// A low sun from the left, a clear cool sky, a little haze.
 inline Environment lateAfternoon() {
     Environment air;
-    air.sunDirection = {-0.90f, 0.36f, 0.08f};
+    air.sunDirection = {-0.90f, 0.36f, -0.05f};
     air.sunColor = {11.5f, 8.7f, 5.7f};
     air.skyColor = {0.24f, 0.42f, 0.80f};
     air.horizonColor = {0.74f, 0.64f, 0.52f};

@@ -48,7 +48,6 @@ void addYardTrees(Level& level, uint64_t seed) {
     addTree(level, "tree yard", {160, 0, 262}, 74, kLeaves, seed + 2);
     addTree(level, "tree behind", {246, 0, 226}, 92, kLeavesDark, seed + 7);
     addTree(level, "tree autumn", {500, 0, 420}, 72, kLeavesAutumn, seed + 11);
-    addTree(level, "tree across", {14, 0, 452}, 76, kLeavesDark, seed + 90);
     addTree(level, "tree shop", {576, 0, 250}, 88, kLeaves, seed + 20);
 }
 

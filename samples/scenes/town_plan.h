@@ -6,7 +6,7 @@ namespace rubble::scenes::plan {
 
 inline constexpr glm::ivec3 kHouse{180, 0, 296};  ///< low corner of its walls, 112 x 96
 inline constexpr glm::ivec3 kShop{352, 0, 262};   ///< low corner of its walls, 120 x 100
-inline constexpr glm::ivec3 kTower{458, 0, 196};  ///< low corner of its legs' square, 48 x 48
+inline constexpr glm::ivec3 kTower{490, 0, 206};  ///< low corner of its legs' square, 48 x 48
 inline constexpr glm::ivec3 kWall{138, 0, 438};   ///< concrete wall along x
 inline constexpr int kWallLength = 112, kWallHeight = 12;
 inline constexpr glm::ivec3 kCornerLamp{304, 0, 456};
