@@ -53,9 +53,6 @@ void drawGables(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s)
         for (int u = 0; u < wall->length; ++u) {
             const int z = wall->cell(u, 0, 0).z;
             const int top = kRoofBase + gableHeight(z, eaveLow, eaveHigh);
-            WallFrame column = *wall;
-            column.origin = wall->cell(u, 0, 0);
-            column.length = 1;
             for (int y = kRoofBase; y < top; ++y)
                 for (int k = 0; k < 2; ++k) {
                     const ivec3 cell = wall->cell(u, y, k);

@@ -28,13 +28,13 @@ ivec3 addStreetLamp(Level& level, const std::string& name, ivec3 cell, bool alon
     place({2, kTop + 2, 3}, {3, kTop + 4, kReach - 6}, iron);
     place({1, kTop + 2, kReach - 6}, {4, kTop + 4, kReach + 2}, iron);
     place({2, kTop + 4, kReach - 5}, {3, kTop + 5, kReach + 1}, iron);
-    place({1, kTop + 1, kReach - 5}, {4, kTop + 2, kReach + 1}, glow);
+    place({0, kTop, kReach - 5}, {5, kTop + 2, kReach + 1}, glow);
     c.stain({0, kBase, 0}, {c.size().x, kBase + 5, c.size().z}, rust, 25);
-    const glm::dvec3 head = alongX ? glm::dvec3(5.0, kTop + 0.4, 2.5) : glm::dvec3(2.5, kTop + 0.4, kReach - 2.0);
+    const glm::dvec3 head = alongX ? glm::dvec3(5.0, kTop - 0.8, 2.5) : glm::dvec3(2.5, kTop - 0.8, kReach - 2.0);
     const ivec3 size = c.size();
     const ivec3 corner = cell - (alongX ? ivec3(size.x - 3, kBase, 2) : ivec3(2, kBase, 2));
     addStatic(level, c.finish(name), corner);
-    addLight(level, name, group, LightKind::Cone, head, kWarmLight * 150.0f, 14.0f, 0.18f);
+    addLight(level, name, group, LightKind::Cone, head, kWarmLight * 240.0f, 15.0f, 0.18f);
     return corner + ivec3(head);
 }
 

@@ -46,9 +46,10 @@ void addLoose(Level& level, LevelShape shape, ivec3 cell, Turn turn) {
     level.bodies.push_back(std::move(body));
 }
 
-uint32_t addLightGroup(Level& level, std::string name) {
+uint32_t addLightGroup(Level& level, std::string name, float threshold) {
     LightGroup group;
     group.name = std::move(name);
+    group.threshold = threshold;
     level.lightGroups.push_back(std::move(group));
     return uint32_t(level.lightGroups.size());
 }

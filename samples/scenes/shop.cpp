@@ -95,7 +95,7 @@ void drawSign(Level& level, Canvas& c, const std::string& name, const ShopSwatch
     constexpr int kScale = 2;
     constexpr int kTextWidth = (int(kText.size()) * kLetterAdvance - 1) * kScale;
     const int x0 = kX0 + (Plan::kWidth - kTextWidth) / 2, y0 = kRoof + 2;
-    const uint32_t group = addLightGroup(level, name + " sign");
+    const uint32_t group = addLightGroup(level, name + " sign", 0.25f);
     const Swatch glow = c.mix(kSignGlow, 100, group);
     // A dark board that stands on the front's parapet, letters on its face.
     c.box({x0 - 5, y0 - 2, kZ1}, {x0 + kTextWidth + 5, y0 + kLetterHeight * kScale + 4, kZ1 + 2}, s.board);
