@@ -1,5 +1,6 @@
 #include "render/scene/bodies.h"
 
+#include <algorithm>
 #include <bit>
 #include <glm/common.hpp>
 
@@ -13,6 +14,11 @@ glm::vec4 packed(glm::quat q) {
 }
 int childOf(glm::ivec3 brick) {
     return (brick.x & 3) + (brick.y & 3) * 4 + (brick.z & 3) * 16;
+}
+
+/// An entry that lib/mirror.glsl would send a ray from: smoother than its limit.
+bool hasMirrorEntry(const Palette& palette) {
+    return std::any_of(palette.begin() + 1, palette.end(), [](const PaletteEntry& e) { return e.material && e.opacity == 255 && e.roughness < 153; });
 }
 
 bool hasGlassEntry(const Palette& palette) {
@@ -76,6 +82,7 @@ void Bodies::release(Shape& shape, uint32_t slot) {
     }
     m_nodeRanges.give(shape.firstNode, uint32_t(shape.bricks.size()));
     m_glassShapes -= m_instances[slot].glass;
+    m_mirrorShapes -= m_instances[slot].mirror;
     if (shape.palette) releasePalette(shape.palette.get());
     shape.palette = nullptr;
 }
@@ -169,6 +176,9 @@ void Bodies::usePalette(Shape& shape, uint32_t slot, const PaletteRef& palette) 
     const bool glass = hasGlassEntry(*palette);
     m_glassShapes += int(glass) - int(m_instances[slot].glass);
     m_instances[slot].glass = glass;
+    const bool mirror = hasMirrorEntry(*palette);
+    m_mirrorShapes += int(mirror) - int(m_instances[slot].mirror);
+    m_instances[slot].mirror = mirror;
     m_layouts.change(slot).palette = paletteSlot;
     m_layouts.change(slot).flags = glass ? 1 : 0;
 }

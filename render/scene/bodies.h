@@ -19,7 +19,8 @@ public:
         glm::vec3 position{0};       ///< drawn now, from the render origin
         glm::quat rotation{1, 0, 0, 0};
         float voxelSize = 0.1f;
-        bool glass = false;  ///< its palette has entries of opacity < 255
+        bool glass = false;   ///< its palette has entries of opacity < 255
+        bool mirror = false;  ///< its palette has entries smooth enough for reflection rays
         bool empty() const { return low.x >= high.x; }
     };
 
@@ -38,6 +39,7 @@ public:
     /// By slot; those with nothing in them are empty().
     const std::vector<Instance>& instances() const { return m_instances; }
     bool hasGlass() const { return m_glassShapes > 0; }
+    bool hasMirrors() const { return m_mirrorShapes > 0; }
     int shapes() const { return m_shapeCount; }
     int bricks() const { return m_atlas.bricks(); }
     uint64_t bytes() const;
@@ -99,7 +101,7 @@ private:
     std::vector<Instance> m_instances;
     std::vector<uint32_t> m_moving, m_boundsDirty;  ///< slots
     glm::dvec3 m_origin{0.0};
-    int m_shapeCount = 0, m_glassShapes = 0;
+    int m_shapeCount = 0, m_glassShapes = 0, m_mirrorShapes = 0;
 };
 
 }  // namespace rubble

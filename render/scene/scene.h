@@ -25,6 +25,8 @@ public:
     glm::ivec3 shadowSectorLow() const;
     /// Any shape with a palette entry of opacity < 255.
     bool hasGlass() const { return m_bodies.hasGlass(); }
+    /// Any shape with a palette entry smooth enough to mirror.
+    bool hasMirrors() const { return m_bodies.hasMirrors(); }
     /// World position that the GPU's coordinates are relative to: a corner of the shadow volume's sectors.
     glm::dvec3 origin() const { return m_origin; }
     uint64_t bytes() const { return m_bodies.bytes() + m_shadow.bytes(); }

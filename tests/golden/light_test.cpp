@@ -79,6 +79,18 @@ TEST_F(LightTest, AClosedRoomOfOneVoxelIsDark) {
     EXPECT_LE(brightest("light"), 4);
 }
 
+TEST_F(LightTest, WhatASceneDoesNotNeedIsNotThere) {
+    LitScene scene(plain());
+    scene.add({20, 2, 20}, {{-1, -0.2, -1}, kLevel}, solid);
+    start(scene, kSmall);
+    draw(lookingAt({0, 1.5, 2}, {0, 0, 0}));
+    for (const auto& [pass, ms] : renderer->figures().passMs) {
+        EXPECT_STRNE(pass, "local lights");
+        EXPECT_STRNE(pass, "reflections");
+        EXPECT_STRNE(pass, "glass");
+    }
+}
+
 /// Every pixel of a floor under a sky that is the same everywhere must show that sky's radiance after the filter.
 TEST_F(LightTest, AnEvenSkySurvivesTheDenoiser) {
     LitScene scene(plain());
