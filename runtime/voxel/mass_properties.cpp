@@ -98,9 +98,9 @@ MassMoments brickMoments(const Brick& brick, glm::ivec3 brickPosition, const Pal
 MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 brickPosition, const Palette& palette, const MaterialTable& materials) {
     LocalMoments local;
     for (size_t z = 0; z < 8; ++z) {
-        const uint64_t word = of[z] & brick.occupancy[z];
-        for (size_t y = 0; y < 8; ++y) {
-            const uint8_t row = uint8_t(word >> 8 * y);
+        uint64_t rows = of[z] & brick.occupancy[z];
+        for (size_t y = 0; y < 8; ++y, rows >>= 8) {
+            const uint8_t row = uint8_t(rows);
             if (!brick.indices) {
                 local.add(kRowSums[row], kRowSums[row].weight, int64_t(y), int64_t(z));
                 continue;
