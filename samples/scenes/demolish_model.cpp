@@ -78,7 +78,7 @@ Edits demolishModel(int step, glm::dvec3 low, glm::dvec3 high, uint64_t seed) {
 Pose modelCamera(glm::dvec3 low, glm::dvec3 high, double seconds) {
     const dvec3 center = (low + high) * 0.5;
     const double radius = std::max(glm::length(high - low) * 0.5, 1.5);
-    const double distance = radius / std::tan(0.5 * kDemolitionFov) * 1.15;
+    const double distance = radius / std::tan(0.5 * kDemolitionFov);
     const dvec3 direction = glm::normalize(dvec3(-0.68 + 0.006 * seconds, 0.34, 0.72));
     return scenes::lookAt(center + direction * distance, center);
 }

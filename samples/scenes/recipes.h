@@ -88,11 +88,11 @@ inline constexpr Recipe kCarBlue{"metal", {0x2f5d8a, 0x2b5783}, 50, 40, 40, 255,
 inline constexpr Recipe kCarCream{"metal", {0xd9d4c8, 0xd3cec2}, 55, 20, 40, 255, 2};
 inline constexpr Recipe kCarYellow{"metal", {0xc9a227, 0xc29b24}, 50, 20, 40, 255, 2};
 
-// What glows: emission is a multiple of the linear colour
-inline constexpr Recipe kLampGlow{"glass", {0xffdbb0}, 120, 0, 10, 255, 0, 14.0f};
+// What glows: emission is a multiple of the linear colour, which is kept low so that it looks dark when it is out
+inline constexpr Recipe kLampGlow{"glass", {0x9a8468}, 120, 0, 10, 255, 0, 44.0f};
 inline constexpr Recipe kBulbGlow{"glass", {0xffd9a8}, 120, 0, 10, 255, 0, 7.0f};
 inline constexpr Recipe kShopGlow{"glass", {0xfff0dc}, 120, 0, 10, 255, 0, 5.0f};
-inline constexpr Recipe kSignGlow{"glass", {0x35e0d0}, 120, 0, 10, 255, 0, 6.0f};
+inline constexpr Recipe kSignGlow{"glass", {0x1a7068}, 120, 0, 10, 255, 0, 28.0f};
 inline constexpr Recipe kHeadlamp{"glass", {0xe8e6dc}, 40, 0, 20, 255, 0, 0.6f};
 inline constexpr Recipe kTailLamp{"glass", {0xb01810}, 60, 0, 16, 255, 0, 0.4f};
 

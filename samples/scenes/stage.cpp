@@ -1,8 +1,12 @@
 #include <algorithm>
 
+#include "samples/scenes/car.h"
 #include "samples/scenes/environment.h"
+#include "samples/scenes/furniture.h"
+#include "samples/scenes/lamp.h"
 #include "samples/scenes/neighbourhood.h"
 #include "samples/scenes/town.h"
+#include "samples/scenes/tree.h"
 
 namespace rubble {
 namespace {
@@ -44,11 +48,23 @@ void makeRoom(Level& level, const Bounds& model) {
     std::erase_if(level.lights, [&](const LevelLight& light) { return std::find(gone.begin(), gone.end(), light.shapeName) != gone.end(); });
 }
 
-/// Street furniture at the square's rim, in front of where models stand.
+/// Paving with seams of concrete.
 void addSquare(GroundPlan& ground) {
     ground.areas.push_back({GroundPlan::Surface::Paving, {kSquareLow, kSquareHigh}});
     for (int x = kSquareLow.x; x < kSquareHigh.x; x += 60)
         ground.areas.push_back({GroundPlan::Surface::Concrete, {{x, 0, kSquareLow.z}, {x + 6, 0, kSquareHigh.z}}});
+}
+
+/// A car by the kerb, lamps, a hedge and trees round the square: a measure for the model's size.
+void addSquareThings(Level& level, uint64_t seed) {
+    addStreetLamp(level, "lamp square left", {kSquareLow.x + 8, 0, kSquareHigh.z + 10}, false);
+    addStreetLamp(level, "lamp square right", {kSquareHigh.x - 60, 0, kSquareHigh.z + 10}, false);
+    addTree(level, "tree square left", {kSquareLow.x + 20, 0, kSquareLow.z + 50}, 78, kLeaves, seed + 2);
+    addTree(level, "tree square right", {kSquareHigh.x - 30, 0, kSquareLow.z + 30}, 88, kLeavesAutumn, seed + 11);
+    addStatic(level, makeHedge("hedge square", {150, 11, 9}), {kSquareLow.x + 110, -kHedgeRoot, kSquareLow.z + 6});
+    addLoose(level, makeCar("car red", kCarRed), {kSquareLow.x + 60, -kRoadDrop, 474});
+    addLoose(level, makeCar("car blue", kCarBlue), {kSquareLow.x + 200, -kRoadDrop, 528}, Turn::Half);
+    addLoose(level, makeBench("bench"), {kSquareHigh.x - 90, 0, kSquareLow.z + 60});
 }
 
 }  // namespace
@@ -74,6 +90,7 @@ Level makeStreetStage(const Level& model, uint64_t seed, glm::dvec3& modelLow, g
     addSquare(ground);
     addGround(level, ground);
     addNeighbourhood(level, seed);
+    addSquareThings(level, seed);
 
     bounds.low += shift;
     bounds.high += shift;
