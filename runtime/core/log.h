@@ -12,8 +12,14 @@ using LogSink = void (*)(void* user, LogLevel level, std::string_view message);
 void setLogSink(LogSink sink, void* user);
 /// [any-thread]
 void log(LogLevel level, std::string_view message);
-inline void logInfo(std::string_view message) { log(LogLevel::Info, message); }
-inline void logWarning(std::string_view message) { log(LogLevel::Warning, message); }
-inline void logError(std::string_view message) { log(LogLevel::Error, message); }
+inline void logInfo(std::string_view message) {
+    log(LogLevel::Info, message);
+}
+inline void logWarning(std::string_view message) {
+    log(LogLevel::Warning, message);
+}
+inline void logError(std::string_view message) {
+    log(LogLevel::Error, message);
+}
 
 }  // namespace rubble

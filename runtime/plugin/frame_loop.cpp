@@ -39,21 +39,19 @@ void FrameLoop::step() {
     }
     {
         const ScopedTimer timer(m_times[Stage::Publish]);
-        std::vector<ShadowPatches> patches = takePatches();
-        if (m_publish) m_snapshots.publish(m_changes, m_physics.poses(), m_world, std::move(patches));
+        publish();
     }
 }
 
-std::vector<ShadowPatches> FrameLoop::takePatches() {
-    if (m_shadow) {
-        m_shadowAge = m_changes.step - m_shadow->publishedVersion();
-        if (m_waitForShadow) m_shadow->waitFor(m_changes.step);
-        return m_shadow->takePatches();
+void FrameLoop::publish() {
+    if (!m_shadow) {
+        if (m_publish) m_snapshots.publishWithoutShadow(m_changes, m_physics.poses(), m_world);
+        return;
     }
-    std::vector<ShadowPatches> none(1);
-    none[0].version = m_changes.step;
-    none[0].replacesAll = m_changes.levelReplaced;
-    return none;
+    m_shadowAge = m_changes.step - m_shadow->publishedVersion();
+    if (m_waitForShadow) m_shadow->waitFor(m_changes.step);
+    std::vector<ShadowPatches> patches = m_shadow->takePatches();
+    if (m_publish) m_snapshots.publish(m_changes, m_physics.poses(), m_world, std::move(patches));
 }
 
 void FrameLoop::draw(Renderer& renderer, const View& view, float alpha) {

@@ -42,7 +42,7 @@ public:
     uint64_t shadowAge() const { return m_shadowAge; }
 
 private:
-    std::vector<ShadowPatches> takePatches();
+    void publish();
 
     World m_world;
     PhysicsWorld m_physics;

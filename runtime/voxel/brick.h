@@ -11,8 +11,12 @@ inline constexpr int kBrickSize = 8;  ///< voxels on a side: OpenVDB's leaf size
 inline constexpr int kBrickVoxels = kBrickSize * kBrickSize * kBrickSize;
 
 /// Position of a voxel inside its brick: x + 8 y + 64 z.
-constexpr int voxelIndex(glm::ivec3 inBrick) { return inBrick.x + inBrick.y * 8 + inBrick.z * 64; }
-constexpr glm::ivec3 voxelInBrick(int index) { return {index & 7, index >> 3 & 7, index >> 6}; }
+constexpr int voxelIndex(glm::ivec3 inBrick) {
+    return inBrick.x + inBrick.y * 8 + inBrick.z * 64;
+}
+constexpr glm::ivec3 voxelInBrick(int index) {
+    return {index & 7, index >> 3 & 7, index >> 6};
+}
 
 /// One bit a voxel of a brick: word z, bit x + 8 y.
 using BrickBits = std::array<uint64_t, 8>;
@@ -20,7 +24,7 @@ using BrickBits = std::array<uint64_t, 8>;
 /// 8x8x8 voxels: a palette index each, 0 = empty. Never changed once a grid holds it: pieces, replicas, undo and
 /// snapshots share it by reference. A brick of one index stores no index array.
 struct Brick {
-    std::array<uint64_t, 8> occupancy{};  ///< word z, bit x + 8 y
+    std::array<uint64_t, 8> occupancy{};                         ///< word z, bit x + 8 y
     std::unique_ptr<std::array<uint8_t, kBrickVoxels>> indices;  ///< null if every solid voxel has `uniform`
     uint8_t uniform = 0;
 

@@ -16,9 +16,9 @@ using Int128 = __int128;
 /// Cell centres are doubled to stay integers (2 c + 1); weights are densities in kg/m3.
 struct MassMoments {
     int64_t voxels = 0;
-    int64_t weight = 0;                ///< sum of densities
-    std::array<int64_t, 3> first{};    ///< sum of density * (2 c + 1)
-    std::array<Int128, 6> second{};    ///< sum of density * products of (2 c + 1): xx yy zz xy yz zx
+    int64_t weight = 0;              ///< sum of densities
+    std::array<int64_t, 3> first{};  ///< sum of density * (2 c + 1)
+    std::array<Int128, 6> second{};  ///< sum of density * products of (2 c + 1): xx yy zz xy yz zx
 
     void add(glm::ivec3 cell, uint32_t density);
     MassMoments& operator+=(const MassMoments& other);
@@ -38,9 +38,9 @@ MassMoments gridMoments(const VoxelGrid& grid, const Palette& palette, const Mat
 struct MassProperties {
     double mass = 0.0;
     glm::dvec3 center{0.0};
-    glm::dvec3 principalInertia{0.0};                ///< about the centre, kg m2
-    glm::dquat principalAxes{1.0, 0.0, 0.0, 0.0};    ///< principal frame -> shape frame
-    std::array<double, 6> inertia{};                 ///< tensor about the centre, shape frame: xx yy zz xy yz zx (products negated, as in the matrix)
+    glm::dvec3 principalInertia{0.0};              ///< about the centre, kg m2
+    glm::dquat principalAxes{1.0, 0.0, 0.0, 0.0};  ///< principal frame -> shape frame
+    std::array<double, 6> inertia{};               ///< tensor about the centre, shape frame: xx yy zz xy yz zx (products negated, as in the matrix)
 };
 
 /// Each voxel counts as a solid cube of side voxelSize metres.

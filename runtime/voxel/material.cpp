@@ -53,9 +53,9 @@ uint8_t teardownMaterial(uint8_t paletteIndex) {
         const char* name;
     };
     static constexpr Row kRows[] = {
-        {0, "empty"},         {8, "glass"},       {24, "foliage"}, {40, "dirt"},    {56, "rock"},        {72, "wood"},          {88, "concrete"},
-        {104, "brick"},       {120, "plaster"},   {136, "metal"},  {152, "heavy metal"}, {168, "plastic"}, {176, "hard metal"}, {184, "hard masonry"},
-        {192, "ice"},         {224, "generic"},   {240, "unphysical"}, {253, "generic"}, {254, "snow"},   {255, "unphysical"},
+        {0, "empty"},   {8, "glass"},     {24, "foliage"},     {40, "dirt"},         {56, "rock"},     {72, "wood"},        {88, "concrete"},
+        {104, "brick"}, {120, "plaster"}, {136, "metal"},      {152, "heavy metal"}, {168, "plastic"}, {176, "hard metal"}, {184, "hard masonry"},
+        {192, "ice"},   {224, "generic"}, {240, "unphysical"}, {253, "generic"},     {254, "snow"},    {255, "unphysical"},
     };
     for (const Row& row : kRows)
         if (paletteIndex <= row.last) return defaultMaterials().find(row.name);

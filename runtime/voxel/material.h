@@ -14,16 +14,16 @@ enum class Hardness : uint8_t { Soft, Medium, Hard, Unbreakable, Unphysical };
 struct Material {
     std::string name;
     Hardness hardness = Hardness::Medium;
-    uint32_t density = 1000;        ///< kg/m3; an integer, so that mass is an exact sum
-    float tensileStrength = 1e6f;   ///< Pa
+    uint32_t density = 1000;       ///< kg/m3; an integer, so that mass is an exact sum
+    float tensileStrength = 1e6f;  ///< Pa
     float compressiveStrength = 1e7f;
     float shearStrength = 1e6f;
     float friction = 0.6f;
     float restitution = 0.1f;
-    float heatCapacity = 900.0f;         ///< J/(kg K)
-    float ignitionTemperature = 0.0f;    ///< K; 0 = does not burn
-    float burnTime = 0.0f;               ///< s
-    std::string fragments = "chunk";     ///< how it comes apart: chunk, splinter, pane, tear, crumble, none
+    float heatCapacity = 900.0f;                                     ///< J/(kg K)
+    float ignitionTemperature = 0.0f;                                ///< K; 0 = does not burn
+    float burnTime = 0.0f;                                           ///< s
+    std::string fragments = "chunk";                                 ///< how it comes apart: chunk, splinter, pane, tear, crumble, none
     bool sledge = true, torch = true, gun = true, explosive = true;  ///< the tools that break it
 
     friend bool operator==(const Material&, const Material&) = default;

@@ -74,8 +74,7 @@ private:
     };
     const BrickRef* find(glm::ivec3 brick) const {
         const glm::ivec3 node = brick >> 2;
-        if (brick.x < 0 || brick.y < 0 || brick.z < 0 || node.x >= m_nodeSize.x || node.y >= m_nodeSize.y || node.z >= m_nodeSize.z)
-            return nullptr;
+        if (brick.x < 0 || brick.y < 0 || brick.z < 0 || node.x >= m_nodeSize.x || node.y >= m_nodeSize.y || node.z >= m_nodeSize.z) return nullptr;
         const auto& found = m_nodes[nodeIndex(node)];
         return found ? &found->bricks[childIndex(brick)] : nullptr;
     }

@@ -15,36 +15,36 @@ namespace rubble {
 /// Removes what is inside, class by class. World space, metres. Touches every shape its bounds meet, or only `shape`.
 struct CarveEdit {
     BrushKind kind = BrushKind::Sphere;
-    glm::dvec3 position{0.0};                ///< sphere and box: centre; capsule: one end
-    glm::dvec3 end{0.0};                     ///< capsule: other end
-    glm::dvec3 halfSize{0.0};                ///< box
-    glm::dquat rotation{1, 0, 0, 0};         ///< box
-    std::array<double, 3> radii{};           ///< soft, medium, hard (MakeHole's r0 >= r1 >= r2); box: unused, hardnessLimit says
-    Hardness hardnessLimit = Hardness::Hard; ///< box: the hardest class it removes
-    ShapeHandle shape;                       ///< empty: all
+    glm::dvec3 position{0.0};                 ///< sphere and box: centre; capsule: one end
+    glm::dvec3 end{0.0};                      ///< capsule: other end
+    glm::dvec3 halfSize{0.0};                 ///< box
+    glm::dquat rotation{1, 0, 0, 0};          ///< box
+    std::array<double, 3> radii{};            ///< soft, medium, hard (MakeHole's r0 >= r1 >= r2); box: unused, hardnessLimit says
+    Hardness hardnessLimit = Hardness::Hard;  ///< box: the hardest class it removes
+    ShapeHandle shape;                        ///< empty: all
 };
 
 /// Carves and pushes: bodies in reach get an impulse away from the centre.
 struct ExplodeEdit {
     glm::dvec3 position{0.0};
-    double size = 1.0;                       ///< 0.5 to 4, as in the reference game: radii 1.0, 0.7 and 0.4 of it, in metres
-    double impulse = 0.0;                    ///< N s on a body at the centre; 0: size decides
+    double size = 1.0;     ///< 0.5 to 4, as in the reference game: radii 1.0, 0.7 and 0.4 of it, in metres
+    double impulse = 0.0;  ///< N s on a body at the centre; 0: size decides
 };
 
 /// Blends the colours of voxels near a surface toward a paint, a step a call.
 struct PaintEdit {
     glm::dvec3 position{0.0};
-    double radius = 0.5;                     ///< metres
-    std::array<uint8_t, 3> color{255, 0, 0}; ///< sRGB
-    uint8_t strength = 64;                   ///< share of the way to the paint in one step, of 255
-    uint8_t probability = 255;               ///< share of voxels touched at the rim, of 255; the centre is always touched
+    double radius = 0.5;                      ///< metres
+    std::array<uint8_t, 3> color{255, 0, 0};  ///< sRGB
+    uint8_t strength = 64;                    ///< share of the way to the paint in one step, of 255
+    uint8_t probability = 255;                ///< share of voxels touched at the rim, of 255; the centre is always touched
     uint32_t seed = 0;
 };
 
 struct ImpulseEdit {
     BodyHandle body;
     glm::dvec3 position{0.0};
-    glm::dvec3 impulse{0.0};                 ///< N s
+    glm::dvec3 impulse{0.0};  ///< N s
 };
 
 using Edit = std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit>;

@@ -45,22 +45,22 @@ struct ImpulseApplied {
 /// a step in which nothing happens allocates nothing.
 struct FrameChanges {
     uint64_t step = 0;
-    bool levelReplaced = false;                  ///< everything before is gone: start from the World
+    bool levelReplaced = false;  ///< everything before is gone: start from the World
     std::vector<BodyHandle> bodiesCreated;
     std::vector<BodyHandle> bodiesDestroyed;
-    std::vector<ShapeHandle> shapesCreated;      ///< read their grid from the World: their bricks are not in `bricks`
+    std::vector<ShapeHandle> shapesCreated;  ///< read their grid from the World: their bricks are not in `bricks`
     std::vector<ShapeHandle> shapesDestroyed;
     std::vector<ShapeSplit> splits;
-    std::vector<BrickChange> bricks;             ///< carved or painted, each brick once, of shapes that were there before
-    std::vector<ShapeHandle> carved;             ///< shapes whose occupancy (so mass and collider) changed, each once
-    std::vector<ShapeHandle> palettes;           ///< shapes whose palette changed
-    std::vector<ShapeHandle> rehomed;            ///< shapes that lost their last anchor: now on a new body of their own, in bodiesCreated
-    std::vector<RemovedVoxels> removed;          ///< a record for each edit, shape and entry
-    std::vector<LightHandle> lights;             ///< lights created, moved to another shape or body, or switched
+    std::vector<BrickChange> bricks;     ///< carved or painted, each brick once, of shapes that were there before
+    std::vector<ShapeHandle> carved;     ///< shapes whose occupancy (so mass and collider) changed, each once
+    std::vector<ShapeHandle> palettes;   ///< shapes whose palette changed
+    std::vector<ShapeHandle> rehomed;    ///< shapes that lost their last anchor: now on a new body of their own, in bodiesCreated
+    std::vector<RemovedVoxels> removed;  ///< a record for each edit, shape and entry
+    std::vector<LightHandle> lights;     ///< lights created, moved to another shape or body, or switched
     std::vector<LightGroupHandle> groupsOut;
     std::vector<ImpulseApplied> impulses;
     uint64_t paintedVoxels = 0;
-    uint64_t paintMerges = 0;                    ///< colours that found no free palette entry and took the nearest
+    uint64_t paintMerges = 0;  ///< colours that found no free palette entry and took the nearest
 
     bool empty() const {
         return !levelReplaced && bodiesCreated.empty() && bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() &&

@@ -14,11 +14,11 @@ namespace rubble {
 /// A voxel shape as data: what files hold and scenes make.
 struct LevelShape {
     std::string name;
-    Pose local;                      ///< in its body; the grid's corner is its origin
-    float voxelSize = 0.1f;          ///< metres
+    Pose local;              ///< in its body; the grid's corner is its origin
+    float voxelSize = 0.1f;  ///< metres
     VoxelGrid grid;
     PaletteRef palette;
-    std::vector<CellBox> anchors;    ///< cells of a static shape that hold to the world; empty: its bottom layer of cells
+    std::vector<CellBox> anchors;  ///< cells of a static shape that hold to the world; empty: its bottom layer of cells
     std::vector<std::string> tags;
     bool hidden = false;
 };
@@ -27,8 +27,8 @@ struct LevelBody {
     std::string name;
     Pose pose;
     bool isStatic = true;
-    glm::vec3 velocity{0.0f};        ///< m/s
-    glm::vec3 angularVelocity{0.0f}; ///< rad/s
+    glm::vec3 velocity{0.0f};         ///< m/s
+    glm::vec3 angularVelocity{0.0f};  ///< rad/s
     std::vector<LevelShape> shapes;
     std::vector<std::string> tags;
 };
@@ -36,8 +36,8 @@ struct LevelBody {
 /// Light::shape and Light::group are not set in a level: the names below stand for them.
 struct LevelLight {
     Light light;
-    std::string shapeName;           ///< "" = fixed in the world
-    std::string groupName;           ///< "" = none
+    std::string shapeName;  ///< "" = fixed in the world
+    std::string groupName;  ///< "" = none
 };
 
 /// A level as data, independent of any World. PaletteEntry::lightGroup is the index into lightGroups plus one.

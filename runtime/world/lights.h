@@ -15,21 +15,21 @@ enum class LightKind : uint8_t { Sphere, Cone };
 struct Light {
     std::string name;
     LightKind kind = LightKind::Sphere;
-    ShapeHandle shape;               ///< whose frame `local` is in; empty: the world's
-    Pose local;                      ///< metres
-    glm::vec3 color{1.0f};           ///< linear radiant intensity (W/sr, in the renderer's units)
-    float radius = 0.1f;             ///< of the glowing sphere, metres: it makes the penumbra
-    float reach = 12.0f;             ///< metres beyond which it lights nothing
-    float coneInner = 0.5f;          ///< half angles, radians
+    ShapeHandle shape;       ///< whose frame `local` is in; empty: the world's
+    Pose local;              ///< metres
+    glm::vec3 color{1.0f};   ///< linear radiant intensity (W/sr, in the renderer's units)
+    float radius = 0.1f;     ///< of the glowing sphere, metres: it makes the penumbra
+    float reach = 12.0f;     ///< metres beyond which it lights nothing
+    float coneInner = 0.5f;  ///< half angles, radians
     float coneOuter = 0.8f;
-    LightGroupHandle group;          ///< that puts it out; empty: none
+    LightGroupHandle group;  ///< that puts it out; empty: none
     bool enabled = true;
 };
 
 /// Emissive voxels that live and die together with their lights. Voxels belong to a group by their palette entry.
 struct LightGroup {
     std::string name;
-    float threshold = 0.4f;          ///< share of its voxels that must be destroyed to put it out
+    float threshold = 0.4f;  ///< share of its voxels that must be destroyed to put it out
     uint64_t initialVoxels = 0;
     uint64_t removedVoxels = 0;
     bool out = false;
@@ -44,7 +44,7 @@ struct Environment {
     glm::vec3 horizonColor{0.85f, 0.80f, 0.75f};
     glm::vec3 groundColor{0.25f, 0.22f, 0.20f};  ///< light from below the horizon
     glm::vec3 fogColor{0.62f, 0.66f, 0.72f};
-    float fogDistance = 150.0f;                  ///< metres at which the haze takes half
+    float fogDistance = 150.0f;  ///< metres at which the haze takes half
     float exposure = 1.0f;
     glm::vec3 gravity{0.0f, -9.81f, 0.0f};
 

@@ -19,23 +19,23 @@ namespace rubble {
 struct Shape {
     std::string name;
     BodyHandle body;
-    Pose local;                        ///< in its body; the grid's corner is the origin
-    float voxelSize = 0.1f;            ///< metres
+    Pose local;              ///< in its body; the grid's corner is the origin
+    float voxelSize = 0.1f;  ///< metres
     VoxelGrid grid;
     PaletteRef palette;
-    MassMoments moments;               ///< of the grid, always up to date
-    std::vector<CellBox> anchors;      ///< cells that hold a static shape to the world
+    MassMoments moments;           ///< of the grid, always up to date
+    std::vector<CellBox> anchors;  ///< cells that hold a static shape to the world
     std::vector<std::string> tags;
-    bool isPiece = false;              ///< came off something
-    bool nothingLoose = false;         ///< known since its last split: a cut need only look around itself
+    bool isPiece = false;       ///< came off something
+    bool nothingLoose = false;  ///< known since its last split: a cut need only look around itself
 };
 
 /// A rigid body: a frame that shapes are fixed to. Its origin is not its centre of mass.
 struct Body {
     std::string name;
-    Pose pose;                         ///< metres, world
-    glm::dvec3 velocity{0.0};          ///< of the centre of mass, m/s
-    glm::dvec3 angularVelocity{0.0};   ///< rad/s, world axes
+    Pose pose;                        ///< metres, world
+    glm::dvec3 velocity{0.0};         ///< of the centre of mass, m/s
+    glm::dvec3 angularVelocity{0.0};  ///< rad/s, world axes
     bool isStatic = true;
     bool asleep = false;
     std::vector<ShapeHandle> shapes;
@@ -57,12 +57,12 @@ struct Impact {
     BodyHandle other;
     glm::dvec3 position{0.0};
     glm::dvec3 normal{0.0};
-    double impulse = 0.0;              ///< N s
+    double impulse = 0.0;  ///< N s
 };
 
 struct WorldHit {
     bool hit = false;
-    double distance = 0.0;             ///< metres
+    double distance = 0.0;  ///< metres
     glm::dvec3 position{0.0};
     glm::dvec3 normal{0.0};
     ShapeHandle shape;
@@ -78,12 +78,12 @@ struct Ledger {
 
 /// How a world breaks.
 struct WorldSettings {
-    uint64_t minPieceVoxels = 1;       ///< smaller pieces vanish: they count as removed
-    double impactThreshold = 2000.0;   ///< N s below which an impact breaks nothing
-    double impactSpeed = 0.8;          ///< m/s that an impact must cost the heavier body: weight at rest breaks nothing
-    double impactRadius = 0.25;        ///< metres that an impact at the threshold takes out of soft materials
-    double impactRadiusLimit = 0.6;    ///< metres
-    size_t impactsAStep = 8;           ///< how many impacts break something in one step, the hardest first
+    uint64_t minPieceVoxels = 1;      ///< smaller pieces vanish: they count as removed
+    double impactThreshold = 2000.0;  ///< N s below which an impact breaks nothing
+    double impactSpeed = 0.8;         ///< m/s that an impact must cost the heavier body: weight at rest breaks nothing
+    double impactRadius = 0.25;       ///< metres that an impact at the threshold takes out of soft materials
+    double impactRadiusLimit = 0.6;   ///< metres
+    size_t impactsAStep = 8;          ///< how many impacts break something in one step, the hardest first
 };
 
 /// The voxel world: bodies, shapes, lights and groups. Edits go in, one journal of changes comes out.

@@ -66,7 +66,8 @@ std::string Figures::table() const {
         out += fmt::format(fmt::runtime(line), s.name, q.p50, q.p95, q.p99, q.max);
     }
     for (const auto& [name, value] : m_single) out += fmt::format("{:<28}{:>14.3f}\n", name, value);
-    out += fmt::format("voxels removed {}, painted {}; splits {}, pieces {}; light groups out {}\n", m_removed, m_painted, m_splits, m_pieces, m_groupsOut);
+    out += fmt::format("voxels removed {}, painted {}; splits {}, pieces {}; light groups out {}\n", m_removed, m_painted, m_splits, m_pieces,
+                       m_groupsOut);
     out += fmt::format("ledger: imported {} = standing {} + in pieces {} + removed {}: {}\n", m_ledger.imported, m_ledger.standing, m_ledger.inPieces,
                        m_ledger.removed, m_ledger.balances() ? "balances" : "DOES NOT BALANCE");
     if (!m_hashes.empty()) out += fmt::format("state hash after {} steps: {:016x}\n", m_hashes.size(), m_hashes.back());
@@ -85,7 +86,8 @@ bool Figures::writeJson(const std::string& path) const {
     json["splits"] = m_splits;
     json["pieces"] = m_pieces;
     json["groups_out"] = m_groupsOut;
-    json["ledger"] = {{"imported", m_ledger.imported}, {"standing", m_ledger.standing}, {"in_pieces", m_ledger.inPieces}, {"removed", m_ledger.removed}};
+    json["ledger"] = {
+        {"imported", m_ledger.imported}, {"standing", m_ledger.standing}, {"in_pieces", m_ledger.inPieces}, {"removed", m_ledger.removed}};
     for (const uint64_t hash : m_hashes) json["state_hash"].push_back(fmt::format("{:016x}", hash));
     std::ofstream file(path);
     file << json.dump(1) << "\n";

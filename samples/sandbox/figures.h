@@ -29,7 +29,7 @@ private:
         std::vector<double> values;
     };
     std::vector<double>& series(const std::string& name);
-    std::vector<Series> m_series;           ///< in the order first seen
+    std::vector<Series> m_series;  ///< in the order first seen
     std::map<std::string, double> m_single;
     std::vector<uint64_t> m_hashes;
     uint64_t m_removed = 0, m_splits = 0, m_pieces = 0, m_painted = 0, m_groupsOut = 0;

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kStepsASecond = 60;
-constexpr int kWarmUpDraws = 12;     ///< of the first picture, so that its light has settled
+constexpr int kWarmUpDraws = 12;  ///< of the first picture, so that its light has settled
 constexpr int kSheetPictures = 12;
 constexpr int kSheetColumns = 3;
 
@@ -85,7 +85,7 @@ public:
 private:
     explicit Recorder(const SandboxOptions& options) : m_options(options) {}
     SandboxOptions m_options;
-    std::unique_ptr<GlContext> m_context;   // first made, last destroyed
+    std::unique_ptr<GlContext> m_context;  // first made, last destroyed
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<Offscreen> m_offscreen;
     glm::dvec3 m_low{0.0}, m_high{0.0};
@@ -97,8 +97,9 @@ void makeVideo(const fs::path& out, int fps) {
         logInfo("no MP4: ffmpeg is not installed");
         return;
     }
-    const std::string command = fmt::format("ffmpeg -loglevel error -y -framerate {} -i '{}/frames/%04d.png' -pix_fmt yuv420p -crf 16 '{}/demolition.mp4'", fps,
-                                            out.string(), out.string());
+    const std::string command =
+        fmt::format("ffmpeg -loglevel error -y -framerate {} -i '{}/frames/%04d.png' -pix_fmt yuv420p -crf 16 '{}/demolition.mp4'", fps, out.string(),
+                    out.string());
     if (std::system(command.c_str()) != 0) logWarning("ffmpeg failed: no MP4");
 }
 

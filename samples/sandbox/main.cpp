@@ -21,16 +21,22 @@ int run(int argc, char** argv) {
     SandboxOptions options;
     options.shaders = RUBBLE_SHADER_DIR;
     options.tools = std::filesystem::weakly_canonical(std::filesystem::path(argv[0])).parent_path().string();
-    CLI::App app{"Rubble sandbox: a town corner to take apart.\n"
-                 "With a display: WASD and mouse fly, Space/Shift up and down, 1 hammer, 2 explosive, 3 spray can, left click uses it, F fly or walk, R resets, P next pass, Esc leaves.",
-                 "sandbox"};
+    CLI::App app{
+        "Rubble sandbox: a town corner to take apart.\n"
+        "With a display: WASD and mouse fly, Space/Shift up and down, 1 hammer, 2 explosive, 3 spray can, left click uses it, F fly or walk, R "
+        "resets, P next pass, Esc leaves.",
+        "sandbox"};
     app.add_option("--model", options.model, "put this .vox, .vdb or .rubble on the street and demolish it")->check(CLI::ExistingFile);
     app.add_option("--level", options.level, "open this level instead of the town")->check(CLI::ExistingFile);
     app.add_option("--out", options.out, "folder for pictures and figures")->capture_default_str();
     app.add_option("--size", options.size, "picture size, WIDTHxHEIGHT")->capture_default_str();
-    app.add_option("--fps", options.fps, "pictures a second of game time (a divisor of 60)")->capture_default_str()->check(CLI::IsMember({1, 2, 3, 4, 5, 6, 10, 12, 15, 20, 30, 60}));
+    app.add_option("--fps", options.fps, "pictures a second of game time (a divisor of 60)")
+        ->capture_default_str()
+        ->check(CLI::IsMember({1, 2, 3, 4, 5, 6, 10, 12, 15, 20, 30, 60}));
     app.add_option("--seconds", options.seconds, "game time")->capture_default_str()->check(CLI::Range(0.0, 3600.0));
-    app.add_option("--preset", options.preset, "fast, balanced or accurate")->capture_default_str()->check(CLI::IsMember({"fast", "balanced", "accurate"}));
+    app.add_option("--preset", options.preset, "fast, balanced or accurate")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
     app.add_option("--seed", options.seed, "of everything random")->capture_default_str();
     app.add_option("--pass", options.pass, "show this target of the renderer (an unknown name lists them)")->capture_default_str();
     app.add_flag("--headless", options.headless, "no window even where there is a display");
@@ -38,7 +44,9 @@ int run(int argc, char** argv) {
     app.add_flag("--inline-shadow", options.inlineShadow, "shadow volume on the main thread instead of the worker");
     app.add_flag("--all-passes", options.allPasses, "write every pass for the pictures of the contact sheet");
     app.add_option("--screenshot", options.screenshot, "window: write this PNG after a few frames and leave");
-    app.add_option("--gl", options.gl, "without a window: auto, osmesa or egl")->capture_default_str()->check(CLI::IsMember({"auto", "osmesa", "egl"}));
+    app.add_option("--gl", options.gl, "without a window: auto, osmesa or egl")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
     app.add_option("--shaders", options.shaders, "folder of the shaders")->capture_default_str();
     try {
         app.parse(argc, argv);
@@ -55,4 +63,6 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace rubble
 
-int main(int argc, char** argv) { return rubble::run(argc, argv); }
+int main(int argc, char** argv) {
+    return rubble::run(argc, argv);
+}

@@ -6,25 +6,25 @@ namespace rubble {
 
 /// What `./rubble sandbox` was asked to do.
 struct SandboxOptions {
-    std::string model;                ///< .vox, .vdb or .rubble to put on the street instead of the house
-    std::string level;                ///< a whole level to open instead of the town
-    std::string out = "out";          ///< folder for pictures and figures
+    std::string model;        ///< .vox, .vdb or .rubble to put on the street instead of the house
+    std::string level;        ///< a whole level to open instead of the town
+    std::string out = "out";  ///< folder for pictures and figures
     std::string size = "640x360";
     int width = 640, height = 360;
-    int fps = 30;                     ///< pictures a second of game time; must divide 60
-    double seconds = 10.0;            ///< of game time
+    int fps = 30;           ///< pictures a second of game time; must divide 60
+    double seconds = 10.0;  ///< of game time
     std::string preset = "balanced";
     uint64_t seed = 1;
-    std::string pass = "final";       ///< which target of the renderer is the picture
-    bool headless = false;            ///< no window even where there is a display
-    bool noRender = false;            ///< state and figures only
-    bool inlineShadow = false;        ///< the shadow volume on the main thread
-    bool allPasses = false;           ///< also write every pass of every sheet picture
-    std::string screenshot;           ///< window mode: write one picture here and leave
-    std::string gl = "auto";          ///< without a window: auto, osmesa or egl
-    std::string shaders;              ///< folder of the shaders
-    std::string tools;                ///< folder of rubble-vdb
-    bool wantsWindow() const;         ///< a display is there and nothing asks for headless
+    std::string pass = "final";  ///< which target of the renderer is the picture
+    bool headless = false;       ///< no window even where there is a display
+    bool noRender = false;       ///< state and figures only
+    bool inlineShadow = false;   ///< the shadow volume on the main thread
+    bool allPasses = false;      ///< also write every pass of every sheet picture
+    std::string screenshot;      ///< window mode: write one picture here and leave
+    std::string gl = "auto";     ///< without a window: auto, osmesa or egl
+    std::string shaders;         ///< folder of the shaders
+    std::string tools;           ///< folder of rubble-vdb
+    bool wantsWindow() const;    ///< a display is there and nothing asks for headless
 };
 
 }  // namespace rubble

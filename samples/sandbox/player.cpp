@@ -5,12 +5,12 @@
 namespace rubble {
 namespace {
 
-constexpr double kEyeHeight = 1.7;      // metres above the ground
-constexpr double kStepHeight = 0.45;    // what walking climbs
+constexpr double kEyeHeight = 1.7;    // metres above the ground
+constexpr double kStepHeight = 0.45;  // what walking climbs
 constexpr double kBodyRadius = 0.3;
-constexpr double kWalkSpeed = 4.0, kFlySpeed = 8.0, kFastFactor = 3.0;   // m/s
+constexpr double kWalkSpeed = 4.0, kFlySpeed = 8.0, kFastFactor = 3.0;  // m/s
 constexpr double kJumpSpeed = 4.5;
-constexpr double kSteepest = 1.5;       // radians of pitch
+constexpr double kSteepest = 1.5;  // radians of pitch
 
 }  // namespace
 
@@ -37,7 +37,8 @@ void Player::walk(glm::dvec3 step, bool jump, const World& world, double seconds
     glm::dvec3& eye = m_camera.position;
     const glm::dvec3 knee = eye - glm::dvec3(0, kEyeHeight - kStepHeight, 0);
     const double distance = glm::length(step);
-    if (distance > 0.0 && !world.raycast(knee, step, distance + kBodyRadius).hit && !world.raycast(eye, step, distance + kBodyRadius).hit) eye += step;
+    if (distance > 0.0 && !world.raycast(knee, step, distance + kBodyRadius).hit && !world.raycast(eye, step, distance + kBodyRadius).hit)
+        eye += step;
     m_fallSpeed += 9.81 * seconds;
     const WorldHit ground = world.raycast(eye, {0, -1, 0}, kEyeHeight + m_fallSpeed * seconds);
     if (ground.hit) {

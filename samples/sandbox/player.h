@@ -7,7 +7,7 @@ namespace rubble {
 /// Which way the player wants to go, each in [-1, 1].
 struct PlayerInput {
     double forward = 0.0, right = 0.0, up = 0.0;
-    double turnRight = 0.0, turnUp = 0.0;   ///< radians since the last call
+    double turnRight = 0.0, turnUp = 0.0;  ///< radians since the last call
     bool fast = false;
 };
 

@@ -10,7 +10,7 @@ namespace rubble {
 struct SandboxStage {
     Level level;
     bool hasModel = false;
-    glm::dvec3 modelLow{0.0}, modelHigh{0.0};   ///< where it stands, metres
+    glm::dvec3 modelLow{0.0}, modelHigh{0.0};  ///< where it stands, metres
 };
 Result<SandboxStage> loadStage(const SandboxOptions& options);
 

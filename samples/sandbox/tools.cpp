@@ -3,10 +3,10 @@
 namespace rubble {
 namespace {
 
-constexpr double kHammerReach = 3.5;       // metres
+constexpr double kHammerReach = 3.5;  // metres
 constexpr double kSprayReach = 5.0;
 constexpr double kExplosiveReach = 60.0;
-constexpr double kHammerImpulse = 400.0;   // N s
+constexpr double kHammerImpulse = 400.0;  // N s
 constexpr std::array<std::array<uint8_t, 3>, 4> kSprayColors = {{{214, 40, 57}, {247, 181, 0}, {27, 153, 139}, {46, 94, 170}}};
 
 }  // namespace

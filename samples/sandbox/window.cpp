@@ -1,7 +1,6 @@
 #include "samples/sandbox/window.h"
 
 #include <GLFW/glfw3.h>
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,10 +20,10 @@ namespace rubble {
 namespace {
 
 constexpr double kStepSeconds = 1.0 / 60.0;
-constexpr int kMostStepsAFrame = 4;          ///< slower than that, game time falls behind instead of spiralling
+constexpr int kMostStepsAFrame = 4;  ///< slower than that, game time falls behind instead of spiralling
 constexpr double kMouseRadiansAPixel = 0.0025;
-constexpr int kScreenshotFrames = 12;        ///< drawn before --screenshot writes its picture
-constexpr double kToolSeconds[] = {0.25, 0.5, 0.03};   ///< between two uses of a tool while the button is held
+constexpr int kScreenshotFrames = 12;                 ///< drawn before --screenshot writes its picture
+constexpr double kToolSeconds[] = {0.25, 0.5, 0.03};  ///< between two uses of a tool while the button is held
 
 /// The running game behind one window.
 class Game {

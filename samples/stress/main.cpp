@@ -106,11 +106,14 @@ int run(int argc, char** argv) {
             return 1;
         }
     }
-    fmt::print("stress: {} steps, seed {}: {} bodies at most, worst step {:.1f} ms, state {:016x}\n", steps, seed, mostBodies, worstMs, loop.world().hash());
+    fmt::print("stress: {} steps, seed {}: {} bodies at most, worst step {:.1f} ms, state {:016x}\n", steps, seed, mostBodies, worstMs,
+               loop.world().hash());
     return 0;
 }
 
 }  // namespace
 }  // namespace rubble
 
-int main(int argc, char** argv) { return rubble::run(argc, argv); }
+int main(int argc, char** argv) {
+    return rubble::run(argc, argv);
+}

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
+#include <rubble/rubble.h>
 
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <rubble/rubble.h>
 #include <string>
 #include <vector>
 

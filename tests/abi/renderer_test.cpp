@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
+#include <rubble/rubble.h>
 
 #include <filesystem>
-#include <rubble/rubble.h>
 #include <set>
 #include <vector>
 

@@ -9,9 +9,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Compilers and GL versions round differently, and a rounded ray may miss a corner: a few pixels may differ, all together may not.
-constexpr int kClearlyDifferent = 24;         // of 255
-constexpr double kDifferentShare = 0.005;     // of the pixels
-constexpr double kMeanDifference = 1.0;       // of 255
+constexpr int kClearlyDifferent = 24;      // of 255
+constexpr double kDifferentShare = 0.005;  // of the pixels
+constexpr double kMeanDifference = 1.0;    // of 255
 
 struct Difference {
     Image image;  ///< four times as strong as it is
@@ -54,8 +54,8 @@ void expectPicture(const Image& actual, const std::string& name) {
     EXPECT_TRUE(writePng(folder + name + "_actual.png", actual));
     EXPECT_TRUE(writePng(folder + name + "_expected.png", *expected));
     EXPECT_TRUE(writePng(folder + name + "_difference.png", difference.image));
-    ADD_FAILURE() << name << ": " << difference.share * 100 << " % of the pixels differ clearly, " << difference.mean
-                  << " of 255 on average; see " << folder << name << "_{actual,expected,difference}.png";
+    ADD_FAILURE() << name << ": " << difference.share * 100 << " % of the pixels differ clearly, " << difference.mean << " of 255 on average; see "
+                  << folder << name << "_{actual,expected,difference}.png";
 }
 
 class PictureTest : public Drawing {
@@ -68,8 +68,12 @@ protected:
     }
 };
 
-TEST_F(PictureTest, TheStreetInTheEvening) { expectPicture(street(0), "street"); }
-TEST_F(PictureTest, TheRoomBehindTheHole) { expectPicture(street(2), "room"); }
+TEST_F(PictureTest, TheStreetInTheEvening) {
+    expectPicture(street(0), "street");
+}
+TEST_F(PictureTest, TheRoomBehindTheHole) {
+    expectPicture(street(2), "room");
+}
 
 TEST_F(PictureTest, ADifferentPictureIsNoticed) {
     Image a(64, 64), b(64, 64);

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/allocation_count.h"
 #include "physics_scene.h"
 #include "runtime/core/random.h"
+#include "tests/support/allocation_count.h"
 
 namespace rubble {
 namespace {

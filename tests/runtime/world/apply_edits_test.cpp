@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "tests/support/allocation_count.h"
 #include "tests/runtime/world/worlds.h"
+#include "tests/support/allocation_count.h"
 
 namespace rubble {
 namespace {

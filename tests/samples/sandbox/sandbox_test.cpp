@@ -48,7 +48,8 @@ TEST(Sandbox, WithoutADisplayWritesPicturesAndFigures) {
     EXPECT_EQ(figures["state_hash"].size(), 12u);
     EXPECT_LE(figures["series"]["draw calls for bodies"]["max"].get<double>(), 16.0);
     const auto& ledger = figures["ledger"];
-    EXPECT_EQ(ledger["imported"].get<uint64_t>(), ledger["standing"].get<uint64_t>() + ledger["in_pieces"].get<uint64_t>() + ledger["removed"].get<uint64_t>());
+    EXPECT_EQ(ledger["imported"].get<uint64_t>(),
+              ledger["standing"].get<uint64_t>() + ledger["in_pieces"].get<uint64_t>() + ledger["removed"].get<uint64_t>());
 }
 
 TEST(Sandbox, SameSeedSameStateWithTheWorkerOnOrOff) {
