@@ -20,10 +20,10 @@ CellHit walkRay(const VoxelGrid& grid, const CellRay& ray) {
             inside = walk.leave(low, low + size);
             continue;
         }
-        for (glm::ivec3 at = cell; inside && at >> 3 == position; at = walk.cell()) {
+        for (glm::ivec3 at = cell; inside && (at >> 3) == position; at = walk.cell()) {
             if (brick->solid(voxelIndex(at & 7))) return {true, at, walk.t(), walk.axis(), walk.sign(), out.steps};
             inside = walk.step();
-            if (inside && walk.cell() >> 3 == position) ++out.steps;
+            if (inside && (walk.cell() >> 3) == position) ++out.steps;
         }
     }
     return out;

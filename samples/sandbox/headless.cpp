@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kStepsASecond = 60;
-constexpr int kWarmUpDraws = 12;  ///< of the first picture, so that its light has settled
+constexpr int kWarmUpFrames = 12;  ///< before the first picture, so that its light has settled
 constexpr int kSheetPictures = 12;
 constexpr int kSheetColumns = 3;
 
@@ -35,7 +35,9 @@ public:
         auto context = GlContext::create(GlContext::kindOf(options.gl));
         if (!context) return Error{context.error()};
         recorder->m_context = std::move(*context);
-        auto renderer = Renderer::create(recorder->m_context->loader(), options.shaders, RenderSettings::preset(options.preset));
+        RenderSettings settings = RenderSettings::preset(options.preset);
+        settings.warmUpFrames = kWarmUpFrames;
+        auto renderer = Renderer::create(recorder->m_context->loader(), options.shaders, settings);
         if (!renderer) return Error{renderer.error()};
         recorder->m_renderer = std::move(*renderer);
         recorder->m_offscreen = std::make_unique<Offscreen>(glm::ivec2(options.width, options.height));
@@ -55,12 +57,7 @@ public:
         view.verticalFov = kDemolitionFov;
         view.size = {m_options.width, m_options.height};
         view.framebuffer = m_offscreen->framebuffer();
-        view.cut = m_first;
-        for (int i = 0; i < (m_first ? kWarmUpDraws : 1); ++i) {
-            loop.draw(*m_renderer, view, 1.0f);
-            view.cut = false;
-        }
-        m_first = false;
+        loop.draw(*m_renderer, view, 1.0f);
         Image image(m_options.width, m_options.height);
         image.rgb = m_offscreen->readRgb();
         return image;
@@ -89,7 +86,6 @@ private:
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<Offscreen> m_offscreen;
     glm::dvec3 m_low{0.0}, m_high{0.0};
-    bool m_first = true;
 };
 
 void makeVideo(const fs::path& out, int fps) {

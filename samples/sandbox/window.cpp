@@ -25,6 +25,8 @@ constexpr double kMouseRadiansAPixel = 0.0025;
 constexpr int kScreenshotFrames = 12;                 ///< drawn before --screenshot writes its picture
 constexpr double kToolSeconds[] = {0.25, 0.5, 0.03};  ///< between two uses of a tool while the button is held
 
+constexpr const char* kToolNames[] = {"hammer", "explosive", "spray can"};
+
 /// The running game behind one window.
 class Game {
 public:
@@ -45,10 +47,14 @@ public:
         m_lag = std::min(m_lag + elapsed, kMostStepsAFrame * kStepSeconds);
         for (; m_lag >= kStepSeconds; m_lag -= kStepSeconds) m_loop.step();
         draw(m_lag / kStepSeconds);
+        m_window.present();
         return true;
     }
 
-    Image picture() const { return m_window.readPixels(); }
+    Image picture() {
+        draw(1.0);
+        return m_window.readPixels();
+    }
 
 private:
     void reset() {
@@ -69,7 +75,10 @@ private:
         input.turnUp = -mouse.y * kMouseRadiansAPixel;
         m_player.move(input, m_loop.world(), elapsed);
         for (int i = 0; i < 3; ++i)
-            if (m_window.pressed(GLFW_KEY_1 + i)) m_tool = Tool(i);
+            if (m_window.pressed(GLFW_KEY_1 + i)) {
+                m_tool = Tool(i);
+                m_window.setTitle(std::string("Rubble sandbox: ") + kToolNames[i]);
+            }
         if (m_window.pressed(GLFW_KEY_F)) m_player.toggleWalk();
         if (m_window.pressed(GLFW_KEY_R)) reset();
         if (m_window.pressed(GLFW_KEY_P)) {
@@ -88,7 +97,6 @@ private:
         View view = m_player.camera().view(m_window.size(), 0);
         view.cut = std::exchange(m_cut, false);
         m_loop.draw(*m_renderer, view, float(alpha));
-        m_window.present();
     }
 
     SandboxOptions m_options;

@@ -81,10 +81,9 @@ Image Window::readPixels() const {
     const auto readBuffer = reinterpret_cast<void (*)(GLenum)>(glfwGetProcAddress("glReadBuffer"));
     const auto pixelStore = reinterpret_cast<void (*)(GLenum, GLint)>(glfwGetProcAddress("glPixelStorei"));
     const auto read = reinterpret_cast<void (*)(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*)>(glfwGetProcAddress("glReadPixels"));
-    readBuffer(GL_FRONT);
+    readBuffer(GL_BACK);
     pixelStore(GL_PACK_ALIGNMENT, 1);
     read(0, 0, pixels.x, pixels.y, GL_RGB, GL_UNSIGNED_BYTE, flipped.rgb.data());
-    readBuffer(GL_BACK);
     for (int y = 0; y < pixels.y; ++y) std::copy_n(flipped.at(0, pixels.y - 1 - y), size_t(pixels.x) * 3, image.at(0, y));
     return image;
 }

@@ -31,7 +31,7 @@ public:
     glm::ivec2 size() const;
     void setTitle(const std::string& title);
     void present();
-    /// What was presented last.
+    /// What was drawn since the last present().
     Image readPixels() const;
 
 private:

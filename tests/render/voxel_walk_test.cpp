@@ -191,9 +191,9 @@ TEST_F(ShadowTraceTest, AgreesWithTheWalkInDouble) {
     scene.apply(std::move(snapshot));
     std::vector<CellRay> list;
     for (int i = 0; i < kRaysPerGrid; ++i) {
-        const glm::dvec3 cells = drawPoint(random, -20.0, 160.0);
+        const glm::dvec3 start = drawPoint(random, -20.0, 160.0);
         const glm::dvec3 direction = i % 5 ? drawDirection(random) : glm::dvec3(i % 3 == 0, i % 3 == 1, i % 3 == 2);
-        list.push_back(inFloat({(cells + glm::dvec3(low * 16)) * 0.1, direction, ray_classes::draw(random, 1.0, 20.0)}));
+        list.push_back(inFloat({(start + glm::dvec3(low * 16)) * 0.1, direction, ray_classes::draw(random, 1.0, 20.0)}));
     }
     const auto found = traceShadow(scene, list);
     int differ = 0, hits = 0;
