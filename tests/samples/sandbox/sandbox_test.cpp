@@ -69,6 +69,39 @@ TEST(Sandbox, RefusesWhatItCannotDo) {
     EXPECT_NE(runSandbox("--seconds 0.1 --size 64x36 --pass nonsense 2>/dev/null"), 0);
 }
 
+TEST(Sandbox, ALevelFileBreaksAsTheSceneItWasWrittenFrom) {
+    const fs::path built = outFolder("built"), opened = outFolder("opened");
+    ASSERT_EQ(runSandbox("--no-render --seconds 1 --out " + built.string()), 0);
+    const std::string level = RUBBLE_BINARY_DIR "/levels/town-1.vdb";
+    ASSERT_TRUE(fs::exists(level)) << "the sandbox opens the town from a file that it writes first";
+    ASSERT_EQ(runSandbox("--no-render --seconds 1 --level " + level + " --out " + opened.string()), 0);
+    EXPECT_EQ(figuresOf(built)["state_hash"], figuresOf(opened)["state_hash"]);
+}
+
+TEST(Sandbox, HelpNamesEveryOption) {
+    const fs::path out = outFolder("help");
+    fs::create_directories(out);
+    const std::string text = (out / "help.txt").string();
+    ASSERT_EQ(std::system((RUBBLE_BINARY_DIR "/bin/sandbox --help >" + text).c_str()), 0);
+    std::ifstream file(text);
+    const std::string help{std::istreambuf_iterator<char>(file), {}};
+    for (const char* option :
+         {"--model", "--level", "--out", "--size", "--fps", "--seconds", "--preset", "--seed", "--pass", "--headless", "--no-render"})
+        EXPECT_NE(help.find(option), std::string::npos) << option;
+}
+
+TEST(Launcher, HelpNamesEveryCommandAndAWrongOneFails) {
+    const fs::path out = outFolder("launcher");
+    fs::create_directories(out);
+    const std::string text = (out / "help.txt").string(), launcher = RUBBLE_SOURCE_DIR "/rubble";
+    ASSERT_EQ(std::system((launcher + " help >" + text).c_str()), 0);
+    std::ifstream file(text);
+    const std::string help{std::istreambuf_iterator<char>(file), {}};
+    for (const char* command : {"./rubble sandbox", "./rubble test", "./rubble bench", "./rubble import", "./rubble help"})
+        EXPECT_NE(help.find(command), std::string::npos) << command;
+    EXPECT_NE(std::system((launcher + " demolisch >/dev/null 2>&1").c_str()), 0);
+}
+
 TEST(Sandbox, OpensItsWindowUnderXvfb) {
     if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) GTEST_SKIP() << "xvfb-run is not installed";
     const fs::path out = outFolder("window");
