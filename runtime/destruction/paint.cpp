@@ -70,7 +70,7 @@ Painted paint(VoxelGrid& grid, const PaletteRef& palette, const Brush& sphere, c
                 });
                 if (!changed) continue;
                 out.voxels += changed;
-                repainted.emplace_back(position, makeBrick(indices));
+                repainted.emplace_back(position, makeBrick(indices, brick->paint.get()));
             }
     for (auto& [position, brick] : repainted) {
         grid.setBrick(position, std::move(brick));

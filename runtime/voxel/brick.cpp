@@ -33,6 +33,18 @@ void storeRow(BrickIndices& indices, size_t row, uint64_t value) {
     std::memcpy(indices.data() + 8 * row, &value, 8);
 }
 
+/// The paint of the solid voxels among it; null if there is none.
+std::unique_ptr<BrickIndices> paintOf(const BrickBits& solid, const BrickIndices& paint) {
+    auto out = std::make_unique<BrickIndices>();
+    uint64_t any = 0;
+    for (size_t row = 0; row < 64; ++row) {
+        const uint64_t kept = loadRow(paint, row) & spreadBits(solid[row / 8] >> 8 * (row % 8)) * 0xff;
+        storeRow(*out, row, kept);
+        any |= kept;
+    }
+    return any ? std::move(out) : nullptr;
+}
+
 }  // namespace
 
 void expandBrick(const Brick* brick, BrickIndices& out) {
@@ -44,7 +56,7 @@ void expandBrick(const Brick* brick, BrickIndices& out) {
         for (size_t row = 0; row < 64; ++row) storeRow(out, row, spreadBits(brick->occupancy[row / 8] >> 8 * (row % 8)) * brick->uniform);
 }
 
-BrickRef makeBrick(const BrickIndices& indices) {
+BrickRef makeBrick(const BrickIndices& indices, const BrickIndices* paint) {
     auto brick = std::make_shared<Brick>();
     bool isUniform = true;
     for (size_t row = 0; row < 64; ++row) {
@@ -60,6 +72,7 @@ BrickRef makeBrick(const BrickIndices& indices) {
         brick->indices = std::make_unique<BrickIndices>(indices);
         brick->uniform = 0;
     }
+    if (paint) brick->paint = paintOf(brick->occupancy, *paint);
     return brick;
 }
 
@@ -67,13 +80,14 @@ BrickRef maskBrick(const Brick& brick, const std::array<uint64_t, 8>& keep) {
     BrickIndices indices;
     expandBrick(&brick, indices);
     for (size_t row = 0; row < 64; ++row) storeRow(indices, row, loadRow(indices, row) & spreadBits(keep[row / 8] >> 8 * (row % 8)) * 0xff);
-    return makeBrick(indices);
+    return makeBrick(indices, brick.paint.get());
 }
 
 uint64_t hashBrick(const Brick& brick) {
     BrickIndices indices;
     expandBrick(&brick, indices);
-    return hashBytes(indices.data(), indices.size());
+    const uint64_t hash = hashBytes(indices.data(), indices.size());
+    return brick.paint ? hashBytes(brick.paint->data(), brick.paint->size(), hash) : hash;
 }
 
 }  // namespace rubble

@@ -21,16 +21,21 @@ constexpr glm::ivec3 voxelInBrick(int index) {
 /// One bit a voxel of a brick: word z, bit x + 8 y.
 using BrickBits = std::array<uint64_t, 8>;
 
+/// A byte for each voxel of a brick.
+using BrickIndices = std::array<uint8_t, kBrickVoxels>;
+
 /// 8x8x8 voxels: a palette index each, 0 = empty. Never changed once a grid holds it: pieces, replicas, undo and
-/// snapshots share it by reference. A brick of one index stores no index array.
+/// snapshots share it by reference. A brick of one index stores no index array; one without paint no paint.
 struct Brick {
-    std::array<uint64_t, 8> occupancy{};                         ///< word z, bit x + 8 y
-    std::unique_ptr<std::array<uint8_t, kBrickVoxels>> indices;  ///< null if every solid voxel has `uniform`
+    std::array<uint64_t, 8> occupancy{};    ///< word z, bit x + 8 y
+    std::unique_ptr<BrickIndices> indices;  ///< null if every solid voxel has `uniform`
+    std::unique_ptr<BrickIndices> paint;    ///< the paint layer (see paint_colors.h); null if no voxel is painted
     uint8_t uniform = 0;
 
     bool solid(int index) const { return occupancy[index >> 6] >> (index & 63) & 1; }
     uint8_t at(int index) const { return !solid(index) ? uint8_t(0) : indices ? (*indices)[index] : uniform; }
     uint8_t at(glm::ivec3 inBrick) const { return at(voxelIndex(inBrick)); }
+    uint8_t paintAt(int index) const { return paint ? (*paint)[index] : uint8_t(0); }
     int count() const {
         int sum = 0;
         for (uint64_t word : occupancy) sum += std::popcount(word);
@@ -44,13 +49,13 @@ struct Brick {
 };
 
 using BrickRef = std::shared_ptr<const Brick>;
-using BrickIndices = std::array<uint8_t, kBrickVoxels>;
 
 /// All 512 indices of a brick; zeros for nullptr.
 void expandBrick(const Brick* brick, BrickIndices& out);
-/// A brick with these indices, uniform if they allow it; nullptr if all are zero.
-BrickRef makeBrick(const BrickIndices& indices);
-/// The same indices wherever `keep` (laid out as occupancy) has a bit, empty elsewhere; nullptr if nothing is left.
+/// A brick with these indices, uniform if they allow it; nullptr if all are zero. `paint` may be null; what it says about
+/// empty voxels is ignored.
+BrickRef makeBrick(const BrickIndices& indices, const BrickIndices* paint = nullptr);
+/// The same indices and paint wherever `keep` (laid out as occupancy) has a bit, empty elsewhere; nullptr if nothing is left.
 BrickRef maskBrick(const Brick& brick, const std::array<uint64_t, 8>& keep);
 /// A hash of the content alone: equal for equal voxels however they are stored.
 uint64_t hashBrick(const Brick& brick);

@@ -68,7 +68,9 @@ size_t VoxelGrid::memoryBytes() const {
     size_t bytes = m_nodes.size() * sizeof(m_nodes[0]);
     for (const auto& node : m_nodes)
         if (node) bytes += sizeof(Node);
-    forEachBrick([&](glm::ivec3, const BrickRef& brick) { bytes += sizeof(Brick) + 16 + (brick->indices ? kBrickVoxels : 0); });
+    forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+        bytes += sizeof(Brick) + 16 + (brick->indices ? kBrickVoxels : 0) + (brick->paint ? kBrickVoxels : 0);
+    });
     return bytes;
 }
 
@@ -81,15 +83,20 @@ GridWriter::Pending& GridWriter::pendingFor(glm::ivec3 brick) {
     const glm::ivec3 bricks = m_grid.sizeInBricks();
     uint32_t& place = m_lookup[(size_t(brick.z) * bricks.y + brick.y) * bricks.x + brick.x];
     if (!place) {
-        m_pending.push_back(std::make_unique<Pending>(Pending{brick, {}}));
-        expandBrick(m_grid.brickAt(brick), m_pending.back()->indices);
+        m_pending.push_back(std::make_unique<Pending>(Pending{brick, {}, nullptr}));
+        const Brick* before = m_grid.brickAt(brick);
+        expandBrick(before, m_pending.back()->indices);
+        if (before && before->paint) m_pending.back()->paint = std::make_unique<BrickIndices>(*before->paint);
         place = uint32_t(m_pending.size());
     }
     return *m_pending[place - 1];
 }
 
 void GridWriter::set(glm::ivec3 cell, uint8_t index) {
-    if (m_grid.contains(cell)) pendingFor(cell >> 3).indices[voxelIndex(cell & 7)] = index;
+    if (!m_grid.contains(cell)) return;
+    Pending& pending = pendingFor(cell >> 3);
+    pending.indices[size_t(voxelIndex(cell & 7))] = index;
+    if (pending.paint) (*pending.paint)[size_t(voxelIndex(cell & 7))] = 0;
 }
 
 uint8_t GridWriter::at(glm::ivec3 cell) const {
@@ -103,7 +110,7 @@ uint8_t GridWriter::at(glm::ivec3 cell) const {
 void GridWriter::flush() {
     const glm::ivec3 bricks = m_grid.sizeInBricks();
     for (const auto& pending : m_pending) {
-        m_grid.setBrick(pending->brick, makeBrick(pending->indices));
+        m_grid.setBrick(pending->brick, makeBrick(pending->indices, pending->paint.get()));
         m_lookup[(size_t(pending->brick.z) * bricks.y + pending->brick.y) * bricks.x + pending->brick.x] = 0;
     }
     m_pending.clear();

@@ -101,7 +101,7 @@ public:
     GridWriter(const GridWriter&) = delete;
     GridWriter& operator=(const GridWriter&) = delete;
 
-    /// Cells outside the grid are ignored. Index 0 empties.
+    /// Cells outside the grid are ignored. Index 0 empties. A cell that is set has no paint.
     void set(glm::ivec3 cell, uint8_t index);
     /// The value with the pending writes.
     uint8_t at(glm::ivec3 cell) const;
@@ -111,6 +111,7 @@ private:
     struct Pending {
         glm::ivec3 brick;
         BrickIndices indices;
+        std::unique_ptr<BrickIndices> paint;  ///< null if the brick had none
     };
     Pending& pendingFor(glm::ivec3 brick);
     VoxelGrid& m_grid;

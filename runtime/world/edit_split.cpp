@@ -83,6 +83,7 @@ ShapeHandle EditStep::createChild(ShapeHandle parentHandle, Piece piece, const M
     Shape shape{.name = parent.name, .voxelSize = parent.voxelSize};
     shape.grid = std::move(piece.grid);
     shape.palette = parent.palette;
+    shape.paintColors = parent.paintColors;
     shape.moments = moments.shifted(-piece.offset);
     shape.tags = parent.tags;
     shape.isPiece = true;

@@ -5,6 +5,7 @@
 
 #include "runtime/voxel/cell_box.h"
 #include "runtime/voxel/material.h"
+#include "runtime/voxel/paint_colors.h"
 #include "runtime/voxel/palette.h"
 #include "runtime/voxel/voxel_grid.h"
 #include "runtime/world/lights.h"
@@ -21,6 +22,7 @@ struct LevelShape {
     std::vector<CellBox> anchors;  ///< cells of a static shape that hold to the world; empty: its bottom layer of cells
     std::vector<std::string> tags;
     bool hidden = false;
+    PaintColorsRef paintColors;  ///< null: no voxel has a paint layer
 };
 
 struct LevelBody {

@@ -67,7 +67,8 @@ void World::load(const Level& level) {
         const BodyHandle bodyHandle = m_bodies.insert(std::move(body));
         for (const LevelShape& from : source.shapes) {
             if (isHidden(from)) continue;
-            Shape shape{from.name, bodyHandle, from.local, from.voxelSize, from.grid, from.palette, {}, from.anchors, from.tags, false};
+            Shape shape{from.name,        bodyHandle, from.local,   from.voxelSize, from.grid, from.palette,
+                        from.paintColors, {},         from.anchors, from.tags,      false};
             if (!shape.palette) shape.palette = std::make_shared<const Palette>();
             if (source.isStatic && shape.anchors.empty()) shape.anchors = {bottomLayer(shape.grid)};
             shape.moments = gridMoments(shape.grid, *shape.palette, m_materials);
@@ -118,7 +119,8 @@ Level World::toLevel() const {
         LevelBody out{body.name, body.pose, body.isStatic, body.velocity, body.angularVelocity, {}, body.tags};
         for (const ShapeHandle handle : body.shapes) {
             const Shape& shape = m_shapes.at(handle);
-            out.shapes.push_back({shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors, shape.tags, false});
+            out.shapes.push_back(
+                {shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors, shape.tags, false, shape.paintColors});
             shapeNames[handle.slot()] = shape.name;
         }
         level.bodies.push_back(std::move(out));
@@ -237,6 +239,7 @@ uint64_t World::hash() const {
         hasher.add(shape.local);
         hasher.add(shape.grid.contentHash());
         hasher.add(paletteHash);
+        if (shape.paintColors) hasher.add(hashBytes(shape.paintColors.get(), sizeof(PaintColors)));
     });
     m_lights.forEach([&](LightHandle handle, const Light& light) {
         hasher.add(handle.slot());

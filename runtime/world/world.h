@@ -23,6 +23,7 @@ struct Shape {
     float voxelSize = 0.1f;  ///< metres
     VoxelGrid grid;
     PaletteRef palette;
+    PaintColorsRef paintColors;    ///< null: nothing is painted
     MassMoments moments;           ///< of the grid, always up to date
     std::vector<CellBox> anchors;  ///< cells that hold a static shape to the world
     std::vector<std::string> tags;
