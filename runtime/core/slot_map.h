@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
 #include <optional>
@@ -33,7 +34,7 @@ public:
         if (!find(handle)) return false;
         Slot& slot = m_slots[handle.slot()];
         slot.value.reset();
-        ++slot.generation;
+        slot.generation = ++slot.newest;
         m_free.push_back(handle.slot());
         --m_size;
         return true;
@@ -43,11 +44,27 @@ public:
     void clear() {
         m_free.clear();
         for (size_t i = m_slots.size(); i-- > 0;) {
-            m_slots[i].generation += m_slots[i].value.has_value();
+            if (m_slots[i].value) m_slots[i].generation = ++m_slots[i].newest;
             m_slots[i].value.reset();
             m_free.push_back(uint32_t(i));
         }
         m_size = 0;
+    }
+
+    /// Puts a value back under a handle that was erased: undo, and replay of what others created. The slot must be empty.
+    T& restore(Handle handle, T value) {
+        const uint32_t slot = handle.slot();
+        while (m_slots.size() <= slot) {
+            m_free.insert(m_free.begin(), uint32_t(m_slots.size()));  // used last, as if it had never been
+            m_slots.emplace_back();
+        }
+        assert(!m_slots[slot].value && "restoring over a living object");
+        m_free.erase(std::find(m_free.rbegin(), m_free.rend(), slot).base() - 1);
+        m_slots[slot].value = std::move(value);
+        m_slots[slot].generation = handle.generation();
+        m_slots[slot].newest = std::max(m_slots[slot].newest, handle.generation());
+        ++m_size;
+        return *m_slots[slot].value;
     }
 
     /// nullptr if the handle is stale, empty or of another world.
@@ -84,7 +101,8 @@ public:
 private:
     struct Slot {
         std::optional<T> value;
-        uint32_t generation = 1;
+        uint32_t generation = 1;  ///< of the value; of an empty slot: of its next one
+        uint32_t newest = 1;      ///< no later value gets a generation below: an old handle never names a new object
     };
     std::vector<Slot> m_slots;
     std::vector<uint32_t> m_free;

@@ -19,32 +19,13 @@ VoxelGrid::VoxelGrid(glm::ivec3 size) : m_size(size), m_nodeSize((size + 31) / 3
     m_nodes.resize(size_t(m_nodeSize.x) * m_nodeSize.y * m_nodeSize.z);
 }
 
-VoxelGrid::VoxelGrid(const VoxelGrid& other)
-    : m_size(other.m_size), m_nodeSize(other.m_nodeSize), m_voxels(other.m_voxels), m_hash(other.m_hash), m_bricks(other.m_bricks) {
-    m_nodes.resize(other.m_nodes.size());
-    for (size_t i = 0; i < m_nodes.size(); ++i)
-        if (other.m_nodes[i]) m_nodes[i] = std::make_unique<Node>(*other.m_nodes[i]);
-}
-
-VoxelGrid& VoxelGrid::operator=(VoxelGrid other) noexcept {
-    std::swap(m_size, other.m_size);
-    std::swap(m_nodeSize, other.m_nodeSize);
-    std::swap(m_nodes, other.m_nodes);
-    std::swap(m_voxels, other.m_voxels);
-    std::swap(m_hash, other.m_hash);
-    std::swap(m_bricks, other.m_bricks);
-    return *this;
-}
-
 void VoxelGrid::setBrick(glm::ivec3 brick, BrickRef value) {
     assert(brick.x >= 0 && brick.y >= 0 && brick.z >= 0 && brick.x * 8 < m_size.x && brick.y * 8 < m_size.y && brick.z * 8 < m_size.z);
-    auto& node = m_nodes[nodeIndex(brick >> 2)];
-    if (!node) {
-        if (!value) return;
-        node = std::make_unique<Node>();
-    }
+    NodeRef& shared = m_nodes[nodeIndex(brick >> 2)];
+    if (!shared && !value) return;
+    Node& node = shared.own();
     const int child = childIndex(brick);
-    BrickRef& place = node->bricks[child];
+    BrickRef& place = node.bricks[child];
     if (place) {
         m_voxels -= uint64_t(place->count());
         m_hash -= placedHash(brick, *place);
@@ -54,13 +35,13 @@ void VoxelGrid::setBrick(glm::ivec3 brick, BrickRef value) {
     place = count ? std::move(value) : nullptr;
     const uint64_t bit = uint64_t(1) << child;
     if (place) {
-        node->mask |= bit;
+        node.mask |= bit;
         m_voxels += uint64_t(count);
         m_hash += placedHash(brick, *place);
         ++m_bricks;
     } else {
-        node->mask &= ~bit;
-        if (!node->mask) node.reset();
+        node.mask &= ~bit;
+        if (!node.mask) shared = {};
     }
 }
 

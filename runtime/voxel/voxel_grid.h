@@ -1,5 +1,8 @@
 #pragma once
+#include <atomic>
+#include <cassert>
 #include <glm/vec3.hpp>
+#include <utility>
 #include <vector>
 
 #include "runtime/voxel/brick.h"
@@ -9,16 +12,13 @@ namespace rubble {
 inline constexpr int kMaxGridSize = 4096;  ///< voxels on a side
 
 /// A sparse grid of voxels: shared bricks under a two-level directory (nodes of 4x4x4 bricks, allocated where something is).
-/// Owned by one thread; copying copies the directory and shares the bricks, so a copy may live on another thread.
+/// Owned by one thread. A copy shares directory nodes and bricks until either is written, and may live on another thread.
 /// Coordinates: cells in [0, size); bricks in [0, sizeInBricks).
 class VoxelGrid {
 public:
     VoxelGrid() = default;
     /// size in voxels, each in [1, kMaxGridSize].
     explicit VoxelGrid(glm::ivec3 size);
-    VoxelGrid(const VoxelGrid& other);
-    VoxelGrid(VoxelGrid&&) noexcept = default;
-    VoxelGrid& operator=(VoxelGrid other) noexcept;
 
     glm::ivec3 size() const { return m_size; }
     glm::ivec3 sizeInBricks() const { return (m_size + 7) / 8; }
@@ -66,11 +66,60 @@ public:
             }
         }
     }
+    /// f(ivec3 brick) for every brick that is not the same object as in `other`, a grid of equal size, in a fixed order.
+    /// Costs the nodes that the two do not share.
+    template <class F>
+    void forEachUnshared(const VoxelGrid& other, F&& f) const {
+        assert(m_size == other.m_size);
+        for (size_t n = 0; n < m_nodes.size(); ++n) {
+            const Node *a = m_nodes[n].get(), *b = other.m_nodes[n].get();
+            if (a == b) continue;
+            const glm::ivec3 base = nodePosition(n) * 4;
+            for (uint64_t mask = (a ? a->mask : 0) | (b ? b->mask : 0); mask; mask &= mask - 1) {
+                const int i = std::countr_zero(mask);
+                if ((a ? a->bricks[i].get() : nullptr) != (b ? b->bricks[i].get() : nullptr)) f(base + glm::ivec3(i & 3, i >> 2 & 3, i >> 4));
+            }
+        }
+    }
 
 private:
     struct Node {
+        Node() = default;
+        Node(const Node& other) : mask(other.mask), bricks(other.bricks) {}
         uint64_t mask = 0;  ///< which bricks are there: bit x + 4 y + 16 z
         std::array<BrickRef, 64> bricks;
+        std::atomic<uint32_t> holders = 1;
+    };
+    /// A shared node. Not a shared_ptr: its use_count() does not order the other thread's last reads before our write.
+    class NodeRef {
+    public:
+        NodeRef() = default;
+        NodeRef(const NodeRef& other) : m_node(other.m_node) {
+            if (m_node) m_node->holders.fetch_add(1, std::memory_order_relaxed);
+        }
+        NodeRef(NodeRef&& other) noexcept : m_node(std::exchange(other.m_node, nullptr)) {}
+        NodeRef& operator=(NodeRef other) noexcept {
+            std::swap(m_node, other.m_node);
+            return *this;
+        }
+        ~NodeRef() {
+            if (m_node && m_node->holders.fetch_sub(1, std::memory_order_acq_rel) == 1) delete m_node;
+        }
+        explicit operator bool() const { return m_node; }
+        const Node* operator->() const { return m_node; }
+        const Node* get() const { return m_node; }
+        /// The node for writing: made if there is none, copied first if others hold it too.
+        Node& own() {
+            if (!m_node)
+                m_node = new Node;
+            else if (m_node->holders.load(std::memory_order_acquire) != 1)
+                *this = NodeRef(new Node(*m_node));
+            return *m_node;
+        }
+
+    private:
+        explicit NodeRef(Node* node) : m_node(node) {}
+        Node* m_node = nullptr;
     };
     const BrickRef* find(glm::ivec3 brick) const {
         const glm::ivec3 node = brick >> 2;
@@ -86,7 +135,7 @@ private:
 
     glm::ivec3 m_size{0};
     glm::ivec3 m_nodeSize{0};
-    std::vector<std::unique_ptr<Node>> m_nodes;
+    std::vector<NodeRef> m_nodes;
     uint64_t m_voxels = 0;
     uint64_t m_hash = 0;
     size_t m_bricks = 0;

@@ -12,6 +12,7 @@
 #include "runtime/world/edit.h"
 #include "runtime/world/frame_changes.h"
 #include "runtime/world/level.h"
+#include "runtime/world/world_settings.h"
 
 namespace rubble {
 
@@ -75,16 +76,6 @@ struct WorldHit {
 struct Ledger {
     uint64_t imported = 0, standing = 0, inPieces = 0, removed = 0;
     bool balances() const { return imported == standing + inPieces + removed; }
-};
-
-/// How a world breaks.
-struct WorldSettings {
-    uint64_t minPieceVoxels = 1;      ///< smaller pieces vanish: they count as removed
-    double impactThreshold = 2000.0;  ///< N s below which an impact breaks nothing
-    double impactSpeed = 0.8;         ///< m/s that an impact must cost the heavier body: weight at rest breaks nothing
-    double impactRadius = 0.25;       ///< metres that an impact at the threshold takes out of soft materials
-    double impactRadiusLimit = 0.6;   ///< metres
-    size_t impactsAStep = 8;          ///< how many impacts break something in one step, the hardest first
 };
 
 /// The voxel world: bodies, shapes, lights and groups. Edits go in, one journal of changes comes out.

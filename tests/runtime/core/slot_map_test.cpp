@@ -71,5 +71,28 @@ TEST(SlotMap, BehavesLikeAMapUnderRandomUse) {
     EXPECT_EQ(visited, map.size());
 }
 
+TEST(SlotMap, RestoredObjectsKeepTheirHandlesAndNewOnesGetFreshOnes) {
+    SlotMap<BodyHandle, int> map;
+    const BodyHandle first = map.insert(1), second = map.insert(2);
+    map.erase(second);
+    map.erase(first);
+    const BodyHandle third = map.insert(3);
+    EXPECT_EQ(third.slot(), first.slot());
+    map.erase(third);
+    map.restore(first, 1);
+    EXPECT_EQ(*map.find(first), 1);
+    EXPECT_FALSE(map.find(third));
+    map.erase(first);
+    const BodyHandle fourth = map.insert(4);
+    EXPECT_NE(fourth, third) << "an old handle must not name a new object";
+    EXPECT_NE(fourth, first);
+
+    SlotMap<BodyHandle, int> other;  // as a replay does: into slots that were never used here
+    other.restore(BodyHandle::make(0, 7, 2), 5);
+    EXPECT_EQ(other.slotCount(), 3u);
+    EXPECT_EQ(other.insert(6).slot(), 0u);
+    EXPECT_EQ(other.insert(7).slot(), 1u);
+}
+
 }  // namespace
 }  // namespace rubble

@@ -55,5 +55,25 @@ TEST(VoxelGrid, EmptyWorldSizedGridCostsItsDirectoryOnly) {
     EXPECT_EQ(grid.brickCount(), 1u);
 }
 
+TEST(VoxelGrid, CopyDiffersOnlyWhereOneWasWritten) {
+    VoxelGrid grid({70, 70, 70});
+    GridWriter(grid).set({1, 1, 1}, 7);
+    GridWriter(grid).set({69, 1, 1}, 7);
+    GridWriter(grid).set({69, 69, 69}, 7);
+    const VoxelGrid before = grid;
+    std::vector<glm::ivec3> bricks;
+    const auto note = [&](glm::ivec3 brick) { bricks.push_back(brick); };
+    grid.forEachUnshared(before, note);
+    EXPECT_TRUE(bricks.empty());
+    GridWriter(grid).set({68, 1, 1}, 7);
+    GridWriter(grid).set({1, 1, 1}, 0);
+    GridWriter(grid).set({1, 40, 1}, 9);
+    grid.forEachUnshared(before, note);
+    const std::vector<glm::ivec3> expected = {{0, 0, 0}, {8, 0, 0}, {0, 5, 0}};
+    EXPECT_EQ(bricks, expected);
+    EXPECT_EQ(before.at({68, 1, 1}), 0);
+    EXPECT_EQ(before.at({1, 1, 1}), 7);
+}
+
 }  // namespace
 }  // namespace rubble

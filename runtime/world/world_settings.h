@@ -1,0 +1,17 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace rubble {
+
+/// How a world breaks.
+struct WorldSettings {
+    uint64_t minPieceVoxels = 1;      ///< smaller pieces vanish: they count as removed
+    double impactThreshold = 2000.0;  ///< N s below which an impact breaks nothing
+    double impactSpeed = 0.8;         ///< m/s that an impact must cost the heavier body: weight at rest breaks nothing
+    double impactRadius = 0.25;       ///< metres that an impact at the threshold takes out of soft materials
+    double impactRadiusLimit = 0.6;   ///< metres
+    size_t impactsAStep = 8;          ///< how many impacts break something in one step, the hardest first
+};
+
+}  // namespace rubble
