@@ -44,6 +44,28 @@ void BulletWorld::solveConstraints(btContactSolverInfo& info) {
     if (afterSolve) afterSolve();
 }
 
+void BulletWorld::addResting(btCollisionObject& object) {
+    btVector3 low, high;
+    btCollisionShape& shape = *object.getCollisionShape();
+    shape.getAabb(object.getWorldTransform(), low, high);
+    object.setIslandTag(-1);  // what the walk over the lists would say
+    object.setCompanionId(-2);
+    object.setBroadphaseHandle(getBroadphase()->createProxy(low, high, shape.getShapeType(), &object, btBroadphaseProxy::StaticFilter,
+                                                            btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter, getDispatcher()));
+}
+
+void BulletWorld::removeResting(btCollisionObject& object) {
+    btBroadphaseProxy* proxy = object.getBroadphaseHandle();
+    getBroadphase()->getOverlappingPairCache()->cleanProxyFromPairs(proxy, getDispatcher());
+    getBroadphase()->destroyProxy(proxy, getDispatcher());
+    object.setBroadphaseHandle(nullptr);
+}
+
+void BulletWorld::enlist(btCollisionObject& object) {
+    object.setWorldArrayIndex(m_collisionObjects.size());
+    m_collisionObjects.push_back(&object);
+}
+
 void BulletWorld::overlapping(const btVector3& low, const btVector3& high, std::vector<btCollisionObject*>& out) {
     struct Collect : btBroadphaseAabbCallback {
         explicit Collect(std::vector<btCollisionObject*>& found) : objects(found) {}

@@ -29,6 +29,13 @@ public:
 
     /// One fixed substep: forces, collision, solve, integration. No clock, no motion states.
     void substep(btScalar seconds);
+    /// Resting objects are in the broadphase and in none of the lists that Bullet walks each substep: they cost nothing
+    /// until something comes near. What stands still for good rests too.
+    void addResting(btCollisionObject& object);
+    void removeResting(btCollisionObject& object);
+    /// Lets a resting object that has become dynamic take part in the substep that is under way; from then on it is
+    /// removed as a body.
+    void enlist(btCollisionObject& object);
     /// Collision objects whose bounds in the broadphase overlap these.
     void overlapping(const btVector3& low, const btVector3& high, std::vector<btCollisionObject*>& out);
 

@@ -75,12 +75,14 @@ void PhysicsWorld::Impl::createDynamic(const World& world, BodyHandle handle, bo
         return;
     }
     place->setAsleep(asleep);
+    if (asleep) return bullet.addResting(place->rigid());
     bullet.addRigidBody(&place->rigid());
-    if (!asleep) insertSorted(awake, slot);
+    insertSorted(awake, slot);
 }
 
 void PhysicsWorld::Impl::destroyDynamic(uint32_t slot) {
-    if (!dynamics[slot]->quarantined()) bullet.removeRigidBody(&dynamics[slot]->rigid());
+    DynamicBody& body = *dynamics[slot];
+    if (!body.quarantined()) body.asleep() ? bullet.removeResting(body.rigid()) : bullet.removeRigidBody(&body.rigid());
     dynamics[slot].reset();
     eraseSorted(awake, slot);
 }

@@ -17,7 +17,7 @@ constexpr double kWakeSpeed = 0.15;         ///< m/s that a hit must give a slee
 
 void PhysicsWorld::Impl::wake(DynamicBody& body) {
     if (!body.asleep() || body.quarantined()) return;
-    bullet.removeRigidBody(&body.rigid());
+    bullet.removeResting(body.rigid());
     body.setAsleep(false);
     bullet.addRigidBody(&body.rigid());
     insertSorted(awake, body.handle().slot());
@@ -26,7 +26,7 @@ void PhysicsWorld::Impl::wake(DynamicBody& body) {
 void PhysicsWorld::Impl::sleep(DynamicBody& body) {
     bullet.removeRigidBody(&body.rigid());
     body.setAsleep(true);
-    bullet.addRigidBody(&body.rigid());
+    bullet.addResting(body.rigid());
 }
 
 /// Bodies whose bounds touch these, in slot order.
@@ -57,7 +57,10 @@ void PhysicsWorld::Impl::noteContacts() {
         std::vector<uint32_t>& touched = hitter.sleepersTouched;
         if (std::find(touched.begin(), touched.end(), sleeper.handle().slot()) == touched.end()) touched.push_back(sleeper.handle().slot());
         const double share = hitter.mass().mass / (hitter.mass().mass + sleeper.mass().mass);
-        if (ContactLog::approachSpeed(manifold) * share > kWakeSpeed && sleeper.wakeInPlace()) insertSorted(awake, sleeper.handle().slot());
+        if (ContactLog::approachSpeed(manifold) * share > kWakeSpeed && sleeper.wakeInPlace()) {
+            bullet.enlist(sleeper.rigid());
+            insertSorted(awake, sleeper.handle().slot());
+        }
     }
 }
 

@@ -1,6 +1,5 @@
 #include "physics/static_shape.h"
 
-#include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <LinearMath/btAabbUtil2.h>
 
 #include <cmath>
@@ -9,7 +8,7 @@
 
 namespace rubble {
 
-StaticShape::StaticShape(btCollisionWorld& bullet, const Shape& shape, const Pose& shapeToWorld, const MaterialTable& materials, glm::dvec3 origin)
+StaticShape::StaticShape(BulletWorld& bullet, const Shape& shape, const Pose& shapeToWorld, const MaterialTable& materials, glm::dvec3 origin)
     : m_bullet(bullet), m_origin(origin), m_body(shape.body), m_pose(shapeToWorld), m_voxelSize(shape.voxelSize) {
     RegionSet regions;
     shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef&) { regions.insert(brick / 4); });
@@ -51,7 +50,7 @@ void StaticShape::addRegion(const Shape& shape, const MaterialTable& materials, 
     const Material& material = surface.dominant(materials);
     object.setFriction(std::sqrt(material.friction));  // Bullet multiplies: a pair gets the geometric mean
     object.setRestitution(std::sqrt(material.restitution));
-    m_bullet.addCollisionObject(&object, btBroadphaseProxy::StaticFilter, btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter);
+    m_bullet.addResting(object);
     m_boxCount += made->collider.boxCount();
     m_regions.emplace(region, std::move(made));
 }
@@ -59,7 +58,7 @@ void StaticShape::addRegion(const Shape& shape, const MaterialTable& materials, 
 void StaticShape::removeRegion(glm::ivec3 region) {
     const auto found = m_regions.find(region);
     if (found == m_regions.end()) return;
-    m_bullet.removeCollisionObject(&found->second->object);
+    m_bullet.removeResting(found->second->object);
     m_boxCount -= found->second->collider.boxCount();
     m_regions.erase(found);
 }

@@ -1,11 +1,9 @@
 #pragma once
-#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
-#include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
-
 #include <map>
 #include <memory>
 #include <set>
 
+#include "physics/bullet_world.h"
 #include "physics/collider.h"
 #include "runtime/world/world.h"
 
@@ -16,7 +14,7 @@ namespace rubble {
 class StaticShape {
 public:
     /// origin: world position of Bullet's zero.
-    StaticShape(btCollisionWorld& bullet, const Shape& shape, const Pose& shapeToWorld, const MaterialTable& materials, glm::dvec3 origin);
+    StaticShape(BulletWorld& bullet, const Shape& shape, const Pose& shapeToWorld, const MaterialTable& materials, glm::dvec3 origin);
     ~StaticShape();
     StaticShape(const StaticShape&) = delete;
     StaticShape& operator=(const StaticShape&) = delete;
@@ -43,7 +41,7 @@ private:
     void addRegion(const Shape& shape, const MaterialTable& materials, glm::ivec3 region);
     void removeRegion(glm::ivec3 region);
 
-    btCollisionWorld& m_bullet;
+    BulletWorld& m_bullet;
     glm::dvec3 m_origin;
     BodyHandle m_body;
     Pose m_pose;  ///< grid corner -> world

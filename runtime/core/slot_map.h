@@ -82,6 +82,11 @@ public:
     }
     const T& at(Handle handle) const { return const_cast<SlotMap*>(this)->at(handle); }
 
+    /// The handle of what is in a slot now; empty if nothing is.
+    Handle handleAt(uint32_t slot) const {
+        return slot < m_slots.size() && m_slots[slot].value ? Handle::make(m_world, m_slots[slot].generation, slot) : Handle{};
+    }
+
     /// f(handle, value) for every object, in slot order.
     template <class F>
     void forEach(F&& f) {

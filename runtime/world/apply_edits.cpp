@@ -13,13 +13,7 @@ FrameChanges World::applyEdits(const Edits& edits) {
     return changes;
 }
 
-EditStep::EditStep(World& world, FrameChanges& changes) : m_world(world), m_changes(changes), m_groupRemoved(world.m_groups.slotCount()) {
-    m_bounds.reserve(world.m_shapes.size());
-    world.m_shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
-        const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
-        m_bounds.push_back({handle, world.shapeToWorld(handle).transformPoint(half), glm::length(half)});
-    });
-}
+EditStep::EditStep(World& world, FrameChanges& changes) : m_world(world), m_changes(changes), m_groupRemoved(world.m_groups.slotCount()) {}
 
 void EditStep::run(const Edits& edits) {
     for (const Edit& edit : edits) std::visit([&](const auto& each) { apply(each); }, edit);

@@ -3,19 +3,10 @@
 
 namespace rubble {
 
-std::vector<ShapeHandle> EditStep::shapesNear(const EditReach& reach) const {
-    std::vector<ShapeHandle> out;
-    for (const Bounds& bounds : m_bounds) {
-        const glm::dvec3 away = bounds.center - reach.center;
-        const double sum = bounds.radius + reach.radius;
-        if (reach.radius >= 0.0 && glm::dot(away, away) <= sum * sum) out.push_back(bounds.shape);
-    }
-    return out;
-}
-
 void EditStep::apply(const CarveEdit& edit) {
     if (!edit.shape) {
-        for (const ShapeHandle handle : shapesNear(editReach(edit))) carveShape(handle, edit);
+        const EditReach reach = editReach(edit);
+        for (const ShapeHandle handle : m_world.shapesNear(reach.center, reach.radius)) carveShape(handle, edit);
         return;
     }
     if (m_world.m_shapes.find(edit.shape))

@@ -8,7 +8,7 @@ namespace rubble {
 void EditStep::apply(const PaintEdit& edit) {
     CarveEdit sphere{.position = edit.position};
     sphere.radii.fill(edit.radius);
-    for (const ShapeHandle handle : shapesNear(editReach(sphere))) paintShape(handle, edit, sphere);
+    for (const ShapeHandle handle : m_world.shapesNear(edit.position, edit.radius)) paintShape(handle, edit, sphere);
 }
 
 void EditStep::paintShape(ShapeHandle handle, const PaintEdit& edit, const CarveEdit& sphere) {

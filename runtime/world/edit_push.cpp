@@ -24,15 +24,6 @@ glm::dvec3 tumble(BodyHandle body, uint64_t step) {
 
 }  // namespace
 
-/// Whether a sphere around one of the body's shapes meets the reach: cheap, before its mass is asked for.
-bool EditStep::isNear(const Body& body, glm::dvec3 point, double reach) const {
-    return std::any_of(body.shapes.begin(), body.shapes.end(), [&](ShapeHandle handle) {
-        const Shape& shape = m_world.m_shapes.at(handle);
-        const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
-        return glm::length((body.pose * shape.local).transformPoint(half) - point) < reach + glm::length(half);
-    });
-}
-
 void EditStep::apply(const ImpulseEdit& edit) {
     m_pushes.emplace_back(edit);
 }
@@ -48,18 +39,23 @@ void EditStep::push(const ImpulseEdit& edit) {
 void EditStep::push(const ExplodeEdit& edit) {
     const double reach = kPushReach * edit.size;
     const double strongest = edit.impulse > 0.0 ? edit.impulse : kPushImpulse * edit.size * edit.size;
-    m_world.m_bodies.forEach([&](BodyHandle handle, const Body& body) {
-        if (body.isStatic || !isNear(body, edit.position, reach)) return;
+    std::vector<BodyHandle> near;
+    for (const ShapeHandle shape : m_world.shapesNear(edit.position, reach)) near.push_back(m_world.m_shapes.at(shape).body);
+    std::sort(near.begin(), near.end(), [](BodyHandle a, BodyHandle b) { return a.slot() < b.slot(); });
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    for (const BodyHandle handle : near) {
+        const Body& body = m_world.m_bodies.at(handle);
+        if (body.isStatic) continue;
         const MassProperties mass = m_world.bodyMass(handle);
         const glm::dvec3 center = body.pose.transformPoint(mass.center);
         const glm::dvec3 away = center - edit.position;
         const double distance = glm::length(away);
-        if (!(distance < reach) || mass.mass <= 0.0) return;
+        if (!(distance < reach) || mass.mass <= 0.0) continue;
         const glm::dvec3 direction = distance > 1e-6 ? away / distance : glm::dvec3(0.0, 1.0, 0.0);
         const double size = std::min(strongest, mass.mass * kPushSpeed * edit.size) * (1.0 - distance / reach);
         const double meanRadius = std::sqrt(mass.principalInertia.x / mass.mass);
         m_changes.impulses.push_back({handle, center + tumble(handle, m_changes.step) * (kPushOffset * meanRadius), direction * size});
-    });
+    }
 }
 
 }  // namespace rubble

@@ -92,6 +92,7 @@ ShapeHandle EditStep::createChild(ShapeHandle parentHandle, Piece piece, const M
     shape.body = bodyHandle;
     const ShapeHandle handle = m_world.m_shapes.insert(std::move(shape));
     m_world.m_bodies.at(bodyHandle).shapes.push_back(handle);
+    m_world.placeShape(handle);
     m_changes.bodiesCreated.push_back(bodyHandle);
     m_changes.shapesCreated.push_back(handle);
     return handle;
@@ -125,6 +126,7 @@ void EditStep::rehome(ShapeHandle handle) {
 void EditStep::destroyShape(ShapeHandle handle) {
     putOutLightsOf(handle);
     const BodyHandle body = m_world.m_shapes.at(handle).body;
+    m_world.forgetShape(handle);
     m_world.m_shapes.erase(handle);
     m_changes.shapesDestroyed.push_back(handle);
     std::vector<ShapeHandle>& left = m_world.m_bodies.at(body).shapes;

@@ -32,11 +32,6 @@ private:
         glm::dvec3 velocity, angularVelocity;
         glm::dvec3 velocityAt(glm::dvec3 point) const { return velocity + glm::cross(angularVelocity, point - center); }
     };
-    struct Bounds {
-        ShapeHandle shape;
-        glm::dvec3 center;
-        double radius;
-    };
     using Push = std::variant<ExplodeEdit, ImpulseEdit>;
 
     // edit_carve.cpp
@@ -44,7 +39,6 @@ private:
     void apply(const ExplodeEdit& edit);
     void carveShape(ShapeHandle handle, const CarveEdit& edit);
     void countRemoved(ShapeHandle handle, const std::array<uint64_t, 256>& removed);
-    std::vector<ShapeHandle> shapesNear(const EditReach& reach) const;
 
     // edit_paint.cpp
     void apply(const PaintEdit& edit);
@@ -67,7 +61,6 @@ private:
 
     // edit_push.cpp
     void apply(const ImpulseEdit& edit);
-    bool isNear(const Body& body, glm::dvec3 point, double reach) const;
     void push(const ExplodeEdit& edit);
     void push(const ImpulseEdit& edit);
 
@@ -76,7 +69,6 @@ private:
 
     World& m_world;
     FrameChanges& m_changes;
-    std::vector<Bounds> m_bounds;           ///< of every shape at the start of the step, in slot order
     std::map<uint32_t, Touched> m_touched;  ///< by slot
     std::map<uint32_t, Motion> m_motions;   ///< by slot
     std::vector<Push> m_pushes;             ///< wait until the pieces exist

@@ -25,6 +25,21 @@ glm::dmat3 inertiaMatrix(const std::array<double, 6>& t) {
     return {t[0], t[3], t[5], t[3], t[1], t[4], t[5], t[4], t[2]};
 }
 
+/// Whether a ray (unit direction) meets a box within a distance (slabs: Kay & Kajiya 1986).
+bool crosses(const WorldBox& box, glm::dvec3 origin, glm::dvec3 direction, double distance) {
+    double enter = 0.0, leave = distance;
+    for (int a = 0; a < 3; ++a) {
+        if (direction[a] == 0.0) {
+            if (origin[a] < box.low[a] || origin[a] > box.high[a]) return false;
+            continue;
+        }
+        const double low = (box.low[a] - origin[a]) / direction[a], high = (box.high[a] - origin[a]) / direction[a];
+        enter = std::max(enter, std::min(low, high));
+        leave = std::min(leave, std::max(low, high));
+    }
+    return enter <= leave;
+}
+
 /// Chains field after field into one hash.
 struct Hasher {
     uint64_t state = 0;
@@ -46,6 +61,7 @@ void World::clear() {
     m_shapes.clear();
     m_lights.clear();
     m_groups.clear();
+    m_places.clear();
     m_step = m_imported = m_removed = 0;
     m_levelReplaced = true;
 }
@@ -75,6 +91,7 @@ void World::load(const Level& level) {
             m_imported += shape.grid.voxelCount();
             const ShapeHandle handle = m_shapes.insert(std::move(shape));
             m_bodies.at(bodyHandle).shapes.push_back(handle);
+            placeShape(handle);
             byName.emplace(from.name, handle);
         }
     }
@@ -153,7 +170,27 @@ void World::setPoses(std::span<const BodyPose> poses) {
             body->velocity = pose.velocity;
             body->angularVelocity = pose.angularVelocity;
             body->asleep = pose.asleep;
+            for (const ShapeHandle shape : body->shapes) placeShape(shape);
         }
+}
+
+void World::placeShape(ShapeHandle handle) {
+    const Shape& shape = m_shapes.at(handle);
+    const Pose pose = shapeToWorld(handle);
+    const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
+    const glm::dmat3 axes = glm::mat3_cast(pose.rotation);
+    const glm::dvec3 reach = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z;
+    const glm::dvec3 middle = pose.transformPoint(half);
+    m_places.place(handle.slot(), {middle - reach, middle + reach});
+}
+
+std::vector<ShapeHandle> World::shapesNear(glm::dvec3 point, double reach) const {
+    std::vector<ShapeHandle> out;
+    if (!(reach >= 0.0)) return out;
+    const WorldBox around{point - reach, point + reach};
+    m_places.find([&](const WorldBox& box) { return box.meets(around); }, [&](uint32_t slot) { out.push_back(m_shapes.handleAt(slot)); });
+    std::sort(out.begin(), out.end(), [](ShapeHandle a, ShapeHandle b) { return a.slot() < b.slot(); });
+    return out;
 }
 
 Pose World::shapeToWorld(ShapeHandle handle) const {
@@ -196,18 +233,22 @@ WorldHit World::raycast(glm::dvec3 origin, glm::dvec3 direction, double maxDista
     if (!(length > 0.0) || !(maxDistance > 0.0)) return best;
     direction /= length;
     best.distance = maxDistance;
-    m_shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
+    const auto visit = [&](uint32_t slot) {
+        const ShapeHandle handle = m_shapes.handleAt(slot);
+        const Shape& shape = m_shapes.at(handle);
         const Pose pose = shapeToWorld(handle);
         const double cellsPerMetre = 1.0 / shape.voxelSize;
         const CellRay ray{pose.inversePoint(origin) * cellsPerMetre, glm::conjugate(pose.rotation) * direction, best.distance * cellsPerMetre};
         const CellHit hit = walkRay(shape.grid, ray);
-        if (!hit.hit || (best.hit && hit.t * shape.voxelSize >= best.distance)) return;
+        if (!hit.hit || (best.hit && hit.t * shape.voxelSize > best.distance)) return;
+        if (best.hit && hit.t * shape.voxelSize == best.distance && slot > best.shape.slot()) return;  // the tree has no order
         glm::dvec3 normalLocal(0.0);
         if (hit.axis >= 0) normalLocal[hit.axis] = hit.sign;
         const double distance = hit.t * shape.voxelSize;
         best = {true,   distance, origin + direction * distance, hit.axis < 0 ? -direction : pose.rotation * normalLocal,
                 handle, hit.cell, shape.grid.at(hit.cell)};
-    });
+    };
+    m_places.find([&](const WorldBox& box) { return crosses(box, origin, direction, best.distance); }, visit);
     return best;
 }
 

@@ -9,6 +9,7 @@
 #include "runtime/core/slot_map.h"
 #include "runtime/voxel/mass_properties.h"
 #include "runtime/voxel/voxel_grid.h"
+#include "runtime/world/bounds_tree.h"
 #include "runtime/world/edit.h"
 #include "runtime/world/frame_changes.h"
 #include "runtime/world/level.h"
@@ -112,6 +113,9 @@ public:
     Pose lightToWorld(const Light& light) const;
     /// Mass of all shapes of a body in the body's frame.
     MassProperties bodyMass(BodyHandle body) const;
+    /// Shapes whose bounds are within `reach` metres of a point, and perhaps a few more nearby, in slot order. Costs what is
+    /// found, not what exists.
+    std::vector<ShapeHandle> shapesNear(glm::dvec3 point, double reach) const;
     /// First voxel that a world ray touches, up to maxDistance metres; direction need not be normalised.
     WorldHit raycast(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const;
     Ledger ledger() const;
@@ -123,6 +127,9 @@ public:
 private:
     friend class EditStep;
     void clear();
+    /// Brings the index of places up to date: to be called when a shape is made, resized or moved, and when it goes.
+    void placeShape(ShapeHandle shape);
+    void forgetShape(ShapeHandle shape) { m_places.remove(shape.slot()); }
     /// Fills in initialVoxels of groups that do not bring it.
     void countGroupVoxels();
 
@@ -133,6 +140,7 @@ private:
     SlotMap<ShapeHandle, Shape> m_shapes;
     SlotMap<LightHandle, Light> m_lights;
     SlotMap<LightGroupHandle, LightGroup> m_groups;
+    BoundsTree m_places;  ///< of shapes, by slot
     MaterialTable m_materials = defaultMaterials();
     Environment m_environment;
     WorldSettings m_settings;

@@ -1,0 +1,78 @@
+#pragma once
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+#include <utility>
+#include <vector>
+
+namespace rubble {
+
+/// A box in the world, along its axes, metres.
+struct WorldBox {
+    glm::dvec3 low{0.0}, high{0.0};
+
+    bool meets(const WorldBox& o) const {
+        return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y && low.z <= o.high.z && o.low.z <= high.z;
+    }
+    bool holds(const WorldBox& o) const {
+        return low.x <= o.low.x && low.y <= o.low.y && low.z <= o.low.z && o.high.x <= high.x && o.high.y <= high.y && o.high.z <= high.z;
+    }
+    WorldBox with(const WorldBox& o) const { return {glm::min(low, o.low), glm::max(high, o.high)}; }
+    double area() const {
+        const glm::dvec3 d = high - low;
+        return d.x * d.y + d.y * d.z + d.z * d.x;
+    }
+};
+
+/// Numbered boxes, found by place: a binary tree of bounds kept good by rotations (Catto, "Dynamic Bounding Volume
+/// Hierarchies", GDC 2019). Placing, moving and finding cost the depth of the tree, whatever it holds.
+/// A box is kept with a margin, so that small moves cost a comparison: what is found is near, not exact, and in no order.
+class BoundsTree {
+public:
+    /// Inserts the item, or moves it. A box with a NaN is nowhere.
+    void place(uint32_t item, const WorldBox& box);
+    void remove(uint32_t item);
+    void clear() { *this = {}; }
+
+    /// f(item) for every item whose box may satisfy isNear(box), which must hold for a box if it holds for a part of it.
+    template <class IsNear, class F>
+    void find(IsNear&& isNear, F&& f) const {
+        if (m_root == kNone) return;
+        std::vector<uint32_t> open{m_root};
+        while (!open.empty()) {
+            const Node& node = m_nodes[open.back()];
+            open.pop_back();
+            if (!isNear(node.box)) continue;
+            if (node.isLeaf())
+                f(node.item);
+            else
+                open.insert(open.end(), {node.left, node.right});
+        }
+    }
+    int depth() const;
+
+private:
+    static constexpr uint32_t kNone = ~0u;
+    struct Node {
+        WorldBox box;
+        uint32_t parent = kNone, left = kNone, right = kNone, item = kNone;
+        bool isLeaf() const { return left == kNone; }
+    };
+    uint32_t allocate();
+    uint32_t bestSibling(const WorldBox& box) const;
+    void insertLeaf(uint32_t leaf);
+    void removeLeaf(uint32_t leaf);
+    void replaceChild(uint32_t parent, uint32_t old, uint32_t by);
+    /// Brings the boxes from here to the root up to date and rotates where that makes them smaller.
+    void refit(uint32_t node);
+    void rotate(uint32_t node);
+    /// What the area of `child` shrinks by if its sibling's place is taken by one of its children.
+    void trySwap(uint32_t child, uint32_t& sibling, double& best, std::pair<uint32_t*, uint32_t*>& swap);
+
+    std::vector<Node> m_nodes;
+    std::vector<uint32_t> m_free;
+    std::vector<uint32_t> m_leafOf;  ///< by item
+    uint32_t m_root = kNone;
+};
+
+}  // namespace rubble
