@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "physics/physics_world.h"
+#include "runtime/core/profile.h"
 #include "runtime/frame/snapshots.h"
 #include "runtime/shadow/shadow_worker.h"
 #include "runtime/world/world.h"
@@ -53,8 +54,11 @@ struct Loop {
     }
     void step(const Edits& edits = {}) {
         const FrameChanges changes = world.applyEdits(edits);
-        physics.apply(changes, world);
-        physics.step();
+        {
+            const ScopedTimer timer(physicsMs);
+            physics.apply(changes, world);
+            physics.step();
+        }
         world.setPoses(physics.poses());
         queue.push(world.damageFrom(physics.impacts()));
         shadow.submit(changes, physics.poses(), world);
@@ -65,6 +69,7 @@ struct Loop {
     ShadowWorker shadow{ShadowWorker::Mode::Inline};
     Snapshots snapshots;
     EditQueue queue;
+    double physicsMs = 0.0;
 };
 
 /// 1e8 voxels of ground in blocks of 10 m; 10,000 pieces asleep on it.
@@ -106,10 +111,12 @@ void oneAwake(benchmark::State& state) {
     BodyHandle last;
     loop.world.bodies().forEach([&](BodyHandle handle, const Body&) { last = handle; });
     int i = 0;
+    loop.physicsMs = 0.0;
     for (auto _ : state) {
         const glm::dvec3 center = loop.world.bodies().at(last).pose.transformPoint({0.2, 0.15, 0.2});
         loop.step(i++ % 60 ? Edits{} : Edits{ImpulseEdit{last, center, {0, 250, 0}}});
     }
+    state.counters["physics_us"] = 1e3 * loop.physicsMs / double(state.iterations());
     state.counters["awake"] = loop.physics.figures().awake;
 }
 BENCHMARK(oneAwake)->Name("destruction/debris/oneAwake")->Unit(benchmark::kMicrosecond);
