@@ -44,6 +44,15 @@ struct SnapshotLight {
     float radius, reach, coneInner, coneOuter;
 };
 
+/// A burning brick, as flames and smoke are drawn.
+struct SnapshotFire {
+    glm::dvec3 position;  ///< world: the middle of what burns
+    float radius;         ///< metres
+    float intensity;      ///< 0 to 1: rises when lit, falls with the fuel
+    float smoke;          ///< 0 to 1
+    uint32_t seed;        ///< the same for a fire from its first step to its last
+};
+
 /// What one frame hands to the renderer: values only, and only what changed since the snapshot before. All of it shows
 /// the step `version`, the shadow volume too, so light and bodies agree.
 struct FrameSnapshot {
@@ -56,7 +65,9 @@ struct FrameSnapshot {
     std::vector<SnapshotPalette> palettes;
     std::vector<SnapshotPose> poses;  ///< shapes that moved in this step, or came to rest in it (previous == current)
     bool lightsChanged = false;
-    std::vector<SnapshotLight> lights;  ///< all enabled lights, if lightsChanged
+    std::vector<SnapshotLight> lights;  ///< all enabled lights and those of the biggest fires, if lightsChanged
+    bool firesChanged = false;
+    std::vector<SnapshotFire> fires;  ///< all of them, if firesChanged
     bool environmentChanged = false;
     Environment environment;
     bool shadowReplacesAll = false;

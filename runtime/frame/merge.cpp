@@ -119,6 +119,10 @@ void merge(FrameSnapshot& into, FrameSnapshot&& later) {
         into.lightsChanged = true;
         into.lights = std::move(later.lights);
     }
+    if (later.firesChanged) {
+        into.firesChanged = true;
+        into.fires = std::move(later.fires);
+    }
     if (later.environmentChanged) {
         into.environmentChanged = true;
         into.environment = later.environment;

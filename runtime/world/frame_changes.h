@@ -40,6 +40,13 @@ struct ImpulseApplied {
     glm::dvec3 impulse;
 };
 
+/// A brick that caught fire, or went out.
+struct FireEvent {
+    ShapeHandle shape;
+    glm::ivec3 brick;
+    glm::dvec3 position;  ///< world, metres
+};
+
 /// Everything that one step of edits changed: the one journal that physics, shadow, renderer, recording and undo read.
 /// Handles refer to the World after the edits, except in the destroyed lists. Each list is in the order it happened;
 /// a step in which nothing happens allocates nothing.
@@ -60,11 +67,14 @@ struct FrameChanges {
     std::vector<LightGroupHandle> groupsOut;
     std::vector<ImpulseApplied> impulses;
     uint64_t paintedVoxels = 0;
-    uint64_t paintMerges = 0;  ///< colours that found no free palette entry and took the nearest
+    uint64_t paintMerges = 0;         ///< colours that found no free entry and took the nearest
+    std::vector<FireEvent> firesLit;  ///< and bricks that went out, in the order it happened
+    std::vector<FireEvent> firesOut;
+    bool firesChanged = false;  ///< something burns, or did until this step
 
     bool empty() const {
         return !levelReplaced && bodiesCreated.empty() && bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() &&
-               bricks.empty() && palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty();
+               bricks.empty() && palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() && !firesChanged;
     }
 };
 
