@@ -83,6 +83,7 @@ void DynamicBody::setAsleep(bool asleep) {
     m_rigid->forceActivationState(asleep ? ISLAND_SLEEPING : ACTIVE_TAG);
     sleepersTouched.clear();
     freshlyAwake = true;
+    settled = settled && asleep;
     if (!asleep) return settling.restart(m_rigid->getWorldTransform());
     m_rigid->setLinearVelocity({0, 0, 0});
     m_rigid->setAngularVelocity({0, 0, 0});

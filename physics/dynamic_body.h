@@ -50,6 +50,8 @@ public:
     bool freshlyAwake = true;               ///< has not moved noticeably since it woke
     std::vector<uint32_t> sleepersTouched;  ///< slots of sleeping bodies that it has touched since it last moved noticeably
     bool touching = false;                  ///< had a contact in the last substep
+    bool isDebris = false;                  ///< counts in the budget of what moves
+    bool settled = false;                   ///< a touch does not wake it
     bool readd = false;                     ///< was woken in place: Bullet's lists do not know yet
 
 private:

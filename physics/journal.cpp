@@ -21,6 +21,7 @@ void PhysicsWorld::Impl::clear() {
     shapeBody.clear();
     handles.clear();
     awake.clear();
+    waiting.clear();
     poses.clear();
     impacts.clear();
 }
@@ -30,7 +31,7 @@ void PhysicsWorld::Impl::setGravity(const World& world) {
     gravity = world.environment().gravity;
     bullet.setGravity(toBullet(glm::dvec3(gravity)));
     for (const auto& body : dynamics)
-        if (body) wake(*body);
+        if (body) wakeOrWait(*body);
 }
 
 void PhysicsWorld::Impl::loadAll(const World& world) {
@@ -75,16 +76,18 @@ void PhysicsWorld::Impl::createDynamic(const World& world, BodyHandle handle, bo
         return;
     }
     place->setAsleep(asleep);
+    place->isDebris = world.debris().contains(handle);
+    place->settled = asleep && world.bodies().at(handle).settled;
     if (asleep) return bullet.addResting(place->rigid());
     bullet.addRigidBody(&place->rigid());
-    insertSorted(awake, slot);
+    joinAwake(*place);
 }
 
 void PhysicsWorld::Impl::destroyDynamic(uint32_t slot) {
     DynamicBody& body = *dynamics[slot];
     if (!body.quarantined()) body.asleep() ? bullet.removeResting(body.rigid()) : bullet.removeRigidBody(&body.rigid());
+    leaveAwake(body);
     dynamics[slot].reset();
-    eraseSorted(awake, slot);
 }
 
 void PhysicsWorld::Impl::forget(const FrameChanges& changes) {

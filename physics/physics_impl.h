@@ -42,8 +42,15 @@ struct PhysicsWorld::Impl {
 
     DynamicBody* dynamicAt(uint32_t slot) const { return slot < dynamics.size() ? dynamics[slot].get() : nullptr; }
     DynamicBody* dynamicOf(const btCollisionObject& object) const { return dynamicAt(uint32_t(object.getUserIndex())); }
+    /// Whether the budget of debris lets one more of these move.
+    bool mayWake(const DynamicBody& body) const { return !body.isDebris || awakeDebris < awakeDebrisLimit; }
     void wake(DynamicBody& body);
+    /// Wakes it, or lets it wait until the budget has a place.
+    void wakeOrWait(DynamicBody& body);
+    void wakeWaiting();
     void sleep(DynamicBody& body);
+    void joinAwake(const DynamicBody& body);
+    void leaveAwake(const DynamicBody& body);
     void wakeTouching(btVector3 low, btVector3 high);
     void noteContacts();
     void readdWoken();
@@ -64,6 +71,8 @@ struct PhysicsWorld::Impl {
     std::vector<BodyHandle> shapeBody;                   ///< by shape slot
     std::vector<BodyHandle> handles;                     ///< by body slot
     std::vector<uint32_t> awake;                         ///< body slots, ascending
+    std::vector<uint32_t> waiting;                       ///< body slots of debris that would wake if it had a place, ascending
+    size_t awakeDebris = 0, awakeDebrisLimit = 0;
     std::vector<uint32_t> ended;                         ///< fell asleep or were quarantined in this step
     std::vector<btCollisionObject*> found;               ///< of the last query
     std::vector<std::pair<uint32_t, btVector3>> braked;  ///< body slot and the velocity it gets back after the substep
@@ -72,15 +81,19 @@ struct PhysicsWorld::Impl {
     bool contactsKnown = false;
 };
 
-/// Sets of slots as ascending lists.
-inline void insertSorted(std::vector<uint32_t>& list, uint32_t slot) {
+/// Sets of slots as ascending lists: true if the slot was not there, or was.
+inline bool insertSorted(std::vector<uint32_t>& list, uint32_t slot) {
     const auto at = std::lower_bound(list.begin(), list.end(), slot);
-    if (at == list.end() || *at != slot) list.insert(at, slot);
+    if (at != list.end() && *at == slot) return false;
+    list.insert(at, slot);
+    return true;
 }
 
-inline void eraseSorted(std::vector<uint32_t>& list, uint32_t slot) {
+inline bool eraseSorted(std::vector<uint32_t>& list, uint32_t slot) {
     const auto at = std::lower_bound(list.begin(), list.end(), slot);
-    if (at != list.end() && *at == slot) list.erase(at);
+    if (at == list.end() || *at != slot) return false;
+    list.erase(at);
+    return true;
 }
 
 }  // namespace rubble

@@ -46,7 +46,7 @@ void PhysicsWorld::Impl::quarantineBroken() {
         body.quarantine();
         ended.push_back(slot);
     }
-    for (const uint32_t slot : ended) eraseSorted(awake, slot);
+    for (const uint32_t slot : ended) leaveAwake(*dynamics[slot]);
 }
 
 void PhysicsWorld::Impl::report() {
@@ -68,16 +68,21 @@ PhysicsWorld::PhysicsWorld(const PhysicsSettings& settings) : m_impl(std::make_u
 PhysicsWorld::~PhysicsWorld() = default;
 
 void PhysicsWorld::apply(const FrameChanges& changes, const World& world) {
-    if (changes.levelReplaced) {
-        m_impl->loadAll(world);
-    } else {
-        m_impl->setGravity(world);
-        if (changes.empty()) return;
-        m_impl->forget(changes);
-        m_impl->refreshStatic(changes, world);
-        m_impl->refreshDynamic(changes, world);
+    Impl& impl = *m_impl;
+    impl.awakeDebrisLimit = 0;  // what World says is awake comes first; the others wait for the step
+    if (changes.levelReplaced)
+        impl.loadAll(world);
+    else
+        impl.setGravity(world);
+    if (!changes.levelReplaced && !changes.empty()) {
+        impl.forget(changes);
+        impl.refreshStatic(changes, world);
+        impl.refreshDynamic(changes, world);
     }
-    m_impl->applyImpulses(changes);
+    impl.applyImpulses(changes);
+    for (const BodyHandle handle : changes.settled)
+        if (DynamicBody* body = impl.dynamicAt(handle.slot()); body && body->handle() == handle) body->settled = body->asleep();
+    impl.awakeDebrisLimit = world.settings().debris.awakeBodies;
 }
 
 void PhysicsWorld::step() {
@@ -85,6 +90,7 @@ void PhysicsWorld::step() {
     impl.poses.clear();
     impl.impacts.clear();
     impl.contacts.beginStep();
+    impl.wakeWaiting();
     if (!impl.awake.empty()) {
         for (int i = 0; i < impl.settings.substeps; ++i) {
             impl.readdWoken();

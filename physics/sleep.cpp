@@ -12,6 +12,7 @@ constexpr double kSlow = 0.3;               ///< m/s: a touching body slower tha
 constexpr double kSlowDamping = 0.03;       ///< share of its speeds lost a step, and the same again for each second of being slow
 constexpr double kMostPatience = 4.0;       ///< times the drift of the settings that is calm after seconds of being slow
 constexpr double kWakeSpeed = 0.15;         ///< m/s that a hit must give a sleeping body to wake it
+constexpr double kReviveSpeed = 0.6;        ///< the same for a settled one
 
 }  // namespace
 
@@ -20,7 +21,30 @@ void PhysicsWorld::Impl::wake(DynamicBody& body) {
     bullet.removeResting(body.rigid());
     body.setAsleep(false);
     bullet.addRigidBody(&body.rigid());
-    insertSorted(awake, body.handle().slot());
+    joinAwake(body);
+}
+
+void PhysicsWorld::Impl::wakeOrWait(DynamicBody& body) {
+    if (!body.asleep() || body.quarantined()) return;
+    if (mayWake(body))
+        wake(body);
+    else
+        insertSorted(waiting, body.handle().slot());
+}
+
+void PhysicsWorld::Impl::wakeWaiting() {
+    size_t done = 0;
+    for (; done < waiting.size() && awakeDebris < awakeDebrisLimit; ++done)
+        if (DynamicBody* body = dynamicAt(waiting[done])) wake(*body);
+    waiting.erase(waiting.begin(), waiting.begin() + std::ptrdiff_t(done));
+}
+
+void PhysicsWorld::Impl::joinAwake(const DynamicBody& body) {
+    awakeDebris += insertSorted(awake, body.handle().slot()) && body.isDebris;
+}
+
+void PhysicsWorld::Impl::leaveAwake(const DynamicBody& body) {
+    awakeDebris -= eraseSorted(awake, body.handle().slot()) && body.isDebris;
 }
 
 void PhysicsWorld::Impl::sleep(DynamicBody& body) {
@@ -37,7 +61,7 @@ void PhysicsWorld::Impl::wakeTouching(btVector3 low, btVector3 high) {
     std::sort(found.begin(), found.end(),
               [](const btCollisionObject* a, const btCollisionObject* b) { return a->getUserIndex() < b->getUserIndex(); });
     for (btCollisionObject* object : found)
-        if (DynamicBody* body = dynamicOf(*object)) wake(*body);
+        if (DynamicBody* body = dynamicOf(*object)) wakeOrWait(*body);
 }
 
 /// Wakes sleepers that are about to be hit, in time for the solve, and notes who touches anything.
@@ -57,10 +81,10 @@ void PhysicsWorld::Impl::noteContacts() {
         std::vector<uint32_t>& touched = hitter.sleepersTouched;
         if (std::find(touched.begin(), touched.end(), sleeper.handle().slot()) == touched.end()) touched.push_back(sleeper.handle().slot());
         const double share = hitter.mass().mass / (hitter.mass().mass + sleeper.mass().mass);
-        if (ContactLog::approachSpeed(manifold) * share > kWakeSpeed && sleeper.wakeInPlace()) {
-            bullet.enlist(sleeper.rigid());
-            insertSorted(awake, sleeper.handle().slot());
-        }
+        const double wakeSpeed = sleeper.settled ? kReviveSpeed : kWakeSpeed;
+        if (ContactLog::approachSpeed(manifold) * share <= wakeSpeed || !mayWake(sleeper) || !sleeper.wakeInPlace()) continue;
+        bullet.enlist(sleeper.rigid());
+        joinAwake(sleeper);
     }
 }
 
@@ -96,7 +120,7 @@ void PhysicsWorld::Impl::settle() {
         sleep(body);
         ended.push_back(slot);
     }
-    for (const uint32_t slot : ended) eraseSorted(awake, slot);
+    for (const uint32_t slot : ended) leaveAwake(*dynamics[slot]);
 }
 
 /// What moved wakes what it touched; the first time after it woke, all that its bounds touch: Bullet reports no contacts
@@ -115,7 +139,7 @@ void PhysicsWorld::Impl::disturb() {
         body.freshlyAwake = false;
         std::sort(body.sleepersTouched.begin(), body.sleepersTouched.end());
         for (const uint32_t touched : body.sleepersTouched)
-            if (DynamicBody* sleeper = dynamicAt(touched)) wake(*sleeper);
+            if (DynamicBody* sleeper = dynamicAt(touched); sleeper && !sleeper->settled) wakeOrWait(*sleeper);
         body.sleepersTouched.clear();
         i = size_t(std::lower_bound(awake.begin(), awake.end(), slot) - awake.begin());
     }

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "runtime/core/log.h"
 #include "runtime/world/edit_step.h"
 
@@ -24,17 +26,21 @@ void EditStep::carveShape(ShapeHandle handle, const CarveEdit& edit) {
     carve(shape.grid, brush, *shape.palette, m_world.m_materials, carved);
     if (carved.voxels == 0) return;
     shape.moments -= carved.moments;
-    countRemoved(handle, carved.removed);
+    const MassProperties gone = massProperties(carved.moments, shape.voxelSize);
+    const double radius = 0.5 * shape.voxelSize * std::cbrt(double(carved.voxels));
+    countRemoved(handle, carved.removed,
+                 {m_world.shapeToWorld(handle).transformPoint(gone.center), radius, m_world.m_bodies.at(shape.body).velocity});
     std::vector<glm::ivec3>& bricks = touched(handle).carved;
     bricks.insert(bricks.end(), carved.bricks.begin(), carved.bricks.end());
 }
 
-void EditStep::countRemoved(ShapeHandle handle, const std::array<uint64_t, 256>& removed) {
+void EditStep::countRemoved(ShapeHandle handle, const std::array<uint64_t, 256>& removed, const Place& place) {
     const Palette& palette = *m_world.m_shapes.at(handle).palette;
     for (size_t i = 1; i < 256; ++i) {
         if (!removed[i]) continue;
         const PaletteEntry& entry = palette[i];
         m_changes.removed.push_back({handle, uint8_t(i), entry.material, {entry.red, entry.green, entry.blue}, removed[i]});
+        m_changes.dust.push_back({place.position, place.radius, place.velocity, {entry.red, entry.green, entry.blue}, entry.material, removed[i]});
         m_world.m_removed += removed[i];
         if (entry.lightGroup && entry.lightGroup <= m_groupRemoved.size()) m_groupRemoved[entry.lightGroup - 1] += removed[i];
     }

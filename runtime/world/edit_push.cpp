@@ -28,12 +28,17 @@ void EditStep::apply(const ImpulseEdit& edit) {
     m_pushes.emplace_back(edit);
 }
 
+void EditStep::pushBody(const ImpulseApplied& impulse) {
+    wake(impulse.body);
+    m_changes.impulses.push_back(impulse);
+}
+
 void EditStep::push(const ImpulseEdit& edit) {
     const Body* body = m_world.m_bodies.find(edit.body);
     if (!body)
         logWarning("ImpulseEdit: the handle of its body is stale; nothing was pushed");
     else if (!body->isStatic)
-        m_changes.impulses.push_back({edit.body, edit.position, edit.impulse});
+        pushBody({edit.body, edit.position, edit.impulse});
 }
 
 void EditStep::push(const ExplodeEdit& edit) {
@@ -54,7 +59,7 @@ void EditStep::push(const ExplodeEdit& edit) {
         const glm::dvec3 direction = distance > 1e-6 ? away / distance : glm::dvec3(0.0, 1.0, 0.0);
         const double size = std::min(strongest, mass.mass * kPushSpeed * edit.size) * (1.0 - distance / reach);
         const double meanRadius = std::sqrt(mass.principalInertia.x / mass.mass);
-        m_changes.impulses.push_back({handle, center + tumble(handle, m_changes.step) * (kPushOffset * meanRadius), direction * size});
+        pushBody({handle, center + tumble(handle, m_changes.step) * (kPushOffset * meanRadius), direction * size});
     }
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "runtime/world/edit_step.h"
 
@@ -28,7 +29,7 @@ void EditStep::splitShape(Touched& touched) {
     const Loose loose = shape->nothingLoose ? findLooseNear(shape->grid, shape->anchors, isAnchored, touched.carved)
                                             : findLoose(shape->grid, shape->anchors, isAnchored);
     shape->nothingLoose = true;
-    ShapeSplit split{parent, {}, {}};
+    ShapeSplit split{.parent = parent};
     for (const Component& component : loose.pieces) {
         const MassMoments moments = componentMoments(*shape, component, m_world.m_materials);
         if (moments.weight == 0) continue;  // unphysical voxels are not touched: they stay where they are
@@ -40,7 +41,7 @@ void EditStep::splitShape(Touched& touched) {
         }
         Piece piece = takePiece(shape->grid, component);
         split.parentOffset.push_back(piece.offset);
-        split.children.push_back(createChild(parent, std::move(piece), moments));
+        split.children.push_back(createChild(parent, std::move(piece), moments, split.motions.emplace_back()));
         shape = &m_world.m_shapes.at(parent);  // the new shape may have moved the others
     }
     const bool isFree = loose.isAdrift || !isAnchored;
@@ -64,21 +65,25 @@ void EditStep::dropPiece(ShapeHandle parent, const Component& component) {
         const BrickRef brick = shape.grid.shareBrick(share.brick);
         forEachVoxel(share.voxels, [&](int i) { ++removed[brick->at(i)]; });
     }
+    const MassProperties mass = massProperties(componentMoments(shape, component, m_world.m_materials), shape.voxelSize);
     takePiece(shape.grid, component);
-    countRemoved(parent, removed);
+    const double radius = 0.5 * shape.voxelSize * std::cbrt(double(component.voxels));
+    countRemoved(parent, removed, {m_world.shapeToWorld(parent).transformPoint(mass.center), radius, m_world.m_bodies.at(shape.body).velocity});
 }
 
-ShapeHandle EditStep::createChild(ShapeHandle parentHandle, Piece piece, const MassMoments& moments) {
+ShapeHandle EditStep::createChild(ShapeHandle parentHandle, Piece piece, const MassMoments& moments, PieceMotion& started) {
     const Shape& parent = m_world.m_shapes.at(parentHandle);
     const Body& from = m_world.m_bodies.at(parent.body);
     Body body{.name = parent.name};
     body.isStatic = false;
     body.pose = m_world.shapeToWorld(parentHandle) * Pose{glm::dvec3(piece.offset) * double(parent.voxelSize)};
+    body.born = m_changes.step;
+    const MassProperties mass = massProperties(moments.shifted(-piece.offset), parent.voxelSize);
+    started = {.center = body.pose.transformPoint(mass.center), .mass = mass.mass};
     if (!from.isStatic) {
         const Motion& motion = m_motions.at(parent.body.slot());
-        const glm::dvec3 center = massProperties(moments.shifted(-piece.offset), parent.voxelSize).center;
-        body.velocity = motion.velocityAt(body.pose.transformPoint(center));
-        body.angularVelocity = motion.angularVelocity;
+        started.velocity = body.velocity = motion.velocityAt(started.center);
+        started.angularVelocity = body.angularVelocity = motion.angularVelocity;
     }
     Shape shape{.name = parent.name, .voxelSize = parent.voxelSize};
     shape.grid = std::move(piece.grid);
@@ -93,6 +98,7 @@ ShapeHandle EditStep::createChild(ShapeHandle parentHandle, Piece piece, const M
     const ShapeHandle handle = m_world.m_shapes.insert(std::move(shape));
     m_world.m_bodies.at(bodyHandle).shapes.push_back(handle);
     m_world.placeShape(handle);
+    m_world.listDebris(bodyHandle);
     m_changes.bodiesCreated.push_back(bodyHandle);
     m_changes.shapesCreated.push_back(handle);
     return handle;
@@ -103,6 +109,7 @@ void EditStep::rehome(ShapeHandle handle) {
     body.isStatic = false;
     body.pose = m_world.shapeToWorld(handle);
     body.shapes = {handle};
+    body.born = m_changes.step;
     const BodyHandle newBody = m_world.m_bodies.insert(std::move(body));
     Shape& shape = m_world.m_shapes.at(handle);
     const BodyHandle oldBody = shape.body;
@@ -133,6 +140,7 @@ void EditStep::destroyShape(ShapeHandle handle) {
     std::erase(left, handle);
     if (!left.empty()) return;
     m_world.m_bodies.erase(body);
+    m_world.listDebris(body);
     m_changes.bodiesDestroyed.push_back(body);
 }
 
@@ -151,7 +159,6 @@ void EditStep::settleMotions() {
         const glm::dvec3 center = body->pose.transformPoint(m_world.bodyMass(motion.body).center);
         if (center == motion.center) continue;
         body->velocity = motion.velocityAt(center);
-        body->asleep = false;
     }
 }
 

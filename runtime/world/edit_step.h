@@ -38,7 +38,13 @@ private:
     void apply(const CarveEdit& edit);
     void apply(const ExplodeEdit& edit);
     void carveShape(ShapeHandle handle, const CarveEdit& edit);
-    void countRemoved(ShapeHandle handle, const std::array<uint64_t, 256>& removed);
+    /// Where removed voxels were.
+    struct Place {
+        glm::dvec3 position;
+        double radius;
+        glm::vec3 velocity;
+    };
+    void countRemoved(ShapeHandle handle, const std::array<uint64_t, 256>& removed, const Place& place);
 
     // edit_paint.cpp
     void apply(const PaintEdit& edit);
@@ -47,11 +53,17 @@ private:
     // edit_split.cpp
     void splitShape(Touched& touched);
     void dropPiece(ShapeHandle parent, const Component& component);
-    ShapeHandle createChild(ShapeHandle parent, Piece piece, const MassMoments& moments);
+    ShapeHandle createChild(ShapeHandle parent, Piece piece, const MassMoments& moments, PieceMotion& started);
     void rehome(ShapeHandle shape);
     void destroyShape(ShapeHandle shape);
     void rememberMotion(BodyHandle body);
     void settleMotions();
+
+    // edit_debris.cpp
+    void limitDebris();
+    void wake(BodyHandle body);
+    void turnToDust(BodyHandle body);
+    void forgetStillborn();
 
     // edit_lights.cpp
     void moveLights(const ShapeSplit& split);
@@ -63,8 +75,10 @@ private:
     void apply(const ImpulseEdit& edit);
     void push(const ExplodeEdit& edit);
     void push(const ImpulseEdit& edit);
+    void pushBody(const ImpulseApplied& impulse);
 
     Touched& touched(ShapeHandle shape);
+    void markBroken(BodyHandle body);
     void listChangedBricks();
 
     World& m_world;

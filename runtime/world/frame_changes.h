@@ -26,12 +26,30 @@ struct RemovedVoxels {
     uint64_t count;
 };
 
+/// Where voxels went that are no more: particles. Every removed voxel is in exactly one cloud.
+struct DustCloud {
+    glm::dvec3 position;  ///< its middle, world
+    double radius;        ///< metres
+    glm::vec3 velocity;   ///< of what they were part of, m/s
+    std::array<uint8_t, 3> color;
+    uint8_t material;
+    uint64_t count;  ///< voxels
+};
+
+/// How a piece set out.
+struct PieceMotion {
+    glm::dvec3 center{0.0};  ///< of mass, world
+    glm::dvec3 velocity{0.0}, angularVelocity{0.0};
+    double mass = 0.0;  ///< kg
+};
+
 /// A shape came apart. The parent handle lives on in the anchored, largest or lowest piece; children are new shapes,
 /// each on a body of its own. parentOffset[i]: the cell of the parent at which child i's cell 0 lies.
 struct ShapeSplit {
     ShapeHandle parent;
     std::vector<ShapeHandle> children;
     std::vector<glm::ivec3> parentOffset;
+    std::vector<PieceMotion> motions;  ///< of the children, before anything pushes them
 };
 
 struct ImpulseApplied {
@@ -66,6 +84,10 @@ struct FrameChanges {
     std::vector<LightHandle> lights;     ///< lights created, moved to another shape or body, or switched
     std::vector<LightGroupHandle> groupsOut;
     std::vector<ImpulseApplied> impulses;
+    std::vector<DustCloud> dust;      ///< all that is in `removed`, with its place
+    std::vector<BodyHandle> broken;   ///< bodies that lost voxels for the first time
+    std::vector<BodyHandle> settled;  ///< pieces that have come to rest for good
+    std::vector<BodyHandle> revived;  ///< settled pieces that something has woken
     uint64_t paintedVoxels = 0;
     uint64_t paintMerges = 0;         ///< colours that found no free entry and took the nearest
     std::vector<FireEvent> firesLit;  ///< and bricks that went out, in the order it happened
@@ -74,7 +96,8 @@ struct FrameChanges {
 
     bool empty() const {
         return !levelReplaced && bodiesCreated.empty() && bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() &&
-               bricks.empty() && palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() && !firesChanged;
+               bricks.empty() && palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() && settled.empty() && revived.empty() &&
+               !firesChanged;
     }
 };
 

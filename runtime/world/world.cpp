@@ -62,6 +62,8 @@ void World::clear() {
     m_lights.clear();
     m_groups.clear();
     m_places.clear();
+    m_debris.clear();
+    m_revived.clear();
     m_step = m_imported = m_removed = 0;
     m_levelReplaced = true;
 }
@@ -166,12 +168,38 @@ void World::setEnvironment(const Environment& environment) {
 void World::setPoses(std::span<const BodyPose> poses) {
     for (const BodyPose& pose : poses)
         if (Body* body = m_bodies.find(pose.body)) {
+            const bool turns = body->asleep != pose.asleep;
             body->pose = pose.pose;
             body->velocity = pose.velocity;
             body->angularVelocity = pose.angularVelocity;
             body->asleep = pose.asleep;
             for (const ShapeHandle shape : body->shapes) placeShape(shape);
+            if (!turns) continue;
+            body->restingSince = pose.asleep ? m_step : 0;
+            if (body->settled) m_revived.push_back(pose.body);
+            body->settled = false;
+            listDebris(pose.body);
         }
+}
+
+void World::listDebris(BodyHandle handle) {
+    const Body* body = m_bodies.find(handle);
+    const Shape* shape = body && !body->isStatic && body->shapes.size() == 1 ? m_shapes.find(body->shapes[0]) : nullptr;
+    if (!shape || !shape->isPiece || shape->grid.voxelCount() > m_settings.debris.largestPiece) return m_debris.remove(handle.slot());
+    const Rest rest = body->settled ? Rest::Settled : body->asleep ? Rest::Asleep : Rest::Awake;
+    m_debris.set({handle, rest, shape->grid.voxelCount(), body->born, body->restingSince});
+}
+
+void World::setSettings(const WorldSettings& settings) {
+    m_settings = settings;
+    m_bodies.forEach([&](BodyHandle handle, const Body&) { listDebris(handle); });  // what counts as debris may be another now
+}
+
+/// Whether a step without edits has something to say or to do about debris.
+bool World::debrisWaits() const {
+    const DebrisSettings& limits = m_settings.debris;
+    return !m_revived.empty() || m_debris.awakeCount() > limits.awakeBodies || m_debris.count() > limits.bodies ||
+           m_debris.voxels() > limits.voxels || (m_step >= limits.settleSteps && m_debris.asleepSince(m_step - limits.settleSteps));
 }
 
 void World::placeShape(ShapeHandle handle) {
@@ -266,7 +294,9 @@ uint64_t World::hash() const {
         hasher.add(body.pose);
         hasher.add(body.velocity);
         hasher.add(body.angularVelocity);
-        hasher.add(uint64_t(body.isStatic) << 1 | uint64_t(body.asleep));
+        hasher.add(uint64_t(body.settled) << 2 | uint64_t(body.isStatic) << 1 | uint64_t(body.asleep));
+        hasher.add(body.born);
+        hasher.add(body.restingSince);
     });
     const Palette* lastPalette = nullptr;
     uint64_t paletteHash = 0;

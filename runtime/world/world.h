@@ -10,6 +10,7 @@
 #include "runtime/voxel/mass_properties.h"
 #include "runtime/voxel/voxel_grid.h"
 #include "runtime/world/bounds_tree.h"
+#include "runtime/world/debris_list.h"
 #include "runtime/world/edit.h"
 #include "runtime/world/frame_changes.h"
 #include "runtime/world/level.h"
@@ -43,6 +44,10 @@ struct Body {
     bool asleep = false;
     std::vector<ShapeHandle> shapes;
     std::vector<std::string> tags;
+    bool settled = false;       ///< asleep for so long that only what breaks or moves near it wakes it
+    bool broken = false;        ///< has lost voxels
+    uint64_t born = 0;          ///< step; 0: came with the level
+    uint64_t restingSince = 0;  ///< step at which it fell asleep; kept while asleep only
 };
 
 /// A body's new state, as physics hands it over.
@@ -96,7 +101,7 @@ public:
     /// The edits that impacts cause by their force; see WorldSettings.
     Edits damageFrom(std::span<const Impact> impacts) const;
     const WorldSettings& settings() const { return m_settings; }
-    void setSettings(const WorldSettings& settings) { m_settings = settings; }
+    void setSettings(const WorldSettings& settings);
 
     const SlotMap<BodyHandle, Body>& bodies() const { return m_bodies; }
     const SlotMap<ShapeHandle, Shape>& shapes() const { return m_shapes; }
@@ -119,6 +124,8 @@ public:
     /// First voxel that a world ray touches, up to maxDistance metres; direction need not be normalised.
     WorldHit raycast(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const;
     Ledger ledger() const;
+    /// The pieces under the budgets of DebrisSettings.
+    const DebrisList& debris() const { return m_debris; }
     uint64_t step() const { return m_step; }
     /// Of everything that matters to what happens next: voxels, palettes, bodies, velocities, lights, groups, in slot order.
     /// The number of the world and the generations of its slots do not matter to that.
@@ -130,6 +137,9 @@ private:
     /// Brings the index of places up to date: to be called when a shape is made, resized or moved, and when it goes.
     void placeShape(ShapeHandle shape);
     void forgetShape(ShapeHandle shape) { m_places.remove(shape.slot()); }
+    /// Brings the list of debris up to date with a body, which may be gone or no debris.
+    void listDebris(BodyHandle body);
+    bool debrisWaits() const;
     /// Fills in initialVoxels of groups that do not bring it.
     void countGroupVoxels();
 
@@ -141,6 +151,8 @@ private:
     SlotMap<LightHandle, Light> m_lights;
     SlotMap<LightGroupHandle, LightGroup> m_groups;
     BoundsTree m_places;  ///< of shapes, by slot
+    DebrisList m_debris;
+    std::vector<BodyHandle> m_revived;  ///< settled bodies that physics has woken since the last step
     MaterialTable m_materials = defaultMaterials();
     Environment m_environment;
     WorldSettings m_settings;

@@ -2,6 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "runtime/world/debris_settings.h"
+
 namespace rubble {
 
 /// How a world breaks.
@@ -12,6 +14,7 @@ struct WorldSettings {
     double impactRadius = 0.25;       ///< metres that an impact at the threshold takes out of soft materials
     double impactRadiusLimit = 0.6;   ///< metres
     size_t impactsAStep = 8;          ///< how many impacts break something in one step, the hardest first
+    DebrisSettings debris;
 };
 
 }  // namespace rubble

@@ -1,0 +1,77 @@
+#include <algorithm>
+
+#include "runtime/world/edit_step.h"
+
+namespace rubble {
+
+/// Settles what has slept long enough, then makes room for what this step has made.
+void EditStep::limitDebris() {
+    const DebrisSettings& settings = m_world.m_settings.debris;
+    for (auto& [slot, each] : m_touched)
+        if (const Shape* shape = m_world.m_shapes.find(each.shape); shape && !each.carved.empty()) wake(shape->body);
+    const DebrisList& debris = m_world.m_debris;
+    const uint64_t step = m_changes.step;
+    while (step >= settings.settleSteps) {
+        const std::optional<BodyHandle> body = debris.asleepSince(step - settings.settleSteps);
+        if (!body) break;
+        m_world.m_bodies.at(*body).settled = true;
+        m_world.listDebris(*body);
+        m_changes.settled.push_back(*body);
+    }
+    const size_t before = m_changes.bodiesDestroyed.size();
+    while (debris.awakeCount() > settings.awakeBodies) turnToDust(debris.firstAwake());
+    while (debris.count() > settings.bodies || debris.voxels() > settings.voxels) turnToDust(debris.first());
+    if (m_changes.bodiesDestroyed.size() > before) forgetStillborn();
+}
+
+/// Physics will wake it too: by an impulse, or because its shape is another one now.
+void EditStep::wake(BodyHandle handle) {
+    Body& body = m_world.m_bodies.at(handle);
+    body.asleep = false;
+    body.restingSince = 0;
+    if (std::exchange(body.settled, false)) m_changes.revived.push_back(handle);
+    m_world.listDebris(handle);
+}
+
+void EditStep::turnToDust(BodyHandle handle) {
+    const Body& body = m_world.m_bodies.at(handle);
+    const ShapeHandle shapeHandle = body.shapes.front();
+    const Shape& shape = m_world.m_shapes.at(shapeHandle);
+    std::array<uint64_t, 256> removed{};
+    shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) { forEachVoxel(brick->occupancy, [&](int i) { ++removed[brick->at(i)]; }); });
+    const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
+    countRemoved(shapeHandle, removed, {m_world.shapeToWorld(shapeHandle).transformPoint(half), glm::length(half), body.velocity});
+    destroyShape(shapeHandle);
+}
+
+/// Pieces that were born and became dust in one step: nobody else needs to have heard of them.
+void EditStep::forgetStillborn() {
+    const auto takeCommon = [](auto& created, auto& destroyed) {
+        auto born = created;
+        std::sort(born.begin(), born.end());
+        const auto wasBorn = [&](auto handle) { return std::binary_search(born.begin(), born.end(), handle); };
+        auto gone = destroyed;
+        std::erase_if(destroyed, wasBorn);
+        std::sort(gone.begin(), gone.end());
+        std::erase_if(created, [&](auto handle) { return std::binary_search(gone.begin(), gone.end(), handle); });
+    };
+    takeCommon(m_changes.bodiesCreated, m_changes.bodiesDestroyed);
+    takeCommon(m_changes.shapesCreated, m_changes.shapesDestroyed);
+    std::erase_if(m_changes.impulses, [&](const ImpulseApplied& each) { return !m_world.m_bodies.find(each.body); });
+    std::erase_if(m_changes.rehomed, [&](ShapeHandle shape) { return !m_world.m_shapes.find(shape); });
+    for (ShapeSplit& split : m_changes.splits) {
+        size_t kept = 0;
+        for (size_t i = 0; i < split.children.size(); ++i) {
+            if (!m_world.m_shapes.find(split.children[i])) continue;
+            split.children[kept] = split.children[i];
+            split.parentOffset[kept] = split.parentOffset[i];
+            split.motions[kept++] = split.motions[i];
+        }
+        split.children.resize(kept);
+        split.parentOffset.resize(kept);
+        split.motions.resize(kept);
+    }
+    std::erase_if(m_changes.splits, [](const ShapeSplit& split) { return split.children.empty(); });
+}
+
+}  // namespace rubble

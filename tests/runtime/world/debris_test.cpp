@@ -1,0 +1,213 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <tuple>
+
+#include "tests/runtime/world/worlds.h"
+
+namespace rubble {
+namespace {
+
+constexpr int kPillars = 12;  ///< on a side
+
+/// A slab of 0.4 m with pillars of 2x6x2 cells, 4 cells apart; column x is two cells lower if `uneven`.
+VoxelGrid pillars(bool uneven = false) {
+    VoxelGrid grid({4 * kPillars, 10, 4 * kPillars});
+    GridWriter writer(grid);
+    for (int z = 0; z < grid.size().z; ++z)
+        for (int x = 0; x < grid.size().x; ++x)
+            for (int y = 0; y < 10; ++y)
+                if (y < 4 || (x % 4 < 2 && z % 4 < 2 && (!uneven || x < 4 || y < 8))) writer.set({x, y, z}, 1);
+    writer.flush();
+    return grid;
+}
+
+/// Takes one layer of cells from columns [from, to) of pillars, which come off.
+CarveEdit cutColumns(int from, int to) {
+    CarveEdit edit{.kind = BrushKind::Box};
+    edit.position = {0.1 * (from + to) * 2.0, 0.45, 2.4};
+    edit.halfSize = {0.1 * (to - from) * 2.0, 0.05, 2.4};
+    return edit;
+}
+
+WorldSettings withBudgets(uint32_t awake, uint32_t bodies, uint64_t voxels) {
+    WorldSettings settings;
+    settings.debris.awakeBodies = awake;
+    settings.debris.bodies = bodies;
+    settings.debris.voxels = voxels;
+    settings.debris.settleSteps = 10;
+    return settings;
+}
+
+struct DebrisWorld : World {
+    explicit DebrisWorld(const WorldSettings& settings, bool uneven = false) {
+        setSettings(settings);
+        load(test::oneShapeLevel(pillars(uneven), true));
+    }
+    void sleep(const std::vector<BodyHandle>& which, bool asleep = true) {
+        for (const BodyHandle handle : which) {
+            BodyPose pose{handle, bodies().at(handle).pose};
+            pose.asleep = asleep;
+            setPoses({&pose, 1});
+        }
+    }
+};
+
+uint64_t dustOf(const FrameChanges& changes) {
+    uint64_t sum = 0;
+    for (const DustCloud& cloud : changes.dust) sum += cloud.count;
+    return sum;
+}
+uint64_t removedOf(const FrameChanges& changes) {
+    uint64_t sum = 0;
+    for (const RemovedVoxels& each : changes.removed) sum += each.count;
+    return sum;
+}
+
+void expectNoStaleHandles(const World& world, const FrameChanges& changes) {
+    for (const BodyHandle body : changes.bodiesCreated) EXPECT_TRUE(world.bodies().find(body));
+    for (const ShapeHandle shape : changes.shapesCreated) EXPECT_TRUE(world.shapes().find(shape));
+    for (const ShapeSplit& split : changes.splits) {
+        EXPECT_EQ(split.children.size(), split.parentOffset.size());
+        EXPECT_EQ(split.children.size(), split.motions.size());
+        for (const ShapeHandle shape : split.children) EXPECT_TRUE(world.shapes().find(shape));
+    }
+}
+
+TEST(Debris, PiecesBeyondTheBudgetOfBodiesAreDustFromTheFirstStepOn) {
+    DebrisWorld world(withBudgets(1000, 100, 1000000));
+    const FrameChanges changes = world.applyEdits({cutColumns(0, kPillars)});
+    EXPECT_EQ(world.debris().count(), 100u);
+    EXPECT_EQ(changes.bodiesCreated.size(), 100u);
+    EXPECT_TRUE(changes.bodiesDestroyed.empty()) << "nobody has heard of them";
+    expectNoStaleHandles(world, changes);
+    EXPECT_EQ(dustOf(changes), removedOf(changes));
+    EXPECT_EQ(removedOf(changes), 144u * 4 + 44u * 20);
+    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_EQ(world.ledger().inPieces, 100u * 20);
+}
+
+TEST(Debris, BudgetOfVoxels) {
+    DebrisWorld world(withBudgets(1000, 1000, 1999));
+    world.applyEdits({cutColumns(0, kPillars)});
+    EXPECT_EQ(world.debris().voxels(), 99u * 20);
+    EXPECT_TRUE(world.ledger().balances());
+}
+
+TEST(Debris, SmallSettledAndOldPiecesGiveWayFirst) {
+    DebrisWorld world(withBudgets(1000, 1000, 1000000), true);
+    const std::vector<BodyHandle> large = world.applyEdits({cutColumns(0, 1)}).bodiesCreated;    // 20 voxels each
+    const std::vector<BodyHandle> small = world.applyEdits({cutColumns(1, 2)}).bodiesCreated;    // 12 voxels each
+    const std::vector<BodyHandle> younger = world.applyEdits({cutColumns(2, 3)}).bodiesCreated;  // 12 voxels each
+    ASSERT_EQ(large.size() + small.size() + younger.size(), 36u);
+    world.sleep({large[3], small[5]});
+    for (int i = 0; i < 12; ++i) world.applyEdits({});
+    EXPECT_TRUE(world.bodies().at(large[3]).settled && world.bodies().at(small[5]).settled);
+    world.sleep({younger[0]});
+
+    const auto shrinkTo = [&](uint32_t bodies) {
+        world.setSettings(withBudgets(1000, bodies, 1000000));
+        return world.applyEdits({}).bodiesDestroyed;
+    };
+    EXPECT_EQ(shrinkTo(35), std::vector{small[5]}) << "settled and small";
+    EXPECT_EQ(shrinkTo(34), std::vector{large[3]}) << "settled";
+    EXPECT_EQ(shrinkTo(33), std::vector{younger[0]}) << "asleep";
+    EXPECT_EQ(shrinkTo(32), std::vector{small[0]}) << "small, and the oldest such";
+    EXPECT_TRUE(world.ledger().balances());
+}
+
+TEST(Debris, AwakePiecesOfABudgetOfTheirOwn) {
+    DebrisWorld world(withBudgets(50, 1000, 1000000));
+    world.applyEdits({cutColumns(0, 4)});
+    EXPECT_EQ(world.debris().awakeCount(), 48u);
+    world.applyEdits({cutColumns(4, 6)});
+    EXPECT_EQ(world.debris().awakeCount(), 50u);
+    EXPECT_EQ(world.debris().count(), 50u) << "none sleeps yet: 22 are dust";
+    std::vector<BodyHandle> all;
+    world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+        if (!body.isStatic) all.push_back(handle);
+    });
+    world.sleep(all);
+    EXPECT_EQ(world.debris().awakeCount(), 0u);
+    world.applyEdits({cutColumns(8, 12)});
+    EXPECT_EQ(world.debris().awakeCount(), 48u);
+    EXPECT_EQ(world.debris().count(), 98u);
+    // Those that an explosion wakes need places too.
+    const FrameChanges blast = world.applyEdits({ExplodeEdit{.position = {1.2, 1.4, 2.4}, .size = 0.5}});
+    EXPECT_LE(world.debris().awakeCount(), 50u);
+    for (const ImpulseApplied& impulse : blast.impulses) EXPECT_TRUE(world.bodies().find(impulse.body));
+    expectNoStaleHandles(world, blast);
+    EXPECT_TRUE(world.ledger().balances());
+}
+
+TEST(Debris, SettlesAfterItsTimeAndSaysSoAndWhenItIsRevived) {
+    DebrisWorld world(withBudgets(1000, 1000, 1000000));
+    const std::vector<BodyHandle> pieces = world.applyEdits({cutColumns(0, 1)}).bodiesCreated;
+    world.sleep({pieces[0], pieces[7]});
+    const uint64_t asleepAt = world.step();
+    FrameChanges changes;
+    while ((changes = world.applyEdits({})).settled.empty()) ASSERT_LT(world.step(), 100u);
+    EXPECT_EQ(world.step() - asleepAt, 10u);
+    EXPECT_EQ(changes.settled, (std::vector{pieces[0], pieces[7]}));
+    EXPECT_FALSE(changes.empty());
+    EXPECT_TRUE(world.applyEdits({}).empty());
+    world.sleep({pieces[7]}, false);  // physics has woken it
+    EXPECT_FALSE(world.bodies().at(pieces[7]).settled);
+    EXPECT_EQ(world.applyEdits({}).revived, std::vector{pieces[7]});
+    EXPECT_EQ(world.applyEdits({ImpulseEdit{pieces[0], {}, {0, 1, 0}}}).revived, std::vector{pieces[0]});
+    EXPECT_FALSE(world.bodies().at(pieces[0]).asleep);
+}
+
+TEST(Debris, LargePiecesAndBodiesOfTheLevelAreNone) {
+    WorldSettings settings = withBudgets(0, 0, 0);
+    settings.debris.largestPiece = 19;
+    DebrisWorld world(settings);
+    const FrameChanges changes = world.applyEdits({cutColumns(0, kPillars)});
+    EXPECT_EQ(changes.bodiesCreated.size(), 144u);
+    EXPECT_EQ(world.debris().count(), 0u);
+}
+
+TEST(Debris, EveryStepBalancesWhileThingsBreakAndVanish) {
+    DebrisWorld world(withBudgets(40, 60, 900));
+    Random random(5);
+    uint64_t removed = 0;
+    for (int i = 0; i < 60; ++i) {
+        const float x = random.unit(), z = random.unit();
+        const FrameChanges changes = world.applyEdits({test::sphereCarve({4.8 * x, 0.5, 4.8 * z}, 0.3)});
+        removed += removedOf(changes);
+        EXPECT_EQ(dustOf(changes), removedOf(changes));
+        EXPECT_LE(world.debris().awakeCount(), 40u);
+        EXPECT_LE(world.debris().count(), 60u);
+        EXPECT_LE(world.debris().voxels(), 900u);
+        EXPECT_EQ(world.ledger().removed, removed);
+        EXPECT_TRUE(world.ledger().balances());
+        EXPECT_EQ(world.ledger().inPieces, world.debris().voxels());
+        expectNoStaleHandles(world, changes);
+        if (i % 7 == 0 && !changes.bodiesCreated.empty()) world.sleep({changes.bodiesCreated[0]});
+    }
+    EXPECT_GT(removed, 1000u);
+}
+
+TEST(Debris, BrokenIsSaidOnce) {
+    DebrisWorld world(withBudgets(1000, 1000, 1000000));
+    BodyHandle ground;
+    world.bodies().forEach([&](BodyHandle handle, const Body&) { ground = handle; });
+    EXPECT_EQ(world.applyEdits({cutColumns(0, 1)}).broken, std::vector{ground});
+    EXPECT_TRUE(world.applyEdits({cutColumns(1, 2)}).broken.empty());
+}
+
+TEST(Debris, SplitsSayHowTheirPiecesSetOut) {
+    DebrisWorld world(withBudgets(1000, 1000, 1000000));
+    const FrameChanges changes = world.applyEdits({cutColumns(0, 1)});
+    ASSERT_EQ(changes.splits.size(), 1u);
+    for (size_t i = 0; i < changes.splits[0].children.size(); ++i) {
+        const PieceMotion& motion = changes.splits[0].motions[i];
+        const BodyHandle body = world.shapes().at(changes.splits[0].children[i]).body;
+        const MassProperties mass = world.bodyMass(body);
+        EXPECT_NEAR(motion.mass, mass.mass, 1e-9);
+        EXPECT_LT(glm::length(motion.center - world.bodies().at(body).pose.transformPoint(mass.center)), 1e-12);
+    }
+}
+
+}  // namespace
+}  // namespace rubble
