@@ -13,7 +13,7 @@
 #include "samples/sandbox/figures.h"
 #include "samples/sandbox/progress.h"
 #include "samples/sandbox/stage.h"
-#include "samples/scenes/demolition.h"
+#include "samples/scenes/scene.h"
 #include "samples/support/gl_context.h"
 #include "samples/support/image.h"
 
@@ -25,13 +25,13 @@ namespace fs = std::filesystem;
 constexpr int kStepsASecond = 60;
 constexpr int kWarmUpFrames = 12;  ///< before the first picture, so that its light has settled
 constexpr int kSheetPictures = 12;
-constexpr int kSheetColumns = 3;
+constexpr int kRunUp = 6;  ///< steps drawn before a picture that stands alone, so that light and edges have a past
 
 /// Draws pictures of a running world into files.
 class Recorder {
 public:
-    static Result<std::unique_ptr<Recorder>> create(const SandboxOptions& options) {
-        auto recorder = std::unique_ptr<Recorder>(new Recorder(options));
+    static Result<std::unique_ptr<Recorder>> create(const SandboxOptions& options, const SandboxStage& stage) {
+        auto recorder = std::unique_ptr<Recorder>(new Recorder(options, stage));
         auto context = GlContext::create(GlContext::kindOf(options.gl));
         if (!context) return Error{context.error()};
         recorder->m_context = std::move(*context);
@@ -51,10 +51,10 @@ public:
 
     Image draw(FrameLoop& loop, double seconds) {
         View view;
-        const Pose camera = m_options.model.empty() ? demolitionCamera(seconds) : modelCamera(m_low, m_high, seconds);
+        const Pose camera = m_stage.camera(seconds);
         view.position = camera.position;
         view.rotation = camera.rotation;
-        view.verticalFov = kDemolitionFov;
+        view.verticalFov = m_stage.verticalFov;
         view.size = {m_options.width, m_options.height};
         view.framebuffer = m_offscreen->framebuffer();
         loop.draw(*m_renderer, view, 1.0f);
@@ -73,19 +73,15 @@ public:
         m_renderer->showPass(m_options.pass);
     }
 
-    void frameModel(glm::dvec3 low, glm::dvec3 high) {
-        m_low = low;
-        m_high = high;
-    }
     const Renderer& renderer() const { return *m_renderer; }
 
 private:
-    explicit Recorder(const SandboxOptions& options) : m_options(options) {}
+    Recorder(const SandboxOptions& options, const SandboxStage& stage) : m_options(options), m_stage(stage) {}
     SandboxOptions m_options;
+    const SandboxStage& m_stage;
     std::unique_ptr<GlContext> m_context;  // first made, last destroyed
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<Offscreen> m_offscreen;
-    glm::dvec3 m_low{0.0}, m_high{0.0};
 };
 
 void makeVideo(const fs::path& out, int fps) {
@@ -99,10 +95,46 @@ void makeVideo(const fs::path& out, int fps) {
     if (std::system(command.c_str()) != 0) logWarning("ffmpeg failed: no MP4");
 }
 
-/// Twelve pictures evenly over the run, the first and the last among them.
-bool isSheetPicture(int picture, int pictures) {
-    if (pictures <= kSheetPictures) return true;
-    return picture * (kSheetPictures - 1) / (pictures - 1) != (picture - 1) * (kSheetPictures - 1) / (pictures - 1) || picture == 0;
+/// Which pictures of a run are drawn and which of these are on the contact sheet.
+class Schedule {
+public:
+    Schedule(const SandboxOptions& options, int steps) : m_steps(steps), m_alone(options.pictures > 0) {
+        m_stepsAPicture = kStepsASecond / options.fps;
+        m_pictures = m_alone ? std::min(options.pictures, steps) : steps / m_stepsAPicture;
+    }
+    int pictures() const { return m_pictures; }
+    int columns() const { return m_alone && m_pictures % 3 != 0 ? 2 : 3; }
+    bool alone() const { return m_alone; }
+
+    /// Number of the picture that shows the world after `step` steps; -1 if there is none.
+    int pictureAt(int step) const {
+        if (!m_alone) return step % m_stepsAPicture == 0 ? step / m_stepsAPicture - 1 : -1;
+        const int picture = int((int64_t(step) * m_pictures + m_steps - 1) / m_steps) - 1;
+        return stepOf(picture) == step ? picture : -1;
+    }
+    /// Drawn but not kept: what the next picture's light and edges remember.
+    bool isRunUp(int step) const {
+        for (int ahead = 1; m_alone && ahead <= kRunUp; ++ahead)
+            if (step + ahead <= m_steps && pictureAt(step + ahead) >= 0) return true;
+        return false;
+    }
+    /// Twelve pictures evenly over the run, the first and the last among them; all of those that stand alone.
+    bool isOnSheet(int picture) const {
+        if (m_alone || m_pictures <= kSheetPictures || picture == 0) return true;
+        return picture * (kSheetPictures - 1) / (m_pictures - 1) != (picture - 1) * (kSheetPictures - 1) / (m_pictures - 1);
+    }
+
+private:
+    int stepOf(int picture) const { return int(int64_t(picture + 1) * m_steps / m_pictures); }
+    int m_steps, m_stepsAPicture = 1, m_pictures = 0;
+    bool m_alone;
+};
+
+/// Steps of the run: as asked for, as the scene says, or ten seconds.
+int runLength(const SandboxOptions& options) {
+    if (options.seconds > 0.0) return int(options.seconds * kStepsASecond);
+    const Scene* scene = findScene(options.scene);
+    return scene ? scene->steps : 10 * kStepsASecond;
 }
 
 }  // namespace
@@ -119,35 +151,39 @@ int runHeadless(const SandboxOptions& options) {
     settings.waitForShadow = true;
     settings.publish = !options.noRender;
     FrameLoop loop(settings);
+    loop.world().setSettings(stage->settings);
     loop.load(stage->level);
     std::unique_ptr<Recorder> recorder;
     if (!options.noRender) {
-        auto created = Recorder::create(options);
+        auto created = Recorder::create(options, *stage);
         if (!created) return logError(created.error()), 1;
         recorder = std::move(*created);
-        recorder->frameModel(stage->modelLow, stage->modelHigh);
     }
 
     Figures figures;
     std::vector<Image> sheet;
-    const int steps = int(options.seconds * kStepsASecond), stepsAPicture = kStepsASecond / options.fps, pictures = steps / stepsAPicture;
-    Progress progress(recorder ? "demolition, pictures" : "demolition, steps", recorder ? pictures : steps);
-    for (int step = 0; step < steps; ++step) {
-        loop.edits().push(stage->hasModel ? demolishModel(step, stage->modelLow, stage->modelHigh, options.seed) : demolition(step, options.seed));
+    const int steps = runLength(options);
+    const Schedule schedule(options, steps);
+    Progress progress(recorder ? "demolition, pictures" : "demolition, steps", recorder ? schedule.pictures() : steps);
+    for (int step = 1; step <= steps; ++step) {
+        loop.edits().push(stage->script(step - 1));
         const uint64_t before = allocationCount();
         loop.step();
         figures.addStep(loop, allocationCount() - before);
         if (!recorder) {
-            progress.advance(step + 1);
+            progress.advance(step);
             continue;
         }
-        if ((step + 1) % stepsAPicture != 0) continue;
-        const int picture = (step + 1) / stepsAPicture - 1;
-        const double seconds = double(step + 1) / kStepsASecond;
+        const int picture = schedule.pictureAt(step);
+        const double seconds = double(step) / kStepsASecond;
+        if (picture < 0) {
+            if (schedule.isRunUp(step)) recorder->draw(loop, seconds);
+            continue;
+        }
         const Image image = recorder->draw(loop, seconds);
         figures.addPicture(loop, recorder->renderer());
         if (auto written = writePng(fmt::format("{}/frames/{:04d}.png", out.string(), picture), image); !written) return logError(written.error()), 1;
-        if (isSheetPicture(picture, pictures)) {
+        if (schedule.isOnSheet(picture)) {
             sheet.push_back(image);
             if (options.allPasses) recorder->writeAllPasses(loop, seconds, out / fmt::format("passes_{:04d}", picture));
         }
@@ -155,8 +191,9 @@ int runHeadless(const SandboxOptions& options) {
     }
 
     if (recorder && !sheet.empty()) {
-        if (auto written = writePng((out / "contact_sheet.png").string(), tile(sheet, kSheetColumns)); !written) return logError(written.error()), 1;
-        makeVideo(out, options.fps);
+        if (auto written = writePng((out / "contact_sheet.png").string(), tile(sheet, schedule.columns())); !written)
+            return logError(written.error()), 1;
+        if (!schedule.alone()) makeVideo(out, options.fps);
     }
     if (!figures.writeJson((out / "figures.json").string())) return logError((out / "figures.json").string() + ": cannot write"), 1;
     const std::string table = figures.table();

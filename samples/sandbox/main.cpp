@@ -7,6 +7,7 @@
 #include "samples/sandbox/headless.h"
 #include "samples/sandbox/options.h"
 #include "samples/sandbox/window.h"
+#include "samples/scenes/scene.h"
 
 namespace rubble {
 
@@ -17,8 +18,27 @@ bool SandboxOptions::wantsWindow() const {
 
 namespace {
 
+int listScenes() {
+    for (const Scene& scene : allScenes()) std::printf("%-10s %s\n", scene.name.data(), scene.shows.data());
+    return 0;
+}
+
+/// Every scene into a folder of its own.
+int runAllScenes(const SandboxOptions& options) {
+    int worst = 0;
+    for (const Scene& scene : allScenes()) {
+        SandboxOptions each = options;
+        each.scene = scene.name;
+        each.out = options.out + "/" + each.scene;
+        std::printf("%s: %s\n", scene.name.data(), scene.shows.data());
+        worst = std::max(worst, runHeadless(each));
+    }
+    return worst;
+}
+
 int run(int argc, char** argv) {
     SandboxOptions options;
+    bool list = false;
     options.shaders = RUBBLE_SHADER_DIR;
     options.tools = std::filesystem::weakly_canonical(std::filesystem::path(argv[0])).parent_path().string();
     CLI::App app{
@@ -28,12 +48,15 @@ int run(int argc, char** argv) {
         "sandbox"};
     app.add_option("--model", options.model, "put this .vox, .vdb or .rubble on the street and demolish it")->check(CLI::ExistingFile);
     app.add_option("--level", options.level, "open this level instead of the town")->check(CLI::ExistingFile);
+    app.add_option("--scene", options.scene, "one of the scripted scenes instead of the town, or all");
+    app.add_flag("--list-scenes", list, "name the scenes and leave");
+    app.add_option("--pictures", options.pictures, "draw only so many pictures, evenly over the run; no MP4")->check(CLI::Range(1, 1000));
     app.add_option("--out", options.out, "folder for pictures and figures")->capture_default_str();
     app.add_option("--size", options.size, "picture size, WIDTHxHEIGHT")->capture_default_str();
     app.add_option("--fps", options.fps, "pictures a second of game time (a divisor of 60)")
         ->capture_default_str()
         ->check(CLI::IsMember({1, 2, 3, 4, 5, 6, 10, 12, 15, 20, 30, 60}));
-    app.add_option("--seconds", options.seconds, "game time")->capture_default_str()->check(CLI::Range(0.0, 3600.0));
+    app.add_option("--seconds", options.seconds, "game time (10, or as long as the scene says)")->check(CLI::Range(0.0, 3600.0));
     app.add_option("--preset", options.preset, "fast, balanced or accurate")
         ->capture_default_str()
         ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
@@ -57,6 +80,8 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error);
     }
+    if (list) return listScenes();
+    if (options.scene == "all") return runAllScenes(options);
     return options.wantsWindow() ? runWindow(options) : runHeadless(options);
 }
 

@@ -8,11 +8,13 @@ namespace rubble {
 struct SandboxOptions {
     std::string model;        ///< .vox, .vdb or .rubble to put on the street instead of the house
     std::string level;        ///< a whole level to open instead of the town
+    std::string scene;        ///< one of the scripted scenes instead of the town; "all": one after the other
+    int pictures = 0;         ///< only so many pictures, evenly over the run, and no MP4; 0: at `fps`
     std::string out = "out";  ///< folder for pictures and figures
     std::string size = "640x360";
     int width = 640, height = 360;
-    int fps = 30;           ///< pictures a second of game time; must divide 60
-    double seconds = 10.0;  ///< of game time
+    int fps = 30;          ///< pictures a second of game time; must divide 60
+    double seconds = 0.0;  ///< of game time; 0: as long as the scene says, or ten
     std::string preset = "balanced";
     uint64_t seed = 1;
     std::string pass = "final";  ///< which target of the renderer is the picture

@@ -6,6 +6,7 @@
 #include "runtime/assets/assets.h"
 #include "runtime/core/log.h"
 #include "samples/scenes/demolition.h"
+#include "samples/scenes/scene.h"
 #include "samples/scenes/town.h"
 
 namespace rubble {
@@ -27,20 +28,38 @@ Result<std::string> townFile(const SandboxOptions& options, const std::string& v
     return path.string();
 }
 
+Result<SandboxStage> modelStage(const SandboxOptions& options, const std::string& vdbTool) {
+    ImportReport report;
+    Result<Level> model = readLevel(options.model, vdbTool, &report);
+    if (!model) return Error{model.error()};
+    for (const std::string& line : report.lines) logInfo(line);
+    SandboxStage stage;
+    glm::dvec3 low, high;
+    stage.level = makeStreetStage(*model, options.seed, low, high);
+    stage.script = [low, high, seed = options.seed](int step) { return demolishModel(step, low, high, seed); };
+    stage.camera = [low, high](double seconds) { return modelCamera(low, high, seconds); };
+    stage.verticalFov = kDemolitionFov;
+    return stage;
+}
+
+Result<SandboxStage> sceneStage(const SandboxOptions& options) {
+    const Scene* scene = findScene(options.scene);
+    if (!scene) return Error{"--scene " + options.scene + ": no such scene; --list-scenes names them"};
+    SandboxStage stage;
+    stage.level = scene->level(options.seed);
+    stage.settings = scene->settings;
+    stage.script = [scene, seed = options.seed](int step) { return scene->script(step, seed); };
+    stage.camera = scene->camera;
+    stage.verticalFov = scene->verticalFov;
+    return stage;
+}
+
 }  // namespace
 
 Result<SandboxStage> loadStage(const SandboxOptions& options) {
     const std::string vdbTool = options.tools + "/rubble-vdb";
-    SandboxStage stage;
-    if (!options.model.empty()) {
-        ImportReport report;
-        Result<Level> model = readLevel(options.model, vdbTool, &report);
-        if (!model) return Error{model.error()};
-        for (const std::string& line : report.lines) logInfo(line);
-        stage.hasModel = true;
-        stage.level = makeStreetStage(*model, options.seed, stage.modelLow, stage.modelHigh);
-        return stage;
-    }
+    if (!options.scene.empty()) return sceneStage(options);
+    if (!options.model.empty()) return modelStage(options, vdbTool);
     std::string path = options.level;
     if (path.empty()) {
         Result<std::string> town = townFile(options, vdbTool);
@@ -49,7 +68,11 @@ Result<SandboxStage> loadStage(const SandboxOptions& options) {
     }
     Result<Level> level = readLevel(path, vdbTool);
     if (!level) return Error{level.error()};
+    SandboxStage stage;
     stage.level = std::move(*level);
+    stage.script = [seed = options.seed](int step) { return demolition(step, seed); };
+    stage.camera = demolitionCamera;
+    stage.verticalFov = kDemolitionFov;
     return stage;
 }
 

@@ -1,16 +1,20 @@
 #pragma once
+#include <functional>
+
 #include "runtime/core/result.h"
-#include "runtime/world/level.h"
+#include "runtime/world/world.h"
 #include "samples/sandbox/options.h"
 
 namespace rubble {
 
-/// The level that the options ask for, loaded from its file. The town is written once as .vdb by our own code and read
-/// back; a model is imported and put on the street.
+/// The level that the options ask for, what shall happen to it, and from where it is seen. The town is written once as .vdb
+/// by our own code and read back; a model is imported and put on the street; a scene is made in place.
 struct SandboxStage {
     Level level;
-    bool hasModel = false;
-    glm::dvec3 modelLow{0.0}, modelHigh{0.0};  ///< where it stands, metres
+    WorldSettings settings;
+    std::function<Edits(int step)> script;
+    std::function<Pose(double seconds)> camera;
+    float verticalFov = 0.7f;  ///< radians
 };
 Result<SandboxStage> loadStage(const SandboxOptions& options);
 

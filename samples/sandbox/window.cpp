@@ -12,7 +12,6 @@
 #include "samples/sandbox/player.h"
 #include "samples/sandbox/stage.h"
 #include "samples/sandbox/tools.h"
-#include "samples/scenes/demolition.h"
 #include "samples/support/image.h"
 #include "samples/support/window.h"
 
@@ -45,7 +44,7 @@ public:
         m_last = now;
         readKeys(elapsed);
         m_lag = std::min(m_lag + elapsed, kMostStepsAFrame * kStepSeconds);
-        for (; m_lag >= kStepSeconds; m_lag -= kStepSeconds) m_loop.step();
+        for (; m_lag >= kStepSeconds; m_lag -= kStepSeconds) step();
         draw(m_lag / kStepSeconds);
         m_window.present();
         return true;
@@ -58,9 +57,16 @@ public:
 
 private:
     void reset() {
+        m_loop.world().setSettings(m_stage.settings);
         m_loop.load(m_stage.level);
-        m_player.place(m_stage.hasModel ? modelCamera(m_stage.modelLow, m_stage.modelHigh, 0.0) : demolitionCamera(0.0));
+        m_player.place(m_stage.camera(0.0));
+        m_step = 0;
         m_cut = true;
+        m_loop.step();
+    }
+
+    void step() {
+        if (!m_options.scene.empty()) m_loop.edits().push(m_stage.script(m_step++));
         m_loop.step();
     }
 
@@ -107,6 +113,7 @@ private:
     Player m_player;
     Tool m_tool = Tool::Hammer;
     uint32_t m_seed;
+    int m_step = 0;  ///< of the scene's script
     double m_toolWait = 0.0, m_lag = 0.0;
     bool m_cut = true;
     std::vector<std::string> m_passes;

@@ -1,0 +1,107 @@
+// A pavilion with a glass front. A ball comes down the steps and through the middle pane.
+#include "runtime/core/random.h"
+#include "samples/scenes/building.h"
+#include "samples/scenes/fracture.h"
+#include "samples/scenes/furniture.h"
+#include "samples/scenes/plot.h"
+#include "samples/scenes/recipes.h"
+#include "samples/scenes/scene.h"
+#include "samples/scenes/script_clock.h"
+
+namespace rubble::scenes {
+namespace {
+
+constexpr int kWide = 124, kDeep = 70, kTall = 34, kMargin = 8;
+constexpr int kFloor = kFooting + 2, kTop = kFloor + kTall;
+constexpr ivec3 kHouse{90, -kFooting, 110};
+constexpr int kPanes = 4, kPane = (kWide - 8) / kPanes;  // cells from post to post
+
+void addPavilion(Level& level) {
+    Canvas c({kWide + 2 * kMargin, kTop + 6, kDeep + 2 * kMargin});
+    const Swatch concrete = c.mix(kConcrete), board = c.mix(kFloorBoard), seam = c.mix(kFloorSeam), steel = c.mix(kDarkSteel), glass = c.mix(kGlass),
+                 wood = c.mix(kDarkWood), white = c.mix(kPlaster), felt = c.mix(kRoofFelt), brick = c.mix(kBrick), joint = c.mix(kBrickJoint);
+    const int x0 = kMargin, x1 = x0 + kWide, z0 = kMargin, z1 = z0 + kDeep;
+    c.box({x0 - 4, 0, z0 - 2}, {x1 + 4, kFloor, z1 + 6}, concrete);
+    c.fill({x0, kFloor, z0}, {x1, kFloor + 1, z1}, [&](ivec3 cell) {
+        const int plank = cell.z / 4;
+        return PaintBox::pickFor(cell.z % 4 == 3 ? seam : board, hashCell((cell.x + int(hashCell(plank, 0, 0, 5) % 30)) / 30, plank, 1, 64));
+    });
+    // A brick wall behind and a plastered one to the right; glass in front and to the left, under a thin wide roof.
+    c.fill({x0, kFloor + 1, z0}, {x1, kTop, z0 + 3}, [&](ivec3 cell) {
+        const int shifted = cell.x + cell.y % 2 * 2;
+        return PaintBox::pickFor(shifted % 4 == 0 ? joint : brick, hashCell(shifted / 4, cell.y, 0, 42) >> 8);
+    });
+    c.box({x1 - 3, kFloor + 1, z0}, {x1, kTop, z1 - 2}, white);
+    c.box({x0 - 7, kTop, z0 - 4}, {x1 + 4, kTop + 3, z1 + 8}, wood);
+    c.box({x0 - 6, kTop + 3, z0 - 3}, {x1 + 3, kTop + 4, z1 + 7}, felt);
+    c.box({x0 - 7, kTop, z1 + 7}, {x1 + 4, kTop + 4, z1 + 8}, steel);
+    c.box({x0 - 7, kTop, z0 - 4}, {x0 - 6, kTop + 4, z1 + 8}, steel);
+    for (int i = 0; i <= kPanes; ++i) c.box({x0 + 2 + i * kPane, kFloor + 1, z1 - 3}, {x0 + 4 + i * kPane, kTop, z1 - 1}, steel);
+    c.box({x0 + 2, kFloor + 1, z1 - 2}, {x1 - 3, kTop, z1 - 1}, glass);
+    c.box({x0 + 2, kFloor + 1, z1 - 3}, {x1 - 3, kFloor + 2, z1 - 1}, steel);
+    c.box({x0 + 2, kTop - 1, z1 - 3}, {x1 - 3, kTop, z1 - 1}, steel);
+    for (int i = 0; i <= kPanes; ++i) c.box({x0 + 2 + i * kPane, kFloor + 1, z1 - 3}, {x0 + 4 + i * kPane, kTop, z1 - 1}, steel);
+    c.box({x0 + 2, kFloor + 1, z0 + 3}, {x0 + 3, kTop, z1 - 2}, glass);
+    c.box({x0 + 1, kFloor + 1, z0 + 34}, {x0 + 4, kTop, z0 + 36}, steel);
+    addStatic(level, c.finish("pavilion"), kHouse - ivec3(kMargin, 0, kMargin));
+}
+
+/// A ball of stone on the lawn, rolling toward the glass.
+void addBall(Level& level) {
+    constexpr int kRadius = 6;
+    Canvas c(ivec3(2 * kRadius + 1));
+    const Swatch stone = c.mix(kCastSteel), band = c.mix(kCastSteel, 140);
+    c.fill(ivec3(0), c.size(), [&](ivec3 cell) {
+        const ivec3 d = cell - kRadius;
+        if (d.x * d.x + d.y * d.y + d.z * d.z > kRadius * kRadius + 3) return uint8_t(0);
+        return PaintBox::pick(std::abs(d.x) < 2 ? band : stone, cell);
+    });
+    addLoose(level, c.finish("ball"), {148, 20, 272});
+    level.bodies.back().velocity = {1.2f, 3.2f, -11.0f};
+    level.bodies.back().angularVelocity = {-9.0f, 0.5f, -1.0f};
+}
+
+Level paneLevel(uint64_t seed) {
+    GroundPlan ground;
+    using enum GroundPlan::Surface;
+    ground.size = {320, 0, 320};
+    ground.areas = {area(Paving, 74, 184, 246, 206), area(Paving, 146, 206, 176, 320)};
+    Level level = makePlot("window", ground, seed);
+    addPavilion(level);
+    addBall(level);
+    const ivec3 floor = kHouse + ivec3(0, kFloor + 1, 0);
+    addLoose(level, makeSofa("sofa", kClothTeal), floor + ivec3(40, 0, 30));
+    addLoose(level, makeTable("table"), floor + ivec3(66, 0, 24));
+    addLoose(level, makeChair("chair 1", kRedWood), floor + ivec3(92, 0, 30));
+    addLoose(level, makeShelf("shelf", 11), floor + ivec3(82, 0, 4));
+    addLoose(level, makePlantPot("plant 1"), floor + ivec3(10, 0, 52));
+    addLoose(level, makePlantPot("plant 2"), floor + ivec3(104, 0, 54));
+    addLoose(level, makeTelevision("television"), floor + ivec3(20, 0, 8));
+    addLoose(level, makeBench("bench"), {216, 0, 214}, Turn::Askew);
+    addFloorLamp(level, "lamp", floor + ivec3(60, 0, 10));
+    return level;
+}
+
+/// The third pane's middle, where the ball arrives.
+const glm::dvec3 kHit = (glm::dvec3(kHouse) + glm::dvec3(2 + kPane * 2.5 - kMargin / 2, kFloor + 17, kDeep - 1.5)) * kVoxel;
+
+Edits paneScript(int step, uint64_t seed) {
+    ScriptClock clock(step);
+    clock.spread(0.74, 0.78, fracture({kHit, 2, 1.9, 0.1, 12, Hardness::Soft, seed + 1}));
+    if (clock.at(0.78)) clock.add(carveSphere(kHit, {0.8, 0.0, 0.0}));
+    return clock.take();
+}
+
+Pose paneCamera(double seconds) {
+    return lookAt({9.8 + 0.1 * seconds, 2.5, 27.0}, {15.6, 1.9, 16.0});
+}
+
+}  // namespace
+
+Scene paneScene() {
+    Scene scene{"pane", "a window wall that a ball goes through", paneLevel, paneScript, paneCamera};
+    scene.steps = 300;
+    return scene;
+}
+
+}  // namespace rubble::scenes

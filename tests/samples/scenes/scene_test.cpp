@@ -1,0 +1,73 @@
+#include "samples/scenes/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace rubble {
+namespace {
+
+class EveryScene : public testing::TestWithParam<Scene> {};
+
+std::string nameOf(const testing::TestParamInfo<Scene>& info) {
+    return std::string(info.param.name);
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(allScenes().begin(), allScenes().end()), nameOf);
+
+TEST(Scenes, AreTenOfDifferentNames) {
+    std::set<std::string_view> names;
+    for (const Scene& scene : allScenes()) {
+        names.insert(scene.name);
+        EXPECT_EQ(findScene(scene.name)->name, scene.name);
+        EXPECT_FALSE(scene.shows.empty());
+    }
+    EXPECT_EQ(names.size(), 10u);
+    EXPECT_EQ(findScene("no such scene"), nullptr);
+}
+
+bool movesFromTheStart(const Level& level) {
+    for (const LevelBody& body : level.bodies)
+        if (!body.isStatic && (glm::length(body.velocity) > 0.0f || glm::length(body.angularVelocity) > 0.0f)) return true;
+    return false;
+}
+
+/// The script alone, without physics: what it takes away is accounted for, and the same seed does the same.
+TEST_P(EveryScene, BreaksSomethingAndLosesNothing) {
+    const Scene& scene = GetParam();
+    const Level level = scene.level(1);
+    World first, second;
+    for (World* world : {&first, &second}) {
+        world->setSettings(scene.settings);
+        world->load(level);
+    }
+    uint64_t removed = 0;
+    for (int step = 0; step < scene.steps; ++step) {
+        for (const RemovedVoxels& each : first.applyEdits(scene.script(step, 1)).removed) removed += each.count;
+        second.applyEdits(scene.script(step, 1));
+    }
+    EXPECT_TRUE(removed > 0 || movesFromTheStart(level)) << "nothing ever happens";
+    EXPECT_TRUE(first.ledger().balances());
+    EXPECT_EQ(first.hash(), second.hash());
+}
+
+TEST_P(EveryScene, IsSeenByItsCamera) {
+    const Scene& scene = GetParam();
+    World world;
+    world.load(scene.level(1));
+    std::set<std::string> names;
+    world.bodies().forEach([&](BodyHandle, const Body& body) { EXPECT_TRUE(names.insert(body.name).second) << body.name << " twice"; });
+    for (const double seconds : {0.0, scene.steps / 60.0}) {
+        const Pose eye = scene.camera(seconds);
+        int seen = 0;
+        for (int i = 0; i < 9; ++i) {
+            const glm::dvec3 way(0.25 * (i % 3 - 1), 0.15 * (i / 3 - 1), -1.0);
+            const WorldHit hit = world.raycast(eye.position, eye.rotation * way, 100.0);
+            seen += hit.hit;
+            EXPECT_TRUE(!hit.hit || hit.distance > 2.0) << "something stands in the camera's way";
+        }
+        EXPECT_GE(seen, 4) << "the camera looks at nothing";
+    }
+}
+
+}  // namespace
+}  // namespace rubble
