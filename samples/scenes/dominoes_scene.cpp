@@ -13,11 +13,11 @@ namespace {
 
 constexpr int kSlabs = 30;
 constexpr ivec3 kSlabSize{3, 21, 11};  // cells: it falls along x
-constexpr double kSpacing = 1.05;      // metres
+constexpr double kSpacing = 0.98;      // metres
 
-/// One slab with a pattern of its own: stone, wood or enamel with inlaid dots.
+/// One slab with a pattern of its own: of one weight, with inlaid dots.
 LevelShape makeSlab(int number) {
-    static constexpr const Recipe* kBodies[] = {&kWhiteEnamel, &kCarRed, &kConcrete, &kTimber, &kCarBlue, &kCarYellow};
+    static constexpr const Recipe* kBodies[] = {&kWhiteEnamel, &kClothRed, &kPlasticGreen, &kClothOchre, &kClothBlue, &kPlasticGrey};
     Canvas c(kSlabSize);
     const Swatch body = c.mix(*kBodies[number % 6]), dot = c.mix(number % 6 == 0 ? kPlasticBlack : kWhiteEnamel);
     c.box(ivec3(0), kSlabSize, body);
@@ -61,7 +61,7 @@ Level dominoesLevel(uint64_t seed) {
         body.name = slab.name;
         body.isStatic = false;
         body.pose = poses[size_t(i)];
-        if (i == 0) body.angularVelocity = {0.0f, 0.0f, -1.6f};
+        if (i == 0) body.velocity = {1.3f, 0.0f, 0.0f}, body.angularVelocity = {0.0f, 0.0f, -1.2f};
         body.shapes.push_back(std::move(slab));
         level.bodies.push_back(std::move(body));
     }
