@@ -18,7 +18,7 @@
 #include "render/passes/sun_pass.h"
 #include "render/passes/taa_pass.h"
 #include "render/passes/tonemap_pass.h"
-#include "render/scene/blue_noise.h"
+#include "runtime/core/blue_noise.h"
 #include "render/scene/scene.h"
 
 namespace rubble {

@@ -1,54 +1,45 @@
 #include "runtime/destruction/paint.h"
 
-#include "runtime/core/random.h"
 #include "runtime/destruction/blend_palette.h"
+#include "runtime/destruction/spray.h"
 
 namespace rubble {
 namespace {
 
-constexpr uint64_t kFirstColumn = 0x0101010101010101ull;
+constexpr uint32_t kSecondNoise = 0x51ed270bu;  ///< a pattern that has nothing to do with the first
 
-/// The voxels of a brick with at least one empty neighbour cell.
-BrickBits exposedBits(const VoxelGrid& grid, glm::ivec3 position, const Brick& brick) {
-    const auto occupancy = [&](glm::ivec3 step) {
-        const Brick* neighbour = grid.brickAt(position + step);
-        return neighbour ? neighbour->occupancy : BrickBits{};
-    };
-    const BrickBits left = occupancy({-1, 0, 0}), right = occupancy({1, 0, 0}), below = occupancy({0, -1, 0}), above = occupancy({0, 1, 0});
-    const BrickBits back = occupancy({0, 0, -1}), front = occupancy({0, 0, 1});
-    BrickBits out;
-    for (size_t z = 0; z < 8; ++z) {
-        const uint64_t own = brick.occupancy[z];
-        uint64_t covered = (own << 1 & ~kFirstColumn) | (left[z] >> 7 & kFirstColumn);
-        covered &= (own >> 1 & ~(kFirstColumn << 7)) | (right[z] & kFirstColumn) << 7;
-        covered &= own << 8 | below[z] >> 56;
-        covered &= own >> 8 | above[z] << 56;
-        covered &= z > 0 ? brick.occupancy[z - 1] : back[7];
-        covered &= z < 7 ? brick.occupancy[z + 1] : front[0];
-        out[z] = own & ~covered;
-    }
-    return out;
+/// What of a spray reaches one voxel.
+struct Drop {
+    int strength;  ///< 0..255, less toward the rim
+    int rim;       ///< see rimShare()
+    glm::ivec3 cell;
+    int axis;
+};
+
+/// Whether the spray touches a cell at all: always in the middle, at the rim with the given probability.
+bool isTouched(const Drop& drop, const Paint& paint) {
+    return surfaceNoise(drop.cell, drop.axis, paint.seed) < 255 - (255 - paint.probability) * drop.rim / 255;
 }
 
-/// Whether the spray touches a cell: always in the middle, at the rim with the given probability.
-bool isSprayed(glm::ivec3 cell, const Brush& sphere, const Paint& paint) {
-    int64_t distance2 = 0;
-    for (int i = 0; i < 3; ++i) {
-        const int64_t away = int64_t(cell[i]) * kBrushUnit + kBrushUnit / 2 - sphere.a[size_t(i)];
-        distance2 += away * away;
-    }
-    const int64_t radius2 = sphere.radii[0] * sphere.radii[0];
-    const int64_t limit = 255 - (255 - paint.probability) * distance2 / radius2;
-    return int64_t(hashCell(cell.x, cell.y, cell.z, paint.seed) % 255) < limit;
+/// The exposed voxels of a brick within the brush.
+template <class F>
+void forEachDrop(const VoxelGrid& grid, glm::ivec3 position, const Brick& brick, const Brush& brush, const Paint& paint, F&& f) {
+    BrickBits cells = brushBits(brush, position, brush.radii[0]);
+    const ExposedBits exposed = exposedBits(grid, position, brick);
+    const BrickBits visible = exposed.all();
+    for (size_t i = 0; i < 8; ++i) cells[i] &= visible[i];
+    forEachVoxel(cells, [&](int i) {
+        const glm::ivec3 cell = position * kBrickSize + voxelInBrick(i);
+        const int rim = rimShare(brush, cell);
+        const Drop drop{paint.strength * (255 - (255 - paint.falloff) * rim / 255) / 255, rim, cell, exposed.axis(i)};
+        if (isTouched(drop, paint)) f(i, drop);
+    });
 }
 
-}  // namespace
-
-Painted paint(VoxelGrid& grid, const PaletteRef& palette, const Brush& sphere, const Paint& paint) {
-    Painted out;
-    if (sphere.radii[0] <= 0 || paint.strength == 0) return out;
-    const CellBox range = brushBricks(sphere, grid.sizeInBricks());
-    BlendPalette blend(grid, *palette, paint);
+/// Repaints every brick within the brush by repaint(position, brick), which returns null for one that does not change.
+template <class F>
+void forEachBrickOf(VoxelGrid& grid, const Brush& brush, Painted& out, F&& repaint) {
+    const CellBox range = brushBricks(brush, grid.sizeInBricks());
     std::vector<std::pair<glm::ivec3, BrickRef>> repainted;
     for (int z = range.low.z; z < range.high.z; ++z)
         for (int y = range.low.y; y < range.high.y; ++y)
@@ -56,28 +47,100 @@ Painted paint(VoxelGrid& grid, const PaletteRef& palette, const Brush& sphere, c
                 const glm::ivec3 position(x, y, z);
                 const Brick* brick = grid.brickAt(position);
                 if (!brick) continue;
-                BrickBits cells = brushBits(sphere, position, sphere.radii[0]);
-                const BrickBits exposed = exposedBits(grid, position, *brick);
-                for (size_t i = 0; i < 8; ++i) cells[i] &= exposed[i];
-                BrickIndices indices;
-                expandBrick(brick, indices);
-                uint64_t changed = 0;
-                forEachVoxel(cells, [&](int i) {
-                    if (!isSprayed(position * kBrickSize + voxelInBrick(i), sphere, paint)) return;
-                    const uint8_t next = blend.blended(indices[size_t(i)]);
-                    changed += next != indices[size_t(i)];
-                    indices[size_t(i)] = next;
-                });
-                if (!changed) continue;
-                out.voxels += changed;
-                repainted.emplace_back(position, makeBrick(indices, brick->paint.get()));
+                if (BrickRef after = repaint(position, *brick)) repainted.emplace_back(position, std::move(after));
             }
     for (auto& [position, brick] : repainted) {
         grid.setBrick(position, std::move(brick));
         out.bricks.push_back(position);
     }
+}
+
+/// The paint byte after one step of `color`.
+uint8_t layered(uint8_t before, int color, const Drop& drop, uint32_t seed) {
+    const int noise = surfaceNoise(drop.cell, drop.axis, seed ^ kSecondNoise);
+    const int steps = paintSteps(before);
+    const int way = (kPaintSteps - steps) * drop.strength;  // in 255ths of a step, dithered to whole ones
+    const int added = std::min(kPaintSteps - steps, std::max(1, (way + noise) / 255));
+    const bool keepsColor = steps > 0 && paintColor(before) != color && noise >= std::max(drop.strength, 255 / kPaintSteps);
+    return paintByte(keepsColor ? paintColor(before) : color, steps + added);
+}
+
+int distance2(Srgb a, Srgb b) {
+    int sum = 0;
+    for (size_t i = 0; i < 3; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return sum;
+}
+
+/// The number of a colour, 1 to 15: that of an equal one, else a new one, else the nearest.
+int findColor(PaintColors& colors, Srgb color, uint64_t& merges) {
+    int nearest = 0;
+    for (int i = 1; i < colors.count; ++i)
+        if (distance2(colors.colors[size_t(i)], color) < distance2(colors.colors[size_t(nearest)], color)) nearest = i;
+    if (colors.count > 0 && colors.colors[size_t(nearest)] == color) return nearest + 1;
+    if (colors.count == kPaintColors) {
+        ++merges;
+        return nearest + 1;
+    }
+    colors.colors[colors.count] = color;
+    return ++colors.count;
+}
+
+}  // namespace
+
+Painted paintPalette(VoxelGrid& grid, const PaletteRef& palette, const Brush& brush, const Paint& paint) {
+    Painted out;
+    if (brush.radii[0] <= 0 || paint.strength == 0) return out;
+    BlendPalette blend(grid, *palette, paint);
+    forEachBrickOf(grid, brush, out, [&](glm::ivec3 position, const Brick& brick) -> BrickRef {
+        BrickIndices indices;
+        expandBrick(&brick, indices);
+        uint64_t changed = 0;
+        forEachDrop(grid, position, brick, brush, paint, [&](int i, const Drop& drop) {
+            if (surfaceNoise(drop.cell, drop.axis, paint.seed ^ kSecondNoise) * paint.strength >= drop.strength * 255) return;
+            const uint8_t next = blend.blended(indices[size_t(i)]);
+            changed += next != indices[size_t(i)];
+            indices[size_t(i)] = next;
+        });
+        out.voxels += changed;
+        return changed ? makeBrick(indices, brick.paint.get()) : nullptr;
+    });
     out.merges = blend.merges();
     if (blend.hasChanged()) out.palette = std::make_shared<const Palette>(blend.palette());
+    return out;
+}
+
+Painted paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Brush& brush, const Paint& paint) {
+    Painted out;
+    if (brush.radii[0] <= 0 || paint.strength == 0) return out;
+    PaintColors table = colors ? *colors : PaintColors{};
+    const uint8_t colorsBefore = table.count;
+    const int color = findColor(table, paint.color, out.merges);
+    forEachBrickOf(grid, brush, out, [&](glm::ivec3 position, const Brick& brick) -> BrickRef {
+        BrickIndices layer{};
+        if (brick.paint) layer = *brick.paint;
+        uint64_t changed = 0;
+        forEachDrop(grid, position, brick, brush, paint, [&](int i, const Drop& drop) {
+            if (drop.strength == 0) return;
+            const uint8_t next = layered(layer[size_t(i)], color, drop, paint.seed);
+            changed += next != layer[size_t(i)];
+            layer[size_t(i)] = next;
+        });
+        out.voxels += changed;
+        if (!changed) return nullptr;
+        BrickIndices indices;
+        expandBrick(&brick, indices);
+        return makeBrick(indices, &layer);
+    });
+    if (out.voxels == 0)
+        out.merges = 0;
+    else if (table.count > colorsBefore)
+        out.colors = std::make_shared<const PaintColors>(table);
+    return out;
+}
+
+Srgb paintOver(Srgb base, Srgb paint, int steps) {
+    Srgb out;
+    for (size_t i = 0; i < 3; ++i) out[i] = uint8_t((base[i] * (kPaintSteps - steps) + paint[i] * steps + kPaintSteps / 2) / kPaintSteps);
     return out;
 }
 

@@ -9,6 +9,7 @@
 
 #include "runtime/core/handle.h"
 #include "runtime/destruction/brush.h"
+#include "runtime/world/paint_settings.h"
 
 namespace rubble {
 
@@ -31,7 +32,7 @@ struct ExplodeEdit {
     double impulse = 0.0;  ///< N s on a body at the centre; 0: size decides
 };
 
-/// Blends the colours of voxels near a surface toward a paint, a step a call.
+/// Blends the colours of voxels at the surface toward a paint, a step a call: sprays, soot, skid marks.
 struct PaintEdit {
     glm::dvec3 position{0.0};
     double radius = 0.5;                      ///< metres
@@ -39,6 +40,11 @@ struct PaintEdit {
     uint8_t strength = 64;                    ///< share of the way to the paint in one step, of 255
     uint8_t probability = 255;                ///< share of voxels touched at the rim, of 255; the centre is always touched
     uint32_t seed = 0;
+    uint8_t falloff = 255;                ///< share of the strength that is left at the rim, of 255
+    PaintMode mode = PaintMode::Default;  ///< blend or layer
+    BrushKind kind = BrushKind::Sphere;   ///< or Capsule: a stroke, as of a skid
+    glm::dvec3 end{0.0};                  ///< capsule: its other end
+    ShapeHandle shape;                    ///< empty: all
 };
 
 struct ImpulseEdit {

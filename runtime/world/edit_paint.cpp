@@ -1,28 +1,43 @@
 #include <algorithm>
+#include <cmath>
 
+#include "runtime/core/log.h"
 #include "runtime/destruction/paint.h"
 #include "runtime/world/edit_step.h"
 
 namespace rubble {
 
 void EditStep::apply(const PaintEdit& edit) {
-    CarveEdit sphere{.position = edit.position};
-    sphere.radii.fill(edit.radius);
-    for (const ShapeHandle handle : m_world.shapesNear(edit.position, edit.radius)) paintShape(handle, edit, sphere);
+    CarveEdit area{.kind = edit.kind == BrushKind::Capsule ? BrushKind::Capsule : BrushKind::Sphere, .position = edit.position, .end = edit.end};
+    area.radii.fill(edit.radius);
+    const EditReach reach = editReach(area);
+    if (!(reach.radius >= 0.0) || !std::isfinite(reach.radius))
+        return logWarning("PaintEdit: a position or radius is not a number; nothing was painted");
+    if (edit.shape) {
+        if (!m_world.m_shapes.find(edit.shape)) return logWarning("PaintEdit: the handle of its shape is stale; nothing was painted");
+        return paintShape(edit.shape, edit, area);
+    }
+    for (const ShapeHandle handle : m_world.shapesNear(reach.center, reach.radius)) paintShape(handle, edit, area);
 }
 
-void EditStep::paintShape(ShapeHandle handle, const PaintEdit& edit, const CarveEdit& sphere) {
-    Shape& shape = m_world.m_shapes.at(handle);
-    const Brush brush = resolveBrush(sphere, m_world.shapeToWorld(handle), shape.voxelSize);
+void EditStep::paintShape(ShapeHandle handle, const PaintEdit& edit, const CarveEdit& area) {
+    const Shape& shape = m_world.m_shapes.at(handle);
+    const Brush brush = resolveBrush(area, m_world.shapeToWorld(handle), shape.voxelSize);
     if (brushBricks(brush, shape.grid.sizeInBricks()).empty()) return;
-    const Painted painted = paint(shape.grid, shape.palette, brush, {edit.color, edit.strength, edit.probability, edit.seed});
+    paintShape(handle, brush, {edit.color, edit.strength, edit.probability, edit.seed, edit.falloff}, edit.mode);
+}
+
+void EditStep::paintShape(ShapeHandle handle, const Brush& brush, const Paint& paint, PaintMode mode) {
+    Shape& shape = m_world.m_shapes.at(handle);
+    if (mode == PaintMode::Default) mode = m_world.m_settings.paint.mode;
+    const Painted painted =
+        mode == PaintMode::Layer ? paintLayer(shape.grid, shape.paintColors, brush, paint) : paintPalette(shape.grid, shape.palette, brush, paint);
     m_changes.paintedVoxels += painted.voxels;
     m_changes.paintMerges += painted.merges;
-    if (painted.palette) {
-        shape.palette = painted.palette;
-        std::vector<ShapeHandle>& palettes = m_changes.palettes;
-        if (std::find(palettes.begin(), palettes.end(), handle) == palettes.end()) palettes.push_back(handle);
-    }
+    if (painted.palette) shape.palette = painted.palette;
+    if (painted.colors) shape.paintColors = painted.colors;
+    std::vector<ShapeHandle>& palettes = m_changes.palettes;
+    if ((painted.palette || painted.colors) && std::find(palettes.begin(), palettes.end(), handle) == palettes.end()) palettes.push_back(handle);
     if (painted.bricks.empty()) return;
     std::vector<glm::ivec3>& bricks = touched(handle).painted;
     bricks.insert(bricks.end(), painted.bricks.begin(), painted.bricks.end());

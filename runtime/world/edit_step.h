@@ -6,6 +6,7 @@
 
 #include "runtime/destruction/attachment.h"
 #include "runtime/destruction/carve.h"
+#include "runtime/destruction/paint.h"
 #include "runtime/destruction/split.h"
 #include "runtime/world/resolve_brush.h"
 #include "runtime/world/world.h"
@@ -48,7 +49,8 @@ private:
 
     // edit_paint.cpp
     void apply(const PaintEdit& edit);
-    void paintShape(ShapeHandle handle, const PaintEdit& edit, const CarveEdit& sphere);
+    void paintShape(ShapeHandle handle, const PaintEdit& edit, const CarveEdit& area);
+    void paintShape(ShapeHandle handle, const Brush& brush, const Paint& paint, PaintMode mode);
 
     // edit_split.cpp
     void splitShape(Touched& touched);

@@ -78,7 +78,7 @@ struct FrameChanges {
     std::vector<ShapeSplit> splits;
     std::vector<BrickChange> bricks;     ///< carved or painted, each brick once, of shapes that were there before
     std::vector<ShapeHandle> carved;     ///< shapes whose occupancy (so mass and collider) changed, each once
-    std::vector<ShapeHandle> palettes;   ///< shapes whose palette changed
+    std::vector<ShapeHandle> palettes;   ///< shapes whose palette or colours of paint changed
     std::vector<ShapeHandle> rehomed;    ///< shapes that lost their last anchor: now on a new body of their own, in bodiesCreated
     std::vector<RemovedVoxels> removed;  ///< a record for each edit, shape and entry
     std::vector<LightHandle> lights;     ///< lights created, moved to another shape or body, or switched

@@ -3,6 +3,8 @@
 #include <cstdint>
 
 #include "runtime/world/debris_settings.h"
+#include "runtime/world/fire_settings.h"
+#include "runtime/world/paint_settings.h"
 
 namespace rubble {
 
@@ -15,6 +17,8 @@ struct WorldSettings {
     double impactRadiusLimit = 0.6;   ///< metres
     size_t impactsAStep = 8;          ///< how many impacts break something in one step, the hardest first
     DebrisSettings debris;
+    PaintSettings paint;
+    FireSettings fire;
 };
 
 }  // namespace rubble

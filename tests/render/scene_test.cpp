@@ -3,7 +3,7 @@
 #include <set>
 
 #include "render/gl/state_guard.h"
-#include "render/scene/blue_noise.h"
+#include "runtime/core/blue_noise.h"
 #include "render/scene/brick_atlas.h"
 #include "render/scene/slots.h"
 #include "runtime/core/random.h"
