@@ -28,37 +28,52 @@ void copyShifted(const VoxelGrid& grid, const ShadowLattice& lattice, glm::ivec3
             }
 }
 
-/// Samples along one row of the world, in a box of a shape's cells.
-struct SampleRow {
-    FixedPoint first, step;
-    FixedPoint size;  ///< of the grid
-
-    FixedPoint at(int64_t i) const { return {first[0] + i * step[0], first[1] + i * step[1], first[2] + i * step[2]}; }
-    bool inside(int64_t i) const {
-        const FixedPoint p = at(i);
-        return uint64_t(p[0]) < uint64_t(size[0]) && uint64_t(p[1]) < uint64_t(size[1]) && uint64_t(p[2]) < uint64_t(size[2]);
-    }
-    /// The samples of [0, count) that lie inside the grid: an interval, as the grid's box is convex.
-    void clip(int count, const std::array<double, 3>& inverseStep, int& low, int& high) const {
-        double from = 0.0, to = count;
+/// Cuts rows of samples along the world's x axis to the box of a shape's grid, which leaves one interval of each.
+/// In doubles, which hold the lattice's fixed-point numbers exactly.
+class RowClip {
+public:
+    RowClip(const VoxelGrid& grid, const FixedPoint& step, int count) : m_end(count - 0.5) {
         for (size_t k = 0; k < 3; ++k) {
-            if (step[k] == 0) {
-                if (uint64_t(first[k]) >= uint64_t(size[k])) from = to;
-                continue;
-            }
-            const double a = -double(first[k]) * inverseStep[k], b = double(size[k] - first[k]) * inverseStep[k];
-            from = std::max(from, std::min(a, b));
-            to = std::min(to, std::max(a, b));
+            m_step[k] = double(step[k]);
+            m_size[k] = double(int64_t(grid.size()[int(k)]) << 32);
+            m_enter[k] = step[k] < 0 ? m_size[k] : 0.0;
+            m_leave[k] = step[k] < 0 ? 0.0 : m_size[k];
+            m_inverse[k] = step[k] ? 1.0 / m_step[k] : 1e100;  // from outside it never enters
         }
-        low = high = 0;
-        if (!(from <= to)) return;
-        // The estimate errs by far less than a millionth of a sample; where that matters the integers decide.
-        low = int(std::ceil(from - 1e-6));
-        high = std::min(count, int(to + 1e-6) + 1);
-        low = std::max(low, 0);
-        while (low < high && !inside(low)) ++low;
-        while (low < high && !inside(high - 1)) --high;
     }
+    struct Interval {
+        int low, high;
+    };
+    /// The samples of [0, count) that lie inside, of the row whose first sample is given.
+    Interval operator()(double x, double y, double z) const {
+        constexpr double kDoubt = 1e-6;  // more than the estimate errs; where that matters the exact place decides
+        const double from = std::max(std::max(enters(x, 0), 0.0), std::max(enters(y, 1), enters(z, 2)));
+        const double to = std::min(std::min(leaves(x, 0), m_end), std::min(leaves(y, 1), leaves(z, 2)));
+        if (!(from <= to + kDoubt)) return {0, 0};
+        const Interval estimate{int(from + (1.0 - kDoubt)), int(to + (1.0 + kDoubt))};
+        if (estimate.low >= from + kDoubt && estimate.high <= to + (1.0 - kDoubt)) return estimate;
+        return trim(estimate, {x, y, z});
+    }
+
+private:
+    using Exact = std::array<double, 3>;
+    double enters(double first, size_t k) const { return (m_enter[k] - first) * m_inverse[k]; }
+    double leaves(double first, size_t k) const { return (m_leave[k] - first) * m_inverse[k]; }
+    Interval trim(Interval row, const Exact& first) const {
+        while (row.low < row.high && !isInside(first, row.low)) ++row.low;
+        while (row.low < row.high && !isInside(first, row.high - 1)) --row.high;
+        return row;
+    }
+    bool isInside(const Exact& first, int i) const {
+        bool inside = true;
+        for (size_t k = 0; k < 3; ++k) {
+            const double at = first[k] + i * m_step[k];
+            inside &= at >= 0.0 && at < m_size[k];
+        }
+        return inside;
+    }
+    Exact m_step, m_size, m_enter, m_leave, m_inverse;
+    double m_end;
 };
 
 /// Voxels straight from the bricks, remembering the last one.
@@ -88,14 +103,26 @@ struct RowSource {
     uint64_t solid(int x, int y, int z) const { return rows[y + z * height] >> x & 1; }
 };
 
-/// Bit i / samples set for every sample i in [low, high) that lies in a solid voxel.
-template <bool kOneSample, class Source>
-uint64_t sampleRow(Source& source, const SampleRow& line, int low, int high, int samples) {
+/// Bit i set for every sample i in [low, high) that lies in a solid voxel.
+template <class Source>
+uint64_t sampleRow(Source& source, const FixedPoint& first, const FixedPoint& step, int low, int high) {
     uint64_t bits = 0;
-    const FixedPoint start = line.at(low), step = line.step;
-    int64_t x = start[0], y = start[1], z = start[2];
+    const int64_t last = high - 1;
+    int64_t x = first[0] + last * step[0], y = first[1] + last * step[1], z = first[2] + last * step[2];
+    for (int i = low; i < high; ++i) {  // from the last one down: each makes room for the one before it
+        bits = bits + bits + source.solid(int(x >> 32), int(y >> 32), int(z >> 32));
+        x -= step[0], y -= step[1], z -= step[2];
+    }
+    return bits << low;
+}
+
+/// The same with several samples a cell: bit i / samples.
+template <class Source>
+uint64_t sampleFineRow(Source& source, const FixedPoint& first, const FixedPoint& step, int low, int high, int samples) {
+    uint64_t bits = 0;
+    int64_t x = first[0] + low * step[0], y = first[1] + low * step[1], z = first[2] + low * step[2];
     for (int i = low; i < high; ++i) {
-        bits |= source.solid(int(x >> 32), int(y >> 32), int(z >> 32)) << (kOneSample ? i : i / samples);
+        bits |= source.solid(int(x >> 32), int(y >> 32), int(z >> 32)) << (i / samples);
         x += step[0], y += step[1], z += step[2];
     }
     return bits;
@@ -123,25 +150,19 @@ template <class Source, class Row>
 void rasterizeBox(const VoxelGrid& grid, Source source, const ShadowLattice& lattice, const CellBox& box, Row&& row) {
     if (!canMeet(grid, lattice, box.low, box.high)) return;
     const int samples = lattice.samples;
-    SampleRow line;
-    std::array<double, 3> inverseStep;
-    line.step = lattice.step[0];
-    for (size_t k = 0; k < 3; ++k) {
-        line.size[k] = int64_t(grid.size()[int(k)]) << 32;
-        inverseStep[k] = line.step[k] ? 1.0 / double(line.step[k]) : 0.0;
-    }
+    const FixedPoint& step = lattice.step[0];
     const glm::ivec3 count = (box.high - box.low) * samples;
+    const RowClip clip(grid, step, count.x);
     FixedPoint plane = lattice.sample(box.low);
     for (int z = 0; z < count.z; ++z, plane = plane + lattice.step[2]) {
-        line.first = plane;
-        for (int y = 0; y < count.y; ++y, line.first = line.first + lattice.step[1]) {
-            int from, to;
-            line.clip(count.x, inverseStep, from, to);
-            if (from >= to) continue;
+        FixedPoint first = plane;
+        for (int y = 0; y < count.y; ++y, first = first + lattice.step[1]) {
+            const auto [low, high] = clip(double(first[0]), double(first[1]), double(first[2]));
+            if (low >= high) continue;
             if (samples == 1)
-                row(y, z, sampleRow<true>(source, line, from, to, 1));
+                row(y, z, sampleRow(source, first, step, low, high));
             else
-                row(y / samples, z / samples, sampleRow<false>(source, line, from, to, samples));
+                row(y / samples, z / samples, sampleFineRow(source, first, step, low, high, samples));
         }
     }
 }
@@ -164,7 +185,7 @@ void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBo
 
 bool ShapeRaster::make(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds) {
     const glm::ivec3 size = bounds.high - bounds.low, voxels = grid.size();
-    if (size.x > 64 || size.y > 256 || size.z > 256 || voxels.x > 64 || voxels.y > 256 || voxels.z > 256) return false;
+    if (std::max({size.x, size.y, size.z, voxels.x, voxels.y, voxels.z}) > 64) return false;
     if (m_voxels.empty()) {
         m_voxels.assign(size_t(voxels.y) * size_t(voxels.z), 0);
         grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
@@ -174,32 +195,44 @@ bool ShapeRaster::make(const VoxelGrid& grid, const ShadowLattice& lattice, cons
             });
         });
     }
-    m_bounds = bounds;
-    m_rows.assign(size_t(size.y) * size_t(size.z), 0);
-    rasterizeBox(grid, RowSource{m_voxels.data(), voxels.y}, lattice, bounds,
-                 [&](int y, int z, uint64_t bits) { m_rows[size_t(y + z * size.y)] |= bits; });
+    m_lowBrick = bounds.low >> 4;
+    m_bricks = ((bounds.high + (kSide - 1)) >> 4) - m_lowBrick;
+    m_rows.assign(size_t(m_bricks.x) * size_t(m_bricks.y) * size_t(m_bricks.z), CellRows());
+    const glm::ivec3 low = bounds.low - m_lowBrick * kSide;
+    rasterizeBox(grid, RowSource{m_voxels.data(), voxels.y}, lattice, bounds, [&](int y, int z, uint64_t bits) {
+        y += low.y, z += low.z;
+        CellRows* brick = &m_rows[size_t(m_bricks.x) * size_t((y >> 4) + m_bricks.y * (z >> 4))];
+        const size_t at = size_t((y & 15) + (z & 15) * kSide);
+        (*brick)[at] |= uint16_t(bits << low.x);
+        for (bits >>= kSide - low.x; bits; bits >>= kSide) (*++brick)[at] |= uint16_t(bits);
+    });
     return true;
 }
 
 void ShapeRaster::addTo(glm::ivec3 brick, CellRows& rows) const {
-    const glm::ivec3 offset = m_bounds.low - brick * kSide, size = m_bounds.high - m_bounds.low;
-    if (offset.x >= kSide || offset.x <= -64) return;
-    for (int z = std::max(0, -offset.z); z < std::min(size.z, kSide - offset.z); ++z)
-        for (int y = std::max(0, -offset.y); y < std::min(size.y, kSide - offset.y); ++y) {
-            const uint64_t bits = m_rows[size_t(y + z * size.y)];
-            rows[size_t(y + offset.y + (z + offset.z) * kSide)] |= uint16_t(offset.x < 0 ? bits >> -offset.x : bits << offset.x);
-        }
+    const glm::ivec3 at = brick - m_lowBrick;
+    for (int a = 0; a < 3; ++a)
+        if (at[a] < 0 || at[a] >= m_bricks[a]) return;
+    const CellRows& own = m_rows[size_t(at.x + m_bricks.x * (at.y + m_bricks.y * at.z))];
+    uint16_t* __restrict to = rows.data();
+    for (size_t i = 0; i < own.size(); ++i) to[i] |= own[i];
 }
 
 ShadowBrick packRows(const CellRows& rows) {
     ShadowBrick out;
     for (int z = 0; z < kSide; ++z)
-        for (int y = 0; y < kSide; ++y) {
-            const uint64_t row = rows[size_t(y + z * kSide)];
-            if (!row) continue;
-            uint64_t* words = &out.words[size_t((y >> 2) * 4 + (z >> 2) * 16)];
-            const int bit = (y & 3) * 4 + (z & 3) * 16;
-            for (int x = 0; x < 4; ++x) words[x] |= (row >> (x * 4) & 15) << bit;
+        for (int y = 0; y < kSide; y += 4) {
+            const uint16_t* row = &rows[size_t(y + z * kSide)];
+            uint64_t v = uint64_t(row[0]) | uint64_t(row[1]) << 16 | uint64_t(row[2]) << 32 | uint64_t(row[3]) << 48;
+            if (!v) continue;
+            // Four rows of four times four cells, transposed: then 16 bits go to each of four words.
+            uint64_t swap = (v ^ v >> 12) & 0x0000f0f00000f0f0u;
+            v ^= swap ^ swap << 12;
+            swap = (v ^ v >> 24) & 0x00000000ff00ff00u;
+            v ^= swap ^ swap << 24;
+            uint64_t* words = &out.words[size_t(y + (z >> 2) * 16)];
+            const int shift = (z & 3) * 16;
+            for (int x = 0; x < 4; ++x) words[x] |= (v >> (x * 16) & 0xffff) << shift;
         }
     return out;
 }

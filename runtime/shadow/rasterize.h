@@ -19,7 +19,7 @@ void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBo
 /// All cells of a small shape, made once a pose and then copied into each brick it touches.
 class ShapeRaster {
 public:
-    /// False, and nothing is made, if the bounds or the grid are wider than a row of 64.
+    /// False, and nothing is made, if the bounds or the grid are wider than 64.
     bool make(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds);
     void addTo(glm::ivec3 brick, CellRows& rows) const;
     bool isMade() const { return !m_rows.empty(); }
@@ -30,9 +30,9 @@ public:
     }
 
 private:
-    CellBox m_bounds;
     std::vector<uint64_t> m_voxels;  ///< the grid's: bit x, row y + z * height
-    std::vector<uint64_t> m_rows;    ///< bit x, row y + z * height, from the low end of the bounds
+    glm::ivec3 m_lowBrick{0}, m_bricks{0};
+    std::vector<CellRows> m_rows;  ///< of the bricks from the lowest on, x first
 };
 
 ShadowBrick packRows(const CellRows& rows);

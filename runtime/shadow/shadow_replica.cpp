@@ -37,6 +37,30 @@ VoxelGrid onlyOpaque(const VoxelGrid& grid, const std::array<bool, 256>& entries
     return out;
 }
 
+/// The bricks of the volume that a grid's voxels can reach, in the order of isBefore.
+void listBricks(const VoxelGrid& grid, const Pose& pose, double voxelSize, std::vector<glm::ivec3>& bricks) {
+    constexpr size_t kFewBricks = 64;  // whose whole box is looked at, as that is cheaper than each for itself
+    const auto add = [&](glm::ivec3 brick) { bricks.push_back(brick); };
+    bricks.clear();
+    if (grid.brickCount() == 0) return;
+    if (grid.brickCount() <= kFewBricks) {
+        CellBox used{grid.size(), glm::ivec3(0)};
+        grid.forEachBrick([&](glm::ivec3 position, const BrickRef&) {
+            for (int a = 0; a < 3; ++a) {
+                used.low[a] = std::min(used.low[a], position[a] * kBrickSize);
+                used.high[a] = std::max(used.high[a], std::min(position[a] * kBrickSize + kBrickSize, grid.size()[a]));
+            }
+        });
+        return forEachCell(toBricks(shadowBounds(pose, voxelSize, used)), add);
+    }
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef&) {
+        const CellBox box{position * kBrickSize, position * kBrickSize + kBrickSize};
+        forEachCell(toBricks(shadowBounds(pose, voxelSize, box)), add);
+    });
+    std::sort(bricks.begin(), bricks.end(), isBefore);
+    bricks.erase(std::unique(bricks.begin(), bricks.end()), bricks.end());
+}
+
 }  // namespace
 
 size_t ShadowReplica::PlaceHash::operator()(glm::ivec3 brick) const {
@@ -54,6 +78,7 @@ void ShadowReplica::apply(ShadowStep&& step, const std::atomic<bool>& stop) {
     if (step.replacesAll) {
         m_shapes.clear();
         m_places.clear();
+        m_waiting.clear();
         m_touched.clear();
     }
     for (const ShapeHandle handle : step.destroyed) destroy(handle);
@@ -81,13 +106,13 @@ void ShadowReplica::create(ShadowStep::NewShape&& from) {
     if (m_shapes.size() <= from.shape.slot()) m_shapes.resize(from.shape.slot() + 1);
     m_shapes[from.shape.slot()] = std::move(shape);
     setPalette(placed, *from.palette);
-    insert(placed);
+    placeLater(placed);
 }
 
 void ShadowReplica::destroy(ShapeHandle handle) {
     Shape* shape = find(handle);
     if (!shape) return;
-    remove(*shape);
+    leaveAll(*shape);
     m_shapes[handle.slot()].reset();
 }
 
@@ -97,9 +122,9 @@ void ShadowReplica::setBrick(Shape& shape, const BrickChange& change) {
     if (shape.hasTranslucent) shape.opaque.setBrick(change.brick, onlyOpaque(change.content, shape.entries));
     const Brick* after = shape.casting().brickAt(change.brick);
     const bool same = before && after ? before->occupancy == after->occupancy : !before && !after;
-    if (same || !shape.placed) return;
+    if (same) return;
     shape.raster.voxelsChanged();
-    touchVoxels(shape, change.brick);
+    if (shape.placed && !shape.waits) touchVoxels(shape, change.brick);
 }
 
 void ShadowReplica::setPalette(Shape& shape, const Palette& palette) {
@@ -110,84 +135,75 @@ void ShadowReplica::setPalette(Shape& shape, const Palette& palette) {
     shape.hasTranslucent = std::find(entries.begin(), entries.end(), false) != entries.end();
     shape.raster.voxelsChanged();
     shape.opaque = shape.hasTranslucent ? onlyOpaque(shape.grid, entries) : VoxelGrid();
-    if (!shape.placed) return;
-    remove(shape);
-    insert(shape);
+    placeLater(shape);
 }
 
 void ShadowReplica::setPose(Shape& shape, const Pose& pose, bool asleep) {
     if (pose == shape.pose && shape.moving == !asleep) return;
-    remove(shape);
+    if (shape.moving == asleep) leaveAll(shape);
     shape.pose = pose;
     shape.moving = !asleep;
-    insert(shape);
+    placeLater(shape);
 }
 
-void ShadowReplica::insert(Shape& shape) {
+void ShadowReplica::placeLater(Shape& shape) {
+    if (shape.waits) return;
+    shape.waits = true;
+    m_waiting.push_back(shape.handle);
+}
+
+void ShadowReplica::place(Shape& shape) {
+    shape.waits = false;
     shape.raster.poseChanged();
     shape.placed = shape.grid.size().x > 0 && shape.lattice.place(shape.pose, shape.voxelSize);
-    if (!shape.placed) return;
+    if (!shape.placed) return leaveAll(shape);
     shape.bounds = shadowBounds(shape.pose, shape.voxelSize, {glm::ivec3(0), shape.grid.size()});
-    for (const glm::ivec3 brick : bricksOf(shape)) cover(shape, brick);
+    listBricks(shape.casting(), shape.pose, shape.voxelSize, m_bricks);
+    // Most bricks are in the old list and the new one: theirs stay as they are.
+    m_nextCovered.clear();
+    auto old = shape.covered.begin();
+    const auto oldEnd = shape.covered.end();
+    for (const glm::ivec3 brick : m_bricks) {
+        for (; old != oldEnd && isBefore((*old)->first, brick); ++old) leave(shape, **old);
+        const bool stays = old != oldEnd && (*old)->first == brick;
+        m_nextCovered.push_back(stays ? *old++ : enter(shape, brick));
+        touch(shape, *m_nextCovered.back());
+    }
+    for (; old != oldEnd; ++old) leave(shape, **old);
+    std::swap(shape.covered, m_nextCovered);
 }
 
-void ShadowReplica::remove(Shape& shape) {
-    for (const glm::ivec3 brick : shape.covered) {
-        Place& place = m_places.at(brick);
-        std::erase(shape.moving ? place.moving : place.resting, shape.handle.slot());
-        if (!shape.moving) place.rest.reset();
-        touch(brick, place);
-    }
+ShadowReplica::PlaceEntry* ShadowReplica::enter(const Shape& shape, glm::ivec3 brick) {
+    PlaceEntry& entry = *m_places.try_emplace(brick).first;
+    (shape.moving ? entry.second.moving : entry.second.resting).push_back(shape.handle.slot());
+    return &entry;
+}
+
+void ShadowReplica::leave(const Shape& shape, PlaceEntry& entry) {
+    std::erase(shape.moving ? entry.second.moving : entry.second.resting, shape.handle.slot());
+    touch(shape, entry);
+}
+
+void ShadowReplica::leaveAll(Shape& shape) {
+    for (PlaceEntry* entry : shape.covered) leave(shape, *entry);
     shape.covered.clear();
 }
 
-void ShadowReplica::cover(Shape& shape, glm::ivec3 brick) {
-    Place& place = m_places[brick];
-    (shape.moving ? place.moving : place.resting).push_back(shape.handle.slot());
+void ShadowReplica::touch(const Shape& shape, PlaceEntry& entry) {
+    Place& place = entry.second;
     if (!shape.moving) place.rest.reset();
-    shape.covered.push_back(brick);
-    touch(brick, place);
-}
-
-void ShadowReplica::touch(glm::ivec3 brick, Place& place) {
     if (place.touched) return;
     place.touched = true;
-    m_touched.push_back(brick);
-}
-
-std::vector<glm::ivec3> ShadowReplica::bricksOf(const Shape& shape) const {
-    constexpr size_t kFewBricks = 64;  // whose whole box is looked at, as that is cheaper than each for itself
-    std::vector<glm::ivec3> bricks;
-    const auto add = [&](glm::ivec3 brick) { bricks.push_back(brick); };
-    const VoxelGrid& grid = shape.casting();
-    if (grid.brickCount() <= kFewBricks && grid.brickCount() > 0) {
-        CellBox used{grid.size(), glm::ivec3(0)};
-        grid.forEachBrick([&](glm::ivec3 position, const BrickRef&) {
-            for (int a = 0; a < 3; ++a) {
-                used.low[a] = std::min(used.low[a], position[a] * kBrickSize);
-                used.high[a] = std::max(used.high[a], std::min(position[a] * kBrickSize + kBrickSize, grid.size()[a]));
-            }
-        });
-        forEachCell(toBricks(shadowBounds(shape.pose, shape.voxelSize, used)), add);
-        return bricks;
-    }
-    grid.forEachBrick([&](glm::ivec3 position, const BrickRef&) {
-        const CellBox box{position * kBrickSize, position * kBrickSize + kBrickSize};
-        forEachCell(toBricks(shadowBounds(shape.pose, shape.voxelSize, box)), add);
-    });
-    std::sort(bricks.begin(), bricks.end(), isBefore);
-    bricks.erase(std::unique(bricks.begin(), bricks.end()), bricks.end());
-    return bricks;
+    m_touched.push_back(&entry);
 }
 
 void ShadowReplica::touchVoxels(Shape& shape, glm::ivec3 voxelBrick) {
     const CellBox box{voxelBrick * kBrickSize, voxelBrick * kBrickSize + kBrickSize};
     forEachCell(toBricks(shadowBounds(shape.pose, shape.voxelSize, box)), [&](glm::ivec3 brick) {
-        Place& place = m_places[brick];
-        std::vector<uint32_t>& slots = shape.moving ? place.moving : place.resting;
-        if (std::find(slots.begin(), slots.end(), shape.handle.slot()) == slots.end()) return cover(shape, brick);
-        if (!shape.moving) place.rest.reset();
-        touch(brick, place);
+        const auto isEntryBefore = [](const PlaceEntry* entry, glm::ivec3 b) { return isBefore(entry->first, b); };
+        auto at = std::lower_bound(shape.covered.begin(), shape.covered.end(), brick, isEntryBefore);
+        if (at == shape.covered.end() || (*at)->first != brick) at = shape.covered.insert(at, enter(shape, brick));
+        touch(shape, **at);
     });
 }
 
@@ -217,26 +233,28 @@ void ShadowReplica::fill(Place& place, glm::ivec3 brick, CellRows& rows) const {
     fillFrom(place.moving, brick, rows);
 }
 
-bool ShadowReplica::update(ShadowPatches& out, const std::atomic<bool>& stop) {
+void ShadowReplica::remake(PlaceEntry& entry, ShadowPatches& out) {
+    auto& [brick, place] = entry;
     CellRows rows;
-    for (const glm::ivec3 brick : m_touched) {
+    fill(place, brick, rows);
+    const ShadowBrick packed = packRows(rows);
+    const bool isEmpty = packed == ShadowBrick();
+    if (isEmpty ? !place.published : place.published && *place.published == packed) return;
+    place.published = isEmpty ? nullptr : std::make_shared<const ShadowBrick>(packed);
+    out.patches.push_back({brick, place.published});
+}
+
+bool ShadowReplica::update(ShadowPatches& out, const std::atomic<bool>& stop) {
+    for (const ShapeHandle handle : m_waiting) {
         if (stop) return false;
-        const auto found = m_places.find(brick);
-        Place& place = found->second;
-        place.touched = false;
-        fill(place, brick, rows);
-        const bool isEmpty = std::all_of(rows.begin(), rows.end(), [](uint16_t row) { return row == 0; });
-        if (!isEmpty) {
-            const ShadowBrick packed = packRows(rows);
-            if (!place.published || *place.published != packed) {
-                place.published = std::make_shared<const ShadowBrick>(packed);
-                out.patches.push_back({brick, place.published});
-            }
-        } else if (place.published) {
-            place.published = nullptr;
-            out.patches.push_back({brick, nullptr});
-        }
-        if (place.resting.empty() && place.moving.empty()) m_places.erase(found);
+        if (Shape* shape = find(handle)) place(*shape);
+    }
+    m_waiting.clear();
+    for (PlaceEntry* entry : m_touched) {
+        if (stop) return false;
+        entry->second.touched = false;
+        remake(*entry, out);
+        if (entry->second.resting.empty() && entry->second.moving.empty()) m_places.erase(glm::ivec3(entry->first));
     }
     m_touched.clear();
     return true;

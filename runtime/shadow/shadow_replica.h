@@ -27,6 +27,18 @@ public:
 private:
     /// Which palette entries cast a shadow.
     using OpaqueEntries = std::array<bool, 256>;
+    /// One brick of the volume, and who is in it.
+    struct Place {
+        std::vector<uint32_t> resting, moving;  ///< slots of shapes
+        std::unique_ptr<CellRows> rest;         ///< the resting shapes' cells, kept while others move through
+        ShadowBrickRef published;
+        bool touched = false;
+    };
+    struct PlaceHash {
+        size_t operator()(glm::ivec3 brick) const;
+    };
+    using Places = std::unordered_map<glm::ivec3, Place, PlaceHash>;
+    using PlaceEntry = Places::value_type;  ///< stays where it is until it is erased
     struct Shape {
         ShapeHandle handle;
         VoxelGrid grid;
@@ -40,18 +52,9 @@ private:
         ShapeRaster raster;   ///< of a moving shape; made when it is first needed
         bool placed = false;  ///< false if its pose is unusable
         bool moving = false;
-        std::vector<glm::ivec3> covered;  ///< the bricks whose lists it is in
+        bool waits = false;                ///< to be placed by the next update
+        std::vector<PlaceEntry*> covered;  ///< the bricks whose lists it is in, in the order of isBefore
         const VoxelGrid& casting() const { return hasTranslucent ? opaque : grid; }
-    };
-    /// One brick of the volume, and who is in it.
-    struct Place {
-        std::vector<uint32_t> resting, moving;  ///< slots of shapes
-        std::unique_ptr<CellRows> rest;         ///< the resting shapes' cells, kept while others move through
-        ShadowBrickRef published;
-        bool touched = false;
-    };
-    struct PlaceHash {
-        size_t operator()(glm::ivec3 brick) const;
     };
     Shape* find(ShapeHandle handle);
     void create(ShadowStep::NewShape&& from);
@@ -59,18 +62,23 @@ private:
     void setBrick(Shape& shape, const BrickChange& change);
     void setPalette(Shape& shape, const Palette& palette);
     void setPose(Shape& shape, const Pose& pose, bool asleep);
-    void insert(Shape& shape);
-    void remove(Shape& shape);
-    void cover(Shape& shape, glm::ivec3 brick);
-    std::vector<glm::ivec3> bricksOf(const Shape& shape) const;
-    void touch(glm::ivec3 brick, Place& place);
+    void placeLater(Shape& shape);
+    void place(Shape& shape);
+    PlaceEntry* enter(const Shape& shape, glm::ivec3 brick);
+    void leave(const Shape& shape, PlaceEntry& entry);
+    void leaveAll(Shape& shape);
+    void touch(const Shape& shape, PlaceEntry& entry);
     void touchVoxels(Shape& shape, glm::ivec3 voxelBrick);
     void fill(Place& place, glm::ivec3 brick, CellRows& rows) const;
     void fillFrom(const std::vector<uint32_t>& slots, glm::ivec3 brick, CellRows& rows) const;
+    void remake(PlaceEntry& entry, ShadowPatches& out);
 
     std::vector<std::unique_ptr<Shape>> m_shapes;  ///< by slot
-    std::unordered_map<glm::ivec3, Place, PlaceHash> m_places;
-    std::vector<glm::ivec3> m_touched;
+    Places m_places;
+    std::vector<ShapeHandle> m_waiting;      ///< shapes to be placed: once an update, however many steps it shows
+    std::vector<PlaceEntry*> m_touched;      ///< bricks to be made anew
+    std::vector<glm::ivec3> m_bricks;        ///< scratch of place()
+    std::vector<PlaceEntry*> m_nextCovered;  ///< scratch of place()
 };
 
 }  // namespace rubble
