@@ -1,8 +1,10 @@
 #pragma once
 #include <condition_variable>
 #include <deque>
+#include <iterator>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 namespace rubble {
 
@@ -23,6 +25,13 @@ public:
     std::optional<T> tryTake() {
         const std::lock_guard lock(m_mutex);
         return pop();
+    }
+    /// [any-thread] All values, oldest first: no other taker gets one from between them.
+    std::vector<T> takeAll() {
+        const std::lock_guard lock(m_mutex);
+        std::vector<T> values(std::make_move_iterator(m_values.begin()), std::make_move_iterator(m_values.end()));
+        m_values.clear();
+        return values;
     }
     /// [any-thread] Waits for a value; nothing once the box is closed and empty.
     std::optional<T> take() {

@@ -55,7 +55,7 @@ void Snapshots::publishWithoutShadow(const FrameChanges& changes, std::span<cons
 
 std::optional<FrameSnapshot> Snapshots::take() {
     std::optional<FrameSnapshot> out;
-    while (auto posted = m_posted.tryTake()) append(out, std::move(*posted));
+    for (FrameSnapshot& posted : m_posted.takeAll()) append(out, std::move(posted));
     return out;
 }
 
