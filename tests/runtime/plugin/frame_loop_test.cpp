@@ -52,12 +52,23 @@ ExplodeEdit blast(int step) {
     return edit;
 }
 
+/// Through the wall from side to side: its upper half comes down.
+CarveEdit cut() {
+    CarveEdit edit;
+    edit.kind = BrushKind::Capsule;
+    edit.position = {-2.5, 1.0, 0.15};
+    edit.end = {2.5, 1.0, 0.15};
+    edit.radii.fill(0.25);
+    return edit;
+}
+
 TEST(FrameLoop, AQuietStepAllocatesNothing) {
     for (const auto mode : {ShadowWorker::Mode::Inline, ShadowWorker::Mode::Thread}) {
         FrameLoopSettings settings;
         settings.shadow = mode;
         FrameLoop loop(settings);
         loop.load(yard());
+        loop.edits().push(cut());
         loop.edits().push(blast(40));
         for (int i = 0; i < 900; ++i) loop.step();
         ASSERT_EQ(loop.physics().figures().awake, 0) << "not yet quiet";
@@ -78,6 +89,7 @@ TEST(FrameLoop, StepsWhileAnotherThreadDraws) {
     const auto run = [](FrameLoop& loop) {
         for (int i = 0; i < kSteps; ++i) {
             if (i % 10 == 0) loop.edits().push(blast(i));
+            if (i == 25) loop.edits().push(cut());
             loop.step();
         }
         return loop.world().hash();
