@@ -127,6 +127,7 @@ void PhysicsWorld::Impl::refreshStatic(const FrameChanges& changes, const World&
 
 void PhysicsWorld::Impl::refreshDynamic(const FrameChanges& changes, const World& world) {
     std::vector<BodyHandle> touched = changes.bodiesCreated;
+    touched.insert(touched.end(), changes.placed.begin(), changes.placed.end());
     const auto addOwner = [&](ShapeHandle handle) {
         if (const Shape* shape = world.shapes().find(handle)) touched.push_back(shape->body);
     };
@@ -150,7 +151,8 @@ void PhysicsWorld::Impl::refreshDynamic(const FrameChanges& changes, const World
         }
         for (const ShapeHandle shape : body->shapes)  // a static body that came loose
             if (shape.slot() < statics.size()) statics[shape.slot()].reset();
-        createDynamic(world, handle, body->asleep && !known);
+        const bool isPlaced = std::find(changes.placed.begin(), changes.placed.end(), handle) != changes.placed.end();
+        createDynamic(world, handle, body->asleep && (!known || isPlaced));
     }
 }
 

@@ -99,6 +99,21 @@ public:
             if (m_slots[i].value) f(Handle::make(m_world, m_slots[i].generation, i), *m_slots[i].value);
     }
 
+    /// The order in which freed slots are used again, the last first.
+    const std::vector<uint32_t>& freeSlots() const { return m_free; }
+    /// Makes these slots the next to be used, the last of them first; the other empty ones follow from the lowest on.
+    void setFreeSlots(const std::vector<uint32_t>& slots) {
+        std::vector<bool> isOther(m_slots.size());
+        for (size_t i = 0; i < m_slots.size(); ++i) isOther[i] = !m_slots[i].value;
+        std::vector<uint32_t> next;
+        for (const uint32_t slot : slots)
+            if (slot < isOther.size() && isOther[slot]) isOther[slot] = false, next.push_back(slot);
+        m_free.clear();
+        for (size_t i = m_slots.size(); i-- > 0;)
+            if (isOther[i]) m_free.push_back(uint32_t(i));
+        m_free.insert(m_free.end(), next.begin(), next.end());
+    }
+
     size_t size() const { return m_size; }
     /// Slots ever used: the length of a side table indexed by Handle::slot().
     size_t slotCount() const { return m_slots.size(); }

@@ -35,7 +35,7 @@ void FrameLoop::step() {
     }
     {
         const ScopedTimer timer(m_times[Stage::Shadow]);
-        if (m_shadow) m_shadow->submit(m_changes, m_physics.poses(), m_world);
+        if (m_shadow) m_shadow->submit(m_changes, moved(), m_world);
     }
     {
         const ScopedTimer timer(m_times[Stage::Publish]);
@@ -43,15 +43,25 @@ void FrameLoop::step() {
     }
 }
 
+std::span<const BodyPose> FrameLoop::moved() {
+    const std::span<const BodyPose> poses = m_physics.poses();
+    if (m_changes.placed.empty()) return poses;
+    m_moved.assign(poses.begin(), poses.end());
+    for (const BodyHandle handle : m_changes.placed)
+        if (const Body* body = m_world.bodies().find(handle))
+            m_moved.push_back({handle, body->pose, body->velocity, body->angularVelocity, body->asleep});
+    return m_moved;
+}
+
 void FrameLoop::publish() {
     if (!m_shadow) {
-        if (m_publish) m_snapshots.publishWithoutShadow(m_changes, m_physics.poses(), m_world);
+        if (m_publish) m_snapshots.publishWithoutShadow(m_changes, moved(), m_world);
         return;
     }
     m_shadowAge = m_changes.step - m_shadow->publishedVersion();
     if (m_waitForShadow) m_shadow->waitFor(m_changes.step);
     std::vector<ShadowPatches> patches = m_shadow->takePatches();
-    if (m_publish) m_snapshots.publish(m_changes, m_physics.poses(), m_world, std::move(patches));
+    if (m_publish) m_snapshots.publish(m_changes, moved(), m_world, std::move(patches));
 }
 
 void FrameLoop::draw(Renderer& renderer, const View& view, float alpha) {

@@ -43,6 +43,8 @@ public:
 
 private:
     void publish();
+    /// The poses that physics has just handed over, and those of bodies that the journal put somewhere.
+    std::span<const BodyPose> moved();
 
     World m_world;
     PhysicsWorld m_physics;
@@ -50,6 +52,7 @@ private:
     Snapshots m_snapshots;
     EditQueue m_edits;
     FrameChanges m_changes;
+    std::vector<BodyPose> m_moved;
     StageTimes m_times;
     uint64_t m_shadowAge = 0;
     bool m_publish;

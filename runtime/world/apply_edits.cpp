@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/core/log.h"
 #include "runtime/world/edit_step.h"
+#include "runtime/world/undo_history.h"
 
 namespace rubble {
 
@@ -9,8 +11,32 @@ FrameChanges World::applyEdits(const Edits& edits) {
     FrameChanges changes;
     changes.step = ++m_step;
     changes.levelReplaced = std::exchange(m_levelReplaced, false);
+    if (m_settings.undoMarks == 0)
+        m_undo.clear();
+    else if (m_undo.empty())
+        m_undo.emplace_back(*this);
+    const bool goesBack = runHistory(edits, changes);
     if (!edits.empty() || debrisWaits()) EditStep(*this, changes).run(edits);
+    for (UndoHistory& undo : m_undo) undo.note(*this, changes, goesBack);
     return changes;
+}
+
+/// Marks, undo and redo, before all other edits of the step. True if the World went back or forth in time.
+bool World::runHistory(const Edits& edits, FrameChanges& changes) {
+    bool goesBack = false;
+    for (const Edit& edit : edits) {
+        const auto* history = std::get_if<HistoryEdit>(&edit);
+        if (!history) continue;
+        if (m_undo.empty())
+            logWarning("HistoryEdit: nothing is remembered; set WorldSettings::undoMarks");
+        else if (goesBack)
+            logWarning("HistoryEdit: one undo or redo a step; this one is left out");
+        else if (history->action == HistoryAction::Mark)
+            m_undo[0].mark(m_settings.undoMarks);
+        else
+            goesBack = history->action == HistoryAction::Undo ? m_undo[0].undo(*this, changes) : m_undo[0].redo(*this, changes);
+    }
+    return goesBack;
 }
 
 EditStep::EditStep(World& world, FrameChanges& changes) : m_world(world), m_changes(changes), m_groupRemoved(world.m_groups.slotCount()) {}
@@ -25,6 +51,10 @@ void EditStep::run(const Edits& edits) {
     limitDebris();
     updateLightGroups();
     listChangedBricks();
+}
+
+void EditStep::apply(const SettingsEdit& edit) {
+    m_world.setSettings(edit.settings);
 }
 
 EditStep::Touched& EditStep::touched(ShapeHandle shape) {

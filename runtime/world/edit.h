@@ -10,6 +10,7 @@
 #include "runtime/core/handle.h"
 #include "runtime/destruction/brush.h"
 #include "runtime/world/paint_settings.h"
+#include "runtime/world/world_settings.h"
 
 namespace rubble {
 
@@ -53,7 +54,18 @@ struct ImpulseEdit {
     glm::dvec3 impulse{0.0};  ///< N s
 };
 
-using Edit = std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit>;
+/// Replaces the world's settings, so that a change of a budget is part of the log.
+struct SettingsEdit {
+    WorldSettings settings;
+};
+
+/// Undo and redo; see UndoHistory. They happen before the other edits of their step.
+enum class HistoryAction : uint8_t { Mark, Undo, Redo };
+struct HistoryEdit {
+    HistoryAction action = HistoryAction::Mark;
+};
+
+using Edit = std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit>;
 using Edits = std::vector<Edit>;
 
 /// Where a host leaves edits for the next step. [main-thread]

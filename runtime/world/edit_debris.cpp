@@ -46,17 +46,20 @@ void EditStep::turnToDust(BodyHandle handle) {
 
 /// Pieces that were born and became dust in one step: nobody else needs to have heard of them.
 void EditStep::forgetStillborn() {
-    const auto takeCommon = [](auto& created, auto& destroyed) {
+    const auto takeCommon = [](auto& created, auto& destroyed, const auto& living) {
+        const auto lives = [&](auto handle) { return living.find(handle) != nullptr; };  // undo may make it anew under its handle
         auto born = created;
+        std::erase_if(born, lives);
         std::sort(born.begin(), born.end());
         const auto wasBorn = [&](auto handle) { return std::binary_search(born.begin(), born.end(), handle); };
         auto gone = destroyed;
+        std::erase_if(gone, lives);
         std::erase_if(destroyed, wasBorn);
         std::sort(gone.begin(), gone.end());
         std::erase_if(created, [&](auto handle) { return std::binary_search(gone.begin(), gone.end(), handle); });
     };
-    takeCommon(m_changes.bodiesCreated, m_changes.bodiesDestroyed);
-    takeCommon(m_changes.shapesCreated, m_changes.shapesDestroyed);
+    takeCommon(m_changes.bodiesCreated, m_changes.bodiesDestroyed, m_world.m_bodies);
+    takeCommon(m_changes.shapesCreated, m_changes.shapesDestroyed, m_world.m_shapes);
     std::erase_if(m_changes.impulses, [&](const ImpulseApplied& each) { return !m_world.m_bodies.find(each.body); });
     std::erase_if(m_changes.rehomed, [&](ShapeHandle shape) { return !m_world.m_shapes.find(shape); });
     for (ShapeSplit& split : m_changes.splits) {

@@ -68,8 +68,10 @@ void EditStep::putOutLightsOf(ShapeHandle shape) {
 void EditStep::updateLightGroups() {
     m_world.m_groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
         const uint64_t removed = m_groupRemoved[handle.slot()];
+        if (removed == 0) return;
         group.removedVoxels += removed;
-        if (group.out || removed == 0 || double(group.removedVoxels) < double(group.threshold) * double(group.initialVoxels)) return;
+        m_changes.groups.push_back(handle);
+        if (group.out || double(group.removedVoxels) < double(group.threshold) * double(group.initialVoxels)) return;
         group.out = true;
         m_changes.groupsOut.push_back(handle);
         darkenGroup(handle);

@@ -35,6 +35,9 @@ private:
     };
     using Push = std::variant<ExplodeEdit, ImpulseEdit>;
 
+    void apply(const SettingsEdit& edit);
+    void apply(const HistoryEdit&) {}  // World::applyEdits() has done it
+
     // edit_carve.cpp
     void apply(const CarveEdit& edit);
     void apply(const ExplodeEdit& edit);

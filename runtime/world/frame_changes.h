@@ -84,10 +84,12 @@ struct FrameChanges {
     std::vector<LightHandle> lights;     ///< lights created, moved to another shape or body, or switched
     std::vector<LightGroupHandle> groupsOut;
     std::vector<ImpulseApplied> impulses;
-    std::vector<DustCloud> dust;      ///< all that is in `removed`, with its place
-    std::vector<BodyHandle> broken;   ///< bodies that lost voxels for the first time
-    std::vector<BodyHandle> settled;  ///< pieces that have come to rest for good
-    std::vector<BodyHandle> revived;  ///< settled pieces that something has woken
+    std::vector<DustCloud> dust;           ///< all that is in `removed`, with its place
+    std::vector<BodyHandle> broken;        ///< bodies that lost voxels for the first time
+    std::vector<BodyHandle> settled;       ///< pieces that have come to rest for good
+    std::vector<BodyHandle> revived;       ///< settled pieces that something has woken
+    std::vector<LightGroupHandle> groups;  ///< light groups that lost voxels, went out or came back
+    std::vector<BodyHandle> placed;        ///< bodies that were put somewhere or given another motion: undo and replay
     uint64_t paintedVoxels = 0;
     uint64_t paintMerges = 0;         ///< colours that found no free entry and took the nearest
     std::vector<FireEvent> firesLit;  ///< and bricks that went out, in the order it happened
@@ -97,7 +99,7 @@ struct FrameChanges {
     bool empty() const {
         return !levelReplaced && bodiesCreated.empty() && bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() &&
                bricks.empty() && palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() && settled.empty() && revived.empty() &&
-               !firesChanged;
+               groups.empty() && placed.empty() && !firesChanged;
     }
 };
 

@@ -7,6 +7,7 @@
 
 #include "runtime/core/hash.h"
 #include "runtime/voxel/ray_walk.h"
+#include "runtime/world/undo_history.h"
 
 namespace rubble {
 namespace {
@@ -55,6 +56,11 @@ struct Hasher {
 }  // namespace
 
 World::World(uint8_t id) : m_id(id), m_bodies(id), m_shapes(id), m_lights(id), m_groups(id) {}
+World::~World() = default;
+World::World(const World&) = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(const World&) = default;
+World& World::operator=(World&&) noexcept = default;
 
 void World::clear() {
     m_bodies.clear();
@@ -65,6 +71,7 @@ void World::clear() {
     m_debris.clear();
     m_revived.clear();
     m_step = m_imported = m_removed = 0;
+    m_undo.clear();
     m_levelReplaced = true;
 }
 
@@ -180,6 +187,7 @@ void World::setPoses(std::span<const BodyPose> poses) {
             body->settled = false;
             listDebris(pose.body);
         }
+    for (UndoHistory& undo : m_undo) undo.noteMoved(*this, poses);
 }
 
 void World::listDebris(BodyHandle handle) {
@@ -287,8 +295,23 @@ Ledger World::ledger() const {
 }
 
 uint64_t World::hash() const {
+    return hashValue(m_step, hashWithoutStep());
+}
+
+uint64_t World::voxelHash() const {
     Hasher hasher;
-    hasher.add(m_step);
+    m_shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
+        hasher.add(handle.slot());
+        hasher.add(shape.grid.contentHash());
+        hasher.add(hashPalette(*shape.palette));
+        if (shape.paintColors) hasher.add(hashBytes(shape.paintColors.get(), sizeof(PaintColors)));
+    });
+    m_groups.forEach([&](LightGroupHandle, const LightGroup& group) { hasher.add(group.removedVoxels << 1 | uint64_t(group.out)); });
+    return hasher.state;
+}
+
+uint64_t World::hashWithoutStep() const {
+    Hasher hasher;
     m_bodies.forEach([&](BodyHandle handle, const Body& body) {
         hasher.add(handle.slot());
         hasher.add(body.pose);

@@ -84,11 +84,20 @@ struct Ledger {
     bool balances() const { return imported == standing + inPieces + removed; }
 };
 
+class UndoHistory;
+struct WorldDelta;
+struct WorldState;
+
 /// The voxel world: bodies, shapes, lights and groups. Edits go in, one journal of changes comes out.
 /// Owned by the main thread. Destruction is in integers and in slot order: the same edits give the same bytes.
 class World {
 public:
     explicit World(uint8_t id = 1);
+    ~World();
+    World(const World&);
+    World(World&&) noexcept;
+    World& operator=(const World&);
+    World& operator=(World&&) noexcept;
 
     /// Replaces everything by the level, and all handles from before go stale; the next applyEdits() reports levelReplaced.
     void load(const Level& level);
@@ -100,6 +109,13 @@ public:
     void setPoses(std::span<const BodyPose> poses);
     /// The edits that impacts cause by their force; see WorldSettings.
     Edits damageFrom(std::span<const Impact> impacts) const;
+    /// All that decides what happens next, and the World that has it: everything before is gone, all handles are those of
+    /// the state. The next applyEdits() reports levelReplaced. Undo starts anew.
+    WorldState state() const;
+    void setState(WorldState state);
+    /// Puts these objects in their slots, journals it and returns what was there.
+    WorldDelta exchange(WorldDelta target, FrameChanges& changes);
+
     const WorldSettings& settings() const { return m_settings; }
     void setSettings(const WorldSettings& settings);
 
@@ -130,9 +146,14 @@ public:
     /// Of everything that matters to what happens next: voxels, palettes, bodies, velocities, lights, groups, in slot order.
     /// The number of the world and the generations of its slots do not matter to that.
     uint64_t hash() const;
+    uint64_t hashWithoutStep() const;
+    /// Of voxels, palettes and light groups alone: the same on every machine.
+    uint64_t voxelHash() const;
 
 private:
     friend class EditStep;
+    friend class WorldMirror;
+    bool runHistory(const Edits& edits, FrameChanges& changes);
     void clear();
     /// Brings the index of places up to date: to be called when a shape is made, resized or moved, and when it goes.
     void placeShape(ShapeHandle shape);
@@ -158,6 +179,7 @@ private:
     WorldSettings m_settings;
     std::vector<std::pair<std::string, Pose>> m_locations;
     uint64_t m_imported = 0, m_removed = 0;
+    std::vector<UndoHistory> m_undo;  ///< one, or none if nothing is to be remembered
     std::string m_name;
 };
 

@@ -18,7 +18,11 @@ struct Tally {
             explosions += std::holds_alternative<ExplodeEdit>(edit);
             paints += std::holds_alternative<PaintEdit>(edit);
             impulses += std::holds_alternative<ImpulseEdit>(edit);
-            std::visit([&](const auto& each) { sum += each.position.x + 3.0 * each.position.y + 7.0 * each.position.z; }, edit);
+            std::visit(
+                [&](const auto& each) {
+                    if constexpr (requires { each.position; }) sum += each.position.x + 3.0 * each.position.y + 7.0 * each.position.z;
+                },
+                edit);
         }
     }
 };

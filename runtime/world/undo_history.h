@@ -1,0 +1,38 @@
+#pragma once
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "runtime/world/world_mirror.h"
+
+namespace rubble {
+
+/// Exact undo and redo. Marks divide time; each keeps what was touched after it as it was at the mark, so undo costs what
+/// changed. It takes back everything since the mark, what physics moved too: the World has the hash that it had there, but
+/// for the number of the step, which goes on. Redo brings back the moment of the undo, unless something changed since.
+class UndoHistory {
+public:
+    explicit UndoHistory(const World& world);
+
+    /// Begins what the next undo takes back; of more than `limit` marks the oldest is forgotten.
+    void mark(size_t limit);
+    /// Changes the World and adds to its journal; false if there is nothing to undo.
+    bool undo(World& world, FrameChanges& changes);
+    bool redo(World& world, FrameChanges& changes);
+
+    /// A step has made these changes. If it went back or forth itself, they do not end the redo.
+    void note(const World& world, const FrameChanges& changes, bool wentBack);
+    /// World::setPoses() has moved these.
+    void noteMoved(const World& world, std::span<const BodyPose> poses);
+
+private:
+    WorldDelta swapIn(World& world, WorldDelta entry, FrameChanges& changes);
+
+    WorldMirror m_mirror;
+    std::deque<WorldDelta> m_marks;  ///< what was touched between each mark and the next, as it was at the mark
+    WorldDelta m_open;               ///< the same since the last of them, or, drifting, since the last undo or redo
+    bool m_isDrift = false;          ///< nothing but motion since an undo or redo
+    std::vector<WorldDelta> m_redo;  ///< what was undone, as it was at the undo; the last comes back first
+};
+
+}  // namespace rubble

@@ -1,0 +1,98 @@
+#include "runtime/world/world_delta.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+/// Puts what `target` says into the slots; returns what was there.
+template <class Map, class Handle, class T>
+SlotValues<Handle, T> exchangeSlots(Map& map, SlotValues<Handle, T>&& target) {
+    SlotValues<Handle, T> before;
+    for (const auto& [slot, wanted] : target) {
+        const Handle there = map.handleAt(slot);
+        auto& was = before[slot];
+        was.first = there;
+        if (!there) continue;
+        was.second = std::move(map.at(there));
+        if (there != wanted.first) map.erase(there);
+    }
+    for (auto& [slot, wanted] : target) {
+        if (!wanted.first) continue;
+        if (T* value = map.find(wanted.first))
+            *value = std::move(*wanted.second);
+        else
+            map.restore(wanted.first, std::move(*wanted.second));
+    }
+    return before;
+}
+
+bool sameMotion(const Body& a, const Body& b) {
+    return a.pose == b.pose && a.velocity == b.velocity && a.angularVelocity == b.angularVelocity && a.asleep == b.asleep && a.settled == b.settled &&
+           a.isStatic == b.isStatic && a.shapes == b.shapes;
+}
+
+void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameChanges& changes) {
+    bool isCarved = false;
+    is.grid.forEachUnshared(was.grid, [&](glm::ivec3 position) {
+        const Brick *before = was.grid.brickAt(position), *now = is.grid.brickAt(position);
+        isCarved = isCarved || (before ? before->occupancy : BrickBits{}) != (now ? now->occupancy : BrickBits{});
+        changes.bricks.push_back({handle, position, is.grid.shareBrick(position)});
+    });
+    if (isCarved) changes.carved.push_back(handle);
+    if (was.palette != is.palette || was.paintColors != is.paintColors) changes.palettes.push_back(handle);
+}
+
+void journalShape(ShapeHandle was, const std::optional<Shape>& before, ShapeHandle is, const Shape* now, FrameChanges& changes) {
+    if (was == is && now && before->body == now->body && before->local == now->local && before->voxelSize == now->voxelSize &&
+        before->grid.size() == now->grid.size())
+        return journalBricks(is, *before, *now, changes);
+    if (was) changes.shapesDestroyed.push_back(was);
+    if (is) changes.shapesCreated.push_back(is);
+}
+
+}  // namespace
+
+WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
+    WorldDelta before;
+    before.imported = std::exchange(m_imported, target.imported);
+    before.removed = std::exchange(m_removed, target.removed);
+    before.freeBodies = m_bodies.freeSlots();
+    before.freeShapes = m_shapes.freeSlots();
+    before.bodies = exchangeSlots(m_bodies, std::move(target.bodies));
+    before.shapes = exchangeSlots(m_shapes, std::move(target.shapes));
+    before.lights = exchangeSlots(m_lights, std::move(target.lights));
+    before.groups = exchangeSlots(m_groups, std::move(target.groups));
+    m_bodies.setFreeSlots(target.freeBodies);
+    m_shapes.setFreeSlots(target.freeShapes);
+
+    for (const auto& [slot, was] : before.shapes) {
+        if (was.first && was.first != m_shapes.handleAt(slot)) forgetShape(was.first);
+        if (m_shapes.handleAt(slot)) placeShape(m_shapes.handleAt(slot));
+    }
+    for (const auto& [slot, was] : before.bodies) {
+        const BodyHandle is = m_bodies.handleAt(slot);
+        if (was.first && was.first != is) changes.bodiesDestroyed.push_back(was.first);
+        if (is && was.first != is) changes.bodiesCreated.push_back(is);
+        if (is && was.first == is && !sameMotion(*was.second, m_bodies.at(is))) changes.placed.push_back(is);
+        listDebris(was.first);
+        if (!is) continue;
+        listDebris(is);
+        for (const ShapeHandle shape : m_bodies.at(is).shapes) placeShape(shape);
+    }
+    for (const auto& [slot, was] : before.shapes) {
+        const ShapeHandle is = m_shapes.handleAt(slot);
+        journalShape(was.first, was.second, is, m_shapes.find(is), changes);
+    }
+    for (const auto& [slot, was] : before.lights)
+        if (const LightHandle is = m_lights.handleAt(slot)) changes.lights.push_back(is);
+    for (const auto& [slot, was] : before.groups) {
+        const LightGroupHandle is = m_groups.handleAt(slot);
+        if (!is) continue;
+        changes.groups.push_back(is);
+        if (m_groups.at(is).out && !(was.second && was.second->out)) changes.groupsOut.push_back(is);
+    }
+    return before;
+}
+
+}  // namespace rubble

@@ -1,0 +1,78 @@
+#include "runtime/world/world_mirror.h"
+
+namespace rubble {
+namespace {
+
+/// Keeps what the last state has in the slot of `handle`, and brings it up to date there.
+template <class Map, class Handle, class T>
+void follow(const Map& now, Map& last, Handle handle, SlotValues<Handle, T>& before) {
+    if (!handle || before.contains(handle.slot())) return;
+    const Handle was = last.handleAt(handle.slot()), is = now.handleAt(handle.slot());
+    auto& kept = before[handle.slot()];
+    kept.first = was;
+    if (was) kept.second = std::move(last.at(was));
+    if (was && was != is) last.erase(was);
+    if (!is) return;
+    if (was == is)
+        last.at(is) = now.at(is);
+    else
+        last.restore(is, now.at(is));
+}
+
+template <class F>
+void forEachShapeIn(const FrameChanges& changes, F&& f) {
+    for (const auto* list : {&changes.shapesDestroyed, &changes.shapesCreated, &changes.carved, &changes.palettes, &changes.rehomed})
+        for (const ShapeHandle shape : *list) f(shape);
+    for (const BrickChange& change : changes.bricks) f(change.shape);
+    for (const ShapeSplit& split : changes.splits) f(split.parent);
+}
+
+}  // namespace
+
+WorldMirror::WorldMirror(const World& world)
+    : m_last(world.state()), m_freeBodies(world.bodies().freeSlots()), m_freeShapes(world.shapes().freeSlots()) {}
+
+WorldDelta WorldMirror::emptyDelta() const {
+    WorldDelta delta;
+    delta.imported = m_last.imported;
+    delta.removed = m_last.removed;
+    delta.freeBodies = m_freeBodies;
+    delta.freeShapes = m_freeShapes;
+    return delta;
+}
+
+WorldDelta WorldMirror::update(const World& world, const FrameChanges& changes) {
+    WorldDelta before;
+    if (changes.empty()) return before;
+    const auto body = [&](BodyHandle handle) { follow(world.bodies(), m_last.bodies, handle, before.bodies); };
+    forEachShapeIn(changes, [&](ShapeHandle handle) {
+        if (before.shapes.contains(handle.slot())) return;
+        if (const Shape* was = m_last.shapes.find(m_last.shapes.handleAt(handle.slot()))) body(was->body);
+        if (const Shape* is = world.shapes().find(world.shapes().handleAt(handle.slot()))) body(is->body);
+        follow(world.shapes(), m_last.shapes, handle, before.shapes);
+    });
+    for (const auto* list : {&changes.bodiesDestroyed, &changes.bodiesCreated, &changes.placed, &changes.settled, &changes.revived, &changes.broken})
+        for (const BodyHandle handle : *list) body(handle);
+    for (const ImpulseApplied& impulse : changes.impulses) body(impulse.body);
+    for (const LightHandle handle : changes.lights) follow(world.lights(), m_last.lights, handle, before.lights);
+    for (const LightGroupHandle handle : changes.groups) follow(world.lightGroups(), m_last.groups, handle, before.groups);
+    m_last.imported = world.m_imported;
+    m_last.removed = world.m_removed;
+    m_freeBodies = world.bodies().freeSlots();
+    m_freeShapes = world.shapes().freeSlots();
+    return before;
+}
+
+void WorldMirror::move(const World& world, std::span<const BodyPose> poses, SlotValues<BodyHandle, Body>& before) {
+    for (const BodyPose& pose : poses) {
+        Body* last = m_last.bodies.find(pose.body);
+        const Body* now = world.bodies().find(pose.body);
+        if (!last || !now) continue;
+        const uint32_t slot = pose.body.slot();
+        const auto place = before.lower_bound(slot);
+        if (place == before.end() || place->first != slot) before.emplace_hint(place, slot, std::pair(pose.body, *last));
+        *last = *now;
+    }
+}
+
+}  // namespace rubble

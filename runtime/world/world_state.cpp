@@ -1,0 +1,32 @@
+#include "runtime/world/world_state.h"
+
+#include <utility>
+
+#include "runtime/world/undo_history.h"
+
+namespace rubble {
+
+WorldState World::state() const {
+    return {m_name,   m_step,    m_imported,  m_removed,     m_bodies,   m_shapes,   m_lights,
+            m_groups, m_revived, m_materials, m_environment, m_settings, m_locations};
+}
+
+void World::setState(WorldState state) {
+    clear();
+    m_name = std::move(state.name);
+    m_step = state.step;
+    m_imported = state.imported;
+    m_removed = state.removed;
+    m_bodies = std::move(state.bodies);
+    m_shapes = std::move(state.shapes);
+    m_lights = std::move(state.lights);
+    m_groups = std::move(state.groups);
+    m_revived = std::move(state.revived);
+    m_materials = std::move(state.materials);
+    m_environment = state.environment;
+    m_locations = std::move(state.locations);
+    setSettings(state.settings);
+    m_shapes.forEach([&](ShapeHandle handle, const Shape&) { placeShape(handle); });
+}
+
+}  // namespace rubble

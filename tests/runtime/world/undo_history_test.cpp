@@ -1,0 +1,201 @@
+#include "runtime/world/undo_history.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/core/random.h"
+#include "tests/runtime/world/worlds.h"
+
+namespace rubble {
+namespace {
+
+using namespace test;
+
+constexpr HistoryEdit kMark{HistoryAction::Mark}, kUndo{HistoryAction::Undo}, kRedo{HistoryAction::Redo};
+
+VoxelGrid block(glm::ivec3 size, uint8_t entry) {
+    VoxelGrid grid(size);
+    GridWriter writer(grid);
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) writer.set({x, y, z}, entry);
+    return grid;
+}
+
+/// A wall, a lamp post that glows at its top, and a crate that flies.
+World smallWorld() {
+    Level level = oneShapeLevel(block({40, 24, 6}, 1), true);
+    level.lightGroups.push_back({"lamp", 0.3f});
+    LevelBody post{.name = "post", .pose = {{6.0, 0.0, 0.0}}};
+    LevelShape shape = levelShape("post", block({3, 30, 3}, 2));
+    auto palette = std::make_shared<Palette>(*shape.palette);
+    (*palette)[9] = (*palette)[1];
+    (*palette)[9].emission = 5.0f;
+    (*palette)[9].lightGroup = 1;
+    shape.palette = palette;
+    {
+        GridWriter writer(shape.grid);
+        for (int y = 26; y < 30; ++y) writer.set({1, y, 1}, 9), writer.set({0, y, 0}, 9);
+    }
+    post.shapes.push_back(std::move(shape));
+    level.bodies.push_back(std::move(post));
+    LevelBody crate{.name = "crate", .pose = {{0.0, 4.0, 0.0}}, .isStatic = false, .velocity = {1.0f, 0.0f, 0.0f}};
+    crate.shapes.push_back(levelShape("crate", block({12, 12, 12}, 1)));
+    level.bodies.push_back(std::move(crate));
+    level.lights.push_back({Light{.name = "bulb", .local = {{0.15, 2.8, 0.15}}}, "post", "lamp"});
+    World world;
+    world.load(level);
+    WorldSettings settings;
+    settings.undoMarks = 100;
+    world.setSettings(settings);
+    return world;
+}
+
+/// Every free body drifts a little: what physics would do.
+void move(World& world, double metres) {
+    std::vector<BodyPose> poses;
+    world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+        if (body.isStatic) return;
+        BodyPose pose{handle, body.pose, body.velocity, body.angularVelocity, false};
+        pose.pose.position.x += metres;
+        pose.velocity.y -= metres;
+        poses.push_back(pose);
+    });
+    world.setPoses(poses);
+}
+
+Edits randomEdits(Random& random) {
+    Edits edits;
+    for (uint32_t i = random.below(3); i-- > 0;) {
+        const double x = random.unit() * 7.0, y = random.unit() * 5.0;
+        const uint32_t kind = random.below(4);
+        if (kind < 2)
+            edits.push_back(sphereCarve({x, y, 0.3}, 0.2 + 0.4 * random.unit()));
+        else if (kind == 2)
+            edits.push_back(PaintEdit{.position = {x, y, 0.3}, .radius = 1.0, .seed = random.next()});
+        else
+            edits.push_back(ExplodeEdit{.position = {x, y, 0.3}, .size = 1.0});
+    }
+    return edits;
+}
+
+/// A world that knows only what the journals said.
+uint64_t mirrored(const WorldMirror& mirror) {
+    World world;
+    world.setState(mirror.last());
+    return world.hashWithoutStep();
+}
+
+void expectSound(const World& world) {
+    EXPECT_TRUE(world.ledger().balances());
+    world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
+        EXPECT_EQ(shape.moments, gridMoments(shape.grid, *shape.palette, world.materials()));
+        const std::vector<ShapeHandle>& mates = world.bodies().at(shape.body).shapes;
+        EXPECT_EQ(std::count(mates.begin(), mates.end(), handle), 1);
+    });
+}
+
+TEST(UndoHistory, GoesBackToEveryMarkAndForthAgain) {
+    for (uint64_t seed = 0; seed < 12; ++seed) {
+        Random random(seed);
+        World world = smallWorld();
+        world.applyEdits({});
+        WorldMirror mirror(world);
+        const auto step = [&](Edits edits) {
+            const FrameChanges changes = world.applyEdits(edits);
+            mirror.update(world, changes);
+            ASSERT_EQ(mirrored(mirror), world.hashWithoutStep()) << "seed " << seed << ": the journal misses something";
+        };
+        const auto settle = [&](double metres) {
+            move(world, metres);
+            mirror = WorldMirror(world);
+        };
+        std::vector<uint64_t> atMark, atEnd;
+        for (int action = 0; action < 12; ++action) {
+            atMark.push_back(world.hashWithoutStep());
+            Edits edits = randomEdits(random);
+            edits.insert(edits.begin(), kMark);
+            edits.push_back(sphereCarve({0.4 * action, 1.0 + random.unit(), 0.3}, 0.4));
+            step(edits);
+            settle(0.01);
+            step(randomEdits(random));
+            settle(0.01);
+            atEnd.push_back(world.hashWithoutStep());
+        }
+        for (size_t i = atMark.size(); i-- > 0;) {
+            step({kUndo});
+            EXPECT_EQ(world.hashWithoutStep(), atMark[i]) << "seed " << seed << ", undo of " << i;
+            expectSound(world);
+            settle(0.003);  // what moves in between is forgotten by the next undo or redo
+        }
+        EXPECT_TRUE(world.applyEdits({kUndo}).empty());
+        for (size_t i = 0; i < atEnd.size(); ++i) {
+            step({kRedo});
+            EXPECT_EQ(world.hashWithoutStep(), atEnd[i]) << "seed " << seed << ", redo of " << i;
+            settle(0.003);
+        }
+        EXPECT_TRUE(world.applyEdits({kRedo}).empty());
+    }
+}
+
+TEST(UndoHistory, TheSameEditsAfterUndoGiveTheSameSlots) {
+    World world = smallWorld();
+    // No explosion: the noise of its soot is seeded by the step.
+    const Edits cut = {kMark, sphereCarve({2.0, 1.2, 0.3}, 0.5), sphereCarve({6.1, 1.5, 0.1}, 0.4), sphereCarve({0.6, 4.6, 0.6}, 0.5)};
+    world.applyEdits({sphereCarve({3.0, 1.2, 0.3}, 0.5), sphereCarve({6.1, 0.5, 0.1}, 0.3)});
+    world.applyEdits(cut);
+    const uint64_t once = world.hashWithoutStep();
+    ShapeHandle piece;
+    world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
+        if (shape.isPiece) piece = handle;
+    });
+    ASSERT_TRUE(piece);
+    world.applyEdits({kUndo});
+    world.applyEdits(cut);
+    EXPECT_EQ(world.hashWithoutStep(), once);
+}
+
+TEST(UndoHistory, NewChangesEndTheRedo) {
+    World world = smallWorld();
+    world.applyEdits({kMark, sphereCarve({2.0, 1.2, 0.3}, 0.5)});
+    world.applyEdits({kUndo});
+    world.applyEdits({});
+    world.applyEdits({sphereCarve({1.0, 1.2, 0.3}, 0.2)});
+    const uint64_t before = world.hashWithoutStep();
+    EXPECT_TRUE(world.applyEdits({kRedo}).empty());
+    EXPECT_EQ(world.hashWithoutStep(), before);
+}
+
+TEST(UndoHistory, UndoneHandlesAreStaleAndCallsBackTheSameOnRedo) {
+    World world = smallWorld();
+    const FrameChanges cut = world.applyEdits({kMark, sphereCarve({6.15, 1.5, 0.15}, 0.4)});
+    ASSERT_FALSE(cut.shapesCreated.empty());
+    const ShapeHandle piece = cut.shapesCreated.front();
+    const FrameChanges back = world.applyEdits({kUndo});
+    EXPECT_FALSE(world.shapes().find(piece));
+    EXPECT_EQ(std::count(back.shapesDestroyed.begin(), back.shapesDestroyed.end(), piece), 1);
+    const FrameChanges forth = world.applyEdits({kRedo});
+    EXPECT_TRUE(world.shapes().find(piece));
+    EXPECT_EQ(std::count(forth.shapesCreated.begin(), forth.shapesCreated.end(), piece), 1);
+}
+
+TEST(UndoHistory, ForgetsTheOldestMarksAndCostsNothingWhenOff) {
+    World world = smallWorld();
+    WorldSettings settings = world.settings();
+    settings.undoMarks = 2;
+    world.applyEdits({SettingsEdit{settings}});
+    std::vector<uint64_t> hashes;
+    for (int i = 0; i < 4; ++i) {
+        hashes.push_back(world.hashWithoutStep());
+        world.applyEdits({kMark, sphereCarve({0.5 + i, 1.2, 0.3}, 0.2)});
+    }
+    world.applyEdits({kUndo});
+    world.applyEdits({kUndo});
+    EXPECT_EQ(world.hashWithoutStep(), hashes[2]);
+    EXPECT_TRUE(world.applyEdits({kUndo}).empty());
+    settings.undoMarks = 0;
+    world.applyEdits({SettingsEdit{settings}});
+    EXPECT_TRUE(world.applyEdits({kUndo}).empty());
+}
+
+}  // namespace
+}  // namespace rubble
