@@ -1,16 +1,11 @@
 #include "runtime/destruction/attachment.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 
 #include "runtime/destruction/attachment_search.h"
 
 namespace rubble {
 namespace {
-
-bool touchesAnchor(const Component& component, std::span<const CellBox> anchors) {
-    return std::any_of(component.shares.begin(), component.shares.end(), [&](const BrickShare& share) { return touchesAnchor(share, anchors); });
-}
 
 /// Takes the component that keeps the name out of the list.
 void removeKeeper(std::vector<Component>& pieces) {
@@ -20,25 +15,11 @@ void removeKeeper(std::vector<Component>& pieces) {
 
 }  // namespace
 
-bool touchesAnchor(const BrickShare& share, std::span<const CellBox> anchors) {
-    const glm::ivec3 base = share.brick * kBrickSize;
-    for (const CellBox& anchor : anchors) {
-        const glm::ivec3 low = glm::max(anchor.low - base, 0), high = glm::min(anchor.high - base, kBrickSize);
-        if (low.x >= high.x || low.y >= high.y || low.z >= high.z) continue;
-        const uint64_t row = (uint64_t(1) << high.x) - (uint64_t(1) << low.x);
-        uint64_t layer = 0;
-        for (int y = low.y; y < high.y; ++y) layer |= row << 8 * y;
-        for (int z = low.z; z < high.z; ++z)
-            if (share.voxels[size_t(z)] & layer) return true;
-    }
-    return false;
-}
-
 Loose findLoose(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored) {
     Loose loose{findComponents(grid), false};
     if (isAnchored) {
         const size_t all = loose.pieces.size();
-        std::erase_if(loose.pieces, [&](const Component& component) { return touchesAnchor(component, anchors); });
+        std::erase_if(loose.pieces, [&](const Component& component) { return touchesAnchor(grid, component, anchors); });
         loose.isAdrift = loose.pieces.size() == all && all > 0;
         if (!loose.isAdrift) return loose;
     }
@@ -46,10 +27,15 @@ Loose findLoose(const VoxelGrid& grid, std::span<const CellBox> anchors, bool is
     return loose;
 }
 
-Loose findLooseNear(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored, std::span<const glm::ivec3> carved) {
-    AttachmentSearch search(grid, isAnchored ? anchors : std::span<const CellBox>{}, carved);
-    if (!search.run(isAnchored, grid.brickCount() / 4 + 64)) return findLoose(grid, anchors, isAnchored);
-    Loose loose{search.takeFinished(), false};
+Loose findLooseNear(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored, const BrickSet& carved) {
+    AttachmentSearch search(grid, anchors, isAnchored, carved);
+    size_t unlimited = SIZE_MAX;
+    search.run(grid, anchors, unlimited);
+    return looseFrom(search, grid, isAnchored);
+}
+
+Loose looseFrom(AttachmentSearch& search, const VoxelGrid& grid, bool isAnchored) {
+    Loose loose{search.finished(grid), false};
     uint64_t rest = grid.voxelCount();
     for (const Component& piece : loose.pieces) rest -= piece.voxels;
     loose.isAdrift = isAnchored && rest == 0 && !loose.pieces.empty();

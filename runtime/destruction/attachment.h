@@ -2,10 +2,13 @@
 #include <span>
 #include <vector>
 
+#include "runtime/destruction/brick_set.h"
 #include "runtime/destruction/components.h"
 #include "runtime/voxel/cell_box.h"
 
 namespace rubble {
+
+class AttachmentSearch;
 
 /// What no longer belongs to a shape.
 struct Loose {
@@ -17,9 +20,11 @@ struct Loose {
 /// is free to move: there, and where no component is anchored, the largest stays, else the one with the lowest cell.
 Loose findLoose(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored);
 
-/// The same, for a grid in which nothing was loose before the bricks `carved` (each once) lost voxels. Searches from there,
-/// nearest to the anchors first, until what was cut is known to be held or all found: costs the cut and the smaller sides
-/// of it. Falls back to the whole grid when the search has seen a quarter of it.
-Loose findLooseNear(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored, std::span<const glm::ivec3> carved);
+/// The same, for a grid in which nothing was loose before the bricks `carved` lost voxels. Searches from there, nearest to
+/// the anchors first, until what was cut is known to be held or all found: costs the cut and the smaller sides of it.
+Loose findLooseNear(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored, const BrickSet& carved);
+
+/// What a search has found that has run to its end.
+Loose looseFrom(AttachmentSearch& search, const VoxelGrid& grid, bool isAnchored);
 
 }  // namespace rubble

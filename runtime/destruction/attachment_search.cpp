@@ -4,45 +4,152 @@
 #include <glm/common.hpp>
 
 namespace rubble {
+namespace {
 
-AttachmentSearch::AttachmentSearch(const VoxelGrid& grid, std::span<const CellBox> anchors, std::span<const glm::ivec3> carved)
-    : m_grid(grid), m_anchors(anchors) {
-    const auto seed = [&](glm::ivec3 brick) {
-        const Range range = partsOf(brick);
-        for (uint32_t part = range.first; part < range.end; ++part) {
-            if (m_parts[part].set != kNone) continue;
-            m_sets.push_back({.parent = uint32_t(m_sets.size())});
-            addPart(uint32_t(m_sets.size() - 1), part);
-        }
-    };
-    constexpr BrickBits kEveryCell = {~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull};
-    for (const glm::ivec3 brick : carved) {
-        m_anchorsTouched = m_anchorsTouched || touchesAnchor({brick, kEveryCell}, anchors);
-        seed(brick);
-        for (const glm::ivec3 step : kFaceSteps) seed(brick + step);
+constexpr BrickBits kEveryCell = {~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull};
+
+bool meets(const CellBox& box, glm::ivec3 low, int size) {
+    return glm::all(glm::lessThan(box.low, low + size)) && glm::all(glm::greaterThan(box.high, low)) && !box.empty();
+}
+
+bool nodeMeets(glm::ivec3 node, std::span<const CellBox> anchors) {
+    return std::any_of(anchors.begin(), anchors.end(), [&](const CellBox& box) { return meets(box, node * kNodeSize, kNodeSize); });
+}
+
+/// Whether some of a brick's voxels lie in one of the boxes.
+bool holds(glm::ivec3 brick, const BrickBits& voxels, std::span<const CellBox> anchors) {
+    const glm::ivec3 base = brick * kBrickSize;
+    for (const CellBox& anchor : anchors) {
+        const glm::ivec3 low = glm::max(anchor.low - base, 0), high = glm::min(anchor.high - base, kBrickSize);
+        if (low.x >= high.x || low.y >= high.y || low.z >= high.z) continue;
+        const uint64_t row = (uint64_t(1) << high.x) - (uint64_t(1) << low.x);
+        uint64_t layer = 0;
+        for (int y = low.y; y < high.y; ++y) layer |= row << 8 * y;
+        for (int z = low.z; z < high.z; ++z)
+            if (voxels[size_t(z)] & layer) return true;
     }
+    return false;
+}
+
+bool partHolds(const BrickNode& node, glm::ivec3 position, uint32_t part, std::span<const CellBox> anchors) {
+    if (!nodeMeets(position, anchors)) return false;
+    const NodeParts& parts = nodeParts(node);
+    std::vector<BrickPart> scratch;
+    for (BrickMask left = node.mask; left; left &= left - 1) {
+        const int child = std::countr_zero(left);
+        const glm::ivec3 brick = position * kNodeBricks + childPosition(child);
+        if (!holds(brick, node.bricks[size_t(child)]->occupancy, anchors)) continue;
+        if (parts.count == 1) return true;
+        const auto cells = brickParts(*node.bricks[size_t(child)], scratch);
+        for (size_t i = 0; i < cells.size(); ++i)
+            if (parts.componentOf(child, i) == part && holds(brick, cells[i].voxels, anchors)) return true;
+    }
+    return false;
+}
+
+int anchorDistance(glm::ivec3 node, std::span<const CellBox> anchors) {
+    int nearest = anchors.empty() ? 0 : INT32_MAX;
+    const glm::ivec3 middle = node * kNodeSize + kNodeSize / 2;
+    for (const CellBox& box : anchors) {
+        const glm::ivec3 away = glm::max(glm::max(box.low - middle, middle - box.high), 0);
+        nearest = std::min(nearest, away.x + away.y + away.z);
+    }
+    return nearest;
+}
+
+/// The bricks of a node that share a face with one of `bricks`, which lie in the neighbour beyond `face` of it.
+BrickMask facingBricks(BrickMask bricks, size_t face) {
+    const int shift = kFacingBit[face];
+    return shift > 0 ? (bricks & kFaceBricks[face ^ 1]) >> shift : (bricks & kFaceBricks[face ^ 1]) << -shift;
+}
+
+/// The same within one node.
+BrickMask stepped(BrickMask bricks, size_t face) {
+    constexpr std::array<int, 3> kSteps = {1, 4, 16};
+    const BrickMask inside = bricks & ~kFaceBricks[face];
+    return face & 1 ? inside << kSteps[face / 2] : inside >> kSteps[face / 2];
+}
+
+}  // namespace
+
+bool touchesAnchor(const VoxelGrid& grid, const Component& component, std::span<const CellBox> anchors) {
+    for (const BrickShare& share : component.shares)
+        if (holds(share.brick, share.voxels, anchors)) return true;
+    for (const NodeShare& share : component.nodes) {
+        if (!nodeMeets(share.node, anchors)) continue;
+        const BrickNode& node = *grid.nodeAt(share.node);
+        for (BrickMask left = share.bricks; left; left &= left - 1) {
+            const int child = std::countr_zero(left);
+            if (holds(share.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy, anchors)) return true;
+        }
+    }
+    return false;
+}
+
+AttachmentSearch::AttachmentSearch(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored, const BrickSet& carved)
+    : m_isAnchored(isAnchored) {
+    const View view{grid, isAnchored ? anchors : std::span<const CellBox>{}};
+    BrickSet nodes;  // that hold a carved brick or a neighbour of one
+    carved.forEachNode([&](glm::ivec3 node, BrickMask bricks) {
+        nodes.insert(node, bricks);
+        for (size_t face = 0; face < 6; ++face)
+            if (bricks & kFaceBricks[face]) nodes.insert(node + kFaceSteps[face], 0);
+        if (m_anchorsTouched || !nodeMeets(node, view.anchors)) return;
+        forEachChild(bricks, [&](int child) {
+            m_anchorsTouched = m_anchorsTouched || holds(node * kNodeBricks + childPosition(child), kEveryCell, view.anchors);
+        });
+    });
+    nodes.forEachNode([&](glm::ivec3 node, BrickMask bricks) { seed(view, node, bricks, carved); });
     // What already meets among the seeds is one set before anything grows.
     const uint32_t seeds = uint32_t(m_parts.size());
     for (uint32_t part = 0; part < seeds; ++part)
-        for (size_t face = 1; face < 6; face += 2) {
-            const glm::ivec3 other = m_parts[part].brick + kFaceSteps[face];
-            if (m_bricks.contains(uint32_t(other.x) | uint32_t(other.y) << 10 | uint32_t(other.z) << 20)) visitNeighbour(part, face);
-        }
+        for (size_t face = 1; face < 6; face += 2)
+            if (m_parts[part].set != kNone) visitNeighbour(view, part, face, true);
     for (uint32_t set = 0; set < m_sets.size(); ++set)
-        if (root(set) == set && isOpen(set)) m_open.push_back(set);
+        if (root(set) == set) finishOrKeep(set);
 }
 
-AttachmentSearch::Range AttachmentSearch::partsOf(glm::ivec3 brick) {
-    static_assert(kMaxGridSize / kBrickSize <= 1024, "ten bits an axis");
-    const Brick* content = m_grid.brickAt(brick);
-    if (!content) return {};
-    const auto [entry, isNew] = m_bricks.try_emplace(uint32_t(brick.x) | uint32_t(brick.y) << 10 | uint32_t(brick.z) << 20);
+/// Starts a set for each part of the node that may have touched what was removed.
+void AttachmentSearch::seed(const View& view, glm::ivec3 position, BrickMask carved, const BrickSet& all) {
+    const std::optional<uint32_t> first = firstPartOf(view, position);
+    if (!first) return;
+    const BrickNode& node = *view.grid.nodeAt(position);
+    const NodeParts& parts = nodeParts(node);
+    const auto start = [&](uint32_t component) {
+        if (m_parts[*first + component].set != kNone) return;
+        m_sets.push_back({.parent = uint32_t(m_sets.size())});
+        addPart(view, uint32_t(m_sets.size() - 1), *first + component);
+    };
+    std::array<BrickMask, 6> beside;  // bricks with a carved one beyond this face
+    BrickMask near = carved;
+    for (size_t face = 0; face < 6; ++face) {
+        beside[face] = stepped(carved, face ^ 1) | facingBricks(all.at(position + kFaceSteps[face]), face);
+        near |= beside[face];
+    }
+    near &= node.mask;
+    if (parts.count == 1) {
+        if (near) start(0);
+        return;
+    }
+    std::vector<BrickPart> scratch;
+    forEachChild(near, [&](int child) {
+        const auto cells = brickParts(*node.bricks[size_t(child)], scratch);
+        for (size_t i = 0; i < cells.size(); ++i) {
+            bool touches = carved >> child & 1;
+            for (size_t face = 0; face < 6; ++face) touches = touches || ((beside[face] >> child & 1) && cells[i].faces[face]);
+            if (touches) start(parts.componentOf(child, i));
+        }
+    });
+}
+
+std::optional<uint32_t> AttachmentSearch::firstPartOf(const View& view, glm::ivec3 position) {
+    static_assert(kMaxGridSize / kNodeSize <= 1024, "ten bits an axis");
+    const BrickNode* node = view.grid.nodeAt(position);
+    if (!node) return std::nullopt;
+    const auto [entry, isNew] = m_nodes.try_emplace(uint32_t(position.x) | uint32_t(position.y) << 10 | uint32_t(position.z) << 20);
     if (isNew) {
-        m_scratch.clear();
-        findBrickParts(content->occupancy, m_scratch);
-        entry->second.first = uint32_t(m_parts.size());
-        for (const BrickPart& part : m_scratch) m_parts.push_back({part, brick, kNone});
-        entry->second.end = uint32_t(m_parts.size());
+        entry->second = uint32_t(m_parts.size());
+        for (uint32_t i = 0; i < nodeParts(*node).count; ++i) m_parts.push_back({position, i, kNone});
     }
     return entry->second;
 }
@@ -52,24 +159,16 @@ uint32_t AttachmentSearch::root(uint32_t set) {
     return set;
 }
 
-int AttachmentSearch::anchorDistance(glm::ivec3 brick) const {
-    int nearest = m_anchors.empty() ? 0 : INT32_MAX;
-    const glm::ivec3 middle = brick * kBrickSize + kBrickSize / 2;
-    for (const CellBox& box : m_anchors) {
-        const glm::ivec3 away = glm::max(glm::max(box.low - middle, middle - box.high), 0);
-        nearest = std::min(nearest, away.x + away.y + away.z);
-    }
-    return nearest;
-}
-
-void AttachmentSearch::addPart(uint32_t set, uint32_t index) {
+void AttachmentSearch::addPart(const View& view, uint32_t set, uint32_t index) {
     Part& part = m_parts[index];
     Set& into = m_sets[set];
+    const BrickNode& node = *view.grid.nodeAt(part.node);
     part.set = set;
-    for (uint64_t layer : part.cells.voxels) into.voxels += uint64_t(std::popcount(layer));
-    into.isAnchored = into.isAnchored || touchesAnchor({part.brick, part.cells.voxels}, m_anchors);
+    into.voxels += nodeParts(node).voxels[part.component];
+    into.isAnchored = into.isAnchored || partHolds(node, part.node, part.component, view.anchors);
+    m_anchorFound = m_anchorFound || into.isAnchored;
     into.parts.push_back(index);
-    into.frontier.push_back({anchorDistance(part.brick), index});
+    into.frontier.push_back({anchorDistance(part.node, view.anchors), index});
     std::push_heap(into.frontier.begin(), into.frontier.end(), std::greater<>());
 }
 
@@ -90,78 +189,89 @@ void AttachmentSearch::join(uint32_t a, uint32_t b) {
     from.frontier = {};
 }
 
-void AttachmentSearch::visitNeighbour(uint32_t index, size_t face) {
-    if (!m_parts[index].cells.faces[face]) return;
-    const Range range = partsOf(m_parts[index].brick + kFaceSteps[face]);
-    for (uint32_t other = range.first; other < range.end; ++other) {
-        if (!(m_parts[index].cells.faces[face] & m_parts[other].cells.faces[face ^ 1])) continue;
-        const uint32_t set = root(m_parts[index].set);
-        if (m_parts[other].set == kNone)
-            addPart(set, other);
-        else
+/// Joins a part with what it touches beyond a face; `onlyKnown`: leaves alone what no set has yet.
+void AttachmentSearch::visitNeighbour(const View& view, uint32_t index, size_t face, bool onlyKnown) {
+    const Part part = m_parts[index];
+    const glm::ivec3 position = part.node + kFaceSteps[face];
+    if (onlyKnown && !m_nodes.contains(uint32_t(position.x) | uint32_t(position.y) << 10 | uint32_t(position.z) << 20)) return;
+    const std::optional<uint32_t> first = firstPartOf(view, position);
+    if (!first) return;
+    forEachContact(*view.grid.nodeAt(part.node), *view.grid.nodeAt(position), face, [&](uint16_t mine, uint16_t theirs) {
+        if (mine != part.component) return true;
+        const uint32_t other = *first + theirs, set = root(part.set);
+        if (m_parts[other].set != kNone)
             join(set, m_parts[other].set);
-    }
+        else if (!onlyKnown)
+            addPart(view, set, other);
+        return true;
+    });
 }
 
-void AttachmentSearch::grow(uint32_t set) {
+void AttachmentSearch::grow(const View& view, uint32_t set) {
     std::vector<Frontier>& frontier = m_sets[set].frontier;
     std::pop_heap(frontier.begin(), frontier.end(), std::greater<>());
     const uint32_t part = frontier.back().part;
     frontier.pop_back();
-    for (size_t face = 0; face < 6; ++face) visitNeighbour(part, face);
+    for (size_t face = 0; face < 6; ++face) visitNeighbour(view, part, face, false);
 }
 
 bool AttachmentSearch::isOpen(uint32_t set) const {
     return m_sets[set].parent == set && !m_sets[set].isAnchored && !m_sets[set].frontier.empty();
 }
 
-/// Whether the one set that may still grow can only be what stays.
-bool AttachmentSearch::isSettled(bool isAnchored) {
-    if (m_open.empty()) return true;
-    if (m_open.size() > 1) return false;
-    uint64_t finished = 0, largest = 0;
-    bool hasAnchored = false;
-    for (uint32_t set = 0; set < m_sets.size(); ++set) {
-        if (m_sets[set].parent != set || set == m_open.front()) continue;
-        hasAnchored = hasAnchored || m_sets[set].isAnchored;
-        finished += m_sets[set].voxels;
-        largest = std::max(largest, m_sets[set].voxels);
-    }
-    // Everything that was cut hung on an anchor; if no anchor was cut and no other set has it, the last one does.
-    if (isAnchored) return !m_anchorsTouched && !hasAnchored;
-    return m_grid.voxelCount() - finished > largest;
+/// Lists a set as open, or counts it if it can grow no further: then nothing will ever join it.
+void AttachmentSearch::finishOrKeep(uint32_t index) {
+    Set& set = m_sets[index];
+    if (isOpen(index)) return m_open.push_back(index);
+    if (set.parent != index || set.isAnchored || set.isFinished) return;
+    set.isFinished = true;
+    m_finishedVoxels += set.voxels;
+    m_largestFinished = std::max(m_largestFinished, set.voxels);
 }
 
-bool AttachmentSearch::run(bool isAnchored, size_t budget) {
-    constexpr int kPartsATurn = 8;
-    while (!isSettled(isAnchored)) {
-        if (m_parts.size() > budget) return false;
-        for (const uint32_t set : m_open)
-            for (int turn = 0; turn < kPartsATurn && isOpen(set); ++turn) grow(set);
-        std::erase_if(m_open, [&](uint32_t set) { return !isOpen(set); });
+/// Whether the one set that may still grow can only be what stays.
+bool AttachmentSearch::isSettled(const View& view) const {
+    if (m_open.empty()) return true;
+    if (m_open.size() > 1) return false;
+    // Everything that was cut hung on an anchor; if no anchor was cut and no other set has it, the last one does.
+    if (m_isAnchored) return !m_anchorsTouched && !m_anchorFound;
+    return view.grid.voxelCount() - m_finishedVoxels > m_largestFinished;
+}
+
+bool AttachmentSearch::run(const VoxelGrid& grid, std::span<const CellBox> anchors, size_t& budget) {
+    const View view{grid, m_isAnchored ? anchors : std::span<const CellBox>{}};
+    while (!isSettled(view)) {
+        if (budget < m_open.size()) return false;
+        budget -= m_open.size();
+        std::vector<uint32_t> round;
+        std::swap(round, m_open);
+        for (const uint32_t set : round)
+            if (isOpen(set)) grow(view, set);
+        for (const uint32_t set : round) finishOrKeep(set);
     }
     return true;
 }
 
-std::vector<Component> AttachmentSearch::takeFinished() {
-    std::vector<Component> out;
-    for (Set& set : m_sets) {
-        if (m_sets[set.parent].parent != uint32_t(&set - m_sets.data()) || set.isAnchored || !set.frontier.empty()) continue;
-        Component component;
-        component.voxels = set.voxels;
-        std::sort(set.parts.begin(), set.parts.end(), [&](uint32_t a, uint32_t b) { return cellBefore(m_parts[a].brick, m_parts[b].brick); });
-        for (const uint32_t index : set.parts) {
-            const Part& part = m_parts[index];
-            if (!component.shares.empty() && component.shares.back().brick == part.brick)
-                for (size_t z = 0; z < 8; ++z) component.shares.back().voxels[z] |= part.cells.voxels[z];
-            else
-                component.shares.push_back({part.brick, part.cells.voxels});
-        }
-        component.lowest = lowestCell(component.shares.front());
-        for (const BrickShare& share : component.shares)
-            if (const glm::ivec3 cell = lowestCell(share); cellBefore(cell, component.lowest)) component.lowest = cell;
-        out.push_back(std::move(component));
+std::vector<Component> AttachmentSearch::finished(const VoxelGrid& grid) {
+    std::vector<Component> out(size_t(std::count_if(m_sets.begin(), m_sets.end(), [](const Set& set) { return set.isFinished; })));
+    std::vector<std::pair<uint32_t, Component*>> owned;  // by part
+    size_t next = 0;
+    for (const Set& set : m_sets) {
+        if (!set.isFinished) continue;
+        for (const uint32_t part : set.parts) owned.emplace_back(part, &out[next]);
+        ++next;
     }
+    // A node's parts are numbered one after the other, so they come together here.
+    std::sort(owned.begin(), owned.end());
+    std::vector<Component*> byPart;
+    for (size_t i = 0; i < owned.size();) {
+        const glm::ivec3 position = m_parts[owned[i].first].node;
+        const BrickNode& node = *grid.nodeAt(position);
+        byPart.assign(nodeParts(node).count, nullptr);
+        for (; i < owned.size() && m_parts[owned[i].first].node == position; ++i) byPart[m_parts[owned[i].first].component] = owned[i].second;
+        addNode(position, node, byPart);
+    }
+    for (Component& component : out) component.lowest = findLowest(component, grid);
     std::sort(out.begin(), out.end(), [](const Component& a, const Component& b) { return cellBefore(a.lowest, b.lowest); });
     return out;
 }

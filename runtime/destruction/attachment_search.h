@@ -1,34 +1,40 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
+#include "runtime/destruction/brick_set.h"
 #include "runtime/destruction/components.h"
 #include "runtime/voxel/cell_box.h"
 
 namespace rubble {
 
-/// Whether a share has a cell in one of the boxes.
-bool touchesAnchor(const BrickShare& share, std::span<const CellBox> anchors);
+/// Whether a component of a grid has a cell in one of the boxes.
+bool touchesAnchor(const VoxelGrid& grid, const Component& component, std::span<const CellBox> anchors);
 
-/// Grows a set of voxels from every part of the carved bricks and their neighbours, all of them in turns, and joins those
-/// that meet. A set is done when nothing is left to grow into, or when it has reached an anchor.
+/// Grows a set of voxels from everything that the carved bricks' neighbours hold, a part of a directory node (see NodeParts)
+/// at a time, all sets in turns, and joins those that meet. A set is done when nothing is left to grow into, or when it has
+/// reached an anchor. A value: it may rest and go on later, on the same grid, as long as no voxel comes or goes.
 class AttachmentSearch {
 public:
-    AttachmentSearch(const VoxelGrid& grid, std::span<const CellBox> anchors, std::span<const glm::ivec3> carved);
+    AttachmentSearch(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored, const BrickSet& carved);
 
-    /// Grows until each set is done or is known to be what all the others came off; false if that takes more than `budget` parts.
-    bool run(bool isAnchored, size_t budget);
+    /// Grows until each set is done or is known to be what all the others came off; false if `budget` parts were not enough.
+    /// Takes from the budget what was used.
+    bool run(const VoxelGrid& grid, std::span<const CellBox> anchors, size_t& budget);
+    /// Parts seen so far.
+    size_t seen() const { return m_parts.size(); }
     /// Whether a set stopped before it could grow no further: it is what stays.
     bool hasOpen() const { return !m_open.empty(); }
     /// The sets that could grow no further and hold no anchor, ordered by their lowest cell.
-    std::vector<Component> takeFinished();
+    std::vector<Component> finished(const VoxelGrid& grid);
 
 private:
     static constexpr uint32_t kNone = ~0u;
     struct Part {
-        BrickPart cells;
-        glm::ivec3 brick;
+        glm::ivec3 node;
+        uint32_t component = 0;  ///< of the node's parts
         uint32_t set = kNone;
     };
     struct Frontier {
@@ -39,32 +45,35 @@ private:
     struct Set {
         uint32_t parent;
         bool isAnchored = false;
+        bool isFinished = false;
         uint64_t voxels = 0;
         std::vector<uint32_t> parts;
         std::vector<Frontier> frontier;  ///< a heap, nearest first
     };
-    struct Range {
-        uint32_t first = 0, end = 0;
+    struct View {
+        const VoxelGrid& grid;
+        std::span<const CellBox> anchors;
     };
 
-    Range partsOf(glm::ivec3 brick);
+    void seed(const View& view, glm::ivec3 position, BrickMask carved, const BrickSet& all);
+    std::optional<uint32_t> firstPartOf(const View& view, glm::ivec3 position);
     uint32_t root(uint32_t set);
-    void addPart(uint32_t set, uint32_t part);
+    void addPart(const View& view, uint32_t set, uint32_t part);
     void join(uint32_t a, uint32_t b);
-    void grow(uint32_t set);
-    void visitNeighbour(uint32_t part, size_t face);
-    int anchorDistance(glm::ivec3 brick) const;
+    void grow(const View& view, uint32_t set);
+    void visitNeighbour(const View& view, uint32_t part, size_t face, bool onlyKnown);
     bool isOpen(uint32_t set) const;
-    bool isSettled(bool isAnchored);
+    void finishOrKeep(uint32_t set);
+    bool isSettled(const View& view) const;
 
-    const VoxelGrid& m_grid;
-    std::span<const CellBox> m_anchors;
-    std::unordered_map<uint32_t, Range> m_bricks;  ///< looked up, never iterated
+    std::unordered_map<uint32_t, uint32_t> m_nodes;  ///< a node's first part; looked up, never iterated
     std::vector<Part> m_parts;
     std::vector<Set> m_sets;
     std::vector<uint32_t> m_open;  ///< sets that may still grow
-    bool m_anchorsTouched = false;
-    std::vector<BrickPart> m_scratch;
+    uint64_t m_finishedVoxels = 0, m_largestFinished = 0;
+    bool m_isAnchored = false;      ///< whether anchors decide what stays
+    bool m_anchorsTouched = false;  ///< by the cut
+    bool m_anchorFound = false;
 };
 
 }  // namespace rubble

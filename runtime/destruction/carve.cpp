@@ -34,6 +34,7 @@ BrickBits bitsToRemove(const Brick& brick, const std::array<BrickBits, 3>& touch
 
 void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials, Carved& out) {
     const EntryClasses classes = entryClasses(palette, materials);
+    const Densities densities(palette, materials);
     const CellBox range = brushBricks(brush, grid.sizeInBricks());
     for (int z = range.low.z; z < range.high.z; ++z)
         for (int y = range.low.y; y < range.high.y; ++y)
@@ -47,7 +48,7 @@ void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const Ma
                 const BrickBits gone = bitsToRemove(*brick, touched, classes);
                 if (gone == BrickBits{}) continue;
                 forEachVoxel(gone, [&](int i) { ++out.removed[brick->at(i)], ++out.voxels; });
-                out.moments += brickMoments(*brick, gone, position, palette, materials);
+                out.moments += brickMoments(*brick, gone, position, densities);
                 out.bricks.push_back(position);
                 BrickBits keep;
                 for (size_t w = 0; w < 8; ++w) keep[w] = brick->occupancy[w] & ~gone[w];

@@ -5,38 +5,6 @@
 namespace rubble {
 namespace {
 
-/// Numbers the bricks of a grid: a mask and a running count for each 4x4x4 of them, small even for a huge sparse grid.
-class BrickNumbers {
-public:
-    explicit BrickNumbers(const VoxelGrid& grid) : m_size((grid.sizeInBricks() + 3) / 4) {
-        m_blocks.resize(size_t(m_size.x) * m_size.y * m_size.z);
-        grid.forEachBrick([&](glm::ivec3 brick, const BrickRef&) { block(brick).mask |= bit(brick); });
-        uint32_t start = 0;
-        for (Block& each : m_blocks) {
-            each.start = start;
-            start += uint32_t(std::popcount(each.mask));
-        }
-    }
-    static constexpr uint32_t kNone = ~0u;
-    uint32_t find(glm::ivec3 brick) const {
-        if (brick.x < 0 || brick.y < 0 || brick.z < 0) return kNone;
-        const glm::ivec3 at = brick >> 2;
-        if (at.x >= m_size.x || at.y >= m_size.y || at.z >= m_size.z) return kNone;
-        const Block& found = const_cast<BrickNumbers*>(this)->block(brick);
-        return found.mask & bit(brick) ? found.start + uint32_t(std::popcount(found.mask & (bit(brick) - 1))) : kNone;
-    }
-
-private:
-    struct Block {
-        uint64_t mask = 0;
-        uint32_t start = 0;
-    };
-    static uint64_t bit(glm::ivec3 brick) { return uint64_t(1) << ((brick.x & 3) + (brick.y & 3) * 4 + (brick.z & 3) * 16); }
-    Block& block(glm::ivec3 brick) { return m_blocks[(size_t(brick.z >> 2) * m_size.y + (brick.y >> 2)) * m_size.x + (brick.x >> 2)]; }
-    glm::ivec3 m_size;
-    std::vector<Block> m_blocks;
-};
-
 struct UnionFind {
     std::vector<uint32_t> parent;
     uint32_t root(uint32_t i) {
@@ -49,86 +17,119 @@ struct UnionFind {
     }
 };
 
-/// The parts of all bricks, brick after brick by number.
-struct GridParts {
-    std::vector<BrickPart> parts;
-    std::vector<glm::ivec3> bricks;   ///< position by brick number
-    std::vector<uint32_t> firstPart;  ///< by brick number; one more at the end
+/// The nodes of a grid, and their parts numbered one after the other.
+struct GridNodes {
+    std::vector<glm::ivec3> positions;
+    std::vector<const BrickNode*> nodes;
+    std::vector<uint32_t> firstPart;  ///< by node; one more at the end
+    std::vector<uint32_t> places;     ///< by position: a node's number plus one
+
+    explicit GridNodes(const VoxelGrid& grid) : firstPart(1), places(size_t(grid.sizeInNodes().x) * grid.sizeInNodes().y * grid.sizeInNodes().z) {
+        grid.forEachNode([&](glm::ivec3 position, const BrickNode& node) {
+            positions.push_back(position);
+            nodes.push_back(&node);
+            firstPart.push_back(firstPart.back() + nodeParts(node).count);
+            places[place(grid, position)] = uint32_t(nodes.size());
+        });
+    }
+    static size_t place(const VoxelGrid& grid, glm::ivec3 position) {
+        return (size_t(position.z) * grid.sizeInNodes().y + position.y) * grid.sizeInNodes().x + position.x;
+    }
 };
 
-GridParts collectParts(const VoxelGrid& grid, const BrickNumbers& numbers) {
-    std::vector<const Brick*> contents(grid.brickCount());
-    GridParts out;
-    out.bricks.resize(grid.brickCount());
-    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
-        const uint32_t number = numbers.find(position);
-        contents[number] = brick.get();
-        out.bricks[number] = position;
-    });
-    out.parts.reserve(contents.size());
-    for (const Brick* brick : contents) {
-        out.firstPart.push_back(uint32_t(out.parts.size()));
-        findBrickParts(brick->occupancy, out.parts);
-    }
-    out.firstPart.push_back(uint32_t(out.parts.size()));
-    return out;
-}
-
-UnionFind joinParts(const GridParts& all, const BrickNumbers& numbers) {
+UnionFind joinParts(const VoxelGrid& grid, const GridNodes& all) {
     UnionFind sets;
-    sets.parent.resize(all.parts.size());
+    sets.parent.resize(all.firstPart.back());
     for (uint32_t i = 0; i < sets.parent.size(); ++i) sets.parent[i] = i;
-    for (uint32_t number = 0; number < all.bricks.size(); ++number)
+    for (uint32_t n = 0; n < all.nodes.size(); ++n)
         for (size_t face = 1; face < 6; face += 2) {
-            const uint32_t other = numbers.find(all.bricks[number] + kFaceSteps[face]);
-            if (other == BrickNumbers::kNone) continue;
-            for (uint32_t a = all.firstPart[number]; a < all.firstPart[number + 1]; ++a)
-                for (uint32_t b = all.firstPart[other]; all.parts[a].faces[face] && b < all.firstPart[other + 1]; ++b)
-                    if (all.parts[a].faces[face] & all.parts[b].faces[face - 1]) sets.unite(a, b);
+            const glm::ivec3 position = all.positions[n] + kFaceSteps[face];
+            const BrickNode* other = grid.nodeAt(position);
+            if (!other) continue;
+            const uint32_t firstOther = all.firstPart[all.places[GridNodes::place(grid, position)] - 1];
+            forEachContact(*all.nodes[n], *other, face, [&](uint16_t a, uint16_t b) {
+                sets.unite(all.firstPart[n] + a, firstOther + b);
+                return true;
+            });
         }
     return sets;
 }
 
-}  // namespace
-
-glm::ivec3 lowestCell(const BrickShare& share) {
+glm::ivec3 lowestCell(glm::ivec3 brick, const BrickBits& voxels) {
     int z = 0;
-    while (!share.voxels[size_t(z)]) ++z;
-    const int bit = std::countr_zero(share.voxels[size_t(z)]);
-    return share.brick * kBrickSize + glm::ivec3(bit & 7, bit >> 3, z);
+    while (!voxels[size_t(z)]) ++z;
+    const int bit = std::countr_zero(voxels[size_t(z)]);
+    return brick * kBrickSize + glm::ivec3(bit & 7, bit >> 3, z);
 }
+
+}  // namespace
 
 bool outranks(const Component& a, const Component& b) {
     return a.voxels != b.voxels ? a.voxels > b.voxels : cellBefore(a.lowest, b.lowest);
 }
 
-std::vector<Component> findComponents(const VoxelGrid& grid) {
-    const BrickNumbers numbers(grid);
-    const GridParts all = collectParts(grid, numbers);
-    UnionFind sets = joinParts(all, numbers);
-    std::vector<Component> out;
-    std::vector<uint32_t> componentOf(all.parts.size());
-    for (uint32_t number = 0; number < all.bricks.size(); ++number)
-        for (uint32_t i = all.firstPart[number]; i < all.firstPart[number + 1]; ++i) {
-            const uint32_t root = sets.root(i);
-            if (root == i) {  // a set's root is its first part
-                componentOf[i] = uint32_t(out.size());
-                out.emplace_back();
-            }
-            Component& component = out[componentOf[root]];
-            // Two parts of a brick may meet outside it: they are one share then.
-            if (!component.shares.empty() && component.shares.back().brick == all.bricks[number])
-                for (size_t z = 0; z < 8; ++z) component.shares.back().voxels[z] |= all.parts[i].voxels[z];
-            else
-                component.shares.push_back({all.bricks[number], all.parts[i].voxels});
-        }
-    for (Component& component : out) {
-        component.lowest = lowestCell(component.shares.front());
-        for (const BrickShare& share : component.shares) {
-            for (uint64_t layer : share.voxels) component.voxels += uint64_t(std::popcount(layer));
-            if (const glm::ivec3 cell = lowestCell(share); cellBefore(cell, component.lowest)) component.lowest = cell;
-        }
+void addNode(glm::ivec3 position, const BrickNode& node, std::span<Component* const> componentOfPart) {
+    const NodeParts& parts = nodeParts(node);
+    for (size_t i = 0; i < parts.count; ++i)
+        if (componentOfPart[i]) componentOfPart[i]->voxels += parts.voxels[i];
+    if (parts.count == 1) {
+        if (componentOfPart[0]) componentOfPart[0]->nodes.push_back({position, node.mask});
+        return;
     }
+    std::vector<BrickPart> scratch;
+    forEachChild(node.mask, [&](int child) {
+        const glm::ivec3 brick = position * kNodeBricks + childPosition(child);
+        const size_t first = parts.detail->firstPart[size_t(child)], end = parts.detail->firstPart[size_t(child) + 1];
+        const auto owner = [&](size_t part) { return componentOfPart[parts.detail->component[part]]; };
+        bool isWhole = true;
+        for (size_t i = first + 1; i < end; ++i) isWhole = isWhole && owner(i) == owner(first);
+        if (isWhole) {
+            Component* component = owner(first);
+            if (!component) return;
+            if (component->nodes.empty() || component->nodes.back().node != position) component->nodes.push_back({position, 0});
+            component->nodes.back().bricks |= BrickMask(1) << child;
+            return;
+        }
+        const auto cells = brickParts(*node.bricks[size_t(child)], scratch);
+        for (size_t i = first; i < end; ++i) {
+            Component* component = owner(i);
+            if (!component) continue;
+            if (component->shares.empty() || component->shares.back().brick != brick) component->shares.push_back({brick, {}});
+            for (size_t z = 0; z < 8; ++z) component->shares.back().voxels[z] |= cells[i - first].voxels[z];
+        }
+    });
+}
+
+glm::ivec3 findLowest(const Component& component, const VoxelGrid& grid) {
+    glm::ivec3 best(kMaxGridSize);
+    const auto look = [&](glm::ivec3 brick, const BrickBits& voxels) {
+        if (cellBefore(best, brick * kBrickSize)) return;
+        if (const glm::ivec3 cell = lowestCell(brick, voxels); cellBefore(cell, best)) best = cell;
+    };
+    for (const BrickShare& share : component.shares) look(share.brick, share.voxels);
+    for (const NodeShare& share : component.nodes) {
+        if (cellBefore(best, share.node * kNodeSize)) continue;
+        const BrickNode& node = *grid.nodeAt(share.node);
+        forEachChild(share.bricks, [&](int child) { look(share.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy); });
+    }
+    return best;
+}
+
+std::vector<Component> findComponents(const VoxelGrid& grid) {
+    const GridNodes all(grid);
+    UnionFind sets = joinParts(grid, all);
+    size_t count = 0;
+    for (uint32_t i = 0; i < sets.parent.size(); ++i) count += sets.parent[i] == i;
+    std::vector<Component> out(count);
+    std::vector<Component*> owners(sets.parent.size());
+    size_t next = 0;
+    for (uint32_t i = 0; i < owners.size(); ++i) {
+        const uint32_t root = sets.root(i);  // a set's root is its first part
+        owners[i] = root == i ? &out[next++] : owners[root];
+    }
+    for (uint32_t n = 0; n < all.nodes.size(); ++n)
+        addNode(all.positions[n], *all.nodes[n], std::span(owners).subspan(all.firstPart[n], all.firstPart[n + 1] - all.firstPart[n]));
+    for (Component& component : out) component.lowest = findLowest(component, grid);
     std::sort(out.begin(), out.end(), [](const Component& a, const Component& b) { return cellBefore(a.lowest, b.lowest); });
     return out;
 }

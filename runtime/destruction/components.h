@@ -1,24 +1,20 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "runtime/voxel/node_parts.h"
 #include "runtime/voxel/voxel_grid.h"
 
 namespace rubble {
 
-/// A 6-connected component of the voxels of one brick, and where it reaches the brick's faces.
-struct BrickPart {
-    BrickBits voxels{};
-    std::array<uint64_t, 6> faces{};  ///< -x +x -y +y -z +z: one bit a cell; facing faces have the same bit order
+/// Bricks of one directory node that belong to a component with all that they hold.
+struct NodeShare {
+    glm::ivec3 node;
+    BrickMask bricks = 0;
 };
 
-/// The direction of each of BrickPart::faces; face i ^ 1 of the neighbour there touches face i.
-inline constexpr std::array<glm::ivec3, 6> kFaceSteps = {{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
-
-/// Appends the components inside a brick, the one with the lowest voxel first. Flood fill on whole words of occupancy.
-void findBrickParts(const BrickBits& occupancy, std::vector<BrickPart>& out);
-
-/// A component's share of one brick.
+/// A component's share of a brick that others have voxels in, too.
 struct BrickShare {
     glm::ivec3 brick;
     BrickBits voxels;
@@ -26,7 +22,8 @@ struct BrickShare {
 
 /// A 6-connected set of voxels of one grid.
 struct Component {
-    std::vector<BrickShare> shares;
+    std::vector<NodeShare> nodes;    ///< each node once at most
+    std::vector<BrickShare> shares;  ///< each brick once at most, and none that is in `nodes`
     uint64_t voxels = 0;
     glm::ivec3 lowest{0};  ///< the cell that comes first by z, then y, then x
 };
@@ -35,13 +32,30 @@ struct Component {
 inline bool cellBefore(glm::ivec3 a, glm::ivec3 b) {
     return a.z != b.z ? a.z < b.z : a.y != b.y ? a.y < b.y : a.x < b.x;
 }
-/// The lowest cell of a share, in the grid's cells.
-glm::ivec3 lowestCell(const BrickShare& share);
 /// Which of two components keeps the name of what they came from: the larger, else the one with the lowest cell.
 bool outranks(const Component& a, const Component& b);
 
-/// All components of a grid, ordered by their lowest cell. Components inside bricks, then a union-find over the faces
-/// between bricks (Tarjan 1975, path halving).
+/// Adds a node's voxels to the components that its parts (see NodeParts) belong to; null for those of no interest.
+/// Once a node and component; leaves `lowest` alone.
+void addNode(glm::ivec3 position, const BrickNode& node, std::span<Component* const> componentOfPart);
+/// The component's lowest cell, from its shares.
+glm::ivec3 findLowest(const Component& component, const VoxelGrid& grid);
+
+/// All components of a grid, ordered by their lowest cell. Components inside bricks, of these inside nodes, then a union-find
+/// over the faces between nodes (Tarjan 1975, path halving).
 std::vector<Component> findComponents(const VoxelGrid& grid);
+
+/// Calls f(ivec3 brick, const Brick&, const BrickBits& voxels) for every brick that holds some of the component.
+template <class F>
+void forEachShare(const VoxelGrid& grid, const Component& component, F&& f) {
+    for (const NodeShare& share : component.nodes) {
+        const BrickNode& node = *grid.nodeAt(share.node);
+        forEachChild(share.bricks, [&](int child) {
+            const Brick& brick = *node.bricks[size_t(child)];
+            f(share.node * kNodeBricks + childPosition(child), brick, brick.occupancy);
+        });
+    }
+    for (const BrickShare& share : component.shares) f(share.brick, *grid.brickAt(share.brick), share.voxels);
+}
 
 }  // namespace rubble

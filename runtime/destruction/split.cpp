@@ -1,18 +1,19 @@
 #include "runtime/destruction/split.h"
 
+#include <bit>
 #include <cassert>
 #include <glm/common.hpp>
 
 namespace rubble {
 namespace {
 
-/// The cells that hold the share, high end excluded.
-CellBox shareBounds(const BrickShare& share) {
+/// The cells of a brick that hold these voxels, high end excluded.
+CellBox voxelBounds(glm::ivec3 brick, const BrickBits& voxels) {
     uint64_t layers = 0;
     glm::ivec3 low(0, 0, 8), high(0);
     for (int z = 0; z < 8; ++z) {
-        if (!share.voxels[size_t(z)]) continue;
-        layers |= share.voxels[size_t(z)];
+        if (!voxels[size_t(z)]) continue;
+        layers |= voxels[size_t(z)];
         low.z = std::min(low.z, z);
         high.z = z + 1;
     }
@@ -23,33 +24,62 @@ CellBox shareBounds(const BrickShare& share) {
     high.x = 64 - std::countl_zero(row);
     low.y = std::countr_zero(layers) / 8;
     high.y = (63 - std::countl_zero(layers)) / 8 + 1;
-    return {share.brick * kBrickSize + low, share.brick * kBrickSize + high};
+    return {brick * kBrickSize + low, brick * kBrickSize + high};
+}
+
+/// The cells that hold the component; only bricks that can widen the box are looked into.
+CellBox componentBounds(const VoxelGrid& grid, const Component& component) {
+    CellBox bounds{component.lowest, component.lowest + 1};
+    const auto isInside = [&](glm::ivec3 low, int size) {
+        return glm::all(glm::greaterThanEqual(low, bounds.low)) && glm::all(glm::lessThanEqual(low + size, bounds.high));
+    };
+    const auto widen = [&](glm::ivec3 brick, const BrickBits& voxels) {
+        if (isInside(brick * kBrickSize, kBrickSize)) return;
+        const CellBox box = voxelBounds(brick, voxels);
+        bounds = {glm::min(bounds.low, box.low), glm::max(bounds.high, box.high)};
+    };
+    for (const BrickShare& share : component.shares) widen(share.brick, share.voxels);
+    for (const NodeShare& share : component.nodes) {
+        if (isInside(share.node * kNodeSize, kNodeSize)) continue;
+        const BrickNode& node = *grid.nodeAt(share.node);
+        forEachChild(share.bricks, [&](int child) { widen(share.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy); });
+    }
+    return bounds;
+}
+
+bool hasWholeNode(const VoxelGrid& grid, const Component& component) {
+    for (const NodeShare& share : component.nodes)
+        if (std::popcount(share.bricks) > 1 && grid.nodeAt(share.node)->mask == share.bricks) return true;
+    return false;
 }
 
 }  // namespace
 
 Piece takePiece(VoxelGrid& grid, const Component& component) {
-    assert(!component.shares.empty());
-    CellBox bounds = shareBounds(component.shares.front());
-    for (const BrickShare& share : component.shares) {
-        const CellBox box = shareBounds(share);
-        bounds = {glm::min(bounds.low, box.low), glm::max(bounds.high, box.high)};
-    }
+    const CellBox bounds = componentBounds(grid, component);
     Piece piece;
-    const glm::ivec3 lowBrick = bounds.low >> 3;
-    piece.offset = lowBrick * kBrickSize;
+    const int unit =
+        glm::any(glm::greaterThan(bounds.high - bounds.low, glm::ivec3(kNodeSize))) && hasWholeNode(grid, component) ? kNodeSize : kBrickSize;
+    piece.offset = bounds.low / unit * unit;
     piece.grid = VoxelGrid(bounds.high - piece.offset);
-    for (const BrickShare& share : component.shares) {
-        BrickRef brick = grid.shareBrick(share.brick);
-        if (brick->occupancy == share.voxels) {
-            grid.setBrick(share.brick, nullptr);
-            piece.grid.setBrick(share.brick - lowBrick, std::move(brick));
+    const glm::ivec3 offsetBricks = piece.offset / kBrickSize;
+    for (const NodeShare& share : component.nodes) {
+        if (unit == kNodeSize && grid.nodeAt(share.node)->mask == share.bricks) {
+            piece.grid.putNode(share.node - piece.offset / kNodeSize, grid.takeNode(share.node));
             continue;
         }
+        forEachChild(share.bricks, [&](int child) {
+            const glm::ivec3 brick = share.node * kNodeBricks + childPosition(child);
+            piece.grid.setBrick(brick - offsetBricks, grid.shareBrick(brick));
+            grid.setBrick(brick, nullptr);
+        });
+    }
+    for (const BrickShare& share : component.shares) {
+        const BrickRef brick = grid.shareBrick(share.brick);
         BrickBits rest;
         for (size_t z = 0; z < 8; ++z) rest[z] = brick->occupancy[z] & ~share.voxels[z];
         grid.setBrick(share.brick, maskBrick(*brick, rest));
-        piece.grid.setBrick(share.brick - lowBrick, maskBrick(*brick, share.voxels));
+        piece.grid.setBrick(share.brick - offsetBricks, maskBrick(*brick, share.voxels));
     }
     return piece;
 }

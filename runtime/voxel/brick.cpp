@@ -84,10 +84,14 @@ BrickRef maskBrick(const Brick& brick, const std::array<uint64_t, 8>& keep) {
 }
 
 uint64_t hashBrick(const Brick& brick) {
+    uint64_t hash = brick.knownHash.load(std::memory_order_relaxed);
+    if (hash) return hash;
     BrickIndices indices;
     expandBrick(&brick, indices);
-    const uint64_t hash = hashBytes(indices.data(), indices.size());
-    return brick.paint ? hashBytes(brick.paint->data(), brick.paint->size(), hash) : hash;
+    hash = hashBytes(indices.data(), indices.size());
+    if (brick.paint) hash = hashBytes(brick.paint->data(), brick.paint->size(), hash);
+    brick.knownHash.store(hash, std::memory_order_relaxed);
+    return hash;
 }
 
 }  // namespace rubble

@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <vector>
+
+#include "runtime/core/lazy.h"
 
 namespace rubble {
 
@@ -24,6 +27,12 @@ using BrickBits = std::array<uint64_t, 8>;
 /// A byte for each voxel of a brick.
 using BrickIndices = std::array<uint8_t, kBrickVoxels>;
 
+/// A 6-connected component of the voxels of one brick, and where it reaches the brick's faces.
+struct BrickPart {
+    BrickBits voxels{};
+    std::array<uint64_t, 6> faces{};  ///< -x +x -y +y -z +z: one bit a cell; facing faces have the same bit order
+};
+
 /// 8x8x8 voxels: a palette index each, 0 = empty. Never changed once a grid holds it: pieces, replicas, undo and
 /// snapshots share it by reference. A brick of one index stores no index array; one without paint no paint.
 struct Brick {
@@ -31,21 +40,24 @@ struct Brick {
     std::unique_ptr<BrickIndices> indices;  ///< null if every solid voxel has `uniform`
     std::unique_ptr<BrickIndices> paint;    ///< the paint layer (see paint_colors.h); null if no voxel is painted
     uint8_t uniform = 0;
+    // What follows from the voxels, worked out when first asked for. Bricks are shared by threads, and so is this.
+    mutable std::atomic<uint16_t> knownCount = 0;
+    mutable std::atomic<uint64_t> knownHash = 0;      ///< see hashBrick()
+    mutable Lazy<std::vector<BrickPart>> knownParts;  ///< see brickParts()
 
     bool solid(int index) const { return occupancy[index >> 6] >> (index & 63) & 1; }
     uint8_t at(int index) const { return !solid(index) ? uint8_t(0) : indices ? (*indices)[index] : uniform; }
     uint8_t at(glm::ivec3 inBrick) const { return at(voxelIndex(inBrick)); }
     uint8_t paintAt(int index) const { return paint ? (*paint)[index] : uint8_t(0); }
     int count() const {
+        const int known = knownCount.load(std::memory_order_relaxed);
+        if (known) return known;
         int sum = 0;
         for (uint64_t word : occupancy) sum += std::popcount(word);
+        knownCount.store(uint16_t(sum), std::memory_order_relaxed);
         return sum;
     }
-    bool full() const {
-        for (uint64_t word : occupancy)
-            if (~word) return false;
-        return true;
-    }
+    bool full() const { return count() == kBrickVoxels; }
 };
 
 using BrickRef = std::shared_ptr<const Brick>;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/mat3x3.hpp>
 
+#include "runtime/core/hash.h"
+
 namespace rubble {
 namespace {
 
@@ -91,11 +93,12 @@ MassMoments MassMoments::shifted(glm::ivec3 offset) const {
     return out;
 }
 
-MassMoments brickMoments(const Brick& brick, glm::ivec3 brickPosition, const Palette& palette, const MaterialTable& materials) {
-    return brickMoments(brick, brick.occupancy, brickPosition, palette, materials);
+Densities::Densities(const Palette& palette, const MaterialTable& materials) {
+    for (size_t i = 0; i < 256; ++i) of[i] = materials[palette[i].material].density;
+    hash = hashBytes(of.data(), sizeof of);
 }
 
-MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 brickPosition, const Palette& palette, const MaterialTable& materials) {
+MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 brickPosition, const Densities& densities) {
     LocalMoments local;
     for (size_t z = 0; z < 8; ++z) {
         uint64_t rows = of[z] & brick.occupancy[z];
@@ -108,19 +111,33 @@ MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 bri
             RowSums sums;
             for (unsigned left = row; left; left &= left - 1) {
                 const int x = std::countr_zero(left);
-                const int64_t density = materials[palette[(*brick.indices)[size_t(x) + 8 * y + 64 * z]].material].density, p = 2 * x + 1;
+                const int64_t density = densities.of[(*brick.indices)[size_t(x) + 8 * y + 64 * z]], p = 2 * x + 1;
                 sums.weight += density, sums.first += density * p, sums.second += density * p * p;
             }
-            local.add(sums, std::popcount(row), int64_t(y), int64_t(z));
+            local.add(sums, kRowSums[row].weight, int64_t(y), int64_t(z));
         }
     }
-    if (!brick.indices) local.weigh(materials[palette[brick.uniform].material].density);
+    if (!brick.indices) local.weigh(densities.of[brick.uniform]);
     return local.moments().shifted(brickPosition * kBrickSize);
+}
+
+MassMoments nodeMoments(const BrickNode& node, glm::ivec3 nodePosition, const Densities& densities) {
+    const glm::ivec3 offset = nodePosition * kNodeSize;
+    if (const NodeMoments* known = node.knownMoments.find(); known && known->densities == densities.hash) return known->sums.shifted(offset);
+    auto found = std::make_unique<NodeMoments>(NodeMoments{densities.hash, {}});
+    forEachChild(node.mask, [&](int child) {
+        const Brick& brick = *node.bricks[size_t(child)];
+        found->sums += brickMoments(brick, brick.occupancy, childPosition(child), densities);
+    });
+    const MassMoments sums = found->sums;
+    node.knownMoments.keep(std::move(found));
+    return sums.shifted(offset);
 }
 
 MassMoments gridMoments(const VoxelGrid& grid, const Palette& palette, const MaterialTable& materials) {
     MassMoments sum;
-    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) { sum += brickMoments(*brick, position, palette, materials); });
+    const Densities densities(palette, materials);
+    grid.forEachNode([&](glm::ivec3 position, const BrickNode& node) { sum += nodeMoments(node, position, densities); });
     return sum;
 }
 

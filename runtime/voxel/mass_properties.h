@@ -28,10 +28,22 @@ struct MassMoments {
     friend bool operator==(const MassMoments&, const MassMoments&) = default;
 };
 
-/// Sums over one brick at the given brick coordinate.
-MassMoments brickMoments(const Brick& brick, glm::ivec3 brickPosition, const Palette& palette, const MaterialTable& materials);
-/// The same over the solid voxels among `of` alone.
-MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 brickPosition, const Palette& palette, const MaterialTable& materials);
+/// The moments of what a node holds, in its own cells, for one table of densities.
+struct NodeMoments {
+    uint64_t densities = 0;  ///< a hash of the table
+    MassMoments sums;
+};
+/// Density by palette entry, as integer sums need it.
+struct Densities {
+    std::array<uint32_t, 256> of{};
+    uint64_t hash = 0;
+    Densities(const Palette& palette, const MaterialTable& materials);
+};
+
+/// Of a whole node at its place in the grid. Worked out once a node and table of densities.
+MassMoments nodeMoments(const BrickNode& node, glm::ivec3 nodePosition, const Densities& densities);
+/// Over the solid voxels among `of`, of the brick at the given brick coordinate.
+MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 brickPosition, const Densities& densities);
 MassMoments gridMoments(const VoxelGrid& grid, const Palette& palette, const MaterialTable& materials);
 
 /// What a rigid body needs, from the moments. Metres and kilograms, in the shape's frame.

@@ -5,7 +5,6 @@
 namespace rubble {
 
 CellHit walkRay(const VoxelGrid& grid, const CellRay& ray) {
-    constexpr int kNodeSize = 4 * kBrickSize;
     CellHit out;
     CellWalk walk;
     bool inside = walk.start(ray, grid.size());

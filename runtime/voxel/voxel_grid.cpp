@@ -1,15 +1,16 @@
 #include "runtime/voxel/voxel_grid.h"
 
 #include <cassert>
+#include <utility>
 
 #include "runtime/core/hash.h"
 
 namespace rubble {
 namespace {
 
-uint64_t placedHash(glm::ivec3 brick, const Brick& content) {
-    const int32_t place[3] = {brick.x, brick.y, brick.z};
-    return hashBytes(place, sizeof place, hashBrick(content));
+uint64_t placedHash(glm::ivec3 node, const BrickNode& content) {
+    const int32_t place[3] = {node.x, node.y, node.z};
+    return hashBytes(place, sizeof place, content.hash);
 }
 
 }  // namespace
@@ -21,34 +22,47 @@ VoxelGrid::VoxelGrid(glm::ivec3 size) : m_size(size), m_nodeSize((size + 31) / 3
 
 void VoxelGrid::setBrick(glm::ivec3 brick, BrickRef value) {
     assert(brick.x >= 0 && brick.y >= 0 && brick.z >= 0 && brick.x * 8 < m_size.x && brick.y * 8 < m_size.y && brick.z * 8 < m_size.z);
-    NodeRef& shared = m_nodes[nodeIndex(brick >> 2)];
-    if (!shared && !value) return;
-    Node& node = shared.own();
-    const int child = childIndex(brick);
-    BrickRef& place = node.bricks[child];
-    if (place) {
-        m_voxels -= uint64_t(place->count());
-        m_hash -= placedHash(brick, *place);
-        --m_bricks;
-    }
-    const int count = value ? value->count() : 0;
-    place = count ? std::move(value) : nullptr;
-    const uint64_t bit = uint64_t(1) << child;
-    if (place) {
-        node.mask |= bit;
-        m_voxels += uint64_t(count);
-        m_hash += placedHash(brick, *place);
-        ++m_bricks;
-    } else {
-        node.mask &= ~bit;
-        if (!node.mask) shared = {};
-    }
+    const glm::ivec3 position = brick >> 2;
+    NodeRef& node = m_nodes[nodeIndex(position)];
+    if (!node && !value) return;
+    if (node) discount(position, *node.get());
+    node.own().set(childIndex(brick), std::move(value));
+    if (node->mask)
+        count(position, *node.get());
+    else
+        node = {};
+}
+
+NodeRef VoxelGrid::takeNode(glm::ivec3 node) {
+    NodeRef& place = m_nodes[nodeIndex(node)];
+    assert(place && "an empty node");
+    discount(node, *place.get());
+    return std::exchange(place, {});
+}
+
+void VoxelGrid::putNode(glm::ivec3 node, NodeRef value) {
+    NodeRef& place = m_nodes[nodeIndex(node)];
+    assert(value && !place && "a node that is not empty in a place that is");
+    place = std::move(value);
+    count(node, *place.get());
+}
+
+void VoxelGrid::count(glm::ivec3 position, const BrickNode& node) {
+    m_voxels += node.voxels;
+    m_bricks += size_t(std::popcount(node.mask));
+    m_hash += placedHash(position, node);
+}
+
+void VoxelGrid::discount(glm::ivec3 position, const BrickNode& node) {
+    m_voxels -= node.voxels;
+    m_bricks -= size_t(std::popcount(node.mask));
+    m_hash -= placedHash(position, node);
 }
 
 size_t VoxelGrid::memoryBytes() const {
     size_t bytes = m_nodes.size() * sizeof(m_nodes[0]);
     for (const auto& node : m_nodes)
-        if (node) bytes += sizeof(Node);
+        if (node) bytes += sizeof(BrickNode);
     forEachBrick([&](glm::ivec3, const BrickRef& brick) {
         bytes += sizeof(Brick) + 16 + (brick->indices ? kBrickVoxels : 0) + (brick->paint ? kBrickVoxels : 0);
     });

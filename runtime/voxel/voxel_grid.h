@@ -1,11 +1,9 @@
 #pragma once
-#include <atomic>
 #include <cassert>
 #include <glm/vec3.hpp>
-#include <utility>
 #include <vector>
 
-#include "runtime/voxel/brick.h"
+#include "runtime/voxel/brick_node.h"
 
 namespace rubble {
 
@@ -43,13 +41,24 @@ public:
     }
     /// True if none of the 4x4x4 bricks of a directory node (its coordinates are brick >> 2) is there.
     bool nodeEmpty(glm::ivec3 node) const { return !m_nodes[nodeIndex(node)]; }
+    glm::ivec3 sizeInNodes() const { return m_nodeSize; }
+    /// nullptr if the node is empty or outside.
+    const BrickNode* nodeAt(glm::ivec3 node) const {
+        return node.x < 0 || node.y < 0 || node.z < 0 || node.x >= m_nodeSize.x || node.y >= m_nodeSize.y || node.z >= m_nodeSize.z
+                   ? nullptr
+                   : m_nodes[nodeIndex(node)].get();
+    }
+    /// Takes a node out of the grid: whole, by reference.
+    NodeRef takeNode(glm::ivec3 node);
+    /// Puts a node, which must not be empty, where none is. Voxels outside size() must be empty.
+    void putNode(glm::ivec3 node, NodeRef value);
     /// Replaces a brick; an empty or null one clears its place. Voxels outside size() must be empty.
     void setBrick(glm::ivec3 brick, BrickRef value);
 
     bool empty() const { return m_voxels == 0; }
     uint64_t voxelCount() const { return m_voxels; }
     size_t brickCount() const { return m_bricks; }
-    /// Sum over bricks of a hash of place and content, kept up to date: equal grids have equal hashes.
+    /// Sum over nodes of a hash of place and content, kept up to date: equal grids have equal hashes.
     uint64_t contentHash() const { return m_hash; }
     /// Bytes of the directory and of the bricks it holds (shared ones counted in full).
     size_t memoryBytes() const;
@@ -62,9 +71,15 @@ public:
             const glm::ivec3 base = nodePosition(n) * 4;
             for (uint64_t mask = m_nodes[n]->mask; mask; mask &= mask - 1) {
                 const int i = std::countr_zero(mask);
-                f(base + glm::ivec3(i & 3, i >> 2 & 3, i >> 4), m_nodes[n]->bricks[i]);
+                f(base + childPosition(i), m_nodes[n]->bricks[i]);
             }
         }
+    }
+    /// f(ivec3 node, const BrickNode&) for every node that holds something, in the same order: by z, then y, then x.
+    template <class F>
+    void forEachNode(F&& f) const {
+        for (size_t n = 0; n < m_nodes.size(); ++n)
+            if (m_nodes[n]) f(nodePosition(n), *m_nodes[n].get());
     }
     /// f(ivec3 brick) for every brick that is not the same object as in `other`, a grid of equal size, in a fixed order.
     /// Costs the nodes that the two do not share.
@@ -72,55 +87,17 @@ public:
     void forEachUnshared(const VoxelGrid& other, F&& f) const {
         assert(m_size == other.m_size);
         for (size_t n = 0; n < m_nodes.size(); ++n) {
-            const Node *a = m_nodes[n].get(), *b = other.m_nodes[n].get();
+            const BrickNode *a = m_nodes[n].get(), *b = other.m_nodes[n].get();
             if (a == b) continue;
             const glm::ivec3 base = nodePosition(n) * 4;
             for (uint64_t mask = (a ? a->mask : 0) | (b ? b->mask : 0); mask; mask &= mask - 1) {
                 const int i = std::countr_zero(mask);
-                if ((a ? a->bricks[i].get() : nullptr) != (b ? b->bricks[i].get() : nullptr)) f(base + glm::ivec3(i & 3, i >> 2 & 3, i >> 4));
+                if ((a ? a->bricks[i].get() : nullptr) != (b ? b->bricks[i].get() : nullptr)) f(base + childPosition(i));
             }
         }
     }
 
 private:
-    struct Node {
-        Node() = default;
-        Node(const Node& other) : mask(other.mask), bricks(other.bricks) {}
-        uint64_t mask = 0;  ///< which bricks are there: bit x + 4 y + 16 z
-        std::array<BrickRef, 64> bricks;
-        std::atomic<uint32_t> holders = 1;
-    };
-    /// A shared node. Not a shared_ptr: its use_count() does not order the other thread's last reads before our write.
-    class NodeRef {
-    public:
-        NodeRef() = default;
-        NodeRef(const NodeRef& other) : m_node(other.m_node) {
-            if (m_node) m_node->holders.fetch_add(1, std::memory_order_relaxed);
-        }
-        NodeRef(NodeRef&& other) noexcept : m_node(std::exchange(other.m_node, nullptr)) {}
-        NodeRef& operator=(NodeRef other) noexcept {
-            std::swap(m_node, other.m_node);
-            return *this;
-        }
-        ~NodeRef() {
-            if (m_node && m_node->holders.fetch_sub(1, std::memory_order_acq_rel) == 1) delete m_node;
-        }
-        explicit operator bool() const { return m_node; }
-        const Node* operator->() const { return m_node; }
-        const Node* get() const { return m_node; }
-        /// The node for writing: made if there is none, copied first if others hold it too.
-        Node& own() {
-            if (!m_node)
-                m_node = new Node;
-            else if (m_node->holders.load(std::memory_order_acquire) != 1)
-                *this = NodeRef(new Node(*m_node));
-            return *m_node;
-        }
-
-    private:
-        explicit NodeRef(Node* node) : m_node(node) {}
-        Node* m_node = nullptr;
-    };
     const BrickRef* find(glm::ivec3 brick) const {
         const glm::ivec3 node = brick >> 2;
         if (brick.x < 0 || brick.y < 0 || brick.z < 0 || node.x >= m_nodeSize.x || node.y >= m_nodeSize.y || node.z >= m_nodeSize.z) return nullptr;
@@ -131,7 +108,9 @@ private:
     glm::ivec3 nodePosition(size_t n) const {
         return {int(n % m_nodeSize.x), int(n / m_nodeSize.x % m_nodeSize.y), int(n / m_nodeSize.x / m_nodeSize.y)};
     }
-    static int childIndex(glm::ivec3 brick) { return (brick.x & 3) + (brick.y & 3) * 4 + (brick.z & 3) * 16; }
+    /// Adds a node to the sums, or takes it off.
+    void count(glm::ivec3 position, const BrickNode& node);
+    void discount(glm::ivec3 position, const BrickNode& node);
 
     glm::ivec3 m_size{0};
     glm::ivec3 m_nodeSize{0};

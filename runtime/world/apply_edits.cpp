@@ -72,11 +72,8 @@ void EditStep::listChangedBricks() {
             m_changes.carved.push_back(each.shape);
             markBroken(shape->body);
         }
-        std::vector<glm::ivec3>& bricks = each.carved;
-        bricks.insert(bricks.end(), each.painted.begin(), each.painted.end());
-        std::sort(bricks.begin(), bricks.end(), cellBefore);
-        bricks.erase(std::unique(bricks.begin(), bricks.end()), bricks.end());
-        for (const glm::ivec3 brick : bricks) m_changes.bricks.push_back({each.shape, brick, shape->grid.shareBrick(brick)});
+        each.carved.insert(each.painted);
+        each.carved.forEach([&](glm::ivec3 brick) { m_changes.bricks.push_back({each.shape, brick, shape->grid.shareBrick(brick)}); });
     }
 }
 

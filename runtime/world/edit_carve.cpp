@@ -30,8 +30,8 @@ void EditStep::carveShape(ShapeHandle handle, const CarveEdit& edit) {
     const double radius = 0.5 * shape.voxelSize * std::cbrt(double(carved.voxels));
     countRemoved(handle, carved.removed,
                  {m_world.shapeToWorld(handle).transformPoint(gone.center), radius, m_world.m_bodies.at(shape.body).velocity});
-    std::vector<glm::ivec3>& bricks = touched(handle).carved;
-    bricks.insert(bricks.end(), carved.bricks.begin(), carved.bricks.end());
+    BrickSet& bricks = touched(handle).carved;
+    for (const glm::ivec3 brick : carved.bricks) bricks.insert(brick);
 }
 
 void EditStep::countRemoved(ShapeHandle handle, const std::array<uint64_t, 256>& removed, const Place& place) {

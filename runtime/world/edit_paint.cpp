@@ -39,8 +39,8 @@ void EditStep::paintShape(ShapeHandle handle, const Brush& brush, const Paint& p
     std::vector<ShapeHandle>& palettes = m_changes.palettes;
     if ((painted.palette || painted.colors) && std::find(palettes.begin(), palettes.end(), handle) == palettes.end()) palettes.push_back(handle);
     if (painted.bricks.empty()) return;
-    std::vector<glm::ivec3>& bricks = touched(handle).painted;
-    bricks.insert(bricks.end(), painted.bricks.begin(), painted.bricks.end());
+    BrickSet& bricks = touched(handle).painted;
+    for (const glm::ivec3 brick : painted.bricks) bricks.insert(brick);
 }
 
 }  // namespace rubble

@@ -6,16 +6,26 @@
 namespace rubble {
 namespace {
 
-MassMoments componentMoments(const Shape& shape, const Component& component, const MaterialTable& materials) {
+MassMoments componentMoments(const VoxelGrid& grid, const Component& component, const Densities& densities) {
     MassMoments sum;
-    for (const BrickShare& share : component.shares)
-        sum += brickMoments(*shape.grid.brickAt(share.brick), share.voxels, share.brick, *shape.palette, materials);
+    for (const NodeShare& share : component.nodes) {
+        const BrickNode& node = *grid.nodeAt(share.node);
+        if (share.bricks == node.mask) {
+            sum += nodeMoments(node, share.node, densities);
+            continue;
+        }
+        forEachChild(share.bricks, [&](int child) {
+            const Brick& brick = *node.bricks[size_t(child)];
+            sum += brickMoments(brick, brick.occupancy, share.node * kNodeBricks + childPosition(child), densities);
+        });
+    }
+    for (const BrickShare& share : component.shares) sum += brickMoments(*grid.brickAt(share.brick), share.voxels, share.brick, densities);
     return sum;
 }
 
-void sortUnique(std::vector<glm::ivec3>& bricks) {
-    std::sort(bricks.begin(), bricks.end(), cellBefore);
-    bricks.erase(std::unique(bricks.begin(), bricks.end()), bricks.end());
+void insertBricks(const Component& component, BrickSet& out) {
+    for (const NodeShare& share : component.nodes) out.insert(share.node, share.bricks);
+    for (const BrickShare& share : component.shares) out.insert(share.brick);
 }
 
 }  // namespace
@@ -23,17 +33,17 @@ void sortUnique(std::vector<glm::ivec3>& bricks) {
 void EditStep::splitShape(Touched& touched) {
     const ShapeHandle parent = touched.shape;
     const uint64_t smallest = m_world.m_settings.minPieceVoxels;
-    sortUnique(touched.carved);
     Shape* shape = &m_world.m_shapes.at(parent);
     const bool isAnchored = m_world.m_bodies.at(shape->body).isStatic;
     const Loose loose = shape->nothingLoose ? findLooseNear(shape->grid, shape->anchors, isAnchored, touched.carved)
                                             : findLoose(shape->grid, shape->anchors, isAnchored);
     shape->nothingLoose = true;
+    const Densities densities(*shape->palette, m_world.m_materials);
     ShapeSplit split{.parent = parent};
     for (const Component& component : loose.pieces) {
-        const MassMoments moments = componentMoments(*shape, component, m_world.m_materials);
+        const MassMoments moments = componentMoments(shape->grid, component, densities);
         if (moments.weight == 0) continue;  // unphysical voxels are not touched: they stay where they are
-        for (const BrickShare& share : component.shares) touched.carved.push_back(share.brick);
+        insertBricks(component, touched.carved);
         shape->moments -= moments;
         if (component.voxels < smallest) {
             dropPiece(parent, component);
@@ -47,7 +57,7 @@ void EditStep::splitShape(Touched& touched) {
     const bool isFree = loose.isAdrift || !isAnchored;
     if (isFree && shape->grid.voxelCount() < smallest)
         for (const Component& rest : findComponents(shape->grid)) {
-            shape->moments -= componentMoments(*shape, rest, m_world.m_materials);
+            shape->moments -= componentMoments(shape->grid, rest, densities);
             dropPiece(parent, rest);
         }
     if (!split.children.empty()) moveLights(split);
@@ -61,11 +71,10 @@ void EditStep::splitShape(Touched& touched) {
 void EditStep::dropPiece(ShapeHandle parent, const Component& component) {
     Shape& shape = m_world.m_shapes.at(parent);
     std::array<uint64_t, 256> removed{};
-    for (const BrickShare& share : component.shares) {
-        const BrickRef brick = shape.grid.shareBrick(share.brick);
-        forEachVoxel(share.voxels, [&](int i) { ++removed[brick->at(i)]; });
-    }
-    const MassProperties mass = massProperties(componentMoments(shape, component, m_world.m_materials), shape.voxelSize);
+    forEachShare(shape.grid, component,
+                 [&](glm::ivec3, const Brick& brick, const BrickBits& voxels) { forEachVoxel(voxels, [&](int i) { ++removed[brick.at(i)]; }); });
+    const Densities densities(*shape.palette, m_world.m_materials);
+    const MassProperties mass = massProperties(componentMoments(shape.grid, component, densities), shape.voxelSize);
     takePiece(shape.grid, component);
     const double radius = 0.5 * shape.voxelSize * std::cbrt(double(component.voxels));
     countRemoved(parent, removed, {m_world.shapeToWorld(parent).transformPoint(mass.center), radius, m_world.m_bodies.at(shape.body).velocity});

@@ -23,8 +23,8 @@ private:
     /// What happened to a shape in this step, besides what the journal already holds.
     struct Touched {
         ShapeHandle shape;
-        std::vector<glm::ivec3> carved;  ///< bricks; may repeat until the split
-        std::vector<glm::ivec3> painted;
+        BrickSet carved;
+        BrickSet painted;
     };
     /// How a free body moved before anything was taken from it.
     struct Motion {

@@ -92,7 +92,9 @@ void carveAndSplit(benchmark::State& state) {
         const auto start = std::chrono::steady_clock::now();
         Carved carved;
         carve(grid, sphereBrush(cutOf(scene, size), {6, 6, 6}), palette, defaultMaterials(), carved);
-        const Loose loose = isKnown ? findLooseNear(grid, anchors, true, carved.bricks) : findLoose(grid, anchors, true);
+        BrickSet bricks;
+        for (const glm::ivec3 brick : carved.bricks) bricks.insert(brick);
+        const Loose loose = isKnown ? findLooseNear(grid, anchors, true, bricks) : findLoose(grid, anchors, true);
         for (const Component& component : loose.pieces) benchmark::DoNotOptimize(takePiece(grid, component));
         const double each = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         state.SetIterationTime(each);

@@ -13,7 +13,7 @@ void expectFloodFill(const VoxelGrid& grid) {
     const auto found = findComponents(grid);
     ASSERT_EQ(found.size(), expected.size());
     for (size_t i = 0; i < found.size(); ++i) {
-        ASSERT_EQ(test::cellsOf(found[i], plain), expected[i]) << "component " << i;
+        ASSERT_EQ(test::cellsOf(found[i], grid, plain), expected[i]) << "component " << i;
         EXPECT_EQ(found[i].voxels, expected[i].size());
         EXPECT_EQ(plain.index(found[i].lowest), expected[i].front());
     }

@@ -48,10 +48,11 @@ inline std::vector<std::vector<size_t>> floodFill(const PlainGrid& grid) {
     return out;
 }
 
-inline std::vector<size_t> cellsOf(const Component& component, const PlainGrid& grid) {
+inline std::vector<size_t> cellsOf(const Component& component, const VoxelGrid& in, const PlainGrid& grid) {
     std::vector<size_t> out;
-    for (const BrickShare& share : component.shares)
-        forEachVoxel(share.voxels, [&](int i) { out.push_back(grid.index(share.brick * 8 + voxelInBrick(i))); });
+    forEachShare(in, component, [&](glm::ivec3 brick, const Brick&, const BrickBits& voxels) {
+        forEachVoxel(voxels, [&](int i) { out.push_back(grid.index(brick * 8 + voxelInBrick(i))); });
+    });
     std::sort(out.begin(), out.end());
     return out;
 }

@@ -14,10 +14,11 @@ TEST(Split, PiecesHoldTheirCellsAndTheGridTheRest) {
         const auto components = findComponents(grid);
         uint64_t voxels = grid.voxelCount();
         for (size_t i = 0; i < components.size(); i += 2) {
+            const std::vector<size_t> cells = test::cellsOf(components[i], grid, before);
             const Piece piece = takePiece(grid, components[i]);
             ASSERT_EQ(piece.offset % kBrickSize, glm::ivec3(0));
             ASSERT_EQ(piece.grid.voxelCount(), components[i].voxels);
-            for (const size_t cell : test::cellsOf(components[i], before)) {
+            for (const size_t cell : cells) {
                 ASSERT_EQ(piece.grid.at(before.cell(cell) - piece.offset), before.cells[cell]);
                 ASSERT_EQ(grid.at(before.cell(cell)), 0);
             }

@@ -1,7 +1,9 @@
-#include "runtime/destruction/components.h"
+#include "runtime/voxel/brick_parts.h"
 
 namespace rubble {
 namespace {
+
+constexpr size_t kPartsKept = 16;  ///< 112 bytes each: noise would cost far more than its voxels
 
 constexpr uint64_t kFirstColumn = 0x0101010101010101ull;  ///< x = 0 in every row of a word
 constexpr uint64_t kLastColumn = kFirstColumn << 7;
@@ -72,6 +74,20 @@ void findBrickParts(const BrickBits& occupancy, std::vector<BrickPart>& out) {
             findFaces(part);
             for (size_t i = z; i < 8; ++i) left[i] &= ~part.voxels[i];
         }
+}
+
+std::span<const BrickPart> brickParts(const Brick& brick, std::vector<BrickPart>& scratch) {
+    static const std::vector<BrickPart> kFullBrick = [] {
+        std::vector<BrickPart> out;
+        findBrickParts({~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull}, out);
+        return out;
+    }();
+    if (brick.full()) return kFullBrick;
+    if (const auto* known = brick.knownParts.find()) return *known;
+    scratch.clear();
+    findBrickParts(brick.occupancy, scratch);
+    if (scratch.size() > kPartsKept) return scratch;
+    return brick.knownParts.keep(std::make_unique<const std::vector<BrickPart>>(scratch.begin(), scratch.end()));
 }
 
 }  // namespace rubble

@@ -1,0 +1,112 @@
+#include "runtime/voxel/node_parts.h"
+
+namespace rubble {
+namespace {
+
+/// A union-find whose sets are named by their lowest member (Tarjan 1975, path halving).
+struct PartSets {
+    std::vector<uint16_t> parent;
+    uint16_t root(uint16_t i) {
+        while (parent[i] != i) i = parent[i] = parent[parent[i]];
+        return i;
+    }
+    void unite(uint16_t a, uint16_t b) {
+        a = root(a), b = root(b);
+        if (a != b) parent[std::max(a, b)] = std::min(a, b);
+    }
+};
+
+/// The full bricks that a full one reaches through full ones, all at once.
+BrickMask fillFull(BrickMask seeds, BrickMask full) {
+    for (;;) {
+        BrickMask grown = seeds;
+        grown |= (grown << 1 & ~kFaceBricks[0]) | (grown >> 1 & ~kFaceBricks[1]);
+        grown |= (grown << 4 & ~kFaceBricks[2]) | (grown >> 4 & ~kFaceBricks[3]);
+        grown |= grown << 16 | grown >> 16;
+        grown &= full;
+        if (grown == seeds) return seeds;
+        seeds = grown;
+    }
+}
+
+void uniteFull(const BrickNode& node, const std::array<uint16_t, 65>& firstPart, PartSets& sets) {
+    for (BrickMask left = node.full; left;) {
+        const int first = std::countr_zero(left);
+        const BrickMask reached = fillFull(left & -left, node.full);
+        forEachChild(reached, [&](int child) { sets.parent[firstPart[size_t(child)]] = firstPart[size_t(first)]; });
+        left &= ~reached;
+    }
+}
+
+void uniteAcross(const BrickNode& node, size_t face, PartsOfBricks& bricks, const std::array<uint16_t, 65>& firstPart, PartSets& sets) {
+    const int step = face == 1 ? 1 : face == 3 ? 4 : 16;
+    BrickMask pairs = node.mask & ~kFaceBricks[face] & node.mask >> step;
+    pairs &= ~(node.full & node.full >> step);  // known already
+    forEachChild(pairs, [&](int child) {
+        const auto a = bricks[child], b = bricks[child + step];
+        for (size_t i = 0; i < a.size(); ++i)
+            for (size_t j = 0; a[i].faces[face] && j < b.size(); ++j)
+                if (a[i].faces[face] & b[j].faces[face ^ 1])
+                    sets.unite(uint16_t(firstPart[size_t(child)] + i), uint16_t(firstPart[size_t(child + step)] + j));
+    });
+}
+
+std::unique_ptr<const NodeParts> findNodeParts(const BrickNode& node) {
+    auto out = std::make_unique<NodeParts>();
+    PartsOfBricks bricks(node);
+    auto detail = std::make_unique<NodeParts::Detail>();
+    for (int child = 0; child < 64; ++child)
+        detail->firstPart[size_t(child) + 1] = uint16_t(detail->firstPart[size_t(child)] + (node.mask >> child & 1 ? bricks[child].size() : 0));
+    PartSets sets;
+    sets.parent.resize(detail->firstPart[64]);
+    for (size_t i = 0; i < sets.parent.size(); ++i) sets.parent[i] = uint16_t(i);
+    uniteFull(node, detail->firstPart, sets);
+    for (const size_t face : {1, 3, 5}) uniteAcross(node, face, bricks, detail->firstPart, sets);
+    detail->component.resize(sets.parent.size());
+    for (size_t i = 0; i < sets.parent.size(); ++i) {
+        const uint16_t root = sets.root(uint16_t(i));  // never above i
+        detail->component[i] = root == i ? uint16_t(out->count++) : detail->component[root];
+    }
+    if (out->count == 1) {
+        out->voxels = {node.voxels};
+        return out;
+    }
+    out->voxels.resize(out->count);
+    forEachChild(node.mask, [&](int child) {
+        const auto parts = bricks[child];
+        for (size_t i = 0; i < parts.size(); ++i) {
+            uint32_t& sum = out->voxels[detail->component[detail->firstPart[size_t(child)] + i]];
+            if (parts.size() == 1)
+                sum += uint32_t(node.bricks[size_t(child)]->count());
+            else
+                for (const uint64_t layer : parts[i].voxels) sum += uint32_t(std::popcount(layer));
+        }
+    });
+    out->detail = std::move(detail);
+    return out;
+}
+
+}  // namespace
+
+std::span<const BrickPart> PartsOfBricks::operator[](int child) {
+    auto& place = m_parts[size_t(child)];
+    const BrickMask bit = BrickMask(1) << child;
+    if (m_known & bit) return place;
+    m_known |= bit;
+    std::vector<BrickPart> scratch;
+    place = brickParts(*m_node.bricks[size_t(child)], scratch);
+    if (place.data() == scratch.data()) place = m_kept.emplace_back(std::move(scratch));
+    return place;
+}
+
+const NodeParts& nodeParts(const BrickNode& node) {
+    if (const NodeParts* known = node.knownParts.find()) return *known;
+    if (node.full == kAllBricks) {  // the commonest of all
+        auto out = std::make_unique<NodeParts>();
+        out->count = 1, out->voxels = {node.voxels};
+        return node.knownParts.keep(std::move(out));
+    }
+    return node.knownParts.keep(findNodeParts(node));
+}
+
+}  // namespace rubble
