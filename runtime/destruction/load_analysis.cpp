@@ -1,0 +1,339 @@
+#include "runtime/destruction/load_analysis.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "runtime/core/hash.h"
+#include "runtime/core/random.h"
+#include "runtime/destruction/load_slices.h"
+
+namespace rubble {
+namespace {
+
+constexpr uint32_t kNone = ~0u;
+constexpr double kShearRatio = 0.4;    ///< shear modulus over Young's modulus
+constexpr double kTolerance = 1e-6;    ///< of the energy of the error: forces to about a thousandth
+constexpr int kMaxIterations = 400;    ///< beyond which it is given up: nothing breaks
+constexpr double kAlsoBreaks = 0.9;    ///< share of the worst overload from which others break in the same step
+constexpr int64_t kBrickWork = 200, kRowWork = 100;
+
+/// What a unit of motion across a bond does to it, with E = 1: forces, and moments as rows of a symmetric matrix.
+struct BondStiffness {
+    glm::dvec3 force;
+    double moment[3][3] = {};
+};
+
+BondStiffness bondStiffness(const LoadBond& bond) {
+    const int a = bond.section.axis, u = a == 0 ? 1 : 0, v = a == 2 ? 1 : 2;
+    const double perLength = 1.0 / bond.length;
+    BondStiffness out{glm::dvec3(kShearRatio * bond.shape.area * perLength), {}};
+    out.force[a] = bond.shape.area * perLength;
+    out.moment[a][a] = kShearRatio * (bond.shape.uu + bond.shape.vv) * perLength;
+    out.moment[v][v] = bond.shape.uu * perLength;  // about v, the lever is along u
+    out.moment[u][u] = bond.shape.vv * perLength;
+    out.moment[u][v] = out.moment[v][u] = -bond.shape.uv * perLength;
+    return out;
+}
+
+/// Stiffness between the motions of two bodies whose section is at `armA` and `armB` from them.
+Block6 stiffnessBlock(const BondStiffness& bond, glm::dvec3 armA, glm::dvec3 armB) {
+    Block6 middle;
+    for (size_t i = 0; i < 3; ++i) {
+        middle.at(i, i) = bond.force[int(i)];
+        for (size_t j = 0; j < 3; ++j) middle.at(3 + i, 3 + j) = bond.moment[i][j];
+    }
+    Block6 right, out;
+    addProduct(right, middle, rigidBlock(armB));
+    addProduct(out, transposed(rigidBlock(armA)), right);
+    return out;
+}
+
+glm::dvec3 shiftAt(const LoadNode& node, glm::dvec3 point) {
+    return node.shift + glm::cross(node.turn, point - node.center);
+}
+
+}  // namespace
+
+void LoadAnalysis::touch(std::span<const glm::ivec3> bricks) {
+    if (bricks.empty()) return;
+    m_changed.insert(m_changed.end(), bricks.begin(), bricks.end());
+    m_phase = Phase::Graph;
+}
+
+void LoadAnalysis::strike(const LoadBlow& blow) {
+    m_blows.push_back(blow);
+    restart();
+}
+
+void LoadAnalysis::restart() {
+    m_phase = Phase::Graph;
+}
+
+int64_t LoadAnalysis::stepWork() const {
+    switch (m_phase) {
+    case Phase::Start:
+    case Phase::Iterate: return m_inverse.applyWork() + int64_t(m_inverse.stiffness().block.size() + 2 * m_nodeOf.size());
+    default: return 1;
+    }
+}
+
+void LoadAnalysis::run(const LoadedShape& shape, int64_t& work, size_t maxCracks, std::vector<LoadCrack>& cracks) {
+    cracks.clear();
+    work += std::exchange(m_saved, 0);
+    while (m_phase != Phase::Idle && work > 0) {
+        const int64_t cost = stepWork();
+        if (work < cost) {  // a step of the solver is not cut in two: it waits until it is paid for
+            m_saved = work;
+            work = 0;
+            return;
+        }
+        switch (m_phase) {
+        case Phase::Graph:
+            if (!m_changed.empty()) {
+                m_graph.setBrick(shape.grid, shape.anchors, shape.entries, m_changed.front());
+                m_changed.pop_front();
+                work -= kBrickWork;
+                break;
+            }
+            numberRows();
+            work -= int64_t(m_nodeOf.size());
+            m_phase = m_nodeOf.empty() ? Phase::Idle : Phase::Rows;
+            break;
+        case Phase::Rows:
+            appendRow(m_nodeOf[m_next]);
+            loadRow(shape, m_next);
+            work -= kRowWork;
+            if (++m_next < m_nodeOf.size()) break;
+            {
+                std::vector<glm::dvec3> centers;
+                for (const uint32_t node : m_nodeOf) centers.push_back(m_graph.nodes()[node].center);
+                m_inverse.begin(std::move(m_stiffness), std::move(centers));
+            }
+            m_phase = Phase::SetUp;
+            break;
+        case Phase::SetUp:
+            if (m_inverse.setUp(work)) m_phase = Phase::Start;
+            break;
+        case Phase::Start:
+            start();
+            work -= cost;
+            m_phase = Phase::Iterate;
+            break;
+        case Phase::Iterate:
+            work -= cost;
+            if (!iterate()) break;
+            finishSolution();
+            m_phase = m_hasConverged ? Phase::Check : Phase::Idle;
+            break;
+        case Phase::Check:
+            work -= checkNode(shape, m_nodeOf[m_next]);
+            if (++m_next < m_nodeOf.size()) break;
+            chooseCracks(maxCracks, cracks);
+            m_blows.clear();
+            m_phase = Phase::Idle;
+            break;
+        case Phase::Idle: break;
+        }
+    }
+}
+
+/// Rows for all free nodes that something fixed holds, in the order of their slots.
+void LoadAnalysis::numberRows() {
+    const std::vector<LoadNode>& nodes = m_graph.nodes();
+    std::vector<bool> isHeld(nodes.size());
+    std::vector<uint32_t> open;
+    for (uint32_t i = 0; i < nodes.size(); ++i)
+        if (nodes[i].isUsed && nodes[i].isFixed) isHeld[i] = true, open.push_back(i);
+    while (!open.empty()) {
+        const uint32_t node = open.back();
+        open.pop_back();
+        for (const uint32_t bond : nodes[node].bonds) {
+            const LoadBond& each = m_graph.bonds()[bond];
+            const uint32_t other = each.below == node ? each.above : each.below;
+            if (!isHeld[other]) isHeld[other] = true, open.push_back(other);
+        }
+    }
+    m_rowOf.assign(nodes.size(), kNone);
+    m_nodeOf.clear();
+    for (uint32_t i = 0; i < nodes.size(); ++i)
+        if (isHeld[i] && !nodes[i].isFixed) m_rowOf[i] = uint32_t(m_nodeOf.size()), m_nodeOf.push_back(i);
+    m_stiffness.clear();
+    m_load.resize(m_nodeOf.size());
+    m_next = 0;
+}
+
+void LoadAnalysis::appendRow(uint32_t index) {
+    const LoadNode& node = m_graph.nodes()[index];
+    m_stiffness.open(m_rowOf[index]);
+    for (const uint32_t bondIndex : node.bonds) {
+        const LoadBond& bond = m_graph.bonds()[bondIndex];
+        const uint32_t other = bond.below == index ? bond.above : bond.below;
+        const BondStiffness stiffness = bondStiffness(bond);
+        const glm::dvec3 arm = bond.shape.centroid - node.center;
+        const Block6 own = stiffnessBlock(stiffness, arm, arm);
+        Block6& diagonal = m_stiffness.open(m_rowOf[index]);
+        for (size_t i = 0; i < 36; ++i) diagonal.m[i] += own.m[i];
+        if (m_rowOf[other] == kNone) continue;
+        const Block6 across = stiffnessBlock(stiffness, arm, bond.shape.centroid - m_graph.nodes()[other].center);
+        Block6& coupling = m_stiffness.open(m_rowOf[other]);
+        for (size_t i = 0; i < 36; ++i) coupling.m[i] -= across.m[i];
+    }
+    m_stiffness.endRow();
+}
+
+/// Forces in densities times m/s2 a cell: stresses come out in Pa over the size of a voxel.
+void LoadAnalysis::loadRow(const LoadedShape& shape, size_t row) {
+    const LoadNode& node = m_graph.nodes()[m_nodeOf[row]];
+    glm::dvec3 force = node.weight * shape.gravity;
+    glm::dvec3 moment = glm::cross(node.massCenter - node.center, force);
+    const double newtons = 1.0 / (shape.voxelSize * shape.voxelSize * shape.voxelSize);
+    for (const LoadBlow& blow : m_blows) {
+        const glm::ivec3 in = blow.cell & 7;
+        if (blow.cell >> 3 != node.brick || !(node.cells[size_t(in.z)] >> (in.x + 8 * in.y) & 1)) continue;
+        force += blow.force * newtons;
+        moment += glm::cross(glm::dvec3(blow.cell) + 0.5 - node.center, blow.force * newtons);
+    }
+    m_load[row] = {force.x, force.y, force.z, moment.x, moment.y, moment.z};
+}
+
+void LoadAnalysis::start() {
+    const size_t n = m_nodeOf.size();
+    m_motion.resize(n), m_residual.resize(n), m_direction.resize(n), m_preconditioned.resize(n), m_product.resize(n);
+    for (size_t row = 0; row < n; ++row) {
+        const LoadNode& node = m_graph.nodes()[m_nodeOf[row]];
+        m_motion[row] = {node.shift.x, node.shift.y, node.shift.z, node.turn.x, node.turn.y, node.turn.z};
+    }
+    multiply(m_inverse.stiffness(), m_motion, m_product);
+    for (size_t row = 0; row < n; ++row)
+        for (size_t k = 0; k < 6; ++k) m_residual[row][k] = m_load[row][k] - m_product[row][k];
+    m_inverse.apply(m_residual, m_preconditioned);
+    m_direction = m_preconditioned;
+    m_rz = dot(m_residual, m_preconditioned);
+    m_iterations = 0;
+}
+
+/// One step of preconditioned conjugate gradients (Hestenes & Stiefel 1952); true at the end.
+bool LoadAnalysis::iterate() {
+    const size_t n = m_nodeOf.size();
+    m_hasConverged = m_rz <= kTolerance * std::fabs(dot(m_load, m_motion));
+    if (m_hasConverged || m_iterations >= kMaxIterations) return true;
+    ++m_iterations;
+    multiply(m_inverse.stiffness(), m_direction, m_product);
+    const double along = dot(m_direction, m_product);
+    if (!(along > 0.0)) return m_iterations = kMaxIterations, false;
+    const double length = m_rz / along;
+    for (size_t row = 0; row < n; ++row)
+        for (size_t k = 0; k < 6; ++k) {
+            m_motion[row][k] += length * m_direction[row][k];
+            m_residual[row][k] -= length * m_product[row][k];
+        }
+    m_inverse.apply(m_residual, m_preconditioned);
+    const double rz = dot(m_residual, m_preconditioned), beta = rz / m_rz;
+    for (size_t row = 0; row < n; ++row)
+        for (size_t k = 0; k < 6; ++k) m_direction[row][k] = m_preconditioned[row][k] + beta * m_direction[row][k];
+    m_rz = rz;
+    return false;
+}
+
+void LoadAnalysis::finishSolution() {
+    for (size_t row = 0; row < m_nodeOf.size(); ++row) {
+        const Vector6& m = m_motion[row];
+        m_graph.setMotion(m_nodeOf[row], {m[0], m[1], m[2]}, {m[3], m[4], m[5]});
+    }
+    m_overloaded.clear();
+    m_worst = {};
+    m_next = 0;
+}
+
+SectionForce LoadAnalysis::bondForce(const LoadBond& bond) const {
+    const LoadNode &below = m_graph.nodes()[bond.below], &above = m_graph.nodes()[bond.above];
+    const BondStiffness stiffness = bondStiffness(bond);
+    const glm::dvec3 shift = shiftAt(above, bond.shape.centroid) - shiftAt(below, bond.shape.centroid), turn = above.turn - below.turn;
+    SectionForce out{stiffness.force * shift, glm::dvec3(0.0)};
+    for (int i = 0; i < 3; ++i)
+        out.moment[i] = stiffness.moment[i][0] * turn[0] + stiffness.moment[i][1] * turn[1] + stiffness.moment[i][2] * turn[2];
+    return out;
+}
+
+/// The sections of a node: its bonds, each once, and between its own layers. Returns the work.
+int64_t LoadAnalysis::checkNode(const LoadedShape& shape, uint32_t index) {
+    const LoadNode& node = m_graph.nodes()[index];
+    const double scale = shape.strengthScale / shape.voxelSize;
+    const auto scaled = [&](const SectionStrength& s) { return SectionStrength{s.tensile * scale, s.compressive * scale, s.shear * scale}; };
+    SlicedNode slices(node);
+    for (const uint32_t bondIndex : node.bonds) {
+        const LoadBond& bond = m_graph.bonds()[bondIndex];
+        const SectionForce load = bondForce(bond);
+        const bool isBelow = bond.below == index;
+        slices.addBond(bond, load, isBelow);
+        if (bond.canBreak && (isBelow || m_graph.nodes()[bond.below].isFixed)) note(bond.section, sectionUse(bond.section, bond.shape, load, scaled(bond.strength)));
+    }
+    slices.addWeight(*shape.grid.brickAt(node.brick), shape.entries, shape.gravity);
+    int64_t work = 100;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int plane = 1; plane < 8; ++plane) {
+            const Section section{node.brick, axis, plane, brickLayer(node.cells, axis, plane - 1) & brickLayer(node.cells, axis, plane)};
+            if (!section.cells) continue;
+            bool canBreak = false;
+            const SectionStrength strength = scaled(sectionStrength(shape.grid, shape.entries, section, canBreak));
+            const SectionShape form = sectionShape(section);
+            if (canBreak) note(section, sectionUse(section, form, slices.forceAt(axis, plane, form.centroid), strength));
+            work += 10;
+        }
+    return work;
+}
+
+void LoadAnalysis::note(const Section& section, const SectionUse& use) {
+    if (use.share > m_worst.share) m_worst = {section, use.share, use.cause};
+    if (use.share > 1.0) m_overloaded.push_back({section, use.share, use.cause});
+}
+
+void LoadAnalysis::chooseCracks(size_t maxCracks, std::vector<LoadCrack>& cracks) {
+    std::stable_sort(m_overloaded.begin(), m_overloaded.end(), [](const LoadCrack& a, const LoadCrack& b) { return a.share > b.share; });
+    for (const LoadCrack& crack : m_overloaded)
+        if (cracks.size() < maxCracks && crack.share >= kAlsoBreaks * m_worst.share) cracks.push_back(crack);
+}
+
+uint64_t LoadAnalysis::hash() const {
+    uint64_t out = hashValue(uint64_t(m_phase) << 32 | uint64_t(m_next));
+    out = hashValue(m_saved, out);
+    out = hashValue(uint64_t(m_iterations), out);
+    out = hashValue(m_rz, out);
+    return hashValue(uint64_t(m_changed.size()), out);
+}
+
+std::vector<BrickShare> crackCells(const VoxelGrid& grid, std::span<const CellBox> anchors, const LoadEntries& entries, const Section& section) {
+    std::vector<BrickShare> out;
+    glm::ivec3 step(0);
+    step[section.axis] = 1;
+    const auto isAnchored = [&](glm::ivec3 cell) {
+        return std::any_of(anchors.begin(), anchors.end(), [&](const CellBox& box) {
+            return cell.x >= box.low.x && cell.y >= box.low.y && cell.z >= box.low.z && cell.x < box.high.x && cell.y < box.high.y && cell.z < box.high.z;
+        });
+    };
+    for (uint64_t left = section.cells; left; left &= left - 1) {
+        const glm::ivec3 below = section.cellBelow(std::countr_zero(left)), above = below + step;
+        const LoadEntry &lower = entries[grid.at(below)], &upper = entries[grid.at(above)];
+        const bool canLower = lower.canBreak && !isAnchored(below), canUpper = upper.canBreak && !isAnchored(above);
+        if (!lower.isSolid || !upper.isSolid || (!canLower && !canUpper)) continue;
+        const glm::ivec3 clump = below >> 1;
+        const bool takesLower = canLower != canUpper                ? canLower
+                                : lower.tensile != upper.tensile ? lower.tensile < upper.tensile
+                                                                    : (hashCell(clump.x, clump.y, clump.z) & 1) != 0;
+        const glm::ivec3 cell = takesLower ? below : above;
+        if (out.empty() || out.back().brick != cell >> 3) {
+            const auto same = std::find_if(out.begin(), out.end(), [&](const BrickShare& share) { return share.brick == cell >> 3; });
+            if (same != out.end())
+                std::swap(*same, out.back());
+            else
+                out.push_back({cell >> 3, {}});
+        }
+        out.back().voxels[size_t(cell.z & 7)] |= uint64_t(1) << ((cell.x & 7) + 8 * (cell.y & 7));
+    }
+    return out;
+}
+
+}  // namespace rubble
