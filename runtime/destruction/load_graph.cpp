@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace rubble {
 namespace {
