@@ -46,14 +46,20 @@ void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const Ma
                 for (size_t c = 0; c < 3; ++c)
                     touched[c] = c && brush.radii[c] == brush.radii[c - 1] ? touched[c - 1] : brushBits(brush, position, brush.radii[c]);
                 const BrickBits gone = bitsToRemove(*brick, touched, classes);
-                if (gone == BrickBits{}) continue;
-                forEachVoxel(gone, [&](int i) { ++out.removed[brick->at(i)], ++out.voxels; });
-                out.moments += brickMoments(*brick, gone, position, densities);
-                out.bricks.push_back(position);
-                BrickBits keep;
-                for (size_t w = 0; w < 8; ++w) keep[w] = brick->occupancy[w] & ~gone[w];
-                grid.setBrick(position, maskBrick(*brick, keep));
+                if (gone != BrickBits{}) removeCells(grid, {position, gone}, densities, out);
             }
+}
+
+void removeCells(VoxelGrid& grid, const BrickShare& cells, const Densities& densities, Carved& out) {
+    const BrickRef brick = grid.shareBrick(cells.brick);
+    if (!brick) return;
+    BrickBits gone, keep;
+    for (size_t w = 0; w < 8; ++w) gone[w] = brick->occupancy[w] & cells.voxels[w], keep[w] = brick->occupancy[w] & ~cells.voxels[w];
+    if (gone == BrickBits{}) return;
+    forEachVoxel(gone, [&](int i) { ++out.removed[brick->at(i)], ++out.voxels; });
+    out.moments += brickMoments(*brick, gone, cells.brick, densities);
+    out.bricks.push_back(cells.brick);
+    grid.setBrick(cells.brick, maskBrick(*brick, keep));
 }
 
 }  // namespace rubble

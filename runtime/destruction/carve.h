@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "runtime/destruction/brush.h"
+#include "runtime/destruction/components.h"
 #include "runtime/voxel/mass_properties.h"
 #include "runtime/voxel/palette.h"
 #include "runtime/voxel/voxel_grid.h"
@@ -21,5 +22,8 @@ struct Carved {
 /// Empties the cells that the brush touches, each class of hardness within its own radius; unbreakable and unphysical
 /// voxels stay. Costs the bricks within the brush's bounds.
 void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials, Carved& out);
+
+/// Empties exactly these cells, whatever they are made of.
+void removeCells(VoxelGrid& grid, const BrickShare& cells, const Densities& densities, Carved& out);
 
 }  // namespace rubble

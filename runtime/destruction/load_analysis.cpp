@@ -14,10 +14,10 @@ namespace rubble {
 namespace {
 
 constexpr uint32_t kNone = ~0u;
-constexpr double kShearRatio = 0.4;    ///< shear modulus over Young's modulus
-constexpr double kTolerance = 1e-6;    ///< of the energy of the error: forces to about a thousandth
-constexpr int kMaxIterations = 400;    ///< beyond which it is given up: nothing breaks
-constexpr double kAlsoBreaks = 0.9;    ///< share of the worst overload from which others break in the same step
+constexpr double kShearRatio = 0.4;  ///< shear modulus over Young's modulus
+constexpr double kTolerance = 1e-6;  ///< of the energy of the error: forces to about a thousandth
+constexpr int kMaxIterations = 400;  ///< beyond which it is given up: nothing breaks
+constexpr double kAlsoBreaks = 0.9;  ///< share of the worst overload from which others break in the same step
 constexpr int64_t kBrickWork = 200, kRowWork = 100;
 
 /// What a unit of motion across a bond does to it, with E = 1: forces, and moments as rows of a symmetric matrix.
@@ -51,6 +51,10 @@ Block6 stiffnessBlock(const BondStiffness& bond, glm::dvec3 armA, glm::dvec3 arm
     return out;
 }
 
+bool holds(const LoadNode& node, glm::ivec3 cell) {
+    return cell >> 3 == node.brick && (node.cells[size_t(cell.z & 7)] >> ((cell.x & 7) + 8 * (cell.y & 7)) & 1);
+}
+
 glm::dvec3 shiftAt(const LoadNode& node, glm::dvec3 point) {
     return node.shift + glm::cross(node.turn, point - node.center);
 }
@@ -74,9 +78,11 @@ void LoadAnalysis::restart() {
 
 int64_t LoadAnalysis::stepWork() const {
     switch (m_phase) {
-    case Phase::Start:
-    case Phase::Iterate: return m_inverse.applyWork() + int64_t(m_inverse.stiffness().block.size() + 2 * m_nodeOf.size());
-    default: return 1;
+        case Phase::Start:
+        case Phase::Iterate:
+            return m_inverse.applyWork() + int64_t(m_inverse.stiffness().block.size() + 2 * m_nodeOf.size());
+        default:
+            return 1;
     }
 }
 
@@ -91,51 +97,52 @@ void LoadAnalysis::run(const LoadedShape& shape, int64_t& work, size_t maxCracks
             return;
         }
         switch (m_phase) {
-        case Phase::Graph:
-            if (!m_changed.empty()) {
-                m_graph.setBrick(shape.grid, shape.anchors, shape.entries, m_changed.front());
-                m_changed.pop_front();
-                work -= kBrickWork;
+            case Phase::Graph:
+                if (!m_changed.empty()) {
+                    m_graph.setBrick(shape.grid, shape.anchors, shape.entries, m_changed.front());
+                    m_changed.pop_front();
+                    work -= kBrickWork;
+                    break;
+                }
+                numberRows();
+                work -= int64_t(m_nodeOf.size());
+                m_phase = m_nodeOf.empty() ? Phase::Idle : Phase::Rows;
                 break;
-            }
-            numberRows();
-            work -= int64_t(m_nodeOf.size());
-            m_phase = m_nodeOf.empty() ? Phase::Idle : Phase::Rows;
-            break;
-        case Phase::Rows:
-            appendRow(m_nodeOf[m_next]);
-            loadRow(shape, m_next);
-            work -= kRowWork;
-            if (++m_next < m_nodeOf.size()) break;
-            {
-                std::vector<glm::dvec3> centers;
-                for (const uint32_t node : m_nodeOf) centers.push_back(m_graph.nodes()[node].center);
-                m_inverse.begin(std::move(m_stiffness), std::move(centers));
-            }
-            m_phase = Phase::SetUp;
-            break;
-        case Phase::SetUp:
-            if (m_inverse.setUp(work)) m_phase = Phase::Start;
-            break;
-        case Phase::Start:
-            start();
-            work -= cost;
-            m_phase = Phase::Iterate;
-            break;
-        case Phase::Iterate:
-            work -= cost;
-            if (!iterate()) break;
-            finishSolution();
-            m_phase = m_hasConverged ? Phase::Check : Phase::Idle;
-            break;
-        case Phase::Check:
-            work -= checkNode(shape, m_nodeOf[m_next]);
-            if (++m_next < m_nodeOf.size()) break;
-            chooseCracks(maxCracks, cracks);
-            m_blows.clear();
-            m_phase = Phase::Idle;
-            break;
-        case Phase::Idle: break;
+            case Phase::Rows:
+                appendRow(m_nodeOf[m_next]);
+                loadRow(shape, m_next);
+                work -= kRowWork;
+                if (++m_next < m_nodeOf.size()) break;
+                {
+                    std::vector<glm::dvec3> centers;
+                    for (const uint32_t node : m_nodeOf) centers.push_back(m_graph.nodes()[node].center);
+                    m_inverse.begin(std::move(m_stiffness), std::move(centers));
+                }
+                m_phase = Phase::SetUp;
+                break;
+            case Phase::SetUp:
+                if (m_inverse.setUp(work)) m_phase = Phase::Start;
+                break;
+            case Phase::Start:
+                start();
+                work -= cost;
+                m_phase = Phase::Iterate;
+                break;
+            case Phase::Iterate:
+                work -= cost;
+                if (!iterate()) break;
+                finishSolution();
+                m_phase = m_hasConverged ? Phase::Check : Phase::Idle;
+                break;
+            case Phase::Check:
+                work -= checkNode(shape, m_nodeOf[m_next]);
+                if (++m_next < m_nodeOf.size()) break;
+                chooseCracks(maxCracks, cracks);
+                m_blows.clear();
+                m_phase = Phase::Idle;
+                break;
+            case Phase::Idle:
+                break;
         }
     }
 }
@@ -184,18 +191,23 @@ void LoadAnalysis::appendRow(uint32_t index) {
     m_stiffness.endRow();
 }
 
+/// f(cell, force) for each blow on a node, in the unit of its weight.
+template <class F>
+void LoadAnalysis::forEachBlow(const LoadedShape& shape, const LoadNode& node, F&& f) const {
+    const double unit = 1.0 / (shape.voxelSize * shape.voxelSize * shape.voxelSize);
+    for (const LoadBlow& blow : m_blows)
+        if (holds(node, blow.cell)) f(blow.cell, blow.force * unit);
+}
+
 /// Forces in densities times m/s2 a cell: stresses come out in Pa over the size of a voxel.
 void LoadAnalysis::loadRow(const LoadedShape& shape, size_t row) {
     const LoadNode& node = m_graph.nodes()[m_nodeOf[row]];
     glm::dvec3 force = node.weight * shape.gravity;
     glm::dvec3 moment = glm::cross(node.massCenter - node.center, force);
-    const double newtons = 1.0 / (shape.voxelSize * shape.voxelSize * shape.voxelSize);
-    for (const LoadBlow& blow : m_blows) {
-        const glm::ivec3 in = blow.cell & 7;
-        if (blow.cell >> 3 != node.brick || !(node.cells[size_t(in.z)] >> (in.x + 8 * in.y) & 1)) continue;
-        force += blow.force * newtons;
-        moment += glm::cross(glm::dvec3(blow.cell) + 0.5 - node.center, blow.force * newtons);
-    }
+    forEachBlow(shape, node, [&](glm::ivec3 cell, glm::dvec3 blow) {
+        force += blow;
+        moment += glm::cross(glm::dvec3(cell) + 0.5 - node.center, blow);
+    });
     m_load[row] = {force.x, force.y, force.z, moment.x, moment.y, moment.z};
 }
 
@@ -269,9 +281,11 @@ int64_t LoadAnalysis::checkNode(const LoadedShape& shape, uint32_t index) {
         const SectionForce load = bondForce(bond);
         const bool isBelow = bond.below == index;
         slices.addBond(bond, load, isBelow);
-        if (bond.canBreak && (isBelow || m_graph.nodes()[bond.below].isFixed)) note(bond.section, sectionUse(bond.section, bond.shape, load, scaled(bond.strength)));
+        if (bond.canBreak && (isBelow || m_graph.nodes()[bond.below].isFixed))
+            note(bond.section, sectionUse(bond.section, bond.shape, load, scaled(bond.strength)));
     }
     slices.addWeight(*shape.grid.brickAt(node.brick), shape.entries, shape.gravity);
+    forEachBlow(shape, node, [&](glm::ivec3 cell, glm::dvec3 force) { slices.addForce(cell, force); });
     int64_t work = 100;
     for (int axis = 0; axis < 3; ++axis)
         for (int plane = 1; plane < 8; ++plane) {
@@ -311,7 +325,8 @@ std::vector<BrickShare> crackCells(const VoxelGrid& grid, std::span<const CellBo
     step[section.axis] = 1;
     const auto isAnchored = [&](glm::ivec3 cell) {
         return std::any_of(anchors.begin(), anchors.end(), [&](const CellBox& box) {
-            return cell.x >= box.low.x && cell.y >= box.low.y && cell.z >= box.low.z && cell.x < box.high.x && cell.y < box.high.y && cell.z < box.high.z;
+            return cell.x >= box.low.x && cell.y >= box.low.y && cell.z >= box.low.z && cell.x < box.high.x && cell.y < box.high.y &&
+                   cell.z < box.high.z;
         });
     };
     for (uint64_t left = section.cells; left; left &= left - 1) {
@@ -320,9 +335,9 @@ std::vector<BrickShare> crackCells(const VoxelGrid& grid, std::span<const CellBo
         const bool canLower = lower.canBreak && !isAnchored(below), canUpper = upper.canBreak && !isAnchored(above);
         if (!lower.isSolid || !upper.isSolid || (!canLower && !canUpper)) continue;
         const glm::ivec3 clump = below >> 1;
-        const bool takesLower = canLower != canUpper                ? canLower
+        const bool takesLower = canLower != canUpper             ? canLower
                                 : lower.tensile != upper.tensile ? lower.tensile < upper.tensile
-                                                                    : (hashCell(clump.x, clump.y, clump.z) & 1) != 0;
+                                                                 : (hashCell(clump.x, clump.y, clump.z) & 1) != 0;
         const glm::ivec3 cell = takesLower ? below : above;
         if (out.empty() || out.back().brick != cell >> 3) {
             const auto same = std::find_if(out.begin(), out.end(), [&](const BrickShare& share) { return share.brick == cell >> 3; });

@@ -1,5 +1,7 @@
 #pragma once
 #include <deque>
+#include <span>
+#include <vector>
 
 #include "runtime/destruction/load_graph.h"
 #include "runtime/destruction/load_multigrid.h"
@@ -59,6 +61,8 @@ private:
 
     void numberRows();
     void appendRow(uint32_t node);
+    template <class F>
+    void forEachBlow(const LoadedShape& shape, const LoadNode& node, F&& f) const;
     void loadRow(const LoadedShape& shape, size_t row);
     void start();
     bool iterate();
@@ -73,7 +77,7 @@ private:
     std::deque<glm::ivec3> m_changed;
     std::vector<LoadBlow> m_blows;
     Phase m_phase = Phase::Idle;
-    size_t m_next = 0;  ///< row, within a phase
+    size_t m_next = 0;    ///< row, within a phase
     int64_t m_saved = 0;  ///< work put by for a step that takes more than one run has
 
     std::vector<uint32_t> m_rowOf, m_nodeOf;  ///< node -> row, row -> node

@@ -58,8 +58,12 @@ LoadEntries loadEntries(const Palette& palette, const MaterialTable& materials) 
     LoadEntries out;
     for (size_t i = 1; i < 256; ++i) {
         const Material& material = materials[palette[i].material];
-        out[i] = {double(material.density), material.tensileStrength, material.compressiveStrength, material.shearStrength,
-                  material.hardness != Hardness::Unphysical, material.hardness < Hardness::Unbreakable};
+        out[i] = {double(material.density),
+                  material.tensileStrength,
+                  material.compressiveStrength,
+                  material.shearStrength,
+                  material.hardness != Hardness::Unphysical,
+                  material.hardness < Hardness::Unbreakable};
     }
     return out;
 }

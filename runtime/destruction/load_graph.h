@@ -15,8 +15,8 @@ namespace rubble {
 /// What a palette entry weighs and withstands. SI units.
 struct LoadEntry {
     double density = 0.0, tensile = 0.0, compressive = 0.0, shear = 0.0;
-    bool isSolid = false;    ///< carries; unphysical voxels do not
-    bool canBreak = false;   ///< unbreakable ones carry whatever comes
+    bool isSolid = false;   ///< carries; unphysical voxels do not
+    bool canBreak = false;  ///< unbreakable ones carry whatever comes
 };
 using LoadEntries = std::array<LoadEntry, 256>;
 LoadEntries loadEntries(const Palette& palette, const MaterialTable& materials);
@@ -27,9 +27,9 @@ struct LoadNode {
     BrickBits cells{};
     glm::dvec3 center{0.0};  ///< of its cells
     glm::dvec3 massCenter{0.0};
-    double weight = 0.0;  ///< sum of densities
-    bool isFixed = false;    ///< made of anchored cells: it never moves
-    bool isUsed = false;     ///< or a free place in the list
+    double weight = 0.0;               ///< sum of densities
+    bool isFixed = false;              ///< made of anchored cells: it never moves
+    bool isUsed = false;               ///< or a free place in the list
     glm::dvec3 shift{0.0}, turn{0.0};  ///< how it gives way, from the last solution: the start of the next
     std::vector<uint32_t> bonds;
 };

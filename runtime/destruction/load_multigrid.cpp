@@ -45,41 +45,42 @@ void LoadMultigrid::stepRow(int64_t& work) {
     const size_t rows = m_phase == Phase::Coarse ? level.aggregates : level.a.rows();
     constexpr int64_t kBlockProduct = 6;
     switch (m_phase) {
-    case Phase::Diagonal:
-        level.inverse.push_back(inverted(level.a.diagonal(m_row)));
-        work -= kBlockProduct;
-        if (++m_row == rows) nextLevel();
-        return;
-    case Phase::Aggregate:
-        aggregate(level);
-        work -= int64_t(rows);
-        enter(Phase::Prolongation);
-        return;
-    case Phase::Prolongation:
-        appendProlongationRow(level, m_row);
-        work -= kBlockProduct * int64_t(2 * (level.a.start[m_row + 1] - level.a.start[m_row]));
-        if (++m_row < rows) return;
-        level.restriction = transposed(level.p, level.aggregates);
-        work -= int64_t(level.p.block.size());
-        enter(Phase::Product);
-        return;
-    case Phase::Product:
-        work -= kBlockProduct * int64_t(appendProductRow(level.ap, level.a, level.p, m_row));
-        if (++m_row == rows) enter(Phase::Coarse);
-        return;
-    case Phase::Coarse:
-        work -= kBlockProduct * int64_t(appendProductRow(m_coarse, level.restriction, level.ap, m_row));
-        if (++m_row < rows) return;
-        {
-            Level next;
-            next.a = std::exchange(m_coarse, {});
-            next.center = level.coarseCenter;
-            level.ap = {};
-            m_levels.push_back(std::move(next));
-        }
-        enter(Phase::Diagonal);
-        return;
-    case Phase::Done: return;
+        case Phase::Diagonal:
+            level.inverse.push_back(inverted(level.a.diagonal(m_row)));
+            work -= kBlockProduct;
+            if (++m_row == rows) nextLevel();
+            return;
+        case Phase::Aggregate:
+            aggregate(level);
+            work -= int64_t(rows);
+            enter(Phase::Prolongation);
+            return;
+        case Phase::Prolongation:
+            appendProlongationRow(level, m_row);
+            work -= kBlockProduct * int64_t(2 * (level.a.start[m_row + 1] - level.a.start[m_row]));
+            if (++m_row < rows) return;
+            level.restriction = transposed(level.p, level.aggregates);
+            work -= int64_t(level.p.block.size());
+            enter(Phase::Product);
+            return;
+        case Phase::Product:
+            work -= kBlockProduct * int64_t(appendProductRow(level.ap, level.a, level.p, m_row));
+            if (++m_row == rows) enter(Phase::Coarse);
+            return;
+        case Phase::Coarse:
+            work -= kBlockProduct * int64_t(appendProductRow(m_coarse, level.restriction, level.ap, m_row));
+            if (++m_row < rows) return;
+            {
+                Level next;
+                next.a = std::exchange(m_coarse, {});
+                next.center = level.coarseCenter;
+                level.ap = {};
+                m_levels.push_back(std::move(next));
+            }
+            enter(Phase::Diagonal);
+            return;
+        case Phase::Done:
+            return;
     }
 }
 

@@ -24,7 +24,7 @@ private:
     struct Level {
         BlockMatrix a, p, restriction, ap;
         std::vector<glm::dvec3> center, coarseCenter;  ///< of its nodes and of their aggregates
-        std::vector<Block6> inverse;  ///< of the diagonal
+        std::vector<Block6> inverse;                   ///< of the diagonal
         std::vector<uint32_t> aggregate;
         size_t aggregates = 0;
         std::vector<Vector6> x, r, rest;

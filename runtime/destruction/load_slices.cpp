@@ -59,6 +59,11 @@ void SlicedNode::addWeight(const Brick& content, const LoadEntries& entries, glm
         }
 }
 
+void SlicedNode::addForce(glm::ivec3 cell, glm::dvec3 force) {
+    const glm::dvec3 moment = glm::cross(glm::dvec3(cell) + 0.5 - m_node.center, force);
+    for (int axis = 0; axis < 3; ++axis) add(axis, cell[axis] & 7, force, moment);
+}
+
 SectionForce SlicedNode::forceAt(int axis, int plane, glm::dvec3 about) const {
     SectionForce sum;
     for (int layer = plane; layer < 8; ++layer) {

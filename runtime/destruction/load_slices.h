@@ -13,6 +13,7 @@ public:
     /// `load`: of the side above on the side below.
     void addBond(const LoadBond& bond, const SectionForce& load, bool nodeIsBelow);
     void addWeight(const Brick& content, const LoadEntries& entries, glm::dvec3 gravity);
+    void addForce(glm::ivec3 cell, glm::dvec3 force);
     /// Through the plane between two of the node's layers, about a point.
     SectionForce forceAt(int axis, int plane, glm::dvec3 about) const;
 

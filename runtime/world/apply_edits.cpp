@@ -16,7 +16,8 @@ FrameChanges World::applyEdits(const Edits& edits) {
     else if (m_undo.empty())
         m_undo.emplace_back(*this);
     const bool goesBack = runHistory(edits, changes);
-    if (!edits.empty() || debrisWaits()) EditStep(*this, changes).run(edits);
+    if (goesBack) listLoads();
+    if (!edits.empty() || debrisWaits() || (m_load && m_load->isBusy())) EditStep(*this, changes).run(edits);
     for (UndoHistory& undo : m_undo) undo.note(*this, changes, goesBack);
     return changes;
 }
@@ -43,6 +44,7 @@ EditStep::EditStep(World& world, FrameChanges& changes) : m_world(world), m_chan
 
 void EditStep::run(const Edits& edits) {
     m_changes.revived = std::exchange(m_world.m_revived, {});
+    if (m_world.m_load) openCracks();
     for (const Edit& edit : edits) std::visit([&](const auto& each) { apply(each); }, edit);
     for (auto& [slot, each] : m_touched)
         if (!each.carved.empty()) splitShape(each);
@@ -50,6 +52,7 @@ void EditStep::run(const Edits& edits) {
     for (const Push& each : m_pushes) std::visit([&](const auto& edit) { push(edit); }, each);
     limitDebris();
     updateLightGroups();
+    if (m_world.m_load) weighShapes();
     listChangedBricks();
 }
 

@@ -24,7 +24,11 @@ void EditStep::carveShape(ShapeHandle handle, const CarveEdit& edit) {
     rememberMotion(shape.body);
     Carved carved;
     carve(shape.grid, brush, *shape.palette, m_world.m_materials, carved);
-    if (carved.voxels == 0) return;
+    if (carved.voxels) takeCarved(handle, carved);
+}
+
+void EditStep::takeCarved(ShapeHandle handle, const Carved& carved) {
+    Shape& shape = m_world.m_shapes.at(handle);
     shape.moments -= carved.moments;
     const MassProperties gone = massProperties(carved.moments, shape.voxelSize);
     const double radius = 0.5 * shape.voxelSize * std::cbrt(double(carved.voxels));

@@ -42,6 +42,8 @@ private:
     void apply(const CarveEdit& edit);
     void apply(const ExplodeEdit& edit);
     void carveShape(ShapeHandle handle, const CarveEdit& edit);
+    /// Books what a shape has just lost.
+    void takeCarved(ShapeHandle handle, const Carved& carved);
     /// Where removed voxels were.
     struct Place {
         glm::dvec3 position;
@@ -69,6 +71,12 @@ private:
     void wake(BodyHandle body);
     void turnToDust(BodyHandle body);
     void forgetStillborn();
+
+    // edit_load.cpp
+    void openCracks();
+    void openCrack(ShapeHandle shape, const LoadCrack& crack);
+    void weighShapes();
+    void weighShape(WorldLoad::Entry& entry, int64_t& work);
 
     // edit_lights.cpp
     void moveLights(const ShapeSplit& split);

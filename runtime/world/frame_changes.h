@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "runtime/core/handle.h"
+#include "runtime/destruction/load_section.h"
 #include "runtime/voxel/brick.h"
 #include "runtime/voxel/palette.h"
 #include "runtime/world/level.h"
@@ -58,6 +59,16 @@ struct ImpulseApplied {
     glm::dvec3 impulse;
 };
 
+/// A section of a standing shape that gave way under its load.
+struct CrackOpened {
+    ShapeHandle shape;
+    glm::dvec3 position;  ///< world, metres
+    glm::dvec3 normal;    ///< of the section, world
+    uint8_t material;
+    LoadFailure cause;
+    uint64_t voxels;  ///< that it took
+};
+
 /// A brick that caught fire, or went out.
 struct FireEvent {
     ShapeHandle shape;
@@ -94,7 +105,8 @@ struct FrameChanges {
     uint64_t paintMerges = 0;         ///< colours that found no free entry and took the nearest
     std::vector<FireEvent> firesLit;  ///< and bricks that went out, in the order it happened
     std::vector<FireEvent> firesOut;
-    bool firesChanged = false;  ///< something burns, or did until this step
+    bool firesChanged = false;        ///< something burns, or did until this step
+    std::vector<CrackOpened> cracks;  ///< their voxels are in `removed` too
 
     bool empty() const {
         return !levelReplaced && bodiesCreated.empty() && bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() &&

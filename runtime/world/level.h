@@ -23,6 +23,8 @@ struct LevelShape {
     std::vector<std::string> tags;
     bool hidden = false;
     PaintColorsRef paintColors;  ///< null: no voxel has a paint layer
+    float strength = 1.0f;  ///< multiple of its materials' strengths
+    bool bearsLoad = true;  ///< false: it never breaks under its load
 };
 
 struct LevelBody {

@@ -63,6 +63,7 @@ World& World::operator=(const World&) = default;
 World& World::operator=(World&&) noexcept = default;
 
 void World::clear() {
+    m_load.reset();
     m_bodies.clear();
     m_shapes.clear();
     m_lights.clear();
@@ -94,6 +95,8 @@ void World::load(const Level& level) {
             if (isHidden(from)) continue;
             Shape shape{from.name,        bodyHandle, from.local,   from.voxelSize, from.grid, from.palette,
                         from.paintColors, {},         from.anchors, from.tags,      false};
+            shape.strength = from.strength;
+            shape.bearsLoad = from.bearsLoad;
             if (!shape.palette) shape.palette = std::make_shared<const Palette>();
             if (source.isStatic && shape.anchors.empty()) shape.anchors = {bottomLayer(shape.grid)};
             shape.moments = gridMoments(shape.grid, *shape.palette, m_materials);
@@ -114,6 +117,7 @@ void World::load(const Level& level) {
         });
         m_lights.insert(std::move(light));
     }
+    listLoads();
 }
 
 void World::countGroupVoxels() {
@@ -146,7 +150,7 @@ Level World::toLevel() const {
         for (const ShapeHandle handle : body.shapes) {
             const Shape& shape = m_shapes.at(handle);
             out.shapes.push_back(
-                {shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors, shape.tags, false, shape.paintColors});
+                {shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors, shape.tags, false, shape.paintColors, shape.strength, shape.bearsLoad});
             shapeNames[handle.slot()] = shape.name;
         }
         level.bodies.push_back(std::move(out));
@@ -167,6 +171,7 @@ Level World::toLevel() const {
 }
 
 void World::setEnvironment(const Environment& environment) {
+    if (m_load && environment.gravity != m_environment.gravity) m_load->restartAll();
     m_environment = environment;
     const float length = glm::length(environment.sunDirection);
     m_environment.sunDirection = length > 0.0f ? environment.sunDirection / length : glm::vec3(0.0f, 1.0f, 0.0f);
@@ -199,7 +204,9 @@ void World::listDebris(BodyHandle handle) {
 }
 
 void World::setSettings(const WorldSettings& settings) {
+    const bool isOtherLoad = !(settings.load == m_settings.load);
     m_settings = settings;
+    if (isOtherLoad) listLoads();
     m_bodies.forEach([&](BodyHandle handle, const Body&) { listDebris(handle); });  // what counts as debris may be another now
 }
 
@@ -345,6 +352,7 @@ uint64_t World::hashWithoutStep() const {
         hasher.add(handle.slot());
         hasher.add(group.removedVoxels << 1 | uint64_t(group.out));
     });
+    if (m_load) hasher.add(m_load->hash());
     return hasher.state;
 }
 

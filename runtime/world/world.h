@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "runtime/world/edit.h"
 #include "runtime/world/frame_changes.h"
 #include "runtime/world/level.h"
+#include "runtime/world/world_load.h"
 #include "runtime/world/world_settings.h"
 
 namespace rubble {
@@ -32,6 +34,8 @@ struct Shape {
     std::vector<std::string> tags;
     bool isPiece = false;       ///< came off something
     bool nothingLoose = false;  ///< known since its last split: a cut need only look around itself
+    bool bearsLoad = true;      ///< false: left out of the load analysis
+    float strength = 1.0f;      ///< multiple of its materials' strengths
 };
 
 /// A rigid body: a frame that shapes are fixed to. Its origin is not its centre of mass.
@@ -119,6 +123,12 @@ public:
     const WorldSettings& settings() const { return m_settings; }
     void setSettings(const WorldSettings& settings);
 
+    /// Forgets what is only kept to save work, and begins it anew: load analyses. A save does that in the running game too, so
+    /// that it goes on like one that was loaded.
+    void resetCaches() { listLoads(); }
+    /// The load analyses; null while LoadSettings are off.
+    const WorldLoad* load() const { return m_load ? &*m_load : nullptr; }
+
     const SlotMap<BodyHandle, Body>& bodies() const { return m_bodies; }
     const SlotMap<ShapeHandle, Shape>& shapes() const { return m_shapes; }
     const SlotMap<LightHandle, Light>& lights() const { return m_lights; }
@@ -161,6 +171,8 @@ private:
     /// Brings the list of debris up to date with a body, which may be gone or no debris.
     void listDebris(BodyHandle body);
     bool debrisWaits() const;
+    /// Begins the load analysis of every standing shape anew, or ends it if it is off.
+    void listLoads();
     /// Fills in initialVoxels of groups that do not bring it.
     void countGroupVoxels();
 
@@ -180,6 +192,7 @@ private:
     std::vector<std::pair<std::string, Pose>> m_locations;
     uint64_t m_imported = 0, m_removed = 0;
     std::vector<UndoHistory> m_undo;  ///< one, or none if nothing is to be remembered
+    std::optional<WorldLoad> m_load;  ///< none: LoadSettings are off
     std::string m_name;
 };
 

@@ -5,6 +5,7 @@
 #include "runtime/world/debris_settings.h"
 #include "runtime/world/fire_settings.h"
 #include "runtime/world/paint_settings.h"
+#include "runtime/world/load_settings.h"
 
 namespace rubble {
 
@@ -20,6 +21,7 @@ struct WorldSettings {
     DebrisSettings debris;
     PaintSettings paint;
     FireSettings fire;
+    LoadSettings load;
 };
 
 }  // namespace rubble

@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <utility>
+
+#include "runtime/core/log.h"
+#include "runtime/world/edit_step.h"
+
+namespace rubble {
+
+/// What the last step found too weak opens now, like any other cut.
+void EditStep::openCracks() {
+    for (const ShapeHandle handle : m_world.m_load->busy()) {
+        WorldLoad::Entry& entry = *m_world.m_load->find(handle);
+        for (const LoadCrack& crack : std::exchange(entry.cracks, {}))
+            if (m_world.m_shapes.find(handle)) openCrack(handle, crack);
+    }
+}
+
+void EditStep::openCrack(ShapeHandle handle, const LoadCrack& crack) {
+    Shape& shape = m_world.m_shapes.at(handle);
+    const LoadEntries& entries = m_world.m_load->find(handle)->entries;
+    const Densities densities(*shape.palette, m_world.m_materials);
+    Carved carved;
+    for (const BrickShare& share : crackCells(shape.grid, shape.anchors, entries, crack.section))
+        removeCells(shape.grid, share, densities, carved);
+    if (carved.voxels == 0) return;
+    glm::dvec3 normal(0.0);
+    normal[crack.section.axis] = 1.0;
+    const Pose pose = m_world.shapeToWorld(handle);
+    const glm::dvec3 center = pose.transformPoint(sectionShape(crack.section).centroid * double(shape.voxelSize));
+    const size_t most = size_t(std::max_element(carved.removed.begin(), carved.removed.end()) - carved.removed.begin());
+    m_changes.cracks.push_back({handle, center, pose.rotation * normal, (*shape.palette)[most].material, crack.cause, carved.voxels});
+    takeCarved(handle, carved);
+}
+
+/// Tells the analyses what changed and lets them work.
+void EditStep::weighShapes() {
+    WorldLoad& load = *m_world.m_load;
+    for (const ShapeHandle handle : m_changes.shapesDestroyed) load.remove(handle);
+    for (const ShapeHandle handle : m_changes.rehomed) load.remove(handle);
+    for (const auto& [slot, each] : m_touched)
+        if (WorldLoad::Entry* entry = load.find(each.shape); entry && !each.carved.empty()) {
+            entry->analysis.touch(each.carved);
+            load.wake(each.shape);
+        }
+    int64_t work = m_world.m_settings.load.workAStep;
+    for (const ShapeHandle handle : load.busy()) {
+        if (work <= 0) break;
+        weighShape(*load.find(handle), work);
+        load.served(handle);
+    }
+}
+
+void EditStep::weighShape(WorldLoad::Entry& entry, int64_t& work) {
+    const Shape& shape = m_world.m_shapes.at(entry.shape);
+    if (entry.palette != shape.palette) {
+        entry.palette = shape.palette;
+        entry.entries = loadEntries(*shape.palette, m_world.m_materials);
+    }
+    const LoadSettings& settings = m_world.m_settings.load;
+    const glm::dvec3 gravity = glm::conjugate(m_world.shapeToWorld(entry.shape).rotation) * glm::dvec3(m_world.m_environment.gravity);
+    const LoadedShape loaded{shape.grid, shape.anchors, entry.entries, gravity, shape.voxelSize, settings.strengthScale * shape.strength};
+    entry.analysis.run(loaded, work, settings.cracksAStep, entry.cracks);
+    if (!entry.analysis.isIdle()) return;
+    if (!entry.analysis.hasConverged()) logWarning("load: the forces in a shape could not be found; it bears whatever comes");
+    if (entry.cracks.empty()) m_world.m_load->sleep(entry.shape);
+}
+
+}  // namespace rubble

@@ -1,0 +1,18 @@
+#pragma once
+#include <cstdint>
+
+namespace rubble {
+
+/// Whether and how what stands on too little breaks. Concerns shapes of static bodies: what holds them up is known, their
+/// anchors. Pieces carry no load. Off costs nothing; a shape of its own can be left out by Shape::bearsLoad.
+struct LoadSettings {
+    bool on = false;
+    double strengthScale = 0.03;     ///< of all materials: in the real world, 1, almost nothing of this size falls by itself
+    int64_t workAStep = 40'000;      ///< products of a 6x6 matrix with a vector, about 25 ns each; what is left waits for the next step
+    uint32_t cracksAStep = 4;        ///< sections of one shape that break at a time, the most overloaded first
+    uint32_t largestShape = 32'768;  ///< bricks; a larger one is left out, and the log says so
+
+    friend bool operator==(const LoadSettings&, const LoadSettings&) = default;
+};
+
+}  // namespace rubble

@@ -1,0 +1,51 @@
+#include "runtime/world/world_load.h"
+
+#include "runtime/core/hash.h"
+
+namespace rubble {
+
+WorldLoad::Entry& WorldLoad::add(ShapeHandle shape) {
+    Entry& entry = m_entries[shape.slot()];
+    entry = {};
+    entry.shape = shape;
+    wake(shape);
+    return entry;
+}
+
+void WorldLoad::remove(ShapeHandle shape) {
+    if (!find(shape)) return;
+    sleep(shape);
+    m_entries.erase(shape.slot());
+}
+
+WorldLoad::Entry* WorldLoad::find(ShapeHandle shape) {
+    const auto found = m_entries.find(shape.slot());
+    return found != m_entries.end() && found->second.shape == shape ? &found->second : nullptr;
+}
+
+std::vector<ShapeHandle> WorldLoad::busy() const {
+    std::vector<ShapeHandle> out;
+    for (auto slot = m_busy.upper_bound(m_lastServed); slot != m_busy.end(); ++slot) out.push_back(m_entries.at(*slot).shape);
+    for (auto slot = m_busy.begin(); slot != m_busy.end() && *slot <= m_lastServed; ++slot) out.push_back(m_entries.at(*slot).shape);
+    return out;
+}
+
+void WorldLoad::restartAll() {
+    for (auto& [slot, entry] : m_entries) {
+        entry.analysis.restart();
+        m_busy.insert(slot);
+    }
+}
+
+uint64_t WorldLoad::hash() const {
+    uint64_t out = hashValue(m_lastServed);
+    for (const uint32_t slot : m_busy) {
+        const Entry& entry = m_entries.at(slot);
+        out = hashValue(slot, out);
+        out = hashValue(entry.analysis.hash(), out);
+        out = hashValue(uint64_t(entry.cracks.size()), out);
+    }
+    return out;
+}
+
+}  // namespace rubble
