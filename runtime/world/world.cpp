@@ -149,8 +149,8 @@ Level World::toLevel() const {
         LevelBody out{body.name, body.pose, body.isStatic, body.velocity, body.angularVelocity, {}, body.tags};
         for (const ShapeHandle handle : body.shapes) {
             const Shape& shape = m_shapes.at(handle);
-            out.shapes.push_back(
-                {shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors, shape.tags, false, shape.paintColors, shape.strength, shape.bearsLoad});
+            out.shapes.push_back({shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors, shape.tags, false,
+                                  shape.paintColors, shape.strength, shape.bearsLoad});
             shapeNames[handle.slot()] = shape.name;
         }
         level.bodies.push_back(std::move(out));

@@ -4,8 +4,8 @@
 
 #include "runtime/world/debris_settings.h"
 #include "runtime/world/fire_settings.h"
-#include "runtime/world/paint_settings.h"
 #include "runtime/world/load_settings.h"
+#include "runtime/world/paint_settings.h"
 
 namespace rubble {
 
