@@ -39,7 +39,9 @@ void EditStep::weighShapes() {
     for (const ShapeHandle handle : m_changes.rehomed) load.remove(handle);
     for (const auto& [slot, each] : m_touched)
         if (WorldLoad::Entry* entry = load.find(each.shape); entry && !each.carved.empty()) {
-            entry->analysis.touch(each.carved);
+            std::vector<glm::ivec3> bricks;
+            each.carved.forEach([&](glm::ivec3 brick) { bricks.push_back(brick); });
+            entry->analysis.touch(bricks);
             load.wake(each.shape);
         }
     int64_t work = m_world.m_settings.load.workAStep;
