@@ -21,34 +21,59 @@ bool isTouched(const Drop& drop, const Paint& paint) {
     return surfaceNoise(drop.cell, drop.axis, paint.seed) < 255 - (255 - paint.probability) * drop.rim / 255;
 }
 
-/// The exposed voxels of a brick within the brush.
-template <class F>
-void forEachDrop(const VoxelGrid& grid, glm::ivec3 position, const Brick& brick, const Brush& brush, const Paint& paint, F&& f) {
-    BrickBits cells = brushBits(brush, position, brush.radii[0]);
-    const ExposedBits exposed = exposedBits(grid, position, brick);
-    const BrickBits visible = exposed.all();
-    for (size_t i = 0; i < 8; ++i) cells[i] &= visible[i];
-    forEachVoxel(cells, [&](int i) {
-        const glm::ivec3 cell = position * kBrickSize + voxelInBrick(i);
-        const int rim = rimShare(brush, cell);
-        const Drop drop{paint.strength * (255 - (255 - paint.falloff) * rim / 255) / 255, rim, cell, exposed.axis(i)};
-        if (isTouched(drop, paint)) f(i, drop);
-    });
-}
+/// What a brush covers: the exposed voxels within it.
+struct Sprayed {
+    const Brush& brush;
+    const Paint& paint;
 
-/// Repaints every brick within the brush by repaint(position, brick), which returns null for one that does not change.
-template <class F>
-void forEachBrickOf(VoxelGrid& grid, const Brush& brush, Painted& out, F&& repaint) {
-    const CellBox range = brushBricks(brush, grid.sizeInBricks());
+    template <class F>
+    void forEachBrick(const VoxelGrid& grid, F&& f) const {
+        const CellBox range = brushBricks(brush, grid.sizeInBricks());
+        for (int z = range.low.z; z < range.high.z; ++z)
+            for (int y = range.low.y; y < range.high.y; ++y)
+                for (int x = range.low.x; x < range.high.x; ++x)
+                    if (const Brick* brick = grid.brickAt({x, y, z})) f(BrickShare{{x, y, z}, brushBits(brush, {x, y, z}, brush.radii[0])}, *brick);
+    }
+    template <class F>
+    void forEachDrop(const VoxelGrid& grid, const BrickShare& share, const Brick& brick, F&& f) const {
+        const ExposedBits exposed = exposedBits(grid, share.brick, brick);
+        const BrickBits visible = exposed.all();
+        BrickBits cells = share.voxels;
+        for (size_t i = 0; i < 8; ++i) cells[i] &= visible[i];
+        forEachVoxel(cells, [&](int i) {
+            const glm::ivec3 cell = share.brick * kBrickSize + voxelInBrick(i);
+            const int rim = rimShare(brush, cell);
+            const Drop drop{paint.strength * (255 - (255 - paint.falloff) * rim / 255) / 255, rim, cell, exposed.axis(i)};
+            if (isTouched(drop, paint)) f(i, drop);
+        });
+    }
+};
+
+/// The voxels that a caller names.
+struct Named {
+    std::span<const BrickShare> cells;
+    const Paint& paint;
+
+    template <class F>
+    void forEachBrick(const VoxelGrid& grid, F&& f) const {
+        for (const BrickShare& share : cells)
+            if (const Brick* brick = grid.brickAt(share.brick)) f(share, *brick);
+    }
+    template <class F>
+    void forEachDrop(const VoxelGrid&, const BrickShare& share, const Brick& brick, F&& f) const {
+        BrickBits solid = share.voxels;
+        for (size_t i = 0; i < 8; ++i) solid[i] &= brick.occupancy[i];
+        forEachVoxel(solid, [&](int i) { f(i, Drop{paint.strength, 0, share.brick * kBrickSize + voxelInBrick(i), 2}); });
+    }
+};
+
+/// Repaints every brick by repaint(share, brick), which returns null for one that does not change.
+template <class Area, class F>
+void forEachBrickOf(VoxelGrid& grid, const Area& area, Painted& out, F&& repaint) {
     std::vector<std::pair<glm::ivec3, BrickRef>> repainted;
-    for (int z = range.low.z; z < range.high.z; ++z)
-        for (int y = range.low.y; y < range.high.y; ++y)
-            for (int x = range.low.x; x < range.high.x; ++x) {
-                const glm::ivec3 position(x, y, z);
-                const Brick* brick = grid.brickAt(position);
-                if (!brick) continue;
-                if (BrickRef after = repaint(position, *brick)) repainted.emplace_back(position, std::move(after));
-            }
+    area.forEachBrick(grid, [&](const BrickShare& share, const Brick& brick) {
+        if (BrickRef after = repaint(share, brick)) repainted.emplace_back(share.brick, std::move(after));
+    });
     for (auto& [position, brick] : repainted) {
         grid.setBrick(position, std::move(brick));
         out.bricks.push_back(position);
@@ -85,17 +110,17 @@ int findColor(PaintColors& colors, Srgb color, uint64_t& merges) {
     return ++colors.count;
 }
 
-}  // namespace
-
-Painted paintPalette(VoxelGrid& grid, const PaletteRef& palette, const Brush& brush, const Paint& paint) {
+template <class Area>
+Painted blendPalette(VoxelGrid& grid, const PaletteRef& palette, const Area& area) {
     Painted out;
-    if (brush.radii[0] <= 0 || paint.strength == 0) return out;
+    const Paint& paint = area.paint;
+    if (paint.strength == 0) return out;
     BlendPalette blend(grid, *palette, paint);
-    forEachBrickOf(grid, brush, out, [&](glm::ivec3 position, const Brick& brick) -> BrickRef {
+    forEachBrickOf(grid, area, out, [&](const BrickShare& share, const Brick& brick) -> BrickRef {
         BrickIndices indices;
         expandBrick(&brick, indices);
         uint64_t changed = 0;
-        forEachDrop(grid, position, brick, brush, paint, [&](int i, const Drop& drop) {
+        area.forEachDrop(grid, share, brick, [&](int i, const Drop& drop) {
             if (surfaceNoise(drop.cell, drop.axis, paint.seed ^ kSecondNoise) * paint.strength >= drop.strength * 255) return;
             const uint8_t next = blend.blended(indices[size_t(i)]);
             changed += next != indices[size_t(i)];
@@ -109,17 +134,20 @@ Painted paintPalette(VoxelGrid& grid, const PaletteRef& palette, const Brush& br
     return out;
 }
 
-Painted paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Brush& brush, const Paint& paint) {
+template <class Area>
+Painted coverLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Area& area) {
     Painted out;
-    if (brush.radii[0] <= 0 || paint.strength == 0) return out;
+    const Paint& paint = area.paint;
+    if (paint.strength == 0) return out;
     PaintColors table = colors ? *colors : PaintColors{};
     const uint8_t colorsBefore = table.count;
-    const int color = findColor(table, paint.color, out.merges);
-    forEachBrickOf(grid, brush, out, [&](glm::ivec3 position, const Brick& brick) -> BrickRef {
+    uint64_t merges = 0;
+    const int color = findColor(table, paint.color, merges);
+    forEachBrickOf(grid, area, out, [&](const BrickShare& share, const Brick& brick) -> BrickRef {
         BrickIndices layer{};
         if (brick.paint) layer = *brick.paint;
         uint64_t changed = 0;
-        forEachDrop(grid, position, brick, brush, paint, [&](int i, const Drop& drop) {
+        area.forEachDrop(grid, share, brick, [&](int i, const Drop& drop) {
             if (drop.strength == 0) return;
             const uint8_t next = layered(layer[size_t(i)], color, drop, paint.seed);
             changed += next != layer[size_t(i)];
@@ -131,11 +159,25 @@ Painted paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Brush& b
         expandBrick(&brick, indices);
         return makeBrick(indices, &layer);
     });
-    if (out.voxels == 0)
-        out.merges = 0;
-    else if (table.count > colorsBefore)
-        out.colors = std::make_shared<const PaintColors>(table);
+    if (out.voxels == 0) return out;
+    out.merges = merges;
+    if (table.count > colorsBefore) out.colors = std::make_shared<const PaintColors>(table);
     return out;
+}
+
+}  // namespace
+
+Painted paintPalette(VoxelGrid& grid, const PaletteRef& palette, const Brush& brush, const Paint& paint) {
+    return brush.radii[0] > 0 ? blendPalette(grid, palette, Sprayed{brush, paint}) : Painted{};
+}
+Painted paintPalette(VoxelGrid& grid, const PaletteRef& palette, std::span<const BrickShare> cells, const Paint& paint) {
+    return blendPalette(grid, palette, Named{cells, paint});
+}
+Painted paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Brush& brush, const Paint& paint) {
+    return brush.radii[0] > 0 ? coverLayer(grid, colors, Sprayed{brush, paint}) : Painted{};
+}
+Painted paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, std::span<const BrickShare> cells, const Paint& paint) {
+    return coverLayer(grid, colors, Named{cells, paint});
 }
 
 Srgb paintOver(Srgb base, Srgb paint, int steps) {

@@ -1,9 +1,11 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "runtime/destruction/brush.h"
+#include "runtime/destruction/components.h"
 #include "runtime/voxel/paint_colors.h"
 #include "runtime/voxel/palette.h"
 #include "runtime/voxel/voxel_grid.h"
@@ -38,6 +40,10 @@ Painted paintPalette(VoxelGrid& grid, const PaletteRef& palette, const Brush& br
 /// paint's colour changes to this one with a chance of the step's size, so that areas of voxels blend. `colors` may be null;
 /// where all 15 are taken by others, the nearest stands in.
 Painted paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Brush& brush, const Paint& paint);
+
+/// One step at full strength on these voxels alone, exposed or not: charring. Paint's probability and falloff do nothing.
+Painted paintPalette(VoxelGrid& grid, const PaletteRef& palette, std::span<const BrickShare> cells, const Paint& paint);
+Painted paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, std::span<const BrickShare> cells, const Paint& paint);
 
 /// An sRGB colour with some of the paint layer's sixteenths of another over it; shaders/lib/paint.glsl does the same.
 Srgb paintOver(Srgb base, Srgb paint, int steps);

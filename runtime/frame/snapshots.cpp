@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "runtime/shadow/shadow_worker.h"
 
@@ -19,7 +20,7 @@ SnapshotShape describeShape(ShapeHandle handle, const Shape& shape) {
 
 bool showsNothing(const FrameSnapshot& s) {
     return !s.replacesAll && s.destroyed.empty() && s.created.empty() && s.bricks.empty() && s.palettes.empty() && s.poses.empty() &&
-           !s.lightsChanged && !s.environmentChanged;
+           !s.lightsChanged && !s.environmentChanged && !s.firesChanged;
 }
 
 void append(std::optional<FrameSnapshot>& out, FrameSnapshot&& later) {
@@ -151,7 +152,7 @@ void Snapshots::addPoses(std::span<const BodyPose> moved, const World& world, Fr
 }
 
 void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, FrameSnapshot& out) {
-    const bool listChanged = changes.levelReplaced || !changes.lights.empty() || !changes.groupsOut.empty();
+    const bool listChanged = changes.levelReplaced || !changes.lights.empty() || !changes.groupsOut.empty() || changes.firesChanged;
     const auto carries = [&](const BodyPose& pose) { return std::binary_search(m_lightBodies.begin(), m_lightBodies.end(), pose.body); };
     if (!listChanged && (m_lightBodies.empty() || std::none_of(moved.begin(), moved.end(), carries))) return;
     out.lightsChanged = true;
@@ -165,6 +166,19 @@ void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose>
         out.lights.push_back({light.kind, pose.position, direction, light.color, light.radius, light.reach, light.coneInner, light.coneOuter});
     });
     std::sort(m_lightBodies.begin(), m_lightBodies.end());
+    addFires(changes, world, out);
+}
+
+/// Flames as data, and lights that flicker over the biggest of them.
+void Snapshots::addFires(const FrameChanges& changes, const World& world, FrameSnapshot& out) const {
+    const std::vector<Fire> fires = world.fires();
+    out.firesChanged = changes.firesChanged || changes.levelReplaced;
+    for (const Fire& fire : fires) out.fires.push_back({fire.position, float(fire.radius), fire.intensity, 1.0f - 0.6f * fire.intensity, fire.seed});
+    for (const FireLight& light : fireLights(fires, changes.step, world.settings().fire.maxLights)) {
+        const float strength = 3.0f * std::sqrt(light.intensity);
+        const glm::dvec3 above = light.position + glm::dvec3(0.0, 0.5 * light.radius, 0.0);
+        out.lights.push_back({LightKind::Sphere, above, {0, -1, 0}, glm::vec3(1.0f, 0.42f, 0.12f) * strength, 0.2f, 4.0f + 2.0f * strength, 0, 0});
+    }
 }
 
 }  // namespace rubble

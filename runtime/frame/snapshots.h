@@ -40,6 +40,7 @@ private:
     /// Nothing if the snapshot already holds it.
     void addPose(ShapeHandle shape, const World& world, FrameSnapshot& out);
     void addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, FrameSnapshot& out);
+    void addFires(const FrameChanges& changes, const World& world, FrameSnapshot& out) const;
     /// Moves the oldest waiting snapshot, without its shadow, behind `out`.
     void releaseOldest(std::optional<FrameSnapshot>& out);
     void post(std::optional<FrameSnapshot> snapshot, uint64_t newestStep);

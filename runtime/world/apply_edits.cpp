@@ -17,7 +17,7 @@ FrameChanges World::applyEdits(const Edits& edits) {
         m_undo.emplace_back(*this);
     const bool goesBack = runHistory(edits, changes);
     if (goesBack) listLoads();
-    if (!edits.empty() || debrisWaits() || (m_load && m_load->isBusy())) EditStep(*this, changes).run(edits);
+    if (!edits.empty() || debrisWaits() || m_fire.isActive() || (m_load && m_load->isBusy())) EditStep(*this, changes).run(edits);
     for (UndoHistory& undo : m_undo) undo.note(*this, changes, goesBack);
     return changes;
 }
@@ -46,11 +46,13 @@ void EditStep::run(const Edits& edits) {
     m_changes.revived = std::exchange(m_world.m_revived, {});
     if (m_world.m_load) openCracks();
     for (const Edit& edit : edits) std::visit([&](const auto& each) { apply(each); }, edit);
+    burn();
     for (auto& [slot, each] : m_touched)
         if (!each.carved.empty()) splitShape(each);
     settleMotions();
     for (const Push& each : m_pushes) std::visit([&](const auto& edit) { push(edit); }, each);
     limitDebris();
+    moveHeat();
     updateLightGroups();
     if (m_world.m_load) weighShapes();
     listChangedBricks();

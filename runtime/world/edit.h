@@ -65,7 +65,36 @@ struct HistoryEdit {
     HistoryAction action = HistoryAction::Mark;
 };
 
-using Edit = std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit>;
+/// Heats what is within a sphere: each brick by its share of the surface there. What gets hot enough burns by itself.
+struct HeatEdit {
+    glm::dvec3 position{0.0};
+    double radius = 0.5;  ///< metres
+    double joules = 0.0;  ///< in all; a square metre of wood wants about 500 kJ
+    bool ignite = false;  ///< lights what can burn at once
+    ShapeHandle shape;    ///< empty: all
+};
+/// A fire at a place, if something there burns.
+inline HeatEdit spawnFire(glm::dvec3 position, double radius = 0.25) {
+    return {.position = position, .radius = radius, .ignite = true};
+}
+
+/// Puts fires out and wets what is there: neither heat nor fire get at it for a while.
+struct ExtinguishEdit {
+    glm::dvec3 position{0.0};
+    double radius = 1.0;      ///< metres
+    double wetSeconds = 0.0;  ///< 0: nothing gets wet, as with carbon dioxide
+};
+/// What a hose or a bucket does.
+inline ExtinguishEdit pourWater(glm::dvec3 position, double radius) {
+    return {.position = position, .radius = radius, .wetSeconds = 20.0};
+}
+
+/// Puts out the fires in a box along the world's axes.
+struct RemoveFiresEdit {
+    glm::dvec3 low{0.0}, high{0.0};
+};
+
+using Edit = std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit>;
 using Edits = std::vector<Edit>;
 
 /// Where a host leaves edits for the next step. [main-thread]

@@ -21,17 +21,24 @@ void EditStep::apply(const PaintEdit& edit) {
 }
 
 void EditStep::paintShape(ShapeHandle handle, const PaintEdit& edit, const CarveEdit& area) {
-    const Shape& shape = m_world.m_shapes.at(handle);
+    Shape& shape = m_world.m_shapes.at(handle);
     const Brush brush = resolveBrush(area, m_world.shapeToWorld(handle), shape.voxelSize);
     if (brushBricks(brush, shape.grid.sizeInBricks()).empty()) return;
-    paintShape(handle, brush, {edit.color, edit.strength, edit.probability, edit.seed, edit.falloff}, edit.mode);
+    const Paint paint{edit.color, edit.strength, edit.probability, edit.seed, edit.falloff};
+    const PaintMode mode = edit.mode == PaintMode::Default ? m_world.m_settings.paint.mode : edit.mode;
+    keep(handle,
+         mode == PaintMode::Layer ? paintLayer(shape.grid, shape.paintColors, brush, paint) : paintPalette(shape.grid, shape.palette, brush, paint));
 }
 
-void EditStep::paintShape(ShapeHandle handle, const Brush& brush, const Paint& paint, PaintMode mode) {
+void EditStep::paintCells(ShapeHandle handle, std::span<const BrickShare> cells, const Paint& paint) {
     Shape& shape = m_world.m_shapes.at(handle);
-    if (mode == PaintMode::Default) mode = m_world.m_settings.paint.mode;
-    const Painted painted =
-        mode == PaintMode::Layer ? paintLayer(shape.grid, shape.paintColors, brush, paint) : paintPalette(shape.grid, shape.palette, brush, paint);
+    keep(handle, m_world.m_settings.paint.mode == PaintMode::Layer ? paintLayer(shape.grid, shape.paintColors, cells, paint)
+                                                                   : paintPalette(shape.grid, shape.palette, cells, paint));
+}
+
+/// Takes over what painting has changed besides the bricks, and into the journal.
+void EditStep::keep(ShapeHandle handle, const Painted& painted) {
+    Shape& shape = m_world.m_shapes.at(handle);
     m_changes.paintedVoxels += painted.voxels;
     m_changes.paintMerges += painted.merges;
     if (painted.palette) shape.palette = painted.palette;

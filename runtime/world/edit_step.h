@@ -55,7 +55,8 @@ private:
     // edit_paint.cpp
     void apply(const PaintEdit& edit);
     void paintShape(ShapeHandle handle, const PaintEdit& edit, const CarveEdit& area);
-    void paintShape(ShapeHandle handle, const Brush& brush, const Paint& paint, PaintMode mode);
+    void paintCells(ShapeHandle handle, std::span<const BrickShare> cells, const Paint& paint);
+    void keep(ShapeHandle handle, const Painted& painted);
 
     // edit_split.cpp
     void splitShape(Touched& touched);
@@ -84,6 +85,27 @@ private:
     void updateLightGroups();
     void darkenGroup(LightGroupHandle group);
 
+    // edit_fire.cpp
+    struct Deposit {
+        ShapeHandle shape;
+        glm::ivec3 brick;
+        int64_t heat;  ///< mJ
+    };
+    void apply(const HeatEdit& edit);
+    void apply(const ExtinguishEdit& edit);
+    void apply(const RemoveFiresEdit& edit);
+    HotBrick* heat(const Deposit& deposit);
+    void lightBrick(ShapeHandle shape, HotBrick& hot);
+    void putOut(ShapeHandle shape, HotBrick& hot, uint32_t wet);
+    const HeatTable& heatTable(ShapeHandle shape);
+    glm::dvec3 brickInWorld(ShapeHandle shape, glm::ivec3 brick) const;
+    void burn();
+    void burnShape(HeatField& field);
+    void emit(ShapeHandle shape, const HotBrick& hot, int64_t emitted);
+    void consume(ShapeHandle shape, const std::vector<BrickShare>& cells);
+    void moveHeat();
+    void splitHeat(const ShapeSplit& split);
+
     // edit_push.cpp
     void apply(const ImpulseEdit& edit);
     void push(const ExplodeEdit& edit);
@@ -100,6 +122,11 @@ private:
     std::map<uint32_t, Motion> m_motions;   ///< by slot
     std::vector<Push> m_pushes;             ///< wait until the pieces exist
     std::vector<uint64_t> m_groupRemoved;   ///< voxels, by slot of the group
+    std::vector<Deposit> m_deposits;        ///< heat on its way, for the end of the fires' turn
+    std::vector<HeatDeposit> m_near;
+    HeatTable m_heatTable;
+    PaletteRef m_heatTableOf;
+    float m_heatTableSize = 0.0f;  ///< of a voxel
 };
 
 }  // namespace rubble

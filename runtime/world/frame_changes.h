@@ -102,10 +102,12 @@ struct FrameChanges {
     std::vector<LightGroupHandle> groups;  ///< light groups that lost voxels, went out or came back
     std::vector<BodyHandle> placed;        ///< bodies that were put somewhere or given another motion: undo and replay
     uint64_t paintedVoxels = 0;
-    uint64_t paintMerges = 0;         ///< colours that found no free entry and took the nearest
-    std::vector<FireEvent> firesLit;  ///< and bricks that went out, in the order it happened
-    std::vector<FireEvent> firesOut;
+    uint64_t paintMerges = 0;  ///< colours that found no free entry and took the nearest
+    std::vector<FireEvent> firesLit;
+    std::vector<FireEvent> firesOut;  ///< a shape that is destroyed takes its fires along without a word
     bool firesChanged = false;        ///< something burns, or did until this step
+    uint64_t firesRefused = 0;        ///< bricks hot enough to burn, beyond FireSettings::maxFires
+    uint64_t heatLost = 0;            ///< deposits of heat beyond FireSettings::maxHot
     std::vector<CrackOpened> cracks;  ///< their voxels are in `removed` too
 
     bool empty() const {

@@ -68,6 +68,7 @@ void World::clear() {
     m_shapes.clear();
     m_lights.clear();
     m_groups.clear();
+    m_fire = {};
     m_places.clear();
     m_debris.clear();
     m_revived.clear();
@@ -353,6 +354,7 @@ uint64_t World::hashWithoutStep() const {
         hasher.add(group.removedVoxels << 1 | uint64_t(group.out));
     });
     if (m_load) hasher.add(m_load->hash());
+    if (m_fire.isActive()) hasher.add(m_fire.hash());
     return hasher.state;
 }
 

@@ -13,6 +13,7 @@
 #include "runtime/world/bounds_tree.h"
 #include "runtime/world/debris_list.h"
 #include "runtime/world/edit.h"
+#include "runtime/world/fire.h"
 #include "runtime/world/frame_changes.h"
 #include "runtime/world/level.h"
 #include "runtime/world/world_load.h"
@@ -152,8 +153,16 @@ public:
     Ledger ledger() const;
     /// The pieces under the budgets of DebrisSettings.
     const DebrisList& debris() const { return m_debris; }
+    /// What burns, in slot order; for events see FrameChanges. Costs what is hot.
+    std::vector<Fire> fires() const;
+    std::optional<Fire> closestFire(glm::dvec3 position, double maxDistance) const;
+    /// Share of its strength that char and heat have left to a brick.
+    double strengthLeft(ShapeHandle shape, glm::ivec3 brick) const;
+    /// All heat as plain data, for files and undo; the shapes of what is put back must be there.
+    const FireState& fire() const { return m_fire; }
+    void setFire(FireState fire) { m_fire = std::move(fire); }
     uint64_t step() const { return m_step; }
-    /// Of everything that matters to what happens next: voxels, palettes, bodies, velocities, lights, groups, in slot order.
+    /// Of everything that matters to what happens next: voxels, palettes, bodies, velocities, lights, groups, heat, in slot order.
     /// The number of the world and the generations of its slots do not matter to that.
     uint64_t hash() const;
     uint64_t hashWithoutStep() const;
@@ -187,6 +196,7 @@ private:
     DebrisList m_debris;
     std::vector<BodyHandle> m_revived;  ///< settled bodies that physics has woken since the last step
     MaterialTable m_materials = defaultMaterials();
+    FireState m_fire;
     Environment m_environment;
     WorldSettings m_settings;
     std::vector<std::pair<std::string, Pose>> m_locations;

@@ -7,8 +7,8 @@
 namespace rubble {
 
 WorldState World::state() const {
-    return {m_name,   m_step,    m_imported,  m_removed,     m_bodies,   m_shapes,   m_lights,
-            m_groups, m_revived, m_materials, m_environment, m_settings, m_locations};
+    return {m_name,   m_step,    m_imported,  m_removed,     m_bodies,   m_shapes,    m_lights,
+            m_groups, m_revived, m_materials, m_environment, m_settings, m_locations, m_fire};
 }
 
 void World::setState(WorldState state) {
@@ -25,6 +25,7 @@ void World::setState(WorldState state) {
     m_materials = std::move(state.materials);
     m_environment = state.environment;
     m_locations = std::move(state.locations);
+    m_fire = std::move(state.fire);
     setSettings(state.settings);
     m_shapes.forEach([&](ShapeHandle handle, const Shape&) { placeShape(handle); });
 }

@@ -22,6 +22,7 @@ struct WorldState {
     Environment environment;
     WorldSettings settings;
     std::vector<std::pair<std::string, Pose>> locations;
+    FireState fire;
 };
 
 }  // namespace rubble

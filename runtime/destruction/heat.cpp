@@ -1,0 +1,156 @@
+#include "runtime/destruction/heat.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/core/random.h"
+#include "runtime/destruction/spray.h"
+
+namespace rubble {
+namespace {
+
+constexpr double kSkin = 0.002;                                 // metres of a surface that follow the heat in seconds
+constexpr double kFlux = 400e3;                                 // W/m2 of burning surface; real fires give 100 to 300, and nobody waits for those
+constexpr int kCoolingShift = 9;                                // 1/512 an update: a time constant of 51 s
+constexpr int kForgetBelow = 2;                                 // K above ambient
+constexpr int kRampUpdates = 20;                                // until a fire is at its strongest
+constexpr int kCharEvery = 4;                                   // updates
+constexpr int kCharShare = 160;                                 // of 255 voxels in a round
+constexpr int kSmallestFront = 8;                               // voxels that always burn away together: the last ones do not take for ever
+constexpr int kFlameReach = 3;                                  // bricks that flames bridge upwards
+constexpr int kUp = 72, kUpAside = 12, kAside = 20, kDown = 8;  // shares of what is emitted, of 256; the rest is smoke
+constexpr int kSteelWeakens = 380, kSteelIsSoft = 900;          // K above ambient: EN 1993-1-2, table 3.1, between its ends
+
+int32_t whole(double value) {
+    return int32_t(std::clamp(std::floor(value), 0.0, 1e9));
+}
+
+bool burns(const Material& material) {
+    return material.ignitionTemperature > 0.0f && material.hardness != Hardness::Unbreakable && material.hardness != Hardness::Unphysical;
+}
+
+}  // namespace
+
+HeatTable makeHeatTable(const Palette& palette, const MaterialTable& materials, double voxelSize, double burnTime) {
+    HeatTable table{};
+    const double face = voxelSize * voxelSize;
+    for (size_t i = 1; i < 256; ++i) {
+        const Material& material = materials[palette[i].material];
+        EntryHeat& entry = table[i];
+        entry.capacity = std::max(1, whole(double(material.heatCapacity) * material.density * face * kSkin * 1000.0));
+        if (!burns(material)) continue;
+        entry.ignition = std::max(1, whole(double(material.ignitionTemperature)) - kAmbient);
+        entry.burnRate = std::max(1, whole(kWholeVoxel / std::max(0.1, double(material.burnTime) * burnTime * kHeatUpdates)));
+        entry.power = whole(kFlux * face * 1000.0 / kHeatUpdates);
+    }
+    return table;
+}
+
+HeatSkin heatSkin(const VoxelGrid& grid, glm::ivec3 position, const HeatTable& table) {
+    HeatSkin skin;
+    const Brick* brick = grid.brickAt(position);
+    if (!brick) return skin;
+    int front = 0;
+    forEachVoxel(exposedBits(grid, position, *brick).all(), [&](int i) {
+        const EntryHeat& entry = table[brick->at(i)];
+        skin.capacity += entry.capacity;
+        if (!entry.ignition) return;
+        skin.ignition = skin.ignition ? std::min(skin.ignition, entry.ignition) : entry.ignition;
+        skin.burnRate += entry.burnRate;
+        skin.power += entry.power;
+        skin.burnable[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
+        ++front;
+    });
+    if (front > 0 && front < kSmallestFront) skin.burnRate = skin.burnRate * kSmallestFront / front;
+    return skin;
+}
+
+HeatOutcome updateHeat(HotBrick& brick, const HeatSkin& skin) {
+    HeatOutcome out;
+    if (brick.wet > 0) {
+        brick.heat = 0;
+        out.isOver = --brick.wet == 0;
+        return out;
+    }
+    if (!brick.burningFor) {
+        brick.heat -= brick.heat >> kCoolingShift;
+        out.wantsToBurn = skin.ignition > 0 && brick.heat >= skin.capacity * skin.ignition;
+        out.isOver = !out.wantsToBurn && brick.heat < skin.capacity * kForgetBelow;
+        return out;
+    }
+    if (!skin.ignition) {
+        extinguish(brick, 0);
+        out.wentOut = true;
+        return out;
+    }
+    brick.burningFor = uint16_t(std::min(65535, brick.burningFor + 1));
+    out.emitted = skin.power * std::min<int>(brick.burningFor, kRampUpdates) / kRampUpdates;
+    out.chars = brick.charred < kCharRounds && brick.burningFor % kCharEvery == 0;
+    brick.charred = uint8_t(brick.charred + out.chars);
+    if (brick.charred < kCharRounds / 2) return out;  // what burns away is black before
+    const int64_t burned = brick.burned + skin.burnRate;
+    out.consumed = int(std::min<int64_t>(kBrickVoxels, burned / kWholeVoxel));
+    brick.burned = uint32_t(burned % kWholeVoxel);
+    return out;
+}
+
+void light(HotBrick& brick) {
+    brick.burningFor = std::max<uint16_t>(brick.burningFor, 1);
+}
+
+void extinguish(HotBrick& brick, uint32_t wetUpdates) {
+    brick.burningFor = 0;
+    brick.heat /= 2;
+    brick.wet = uint16_t(std::clamp<uint32_t>(wetUpdates, brick.wet, 65535));
+}
+
+BrickBits charredCells(const HeatSkin& skin, glm::ivec3 brick, int round) {
+    BrickBits out{};
+    forEachVoxel(skin.burnable, [&](int i) {
+        const glm::ivec3 cell = brick * kBrickSize + voxelInBrick(i);
+        const bool isHit = int(hashCell(cell.x, cell.y, cell.z, uint32_t(round)) & 255) < kCharShare;
+        if (isHit) out[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
+    });
+    return out;
+}
+
+BrickBits consumedCells(const VoxelGrid& grid, glm::ivec3 brick, const HeatSkin& skin, int count) {
+    std::vector<std::pair<uint32_t, int>> order;
+    forEachVoxel(skin.burnable, [&](int i) {
+        const glm::ivec3 cell = brick * kBrickSize + voxelInBrick(i);
+        uint32_t covered = 0;
+        for (const glm::ivec3 step : kFaceSteps) covered += grid.at(cell + step) != 0;
+        order.emplace_back(covered * 350 + (hashCell(cell.x, cell.y, cell.z) & 1023), i);
+    });
+    const size_t taken = std::min(order.size(), size_t(count));
+    std::partial_sort(order.begin(), order.begin() + ptrdiff_t(taken), order.end());
+    BrickBits out{};
+    for (size_t n = 0; n < taken; ++n) out[size_t(order[n].second >> 6)] |= uint64_t(1) << (order[n].second & 63);
+    return out;
+}
+
+void spreadHeat(const VoxelGrid& grid, glm::ivec3 brick, int64_t emitted, std::vector<HeatDeposit>& out) {
+    const auto give = [&](glm::ivec3 to, int64_t share) {
+        if (!grid.brickAt(to)) return false;
+        out.push_back({to, emitted * share / 256});
+        return true;
+    };
+    for (int up = 1; up <= kFlameReach && !give(brick + glm::ivec3(0, up, 0), kUp / up); ++up) {
+    }
+    give(brick - glm::ivec3(0, 1, 0), kDown);
+    for (const glm::ivec3 aside : {glm::ivec3(-1, 0, 0), glm::ivec3(1, 0, 0), glm::ivec3(0, 0, -1), glm::ivec3(0, 0, 1)}) {
+        give(brick + aside, kAside);
+        give(brick + aside + glm::ivec3(0, 1, 0), kUpAside);
+    }
+}
+
+int strengthLeft(const HotBrick& brick, const HeatSkin& skin) {
+    int left = 256 - brick.charred * 160 / kCharRounds;
+    if (skin.capacity > 0 && skin.ignition == 0) {
+        const int hot = int(std::min<int64_t>(brick.heat / skin.capacity, kSteelIsSoft));
+        if (hot > kSteelWeakens) left = left * (kSteelIsSoft + 40 - hot) / (kSteelIsSoft + 40 - kSteelWeakens);
+    }
+    return left;
+}
+
+}  // namespace rubble

@@ -1,0 +1,233 @@
+#include "runtime/world/fire.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/runtime/world/worlds.h"
+#include "tests/support/allocation_count.h"
+
+namespace rubble {
+namespace {
+
+constexpr uint8_t kWood = 1, kBrick = 2;
+
+PaletteRef houseEntries() {
+    auto palette = std::make_shared<Palette>();
+    (*palette)[kWood] = {.red = 150, .green = 100, .blue = 60, .material = defaultMaterials().find("wood")};
+    (*palette)[kBrick] = {.red = 170, .green = 80, .blue = 60, .material = defaultMaterials().find("brick")};
+    return palette;
+}
+
+LevelBody bodyOf(VoxelGrid grid, glm::dvec3 position) {
+    LevelBody body{.name = "body", .pose = {position}};
+    LevelShape shape{.name = "shape", .grid = std::move(grid)};
+    shape.palette = houseEntries();
+    body.shapes.push_back(std::move(shape));
+    return body;
+}
+
+VoxelGrid wall(glm::ivec3 size, uint8_t entry = kWood) {
+    return test::solidGrid(size, entry);
+}
+
+/// Runs steps without edits; what happened in all of them.
+struct Happened {
+    uint64_t lit = 0, out = 0, removed = 0, refused = 0, most = 0;
+};
+Happened run(World& world, int steps, const Edits& first = {}) {
+    Happened out;
+    for (int i = 0; i < steps; ++i) {
+        const FrameChanges changes = world.applyEdits(i == 0 ? first : Edits{});
+        out.lit += changes.firesLit.size();
+        out.out += changes.firesOut.size();
+        out.refused += changes.firesRefused;
+        for (const RemovedVoxels& each : changes.removed) out.removed += each.count;
+        out.most = std::max<uint64_t>(out.most, world.fires().size());
+        if (!world.fires().empty() || !changes.firesOut.empty()) {
+            EXPECT_TRUE(changes.firesChanged);
+        }
+    }
+    EXPECT_TRUE(world.ledger().balances());
+    return out;
+}
+
+TEST(Fire, AWoodenWallBurnsDownAndABrickOneDoesNot) {
+    for (const uint8_t entry : {kWood, kBrick}) {
+        Level level;
+        level.bodies.push_back(bodyOf(wall({32, 24, 3}, entry), {}));
+        World world;
+        world.load(level);
+        const Happened burned = run(world, 60 * 150, {spawnFire({1.6, 0.2, 0.15})});
+        if (entry == kBrick) {
+            EXPECT_EQ(burned.lit, 0u);
+            EXPECT_EQ(burned.removed, 0u);
+            continue;
+        }
+        EXPECT_GE(burned.lit, 9u) << "of twelve bricks; what falls apart may stay behind";
+        EXPECT_GT(burned.removed, 32u * 24 * 3 * 2 / 3);
+        EXPECT_EQ(world.ledger().removed, burned.removed);
+        EXPECT_FALSE(world.fire().isActive()) << "and then nothing is left to be hot";
+    }
+}
+
+TEST(Fire, ClimbsFasterThanItCreeps) {
+    Level level;
+    level.bodies.push_back(bodyOf(wall({104, 104, 3}), {}));
+    World world;
+    world.load(level);
+    const Happened burned = run(world, 60 * 30, {spawnFire({5.2, 5.2, 0.15})});
+    ASSERT_GT(burned.lit, 5u);
+    glm::dvec3 low(1e9), high(-1e9);
+    for (const Fire& fire : world.fires()) low = glm::min(low, fire.position), high = glm::max(high, fire.position);
+    EXPECT_GT(high.y - 5.2, 1.3 * (high.x - 5.2)) << "up against aside";
+    EXPECT_GT(high.x - 5.2, 0.7);
+    EXPECT_GT(high.y - 5.2, 2.0 * (5.2 - low.y)) << "up against down";
+}
+
+TEST(Fire, CharsBeforeItEats) {
+    for (const PaintMode mode : {PaintMode::Blend, PaintMode::Layer}) {
+        Level level;
+        level.bodies.push_back(bodyOf(wall({16, 16, 8}), {}));
+        World world;
+        world.load(level);
+        WorldSettings settings = world.settings();
+        settings.paint.mode = mode;
+        world.setSettings(settings);
+        const Happened burned = run(world, 60 * 3, {spawnFire({0.8, 0.8, 0.8}, 0.4)});
+        EXPECT_EQ(burned.removed, 0u);
+        const Shape& shape = world.shapes().at(test::firstShape(world));
+        int dark = 0, painted = 0;
+        shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+            forEachVoxel(brick->occupancy, [&](int i) {
+                dark += (*shape.palette)[brick->at(i)].red < 120;
+                painted += paintSteps(brick->paintAt(i)) > 4;
+            });
+        });
+        EXPECT_GT(mode == PaintMode::Layer ? painted : dark, 50);
+        EXPECT_EQ(mode == PaintMode::Layer ? dark : painted, 0);
+        EXPECT_LT(world.strengthLeft(test::firstShape(world), {0, 0, 0}), 0.9) << "char is weak";
+    }
+}
+
+TEST(Fire, ReachesWhatIsNearAndNotWhatIsFar) {
+    Level level;
+    level.bodies.push_back(bodyOf(wall({24, 24, 3}), {}));
+    level.bodies.push_back(bodyOf(wall({24, 24, 3}), {0, 0, 0.7}));
+    level.bodies.push_back(bodyOf(wall({24, 24, 3}), {0, 0, 6.0}));
+    World world;
+    world.load(level);
+    run(world, 60 * 40, {spawnFire({1.2, 0.2, 0.15})});
+    std::vector<ShapeHandle> burning;
+    for (const HeatField& field : world.fire().fields)
+        if (std::any_of(field.bricks.begin(), field.bricks.end(), [](const HotBrick& hot) { return hot.burningFor > 0; }))
+            burning.push_back(field.shape);
+    EXPECT_EQ(burning.size(), 2u);
+}
+
+TEST(Fire, WaterStopsItAndKeepsItAway) {
+    Level level;
+    level.bodies.push_back(bodyOf(wall({32, 24, 3}), {}));
+    World world;
+    world.load(level);
+    run(world, 120, {spawnFire({1.6, 0.2, 0.15})});
+    ASSERT_FALSE(world.fires().empty());
+    const Happened after = run(world, 60, {pourWater({1.6, 1.2, 0.15}, 3.0)});
+    EXPECT_GT(after.out, 0u);
+    EXPECT_TRUE(world.fires().empty());
+    EXPECT_EQ(run(world, 60, {spawnFire({1.6, 0.2, 0.15})}).lit, 0u) << "it is wet";
+    run(world, 60 * 20);
+    EXPECT_FALSE(world.fire().isActive()) << "dry again";
+    EXPECT_GT(run(world, 60, {spawnFire({1.6, 0.2, 0.15})}).lit, 0u);
+    EXPECT_GT(run(world, 60, {RemoveFiresEdit{{-1, -1, -1}, {9, 9, 9}}}).out, 0u);
+    EXPECT_TRUE(world.fires().empty());
+}
+
+TEST(Fire, GoesWithThePieceItIsOn) {
+    Level level;
+    level.bodies.push_back(bodyOf(wall({16, 48, 8}), {}));
+    World world;
+    world.load(level);
+    run(world, 300, {spawnFire({0.8, 4.6, 0.8}, 0.4)});
+    ASSERT_FALSE(world.fires().empty());
+    CarveEdit cut{.kind = BrushKind::Box, .position = {0.8, 2.0, 0.4}, .halfSize = {2, 0.1, 2}};
+    const FrameChanges changes = world.applyEdits({cut});
+    ASSERT_EQ(changes.splits.size(), 1u);
+    const std::vector<Fire> fires = world.fires();
+    ASSERT_FALSE(fires.empty());
+    for (const Fire& fire : fires) {
+        EXPECT_EQ(fire.shape, changes.splits[0].children[0]) << "the upper part burns";
+        EXPECT_GT(fire.position.y, 3.5) << "where it did";
+    }
+    EXPECT_GT(run(world, 60 * 60).removed, 500u) << "and goes on burning";
+}
+
+TEST(Fire, BudgetsHold) {
+    Level level;
+    level.bodies.push_back(bodyOf(wall({64, 64, 3}), {}));
+    World world;
+    world.load(level);
+    WorldSettings settings;
+    settings.fire.maxFires = 5;
+    settings.fire.maxHot = 20;
+    world.setSettings(settings);
+    const Happened burned = run(world, 60 * 40, {spawnFire({3.2, 3.2, 0.15}, 2.0)});
+    EXPECT_EQ(burned.most, 5u);
+    EXPECT_GT(burned.refused, 0u);
+    EXPECT_LE(world.fire().hotBricks, 20u);
+    EXPECT_LE(fireLights(world.fires(), world.step(), 2).size(), 2u);
+}
+
+TEST(Fire, IsTheSameEveryTimeAndGoesOnFromItsState) {
+    Level level;
+    level.bodies.push_back(bodyOf(wall({32, 32, 3}), {}));
+    level.bodies.push_back(bodyOf(wall({32, 8, 16}), {0.3, 3.3, -0.6}));
+    World a, b, c;
+    a.load(level), b.load(level);
+    const Edits first = {spawnFire({1.6, 0.2, 0.15}), HeatEdit{.position = {0.3, 3.4, 0.0}, .radius = 0.5, .joules = 2e5}};
+    for (int step = 0; step < 600; ++step) {
+        a.applyEdits(step ? Edits{} : first), b.applyEdits(step ? Edits{} : first);
+        ASSERT_EQ(a.hash(), b.hash()) << step;
+        if (step == 50) {
+            b.setFire(FireState(a.fire()));
+            ASSERT_EQ(a.hash(), b.hash());
+        }
+    }
+    World cold;
+    cold.load(level);
+    cold.applyEdits({});
+    const uint64_t before = cold.hash();
+    FireState fire = a.fire();
+    for (HeatField& field : fire.fields) field.shape = test::firstShape(cold);
+    fire.fields.resize(1);
+    cold.setFire(fire);
+    EXPECT_NE(cold.hash(), before) << "heat is part of the state";
+}
+
+TEST(Fire, NonsenseIsRefused) {
+    Level level;
+    level.bodies.push_back(bodyOf(wall({16, 16, 3}), {}));
+    World world;
+    world.load(level);
+    const double nan = std::nan("");
+    world.applyEdits({HeatEdit{.position = {nan, 0, 0}, .joules = 1e6}, HeatEdit{.position = {0, 0, 0}, .joules = 1e30},
+                      HeatEdit{.position = {0, 0, 0}, .radius = 1e30, .joules = 5}, ExtinguishEdit{.position = {0, nan, 0}},
+                      ExtinguishEdit{.position = {0, 0, 0}, .radius = 1, .wetSeconds = -4}, RemoveFiresEdit{{nan, 0, 0}, {1, 1, 1}}});
+    EXPECT_FALSE(world.fire().isActive());
+}
+
+TEST(Fire, WhatDoesNotBurnCostsNothing) {
+    Level level;
+    level.bodies.push_back(bodyOf(wall({64, 64, 3}), {}));
+    World world;
+    world.load(level);
+    world.applyEdits({});
+    const Edits none;
+    const uint64_t before = allocationCount();
+    for (int i = 0; i < 100; ++i) world.applyEdits(none);
+    EXPECT_EQ(allocationCount(), before);
+    EXPECT_EQ(world.fire().fields.capacity(), 0u);
+}
+
+}  // namespace
+}  // namespace rubble
