@@ -8,6 +8,7 @@ namespace rubble {
 namespace {
 
 constexpr uint32_t kNoTable = ~0u;
+constexpr uint32_t kHasGlass = 1, kHasPaint = 2;  // as in lib/bodies.glsl
 
 glm::vec4 packed(glm::quat q) {
     return {q.x, q.y, q.z, q.w};
@@ -58,6 +59,7 @@ void Bodies::create(const SnapshotShape& given) {
     m_shapes[slot] = std::move(shape);
     ++m_shapeCount;
     usePalette(*m_shapes[slot], slot, given.palette);
+    usePaint(slot, given.paintColors);
     for (const BrickChange& change : given.bricks) putBrick(*m_shapes[slot], change.brick, change.content);
     m_boundsDirty.push_back(slot);
     m_moving.push_back(slot);
@@ -180,11 +182,21 @@ void Bodies::usePalette(Shape& shape, uint32_t slot, const PaletteRef& palette) 
     m_mirrorShapes += int(mirror) - int(m_instances[slot].mirror);
     m_instances[slot].mirror = mirror;
     m_layouts.change(slot).palette = paletteSlot;
-    m_layouts.change(slot).flags = glass ? 1 : 0;
+    uint32_t& flags = m_layouts.change(slot).flags;
+    flags = (flags & ~kHasGlass) | (glass ? kHasGlass : 0);
 }
 
-void Bodies::setPalette(ShapeHandle handle, const PaletteRef& palette) {
-    if (Shape* shape = find(handle)) usePalette(*shape, handle.slot(), palette);
+void Bodies::usePaint(uint32_t slot, const PaintColorsRef& colors) {
+    uint32_t& flags = m_layouts.change(slot).flags;
+    flags = (flags & ~kHasPaint) | (colors ? kHasPaint : 0);
+    if (colors) m_atlas.needPaint().setColors(slot, *colors);
+}
+
+void Bodies::setPalette(const SnapshotPalette& given) {
+    Shape* shape = find(given.shape);
+    if (!shape) return;
+    usePalette(*shape, given.shape.slot(), given.palette);
+    usePaint(given.shape.slot(), given.paintColors);
 }
 
 void Bodies::setPose(const SnapshotPose& pose) {
@@ -251,6 +263,7 @@ void Bodies::bind(const Program& program) const {
     program.set("uPlacements", m_placements.texture());
     program.set("uLayouts", m_layouts.texture());
     program.set("uPalettes", m_palettes.texture());
+    if (m_atlas.paint()) m_atlas.paint()->bind(program);
 }
 
 uint64_t Bodies::bytes() const {

@@ -28,7 +28,7 @@ public:
     void destroy(ShapeHandle shape);
     void clear();
     void setBrick(const BrickChange& change);
-    void setPalette(ShapeHandle shape, const PaletteRef& palette);
+    void setPalette(const SnapshotPalette& given);
     void setPose(const SnapshotPose& pose);
 
     /// Places what moves between its last two poses and sends what changed. Returns the bytes sent.
@@ -82,6 +82,8 @@ private:
     uint32_t acquirePalette(const PaletteRef& palette);
     void releasePalette(const Palette* palette);
     void usePalette(Shape& shape, uint32_t slot, const PaletteRef& palette);
+    /// Colours and flag of the shape's paint layer.
+    void usePaint(uint32_t slot, const PaintColorsRef& colors);
     void place(uint32_t slot, float alpha, glm::dvec3 originWorld);
 
     struct PaletteUse {

@@ -35,6 +35,7 @@ uint32_t BrickAtlas::acquire(const BrickRef& brick) {
         m_bySlot.resize(std::max<size_t>(m_bySlot.size(), entry.slot + 1));
         m_bySlot[entry.slot] = brick.get();
         m_pending.push_back(entry.slot);
+        if (brick->paint) needPaint().put(entry.slot, *brick);
     }
     ++entry.references;
     return entry.slot;
@@ -46,10 +47,20 @@ void BrickAtlas::release(const Brick* brick) {
     if (--found->second.references) return;
     m_bySlot[found->second.slot] = nullptr;
     m_slots.give(found->second.slot);
+    if (m_paint) m_paint->remove(found->second.slot);
     m_entries.erase(found);
 }
 
+PaintAtlas& BrickAtlas::needPaint() {
+    if (!m_paint) m_paint = std::make_unique<PaintAtlas>();
+    return *m_paint;
+}
+
 uint64_t BrickAtlas::upload() {
+    return uploadBricks() + (m_paint ? m_paint->upload(m_slots.end()) : 0);
+}
+
+uint64_t BrickAtlas::uploadBricks() {
     if (m_pending.empty()) return 0;
     std::sort(m_pending.begin(), m_pending.end());
     m_pending.erase(std::unique(m_pending.begin(), m_pending.end()), m_pending.end());

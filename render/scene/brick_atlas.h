@@ -1,15 +1,17 @@
 #pragma once
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
 #include "render/gl/texture.h"
+#include "render/scene/paint_atlas.h"
 #include "render/scene/slots.h"
 #include "runtime/voxel/brick.h"
 
 namespace rubble {
 
 /// The bricks of all shapes on the GPU, each once however many shapes share it: occupancy as eight 4x4x4 words, and a
-/// palette index a voxel. Layouts: lib/bodies.glsl.
+/// palette index a voxel. Paint is kept aside, where there is some. Layouts: lib/bodies.glsl.
 class BrickAtlas {
 public:
     /// The slot of a brick; uploads it with the next upload() if it is new. Each acquire wants a release.
@@ -20,11 +22,16 @@ public:
 
     uint64_t upload();
     int bricks() const { return int(m_slots.used()); }
-    uint64_t bytes() const { return m_words.bytes() + m_indices.bytes(); }
+    uint64_t bytes() const { return m_words.bytes() + m_indices.bytes() + (m_paint ? m_paint->bytes() : 0); }
+    /// Null until a brick with paint has come.
+    PaintAtlas* paint() { return m_paint.get(); }
+    const PaintAtlas* paint() const { return m_paint.get(); }
+    PaintAtlas& needPaint();
     const BufferTexture& words() const { return m_words; }
     const BufferTexture& indices() const { return m_indices; }
 
 private:
+    uint64_t uploadBricks();
     struct Entry {
         BrickRef brick;  ///< held, so that its address means this brick
         uint32_t slot;
@@ -36,6 +43,7 @@ private:
     Slots m_slots;
     BufferTexture m_words{GL_RGBA32UI};  ///< 4 texels a brick
     BufferTexture m_indices{GL_R32UI};   ///< 128 texels a brick
+    std::unique_ptr<PaintAtlas> m_paint;
     bool m_full = false;
 };
 

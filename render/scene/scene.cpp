@@ -16,7 +16,7 @@ void Scene::apply(FrameSnapshot&& snapshot) {
     for (ShapeHandle shape : snapshot.destroyed) m_bodies.destroy(shape);
     for (const SnapshotShape& shape : snapshot.created) m_bodies.create(shape);
     for (const BrickChange& change : snapshot.bricks) m_bodies.setBrick(change);
-    for (const SnapshotPalette& palette : snapshot.palettes) m_bodies.setPalette(palette.shape, palette.palette);
+    for (const SnapshotPalette& palette : snapshot.palettes) m_bodies.setPalette(palette);
     for (const SnapshotPose& pose : snapshot.poses) m_bodies.setPose(pose);
     m_shadow.apply(snapshot.shadow, snapshot.shadowReplacesAll);
     if (snapshot.lightsChanged) m_lights = std::move(snapshot.lights);

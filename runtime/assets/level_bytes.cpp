@@ -32,6 +32,7 @@ public:
     void put(const glm::dquat& q) { put(q.w), put(q.x), put(q.y), put(q.z); }
     void put(const VoxelGrid& grid) { put(grid.size()); }
     void put(const PaletteRef& palette) { put(m_palettes.add(palette)); }
+    void put(const PaintColorsRef&) {}  // in chunks of their own, where there are some
     template <class T>
     void put(const std::vector<T>& values) {
         put(uint32_t(values.size()));
@@ -95,6 +96,7 @@ public:
         else
             m_in.fail(fmt::format("a palette number below {}", m_palettes.size()), std::to_string(number), m_in.offset() - 4);
     }
+    void get(PaintColorsRef&) {}
     template <class T>
     void get(std::vector<T>& values) {
         const uint32_t count = m_in.readCount(1, "elements");
@@ -111,6 +113,7 @@ private:
 };
 
 enum BrickKind : uint8_t { kFull, kUniform, kMixed };
+constexpr uint8_t kPainted = 4;  // added to a kind: 512 bytes of paint follow
 
 bool fitsGrid(const Brick& brick, glm::ivec3 position, glm::ivec3 size) {
     const glm::ivec3 room = size - position * 8;
@@ -165,19 +168,24 @@ void appendBrick(std::vector<uint8_t>& out, glm::ivec3 position, const Brick& br
     ByteOut archive(out, unused);
     for (int i = 0; i < 3; ++i) archive.put(uint16_t(position[i]));
     const BrickKind kind = brick.indices ? kMixed : brick.full() ? kFull : kUniform;
-    archive.put(uint8_t(kind));
-    if (kind == kMixed) return void(out.insert(out.end(), brick.indices->begin(), brick.indices->end()));
-    archive.put(brick.uniform);
+    archive.put(uint8_t(kind + (brick.paint ? kPainted : 0)));
+    if (kind == kMixed)
+        out.insert(out.end(), brick.indices->begin(), brick.indices->end());
+    else
+        archive.put(brick.uniform);
     if (kind == kUniform)
         for (uint64_t word : brick.occupancy) archive.put(word);
+    if (brick.paint) out.insert(out.end(), brick.paint->begin(), brick.paint->end());
 }
 
 void readBrick(ByteReader& in, VoxelGrid& grid) {
     const size_t start = in.offset();
     glm::ivec3 position;
     for (int i = 0; i < 3; ++i) position[i] = in.read<uint16_t>();
-    const auto kind = in.read<uint8_t>();
-    BrickIndices indices{};
+    const auto fullKind = in.read<uint8_t>();
+    const bool isPainted = fullKind >= kPainted;
+    const uint8_t kind = uint8_t(fullKind - (isPainted ? kPainted : 0));
+    BrickIndices indices{}, paint{};
     if (kind == kMixed) {
         const auto raw = in.readBytes(kBrickVoxels);
         if (!in.failed()) std::copy(raw.begin(), raw.end(), indices.begin());
@@ -188,17 +196,37 @@ void readBrick(ByteReader& in, VoxelGrid& grid) {
         const auto occupancy = in.read<std::array<uint64_t, 8>>();
         forEachVoxel(occupancy, [&](int i) { indices[size_t(i)] = value; });
     } else {
-        in.fail("a brick kind of 0 to 2", std::to_string(kind), start + 6);
+        in.fail("a brick kind of 0 to 2, or 4 to 6 with paint", std::to_string(fullKind), start + 6);
+    }
+    if (isPainted) {
+        const auto raw = in.readBytes(kBrickVoxels);
+        if (!in.failed()) std::copy(raw.begin(), raw.end(), paint.begin());
     }
     if (in.failed()) return;
     const glm::ivec3 bricks = grid.sizeInBricks();
-    BrickRef brick = makeBrick(indices);
+    BrickRef brick = makeBrick(indices, isPainted ? &paint : nullptr);
     if (position.x >= bricks.x || position.y >= bricks.y || position.z >= bricks.z || (brick && !fitsGrid(*brick, position, grid.size())))
         return in.fail(fmt::format("a brick inside a grid of {}x{}x{} cells", grid.size().x, grid.size().y, grid.size().z),
                        fmt::format("brick ({}, {}, {})", position.x, position.y, position.z), start);
     if (!brick || grid.brickAt(position))
         return in.fail("each brick once and not empty", fmt::format("brick ({}, {}, {})", position.x, position.y, position.z), start);
     grid.setBrick(position, std::move(brick));
+}
+
+std::vector<uint8_t> paintColorsToBytes(const PaintColors& colors) {
+    std::vector<uint8_t> bytes{colors.count};
+    for (size_t i = 0; i < colors.count; ++i) bytes.insert(bytes.end(), colors.colors[i].begin(), colors.colors[i].end());
+    return bytes;
+}
+
+PaintColorsRef paintColorsFromBytes(ByteReader& in) {
+    PaintColors colors;
+    colors.count = in.read<uint8_t>();
+    if (colors.count < 1 || colors.count > kPaintColors)
+        return in.fail(fmt::format("1 to {} colours of paint", kPaintColors), std::to_string(colors.count), in.offset() - 1), nullptr;
+    for (size_t i = 0; i < colors.count; ++i)
+        for (uint8_t& channel : colors.colors[i]) channel = in.read<uint8_t>();
+    return std::make_shared<const PaintColors>(colors);
 }
 
 }  // namespace rubble

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "runtime/assets/level_fields.h"
@@ -39,6 +40,16 @@ public:
         if (!(std::abs(length - 1.0) < 1e-3)) fail("a rotation of length 1", fmt::format("{}", length));
     }
     void check(const VoxelGrid&) {}
+    void check(const PaintColorsRef&) {}
+    void checkPaint(const LevelShape& shape) {
+        const int colors = shape.paintColors ? shape.paintColors->count : 0;
+        int most = 0;
+        shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+            if (!brick->paint) return;
+            for (const uint8_t paint : *brick->paint) most = std::max(most, paint > 0 && paint < 16 ? 16 : paintColor(paint));
+        });
+        if (most > colors) fail(fmt::format("paint of the {} colours that the shape has", colors), std::to_string(most));
+    }
     void check(const PaletteRef& palette) {
         if (!palette) return;
         for (size_t i = 0; i < palette->size(); ++i) {
@@ -66,6 +77,7 @@ public:
         if constexpr (std::is_same_v<T, LevelShape>)
             if (!(value.voxelSize > 0.0f && value.voxelSize <= 1000.0f))
                 fail("a voxel size above 0 and up to 1000 m", fmt::format("{}", value.voxelSize));
+        if constexpr (std::is_same_v<T, LevelShape>) checkPaint(value);
         fields(*this, value);
     }
 

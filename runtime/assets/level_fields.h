@@ -76,6 +76,7 @@ void fields(A& a, Is<LevelShape> auto& shape) {
     a("anchors", shape.anchors);
     a("tags", shape.tags);
     a("hidden", shape.hidden);
+    a("paint_colors", shape.paintColors);
 }
 template <class A>
 void fields(A& a, Is<LevelBody> auto& body) {

@@ -86,6 +86,14 @@ private:
     uint32_t m_bricks = 0, m_count = 0;
 };
 
+void appendPaintColors(std::vector<uint8_t>& out, uint32_t shape, const PaintColors& colors) {
+    std::vector<uint8_t> raw(4);
+    std::memcpy(raw.data(), &shape, 4);
+    const std::vector<uint8_t> bytes = paintColorsToBytes(colors);
+    raw.insert(raw.end(), bytes.begin(), bytes.end());
+    appendChunk(out, {'P', 'C', 'O', 'L'}, raw);
+}
+
 /// Bytes of one chunk, checked and unpacked.
 std::vector<uint8_t> readChunk(ByteReader& in, ChunkHeader& header) {
     const size_t start = in.offset();
@@ -113,25 +121,31 @@ std::vector<uint8_t> readChunk(ByteReader& in, ChunkHeader& header) {
 struct Parsed {
     std::vector<PaletteRef> palettes;
     Level level;
-    std::vector<VoxelGrid*> grids;
+    std::vector<LevelShape*> shapes;
     bool haveLevel = false;
 };
 
 void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, size_t chunk, Parsed& out, ByteReader& file) {
     const std::string kind(header.kind.data(), 4);
-    ByteReader in(raw, fmt::format("of chunk {} ({}) unpacked", chunk, kind == "PALT" || kind == "LEVL" || kind == "GRID" ? kind : "other"));
+    ByteReader in(
+        raw, fmt::format("of chunk {} ({}) unpacked", chunk, kind == "PALT" || kind == "LEVL" || kind == "GRID" || kind == "PCOL" ? kind : "other"));
     if (kind == "PALT") {
         out.palettes = palettesFromBytes(in);
     } else if (kind == "LEVL" && !out.haveLevel) {
         out.level = levelFromBytes(in, out.palettes);
         out.haveLevel = true;
         for (LevelBody& body : out.level.bodies)
-            for (LevelShape& shape : body.shapes) out.grids.push_back(&shape.grid);
+            for (LevelShape& shape : body.shapes) out.shapes.push_back(&shape);
     } else if (kind == "GRID") {
         const auto shape = in.read<uint32_t>();
         const auto bricks = in.read<uint32_t>();
-        if (shape >= out.grids.size()) in.fail(fmt::format("a shape number below {}", out.grids.size()), std::to_string(shape), 0);
-        for (uint32_t i = 0; i < bricks && !in.failed(); ++i) readBrick(in, *out.grids[shape]);
+        if (shape >= out.shapes.size()) in.fail(fmt::format("a shape number below {}", out.shapes.size()), std::to_string(shape), 0);
+        for (uint32_t i = 0; i < bricks && !in.failed(); ++i) readBrick(in, out.shapes[shape]->grid);
+    } else if (kind == "PCOL") {
+        const auto shape = in.read<uint32_t>();
+        if (shape >= out.shapes.size()) in.fail(fmt::format("a shape number below {}", out.shapes.size()), std::to_string(shape), 0);
+        PaintColorsRef colors = paintColorsFromBytes(in);
+        if (!in.failed()) out.shapes[shape]->paintColors = std::move(colors);
     } else {
         return;
     }
@@ -148,7 +162,12 @@ uint64_t hashLevel(const Level& level) {
     uint64_t hash = hashBytes(bytes.data(), bytes.size());
     hash = hashBytes(paletteBytes.data(), paletteBytes.size(), hash);
     for (const LevelBody& body : level.bodies)
-        for (const LevelShape& shape : body.shapes) hash = hashValue(shape.grid.contentHash(), hash);
+        for (const LevelShape& shape : body.shapes) {
+            hash = hashValue(shape.grid.contentHash(), hash);
+            if (!shape.paintColors) continue;
+            const std::vector<uint8_t> colors = paintColorsToBytes(*shape.paintColors);
+            hash = hashBytes(colors.data(), colors.size(), hash);
+        }
     return hash;
 }
 
@@ -159,11 +178,15 @@ std::vector<uint8_t> levelToRubble(const Level& level) {
     appendChunk(out, {'P', 'A', 'L', 'T'}, palettesToBytes(palettes.palettes()));
     appendChunk(out, {'L', 'E', 'V', 'L'}, levelBytes);
     GridChunks grids(out);
-    uint32_t shape = 0;
+    uint32_t shape = 0, paintChunks = 0;
     for (const LevelBody& body : level.bodies)
-        for (const LevelShape& item : body.shapes) grids.addGrid(shape++, item.grid);
+        for (const LevelShape& item : body.shapes) {
+            grids.addGrid(shape, item.grid);
+            if (item.paintColors) appendPaintColors(out, shape, *item.paintColors), ++paintChunks;
+            ++shape;
+        }
     FileHeader header;
-    header.chunks = 2 + grids.count();
+    header.chunks = 2 + grids.count() + paintChunks;
     header.contentHash = hashLevel(level);
     header.headerHash = hashHeader(header);
     std::memcpy(out.data(), &header, sizeof header);

@@ -7,6 +7,7 @@
 #include "runtime/core/handle.h"
 #include "runtime/core/pose.h"
 #include "runtime/shadow/shadow_volume.h"
+#include "runtime/voxel/paint_colors.h"
 #include "runtime/voxel/palette.h"
 #include "runtime/voxel/voxel_grid.h"
 #include "runtime/world/frame_changes.h"
@@ -21,11 +22,14 @@ struct SnapshotShape {
     float voxelSize;  ///< metres
     PaletteRef palette;
     std::vector<BrickChange> bricks;  ///< all that are not empty
+    PaintColorsRef paintColors;       ///< null: nothing is painted
 };
 
+/// A shape's new palette or colours of paint: both are given.
 struct SnapshotPalette {
     ShapeHandle shape;
     PaletteRef palette;
+    PaintColorsRef paintColors;
 };
 
 /// Where a shape (its grid's corner) was at the previous step and is at this one.

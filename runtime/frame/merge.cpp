@@ -92,10 +92,12 @@ void mergeIntoCreated(FrameSnapshot& into, FrameSnapshot& later) {
     std::vector<SnapshotPalette> otherPalettes;
     for (SnapshotPalette& palette : later.palettes) {
         const auto place = created.find(palette.shape);
-        if (place == created.end())
+        if (place == created.end()) {
             otherPalettes.push_back(std::move(palette));
-        else
-            into.created[place->second].palette = std::move(palette.palette);
+            continue;
+        }
+        into.created[place->second].palette = std::move(palette.palette);
+        into.created[place->second].paintColors = std::move(palette.paintColors);
     }
     later.palettes = std::move(otherPalettes);
 }

@@ -12,7 +12,7 @@ namespace {
 constexpr size_t kMaxPosted = 16;  ///< snapshots that may pile up before the main thread merges them
 
 SnapshotShape describeShape(ShapeHandle handle, const Shape& shape) {
-    SnapshotShape out{handle, shape.grid.size(), shape.voxelSize, shape.palette, {}};
+    SnapshotShape out{handle, shape.grid.size(), shape.voxelSize, shape.palette, {}, shape.paintColors};
     out.bricks.reserve(shape.grid.brickCount());
     shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) { out.bricks.push_back({handle, brick, content}); });
     return out;
@@ -125,7 +125,7 @@ void Snapshots::addChanged(const FrameChanges& changes, const World& world, Fram
     for (const BrickChange& brick : changes.bricks)
         if (world.shapes().find(brick.shape)) out.bricks.push_back(brick);
     for (const ShapeHandle handle : changes.palettes)
-        if (const Shape* shape = world.shapes().find(handle)) out.palettes.push_back({handle, shape->palette});
+        if (const Shape* shape = world.shapes().find(handle)) out.palettes.push_back({handle, shape->palette, shape->paintColors});
 }
 
 void Snapshots::addPose(ShapeHandle shape, const World& world, FrameSnapshot& out) {

@@ -7,7 +7,7 @@ uniform samplerBuffer uPlacements;     // 4 texels an instance: rotation, positi
 uniform usamplerBuffer uLayouts;       // 4 texels an instance: first node, palette, flags; size in nodes; low cell; high cell
 uniform usamplerBuffer uPalettes;      // 256 texels a palette: colour and opacity, surface, emission
 
-const uint kHasGlass = 1u;
+const uint kHasGlass = 1u, kHasPaint = 2u;
 
 // All fetches go through here: WebGL2 has no buffer textures and will read 2D ones.
 uvec4 fetchNode(int i) { return texelFetch(uNodes, i); }

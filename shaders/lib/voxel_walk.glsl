@@ -12,6 +12,7 @@ struct VoxelHit {
     bool hit;
     ivec3 cell;
     int index;      // palette entry
+    int slot;       // of its brick
     float t;        // in lengths of the direction
     vec3 normal;    // of the face entered through, in the body; 0 if the ray begins inside the voxel
     int steps;
@@ -40,7 +41,7 @@ int emptySizeAt(Layout body, ivec3 cell, out int slot) {
 
 // originCells and direction in the body's cells; tMin and tMax in lengths of the direction.
 VoxelHit walkVoxels(Layout body, vec3 originCells, vec3 direction, float tMin, float tMax, int stopAt) {
-    VoxelHit result = VoxelHit(false, ivec3(0), 0, tMax, vec3(0.0), 0);
+    VoxelHit result = VoxelHit(false, ivec3(0), 0, 0, tMax, vec3(0.0), 0);
     CellWalk w;
     if (isnan(tMax)) return result;
     tMax = min(tMax, kFarthest);
@@ -54,7 +55,7 @@ VoxelHit walkVoxels(Layout body, vec3 originCells, vec3 direction, float tMin, f
             int index = indexAt(slot, w.cell);
             if (plain || isGlass(body.palette, index) == (stopAt == kStopAtGlass)) {
                 vec3 outward = vec3(1 - 2 * w.ahead);
-                return VoxelHit(true, w.cell, index, max(w.t, 0.0), vec3(w.axis) * outward, result.steps);
+                return VoxelHit(true, w.cell, index, slot, max(w.t, 0.0), vec3(w.axis) * outward, result.steps);
             }
             size = 1;
         }

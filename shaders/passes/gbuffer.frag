@@ -1,6 +1,7 @@
 // Walks the ray of a pixel through one body and writes the surface it meets. Targets: lib/gbuffer.glsl.
 #include "lib/frame.glsl"
 #include "lib/voxel_walk.glsl"
+#include "lib/paint.glsl"
 uniform sampler2D uDepthSoFar;  // linear depth of the bodies drawn before this batch
 flat in int body;
 flat in vec3 cameraCells;
@@ -36,7 +37,7 @@ void main() {
     vec3 world = frame.cameraPosition.xyz + rayWorld * hit.t;
     vec3 lastWorld = place.moved > 0.0 ? place.lastPosition + rotate(place.lastRotation, pointBody) : world;
 
-    outAlbedo = vec4(entry.color, float(hit.index) / 255.0);
+    outAlbedo = vec4(paintedColor(body, shape, hit.slot, hit.cell, entry.color), float(hit.index) / 255.0);
     outNormal = vec4(rotate(place.rotation, normal), entry.emission);
     outMaterial = vec4(entry.roughness, entry.metallic, entry.reflectivity, place.moved);
     outMotion = screenUv(frame.viewProjectionPlain, world) - screenUv(frame.previousViewProjection, lastWorld);

@@ -34,6 +34,11 @@ public:
     json make(const glm::dquat& q) { return {q.w, q.x, q.y, q.z}; }
     json make(const VoxelGrid& grid) { return make(grid.size()); }
     json make(const PaletteRef& palette) { return m_palettes.add(palette); }
+    json make(const PaintColorsRef& paint) {
+        json list = json::array();
+        for (size_t i = 0; paint && i < paint->count; ++i) list.push_back({paint->colors[i][0], paint->colors[i][1], paint->colors[i][2]});
+        return list;
+    }
     template <class T>
     json make(const std::vector<T>& values) {
         json list = json::array();
@@ -130,6 +135,16 @@ public:
         if (!m_error.empty()) return;
         if (number >= m_palettes.size()) return fail(fmt::format("a palette number below {}", m_palettes.size()), from);
         palette = m_palettes[number];
+    }
+    void get(const json& from, PaintColorsRef& paint) {
+        if (!from.is_array() || from.size() > kPaintColors) return fail(fmt::format("a list of at most {} colours", kPaintColors), from);
+        PaintColors colors;
+        for (const json& color : from) {
+            if (!color.is_array() || color.size() != 3) return fail("three numbers", color);
+            for (size_t i = 0; i < 3; ++i) get(color[i], colors.colors[colors.count][i]);
+            ++colors.count;
+        }
+        paint = colors.count ? std::make_shared<const PaintColors>(colors) : nullptr;
     }
     template <class T>
     void get(const json& from, std::vector<T>& values) {

@@ -66,7 +66,7 @@ typename Grid::Ptr makeGrid(const LevelShape& shape, const Pose& world, const st
     shape.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         auto leaf = std::make_unique<Leaf>(toCoord(position * 8), grid->background(), false);
         forEachVoxel(brick->occupancy, [&](int i) {
-            if (const auto value = valueOf(brick->at(i))) leaf->setValueOn(Leaf::coordToOffset(toCoord(voxelInBrick(i))), *value);
+            if (const auto value = valueOf(*brick, i)) leaf->setValueOn(Leaf::coordToOffset(toCoord(voxelInBrick(i))), *value);
         });
         if (!leaf->isEmpty()) grid->tree().addLeaf(leaf.release());
     });
@@ -79,24 +79,31 @@ typename Grid::Ptr makeGrid(const LevelShape& shape, const Pose& world, const st
 void addShapeGrids(const LevelShape& shape, const Pose& world, const std::string& prefix, openvdb::GridPtrVec& out) {
     static const Palette kNoPalette{};
     const Palette& palette = shape.palette ? *shape.palette : kNoPalette;
-    out.push_back(makeGrid<openvdb::Int32Grid>(shape, world, prefix + ".palette_index", [](uint8_t i) { return std::optional<int32_t>(i); }));
-    auto density = makeGrid<openvdb::FloatGrid>(shape, world, prefix + ".density", [](uint8_t) { return std::optional<float>(1.0f); });
+    out.push_back(makeGrid<openvdb::Int32Grid>(shape, world, prefix + ".palette_index",
+                                               [](const Brick& brick, int i) { return std::optional<int32_t>(brick.at(i)); }));
+    auto density = makeGrid<openvdb::FloatGrid>(shape, world, prefix + ".density", [](const Brick&, int) { return std::optional<float>(1.0f); });
     density->setGridClass(openvdb::GRID_FOG_VOLUME);
     out.push_back(density);
-    auto color = makeGrid<openvdb::Vec3SGrid>(shape, world, prefix + ".color", [&](uint8_t i) {
-        const PaletteEntry& entry = palette[i];
+    auto color = makeGrid<openvdb::Vec3SGrid>(shape, world, prefix + ".color", [&](const Brick& brick, int i) {
+        const PaletteEntry& entry = palette[brick.at(i)];
         return std::optional<openvdb::Vec3f>({srgbToLinear(entry.red), srgbToLinear(entry.green), srgbToLinear(entry.blue)});
     });
     color->setSaveFloatAsHalf(true);
     out.push_back(color);
-    auto emission = makeGrid<openvdb::FloatGrid>(shape, world, prefix + ".emission", [&](uint8_t i) {
-        return palette[i].emission > 0.0f ? std::optional<float>(palette[i].emission) : std::nullopt;
+    auto emission = makeGrid<openvdb::FloatGrid>(shape, world, prefix + ".emission", [&](const Brick& brick, int i) {
+        const float emitted = palette[brick.at(i)].emission;
+        return emitted > 0.0f ? std::optional<float>(emitted) : std::nullopt;
     });
     if (!emission->empty()) out.push_back(emission);
-    auto group = makeGrid<openvdb::Int32Grid>(shape, world, prefix + ".light_group", [&](uint8_t i) {
-        return palette[i].lightGroup ? std::optional<int32_t>(int32_t(palette[i].lightGroup)) : std::nullopt;
+    auto group = makeGrid<openvdb::Int32Grid>(shape, world, prefix + ".light_group", [&](const Brick& brick, int i) {
+        const uint32_t number = palette[brick.at(i)].lightGroup;
+        return number ? std::optional<int32_t>(int32_t(number)) : std::nullopt;
     });
     if (!group->empty()) out.push_back(group);
+    if (!shape.paintColors) return;
+    out.push_back(makeGrid<openvdb::Int32Grid>(shape, world, prefix + ".paint", [](const Brick& brick, int i) {
+        return brick.paintAt(i) ? std::optional<int32_t>(brick.paintAt(i)) : std::nullopt;
+    }));
 }
 
 /// A grid name that viewers and scripts can type.
@@ -248,6 +255,8 @@ private:
         if (!solid) return Error{solid.error()};
         shape.grid = std::move(solid->grid);
         const openvdb::Coord corner = solid->box.empty() ? openvdb::Coord(0) : solid->box.min();
+        if (shape.paintColors)
+            if (const Result<Done> done = readPaint(shape, prefix + ".paint", corner); !done) return done;
         const auto expected = cellTransform(body.pose * shape.local, double(shape.voxelSize));
         const bool moved = !(*expected == grid->transform());
         if (!moved && corner == openvdb::Coord(0)) return Done{};
@@ -257,6 +266,30 @@ private:
         const Pose toBody{glm::conjugate(body.pose.rotation) * -body.pose.position, glm::conjugate(body.pose.rotation)};
         shape.local = toBody * pose->first;
         shape.voxelSize = float(pose->second);
+        return Done{};
+    }
+
+    /// Values are paint bytes (runtime/voxel/paint_colors.h); those of empty cells are left out.
+    Result<Done> readPaint(LevelShape& shape, const std::string& name, const openvdb::Coord& corner) {
+        if (std::find(m_names.begin(), m_names.end(), name) == m_names.end()) return Done{};
+        const auto grid = openvdb::gridPtrCast<openvdb::Int32Grid>(m_file.readGrid(name));
+        if (!grid) return Error{fmt::format("grid '{}': expected type Int32, found another", name)};
+        const auto values = grid->getConstAccessor();
+        std::vector<std::pair<glm::ivec3, BrickRef>> painted;
+        shape.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+            BrickIndices indices, paint{};
+            bool isPainted = false;
+            forEachVoxel(brick->occupancy, [&](int i) {
+                const int32_t value = values.getValue(toCoord(position * 8 + voxelInBrick(i)) + corner);
+                if (value < 16 || paintColor(uint8_t(value)) > shape.paintColors->count || value > 255) return;
+                paint[size_t(i)] = uint8_t(value);
+                isPainted = true;
+            });
+            if (!isPainted) return;
+            expandBrick(brick.get(), indices);
+            painted.emplace_back(position, makeBrick(indices, &paint));
+        });
+        for (auto& [position, brick] : painted) shape.grid.setBrick(position, std::move(brick));
         return Done{};
     }
 

@@ -49,6 +49,14 @@ TEST(RubbleFile, TheHashSeesEveryField) {
         [](Level& l) {
             GridWriter(l.bodies[0].shapes[0].grid).set({19, 8, 32}, 77);
         },
+        [](Level& l) {
+            auto colors = std::make_shared<PaintColors>(*l.bodies[0].shapes[0].paintColors);
+            colors->colors[1][2] += 1;
+            l.bodies[0].shapes[0].paintColors = colors;
+        },
+        [](Level& l) {
+            l.bodies[0].shapes[0].grid.setBrick({0, 0, 0}, makeBrick(*l.bodies[0].shapes[0].grid.brickAt({0, 0, 0})->paint));
+        },
         [](Level& l) { l.lights[0].light.coneOuter = 0.7f; },
         [](Level& l) { l.lights[0].groupName = "unused"; },
         [](Level& l) { l.lightGroups[1].out = false; },

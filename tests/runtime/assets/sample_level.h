@@ -33,6 +33,14 @@ inline Level sampleLevel() {
                 for (int x = 0; x < 20; ++x)
                     if (x < 8 || (x + y * z) % 3 == 0) writer.set({x, y, z}, x < 8 ? uint8_t(1) : uint8_t(x * 13 + y * 5 + z));
     }
+    walls.paintColors = std::make_shared<const PaintColors>(PaintColors{.colors = {{{250, 0, 10}, {3, 2, 1}}}, .count = 2});
+    VoxelGrid(walls.grid).forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
+        if (brick.y > 0) return;
+        BrickIndices indices, layer{};
+        expandBrick(content.get(), indices);
+        for (size_t i = 0; i < layer.size(); ++i) layer[i] = i % 3 ? paintByte(1 + int(i % 2), int(i % 17)) : uint8_t(0);
+        walls.grid.setBrick(brick, makeBrick(indices, &layer));
+    });
     walls.palette = shared;
     walls.anchors = {{{0, 0, 0}, {20, 1, 33}}, {{4, 0, 4}, {5, 9, 6}}};
     house.shapes.push_back(walls);

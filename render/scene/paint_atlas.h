@@ -1,0 +1,36 @@
+#pragma once
+#include <array>
+
+#include "render/gl/program.h"
+#include "render/scene/mirrored_buffer.h"
+#include "render/scene/slots.h"
+#include "runtime/voxel/brick.h"
+#include "runtime/voxel/paint_colors.h"
+
+namespace rubble {
+
+/// The paint layer on the GPU: bytes of painted bricks, found by the brick's slot in the BrickAtlas, and colours by the
+/// shape's slot. Exists only while a shape has paint. Layouts: lib/paint.glsl.
+class PaintAtlas {
+public:
+    /// A new brick in a slot of the BrickAtlas; nothing is kept of one without paint.
+    void put(uint32_t slot, const Brick& brick);
+    void remove(uint32_t slot);
+    void setColors(uint32_t shapeSlot, const PaintColors& colors);
+
+    /// `slots`: how many the BrickAtlas has. Returns the bytes sent.
+    uint64_t upload(uint32_t slots);
+    void bind(const Program& program) const;
+    uint64_t bytes() const { return m_numbers.texture().bytes() + m_paint.texture().bytes() + m_colors.texture().bytes(); }
+
+private:
+    using Table = std::array<uint32_t, 16>;
+    void growTo(uint32_t slots);
+
+    MirroredBuffer<uint32_t> m_numbers{GL_R32UI, "paint of bricks"};
+    MirroredBuffer<BrickIndices> m_paint{GL_R32UI, "paint"};
+    MirroredBuffer<Table> m_colors{GL_R32UI, "colours of paint"};
+    Slots m_free;
+};
+
+}  // namespace rubble
