@@ -48,7 +48,7 @@ struct Crowded {
 };
 
 TEST(Paint, ReachesThePaintAndLeavesEverythingElse) {
-    for (const int entries : {3, 40, 200}) {
+    for (const int entries : {3, 28, 40, 200}) {
         Crowded scene(entries);
         const test::PlainGrid before(scene.grid);
         const Palette original = scene.palette;
