@@ -14,11 +14,14 @@ namespace rubble {
 namespace {
 
 constexpr uint32_t kNone = ~0u;
-constexpr double kShearRatio = 0.4;  ///< shear modulus over Young's modulus
-constexpr double kTolerance = 1e-6;  ///< of the energy of the error: forces to about a thousandth
-constexpr int kMaxIterations = 400;  ///< beyond which it is given up: nothing breaks
-constexpr double kAlsoBreaks = 0.9;  ///< share of the worst overload from which others break in the same step
-constexpr int64_t kBrickWork = 200, kRowWork = 100;
+constexpr double kShearRatio = 0.4;    ///< shear modulus over Young's modulus
+constexpr double kTolerance = 1e-6;    ///< of the energy of the error: forces to about a thousandth
+constexpr int kMaxIterations = 400;    ///< beyond which it is given up: nothing breaks
+constexpr double kAlsoBreaks = 0.9;    ///< share of the worst overload from which others break in the same step
+constexpr double kWorthALook = 0.8;    ///< stress over strength that a section must have alone too: a window may see tension beside a press
+constexpr double kWorthSlicing = 0.2;  ///< of a bond, from which the layers of its nodes and those around are looked at
+constexpr int kWindowReach = LoadCuts::kReach;
+constexpr int64_t kBrickWork = 200, kRowWork = 400;
 
 /// What a unit of motion across a bond does to it, with E = 1: forces, and moments as rows of a symmetric matrix.
 struct BondStiffness {
@@ -132,11 +135,25 @@ void LoadAnalysis::run(const LoadedShape& shape, int64_t& work, size_t maxCracks
                 work -= cost;
                 if (!iterate()) break;
                 finishSolution();
-                m_phase = m_hasConverged ? Phase::Check : Phase::Idle;
+                m_phase = m_hasConverged ? Phase::CutBonds : Phase::Idle;
+                break;
+            case Phase::CutBonds:
+                work -= cutBonds(shape, m_nodeOf[m_next]);
+                if (++m_next < m_nodeOf.size()) break;
+                spreadBusy();
+                work -= int64_t(m_nodeOf.size());
+                m_next = 0;
+                m_phase = Phase::CutLayers;
+                break;
+            case Phase::CutLayers:
+                work -= cutLayers(shape, m_nodeOf[m_next]);
+                if (++m_next < m_nodeOf.size()) break;
+                m_next = 0;
+                m_phase = Phase::Check;
                 break;
             case Phase::Check:
-                work -= checkNode(shape, m_nodeOf[m_next]);
-                if (++m_next < m_nodeOf.size()) break;
+                work -= checkCut(m_next);
+                if (++m_next < m_cuts.size()) break;
                 chooseCracks(maxCracks, cracks);
                 m_blows.clear();
                 m_phase = Phase::Idle;
@@ -256,6 +273,8 @@ void LoadAnalysis::finishSolution() {
         m_graph.setMotion(m_nodeOf[row], {m[0], m[1], m[2]}, {m[3], m[4], m[5]});
     }
     m_overloaded.clear();
+    m_cuts.clear();
+    m_isBusy.assign(m_graph.nodes().size(), false);
     m_worst = {};
     m_next = 0;
 }
@@ -270,39 +289,77 @@ SectionForce LoadAnalysis::bondForce(const LoadBond& bond) const {
     return out;
 }
 
-/// The sections of a node: its bonds, each once, and between its own layers. Returns the work.
-int64_t LoadAnalysis::checkNode(const LoadedShape& shape, uint32_t index) {
-    const LoadNode& node = m_graph.nodes()[index];
+namespace {
+
+SectionStrength scaled(const SectionStrength& s, const LoadedShape& shape) {
     const double scale = shape.strengthScale / shape.voxelSize;
-    const auto scaled = [&](const SectionStrength& s) { return SectionStrength{s.tensile * scale, s.compressive * scale, s.shear * scale}; };
+    return {s.tensile * scale, s.compressive * scale, s.shear * scale};
+}
+
+}  // namespace
+
+/// Lists the bonds of a node, each once.
+int64_t LoadAnalysis::cutBonds(const LoadedShape& shape, uint32_t index) {
+    const LoadNode& node = m_graph.nodes()[index];
+    for (const uint32_t bondIndex : node.bonds) {
+        const LoadBond& bond = m_graph.bonds()[bondIndex];
+        if (bond.below != index && !m_graph.nodes()[bond.below].isFixed) continue;
+        const double share = m_cuts.add(bond.section, bond.shape, bondForce(bond), scaled(bond.strength, shape), bond.canBreak);
+        if (share < kWorthSlicing) continue;
+        m_isBusy[bond.below] = m_isBusy[bond.above] = true;
+    }
+    return 30 * int64_t(node.bonds.size());
+}
+
+/// Nodes that share a window with one under stress are sliced too.
+void LoadAnalysis::spreadBusy() {
+    std::vector<uint32_t> ring;
+    for (uint32_t node = 0; node < m_isBusy.size(); ++node)
+        if (m_isBusy[node]) ring.push_back(node);
+    for (int step = 0; step < 2 * kWindowReach; ++step) {
+        std::vector<uint32_t> next;
+        for (const uint32_t node : ring)
+            for (const uint32_t bondIndex : m_graph.nodes()[node].bonds) {
+                const LoadBond& bond = m_graph.bonds()[bondIndex];
+                const uint32_t other = bond.below == node ? bond.above : bond.below;
+                if (!m_isBusy[other]) m_isBusy[other] = true, next.push_back(other);
+            }
+        ring = std::move(next);
+    }
+}
+
+/// Lists the sections between the layers of a node. Returns the work.
+int64_t LoadAnalysis::cutLayers(const LoadedShape& shape, uint32_t index) {
+    if (!m_isBusy[index]) return 1;
+    const LoadNode& node = m_graph.nodes()[index];
     SlicedNode slices(node);
     for (const uint32_t bondIndex : node.bonds) {
         const LoadBond& bond = m_graph.bonds()[bondIndex];
-        const SectionForce load = bondForce(bond);
-        const bool isBelow = bond.below == index;
-        slices.addBond(bond, load, isBelow);
-        if (bond.canBreak && (isBelow || m_graph.nodes()[bond.below].isFixed))
-            note(bond.section, sectionUse(bond.section, bond.shape, load, scaled(bond.strength)));
+        slices.addBond(bond, bondForce(bond), bond.below == index);
     }
     slices.addWeight(*shape.grid.brickAt(node.brick), shape.entries, shape.gravity);
     forEachBlow(shape, node, [&](glm::ivec3 cell, glm::dvec3 force) { slices.addForce(cell, force); });
-    int64_t work = 100;
+    int64_t work = 900;
     for (int axis = 0; axis < 3; ++axis)
         for (int plane = 1; plane < 8; ++plane) {
             const Section section{node.brick, axis, plane, brickLayer(node.cells, axis, plane - 1) & brickLayer(node.cells, axis, plane)};
             if (!section.cells) continue;
             bool canBreak = false;
-            const SectionStrength strength = scaled(sectionStrength(shape.grid, shape.entries, section, canBreak));
+            const SectionStrength strength = scaled(sectionStrength(shape.grid, shape.entries, section, canBreak), shape);
             const SectionShape form = sectionShape(section);
-            if (canBreak) note(section, sectionUse(section, form, slices.forceAt(axis, plane, form.centroid), strength));
-            work += 10;
+            m_cuts.add(section, form, slices.forceAt(axis, plane, form.centroid), strength, canBreak);
+            work += 40;
         }
     return work;
 }
 
-void LoadAnalysis::note(const Section& section, const SectionUse& use) {
-    if (use.share > m_worst.share) m_worst = {section, use.share, use.cause};
-    if (use.share > 1.0) m_overloaded.push_back({section, use.share, use.cause});
+int64_t LoadAnalysis::checkCut(size_t index) {
+    const LoadCut& cut = m_cuts[index];
+    if (!cut.canBreak || cut.alone < kWorthALook) return 1;
+    const SectionUse use = m_cuts.use(index);
+    if (use.share > m_worst.share) m_worst = {cut.section, use.share, use.cause};
+    if (use.share > 1.0) m_overloaded.push_back({cut.section, use.share, use.cause});
+    return 200;
 }
 
 void LoadAnalysis::chooseCracks(size_t maxCracks, std::vector<LoadCrack>& cracks) {

@@ -43,7 +43,7 @@ bool LoadMultigrid::setUp(int64_t& work) {
 void LoadMultigrid::stepRow(int64_t& work) {
     Level& level = m_levels.back();
     const size_t rows = m_phase == Phase::Coarse ? level.aggregates : level.a.rows();
-    constexpr int64_t kBlockProduct = 6;
+    constexpr int64_t kBlockProduct = 10;
     switch (m_phase) {
         case Phase::Diagonal:
             level.inverse.push_back(inverted(level.a.diagonal(m_row)));

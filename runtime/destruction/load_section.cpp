@@ -54,11 +54,17 @@ BrickBits bitsFrom(const BrickBits& bits, int axis, int layer) {
 }
 
 SectionShape sectionShape(const Section& section) {
+    const SectionTile tile{section.cells};
+    return sectionShape(section, {&tile, 1});
+}
+
+SectionShape sectionShape(const Section& section, std::span<const SectionTile> tiles) {
     int64_t n = 0, u = 0, v = 0, uu = 0, vv = 0, uv = 0;
-    for (uint64_t left = section.cells; left; left &= left - 1) {
-        const int bit = std::countr_zero(left), cu = bit & 7, cv = bit >> 3;
-        ++n, u += cu, v += cv, uu += cu * cu, vv += cv * cv, uv += cu * cv;
-    }
+    for (const SectionTile& tile : tiles)
+        for (uint64_t left = tile.cells; left; left &= left - 1) {
+            const int bit = std::countr_zero(left), cu = (bit & 7) + 8 * tile.u, cv = (bit >> 3) + 8 * tile.v;
+            ++n, u += cu, v += cv, uu += cu * cu, vv += cv * cv, uv += cu * cv;
+        }
     SectionShape shape;
     const double area = double(n);
     shape.area = area;

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "runtime/voxel/brick.h"
 
@@ -15,6 +16,7 @@ struct Section {
 
     /// The cell below the plane at one of its bits.
     glm::ivec3 cellBelow(int bit) const;
+    friend bool operator==(const Section&, const Section&) = default;
 };
 
 /// What a section resists with: the moments of its cells.
@@ -49,7 +51,14 @@ uint64_t brickLayer(const BrickBits& bits, int axis, int layer);
 BrickBits bitsFrom(const BrickBits& bits, int axis, int layer);
 
 SectionShape sectionShape(const Section& section);
-/// Beam theory: normal stress linear over the section, N/A + M c/I at its outermost corners; shear V/A + T c/Ip.
+/// Cells of the plane of a section in its own brick, (0, 0), or in one beside it.
+struct SectionTile {
+    uint64_t cells = 0;
+    int u = 0, v = 0;
+};
+SectionShape sectionShape(const Section& section, std::span<const SectionTile> tiles);
+/// Beam theory: normal stress linear over `shape`, N/A + M c/I, at the outermost corners of the section, which may be part of
+/// that shape only; shear V/A + T c/Ip.
 SectionUse sectionUse(const Section& section, const SectionShape& shape, const SectionForce& load, const SectionStrength& strength);
 /// The force on one cell face of a section, if it carries `load` as above.
 glm::dvec3 faceForce(const Section& section, const SectionShape& shape, const SectionForce& load, glm::dvec3 faceCenter);

@@ -20,8 +20,7 @@ void EditStep::openCrack(ShapeHandle handle, const LoadCrack& crack) {
     const LoadEntries& entries = m_world.m_load->find(handle)->entries;
     const Densities densities(*shape.palette, m_world.m_materials);
     Carved carved;
-    for (const BrickShare& share : crackCells(shape.grid, shape.anchors, entries, crack.section))
-        removeCells(shape.grid, share, densities, carved);
+    for (const BrickShare& share : crackCells(shape.grid, shape.anchors, entries, crack.section)) removeCells(shape.grid, share, densities, carved);
     if (carved.voxels == 0) return;
     glm::dvec3 normal(0.0);
     normal[crack.section.axis] = 1.0;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/runtime/world/worlds.h"
+#include "tests/support/allocation_count.h"
 
 namespace rubble {
 namespace {
@@ -60,6 +61,89 @@ TEST(Load, CantileverSnapsAtTheWall) {
             EXPECT_TRUE(world.ledger().balances());
         }
     }
+}
+
+TEST(Load, OffCostsNoCallAndNoByte) {
+    World world;
+    world.load(cantilever(80, 8));
+    world.applyEdits({});
+    EXPECT_EQ(world.load(), nullptr);
+    const size_t before = allocationCount();
+    for (int step = 0; step < 100; ++step) world.applyEdits({});
+    EXPECT_EQ(allocationCount(), before);
+}
+
+TEST(Load, AtRestItCostsNoAllocation) {
+    World world;
+    world.setSettings(loadOn(1.0));
+    world.load(cantilever(80, 8));
+    for (int step = 0; step < 60; ++step) world.applyEdits({});
+    ASSERT_NE(world.load(), nullptr);
+    EXPECT_FALSE(world.load()->isBusy());
+    const size_t before = allocationCount();
+    for (int step = 0; step < 100; ++step) world.applyEdits({});
+    EXPECT_EQ(allocationCount(), before);
+}
+
+TEST(Load, AShapeCanBeLeftOut) {
+    Level level = cantilever(80, 8);
+    level.bodies[0].shapes[0].bearsLoad = false;
+    World world;
+    world.setSettings(loadOn(1e-4));
+    world.load(level);
+    for (int step = 0; step < 60; ++step) EXPECT_TRUE(world.applyEdits({}).empty());
+}
+
+TEST(Load, ANewWeaknessIsFoundAfterACut) {
+    World world;
+    world.setSettings(loadOn(1.5 * shareAtWall(80, 8, 0.1, 1.0)));
+    world.load(cantilever(80, 8));
+    for (int step = 0; step < 60; ++step) EXPECT_TRUE(world.applyEdits({}).empty());
+    // Three of the eight layers sawn through in the middle: W falls to (5/8)^2, M there is a quarter of the wall's.
+    CarveEdit saw{.kind = BrushKind::Box, .position = {4.4, 0.65, 0.4}, .halfSize = {0.1, 0.15, 0.5}};
+    world.applyEdits({saw});
+    for (int step = 0; step < 60; ++step) EXPECT_TRUE(world.applyEdits({}).cracks.empty()) << step;
+    // The same at the wall: 1.5 times the strength is less than (8/5)^2 = 2.6 times the stress.
+    saw.position.x = 0.6;
+    world.applyEdits({saw});
+    std::vector<CrackOpened> cracks;
+    for (int step = 0; step < 60; ++step) {
+        const FrameChanges changes = world.applyEdits({});
+        cracks.insert(cracks.end(), changes.cracks.begin(), changes.cracks.end());
+    }
+    ASSERT_FALSE(cracks.empty());
+    EXPECT_NEAR(cracks[0].position.x, 0.6, 0.11);
+}
+
+TEST(Load, TheSameEditsGiveTheSameHashes) {
+    World first, second;
+    for (World* world : {&first, &second}) {
+        world->setSettings(loadOn(shareAtWall(80, 8, 0.1, 1.0) / 1.05));
+        world->load(cantilever(80, 8));
+    }
+    for (int step = 0; step < 60; ++step) {
+        first.applyEdits({});
+        second.applyEdits({});
+        ASSERT_EQ(first.hash(), second.hash()) << step;
+    }
+}
+
+TEST(Load, ResetCachesMakesARunningWorldGoOnLikeALoadedOne) {
+    const WorldSettings settings = loadOn(shareAtWall(80, 8, 0.1, 1.0) / 1.05);
+    World running;
+    running.setSettings(settings);
+    running.load(cantilever(80, 8));
+    running.applyEdits({});
+    running.resetCaches();
+    World loaded;
+    loaded.setSettings(settings);
+    loaded.load(running.toLevel());
+    for (int step = 0; step < 60; ++step) {
+        running.applyEdits({});
+        loaded.applyEdits({});
+        ASSERT_EQ(running.ledger().standing, loaded.ledger().standing) << step;
+    }
+    EXPECT_GT(running.ledger().removed, 0u);
 }
 
 }  // namespace

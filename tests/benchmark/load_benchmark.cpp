@@ -1,0 +1,72 @@
+// A tower of 100,000 voxels whose foot is cut: what the load analysis takes of a step, in time of its thread.
+#include <benchmark/benchmark.h>
+#include <time.h>
+
+#include <algorithm>
+
+#include "runtime/world/world.h"
+
+namespace rubble {
+namespace {
+
+constexpr int kSide = 40, kWall = 4, kStorey = 32, kHeight = 165;
+
+Level tower(int offset) {
+    VoxelGrid grid(glm::ivec3(kSide, kHeight, kSide) + offset);
+    {
+        GridWriter writer(grid);
+        const auto isWall = [](int c) { return c < kWall || c >= kSide - kWall; };
+        for (int z = 0; z < kSide; ++z)
+            for (int y = 0; y < kHeight; ++y)
+                for (int x = 0; x < kSide; ++x)
+                    if (isWall(x) || isWall(z) || y % kStorey == kStorey - 1) writer.set(glm::ivec3(x, y, z) + offset, 1);
+    }
+    Level level;
+    Palette palette{};
+    palette[1].material = level.materials.find("concrete");
+    LevelShape shape{.name = "tower", .grid = std::move(grid), .palette = std::make_shared<const Palette>(palette)};
+    LevelBody body{.name = "tower", .isStatic = true};
+    body.shapes.push_back(std::move(shape));
+    level.bodies.push_back(std::move(body));
+    return level;
+}
+
+double threadMs() {
+    timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
+}
+
+/// Steps of a world in which somebody hacks at the foot of a tower that bears it: each is analysed until it is known to.
+void towerStep(benchmark::State& state) {
+    const int offset = int(state.range(0));
+    WorldSettings settings;
+    settings.load.on = true;
+    settings.load.strengthScale = 1.0;
+    World world;
+    world.setSettings(settings);
+    world.load(tower(offset));
+    std::vector<double> times;
+    int cuts = 0;
+    for (auto _ : state) {
+        const double start = threadMs();
+        world.applyEdits({});
+        times.push_back(threadMs() - start);
+        state.SetIterationTime(times.back() * 1e-3);
+        if (world.load()->isBusy()) continue;
+        CarveEdit hole{.position = glm::dvec3(offset + 4 + cuts % 9 * 4, offset + 8 + cuts / 9 * 6, offset + 2) * 0.1};
+        hole.radii = {0.15, 0.15, 0.15};
+        world.applyEdits({hole});
+        ++cuts;
+    }
+    std::sort(times.begin(), times.end());
+    state.counters["max_ms"] = times.back();
+    state.counters["p99_ms"] = times[times.size() * 99 / 100];
+    state.counters["steps_a_cut"] = cuts ? double(times.size()) / cuts : 0.0;
+    state.counters["voxels"] = double(world.ledger().standing);
+}
+
+BENCHMARK(towerStep)->Name("destruction/load/tower_step")->Arg(0)->Arg(3)->Iterations(1500)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace rubble
