@@ -330,14 +330,15 @@ void LoadAnalysis::spreadBusy() {
 
 /// Lists the sections between the layers of a node. Returns the work.
 int64_t LoadAnalysis::cutLayers(const LoadedShape& shape, uint32_t index) {
-    if (!m_isBusy[index]) return 1;
     const LoadNode& node = m_graph.nodes()[index];
+    const Brick* content = shape.grid.brickAt(node.brick);
+    if (!m_isBusy[index] || !content) return 1;
     SlicedNode slices(node);
     for (const uint32_t bondIndex : node.bonds) {
         const LoadBond& bond = m_graph.bonds()[bondIndex];
         slices.addBond(bond, bondForce(bond), bond.below == index);
     }
-    slices.addWeight(*shape.grid.brickAt(node.brick), shape.entries, shape.gravity);
+    slices.addWeight(*content, shape.entries, shape.gravity);
     forEachBlow(shape, node, [&](glm::ivec3 cell, glm::dvec3 force) { slices.addForce(cell, force); });
     int64_t work = 900;
     for (int axis = 0; axis < 3; ++axis)

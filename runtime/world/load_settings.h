@@ -8,7 +8,7 @@ namespace rubble {
 struct LoadSettings {
     bool on = false;
     double strengthScale = 0.03;     ///< of all materials: in the real world, 1, almost nothing of this size falls by itself
-    int64_t workAStep = 60'000;      ///< units of about 20 ns; what is left waits for the next step
+    int64_t workAStep = 40'000;      ///< units of about 20 ns; what is left waits for the next step
     uint32_t cracksAStep = 4;        ///< sections of one shape that break at a time, the most overloaded first
     uint32_t largestShape = 32'768;  ///< bricks; a larger one is left out, and the log says so
 

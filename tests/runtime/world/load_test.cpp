@@ -91,14 +91,14 @@ TEST(Load, AShapeCanBeLeftOut) {
     World world;
     world.setSettings(loadOn(1e-4));
     world.load(level);
-    for (int step = 0; step < 60; ++step) EXPECT_TRUE(world.applyEdits({}).empty());
+    for (int step = 0; step < 60; ++step) EXPECT_TRUE(world.applyEdits({}).cracks.empty());
 }
 
 TEST(Load, ANewWeaknessIsFoundAfterACut) {
     World world;
     world.setSettings(loadOn(1.5 * shareAtWall(80, 8, 0.1, 1.0)));
     world.load(cantilever(80, 8));
-    for (int step = 0; step < 60; ++step) EXPECT_TRUE(world.applyEdits({}).empty());
+    for (int step = 0; step < 60; ++step) EXPECT_TRUE(world.applyEdits({}).cracks.empty());
     // Three of the eight layers sawn through in the middle: W falls to (5/8)^2, M there is a quarter of the wall's.
     CarveEdit saw{.kind = BrushKind::Box, .position = {4.4, 0.65, 0.4}, .halfSize = {0.1, 0.15, 0.5}};
     world.applyEdits({saw});
