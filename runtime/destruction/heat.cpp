@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kSkin = 0.002;                                 // metres of a surface that follow the heat in seconds
+constexpr double kSkin = 0.0008;                                // metres of a surface that follow the heat at once
 constexpr double kFlux = 400e3;                                 // W/m2 of burning surface; real fires give 100 to 300, and nobody waits for those
 constexpr int kCoolingShift = 9;                                // 1/512 an update: a time constant of 51 s
 constexpr int kForgetBelow = 2;                                 // K above ambient
@@ -18,7 +18,7 @@ constexpr int kCharEvery = 4;                                   // updates
 constexpr int kCharShare = 160;                                 // of 255 voxels in a round
 constexpr int kSmallestFront = 8;                               // voxels that always burn away together: the last ones do not take for ever
 constexpr int kFlameReach = 3;                                  // bricks that flames bridge upwards
-constexpr int kUp = 72, kUpAside = 12, kAside = 20, kDown = 8;  // shares of what is emitted, of 256; the rest is smoke
+constexpr int kUp = 72, kUpAside = 14, kAside = 24, kDown = 8;  // shares of what is emitted, of 256; the rest is smoke
 constexpr int kSteelWeakens = 380, kSteelIsSoft = 900;          // K above ambient: EN 1993-1-2, table 3.1, between its ends
 
 int32_t whole(double value) {

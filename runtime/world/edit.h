@@ -69,7 +69,7 @@ struct HistoryEdit {
 struct HeatEdit {
     glm::dvec3 position{0.0};
     double radius = 0.5;  ///< metres
-    double joules = 0.0;  ///< in all; a square metre of wood wants about 500 kJ
+    double joules = 0.0;  ///< in all; a square metre of wood wants about 200 kJ
     bool ignite = false;  ///< lights what can burn at once
     ShapeHandle shape;    ///< empty: all
 };
