@@ -1,5 +1,7 @@
 #include "render/renderer.h"
 
+#include <optional>
+
 #include "render/frame_camera.h"
 #include "render/frame_context.h"
 #include "render/gl/state_guard.h"
@@ -12,6 +14,7 @@
 #include "render/passes/gbuffer_pass.h"
 #include "render/passes/glass_pass.h"
 #include "render/passes/local_lights_pass.h"
+#include "render/passes/particles_pass.h"
 #include "render/passes/reflections_pass.h"
 #include "render/passes/show_pass.h"
 #include "render/passes/sky_pass.h"
@@ -60,10 +63,17 @@ struct Renderer::Impl {
         run("filter", [&] { filter.draw(frame); });
         if (ReflectionsPass::needed(frame)) run("reflections", [&] { reflections.draw(frame); });
         run("composite", [&] { composite.draw(frame); });
+        if (!scene.particles().empty()) run("particles", [&] { drawParticles(frame); });
         run("taa", [&] { taa.draw(frame); });
         if (settings.bloom > 0.0f) run("bloom", [&] { bloom.draw(frame); });
         run("exposure", [&] { exposure.draw(frame); });
         run("tonemap", [&] { tonemap.draw(frame); });
+    }
+
+    /// Most scenes never have any: the pass is made with the first.
+    void drawParticles(const FrameContext& frame) {
+        if (!particles) particles.emplace(shaders);
+        particles->draw(frame, alphaOfStep);
     }
 
     /// Passes add to it, each in its own channels.
@@ -96,6 +106,7 @@ struct Renderer::Impl {
     PassTimer timer{isSoftwareGl()};
     RenderFigures figures;
     bool drawnBefore = false;
+    float alphaOfStep = 1.0f;  ///< of the frame being drawn
     const Shown* shown = &kShown[0];
 
     GBufferPass gbuffer{shaders};
@@ -107,6 +118,7 @@ struct Renderer::Impl {
     FilterPass filter{shaders};
     ReflectionsPass reflections{shaders};
     CompositePass composite{shaders};
+    std::optional<ParticlesPass> particles;
     TaaPass taa{shaders};
     BloomPass bloom{shaders};
     ExposurePass exposure{shaders};
@@ -138,6 +150,7 @@ void Renderer::Impl::uploadBlock() {
 void Renderer::Impl::draw(const View& view, float alpha) {
     const GlStateGuard hostState;
     figures.uploadBytes = scene.beginFrame(alpha, view.position);
+    alphaOfStep = alpha;
     const bool fresh = view.cut || !drawnBefore;
     drawnBefore = true;
     View each = view;

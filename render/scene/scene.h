@@ -17,6 +17,7 @@ public:
 
     const Bodies& bodies() const { return m_bodies; }
     const std::vector<SnapshotLight>& lights() const { return m_lights; }
+    const std::vector<SnapshotParticle>& particles() const { return m_particles; }
     const Environment& environment() const { return m_environment; }
     /// Sets the samplers that lib/shadow_trace.glsl reads. The program must be in use.
     void bindShadow(const Program& program) const { m_shadow.bind(program); }
@@ -35,6 +36,7 @@ private:
     Bodies m_bodies;
     ShadowMirror m_shadow;
     std::vector<SnapshotLight> m_lights;
+    std::vector<SnapshotParticle> m_particles;
     Environment m_environment;
     glm::dvec3 m_origin{0.0};
 };

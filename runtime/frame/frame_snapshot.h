@@ -57,6 +57,20 @@ struct SnapshotFire {
     uint32_t seed;        ///< the same for a fire from its first step to its last
 };
 
+enum class ParticleKind : uint8_t { Dust, Smoke, Flame, Spark, Crumb, Glint };
+
+/// Something small in the air at a step, as it is drawn.
+struct SnapshotParticle {
+    ParticleKind kind;
+    glm::dvec3 position;  ///< world
+    glm::vec3 velocity;   ///< m/s: where it was between steps
+    glm::vec3 color;      ///< linear albedo; of sparks: what they glow like
+    float radius;         ///< metres
+    float opacity;        ///< 0 to 1
+    float age;            ///< share of its life
+    uint32_t seed;        ///< the same from its first step to its last
+};
+
 /// What one frame hands to the renderer: values only, and only what changed since the snapshot before. All of it shows
 /// the step `version`, the shadow volume too, so light and bodies agree.
 struct FrameSnapshot {
@@ -72,6 +86,8 @@ struct FrameSnapshot {
     std::vector<SnapshotLight> lights;  ///< all enabled lights and those of the biggest fires, if lightsChanged
     bool firesChanged = false;
     std::vector<SnapshotFire> fires;  ///< all of them, if firesChanged
+    bool particlesChanged = false;
+    std::vector<SnapshotParticle> particles;  ///< all of them, if particlesChanged
     bool environmentChanged = false;
     Environment environment;
     bool shadowReplacesAll = false;

@@ -125,6 +125,10 @@ void merge(FrameSnapshot& into, FrameSnapshot&& later) {
         into.firesChanged = true;
         into.fires = std::move(later.fires);
     }
+    if (later.particlesChanged) {
+        into.particlesChanged = true;
+        into.particles = std::move(later.particles);
+    }
     if (later.environmentChanged) {
         into.environmentChanged = true;
         into.environment = later.environment;

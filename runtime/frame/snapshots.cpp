@@ -20,7 +20,7 @@ SnapshotShape describeShape(ShapeHandle handle, const Shape& shape) {
 
 bool showsNothing(const FrameSnapshot& s) {
     return !s.replacesAll && s.destroyed.empty() && s.created.empty() && s.bricks.empty() && s.palettes.empty() && s.poses.empty() &&
-           !s.lightsChanged && !s.environmentChanged && !s.firesChanged;
+           !s.lightsChanged && !s.firesChanged && !s.particlesChanged && !s.environmentChanged;
 }
 
 void append(std::optional<FrameSnapshot>& out, FrameSnapshot&& later) {
@@ -32,8 +32,9 @@ void append(std::optional<FrameSnapshot>& out, FrameSnapshot&& later) {
 
 }  // namespace
 
-void Snapshots::publish(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, std::vector<ShadowPatches> patches) {
-    enqueue(changes, moved, world);
+void Snapshots::publish(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, std::vector<ShadowPatches> patches,
+                        std::span<const Impact> impacts) {
+    enqueue(changes, moved, world, impacts);
     std::optional<FrameSnapshot> out;
     for (ShadowPatches& publication : patches) {
         while (!m_waiting.empty() && m_waiting.front().snapshot.version <= publication.version) releaseOldest(out);
@@ -47,8 +48,9 @@ void Snapshots::publish(const FrameChanges& changes, std::span<const BodyPose> m
     post(std::move(out), changes.step);
 }
 
-void Snapshots::publishWithoutShadow(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world) {
-    enqueue(changes, moved, world);
+void Snapshots::publishWithoutShadow(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
+                                     std::span<const Impact> impacts) {
+    enqueue(changes, moved, world, impacts);
     std::optional<FrameSnapshot> out;
     while (!m_waiting.empty()) releaseOldest(out);
     post(std::move(out), changes.step);
@@ -77,7 +79,7 @@ void Snapshots::post(std::optional<FrameSnapshot> snapshot, uint64_t newestStep)
     m_posted.post(std::move(*snapshot));
 }
 
-void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world) {
+void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, std::span<const Impact> impacts) {
     if (changes.levelReplaced) {
         m_waiting.clear();
         m_placed.clear();
@@ -91,6 +93,7 @@ void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> m
     addChanged(changes, world, out);
     addPoses(moved, world, out);
     addLights(changes, moved, world, out);
+    addParticles(changes, impacts, world, out);
     if (changes.levelReplaced || !m_environment || *m_environment != world.environment()) {
         out.environmentChanged = true;
         out.environment = world.environment();
@@ -149,6 +152,16 @@ void Snapshots::addPoses(std::span<const BodyPose> moved, const World& world, Fr
     for (const ShapeHandle shape : m_moving)
         if (world.shapes().find(shape)) addPose(shape, world, out);
     std::swap(m_moving, m_moved);
+}
+
+void Snapshots::addParticles(const FrameChanges& changes, std::span<const Impact> impacts, const World& world, FrameSnapshot& out) {
+    if (changes.levelReplaced) m_fires.clear();
+    if (out.firesChanged) m_fires = out.fires;
+    const bool before = !m_particles.empty();
+    m_particles.step(changes, impacts, m_fires, world);
+    if (!before && m_particles.empty()) return;
+    out.particlesChanged = true;
+    out.particles = m_particles.snapshot();
 }
 
 void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, FrameSnapshot& out) {

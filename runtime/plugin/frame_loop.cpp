@@ -5,7 +5,11 @@
 namespace rubble {
 
 FrameLoop::FrameLoop(const FrameLoopSettings& settings)
-    : m_world(settings.worldId), m_physics(settings.physics), m_publish(settings.publish), m_waitForShadow(settings.waitForShadow) {
+    : m_world(settings.worldId),
+      m_physics(settings.physics),
+      m_snapshots(settings.particles),
+      m_publish(settings.publish),
+      m_waitForShadow(settings.waitForShadow) {
     if (settings.shadowVolume) m_shadow = std::make_unique<ShadowWorker>(settings.shadow);
 }
 
@@ -55,13 +59,13 @@ std::span<const BodyPose> FrameLoop::moved() {
 
 void FrameLoop::publish() {
     if (!m_shadow) {
-        if (m_publish) m_snapshots.publishWithoutShadow(m_changes, moved(), m_world);
+        if (m_publish) m_snapshots.publishWithoutShadow(m_changes, moved(), m_world, m_physics.impacts());
         return;
     }
     m_shadowAge = m_changes.step - m_shadow->publishedVersion();
     if (m_waitForShadow) m_shadow->waitFor(m_changes.step);
     std::vector<ShadowPatches> patches = m_shadow->takePatches();
-    if (m_publish) m_snapshots.publish(m_changes, moved(), m_world, std::move(patches));
+    if (m_publish) m_snapshots.publish(m_changes, moved(), m_world, std::move(patches), m_physics.impacts());
 }
 
 void FrameLoop::draw(Renderer& renderer, const View& view, float alpha) {

@@ -17,6 +17,7 @@ struct FrameLoopSettings {
     ShadowWorker::Mode shadow = ShadowWorker::Mode::Thread;
     bool shadowVolume = true;    ///< off: nothing is drawn with rays, and nothing is paid
     bool publish = true;         ///< off: for worlds that nobody draws
+    ParticleSettings particles;  ///< for eyes only: they change nothing in the world
     bool waitForShadow = false;  ///< each step waits for its shadow volume: pictures that do not depend on timing
 };
 

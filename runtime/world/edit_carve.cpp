@@ -54,6 +54,7 @@ void EditStep::apply(const ExplodeEdit& edit) {
     CarveEdit hole{.position = edit.position};
     hole.radii = {edit.size, 0.7 * edit.size, 0.4 * edit.size};
     apply(hole);
+    m_changes.blasts.push_back({edit.position, edit.size});
     constexpr std::array<uint8_t, 3> kSoot = {24, 21, 18};
     const uint32_t seed = uint32_t(m_changes.step);
     apply(PaintEdit{edit.position, 1.45 * edit.size, kSoot, 190, 20, seed});

@@ -37,6 +37,12 @@ struct DustCloud {
     uint64_t count;  ///< voxels
 };
 
+/// A charge went off.
+struct Blast {
+    glm::dvec3 position;  ///< world
+    double size;          ///< as in ExplodeEdit
+};
+
 /// How a piece set out.
 struct PieceMotion {
     glm::dvec3 center{0.0};  ///< of mass, world
@@ -96,6 +102,7 @@ struct FrameChanges {
     std::vector<LightGroupHandle> groupsOut;
     std::vector<ImpulseApplied> impulses;
     std::vector<DustCloud> dust;           ///< all that is in `removed`, with its place
+    std::vector<Blast> blasts;             ///< charges that went off, in order
     std::vector<BodyHandle> broken;        ///< bodies that lost voxels for the first time
     std::vector<BodyHandle> settled;       ///< pieces that have come to rest for good
     std::vector<BodyHandle> revived;       ///< settled pieces that something has woken

@@ -3,7 +3,7 @@
 #include "lib/frame.glsl"
 #include "lib/color.glsl"
 
-uniform sampler2D uColor;
+uniform sampler2D uColor;  // a: share of the surface that shows through particles
 uniform sampler2D uHistory;
 uniform bool uHistoryValid;
 uniform sampler2D uDepth;
@@ -11,6 +11,7 @@ uniform sampler2D uMotion;
 
 const float kSkyDepth = 65000.0;
 const float kNewShare = 0.1;
+const float kNewShareInAir = 0.5;  // where particles cover all: they have no motion to follow
 
 in vec2 uv;
 out vec4 resolved;
@@ -52,12 +53,14 @@ void main() {
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec2 jitterPixels = frame.jitter.xy * frame.targetSize.xy;
     vec3 sum = vec3(0.0), squares = vec3(0.0), now = vec3(0.0), low = vec3(1e9), top = vec3(-1e9);
-    float total = 0.0, depth = 1e9;
+    float total = 0.0, depth = 1e9, seenThrough = 1.0;
     ivec2 nearest = pixel;
     for (int i = 0; i < 9; ++i) {
         ivec2 offset = ivec2(i % 3, i / 3) - 1;
         ivec2 p = clamp(pixel + offset, ivec2(0), high);
-        vec3 c = toYCoCg(compress(texelFetch(uColor, p, 0).rgb));
+        vec4 there = texelFetch(uColor, p, 0);
+        seenThrough = min(seenThrough, there.a);
+        vec3 c = toYCoCg(compress(there.rgb));
         sum += c;
         squares += c * c;
         low = min(low, c);
@@ -85,5 +88,5 @@ void main() {
     vec3 ratio = abs(offset / extent);
     float outside = max(ratio.x, max(ratio.y, ratio.z));
     if (outside > 1.0) history = middle + offset / outside;
-    resolved.rgb = expand(fromYCoCg(mix(history, now, kNewShare)));
+    resolved.rgb = expand(fromYCoCg(mix(history, now, mix(kNewShareInAir, kNewShare, seenThrough))));
 }

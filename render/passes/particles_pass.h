@@ -1,0 +1,36 @@
+#pragma once
+#include <vector>
+
+#include "render/frame_context.h"
+
+namespace rubble {
+
+/// Draws what hangs and flies in the air over the radiance: crumbs and sparks, then soft lit puffs,
+/// then flames, each farthest first; a program each, as software renderers pay for every branch of one. In the alpha of `radiance` it leaves the
+/// share of what is behind that still shows, so that the temporal pass trusts its past less there. Made when the first particle is drawn.
+class ParticlesPass {
+public:
+    explicit ParticlesPass(ShaderLibrary& shaders);
+    void draw(const FrameContext& frame, float alpha);
+
+private:
+    /// One instance as the vertex shader reads it.
+    struct Instance {
+        glm::vec4 place;   ///< xyz from the render origin, w radius
+        glm::vec4 color;   ///< rgb linear, a opacity
+        glm::vec4 motion;  ///< xyz velocity, w kind
+        glm::vec4 state;   ///< x age, yzw numbers of its own in [0, 1)
+    };
+    void sortInstances(const FrameContext& frame, float alpha);
+    void setLights(const FrameContext& frame, const Program& program) const;
+    void drawRange(const FrameContext& frame, const Program& program, size_t first, size_t last) const;
+
+    const Program &m_solids, &m_gas, &m_flames;
+    Texture m_noise;
+    GlName<BufferKind> m_buffer = GlName<BufferKind>::make();
+    VertexArray m_vertexArray = VertexArray::make();
+    std::vector<std::pair<float, int>> m_solidOrder, m_gasOrder, m_flameOrder;  ///< -depth and number
+    std::vector<Instance> m_instances;
+};
+
+}  // namespace rubble

@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "runtime/frame/particles.h"
+
+namespace rubble {
+namespace {
+
+constexpr double kSeen = 60.0;      ///< metres below which ground is looked for
+constexpr double kSameFloor = 0.4;  ///< metres: events this near share one look
+constexpr int kFlamesAStep = 26;    ///< of all fires together
+constexpr int kSmokeAStep = 5;
+constexpr double kImpactPuff = 400;  ///< N s from which a hit raises dust
+
+/// What a material throws up for each voxel: how much of it hangs in the air, and what flies.
+struct Throws {
+    float dust = 0.6f;
+    ParticleKind solid = ParticleKind::Crumb;
+    float solids = 0.5f;  ///< a voxel, before the budget
+};
+Throws throwsOf(const Material& material) {
+    if (material.fragments == "pane") return {0.10f, ParticleKind::Glint, 1.6f};
+    if (material.fragments == "tear") return {0.12f, ParticleKind::Spark, 0.9f};
+    if (material.fragments == "splinter") return {0.40f, ParticleKind::Crumb, 0.9f};
+    if (material.fragments == "crumble") return {1.0f, ParticleKind::Crumb, 0.5f};
+    return {0.8f, ParticleKind::Crumb, 0.6f};
+}
+
+glm::vec3 linear(std::array<uint8_t, 3> color) {
+    return {srgbToLinear(color[0]), srgbToLinear(color[1]), srgbToLinear(color[2])};
+}
+
+}  // namespace
+
+glm::vec3 Particles::anyDirection() {
+    // The cube's corners are a little favoured: nobody sees it.
+    const float x = m_random.unit() * 2.0f - 1.0f;
+    const float y = m_random.unit() * 2.0f - 1.0f;
+    const float z = m_random.unit() * 2.0f - 1.0f;
+    return glm::vec3(x, y, z) / std::max(0.3f, std::sqrt(x * x + y * y + z * z));
+}
+
+int Particles::share(double wanted) {
+    const double room = 1.0 - double(m_alive.size()) / double(m_settings.most);
+    return int(wanted * std::clamp(room * 1.6, 0.0, 1.0) + double(m_random.unit()));
+}
+
+void Particles::add(const Particle& particle) {
+    if (m_alive.size() < m_settings.most) m_alive.push_back(particle);
+}
+
+double Particles::floorBelow(glm::dvec3 position, const World& world) {
+    if (glm::distance(position, m_floorAsked) < kSameFloor) return m_floorFound;
+    m_floorAsked = position;
+    const WorldHit hit = world.raycast(position, {0, -1, 0}, kSeen);
+    return m_floorFound = hit.hit ? hit.position.y : position.y - kSeen;
+}
+
+void Particles::addDust(const DustCloud& cloud, const World& world) {
+    const Throws throws = throwsOf(world.materials()[cloud.material]);
+    const double floor = floorBelow(cloud.position, world);
+    const double voxels = double(cloud.count), spread = std::clamp(cloud.radius, 0.05, 2.5);
+    const glm::vec3 color = linear(cloud.color);
+    const int puffs = share(std::min((0.10 * std::sqrt(voxels) + 0.006 * voxels) * double(throws.dust), 10.0));
+    for (int i = 0; i < puffs; ++i) {
+        const glm::vec3 way = anyDirection();
+        Particle p{ParticleKind::Dust};
+        p.position = cloud.position + glm::dvec3(way) * (spread * double(between(0.2f, 0.9f)));
+        p.velocity = cloud.velocity * 0.6f + way * between(0.4f, 1.6f) * float(1.0 + spread);
+        p.color = glm::mix(color, glm::vec3(0.42f, 0.38f, 0.33f), 0.5f) * between(0.85f, 1.15f);
+        p.radius = float(0.12 + 0.22 * spread) * between(0.7f, 1.3f);
+        p.growth = between(0.45f, 0.9f);
+        p.opacity = between(0.5f, 0.9f);
+        p.life = between(1.4f, 3.2f);
+        p.floor = floor;
+        p.seed = m_random.next();
+        add(p);
+    }
+    const int solids = share(std::min(voxels * double(throws.solids), 4.0 + 2.2 * std::sqrt(voxels)) * 0.8);
+    for (int i = 0; i < solids; ++i) {
+        const glm::vec3 way = anyDirection();
+        const bool spark = throws.solid == ParticleKind::Spark && m_random.below(3) != 0;
+        Particle p{throws.solid == ParticleKind::Spark && !spark ? ParticleKind::Crumb : throws.solid};
+        p.position = cloud.position + glm::dvec3(way) * (spread * double(m_random.unit()));
+        p.velocity = cloud.velocity + way * between(0.6f, spark ? 7.0f : 3.6f) + glm::vec3(0.0f, between(0.2f, 2.2f), 0.0f);
+        p.color = spark ? glm::vec3(1.0f, 0.62f, 0.22f) : color * between(0.8f, 1.2f);
+        p.radius = spark ? 0.012f : between(0.014f, 0.042f);
+        p.growth = 0.0f;
+        p.opacity = 1.0f;
+        p.life = spark ? between(0.25f, 0.8f) : between(1.2f, 4.0f);
+        p.floor = floor;
+        p.seed = m_random.next();
+        add(p);
+    }
+}
+
+void Particles::addBlast(const Blast& blast, const World& world) {
+    const double floor = floorBelow(blast.position, world);
+    const float size = float(blast.size);
+    const auto puff = [&](ParticleKind kind, glm::vec3 color, float speed, float radius, float growth, float opacity, float life) {
+        const glm::vec3 way = anyDirection();
+        Particle p{kind};
+        p.position = blast.position + glm::dvec3(way) * double(size * between(0.1f, 0.5f));
+        p.velocity = way * speed * between(0.5f, 1.2f);
+        p.color = color * between(0.85f, 1.15f);
+        p.radius = radius * between(0.7f, 1.3f);
+        p.growth = growth;
+        p.opacity = opacity;
+        p.life = life * between(0.6f, 1.3f);
+        p.floor = floor;
+        p.seed = m_random.next();
+        add(p);
+    };
+    for (int i = share(8.0 + 8.0 * size); i > 0; --i) puff(ParticleKind::Flame, glm::vec3(1.0f), 4.0f * size, 0.34f * size, 0.8f * size, 0.9f, 0.38f);
+    for (int i = share(6.0 + 7.0 * size); i > 0; --i)
+        puff(ParticleKind::Smoke, glm::vec3(0.10f, 0.092f, 0.085f), 3.4f * size, 0.34f * size, 0.75f, 0.65f, 3.2f);
+    for (int i = share(10.0 + 10.0 * size); i > 0; --i)
+        puff(ParticleKind::Spark, glm::vec3(1.0f, 0.6f, 0.22f), 9.0f * size, 0.014f, 0.0f, 1.0f, 0.7f);
+}
+
+void Particles::addImpact(const Impact& impact, const World& world) {
+    if (!(impact.impulse > kImpactPuff)) return;
+    const double floor = floorBelow(impact.position + glm::dvec3(0, 0.3, 0), world);
+    const double strength = std::min(std::sqrt(impact.impulse / 4000.0), 3.0);
+    for (int i = share(1.0 + 2.0 * strength); i > 0; --i) {
+        glm::vec3 way = anyDirection();
+        way.y = std::abs(way.y) * 0.5f;
+        Particle p{ParticleKind::Dust};
+        p.position = impact.position + glm::dvec3(way) * 0.2;
+        p.velocity = way * float(between(0.8f, 2.4f) * strength);
+        p.color = glm::vec3(0.36f, 0.33f, 0.29f) * between(0.85f, 1.15f);
+        p.radius = float(0.14 + 0.1 * strength);
+        p.growth = between(0.4f, 0.8f);
+        p.opacity = between(0.3f, 0.5f);
+        p.life = between(1.2f, 2.6f);
+        p.floor = floor;
+        p.seed = m_random.next();
+        add(p);
+    }
+}
+
+/// Fires take turns, so that many cost no more than a few and none is left out.
+void Particles::addFires(std::span<const SnapshotFire> fires) {
+    const auto lit = [&](const SnapshotFire& fire, ParticleKind kind) {
+        const glm::vec3 way = anyDirection();
+        Particle p{kind};
+        p.position = fire.position + glm::dvec3(way) * double(fire.radius * 0.8f);
+        p.floor = p.position.y - kSeen;
+        p.seed = m_random.next();
+        return p;
+    };
+    const int count = int(fires.size());
+    const int flames = std::min(kFlamesAStep, (count * 2 + 2) / 3), smokes = std::min(kSmokeAStep, (count + 11) / 12);
+    for (int i = 0; i < flames; ++i) {
+        const SnapshotFire& fire = fires[size_t(m_fireTurn++ % uint32_t(count))];
+        if (m_random.unit() > fire.intensity) continue;
+        Particle p = lit(fire, ParticleKind::Flame);
+        p.velocity = glm::vec3(between(-0.3f, 0.3f), between(0.5f, 1.5f), between(-0.3f, 0.3f));
+        p.color = glm::vec3(1.0f);
+        p.radius = fire.radius * between(0.45f, 0.8f);
+        p.growth = -0.12f;
+        p.opacity = 0.5f + 0.5f * fire.intensity;
+        p.life = between(0.5f, 1.0f);
+        add(p);
+    }
+    for (int i = 0; i < smokes; ++i) {
+        const SnapshotFire& fire = fires[size_t(m_random.below(uint32_t(count)))];
+        if (m_random.unit() > fire.smoke) continue;
+        Particle p = lit(fire, ParticleKind::Smoke);
+        p.position.y += 0.5;
+        p.velocity = glm::vec3(between(-0.2f, 0.2f), between(1.2f, 2.2f), between(-0.2f, 0.2f));
+        p.color = glm::vec3(0.085f, 0.08f, 0.076f) * between(0.7f, 1.6f);
+        p.radius = fire.radius * between(0.6f, 0.9f);
+        p.growth = between(0.35f, 0.6f);
+        p.opacity = between(0.45f, 0.75f);
+        p.life = between(4.5f, 7.5f);
+        add(p);
+    }
+}
+
+}  // namespace rubble

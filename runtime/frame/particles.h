@@ -1,0 +1,69 @@
+#pragma once
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "runtime/core/random.h"
+#include "runtime/frame/frame_snapshot.h"
+#include "runtime/world/world.h"
+
+namespace rubble {
+
+struct ParticleSettings {
+    uint32_t most = 4096;                ///< alive at once; what would be more is not born. 0: no particles, and nothing is paid
+    glm::vec3 wind{0.35f, 0.0f, 0.12f};  ///< m/s, carries dust and smoke
+};
+
+/// What breaking and burning throw into the air: dust, crumbs, sparks, glints of glass, flames, smoke. Made from the journal
+/// of each step and moved by rules of thumb: for eyes only. The World knows nothing of it, so neither does its hash.
+/// Owned by Snapshots. [main-thread]
+class Particles {
+public:
+    explicit Particles(const ParticleSettings& settings) : m_settings(settings) {}
+
+    /// Moves what is there by 1/60 s and adds what the step has thrown up. Costs nothing while nothing is in the air.
+    void step(const FrameChanges& changes, std::span<const Impact> impacts, std::span<const SnapshotFire> fires, const World& world);
+    void clear() { m_alive.clear(); }
+    /// As they are to be drawn.
+    std::vector<SnapshotParticle> snapshot() const;
+    bool empty() const { return m_alive.empty(); }
+
+private:
+    struct Particle {
+        ParticleKind kind;
+        glm::dvec3 position;
+        glm::vec3 velocity;
+        glm::vec3 color;   ///< linear
+        float radius;      ///< metres, at birth
+        float growth;      ///< metres a second
+        float opacity;     ///< at its thickest
+        float age = 0.0f;  ///< seconds
+        float life;        ///< seconds
+        double floor;      ///< height of the ground below it
+        uint32_t seed;
+    };
+    void move(Particle& particle) const;
+
+    // particle_emitters.cpp
+    void addDust(const DustCloud& cloud, const World& world);
+    void addBlast(const Blast& blast, const World& world);
+    void addImpact(const Impact& impact, const World& world);
+    void addFires(std::span<const SnapshotFire> fires);
+    void add(const Particle& particle);
+    double floorBelow(glm::dvec3 position, const World& world);
+    glm::vec3 anyDirection();
+    float between(float low, float high) { return low + (high - low) * m_random.unit(); }
+    /// How much of what an emitter wants fits: falls as the budget fills, so that late events still show.
+    /// Fractions are left to chance: many small events together throw up what one large one does.
+    int share(double wanted);
+
+    ParticleSettings m_settings;
+    std::vector<Particle> m_alive;  ///< oldest first
+    Random m_random{1, 41};
+    glm::dvec3 m_floorAsked{1e30};  ///< where floorBelow() last looked
+    double m_floorFound = 0.0;
+    uint32_t m_fireTurn = 0;
+};
+
+}  // namespace rubble

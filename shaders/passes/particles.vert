@@ -1,0 +1,91 @@
+// A quad that covers a particle, turned to the camera and moved to its near side, with the light that reaches it.
+#include "lib/frame.glsl"
+#include "lib/sky.glsl"
+#include "lib/shadow_trace.glsl"
+
+layout(location = 0) in vec4 place;   // xyz from the render origin, w radius
+layout(location = 1) in vec4 tint;    // rgb linear, a opacity
+layout(location = 2) in vec4 motion;  // xyz velocity, w kind
+layout(location = 3) in vec4 state;   // x age, yzw numbers of its own
+
+uniform vec4 uLightPlace0, uLightPlace1, uLightPlace2, uLightPlace3;  // xyz from the render origin, w reach
+uniform vec3 uLightColor0, uLightColor1, uLightColor2, uLightColor3;
+
+out vec2 corner;           // in radii
+out vec4 noisePlaces;      // where the two layers of noise are read
+out vec3 sunLight;         // irradiance / pi from the sun, if it shines here
+out vec3 airLight;         // mean radiance from all around
+flat out vec4 particle;    // xyz centre, w radius
+flat out vec4 tintOut;
+flat out vec4 stateOut;
+flat out vec4 air;         // rgb the haze's own light, a its share
+flat out vec3 depths;      // of the centre; how near the eye (0 = in it); light through thin parts
+flat out int kind;
+
+const int kSpark = 3;
+
+vec3 fromLight(vec4 lightPlace, vec3 color, vec3 here) {
+    vec3 away = lightPlace.xyz - here;
+    float d2 = dot(away, away), ratio = d2 / (lightPlace.w * lightPlace.w);
+    float window = clamp(1.0 - ratio * ratio, 0.0, 1.0);
+    return color * (window * window / (max(d2, 0.16) * 12.566));
+}
+
+/// Quads meet the shadow where their corners are, so a puff may stand half in the sun. A corner inside something asks its centre.
+float sunAt(vec3 here, vec3 center) {
+    float t;
+    if (frame.sunDirection.y <= 0.0) return 0.0;
+    if (!shadowTrace(here, frame.sunDirection.xyz, 40.0, t)) return 1.0;
+    return t <= 0.0 && !shadowTrace(center, frame.sunDirection.xyz, 40.0, t) ? 1.0 : 0.0;
+}
+
+void main() {
+    const vec2 kCorners[6] = vec2[6](vec2(-1, -1), vec2(1, -1), vec2(1, 1), vec2(-1, -1), vec2(1, 1), vec2(-1, 1));
+    kind = int(motion.w + 0.5);
+    corner = kCorners[gl_VertexID];
+    particle = place;
+    tintOut = tint;
+    stateOut = state;
+    vec3 right = frame.cameraRight.xyz, up = frame.cameraUp.xyz;
+    vec3 toEye = normalize(frame.cameraPosition.xyz - place.xyz);
+    float depth = dot(place.xyz - frame.cameraPosition.xyz, frame.cameraForward.xyz);
+    // Never thinner than a pixel: what would be, gets fainter instead.
+    float pixelMetres = frame.cameraUp.w * frame.targetSize.w * max(depth, 0.1);
+    float radius = place.w, solidity = 1.0;
+    if (kind >= kSpark) {
+        solidity = min(1.0, radius * radius / (pixelMetres * pixelMetres) * 1.5);
+        radius = max(radius, pixelMetres);
+        tintOut.a *= max(solidity, 0.25);
+    }
+    particle.w = radius;
+    float extent = kind == 4 || kind == 5 ? 1.75 : 1.1;
+    vec3 offset = (right * corner.x + up * corner.y) * (radius * extent);
+    if (kind == kSpark) {
+        // A streak as long as a spark flies in a hundredth of a second or so.
+        vec3 streak = motion.xyz * 0.014;
+        vec3 side = normalize(cross(streak + vec3(1e-4, 0, 0), toEye));
+        offset = side * (corner.x * radius) + streak * (corner.y * 0.5) + normalize(streak + vec3(0, 1e-4, 0)) * (corner.y * radius);
+    }
+    if (kind == 2) offset = right * (corner.x * radius * 1.1) + vec3(0, 1, 0) * (corner.y * radius * 1.55);
+    corner *= extent;
+    float turn = (state.y + (state.z - 0.5) * 0.35 * state.x) * 6.2831853;
+    vec2 turned = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * corner * 0.22;
+    noisePlaces = vec4(turned + state.zw * 7.0, turned * 2.3 - state.zw * 7.0 + vec2(0.05, 0.09) * state.x);
+    if (kind == 2)
+        noisePlaces = vec4(corner * vec2(0.30, 0.20) + state.zw * 5.0 - vec2(0.0, state.x * 0.55), corner * vec2(0.62, 0.36) - state.zw * 5.0 - vec2(0.0, state.x * 0.9));
+    float range = length(place.xyz - frame.cameraPosition.xyz);
+    float towardSun = max(-dot(toEye, frame.sunDirection.xyz), 0.0);
+    air = vec4(hazeRadiance(-toEye), hazeAmount(range));
+    depths = vec3(depth, smoothstep(0.2, 1.2, depth), towardSun * towardSun * towardSun * 1.6);
+    vec3 near = place.xyz + offset + toEye * min(radius * (kind >= kSpark ? 0.0 : 1.0), max(depth - 0.1, 0.0));
+    gl_Position = frame.viewProjection * vec4(near, 1.0);
+    vec3 lit = place.xyz + offset * 0.45;
+    sunLight = airLight = vec3(0.0);
+    if (kind == kSpark || kind == 2) return;
+    sunLight = frame.sunColor.rgb * (sunAt(lit, place.xyz) / 3.14159265);
+    float t;
+    bool roof = shadowTrace(place.xyz, vec3(0.0, 1.0, 0.0), 12.0, t);
+    airLight = mix(skyRadiance(vec3(0, 1, 0)), frame.groundColor.rgb + frame.sunColor.rgb * 0.05, 0.4) * (roof ? 0.25 : 0.9);
+    airLight += fromLight(uLightPlace0, uLightColor0, lit) + fromLight(uLightPlace1, uLightColor1, lit) + fromLight(uLightPlace2, uLightColor2, lit) +
+                fromLight(uLightPlace3, uLightColor3, lit);
+}
