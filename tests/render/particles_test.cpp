@@ -33,6 +33,7 @@ class ParticlesTest : public GlTest {
 protected:
     void SetUp() override {
         GlTest::SetUp();
+        target = std::make_unique<Offscreen>(kSize);
         RenderSettings settings;
         settings.temporal = false;
         auto made = Renderer::create(testContext().loader(), shaderFolder(), settings);
@@ -53,10 +54,10 @@ protected:
         renderer->apply(std::move(snapshot));
         Camera camera;
         camera.position = {0, 0, 0};
-        View view = camera.view(kSize, target.framebuffer());
+        View view = camera.view(kSize, target->framebuffer());
         view.cut = true;  // the same noise in every picture
         renderer->draw(view, 1.0f);
-        return target.readRgb();
+        return target->readRgb();
     }
     bool passRan() const {
         for (const auto& [name, ms] : renderer->figures().passMs)
@@ -72,7 +73,7 @@ protected:
         return pixels;
     }
     std::unique_ptr<Renderer> renderer;
-    Offscreen target{kSize};
+    std::unique_ptr<Offscreen> target;
 };
 
 TEST_F(ParticlesTest, CostNothingUntilThereAreSome) {
