@@ -60,10 +60,15 @@ struct Run {
     uint64_t stillLoose = 0;
 };
 
+template <class Settings>
+void setParts(Settings& settings, size_t parts) {
+    if constexpr (requires { settings.split.partsAStep; }) settings.split.partsAStep = parts;
+}
+
 Run cutUp(int size, size_t partsAStep, int cuts, uint64_t seed) {
     World world;
     WorldSettings settings;
-    settings.split.partsAStep = partsAStep;
+    setParts(settings, partsAStep);
     world.setSettings(settings);
     world.load(holedBlock(size));
     world.applyEdits({});

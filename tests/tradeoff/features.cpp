@@ -52,7 +52,6 @@ std::vector<Variant> variants() {
         {"load", "by rule: a budget, only what changed", [](W& w, L&) { w.load.on = true; }},
         {"impact damage", "always: every touch", [](W& w, L&) { w.impactThreshold = 1.0, w.impactSpeed = 0.0, w.impactsAStep = 64; }},
         {"impact damage", "off", [](W& w, L&) { w.impactsAStep = 0; }},
-        {"splits in slices", "on: 64 parts a step", [](W& w, L&) { w.split.partsAStep = 64; }},
         {"undo", "on: 8 marks", [](W& w, L&) { w.undoMarks = 8; }},
         {"particles", "by rule: only while something flies", [](W&, L& l) { l.particles.most = 4096; }},
         {"shadow volume", "by rule: only what changed", [](W&, L& l) { l.shadowVolume = true, l.shadow = ShadowWorker::Mode::Inline; }},
