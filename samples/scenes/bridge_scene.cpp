@@ -134,6 +134,7 @@ Pose bridgeCamera(double seconds) {
 Scene bridgeScene() {
     Scene scene{"bridge", "a bridge that loses a pillar", bridgeLevel, bridgeScript, bridgeCamera};
     scene.steps = 420;
+    scene.settings.load.on = true;
     return scene;
 }
 

@@ -190,6 +190,7 @@ Scene towerScene() {
     Scene scene{"tower", "a tower of nine storeys, felled at its foot", towerLevel, towerScript, towerCamera};
     scene.verticalFov = 0.78f;
     scene.steps = 540;
+    scene.settings.load.on = true;
     return scene;
 }
 

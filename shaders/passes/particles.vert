@@ -63,8 +63,8 @@ void main() {
     if (kind == kSpark) {
         // A streak as long as a spark flies in a hundredth of a second or so.
         vec3 streak = motion.xyz * 0.014;
-        vec3 side = normalize(cross(streak + vec3(1e-4, 0, 0), toEye));
-        offset = side * (corner.x * radius) + streak * (corner.y * 0.5) + normalize(streak + vec3(0, 1e-4, 0)) * (corner.y * radius);
+        vec3 along = normalize(streak + vec3(0, 1e-4, 0)), side = normalize(cross(along, toEye) + vec3(1e-5));
+        offset = side * (corner.x * radius) + streak * (corner.y * 0.5) + along * (corner.y * radius);
     }
     if (kind == 2) offset = right * (corner.x * radius * 1.1) + vec3(0, 1, 0) * (corner.y * radius * 1.55);
     corner *= extent;
