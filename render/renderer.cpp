@@ -21,8 +21,8 @@
 #include "render/passes/sun_pass.h"
 #include "render/passes/taa_pass.h"
 #include "render/passes/tonemap_pass.h"
-#include "runtime/core/blue_noise.h"
 #include "render/scene/scene.h"
+#include "runtime/core/blue_noise.h"
 
 namespace rubble {
 namespace {
