@@ -67,14 +67,16 @@ void PhysicsWorld::Impl::report() {
 PhysicsWorld::PhysicsWorld(const PhysicsSettings& settings) : m_impl(std::make_unique<Impl>(settings)) {}
 PhysicsWorld::~PhysicsWorld() = default;
 
-void PhysicsWorld::apply(const FrameChanges& changes, const World& world) {
+void PhysicsWorld::apply(const FrameChanges& changes, const World& world, bool anew) {
+    anew = anew || changes.levelReplaced;
+    if (anew) m_impl = std::make_unique<Impl>(PhysicsSettings(m_impl->settings));  // not cleared: Bullet's pools and trees remember
     Impl& impl = *m_impl;
     impl.awakeDebrisLimit = 0;  // what World says is awake comes first; the others wait for the step
-    if (changes.levelReplaced)
+    if (anew)
         impl.loadAll(world);
     else
         impl.setGravity(world);
-    if (!changes.levelReplaced && !changes.empty()) {
+    if (!anew && !changes.empty()) {
         impl.forget(changes);
         impl.refreshStatic(changes, world);
         impl.refreshDynamic(changes, world);

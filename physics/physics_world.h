@@ -34,7 +34,8 @@ public:
 
     /// Creates, destroys and re-shapes bodies as the journal says, then applies its impulses. Colliders are rebuilt off
     /// to the side and swapped; a piece starts with its parent's motion (v + w x r, w), which World has already set.
-    void apply(const FrameChanges& changes, const World& world);
+    /// anew: everything is made from the World in slot order, as after levelReplaced: nothing of the past counts any more.
+    void apply(const FrameChanges& changes, const World& world, bool anew = false);
     /// 1/60 s.
     void step();
     /// Bodies that moved, fell asleep or woke in the last step, in slot order; valid until the next step().

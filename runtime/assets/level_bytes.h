@@ -21,8 +21,4 @@ void appendBrick(std::vector<uint8_t>& out, glm::ivec3 position, const Brick& br
 /// Puts the next brick into the grid; refuses what lies outside it, comes twice or is empty.
 void readBrick(ByteReader& in, VoxelGrid& grid);
 
-/// The colours of a paint layer: how many, then three bytes each.
-std::vector<uint8_t> paintColorsToBytes(const PaintColors& colors);
-PaintColorsRef paintColorsFromBytes(ByteReader& in);
-
 }  // namespace rubble

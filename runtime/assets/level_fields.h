@@ -15,7 +15,7 @@ namespace rubble {
 template <class T, class Named>
 concept Is = std::same_as<std::remove_const_t<T>, Named>;
 
-inline constexpr std::array<const char*, 2> kLightKindNames = {"sphere", "cone"};
+inline constexpr std::array<const char*, 4> kLightKindNames = {"sphere", "cone", "capsule", "area"};
 inline constexpr std::array<const char*, 5> kHardnessNames = {"soft", "medium", "hard", "unbreakable", "unphysical"};
 inline std::span<const char* const> enumNames(LightKind) {
     return kLightKindNames;
@@ -77,6 +77,8 @@ void fields(A& a, Is<LevelShape> auto& shape) {
     a("tags", shape.tags);
     a("hidden", shape.hidden);
     a("paint_colors", shape.paintColors);
+    a("strength", shape.strength);
+    a("bears_load", shape.bearsLoad);
 }
 template <class A>
 void fields(A& a, Is<LevelBody> auto& body) {
@@ -109,6 +111,12 @@ void fields(A& a, Is<LightGroup> auto& group) {
     a("initial_voxels", group.initialVoxels);
     a("removed_voxels", group.removedVoxels);
     a("out", group.out);
+    a("supply_shape", group.supplyShape);
+    a("supply_cell", group.supplyCell);
+    a("flicker_steps", group.flickerSteps);
+    a("dying_since", group.dyingSince);
+    a("dark", group.dark);
+    if constexpr (requires { A::kIsBinary; }) a("supply", group.supply);
 }
 template <class A>
 void fields(A& a, Is<Environment> auto& environment) {
@@ -135,6 +143,7 @@ void fields(A& a, Is<Level> auto& level) {
     a("materials", level.materials.materials);
     a("environment", level.environment);
     a("light_groups", level.lightGroups);
+    a("auto_light_groups", level.autoLightGroups);
     a("lights", level.lights);
     a("locations", level.locations);
     a("bodies", level.bodies);

@@ -13,7 +13,18 @@ namespace rubble {
 template <class Handle, class T>
 class SlotMap {
 public:
+    struct Slot {
+        std::optional<T> value;
+        uint32_t generation = 1;  ///< of the value; of an empty slot: of its next one
+        uint32_t newest = 1;      ///< no later value gets a generation below: an old handle never names a new object
+    };
+
     explicit SlotMap(uint8_t world = 0) : m_world(world) {}
+    /// From what slots() and freeSlots() of another gave.
+    SlotMap(uint8_t world, std::vector<Slot> slots, const std::vector<uint32_t>& free) : m_slots(std::move(slots)), m_world(world) {
+        for (const Slot& slot : m_slots) m_size += slot.value.has_value();
+        setFreeSlots(free);
+    }
 
     Handle insert(T value) {
         uint32_t slot;
@@ -99,6 +110,7 @@ public:
             if (m_slots[i].value) f(Handle::make(m_world, m_slots[i].generation, i), *m_slots[i].value);
     }
 
+    const std::vector<Slot>& slots() const { return m_slots; }
     /// The order in which freed slots are used again, the last first.
     const std::vector<uint32_t>& freeSlots() const { return m_free; }
     /// Makes these slots the next to be used, the last of them first; the other empty ones follow from the lowest on.
@@ -119,11 +131,6 @@ public:
     size_t slotCount() const { return m_slots.size(); }
 
 private:
-    struct Slot {
-        std::optional<T> value;
-        uint32_t generation = 1;  ///< of the value; of an empty slot: of its next one
-        uint32_t newest = 1;      ///< no later value gets a generation below: an old handle never names a new object
-    };
     std::vector<Slot> m_slots;
     std::vector<uint32_t> m_free;
     size_t m_size = 0;

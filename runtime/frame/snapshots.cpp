@@ -173,7 +173,7 @@ void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose>
     world.lights().forEach([&](LightHandle, const Light& light) {
         if (const Shape* shape = world.shapes().find(light.shape)) m_lightBodies.push_back(shape->body);
         const LightGroup* group = world.lightGroups().find(light.group);
-        if (!light.enabled || (group && group->out)) return;
+        if (!light.enabled || (group && (group->out || group->dark))) return;
         const Pose pose = world.lightToWorld(light);
         const glm::vec3 direction(pose.rotation * glm::dvec3(0.0, 0.0, -1.0));
         out.lights.push_back({light.kind, pose.position, direction, light.color, light.radius, light.reach, light.coneInner, light.coneOuter});

@@ -1,6 +1,9 @@
 #include "runtime/plugin/frame_loop.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "runtime/core/log.h"
 
 namespace rubble {
 
@@ -15,27 +18,72 @@ FrameLoop::FrameLoop(const FrameLoopSettings& settings)
 
 void FrameLoop::load(const Level& level) {
     m_edits.take();
+    m_pending.clear();
+    if (const Result<Done> stopped = stopRecording(); !stopped) logError(stopped.error());
     m_world.load(level);
 }
 
+void FrameLoop::load(SavedGame game) {
+    m_edits.take();
+    if (const Result<Done> stopped = stopRecording(); !stopped) logError(stopped.error());
+    m_world.setState(std::move(game.world));
+    m_pending = std::move(game.pending);
+}
+
+SavedGame FrameLoop::save() {
+    const Edits waiting = m_edits.take();
+    m_pending.insert(m_pending.end(), waiting.begin(), waiting.end());
+    m_isSaved = true;
+    m_world.resetCaches();
+    return {m_world.state(), m_pending};
+}
+
+Result<Done> FrameLoop::startRecording(const std::string& path) {
+    if (Result<Done> stopped = stopRecording(); !stopped) return stopped;
+    Result<RecordingWriter> writer = RecordingWriter::open(path, save());
+    if (!writer) return Error{writer.error()};
+    m_recorder = std::make_unique<Recorder>(std::move(*writer), m_world);
+    return Done{};
+}
+
+Result<Done> FrameLoop::stopRecording() {
+    if (!m_recorder) return Done{};
+    const std::unique_ptr<Recorder> recorder = std::move(m_recorder);
+    return recorder->close();
+}
+
 void FrameLoop::step() {
+    stepWith(m_edits.take());
+}
+
+void FrameLoop::replay(const RecordedStep& step) {
+    m_isSaved = step.savedBefore;
+    if (m_isSaved) m_world.resetCaches();
+    stepWith(step.edits);
+}
+
+void FrameLoop::stepWith(Edits hostEdits) {
     std::fill_n(m_times.ms.begin(), size_t(Stage::Apply), 0.0);  // the stages after that are the render thread's
     {
         const ScopedTimer timer(m_times[Stage::ApplyEdits]);
-        m_changes = m_world.applyEdits(m_edits.take());
+        Edits edits = std::exchange(m_pending, {});
+        edits.insert(edits.end(), hostEdits.begin(), hostEdits.end());
+        m_changes = m_world.applyEdits(edits);
+        if (m_recorder) m_recorder->edited(hostEdits, m_changes, m_world, m_isSaved);
     }
     {
         const ScopedTimer timer(m_times[Stage::Physics]);
-        m_physics.apply(m_changes, m_world);
+        m_physics.apply(m_changes, m_world, std::exchange(m_isSaved, false));
         m_physics.step();
     }
     {
         const ScopedTimer timer(m_times[Stage::Poses]);
         m_world.setPoses(m_physics.poses());
+        if (m_recorder) m_recorder->moved(m_physics.poses(), m_world);
     }
     {
         const ScopedTimer timer(m_times[Stage::Impacts]);
-        m_edits.push(m_world.damageFrom(m_physics.impacts()));  // lands next step: no stage runs twice
+        m_pending = m_world.damageFrom(m_physics.impacts());  // lands next step: no stage runs twice
     }
     {
         const ScopedTimer timer(m_times[Stage::Shadow]);

@@ -6,6 +6,7 @@
 #include "render/renderer.h"
 #include "runtime/core/profile.h"
 #include "runtime/frame/snapshots.h"
+#include "runtime/plugin/recorder.h"
 #include "runtime/shadow/shadow_worker.h"
 #include "runtime/world/world.h"
 
@@ -27,6 +28,18 @@ public:
     explicit FrameLoop(const FrameLoopSettings& settings = {});
 
     void load(const Level& level);
+    /// Continues what was saved.
+    void load(SavedGame game);
+    /// The game as it is now. Saving is an event: the next step makes physics anew from the World, as loading will, so that
+    /// going on and loading are the same. The queue of edits is part of it.
+    SavedGame save();
+    /// Records every step from here on; it begins with a save. An error if the file cannot be written.
+    Result<Done> startRecording(const std::string& path);
+    /// Names the file. Nothing is wrong if nothing is recorded.
+    Result<Done> stopRecording();
+    bool isRecording() const { return m_recorder != nullptr; }
+    /// A step of a recording again, from its edits: World and physics must be where they were, else the hashes differ.
+    void replay(const RecordedStep& step);
     /// [main-thread] Exactly 1/60 s; the host or its clock decides how many.
     void step();
     /// [render-thread] alpha: how far between the last two steps.
@@ -43,6 +56,7 @@ public:
     uint64_t shadowAge() const { return m_shadowAge; }
 
 private:
+    void stepWith(Edits hostEdits);
     void publish();
     /// The poses that physics has just handed over, and those of bodies that the journal put somewhere.
     std::span<const BodyPose> moved();
@@ -52,6 +66,9 @@ private:
     std::unique_ptr<ShadowWorker> m_shadow;
     Snapshots m_snapshots;
     EditQueue m_edits;
+    Edits m_pending;  ///< of the last step's impacts, and what waited when the game was saved: before the host's
+    bool m_isSaved = false;
+    std::unique_ptr<Recorder> m_recorder;
     FrameChanges m_changes;
     std::vector<BodyPose> m_moved;
     StageTimes m_times;

@@ -30,6 +30,7 @@ std::vector<Material> makeDefaults() {
         {"generic",      Medium,      1000,  2e6f,   10e6f,    2e6f,   0.60f, 0.10f, 1000,  0,     0,    "chunk",    false, false, true, true},
         {"unphysical",   Unphysical,     0,  0,      0,        0,      0,     0,     0,     0,     0,    "none",     false, false, false, false},
         {"snow",         Soft,         200,  0.01e6f,0.05e6f,  0.01e6f,0.30f, 0.00f, 2090,  0,     0,    "crumble",  true, true, true, true},
+        {"wire",         Soft,        8900,  220e6f, 220e6f,   125e6f, 0.45f, 0.10f, 385,   0,     0,    "tear",     true, true, true, true},
     };
     // clang-format on
 }

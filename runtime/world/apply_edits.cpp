@@ -17,7 +17,7 @@ FrameChanges World::applyEdits(const Edits& edits) {
         m_undo.emplace_back(*this);
     const bool goesBack = runHistory(edits, changes);
     if (goesBack) listLoads();
-    if (!edits.empty() || debrisWaits() || m_fire.isActive() || (m_load && m_load->isBusy())) EditStep(*this, changes).run(edits);
+    if (!edits.empty() || debrisWaits() || m_dyingGroups || m_fire.isActive() || (m_load && m_load->isBusy())) EditStep(*this, changes).run(edits);
     for (UndoHistory& undo : m_undo) undo.note(*this, changes, goesBack);
     return changes;
 }

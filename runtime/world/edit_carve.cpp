@@ -46,6 +46,7 @@ void EditStep::countRemoved(ShapeHandle handle, const std::array<uint64_t, 256>&
         m_changes.removed.push_back({handle, uint8_t(i), entry.material, {entry.red, entry.green, entry.blue}, removed[i]});
         m_changes.dust.push_back({place.position, place.radius, place.velocity, {entry.red, entry.green, entry.blue}, entry.material, removed[i]});
         m_world.m_removed += removed[i];
+        if (entry.material && entry.material == m_world.m_wire) m_cutWires.insert(handle.slot());
         if (entry.lightGroup && entry.lightGroup <= m_groupRemoved.size()) m_groupRemoved[entry.lightGroup - 1] += removed[i];
     }
 }

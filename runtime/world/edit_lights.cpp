@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <limits>
+#include <utility>
 
+#include "runtime/core/random.h"
 #include "runtime/world/edit_step.h"
 
 namespace rubble {
@@ -67,14 +69,44 @@ void EditStep::putOutLightsOf(ShapeHandle shape) {
 
 void EditStep::updateLightGroups() {
     m_world.m_groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
-        const uint64_t removed = m_groupRemoved[handle.slot()];
-        if (removed == 0) return;
+        const uint64_t removed = handle.slot() < m_groupRemoved.size() ? m_groupRemoved[handle.slot()] : 0;
         group.removedVoxels += removed;
-        m_changes.groups.push_back(handle);
-        if (group.out || double(group.removedVoxels) < double(group.threshold) * double(group.initialVoxels)) return;
-        group.out = true;
-        m_changes.groupsOut.push_back(handle);
-        darkenGroup(handle);
+        if (removed) m_changes.groups.push_back(handle);
+        if (group.out) return;
+        const bool isBroken = removed && double(group.removedVoxels) >= double(group.threshold) * double(group.initialVoxels);
+        if (!group.dyingSince && (isBroken || isCutOff(handle, group))) {
+            group.dyingSince = m_changes.step;
+            ++m_world.m_dyingGroups;
+        }
+        if (group.dyingSince && m_changes.step >= group.dyingSince + group.flickerSteps)
+            putOut(handle, group);
+        else if (group.dyingSince)
+            flicker(handle, group);
+    });
+}
+
+/// Looks only if the supply's shape has lost wire or a piece in this step.
+bool EditStep::isCutOff(LightGroupHandle handle, const LightGroup& group) const {
+    return group.supply && m_cutWires.contains(group.supply.slot()) && !m_world.isSupplied(handle, group);
+}
+
+void EditStep::putOut(LightGroupHandle handle, LightGroup& group) {
+    --m_world.m_dyingGroups;
+    group.dyingSince = 0;
+    group.dark = false;
+    group.out = true;
+    m_changes.groups.push_back(handle);
+    m_changes.groupsOut.push_back(handle);
+    darkenGroup(handle);
+}
+
+void EditStep::flicker(LightGroupHandle handle, LightGroup& group) {
+    constexpr uint64_t kSteps = 3;  ///< that a state lasts
+    const bool isDark = hashCell(int(handle.slot()), int(m_changes.step / kSteps), 0) & 1;
+    m_changes.groups.push_back(handle);
+    if (std::exchange(group.dark, isDark) == isDark) return;
+    m_world.m_lights.forEach([&](LightHandle light, const Light& each) {
+        if (each.group == handle) m_changes.lights.push_back(light);
     });
 }
 

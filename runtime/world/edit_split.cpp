@@ -60,7 +60,10 @@ void EditStep::splitShape(Touched& touched) {
             shape->moments -= componentMoments(shape->grid, rest, densities);
             dropPiece(parent, rest);
         }
-    if (!split.children.empty()) moveLights(split);
+    if (!split.children.empty()) {
+        m_cutWires.insert(parent.slot());
+        moveLights(split);
+    }
     if (shape->grid.empty())
         destroyShape(parent);
     else if (loose.isAdrift && shape->moments.weight > 0)

@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <set>
 #include <variant>
 #include <vector>
 
@@ -83,6 +84,9 @@ private:
     void moveLights(const ShapeSplit& split);
     void putOutLightsOf(ShapeHandle shape);
     void updateLightGroups();
+    bool isCutOff(LightGroupHandle handle, const LightGroup& group) const;
+    void putOut(LightGroupHandle handle, LightGroup& group);
+    void flicker(LightGroupHandle handle, LightGroup& group);
     void darkenGroup(LightGroupHandle group);
 
     // edit_fire.cpp
@@ -121,6 +125,7 @@ private:
     std::map<uint32_t, Touched> m_touched;  ///< by slot
     std::map<uint32_t, Motion> m_motions;   ///< by slot
     std::vector<Push> m_pushes;             ///< wait until the pieces exist
+    std::set<uint32_t> m_cutWires;          ///< slots of shapes that lost wire, or pieces
     std::vector<uint64_t> m_groupRemoved;   ///< voxels, by slot of the group
     std::vector<Deposit> m_deposits;        ///< heat on its way, for the end of the fires' turn
     std::vector<HeatDeposit> m_near;

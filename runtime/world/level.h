@@ -23,8 +23,8 @@ struct LevelShape {
     std::vector<std::string> tags;
     bool hidden = false;
     PaintColorsRef paintColors;  ///< null: no voxel has a paint layer
-    float strength = 1.0f;  ///< multiple of its materials' strengths
-    bool bearsLoad = true;  ///< false: it never breaks under its load
+    float strength = 1.0f;       ///< multiple of its materials' strengths
+    bool bearsLoad = true;       ///< false: it never breaks under its load
 };
 
 struct LevelBody {
@@ -51,6 +51,7 @@ struct Level {
     std::vector<LevelBody> bodies;
     std::vector<LevelLight> lights;
     std::vector<LightGroup> lightGroups;
+    uint32_t autoLightGroups = 0;  ///< at most this many groups are made from glowing voxels that have none; see fitLights()
     Environment environment;
     std::vector<std::pair<std::string, Pose>> locations;  ///< named places: spawn points, cameras
 };

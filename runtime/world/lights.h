@@ -9,7 +9,8 @@
 
 namespace rubble {
 
-enum class LightKind : uint8_t { Sphere, Cone };
+/// Capsule and Area are data that fitting leaves (see LightFit); they are drawn as spheres of their radius.
+enum class LightKind : uint8_t { Sphere, Cone, Capsule, Area };
 
 /// A light that rides on a shape. Its cone looks along -z of `local`.
 struct Light {
@@ -26,13 +27,20 @@ struct Light {
     bool enabled = true;
 };
 
-/// Emissive voxels that live and die together with their lights. Voxels belong to a group by their palette entry.
+/// Emissive voxels that live and die together with their lights. Voxels belong to a group by their palette entry. A group
+/// with a supply also dies when no path of wire (voxels of the material "wire") leads from there to one of its voxels.
 struct LightGroup {
     std::string name;
     float threshold = 0.4f;  ///< share of its voxels that must be destroyed to put it out
     uint64_t initialVoxels = 0;
     uint64_t removedVoxels = 0;
     bool out = false;
+    std::string supplyShape;    ///< "" = needs none
+    glm::ivec3 supplyCell{0};   ///< of that shape: where the wire begins
+    uint32_t flickerSteps = 0;  ///< how long it flickers before it is out
+    uint64_t dyingSince = 0;    ///< step; 0: it is not
+    bool dark = false;          ///< in this moment of its flickering
+    ShapeHandle supply;         ///< a World's handle of supplyShape; empty: needs none, or was never connected
 };
 
 /// Sky, sun, air and camera exposure of a level.

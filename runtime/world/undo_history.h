@@ -8,8 +8,8 @@
 namespace rubble {
 
 /// Exact undo and redo. Marks divide time; each keeps what was touched after it as it was at the mark, so undo costs what
-/// changed. It takes back everything since the mark, what physics moved too: the World has the hash that it had there, but
-/// for the number of the step, which goes on. Redo brings back the moment of the undo, unless something changed since.
+/// changed. It takes back everything since the mark, what physics moved too: the World has the resolvedHash() that it had
+/// there. Redo brings back the moment of the undo, unless something changed since.
 class UndoHistory {
 public:
     explicit UndoHistory(const World& world);

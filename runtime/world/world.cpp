@@ -6,7 +6,10 @@
 #include <unordered_map>
 
 #include "runtime/core/hash.h"
+#include "runtime/core/log.h"
+#include "runtime/destruction/wire.h"
 #include "runtime/voxel/ray_walk.h"
+#include "runtime/world/fit_lights.h"
 #include "runtime/world/undo_history.h"
 
 namespace rubble {
@@ -73,14 +76,22 @@ void World::clear() {
     m_debris.clear();
     m_revived.clear();
     m_step = m_imported = m_removed = 0;
+    m_dyingGroups = 0;
     m_undo.clear();
     m_levelReplaced = true;
 }
 
 void World::load(const Level& level) {
+    if (level.autoLightGroups) {
+        Level fitted = level;
+        fitLights(fitted);
+        fitted.autoLightGroups = 0;
+        return load(fitted);
+    }
     clear();
     m_name = level.name;
     m_materials = level.materials;
+    m_wire = m_materials.find("wire");
     m_locations = level.locations;
     setEnvironment(level.environment);
     for (const LightGroup& group : level.lightGroups) m_groups.insert(group);
@@ -109,6 +120,11 @@ void World::load(const Level& level) {
         }
     }
     countGroupVoxels();
+    m_groups.forEach([&](LightGroupHandle, LightGroup& group) {
+        const auto shape = byName.find(group.supplyShape);
+        group.supply = group.supplyShape.empty() || shape == byName.end() ? ShapeHandle{} : shape->second;
+    });
+    connectSupplies();
     for (const LevelLight& source : level.lights) {
         Light light = source.light;
         const auto shape = byName.find(source.shapeName);
@@ -119,6 +135,27 @@ void World::load(const Level& level) {
         m_lights.insert(std::move(light));
     }
     listLoads();
+}
+
+/// A supply that leads nowhere from the start is none.
+void World::connectSupplies() {
+    m_groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
+        if (!group.supply && group.supplyShape.empty()) return;
+        if (!group.out && isSupplied(handle, group)) return;
+        if (!group.out) logWarning("light group '" + group.name + "': no wire leads from its supply to its voxels: it needs none");
+        group.supply = {};
+    });
+}
+
+bool World::isSupplied(LightGroupHandle handle, const LightGroup& group) const {
+    const Shape* shape = m_shapes.find(group.supply);
+    if (!shape) return false;
+    EntrySet wire{}, goal{};
+    for (size_t i = 1; i < 256; ++i) {
+        wire[i] = m_wire && (*shape->palette)[i].material == m_wire;
+        goal[i] = (*shape->palette)[i].lightGroup == handle.slot() + 1;
+    }
+    return wireReaches(shape->grid, group.supplyCell, wire, goal);
 }
 
 void World::countGroupVoxels() {
@@ -303,7 +340,9 @@ Ledger World::ledger() const {
 }
 
 uint64_t World::hash() const {
-    return hashValue(m_step, hashWithoutStep());
+    uint64_t hash = hashValue(m_step, resolvedHash());
+    if (m_fire.isActive()) hash = hashValue(m_fire.hash(), hash);
+    return m_load ? hashValue(m_load->hash(), hash) : hash;
 }
 
 uint64_t World::voxelHash() const {
@@ -318,7 +357,7 @@ uint64_t World::voxelHash() const {
     return hasher.state;
 }
 
-uint64_t World::hashWithoutStep() const {
+uint64_t World::resolvedHash() const {
     Hasher hasher;
     m_bodies.forEach([&](BodyHandle handle, const Body& body) {
         hasher.add(handle.slot());
@@ -352,9 +391,8 @@ uint64_t World::hashWithoutStep() const {
     m_groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
         hasher.add(handle.slot());
         hasher.add(group.removedVoxels << 1 | uint64_t(group.out));
+        hasher.add(group.dyingSince << 1 | uint64_t(group.dark));
     });
-    if (m_load) hasher.add(m_load->hash());
-    if (m_fire.isActive()) hasher.add(m_fire.hash());
     return hasher.state;
 }
 

@@ -120,6 +120,13 @@ public:
     void setState(WorldState state);
     /// Puts these objects in their slots, journals it and returns what was there.
     WorldDelta exchange(WorldDelta target, FrameChanges& changes);
+    /// A step whose outcome is known, instead of applyEdits(): nothing is decided here. Null: nothing happened in it.
+    FrameChanges applyDelta(std::optional<WorldDelta> delta);
+
+    uint8_t id() const { return m_id; }
+    /// Voxels that the level brought, and those that are gone.
+    uint64_t imported() const { return m_imported; }
+    uint64_t removed() const { return m_removed; }
 
     const WorldSettings& settings() const { return m_settings; }
     void setSettings(const WorldSettings& settings);
@@ -165,7 +172,9 @@ public:
     /// Of everything that matters to what happens next: voxels, palettes, bodies, velocities, lights, groups, heat, in slot order.
     /// The number of the world and the generations of its slots do not matter to that.
     uint64_t hash() const;
-    uint64_t hashWithoutStep() const;
+    /// The same without the number of the step, heat, and analyses that go on over steps: what a recording's outcome
+    /// comes to, and what an undo goes back to.
+    uint64_t resolvedHash() const;
     /// Of voxels, palettes and light groups alone: the same on every machine.
     uint64_t voxelHash() const;
 
@@ -182,6 +191,9 @@ private:
     bool debrisWaits() const;
     /// Begins the load analysis of every standing shape anew, or ends it if it is off.
     void listLoads();
+    /// Whether wire leads from the group's supply to a voxel of it.
+    bool isSupplied(LightGroupHandle handle, const LightGroup& group) const;
+    void connectSupplies();
     /// Fills in initialVoxels of groups that do not bring it.
     void countGroupVoxels();
 
@@ -200,6 +212,8 @@ private:
     Environment m_environment;
     WorldSettings m_settings;
     std::vector<std::pair<std::string, Pose>> m_locations;
+    uint8_t m_wire = 0;          ///< the material of wire; 0: none
+    uint32_t m_dyingGroups = 0;  ///< that flicker
     uint64_t m_imported = 0, m_removed = 0;
     std::vector<UndoHistory> m_undo;  ///< one, or none if nothing is to be remembered
     std::optional<WorldLoad> m_load;  ///< none: LoadSettings are off

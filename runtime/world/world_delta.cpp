@@ -57,6 +57,8 @@ WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
     WorldDelta before;
     before.imported = std::exchange(m_imported, target.imported);
     before.removed = std::exchange(m_removed, target.removed);
+    before.fire = std::exchange(m_fire, std::move(target.fire));
+    changes.firesChanged = before.fire.isActive() || m_fire.isActive();
     before.freeBodies = m_bodies.freeSlots();
     before.freeShapes = m_shapes.freeSlots();
     before.bodies = exchangeSlots(m_bodies, std::move(target.bodies));
@@ -90,9 +92,19 @@ WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
         const LightGroupHandle is = m_groups.handleAt(slot);
         if (!is) continue;
         changes.groups.push_back(is);
+        m_dyingGroups += uint32_t(m_groups.at(is).dyingSince != 0) - uint32_t(was.second && was.second->dyingSince != 0);
         if (m_groups.at(is).out && !(was.second && was.second->out)) changes.groupsOut.push_back(is);
     }
     return before;
+}
+
+FrameChanges World::applyDelta(std::optional<WorldDelta> delta) {
+    FrameChanges changes;
+    changes.step = ++m_step;
+    changes.levelReplaced = std::exchange(m_levelReplaced, false);
+    changes.revived = std::exchange(m_revived, {});
+    if (delta) exchange(std::move(*delta), changes);
+    return changes;
 }
 
 }  // namespace rubble

@@ -20,6 +20,7 @@ struct WorldDelta {
     SlotValues<LightHandle, Light> lights;
     SlotValues<LightGroupHandle, LightGroup> groups;
     uint64_t imported = 0, removed = 0;
+    FireState fire;
     std::vector<uint32_t> freeBodies, freeShapes;  ///< slots that are used next
 
     bool empty() const { return bodies.empty() && shapes.empty() && lights.empty() && groups.empty(); }

@@ -36,6 +36,7 @@ WorldDelta WorldMirror::emptyDelta() const {
     WorldDelta delta;
     delta.imported = m_last.imported;
     delta.removed = m_last.removed;
+    delta.fire = m_last.fire;
     delta.freeBodies = m_freeBodies;
     delta.freeShapes = m_freeShapes;
     return delta;
@@ -58,6 +59,7 @@ WorldDelta WorldMirror::update(const World& world, const FrameChanges& changes) 
     for (const LightGroupHandle handle : changes.groups) follow(world.lightGroups(), m_last.groups, handle, before.groups);
     m_last.imported = world.m_imported;
     m_last.removed = world.m_removed;
+    if (world.m_fire.isActive() || m_last.fire.isActive()) m_last.fire = world.m_fire;
     m_freeBodies = world.bodies().freeSlots();
     m_freeShapes = world.shapes().freeSlots();
     return before;

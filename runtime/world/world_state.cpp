@@ -23,11 +23,14 @@ void World::setState(WorldState state) {
     m_groups = std::move(state.groups);
     m_revived = std::move(state.revived);
     m_materials = std::move(state.materials);
+    m_wire = m_materials.find("wire");
+    m_groups.forEach([&](LightGroupHandle, const LightGroup& group) { m_dyingGroups += group.dyingSince != 0; });
     m_environment = state.environment;
     m_locations = std::move(state.locations);
     m_fire = std::move(state.fire);
     setSettings(state.settings);
     m_shapes.forEach([&](ShapeHandle handle, const Shape&) { placeShape(handle); });
+    listLoads();
 }
 
 }  // namespace rubble

@@ -296,6 +296,55 @@ TEST_F(Abi, ABadFileLeavesTheWorldAsItWas) {
     EXPECT_EQ(before, after);
 }
 
+TEST_F(Abi, SavesRecordsReplaysAndUndoes) {
+    const std::filesystem::path folder = testing::TempDir();
+    const std::string save = folder / "abi_test.save.rubble", log = folder / "abi_test.rubblelog";
+    const auto hash = [&] {
+        uint64_t out = 0;
+        EXPECT_EQ(api()->state_hash(m_world, &out), RUBBLE_OK);
+        return out;
+    };
+    const auto voxels = [&] {
+        auto ledger = sized<rubble_ledger>();
+        EXPECT_EQ(api()->ledger(m_world, &ledger), RUBBLE_OK);
+        return ledger.standing;
+    };
+    ASSERT_EQ(api()->undo_limit(m_world, 4), RUBBLE_OK);
+    ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    const uint64_t whole = voxels();
+    ASSERT_EQ(api()->record_start(m_world, log.c_str()), RUBBLE_OK);
+    ASSERT_EQ(api()->undo_mark(m_world), RUBBLE_OK);
+    const rubble_explosion explosion = blow();
+    ASSERT_EQ(api()->explode(m_world, &explosion), RUBBLE_OK);
+    ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    EXPECT_LT(voxels(), whole);
+    ASSERT_EQ(api()->save(m_world, save.c_str()), RUBBLE_OK);
+    for (int i = 0; i < 20; ++i) ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    const uint64_t end = hash();
+    ASSERT_EQ(api()->record_stop(m_world), RUBBLE_OK);
+    ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
+    ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    EXPECT_EQ(voxels(), whole);
+    ASSERT_EQ(api()->redo(m_world), RUBBLE_OK);
+    ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    EXPECT_LT(voxels(), whole);
+
+    ASSERT_EQ(api()->load_save(m_world, save.c_str()), RUBBLE_OK) << api()->last_error();
+    for (int i = 0; i < 20; ++i) ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    EXPECT_EQ(hash(), end);
+    uint64_t steps = 0;
+    ASSERT_EQ(api()->replay(m_world, log.c_str(), &steps), RUBBLE_OK) << api()->last_error();
+    EXPECT_EQ(steps, 21u);
+    EXPECT_EQ(hash(), end);
+
+    expectRefused(api()->load_save(m_world, log.c_str()), RUBBLE_ERROR_FILE, "SAVE");
+    expectRefused(api()->replay(m_world, save.c_str(), nullptr), RUBBLE_ERROR_FILE, "GAME");
+    expectRefused(api()->save(m_world, "/no/such/folder/x"), RUBBLE_ERROR_FILE, "/no/such/folder");
+    EXPECT_EQ(hash(), end);
+    std::filesystem::remove(save);
+    std::filesystem::remove(log);
+}
+
 TEST_F(Abi, ARendererNeedsTheHostsGl) {
     rubble_world world = 0;
     ASSERT_EQ(api()->world_create(nullptr, &world), RUBBLE_OK);

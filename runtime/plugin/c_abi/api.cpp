@@ -320,6 +320,77 @@ rubble_result rendererDestroy(rubble_renderer renderer) {
     return guarded("renderer_destroy", [&] { Registry::instance().destroyRenderer(readHandle<HandleType::Renderer>(renderer, "renderer")); });
 }
 
+// ---- saves, recordings, undo ----
+
+void demand(const Result<Done>& done) {
+    if (!done) throw Refusal{RUBBLE_ERROR_FILE, done.error()};
+}
+
+rubble_result save(rubble_world world, const char* path) {
+    return guarded("save", [&] {
+        const auto hosted = Registry::instance().world(world);
+        demand(writeSave(&required(path, "path"), hosted->loop.save()));
+    });
+}
+
+rubble_result loadSave(rubble_world world, const char* path) {
+    return guarded("load_save", [&] {
+        const auto hosted = Registry::instance().world(world);
+        Result<SavedGame> game = readSave(&required(path, "path"), hosted->loop.world().id());
+        if (!game) throw Refusal{RUBBLE_ERROR_FILE, game.error()};
+        hosted->loop.load(std::move(*game));
+    });
+}
+
+rubble_result recordStart(rubble_world world, const char* path) {
+    return guarded("record_start", [&] { demand(Registry::instance().world(world)->loop.startRecording(&required(path, "path"))); });
+}
+
+rubble_result recordStop(rubble_world world) {
+    return guarded("record_stop", [&] { demand(Registry::instance().world(world)->loop.stopRecording()); });
+}
+
+rubble_result replay(rubble_world world, const char* path, uint64_t* steps) {
+    return guarded("replay", [&] {
+        if (steps) *steps = 0;
+        const auto hosted = Registry::instance().world(world);
+        FrameLoop& loop = hosted->loop;
+        Result<Recording> recording = readRecording(&required(path, "path"), loop.world().id());
+        if (!recording) throw Refusal{RUBBLE_ERROR_FILE, recording.error()};
+        loop.load(std::move(recording->start));
+        for (const RecordedStep& step : recording->steps) {
+            loop.replay(step);
+            hosted->events.fill(loop.changes());
+            if (loop.world().hash() != step.hash)
+                throw Refusal{RUBBLE_ERROR_FILE, std::string(path) + ": step " + std::to_string(step.step) + " went another way than was recorded"};
+            if (steps) ++*steps;
+        }
+    });
+}
+
+rubble_result pushHistory(const char* function, rubble_world world, HistoryAction action) {
+    return guarded(function, [&] { Registry::instance().world(world)->loop.edits().push(HistoryEdit{action}); });
+}
+
+rubble_result undoLimit(rubble_world world, uint32_t marks) {
+    return guarded("undo_limit", [&] {
+        const auto hosted = Registry::instance().world(world);
+        WorldSettings settings = hosted->loop.world().settings();
+        settings.undoMarks = marks;
+        hosted->loop.edits().push(SettingsEdit{settings});
+    });
+}
+
+rubble_result undoMark(rubble_world world) {
+    return pushHistory("undo_mark", world, HistoryAction::Mark);
+}
+rubble_result undo(rubble_world world) {
+    return pushHistory("undo", world, HistoryAction::Undo);
+}
+rubble_result redo(rubble_world world) {
+    return pushHistory("redo", world, HistoryAction::Redo);
+}
+
 constexpr rubble_api kApi = {
     sizeof(rubble_api),
     RUBBLE_VERSION,
@@ -346,6 +417,15 @@ constexpr rubble_api kApi = {
     rendererShowPass,
     rendererFigures,
     rendererDestroy,
+    save,
+    loadSave,
+    recordStart,
+    recordStop,
+    replay,
+    undoLimit,
+    undoMark,
+    undo,
+    redo,
 };
 
 }  // namespace

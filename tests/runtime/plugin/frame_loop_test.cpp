@@ -2,130 +2,141 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <thread>
+#include <filesystem>
+#include <fstream>
 
-#include "render/gl/offscreen.h"
-#include "samples/support/camera.h"
-#include "samples/support/gl_context.h"
-#include "tests/support/allocation_count.h"
+#include "tests/runtime/world/worlds.h"
 
 namespace rubble {
 namespace {
 
-LevelBody makeBody(const char* material, glm::dvec3 position, glm::ivec3 size, bool isStatic) {
-    LevelBody body;
-    body.pose.position = position;
-    body.isStatic = isStatic;
-    auto palette = std::make_shared<Palette>();
-    (*palette)[1].material = defaultMaterials().find(material);
-    LevelShape shape;
-    shape.name = material;
-    shape.grid = VoxelGrid(size);
-    GridWriter writer(shape.grid);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) writer.set({x, y, z}, 1);
-    writer.flush();
-    shape.palette = palette;
-    body.shapes.push_back(std::move(shape));
-    return body;
+using namespace test;
+
+FrameLoopSettings quiet() {
+    FrameLoopSettings settings;
+    settings.shadowVolume = settings.publish = false;
+    return settings;
 }
 
-/// A wall and crates on a floor, with a lamp on one of them.
-Level yard() {
-    Level level;
-    level.bodies.push_back(makeBody("brick", {-5, -0.8, -5}, {100, 8, 100}, true));
-    level.bodies.push_back(makeBody("brick", {-2, 0, 0}, {40, 20, 3}, true));
-    for (int i = 0; i < 4; ++i) level.bodies.push_back(makeBody("wood", {-2.0 + i, 0.3, 1}, {5, 5, 5}, false));
-    LevelLight lamp;
-    lamp.light.name = "lamp";
-    lamp.shapeName = "wood";
-    level.lights.push_back(lamp);
+Level tower() {
+    Level level = oneShapeLevel(towerGrid({40, 60, 40}), true);
+    level.materials.materials[1].tensileStrength = 1e9f;
+    LevelBody ground{.name = "ground", .pose = {{-4.0, -0.8, -4.0}}};
+    ground.shapes.push_back(levelShape("ground", solidGrid({120, 8, 120}, 4)));
+    level.bodies.push_back(std::move(ground));
     return level;
 }
 
-ExplodeEdit blast(int step) {
-    ExplodeEdit edit;
-    edit.position = {-1.8 + 0.03 * step, 0.9, 0.15};
-    edit.size = 0.6;
-    return edit;
+Edits script(int step) {
+    if (step == 2) return {sphereCarve({0.2, 0.5, 0.2}, 0.4), sphereCarve({1.8, 0.5, 0.2}, 0.4)};
+    if (step == 10) return {ExplodeEdit{.position = {2.0, 2.0, 2.0}, .size = 2.0}};
+    if (step == 30) return {sphereCarve({0.2, 0.5, 1.8}, 0.5), sphereCarve({3.4, 0.5, 3.4}, 0.5), PaintEdit{.position = {1.0, 1.0, 0.0}}};
+    if (step == 45) return {ExplodeEdit{.position = {1.0, 3.0, 1.0}, .size = 2.0}};
+    return {};
 }
 
-/// Through the wall from side to side: its upper half comes down.
-CarveEdit cut() {
-    CarveEdit edit;
-    edit.kind = BrushKind::Capsule;
-    edit.position = {-2.5, 1.0, 0.15};
-    edit.end = {2.5, 1.0, 0.15};
-    edit.radii.fill(0.25);
-    return edit;
-}
-
-TEST(FrameLoop, AQuietStepAllocatesNothing) {
-    for (const auto mode : {ShadowWorker::Mode::Inline, ShadowWorker::Mode::Thread}) {
-        FrameLoopSettings settings;
-        settings.shadow = mode;
-        FrameLoop loop(settings);
-        loop.load(yard());
-        loop.edits().push(cut());
-        loop.edits().push(blast(40));
-        for (int i = 0; i < 900; ++i) loop.step();
-        ASSERT_EQ(loop.physics().figures().awake, 0) << "not yet quiet";
-        ASSERT_GT(loop.world().shapes().size(), 6u) << "nothing broke off";
-        loop.shadow()->waitFor(loop.changes().step);
-        loop.step();  // publishes what the worker has just finished
-        const size_t before = allocationCount();
-        for (int i = 0; i < 10; ++i) loop.step();
-        EXPECT_EQ(allocationCount(), before);
-        EXPECT_EQ(loop.shadowAge(), 0u);
+TEST(FrameLoop, GoingOnAfterASaveEqualsLoadingIt) {
+    FrameLoop loop(quiet());
+    loop.load(tower());
+    SavedGame saved;
+    for (int step = 0; step < 100; ++step) {
+        if (step == 25) saved = loop.save();
+        loop.edits().push(script(step));
+        loop.step();
+    }
+    ASSERT_GT(loop.world().bodies().size(), 3u);
+    // Into a new world, and into one with a past.
+    FrameLoop fresh(quiet());
+    for (FrameLoop* other : {&fresh, &loop}) {
+        const uint64_t expected = other == &fresh ? loop.world().hash() : fresh.world().hash();
+        Result<SavedGame> read = gameFromBytes(gameToBytes(saved), "save", other->world().id());
+        ASSERT_TRUE(read) << read.error();
+        other->load(std::move(*read));
+        for (int step = 25; step < 100; ++step) {
+            other->edits().push(script(step));
+            other->step();
+        }
+        EXPECT_EQ(other->world().hash(), expected);
     }
 }
 
-/// Main, shadow worker and render thread at once, none waiting for another: for the thread sanitizer; and the world does not
-/// notice who watches.
-TEST(FrameLoop, StepsWhileAnotherThreadDraws) {
-    constexpr int kSteps = 120;
-    const auto run = [](FrameLoop& loop) {
-        for (int i = 0; i < kSteps; ++i) {
-            if (i % 10 == 0) loop.edits().push(blast(i));
-            if (i == 25) loop.edits().push(cut());
-            loop.step();
-        }
-        return loop.world().hash();
-    };
-    FrameLoop drawn;
-    drawn.load(yard());
-    std::atomic<bool> ready = false, stop = false;
-    int shapes = 0;
-    std::thread render([&] {
-        auto context = GlContext::create(GlContext::Kind::OsMesa);
-        ASSERT_TRUE(context) << context.error();
-        auto renderer = Renderer::create(context.value()->loader(), RUBBLE_SOURCE_DIR "/shaders", RenderSettings::preset("fast"));
-        ready = true;
-        ASSERT_TRUE(renderer) << renderer.error();
-        const Offscreen target({64, 36});
-        Camera camera;
-        camera.position = {0, 2, 6};
-        camera.lookAt({0, 0.5, 0});
-        while (!stop) drawn.draw(*renderer.value(), camera.view(target.size(), target.framebuffer()), 0.5f);
-        drawn.draw(*renderer.value(), camera.view(target.size(), target.framebuffer()), 1.0f);
-        shapes = renderer.value()->figures().shapes;
-    });
-    while (!ready) std::this_thread::yield();
-    const uint64_t hash = run(drawn);
-    drawn.shadow()->waitFor(drawn.changes().step);
-    drawn.step();
-    stop = true;
-    render.join();
-    EXPECT_EQ(size_t(shapes), drawn.world().shapes().size()) << "a snapshot was lost";
+TEST(FrameLoop, ARecordingReplaysToTheSameHashes) {
+    const std::string path = (std::filesystem::path(testing::TempDir()) / "frame_loop_test.rubblelog").string();
+    FrameLoop loop(quiet());
+    loop.load(tower());
+    for (int step = 0; step < 5; ++step) loop.edits().push(script(step)), loop.step();
+    ASSERT_TRUE(loop.startRecording(path));
+    for (int step = 5; step < 100; ++step) {
+        if (step == 20) loop.save();
+        WorldSettings settings = loop.world().settings();
+        settings.undoMarks = 4;
+        if (step == 12) loop.edits().push(Edits{SettingsEdit{settings}});
+        if (step == 29 || step == 44) loop.edits().push(Edits{HistoryEdit{}});
+        if (step == 50) loop.edits().push(Edits{HistoryEdit{HistoryAction::Undo}});
+        if (step == 55) loop.edits().push(Edits{HistoryEdit{HistoryAction::Redo}});
+        loop.edits().push(script(step));
+        loop.step();
+    }
+    ASSERT_TRUE(loop.stopRecording());
+    FrameLoop second(quiet());
+    Result<Recording> recording = readRecording(path, second.world().id());
+    ASSERT_TRUE(recording) << recording.error();
+    ASSERT_EQ(recording->steps.size(), 95u);
+    World follower(second.world().id());
+    follower.setState(recording->start.world);
+    second.load(recording->start);
+    std::vector<PaletteRef> palettes;
+    for (const RecordedStep& step : recording->steps) {
+        second.replay(step);
+        ASSERT_EQ(second.world().hash(), step.hash) << "step " << step.step;
+        const Result<FrameChanges> applied = applyStep(step.delta, path, follower, palettes);
+        ASSERT_TRUE(applied) << applied.error();
+        ASSERT_EQ(follower.voxelHash(), step.voxelHash) << "step " << step.step;
+        follower.setPoses(step.poses);
+        ASSERT_EQ(follower.resolvedHash(), step.resolvedHash) << "step " << step.step;
+    }
+    EXPECT_EQ(second.world().hash(), loop.world().hash());
+    EXPECT_FALSE(std::filesystem::exists(path + ".part"));
 
-    FrameLoopSettings settings;
-    settings.shadow = ShadowWorker::Mode::Inline;
-    settings.publish = false;
-    FrameLoop alone(settings);
-    alone.load(yard());
-    EXPECT_EQ(run(alone), hash);
+    std::ifstream in(path, std::ios::binary);
+    std::vector<uint8_t> bytes((std::istreambuf_iterator<char>(in)), {});
+    for (size_t length = 0; length < bytes.size(); length += 9973) EXPECT_FALSE(recordingFromBytes(std::span(bytes).first(length), "t", 1));
+    for (size_t byte = 0; byte < bytes.size(); byte += 9973) {
+        bytes[byte] ^= 16;
+        const Result<Recording> damaged = recordingFromBytes(bytes, "t.rubblelog", 1);
+        EXPECT_FALSE(damaged);
+        EXPECT_EQ(damaged.error().rfind("t.rubblelog: byte ", 0), 0u) << damaged.error();
+        bytes[byte] ^= 16;
+    }
+    std::filesystem::remove(path);
+}
+
+TEST(FrameLoop, UndoBringsTheTowerBackWhileItFalls) {
+    FrameLoop loop(quiet());
+    loop.load(tower());
+    WorldSettings settings;
+    settings.undoMarks = 2;
+    loop.edits().push(Edits{SettingsEdit{settings}});
+    loop.step();
+    const uint64_t voxels = loop.world().voxelHash();
+    loop.edits().push(Edits{HistoryEdit{}, sphereCarve({0.2, 0.5, 0.2}, 0.4), ExplodeEdit{.position = {2.0, 2.0, 2.0}, .size = 2.0}});
+    for (int step = 0; step < 40; ++step) loop.step();
+    EXPECT_NE(loop.world().voxelHash(), voxels);
+    loop.edits().push(HistoryEdit{HistoryAction::Undo});
+    loop.step();
+    EXPECT_EQ(loop.world().voxelHash(), voxels);
+    for (int step = 0; step < 20; ++step) loop.step();
+    EXPECT_EQ(loop.world().voxelHash(), voxels);
+    EXPECT_EQ(loop.physics().figures().bodies, 0);
+}
+
+TEST(FrameLoop, ARecordingThatCannotBeWrittenIsAnError) {
+    FrameLoop loop(quiet());
+    loop.load(tower());
+    const Result<Done> started = loop.startRecording("/no/such/folder/x.rubblelog");
+    ASSERT_FALSE(started);
+    EXPECT_NE(started.error().find("/no/such/folder"), std::string::npos);
+    EXPECT_TRUE(loop.stopRecording());
 }
 
 }  // namespace

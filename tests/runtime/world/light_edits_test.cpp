@@ -104,5 +104,80 @@ TEST(LightEdits, PaintSurvivesASplit) {
     EXPECT_EQ(blueVoxels(), painted);
 }
 
+/// A wall with a lamp at the top and a wire that winds up to it from a socket at the bottom.
+Level wiredLamp(uint32_t flickerSteps) {
+    VoxelGrid grid = test::solidGrid({24, 40, 6});
+    {
+        GridWriter writer(grid);
+        for (int y = 4; y <= 20; ++y) writer.set({4, y, 5}, 7);
+        for (int x = 4; x <= 18; ++x) writer.set({x, 20, 5}, 7);
+        for (int y = 20; y < 34; ++y) writer.set({18, y, 5}, 7);
+        for (int y = 34; y < 38; ++y)
+            for (int x = 16; x < 20; ++x) writer.set({x, y, 5}, 6);
+    }
+    Level level = test::oneShapeLevel(std::move(grid), true);
+    level.materials.materials.push_back({.name = "wire", .hardness = Hardness::Soft});
+    Palette palette = test::fiveEntries();
+    palette[6] = {.material = 1, .emission = 4.0f, .lightGroup = 1};
+    palette[7] = {.material = 6};
+    level.bodies[0].shapes[0].palette = std::make_shared<const Palette>(palette);
+    level.lightGroups.push_back({.name = "lamp", .supplyShape = "shape", .supplyCell = {4, 4, 5}, .flickerSteps = flickerSteps});
+    level.lights.push_back({.light = {.name = "bulb", .local = {{1.8, 3.6, 0.6}}}, .shapeName = "shape", .groupName = "lamp"});
+    return level;
+}
+
+TEST(LightEdits, CuttingTheWirePutsTheLampOut) {
+    World world;
+    world.load(wiredLamp(0));
+    EXPECT_TRUE(world.applyEdits({test::sphereCarve({1.0, 1.0, 0.6}, 0.35)}).groupsOut.empty()) << "beside the wire";
+    EXPECT_TRUE(anyGlow(world));
+    EXPECT_TRUE(world.applyEdits({test::sphereCarve({0.4, 3.0, 0.6}, 0.35)}).groupsOut.empty()) << "above where it turns";
+    const FrameChanges cut = world.applyEdits({test::sphereCarve({1.2, 2.05, 0.6}, 0.2)});
+    EXPECT_EQ(cut.groupsOut.size(), 1u);
+    EXPECT_FALSE(anyGlow(world));
+    EXPECT_FALSE(firstLight(world).enabled);
+}
+
+TEST(LightEdits, ALampThatFallsOffItsWireGoesOut) {
+    World world;
+    world.load(wiredLamp(0));
+    // Cuts the top off the wall, wire and all, but leaves wire at both sides of the cut.
+    CarveEdit saw{.kind = BrushKind::Box, .position = {1.2, 3.0, 0.3}, .halfSize = {2.0, 0.05, 1.0}};
+    const FrameChanges cut = world.applyEdits({saw});
+    EXPECT_EQ(cut.splits.size(), 1u);
+    EXPECT_EQ(cut.groupsOut.size(), 1u);
+    EXPECT_FALSE(anyGlow(world));
+}
+
+TEST(LightEdits, ItFlickersTheSameEveryTimeBeforeItIsOut) {
+    std::vector<bool> first;
+    for (int run = 0; run < 2; ++run) {
+        World world;
+        world.load(wiredLamp(30));
+        world.applyEdits({test::sphereCarve({1.2, 2.05, 0.6}, 0.2)});
+        std::vector<bool> dark;
+        int steps = 1;
+        for (; anyGlow(world) && steps < 100; ++steps) {
+            const FrameChanges changes = world.applyEdits({});
+            world.lightGroups().forEach([&](LightGroupHandle, const LightGroup& group) { dark.push_back(group.dark); });
+            if (dark.size() > 1 && dark.back() != dark[dark.size() - 2] && anyGlow(world)) EXPECT_FALSE(changes.lights.empty());
+        }
+        EXPECT_EQ(steps, 31);
+        EXPECT_TRUE(world.applyEdits({}).empty()) << "and then it is quiet";
+        EXPECT_GE(std::count(dark.begin(), dark.end(), true), 3);
+        if (run == 0) first = dark;
+        EXPECT_EQ(dark, first);
+    }
+}
+
+TEST(LightEdits, ASupplyThatLeadsNowhereIsNone) {
+    Level level = wiredLamp(0);
+    level.lightGroups[0].supplyCell = {10, 30, 2};
+    World world;
+    world.load(level);
+    EXPECT_TRUE(world.applyEdits({test::sphereCarve({1.2, 2.05, 0.6}, 0.2)}).groupsOut.empty());
+    EXPECT_TRUE(anyGlow(world));
+}
+
 }  // namespace
 }  // namespace rubble

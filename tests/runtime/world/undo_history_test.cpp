@@ -82,7 +82,7 @@ Edits randomEdits(Random& random) {
 uint64_t mirrored(const WorldMirror& mirror) {
     World world;
     world.setState(mirror.last());
-    return world.hashWithoutStep();
+    return world.resolvedHash();
 }
 
 void expectSound(const World& world) {
@@ -103,7 +103,7 @@ TEST(UndoHistory, GoesBackToEveryMarkAndForthAgain) {
         const auto step = [&](Edits edits) {
             const FrameChanges changes = world.applyEdits(edits);
             mirror.update(world, changes);
-            ASSERT_EQ(mirrored(mirror), world.hashWithoutStep()) << "seed " << seed << ": the journal misses something";
+            ASSERT_EQ(mirrored(mirror), world.resolvedHash()) << "seed " << seed << ": the journal misses something";
         };
         const auto settle = [&](double metres) {
             move(world, metres);
@@ -111,7 +111,7 @@ TEST(UndoHistory, GoesBackToEveryMarkAndForthAgain) {
         };
         std::vector<uint64_t> atMark, atEnd;
         for (int action = 0; action < 12; ++action) {
-            atMark.push_back(world.hashWithoutStep());
+            atMark.push_back(world.resolvedHash());
             Edits edits = randomEdits(random);
             edits.insert(edits.begin(), kMark);
             edits.push_back(sphereCarve({0.4 * action, 1.0 + random.unit(), 0.3}, 0.4));
@@ -119,18 +119,18 @@ TEST(UndoHistory, GoesBackToEveryMarkAndForthAgain) {
             settle(0.01);
             step(randomEdits(random));
             settle(0.01);
-            atEnd.push_back(world.hashWithoutStep());
+            atEnd.push_back(world.resolvedHash());
         }
         for (size_t i = atMark.size(); i-- > 0;) {
             step({kUndo});
-            EXPECT_EQ(world.hashWithoutStep(), atMark[i]) << "seed " << seed << ", undo of " << i;
+            EXPECT_EQ(world.resolvedHash(), atMark[i]) << "seed " << seed << ", undo of " << i;
             expectSound(world);
             settle(0.003);  // what moves in between is forgotten by the next undo or redo
         }
         EXPECT_TRUE(world.applyEdits({kUndo}).empty());
         for (size_t i = 0; i < atEnd.size(); ++i) {
             step({kRedo});
-            EXPECT_EQ(world.hashWithoutStep(), atEnd[i]) << "seed " << seed << ", redo of " << i;
+            EXPECT_EQ(world.resolvedHash(), atEnd[i]) << "seed " << seed << ", redo of " << i;
             settle(0.003);
         }
         EXPECT_TRUE(world.applyEdits({kRedo}).empty());
@@ -156,9 +156,9 @@ TEST(UndoHistory, NewChangesEndTheRedo) {
     world.applyEdits({kUndo});
     world.applyEdits({});
     world.applyEdits({sphereCarve({1.0, 1.2, 0.3}, 0.2)});
-    const uint64_t before = world.hashWithoutStep();
+    const uint64_t before = world.resolvedHash();
     EXPECT_TRUE(world.applyEdits({kRedo}).empty());
-    EXPECT_EQ(world.hashWithoutStep(), before);
+    EXPECT_EQ(world.resolvedHash(), before);
 }
 
 TEST(UndoHistory, UndoneHandlesAreStaleUntilRedo) {
@@ -181,12 +181,12 @@ TEST(UndoHistory, ForgetsTheOldestMarksAndCostsNothingWhenOff) {
     world.applyEdits({SettingsEdit{settings}});
     std::vector<uint64_t> hashes;
     for (int i = 0; i < 4; ++i) {
-        hashes.push_back(world.hashWithoutStep());
+        hashes.push_back(world.resolvedHash());
         world.applyEdits({kMark, sphereCarve({0.5 + i, 1.2, 0.3}, 0.2)});
     }
     world.applyEdits({kUndo});
     world.applyEdits({kUndo});
-    EXPECT_EQ(world.hashWithoutStep(), hashes[2]);
+    EXPECT_EQ(world.resolvedHash(), hashes[2]);
     EXPECT_TRUE(world.applyEdits({kUndo}).empty());
     settings.undoMarks = 0;
     world.applyEdits({SettingsEdit{settings}});

@@ -323,6 +323,24 @@ typedef struct rubble_api {
     rubble_result (*renderer_show_pass)(rubble_renderer renderer, const char* name);
     rubble_result (*renderer_figures)(rubble_renderer renderer, rubble_draw_figures* out);
     rubble_result (*renderer_destroy)(rubble_renderer renderer);
+
+    /* [main-thread] Writes the game as it is between two steps, whole or not at all; goes on from there. Saving is an event:
+     * the next step begins with physics made anew, in the running game too, so that going on and loading are the same. */
+    rubble_result (*save)(rubble_world world, const char* path);
+    /* [main-thread] On an error the world is as it was. Handles of objects are those of the world that was saved. */
+    rubble_result (*load_save)(rubble_world world, const char* path);
+    /* [main-thread] Records every step from here on, beginning with a save; record_stop() gives the file its name. */
+    rubble_result (*record_start)(rubble_world world, const char* path);
+    rubble_result (*record_stop)(rubble_world world);
+    /* [main-thread] Begins a recording and steps through all of it. *steps (may be null): how many had the hash that was
+     * recorded; fewer than there are is RUBBLE_ERROR_FILE: it was made by another build of the plugin or of its physics. */
+    rubble_result (*replay)(rubble_world world, const char* path, uint64_t* steps);
+    /* [main-thread] Commands for the next step, at most one undo or redo each. undo_limit: how many marks are kept; 0, the
+     * default: none, and nothing is paid. undo() takes back all that has happened since the last mark, redo() what undo() did. */
+    rubble_result (*undo_limit)(rubble_world world, uint32_t marks);
+    rubble_result (*undo_mark)(rubble_world world);
+    rubble_result (*undo)(rubble_world world);
+    rubble_result (*redo)(rubble_world world);
 } rubble_api;
 
 /* [any-thread] The one export: the plugin's table for this version of the interface, or RUBBLE_ERROR_VERSION and null. */

@@ -1,0 +1,110 @@
+#include "runtime/assets/chunk_file.h"
+
+#include <lz4.h>
+
+#include "runtime/core/hash.h"
+
+namespace rubble {
+namespace {
+
+constexpr uint64_t kMaxChunkBytes = 512u << 20;
+
+template <class Header>
+uint64_t hashHeader(const Header& header) {
+    return hashBytes(&header, sizeof header - sizeof(uint64_t));
+}
+
+}  // namespace
+
+void ChunkWriter::add(std::array<char, 4> kind, const std::vector<uint8_t>& raw) {
+    std::vector<uint8_t> packed(size_t(LZ4_compressBound(int(raw.size()))));
+    const int length =
+        LZ4_compress_default(reinterpret_cast<const char*>(raw.data()), reinterpret_cast<char*>(packed.data()), int(raw.size()), int(packed.size()));
+    const bool smaller = length > 0 && size_t(length) < raw.size();
+    if (smaller) packed.resize(size_t(length));
+    const std::vector<uint8_t>& stored = smaller ? packed : raw;
+    ChunkHeader header{kind, smaller ? 1u : 0u, raw.size(), stored.size(), 0};
+    header.hash = hashBytes(stored.data(), stored.size(), hashHeader(header));
+    const auto* bytes = reinterpret_cast<const uint8_t*>(&header);
+    m_bytes.insert(m_bytes.end(), bytes, bytes + sizeof header);
+    m_bytes.insert(m_bytes.end(), stored.begin(), stored.end());
+    ++m_count;
+}
+
+FileHeader makeFileHeader(uint32_t chunks, uint64_t contentHash) {
+    FileHeader header;
+    header.chunks = chunks;
+    header.contentHash = contentHash;
+    header.headerHash = hashHeader(header);
+    return header;
+}
+
+std::vector<uint8_t> ChunkWriter::file(uint64_t contentHash) const {
+    const FileHeader header = makeFileHeader(m_count, contentHash);
+    const auto* bytes = reinterpret_cast<const uint8_t*>(&header);
+    std::vector<uint8_t> out(bytes, bytes + sizeof header);
+    out.insert(out.end(), m_bytes.begin(), m_bytes.end());
+    return out;
+}
+
+void GridChunks::addGrid(uint32_t shape, const VoxelGrid& grid) {
+    begin(shape);
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        if (m_raw.size() > kGridChunkBytes) flush(), begin(shape);
+        appendBrick(m_raw, position, *brick);
+        ++m_bricks;
+    });
+    flush();
+}
+
+void GridChunks::begin(uint32_t shape) {
+    m_raw.assign(8, 0);
+    std::memcpy(m_raw.data(), &shape, 4);
+    m_bricks = 0;
+}
+
+void GridChunks::flush() {
+    if (m_bricks == 0) return;
+    std::memcpy(m_raw.data() + 4, &m_bricks, 4);
+    m_out.add({'G', 'R', 'I', 'D'}, m_raw);
+}
+
+void readGridChunk(ByteReader& in, const std::vector<VoxelGrid*>& grids) {
+    const auto shape = in.read<uint32_t>();
+    const auto bricks = in.read<uint32_t>();
+    if (shape >= grids.size()) in.fail(fmt::format("a shape number below {}", grids.size()), std::to_string(shape), 0);
+    for (uint32_t i = 0; i < bricks && !in.failed(); ++i) readBrick(in, *grids[shape]);
+}
+
+FileHeader readFileHeader(ByteReader& in) {
+    const auto header = in.read<FileHeader>();
+    if (!in.failed() && header.magic != kFileMagic) in.fail("a baked level (\"RUBBLE\")", "other bytes", 0);
+    if (header.version != kFileVersion) in.fail(fmt::format("version {}", kFileVersion), std::to_string(header.version), 8);
+    if (header.headerHash != hashHeader(header)) in.fail("a header whose checksum fits", "a damaged one", 0);
+    return header;
+}
+
+std::vector<uint8_t> readChunk(ByteReader& in, ChunkHeader& header) {
+    const size_t start = in.offset();
+    header = in.read<ChunkHeader>();
+    if (in.failed()) return {};
+    if (header.storedBytes > in.remaining())
+        return in.fail(fmt::format("{} bytes of a chunk", header.storedBytes), fmt::format("{}", in.remaining()), start + 16), std::vector<uint8_t>{};
+    const auto stored = in.readBytes(size_t(header.storedBytes));
+    if (hashBytes(stored.data(), stored.size(), hashHeader(header)) != header.hash)
+        return in.fail("a chunk whose checksum fits", "a damaged one", start), std::vector<uint8_t>{};
+    // LZ4 cannot pack by more than 255 to 1: a larger claim is a lie that would only cost memory.
+    if (header.rawBytes > kMaxChunkBytes || header.rawBytes > header.storedBytes * 255 + 64 || header.codec > 1 ||
+        (header.codec == 0 && header.rawBytes != header.storedBytes))
+        return in.fail("a possible size and codec", fmt::format("{} bytes from {}, codec {}", header.rawBytes, header.storedBytes, header.codec),
+                       start),
+               std::vector<uint8_t>{};
+    if (header.codec == 0) return {stored.begin(), stored.end()};
+    std::vector<uint8_t> raw(size_t(header.rawBytes));
+    const int length =
+        LZ4_decompress_safe(reinterpret_cast<const char*>(stored.data()), reinterpret_cast<char*>(raw.data()), int(stored.size()), int(raw.size()));
+    if (length != int(raw.size())) in.fail(fmt::format("{} bytes unpacked", raw.size()), std::to_string(length), start);
+    return raw;
+}
+
+}  // namespace rubble

@@ -1,0 +1,127 @@
+#include "runtime/assets/recording_file.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <new>
+
+#include "runtime/assets/byte_archive.h"
+#include "runtime/assets/chunk_file.h"
+#include "runtime/assets/file_bytes.h"
+#include "runtime/assets/state_fields.h"
+
+namespace rubble {
+
+template <class A>
+void fields(A& a, Is<BodyPose> auto& pose) {
+    a("body", pose.body);
+    a("pose", pose.pose);
+    a("velocity", pose.velocity);
+    a("angular_velocity", pose.angularVelocity);
+    a("asleep", pose.asleep);
+}
+template <class A>
+void fields(A& a, Is<RecordedStep> auto& step) {
+    a("step", step.step);
+    a("saved_before", step.savedBefore);
+    a("edits", step.edits);
+    a("delta", step.delta);
+    a("poses", step.poses);
+    a("hash", step.hash);
+    a("resolved_hash", step.resolvedHash);
+    a("voxel_hash", step.voxelHash);
+}
+
+Result<RecordingWriter> RecordingWriter::open(const std::string& path, const SavedGame& start) {
+    RecordingWriter writer;
+    writer.m_path = path;
+    writer.m_file.reset(std::fopen((path + ".part").c_str(), "wb"));
+    if (!writer.m_file) return Error{path + ".part: cannot write: " + std::strerror(errno)};
+    ChunkWriter chunks;
+    chunks.add({'G', 'A', 'M', 'E'}, gameToBytes(start));
+    writer.m_chunks = chunks.count();
+    writer.write(chunks.file(0));
+    return writer;
+}
+
+void RecordingWriter::write(const std::vector<uint8_t>& bytes) {
+    m_hasFailed = m_hasFailed || std::fwrite(bytes.data(), 1, bytes.size(), m_file.get()) != bytes.size();
+}
+
+void RecordingWriter::add(const RecordedStep& step) {
+    ChunkWriter chunk;
+    chunk.add({'S', 'T', 'E', 'P'}, recordedStepToBytes(step));
+    write(chunk.bytes());
+    ++m_chunks;
+    m_lastHash = step.hash;
+}
+
+Result<Done> RecordingWriter::close() {
+    const FileHeader header = makeFileHeader(m_chunks, m_lastHash);
+    std::FILE* file = m_file.get();
+    m_hasFailed = m_hasFailed || std::fseek(file, 0, SEEK_SET) != 0 || std::fwrite(&header, sizeof header, 1, file) != 1;
+    m_hasFailed = m_hasFailed || std::fflush(file) != 0 || fsync(fileno(file)) != 0;
+    m_hasFailed = m_hasFailed || std::rename((m_path + ".part").c_str(), m_path.c_str()) != 0;
+    const int reason = errno;
+    m_file.reset();
+    if (!m_hasFailed) return Done{};
+    std::remove((m_path + ".part").c_str());
+    return Error{m_path + ": cannot write: " + std::strerror(reason)};
+}
+
+std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step) {
+    std::vector<uint8_t> bytes;
+    PaletteList unused;
+    ByteOut(bytes, unused).put(step);
+    return bytes;
+}
+
+Result<RecordedStep> recordedStepFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world) {
+    ByteReader reader(bytes, "recorded step");
+    RecordedStep step;
+    ByteIn(reader, {}, world).get(step);
+    if (reader.remaining() > 0) reader.fail("the end of the step", fmt::format("{} more bytes", reader.remaining()));
+    if (reader.failed()) return Error{name + ": " + reader.error()};
+    return step;
+}
+
+Result<Recording> recordingFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world) {
+    ByteReader in(bytes, "recording");
+    const FileHeader header = readFileHeader(in);
+    Recording recording;
+    bool haveStart = false;
+    for (uint32_t i = 0; i < header.chunks && !in.failed(); ++i) {
+        ChunkHeader chunk;
+        const size_t place = in.offset();
+        const std::vector<uint8_t> raw = readChunk(in, chunk);
+        if (in.failed()) break;
+        const std::string kind(chunk.kind.data(), 4), part = fmt::format("{}: byte {}, chunk {} ({}) unpacked", name, place, i, kind);
+        if (kind == "GAME") {
+            Result<SavedGame> start = gameFromBytes(raw, part, world);
+            if (!start) return Error{start.error()};
+            recording.start = std::move(*start);
+            haveStart = true;
+        } else if (kind == "STEP") {
+            Result<RecordedStep> step = recordedStepFromBytes(raw, part, world);
+            if (!step) return Error{step.error()};
+            const uint64_t expected = recording.start.world.step + recording.steps.size() + 1;
+            if (!haveStart || step->step != expected) return Error{fmt::format("{}: expected step {}, found {}", part, expected, step->step)};
+            recording.steps.push_back(std::move(*step));
+        }
+    }
+    if (in.remaining() > 0) in.fail("the end of the file", fmt::format("{} more bytes", in.remaining()));
+    if (!haveStart) in.fail("a GAME chunk", "none");
+    if (in.failed()) return Error{name + ": " + in.error()};
+    return recording;
+}
+
+Result<Recording> readRecording(const std::string& path, uint8_t world) try {
+    const Result<std::vector<uint8_t>> bytes = readFileBytes(path, kMaxFileBytes);
+    if (!bytes) return Error{bytes.error()};
+    return recordingFromBytes(*bytes, path, world);
+} catch (const std::bad_alloc&) {
+    return Error{path + ": not enough memory for what it describes"};
+}
+
+}  // namespace rubble

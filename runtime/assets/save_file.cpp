@@ -1,0 +1,206 @@
+#include "runtime/assets/save_file.h"
+
+#include <algorithm>
+#include <glm/vector_relational.hpp>
+#include <new>
+
+#include "runtime/assets/byte_archive.h"
+#include "runtime/assets/chunk_file.h"
+#include "runtime/assets/file_bytes.h"
+#include "runtime/assets/level_check.h"
+#include "runtime/assets/state_fields.h"
+
+namespace rubble {
+namespace {
+
+template <class Handle, class T>
+void putSlots(ByteOut& out, const SlotMap<Handle, T>& map) {
+    out.put(uint32_t(map.slots().size()));
+    for (const auto& slot : map.slots()) {
+        out.put(slot.generation);
+        out.put(slot.newest);
+        out.put(slot.value.has_value());
+        if (slot.value) out.put(*slot.value);
+    }
+    out.put(map.freeSlots());
+}
+
+template <class Handle, class T>
+void getSlots(ByteReader& reader, ByteIn& in, uint8_t world, SlotMap<Handle, T>& map) {
+    std::vector<typename SlotMap<Handle, T>::Slot> slots(reader.readCount(9, "slots"));
+    for (auto& slot : slots) {
+        in.get(slot.generation);
+        in.get(slot.newest);
+        bool isTaken = false;
+        in.get(isTaken);
+        if (isTaken) in.get(slot.value.emplace());
+        if (reader.failed()) return;
+    }
+    std::vector<uint32_t> free;
+    in.get(free);
+    map = {world, std::move(slots), free};
+}
+
+std::vector<uint8_t> stateToBytes(const SavedGame& game, PaletteList& palettes) {
+    std::vector<uint8_t> bytes;
+    ByteOut out(bytes, palettes);
+    const WorldState& world = game.world;
+    out.put(world.name);
+    out.put(world.step), out.put(world.imported), out.put(world.removed);
+    putSlots(out, world.bodies);
+    putSlots(out, world.shapes);
+    putSlots(out, world.lights);
+    putSlots(out, world.groups);
+    out.put(world.revived);
+    out.put(world.materials.materials);
+    out.put(world.environment);
+    out.put(world.settings);
+    out.put(world.locations);
+    out.put(world.fire.fields);
+    out.put(game.pending);
+    return bytes;
+}
+
+SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& palettes, uint8_t number) {
+    SavedGame game;
+    ByteIn in(reader, palettes, number);
+    WorldState& world = game.world;
+    in.get(world.name);
+    in.get(world.step), in.get(world.imported), in.get(world.removed);
+    getSlots(reader, in, number, world.bodies);
+    getSlots(reader, in, number, world.shapes);
+    getSlots(reader, in, number, world.lights);
+    getSlots(reader, in, number, world.groups);
+    in.get(world.revived);
+    in.get(world.materials.materials);
+    in.get(world.environment);
+    in.get(world.settings);
+    in.get(world.locations);
+    in.get(world.fire.fields);
+    world.fire.tidy();
+    in.get(game.pending);
+    return game;
+}
+
+/// What a World asserts: every shape on one body, and that body knows it once.
+Result<Done> checkHandles(const WorldState& world) {
+    std::string error;
+    const auto fail = [&](const char* what, uint32_t slot) {
+        if (error.empty()) error = fmt::format("{} {}: expected handles and bricks that are there, found others", what, slot);
+    };
+    size_t named = 0;
+    world.bodies.forEach([&](BodyHandle handle, const Body& body) {
+        for (const ShapeHandle shape : body.shapes) {
+            const Shape* found = world.shapes.find(shape);
+            if (!found || found->body != handle || std::count(body.shapes.begin(), body.shapes.end(), shape) != 1) fail("body", handle.slot());
+        }
+        named += body.shapes.size();
+    });
+    if (named != world.shapes.size()) fail("world", 0);
+    world.shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
+        if (!world.bodies.find(shape.body) || shape.grid.size() == glm::ivec3(0)) fail("shape", handle.slot());
+    });
+    uint32_t next = 0;
+    for (const HeatField& field : world.fire.fields) {
+        const Shape* shape = world.shapes.find(field.shape);
+        const auto isOutside = [&](const HotBrick& hot) {
+            const glm::ivec3 size = shape->grid.sizeInBricks();
+            return glm::any(glm::lessThan(hot.brick, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(hot.brick, size));
+        };
+        const auto isBefore = [](const HotBrick& a, const HotBrick& b) { return cellBefore(a.brick, b.brick); };
+        if (!shape || field.shape.slot() < next || std::any_of(field.bricks.begin(), field.bricks.end(), isOutside) ||
+            !std::is_sorted(field.bricks.begin(), field.bricks.end(), isBefore))
+            fail("heat of shape", field.shape.slot());
+        next = field.shape.slot() + 1;
+    }
+    if (!error.empty()) return Error{error};
+    return Done{};
+}
+
+struct Parsed {
+    std::vector<PaletteRef> palettes;
+    SavedGame game;
+    std::vector<Shape*> shapes;
+    std::vector<VoxelGrid*> grids;
+    bool haveState = false;
+};
+
+void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, size_t chunk, uint8_t world, Parsed& out, ByteReader& file) {
+    const std::string kind(header.kind.data(), 4);
+    ByteReader in(raw, fmt::format("of chunk {} of a save, unpacked", chunk));
+    if (kind == "PALT") {
+        out.palettes = palettesFromBytes(in);
+    } else if (kind == "SAVE" && !out.haveState) {
+        out.game = stateFromBytes(in, out.palettes, world);
+        out.haveState = true;
+        if (!in.failed())
+            out.game.world.shapes.forEach([&](ShapeHandle, Shape& shape) { out.shapes.push_back(&shape), out.grids.push_back(&shape.grid); });
+    } else if (kind == "GRID") {
+        readGridChunk(in, out.grids);
+    } else {
+        return;
+    }
+    if (!in.failed() && in.remaining() > 0) in.fail("the end of the chunk", fmt::format("{} more bytes", in.remaining()));
+    file.adopt(in);
+}
+
+/// Whether a World can be in this state, and has the hash that the file says.
+Result<Done> checkState(const WorldState& state, uint8_t number, uint64_t hash) {
+    if (Result<Done> checked = checkHandles(state); !checked) return checked;
+    World world(number);
+    world.setState(state);
+    if (Result<Done> checked = checkLevel(world.toLevel()); !checked) return checked;
+    if (world.hash() != hash) return Error{"byte 16: expected the hash of the world, found another"};
+    return Done{};
+}
+
+}  // namespace
+
+std::vector<uint8_t> gameToBytes(const SavedGame& game) {
+    ChunkWriter out;
+    PaletteList palettes;
+    const std::vector<uint8_t> state = stateToBytes(game, palettes);
+    out.add({'P', 'A', 'L', 'T'}, palettesToBytes(palettes.palettes()));
+    out.add({'S', 'A', 'V', 'E'}, state);
+    GridChunks grids(out);
+    uint32_t shape = 0;
+    game.world.shapes.forEach([&](ShapeHandle, const Shape& each) { grids.addGrid(shape++, each.grid); });
+    World world;
+    world.setState(game.world);
+    return out.file(world.hash());
+}
+
+Result<SavedGame> gameFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world) {
+    ByteReader in(bytes, "save");
+    const FileHeader header = readFileHeader(in);
+    Parsed parsed;
+    for (uint32_t i = 0; i < header.chunks && !in.failed(); ++i) {
+        ChunkHeader chunk;
+        const std::vector<uint8_t> raw = readChunk(in, chunk);
+        if (!in.failed()) readContent(chunk, raw, i, world, parsed, in);
+    }
+    if (in.remaining() > 0) in.fail("the end of the file", fmt::format("{} more bytes", in.remaining()));
+    if (!parsed.haveState) in.fail("a SAVE chunk", "none");
+    if (in.failed()) return Error{name + ": " + in.error()};
+    WorldState& state = parsed.game.world;
+    for (Shape* shape : parsed.shapes) {
+        if (!shape->palette) shape->palette = std::make_shared<const Palette>();
+        shape->moments = gridMoments(shape->grid, *shape->palette, state.materials);
+    }
+    if (const Result<Done> checked = checkState(state, world, header.contentHash); !checked) return Error{name + ": " + checked.error()};
+    return std::move(parsed.game);
+}
+
+Result<Done> writeSave(const std::string& path, const SavedGame& game) {
+    return writeFileAtomically(path, gameToBytes(game));
+}
+
+Result<SavedGame> readSave(const std::string& path, uint8_t world) try {
+    const Result<std::vector<uint8_t>> bytes = readFileBytes(path, kMaxFileBytes);
+    if (!bytes) return Error{bytes.error()};
+    return gameFromBytes(*bytes, path, world);
+} catch (const std::bad_alloc&) {
+    return Error{path + ": not enough memory for what it describes"};
+}
+
+}  // namespace rubble

@@ -1,0 +1,194 @@
+#pragma once
+#include "runtime/assets/level_fields.h"
+#include "runtime/world/world_state.h"
+
+namespace rubble {
+
+// What saves and recordings hold beside what levels do, as fields (see level_fields.h). A shape's voxels and their moments
+// are no fields.
+
+inline constexpr std::array<const char*, 3> kBrushKindNames = {"sphere", "box", "capsule"};
+inline constexpr std::array<const char*, 3> kPaintModeNames = {"default", "blend", "layer"};
+inline constexpr std::array<const char*, 3> kHistoryActionNames = {"mark", "undo", "redo"};
+inline std::span<const char* const> enumNames(BrushKind) {
+    return kBrushKindNames;
+}
+inline std::span<const char* const> enumNames(PaintMode) {
+    return kPaintModeNames;
+}
+inline std::span<const char* const> enumNames(HistoryAction) {
+    return kHistoryActionNames;
+}
+
+template <class A>
+void fields(A& a, Is<Body> auto& body) {
+    a("name", body.name);
+    a("pose", body.pose);
+    a("velocity", body.velocity);
+    a("angular_velocity", body.angularVelocity);
+    a("static", body.isStatic);
+    a("asleep", body.asleep);
+    a("shapes", body.shapes);
+    a("tags", body.tags);
+    a("settled", body.settled);
+    a("broken", body.broken);
+    a("born", body.born);
+    a("resting_since", body.restingSince);
+}
+template <class A>
+void fields(A& a, Is<Shape> auto& shape) {
+    a("name", shape.name);
+    a("body", shape.body);
+    a("local", shape.local);
+    a("voxel_size", shape.voxelSize);
+    a("grid", shape.grid);
+    a("palette", shape.palette);
+    a("paint_colors", shape.paintColors);
+    a("anchors", shape.anchors);
+    a("tags", shape.tags);
+    a("piece", shape.isPiece);
+    a("nothing_loose", shape.nothingLoose);
+    a("bears_load", shape.bearsLoad);
+    a("strength", shape.strength);
+}
+template <class A>
+void fields(A& a, Is<Light> auto& light) {
+    a("name", light.name);
+    a("kind", light.kind);
+    a("shape", light.shape);
+    a("local", light.local);
+    a("color", light.color);
+    a("radius", light.radius);
+    a("reach", light.reach);
+    a("cone_inner", light.coneInner);
+    a("cone_outer", light.coneOuter);
+    a("group", light.group);
+    a("enabled", light.enabled);
+}
+
+template <class A>
+void fields(A& a, Is<HotBrick> auto& hot) {
+    a("brick", hot.brick);
+    a("heat", hot.heat);
+    a("burned", hot.burned);
+    a("burning_for", hot.burningFor);
+    a("wet", hot.wet);
+    a("charred", hot.charred);
+}
+template <class A>
+void fields(A& a, Is<HeatField> auto& field) {
+    a("shape", field.shape);
+    a("bricks", field.bricks);
+}
+
+template <class A>
+void fields(A& a, Is<DebrisSettings> auto& settings) {
+    a("awake_bodies", settings.awakeBodies);
+    a("bodies", settings.bodies);
+    a("voxels", settings.voxels);
+    a("largest_piece", settings.largestPiece);
+    a("settle_steps", settings.settleSteps);
+}
+template <class A>
+void fields(A& a, Is<LoadSettings> auto& settings) {
+    a("on", settings.on);
+    a("strength_scale", settings.strengthScale);
+    a("work_a_step", settings.workAStep);
+    a("cracks_a_step", settings.cracksAStep);
+    a("largest_shape", settings.largestShape);
+}
+template <class A>
+void fields(A& a, Is<PaintSettings> auto& settings) {
+    a("mode", settings.mode);
+}
+template <class A>
+void fields(A& a, Is<FireSettings> auto& settings) {
+    a("enabled", settings.enabled);
+    a("max_fires", settings.maxFires);
+    a("max_hot", settings.maxHot);
+    a("max_lights", settings.maxLights);
+    a("spread", settings.spread);
+    a("burn_time", settings.burnTime);
+}
+template <class A>
+void fields(A& a, Is<WorldSettings> auto& settings) {
+    a("min_piece_voxels", settings.minPieceVoxels);
+    a("impact_threshold", settings.impactThreshold);
+    a("impact_speed", settings.impactSpeed);
+    a("impact_radius", settings.impactRadius);
+    a("impact_radius_limit", settings.impactRadiusLimit);
+    a("impacts_a_step", settings.impactsAStep);
+    a("undo_marks", settings.undoMarks);
+    a("debris", settings.debris);
+    a("load", settings.load);
+    a("paint", settings.paint);
+    a("fire", settings.fire);
+}
+
+template <class A>
+void fields(A& a, Is<CarveEdit> auto& edit) {
+    a("kind", edit.kind);
+    a("position", edit.position);
+    a("end", edit.end);
+    a("half_size", edit.halfSize);
+    a("rotation", edit.rotation);
+    a("radii", edit.radii);
+    a("hardness_limit", edit.hardnessLimit);
+    a("shape", edit.shape);
+}
+template <class A>
+void fields(A& a, Is<ExplodeEdit> auto& edit) {
+    a("position", edit.position);
+    a("size", edit.size);
+    a("impulse", edit.impulse);
+}
+template <class A>
+void fields(A& a, Is<PaintEdit> auto& edit) {
+    a("position", edit.position);
+    a("radius", edit.radius);
+    a("color", edit.color);
+    a("strength", edit.strength);
+    a("probability", edit.probability);
+    a("seed", edit.seed);
+    a("falloff", edit.falloff);
+    a("mode", edit.mode);
+    a("kind", edit.kind);
+    a("end", edit.end);
+    a("shape", edit.shape);
+}
+template <class A>
+void fields(A& a, Is<ImpulseEdit> auto& edit) {
+    a("body", edit.body);
+    a("position", edit.position);
+    a("impulse", edit.impulse);
+}
+template <class A>
+void fields(A& a, Is<SettingsEdit> auto& edit) {
+    a("settings", edit.settings);
+}
+template <class A>
+void fields(A& a, Is<HistoryEdit> auto& edit) {
+    a("action", edit.action);
+}
+
+template <class A>
+void fields(A& a, Is<HeatEdit> auto& edit) {
+    a("position", edit.position);
+    a("radius", edit.radius);
+    a("joules", edit.joules);
+    a("ignite", edit.ignite);
+    a("shape", edit.shape);
+}
+template <class A>
+void fields(A& a, Is<ExtinguishEdit> auto& edit) {
+    a("position", edit.position);
+    a("radius", edit.radius);
+    a("wet_seconds", edit.wetSeconds);
+}
+template <class A>
+void fields(A& a, Is<RemoveFiresEdit> auto& edit) {
+    a("low", edit.low);
+    a("high", edit.high);
+}
+
+}  // namespace rubble

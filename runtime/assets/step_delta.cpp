@@ -1,0 +1,250 @@
+#include "runtime/assets/step_delta.h"
+
+#include <algorithm>
+#include <glm/vector_relational.hpp>
+#include <optional>
+
+#include "runtime/assets/byte_archive.h"
+#include "runtime/assets/level_bytes.h"
+#include "runtime/assets/state_fields.h"
+#include "runtime/voxel/mass_properties.h"
+
+namespace rubble {
+namespace {
+
+enum class ShapeKind : uint8_t { Gone, New, Changed };
+enum class BrickKind : uint8_t { Empty, Whole, Masked, Full };
+constexpr uint32_t kNoSource = ~0u;
+
+/// The grid whose bricks a shape's bricks are masks of: its own before the step, or that of what it came off.
+struct Source {
+    uint32_t slot = kNoSource;
+    glm::ivec3 offset{0};  ///< in bricks, from the shape's to the source's
+    const VoxelGrid* grid = nullptr;
+    BrickRef brick(glm::ivec3 position) const {
+        position += offset;
+        const bool isInside =
+            grid && glm::all(glm::greaterThanEqual(position, glm::ivec3(0))) && glm::all(glm::lessThan(position, grid->sizeInBricks()));
+        return isInside ? grid->shareBrick(position) : nullptr;
+    }
+};
+
+Source findSource(ShapeHandle shape, const WorldDelta& before, const FrameChanges& changes) {
+    for (const ShapeSplit& split : changes.splits)
+        for (size_t i = 0; i < split.children.size(); ++i) {
+            const auto parent = before.shapes.find(split.parent.slot());
+            if (split.children[i] != shape || parent == before.shapes.end() || parent->second.first != split.parent) continue;
+            return {split.parent.slot(), split.parentOffset[i] / kBrickSize, &parent->second.second->grid};
+        }
+    return {};
+}
+
+void putBrick(ByteOut& out, std::vector<uint8_t>& bytes, glm::ivec3 position, const Brick* brick, const BrickRef& source) {
+    if (brick && source) {
+        const BrickRef masked = maskBrick(*source, brick->occupancy);
+        if (masked && masked->occupancy == brick->occupancy && hashBrick(*masked) == hashBrick(*brick)) {
+            const bool isWhole = source->occupancy == brick->occupancy;
+            out.put(isWhole ? BrickKind::Whole : BrickKind::Masked);
+            for (int i = 0; i < 3; ++i) out.put(uint16_t(position[i]));
+            if (!isWhole) out.put(brick->occupancy);
+            return;
+        }
+    }
+    out.put(brick ? BrickKind::Full : BrickKind::Empty);
+    if (brick) return appendBrick(bytes, position, *brick);
+    for (int i = 0; i < 3; ++i) out.put(uint16_t(position[i]));
+}
+
+void putShape(ByteOut& out, std::vector<uint8_t>& bytes, uint32_t slot, const WorldDelta& before, const FrameChanges& changes, const World& after) {
+    const auto& [wasHandle, was] = before.shapes.at(slot);
+    const ShapeHandle handle = after.shapes().handleAt(slot);
+    out.put(slot);
+    if (!handle) return out.put(ShapeKind::Gone);
+    const Shape& shape = after.shapes().at(handle);
+    const bool isChanged = handle == wasHandle && was->grid.size() == shape.grid.size();
+    const Source source = isChanged ? Source{slot, {}, &was->grid} : findSource(handle, before, changes);
+    out.put(isChanged ? ShapeKind::Changed : ShapeKind::New);
+    out.put(handle);
+    out.put(shape);
+    out.put(source.slot);
+    out.put(source.offset);
+    std::vector<glm::ivec3> bricks;
+    if (isChanged)
+        shape.grid.forEachUnshared(was->grid, [&](glm::ivec3 brick) { bricks.push_back(brick); });
+    else
+        shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef&) { bricks.push_back(brick); });
+    out.put(uint32_t(bricks.size()));
+    for (const glm::ivec3 brick : bricks) putBrick(out, bytes, brick, shape.grid.brickAt(brick), source.brick(brick));
+}
+
+template <class Map, class Handle, class T>
+void putValues(ByteOut& out, const SlotValues<Handle, T>& before, const Map& after) {
+    out.put(uint32_t(before.size()));
+    for (const auto& [slot, was] : before) {
+        const Handle handle = after.handleAt(slot);
+        out.put(slot);
+        out.put(handle);
+        if (handle) out.put(after.at(handle));
+    }
+}
+
+/// Reads one step against the World that it starts from.
+class StepReader {
+public:
+    StepReader(ByteReader& reader, const std::vector<PaletteRef>& palettes, const World& world)
+        : m_reader(reader), m_in(reader, palettes, world.id()), m_world(world) {}
+
+    WorldDelta read() {
+        WorldDelta delta;
+        m_in.get(delta.imported);
+        m_in.get(delta.removed);
+        readValues(delta.bodies);
+        readValues(delta.lights);
+        readValues(delta.groups);
+        for (uint32_t i = m_reader.readCount(5, "shapes"); i-- > 0 && !m_reader.failed();) readShape(delta);
+        m_in.get(delta.freeBodies);
+        m_in.get(delta.freeShapes);
+        return delta;
+    }
+
+private:
+    uint32_t readSlot() {
+        const auto slot = m_reader.read<uint32_t>();
+        if (slot > 0xffffffu) m_reader.fail("a slot below 2^24", std::to_string(slot), m_reader.offset() - 4);
+        return slot;
+    }
+    template <class Handle, class T>
+    void readValues(SlotValues<Handle, T>& out) {
+        for (uint32_t i = m_reader.readCount(12, "objects"); i-- > 0 && !m_reader.failed();) {
+            const uint32_t slot = readSlot();
+            auto& value = out[slot];
+            m_in.get(value.first);
+            if (value.first && value.first.slot() != slot) m_reader.fail("a handle of its slot", "another");
+            if (value.first) m_in.get(value.second.emplace());
+        }
+    }
+    void readShape(WorldDelta& delta) {
+        const uint32_t slot = readSlot();
+        const auto kind = m_reader.read<ShapeKind>();
+        auto& [handle, value] = delta.shapes[slot];
+        if (kind == ShapeKind::Gone) return;
+        Shape shape;
+        m_in.get(handle);
+        m_in.get(shape);
+        Source source;
+        m_in.get(source.slot);
+        m_in.get(source.offset);
+        const Shape* from = m_world.shapes().find(m_world.shapes().handleAt(source.slot));
+        if (from) source.grid = &from->grid;
+        const bool isChanged = kind == ShapeKind::Changed;
+        if (kind > ShapeKind::Changed || !handle || handle.slot() != slot || shape.grid.size() == glm::ivec3(0) ||
+            (source.slot != kNoSource && !from) ||
+            (isChanged && (source.slot != slot || source.offset != glm::ivec3(0) || from->grid.size() != shape.grid.size())))
+            return m_reader.fail("a shape that fits to the world before", "another");
+        if (isChanged) shape.grid = from->grid;
+        if (!shape.palette) shape.palette = std::make_shared<const Palette>();
+        for (uint32_t i = m_reader.readCount(7, "bricks"); i-- > 0 && !m_reader.failed();) readBrickOf(shape.grid, source);
+        if (m_reader.failed()) return;
+        shape.moments = gridMoments(shape.grid, *shape.palette, m_world.materials());
+        value = std::move(shape);
+    }
+    void readBrickOf(VoxelGrid& grid, const Source& source) {
+        const auto kind = m_reader.read<BrickKind>();
+        if (kind == BrickKind::Full) return readFull(grid);
+        glm::ivec3 position;
+        for (int i = 0; i < 3; ++i) position[i] = m_reader.read<uint16_t>();
+        const glm::ivec3 bricks = grid.sizeInBricks();
+        const BrickRef from = source.brick(position);
+        const bool fits = position.x < bricks.x && position.y < bricks.y && position.z < bricks.z && (kind == BrickKind::Empty || from);
+        if (m_reader.failed() || kind > BrickKind::Full || !fits) return m_reader.fail("a brick of the world before", "none there");
+        if (kind == BrickKind::Empty) return grid.setBrick(position, nullptr);
+        const BrickRef brick = kind == BrickKind::Whole ? from : maskBrick(*from, m_reader.read<BrickBits>());
+        const glm::ivec3 room = grid.size() - position * kBrickSize;
+        bool isInside = true;
+        if (brick && (room.x < 8 || room.y < 8 || room.z < 8))
+            forEachVoxel(brick->occupancy, [&](int i) { isInside = isInside && glm::all(glm::lessThan(voxelInBrick(i), room)); });
+        if (!isInside) return m_reader.fail("a brick inside the grid", "one that is not");
+        grid.setBrick(position, brick);
+    }
+    /// readBrick() wants an empty place.
+    void readFull(VoxelGrid& grid) {
+        ByteReader ahead = m_reader;
+        glm::ivec3 position;
+        for (int i = 0; i < 3; ++i) position[i] = ahead.read<uint16_t>();
+        if (grid.brickAt(position)) grid.setBrick(position, nullptr);
+        readBrick(m_reader, grid);
+    }
+    ByteReader& m_reader;
+    ByteIn m_in;
+    const World& m_world;
+};
+
+/// Whether every shape will be on one body that knows it: what a World asserts.
+bool fits(const WorldDelta& delta, const World& world) {
+    const auto shapeAfter = [&](ShapeHandle handle) {
+        const auto found = delta.shapes.find(handle.slot());
+        if (found == delta.shapes.end()) return world.shapes().find(handle);
+        return found->second.first == handle ? &*found->second.second : nullptr;
+    };
+    const auto bodyAfter = [&](BodyHandle handle) {
+        const auto found = delta.bodies.find(handle.slot());
+        if (found == delta.bodies.end()) return world.bodies().find(handle);
+        return found->second.first == handle ? &*found->second.second : nullptr;
+    };
+    const auto isHome = [&](ShapeHandle handle, const Shape& shape) {
+        const Body* body = bodyAfter(shape.body);
+        return body && std::count(body->shapes.begin(), body->shapes.end(), handle) == 1;
+    };
+    bool good = true;
+    for (const auto& [slot, value] : delta.shapes) {
+        if (value.first) good = good && isHome(value.first, *value.second);
+        const Shape* was = world.shapes().find(world.shapes().handleAt(slot));
+        if (was && !value.first) good = good && delta.bodies.contains(was->body.slot());
+    }
+    for (const auto& [slot, value] : delta.bodies) {
+        if (value.first)
+            for (const ShapeHandle shape : value.second->shapes) {
+                const Shape* after = shapeAfter(shape);
+                good = good && after && after->body == value.first;
+            }
+        if (const Body* was = world.bodies().find(world.bodies().handleAt(slot)))
+            for (const ShapeHandle shape : was->shapes) {
+                const Shape* after = shapeAfter(shape);
+                good = good && (!after || isHome(shape, *after));
+            }
+    }
+    return good;
+}
+
+}  // namespace
+
+std::vector<uint8_t> stepToBytes(const WorldDelta& before, const FrameChanges& changes, const World& after, PaletteList& palettes) {
+    if (before.empty()) return {};
+    const size_t known = palettes.palettes().size();
+    std::vector<uint8_t> delta;
+    ByteOut out(delta, palettes);
+    out.put(after.imported()), out.put(after.removed());
+    putValues(out, before.bodies, after.bodies());
+    putValues(out, before.lights, after.lights());
+    putValues(out, before.groups, after.lightGroups());
+    out.put(uint32_t(before.shapes.size()));
+    for (const auto& [slot, was] : before.shapes) putShape(out, delta, slot, before, changes, after);
+    out.put(after.bodies().freeSlots());
+    out.put(after.shapes().freeSlots());
+    std::vector<uint8_t> bytes = palettesToBytes({palettes.palettes().begin() + std::ptrdiff_t(known), palettes.palettes().end()});
+    bytes.insert(bytes.end(), delta.begin(), delta.end());
+    return bytes;
+}
+
+Result<FrameChanges> applyStep(std::span<const uint8_t> bytes, const std::string& name, World& world, std::vector<PaletteRef>& palettes) {
+    if (bytes.empty()) return world.applyDelta(std::nullopt);
+    ByteReader in(bytes, "step");
+    for (PaletteRef& palette : palettesFromBytes(in)) palettes.push_back(std::move(palette));
+    WorldDelta delta = StepReader(in, palettes, world).read();
+    if (!in.failed() && in.remaining() > 0) in.fail("the end of the step", fmt::format("{} more bytes", in.remaining()));
+    if (!in.failed() && !fits(delta, world)) in.fail("shapes and bodies that name each other", "others");
+    if (in.failed()) return Error{name + ": " + in.error()};
+    return world.applyDelta(std::move(delta));
+}
+
+}  // namespace rubble

@@ -1,0 +1,20 @@
+#include "runtime/plugin/recorder.h"
+
+namespace rubble {
+
+void Recorder::edited(const Edits& hostEdits, const FrameChanges& changes, const World& world, bool savedBefore) {
+    m_step = {.step = changes.step, .savedBefore = savedBefore, .edits = hostEdits};
+    m_step.delta = stepToBytes(m_mirror.update(world, changes), changes, world, m_palettes);
+}
+
+void Recorder::moved(std::span<const BodyPose> poses, const World& world) {
+    SlotValues<BodyHandle, Body> unused;
+    m_mirror.move(world, poses, unused);
+    m_step.poses.assign(poses.begin(), poses.end());
+    m_step.hash = world.hash();
+    m_step.resolvedHash = world.resolvedHash();
+    m_step.voxelHash = world.voxelHash();
+    m_writer.add(m_step);
+}
+
+}  // namespace rubble

@@ -1,0 +1,27 @@
+#pragma once
+#include "runtime/assets/recording_file.h"
+#include "runtime/world/world_mirror.h"
+
+namespace rubble {
+
+/// Writes the steps of a FrameLoop to a recording. Costs what each step changed, one copy of the World's objects, and a hash
+/// of the World a step.
+class Recorder {
+public:
+    /// The World must be the one that `writer` was opened with.
+    Recorder(RecordingWriter writer, const World& world) : m_writer(std::move(writer)), m_mirror(world) {}
+
+    /// After applyEdits(). savedBefore: physics is made anew in this step.
+    void edited(const Edits& hostEdits, const FrameChanges& changes, const World& world, bool savedBefore);
+    /// After setPoses(): the step is done.
+    void moved(std::span<const BodyPose> poses, const World& world);
+    Result<Done> close() { return m_writer.close(); }
+
+private:
+    RecordingWriter m_writer;
+    WorldMirror m_mirror;
+    PaletteList m_palettes;
+    RecordedStep m_step;
+};
+
+}  // namespace rubble

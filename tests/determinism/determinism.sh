@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# Runs the scripted scenes in nine ways and compares their hashes: every pair of compiler, optimisation, threads, renderer and
+# way of getting there (playing, from a save half-way, from a recording) occurs in at least one. Builds what it needs.
+#   tests/determinism/determinism.sh [--steps N] [--long SCENE] [SCENE...]      (all ten scenes, 600 steps, tower for 3,600)
+set -euo pipefail
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.." && pwd)
+
+# compiler optimisation threads renderer way
+table='
+g++     O2 4 off replay
+g++     O2 2 on  play
+g++     O3 1 off play
+g++     O3 4 off load
+g++     O0 2 off load
+clang++ O2 1 on  load
+clang++ O3 2 on  replay
+clang++ O0 1 off replay
+clang++ O0 4 on  play
+'
+steps=600 long=tower scenes=()
+while (($#)); do
+    case $1 in
+    --steps) steps=$2 && shift 2 ;;
+    --long) long=$2 && shift 2 ;;
+    *) scenes+=("$1") && shift ;;
+    esac
+done
+((${#scenes[@]})) || scenes=(tower bridge fire wall pane lamps dominoes craters crush garden)
+
+programOf() { echo "$root/build/determinism/$1-$2/bin/hash_scene"; }
+
+build() {
+    local folder=$root/build/determinism/$1-$2 c=gcc
+    [[ $1 == clang++ ]] && c=clang
+    cmake -G Ninja -S "$root" -B "$folder" -DCMAKE_BUILD_TYPE=Determinism -DCMAKE_CXX_COMPILER="$1" -DCMAKE_C_COMPILER="$c" \
+        -DCMAKE_CXX_FLAGS="-$2" -DCMAKE_C_FLAGS="-$2" -DRUBBLE_BENCHMARKS=OFF >/dev/null
+    cmake --build "$folder" --target hash_scene >/dev/null
+}
+
+# check SCENE STEPS: all rows of the table give the hashes of the first.
+check() {
+    local first='' cxx opt threads renderer way hashes options
+    while read -r cxx opt threads renderer way; do
+        [[ $cxx ]] || continue
+        options=(--scene "$1" --steps "$2" --threads "$threads" --way "$way")
+        [[ $renderer == on ]] && options+=(--renderer)
+        hashes=$("$(programOf "$cxx" "$opt")" "${options[@]}" 2>/dev/null) || {
+            echo "$1: failed: $cxx -$opt ${options[*]}"
+            return 1
+        }
+        if [[ ! $first ]]; then
+            first=$hashes
+        elif [[ $hashes != "$first" ]]; then
+            echo "$1: other hashes: $cxx -$opt ${options[*]}"
+            diff <(echo "$first") <(echo "$hashes") | head -4
+            return 1
+        fi
+    done <<<"$table"
+    echo "$1: equal over $2 steps: ${first##* }"
+}
+
+while read -r cxx opt rest; do
+    [[ $cxx ]] || continue
+    [[ $(declare -p built 2>/dev/null) == *" $cxx-$opt "* ]] || build "$cxx" "$opt"
+    built="${built:-} $cxx-$opt "
+done <<<"$table"
+
+failed=0
+for scene in "${scenes[@]}"; do check "$scene" "$steps" || failed=1; done
+[[ $long == none ]] || check "$long" $((steps * 6)) || failed=1
+exit $failed

@@ -1,0 +1,194 @@
+#include "runtime/assets/save_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+
+#include "runtime/assets/assets.h"
+#include "runtime/assets/recording_file.h"
+#include "runtime/world/world_mirror.h"
+#include "tests/runtime/world/worlds.h"
+
+namespace rubble {
+namespace {
+
+using namespace test;
+
+/// A wall that was shot at, pieces of it that move, and a lamp.
+World brokenWorld(uint8_t id = 1) {
+    Level level = oneShapeLevel(towerGrid({40, 40, 20}), true);
+    level.lightGroups.push_back({"lamp"});
+    level.lights.push_back({Light{.name = "bulb"}, "shape", "lamp"});
+    World world(id);
+    world.load(level);
+    WorldSettings settings;
+    settings.debris.bodies = 77;
+    world.applyEdits({SettingsEdit{settings}, sphereCarve({1.0, 1.0, 1.0}, 0.6)});
+    world.applyEdits({sphereCarve({2.0, 2.0, 0.2}, 0.7), PaintEdit{.position = {2.0, 3.0, 0.2}, .radius = 1.0}});
+    world.applyEdits({PaintEdit{.position = {2.0, 1.0, 0.2}, .radius = 1.0, .mode = PaintMode::Layer}});
+    std::vector<BodyPose> poses;
+    world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+        if (!body.isStatic) poses.push_back({handle, {{1.0, 2.0, 3.0}}, {0.5, 0.0, 0.0}, {0.0, 0.1, 0.0}, poses.size() % 2 == 0});
+    });
+    world.setPoses(poses);
+    return world;
+}
+
+SavedGame gameOf(const World& world) {
+    return {world.state(), {sphereCarve({1.0, 2.0, 3.0}, 0.5), ExplodeEdit{}, SettingsEdit{world.settings()}}};
+}
+
+TEST(SaveFile, RoundTripKeepsStateSlotsAndPendingEdits) {
+    const World world = brokenWorld();
+    const std::vector<uint8_t> bytes = gameToBytes(gameOf(world));
+    Result<SavedGame> game = gameFromBytes(bytes, "test", 7);
+    ASSERT_TRUE(game) << game.error();
+    EXPECT_EQ(game->pending.size(), 3u);
+    EXPECT_EQ(std::get<CarveEdit>(game->pending[0]).position, glm::dvec3(1.0, 2.0, 3.0));
+    World back(7);
+    back.setState(game->world);
+    EXPECT_EQ(back.hash(), world.hash());
+    EXPECT_EQ(back.settings().debris.bodies, 77u);
+    EXPECT_EQ(back.shapes().freeSlots(), world.shapes().freeSlots());
+    EXPECT_TRUE(back.ledger().balances());
+    world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
+        const Shape* other = back.shapes().find(ShapeHandle::make(7, handle.generation(), handle.slot()));
+        ASSERT_TRUE(other);
+        EXPECT_EQ(other->moments, shape.moments);
+    });
+    // And it goes on the same.
+    World first = world;
+    const Edits edits = {sphereCarve({0.2, 2.0, 0.2}, 0.7), ExplodeEdit{.position = {3.0, 1.0, 0.2}}};
+    first.applyEdits(edits);
+    back.applyEdits(edits);
+    EXPECT_EQ(back.hash(), first.hash());
+}
+
+TEST(SaveFile, EveryTruncationAndEveryBitFlipIsRefused) {
+    std::vector<uint8_t> bytes = gameToBytes(gameOf(brokenWorld()));
+    for (size_t length = 0; length < bytes.size(); length += length < 300 ? 1 : 137)
+        ASSERT_FALSE(gameFromBytes(std::span(bytes).first(length), "t", 1)) << length;
+    for (size_t byte = 0; byte < bytes.size(); byte += byte < 200 ? 1 : 61) {
+        bytes[byte] ^= uint8_t(1 << byte % 8);
+        const Result<SavedGame> game = gameFromBytes(bytes, "t.rubble", 1);
+        ASSERT_FALSE(game) << "byte " << byte;
+        ASSERT_EQ(game.error().rfind("t.rubble: byte ", 0), 0u) << game.error();
+        bytes[byte] ^= uint8_t(1 << byte % 8);
+    }
+}
+
+TEST(SaveFile, ASettingThatTheFileForgetsIsNoticed) {
+    // A new setting changes the size: add it to state_fields.h, then here.
+    EXPECT_EQ(sizeof(DebrisSettings), 32u);
+    EXPECT_EQ(sizeof(FireSettings), 24u);
+    EXPECT_EQ(sizeof(LoadSettings), 32u);
+    EXPECT_EQ(sizeof(WorldSettings), 56 + sizeof(DebrisSettings) + sizeof(LoadSettings) + sizeof(FireSettings) + 8u);
+    EXPECT_EQ(sizeof(PaintEdit), 80u);
+    EXPECT_EQ(sizeof(CarveEdit), 152u);
+}
+
+TEST(SaveFile, FilesOfOtherKindsAreRefused) {
+    const std::string path = (std::filesystem::path(testing::TempDir()) / "save.rubble").string();
+    ASSERT_TRUE(writeSave(path, gameOf(brokenWorld())));
+    EXPECT_TRUE(readSave(path, 1));
+    const Result<Level> level = readRubble(path);
+    ASSERT_FALSE(level);
+    EXPECT_NE(level.error().find("of chunk 2 (GRID)"), std::string::npos) << level.error();
+    EXPECT_FALSE(readRecording(path, 1));
+    ASSERT_TRUE(writeRubble(path, oneShapeLevel(towerGrid({16, 16, 16}), true)));
+    EXPECT_FALSE(readSave(path, 1));
+    std::filesystem::remove(path);
+}
+
+/// What the host of a game would send: a snapshot to those who join, and each step's resolved edits to all.
+TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
+    World host = brokenWorld();
+    PaletteList list;
+    WorldMirror mirror(host);
+    std::vector<RecordedStep> log;
+    const auto step = [&](const Edits& edits) {
+        const FrameChanges changes = host.applyEdits(edits);
+        RecordedStep record{.step = changes.step};
+        record.delta = stepToBytes(mirror.update(host, changes), changes, host, list);
+        host.bodies().forEach([&](BodyHandle handle, const Body& body) {
+            if (!body.isStatic) record.poses.push_back({handle, {body.pose.position + glm::dvec3(0.01)}, body.velocity, body.angularVelocity, false});
+        });
+        host.setPoses(record.poses);
+        SlotValues<BodyHandle, Body> unused;
+        mirror.move(host, record.poses, unused);
+        record.hash = host.hash();
+        record.voxelHash = host.voxelHash();
+        record.resolvedHash = host.resolvedHash();
+        log.push_back(record);
+    };
+    Random random(3);
+    const auto randomEdits = [&] {
+        const double x = random.unit() * 4.0, y = random.unit() * 4.0, z = random.unit() * 2.0;
+        Edits edits = {sphereCarve({x, y, z}, 0.5)};
+        if (random.below(2))
+            edits.push_back(PaintEdit{.position = {y, x, z}, .radius = 0.8, .mode = random.below(2) ? PaintMode::Layer : PaintMode::Blend});
+        if (random.below(3) == 0) edits.push_back(ExplodeEdit{.position = {y, x, z}, .size = 1.5});
+        return edits;
+    };
+    for (int i = 0; i < 10; ++i) step(randomEdits());
+    const std::vector<uint8_t> snapshot = gameToBytes({host.state(), {}});
+    const size_t joined = log.size();
+    list = {};  // whoever joins knows no palette yet
+    for (int i = 0; i < 30; ++i) step(i % 4 == 3 ? Edits{} : randomEdits());
+
+    World joiner(9);
+    Result<SavedGame> game = gameFromBytes(snapshot, "snapshot", 9);
+    ASSERT_TRUE(game) << game.error();
+    joiner.setState(std::move(game->world));
+    std::vector<PaletteRef> palettes;
+    size_t bytes = 0;
+    for (size_t i = joined; i < log.size(); ++i) {
+        const Result<RecordedStep> sent = recordedStepFromBytes(recordedStepToBytes(log[i]), "wire", 9);
+        ASSERT_TRUE(sent) << sent.error();
+        bytes += sent.value().delta.size();
+        const Result<FrameChanges> applied = applyStep(sent.value().delta, "wire", joiner, palettes);
+        ASSERT_TRUE(applied) << "step " << i << ": " << applied.error();
+        ASSERT_EQ(joiner.voxelHash(), log[i].voxelHash) << "step " << i;
+        joiner.setPoses(sent.value().poses);
+        ASSERT_EQ(joiner.hash(), log[i].hash) << "step " << i;
+    }
+    joiner.shapes().forEach(
+        [&](ShapeHandle, const Shape& shape) { EXPECT_EQ(shape.moments, gridMoments(shape.grid, *shape.palette, joiner.materials())); });
+    EXPECT_TRUE(joiner.ledger().balances());
+    EXPECT_GT(joiner.shapes().size(), 5u);
+    RecordProperty("bytes_a_step", int(bytes / 30));
+}
+
+TEST(StepDelta, DamagedStepsAreRefusedAndChangeNothing) {
+    World host = brokenWorld();
+    const World start = host;
+    WorldMirror mirror(host);
+    PaletteList list;
+    const FrameChanges changes = host.applyEdits({sphereCarve({0.2, 2.0, 0.2}, 0.7), PaintEdit{.position = {0.2, 1.0, 0.2}, .radius = 1.0}});
+    std::vector<uint8_t> bytes = stepToBytes(mirror.update(host, changes), changes, host, list);
+    Random random(5);
+    int refused = 0;
+    for (size_t length = 1; length < bytes.size(); length += 97) {
+        World world = start;
+        std::vector<PaletteRef> palettes;
+        EXPECT_FALSE(applyStep(std::span(bytes).first(length), "t", world, palettes));
+        EXPECT_EQ(world.hash(), start.hash());
+    }
+    for (int i = 0; i < 400; ++i) {  // without checksums: some flips make another, sound step
+        std::vector<uint8_t> other = bytes;
+        other[random.below(uint32_t(other.size()))] ^= uint8_t(1 + random.below(255));
+        World world = start;
+        std::vector<PaletteRef> palettes;
+        if (const Result<FrameChanges> applied = applyStep(other, "t", world, palettes); !applied) {
+            ++refused;
+            EXPECT_EQ(world.hash(), start.hash());
+        } else {
+            world.applyEdits({sphereCarve({1.0, 2.0, 1.0}, 0.7)});
+        }
+    }
+    EXPECT_GT(refused, 3);
+}
+
+}  // namespace
+}  // namespace rubble
