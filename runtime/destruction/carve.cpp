@@ -5,9 +5,12 @@ namespace {
 
 using EntryClasses = std::array<uint8_t, 256>;
 
-EntryClasses entryClasses(const Palette& palette, const MaterialTable& materials) {
+EntryClasses entryClasses(const Palette& palette, const MaterialTable& materials, Tool tool) {
     EntryClasses classes{};
-    for (size_t i = 0; i < 256; ++i) classes[i] = uint8_t(materials[palette[i].material].hardness);
+    for (size_t i = 0; i < 256; ++i) {
+        const Material& material = materials[palette[i].material];
+        classes[i] = uint8_t(breaksWith(material, tool) ? material.hardness : Hardness::Unbreakable);
+    }
     return classes;
 }
 
@@ -32,8 +35,8 @@ BrickBits bitsToRemove(const Brick& brick, const std::array<BrickBits, 3>& touch
 
 }  // namespace
 
-void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials, Carved& out) {
-    const EntryClasses classes = entryClasses(palette, materials);
+void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials, Carved& out, Tool tool) {
+    const EntryClasses classes = entryClasses(palette, materials, tool);
     const Densities densities(palette, materials);
     const CellBox range = brushBricks(brush, grid.sizeInBricks());
     for (int z = range.low.z; z < range.high.z; ++z)

@@ -20,8 +20,8 @@ struct Carved {
 };
 
 /// Empties the cells that the brush touches, each class of hardness within its own radius; unbreakable and unphysical
-/// voxels stay. Costs the bricks within the brush's bounds.
-void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials, Carved& out);
+/// voxels stay, and those that the tool does not break. Costs the bricks within the brush's bounds.
+void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials, Carved& out, Tool tool = Tool::Any);
 
 /// Empties exactly these cells, whatever they are made of.
 void removeCells(VoxelGrid& grid, const BrickShare& cells, const Densities& densities, Carved& out);

@@ -19,7 +19,7 @@ std::vector<Material> makeDefaults() {
         {"rock",         Unbreakable, 2700,  10e6f,  150e6f,   20e6f,  0.65f, 0.15f, 800,   0,     0,    "none",     false, false, false, false},
         {"wood",         Soft,         500,  14e6f,  21e6f,    4e6f,   0.50f, 0.20f, 1700,  570,   20,   "splinter", true, true, true, true},
         {"concrete",     Medium,      2400,  2.6e6f, 25e6f,    4e6f,   0.65f, 0.10f, 880,   0,     0,    "chunk",    false, false, true, true},
-        {"brick",        Medium,      1900,  0.4e6f, 8e6f,     0.6e6f, 0.65f, 0.10f, 840,   0,     0,    "chunk",    false, false, true, true},
+        {"brick",        Medium,      1900,  0.4e6f, 8e6f,     0.6e6f, 0.65f, 0.10f, 840,   0,     0,    "bond",     false, false, true, true},
         {"plaster",      Soft,         900,  0.8e6f, 4e6f,     0.8e6f, 0.60f, 0.05f, 1090,  0,     0,    "crumble",  true, false, true, true},
         {"metal",        Medium,      7850,  235e6f, 235e6f,   135e6f, 0.45f, 0.20f, 490,   0,     0,    "tear",     false, true, true, true},
         {"heavy metal",  Unbreakable, 7850,  355e6f, 355e6f,   205e6f, 0.45f, 0.20f, 490,   0,     0,    "none",     false, false, false, false},
@@ -41,6 +41,17 @@ uint8_t MaterialTable::find(std::string_view name) const {
     for (size_t i = 1; i < materials.size(); ++i)
         if (materials[i].name == name) return uint8_t(i);
     return 0;
+}
+
+bool breaksWith(const Material& material, Tool tool) {
+    switch (tool) {
+        case Tool::Any: return true;
+        case Tool::Sledge: return material.sledge;
+        case Tool::Torch: return material.torch;
+        case Tool::Gun: return material.gun;
+        case Tool::Explosive: return material.explosive;
+    }
+    return false;
 }
 
 const MaterialTable& defaultMaterials() {

@@ -10,6 +10,9 @@ namespace rubble {
 /// unphysical voxels are seen but not touched.
 enum class Hardness : uint8_t { Soft, Medium, Hard, Unbreakable, Unphysical };
 
+/// What breaks a voxel: a material says which tools it obeys. Any: all that can be broken at all.
+enum class Tool : uint8_t { Any, Sledge, Torch, Gun, Explosive };
+
 /// What a voxel is made of. SI units. Strengths are used by the load solver, heat by fire.
 struct Material {
     std::string name;
@@ -23,11 +26,13 @@ struct Material {
     float heatCapacity = 900.0f;                                     ///< J/(kg K)
     float ignitionTemperature = 0.0f;                                ///< K; 0 = does not burn
     float burnTime = 0.0f;                                           ///< s
-    std::string fragments = "chunk";                                 ///< how it comes apart: chunk, splinter, pane, tear, crumble, none
+    std::string fragments = "chunk";                                 ///< how it comes apart: chunk, bond, splinter, pane, tear, crumble, none
     bool sledge = true, torch = true, gun = true, explosive = true;  ///< the tools that break it
 
     friend bool operator==(const Material&, const Material&) = default;
 };
+
+bool breaksWith(const Material& material, Tool tool);
 
 /// The materials of a world, by index; index 0 stands for "empty". Data: a level may bring its own.
 struct MaterialTable {

@@ -24,9 +24,20 @@ struct CarveEdit {
     std::array<double, 3> radii{};            ///< soft, medium, hard (MakeHole's r0 >= r1 >= r2); box: unused, hardnessLimit says
     Hardness hardnessLimit = Hardness::Hard;  ///< box: the hardest class it removes
     ShapeHandle shape;                        ///< empty: all
+    Tool tool = Tool::Any;                    ///< removes only what this tool breaks
 };
 
-/// Carves and pushes: bodies in reach get an impulse away from the centre.
+/// Breaks what is inside a sphere out of its shapes, as fragments and dust in the style of each material. Glass goes by the
+/// whole pane.
+struct BreakEdit {
+    glm::dvec3 position{0.0};
+    std::array<double, 3> radii{};  ///< metres, for soft, medium and hard materials
+    Tool tool = Tool::Any;
+    uint32_t seed = 0;  ///< of where the cracks run
+    ShapeHandle shape;  ///< empty: all
+};
+
+/// Breaks, scorches and pushes: bodies in reach get an impulse away from the centre.
 struct ExplodeEdit {
     glm::dvec3 position{0.0};
     double size = 1.0;     ///< 0.5 to 4, as in the reference game: radii 1.0, 0.7 and 0.4 of it, in metres
@@ -94,7 +105,8 @@ struct RemoveFiresEdit {
     glm::dvec3 low{0.0}, high{0.0};
 };
 
-using Edit = std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit>;
+using Edit =
+    std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit, BreakEdit>;
 using Edits = std::vector<Edit>;
 
 /// Where a host leaves edits for the next step. [main-thread]

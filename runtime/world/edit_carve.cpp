@@ -23,19 +23,24 @@ void EditStep::carveShape(ShapeHandle handle, const CarveEdit& edit) {
     if (brushBricks(brush, shape.grid.sizeInBricks()).empty()) return;
     rememberMotion(shape.body);
     Carved carved;
-    carve(shape.grid, brush, *shape.palette, m_world.m_materials, carved);
+    carve(shape.grid, brush, *shape.palette, m_world.m_materials, carved, edit.tool);
     if (carved.voxels) takeCarved(handle, carved);
 }
 
 void EditStep::takeCarved(ShapeHandle handle, const Carved& carved) {
     Shape& shape = m_world.m_shapes.at(handle);
     shape.moments -= carved.moments;
-    const MassProperties gone = massProperties(carved.moments, shape.voxelSize);
-    const double radius = 0.5 * shape.voxelSize * std::cbrt(double(carved.voxels));
-    countRemoved(handle, carved.removed,
-                 {m_world.shapeToWorld(handle).transformPoint(gone.center), radius, m_world.m_bodies.at(shape.body).velocity});
+    countRemoved(handle, carved);
     BrickSet& bricks = touched(handle).carved;
     for (const glm::ivec3 brick : carved.bricks) bricks.insert(brick);
+}
+
+void EditStep::countRemoved(ShapeHandle handle, const Carved& carved) {
+    if (carved.voxels == 0) return;
+    const Shape& shape = m_world.m_shapes.at(handle);
+    const glm::dvec3 center = m_world.shapeToWorld(handle).transformPoint(massProperties(carved.moments, shape.voxelSize).center);
+    const double radius = 0.5 * shape.voxelSize * std::cbrt(double(carved.voxels));
+    countRemoved(handle, carved.removed, {center, radius, m_world.m_bodies.at(shape.body).velocity});
 }
 
 void EditStep::countRemoved(ShapeHandle handle, const std::array<uint64_t, 256>& removed, const Place& place) {
@@ -49,17 +54,6 @@ void EditStep::countRemoved(ShapeHandle handle, const std::array<uint64_t, 256>&
         if (entry.material && entry.material == m_world.m_wire) m_cutWires.insert(handle.slot());
         if (entry.lightGroup && entry.lightGroup <= m_groupRemoved.size()) m_groupRemoved[entry.lightGroup - 1] += removed[i];
     }
-}
-
-void EditStep::apply(const ExplodeEdit& edit) {
-    CarveEdit hole{.position = edit.position};
-    hole.radii = {edit.size, 0.7 * edit.size, 0.4 * edit.size};
-    apply(hole);
-    m_changes.blasts.push_back({edit.position, edit.size});
-    constexpr std::array<uint8_t, 3> kSoot = {24, 21, 18};
-    const uint32_t seed = uint32_t(m_changes.step);
-    apply(PaintEdit{edit.position, 1.45 * edit.size, kSoot, 190, 20, seed});
-    m_pushes.emplace_back(edit);
 }
 
 }  // namespace rubble

@@ -40,6 +40,11 @@ void EditStep::splitShape(Touched& touched) {
     shape->nothingLoose = true;
     const Densities densities(*shape->palette, m_world.m_materials);
     ShapeSplit split{.parent = parent};
+    for (Fragment& fragment : touched.fragments) {
+        split.parentOffset.push_back(fragment.piece.offset);
+        split.children.push_back(createChild(parent, std::move(fragment.piece), fragment.moments, split.motions.emplace_back()));
+    }
+    if (!touched.fragments.empty()) shape = &m_world.m_shapes.at(parent);
     for (const Component& component : loose.pieces) {
         const MassMoments moments = componentMoments(shape->grid, component, densities);
         if (moments.weight == 0) continue;  // unphysical voxels are not touched: they stay where they are

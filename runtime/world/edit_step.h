@@ -7,6 +7,7 @@
 
 #include "runtime/destruction/attachment.h"
 #include "runtime/destruction/carve.h"
+#include "runtime/destruction/fragments.h"
 #include "runtime/destruction/paint.h"
 #include "runtime/destruction/split.h"
 #include "runtime/world/resolve_brush.h"
@@ -26,6 +27,7 @@ private:
         ShapeHandle shape;
         BrickSet carved;
         BrickSet painted;
+        std::vector<Fragment> fragments;  ///< out of the grid already; bodies of their own after the edits
     };
     /// How a free body moved before anything was taken from it.
     struct Motion {
@@ -41,7 +43,6 @@ private:
 
     // edit_carve.cpp
     void apply(const CarveEdit& edit);
-    void apply(const ExplodeEdit& edit);
     void carveShape(ShapeHandle handle, const CarveEdit& edit);
     /// Books what a shape has just lost.
     void takeCarved(ShapeHandle handle, const Carved& carved);
@@ -51,7 +52,14 @@ private:
         double radius;
         glm::vec3 velocity;
     };
+    void countRemoved(ShapeHandle handle, const Carved& carved);
     void countRemoved(ShapeHandle handle, const std::array<uint64_t, 256>& removed, const Place& place);
+
+    // edit_break.cpp
+    void apply(const BreakEdit& edit);
+    void apply(const ExplodeEdit& edit);
+    void breakShape(ShapeHandle handle, const BreakEdit& edit);
+    void countLit(const VoxelGrid& grid, const Palette& palette);
 
     // edit_paint.cpp
     void apply(const PaintEdit& edit);

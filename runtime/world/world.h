@@ -194,6 +194,7 @@ private:
     /// Whether wire leads from the group's supply to a voxel of it.
     bool isSupplied(LightGroupHandle handle, const LightGroup& group) const;
     void connectSupplies();
+    void addImpactDamage(const Impact& impact, BodyHandle body, Edits& out) const;
     /// Fills in initialVoxels of groups that do not bring it.
     void countGroupVoxels();
 

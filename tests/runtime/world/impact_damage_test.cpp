@@ -7,39 +7,85 @@
 namespace rubble {
 namespace {
 
-TEST(ImpactDamage, HardImpactsBreakAndWeightAtRestDoesNot) {
+/// A block of one default material on the ground of another.
+Level blockOnGround(const char* material, glm::ivec3 size, const char* ground = "rock") {
+    Level level;
+    auto palette = std::make_shared<Palette>();
+    (*palette)[1].material = defaultMaterials().find(material);
+    (*palette)[2].material = defaultMaterials().find(ground);
+    const auto add = [&](VoxelGrid grid, glm::dvec3 corner, bool isStatic) {
+        LevelBody body{.name = "body", .pose = {corner}, .isStatic = isStatic};
+        body.shapes.push_back({.name = "shape", .grid = std::move(grid), .palette = palette});
+        level.bodies.push_back(std::move(body));
+    };
+    add(test::solidGrid(size, 1), {0, 0, 0}, false);
+    add(test::solidGrid({40, 4, 40}, 2), {-1.0, -0.4, -1.0}, true);
+    return level;
+}
+
+struct Hit {
+    explicit Hit(const Level& level) {
+        world.load(level);
+        std::vector<BodyHandle> bodies;
+        world.bodies().forEach([&](BodyHandle handle, const Body&) { bodies.push_back(handle); });
+        impact = {.body = bodies[0], .other = bodies[1], .position = {0.5, 0.0, 0.5}};
+        mass = world.bodyMass(bodies[0]).mass;
+    }
+    Edits with(double impulse) {
+        impact.impulse = impulse;
+        return world.damageFrom({&impact, 1});
+    }
+    /// N s at which it begins to break.
+    double threshold() {
+        double low = 0.0, high = 1e9;
+        while (high - low > 1e-3) (with(0.5 * (low + high)).empty() ? low : high) = 0.5 * (low + high);
+        return high;
+    }
     World world;
-    Level level = test::oneShapeLevel(test::solidGrid({20, 20, 20}, 2), false);  // 8 m3 of 1700 kg
-    level.bodies.push_back(test::oneShapeLevel(test::solidGrid({40, 4, 40}), true, {{-1.0, -0.4, -1.0}}).bodies[0]);
-    world.load(level);
-    std::vector<BodyHandle> bodies;
-    world.bodies().forEach([&](BodyHandle handle, const Body&) { bodies.push_back(handle); });
-    const double mass = world.bodyMass(bodies[0]).mass;
-    EXPECT_NEAR(mass, 8.0 * 1700.0, 1.0);
-    Impact impact{.body = bodies[0], .other = bodies[1], .position = {1.0, 0.0, 1.0}};
-    impact.impulse = mass * 9.81 / 60.0;
-    EXPECT_GT(impact.impulse, world.settings().impactThreshold);
-    EXPECT_TRUE(world.damageFrom({&impact, 1}).empty()) << "it only stands there";
-    impact.impulse = mass * 5.0;
-    const Edits edits = world.damageFrom({&impact, 1});
-    ASSERT_EQ(edits.size(), 1u);
-    const Ledger before = world.ledger();
-    world.applyEdits(edits);
-    EXPECT_LT(before.removed, world.ledger().removed);
+    Impact impact;
+    double mass;
+};
+
+TEST(ImpactDamage, HardImpactsBreakAndWeightAtRestDoesNot) {
+    Hit hit(blockOnGround("concrete", {20, 20, 20}));
+    EXPECT_TRUE(hit.with(hit.mass * 9.81 / 60.0).empty()) << "it only stands there";
+    const Edits edits = hit.with(hit.mass * 5.0);
+    ASSERT_EQ(edits.size(), 1u) << "the block breaks, rock does not";
+    const FrameChanges changes = hit.world.applyEdits(edits);
+    EXPECT_FALSE(changes.splits.empty());
+    EXPECT_GT(hit.world.ledger().inPieces, 0u);
+    EXPECT_TRUE(hit.world.ledger().balances());
+    EXPECT_EQ(hit.world.ledger().imported, 8000u + 6400u);
+}
+
+TEST(ImpactDamage, TheMaterialDecides) {
+    const auto threshold = [](const char* material) { return Hit(blockOnGround(material, {4, 4, 4})).threshold(); };
+    EXPECT_NEAR(threshold("concrete"), 2000.0 * 2.0, 1.0) << "medium: twice the scene's threshold";
+    EXPECT_LT(threshold("glass"), threshold("wood") / 5.0);
+    EXPECT_LT(threshold("wood"), threshold("brick"));
+    EXPECT_LT(threshold("brick"), threshold("concrete"));
+    EXPECT_LT(threshold("concrete"), threshold("metal"));
+    Hit rock(blockOnGround("rock", {4, 4, 4}));
+    EXPECT_TRUE(rock.with(1e9).empty());
+}
+
+TEST(ImpactDamage, BothBodiesBreakEachAsItsMaterialDoes) {
+    Hit hit(blockOnGround("brick", {8, 8, 8}, "glass"));
+    EXPECT_EQ(hit.with(1500.0).size(), 1u) << "glass only";
+    EXPECT_EQ(hit.with(9000.0).size(), 2u);
 }
 
 TEST(ImpactDamage, TheHardestComeFirstAndTheirNumberIsLimited) {
-    World world;
-    std::vector<Impact> impacts(40);
-    for (size_t i = 0; i < impacts.size(); ++i) {
-        impacts[i].position = {double(i), 0.0, 0.0};
-        impacts[i].impulse = 1500.0 + 100.0 * double(i);
-    }
+    Hit hit(blockOnGround("plaster", {4, 4, 4}));
+    std::vector<Impact> impacts(40, hit.impact);
+    for (size_t i = 0; i < impacts.size(); ++i) impacts[i].impulse = 1500.0 + 100.0 * double(i);
     impacts[3].impulse = std::nan("");
-    const Edits edits = world.damageFrom(impacts);
-    ASSERT_EQ(edits.size(), world.settings().impactsAStep);
-    EXPECT_EQ(std::get<CarveEdit>(edits[0]).position.x, 39.0);
-    EXPECT_TRUE(world.damageFrom(std::span(impacts).first(5)).empty());
+    impacts[39].position = {0.1, 0.0, 0.1};
+    const Edits edits = hit.world.damageFrom(impacts);
+    ASSERT_EQ(edits.size(), hit.world.settings().impactsAStep);
+    EXPECT_EQ(std::get<BreakEdit>(edits[0]).position.x, 0.1);
+    for (Impact& impact : impacts) impact.impulse = 20.0;
+    EXPECT_TRUE(hit.world.damageFrom(impacts).empty());
 }
 
 }  // namespace

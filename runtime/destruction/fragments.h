@@ -1,0 +1,34 @@
+#pragma once
+#include <vector>
+
+#include "runtime/destruction/carve.h"
+#include "runtime/destruction/split.h"
+
+namespace rubble {
+
+/// What decides how a zone breaks, besides the zone and the materials in it.
+struct BreakPlan {
+    Tool tool = Tool::Any;
+    uint32_t seed = 0;
+    int64_t metre = 2560;           ///< in 1/256 of a cell
+    size_t mostFragments = 300;     ///< larger fragments are made so that there are about as many, and never more
+    uint64_t fewestVoxels = 1;      ///< smaller fragments are dust
+    uint64_t largestPane = 20'000;  ///< voxels of a pane that break at once
+};
+
+struct Fragment {
+    Piece piece;          ///< packed: its offset is its lowest cell
+    MassMoments moments;  ///< in the cells of the grid that it came from
+};
+
+/// What broke out of one grid: fragments and dust, and nothing is lost.
+struct Broken {
+    std::vector<Fragment> fragments;
+    Carved dust;  ///< its bricks are all that changed
+};
+
+/// Takes the voxels within a sphere out of the grid, each class of hardness within its own radius, as fragments and dust in
+/// the style of their materials (see FragmentStyle). Each fragment is connected. Costs the voxels that break.
+Broken breakUp(VoxelGrid& grid, const Brush& sphere, const Palette& palette, const MaterialTable& materials, const BreakPlan& plan);
+
+}  // namespace rubble

@@ -1,0 +1,43 @@
+#include "runtime/destruction/pack_piece.h"
+
+#include <cassert>
+#include <glm/common.hpp>
+#include <vector>
+
+namespace rubble {
+
+Piece packPiece(const VoxelGrid& grid, std::span<const BrickShare> shares) {
+    assert(!shares.empty());
+    glm::ivec3 low(kMaxGridSize), high(0);
+    bool isPainted = false;
+    for (const BrickShare& share : shares) {
+        isPainted = isPainted || grid.brickAt(share.brick)->paint;
+        forEachVoxel(share.voxels, [&](int i) {
+            const glm::ivec3 cell = share.brick * kBrickSize + voxelInBrick(i);
+            low = glm::min(low, cell);
+            high = glm::max(high, cell + 1);
+        });
+    }
+    Piece piece{VoxelGrid(high - low), low};
+    const glm::ivec3 bricks = piece.grid.sizeInBricks();
+    const size_t count = size_t(bricks.x) * bricks.y * bricks.z;
+    std::vector<BrickIndices> indices(count), paint(isPainted ? count : 0);
+    for (const BrickShare& share : shares) {
+        const Brick& from = *grid.brickAt(share.brick);
+        const glm::ivec3 shift = share.brick * kBrickSize - low;
+        forEachVoxel(share.voxels, [&](int i) {
+            const glm::ivec3 cell = voxelInBrick(i) + shift, brick = cell >> 3;
+            const size_t at = (size_t(brick.z) * bricks.y + brick.y) * bricks.x + brick.x;
+            const size_t voxel = size_t(voxelIndex(cell & 7));
+            indices[at][voxel] = from.at(i);
+            if (isPainted) paint[at][voxel] = from.paintAt(i);
+        });
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const glm::ivec3 brick(int(i) % bricks.x, int(i) / bricks.x % bricks.y, int(i) / bricks.x / bricks.y);
+        piece.grid.setBrick(brick, makeBrick(indices[i], isPainted ? &paint[i] : nullptr));
+    }
+    return piece;
+}
+
+}  // namespace rubble

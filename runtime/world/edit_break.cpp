@@ -1,0 +1,57 @@
+#include "runtime/core/log.h"
+#include "runtime/world/edit_step.h"
+
+namespace rubble {
+
+void EditStep::apply(const BreakEdit& edit) {
+    if (!edit.shape) {
+        for (const ShapeHandle handle : m_world.shapesNear(edit.position, edit.radii[0])) breakShape(handle, edit);
+        return;
+    }
+    if (m_world.m_shapes.find(edit.shape))
+        breakShape(edit.shape, edit);
+    else
+        logWarning("BreakEdit: the handle of its shape is stale; nothing was broken");
+}
+
+void EditStep::breakShape(ShapeHandle handle, const BreakEdit& edit) {
+    Shape& shape = m_world.m_shapes.at(handle);
+    const CarveEdit sphere{.position = edit.position, .radii = edit.radii};
+    const Brush brush = resolveBrush(sphere, m_world.shapeToWorld(handle), shape.voxelSize);
+    if (brushBricks(brush, shape.grid.sizeInBricks()).empty()) return;
+    rememberMotion(shape.body);
+    const WorldSettings& settings = m_world.m_settings;
+    BreakPlan plan{.tool = edit.tool, .seed = edit.seed};
+    plan.metre = std::max<int64_t>(int64_t(double(kBrushUnit) / double(shape.voxelSize) + 0.5), 1);
+    plan.mostFragments = settings.debris.fragmentsABreak;
+    plan.fewestVoxels = settings.minPieceVoxels;
+    Broken broken = breakUp(shape.grid, brush, *shape.palette, m_world.m_materials, plan);
+    if (broken.dust.bricks.empty()) return;
+    takeCarved(handle, broken.dust);
+    for (Fragment& fragment : broken.fragments) {
+        shape.moments -= fragment.moments;
+        countLit(fragment.piece.grid, *shape.palette);
+        touched(handle).fragments.push_back(std::move(fragment));
+    }
+}
+
+/// To a light group, what breaks off is as good as gone.
+void EditStep::countLit(const VoxelGrid& grid, const Palette& palette) {
+    if (m_groupRemoved.empty()) return;
+    grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+        forEachVoxel(brick->occupancy, [&](int i) {
+            const uint32_t group = palette[brick->at(i)].lightGroup;
+            if (group && group <= m_groupRemoved.size()) ++m_groupRemoved[group - 1];
+        });
+    });
+}
+
+void EditStep::apply(const ExplodeEdit& edit) {
+    const uint32_t seed = uint32_t(m_changes.step);
+    apply(BreakEdit{edit.position, {edit.size, 0.7 * edit.size, 0.4 * edit.size}, Tool::Explosive, seed, {}});
+    constexpr std::array<uint8_t, 3> kSoot = {24, 21, 18};
+    apply(PaintEdit{edit.position, 1.45 * edit.size, kSoot, 190, 20, seed});
+    m_pushes.emplace_back(edit);
+}
+
+}  // namespace rubble

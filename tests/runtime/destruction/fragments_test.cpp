@@ -1,0 +1,203 @@
+#include "runtime/destruction/fragments.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "runtime/destruction/pane.h"
+#include "tests/runtime/destruction/oracle.h"
+
+namespace rubble {
+namespace {
+
+/// Entry i is of material i of the default table.
+Palette materialEntries() {
+    Palette palette{};
+    for (size_t i = 1; i < defaultMaterials().materials.size(); ++i) palette[i].material = uint8_t(i);
+    return palette;
+}
+uint8_t entryOf(const char* material) {
+    return defaultMaterials().find(material);
+}
+
+Brush ball(glm::dvec3 center, double radius) {
+    return sphereBrush(center, {radius, radius, radius});
+}
+
+Broken breakIt(VoxelGrid& grid, const Brush& brush, const BreakPlan& plan = {}) {
+    return breakUp(grid, brush, materialEntries(), defaultMaterials(), plan);
+}
+
+uint64_t fragmentVoxels(const Broken& broken) {
+    uint64_t sum = 0;
+    for (const Fragment& fragment : broken.fragments) sum += fragment.piece.grid.voxelCount();
+    return sum;
+}
+
+glm::ivec3 extent(const Fragment& fragment) {
+    return fragment.piece.grid.size();
+}
+
+TEST(Fragments, EveryVoxelIsInTheRestOrInOneFragmentOrDust) {
+    VoxelGrid grid = test::solidGrid({40, 40, 40});
+    {
+        GridWriter writer(grid);
+        Random random(3);
+        for (int z = 0; z < 40; ++z)
+            for (int y = 0; y < 40; ++y)
+                for (int x = 0; x < 40; ++x) writer.set({x, y, z}, x < 3 ? 4 : random.below(8) ? uint8_t(5 + (z / 9) % 4) : uint8_t(0));
+    }
+    const test::PlainGrid before(grid);
+    const MassMoments all = gridMoments(grid, materialEntries(), defaultMaterials());
+    const Broken broken = breakIt(grid, ball({20, 20, 20}, 19.5));
+    EXPECT_GT(broken.fragments.size(), 20u);
+    EXPECT_GT(broken.dust.voxels, 0u);
+    test::PlainGrid after(grid);
+    MassMoments sum = gridMoments(grid, materialEntries(), defaultMaterials());
+    sum += broken.dust.moments;
+    for (const Fragment& fragment : broken.fragments) {
+        EXPECT_EQ(fragment.moments, gridMoments(fragment.piece.grid, materialEntries(), defaultMaterials()).shifted(fragment.piece.offset));
+        sum += fragment.moments;
+        const test::PlainGrid piece(fragment.piece.grid);
+        EXPECT_EQ(test::floodFill(piece).size(), 1u) << "connected";
+        for (size_t i = 0; i < piece.cells.size(); ++i) {
+            if (!piece.cells[i]) continue;
+            const size_t at = after.index(piece.cell(i) + fragment.piece.offset);
+            EXPECT_EQ(piece.cells[i], before.cells[at]);
+            EXPECT_EQ(after.cells[at], 0);
+            after.cells[at] = piece.cells[i];
+        }
+    }
+    EXPECT_EQ(sum, all);
+    uint64_t missing = 0;
+    for (size_t i = 0; i < after.cells.size(); ++i) {
+        if (after.cells[i] != before.cells[i]) ++missing;
+        if (before.cells[i] == 4) {
+            EXPECT_EQ(after.cells[i], 4) << "rock does not break";
+        }
+    }
+    EXPECT_EQ(missing, broken.dust.voxels);
+    EXPECT_EQ(std::accumulate(broken.dust.removed.begin(), broken.dust.removed.end(), uint64_t(0)), broken.dust.voxels);
+}
+
+TEST(Fragments, OneSeedOneResultAnotherSeedAnother) {
+    const auto outcome = [](uint32_t seed) {
+        VoxelGrid grid = test::solidGrid({32, 32, 32}, entryOf("concrete"));
+        BreakPlan plan;
+        plan.seed = seed;
+        const Broken broken = breakIt(grid, ball({16, 30, 16}, 12.3), plan);
+        uint64_t hash = grid.contentHash();
+        for (const Fragment& fragment : broken.fragments) hash = hash * 31 + fragment.piece.grid.contentHash() + uint64_t(fragment.piece.offset.x);
+        return hash;
+    };
+    EXPECT_EQ(outcome(5), outcome(5));
+    EXPECT_NE(outcome(5), outcome(6));
+}
+
+TEST(Fragments, ToolsObeyTheTable) {
+    BreakPlan plan;
+    for (const auto& [tool, breaks] : {std::pair(Tool::Sledge, false), {Tool::Torch, true}, {Tool::Gun, true}, {Tool::Any, true}}) {
+        VoxelGrid grid = test::solidGrid({16, 16, 16}, entryOf("metal"));
+        plan.tool = tool;
+        EXPECT_EQ(breakIt(grid, ball({8, 8, 8}, 6), plan).dust.bricks.empty(), !breaks) << int(tool);
+    }
+    VoxelGrid hard = test::solidGrid({16, 16, 16}, entryOf("hard masonry"));
+    Carved carved;
+    carve(hard, ball({8, 8, 8}, 6), materialEntries(), defaultMaterials(), carved, Tool::Gun);
+    EXPECT_EQ(carved.voxels, 0u);
+    carve(hard, ball({8, 8, 8}, 6), materialEntries(), defaultMaterials(), carved, Tool::Explosive);
+    EXPECT_GT(carved.voxels, 0u);
+}
+
+/// Two panes in a frame of wood, touching nothing else.
+VoxelGrid window() {
+    VoxelGrid grid({45, 22, 3});
+    GridWriter writer(grid);
+    for (int y = 0; y < 22; ++y)
+        for (int x = 0; x < 45; ++x)
+            for (int z = 0; z < 3; ++z) {
+                const bool frame = x % 22 == 0 || y == 0 || y == 21 || x == 44;
+                if (frame || z == 1) writer.set({x, y, z}, entryOf(frame ? "wood" : "glass"));
+            }
+    return grid;
+}
+
+TEST(Fragments, GlassGoesByThePane) {
+    VoxelGrid grid = window();
+    const uint64_t before = grid.voxelCount();
+    const Broken broken = breakIt(grid, ball({10, 10, 1.5}, 2.0));
+    EXPECT_EQ(before - grid.voxelCount(), 21u * 20) << "all of the left pane and nothing else";
+    EXPECT_EQ(grid.at({11, 3, 1}), 0);
+    EXPECT_EQ(grid.at({30, 3, 1}), entryOf("glass"));
+    EXPECT_GT(broken.fragments.size(), 10u);
+    EXPECT_LT(broken.dust.voxels, 80u);
+}
+
+TEST(Fragments, APaneIsFoundAsAFloodFillFindsIt) {
+    const VoxelGrid grid = test::noiseGrid({40, 40, 24}, 55, 9);
+    test::PlainGrid plain(grid);
+    for (uint8_t& cell : plain.cells) cell = cell == 2 ? 2 : 0;
+    for (const std::vector<size_t>& set : test::floodFill(plain)) {
+        const glm::ivec3 start = plain.cell(set[set.size() / 2]);
+        Component found{findPane(
+            grid, start, [](uint8_t entry) { return entry == 2; }, 1u << 30)};
+        EXPECT_EQ(test::cellsOf(found, plain), set);
+    }
+}
+
+TEST(Fragments, WoodSplintersAlongItsLongestAxis) {
+    for (const int axis : {0, 1, 2}) {
+        glm::ivec3 size(6);
+        size[axis] = 90;
+        VoxelGrid grid = test::solidGrid(size, entryOf("wood"));
+        const Broken broken = breakIt(grid, ball(glm::dvec3(size) * 0.5, 15));
+        ASSERT_GT(broken.fragments.size(), 5u);
+        int longAlong = 0;
+        for (const Fragment& fragment : broken.fragments) {
+            const glm::ivec3 e = extent(fragment);
+            longAlong += e[axis] > 2 * std::max(e[(axis + 1) % 3], e[(axis + 2) % 3]);
+        }
+        EXPECT_GT(longAlong * 2, int(broken.fragments.size())) << axis;
+    }
+}
+
+TEST(Fragments, TheirNumberIsBoundedAndMetalGivesAwayLittle) {
+    VoxelGrid grid = test::solidGrid({64, 64, 64}, entryOf("concrete"));
+    BreakPlan plan;
+    plan.mostFragments = 40;
+    const Broken few = breakIt(grid, ball({32, 32, 32}, 28), plan);
+    EXPECT_LE(few.fragments.size(), 40u);
+    EXPECT_GT(few.fragments.size(), 15u);
+    VoxelGrid metal = test::solidGrid({64, 64, 64}, entryOf("metal")), brick = test::solidGrid({64, 64, 64}, entryOf("brick"));
+    breakIt(metal, ball({32, 32, 32}, 20));
+    breakIt(brick, ball({32, 32, 32}, 20));
+    EXPECT_GT(metal.voxelCount() - brick.voxelCount(), 20000u);
+}
+
+TEST(Fragments, CarryTheirPaint) {
+    BrickIndices indices, paint;
+    indices.fill(entryOf("concrete"));
+    for (size_t i = 0; i < paint.size(); ++i) paint[i] = uint8_t(i * 7 % 251);
+    VoxelGrid grid({16, 16, 16});
+    for (int i = 0; i < 8; ++i) grid.setBrick({i & 1, i >> 1 & 1, i >> 2}, makeBrick(indices, &paint));
+    const VoxelGrid before = grid;
+    for (const Fragment& fragment : breakIt(grid, ball({8, 8, 8}, 7)).fragments)
+        fragment.piece.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+            forEachVoxel(brick->occupancy, [&](int i) {
+                const glm::ivec3 cell = position * 8 + voxelInBrick(i) + fragment.piece.offset;
+                EXPECT_EQ(brick->paintAt(i), before.brickAt(cell >> 3)->paintAt(voxelIndex(cell & 7)));
+            });
+        });
+}
+
+TEST(Fragments, NothingInReachNothingDone) {
+    VoxelGrid grid = test::solidGrid({16, 16, 16}, entryOf("concrete"));
+    EXPECT_TRUE(breakIt(grid, ball({80, 8, 8}, 6)).dust.bricks.empty());
+    EXPECT_TRUE(breakIt(grid, ball({8, std::nan(""), 8}, 6)).dust.bricks.empty());
+    EXPECT_EQ(fragmentVoxels(breakIt(grid, ball({8, 8, 8}, -1))), 0u);
+    EXPECT_EQ(grid.voxelCount(), 4096u);
+}
+
+}  // namespace
+}  // namespace rubble
