@@ -1,11 +1,12 @@
 // What debris costs: nothing while it lies still, and what its number is worth while it breaks.
 #include <benchmark/benchmark.h>
 
-#include <chrono>
+#include <algorithm>
 #include <memory>
 
 #include "physics/physics_world.h"
 #include "runtime/core/profile.h"
+#include "runtime/core/random.h"
 #include "runtime/frame/snapshots.h"
 #include "runtime/shadow/shadow_worker.h"
 #include "runtime/world/world.h"
@@ -52,24 +53,32 @@ struct Loop {
         world.load(level);
         step();
     }
-    void step(const Edits& edits = {}) {
-        const FrameChanges changes = world.applyEdits(edits);
+    FrameChanges step(const Edits& edits = {}) {
+        FrameChanges changes;
+        {
+            const ScopedTimer timer(editsMs);
+            changes = world.applyEdits(edits);
+        }
+        {
+            const ScopedTimer timer(bodiesMs);
+            physics.apply(changes, world);
+        }
         {
             const ScopedTimer timer(physicsMs);
-            physics.apply(changes, world);
             physics.step();
         }
         world.setPoses(physics.poses());
         queue.push(world.damageFrom(physics.impacts()));
         shadow.submit(changes, physics.poses(), world);
         snapshots.publish(changes, physics.poses(), world, shadow.takePatches());
+        return changes;
     }
     World world;
     PhysicsWorld physics;
     ShadowWorker shadow{ShadowWorker::Mode::Inline};
     Snapshots snapshots;
     EditQueue queue;
-    double physicsMs = 0.0;
+    double editsMs = 0.0, bodiesMs = 0.0, physicsMs = 0.0;
 };
 
 /// 1e8 voxels of ground in blocks of 10 m; 10,000 pieces asleep on it.
@@ -120,6 +129,93 @@ void oneAwake(benchmark::State& state) {
     state.counters["awake"] = loop.physics.figures().awake;
 }
 BENCHMARK(oneAwake)->Name("destruction/debris/oneAwake")->Unit(benchmark::kMicrosecond);
+
+/// A cube of 8 m of masonry.
+Level cubeLevel() {
+    Level level;
+    level.bodies.push_back(blockBody({80, 80, 80}, {}, true, brickPalette()));
+    return level;
+}
+
+/// One blast inside the cube and 16 cuts that slice what is above it, all in one step: what the step costs without the solver.
+void blastAndCuts(benchmark::State& state) {
+    World fresh;
+    WorldSettings settings;
+    settings.debris.fragmentsABreak = 4000;
+    settings.debris.awakeBodies = 5000;
+    fresh.setSettings(settings);
+    fresh.load(cubeLevel());
+    fresh.applyEdits({});
+    Edits edits{ExplodeEdit{.position = {4.0, 4.0, 4.0}, .size = 4.0}};
+    for (int i = 0; i < 16; ++i) {
+        CarveEdit cut{.kind = BrushKind::Box, .position = {4.0, 7.5, 0.3 + 0.48 * i}, .halfSize = {4.1, 0.6, 0.05}};
+        edits.push_back(cut);
+    }
+    size_t pieces = 0;
+    bool balances = true;
+    double bodiesMs = 0.0;
+    for (auto _ : state) {
+        state.PauseTiming();
+        World world = fresh;
+        PhysicsWorld physics;
+        FrameChanges loaded;
+        loaded.levelReplaced = true;
+        physics.apply(loaded, world);
+        state.ResumeTiming();
+        const FrameChanges changes = world.applyEdits(edits);
+        state.PauseTiming();
+        pieces = changes.bodiesCreated.size();
+        balances = balances && world.ledger().balances() && world.ledger().imported == 512000;
+        {
+            const ScopedTimer timer(bodiesMs);
+            physics.apply(changes, world);
+        }
+        state.ResumeTiming();
+    }
+    state.counters["pieces"] = double(pieces);
+    state.counters["ledger_exact"] = balances;
+    state.counters["bodies_ms"] = bodiesMs / double(state.iterations());
+}
+BENCHMARK(blastAndCuts)->Name("destruction/debris/blastAnd16Cuts")->Unit(benchmark::kMillisecond);
+
+/// A wall of 60 x 20 m that is broken in 300 places, one a step, with 500 pieces allowed to move.
+void tenThousandPieces(benchmark::State& state) {
+    Level level;
+    const PaletteRef palette = brickPalette();
+    level.bodies.push_back(blockBody({600, 200, 8}, {}, true, palette));
+    level.bodies.push_back(blockBody({640, 10, 200}, {-2.0, -1.0, -10.0}, true, palette));
+    for (auto _ : state) {
+        Loop loop(level);
+        Random random(3);
+        size_t pieces = 0, mostAwake = 0, dusty = 0, stepsOver = 0;
+        bool balances = true;
+        double worstEditsMs = 0.0;
+        for (int i = 0; i < 300; ++i) {
+            const double x = random.unit(), y = random.unit();
+            BreakEdit hit{.position = {(i % 30) * 2.0 + 0.5 + x, (i / 30) * 2.0 + 0.5 + y, 0.4}, .seed = uint32_t(i)};
+            hit.radii.fill(1.0);
+            const double before = loop.editsMs;
+            const FrameChanges changes = loop.step({hit});
+            worstEditsMs = std::max(worstEditsMs, loop.editsMs - before);
+            pieces += changes.bodiesCreated.size();
+            for (const DustCloud& cloud : changes.dust) dusty += cloud.count;
+            mostAwake = std::max({mostAwake, loop.world.debris().awakeCount(), size_t(loop.physics.figures().awake)});
+            stepsOver += loop.world.debris().awakeCount() > loop.world.settings().debris.awakeBodies;
+            const Ledger ledger = loop.world.ledger();
+            balances = balances && ledger.balances() && ledger.removed == dusty;
+        }
+        state.counters["pieces"] = double(pieces);
+        state.counters["most_awake"] = double(mostAwake);
+        state.counters["steps_over_budget"] = double(stepsOver);
+        state.counters["ledger_exact"] = balances;
+        state.counters["dust_share"] = double(dusty) / double(loop.world.ledger().imported - loop.world.ledger().standing);
+        state.counters["edits_ms_worst"] = worstEditsMs;
+        state.counters["edits_ms"] = loop.editsMs / 300.0;
+        state.counters["bodies_ms"] = loop.bodiesMs / 300.0;
+        state.counters["solver_ms"] = loop.physicsMs / 300.0;
+    }
+}
+BENCHMARK(tenThousandPieces)->Name("destruction/debris/tenThousandPieces")->Unit(benchmark::kSecond)->Iterations(1);
 
 }  // namespace
 }  // namespace rubble
