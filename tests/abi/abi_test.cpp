@@ -101,6 +101,31 @@ TEST_F(Abi, AWorldBreaksAndTellsOfIt) {
     EXPECT_EQ(count, after.shape_count);
 }
 
+TEST_F(Abi, BreaksArriveAndEveryLostVoxelIsDust) {
+    auto edit = sized<rubble_break>();
+    edit.position[0] = 0.3, edit.position[1] = 0.9, edit.position[2] = 0.3;
+    edit.radii[0] = edit.radii[1] = 0.6;
+    edit.tool = RUBBLE_TOOL_SLEDGE;
+    auto events = sized<rubble_events>();
+    ASSERT_EQ(api()->break_voxels(m_world, &edit), RUBBLE_OK);
+    ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    ASSERT_EQ(api()->events(m_world, &events), RUBBLE_OK);
+    EXPECT_EQ(events.bodies_broken_count, 0u) << "a sledge does not break bricks";
+    edit.tool = RUBBLE_TOOL_GUN;
+    ASSERT_EQ(api()->break_voxels(m_world, &edit), RUBBLE_OK);
+    ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    ASSERT_EQ(api()->events(m_world, &events), RUBBLE_OK);
+    EXPECT_GT(events.split_count, 1u);
+    EXPECT_EQ(events.bodies_broken_count, 1u);
+    uint64_t dust = 0;
+    for (uint32_t i = 0; i < events.dust_count; ++i) dust += events.dust[i].count;
+    auto ledger = sized<rubble_ledger>();
+    ASSERT_EQ(api()->ledger(m_world, &ledger), RUBBLE_OK);
+    EXPECT_EQ(dust, ledger.removed);
+    edit.tool = 5;
+    EXPECT_EQ(api()->break_voxels(m_world, &edit), RUBBLE_ERROR_ARGUMENT);
+}
+
 TEST_F(Abi, EqualCommandsGiveEqualWorlds) {
     const rubble_world other = makeWorld();
     uint64_t hash = 0, otherHash = 1;

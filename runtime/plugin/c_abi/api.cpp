@@ -109,6 +109,9 @@ rubble_result pushEdit(const char* function, rubble_world world, const HostEdit*
 rubble_result carve(rubble_world world, const rubble_carve* edit) {
     return pushEdit("carve", world, edit);
 }
+rubble_result breakVoxels(rubble_world world, const rubble_break* edit) {
+    return pushEdit("break_voxels", world, edit);
+}
 rubble_result explode(rubble_world world, const rubble_explosion* edit) {
     return pushEdit("explode", world, edit);
 }
@@ -426,6 +429,7 @@ constexpr rubble_api kApi = {
     undoMark,
     undo,
     redo,
+    breakVoxels,
 };
 
 }  // namespace

@@ -21,11 +21,23 @@ Hardness readHardness(uint32_t hardness) {
     return classes[hardness];
 }
 
-void readRadii(const rubble_carve& carve, CarveEdit& edit) {
-    for (int i = 0; i < 3; ++i) edit.radii[size_t(i)] = readNumber(carve.radii[i], 1e-3, kLargestBrush, 0.0, "radii");
-    if (edit.radii[0] == 0.0) throw Refusal{RUBBLE_ERROR_ARGUMENT, "radii[0] is 0: nothing would be removed"};
-    if (!std::is_sorted(edit.radii.rbegin(), edit.radii.rend()))
-        throw Refusal{RUBBLE_ERROR_ARGUMENT, "radii grow: expected that soft >= medium >= hard"};
+Tool readTool(uint32_t tool) {
+    if (tool > RUBBLE_TOOL_EXPLOSIVE) throw Refusal{RUBBLE_ERROR_ARGUMENT, "tool is " + std::to_string(tool) + ", expected 0 to 4"};
+    return Tool(tool);
+}
+
+std::array<double, 3> readRadii(const double (&given)[3]) {
+    std::array<double, 3> radii;
+    for (size_t i = 0; i < 3; ++i) radii[i] = readNumber(given[i], 1e-3, kLargestBrush, 0.0, "radii");
+    if (radii[0] == 0.0) throw Refusal{RUBBLE_ERROR_ARGUMENT, "radii[0] is 0: nothing would be removed"};
+    if (!std::is_sorted(radii.rbegin(), radii.rend())) throw Refusal{RUBBLE_ERROR_ARGUMENT, "radii grow: expected that soft >= medium >= hard"};
+    return radii;
+}
+
+ShapeHandle readShape(const World& world, rubble_shape given) {
+    const ShapeHandle shape = readHandle<HandleType::Shape>(given, "shape");
+    if (shape && !world.shapes().find(shape)) throw Refusal{RUBBLE_ERROR_STALE, "shape is stale"};
+    return shape;
 }
 
 void readHalfSize(const rubble_carve& carve, CarveEdit& edit) {
@@ -50,11 +62,21 @@ CarveEdit toEdit(const World& world, const rubble_carve& carve) {
         readHalfSize(carve, edit);
         edit.rotation = readRotation(carve.rotation, "rotation");
     } else {
-        readRadii(carve, edit);
+        edit.radii = readRadii(carve.radii);
     }
     if (edit.kind == BrushKind::Capsule) edit.end = readVector(carve.end, "end");
-    edit.shape = readHandle<HandleType::Shape>(carve.shape, "shape");
-    if (edit.shape && !world.shapes().find(edit.shape)) throw Refusal{RUBBLE_ERROR_STALE, "shape is stale"};
+    edit.shape = readShape(world, carve.shape);
+    edit.tool = readTool(carve.tool);
+    return edit;
+}
+
+BreakEdit toEdit(const World& world, const rubble_break& given) {
+    BreakEdit edit;
+    edit.position = readVector(given.position, "position");
+    edit.radii = readRadii(given.radii);
+    edit.tool = readTool(given.tool);
+    edit.seed = given.seed;
+    edit.shape = readShape(world, given.shape);
     return edit;
 }
 

@@ -1,5 +1,7 @@
 #include "runtime/plugin/c_abi/reads.h"
 
+#include <algorithm>
+
 #include "runtime/plugin/c_abi/checks.h"
 
 namespace rubble::abi {
@@ -26,6 +28,17 @@ void EventRows::fill(const FrameChanges& changes) {
     copyBits(changes.shapesCreated, m_shapesCreated);
     copyBits(changes.shapesDestroyed, m_shapesDestroyed);
     copyBits(changes.groupsOut, m_groupsOut);
+    copyBits(changes.broken, m_broken);
+    copyBits(changes.settled, m_settled);
+    copyBits(changes.revived, m_revived);
+    m_dust.clear();
+    for (const DustCloud& cloud : changes.dust) {
+        rubble_dust row = {.radius = cloud.radius, .count = cloud.count, .material = cloud.material};
+        writeVector(row.position, cloud.position);
+        writeVector(row.velocity, cloud.velocity);
+        std::copy_n(cloud.color.begin(), 3, row.color);
+        m_dust.push_back(row);
+    }
     m_removed.clear();
     for (const RemovedVoxels& removed : changes.removed)
         m_removed.push_back(
@@ -51,6 +64,14 @@ rubble_events EventRows::view() const {
     events.shapes_created = m_shapesCreated.data();
     events.shapes_destroyed = m_shapesDestroyed.data();
     events.groups_out = m_groupsOut.data();
+    events.dust = m_dust.data();
+    events.bodies_broken = m_broken.data();
+    events.bodies_settled = m_settled.data();
+    events.bodies_revived = m_revived.data();
+    events.dust_count = uint32_t(m_dust.size());
+    events.bodies_broken_count = uint32_t(m_broken.size());
+    events.bodies_settled_count = uint32_t(m_settled.size());
+    events.bodies_revived_count = uint32_t(m_revived.size());
     events.removed_count = uint32_t(m_removed.size());
     events.split_count = uint32_t(m_splits.size());
     events.bodies_created_count = uint32_t(m_bodiesCreated.size());

@@ -21,6 +21,8 @@ private:
     std::vector<rubble_body> m_bodiesCreated, m_bodiesDestroyed;
     std::vector<rubble_shape> m_shapesCreated, m_shapesDestroyed;
     std::vector<rubble_light_group> m_groupsOut;
+    std::vector<rubble_dust> m_dust;
+    std::vector<rubble_body> m_broken, m_settled, m_revived;
 };
 
 rubble_body_state bodyState(BodyHandle handle, const Body& body);

@@ -89,6 +89,8 @@ typedef struct rubble_world_settings {
 /* ---- edits ---- */
 
 enum { RUBBLE_BRUSH_SPHERE = 0, RUBBLE_BRUSH_BOX = 1, RUBBLE_BRUSH_CAPSULE = 2 };
+/* A material says which tools break it. RUBBLE_TOOL_ANY breaks all that can be broken. */
+enum { RUBBLE_TOOL_ANY = 0, RUBBLE_TOOL_SLEDGE = 1, RUBBLE_TOOL_TORCH = 2, RUBBLE_TOOL_GUN = 3, RUBBLE_TOOL_EXPLOSIVE = 4 };
 enum { RUBBLE_HARDNESS_DEFAULT = 0, RUBBLE_HARDNESS_SOFT = 1, RUBBLE_HARDNESS_MEDIUM = 2, RUBBLE_HARDNESS_HARD = 3 };
 
 /* Removes the voxels inside, by the hardness of their material. */
@@ -101,16 +103,27 @@ typedef struct rubble_carve {
     double rotation[4];  /* box */
     double radii[3];     /* sphere, capsule: for soft, medium and hard materials; each at most the one before */
     uint32_t hardness;   /* box: the hardest that it removes; default: hard */
-    uint32_t reserved;
-    rubble_shape shape; /* only this one; 0: all */
+    uint32_t tool;       /* RUBBLE_TOOL_... */
+    rubble_shape shape;  /* only this one; 0: all */
 } rubble_carve;
 
-/* Carves a sphere and pushes what is near away from it. */
+/* Breaks what is inside a sphere out, as fragments and dust in the style of each material. Glass goes by the whole pane. */
+typedef struct rubble_break {
+    uint32_t struct_size;
+    uint32_t tool; /* RUBBLE_TOOL_... */
+    double position[3];
+    double radii[3]; /* for soft, medium and hard materials; each at most the one before */
+    uint32_t seed;   /* of where the cracks run */
+    uint32_t reserved;
+    rubble_shape shape; /* only this one; 0: all */
+} rubble_break;
+
+/* Breaks a sphere and pushes what is near away from it. */
 typedef struct rubble_explosion {
     uint32_t struct_size;
     uint32_t reserved;
     double position[3];
-    double size;    /* 0.5 to 4; 0: 1. Soft, medium and hard voxels within 1.0, 0.7 and 0.4 of it in metres are removed */
+    double size;    /* 0.5 to 4; 0: 1. Soft, medium and hard voxels within 1.0, 0.7 and 0.4 of it in metres break out */
     double impulse; /* N s on a body at the centre; 0: size decides */
 } rubble_explosion;
 
@@ -153,6 +166,17 @@ typedef struct rubble_split {
     uint32_t reserved;
 } rubble_split;
 
+/* Voxels of one colour that are no more and where they were: what particles are made of. Each is in one row. */
+typedef struct rubble_dust {
+    double position[3]; /* the middle of them, world */
+    double radius;
+    double velocity[3]; /* of what they were part of */
+    uint64_t count;
+    uint8_t color[3]; /* sRGB */
+    uint8_t material;
+    uint32_t reserved;
+} rubble_dust;
+
 typedef struct rubble_events {
     uint32_t struct_size;
     uint32_t level_replaced; /* 1: a level was loaded; everything before is gone, ask for body_states() */
@@ -172,6 +196,14 @@ typedef struct rubble_events {
     uint32_t shapes_created_count;
     uint32_t shapes_destroyed_count;
     uint32_t groups_out_count;
+    uint32_t dust_count;
+    const rubble_dust* dust;
+    const rubble_body* bodies_broken;  /* lost voxels for the first time */
+    const rubble_body* bodies_settled; /* debris that has come to rest for good: only what breaks or moves near it wakes it */
+    const rubble_body* bodies_revived; /* settled debris that something has woken */
+    uint32_t bodies_broken_count;
+    uint32_t bodies_settled_count;
+    uint32_t bodies_revived_count;
     uint32_t reserved;
 } rubble_events;
 
@@ -341,6 +373,8 @@ typedef struct rubble_api {
     rubble_result (*undo_mark)(rubble_world world);
     rubble_result (*undo)(rubble_world world);
     rubble_result (*redo)(rubble_world world);
+    /* [main-thread] A command for the next step. */
+    rubble_result (*break_voxels)(rubble_world world, const rubble_break* edit);
 } rubble_api;
 
 /* [any-thread] The one export: the plugin's table for this version of the interface, or RUBBLE_ERROR_VERSION and null. */
