@@ -285,6 +285,8 @@ Pose World::lightToWorld(const Light& light) const {
 
 MassProperties World::bodyMass(BodyHandle handle) const {
     const Body& body = m_bodies.at(handle);
+    if (body.shapes.size() == 1)  // as all pieces are
+        if (const Shape& only = m_shapes.at(body.shapes[0]); only.local == Pose{}) return massProperties(only.moments, only.voxelSize);
     MassProperties sum;
     std::vector<std::pair<const Shape*, MassProperties>> parts;
     parts.reserve(body.shapes.size());
