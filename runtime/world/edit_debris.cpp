@@ -61,6 +61,8 @@ void EditStep::forgetStillborn() {
     takeCommon(m_changes.bodiesCreated, m_changes.bodiesDestroyed, m_world.m_bodies);
     takeCommon(m_changes.shapesCreated, m_changes.shapesDestroyed, m_world.m_shapes);
     std::erase_if(m_changes.impulses, [&](const ImpulseApplied& each) { return !m_world.m_bodies.find(each.body); });
+    for (std::vector<BodyHandle>* list : {&m_changes.settled, &m_changes.revived})
+        std::erase_if(*list, [&](BodyHandle body) { return !m_world.m_bodies.find(body); });
     std::erase_if(m_changes.rehomed, [&](ShapeHandle shape) { return !m_world.m_shapes.find(shape); });
     for (ShapeSplit& split : m_changes.splits) {
         size_t kept = 0;
