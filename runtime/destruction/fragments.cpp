@@ -39,7 +39,7 @@ int64_t floorDivide(int64_t a, int64_t b) {
 class Breaker {
 public:
     Breaker(VoxelGrid& grid, const Brush& sphere, const Palette& palette, const MaterialTable& materials, const BreakPlan& plan)
-        : m_grid(grid), m_sphere(sphere), m_palette(palette), m_materials(materials), m_plan(plan) {
+        : m_grid(grid), m_sphere(sphere), m_palette(palette), m_materials(materials), m_densities(palette, materials), m_plan(plan) {
         m_groupOf.fill(kNoGroup);
     }
 
@@ -90,6 +90,7 @@ private:
     const Brush& m_sphere;
     const Palette& m_palette;
     const MaterialTable& m_materials;
+    const Densities m_densities;
     const BreakPlan& m_plan;
     std::array<uint8_t, 256> m_groupOf{};  ///< by palette entry
     std::vector<Group> m_groups;
@@ -254,7 +255,7 @@ void Breaker::shareOut(const BrickShare& share) {
 void Breaker::addDust(const Brick& brick, const BrickBits& bits, glm::ivec3 position) {
     if (bits == BrickBits{}) return;
     forEachVoxel(bits, [&](int i) { ++m_out.dust.removed[brick.at(i)], ++m_out.dust.voxels; });
-    m_out.dust.moments += brickMoments(brick, bits, position, m_palette, m_materials);
+    m_out.dust.moments += brickMoments(brick, bits, position, m_densities);
 }
 
 void Breaker::addFragment(const Cluster& cluster) {
@@ -274,7 +275,10 @@ void Breaker::addFragment(const Cluster& cluster) {
 }
 
 void Breaker::addPiece(Piece&& piece, const Group& group) {
-    const MassMoments moments = gridMoments(piece.grid, m_palette, m_materials).shifted(piece.offset);
+    MassMoments moments;
+    piece.grid.forEachBrick(
+        [&](glm::ivec3 position, const BrickRef& brick) { moments += brickMoments(*brick, brick->occupancy, position, m_densities); });
+    moments = moments.shifted(piece.offset);
     if (!isCrumb(piece.grid.voxelCount(), group)) {
         m_out.fragments.push_back({std::move(piece), moments});
         return;

@@ -7,7 +7,7 @@ namespace rubble {
 /// Debris is a piece on a body of its own. It is awake, falls asleep, settles, and is dust when a budget asks for its place:
 /// settled pieces before sleeping ones before those that move, small before large, old before young.
 struct DebrisSettings {
-    uint32_t awakeBodies = 500;      ///< pieces that move at the same time
+    uint32_t awakeBodies = 300;      ///< pieces that move at the same time
     uint32_t bodies = 10'000;        ///< pieces in all
     uint64_t voxels = 4'000'000;     ///< in all pieces together
     uint64_t largestPiece = 20'000;  ///< voxels; what is larger is no debris: not counted, never turned to dust

@@ -178,14 +178,17 @@ void blastAndCuts(benchmark::State& state) {
 }
 BENCHMARK(blastAndCuts)->Name("destruction/debris/blastAnd16Cuts")->Unit(benchmark::kMillisecond);
 
-/// A wall of 60 x 20 m that is broken in 300 places, one a step, with 500 pieces allowed to move.
+/// A wall of 60 x 40 m that is broken in 600 places, two a step, with 500 pieces allowed to move.
 void tenThousandPieces(benchmark::State& state) {
     Level level;
     const PaletteRef palette = brickPalette();
-    level.bodies.push_back(blockBody({600, 200, 8}, {}, true, palette));
+    level.bodies.push_back(blockBody({600, 400, 8}, {}, true, palette));
     level.bodies.push_back(blockBody({640, 10, 200}, {-2.0, -1.0, -10.0}, true, palette));
     for (auto _ : state) {
         Loop loop(level);
+        WorldSettings settings = loop.world.settings();
+        settings.debris.awakeBodies = 500;
+        loop.world.setSettings(settings);
         Random random(3);
         size_t pieces = 0, mostAwake = 0, dusty = 0, stepsOver = 0;
         bool balances = true;
@@ -194,8 +197,10 @@ void tenThousandPieces(benchmark::State& state) {
             const double x = random.unit(), y = random.unit();
             BreakEdit hit{.position = {(i % 30) * 2.0 + 0.5 + x, (i / 30) * 2.0 + 0.5 + y, 0.4}, .seed = uint32_t(i)};
             hit.radii.fill(1.0);
+            BreakEdit above = hit;
+            above.position.y += 20.0;
             const double before = loop.editsMs;
-            const FrameChanges changes = loop.step({hit});
+            const FrameChanges changes = loop.step({hit, above});
             worstEditsMs = std::max(worstEditsMs, loop.editsMs - before);
             pieces += changes.bodiesCreated.size();
             for (const DustCloud& cloud : changes.dust) dusty += cloud.count;
