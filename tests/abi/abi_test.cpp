@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rubble/rubble.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -175,10 +176,12 @@ TEST_F(Abi, EveryKindOfEditArrives) {
     ASSERT_GE(events.bodies_created_count, 1u);
     auto impulse = sized<rubble_impulse>();
     impulse.body = events.bodies_created[0];
-    impulse.impulse[1] = 5000.0;
+    impulse.impulse[1] = 1000.0;
+    rubble_body_state state = {};
+    ASSERT_EQ(api()->body_state(m_world, impulse.body, &state), RUBBLE_OK);
+    std::copy_n(state.position, 3, impulse.position);
     ASSERT_EQ(api()->push(m_world, &impulse), RUBBLE_OK) << api()->last_error();
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    rubble_body_state state = {};
     ASSERT_EQ(api()->body_state(m_world, impulse.body, &state), RUBBLE_OK);
     EXPECT_GT(state.velocity[1], 1.0);
 }
