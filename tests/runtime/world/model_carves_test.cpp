@@ -73,6 +73,9 @@ public:
             body.angularVelocity = {-2.0f * y, 3.0f * z, 4.0f * x};
             body.pose.rotation = glm::normalize(glm::dquat(1.0, x, y, z) * body.pose.rotation);
         }
+        WorldSettings settings = m_world.settings();
+        settings.debris.awakeBodies = 1'000'000;  // nothing falls asleep here
+        m_world.setSettings(settings);
         m_world.load(*level);
         m_world.applyEdits({});
         m_isLoaded = true;
