@@ -10,6 +10,10 @@ namespace rubble {
 inline constexpr std::array<const char*, 3> kBrushKindNames = {"sphere", "box", "capsule"};
 inline constexpr std::array<const char*, 3> kPaintModeNames = {"default", "blend", "layer"};
 inline constexpr std::array<const char*, 3> kHistoryActionNames = {"mark", "undo", "redo"};
+inline constexpr std::array<const char*, 5> kToolNames = {"any", "sledge", "torch", "gun", "explosive"};
+inline std::span<const char* const> enumNames(Tool) {
+    return kToolNames;
+}
 inline std::span<const char* const> enumNames(BrushKind) {
     return kBrushKindNames;
 }
@@ -88,6 +92,7 @@ void fields(A& a, Is<DebrisSettings> auto& settings) {
     a("voxels", settings.voxels);
     a("largest_piece", settings.largestPiece);
     a("settle_steps", settings.settleSteps);
+    a("fragments_a_break", settings.fragmentsABreak);
 }
 template <class A>
 void fields(A& a, Is<LoadSettings> auto& settings) {
@@ -134,6 +139,15 @@ void fields(A& a, Is<CarveEdit> auto& edit) {
     a("rotation", edit.rotation);
     a("radii", edit.radii);
     a("hardness_limit", edit.hardnessLimit);
+    a("shape", edit.shape);
+    a("tool", edit.tool);
+}
+template <class A>
+void fields(A& a, Is<BreakEdit> auto& edit) {
+    a("position", edit.position);
+    a("radii", edit.radii);
+    a("tool", edit.tool);
+    a("seed", edit.seed);
     a("shape", edit.shape);
 }
 template <class A>
