@@ -49,6 +49,7 @@ void EditStep::countLit(const VoxelGrid& grid, const Palette& palette) {
 void EditStep::apply(const ExplodeEdit& edit) {
     const uint32_t seed = uint32_t(m_changes.step);
     apply(BreakEdit{edit.position, {edit.size, 0.7 * edit.size, 0.4 * edit.size}, Tool::Explosive, seed, {}});
+    m_changes.blasts.push_back({edit.position, edit.size});
     constexpr std::array<uint8_t, 3> kSoot = {24, 21, 18};
     apply(PaintEdit{edit.position, 1.45 * edit.size, kSoot, 190, 20, seed});
     m_pushes.emplace_back(edit);
