@@ -103,6 +103,10 @@ void fields(A& a, Is<LoadSettings> auto& settings) {
     a("largest_shape", settings.largestShape);
 }
 template <class A>
+void fields(A& a, Is<SplitSettings> auto& settings) {
+    a("parts_a_step", settings.partsAStep);
+}
+template <class A>
 void fields(A& a, Is<PaintSettings> auto& settings) {
     a("mode", settings.mode);
 }
@@ -128,6 +132,7 @@ void fields(A& a, Is<WorldSettings> auto& settings) {
     a("load", settings.load);
     a("paint", settings.paint);
     a("fire", settings.fire);
+    a("split", settings.split);
 }
 
 template <class A>
@@ -203,6 +208,26 @@ template <class A>
 void fields(A& a, Is<RemoveFiresEdit> auto& edit) {
     a("low", edit.low);
     a("high", edit.high);
+}
+template <class A>
+void fields(A& a, Is<SplitShapeEdit> auto& edit) {
+    a("shape", edit.shape);
+    a("remove_residual", edit.removeResidual);
+    a("residual_voxels", edit.residualVoxels);
+}
+template <class A>
+void fields(A& a, Is<MergeShapeEdit> auto& edit) {
+    a("shape", edit.shape);
+    a("into", edit.into);
+}
+template <class A>
+void fields(A& a, Is<TrimShapeEdit> auto& edit) {
+    a("shape", edit.shape);
+}
+template <class A>
+void fields(A& a, Is<ResizeShapeEdit> auto& edit) {
+    a("shape", edit.shape);
+    a("box", edit.box);
 }
 
 }  // namespace rubble

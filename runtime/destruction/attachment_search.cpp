@@ -241,12 +241,15 @@ bool AttachmentSearch::isSettled(const View& view) const {
 bool AttachmentSearch::run(const VoxelGrid& grid, std::span<const CellBox> anchors, size_t& budget) {
     const View view{grid, m_isAnchored ? anchors : std::span<const CellBox>{}};
     while (!isSettled(view)) {
-        if (budget < m_open.size()) return false;
-        budget -= m_open.size();
+        for (; m_turn < m_open.size(); ++m_turn) {
+            if (budget == 0) return false;
+            if (!isOpen(m_open[m_turn])) continue;
+            grow(view, m_open[m_turn]);
+            --budget;
+        }
+        m_turn = 0;
         std::vector<uint32_t> round;
         std::swap(round, m_open);
-        for (const uint32_t set : round)
-            if (isOpen(set)) grow(view, set);
         for (const uint32_t set : round) finishOrKeep(set);
     }
     return true;

@@ -70,6 +70,7 @@ private:
     std::vector<Part> m_parts;
     std::vector<Set> m_sets;
     std::vector<uint32_t> m_open;  ///< sets that may still grow
+    size_t m_turn = 0;             ///< whose turn in m_open it is
     uint64_t m_finishedVoxels = 0, m_largestFinished = 0;
     bool m_isAnchored = false;      ///< whether anchors decide what stays
     bool m_anchorsTouched = false;  ///< by the cut

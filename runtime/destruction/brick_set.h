@@ -2,7 +2,7 @@
 #include <map>
 #include <vector>
 
-#include "runtime/voxel/brick_node.h"
+#include "runtime/destruction/components.h"
 
 namespace rubble {
 
@@ -13,6 +13,10 @@ public:
     void insert(glm::ivec3 node, BrickMask bricks) { m_nodes[{node.z, node.y, node.x}] |= bricks; }
     void insert(const BrickSet& other) {
         for (const auto& [key, mask] : other.m_nodes) m_nodes[key] |= mask;
+    }
+    void insert(const Component& component) {
+        for (const NodeShare& share : component.nodes) insert(share.node, share.bricks);
+        for (const BrickShare& share : component.shares) insert(share.brick);
     }
     bool empty() const { return m_nodes.empty(); }
     void clear() { m_nodes.clear(); }

@@ -134,4 +134,40 @@ std::vector<Component> findComponents(const VoxelGrid& grid) {
     return out;
 }
 
+std::vector<uint64_t> componentSizes(const VoxelGrid& grid) {
+    const GridNodes all(grid);
+    UnionFind sets = joinParts(grid, all);
+    std::vector<uint64_t> out;
+    std::vector<uint32_t> numbers(sets.parent.size());
+    for (uint32_t n = 0; n < all.nodes.size(); ++n)
+        for (uint32_t i = all.firstPart[n]; i < all.firstPart[n + 1]; ++i) {
+            const uint32_t root = sets.root(i);
+            if (root == i) {
+                numbers[i] = uint32_t(out.size());
+                out.push_back(0);
+            } else {
+                numbers[i] = numbers[root];
+            }
+            out[numbers[i]] += nodeParts(*all.nodes[n]).voxels[i - all.firstPart[n]];
+        }
+    return out;
+}
+
+MassMoments componentMoments(const VoxelGrid& grid, const Component& component, const Densities& densities) {
+    MassMoments sum;
+    for (const NodeShare& share : component.nodes) {
+        const BrickNode& node = *grid.nodeAt(share.node);
+        if (share.bricks == node.mask) {
+            sum += nodeMoments(node, share.node, densities);
+            continue;
+        }
+        forEachChild(share.bricks, [&](int child) {
+            const Brick& brick = *node.bricks[size_t(child)];
+            sum += brickMoments(brick, brick.occupancy, share.node * kNodeBricks + childPosition(child), densities);
+        });
+    }
+    for (const BrickShare& share : component.shares) sum += brickMoments(*grid.brickAt(share.brick), share.voxels, share.brick, densities);
+    return sum;
+}
+
 }  // namespace rubble

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/voxel/mass_properties.h"
 #include "runtime/voxel/node_parts.h"
 #include "runtime/voxel/voxel_grid.h"
 
@@ -44,6 +45,11 @@ glm::ivec3 findLowest(const Component& component, const VoxelGrid& grid);
 /// All components of a grid, ordered by their lowest cell. Components inside bricks, of these inside nodes, then a union-find
 /// over the faces between nodes (Tarjan 1975, path halving).
 std::vector<Component> findComponents(const VoxelGrid& grid);
+
+/// The voxels of each component alone, the one with the first part (by node, then brick) first: the labelling without shares.
+std::vector<uint64_t> componentSizes(const VoxelGrid& grid);
+
+MassMoments componentMoments(const VoxelGrid& grid, const Component& component, const Densities& densities);
 
 /// Calls f(ivec3 brick, const Brick&, const BrickBits& voxels) for every brick that holds some of the component.
 template <class F>

@@ -84,4 +84,25 @@ Piece takePiece(VoxelGrid& grid, const Component& component) {
     return piece;
 }
 
+CellBox filledBounds(const VoxelGrid& grid) {
+    Component all;
+    grid.forEachNode([&](glm::ivec3 position, const BrickNode& node) { all.nodes.push_back({position, node.mask}); });
+    all.lowest = findLowest(all, grid);
+    return componentBounds(grid, all);
+}
+
+VoxelGrid cropped(const VoxelGrid& grid, const CellBox& box) {
+    VoxelGrid out(box.high - box.low);
+    GridWriter writer(out);
+    const bool isAligned = (box.low & (kBrickSize - 1)) == glm::ivec3(0);
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        const glm::ivec3 cell = position * kBrickSize;
+        const bool isInside = glm::all(glm::greaterThanEqual(cell, box.low)) && glm::all(glm::lessThanEqual(cell + kBrickSize, box.high));
+        if (isAligned && isInside) return out.setBrick((cell - box.low) >> 3, brick);
+        forEachVoxel(brick->occupancy, [&](int i) { writer.set(cell + voxelInBrick(i) - box.low, brick->at(i), brick->paintAt(i)); });
+    });
+    writer.flush();
+    return out;
+}
+
 }  // namespace rubble

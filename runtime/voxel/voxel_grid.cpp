@@ -87,11 +87,12 @@ GridWriter::Pending& GridWriter::pendingFor(glm::ivec3 brick) {
     return *m_pending[place - 1];
 }
 
-void GridWriter::set(glm::ivec3 cell, uint8_t index) {
+void GridWriter::set(glm::ivec3 cell, uint8_t index, uint8_t paint) {
     if (!m_grid.contains(cell)) return;
     Pending& pending = pendingFor(cell >> 3);
     pending.indices[size_t(voxelIndex(cell & 7))] = index;
-    if (pending.paint) (*pending.paint)[size_t(voxelIndex(cell & 7))] = 0;
+    if (paint && !pending.paint) pending.paint = std::make_unique<BrickIndices>(BrickIndices{});
+    if (pending.paint) (*pending.paint)[size_t(voxelIndex(cell & 7))] = paint;
 }
 
 uint8_t GridWriter::at(glm::ivec3 cell) const {

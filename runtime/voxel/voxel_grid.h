@@ -129,8 +129,8 @@ public:
     GridWriter(const GridWriter&) = delete;
     GridWriter& operator=(const GridWriter&) = delete;
 
-    /// Cells outside the grid are ignored. Index 0 empties. A cell that is set has no paint.
-    void set(glm::ivec3 cell, uint8_t index);
+    /// Cells outside the grid are ignored. Index 0 empties. A cell that is set has this paint and no other.
+    void set(glm::ivec3 cell, uint8_t index, uint8_t paint = 0);
     /// The value with the pending writes.
     uint8_t at(glm::ivec3 cell) const;
     void flush();

@@ -17,7 +17,8 @@ FrameChanges World::applyEdits(const Edits& edits) {
         m_undo.emplace_back(*this);
     const bool goesBack = runHistory(edits, changes);
     if (goesBack) listLoads();
-    if (!edits.empty() || debrisWaits() || m_dyingGroups || m_fire.isActive() || (m_load && m_load->isBusy())) EditStep(*this, changes).run(edits);
+    const bool isBusy = debrisWaits() || m_dyingGroups || m_fire.isActive() || (m_load && m_load->isBusy()) || !m_pendingSplits.empty();
+    if (!edits.empty() || isBusy) EditStep(*this, changes).run(edits);
     for (UndoHistory& undo : m_undo) undo.note(*this, changes, goesBack);
     return changes;
 }
@@ -36,8 +37,17 @@ bool World::runHistory(const Edits& edits, FrameChanges& changes) {
             m_undo[0].mark(m_settings.undoMarks);
         else
             goesBack = history->action == HistoryAction::Undo ? m_undo[0].undo(*this, changes) : m_undo[0].redo(*this, changes);
+        if (goesBack && m_settings.split.partsAStep) forgetSearches(changes);
     }
     return goesBack;
+}
+
+/// What shapes look like now has nothing to do with what waiting searches have seen; a piece may hang that was waited for.
+void World::forgetSearches(const FrameChanges& changes) {
+    for (PendingSplit& pending : m_pendingSplits) pending.search.reset();
+    for (const auto* list : {&changes.carved, &changes.shapesCreated})
+        for (const ShapeHandle handle : *list)
+            if (Shape* shape = m_shapes.find(handle)) shape->nothingLoose = false;
 }
 
 EditStep::EditStep(World& world, FrameChanges& changes) : m_world(world), m_changes(changes), m_groupRemoved(world.m_groups.slotCount()) {}
@@ -47,8 +57,7 @@ void EditStep::run(const Edits& edits) {
     if (m_world.m_load) openCracks();
     for (const Edit& edit : edits) std::visit([&](const auto& each) { apply(each); }, edit);
     burn();
-    for (auto& [slot, each] : m_touched)
-        if (!each.carved.empty()) splitShape(each);
+    splitShapes();
     settleMotions();
     for (const Push& each : m_pushes) std::visit([&](const auto& edit) { push(edit); }, each);
     limitDebris();

@@ -10,6 +10,7 @@
 #include "runtime/core/handle.h"
 #include "runtime/destruction/brush.h"
 #include "runtime/world/paint_settings.h"
+#include "runtime/world/shape_edits.h"
 #include "runtime/world/world_settings.h"
 
 namespace rubble {
@@ -105,8 +106,8 @@ struct RemoveFiresEdit {
     glm::dvec3 low{0.0}, high{0.0};
 };
 
-using Edit =
-    std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit, BreakEdit>;
+using Edit = std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit,
+                          BreakEdit, SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit>;
 using Edits = std::vector<Edit>;
 
 /// Where a host leaves edits for the next step. [main-thread]

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 #include <glm/common.hpp>
 #include <limits>
 #include <utility>
@@ -9,18 +10,37 @@
 namespace rubble {
 namespace {
 
-/// Squared distance in cells from a point to the centre of the nearest voxel.
-double nearestVoxel2(const VoxelGrid& grid, glm::dvec3 point) {
-    double best = std::numeric_limits<double>::infinity();
-    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
-        const glm::dvec3 low = glm::dvec3(position * kBrickSize), high = low + double(kBrickSize);
+/// Squared distance in cells from a point to the centre of the node's nearest voxel, if that is less than `best`.
+double nearestInNode2(glm::ivec3 position, const BrickNode& node, glm::dvec3 point, double best) {
+    forEachChild(node.mask, [&](int child) {
+        const glm::dvec3 low = glm::dvec3((position * kNodeBricks + childPosition(child)) * kBrickSize), high = low + double(kBrickSize);
         const glm::dvec3 toBox = point - glm::clamp(point, low, high);
         if (glm::dot(toBox, toBox) >= best) return;
-        forEachVoxel(brick->occupancy, [&](int i) {
+        forEachVoxel(node.bricks[size_t(child)]->occupancy, [&](int i) {
             const glm::dvec3 away = point - (low + glm::dvec3(voxelInBrick(i)) + 0.5);
             best = std::min(best, glm::dot(away, away));
         });
     });
+    return best;
+}
+
+/// The same for a grid: shells of nodes around the point, until none can hold a nearer voxel.
+double nearestVoxel2(const VoxelGrid& grid, glm::dvec3 point) {
+    double best = std::numeric_limits<double>::infinity();
+    const glm::ivec3 size = grid.sizeInNodes();
+    const glm::ivec3 middle = glm::ivec3(glm::clamp(point / double(kNodeSize), glm::dvec3(0.0), glm::dvec3(size - 1)));
+    const int last = std::max({size.x, size.y, size.z});
+    for (int r = 0; r < last; ++r) {
+        const double reach = double(std::max(r - 1, 0)) * kNodeSize;
+        if (reach * reach >= best) break;
+        const glm::ivec3 low = glm::max(middle - r, 0), high = glm::min(middle + r, size - 1);
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y) {
+                const bool isSide = std::abs(z - middle.z) == r || std::abs(y - middle.y) == r;
+                for (int x = isSide ? low.x : middle.x - r; x <= high.x; x += isSide || r == 0 ? 1 : 2 * r)
+                    if (const BrickNode* node = x < 0 ? nullptr : grid.nodeAt({x, y, z})) best = nearestInNode2({x, y, z}, *node, point, best);
+            }
+    }
     return best;
 }
 

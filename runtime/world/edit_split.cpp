@@ -4,51 +4,71 @@
 #include "runtime/world/edit_step.h"
 
 namespace rubble {
-namespace {
 
-MassMoments componentMoments(const VoxelGrid& grid, const Component& component, const Densities& densities) {
-    MassMoments sum;
-    for (const NodeShare& share : component.nodes) {
-        const BrickNode& node = *grid.nodeAt(share.node);
-        if (share.bricks == node.mask) {
-            sum += nodeMoments(node, share.node, densities);
-            continue;
-        }
-        forEachChild(share.bricks, [&](int child) {
-            const Brick& brick = *node.bricks[size_t(child)];
-            sum += brickMoments(brick, brick.occupancy, share.node * kNodeBricks + childPosition(child), densities);
-        });
+/// What broke out of a shape becomes pieces at once: it is no longer in the grid.
+void EditStep::releaseFragments(Touched& broken) {
+    ShapeSplit split{.parent = broken.shape};
+    for (Fragment& fragment : broken.fragments) {
+        split.parentOffset.push_back(fragment.piece.offset);
+        split.children.push_back(createChild(broken.shape, std::move(fragment.piece), fragment.moments, split.motions.emplace_back()));
     }
-    for (const BrickShare& share : component.shares) sum += brickMoments(*grid.brickAt(share.brick), share.voxels, share.brick, densities);
-    return sum;
+    broken.fragments.clear();
+    m_cutWires.insert(broken.shape.slot());
+    moveLights(split);
+    m_changes.splits.push_back(std::move(split));
 }
 
-void insertBricks(const Component& component, BrickSet& out) {
-    for (const NodeShare& share : component.nodes) out.insert(share.node, share.bricks);
-    for (const BrickShare& share : component.shares) out.insert(share.brick);
+/// Splits what was cut in this step, or waits since an earlier one, as far as the budget goes.
+void EditStep::splitShapes() {
+    std::vector<PendingSplit>& line = m_world.m_pendingSplits;
+    for (auto& [slot, each] : m_touched) {
+        if (!each.fragments.empty()) releaseFragments(each);
+        if (each.carved.empty() && !each.lostVoxels) continue;
+        auto known = std::find_if(line.begin(), line.end(), [&](const PendingSplit& pending) { return pending.shape == each.shape; });
+        if (known == line.end()) known = line.insert(line.end(), {each.shape, {}, {}});
+        known->cut.insert(each.carved);
+        known->search.reset();
+    }
+    size_t budget = m_world.m_settings.split.partsAStep;
+    if (budget == 0) budget = SIZE_MAX;
+    size_t done = 0;
+    while (done < line.size() && searchOn(line[done], budget)) ++done;
+    line.erase(line.begin(), line.begin() + ptrdiff_t(done));
 }
 
-}  // namespace
+/// True if there is nothing left to do for the shape: it has been split, or is gone.
+bool EditStep::searchOn(PendingSplit& pending, size_t& budget) {
+    Shape* shape = m_world.m_shapes.find(pending.shape);
+    if (!shape) return true;
+    if (budget == 0) return false;
+    const bool isAnchored = m_world.m_bodies.at(shape->body).isStatic;
+    if (!shape->nothingLoose) {  // a shape's first cut looks at all of it, at once
+        rememberMotion(shape->body);
+        shape->nothingLoose = true;
+        budget -= std::min(budget, shape->grid.brickCount() / 64 + 1);
+        splitShape(pending.shape, findLoose(shape->grid, shape->anchors, isAnchored));
+        return true;
+    }
+    if (!pending.search) pending.search.emplace(shape->grid, shape->anchors, isAnchored, pending.cut);
+    if (!pending.search->run(shape->grid, shape->anchors, budget)) {
+        budget = 0;
+        return false;
+    }
+    rememberMotion(shape->body);
+    splitShape(pending.shape, looseFrom(*pending.search, shape->grid, isAnchored));
+    return true;
+}
 
-void EditStep::splitShape(Touched& touched) {
-    const ShapeHandle parent = touched.shape;
+void EditStep::splitShape(ShapeHandle parent, const Loose& loose) {
     const uint64_t smallest = m_world.m_settings.minPieceVoxels;
     Shape* shape = &m_world.m_shapes.at(parent);
     const bool isAnchored = m_world.m_bodies.at(shape->body).isStatic;
-    const Loose loose = shape->nothingLoose ? findLooseNear(shape->grid, shape->anchors, isAnchored, touched.carved)
-                                            : findLoose(shape->grid, shape->anchors, isAnchored);
-    shape->nothingLoose = true;
     const Densities densities(*shape->palette, m_world.m_materials);
     ShapeSplit split{.parent = parent};
-    for (Fragment& fragment : touched.fragments) {
-        split.parentOffset.push_back(fragment.piece.offset);
-        split.children.push_back(createChild(parent, std::move(fragment.piece), fragment.moments, split.motions.emplace_back()));
-    }
-    if (!touched.fragments.empty()) shape = &m_world.m_shapes.at(parent);
     for (const Component& component : loose.pieces) {
         const MassMoments moments = componentMoments(shape->grid, component, densities);
         if (moments.weight == 0) continue;  // unphysical voxels are not touched: they stay where they are
-        insertBricks(component, touched.carved);
+        touched(parent).carved.insert(component);
         shape->moments -= moments;
         if (component.voxels < smallest) {
             dropPiece(parent, component);
@@ -62,6 +82,7 @@ void EditStep::splitShape(Touched& touched) {
     const bool isFree = loose.isAdrift || !isAnchored;
     if (isFree && shape->grid.voxelCount() < smallest)
         for (const Component& rest : findComponents(shape->grid)) {
+            touched(parent).carved.insert(rest);
             shape->moments -= componentMoments(shape->grid, rest, densities);
             dropPiece(parent, rest);
         }

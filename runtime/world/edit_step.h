@@ -28,6 +28,7 @@ private:
         BrickSet carved;
         BrickSet painted;
         std::vector<Fragment> fragments;  ///< out of the grid already; bodies of their own after the edits
+        bool lostVoxels = false;          ///< and is in a new frame of cells: look at all of it
     };
     /// How a free body moved before anything was taken from it.
     struct Motion {
@@ -68,13 +69,26 @@ private:
     void keep(ShapeHandle handle, const Painted& painted);
 
     // edit_split.cpp
-    void splitShape(Touched& touched);
+    void splitShapes();
+    void releaseFragments(Touched& broken);
+    bool searchOn(PendingSplit& pending, size_t& budget);
+    void splitShape(ShapeHandle parent, const Loose& loose);
     void dropPiece(ShapeHandle parent, const Component& component);
     ShapeHandle createChild(ShapeHandle parent, Piece piece, const MassMoments& moments, PieceMotion& started);
     void rehome(ShapeHandle shape);
     void destroyShape(ShapeHandle shape);
     void rememberMotion(BodyHandle body);
     void settleMotions();
+
+    // edit_shape.cpp
+    void apply(const SplitShapeEdit& edit);
+    void apply(const MergeShapeEdit& edit);
+    void apply(const TrimShapeEdit& edit);
+    void apply(const ResizeShapeEdit& edit);
+    Shape* shapeToEdit(ShapeHandle handle, const char* edit);
+    ShapeHandle createSibling(ShapeHandle shape, Piece piece, const MassMoments& moments);
+    ShapeHandle findMatch(ShapeHandle shape) const;
+    bool reframe(ShapeHandle shape, const CellBox& box);
 
     // edit_debris.cpp
     void limitDebris();

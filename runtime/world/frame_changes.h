@@ -90,8 +90,8 @@ struct FrameChanges {
     bool levelReplaced = false;  ///< everything before is gone: start from the World
     std::vector<BodyHandle> bodiesCreated;
     std::vector<BodyHandle> bodiesDestroyed;
-    std::vector<ShapeHandle> shapesCreated;  ///< read their grid from the World: their bricks are not in `bricks`
-    std::vector<ShapeHandle> shapesDestroyed;
+    std::vector<ShapeHandle> shapesCreated;    ///< read their grid from the World: their bricks are not in `bricks`
+    std::vector<ShapeHandle> shapesDestroyed;  ///< comes before shapesCreated: a shape with a new frame of cells is in both
     std::vector<ShapeSplit> splits;
     std::vector<BrickChange> bricks;     ///< carved or painted, each brick once, of shapes that were there before
     std::vector<ShapeHandle> carved;     ///< shapes whose occupancy (so mass and collider) changed, each once

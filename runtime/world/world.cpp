@@ -75,6 +75,7 @@ void World::clear() {
     m_places.clear();
     m_debris.clear();
     m_revived.clear();
+    m_pendingSplits.clear();
     m_step = m_imported = m_removed = 0;
     m_dyingGroups = 0;
     m_undo.clear();
@@ -344,6 +345,13 @@ Ledger World::ledger() const {
 uint64_t World::hash() const {
     uint64_t hash = hashValue(m_step, resolvedHash());
     if (m_fire.isActive()) hash = hashValue(m_fire.hash(), hash);
+    for (const PendingSplit& pending : m_pendingSplits) {
+        hash = hashValue(pending.shape.slot(), hashValue(pending.search ? pending.search->seen() : 0, hash));
+        pending.cut.forEachNode([&](glm::ivec3 node, BrickMask bricks) {
+            hash = hashValue(uint64_t(node.x) | uint64_t(node.y) << 20 | uint64_t(node.z) << 40, hash);
+            hash = hashValue(bricks, hash);
+        });
+    }
     return m_load ? hashValue(m_load->hash(), hash) : hash;
 }
 

@@ -17,6 +17,7 @@
 #include "runtime/world/frame_changes.h"
 #include "runtime/world/level.h"
 #include "runtime/world/world_load.h"
+#include "runtime/world/pending_split.h"
 #include "runtime/world/world_settings.h"
 
 namespace rubble {
@@ -195,6 +196,7 @@ private:
     bool isSupplied(LightGroupHandle handle, const LightGroup& group) const;
     void connectSupplies();
     void addImpactDamage(const Impact& impact, BodyHandle body, Edits& out) const;
+    void forgetSearches(const FrameChanges& changes);
     /// Fills in initialVoxels of groups that do not bring it.
     void countGroupVoxels();
 
@@ -216,6 +218,7 @@ private:
     uint8_t m_wire = 0;          ///< the material of wire; 0: none
     uint32_t m_dyingGroups = 0;  ///< that flicker
     uint64_t m_imported = 0, m_removed = 0;
+    std::vector<PendingSplit> m_pendingSplits;
     std::vector<UndoHistory> m_undo;  ///< one, or none if nothing is to be remembered
     std::optional<WorldLoad> m_load;  ///< none: LoadSettings are off
     std::string m_name;

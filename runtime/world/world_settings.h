@@ -6,6 +6,7 @@
 #include "runtime/world/fire_settings.h"
 #include "runtime/world/load_settings.h"
 #include "runtime/world/paint_settings.h"
+#include "runtime/world/split_settings.h"
 
 namespace rubble {
 
@@ -22,6 +23,7 @@ struct WorldSettings {
     PaintSettings paint;
     FireSettings fire;
     LoadSettings load;
+    SplitSettings split;
 };
 
 }  // namespace rubble

@@ -60,7 +60,9 @@ struct Wall {
 const std::vector<Wall>& walls() {
     static const std::vector<Wall> table = {
         {"Bullet", {"bt", "Bullet", "LinearMath/"}, {"physics/", "tests/physics/"}},
-        {"OpenVDB", {"openvdb/", "nanovdb/", "tbb/", "OpenEXR/", "Imath/"}, {"runtime/assets/vdb/", "tests/runtime/assets/vdb/"}},
+        {"OpenVDB",
+         {"openvdb/", "nanovdb/", "tbb/", "OpenEXR/", "Imath/"},
+         {"runtime/assets/vdb/", "tests/runtime/assets/vdb/", "tests/benchmark/openvdb/"}},
         {"OpenGL", {"GL/", "GLES", "glad/", "KHR/"}, {"render/", "samples/support/", "tests/"}},
         {"a window or a GL context", {"GLFW/", "EGL/", "GL/osmesa", "X11/"}, {"samples/support/", "samples/sandbox/window.cpp", "editor/"}},
         {"Lua", {"lua"}, {"runtime/script/"}},

@@ -1,146 +1,217 @@
-// A carve of radius 6 and the split after it, against relabelling the whole grid from bytes, in the same process.
+// Splits after carves of radius 6, and cuts clean in two, against relabelling the whole grid from bytes in the same process
+// with the same compiler. One thread on both sides.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <map>
 
+#include "runtime/assets/assets.h"
+#include "runtime/core/random.h"
 #include "runtime/destruction/attachment.h"
 #include "runtime/destruction/carve.h"
 #include "runtime/destruction/split.h"
 #include "runtime/world/world.h"
+#include "tests/benchmark/destruction_scenes.h"
 #include "tests/benchmark/run_relabel.h"
 
 namespace rubble {
 namespace {
 
-/// What the cut meets: solid ground (nothing comes loose), a pillar (its top does), the one bridge between two halves.
-enum Scene { kGround, kPillar, kHalf };
+using Clock = std::chrono::steady_clock;
 
-bool isSolid(Scene scene, glm::ivec3 c, int size) {
-    if (scene == kHalf) return c.x < size / 2 - 8 || c.x >= size / 2 + 8 || (c.y / 4 == size / 8 && c.z / 4 == size / 8);
-    return c.y < size / 2 || (scene == kPillar && (c.x & 12) == 4 && (c.z & 12) == 4);
+double msSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-glm::dvec3 cutOf(Scene scene, int size) {
-    const double middle = size / 2 + 2.0;
-    if (scene == kHalf) return {size / 2.0, middle, middle};
-    return scene == kPillar ? glm::dvec3(size / 2 + 6, size / 2 + 20, size / 2 + 6) : glm::dvec3(middle);
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values.empty() ? 0.0 : values[values.size() / 2];
 }
 
-const VoxelGrid& sceneGrid(Scene scene, int size) {
-    static std::map<std::pair<int, int>, VoxelGrid> grids;
-    VoxelGrid& grid = grids[{scene, size}];
-    if (grid.size().x) return grid;
-    grid = VoxelGrid(glm::ivec3(size));
-    GridWriter writer(grid);
-    for (int z = 0; z < size; ++z)
-        for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x)
-                if (isSolid(scene, {x, y, z}, size)) writer.set({x, y, z}, uint8_t(1 + (x / 16 + y / 16 + z / 16) % 3));
-    writer.flush();
-    return grid;
-}
-
-Palette stone() {
-    Palette palette{};
-    for (size_t i = 1; i < 256; ++i) palette[i].material = defaultMaterials().find("brick");
+const Palette& stone() {
+    static const Palette palette = [] {
+        Palette out{};
+        for (size_t i = 1; i < 256; ++i) out[i].material = defaultMaterials().find("brick");
+        return out;
+    }();
     return palette;
 }
 
-/// Anchored at the bottom; the two halves on the left one's side, so that the right one comes off.
-CellBox anchorOf(Scene scene, int size) {
-    return scene == kHalf ? CellBox{{0, 0, 0}, {1, size, size}} : CellBox{{0, 0, 0}, {size, 1, size}};
+/// A static shape in which nothing is loose, and what holds it.
+struct Held {
+    VoxelGrid grid;
+    std::vector<CellBox> anchors;
+    double referenceMs = 0.0;  ///< of relabelling all of it: the median of five
+
+    Held(VoxelGrid whole, const CellBox& anchor) : grid(std::move(whole)), anchors{anchor} {
+        for (const Component& loose : findLoose(grid, anchors, true).pieces) takePiece(grid, loose);
+        const bench::DenseGrid dense(grid);
+        std::vector<double> times;
+        for (int i = 0; i < 5; ++i) {
+            const auto start = Clock::now();
+            benchmark::DoNotOptimize(bench::relabelByRuns(dense));
+            times.push_back(msSince(start));
+        }
+        referenceMs = median(times);
+    }
+};
+
+const Held& heldSolid(bench::Solid solid, int size) {
+    static std::map<std::pair<bench::Solid, int>, Held> known;
+    const auto found = known.find({solid, size});
+    if (found != known.end()) return found->second;
+    if (size >= 512) known.clear();  // memory
+    const CellBox bottom{{0, 0, 0}, {size, 1, size}}, side{{0, 0, 0}, {1, size, size}};
+    return known.try_emplace({solid, size}, bench::makeSolid(solid, size), solid == bench::Solid::Halves ? side : bottom).first->second;
 }
 
-/// Milliseconds of the reference on the grid after the cut: the median of five.
-double referenceMs(Scene scene, int size) {
-    static std::map<std::pair<int, int>, double> known;
-    double& ms = known[{scene, size}];
-    if (ms > 0.0) return ms;
-    VoxelGrid grid = sceneGrid(scene, size);
+/// Times one carve and its split on a copy of the grid.
+struct Timed {
+    double carveMs, splitMs;
+    size_t pieces;
+};
+Timed carveAndSplit(const Held& held, const Brush& brush) {
+    VoxelGrid grid = held.grid;
+    auto start = Clock::now();
     Carved carved;
-    carve(grid, sphereBrush(cutOf(scene, size), {6, 6, 6}), stone(), defaultMaterials(), carved);
-    const bench::DenseGrid dense(grid);
-    std::vector<double> times;
-    for (int i = 0; i < 5; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        benchmark::DoNotOptimize(bench::relabelByRuns(dense));
-        times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    carve(grid, brush, stone(), defaultMaterials(), carved);
+    const double carveMs = msSince(start);
+    start = Clock::now();
+    BrickSet bricks;
+    for (const glm::ivec3 brick : carved.bricks) bricks.insert(brick);
+    const Loose loose = findLooseNear(grid, held.anchors, true, bricks);
+    for (const Component& component : loose.pieces) benchmark::DoNotOptimize(takePiece(grid, component));
+    return {carveMs, msSince(start), loose.pieces.size()};
+}
+
+/// A solid cell, found by chance.
+glm::ivec3 randomVoxel(const VoxelGrid& grid, Random& random) {
+    for (;;) {
+        const int x = int(random.below(uint32_t(grid.size().x))), y = int(random.below(uint32_t(grid.size().y))),
+                  z = int(random.below(uint32_t(grid.size().z)));
+        if (grid.at({x, y, z})) return {x, y, z};
     }
-    std::sort(times.begin(), times.end());
-    return ms = times[2];
 }
 
-void report(benchmark::State& state, Scene scene, int size, double seconds) {
-    const double ours = seconds * 1e3 / double(state.iterations());
-    state.counters["reference_ms"] = referenceMs(scene, size);
-    state.counters["times_faster"] = referenceMs(scene, size) / ours;
+void report(benchmark::State& state, const std::vector<double>& splits, const std::vector<double>& carves, double referenceMs) {
+    std::vector<double> sorted = splits;
+    std::sort(sorted.begin(), sorted.end());
+    state.counters["split_ms"] = median(splits);
+    state.counters["p99_ms"] = sorted.empty() ? 0.0 : sorted[sorted.size() * 99 / 100];
+    state.counters["carve_ms"] = median(carves);
+    state.counters["relabel_ms"] = referenceMs;
+    state.counters["times_faster"] = referenceMs / median(splits);
 }
 
-/// The grid alone: carve, find what is loose, take it out. `isKnown`: by local search, as after a shape's first cut.
-template <bool isKnown>
-void carveAndSplit(benchmark::State& state) {
-    const Scene scene = Scene(state.range(0));
-    const int size = int(state.range(1));
-    const Palette palette = stone();
-    const std::vector<CellBox> anchors = {anchorOf(scene, size)};
-    double seconds = 0.0;
-    size_t pieces = 0;
+/// Two hundred carves at random voxels, each of the whole solid; the split alone is what is timed.
+void carveSplit(benchmark::State& state, bench::Solid solid, int size) {
+    const Held& held = heldSolid(solid, size);
+    Random random(1);
+    std::vector<double> splits, carves;
+    double pieces = 0.0;
     for (auto _ : state) {
-        VoxelGrid grid = sceneGrid(scene, size);
-        const auto start = std::chrono::steady_clock::now();
-        Carved carved;
-        carve(grid, sphereBrush(cutOf(scene, size), {6, 6, 6}), palette, defaultMaterials(), carved);
-        BrickSet bricks;
-        for (const glm::ivec3 brick : carved.bricks) bricks.insert(brick);
-        const Loose loose = isKnown ? findLooseNear(grid, anchors, true, bricks) : findLoose(grid, anchors, true);
-        for (const Component& component : loose.pieces) benchmark::DoNotOptimize(takePiece(grid, component));
-        const double each = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        state.SetIterationTime(each);
-        seconds += each;
-        pieces = loose.pieces.size();
+        const glm::dvec3 center = glm::dvec3(randomVoxel(held.grid, random)) + 0.5;
+        const Timed timed = carveAndSplit(held, sphereBrush(center, {6, 6, 6}));
+        state.SetIterationTime(timed.splitMs * 1e-3);
+        splits.push_back(timed.splitMs), carves.push_back(timed.carveMs);
+        pieces += double(timed.pieces);
     }
-    state.counters["pieces"] = double(pieces);
-    report(state, scene, size, seconds);
+    state.counters["pieces"] = pieces / double(splits.size());
+    report(state, splits, carves, held.referenceMs);
 }
 
-/// The whole of World::applyEdits, with moments, bodies and the journal.
-void applyEdits(benchmark::State& state) {
-    const Scene scene = Scene(state.range(0));
-    const int size = int(state.range(1));
-    Level level;
-    LevelBody body{.name = "body"};
-    LevelShape shape{.name = "shape", .grid = sceneGrid(scene, size), .anchors = {anchorOf(scene, size)}};
-    shape.palette = std::make_shared<const Palette>(stone());
-    body.shapes.push_back(std::move(shape));
-    level.bodies.push_back(std::move(body));
-    World fresh;
-    fresh.load(level);
-    CarveEdit first{.position = {0.8, 0.05 * size, 0.8}, .radii = {0.2, 0.2, 0.2}}, cut{.position = cutOf(scene, size) * 0.1};
-    fresh.applyEdits({first});
+/// The same on all shapes of the models of at least a thousand voxels; ratios per shape, their median.
+void modelSplit(benchmark::State& state) {
+    std::vector<Held> shapes;
+    const std::filesystem::path folder = RUBBLE_SOURCE_DIR "/../shared/models";
+    std::vector<std::filesystem::path> files;
+    if (std::filesystem::is_directory(folder))
+        for (const auto& entry : std::filesystem::directory_iterator(folder))
+            if (entry.path().extension() == ".vox") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const auto& file : files)
+        if (const Result<Level> level = importVox(file, {}))
+            for (const LevelBody& body : level->bodies)
+                for (const LevelShape& shape : body.shapes)
+                    if (shape.grid.voxelCount() >= 1000)
+                        shapes.emplace_back(shape.grid, CellBox{{0, 0, 0}, {shape.grid.size().x, 2, shape.grid.size().z}});
+    if (shapes.empty()) return state.SkipWithError("no models in ../shared/models");
+    Random random(2);
+    std::vector<double> splits, carves, ratios;
+    for (auto _ : state) {
+        const Held& held = shapes[splits.size() % shapes.size()];
+        if (held.grid.empty()) continue;
+        const Timed timed = carveAndSplit(held, sphereBrush(glm::dvec3(randomVoxel(held.grid, random)) + 0.5, {6, 6, 6}));
+        state.SetIterationTime(timed.splitMs * 1e-3);
+        splits.push_back(timed.splitMs), carves.push_back(timed.carveMs), ratios.push_back(held.referenceMs / timed.splitMs);
+    }
+    report(state, splits, carves, 0.0);
+    state.counters["times_faster"] = median(ratios);
+    state.counters["shapes"] = double(shapes.size());
+}
+
+/// A block cut clean in two by World::applyEdits: `split_ms` is that step without the carve. "halves": by one ball on the
+/// bridge between them; "block": by a slab through the middle. Cold: nothing is known of the grid, it is its first cut.
+void cutInTwo(benchmark::State& state, bench::Solid solid, bool isCold) {
+    const int size = 256;
+    const Held& held = heldSolid(solid, size);
+    const CellBox side{{0, 0, 0}, {1, size, size}};
+    CarveEdit cut{.position = glm::dvec3(size / 2, size / 2 + 2, size / 2 + 2) * 0.1};
     cut.radii.fill(0.6);
-    double seconds = 0.0;
+    if (solid == bench::Solid::Block) cut.kind = BrushKind::Box, cut.halfSize = {0.4, 20.0, 20.0};
+    std::vector<double> splits, carves;
     for (auto _ : state) {
-        World world = fresh;
-        const auto start = std::chrono::steady_clock::now();
-        benchmark::DoNotOptimize(world.applyEdits({cut}));
-        const double each = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        state.SetIterationTime(each);
-        seconds += each;
+        Level level;
+        LevelBody body{.name = "body"};
+        LevelShape shape{.name = "shape", .grid = isCold ? bench::coldCopy(held.grid) : held.grid, .anchors = {side}};
+        shape.palette = std::make_shared<const Palette>(stone());
+        body.shapes.push_back(std::move(shape));
+        level.bodies.push_back(std::move(body));
+        World world;
+        world.load(level);
+        CarveEdit first{.position = {0.8, 0.8, 0.8}, .radii = {0.2, 0.2, 0.2}};
+        world.applyEdits({});
+        if (!isCold) world.applyEdits({first});
+        ShapeHandle handle;
+        world.shapes().forEach([&](ShapeHandle each, const Shape&) { handle = each; });
+        VoxelGrid grid = world.shapes().at(handle).grid;
+        auto start = Clock::now();
+        Carved carved;
+        const Brush brush = solid == bench::Solid::Block
+                                ? boxBrush({size / 2, size / 2 + 2, size / 2 + 2}, {4, 200, 200}, {1, 0, 0, 0}, Hardness::Hard)
+                                : sphereBrush({size / 2, size / 2 + 2, size / 2 + 2}, {6, 6, 6});
+        carve(grid, brush, stone(), defaultMaterials(), carved);
+        const double carveMs = msSince(start);
+        start = Clock::now();
+        const FrameChanges changes = world.applyEdits({cut});
+        const double stepMs = msSince(start);
+        if (changes.splits.size() != 1) return state.SkipWithError("the cut must split the block");
+        state.SetIterationTime(stepMs * 1e-3);
+        splits.push_back(stepMs - carveMs), carves.push_back(carveMs);
     }
-    report(state, scene, size, seconds);
+    report(state, splits, carves, held.referenceMs);
 }
 
-void scenes(benchmark::internal::Benchmark* benchmark) {
-    benchmark->ArgNames({"scene", "size"})->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(0.2);
-    for (const int size : {128, 256})
-        for (const Scene scene : {kGround, kPillar, kHalf}) benchmark->Args({scene, size});
+void registerSplits() {
+    const auto add = [](const std::string& name, auto&& function, int iterations) {
+        benchmark::RegisterBenchmark(name.c_str(), function)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(iterations);
+    };
+    for (const auto solid : {bench::Solid::Building, bench::Solid::Holed, bench::Solid::Cracked})
+        for (const int size : {128, 256, 512})
+            add(
+                std::string("destruction/split/") + bench::kSolidNames[int(solid)] + "/" + std::to_string(size),
+                [=](benchmark::State& state) { carveSplit(state, solid, size); }, 200);
+    add("destruction/split/models", modelSplit, 400);
+    for (const bool isCold : {false, true})
+        for (const auto solid : {bench::Solid::Halves, bench::Solid::Block})
+            add(
+                std::string("destruction/split/cutInTwo256/") + bench::kSolidNames[int(solid)] + (isCold ? "/firstCut" : "/known"),
+                [=](benchmark::State& state) { cutInTwo(state, solid, isCold); }, 15);
 }
 
-BENCHMARK(carveAndSplit<true>)->Name("Split/known")->Apply(scenes);
-BENCHMARK(carveAndSplit<false>)->Name("Split/firstCut")->Apply(scenes);
-BENCHMARK(applyEdits)->Name("Split/applyEdits")->Apply(scenes);
+[[maybe_unused]] const bool kRegistered = (registerSplits(), true);
 
 }  // namespace
 }  // namespace rubble

@@ -1,0 +1,180 @@
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "runtime/destruction/attachment.h"
+#include "tests/runtime/world/worlds.h"
+
+namespace rubble {
+namespace {
+
+/// Every solid cell of a world with what it is, in whole cells of the world: shapes here are not rotated.
+std::map<std::array<int, 3>, uint8_t> worldCells(const World& world) {
+    std::map<std::array<int, 3>, uint8_t> out;
+    world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
+        const glm::dvec3 corner = glm::round(world.shapeToWorld(handle).position / double(shape.voxelSize));
+        shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
+            forEachVoxel(content->occupancy, [&](int i) {
+                const glm::ivec3 c = glm::ivec3(corner) + brick * kBrickSize + voxelInBrick(i);
+                EXPECT_FALSE(out.contains({c.x, c.y, c.z})) << "two voxels in one place";
+                out[{c.x, c.y, c.z}] = content->at(i);
+            });
+        });
+        EXPECT_EQ(shape.moments, gridMoments(shape.grid, *shape.palette, world.materials()));
+    });
+    return out;
+}
+
+VoxelGrid twoBlocks() {
+    VoxelGrid grid({45, 20, 30});
+    GridWriter writer(grid);
+    for (int i = 0; i < 10 * 10 * 10; ++i) {
+        const glm::ivec3 c(i % 10, i / 10 % 10, i / 100);
+        writer.set(c + glm::ivec3(3, 5, 9), 1);
+        if (c.x < 9) writer.set(c + glm::ivec3(21, 5, 9), 2);
+    }
+    writer.set({40, 0, 0}, 3);
+    writer.flush();
+    return grid;
+}
+
+World worldOf(VoxelGrid grid, bool isStatic) {
+    World world;
+    world.load(test::oneShapeLevel(std::move(grid), isStatic));
+    world.applyEdits({});
+    return world;
+}
+
+TEST(ShapeEdits, SplitKeepsEveryVoxelInItsPlaceAndOnTheBody) {
+    for (const bool isStatic : {true, false}) {
+        World world = worldOf(twoBlocks(), isStatic);
+        const auto before = worldCells(world);
+        const ShapeHandle shape = test::firstShape(world);
+        const FrameChanges changes = world.applyEdits({SplitShapeEdit{shape}});
+        ASSERT_EQ(changes.splits.size(), 1u);
+        EXPECT_EQ(changes.splits[0].children.size(), 2u);
+        EXPECT_EQ(world.bodies().size(), 1u);
+        EXPECT_EQ(worldCells(world), before);
+        EXPECT_TRUE(world.ledger().balances());
+    }
+}
+
+TEST(ShapeEdits, SplitRemovesTheResidual) {
+    World world = worldOf(twoBlocks(), false);
+    world.applyEdits({SplitShapeEdit{test::firstShape(world), true}});
+    EXPECT_EQ(world.shapes().size(), 2u);
+    EXPECT_EQ(world.ledger().removed, 1u);
+    EXPECT_TRUE(world.ledger().balances());
+}
+
+TEST(ShapeEdits, TrimAndResizeLeaveVoxelsWhereTheyAre) {
+    World world = worldOf(twoBlocks(), false);
+    const ShapeHandle shape = test::firstShape(world);
+    const auto before = worldCells(world);
+    const FrameChanges changes = world.applyEdits({ResizeShapeEdit{shape, {{-13, 0, -8}, {64, 50, 30}}}});
+    EXPECT_EQ(changes.shapesDestroyed, std::vector{shape});
+    EXPECT_EQ(changes.shapesCreated, std::vector{shape});
+    EXPECT_EQ(world.shapes().at(shape).grid.size(), glm::ivec3(77, 50, 38));
+    EXPECT_EQ(worldCells(world), before);
+    world.applyEdits({TrimShapeEdit{shape}});
+    EXPECT_EQ(world.shapes().at(shape).grid.size(), glm::ivec3(38, 15, 19));
+    EXPECT_EQ(worldCells(world), before);
+}
+
+TEST(ShapeEdits, WhatIsResizedAwayIsRemovedAndTheRestFallsApart) {
+    VoxelGrid grid({30, 10, 10});
+    {
+        GridWriter writer(grid);
+        for (int x = 0; x < 30; ++x) writer.set({x, 0, 0}, 1);
+        for (int y = 0; y < 6; ++y) writer.set({4, y, 0}, 1), writer.set({20, y, 0}, 1);
+    }
+    World world = worldOf(grid, false);
+    const ShapeHandle shape = test::firstShape(world);
+    world.applyEdits({ResizeShapeEdit{shape, {{0, 1, 0}, {30, 10, 10}}}});
+    EXPECT_EQ(world.shapes().size(), 2u);
+    EXPECT_EQ(world.ledger().removed, 30u);
+    EXPECT_TRUE(world.ledger().balances());
+}
+
+TEST(ShapeEdits, MergeUndoesASplit) {
+    VoxelGrid grid = twoBlocks();
+    GridWriter(grid).set({13, 8, 12}, 1);
+    World world = worldOf(grid, false);
+    const ShapeHandle shape = test::firstShape(world);
+    // A second shape on the same body that touches the first one's block at x = 14.
+    Level level = world.toLevel();
+    VoxelGrid peg({9, 3, 3});
+    {
+        GridWriter writer(peg);
+        for (int x = 0; x < 7; ++x) writer.set({x, 1, 1}, 2, 0x25);
+    }
+    LevelShape second = test::levelShape("peg", peg);
+    second.local.position = glm::dvec3(14, 7, 11) * 0.1;
+    level.bodies[0].shapes.push_back(second);
+    world.load(level);
+    const auto before = worldCells(world);
+    const BodyHandle body = world.shapes().at(test::firstShape(world)).body;
+    const ShapeHandle first = world.bodies().at(body).shapes[0], pegShape = world.bodies().at(body).shapes[1];
+    world.applyEdits({MergeShapeEdit{pegShape, {}}});
+    EXPECT_EQ(world.shapes().size(), 1u);
+    EXPECT_FALSE(world.shapes().find(pegShape));
+    EXPECT_EQ(worldCells(world), before);
+    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_FALSE(world.shapes().find(shape)) << "its handle is from before the load";
+    world.applyEdits({MergeShapeEdit{first, {}}});  // nothing left to merge with: refused
+    EXPECT_EQ(worldCells(world), before);
+}
+
+TEST(ShapeEdits, NonsenseIsRefused) {
+    World world = worldOf(twoBlocks(), false);
+    const ShapeHandle shape = test::firstShape(world);
+    const uint64_t hash = world.voxelHash();
+    world.applyEdits({ResizeShapeEdit{shape, {{0, 0, 0}, {0, 5, 5}}}, ResizeShapeEdit{shape, {{0, 0, 0}, {1 << 30, 5, 5}}},
+                      ResizeShapeEdit{shape, {{INT32_MIN, 0, 0}, {INT32_MAX, 5, 5}}}, TrimShapeEdit{{}}, SplitShapeEdit{{}},
+                      MergeShapeEdit{shape, shape}});
+    EXPECT_EQ(world.voxelHash(), hash);
+}
+
+TEST(SlicedSplits, LoseNothingAndEndWhereImmediateOnesDo) {
+    const auto run = [](size_t partsAStep, int* hanging) {
+        World world = worldOf(test::towerGrid({100, 120, 90}, 3, 12), true);
+        WorldSettings settings = world.settings();
+        settings.split.partsAStep = partsAStep;
+        world.setSettings(settings);
+        world.applyEdits({test::sphereCarve({0.2, 0.2, 0.2}, 0.1)});
+        Random random(3);
+        const auto count = [&] { return world.shapes().size(); };
+        size_t last = count();
+        for (int step = 0; step < 200; ++step) {
+            Edits edits;
+            if (step < 40 && step % 4 == 0)
+                for (int i = 0; i < 3; ++i) {
+                    const double x = random.unit(), y = random.unit(), z = random.unit();
+                    edits.push_back(test::sphereCarve({10.0 * x, 12.0 * y, 9.0 * z}, 1.2));
+                    edits.push_back(test::sphereCarve({10.0 * z, 12.0 * x, 9.0 * y}, 1.2));
+                }
+            const uint64_t before = world.hash();
+            world.applyEdits(edits);
+            EXPECT_TRUE(world.ledger().balances());
+            EXPECT_NE(world.hash(), before);
+            if (hanging && edits.empty() && count() != last) ++*hanging;
+            last = count();
+        }
+        return world;
+    };
+    int hanging = 0;
+    const World immediate = run(0, nullptr), sliced = run(2, &hanging), again = run(2, nullptr);
+    EXPECT_GT(hanging, 0) << "some piece came off in a later step than its cut";
+    EXPECT_EQ(sliced.hash(), again.hash());
+    EXPECT_EQ(sliced.ledger().removed + sliced.ledger().standing + sliced.ledger().inPieces, immediate.ledger().imported);
+    sliced.shapes().forEach([&](ShapeHandle, const Shape& shape) {
+        if (shape.isPiece) {
+            EXPECT_EQ(findComponents(shape.grid).size(), 1u);
+        } else {
+            EXPECT_TRUE(findLoose(shape.grid, shape.anchors, true).pieces.empty()) << "a loose piece was forgotten";
+        }
+    });
+}
+
+}  // namespace
+}  // namespace rubble
