@@ -42,6 +42,9 @@ public:
         level.bodies[0].velocity = {3.0 * x, -2.0, 5.0 * z};
         level.bodies[0].angularVelocity = {4.0 * z, 7.0 * w, -3.0 * y};
         m_world.load(level);
+        WorldSettings settings = m_world.settings();
+        settings.debris.awakeBodies = settings.debris.bodies = 1'000'000;  // none of it becomes dust
+        m_world.setSettings(settings);
         m_world.applyEdits({});
     }
 
