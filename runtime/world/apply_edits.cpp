@@ -50,6 +50,13 @@ void World::forgetSearches(const FrameChanges& changes) {
             if (Shape* shape = m_shapes.find(handle)) shape->nothingLoose = false;
 }
 
+void World::resetCaches() {
+    listLoads();
+    for (const PendingSplit& pending : m_pendingSplits)
+        if (Shape* shape = m_shapes.find(pending.shape)) shape->nothingLoose = false;
+    m_pendingSplits.clear();
+}
+
 EditStep::EditStep(World& world, FrameChanges& changes) : m_world(world), m_changes(changes), m_groupRemoved(world.m_groups.slotCount()) {}
 
 void EditStep::run(const Edits& edits) {

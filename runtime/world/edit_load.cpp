@@ -36,6 +36,8 @@ void EditStep::weighShapes() {
     WorldLoad& load = *m_world.m_load;
     for (const ShapeHandle handle : m_changes.shapesDestroyed) load.remove(handle);
     for (const ShapeHandle handle : m_changes.rehomed) load.remove(handle);
+    for (const ShapeHandle handle : m_changes.shapesCreated)
+        if (m_world.m_shapes.find(handle)) m_world.listLoad(handle);
     for (const auto& [slot, each] : m_touched)
         if (WorldLoad::Entry* entry = load.find(each.shape); entry && !each.carved.empty()) {
             std::vector<glm::ivec3> bricks;

@@ -238,6 +238,8 @@ bool EditStep::reframe(ShapeHandle handle, const CellBox& box) {
     if (isLess) countRemoved(handle, removed, {m_world.shapeToWorld(handle).transformPoint({}), 0.0, {}});
     for (PendingSplit& pending : m_world.m_pendingSplits)  // its cut was in the old cells
         if (pending.shape == handle) pending.cut.clear(), pending.search.reset(), shape.nothingLoose = false;
+    std::erase_if(m_world.m_fire.fields, [&](const HeatField& field) { return field.shape == handle; });
+    m_world.m_fire.tidy();
     if (shape.grid.empty()) {
         m_touched.erase(handle.slot());
         destroyShape(handle);

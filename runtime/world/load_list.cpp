@@ -7,17 +7,20 @@ void World::listLoads() {
     m_load.reset();
     if (!m_settings.load.on) return;
     m_load.emplace();
-    m_shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
-        if (!shape.bearsLoad || !m_bodies.at(shape.body).isStatic) return;
-        if (shape.grid.brickCount() > m_settings.load.largestShape) {
-            logWarning("load: shape \"" + shape.name + "\" has " + std::to_string(shape.grid.brickCount()) +
-                       " bricks and bears whatever comes; LoadSettings::largestShape is " + std::to_string(m_settings.load.largestShape));
-            return;
-        }
-        std::vector<glm::ivec3> bricks;
-        shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef&) { bricks.push_back(brick); });
-        m_load->add(handle).analysis.touch(bricks);
-    });
+    m_shapes.forEach([&](ShapeHandle handle, const Shape&) { listLoad(handle); });
+}
+
+void World::listLoad(ShapeHandle handle) {
+    const Shape& shape = m_shapes.at(handle);
+    if (!shape.bearsLoad || !m_bodies.at(shape.body).isStatic) return;
+    if (shape.grid.brickCount() > m_settings.load.largestShape) {
+        logWarning("load: shape \"" + shape.name + "\" has " + std::to_string(shape.grid.brickCount()) +
+                   " bricks and bears whatever comes; LoadSettings::largestShape is " + std::to_string(m_settings.load.largestShape));
+        return;
+    }
+    std::vector<glm::ivec3> bricks;
+    shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef&) { bricks.push_back(brick); });
+    m_load->add(handle).analysis.touch(bricks);
 }
 
 }  // namespace rubble

@@ -16,8 +16,8 @@
 #include "runtime/world/fire.h"
 #include "runtime/world/frame_changes.h"
 #include "runtime/world/level.h"
-#include "runtime/world/world_load.h"
 #include "runtime/world/pending_split.h"
+#include "runtime/world/world_load.h"
 #include "runtime/world/world_settings.h"
 
 namespace rubble {
@@ -134,7 +134,7 @@ public:
 
     /// Forgets what is only kept to save work, and begins it anew: load analyses. A save does that in the running game too, so
     /// that it goes on like one that was loaded.
-    void resetCaches() { listLoads(); }
+    void resetCaches();
     /// The load analyses; null while LoadSettings are off.
     const WorldLoad* load() const { return m_load ? &*m_load : nullptr; }
 
@@ -196,6 +196,7 @@ private:
     bool isSupplied(LightGroupHandle handle, const LightGroup& group) const;
     void connectSupplies();
     void addImpactDamage(const Impact& impact, BodyHandle body, Edits& out) const;
+    void listLoad(ShapeHandle shape);
     void forgetSearches(const FrameChanges& changes);
     /// Fills in initialVoxels of groups that do not bring it.
     void countGroupVoxels();
