@@ -45,11 +45,16 @@ uint8_t MaterialTable::find(std::string_view name) const {
 
 bool breaksWith(const Material& material, Tool tool) {
     switch (tool) {
-        case Tool::Any: return true;
-        case Tool::Sledge: return material.sledge;
-        case Tool::Torch: return material.torch;
-        case Tool::Gun: return material.gun;
-        case Tool::Explosive: return material.explosive;
+        case Tool::Any:
+            return true;
+        case Tool::Sledge:
+            return material.sledge;
+        case Tool::Torch:
+            return material.torch;
+        case Tool::Gun:
+            return material.gun;
+        case Tool::Explosive:
+            return material.explosive;
     }
     return false;
 }

@@ -3,9 +3,9 @@
 #include <set>
 
 #include "render/gl/state_guard.h"
-#include "runtime/core/blue_noise.h"
 #include "render/scene/brick_atlas.h"
 #include "render/scene/slots.h"
+#include "runtime/core/blue_noise.h"
 #include "runtime/core/random.h"
 #include "tests/render/gl_fixture.h"
 
