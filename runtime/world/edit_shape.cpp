@@ -89,6 +89,7 @@ std::array<uint8_t, 16> mapPaint(PaintColors& into, const PaintColors& from) {
 }  // namespace
 
 Shape* EditStep::shapeToEdit(ShapeHandle handle, const char* edit) {
+    releaseFragments();  // they are in the cells that the shape has now
     Shape* shape = m_world.m_shapes.find(handle);
     if (!shape) logWarning(fmt::format("{}: the handle of its shape is stale; nothing was done", edit));
     return shape;
@@ -248,7 +249,7 @@ bool EditStep::reframe(ShapeHandle handle, const CellBox& box) {
     Touched& each = touched(handle);
     const bool lostVoxels = isLess || each.lostVoxels || !each.carved.empty();
     if (lostVoxels) shape.nothingLoose = false;
-    each = {handle, {}, {}, lostVoxels};
+    each = {.shape = handle, .lostVoxels = lostVoxels};
     m_world.placeShape(handle);
     m_changes.shapesDestroyed.push_back(handle);
     m_changes.shapesCreated.push_back(handle);

@@ -5,24 +5,27 @@
 
 namespace rubble {
 
-/// What broke out of a shape becomes pieces at once: it is no longer in the grid.
-void EditStep::releaseFragments(Touched& broken) {
-    ShapeSplit split{.parent = broken.shape};
-    for (Fragment& fragment : broken.fragments) {
-        split.parentOffset.push_back(fragment.piece.offset);
-        split.children.push_back(createChild(broken.shape, std::move(fragment.piece), fragment.moments, split.motions.emplace_back()));
+/// What broke out of shapes becomes pieces at once: it is in no grid any more.
+void EditStep::releaseFragments() {
+    for (auto& [slot, broken] : m_touched) {
+        if (broken.fragments.empty()) continue;
+        ShapeSplit split{.parent = broken.shape};
+        for (Fragment& fragment : broken.fragments) {
+            split.parentOffset.push_back(fragment.piece.offset);
+            split.children.push_back(createChild(broken.shape, std::move(fragment.piece), fragment.moments, split.motions.emplace_back()));
+        }
+        broken.fragments.clear();
+        m_cutWires.insert(broken.shape.slot());
+        moveLights(split);
+        m_changes.splits.push_back(std::move(split));
     }
-    broken.fragments.clear();
-    m_cutWires.insert(broken.shape.slot());
-    moveLights(split);
-    m_changes.splits.push_back(std::move(split));
 }
 
 /// Splits what was cut in this step, or waits since an earlier one, as far as the budget goes.
 void EditStep::splitShapes() {
+    releaseFragments();
     std::vector<PendingSplit>& line = m_world.m_pendingSplits;
     for (auto& [slot, each] : m_touched) {
-        if (!each.fragments.empty()) releaseFragments(each);
         if (each.carved.empty() && !each.lostVoxels) continue;
         auto known = std::find_if(line.begin(), line.end(), [&](const PendingSplit& pending) { return pending.shape == each.shape; });
         if (known == line.end()) known = line.insert(line.end(), {each.shape, {}, {}});

@@ -70,7 +70,7 @@ private:
 
     // edit_split.cpp
     void splitShapes();
-    void releaseFragments(Touched& broken);
+    void releaseFragments();
     bool searchOn(PendingSplit& pending, size_t& budget);
     void splitShape(ShapeHandle parent, const Loose& loose);
     void dropPiece(ShapeHandle parent, const Component& component);
