@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +90,7 @@ std::array<uint8_t, 16> mapPaint(PaintColors& into, const PaintColors& from) {
 Shape* EditStep::shapeToEdit(ShapeHandle handle, const char* edit) {
     releaseFragments();  // they are in the cells that the shape has now
     Shape* shape = m_world.m_shapes.find(handle);
-    if (!shape) logWarning(fmt::format("{}: the handle of its shape is stale; nothing was done", edit));
+    if (!shape) logWarning(std::string(edit) + ": the handle of its shape is stale; nothing was done");
     return shape;
 }
 
@@ -217,7 +216,8 @@ bool EditStep::reframe(ShapeHandle handle, const CellBox& box) {
     Shape& shape = m_world.m_shapes.at(handle);
     const auto fits = [](int low, int high) { return low >= -kMaxGridSize && high <= 2 * kMaxGridSize && low < high && high - low <= kMaxGridSize; };
     if (!fits(box.low.x, box.high.x) || !fits(box.low.y, box.high.y) || !fits(box.low.z, box.high.z)) {
-        logWarning(fmt::format("a shape's grid must have 1 to {} cells on each side, not far from where it is; nothing was done", kMaxGridSize));
+        logWarning("a shape's grid must have 1 to " + std::to_string(kMaxGridSize) +
+                   " cells on each side, not far from where it is; nothing was done");
         return false;
     }
     if (box == CellBox{glm::ivec3(0), shape.grid.size()}) return true;

@@ -28,25 +28,25 @@ constexpr int kSheetPictures = 12;
 constexpr int kRunUp = 6;  ///< steps drawn before a picture that stands alone, so that light and edges have a past
 
 /// Draws pictures of a running world into files.
-class Recorder {
+class Cameraman {
 public:
-    static Result<std::unique_ptr<Recorder>> create(const SandboxOptions& options, const SandboxStage& stage) {
-        auto recorder = std::unique_ptr<Recorder>(new Recorder(options, stage));
+    static Result<std::unique_ptr<Cameraman>> create(const SandboxOptions& options, const SandboxStage& stage) {
+        auto cameraman = std::unique_ptr<Cameraman>(new Cameraman(options, stage));
         auto context = GlContext::create(GlContext::kindOf(options.gl));
         if (!context) return Error{context.error()};
-        recorder->m_context = std::move(*context);
+        cameraman->m_context = std::move(*context);
         RenderSettings settings = RenderSettings::preset(options.preset);
         settings.warmUpFrames = kWarmUpFrames;
-        auto renderer = Renderer::create(recorder->m_context->loader(), options.shaders, settings);
+        auto renderer = Renderer::create(cameraman->m_context->loader(), options.shaders, settings);
         if (!renderer) return Error{renderer.error()};
-        recorder->m_renderer = std::move(*renderer);
-        recorder->m_offscreen = std::make_unique<Offscreen>(glm::ivec2(options.width, options.height));
-        if (!recorder->m_renderer->showPass(options.pass)) {
+        cameraman->m_renderer = std::move(*renderer);
+        cameraman->m_offscreen = std::make_unique<Offscreen>(glm::ivec2(options.width, options.height));
+        if (!cameraman->m_renderer->showPass(options.pass)) {
             std::string names;
-            for (const std::string& name : recorder->m_renderer->passNames()) names += " " + name;
+            for (const std::string& name : cameraman->m_renderer->passNames()) names += " " + name;
             return Error{"--pass " + options.pass + ": no such pass; there are:" + names};
         }
-        return recorder;
+        return cameraman;
     }
 
     Image draw(FrameLoop& loop, double seconds) {
@@ -76,7 +76,7 @@ public:
     const Renderer& renderer() const { return *m_renderer; }
 
 private:
-    Recorder(const SandboxOptions& options, const SandboxStage& stage) : m_options(options), m_stage(stage) {}
+    Cameraman(const SandboxOptions& options, const SandboxStage& stage) : m_options(options), m_stage(stage) {}
     SandboxOptions m_options;
     const SandboxStage& m_stage;
     std::unique_ptr<GlContext> m_context;  // first made, last destroyed
@@ -153,44 +153,44 @@ int runHeadless(const SandboxOptions& options) {
     FrameLoop loop(settings);
     loop.world().setSettings(stage->settings);
     loop.load(stage->level);
-    std::unique_ptr<Recorder> recorder;
+    std::unique_ptr<Cameraman> cameraman;
     if (!options.noRender) {
-        auto created = Recorder::create(options, *stage);
+        auto created = Cameraman::create(options, *stage);
         if (!created) return logError(created.error()), 1;
-        recorder = std::move(*created);
+        cameraman = std::move(*created);
     }
 
     Figures figures;
     std::vector<Image> sheet;
     const int steps = runLength(options);
     const Schedule schedule(options, steps);
-    Progress progress(recorder ? "demolition, pictures" : "demolition, steps", recorder ? schedule.pictures() : steps);
+    Progress progress(cameraman ? "demolition, pictures" : "demolition, steps", cameraman ? schedule.pictures() : steps);
     for (int step = 1; step <= steps; ++step) {
         loop.edits().push(stage->script(step - 1));
         const uint64_t before = allocationCount();
         loop.step();
         figures.addStep(loop, allocationCount() - before);
-        if (!recorder) {
+        if (!cameraman) {
             progress.advance(step);
             continue;
         }
         const int picture = schedule.pictureAt(step);
         const double seconds = double(step) / kStepsASecond;
         if (picture < 0) {
-            if (schedule.isRunUp(step)) recorder->draw(loop, seconds);
+            if (schedule.isRunUp(step)) cameraman->draw(loop, seconds);
             continue;
         }
-        const Image image = recorder->draw(loop, seconds);
-        figures.addPicture(loop, recorder->renderer());
+        const Image image = cameraman->draw(loop, seconds);
+        figures.addPicture(loop, cameraman->renderer());
         if (auto written = writePng(fmt::format("{}/frames/{:04d}.png", out.string(), picture), image); !written) return logError(written.error()), 1;
         if (schedule.isOnSheet(picture)) {
             sheet.push_back(image);
-            if (options.allPasses) recorder->writeAllPasses(loop, seconds, out / fmt::format("passes_{:04d}", picture));
+            if (options.allPasses) cameraman->writeAllPasses(loop, seconds, out / fmt::format("passes_{:04d}", picture));
         }
         progress.advance(picture + 1);
     }
 
-    if (recorder && !sheet.empty()) {
+    if (cameraman && !sheet.empty()) {
         if (auto written = writePng((out / "contact_sheet.png").string(), tile(sheet, schedule.columns())); !written)
             return logError(written.error()), 1;
         if (!schedule.alone()) makeVideo(out, options.fps);

@@ -11,25 +11,25 @@ constexpr std::array<std::array<uint8_t, 3>, 4> kSprayColors = {{{214, 40, 57}, 
 
 }  // namespace
 
-Edits useTool(Tool tool, const World& world, glm::dvec3 originWorld, glm::dvec3 directionWorld, uint32_t seed) {
-    const double reach = tool == Tool::Hammer ? kHammerReach : tool == Tool::SprayCan ? kSprayReach : kExplosiveReach;
+Edits useTool(HandTool tool, const World& world, glm::dvec3 originWorld, glm::dvec3 directionWorld, uint32_t seed) {
+    const double reach = tool == HandTool::Hammer ? kHammerReach : tool == HandTool::SprayCan ? kSprayReach : kExplosiveReach;
     const WorldHit hit = world.raycast(originWorld, directionWorld, reach);
     if (!hit.hit) return {};
     switch (tool) {
-        case Tool::Hammer: {
+        case HandTool::Hammer: {
             CarveEdit carve;
             carve.position = hit.position;
             carve.radii = {0.45, 0.25, 0.0};
             ImpulseEdit push{world.shapes().at(hit.shape).body, hit.position, glm::normalize(directionWorld) * kHammerImpulse};
             return {carve, push};
         }
-        case Tool::Explosive: {
+        case HandTool::Explosive: {
             ExplodeEdit explosion;
             explosion.position = hit.position;
             explosion.size = 1.6;
             return {explosion};
         }
-        case Tool::SprayCan: {
+        case HandTool::SprayCan: {
             PaintEdit paint;
             paint.position = hit.position;
             paint.radius = 0.35;

@@ -82,7 +82,7 @@ private:
         m_player.move(input, m_loop.world(), elapsed);
         for (int i = 0; i < 3; ++i)
             if (m_window.pressed(GLFW_KEY_1 + i)) {
-                m_tool = Tool(i);
+                m_tool = HandTool(i);
                 m_window.setTitle(std::string("Rubble sandbox: ") + kToolNames[i]);
             }
         if (m_window.pressed(GLFW_KEY_F)) m_player.toggleWalk();
@@ -111,7 +111,7 @@ private:
     std::unique_ptr<Renderer> m_renderer;
     FrameLoop m_loop;
     Player m_player;
-    Tool m_tool = Tool::Hammer;
+    HandTool m_tool = HandTool::Hammer;
     uint32_t m_seed;
     int m_step = 0;  ///< of the scene's script
     double m_toolWait = 0.0, m_lag = 0.0;
