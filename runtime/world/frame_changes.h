@@ -50,8 +50,8 @@ struct PieceMotion {
     double mass = 0.0;  ///< kg
 };
 
-/// A shape came apart. The parent handle lives on in the anchored, largest or lowest piece; children are new shapes,
-/// each on a body of its own. parentOffset[i]: the cell of the parent at which child i's cell 0 lies.
+/// A shape came apart: what broke out of it, or, in a record of its own, what it no longer held. The parent handle lives on in the anchored, largest
+/// or lowest piece; children are new shapes, each on a body of its own. parentOffset[i]: the cell of the parent at which child i's cell 0 lies.
 struct ShapeSplit {
     ShapeHandle parent;
     std::vector<ShapeHandle> children;
