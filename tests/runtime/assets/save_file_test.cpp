@@ -83,9 +83,9 @@ TEST(SaveFile, ASettingThatTheFileForgetsIsNoticed) {
     EXPECT_EQ(sizeof(DebrisSettings), 32u);
     EXPECT_EQ(sizeof(FireSettings), 24u);
     EXPECT_EQ(sizeof(LoadSettings), 32u);
-    EXPECT_EQ(sizeof(WorldSettings), 56 + sizeof(DebrisSettings) + sizeof(LoadSettings) + sizeof(FireSettings) + 8u);
+    EXPECT_EQ(sizeof(WorldSettings), 56 + sizeof(DebrisSettings) + sizeof(LoadSettings) + sizeof(FireSettings) + sizeof(SplitSettings) + 8u);
     EXPECT_EQ(sizeof(PaintEdit), 80u);
-    EXPECT_EQ(sizeof(CarveEdit), 152u);
+    EXPECT_EQ(sizeof(CarveEdit), 160u);
 }
 
 TEST(SaveFile, FilesOfOtherKindsAreRefused) {
