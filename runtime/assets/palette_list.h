@@ -16,7 +16,7 @@ public:
 
 private:
     std::vector<PaletteRef> m_palettes;
-    std::map<const Palette*, uint32_t> m_byAddress;
+    std::map<PaletteRef, uint32_t> m_byAddress;  ///< held, so that no other palette gets the address
     std::multimap<uint64_t, uint32_t> m_byHash;
 };
 
