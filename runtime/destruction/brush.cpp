@@ -55,6 +55,86 @@ bool inBox(const Brush& brush, const Point& point, int64_t grow) {
     return true;
 }
 
+constexpr BrickBits kNoCell{}, kEveryCell = {~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull};
+constexpr int64_t kLast = kBrickSize - 1;
+
+/// The cells of a brick on which a linear function, `first` in its first cell and growing by `steps` a cell, is within +-limit.
+BrickBits linearBits(int64_t first, const Point& steps, int64_t limit) {
+    int64_t low = first, high = first;
+    for (const int64_t step : steps) (step < 0 ? low : high) += kLast * step;
+    if (low > limit || high < -limit) return kNoCell;
+    if (low >= -limit && high <= limit) return kEveryCell;
+    const auto row = [&](int64_t value) {
+        uint64_t bits = 0;
+        for (int x = 0; x < kBrickSize; ++x, value += steps[0]) bits |= uint64_t(std::abs(value) <= limit) << x;
+        return bits;
+    };
+    BrickBits out{};
+    if (steps[1] == 0 && steps[2] == 0) {
+        out.fill(row(first) * 0x0101010101010101ull);
+        return out;
+    }
+    for (int64_t z = 0; z < kBrickSize; ++z)
+        for (int64_t y = 0; y < kBrickSize; ++y) out[size_t(z)] |= row(first + y * steps[1] + z * steps[2]) << 8 * y;
+    return out;
+}
+
+BrickBits boxBits(const Brush& brush, const Point& first, int64_t grow) {
+    BrickBits out = kEveryCell;
+    for (size_t i = 0; i < 3; ++i) {
+        int64_t along = 0;
+        Point steps;
+        for (size_t j = 0; j < 3; ++j) {
+            along += int64_t(brush.axes[3 * i + j]) * (first[j] - brush.a[j]);
+            steps[j] = brush.axes[3 * i + j] * kBrushUnit;
+        }
+        const BrickBits within = linearBits(along, steps, (brush.b[i] + grow) * 65536);
+        for (size_t z = 0; z < 8; ++z) out[z] &= within[z];
+        if (out == kNoCell) return out;
+    }
+    return out;
+}
+
+BrickBits sphereBits(const Brush& brush, const Point& first, int64_t radius) {
+    std::array<std::array<int64_t, kBrickSize>, 3> squares;  // of the distance to the centre along each axis
+    int64_t nearest = 0, farthest = 0;
+    for (size_t j = 0; j < 3; ++j) {
+        for (size_t i = 0; i < kBrickSize; ++i)
+            squares[j][i] = (first[j] + int64_t(i) * kBrushUnit - brush.a[j]) * (first[j] + int64_t(i) * kBrushUnit - brush.a[j]);
+        nearest += *std::min_element(squares[j].begin(), squares[j].end());
+        farthest += std::max(squares[j].front(), squares[j].back());
+    }
+    if (nearest > radius * radius) return kNoCell;
+    if (farthest <= radius * radius) return kEveryCell;
+    BrickBits out{};
+    for (size_t z = 0; z < kBrickSize; ++z)
+        for (size_t y = 0; y < kBrickSize; ++y) {
+            const int64_t left = radius * radius - squares[1][y] - squares[2][z];
+            if (left < 0) continue;
+            for (size_t x = 0; x < kBrickSize; ++x) out[z] |= uint64_t(squares[0][x] <= left) << (x + 8 * y);
+        }
+    return out;
+}
+
+BrickBits capsuleBits(const Brush& brush, const Point& first, int64_t radius) {
+    // The cell centres lie within sqrt(3) * 3.5 cells of the brick's middle, and a convex brush that holds the eight
+    // outermost ones holds them all.
+    constexpr int64_t kBrickReach = 1552, kMiddle = kLast * kBrushUnit / 2;
+    if (!inCapsule(brush, {first[0] + kMiddle, first[1] + kMiddle, first[2] + kMiddle}, radius + kBrickReach)) return kNoCell;
+    const auto isTouched = [&](int64_t x, int64_t y, int64_t z) {
+        return inCapsule(brush, {first[0] + x * kBrushUnit, first[1] + y * kBrushUnit, first[2] + z * kBrushUnit}, radius);
+    };
+    bool isWhole = true;
+    for (int corner = 0; corner < 8 && isWhole; ++corner) isWhole = isTouched(corner & 1 ? kLast : 0, corner & 2 ? kLast : 0, corner & 4 ? kLast : 0);
+    if (isWhole) return kEveryCell;
+    BrickBits out{};
+    for (int i = 0; i < kBrickVoxels; ++i) {
+        const glm::ivec3 cell = voxelInBrick(i);
+        if (isTouched(cell.x, cell.y, cell.z)) out[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
+    }
+    return out;
+}
+
 }  // namespace
 
 Brush sphereBrush(glm::dvec3 center, std::array<double, 3> radii) {
@@ -121,30 +201,11 @@ CellBox brushBricks(const Brush& brush, glm::ivec3 sizeInBricks) {
 }
 
 BrickBits brushBits(const Brush& brush, glm::ivec3 brick, int64_t radius) {
-    BrickBits bits{};
-    if (radius <= kBrushNothing) return bits;
-    const auto cellCenter = [&](int x, int y, int z) {
-        return Point{(brick.x * 8 + x) * kBrushUnit + kBrushUnit / 2, (brick.y * 8 + y) * kBrushUnit + kBrushUnit / 2,
-                     (brick.z * 8 + z) * kBrushUnit + kBrushUnit / 2};
-    };
-    // The cell centres lie within sqrt(3) * 3.5 cells of the brick's middle, and a convex brush that holds the eight
-    // outermost ones holds them all.
-    constexpr int64_t kBrickReach = 1552;
-    Point middle = cellCenter(4, 4, 4);
-    for (int64_t& coordinate : middle) coordinate -= kBrushUnit / 2;
-    if (!brushContains(brush, middle, std::max<int64_t>(radius, 0) + kBrickReach)) return bits;
-    bool isWhole = true;
-    for (int corner = 0; corner < 8 && isWhole; ++corner)
-        isWhole = brushContains(brush, cellCenter(corner & 1 ? 7 : 0, corner & 2 ? 7 : 0, corner & 4 ? 7 : 0), radius);
-    if (isWhole) {
-        bits.fill(~uint64_t(0));
-        return bits;
-    }
-    for (int i = 0; i < kBrickVoxels; ++i) {
-        const glm::ivec3 cell = voxelInBrick(i);
-        if (brushContains(brush, cellCenter(cell.x, cell.y, cell.z), radius)) bits[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
-    }
-    return bits;
+    if (radius <= kBrushNothing || (radius <= 0 && brush.kind != BrushKind::Box)) return {};
+    const glm::ivec3 cell = brick * kBrickSize;
+    const Point first = {cell.x * kBrushUnit + kBrushUnit / 2, cell.y * kBrushUnit + kBrushUnit / 2, cell.z * kBrushUnit + kBrushUnit / 2};
+    if (brush.kind == BrushKind::Box) return boxBits(brush, first, radius);
+    return brush.kind == BrushKind::Sphere ? sphereBits(brush, first, radius) : capsuleBits(brush, first, radius);
 }
 
 }  // namespace rubble

@@ -1,5 +1,10 @@
 #include "runtime/destruction/carve.h"
 
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
+#include "runtime/voxel/brick_entries.h"
+
 namespace rubble {
 namespace {
 
@@ -15,54 +20,84 @@ EntryClasses entryClasses(const Palette& palette, const MaterialTable& materials
 }
 
 BrickBits bitsToRemove(const Brick& brick, const std::array<BrickBits, 3>& touched, const EntryClasses& classes) {
-    BrickBits out{};
-    if (!brick.indices) {
-        const uint8_t hardness = classes[brick.uniform];
-        if (hardness < 3)
-            for (size_t z = 0; z < 8; ++z) out[z] = brick.occupancy[z] & touched[hardness][z];
-        return out;
-    }
-    for (size_t z = 0; z < 8; ++z) {
-        const uint64_t candidates = brick.occupancy[z] & (touched[0][z] | touched[1][z] | touched[2][z]);
-        for (uint64_t word = candidates; word; word &= word - 1) {
-            const int bit = std::countr_zero(word);
-            const uint8_t hardness = classes[(*brick.indices)[z * 64 + size_t(bit)]];
-            if (hardness < 3) out[z] |= touched[hardness][z] & uint64_t(1) << bit;
-        }
-    }
+    BrickBits candidates, out{};
+    for (size_t z = 0; z < 8; ++z) candidates[z] = touched[0][z] | touched[1][z] | touched[2][z];
+    forEachEntry(brick, candidates, [&](uint8_t entry, size_t z, uint64_t bits) {
+        if (classes[entry] < 3) out[z] |= bits & touched[classes[entry]][z];
+    });
     return out;
+}
+
+/// Empties cells of bricks of one node, and keeps its moments (see nodeMoments()) if they are known: what is left is the difference.
+void removeFromNode(VoxelGrid& grid, glm::ivec3 position, std::span<const BrickShare> cells, const Densities& densities, Carved& out) {
+    NodeRef node = grid.takeNode(position);
+    const NodeMoments* known = node->knownMoments.find();
+    std::unique_ptr<NodeMoments> left;
+    if (known && known->densities == densities.hash) left = std::make_unique<NodeMoments>(*known);
+    BrickNode& changed = node.own();
+    MassMoments gone;
+    for (const BrickShare& share : cells) {
+        const int child = childIndex(share.brick);
+        const Brick& brick = *changed.bricks[size_t(child)];
+        forEachEntry(brick, share.voxels, [&](uint8_t entry, size_t, uint64_t bits) {
+            const uint64_t count = uint64_t(std::popcount(bits));
+            out.removed[entry] += count;
+            out.voxels += count;
+        });
+        gone += brickMoments(brick, share.voxels, childPosition(child), densities);
+        out.bricks.push_back(share.brick);
+        BrickBits keep;
+        for (size_t z = 0; z < 8; ++z) keep[z] = ~share.voxels[z];
+        changed.set(child, maskBrick(brick, keep));
+    }
+    out.moments += gone.shifted(position * kNodeSize);
+    if (left) {
+        left->sums -= gone;
+        changed.knownMoments.keep(std::move(left));
+    }
+    if (changed.mask) grid.putNode(position, std::move(node));
+}
+
+/// The cells of a node's bricks that the brush takes.
+void findCells(const BrickNode& node, glm::ivec3 position, const CellBox& range, const Brush& brush, const EntryClasses& classes,
+               std::vector<BrickShare>& out) {
+    forEachChild(node.mask, [&](int child) {
+        const glm::ivec3 brick = position * kNodeBricks + childPosition(child);
+        if (glm::any(glm::lessThan(brick, range.low)) || glm::any(glm::greaterThanEqual(brick, range.high))) return;
+        std::array<BrickBits, 3> touched;
+        for (size_t c = 0; c < 3; ++c)
+            touched[c] = c && brush.radii[c] == brush.radii[c - 1] ? touched[c - 1] : brushBits(brush, brick, brush.radii[c]);
+        const BrickBits gone = bitsToRemove(*node.bricks[size_t(child)], touched, classes);
+        if (gone != BrickBits{}) out.push_back({brick, gone});
+    });
 }
 
 }  // namespace
 
 void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials, Carved& out, Tool tool) {
+    const CellBox range = brushBricks(brush, grid.sizeInBricks());
+    if (range.empty()) return;
     const EntryClasses classes = entryClasses(palette, materials, tool);
     const Densities densities(palette, materials);
-    const CellBox range = brushBricks(brush, grid.sizeInBricks());
-    for (int z = range.low.z; z < range.high.z; ++z)
-        for (int y = range.low.y; y < range.high.y; ++y)
-            for (int x = range.low.x; x < range.high.x; ++x) {
-                const glm::ivec3 position(x, y, z);
-                const BrickRef brick = grid.shareBrick(position);
-                if (!brick) continue;
-                std::array<BrickBits, 3> touched;
-                for (size_t c = 0; c < 3; ++c)
-                    touched[c] = c && brush.radii[c] == brush.radii[c - 1] ? touched[c - 1] : brushBits(brush, position, brush.radii[c]);
-                const BrickBits gone = bitsToRemove(*brick, touched, classes);
-                if (gone != BrickBits{}) removeCells(grid, {position, gone}, densities, out);
+    const glm::ivec3 last = (range.high - 1) >> 2;
+    std::vector<BrickShare> cells;
+    for (glm::ivec3 node = range.low >> 2; node.z <= last.z; ++node.z)
+        for (node.y = range.low.y >> 2; node.y <= last.y; ++node.y)
+            for (node.x = range.low.x >> 2; node.x <= last.x; ++node.x) {
+                const BrickNode* content = grid.nodeAt(node);
+                if (!content) continue;
+                cells.clear();
+                findCells(*content, node, range, brush, classes, cells);
+                if (!cells.empty()) removeFromNode(grid, node, cells, densities, out);
             }
 }
 
 void removeCells(VoxelGrid& grid, const BrickShare& cells, const Densities& densities, Carved& out) {
-    const BrickRef brick = grid.shareBrick(cells.brick);
+    const Brick* brick = grid.brickAt(cells.brick);
     if (!brick) return;
-    BrickBits gone, keep;
-    for (size_t w = 0; w < 8; ++w) gone[w] = brick->occupancy[w] & cells.voxels[w], keep[w] = brick->occupancy[w] & ~cells.voxels[w];
-    if (gone == BrickBits{}) return;
-    forEachVoxel(gone, [&](int i) { ++out.removed[brick->at(i)], ++out.voxels; });
-    out.moments += brickMoments(*brick, gone, cells.brick, densities);
-    out.bricks.push_back(cells.brick);
-    grid.setBrick(cells.brick, maskBrick(*brick, keep));
+    BrickShare gone{cells.brick, cells.voxels};
+    for (size_t z = 0; z < 8; ++z) gone.voxels[z] &= brick->occupancy[z];
+    if (gone.voxels != BrickBits{}) removeFromNode(grid, cells.brick >> 2, {&gone, 1}, densities, out);
 }
 
 }  // namespace rubble

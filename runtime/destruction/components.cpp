@@ -2,20 +2,10 @@
 
 #include <algorithm>
 
+#include "runtime/core/union_find.h"
+
 namespace rubble {
 namespace {
-
-struct UnionFind {
-    std::vector<uint32_t> parent;
-    uint32_t root(uint32_t i) {
-        while (parent[i] != i) i = parent[i] = parent[parent[i]];
-        return i;
-    }
-    void unite(uint32_t a, uint32_t b) {
-        a = root(a), b = root(b);
-        if (a != b) parent[std::max(a, b)] = std::min(a, b);
-    }
-};
 
 /// The nodes of a grid, and their parts numbered one after the other.
 struct GridNodes {
@@ -37,10 +27,8 @@ struct GridNodes {
     }
 };
 
-UnionFind joinParts(const VoxelGrid& grid, const GridNodes& all) {
-    UnionFind sets;
-    sets.parent.resize(all.firstPart.back());
-    for (uint32_t i = 0; i < sets.parent.size(); ++i) sets.parent[i] = i;
+UnionFind<> joinParts(const VoxelGrid& grid, const GridNodes& all) {
+    UnionFind<> sets(all.firstPart.back());
     for (uint32_t n = 0; n < all.nodes.size(); ++n)
         for (size_t face = 1; face < 6; face += 2) {
             const glm::ivec3 position = all.positions[n] + kFaceSteps[face];
@@ -117,11 +105,11 @@ glm::ivec3 findLowest(const Component& component, const VoxelGrid& grid) {
 
 std::vector<Component> findComponents(const VoxelGrid& grid) {
     const GridNodes all(grid);
-    UnionFind sets = joinParts(grid, all);
+    UnionFind<> sets = joinParts(grid, all);
     size_t count = 0;
-    for (uint32_t i = 0; i < sets.parent.size(); ++i) count += sets.parent[i] == i;
+    for (uint32_t i = 0; i < sets.size(); ++i) count += sets.root(i) == i;
     std::vector<Component> out(count);
-    std::vector<Component*> owners(sets.parent.size());
+    std::vector<Component*> owners(sets.size());
     size_t next = 0;
     for (uint32_t i = 0; i < owners.size(); ++i) {
         const uint32_t root = sets.root(i);  // a set's root is its first part
@@ -136,9 +124,9 @@ std::vector<Component> findComponents(const VoxelGrid& grid) {
 
 std::vector<uint64_t> componentSizes(const VoxelGrid& grid) {
     const GridNodes all(grid);
-    UnionFind sets = joinParts(grid, all);
+    UnionFind<> sets = joinParts(grid, all);
     std::vector<uint64_t> out;
-    std::vector<uint32_t> numbers(sets.parent.size());
+    std::vector<uint32_t> numbers(sets.size());
     for (uint32_t n = 0; n < all.nodes.size(); ++n)
         for (uint32_t i = all.firstPart[n]; i < all.firstPart[n + 1]; ++i) {
             const uint32_t root = sets.root(i);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <cstring>
+
+#include "runtime/core/byte_bits.h"
+#include "runtime/core/union_find.h"
 
 namespace rubble {
 namespace {
@@ -12,34 +14,12 @@ struct Run {
     uint32_t begin, end;  ///< along x, end excluded
 };
 
-struct RunSets {
-    std::vector<uint32_t> parent;
-    uint32_t root(uint32_t i) {
-        while (parent[i] != i) i = parent[i] = parent[parent[i]];
-        return i;
-    }
-    void unite(uint32_t a, uint32_t b) {
-        a = root(a), b = root(b);
-        if (a != b) parent[std::max(a, b)] = std::min(a, b);
-    }
-};
-
-/// Bit i: whether byte i of eight is not zero.
-uint64_t solidBits(uint64_t bytes) {
-    constexpr uint64_t kOnes = 0x0101010101010101ull;
-    const uint64_t ones = (((bytes & 0x7f * kOnes) + 0x7f * kOnes) | bytes) >> 7 & kOnes;
-    return ones * 0x0102040810204080ull >> 56;
-}
-
 /// One bit a cell for up to 64 cells of a row.
 uint64_t rowBits(const uint8_t* cells, uint32_t count) {
+    if (count == 64) return ~equalBits(cells, 0);
     uint64_t out = 0;
     uint32_t x = 0;
-    for (; x + 8 <= count; x += 8) {
-        uint64_t bytes;
-        std::memcpy(&bytes, cells + x, 8);
-        if (bytes) out |= solidBits(bytes) << x;
-    }
+    for (; x + 8 <= count; x += 8) out |= gatherBits(nonZeroBytes(loadBytes(cells + x))) << x;
     for (; x < count; ++x) out |= uint64_t(cells[x] != 0) << x;
     return out;
 }
@@ -64,7 +44,7 @@ void findRuns(const uint8_t* row, uint32_t length, std::vector<Run>& runs) {
 }
 
 /// Unites the runs of one row with those of another that touch them.
-void uniteRows(const std::vector<Run>& runs, uint32_t a, uint32_t aEnd, uint32_t b, uint32_t bEnd, RunSets& sets) {
+void uniteRows(const std::vector<Run>& runs, uint32_t a, uint32_t aEnd, uint32_t b, uint32_t bEnd, UnionFind<>& sets) {
     while (a < aEnd && b < bEnd) {
         if (runs[a].begin < runs[b].end && runs[b].begin < runs[a].end) sets.unite(a, b);
         runs[a].end < runs[b].end ? ++a : ++b;
@@ -78,12 +58,12 @@ std::vector<uint64_t> labelDense(glm::ivec3 size, std::span<const uint8_t> cells
     assert(cells.size() == rows * length && labels.size() == cells.size());
     std::vector<Run> runs;
     std::vector<uint32_t> firstRun(rows + 1);
-    RunSets sets;
+    UnionFind<> sets;
     for (size_t row = 0; row < rows; ++row) {
         findRuns(cells.data() + row * length, uint32_t(length), runs);
         const uint32_t first = firstRun[row], end = uint32_t(runs.size());
         firstRun[row + 1] = end;
-        for (uint32_t i = first; i < end; ++i) sets.parent.push_back(i);
+        sets.grow(end);
         const size_t below = row - size_t(size.y);
         if (row % size_t(size.y) > 0) uniteRows(runs, first, end, firstRun[row - 1], first, sets);
         if (row >= size_t(size.y)) uniteRows(runs, first, end, firstRun[below], firstRun[below + 1], sets);

@@ -2,31 +2,14 @@
 
 #include <cstring>
 
+#include "runtime/core/byte_bits.h"
 #include "runtime/core/hash.h"
 
 namespace rubble {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "a row of eight indices is read as one word, cell x = 0 lowest");
-
-constexpr uint64_t kOnes = 0x0101010101010101ull;
-
-/// 1 in every byte that is not zero.
-uint64_t nonZeroBytes(uint64_t row) {
-    return (((row & 0x7f * kOnes) + 0x7f * kOnes) | row) >> 7 & kOnes;
-}
-/// Eight bytes of 0 or 1 as eight bits, and back.
-uint64_t gatherBits(uint64_t ones) {
-    return ones * 0x0102040810204080ull >> 56;
-}
-uint64_t spreadBits(uint64_t bits) {
-    return nonZeroBytes((bits & 0xff) * kOnes & 0x8040201008040201ull);
-}
-
 uint64_t loadRow(const BrickIndices& indices, size_t row) {
-    uint64_t out;
-    std::memcpy(&out, indices.data() + 8 * row, 8);
-    return out;
+    return loadBytes(indices.data() + 8 * row);
 }
 
 void storeRow(BrickIndices& indices, size_t row, uint64_t value) {
@@ -43,6 +26,23 @@ std::unique_ptr<BrickIndices> paintOf(const BrickBits& solid, const BrickIndices
         any |= kept;
     }
     return any ? std::move(out) : nullptr;
+}
+
+/// The indices of the solid voxels, of which there are some, among them; null, and which one it is, if all have the same.
+std::unique_ptr<BrickIndices> maskIndices(const BrickIndices& indices, const BrickBits& solid, uint8_t& uniform) {
+    auto out = std::make_unique_for_overwrite<BrickIndices>();
+    uint64_t first = 0, others = 0;  // the first one in eight bytes; where others differ from it
+    for (size_t row = 0; row < 64; ++row) {
+        const uint64_t bits = solid[row / 8] >> 8 * (row % 8) & 0xff;
+        const uint64_t cells = bits == 0xff ? ~uint64_t(0) : bits ? spreadBits(bits) * 0xff : 0;
+        const uint64_t kept = loadRow(indices, row) & cells;
+        storeRow(*out, row, kept);
+        if (!first && bits) first = (kept >> 8 * std::countr_zero(bits) & 0xff) * kByteOnes;
+        others |= kept ^ (first & cells);
+    }
+    if (others) return out;
+    uniform = uint8_t(first);
+    return nullptr;
 }
 
 }  // namespace
@@ -77,18 +77,27 @@ BrickRef makeBrick(const BrickIndices& indices, const BrickIndices* paint) {
 }
 
 BrickRef maskBrick(const Brick& brick, const std::array<uint64_t, 8>& keep) {
-    BrickIndices indices;
-    expandBrick(&brick, indices);
-    for (size_t row = 0; row < 64; ++row) storeRow(indices, row, loadRow(indices, row) & spreadBits(keep[row / 8] >> 8 * (row % 8)) * 0xff);
-    return makeBrick(indices, brick.paint.get());
+    BrickBits kept;
+    for (size_t z = 0; z < 8; ++z) kept[z] = brick.occupancy[z] & keep[z];
+    if (kept == BrickBits{}) return nullptr;
+    auto out = std::make_shared<Brick>();
+    out->occupancy = kept;
+    out->uniform = brick.uniform;
+    if (brick.indices) out->indices = maskIndices(*brick.indices, kept, out->uniform);
+    if (brick.paint) out->paint = paintOf(kept, *brick.paint);
+    return out;
 }
 
 uint64_t hashBrick(const Brick& brick) {
     uint64_t hash = brick.knownHash.load(std::memory_order_relaxed);
     if (hash) return hash;
-    BrickIndices indices;
-    expandBrick(&brick, indices);
-    hash = hashBytes(indices.data(), indices.size());
+    if (brick.indices) {
+        hash = hashBytes(brick.indices->data(), kBrickVoxels);
+    } else {
+        BrickIndices indices;
+        expandBrick(&brick, indices);
+        hash = hashBytes(indices.data(), kBrickVoxels);
+    }
     if (brick.paint) hash = hashBytes(brick.paint->data(), brick.paint->size(), hash);
     brick.knownHash.store(hash, std::memory_order_relaxed);
     return hash;

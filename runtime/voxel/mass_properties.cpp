@@ -3,52 +3,59 @@
 #include <bit>
 #include <cmath>
 #include <glm/mat3x3.hpp>
+#include <optional>
 
 #include "runtime/core/hash.h"
+#include "runtime/voxel/brick_entries.h"
 
 namespace rubble {
 namespace {
 
-/// Sums over one row of a brick along x, in doubled cell centres.
-struct RowSums {
-    int64_t weight = 0, first = 0, second = 0;
-};
-
-/// The sums of every possible row of voxels of weight one.
+/// Sums over a row of voxels of weight one along x, in doubled cell centres p = 2 x + 1, side by side in one word: their number,
+/// of p from bit 16, of p^2 from bit 32. Rows may be added up, also times p or p^2 of y: no sum of a layer outgrows its bits.
+using RowSums = uint64_t;
 constexpr std::array<RowSums, 256> kRowSums = [] {
     std::array<RowSums, 256> out{};
     for (size_t row = 0; row < 256; ++row)
-        for (int64_t x = 0; x < 8; ++x)
-            if (row >> x & 1) out[row].weight += 1, out[row].first += 2 * x + 1, out[row].second += (2 * x + 1) * (2 * x + 1);
+        for (uint64_t x = 0; x < 8; ++x)
+            if (row >> x & 1) out[row] += 1 | (2 * x + 1) << 16 | (2 * x + 1) * (2 * x + 1) << 32;
     return out;
 }();
+/// Sums over one layer of voxels of weight one.
+struct LayerSums {
+    RowSums all = 0, byY = 0, byYY = 0;  ///< rows, and rows times p and p^2 of y
+};
+LayerSums sumLayer(uint64_t layer) {
+    LayerSums out;
+    for (uint64_t p = 1; layer; p += 2, layer >>= 8) {
+        const RowSums row = kRowSums[layer & 0xff];
+        out.all += row, out.byY += row * p, out.byYY += row * (p * p);
+    }
+    return out;
+}
 
-/// Moments inside one brick, where 64 bits hold everything.
-struct LocalMoments {
-    int64_t voxels = 0, weight = 0;
+/// Of voxels of one density, in the brick's own cells.
+MassMoments solidMoments(const BrickBits& voxels, int64_t density) {
+    LayerSums layer;  // of the one before: layers often repeat
     std::array<int64_t, 3> first{};
     std::array<int64_t, 6> second{};
-
-    void add(const RowSums& row, int64_t count, int64_t y, int64_t z) {
-        const int64_t py = 2 * y + 1, pz = 2 * z + 1;
-        voxels += count;
-        weight += row.weight;
-        first[0] += row.first, first[1] += row.weight * py, first[2] += row.weight * pz;
-        second[0] += row.second, second[1] += row.weight * py * py, second[2] += row.weight * pz * pz;
-        second[3] += row.first * py, second[4] += row.weight * py * pz, second[5] += row.first * pz;
+    int64_t count = 0;
+    for (size_t z = 0; z < 8; ++z) {
+        if (voxels[z] != (z ? voxels[z - 1] : 0)) layer = sumLayer(voxels[z]);
+        const auto [sums, byY, byYY] = layer;
+        const auto number = [](RowSums of) { return int64_t(of & 0xffff); };
+        const auto sumX = [](RowSums of) { return int64_t(of >> 16 & 0xffff); };
+        const int64_t p = 2 * int64_t(z) + 1, n = number(sums);
+        count += n;
+        first[0] += sumX(sums), first[1] += number(byY), first[2] += n * p;
+        second[0] += int64_t(sums >> 32), second[1] += number(byYY), second[2] += n * p * p;
+        second[3] += sumX(byY), second[4] += number(byY) * p, second[5] += sumX(sums) * p;
     }
-    /// From voxels of weight one to voxels of this density.
-    void weigh(int64_t density) {
-        weight *= density;
-        for (int64_t& sum : first) sum *= density;
-        for (int64_t& sum : second) sum *= density;
-    }
-    MassMoments moments() const {
-        MassMoments out{voxels, weight, first, {}};
-        for (size_t i = 0; i < 6; ++i) out.second[i] = second[i];
-        return out;
-    }
-};
+    MassMoments out{count, count * density, {}, {}};
+    for (size_t i = 0; i < 3; ++i) out.first[i] = first[i] * density;
+    for (size_t i = 0; i < 6; ++i) out.second[i] = second[i] * density;
+    return out;
+}
 
 }  // namespace
 
@@ -99,26 +106,19 @@ Densities::Densities(const Palette& palette, const MaterialTable& materials) {
 }
 
 MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 brickPosition, const Densities& densities) {
-    LocalMoments local;
-    for (size_t z = 0; z < 8; ++z) {
-        uint64_t rows = of[z] & brick.occupancy[z];
-        for (size_t y = 0; y < 8; ++y, rows >>= 8) {
-            const uint8_t row = uint8_t(rows);
-            if (!brick.indices) {
-                local.add(kRowSums[row], kRowSums[row].weight, int64_t(y), int64_t(z));
-                continue;
-            }
-            RowSums sums;
-            for (unsigned left = row; left; left &= left - 1) {
-                const int x = std::countr_zero(left);
-                const int64_t density = densities.of[(*brick.indices)[size_t(x) + 8 * y + 64 * z]], p = 2 * x + 1;
-                sums.weight += density, sums.first += density * p, sums.second += density * p * p;
-            }
-            local.add(sums, kRowSums[row].weight, int64_t(y), int64_t(z));
+    MassMoments sums;
+    BrickBits voxels{};  // of one density, not summed up yet
+    std::optional<uint32_t> density;
+    forEachEntry(brick, of, [&](uint8_t entry, size_t z, uint64_t bits) {
+        if (density && *density != densities.of[entry]) {
+            sums += solidMoments(voxels, *density);
+            voxels = {};
         }
-    }
-    if (!brick.indices) local.weigh(densities.of[brick.uniform]);
-    return local.moments().shifted(brickPosition * kBrickSize);
+        density = densities.of[entry];
+        voxels[z] |= bits;
+    });
+    if (density) sums += solidMoments(voxels, *density);
+    return sums.shifted(brickPosition * kBrickSize);
 }
 
 MassMoments nodeMoments(const BrickNode& node, glm::ivec3 nodePosition, const Densities& densities) {

@@ -1,20 +1,21 @@
 #include "runtime/voxel/node_parts.h"
 
+#include "runtime/core/union_find.h"
+
 namespace rubble {
 namespace {
 
-/// A union-find whose sets are named by their lowest member (Tarjan 1975, path halving).
-struct PartSets {
-    std::vector<uint16_t> parent;
-    uint16_t root(uint16_t i) {
-        while (parent[i] != i) i = parent[i] = parent[parent[i]];
-        return i;
-    }
-    void unite(uint16_t a, uint16_t b) {
-        a = root(a), b = root(b);
-        if (a != b) parent[std::max(a, b)] = std::min(a, b);
-    }
-};
+/// The one part of a full brick, for nodes, which know their full bricks without a look at them.
+std::span<const BrickPart> fullBrick() {
+    static const std::vector<BrickPart> kParts = [] {
+        std::vector<BrickPart> out;
+        findBrickParts({~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull}, out);
+        return out;
+    }();
+    return kParts;
+}
+
+using PartSets = UnionFind<uint16_t>;
 
 /// The full bricks that a full one reaches through full ones, all at once.
 BrickMask fillFull(BrickMask seeds, BrickMask full) {
@@ -33,7 +34,7 @@ void uniteFull(const BrickNode& node, const std::array<uint16_t, 65>& firstPart,
     for (BrickMask left = node.full; left;) {
         const int first = std::countr_zero(left);
         const BrickMask reached = fillFull(left & -left, node.full);
-        forEachChild(reached, [&](int child) { sets.parent[firstPart[size_t(child)]] = firstPart[size_t(first)]; });
+        forEachChild(reached, [&](int child) { sets.unite(firstPart[size_t(child)], firstPart[size_t(first)]); });
         left &= ~reached;
     }
 }
@@ -57,13 +58,11 @@ std::unique_ptr<const NodeParts> findNodeParts(const BrickNode& node) {
     auto detail = std::make_unique<NodeParts::Detail>();
     for (int child = 0; child < 64; ++child)
         detail->firstPart[size_t(child) + 1] = uint16_t(detail->firstPart[size_t(child)] + (node.mask >> child & 1 ? bricks[child].size() : 0));
-    PartSets sets;
-    sets.parent.resize(detail->firstPart[64]);
-    for (size_t i = 0; i < sets.parent.size(); ++i) sets.parent[i] = uint16_t(i);
+    PartSets sets(detail->firstPart[64]);
     uniteFull(node, detail->firstPart, sets);
     for (const size_t face : {1, 3, 5}) uniteAcross(node, face, bricks, detail->firstPart, sets);
-    detail->component.resize(sets.parent.size());
-    for (size_t i = 0; i < sets.parent.size(); ++i) {
+    detail->component.resize(sets.size());
+    for (size_t i = 0; i < sets.size(); ++i) {
         const uint16_t root = sets.root(uint16_t(i));  // never above i
         detail->component[i] = root == i ? uint16_t(out->count++) : detail->component[root];
     }
@@ -93,6 +92,7 @@ std::span<const BrickPart> PartsOfBricks::operator[](int child) {
     const BrickMask bit = BrickMask(1) << child;
     if (m_known & bit) return place;
     m_known |= bit;
+    if (m_node.full & bit) return place = fullBrick();
     std::vector<BrickPart> scratch;
     place = brickParts(*m_node.bricks[size_t(child)], scratch);
     if (place.data() == scratch.data()) place = m_kept.emplace_back(std::move(scratch));

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "runtime/core/log.h"
@@ -86,6 +87,7 @@ EditStep::Touched& EditStep::touched(ShapeHandle shape) {
 
 void EditStep::listChangedBricks() {
     std::erase_if(m_changes.palettes, [&](ShapeHandle shape) { return !m_world.m_shapes.find(shape); });
+    size_t count = m_changes.bricks.size();
     for (auto& [slot, each] : m_touched) {
         const Shape* shape = m_world.m_shapes.find(each.shape);
         if (!shape) continue;
@@ -94,6 +96,12 @@ void EditStep::listChangedBricks() {
             markBroken(shape->body);
         }
         each.carved.insert(each.painted);
+        each.carved.forEachNode([&](glm::ivec3, BrickMask bricks) { count += size_t(std::popcount(bricks)); });
+    }
+    m_changes.bricks.reserve(count);
+    for (const auto& [slot, each] : m_touched) {
+        const Shape* shape = m_world.m_shapes.find(each.shape);
+        if (!shape) continue;
         each.carved.forEach([&](glm::ivec3 brick) { m_changes.bricks.push_back({each.shape, brick, shape->grid.shareBrick(brick)}); });
     }
 }

@@ -74,6 +74,31 @@ TEST(Brush, TouchesTheCellsThatGeometrySays) {
     }
 }
 
+TEST(Brush, BricksHoldExactlyTheCellsWhoseCentresAreInside) {
+    Random random(3);
+    for (int i = 0; i < 60 && !HasFatalFailure(); ++i) {
+        const Point a = randomPoint(random, 14.0) + 12.0, b = randomPoint(random, 14.0) + 12.0, half = glm::abs(randomPoint(random, 12.0));
+        // Upright boxes and ones turned about one axis have shortcuts of their own.
+        const glm::dquat upright(1, 0, 0, 0), turned = glm::angleAxis(double(random.unit()), Point(0, 0, 1));
+        const double radius = 12.0 * random.unit();
+        for (Brush brush :
+             {sphereBrush(a, {radius, radius, radius}), capsuleBrush(a, b, {radius, radius, radius}), boxBrush(a, half, upright, Hardness::Hard),
+              boxBrush(a, half, turned, Hardness::Hard), boxBrush(a, half, randomRotation(random), Hardness::Hard),
+              boxBrush(glm::round(a), glm::round(half), upright, Hardness::Hard)}) {
+            if (brush.kind == BrushKind::Box) brush.radii[0] = 128 * (i % 9 - 5);  // shrunk or grown
+            for (int n = 0; n < 27; ++n) {
+                const glm::ivec3 brick(n % 3, n / 3 % 3, n / 9);
+                const BrickBits bits = brushBits(brush, brick, brush.radii[0]);
+                for (int v = 0; v < kBrickVoxels; ++v) {
+                    const glm::ivec3 cell = brick * 8 + voxelInBrick(v);
+                    const bool isInside = brushContains(brush, {cell.x * 256 + 128, cell.y * 256 + 128, cell.z * 256 + 128}, brush.radii[0]);
+                    ASSERT_EQ(bits[size_t(v >> 6)] >> (v & 63) & 1, uint64_t(isInside)) << "kind " << int(brush.kind);
+                }
+            }
+        }
+    }
+}
+
 TEST(Brush, RadiiAreOrderedAndNothingMeansNothing) {
     const Brush sphere = sphereBrush({4.5, 4.5, 4.5}, {2.0, 5.0, 0.0});
     EXPECT_EQ(sphere.radii[1], sphere.radii[0]);

@@ -60,6 +60,29 @@ TEST(Carve, MomentsOfWhatIsLeftAndWhatWasRemovedAddUp) {
     EXPECT_EQ(sum, all);
 }
 
+TEST(Carve, WhatIsKnownOfNodesIsWhatAFreshGridSays) {
+    const Palette palette = test::fiveEntries();
+    const MaterialTable materials = test::fiveMaterials();
+    VoxelGrid grid = mixedGrid({70, 40, 45}, 8);
+    gridMoments(grid, palette, materials);  // from now on known
+    Random random(3);
+    for (int i = 0; i < 30; ++i) {
+        Carved carved;
+        const double x = 70.0 * random.unit(), y = 40.0 * random.unit(), z = 45.0 * random.unit();
+        carve(grid, boxBrush({x, y, z}, {z / 9, x / 9, y / 9}, {1, 0, 0, 0}, Hardness::Medium), palette, materials, carved);
+        VoxelGrid fresh(grid.size());
+        BrickIndices indices;
+        grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+            expandBrick(brick.get(), indices);
+            const BrickRef same = makeBrick(indices);
+            ASSERT_EQ(bool(same->indices), bool(brick->indices));
+            fresh.setBrick(position, same);
+        });
+        ASSERT_EQ(fresh.contentHash(), grid.contentHash());
+        ASSERT_EQ(gridMoments(fresh, palette, materials), gridMoments(grid, palette, materials));
+    }
+}
+
 TEST(Carve, ListsExactlyTheBricksThatChanged) {
     const VoxelGrid before = mixedGrid({64, 64, 64}, 7);
     VoxelGrid grid = before;

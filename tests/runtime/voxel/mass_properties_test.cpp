@@ -37,6 +37,25 @@ TEST(MassMoments, EqualABruteForceSum) {
     EXPECT_EQ(gridMoments(grid, palette, defaultMaterials()), expected);
 }
 
+TEST(MassMoments, OfSomeVoxelsOfABrickEqualABruteForceSum) {
+    Palette palette = paletteOf({"wood", "metal"});  // entry 3 weighs as much as air
+    Densities densities(palette, defaultMaterials());
+    densities.of[3] = 0;
+    Random random(5);
+    for (int i = 0; i < 300; ++i) {
+        BrickIndices indices;
+        const uint32_t kinds = 1 + random.below(4);
+        for (uint8_t& index : indices) index = uint8_t(random.below(kinds + 1));
+        const BrickRef brick = makeBrick(indices);
+        BrickBits of;
+        for (uint64_t& layer : of) layer = i % 3 == 0 ? ~0ull : i % 3 == 1 ? 0x0f0f0f0f0f0f0f0full : random.next() * 0x9e3779b97f4a7c15ull;
+        MassMoments expected;
+        for (int v = 0; v < kBrickVoxels; ++v)
+            if (of[size_t(v >> 6)] >> (v & 63) & 1 && brick->at(v)) expected.add(glm::ivec3(8, 16, 24) + voxelInBrick(v), densities.of[brick->at(v)]);
+        ASSERT_EQ(brickMoments(*brick, of, {1, 2, 3}, densities), expected);
+    }
+}
+
 TEST(MassMoments, ShiftIsExactAndReversible) {
     const Palette palette = paletteOf({"wood", "metal"});
     const MassMoments moments = gridMoments(randomGrid({16, 16, 16}, 4), palette, defaultMaterials());
