@@ -56,10 +56,9 @@ float fraction(uint32_t seed, int shift) {
 
 ParticlesPass::ParticlesPass(ShaderLibrary& shaders)
     : m_solids(shaders.load("passes/particle_solids.frag", kVertexShader)),
-      m_gas(shaders.load("passes/particle_gas.frag", kVertexShader)),
-      m_flames(shaders.load("passes/particle_flames.frag", kVertexShader)),
+      m_soft(shaders.load("passes/particle_soft.frag", kVertexShader)),
       m_noise(GL_RGBA8, glm::ivec2(kNoiseSize), Filter::Linear, Wrap::Repeat) {
-    if (!m_solids || !m_gas || !m_flames) logError("particles are not drawn: " + shaders.errors().back());
+    if (!m_solids || !m_soft) logError("particles are not drawn: " + shaders.errors().back());
     m_noise.upload(makePuffTexture().data());
     glBindVertexArray(m_vertexArray.get());
     for (GLuint i = 0; i < 4; ++i) {
@@ -72,17 +71,15 @@ ParticlesPass::ParticlesPass(ShaderLibrary& shaders)
 void ParticlesPass::sortInstances(const FrameContext& frame, float alpha) {
     const auto& particles = frame.scene.particles();
     const glm::vec3 camera(frame.block.cameraPosition), forward(frame.block.cameraForward);
-    for (auto* order : {&m_solidOrder, &m_gasOrder, &m_flameOrder}) order->clear();
+    for (auto* order : {&m_solidOrder, &m_softOrder}) order->clear();
     m_instances.clear();
     for (size_t i = 0; i < particles.size(); ++i) {
         const SnapshotParticle& p = particles[i];
         const float depth = glm::dot(glm::vec3(p.position - frame.scene.origin()) - camera, forward);
-        auto& order = p.kind == ParticleKind::Flame                                   ? m_flameOrder
-                      : p.kind == ParticleKind::Dust || p.kind == ParticleKind::Smoke ? m_gasOrder
-                                                                                      : m_solidOrder;
+        auto& order = p.kind == ParticleKind::Crumb || p.kind == ParticleKind::Glint ? m_solidOrder : m_softOrder;
         if (depth > -p.radius) order.emplace_back(-depth, int(i));
     }
-    for (auto* order : {&m_solidOrder, &m_gasOrder, &m_flameOrder}) {
+    for (auto* order : {&m_solidOrder, &m_softOrder}) {
         std::sort(order->begin(), order->end());
         for (const auto& [depth, i] : *order) {
             const SnapshotParticle& p = particles[size_t(i)];
@@ -117,6 +114,7 @@ void ParticlesPass::drawRange(const FrameContext& frame, const Program& program,
     if (first == last || !program) return;
     program.use();
     frame.scene.bindShadow(program);
+    frame.scene.bindSmoke(program);
     program.set("uDepth", frame.targets.at("depth"));
     program.set("uPuffNoise", m_noise);
     program.set("uBlueNoise", frame.blueNoise);
@@ -141,10 +139,8 @@ void ParticlesPass::draw(const FrameContext& frame, float alpha) {
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-    const size_t solids = m_solidOrder.size(), gas = solids + m_gasOrder.size();
-    drawRange(frame, m_solids, 0, solids);
-    drawRange(frame, m_gas, solids, gas);
-    drawRange(frame, m_flames, gas, m_instances.size());
+    drawRange(frame, m_solids, 0, m_solidOrder.size());
+    drawRange(frame, m_soft, m_solidOrder.size(), m_instances.size());
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);

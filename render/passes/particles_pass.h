@@ -5,9 +5,9 @@
 
 namespace rubble {
 
-/// Draws what hangs and flies in the air over the radiance: crumbs and sparks, then soft lit puffs,
-/// then flames, each farthest first; a program each, as software renderers pay for every branch of one. In the alpha of `radiance` it leaves the
-/// share of what is behind that still shows, so that the temporal pass trusts its past less there. Made when the first particle is drawn.
+/// Draws what hangs and flies in the air over the radiance: crumbs and splinters, then all that is soft or glows, each farthest
+/// first. In the alpha of `radiance` it leaves the share of what is behind that still shows, so that the temporal pass trusts
+/// its past less there. Made when the first particle is drawn.
 class ParticlesPass {
 public:
     explicit ParticlesPass(ShaderLibrary& shaders);
@@ -25,11 +25,11 @@ private:
     void setLights(const FrameContext& frame, const Program& program) const;
     void drawRange(const FrameContext& frame, const Program& program, size_t first, size_t last) const;
 
-    const Program &m_solids, &m_gas, &m_flames;
+    const Program &m_solids, &m_soft;
     Texture m_noise;
     GlName<BufferKind> m_buffer = GlName<BufferKind>::make();
     VertexArray m_vertexArray = VertexArray::make();
-    std::vector<std::pair<float, int>> m_solidOrder, m_gasOrder, m_flameOrder;  ///< -depth and number
+    std::vector<std::pair<float, int>> m_solidOrder, m_softOrder;  ///< -depth and number
     std::vector<Instance> m_instances;
 };
 

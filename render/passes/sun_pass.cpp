@@ -21,6 +21,7 @@ void SunPass::draw(const FrameContext& frame) const {
     m_program.use();
     GBufferPass::bind(m_program, frame.targets);
     frame.scene.bindShadow(m_program);
+    frame.scene.bindSmoke(m_program);
     m_program.set("uBlueNoise", frame.blueNoise);
     m_program.set("uRays", frame.settings.sunRays);
     m_program.set("uReach", kReach);

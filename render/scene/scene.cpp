@@ -22,11 +22,15 @@ void Scene::apply(FrameSnapshot&& snapshot) {
     if (snapshot.lightsChanged) m_lights = std::move(snapshot.lights);
     if (snapshot.replacesAll) m_particles.clear();
     if (snapshot.particlesChanged) m_particles = std::move(snapshot.particles);
+    m_smokeChanged = m_smokeChanged || snapshot.replacesAll || snapshot.particlesChanged || snapshot.environmentChanged;
     if (snapshot.environmentChanged) m_environment = snapshot.environment;
 }
 
 uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld) {
-    if (glm::distance(cameraWorld, m_origin) > kRebaseDistance) m_origin = glm::round(cameraWorld / kSector) * kSector;
+    const bool rebased = glm::distance(cameraWorld, m_origin) > kRebaseDistance;
+    if (rebased) m_origin = glm::round(cameraWorld / kSector) * kSector;
+    if (m_smokeChanged || rebased) m_smoke.update(m_particles, m_environment.sunDirection, m_origin);
+    m_smokeChanged = false;
     return m_bodies.beginFrame(alpha, m_origin) + m_shadow.upload();
 }
 

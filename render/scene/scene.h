@@ -4,6 +4,7 @@
 #include "render/gl/program.h"
 #include "render/scene/bodies.h"
 #include "render/scene/shadow_mirror.h"
+#include "render/scene/smoke_shadow.h"
 #include "runtime/frame/frame_snapshot.h"
 
 namespace rubble {
@@ -21,6 +22,8 @@ public:
     const Environment& environment() const { return m_environment; }
     /// Sets the samplers that lib/shadow_trace.glsl reads. The program must be in use.
     void bindShadow(const Program& program) const { m_shadow.bind(program); }
+    /// Sets the uniforms of lib/smoke_shadow.glsl. The program must be in use.
+    void bindSmoke(const Program& program) const { m_smoke.bind(program); }
     const ShadowMirror& shadow() const { return m_shadow; }
     /// Its directory's first sector, counted from the render origin.
     glm::ivec3 shadowSectorLow() const;
@@ -30,13 +33,15 @@ public:
     bool hasMirrors() const { return m_bodies.hasMirrors(); }
     /// World position that the GPU's coordinates are relative to: a corner of the shadow volume's sectors.
     glm::dvec3 origin() const { return m_origin; }
-    uint64_t bytes() const { return m_bodies.bytes() + m_shadow.bytes(); }
+    uint64_t bytes() const { return m_bodies.bytes() + m_shadow.bytes() + m_smoke.bytes(); }
 
 private:
     Bodies m_bodies;
     ShadowMirror m_shadow;
+    SmokeShadow m_smoke;
     std::vector<SnapshotLight> m_lights;
     std::vector<SnapshotParticle> m_particles;
+    bool m_smokeChanged = false;
     Environment m_environment;
     glm::dvec3 m_origin{0.0};
 };

@@ -57,7 +57,7 @@ struct SnapshotFire {
     uint32_t seed;        ///< the same for a fire from its first step to its last
 };
 
-enum class ParticleKind : uint8_t { Dust, Smoke, Flame, Spark, Crumb, Glint };
+enum class ParticleKind : uint8_t { Dust, Smoke, Flame, Spark, Crumb, Glint, Ember };
 
 /// Something small in the air at a step, as it is drawn.
 struct SnapshotParticle {

@@ -9,8 +9,10 @@ namespace {
 
 constexpr double kSeen = 60.0;      ///< metres below which ground is looked for
 constexpr double kSameFloor = 0.4;  ///< metres: events this near share one look
-constexpr int kFlamesAStep = 26;    ///< of all fires together
-constexpr int kSmokeAStep = 5;
+constexpr int kFlamesAStep = 30;    ///< of all fires together
+constexpr int kSmokeAStep = 4;
+constexpr int kEmbersAStep = 5;
+constexpr float kBlaze = 90.0f;      ///< fires from which on flames are as tall as they get
 constexpr double kImpactPuff = 400;  ///< N s from which a hit raises dust
 
 /// What a material throws up for each voxel: how much of it hangs in the air, and what flies.
@@ -152,29 +154,41 @@ void Particles::addFires(std::span<const SnapshotFire> fires) {
     };
     const int count = int(fires.size());
     const int flames = std::min(kFlamesAStep, (count * 2 + 2) / 3), smokes = std::min(kSmokeAStep, (count + 11) / 12);
+    const float blaze = std::min(float(count) / kBlaze, 1.0f);  // fires near each other burn higher
     for (int i = 0; i < flames; ++i) {
         const SnapshotFire& fire = fires[size_t(m_fireTurn++ % uint32_t(count))];
         if (m_random.unit() > fire.intensity) continue;
         Particle p = lit(fire, ParticleKind::Flame);
         p.velocity = glm::vec3(between(-0.3f, 0.3f), between(0.5f, 1.5f), between(-0.3f, 0.3f));
         p.color = glm::vec3(1.0f);
-        p.radius = fire.radius * between(0.45f, 0.8f);
-        p.growth = -0.12f;
+        p.radius = fire.radius * between(0.6f, 1.1f) * (1.0f + 0.9f * blaze);
+        p.growth = -0.25f * p.radius;
         p.opacity = 0.5f + 0.5f * fire.intensity;
-        p.life = between(0.5f, 1.0f);
+        p.life = between(0.6f, 1.1f);
+        add(p);
+    }
+    for (int i = share(kEmbersAStep * double(blaze)); i > 0; --i) {
+        const SnapshotFire& fire = fires[size_t(m_random.below(uint32_t(count)))];
+        Particle p = lit(fire, ParticleKind::Ember);
+        p.velocity = glm::vec3(between(-0.8f, 0.8f), between(1.5f, 4.0f), between(-0.8f, 0.8f));
+        p.color = glm::vec3(1.0f, 0.36f, 0.08f) * between(0.5f, 1.2f);
+        p.radius = between(0.010f, 0.028f);
+        p.growth = 0.0f;
+        p.opacity = 1.0f;
+        p.life = between(1.5f, 4.0f);
         add(p);
     }
     for (int i = 0; i < smokes; ++i) {
         const SnapshotFire& fire = fires[size_t(m_random.below(uint32_t(count)))];
         if (m_random.unit() > fire.smoke) continue;
         Particle p = lit(fire, ParticleKind::Smoke);
-        p.position.y += 0.5;
-        p.velocity = glm::vec3(between(-0.2f, 0.2f), between(1.2f, 2.2f), between(-0.2f, 0.2f));
-        p.color = glm::vec3(0.085f, 0.08f, 0.076f) * between(0.7f, 1.6f);
+        p.position.y += 0.8;  // it forms over the flames
+        p.velocity = glm::vec3(between(-0.2f, 0.2f), between(1.8f, 3.0f), between(-0.2f, 0.2f));
+        p.color = glm::vec3(0.045f, 0.043f, 0.041f) * between(0.6f, 1.8f);
         p.radius = fire.radius * between(0.6f, 0.9f);
         p.growth = between(0.35f, 0.6f);
-        p.opacity = between(0.45f, 0.75f);
-        p.life = between(4.5f, 7.5f);
+        p.opacity = between(0.35f, 0.65f);
+        p.life = between(4.0f, 7.0f);
         add(p);
     }
 }

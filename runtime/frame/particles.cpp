@@ -29,6 +29,8 @@ Motion motionOf(ParticleKind kind) {
             return {0.25f, 1.0f, 0.0f, 0.0f};
         case ParticleKind::Glint:
             return {0.5f, 1.0f, 0.0f, 0.0f};
+        case ParticleKind::Ember:
+            return {0.8f, 0.0f, 1.3f, 3.5f};
     }
     return {};
 }

@@ -12,10 +12,10 @@ namespace rubble {
 
 struct ParticleSettings {
     uint32_t most = 4096;                ///< alive at once; what would be more is not born. 0: no particles, and nothing is paid
-    glm::vec3 wind{0.35f, 0.0f, 0.12f};  ///< m/s, carries dust and smoke
+    glm::vec3 wind{0.9f, 0.0f, -0.25f};  ///< m/s, carries dust and smoke
 };
 
-/// What breaking and burning throw into the air: dust, crumbs, sparks, glints of glass, flames, smoke. Made from the journal
+/// What breaking and burning throw into the air: dust, crumbs, sparks, glints of glass, flames, embers, smoke. Made from the journal
 /// of each step and moved by rules of thumb: for eyes only. The World knows nothing of it, so neither does its hash.
 /// Owned by Snapshots. [main-thread]
 class Particles {

@@ -188,9 +188,9 @@ void Snapshots::addFires(const FrameChanges& changes, const World& world, FrameS
     out.firesChanged = changes.firesChanged || changes.levelReplaced;
     for (const Fire& fire : fires) out.fires.push_back({fire.position, float(fire.radius), fire.intensity, 1.0f - 0.6f * fire.intensity, fire.seed});
     for (const FireLight& light : fireLights(fires, changes.step, world.settings().fire.maxLights)) {
-        const float strength = 3.0f * std::sqrt(light.intensity);
+        const float strength = 6.0f * std::sqrt(light.intensity);
         const glm::dvec3 above = light.position + glm::dvec3(0.0, 0.5 * light.radius, 0.0);
-        out.lights.push_back({LightKind::Sphere, above, {0, -1, 0}, glm::vec3(1.0f, 0.42f, 0.12f) * strength, 0.2f, 4.0f + 2.0f * strength, 0, 0});
+        out.lights.push_back({LightKind::Sphere, above, {0, -1, 0}, glm::vec3(1.0f, 0.42f, 0.12f) * strength, 1.2f, 4.0f + strength, 0, 0});
     }
 }
 

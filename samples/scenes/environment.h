@@ -17,4 +17,17 @@ inline Environment lateAfternoon() {
     return air;
 }
 
+/// The sun is nearly down: what burns or glows is the brightest thing there is.
+inline Environment dusk() {
+    Environment air = lateAfternoon();
+    air.sunDirection = {-0.90f, 0.14f, 0.42f};
+    air.sunColor = {2.6f, 1.25f, 0.62f};
+    air.skyColor = {0.075f, 0.13f, 0.27f};
+    air.horizonColor = {0.42f, 0.27f, 0.20f};
+    air.groundColor = {0.05f, 0.045f, 0.04f};
+    air.fogColor = {0.16f, 0.16f, 0.19f};
+    air.exposure = 1.7f;
+    return air;
+}
+
 }  // namespace rubble::scenes

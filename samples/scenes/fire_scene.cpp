@@ -3,6 +3,7 @@
 
 #include "runtime/core/random.h"
 #include "samples/scenes/building.h"
+#include "samples/scenes/environment.h"
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
@@ -133,6 +134,7 @@ Level fireLevel(uint64_t seed) {
     ground.size = {320, 0, 320};
     ground.areas = {area(Earth, 146, 180, 166, 320), area(Earth, 100, 98, 200, 184)};
     Level level = makePlot("burning house", ground, seed);
+    level.environment = dusk();
     addCabin(level);
     const ivec3 floor = kHouse + ivec3(0, kFloor + 1, 0);
     addLoose(level, makeTable("table"), floor + ivec3(kX0 + 12, 0, kZ0 + 14));
@@ -158,7 +160,7 @@ Edits fireScript(int step, uint64_t) {
     if (clock.at(0.8)) clock.add(spawnFire(inCabin(31, kFloor + 14, kDeep - 1), 0.5));
     if (clock.at(1.0)) clock.add(spawnFire(inCabin(46, kFloor + 4, 38), 0.6));
     if (clock.at(2.0)) clock.add(HeatEdit{.position = inCabin(26, kFloor + 22, kDeep + 6), .radius = 1.2, .joules = 4.0e6});
-    for (int i = clock.first(12.5, 12, 13.7); i < clock.last(12.5, 12, 13.7); ++i)
+    for (int i = clock.first(15.5, 12, 16.7); i < clock.last(15.5, 12, 16.7); ++i)
         clock.add(pourWater(inCabin(60 + i % 4 * 4, kFloor + 4 + i, kDeep + 6), 0.8));
     return clock.take();
 }
@@ -171,10 +173,11 @@ Pose fireCamera(double seconds) {
 
 Scene fireScene() {
     Scene scene{"fire", "a wooden house that burns", fireLevel, fireScript, fireCamera};
-    scene.steps = 900;
-    // Fifteen seconds for what takes an hour.
-    scene.settings.fire.spread = 3.0f;
-    scene.settings.fire.burnTime = 0.35f;
+    scene.steps = 1080;
+    // Eighteen seconds for what takes an hour.
+    scene.settings.fire.spread = 5.0f;
+    scene.settings.fire.burnTime = 0.14f;
+    scene.settings.load.on = true;
     return scene;
 }
 

@@ -1,7 +1,7 @@
-// Crumbs and splinters of glass as small tumbling cubes, sparks as streaks.
+// Crumbs and splinters of glass as small tumbling cubes.
 #include "lib/particle.glsl"
 
-const int kSpark = 3, kCrumb = 4, kGlint = 5;
+const int kCrumb = 4, kGlint = 5;
 
 vec4 cube() {
     vec3 spin = stateOut.yzw * 6.2831853 + stateOut.x * vec3(9.0, 13.0, 7.0);
@@ -26,6 +26,5 @@ vec4 cube() {
 
 void main() {
     if (depths.x - particle.w > surfaceDepth()) discard;
-    vec4 spark = vec4(tintOut.rgb * (14.0 * (1.0 - stateOut.x * stateOut.x)), 0.5) * (tintOut.a * max(0.0, 1.0 - dot(corner, corner) * 0.6));
-    color = throughAir(kind == kSpark ? spark : cube());
+    color = throughAir(cube());
 }

@@ -2,6 +2,7 @@
 #include "lib/frame.glsl"
 #include "lib/sky.glsl"
 #include "lib/shadow_trace.glsl"
+#include "lib/smoke_shadow.glsl"
 
 layout(location = 0) in vec4 place;   // xyz from the render origin, w radius
 layout(location = 1) in vec4 tint;    // rgb linear, a opacity
@@ -22,7 +23,7 @@ flat out vec4 air;         // rgb the haze's own light, a its share
 flat out vec3 depths;      // of the centre; how near the eye (0 = in it); light through thin parts
 flat out int kind;
 
-const int kSpark = 3;
+const int kFlame = 2, kSpark = 3, kCrumb = 4, kGlint = 5, kEmber = 6;
 
 vec3 fromLight(vec4 lightPlace, vec3 color, vec3 here) {
     vec3 away = lightPlace.xyz - here;
@@ -58,7 +59,7 @@ void main() {
         tintOut.a *= max(solidity, 0.25);
     }
     particle.w = radius;
-    float extent = kind == 4 || kind == 5 ? 1.75 : 1.1;
+    float extent = kind == kCrumb || kind == kGlint ? 1.75 : 1.1;
     vec3 offset = (right * corner.x + up * corner.y) * (radius * extent);
     if (kind == kSpark) {
         // A streak as long as a spark flies in a hundredth of a second or so.
@@ -66,12 +67,12 @@ void main() {
         vec3 along = normalize(streak + vec3(0, 1e-4, 0)), side = normalize(cross(along, toEye) + vec3(1e-5));
         offset = side * (corner.x * radius) + streak * (corner.y * 0.5) + along * (corner.y * radius);
     }
-    if (kind == 2) offset = right * (corner.x * radius * 1.1) + vec3(0, 1, 0) * (corner.y * radius * 1.55);
+    if (kind == kFlame) offset = right * (corner.x * radius * 1.1) + vec3(0, 1, 0) * (corner.y * radius * 1.55);
     corner *= extent;
     float turn = (state.y + (state.z - 0.5) * 0.35 * state.x) * 6.2831853;
     vec2 turned = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * corner * 0.22;
     noisePlaces = vec4(turned + state.zw * 7.0, turned * 2.3 - state.zw * 7.0 + vec2(0.05, 0.09) * state.x);
-    if (kind == 2)
+    if (kind == kFlame)
         noisePlaces = vec4(corner * vec2(0.30, 0.20) + state.zw * 5.0 - vec2(0.0, state.x * 0.55), corner * vec2(0.62, 0.36) - state.zw * 5.0 - vec2(0.0, state.x * 0.9));
     float range = length(place.xyz - frame.cameraPosition.xyz);
     float towardSun = max(-dot(toEye, frame.sunDirection.xyz), 0.0);
@@ -81,11 +82,12 @@ void main() {
     gl_Position = frame.viewProjection * vec4(near, 1.0);
     vec3 lit = place.xyz + offset * 0.45;
     sunLight = airLight = vec3(0.0);
-    if (kind == kSpark || kind == 2) return;
-    sunLight = frame.sunColor.rgb * (sunAt(lit, place.xyz) / 3.14159265);
+    if (kind == kSpark || kind == kEmber || kind == kFlame) return;
+    float clear = sunThroughSmoke(lit);
+    sunLight = frame.sunColor.rgb * (sunAt(lit, place.xyz) * clear / 3.14159265);
     float t;
     bool roof = shadowTrace(place.xyz, vec3(0.0, 1.0, 0.0), 12.0, t);
-    airLight = mix(skyRadiance(vec3(0, 1, 0)), frame.groundColor.rgb + frame.sunColor.rgb * 0.05, 0.4) * (roof ? 0.25 : 0.9);
+    airLight = mix(skyRadiance(vec3(0, 1, 0)), frame.groundColor.rgb + frame.sunColor.rgb * 0.05, 0.4) * ((roof ? 0.25 : 0.9) * (0.4 + 0.6 * clear));
     airLight += fromLight(uLightPlace0, uLightColor0, lit) + fromLight(uLightPlace1, uLightColor1, lit) + fromLight(uLightPlace2, uLightColor2, lit) +
                 fromLight(uLightPlace3, uLightColor3, lit);
 }

@@ -4,6 +4,7 @@
 #include "lib/noise.glsl"
 #include "lib/sampling.glsl"
 #include "lib/shadow_trace.glsl"
+#include "lib/smoke_shadow.glsl"
 
 uniform int uRays;
 uniform float uReach;  // metres
@@ -22,5 +23,5 @@ void main() {
         float t;
         if (!shadowTrace(origin, coneDirection(frame.sunDirection.xyz, frame.sunDirection.w, u), uReach, t)) light.a += 1.0;
     }
-    light.a /= float(uRays);
+    light.a *= sunThroughSmoke(origin) / float(uRays);
 }

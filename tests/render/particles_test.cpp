@@ -91,8 +91,8 @@ TEST_F(ParticlesTest, CostNothingUntilThereAreSome) {
 
 TEST_F(ParticlesTest, EachKindShows) {
     const auto clear = draw({});
-    for (const ParticleKind kind :
-         {ParticleKind::Dust, ParticleKind::Smoke, ParticleKind::Flame, ParticleKind::Spark, ParticleKind::Crumb, ParticleKind::Glint})
+    for (const ParticleKind kind : {ParticleKind::Dust, ParticleKind::Smoke, ParticleKind::Flame, ParticleKind::Spark, ParticleKind::Crumb,
+                                    ParticleKind::Glint, ParticleKind::Ember})
         EXPECT_GT(differing(draw({at(kind, -4, 0.6f)}), clear), 40) << int(kind);
 }
 
@@ -108,6 +108,22 @@ TEST_F(ParticlesTest, HideBehindSurfacesAndFadeIntoThem) {
 TEST_F(ParticlesTest, TheEyeInAPuffSeesOn) {
     const auto clear = draw({});
     EXPECT_LT(differing(draw({at(ParticleKind::Smoke, -0.1, 0.5f)}), clear), kSize.x * kSize.y / 4);
+}
+
+TEST_F(ParticlesTest, SmokeThrowsAShadow) {
+    FrameSnapshot air;
+    air.environmentChanged = true;
+    air.environment.sunDirection = {0.0f, 0.6f, 0.8f};  // over the camera's shoulder, onto the wall
+    renderer->apply(std::move(air));
+    // Out of sight, between the wall and the sun.
+    SnapshotParticle cloud = at(ParticleKind::Smoke, -2.0, 1.0f);
+    cloud.position.y = 3.0;
+    const auto clear = draw({}), shaded = draw(std::vector<SnapshotParticle>(6, cloud));
+    int darker = 0;
+    for (size_t i = 0; i < clear.size(); i += 3) darker += shaded[i] + 25 < clear[i];
+    EXPECT_GT(darker, 60);
+    cloud.position = {0.0, 0.0, -9.0};
+    EXPECT_EQ(differing(draw(std::vector<SnapshotParticle>(6, cloud)), clear), 0) << "beyond the wall it shades nothing";
 }
 
 }  // namespace
