@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "runtime/destruction/stays_whole.h"
+
 namespace rubble {
 namespace {
 
@@ -99,6 +101,7 @@ AttachmentSearch::AttachmentSearch(const VoxelGrid& grid, std::span<const CellBo
             m_anchorsTouched = m_anchorsTouched || holds(node * kNodeBricks + childPosition(child), kEveryCell, view.anchors);
         });
     });
+    if (!m_anchorsTouched && staysWhole(grid, carved)) return;
     nodes.forEachNode([&](glm::ivec3 node, BrickMask bricks) { seed(view, node, bricks, carved); });
     // What already meets among the seeds is one set before anything grows.
     const uint32_t seeds = uint32_t(m_parts.size());

@@ -60,16 +60,11 @@ struct Run {
     uint64_t stillLoose = 0;
 };
 
-template <class Settings>
-void setParts(Settings& settings, size_t parts) {
-    if constexpr (requires { settings.split.partsAStep; }) settings.split.partsAStep = parts;
-}
-
 /// watched: after every step the flood fill looks for what hangs, which takes far longer than the step.
 Run cutUp(int size, size_t partsAStep, int cuts, uint64_t seed, bool watched) {
     World world;
     WorldSettings settings;
-    setParts(settings, partsAStep);
+    settings.split.partsAStep = partsAStep;
     world.setSettings(settings);
     world.load(holedBlock(size));
     world.applyEdits({});

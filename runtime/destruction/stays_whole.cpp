@@ -1,0 +1,102 @@
+#include "runtime/destruction/stays_whole.h"
+
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+#include <optional>
+
+#include "runtime/core/union_find.h"
+#include "runtime/voxel/cell_box.h"
+
+namespace rubble {
+namespace {
+
+constexpr int kMostPlaces = 343;     ///< of bricks in the box around the cut: a larger cut is better searched by nodes
+constexpr uint8_t kCarved = 1 << 6;  ///< a brick that was carved; lower bits: its faces that look at one
+constexpr uint8_t kAllFaces = 0x3f;
+
+/// The bricks around a cut: the carved ones, and those that share a face with one.
+struct Surroundings {
+    CellBox box;  ///< of bricks
+    std::array<uint8_t, kMostPlaces> roles{};
+    std::array<std::span<const BrickPart>, kMostPlaces> parts;
+    std::array<uint16_t, kMostPlaces + 1> firstPart{};
+
+    glm::ivec3 size() const { return box.high - box.low; }
+    int places() const { return size().x * size().y * size().z; }
+    int place(glm::ivec3 brick) const {
+        const glm::ivec3 at = brick - box.low;
+        return (at.z * size().y + at.y) * size().x + at.x;
+    }
+    bool contains(glm::ivec3 brick) const { return glm::all(glm::greaterThanEqual(brick, box.low)) && glm::all(glm::lessThan(brick, box.high)); }
+};
+
+CellBox boxAround(const VoxelGrid& grid, const BrickSet& carved) {
+    CellBox box{grid.sizeInBricks(), glm::ivec3(0)};
+    carved.forEachNode([&](glm::ivec3 node, BrickMask bricks) {
+        forEachChild(bricks, [&](int child) {
+            const glm::ivec3 brick = node * kNodeBricks + childPosition(child);
+            box = {glm::min(box.low, brick - 1), glm::max(box.high, brick + 2)};
+        });
+    });
+    return {glm::max(box.low, 0), glm::min(box.high, grid.sizeInBricks())};
+}
+
+/// False if some brick has too many parts to keep them.
+bool findParts(const VoxelGrid& grid, Surroundings& near) {
+    std::vector<BrickPart> scratch;
+    int place = 0;
+    for (int z = near.box.low.z; z < near.box.high.z; ++z)
+        for (int y = near.box.low.y; y < near.box.high.y; ++y)
+            for (int x = near.box.low.x; x < near.box.high.x; ++x, ++place) {
+                auto& parts = near.parts[size_t(place)];
+                if (near.roles[size_t(place)])
+                    if (const Brick* brick = grid.brickAt({x, y, z})) parts = brickParts(*brick, scratch);
+                if (!parts.empty() && parts.data() == scratch.data()) return false;
+                near.firstPart[size_t(place) + 1] = uint16_t(near.firstPart[size_t(place)] + parts.size());
+            }
+    return true;
+}
+
+void joinAlong(const Surroundings& near, size_t axis, UnionFind<uint16_t>& sets) {
+    const int step = axis == 0 ? 1 : axis == 1 ? near.size().x : near.size().x * near.size().y;
+    const size_t face = 2 * axis + 1;
+    for (int place = 0; place + step < near.places(); ++place) {
+        const auto a = near.parts[size_t(place)], b = near.parts[size_t(place + step)];
+        if (a.empty() || b.empty() || place / step % near.size()[int(axis)] == near.size()[int(axis)] - 1) continue;
+        for (size_t i = 0; i < a.size(); ++i)
+            for (size_t j = 0; a[i].faces[face] && j < b.size(); ++j)
+                if (a[i].faces[face] & b[j].faces[face ^ 1])
+                    sets.unite(uint16_t(near.firstPart[size_t(place)] + i), uint16_t(near.firstPart[size_t(place + step)] + j));
+    }
+}
+
+}  // namespace
+
+bool staysWhole(const VoxelGrid& grid, const BrickSet& carved) {
+    Surroundings near;
+    near.box = boxAround(grid, carved);
+    if (near.box.empty() || near.size().x > kMostPlaces || near.size().y > kMostPlaces || near.places() > kMostPlaces) return false;
+    carved.forEach([&](glm::ivec3 brick) {
+        near.roles[size_t(near.place(brick))] |= kCarved | kAllFaces;
+        for (size_t face = 0; face < 6; ++face)
+            if (const glm::ivec3 other = brick + kFaceSteps[face]; near.contains(other))
+                near.roles[size_t(near.place(other))] |= uint8_t(1 << (face ^ 1));
+    });
+    if (!findParts(grid, near)) return false;
+    UnionFind<uint16_t> sets(near.firstPart[size_t(near.places())]);
+    for (size_t axis = 0; axis < 3; ++axis) joinAlong(near, axis, sets);
+    std::optional<uint16_t> whole;
+    for (int place = 0; place < near.places(); ++place)
+        for (size_t i = 0; i < near.parts[size_t(place)].size(); ++i) {
+            const uint8_t role = near.roles[size_t(place)];
+            bool touches = role & kCarved;
+            for (size_t face = 0; face < 6 && !touches; ++face) touches = (role >> face & 1) && near.parts[size_t(place)][i].faces[face];
+            if (!touches) continue;
+            const uint16_t set = sets.root(uint16_t(near.firstPart[size_t(place)] + i));
+            if (whole && *whole != set) return false;
+            whole = set;
+        }
+    return true;
+}
+
+}  // namespace rubble
