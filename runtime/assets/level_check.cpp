@@ -77,6 +77,9 @@ public:
         if constexpr (std::is_same_v<T, LevelShape>)
             if (!(value.voxelSize > 0.0f && value.voxelSize <= 1000.0f))
                 fail("a voxel size above 0 and up to 1000 m", fmt::format("{}", value.voxelSize));
+        if constexpr (std::is_same_v<T, LevelShape>)
+            if (!(value.strength > 0.0f && value.strength <= 1e6f))
+                fail("a strength above 0 and up to 1e6 times its materials'", fmt::format("{}", value.strength));
         if constexpr (std::is_same_v<T, LevelShape>) checkPaint(value);
         fields(*this, value);
     }

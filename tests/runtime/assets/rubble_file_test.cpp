@@ -41,6 +41,8 @@ TEST(RubbleFile, TheHashSeesEveryField) {
         [](Level& l) { l.bodies[0].shapes[0].anchors[1].high.x += 1; },
         [](Level& l) { l.bodies[1].shapes[0].hidden = false; },
         [](Level& l) { l.bodies[0].shapes[1].voxelSize = 0.1f; },
+        [](Level& l) { l.bodies[0].shapes[1].strength = 1.0f; },
+        [](Level& l) { l.bodies[0].shapes[1].bearsLoad = true; },
         [](Level& l) {
             auto palette = std::make_shared<Palette>(*l.bodies[0].shapes[0].palette);
             (*palette)[200].blue = 9;
@@ -111,6 +113,7 @@ TEST(RubbleFile, SenselessLevelsAreNotWritten) {
     EXPECT_NE(error([](Level& l) { l.bodies[1].pose.position.y = std::numeric_limits<double>::quiet_NaN(); }).find("bodies[1].pose.position"),
               std::string::npos);
     EXPECT_NE(error([](Level& l) { l.bodies[0].shapes[1].voxelSize = 0; }).find("voxel size"), std::string::npos);
+    EXPECT_NE(error([](Level& l) { l.bodies[0].shapes[1].strength = -1.0f; }).find("strength"), std::string::npos);
     EXPECT_NE(error([](Level& l) { l.lights[0].light.name = "\xff"; }).find("lights[0].name: expected text in UTF-8"), std::string::npos);
     EXPECT_NE(error([](Level& l) { l.lightGroups.pop_back(); }).find("light group"), std::string::npos);
     EXPECT_NE(error([](Level& l) { l.bodies[0].pose.rotation = glm::dquat(2, 0, 0, 0); }).find("rotation"), std::string::npos);

@@ -56,6 +56,8 @@ inline Level sampleLevel() {
     }
     lamp.palette = glowing;
     lamp.tags = {"light"};
+    lamp.strength = 0.75f;
+    lamp.bearsLoad = false;
     house.shapes.push_back(lamp);
     level.bodies.push_back(house);
 

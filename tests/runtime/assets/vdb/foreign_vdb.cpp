@@ -3,6 +3,7 @@
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetSphere.h>
 
+#include <regex>
 #include <stdexcept>
 
 namespace rubble {
@@ -104,6 +105,22 @@ void writeForeignVdb(const std::string& kind, const std::string& path) {
     openvdb::io::File file(path);
     file.write(gridsOf(kind));
     file.close();
+}
+
+void forgetField(const std::string& path, const std::string& field) {
+    openvdb::initialize();
+    openvdb::io::File file(path);
+    file.open();
+    const openvdb::GridPtrVecPtr grids = file.getGrids();
+    openvdb::MetaMap metadata(*file.getMetadata());
+    file.close();
+    const std::regex pattern("\"" + field + "\":[^,}]*,|,\"" + field + "\":[^,}]*");
+    for (auto item = metadata.beginMeta(); item != metadata.endMeta(); ++item)
+        if (item->second->typeName() == "string") {
+            auto& text = static_cast<openvdb::StringMetadata&>(*item->second).value();
+            text = std::regex_replace(text, pattern, "");
+        }
+    openvdb::io::File(path).write(*grids, metadata);
 }
 
 }  // namespace rubble

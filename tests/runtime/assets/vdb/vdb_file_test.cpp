@@ -56,6 +56,23 @@ TEST_F(VdbFile, RoundTripKeepsTheHash) {
     EXPECT_EQ(std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()), 1) << "no neighbours stay";
 }
 
+TEST_F(VdbFile, WhatAShapeBearsIsKeptAndHasADefault) {
+    ASSERT_TRUE(writeVdb(path("a.vdb"), sampleLevel(), kTool));
+    const auto lamp = [&] {
+        const Result<Level> back = readVdb(path("a.vdb"), kTool);
+        EXPECT_TRUE(back) << back.error();
+        return back ? back->bodies[0].shapes[1] : LevelShape{};
+    };
+    EXPECT_EQ(lamp().strength, 0.75f);
+    EXPECT_FALSE(lamp().bearsLoad);
+    forgetField(path("a.vdb"), "strength");
+    EXPECT_EQ(lamp().strength, 1.0f);
+    EXPECT_FALSE(lamp().bearsLoad);
+    forgetField(path("a.vdb"), "bears_load");
+    EXPECT_TRUE(lamp().bearsLoad);
+    EXPECT_EQ(lamp().voxelSize, 0.05f);
+}
+
 TEST_F(VdbFile, RoundTripOfARealScene) {
     const std::string model = kModels + "test_multiple_model_scene.vox";
     if (!fs::exists(model)) GTEST_SKIP() << model << " is not there";
