@@ -100,6 +100,9 @@ void fields(A& a, Is<LoadSettings> auto& settings) {
     a("strength_scale", settings.strengthScale);
     a("work_a_step", settings.workAStep);
     a("cracks_a_step", settings.cracksAStep);
+    a("contact_time", settings.contactTime);
+    a("least_blow", settings.leastBlow);
+    a("smallest_struck", settings.smallestStruck);
     a("largest_shape", settings.largestShape);
 }
 template <class A>
@@ -174,6 +177,12 @@ void fields(A& a, Is<PaintEdit> auto& edit) {
     a("kind", edit.kind);
     a("end", edit.end);
     a("shape", edit.shape);
+}
+template <class A>
+void fields(A& a, Is<StrikeEdit> auto& edit) {
+    a("shape", edit.shape);
+    a("position", edit.position);
+    a("impulse", edit.impulse);
 }
 template <class A>
 void fields(A& a, Is<ImpulseEdit> auto& edit) {

@@ -20,7 +20,9 @@ constexpr int kMaxIterations = 400;    ///< beyond which it is given up: nothing
 constexpr double kAlsoBreaks = 0.9;    ///< share of the worst overload from which others break in the same step
 constexpr double kWorthALook = 0.8;    ///< stress over strength that a section must have alone too: a window may see tension beside a press
 constexpr double kWorthSlicing = 0.2;  ///< of a bond, from which the layers of its nodes and those around are looked at
+constexpr int kBlowRounds = 24;
 constexpr int kWindowReach = LoadCuts::kReach;
+constexpr int kApart = 8;  ///< cells between two sections, one behind the other, that break in the same step
 constexpr int64_t kBrickWork = 200, kRowWork = 400;
 
 /// What a unit of motion across a bond does to it, with E = 1: forces, and moments as rows of a symmetric matrix.
@@ -67,16 +69,12 @@ glm::dvec3 shiftAt(const LoadNode& node, glm::dvec3 point) {
 void LoadAnalysis::touch(std::span<const glm::ivec3> bricks) {
     if (bricks.empty()) return;
     m_changed.insert(m_changed.end(), bricks.begin(), bricks.end());
-    m_phase = Phase::Graph;
+    m_isAskedFor = true;
 }
 
 void LoadAnalysis::strike(const LoadBlow& blow) {
-    m_blows.push_back(blow);
-    restart();
-}
-
-void LoadAnalysis::restart() {
-    m_phase = Phase::Graph;
+    m_newBlows.push_back(blow);
+    m_isAskedFor = true;
 }
 
 int64_t LoadAnalysis::stepWork() const {
@@ -92,7 +90,7 @@ int64_t LoadAnalysis::stepWork() const {
 void LoadAnalysis::run(const LoadedShape& shape, int64_t& work, size_t maxCracks, std::vector<LoadCrack>& cracks) {
     cracks.clear();
     work += std::exchange(m_saved, 0);
-    while (m_phase != Phase::Idle && work > 0) {
+    while (!isIdle() && work > 0) {
         const int64_t cost = stepWork();
         if (work < cost) {  // a step of the solver is not cut in two: it waits until it is paid for
             m_saved = work;
@@ -100,6 +98,9 @@ void LoadAnalysis::run(const LoadedShape& shape, int64_t& work, size_t maxCracks
             return;
         }
         switch (m_phase) {
+            case Phase::Idle:
+                m_phase = Phase::Graph;
+                break;
             case Phase::Graph:
                 if (!m_changed.empty()) {
                     m_graph.setBrick(shape.grid, shape.anchors, shape.entries, m_changed.front());
@@ -109,7 +110,8 @@ void LoadAnalysis::run(const LoadedShape& shape, int64_t& work, size_t maxCracks
                 }
                 numberRows();
                 work -= int64_t(m_nodeOf.size());
-                m_phase = m_nodeOf.empty() ? Phase::Idle : Phase::Rows;
+                m_phase = Phase::Rows;
+                if (m_nodeOf.empty()) finish(false);
                 break;
             case Phase::Rows:
                 appendRow(m_nodeOf[m_next]);
@@ -135,7 +137,8 @@ void LoadAnalysis::run(const LoadedShape& shape, int64_t& work, size_t maxCracks
                 work -= cost;
                 if (!iterate()) break;
                 finishSolution();
-                m_phase = m_hasConverged ? Phase::CutBonds : Phase::Idle;
+                m_phase = Phase::CutBonds;
+                if (!m_hasConverged) finish(false);
                 break;
             case Phase::CutBonds:
                 work -= cutBonds(shape, m_nodeOf[m_next]);
@@ -155,13 +158,20 @@ void LoadAnalysis::run(const LoadedShape& shape, int64_t& work, size_t maxCracks
                 work -= checkCut(m_next);
                 if (++m_next < m_cuts.size()) break;
                 chooseCracks(maxCracks, cracks);
-                m_blows.clear();
-                m_phase = Phase::Idle;
-                break;
-            case Phase::Idle:
-                break;
+                finish(!cracks.empty());
+                return;
         }
     }
+}
+
+/// What a blow breaks does not end it: it is looked at again once the cracks are open.
+void LoadAnalysis::finish(bool hasCracks) {
+    m_phase = Phase::Idle;
+    if (m_blows.empty()) return;
+    if (hasCracks && ++m_blowRounds < kBlowRounds)
+        m_isAskedFor = true;
+    else
+        m_blows.clear();
 }
 
 /// Rows for all free nodes that something fixed holds, in the order of their slots.
@@ -184,6 +194,10 @@ void LoadAnalysis::numberRows() {
     m_nodeOf.clear();
     for (uint32_t i = 0; i < nodes.size(); ++i)
         if (isHeld[i] && !nodes[i].isFixed) m_rowOf[i] = uint32_t(m_nodeOf.size()), m_nodeOf.push_back(i);
+    m_isAskedFor = false;
+    if (m_blows.empty()) m_blowRounds = 0;
+    m_blows.insert(m_blows.end(), m_newBlows.begin(), m_newBlows.end());
+    m_newBlows.clear();
     m_stiffness.clear();
     m_load.resize(m_nodeOf.size());
     m_next = 0;
@@ -291,9 +305,29 @@ SectionForce LoadAnalysis::bondForce(const LoadBond& bond) const {
 
 namespace {
 
-SectionStrength scaled(const SectionStrength& s, const LoadedShape& shape) {
-    const double scale = shape.strengthScale / shape.voxelSize;
+int strengthLeft(std::span<const WeakBrick> weak, glm::ivec3 brick) {
+    const auto found = std::lower_bound(weak.begin(), weak.end(), brick, [](const WeakBrick& a, glm::ivec3 b) { return cellBefore(a.brick, b); });
+    return found != weak.end() && found->brick == brick ? found->left : 256;
+}
+
+/// In the unit of forces an area; a section between two bricks is as strong as the weaker.
+SectionStrength scaled(const SectionStrength& s, const Section& section, const LoadedShape& shape) {
+    double scale = shape.strengthScale / shape.voxelSize;
+    if (!shape.weak.empty()) {
+        glm::ivec3 above = section.brick;
+        above[section.axis] += section.plane == 8;
+        scale *= double(std::min(strengthLeft(shape.weak, section.brick), strengthLeft(shape.weak, above))) / 256.0;
+    }
     return {s.tensile * scale, s.compressive * scale, s.shear * scale};
+}
+
+/// Whether one of two sections lies just behind the other: what breaks there is one crack.
+bool areSameCrack(const Section& a, const Section& b) {
+    if (a.axis != b.axis) return false;
+    glm::ivec3 away = (a.brick - b.brick) * kBrickSize;
+    away[a.axis] += a.plane - b.plane;
+    const int behind = std::exchange(away[a.axis], 0);
+    return away == glm::ivec3(0) && behind != 0 && std::abs(behind) < kApart;
 }
 
 }  // namespace
@@ -304,7 +338,7 @@ int64_t LoadAnalysis::cutBonds(const LoadedShape& shape, uint32_t index) {
     for (const uint32_t bondIndex : node.bonds) {
         const LoadBond& bond = m_graph.bonds()[bondIndex];
         if (bond.below != index && !m_graph.nodes()[bond.below].isFixed) continue;
-        const double share = m_cuts.add(bond.section, bond.shape, bondForce(bond), scaled(bond.strength, shape), bond.canBreak);
+        const double share = m_cuts.add(bond.section, bond.shape, bondForce(bond), scaled(bond.strength, bond.section, shape), bond.canBreak);
         if (share < kWorthSlicing) continue;
         m_isBusy[bond.below] = m_isBusy[bond.above] = true;
     }
@@ -346,7 +380,7 @@ int64_t LoadAnalysis::cutLayers(const LoadedShape& shape, uint32_t index) {
             const Section section{node.brick, axis, plane, brickLayer(node.cells, axis, plane - 1) & brickLayer(node.cells, axis, plane)};
             if (!section.cells) continue;
             bool canBreak = false;
-            const SectionStrength strength = scaled(sectionStrength(shape.grid, shape.entries, section, canBreak), shape);
+            const SectionStrength strength = scaled(sectionStrength(shape.grid, shape.entries, section, canBreak), section, shape);
             const SectionShape form = sectionShape(section);
             m_cuts.add(section, form, slices.forceAt(axis, plane, form.centroid), strength, canBreak);
             work += 40;
@@ -354,9 +388,16 @@ int64_t LoadAnalysis::cutLayers(const LoadedShape& shape, uint32_t index) {
     return work;
 }
 
+/// Whether its voxels changed since the analysis began.
+bool LoadAnalysis::isOutdated(const Section& section) const {
+    glm::ivec3 above = section.brick;
+    above[section.axis] += section.plane == 8;
+    return std::any_of(m_changed.begin(), m_changed.end(), [&](glm::ivec3 brick) { return brick == section.brick || brick == above; });
+}
+
 int64_t LoadAnalysis::checkCut(size_t index) {
     const LoadCut& cut = m_cuts[index];
-    if (!cut.canBreak || cut.alone < kWorthALook) return 1;
+    if (!cut.canBreak || !(cut.alone >= kWorthALook) || isOutdated(cut.section)) return 1;
     const SectionUse use = m_cuts.use(index);
     if (use.share > m_worst.share) m_worst = {cut.section, use.share, use.cause};
     if (use.share > 1.0) m_overloaded.push_back({cut.section, use.share, use.cause});
@@ -365,8 +406,11 @@ int64_t LoadAnalysis::checkCut(size_t index) {
 
 void LoadAnalysis::chooseCracks(size_t maxCracks, std::vector<LoadCrack>& cracks) {
     std::stable_sort(m_overloaded.begin(), m_overloaded.end(), [](const LoadCrack& a, const LoadCrack& b) { return a.share > b.share; });
-    for (const LoadCrack& crack : m_overloaded)
-        if (cracks.size() < maxCracks && crack.share >= kAlsoBreaks * m_worst.share) cracks.push_back(crack);
+    for (const LoadCrack& crack : m_overloaded) {
+        if (cracks.size() >= maxCracks || crack.share < kAlsoBreaks * m_worst.share) return;
+        const auto isSame = [&](const LoadCrack& other) { return areSameCrack(other.section, crack.section); };
+        if (std::none_of(cracks.begin(), cracks.end(), isSame)) cracks.push_back(crack);
+    }
 }
 
 uint64_t LoadAnalysis::hash() const {
@@ -374,6 +418,9 @@ uint64_t LoadAnalysis::hash() const {
     out = hashValue(m_saved, out);
     out = hashValue(uint64_t(m_iterations), out);
     out = hashValue(m_rz, out);
+    out = hashValue(uint64_t(m_isAskedFor) << 32 | uint64_t(m_blowRounds), out);
+    for (const std::vector<LoadBlow>* blows : {&m_blows, &m_newBlows})
+        for (const LoadBlow& blow : *blows) out = hashBytes(&blow.force, sizeof blow.force, hashBytes(&blow.cell, sizeof blow.cell, out));
     return hashValue(uint64_t(m_changed.size()), out);
 }
 

@@ -9,6 +9,12 @@
 
 namespace rubble {
 
+/// A brick that fire has left less of its strength. Lists of them are in the order of cellBefore().
+struct WeakBrick {
+    glm::ivec3 brick{0};
+    int left = 256;  ///< of 256
+};
+
 /// A shape as the load analysis sees it. What it refers to must be what it was told of last.
 struct LoadedShape {
     const VoxelGrid& grid;
@@ -17,6 +23,7 @@ struct LoadedShape {
     glm::dvec3 gravity{0.0};     ///< m/s2, in the shape's frame
     double voxelSize = 0.1;      ///< metres
     double strengthScale = 1.0;  ///< of all strengths
+    std::span<const WeakBrick> weak = {};
 };
 
 /// A section that is to break.
@@ -27,7 +34,7 @@ struct LoadCrack {
     friend bool operator==(const LoadCrack&, const LoadCrack&) = default;
 };
 
-/// A blow that a shape takes while its next analysis runs.
+/// A blow that a shape takes. It lasts until an analysis finds that it breaks nothing, for kBlowRounds analyses at most.
 struct LoadBlow {
     glm::ivec3 cell{0};
     glm::dvec3 force{0.0};  ///< N, in the shape's frame
@@ -37,12 +44,13 @@ struct LoadBlow {
 /// gradients, and the sections that they overload. Works in slices; once it knows, it is idle until something changes.
 class LoadAnalysis {
 public:
-    /// These bricks changed, or are new.
+    /// These bricks changed, or are new. An analysis that has begun goes on and leaves them to the next.
     void touch(std::span<const glm::ivec3> bricks);
+    /// Part of the next analysis to begin.
     void strike(const LoadBlow& blow);
     /// Weighs all sections again, for another gravity or strength.
-    void restart();
-    bool isIdle() const { return m_phase == Phase::Idle; }
+    void restart() { m_isAskedFor = true; }
+    bool isIdle() const { return m_phase == Phase::Idle && !m_isAskedFor; }
 
     /// Goes on until it is idle or `work` (about a 6x6 product with a vector each, 20 ns) is spent. What it may not finish
     /// at once it saves up for. Fills in `cracks` when it has come to an end: the most overloaded sections, worst first.
@@ -75,15 +83,19 @@ private:
     void spreadBusy();
     int64_t cutLayers(const LoadedShape& shape, uint32_t node);
     int64_t checkCut(size_t cut);
+    bool isOutdated(const Section& section) const;
+    void finish(bool hasCracks);
     void chooseCracks(size_t maxCracks, std::vector<LoadCrack>& cracks);
     int64_t stepWork() const;
 
     LoadGraph m_graph;
     std::deque<glm::ivec3> m_changed;
-    std::vector<LoadBlow> m_blows;
+    std::vector<LoadBlow> m_newBlows, m_blows;  ///< that wait, and that the analysis is about
+    int m_blowRounds = 0;                       ///< analyses that the blows have lasted for
     Phase m_phase = Phase::Idle;
-    size_t m_next = 0;    ///< row, within a phase
-    int64_t m_saved = 0;  ///< work put by for a step that takes more than one run has
+    bool m_isAskedFor = false;  ///< another analysis after this one
+    size_t m_next = 0;          ///< row, within a phase
+    int64_t m_saved = 0;        ///< work put by for a step that takes more than one run has
 
     std::vector<uint32_t> m_rowOf, m_nodeOf;  ///< node -> row, row -> node
     BlockMatrix m_stiffness;

@@ -15,15 +15,6 @@ uint32_t brickKey(glm::ivec3 brick) {
     return uint32_t(brick.x) | uint32_t(brick.y) << 10 | uint32_t(brick.z) << 20;
 }
 
-BrickBits solidCells(const Brick& brick, const LoadEntries& entries) {
-    if (!brick.indices) return entries[brick.uniform].isSolid ? brick.occupancy : BrickBits{};
-    BrickBits out = brick.occupancy;
-    forEachVoxel(brick.occupancy, [&](int i) {
-        if (!entries[(*brick.indices)[size_t(i)]].isSolid) out[size_t(i >> 6)] &= ~(uint64_t(1) << (i & 63));
-    });
-    return out;
-}
-
 struct Neck {
     int axis = 0, plane = 0;
     double share = 1.0;
@@ -65,6 +56,15 @@ LoadEntries loadEntries(const Palette& palette, const MaterialTable& materials) 
                   material.hardness != Hardness::Unphysical,
                   material.hardness < Hardness::Unbreakable};
     }
+    return out;
+}
+
+BrickBits solidCells(const Brick& brick, const LoadEntries& entries) {
+    if (!brick.indices) return entries[brick.uniform].isSolid ? brick.occupancy : BrickBits{};
+    BrickBits out = brick.occupancy;
+    forEachVoxel(brick.occupancy, [&](int i) {
+        if (!entries[(*brick.indices)[size_t(i)]].isSolid) out[size_t(i >> 6)] &= ~(uint64_t(1) << (i & 63));
+    });
     return out;
 }
 

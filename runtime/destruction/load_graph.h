@@ -68,6 +68,8 @@ private:
     std::unordered_map<uint32_t, std::vector<uint32_t>> m_bricks;  ///< nodes of a brick; looked up, never iterated
 };
 
+/// The cells of a brick that carry.
+BrickBits solidCells(const Brick& brick, const LoadEntries& entries);
 /// Which of a node's cells lie in anchors: bits of a brick.
 BrickBits anchoredCells(glm::ivec3 brick, std::span<const CellBox> anchors);
 /// Parts a connected set of cells where it is narrow inside: a neck is a body of its own on either side, so that it yields.

@@ -60,6 +60,14 @@ struct PaintEdit {
     ShapeHandle shape;                    ///< empty: all
 };
 
+/// A blow to a shape as a whole, while LoadSettings are on: it breaks where it is weakest, not only where it is hit. What stands
+/// carries the blow to its anchors, what flies carries it to its own mass.
+struct StrikeEdit {
+    ShapeHandle shape;
+    glm::dvec3 position{0.0};
+    glm::dvec3 impulse{0.0};  ///< N s, on the shape
+};
+
 struct ImpulseEdit {
     BodyHandle body;
     glm::dvec3 position{0.0};
@@ -107,7 +115,7 @@ struct RemoveFiresEdit {
 };
 
 using Edit = std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit,
-                          BreakEdit, SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit>;
+                          BreakEdit, SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit, StrikeEdit>;
 using Edits = std::vector<Edit>;
 
 /// Where a host leaves edits for the next step. [main-thread]

@@ -172,6 +172,7 @@ void EditStep::burnShape(HeatField& field) {
         if (outcome.wentOut) m_changes.firesOut.push_back({handle, hot.brick, brickInWorld(handle, hot.brick)});
         if (outcome.chars) charred.push_back({hot.brick, charredCells(skin, hot.brick, hot.charred)});
         if (outcome.consumed) consumed.push_back({hot.brick, consumedCells(shape.grid, hot.brick, skin, outcome.consumed)});
+        if (m_world.m_load) weaken(handle, hot.brick, strengthLeft(hot, skin));
         if (outcome.emitted) emit(handle, hot, outcome.emitted);
         return outcome.isOver || !shape.grid.brickAt(hot.brick);
     });

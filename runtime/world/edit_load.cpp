@@ -11,13 +11,12 @@ void EditStep::openCracks() {
     for (const ShapeHandle handle : m_world.m_load->busy()) {
         WorldLoad::Entry& entry = *m_world.m_load->find(handle);
         for (const LoadCrack& crack : std::exchange(entry.cracks, {}))
-            if (m_world.m_shapes.find(handle)) openCrack(handle, crack);
+            if (m_world.m_shapes.find(handle)) openCrack(handle, entry.entries, crack);
     }
 }
 
-void EditStep::openCrack(ShapeHandle handle, const LoadCrack& crack) {
+void EditStep::openCrack(ShapeHandle handle, const LoadEntries& entries, const LoadCrack& crack) {
     Shape& shape = m_world.m_shapes.at(handle);
-    const LoadEntries& entries = m_world.m_load->find(handle)->entries;
     const Densities densities(*shape.palette, m_world.m_materials);
     Carved carved;
     for (const BrickShare& share : crackCells(shape.grid, shape.anchors, entries, crack.section)) removeCells(shape.grid, share, densities, carved);
@@ -53,6 +52,23 @@ void EditStep::weighShapes() {
     }
 }
 
+/// Told of by steps of a sixteenth, so that a fire does not have a shape weighed for every spark.
+void EditStep::weaken(ShapeHandle handle, glm::ivec3 brick, int left) {
+    WorldLoad::Entry* entry = m_world.m_load->find(handle);
+    if (!entry) return;
+    left = (left + 15) / 16 * 16;
+    const auto place =
+        std::lower_bound(entry->weak.begin(), entry->weak.end(), brick, [](const WeakBrick& a, glm::ivec3 b) { return cellBefore(a.brick, b); });
+    const bool isKnown = place != entry->weak.end() && place->brick == brick;
+    if (left == (isKnown ? place->left : 256)) return;
+    if (isKnown)
+        place->left = left;
+    else
+        entry->weak.insert(place, {brick, left});
+    entry->analysis.restart();
+    m_world.m_load->wake(handle);
+}
+
 void EditStep::weighShape(WorldLoad::Entry& entry, int64_t& work) {
     const Shape& shape = m_world.m_shapes.at(entry.shape);
     if (entry.palette != shape.palette) {
@@ -61,7 +77,7 @@ void EditStep::weighShape(WorldLoad::Entry& entry, int64_t& work) {
     }
     const LoadSettings& settings = m_world.m_settings.load;
     const glm::dvec3 gravity = glm::conjugate(m_world.shapeToWorld(entry.shape).rotation) * glm::dvec3(m_world.m_environment.gravity);
-    const LoadedShape loaded{shape.grid, shape.anchors, entry.entries, gravity, shape.voxelSize, settings.strengthScale * shape.strength};
+    const LoadedShape loaded{shape.grid, shape.anchors, entry.entries, gravity, shape.voxelSize, settings.strengthScale * shape.strength, entry.weak};
     entry.analysis.run(loaded, work, settings.cracksAStep, entry.cracks);
     if (!entry.analysis.isIdle()) return;
     if (!entry.analysis.hasConverged()) logWarning("load: the forces in a shape could not be found; it bears whatever comes");

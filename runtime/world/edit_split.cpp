@@ -132,6 +132,8 @@ ShapeHandle EditStep::createChild(ShapeHandle parentHandle, Piece piece, const M
     shape.paintColors = parent.paintColors;
     shape.moments = moments.shifted(-piece.offset);
     shape.tags = parent.tags;
+    shape.bearsLoad = parent.bearsLoad;
+    shape.strength = parent.strength;
     shape.isPiece = true;
     shape.nothingLoose = true;
     const BodyHandle bodyHandle = m_world.m_bodies.insert(std::move(body));

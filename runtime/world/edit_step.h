@@ -98,9 +98,15 @@ private:
 
     // edit_load.cpp
     void openCracks();
-    void openCrack(ShapeHandle shape, const LoadCrack& crack);
+    void openCrack(ShapeHandle shape, const LoadEntries& entries, const LoadCrack& crack);
     void weighShapes();
     void weighShape(WorldLoad::Entry& entry, int64_t& work);
+    /// Fire has left this much of a brick's strength, of 256.
+    void weaken(ShapeHandle shape, glm::ivec3 brick, int left);
+
+    // edit_strike.cpp
+    void apply(const StrikeEdit& edit);
+    void strikePiece(ShapeHandle shape, const LoadBlow& blow);
 
     // edit_lights.cpp
     void moveLights(const ShapeSplit& split);
@@ -147,6 +153,7 @@ private:
     std::map<uint32_t, Touched> m_touched;  ///< by slot
     std::map<uint32_t, Motion> m_motions;   ///< by slot
     std::vector<Push> m_pushes;             ///< wait until the pieces exist
+    std::set<uint32_t> m_struck;            ///< slots of pieces that a blow was tried on
     std::set<uint32_t> m_cutWires;          ///< slots of shapes that lost wire, or pieces
     std::vector<uint64_t> m_groupRemoved;   ///< voxels, by slot of the group
     std::vector<Deposit> m_deposits;        ///< heat on its way, for the end of the fires' turn

@@ -52,6 +52,22 @@ void World::addImpactDamage(const Impact& impact, BodyHandle body, Edits& out) c
     }
 }
 
+/// What an impact loads beyond the place that it hits. It comes after what it breaks there.
+void World::addStrike(const Impact& impact, BodyHandle body, Edits& out) const {
+    const Body* struck = m_bodies.find(body);
+    if (!m_load || !struck || !(impact.impulse >= m_settings.load.leastBlow)) return;
+    if (!struck->isStatic && struck->shapes.size() != 1) return;
+    for (const ShapeHandle handle : shapesNear(impact.position, 0.3)) {
+        const Shape& shape = m_shapes.at(handle);
+        if (shape.body != body || !shape.bearsLoad) continue;
+        if (!struck->isStatic && shape.grid.voxelCount() < m_settings.load.smallestStruck) continue;
+        const uint8_t material = materialAt(shape, shapeToWorld(handle).inversePoint(impact.position) / double(shape.voxelSize));
+        if (!material || (struck->isStatic && m_materials[material].hardness > Hardness::Hard)) continue;  // what falls on rock loads nothing
+        out.push_back(StrikeEdit{handle, impact.position, impact.normal * (body == impact.body ? impact.impulse : -impact.impulse)});
+        return;
+    }
+}
+
 Edits World::damageFrom(std::span<const Impact> impacts) const {
     Edits edits;
     if (impacts.empty()) return edits;
@@ -68,6 +84,8 @@ Edits World::damageFrom(std::span<const Impact> impacts) const {
         const size_t before = edits.size();
         addImpactDamage(*impact, impact->body, edits);
         addImpactDamage(*impact, impact->other, edits);
+        addStrike(*impact, impact->body, edits);
+        addStrike(*impact, impact->other, edits);
         if (edits.size() > before && ++broken == m_settings.impactsAStep) break;
     }
     return edits;

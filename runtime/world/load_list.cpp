@@ -20,7 +20,13 @@ void World::listLoad(ShapeHandle handle) {
     }
     std::vector<glm::ivec3> bricks;
     shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef&) { bricks.push_back(brick); });
-    m_load->add(handle).analysis.touch(bricks);
+    WorldLoad::Entry& entry = m_load->add(handle);
+    entry.analysis.touch(bricks);
+    for (const HeatField& field : m_fire.fields) {
+        if (field.shape != handle) continue;
+        for (const HotBrick& hot : field.bricks)  // cf. EditStep::weaken()
+            entry.weak.push_back({hot.brick, (int(256.0 * strengthLeft(handle, hot.brick)) + 15) / 16 * 16});
+    }
 }
 
 }  // namespace rubble

@@ -70,8 +70,8 @@ struct Impact {
     BodyHandle body;
     BodyHandle other;
     glm::dvec3 position{0.0};
-    glm::dvec3 normal{0.0};
-    double impulse = 0.0;  ///< N s
+    glm::dvec3 normal{0.0};  ///< the way that `body` is pushed
+    double impulse = 0.0;    ///< N s
 };
 
 struct WorldHit {
@@ -196,6 +196,7 @@ private:
     bool isSupplied(LightGroupHandle handle, const LightGroup& group) const;
     void connectSupplies();
     void addImpactDamage(const Impact& impact, BodyHandle body, Edits& out) const;
+    void addStrike(const Impact& impact, BodyHandle body, Edits& out) const;
     void listLoad(ShapeHandle shape);
     void forgetSearches(const FrameChanges& changes);
     /// Fills in initialVoxels of groups that do not bring it.

@@ -39,6 +39,8 @@ void WorldLoad::restartAll() {
 
 uint64_t WorldLoad::hash() const {
     uint64_t out = hashValue(m_lastServed);
+    for (const auto& [slot, entry] : m_entries)
+        for (const WeakBrick& weak : entry.weak) out = hashValue(weak.left, hashBytes(&weak.brick, sizeof weak.brick, hashValue(slot, out)));
     for (const uint32_t slot : m_busy) {
         const Entry& entry = m_entries.at(slot);
         out = hashValue(slot, out);

@@ -18,6 +18,7 @@ public:
         PaletteRef palette;  ///< that `entries` were made from
         LoadEntries entries;
         std::vector<LoadCrack> cracks;
+        std::vector<WeakBrick> weak;  ///< by cellBefore()
     };
 
     Entry& add(ShapeHandle shape);

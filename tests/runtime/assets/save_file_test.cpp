@@ -82,7 +82,7 @@ TEST(SaveFile, ASettingThatTheFileForgetsIsNoticed) {
     // A new setting changes the size: add it to state_fields.h, then here.
     EXPECT_EQ(sizeof(DebrisSettings), 32u);
     EXPECT_EQ(sizeof(FireSettings), 24u);
-    EXPECT_EQ(sizeof(LoadSettings), 32u);
+    EXPECT_EQ(sizeof(LoadSettings), 56u);
     EXPECT_EQ(sizeof(WorldSettings), 56 + sizeof(DebrisSettings) + sizeof(LoadSettings) + sizeof(FireSettings) + sizeof(SplitSettings) + 8u);
     EXPECT_EQ(sizeof(PaintEdit), 80u);
     EXPECT_EQ(sizeof(CarveEdit), 160u);

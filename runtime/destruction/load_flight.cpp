@@ -1,0 +1,194 @@
+#include "runtime/destruction/load_flight.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "runtime/core/random.h"
+
+namespace rubble {
+namespace {
+
+constexpr int kShortest = 12;       ///< cells: along shorter axes a body does not bend
+constexpr int kMostParts = 6;       ///< of one blow
+constexpr double kStockiest = 0.6;  ///< length of a part over the root of the area that it broke at: shorter ones are left whole
+
+/// Weight and its moments about the grid's corner. Exact below 2^53.
+struct PartSum {
+    double weight = 0.0;
+    glm::dvec3 first{0.0};
+    glm::dvec3 square{0.0}, mixed{0.0};  ///< xx yy zz; yz zx xy
+
+    void add(double density, glm::dvec3 at) {
+        weight += density;
+        first += density * at;
+        square += density * at * at;
+        mixed += density * glm::dvec3(at.y * at.z, at.z * at.x, at.x * at.y);
+    }
+    PartSum& operator+=(const PartSum& other) {
+        weight += other.weight, first += other.first, square += other.square, mixed += other.mixed;
+        return *this;
+    }
+    glm::dvec3 center() const { return first / weight; }
+    /// About its centre.
+    glm::dmat3 inertia() const {
+        const glm::dvec3 c = center();
+        const glm::dvec3 s = square - weight * c * c;
+        const glm::dvec3 m = mixed - weight * glm::dvec3(c.y * c.z, c.z * c.x, c.x * c.y);
+        const glm::dvec3 own = glm::dvec3(s.y + s.z, s.x + s.z, s.x + s.y) + weight / 6.0;  // a voxel has some by itself
+        return {own.x, -m.z, -m.y, -m.z, own.y, -m.x, -m.y, -m.x, own.z};
+    }
+};
+
+/// Near its end, a body is no beam: it spalls where it is hit, which is not looked at here.
+int shortestPart(double area) {
+    return std::max(kShortest / 2, int(kStockiest * std::sqrt(area)));
+}
+
+/// How the whole takes up a blow.
+struct Acceleration {
+    glm::dvec3 center{0.0}, linear{0.0}, angular{0.0};
+    glm::dvec3 at(glm::dvec3 point) const { return linear + glm::cross(angular, point - center); }
+};
+
+class Flight {
+public:
+    Flight(const LoadedShape& body, const LoadBlow& blow)
+        : m_body(body), m_at(glm::dvec3(blow.cell) + 0.5), m_force(blow.force / (body.voxelSize * body.voxelSize * body.voxelSize)) {
+        sumLayers();
+    }
+
+    std::vector<BodyPlane> planes(int axis) const {
+        const int length = m_body.grid.size()[axis];
+        std::vector<BodyPlane> out;
+        if (!canMove() || length < kShortest) return out;
+        PartSum above;
+        for (int plane = length - 1; plane > 0; --plane) {
+            above += m_layers[size_t(axis)][size_t(plane)];
+            if (above.weight <= 0.0 || above.weight >= m_all.weight) continue;
+            out.push_back(usedPlane(axis, plane, above));
+        }
+        std::reverse(out.begin(), out.end());
+        for (BodyPlane& each : out)
+            if (std::min(each.plane + 1 - out.front().plane, out.back().plane + 1 - each.plane) < shortestPart(each.area)) each.share = 0.0;
+        return out;
+    }
+
+private:
+    bool canMove() const { return m_all.weight > 0.0; }
+
+    void sumLayers() {
+        for (int axis = 0; axis < 3; ++axis) m_layers[size_t(axis)].resize(size_t(m_body.grid.size()[axis]));
+        m_body.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+            forEachVoxel(brick->occupancy, [&](int i) {
+                const glm::ivec3 cell = position * kBrickSize + voxelInBrick(i);
+                PartSum voxel;
+                voxel.add(m_body.entries[brick->at(i)].density, glm::dvec3(cell) + 0.5);
+                for (int axis = 0; axis < 3; ++axis) m_layers[size_t(axis)][size_t(cell[axis])] += voxel;
+            });
+        });
+        for (const PartSum& layer : m_layers[0]) m_all += layer;
+        if (!canMove()) return;
+        m_moves.center = m_all.center();
+        m_moves.linear = m_force / m_all.weight;
+        m_moves.angular = glm::inverse(m_all.inertia()) * glm::cross(m_at - m_moves.center, m_force);
+    }
+
+    BodyPlane usedPlane(int axis, int plane, const PartSum& above) const {
+        BodyPlane out{axis, plane};
+        const std::vector<Section> sections = sectionsOf(m_body.grid, m_body.entries, axis, plane);
+        if (sections.empty()) return out;
+        const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
+        const auto shapeSeenFrom = [&](const Section& from) {
+            std::vector<SectionTile> tiles;
+            for (const Section& each : sections) tiles.push_back({each.cells, each.brick[u] - from.brick[u], each.brick[v] - from.brick[v]});
+            return sectionShape(from, tiles);
+        };
+        const SectionShape shape = shapeSeenFrom(sections.front());
+        out.area = shape.area;
+        const glm::dvec3 center = above.center();
+        SectionForce load{-above.weight * m_moves.at(center), glm::dvec3(0.0)};
+        load.moment = glm::cross(center - shape.centroid, load.force) - above.inertia() * m_moves.angular;
+        if (m_at[axis] > plane) {
+            load.force += m_force;
+            load.moment += glm::cross(m_at - shape.centroid, m_force);
+        }
+        bool canAnyBreak = false;
+        for (const Section& section : sections) {
+            bool canBreak = false;
+            SectionStrength strength = sectionStrength(m_body.grid, m_body.entries, section, canBreak);
+            canAnyBreak = canAnyBreak || canBreak;
+            const double scale = m_body.strengthScale / m_body.voxelSize;
+            strength = {strength.tensile * scale, strength.compressive * scale, strength.shear * scale};
+            const SectionUse use = sectionUse(section, shape, load, strength);
+            if (use.share > out.share) out.share = use.share, out.cause = use.cause;
+        }
+        if (!canAnyBreak) out.share = 0.0;
+        return out;
+    }
+
+    const LoadedShape& m_body;
+    glm::dvec3 m_at, m_force;
+    std::array<std::vector<PartSum>, 3> m_layers;
+    PartSum m_all;
+    Acceleration m_moves;
+};
+
+}  // namespace
+
+std::vector<Section> sectionsOf(const VoxelGrid& grid, const LoadEntries& entries, int axis, int plane) {
+    glm::ivec3 size = grid.sizeInBricks(), step(0);
+    step[axis] = 1;
+    std::vector<Section> out;
+    const int layer = (plane - 1) / kBrickSize;
+    glm::ivec3 low(0), high = size;
+    low[axis] = layer, high[axis] = layer + 1;
+    for (int z = low.z; z < high.z; ++z)
+        for (int y = low.y; y < high.y; ++y)
+            for (int x = low.x; x < high.x; ++x) {
+                const glm::ivec3 brick(x, y, z);
+                const int inBrick = plane - layer * kBrickSize;
+                const Brick* below = grid.brickAt(brick);
+                const Brick* above = inBrick < kBrickSize ? below : grid.brickAt(brick + step);
+                if (!below || !above) continue;
+                const uint64_t cells =
+                    brickLayer(solidCells(*below, entries), axis, inBrick - 1) & brickLayer(solidCells(*above, entries), axis, inBrick & 7);
+                if (cells) out.push_back({brick, axis, inBrick, cells});
+            }
+    return out;
+}
+
+std::vector<BodyPlane> breakingPlanes(const LoadedShape& body, const LoadBlow& blow, uint32_t seed) {
+    const Flight flight(body, blow);
+    std::vector<BodyPlane> planes;
+    BodyPlane worst{0, 0, 1.0};
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<BodyPlane> each = flight.planes(axis);
+        const auto most = std::max_element(each.begin(), each.end(), [](const BodyPlane& a, const BodyPlane& b) { return a.share < b.share; });
+        if (most == each.end() || !(most->share > worst.share)) continue;
+        worst = *most;
+        planes = std::move(each);
+    }
+    if (planes.empty()) return {};
+    const int first = planes.front().plane, length = planes.back().plane + 1 - first;
+    const int shortest = shortestPart(worst.area);
+    const int parts = std::clamp(std::min(int(std::sqrt(worst.share)) + 1, length / shortest), 2, kMostParts);
+    std::vector<BodyPlane> out{worst};
+    for (int i = 1; i < parts && int(out.size()) + 1 < parts; ++i) {
+        const int stray = length / parts / 3;
+        const int at = first + length * i / parts + int(hashCell(i, worst.plane, length, seed) % uint32_t(2 * stray + 1)) - stray;
+        const auto plane = std::find_if(planes.begin(), planes.end(), [&](const BodyPlane& each) { return each.plane >= at; });
+        if (plane == planes.end() || !(plane->share * parts > 1.0)) continue;
+        const bool isApart = std::all_of(out.begin(), out.end(), [&](const BodyPlane& each) {
+            return std::abs(each.plane - plane->plane) >= std::max(shortest, length / parts / 2);
+        });
+        if (isApart) out.push_back(*plane);
+    }
+    std::sort(out.begin(), out.end(), [](const BodyPlane& a, const BodyPlane& b) { return a.plane < b.plane; });
+    return out;
+}
+
+}  // namespace rubble

@@ -1,0 +1,78 @@
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+#include <optional>
+
+#include "runtime/core/log.h"
+#include "runtime/core/random.h"
+#include "runtime/destruction/load_flight.h"
+#include "runtime/world/edit_step.h"
+
+namespace rubble {
+namespace {
+
+constexpr int kFarthest = 8;    ///< cells from the place of a blow to what takes it: what was there may just have been crushed
+constexpr double kMost = 1e12;  ///< metres, N s
+
+bool isSane(glm::dvec3 v) {
+    return glm::dot(v, v) < kMost * kMost;  // false for what is no number
+}
+
+/// The voxel nearest to a point in cells.
+std::optional<glm::ivec3> cellAt(const VoxelGrid& grid, glm::dvec3 pointCells) {
+    const glm::ivec3 middle(glm::floor(glm::clamp(pointCells, -1e6, 1e6)));
+    for (int reach = 1; reach <= kFarthest; reach *= 2) {
+        double nearest2 = std::numeric_limits<double>::infinity();
+        std::optional<glm::ivec3> found;
+        for (int z = -reach; z <= reach; ++z)
+            for (int y = -reach; y <= reach; ++y)
+                for (int x = -reach; x <= reach; ++x) {
+                    const glm::ivec3 cell = middle + glm::ivec3(x, y, z);
+                    const glm::dvec3 away = glm::dvec3(cell) + 0.5 - pointCells;
+                    if (!(glm::dot(away, away) < nearest2) || !grid.at(cell)) continue;
+                    nearest2 = glm::dot(away, away);
+                    found = cell;
+                }
+        if (found) return found;
+    }
+    return {};
+}
+
+}  // namespace
+
+void EditStep::apply(const StrikeEdit& edit) {
+    const Shape* shape = m_world.m_shapes.find(edit.shape);
+    if (!shape) return logWarning("StrikeEdit: the handle of its shape is stale; nothing was struck");
+    if (!isSane(edit.position) || !isSane(edit.impulse)) return logWarning("StrikeEdit: expected numbers below 1e12; nothing was struck");
+    const LoadSettings& settings = m_world.m_settings.load;
+    if (!m_world.m_load || !shape->bearsLoad || !(settings.contactTime > 0.0)) return;
+    const Pose pose = m_world.shapeToWorld(edit.shape);
+    const std::optional<glm::ivec3> cell = cellAt(shape->grid, pose.inversePoint(edit.position) / double(shape->voxelSize));
+    if (!cell) return;
+    const LoadBlow blow{*cell, glm::conjugate(pose.rotation) * edit.impulse / settings.contactTime};
+    if (!m_world.m_bodies.at(shape->body).isStatic) return strikePiece(edit.shape, blow);
+    WorldLoad::Entry* entry = m_world.m_load->find(edit.shape);
+    if (!entry) return;
+    // The scale of strengths stands for more weight, not for weaker materials: a blow is measured against what they are.
+    entry->analysis.strike({blow.cell, blow.force * settings.strengthScale});
+    m_world.m_load->wake(edit.shape);
+}
+
+/// A piece breaks at once: how it takes up the blow depends on nothing but itself.
+void EditStep::strikePiece(ShapeHandle handle, const LoadBlow& blow) {
+    const Shape& shape = m_world.m_shapes.at(handle);
+    const LoadSettings& settings = m_world.m_settings.load;
+    if (shape.grid.voxelCount() < settings.smallestStruck || shape.grid.brickCount() > settings.largestShape) return;
+    if (m_world.m_bodies.at(shape.body).shapes.size() != 1 || !m_struck.insert(handle.slot()).second) return;
+    const LoadEntries entries = loadEntries(*shape.palette, m_world.m_materials);
+    const LoadedShape body{shape.grid, {}, entries, glm::dvec3(0.0), shape.voxelSize, shape.strength};
+    const uint32_t seed = hashCell(int(m_changes.step), int(handle.slot()), 0);
+    const std::vector<BodyPlane> planes = breakingPlanes(body, blow, seed);
+    if (planes.empty()) return;
+    rememberMotion(shape.body);
+    for (const BodyPlane& plane : planes)
+        for (const Section& section : sectionsOf(shape.grid, entries, plane.axis, plane.plane))
+            openCrack(handle, entries, {section, plane.share, plane.cause});
+}
+
+}  // namespace rubble

@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include "tests/physics/physics_scene.h"
+
+namespace rubble {
+namespace {
+
+/// A tower of bricks 60 voxels tall that has lost its hold and leans over its edge, with load on.
+struct Felled {
+    explicit Felled(bool loadIsOn) {
+        scene.addFloor(4);
+        const glm::dquat lean = glm::angleAxis(-0.35, glm::dvec3(0, 0, 1));
+        scene.add(blockGrid({12, 60, 12}, 7), {0.0, 0.45, 0.0}, false, lean);
+        WorldSettings settings;
+        settings.load.on = loadIsOn;
+        settings.impactThreshold = 1e12;  // only as a whole, not where it is hit
+        scene.world.setSettings(settings);
+        scene.load();
+        scene.physics.apply(scene.world.applyEdits({}), scene.world);
+        edits = {ImpulseEdit{scene.handle(1), scene.center(1), {0.0, 0.0, 0.0}}};  // dynamic bodies of a level start asleep
+    }
+    void run(double seconds) {
+        for (int i = 0; i < int(seconds * 60.0); ++i) {
+            const FrameChanges changes = scene.world.applyEdits(edits);
+            cracks += changes.cracks.size();
+            scene.physics.apply(changes, scene.world);
+            scene.step();
+            edits = scene.world.damageFrom(scene.physics.impacts());
+            ASSERT_TRUE(scene.world.ledger().balances()) << i;
+        }
+    }
+    size_t bodies() const {
+        size_t count = 0;
+        scene.world.bodies().forEach([&](BodyHandle, const Body& body) { count += !body.isStatic; });
+        return count;
+    }
+    PhysicsScene scene;
+    Edits edits;
+    size_t cracks = 0;
+};
+
+TEST(Landing, AFelledTowerBreaksIntoPieces) {
+    Felled tower(true);
+    tower.run(4.0);
+    EXPECT_GE(tower.bodies(), 5u);
+    EXPECT_GT(tower.scene.world.ledger().inPieces + tower.scene.world.ledger().removed, 0u);
+    // What stays in pieces is most of it: cracks take little.
+    EXPECT_LT(tower.scene.world.ledger().removed, 60u * 144u / 4u);
+}
+
+TEST(Landing, WithoutLoadItStaysWhole) {
+    Felled tower(false);
+    tower.run(4.0);
+    EXPECT_EQ(tower.bodies(), 1u);
+    EXPECT_EQ(tower.cracks, 0u);
+}
+
+TEST(Landing, ItBreaksTheSameEveryTime) {
+    Felled first(true), second(true);
+    first.run(3.0);
+    second.run(3.0);
+    EXPECT_EQ(first.scene.world.hash(), second.scene.world.hash());
+}
+
+}  // namespace
+}  // namespace rubble

@@ -1,0 +1,68 @@
+#pragma once
+#include "runtime/world/world.h"
+
+namespace rubble::test {
+
+inline constexpr double kConcretePull = 2400.0 * 9.81;  ///< N/m3
+inline constexpr double kConcreteTension = 2.6e6, kConcretePressure = 25e6;
+
+/// Boxes of concrete (entry 1) and of metal that never breaks (entry 2) on one static body, some of them anchored.
+struct Structure {
+    VoxelGrid grid;
+    std::vector<CellBox> anchors;
+    double voxelSize = 0.1;
+
+    explicit Structure(glm::ivec3 size) : grid(size) {}
+    void fill(CellBox box, uint8_t entry = 1) {
+        GridWriter writer(grid);
+        for (int z = box.low.z; z < box.high.z; ++z)
+            for (int y = box.low.y; y < box.high.y; ++y)
+                for (int x = box.low.x; x < box.high.x; ++x) writer.set({x, y, z}, entry);
+    }
+    void anchor(CellBox box, uint8_t entry = 1) {
+        fill(box, entry);
+        anchors.push_back(box);
+    }
+    Level level(const char* material = "concrete", bool isStatic = true) const {
+        Level out;
+        Palette palette{};
+        palette[1].material = out.materials.find(material);
+        palette[2].material = out.materials.find("heavy metal");
+        LevelShape shape{.name = "structure", .voxelSize = float(voxelSize), .grid = grid, .palette = std::make_shared<const Palette>(palette)};
+        shape.anchors = anchors;
+        LevelBody body{.name = "structure", .isStatic = isStatic};
+        body.shapes.push_back(std::move(shape));
+        out.bodies.push_back(std::move(body));
+        return out;
+    }
+};
+
+/// What becomes of a structure within some steps.
+struct Outcome {
+    std::vector<CrackOpened> cracks;
+    size_t pieces = 0;
+    bool isBroken() const { return !cracks.empty(); }
+};
+
+inline WorldSettings loadOn(double strengthScale) {
+    WorldSettings settings;
+    settings.load.on = true;
+    settings.load.strengthScale = strengthScale;
+    return settings;
+}
+
+inline void step(World& world, Outcome& out, const Edits& edits = {}) {
+    const FrameChanges changes = world.applyEdits(edits);
+    out.cracks.insert(out.cracks.end(), changes.cracks.begin(), changes.cracks.end());
+    out.pieces += changes.shapesCreated.size();
+}
+
+inline Outcome stand(World& world, const Level& level, double strengthScale, int steps) {
+    Outcome out;
+    world.setSettings(loadOn(strengthScale));
+    world.load(level);
+    for (int i = 0; i < steps; ++i) step(world, out);
+    return out;
+}
+
+}  // namespace rubble::test
