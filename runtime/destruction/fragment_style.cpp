@@ -14,7 +14,7 @@ constexpr auto kStyles = std::to_array<FragmentStyle>({
     {"chunk", Cells, 450, 1, 90, 128, 255, false, 1.0},
     {"bond", Bond, 300, 1, 40, 120, 255, false, 0.8},
     {"splinter", Cells, 200, 5, 110, 60, 255, false, 0.6},
-    {"pane", Cells, 350, 1, 20, 30, 255, true, 0.03},
+    {"pane", Cells, 600, 1, 20, 30, 255, true, 0.03},
     {"tear", Cells, 600, 2, 30, 40, 150, false, 4.0},
     {"crumble", Cells, 250, 1, 160, 190, 255, false, 0.4},
 });

@@ -76,6 +76,7 @@ private:
     }
     int grainOf(const Group& group) const;
     uint64_t labelOf(size_t group, glm::ivec3 cell, bool isNear) const;
+    bool isOnCrack(size_t group, glm::ivec3 cell, bool isNear, uint64_t label) const;
 
     int64_t distance2(glm::ivec3 cell) const {
         int64_t sum = 0;
@@ -222,6 +223,17 @@ uint64_t Breaker::labelOf(size_t g, glm::ivec3 cell, bool isNear) const {
     return uint64_t(g) << 55 | uint64_t(isNear) << 54 | bits(best.x) << 36 | bits(best.y) << 18 | bits(best.z);
 }
 
+/// Next to another fragment of its pane: were they to touch, they would stand wedged in the frame.
+bool Breaker::isOnCrack(size_t g, glm::ivec3 cell, bool isNear, uint64_t label) const {
+    for (int a = 0; a < 3; ++a) {
+        glm::ivec3 next = cell;
+        ++next[a];
+        const uint8_t entry = m_grid.at(next);
+        if (entry && m_groupOf[entry] == g && labelOf(g, next, isNear) != label) return true;
+    }
+    return false;
+}
+
 /// Dust or a fragment for each voxel of a brick's share of the zone.
 void Breaker::shareOut(const BrickShare& share) {
     const Brick& brick = *m_grid.brickAt(share.brick);
@@ -238,7 +250,12 @@ void Breaker::shareOut(const BrickShare& share) {
             dust[size_t(i >> 6)] |= bit;
             return;
         }
-        const uint64_t label = labelOf(g, cell, away2 * 4 < group.reach2);
+        const bool isNear = away2 * 4 < group.reach2;
+        const uint64_t label = labelOf(g, cell, isNear);
+        if (group.style->wholePane && isOnCrack(g, cell, isNear, label)) {
+            dust[size_t(i >> 6)] |= bit;
+            return;
+        }
         if (label != lastLabel) {
             cluster = m_clusterOf.try_emplace(label, uint32_t(m_clusters.size())).first->second;
             if (cluster == m_clusters.size()) m_clusters.push_back({g, 0, {}});

@@ -8,12 +8,15 @@ namespace rubble {
 namespace {
 
 constexpr double kSeen = 60.0;      ///< metres below which ground is looked for
+constexpr int kThings = 12;         ///< how many loose ones may lie over each other there
+constexpr double kThing = 0.15;     ///< metres: how thick each is at least
 constexpr double kSameFloor = 0.4;  ///< metres: events this near share one look
 constexpr int kFlamesAStep = 30;    ///< of all fires together
 constexpr int kSmokeAStep = 4;
 constexpr int kEmbersAStep = 5;
 constexpr float kBlaze = 90.0f;      ///< fires from which on flames are as tall as they get
 constexpr double kImpactPuff = 400;  ///< N s from which a hit raises dust
+constexpr double kLevel = 0.5;       ///< of a normal: dust lies on what is more level than that
 
 /// What a material throws up for each voxel: how much of it hangs in the air, and what flies.
 struct Throws {
@@ -22,7 +25,7 @@ struct Throws {
     float solids = 0.5f;  ///< a voxel, before the budget
 };
 Throws throwsOf(const Material& material) {
-    if (material.fragments == "pane") return {0.10f, ParticleKind::Glint, 1.6f};
+    if (material.fragments == "pane") return {0.03f, ParticleKind::Glint, 1.6f};
     if (material.fragments == "tear") return {0.12f, ParticleKind::Spark, 0.9f};
     if (material.fragments == "splinter") return {0.40f, ParticleKind::Crumb, 0.9f};
     if (material.fragments == "crumble") return {1.0f, ParticleKind::Crumb, 0.5f};
@@ -55,8 +58,19 @@ void Particles::add(const Particle& particle) {
 double Particles::floorBelow(glm::dvec3 position, const World& world) {
     if (glm::distance(position, m_floorAsked) < kSameFloor) return m_floorFound;
     m_floorAsked = position;
-    const WorldHit hit = world.raycast(position, {0, -1, 0}, kSeen);
-    return m_floorFound = hit.hit ? hit.position.y : position.y - kSeen;
+    m_floorFound = position.y - kSeen;
+    // What moves is no floor: it will have gone on by the time that something lands.
+    glm::dvec3 from = position;
+    for (int i = 0; i < kThings; ++i) {
+        const WorldHit hit = world.raycast(from, {0, -1, 0}, kSeen);
+        if (!hit.hit) break;
+        if (world.bodies().at(world.shapes().at(hit.shape).body).isStatic) {
+            m_floorFound = hit.position.y;
+            break;
+        }
+        from.y = hit.position.y - kThing;
+    }
+    return m_floorFound;
 }
 
 void Particles::addDust(const DustCloud& cloud, const World& world) {
@@ -79,7 +93,8 @@ void Particles::addDust(const DustCloud& cloud, const World& world) {
         p.seed = m_random.next();
         add(p);
     }
-    const int solids = share(std::min(voxels * double(throws.solids), 4.0 + 2.2 * std::sqrt(voxels)) * 0.8);
+    const double most = throws.solid == ParticleKind::Glint ? 9.0 * std::sqrt(voxels) : 4.0 + 2.2 * std::sqrt(voxels);
+    const int solids = share(std::min(voxels * double(throws.solids), most) * 0.8);
     for (int i = 0; i < solids; ++i) {
         const glm::vec3 way = anyDirection();
         const bool spark = throws.solid == ParticleKind::Spark && m_random.below(3) != 0;
@@ -87,7 +102,7 @@ void Particles::addDust(const DustCloud& cloud, const World& world) {
         p.position = cloud.position + glm::dvec3(way) * (spread * double(m_random.unit()));
         p.velocity = cloud.velocity + way * between(0.6f, spark ? 7.0f : 3.6f) + glm::vec3(0.0f, between(0.2f, 2.2f), 0.0f);
         p.color = spark ? glm::vec3(1.0f, 0.62f, 0.22f) : color * between(0.8f, 1.2f);
-        p.radius = spark ? 0.012f : between(0.014f, 0.042f);
+        p.radius = spark ? 0.012f : p.kind == ParticleKind::Glint ? between(0.02f, 0.05f) : between(0.014f, 0.042f);
         p.growth = 0.0f;
         p.opacity = 1.0f;
         p.life = spark ? between(0.25f, 0.8f) : between(1.2f, 4.0f);
@@ -122,7 +137,7 @@ void Particles::addBlast(const Blast& blast, const World& world) {
 }
 
 void Particles::addImpact(const Impact& impact, const World& world) {
-    if (!(impact.impulse > kImpactPuff)) return;
+    if (!(impact.impulse > kImpactPuff) || std::abs(impact.normal.y) < kLevel) return;
     const double floor = floorBelow(impact.position + glm::dvec3(0, 0.3, 0), world);
     const double strength = std::min(std::sqrt(impact.impulse / 4000.0), 3.0);
     for (int i = share(1.0 + 2.0 * strength); i > 0; --i) {

@@ -77,6 +77,7 @@ void Particles::step(const FrameChanges& changes, std::span<const Impact> impact
     if (changes.levelReplaced) clear();
     for (Particle& particle : m_alive) move(particle);
     std::erase_if(m_alive, [](const Particle& particle) { return particle.age >= particle.life; });
+    m_floorAsked = glm::dvec3(1e30);  // the world is another one than a step ago
     for (const Blast& blast : changes.blasts) addBlast(blast, world);
     for (const DustCloud& cloud : changes.dust) addDust(cloud, world);
     for (const Impact& impact : impacts) addImpact(impact, world);

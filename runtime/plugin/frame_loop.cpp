@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "runtime/core/log.h"
+#include "runtime/world/break_through.h"
 
 namespace rubble {
 
@@ -84,6 +85,7 @@ void FrameLoop::stepWith(Edits hostEdits) {
     {
         const ScopedTimer timer(m_times[Stage::Impacts]);
         m_pending = m_world.damageFrom(m_physics.impacts());  // lands next step: no stage runs twice
+        addBreakThrough(m_world, m_physics.impacts(), m_pending);
     }
     {
         const ScopedTimer timer(m_times[Stage::Shadow]);

@@ -1,0 +1,58 @@
+#include "runtime/world/break_through.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/runtime/world/worlds.h"
+
+namespace rubble {
+namespace {
+
+/// A block of steel has hit a fixed sheet of a material from the side of +z with 5,000 N s.
+struct Throw {
+    explicit Throw(const char* sheet) {
+        auto palette = std::make_shared<Palette>();
+        (*palette)[1].material = defaultMaterials().find("heavy metal");
+        (*palette)[2].material = defaultMaterials().find(sheet);
+        Level level;
+        const auto add = [&](VoxelGrid grid, glm::dvec3 corner, bool isStatic) {
+            LevelBody body{.name = "body", .pose = {corner}, .isStatic = isStatic};
+            body.shapes.push_back({.name = "shape", .grid = std::move(grid), .palette = palette});
+            level.bodies.push_back(std::move(body));
+        };
+        add(test::solidGrid({4, 4, 4}, 1), {0.8, 0.8, 0.1}, false);
+        add(test::solidGrid({20, 20, 1}, 2), {0, 0, 0}, true);
+        world.load(level);
+        world.bodies().forEach([&](BodyHandle handle, const Body& body) { (body.isStatic ? wall : block) = handle; });
+    }
+    Edits damage(Impact impact) const {
+        Edits edits = world.damageFrom({&impact, 1});
+        addBreakThrough(world, {&impact, 1}, edits);
+        return edits;
+    }
+    World world;
+    BodyHandle block, wall;
+};
+
+TEST(BreakThrough, APaneStopsOnlyWhatItCanBear) {
+    const Throw thrown("glass");
+    // Physics may list the two bodies either way round; its normal is the way in which it pushed the first.
+    for (const bool blockFirst : {true, false}) {
+        Impact impact{thrown.block, thrown.wall, {1, 1, 0.1}, {0, 0, 1}, 5000.0};
+        if (!blockFirst) impact = {thrown.wall, thrown.block, {1, 1, 0.1}, {0, 0, -1}, 5000.0};
+        const Edits edits = thrown.damage(impact);
+        ASSERT_EQ(edits.size(), 2u);
+        const auto& given = std::get<ImpulseEdit>(edits.back());
+        EXPECT_EQ(given.body, thrown.block);
+        EXPECT_LT(given.impulse.z, -4900.0) << "nearly all of it, and on through the pane";
+        EXPECT_GT(given.impulse.z, -5000.0);
+    }
+}
+
+TEST(BreakThrough, AWallStopsAllOfIt) {
+    const Throw thrown("brick");
+    for (const Edit& edit : thrown.damage({thrown.block, thrown.wall, {1, 1, 0.1}, {0, 0, 1}, 5000.0}))
+        EXPECT_FALSE(std::holds_alternative<ImpulseEdit>(edit));
+}
+
+}  // namespace
+}  // namespace rubble
