@@ -132,19 +132,28 @@ Table debrisTradeoff(const Options& options) {
                 {}};
     const Run reference = simulate({"reference", 1, 10'000, kNever}, options.seed, true);
     std::vector<Series> plot;
+    double keepAll = 0.0, least = 1e30, dropped = 0.0;
     for (const Setting& setting : settingsOf(options.full)) {
         const Run seen = simulate(setting, options.seed, true);
-        const Measured ms = measure(options.repeats(), [&] { return simulate(setting, options.seed, false).stepMs; });
+        const Measured ms = measure(options.repeats, [&] { return simulate(setting, options.seed, false).stepMs; });
         const double rms = difference(seen.picture, reference.picture);
         table.add({setting.axis, std::to_string(setting.smallest), std::to_string(setting.bodies),
                    setting.settleSteps == kNever ? "never" : std::to_string(setting.settleSteps), ms.text(), std::to_string(seen.pieces),
                    fmt::format("{:.1f}", seen.massLost - reference.massLost), fmt::format("{:.1f}", seen.momentumLost - reference.momentumLost),
                    fmt::format("{:.2f}", rms)});
+        if (keepAll == 0.0) keepAll = ms.median;  // the reference comes first
+        if (ms.median < least) least = ms.median, dropped = seen.massLost - reference.massLost;
         auto series = std::find_if(plot.begin(), plot.end(), [&](const Series& s) { return s.name == setting.axis; });
         if (series == plot.end()) series = plot.insert(plot.end(), {setting.axis, {}});
         series->points.emplace_back(ms.median, seen.massLost - reference.massLost);
     }
-    writePlot(options, "T4", "Debris: cost against mass dropped", "ms a step", "kg dropped", plot);
+    table.bottomLine = fmt::format(
+        "Keeping all takes {:.2f} ms a step; the cheapest setting {:.2f} ms, for {:.0f} kg of debris turned to dust. Pieces fall chaotically: any "
+        "change "
+        "moves the picture by much the same.",
+        keepAll, least, dropped);
+    writePlot(options, "T4", "Debris: what a step costs against what is turned to dust to save it", "ms a step",
+              "kg turned to dust, over keeping all", plot);
     return table;
 }
 

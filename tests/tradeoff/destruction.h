@@ -12,7 +12,8 @@ Table connectivityTradeoff(const Options& options);
 Table featureTradeoff(const Options& options);
 /// Pushed until they fail, in two dimensions.
 Table piecesMap(const Options& options);
-Table brushMap(const Options& options);
-Table beamMap(const Options& options);
+Table splitMap(const Options& options);
+Table fragmentMap(const Options& options);
+Table loadMap(const Options& options);
 
 }  // namespace rubble::tradeoff

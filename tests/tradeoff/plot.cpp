@@ -10,24 +10,34 @@
 namespace rubble::tradeoff {
 namespace {
 
-constexpr double kWidth = 640, kHeight = 400, kLeft = 76, kRight = 150, kTop = 44, kBottom = 56;
+constexpr double kWidth = 820, kHeight = 440, kLeft = 130, kRight = 170, kTop = 44, kBottom = 56;
 constexpr const char* kColors[] = {"#2f5d8a", "#b23a2e", "#4e7a36", "#c9a227", "#6b4c8a", "#3c7271"};
 
-/// An axis over the values, logarithmic where they span more than a factor of 50 and none is zero.
+/// An axis over the values with ticks at round numbers; logarithmic, by decades, where they span more than a factor of 50 and
+/// none is zero or less.
 struct Axis {
     double low = 0.0, high = 1.0, from = 0.0, to = 1.0;
     bool logarithmic = false;
-    void fit(const std::vector<double>& values, double fromPixel, double toPixel) {
+    std::vector<double> ticks;
+    void fit(const std::vector<double>& values, double fromPixel, double toPixel, bool mayBeLogarithmic = true) {
         low = *std::min_element(values.begin(), values.end());
         high = *std::max_element(values.begin(), values.end());
-        logarithmic = low > 0.0 && high > 50.0 * low;
-        if (!logarithmic) low = std::min(low, 0.0);
-        if (high <= low) high = low + 1.0;
         from = fromPixel, to = toPixel;
+        logarithmic = mayBeLogarithmic && low > 0.0 && high > 50.0 * low;
+        if (logarithmic) {
+            low = std::pow(10.0, std::floor(std::log10(low) + 1e-9)), high = std::pow(10.0, std::ceil(std::log10(high) - 1e-9));
+            for (double tick = low; tick <= high * 1.001; tick *= 10.0) ticks.push_back(tick);
+            return;
+        }
+        low = std::min(low, 0.0);
+        if (high <= low) high = low + 1.0;
+        const double rough = (high - low) / 5.0, decade = std::pow(10.0, std::floor(std::log10(rough)));
+        const double step = decade * (rough > 5 * decade ? 10 : rough > 2 * decade ? 5 : rough > decade ? 2 : 1);
+        low = std::floor(low / step) * step, high = std::ceil(high / step - 1e-9) * step;
+        for (int i = 0; low + i * step <= high + 0.001 * step; ++i) ticks.push_back(low + i * step);
     }
     double shareOf(double v) const { return logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low); }
     double at(double v) const { return from + (to - from) * shareOf(v); }
-    double tick(int i) const { return logarithmic ? low * std::pow(high / low, i / 4.0) : low + (high - low) * i / 4.0; }
 };
 
 std::string text(double x, double y, const std::string& words, const char* anchor = "middle", double turn = 0.0) {
@@ -48,6 +58,23 @@ std::string frame(const Options& options, const std::string& title, const std::s
     return out;
 }
 
+std::string grid(const Axis& axis, bool isUpright) {
+    std::string out;
+    for (const double tick : axis.ticks) {
+        const double at = axis.at(tick);
+        out += isUpright ? fmt::format("<path d=\"M{} {:.1f}H{}\" stroke=\"#ddd\"/>\n", kLeft, at, kWidth - kRight)
+                         : fmt::format("<path d=\"M{:.1f} {}V{}\" stroke=\"#ddd\"/>\n", at, kTop, kHeight - kBottom);
+        const std::string number = fmt::format("{:.4g}", std::abs(tick) < 1e-12 ? 0.0 : tick);
+        out += isUpright ? text(kLeft - 6, at + 4, number, "end") : text(at, kHeight - kBottom + 14, number);
+    }
+    return out;
+}
+
+std::string legend(size_t line, const std::string& name, const char* color) {
+    const double x = kWidth - kRight + 14, y = kTop + 16 * double(line);
+    return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"10\" fill=\"{}\"/>\n", x, y, color) + text(x + 16, y + 9, name, "start");
+}
+
 bool write(const Options& options, const std::string& name, const std::string& svg) {
     std::ofstream file(options.out + "/" + name + ".svg");
     file << svg << "</svg>\n";
@@ -66,13 +93,7 @@ bool writePlot(const Options& options, const std::string& name, const std::strin
     xAxis.fit(xs, kLeft, kWidth - kRight);
     yAxis.fit(ys, kHeight - kBottom, kTop);
     std::string svg = frame(options, title, xLabel, yLabel);
-    for (int i = 0; i <= 4; ++i) {
-        const double x = xAxis.at(xAxis.tick(i)), y = yAxis.at(yAxis.tick(i));
-        svg +=
-            fmt::format("<path d=\"M{0:.1f} {1}V{2} M{3} {4:.1f}H{5}\" stroke=\"#ddd\"/>\n", x, kTop, kHeight - kBottom, kLeft, y, kWidth - kRight);
-        svg += text(x, kHeight - kBottom + 14, fmt::format("{:.3g}", xAxis.tick(i))) +
-               text(kLeft - 6, y + 4, fmt::format("{:.3g}", yAxis.tick(i)), "end");
-    }
+    svg += grid(xAxis, false) + grid(yAxis, true);
     for (size_t s = 0; s < series.size(); ++s) {
         const char* color = kColors[s % std::size(kColors)];
         std::string path;
@@ -81,21 +102,45 @@ bool writePlot(const Options& options, const std::string& name, const std::strin
             svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n", xAxis.at(x), yAxis.at(y), color);
         }
         svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>\n", path, color);
-        const double y = kTop + 10 + 16 * double(s);
-        svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"10\" fill=\"{}\"/>\n", kWidth - kRight + 14, y - 9, color);
-        svg += text(kWidth - kRight + 30, y, series[s].name, "start");
+        svg += legend(s, series[s].name, color);
     }
     return write(options, name, svg);
 }
 
+bool writeBars(const Options& options, const std::string& name, const std::string& title, const std::string& yLabel, const std::vector<Bar>& bars) {
+    std::vector<std::string> groups, names;
+    std::vector<double> tops;
+    for (const Bar& bar : bars) {
+        if (std::find(groups.begin(), groups.end(), bar.group) == groups.end()) groups.push_back(bar.group);
+        if (std::find(names.begin(), names.end(), bar.name) == names.end()) names.push_back(bar.name);
+        tops.push_back(bar.value.high);
+    }
+    Axis axis;
+    axis.fit(tops, kHeight - kBottom, kTop, false);
+    std::string svg = frame(options, title, "", yLabel) + grid(axis, true);
+    const double slot = (kWidth - kRight - kLeft) / double(groups.size()), width = 0.8 * slot / double(names.size());
+    for (const Bar& bar : bars) {
+        const auto group = std::find(groups.begin(), groups.end(), bar.group) - groups.begin(),
+                   one = std::find(names.begin(), names.end(), bar.name) - names.begin();
+        const double x = kLeft + slot * (double(group) + 0.1) + width * double(one), y = axis.at(bar.value.median);
+        svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>\n", x, y, width - 1,
+                           kHeight - kBottom - y, kColors[size_t(one) % std::size(kColors)]);
+        svg +=
+            fmt::format("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"#222\"/>\n", x + width / 2, axis.at(bar.value.low), axis.at(bar.value.high));
+    }
+    for (size_t i = 0; i < groups.size(); ++i) svg += text(kLeft + slot * (double(i) + 0.5), kHeight - kBottom + 14, groups[i]);
+    for (size_t i = 0; i < names.size(); ++i) svg += legend(i, names[i], kColors[i % std::size(kColors)]);
+    return write(options, name, svg);
+}
+
 const char* nameOf(Outcome outcome) {
-    static constexpr const char* kNames[] = {"stable", "degraded", "refused"};
+    static constexpr const char* kNames[] = {"stable", "degraded", "failed", "refused"};
     return kNames[size_t(outcome)];
 }
 
 bool writeMap(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel, const std::string& yLabel,
-              const std::vector<MapCell>& cells) {
-    static constexpr const char* kFill[] = {"#9dbf8a", "#e3c766", "#c9685c"};
+              const std::vector<MapCell>& cells, const Meanings& meanings) {
+    static constexpr const char* kFill[] = {"#9dbf8a", "#e3c766", "#c9685c", "#c4c4c4"};
     std::vector<std::string> xs, ys;
     for (const MapCell& cell : cells) {
         if (std::find(xs.begin(), xs.end(), cell.x) == xs.end()) xs.push_back(cell.x);
@@ -108,14 +153,15 @@ bool writeMap(const Options& options, const std::string& name, const std::string
         const double y = kHeight - kBottom - h * double(std::find(ys.begin(), ys.end(), cell.y) - ys.begin() + 1);
         svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" stroke=\"white\"/>\n", x, y, w, h,
                            kFill[size_t(cell.outcome)]);
-        svg += text(x + w / 2, y + h / 2 + 4, cell.text);
+        const size_t end = std::min(cell.text.find('\n'), cell.text.size());
+        const bool hasTwoLines = end < cell.text.size();
+        svg += text(x + w / 2, y + h / 2 + (hasTwoLines ? -3 : 4), cell.text.substr(0, end));
+        if (hasTwoLines) svg += text(x + w / 2, y + h / 2 + 11, cell.text.substr(end + 1));
     }
     for (size_t i = 0; i < xs.size(); ++i) svg += text(kLeft + w * (double(i) + 0.5), kHeight - kBottom + 14, xs[i]);
     for (size_t i = 0; i < ys.size(); ++i) svg += text(kLeft - 6, kHeight - kBottom - h * (double(i) + 0.5) + 4, ys[i], "end");
-    for (int i = 0; i < 3; ++i) {
-        svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"10\" fill=\"{}\"/>\n", kWidth - kRight + 14, kTop + 16 * i, kFill[i]);
-        svg += text(kWidth - kRight + 30, kTop + 9 + 16 * i, nameOf(Outcome(i)), "start");
-    }
+    for (size_t i = 0; i < meanings.size(); ++i)
+        if (meanings[i]) svg += legend(i, meanings[i], kFill[i]);
     return write(options, name, svg);
 }
 

@@ -51,13 +51,14 @@ std::string stamp(const Options& options) {
     const std::string load = outputOf("cut -d' ' -f1 /proc/loadavg");
     return fmt::format("machine: {}, {} processors, load {}; commit: {}; seed: {}; {} of {} runs", cpu.empty() ? "unknown" : cpu,
                        std::thread::hardware_concurrency(), load, commit.empty() ? "unknown" : commit, options.seed, "medians (spread)",
-                       options.repeats());
+                       options.repeats);
 }
 
 bool writeCsv(const Options& options, const Table& table) {
     std::ofstream file(options.out + "/" + table.name + ".csv");
     file << "# " << stamp(options) << "\n" << joined(table.columns, ",") << "\n";
     for (const auto& row : table.rows) file << joined(row, ",") << "\n";
+    if (!table.bottomLine.empty()) file << "# " << (table.failed ? "FAILED: " : "") << table.bottomLine << "\n";
     return bool(file.flush());
 }
 
@@ -66,6 +67,8 @@ std::string markdown(const Table& table) {
     for (size_t i = 0; i < table.columns.size(); ++i) out += " --- |";
     out += "\n";
     for (const auto& row : table.rows) out += "| " + joined(row, " | ") + " |\n";
+    if (!table.note.empty()) out += "\n" + table.note + "\n";
+    if (!table.bottomLine.empty()) out += fmt::format("\n{}**{}**\n", table.failed ? "FAILED: " : "", table.bottomLine);
     return out + "\n";
 }
 

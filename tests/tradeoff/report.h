@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -10,8 +11,8 @@ namespace rubble::tradeoff {
 struct Options {
     std::string out = "out/tradeoff";
     uint64_t seed = 1;
+    int repeats = 5;
     bool full = false;  ///< every combination; else a cut through them that takes under a minute
-    int repeats() const { return full ? 5 : 3; }
 };
 
 /// Repeated measurement of one thing.
@@ -28,6 +29,9 @@ struct Table {
     std::string title;  ///< a sentence
     std::vector<std::string> columns;
     std::vector<std::vector<std::string>> rows;
+    std::string note = {};        ///< what the words in it mean
+    std::string bottomLine = {};  ///< what it comes down to, from its figures
+    bool failed = false;          ///< something that was promised is not so; the bottom line says what
     void add(std::vector<std::string> row) { rows.push_back(std::move(row)); }
 };
 
@@ -45,15 +49,23 @@ struct Series {
 bool writePlot(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel, const std::string& yLabel,
                const std::vector<Series>& series);
 
+/// A bar with its spread; bars of one group stand side by side.
+struct Bar {
+    std::string group, name;
+    Measured value;
+};
+bool writeBars(const Options& options, const std::string& name, const std::string& title, const std::string& yLabel, const std::vector<Bar>& bars);
+
 /// How a point of an extreme map came out.
-enum class Outcome { Stable, Degraded, Refused };
+enum class Outcome { Stable, Degraded, Failed, Refused };
 const char* nameOf(Outcome outcome);
 struct MapCell {
     std::string x, y;
     Outcome outcome;
-    std::string text;  ///< the figure behind it
+    std::string text;  ///< the figure behind it, in one or two lines
 };
+using Meanings = std::array<const char*, 4>;  ///< of the outcomes, in words for the legend; null: it does not occur
 bool writeMap(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel, const std::string& yLabel,
-              const std::vector<MapCell>& cells);
+              const std::vector<MapCell>& cells, const Meanings& meanings);
 
 }  // namespace rubble::tradeoff
