@@ -78,10 +78,12 @@ void LoadAnalysis::strike(const LoadBlow& blow) {
 }
 
 int64_t LoadAnalysis::stepWork() const {
+    const auto solverWork = [&] { return (m_inverse.applyWork() + int64_t(m_inverse.stiffness().block.size() + 2 * m_nodeOf.size())) * 3 / 4; };
     switch (m_phase) {
-        case Phase::Start:
+        case Phase::Start:  // it has to fetch what an iteration finds in the cache
+            return 2 * solverWork();
         case Phase::Iterate:
-            return m_inverse.applyWork() + int64_t(m_inverse.stiffness().block.size() + 2 * m_nodeOf.size());
+            return solverWork();
         default:
             return 1;
     }
@@ -89,7 +91,8 @@ int64_t LoadAnalysis::stepWork() const {
 
 void LoadAnalysis::run(const LoadedShape& shape, int64_t& work, size_t maxCracks, std::vector<LoadCrack>& cracks) {
     cracks.clear();
-    work += std::exchange(m_saved, 0);
+    // What was put by is for the step that waits, no more: no run does much more than it has.
+    work = std::min(work + std::exchange(m_saved, 0), std::max(work, stepWork()));
     while (!isIdle() && work > 0) {
         const int64_t cost = stepWork();
         if (work < cost) {  // a step of the solver is not cut in two: it waits until it is paid for

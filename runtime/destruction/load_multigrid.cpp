@@ -43,16 +43,17 @@ bool LoadMultigrid::setUp(int64_t& work) {
 void LoadMultigrid::stepRow(int64_t& work) {
     Level& level = m_levels.back();
     const size_t rows = m_phase == Phase::Coarse ? level.aggregates : level.a.rows();
-    constexpr int64_t kBlockProduct = 10;
+    constexpr int64_t kBlockProduct = 12, kBlockInverse = 40, kBlockCopy = 4;
     switch (m_phase) {
         case Phase::Diagonal:
             level.inverse.push_back(inverted(level.a.diagonal(m_row)));
-            work -= kBlockProduct;
-            if (++m_row == rows) nextLevel();
+            work -= kBlockInverse;
+            if (++m_row == rows) work -= nextLevel();
             return;
         case Phase::Aggregate:
             aggregate(level);
-            work -= int64_t(rows);
+            work -= int64_t(rows + level.a.block.size());
+            level.p.block.reserve(level.a.block.size());
             enter(Phase::Prolongation);
             return;
         case Phase::Prolongation:
@@ -60,12 +61,15 @@ void LoadMultigrid::stepRow(int64_t& work) {
             work -= kBlockProduct * int64_t(2 * (level.a.start[m_row + 1] - level.a.start[m_row]));
             if (++m_row < rows) return;
             level.restriction = transposed(level.p, level.aggregates);
-            work -= int64_t(level.p.block.size());
+            work -= kBlockCopy * int64_t(level.p.block.size());
+            level.ap.block.reserve(2 * level.a.block.size());
             enter(Phase::Product);
             return;
         case Phase::Product:
             work -= kBlockProduct * int64_t(appendProductRow(level.ap, level.a, level.p, m_row));
-            if (++m_row == rows) enter(Phase::Coarse);
+            if (++m_row < rows) return;
+            m_coarse.block.reserve(level.p.block.size());
+            enter(Phase::Coarse);
             return;
         case Phase::Coarse:
             work -= kBlockProduct * int64_t(appendProductRow(m_coarse, level.restriction, level.ap, m_row));
@@ -84,8 +88,8 @@ void LoadMultigrid::stepRow(int64_t& work) {
     }
 }
 
-/// The diagonal is there: coarsen further, or end here.
-void LoadMultigrid::nextLevel() {
+/// The diagonal is there: coarsen further, or end here. Returns the work.
+int64_t LoadMultigrid::nextLevel() {
     Level& level = m_levels.back();
     const size_t rows = level.a.rows();
     level.x.resize(rows), level.r.resize(rows), level.rest.resize(rows);
@@ -93,10 +97,11 @@ void LoadMultigrid::nextLevel() {
     if (rows > kDenseNodes) {
         const bool hasStalled = m_levels.size() > 1 && rows * 10 > m_levels[m_levels.size() - 2].a.rows() * 9;
         enter(hasStalled ? Phase::Done : Phase::Aggregate);
-        return;
+        return int64_t(rows);
     }
     factor(level.a);
     enter(Phase::Done);
+    return int64_t(rows * rows * rows);  // (6 n)^3 / 6 steps of a block's 36
 }
 
 void LoadMultigrid::aggregate(Level& level) {

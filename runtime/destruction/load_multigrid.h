@@ -35,7 +35,7 @@ private:
     void stepRow(int64_t& work);
     void aggregate(Level& level);
     void appendProlongationRow(Level& level, size_t row);
-    void nextLevel();
+    int64_t nextLevel();
     void factor(const BlockMatrix& a);
     void solveCoarsest(const std::vector<Vector6>& r, std::vector<Vector6>& x) const;
     void cycle(size_t level);
