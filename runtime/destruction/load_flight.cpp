@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <climits>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -14,7 +17,7 @@ namespace {
 
 constexpr int kShortest = 12;       ///< cells: along shorter axes a body does not bend
 constexpr int kMostParts = 6;       ///< of one blow
-constexpr double kStockiest = 0.6;  ///< length of a part over the root of the area that it broke at: shorter ones are left whole
+constexpr double kStockiest = 0.8;  ///< length of a part over its width where it broke: shorter ones are left whole
 
 /// Weight and its moments about the grid's corner. Exact below 2^53.
 struct PartSum {
@@ -44,8 +47,19 @@ struct PartSum {
 };
 
 /// Near its end, a body is no beam: it spalls where it is hit, which is not looked at here.
-int shortestPart(double area) {
-    return std::max(kShortest / 2, int(kStockiest * std::sqrt(area)));
+int shortestPart(double width) {
+    return std::max(kShortest / 2, int(kStockiest * width));
+}
+
+double widthOf(const std::vector<Section>& sections) {
+    glm::ivec3 low(INT_MAX), high(INT_MIN);
+    for (const Section& section : sections)
+        for (uint64_t left = section.cells; left; left &= left - 1) {
+            const glm::ivec3 cell = section.cellBelow(std::countr_zero(left));
+            low = glm::min(low, cell), high = glm::max(high, cell + 1);
+        }
+    const glm::dvec3 size(high - low);  // one cell along its normal
+    return std::sqrt(size.x * size.y * size.z);
 }
 
 /// How the whole takes up a blow.
@@ -53,6 +67,26 @@ struct Acceleration {
     glm::dvec3 center{0.0}, linear{0.0}, angular{0.0};
     glm::dvec3 at(glm::dvec3 point) const { return linear + glm::cross(angular, point - center); }
 };
+
+/// solidAt(brick): its cells that carry.
+template <class F>
+std::vector<Section> sectionsThrough(glm::ivec3 size, int axis, int plane, F&& solidAt) {
+    std::vector<Section> out;
+    glm::ivec3 low(0), high = size, above(0);
+    low[axis] = (plane - 1) / kBrickSize, high[axis] = low[axis] + 1;
+    const int inBrick = plane - low[axis] * kBrickSize;
+    above[axis] = inBrick == kBrickSize;
+    for (int z = low.z; z < high.z; ++z)
+        for (int y = low.y; y < high.y; ++y)
+            for (int x = low.x; x < high.x; ++x) {
+                const glm::ivec3 brick(x, y, z);
+                const uint64_t below = brickLayer(solidAt(brick), axis, inBrick - 1);
+                const bool hasAbove = brick[axis] + above[axis] < size[axis];
+                const uint64_t cells = below && hasAbove ? below & brickLayer(solidAt(brick + above), axis, inBrick & 7) : 0;
+                if (cells) out.push_back({brick, axis, inBrick, cells});
+            }
+    return out;
+}
 
 class Flight {
 public:
@@ -64,7 +98,7 @@ public:
     std::vector<BodyPlane> planes(int axis) const {
         const int length = m_body.grid.size()[axis];
         std::vector<BodyPlane> out;
-        if (!canMove() || length < kShortest) return out;
+        if (!canMove() || !bendsAlong(axis)) return out;
         PartSum above;
         for (int plane = length - 1; plane > 0; --plane) {
             above += m_layers[size_t(axis)][size_t(plane)];
@@ -73,24 +107,40 @@ public:
         }
         std::reverse(out.begin(), out.end());
         for (BodyPlane& each : out)
-            if (std::min(each.plane + 1 - out.front().plane, out.back().plane + 1 - each.plane) < shortestPart(each.area)) each.share = 0.0;
+            if (std::min(each.plane + 1 - out.front().plane, out.back().plane + 1 - each.plane) < shortestPart(each.width)) each.share = 0.0;
         return out;
     }
 
 private:
     bool canMove() const { return m_all.weight > 0.0; }
+    /// Along its shorter axes a body is no beam.
+    bool bendsAlong(int axis) const {
+        const glm::ivec3 size = m_body.grid.size();
+        return size[axis] >= kShortest && 2 * size[axis] >= std::max({size.x, size.y, size.z});
+    }
+    size_t placeOf(glm::ivec3 brick) const {
+        const glm::ivec3 size = m_body.grid.sizeInBricks();
+        return (size_t(brick.z) * size_t(size.y) + size_t(brick.y)) * size_t(size.x) + size_t(brick.x);
+    }
 
     void sumLayers() {
-        for (int axis = 0; axis < 3; ++axis) m_layers[size_t(axis)].resize(size_t(m_body.grid.size()[axis]));
+        for (int axis = 0; axis < 3; ++axis)
+            if (bendsAlong(axis)) m_layers[size_t(axis)].resize(size_t(m_body.grid.size()[axis]));
+        const glm::ivec3 size = m_body.grid.sizeInBricks();
+        m_solidOf.resize(size_t(size.x) * size_t(size.y) * size_t(size.z));
+        m_solid.emplace_back();
         m_body.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+            m_solidOf[placeOf(position)] = uint32_t(m_solid.size());
+            m_solid.push_back(solidCells(*brick, m_body.entries));
             forEachVoxel(brick->occupancy, [&](int i) {
                 const glm::ivec3 cell = position * kBrickSize + voxelInBrick(i);
                 PartSum voxel;
                 voxel.add(m_body.entries[brick->at(i)].density, glm::dvec3(cell) + 0.5);
-                for (int axis = 0; axis < 3; ++axis) m_layers[size_t(axis)][size_t(cell[axis])] += voxel;
+                for (int axis = 0; axis < 3; ++axis)
+                    if (!m_layers[size_t(axis)].empty()) m_layers[size_t(axis)][size_t(cell[axis])] += voxel;
+                m_all += voxel;
             });
         });
-        for (const PartSum& layer : m_layers[0]) m_all += layer;
         if (!canMove()) return;
         m_moves.center = m_all.center();
         m_moves.linear = m_force / m_all.weight;
@@ -99,7 +149,8 @@ private:
 
     BodyPlane usedPlane(int axis, int plane, const PartSum& above) const {
         BodyPlane out{axis, plane};
-        const std::vector<Section> sections = sectionsOf(m_body.grid, m_body.entries, axis, plane);
+        const std::vector<Section> sections =
+            sectionsThrough(m_body.grid.sizeInBricks(), axis, plane, [&](glm::ivec3 brick) { return m_solid[m_solidOf[placeOf(brick)]]; });
         if (sections.empty()) return out;
         const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
         const auto shapeSeenFrom = [&](const Section& from) {
@@ -108,7 +159,7 @@ private:
             return sectionShape(from, tiles);
         };
         const SectionShape shape = shapeSeenFrom(sections.front());
-        out.area = shape.area;
+        out.width = widthOf(sections);
         const glm::dvec3 center = above.center();
         SectionForce load{-above.weight * m_moves.at(center), glm::dvec3(0.0)};
         load.moment = glm::cross(center - shape.centroid, load.force) - above.inertia() * m_moves.angular;
@@ -133,6 +184,8 @@ private:
     const LoadedShape& m_body;
     glm::dvec3 m_at, m_force;
     std::array<std::vector<PartSum>, 3> m_layers;
+    std::vector<uint32_t> m_solidOf;  ///< by place of the brick: which of these are its cells that carry
+    std::vector<BrickBits> m_solid;   ///< the first: none
     PartSum m_all;
     Acceleration m_moves;
 };
@@ -140,25 +193,10 @@ private:
 }  // namespace
 
 std::vector<Section> sectionsOf(const VoxelGrid& grid, const LoadEntries& entries, int axis, int plane) {
-    glm::ivec3 size = grid.sizeInBricks(), step(0);
-    step[axis] = 1;
-    std::vector<Section> out;
-    const int layer = (plane - 1) / kBrickSize;
-    glm::ivec3 low(0), high = size;
-    low[axis] = layer, high[axis] = layer + 1;
-    for (int z = low.z; z < high.z; ++z)
-        for (int y = low.y; y < high.y; ++y)
-            for (int x = low.x; x < high.x; ++x) {
-                const glm::ivec3 brick(x, y, z);
-                const int inBrick = plane - layer * kBrickSize;
-                const Brick* below = grid.brickAt(brick);
-                const Brick* above = inBrick < kBrickSize ? below : grid.brickAt(brick + step);
-                if (!below || !above) continue;
-                const uint64_t cells =
-                    brickLayer(solidCells(*below, entries), axis, inBrick - 1) & brickLayer(solidCells(*above, entries), axis, inBrick & 7);
-                if (cells) out.push_back({brick, axis, inBrick, cells});
-            }
-    return out;
+    return sectionsThrough(grid.sizeInBricks(), axis, plane, [&](glm::ivec3 at) {
+        const Brick* brick = grid.brickAt(at);
+        return brick ? solidCells(*brick, entries) : BrickBits{};
+    });
 }
 
 std::vector<BodyPlane> breakingPlanes(const LoadedShape& body, const LoadBlow& blow, uint32_t seed) {
@@ -174,7 +212,7 @@ std::vector<BodyPlane> breakingPlanes(const LoadedShape& body, const LoadBlow& b
     }
     if (planes.empty()) return {};
     const int first = planes.front().plane, length = planes.back().plane + 1 - first;
-    const int shortest = shortestPart(worst.area);
+    const int shortest = shortestPart(worst.width);
     const int parts = std::clamp(std::min(int(std::sqrt(worst.share)) + 1, length / shortest), 2, kMostParts);
     std::vector<BodyPlane> out{worst};
     for (int i = 1; i < parts && int(out.size()) + 1 < parts; ++i) {

@@ -8,7 +8,7 @@ struct BodyPlane {
     int axis = 0, plane = 0;
     double share = 0.0;  ///< stress over strength
     LoadFailure cause = LoadFailure::Tension;
-    double area = 0.0;  ///< cell faces
+    double width = 0.0;  ///< cells: the root of the rectangle around its faces
 };
 
 /// What a blow does to a body that nothing holds: each part follows as fast as the whole does, and the plane between two parts
