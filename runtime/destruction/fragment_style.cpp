@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "runtime/voxel/material.h"
+
 namespace rubble {
 namespace {
 
@@ -19,11 +21,18 @@ constexpr auto kStyles = std::to_array<FragmentStyle>({
     {"crumble", Cells, 250, 1, 160, 190, 255, false, 0.4},
 });
 
+/// A hit must be this many times as hard as for soft materials.
+constexpr std::array<double, 3> kClassToughness = {1.0, 2.0, 8.0};
+
 }  // namespace
 
 const FragmentStyle& fragmentStyle(std::string_view name) {
     const auto found = std::find_if(kStyles.begin(), kStyles.end(), [&](const FragmentStyle& style) { return style.name == name; });
     return found == kStyles.end() ? kStyles[1] : *found;
+}
+
+double impactToughness(const Material& material) {
+    return fragmentStyle(material.fragments).toughness * kClassToughness.at(size_t(material.hardness));
 }
 
 }  // namespace rubble

@@ -27,4 +27,8 @@ struct FragmentStyle {
 /// The style of this name; that of "chunk" if there is none.
 const FragmentStyle& fragmentStyle(std::string_view name);
 
+struct Material;
+/// How many times WorldSettings::impactThreshold an impact must be to break a material up to Hardness::Hard.
+double impactToughness(const Material& material);
+
 }  // namespace rubble

@@ -16,6 +16,7 @@ constexpr int kSmokeAStep = 4;
 constexpr int kEmbersAStep = 5;
 constexpr float kBlaze = 90.0f;      ///< fires from which on flames are as tall as they get
 constexpr double kImpactPuff = 400;  ///< N s from which a hit raises dust
+constexpr double kHeaviest = 10.0;   ///< of roots of 4 kN s: beyond it no more dust
 constexpr double kLevel = 0.5;       ///< of a normal: dust lies on what is more level than that
 
 /// What a material throws up for each voxel: how much of it hangs in the air, and what flies.
@@ -139,18 +140,19 @@ void Particles::addBlast(const Blast& blast, const World& world) {
 void Particles::addImpact(const Impact& impact, const World& world) {
     if (!(impact.impulse > kImpactPuff) || std::abs(impact.normal.y) < kLevel) return;
     const double floor = floorBelow(impact.position + glm::dvec3(0, 0.3, 0), world);
-    const double strength = std::min(std::sqrt(impact.impulse / 4000.0), 3.0);
+    const double strength = std::min(std::sqrt(impact.impulse / 4000.0), kHeaviest);
+    const float size = float(strength);
     for (int i = share(1.0 + 2.0 * strength); i > 0; --i) {
         glm::vec3 way = anyDirection();
         way.y = std::abs(way.y) * 0.5f;
         Particle p{ParticleKind::Dust};
-        p.position = impact.position + glm::dvec3(way) * 0.2;
-        p.velocity = way * float(between(0.8f, 2.4f) * strength);
+        p.position = impact.position + glm::dvec3(way) * (0.1 + 0.1 * strength);
+        p.velocity = way * (between(0.8f, 2.4f) * std::min(size, 1.5f + 0.4f * size));
         p.color = glm::vec3(0.36f, 0.33f, 0.29f) * between(0.85f, 1.15f);
-        p.radius = float(0.14 + 0.1 * strength);
-        p.growth = between(0.4f, 0.8f);
+        p.radius = 0.14f + 0.1f * size;
+        p.growth = between(0.4f, 0.8f) * (1.0f + 0.1f * size);
         p.opacity = between(0.3f, 0.5f);
-        p.life = between(1.2f, 2.6f);
+        p.life = between(1.2f, 2.6f) * (1.0f + 0.12f * size);
         p.floor = floor;
         p.seed = m_random.next();
         add(p);

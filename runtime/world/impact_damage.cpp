@@ -11,8 +11,6 @@ namespace rubble {
 namespace {
 
 constexpr int kContactCells = 2;  ///< how far from the contact that physics reports the voxel that was hit may be
-/// A hit must be this many times as hard as for soft materials.
-constexpr std::array<double, 3> kClassToughness = {1.0, 2.0, 8.0};
 
 /// The material of the voxel nearest to a point in cells; 0 if there is none near.
 uint8_t materialAt(const Shape& shape, glm::dvec3 pointCells) {
@@ -42,8 +40,7 @@ void World::addImpactDamage(const Impact& impact, BodyHandle body, Edits& out) c
         const Material& material = m_materials[materialAt(shape, shapeToWorld(handle).inversePoint(impact.position) / double(shape.voxelSize))];
         if (material.hardness > Hardness::Hard) continue;
         const size_t hardness = size_t(material.hardness);
-        const double threshold = m_settings.impactThreshold * fragmentStyle(material.fragments).toughness * kClassToughness[hardness];
-        const double force = impact.impulse / threshold;
+        const double force = impact.impulse / (m_settings.impactThreshold * impactToughness(material));
         if (!(force >= 1.0)) continue;
         BreakEdit edit{.position = impact.position, .seed = hashCell(int(m_step), int(body.slot()), int(handle.slot())), .shape = handle};
         const double radius = std::min(m_settings.impactRadiusLimit, m_settings.impactRadius * std::sqrt(force));

@@ -126,14 +126,14 @@ Edits bridgeScript(int step, uint64_t) {
 }
 
 Pose bridgeCamera(double seconds) {
-    return lookAt({9.5 + 0.12 * seconds, 4.6, 43.5}, {22.0, 5.4, 16.0});
+    return lookAt({13.0 + 0.12 * seconds, 2.6, 38.5}, {22.6, 4.9, 16.0});
 }
 
 }  // namespace
 
 Scene bridgeScene() {
     Scene scene{"bridge", "a bridge that loses a pillar", bridgeLevel, bridgeScript, bridgeCamera};
-    scene.steps = 420;
+    scene.steps = 300;
     scene.settings.load.on = true;
     return scene;
 }

@@ -82,14 +82,14 @@ Edits dominoesScript(int, uint64_t) {
 }
 
 Pose dominoesCamera(double seconds) {
-    return lookAt({9.0 + 0.5 * seconds, 5.4, 32.5}, {16.5 + 0.75 * seconds, 0.9, 18.0});
+    return lookAt({7.5 + 2.0 * seconds, 2.8, 25.0}, {12.5 + 2.0 * seconds, 1.1, 16.5});
 }
 
 }  // namespace
 
 Scene dominoesScene() {
     Scene scene{"dominoes", "a row of slabs that tips over", dominoesLevel, dominoesScript, dominoesCamera};
-    scene.steps = 600;
+    scene.steps = 480;
     return scene;
 }
 

@@ -171,25 +171,25 @@ Edits towerScript(int step, uint64_t) {
     // The columns on the side it shall fall to, then those in the middle, each with the notch that the charge leaves.
     for (int i = 0; i < 3; ++i)
         if (clock.at(0.8 + 0.1 * i)) clock.add(ExplodeEdit{inTower(61.5, 9.0, kColumns[i] + 2.5), 1.7});
-    if (clock.at(1.1)) clock.add(notch(50, 66, 4, 17));
+    if (clock.at(1.1)) clock.add(notch(46, 66, 4, 25));
     for (int i = 0; i < 3; ++i)
         if (clock.at(1.2 + 0.06 * i)) clock.add(ExplodeEdit{inTower(32.0, 8.0, kColumns[i] + 2.5), 1.6});
-    if (clock.at(1.4)) clock.add(notch(12, 51, 5, 12));
+    if (clock.at(1.4)) clock.add(notch(12, 47, 5, 15));
     // The hinge: a saw cut through what still holds.
     if (clock.at(1.6)) clock.add(notch(-2, 13, 6, 7.4));
     return clock.take();
 }
 
 Pose towerCamera(double seconds) {
-    return lookAt({20.5 + 0.15 * seconds, 5.2, 56.0}, {22.0, 10.6, 14.0});
+    return lookAt({22.5 + 0.1 * seconds, 3.0, 48.0}, {17.5, 11.0, 15.0});
 }
 
 }  // namespace
 
 Scene towerScene() {
     Scene scene{"tower", "a tower of nine storeys, felled at its foot", towerLevel, towerScript, towerCamera};
-    scene.verticalFov = 0.78f;
-    scene.steps = 540;
+    scene.verticalFov = 0.86f;
+    scene.steps = 480;
     scene.settings.load.on = true;
     return scene;
 }

@@ -4,7 +4,6 @@
 #include "runtime/core/random.h"
 #include "samples/scenes/building.h"
 #include "samples/scenes/fence.h"
-#include "samples/scenes/fracture.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/lamp.h"
 #include "samples/scenes/lettering.h"
@@ -22,8 +21,8 @@ constexpr double kFace = (kWall.z + kThick - 0.5) * kVoxel;  // z of the painted
 
 LevelShape makeMuralWall() {
     Canvas c({kLength, kFoot + kTall + 2, kThick + 2});
-    const Swatch brick = c.mix(kBrick), joint = c.mix(kBrickJoint), dirty = c.mix(kBrick, 78), stone = c.mix(kKerb), plaster = c.mix(kPlaster),
-                 grey = c.mix(kPlaster, 90), moss = c.mix(kMoss);
+    const Swatch brick = c.mix(kBrick), joint = c.mix(kBrickJoint), dirty = c.mix(kBrick, 78), stone = c.mix(kKerb), plaster = c.mix(kRender),
+                 grey = c.mix(kRender, 90), moss = c.mix(kMoss);
     for (int x = 0; x < kLength; ++x)
         for (int y = 0; y < kFoot + kTall; ++y)
             for (int k = 0; k < kThick; ++k) {
@@ -39,12 +38,12 @@ LevelShape makeMuralWall() {
         return PaintBox::pick(hashCell(cell.x / 12, cell.y / 9, 2, 153) % 5 ? plaster : grey, cell);
     });
     c.box({0, kFoot + kTall, 0}, {kLength, kFoot + kTall + 2, kThick + 2}, stone);
-    for (int x = 0; x < kLength; x += 49) c.box({x, 0, 0}, {std::min(x + 3, kLength), kFoot + kTall, kThick + 2}, brick);
+    for (int x : {0, kLength - 3}) c.box({x, 0, 0}, {x + 3, kFoot + kTall, kThick + 2}, brick);
     c.stain({0, kFoot, 0}, {kLength, kFoot + 4, kThick + 2}, moss, 30);
     return c.finish("mural wall");
 }
 
-/// A ball of heavy steel that comes in from the front, thrown to hit the wall at a third of its length.
+/// A ball of heavy steel, thrown from far behind the camera: it comes down on the word.
 void addBall(Level& level) {
     Canvas c(ivec3(13));
     const Swatch steel = c.mix(kCastSteel);
@@ -53,8 +52,8 @@ void addBall(Level& level) {
         return d.x * d.x + d.y * d.y + d.z * d.z <= 40 ? PaintBox::pick(steel, cell) : uint8_t(0);
     });
     LevelShape ball = c.finish("ball");
-    addLoose(level, std::move(ball), {196, 120, 440});
-    level.bodies.back().velocity = {-1.4f, 9.5f, -9.2f};
+    addLoose(level, std::move(ball), {206, 34, 900});
+    level.bodies.back().velocity = {-1.7f, 13.65f, -25.8f};
 }
 
 Level wallLevel(uint64_t seed) {
@@ -82,49 +81,54 @@ glm::dvec3 onFace(double x, double y) {
 }
 
 using Color = std::array<uint8_t, 3>;
-constexpr Color kNight{26, 38, 92}, kSunset{238, 84, 52}, kGold{250, 196, 40}, kPink{236, 40, 128}, kTeal{20, 150, 150}, kWhite{245, 240, 225};
+constexpr Color kNight{44, 36, 96}, kPurple{126, 44, 132}, kPink{232, 52, 112}, kOrange{246, 112, 44}, kGold{252, 184, 52}, kSun{255, 232, 150},
+    kSea{16, 104, 122}, kFoam{30, 164, 160}, kWhite{248, 244, 232}, kShade{34, 24, 66};
 
-void sprayDisc(ScriptClock& clock, double from, double to, glm::dvec2 center, double radius, Color color, uint32_t seed) {
-    constexpr int kStrokes = 60;
-    for (int i = clock.first(from, kStrokes, to); i < clock.last(from, kStrokes, to); ++i) {
-        // Rows of five: a disc filled from below.
-        const double y = -radius + 2.0 * radius * (i / 5 + 0.5) / (kStrokes / 5.0), half = glm::sqrt(std::max(0.0, radius * radius - y * y));
-        const double x = half * (i % 5 - 2) / 2.2;
-        clock.add(PaintEdit{onFace(center.x + x, center.y + y), 0.035 * radius, color, 220, 220, seed + uint32_t(i)});
+/// A stroke of the can across the wall, a piece a step: full in the middle, its rim breaks up into blue noise.
+void sprayBand(ScriptClock& clock, double from, double to, double y, Color color, uint32_t seed) {
+    constexpr int kPieces = 15;
+    constexpr double kLeft = 7.0, kPiece = (kLength - 2 * kLeft) / kPieces;
+    for (int i = clock.first(from, kPieces, to); i < clock.last(from, kPieces, to); ++i) {
+        PaintEdit stroke{onFace(kLeft + i * kPiece, y), 0.50, color, 255, 0, seed, 255};
+        stroke.kind = BrushKind::Capsule;
+        stroke.end = onFace(kLeft + (i + 1) * kPiece, y);
+        clock.add(stroke);
     }
 }
 
-/// Three bands of sky, a setting sun with its glow, and the word over it.
-void sprayPicture(ScriptClock& clock) {
-    for (int i = clock.first(0.2, 150, 1.6); i < clock.last(0.2, 150, 1.6); ++i) {
-        const int row = i / 30, column = i % 30;
-        const Color& color = row == 0 ? kTeal : row < 3 ? kSunset : row == 3 ? kPink : kNight;
-        const double x = (row % 2 ? 29 - column : column) * 4.6 + 8.0;
-        clock.add(PaintEdit{onFace(x, 9.0 + row * 7.6), 0.62, color, 150, 120, uint32_t(i)});
-    }
-    sprayDisc(clock, 1.4, 2.0, {112, 20}, 11.0, kGold, 1000);
+/// One dot of the can for each pixel of a letter.
+void sprayWord(ScriptClock& clock, double from, double to, glm::dvec2 low, Color color, uint32_t seed) {
     constexpr std::string_view kWord = "RUBBLE";
-    for (int letter = clock.first(1.7, 6, 2.9); letter < clock.last(1.7, 6, 2.9); ++letter)
+    constexpr double kPixel = 3.0;
+    for (int letter = clock.first(from, 6, to); letter < clock.last(from, 6, to); ++letter)
         for (int row = 0; row < kLetterHeight; ++row)
             for (int column = 0; column < kLetterWidth; ++column)
                 if (letterRows(kWord[size_t(letter)])[row] >> (kLetterWidth - 1 - column) & 1)
-                    clock.add(PaintEdit{onFace(13.0 + (letter * kLetterAdvance + column) * 2.4, 12.0 + (kLetterHeight - 1 - row) * 2.4), 0.17, kWhite,
-                                        235, 255, uint32_t(letter * 100 + row * 10 + column)});
+                    clock.add(PaintEdit{onFace(low.x + (letter * kLetterAdvance + column) * kPixel, low.y + (kLetterHeight - 1 - row) * kPixel), 0.22,
+                                        color, 255, 200, seed, 255});
+}
+
+/// An evening sky from the top down, a sun, the sea before it, and the word with its shade.
+void sprayPicture(ScriptClock& clock) {
+    constexpr Color kSky[] = {kNight, kPurple, kPurple, kPink, kPink, kOrange, kGold};
+    for (int row = 0; row < 7; ++row) sprayBand(clock, 0.1 + 0.16 * row, 0.26 + 0.16 * row, 40.5 - row * 5.0, kSky[row], 11 + uint32_t(row));
+    for (int ring = 0; ring < 3; ++ring)
+        if (clock.at(1.3 + 0.1 * ring)) clock.add(PaintEdit{onFace(129, 16), 1.35 - 0.2 * ring, ring == 0 ? kGold : kSun, 255, 0, 31, 255});
+    sprayBand(clock, 1.6, 1.75, 9.0, kFoam, 41);
+    sprayBand(clock, 1.7, 1.85, 5.0, kSea, 42);
+    sprayWord(clock, 1.85, 2.2, {15.2, 14.8}, kShade, 51);
+    sprayWord(clock, 2.0, 2.4, {14.0, 16.0}, kWhite, 52);
 }
 
 Edits wallScript(int step, uint64_t seed) {
     ScriptClock clock(step);
     sprayPicture(clock);
-    // The ball arrives at about 2.6 s: the wall cracks around the place and gives way there.
-    const glm::dvec3 hit = onFace(92, 27) - glm::dvec3(0, 0, 0.15), left = onFace(36, 20) - glm::dvec3(0, 0, 0.15),
-                     right = onFace(122, 18) - glm::dvec3(0, 0, 0.15);
-    clock.spread(2.95, 3.05, fracture({hit, 2, 1.9, 0.4, 11, Hardness::Medium, seed + 1}));
+    // The ball does its own damage, at about 2.9 s. Then four blows of a hammer and two charges behind the wall.
     for (int i = 0; i < 4; ++i)
-        if (clock.at(3.5 + 0.22 * i)) clock.add(carveSphere(onFace(18.0 + i * 9, 30.0 - i % 2 * 9), {0.5, 0.38, 0.0}));
-    clock.spread(4.3, 4.5, fracture({left, 2, 2.3, 0.4, 11, Hardness::Medium, seed + 2}));
-    if (clock.at(4.55)) clock.add(ExplodeEdit{left - glm::dvec3(0, 0.3, 0.9), 1.7, 5000});
-    clock.spread(5.2, 5.4, fracture({right, 2, 2.1, 0.4, 12, Hardness::Medium, seed + 3}));
-    if (clock.at(5.45)) clock.add(ExplodeEdit{right - glm::dvec3(0, 0.2, 0.8), 1.5, 4000});
+        if (clock.at(3.5 + 0.16 * i)) clock.add(BreakEdit{onFace(18.0 + i * 8, 33.0 - i % 2 * 10), {0.45, 0.4, 0.0}, Tool::Any, uint32_t(seed) + i});
+    const glm::dvec3 behind(0, 0, -0.9);
+    if (clock.at(4.3)) clock.add(ExplodeEdit{onFace(34, 19) + behind, 2.8, 7000});
+    if (clock.at(5.1)) clock.add(ExplodeEdit{onFace(124, 20) + behind, 2.5, 6000});
     return clock.take();
 }
 
@@ -136,7 +140,11 @@ Pose wallCamera(double seconds) {
 
 Scene wallScene() {
     Scene scene{"wall", "a painted wall, shattered by hammer, ball and charge", wallLevel, wallScript, wallCamera};
-    scene.steps = 450;
+    scene.steps = 400;
+    scene.settings.paint.mode = PaintMode::Layer;
+    scene.settings.impactRadiusLimit = 1.0;
+    scene.settings.load.on = true;
+
     return scene;
 }
 

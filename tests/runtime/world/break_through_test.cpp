@@ -9,7 +9,7 @@ namespace {
 
 /// A block of steel has hit a fixed sheet of a material from the side of +z with 5,000 N s.
 struct Throw {
-    explicit Throw(const char* sheet) {
+    explicit Throw(const char* sheet, int thickness = 1, int side = 4) {
         auto palette = std::make_shared<Palette>();
         (*palette)[1].material = defaultMaterials().find("heavy metal");
         (*palette)[2].material = defaultMaterials().find(sheet);
@@ -19,8 +19,8 @@ struct Throw {
             body.shapes.push_back({.name = "shape", .grid = std::move(grid), .palette = palette});
             level.bodies.push_back(std::move(body));
         };
-        add(test::solidGrid({4, 4, 4}, 1), {0.8, 0.8, 0.1}, false);
-        add(test::solidGrid({20, 20, 1}, 2), {0, 0, 0}, true);
+        add(test::solidGrid(glm::ivec3(side), 1), {0.8, 0.8, 0.1}, false);
+        add(test::solidGrid({20, 20, thickness}, 2), {0, 0, -0.1 * (thickness - 1)}, true);
         world.load(level);
         world.bodies().forEach([&](BodyHandle handle, const Body& body) { (body.isStatic ? wall : block) = handle; });
     }
@@ -48,10 +48,23 @@ TEST(BreakThrough, APaneStopsOnlyWhatItCanBear) {
     }
 }
 
-TEST(BreakThrough, AWallStopsAllOfIt) {
-    const Throw thrown("brick");
-    for (const Edit& edit : thrown.damage({thrown.block, thrown.wall, {1, 1, 0.1}, {0, 0, 1}, 5000.0}))
-        EXPECT_FALSE(std::holds_alternative<ImpulseEdit>(edit));
+TEST(BreakThrough, AWallStopsWhatItsHoleTakesAndAThickOneAll) {
+    const auto given = [](const Throw& thrown, double impulse) {
+        const Edits edits = thrown.damage({thrown.block, thrown.wall, {1, 1, 0.1}, {0, 0, 1}, impulse});
+        EXPECT_TRUE(std::holds_alternative<BreakEdit>(edits.front()));
+        double sum = 0.0;
+        for (const Edit& edit : edits)
+            if (const auto* impulseEdit = std::get_if<ImpulseEdit>(&edit)) sum -= impulseEdit->impulse.z;
+        return sum;
+    };
+    EXPECT_EQ(given(Throw("brick", 3), 5000.0), 0.0) << "the hole is as large as the impulse can make it";
+    const double through = given(Throw("brick", 3), 100'000.0);
+    EXPECT_GT(through, 50'000.0);
+    EXPECT_LT(through, 95'000.0);
+    EXPECT_EQ(given(Throw("brick", 12), 100'000.0), 0.0) << "it comes out nowhere";
+    EXPECT_EQ(given(Throw("brick", 3, 16), 100'000.0), 0.0) << "too large for the hole";
+    EXPECT_GT(given(Throw("glass", 1, 16), 100'000.0), 99'000.0);
+    EXPECT_EQ(given(Throw("glass", 12), 100'000.0), 0.0);
 }
 
 }  // namespace
