@@ -24,9 +24,14 @@ public:
         while (m_parent[i] != i) i = m_parent[i] = m_parent[m_parent[i]];
         return i;
     }
-    void unite(Index a, Index b) {
+    /// A member of the set of i that is lower than i; i itself if it is the lowest.
+    Index lower(Index i) const { return m_parent[i]; }
+    /// False if they were one set already.
+    bool unite(Index a, Index b) {
         a = root(a), b = root(b);
-        if (a != b) m_parent[std::max(a, b)] = std::min(a, b);
+        if (a == b) return false;
+        m_parent[std::max(a, b)] = std::min(a, b);
+        return true;
     }
 
 private:

@@ -46,7 +46,7 @@ glm::ivec3 findLowest(const Component& component, const VoxelGrid& grid);
 /// over the faces between nodes (Tarjan 1975, path halving).
 std::vector<Component> findComponents(const VoxelGrid& grid);
 
-/// The voxels of each component alone, the one with the first part (by node, then brick) first: the labelling without shares.
+/// The voxels of each component alone, in an order that depends on nothing but the grid: the labelling without shares.
 std::vector<uint64_t> componentSizes(const VoxelGrid& grid);
 
 MassMoments componentMoments(const VoxelGrid& grid, const Component& component, const Densities& densities);

@@ -1,5 +1,7 @@
 #include "tests/benchmark/destruction_scenes.h"
 
+#include <algorithm>
+
 #include "runtime/core/random.h"
 
 namespace rubble::bench {
@@ -33,6 +35,22 @@ bool inHalves(glm::ivec3 c, int size) {
     return c.x < size / 2 - 8 || c.x >= size / 2 + 8 || (c.y / 4 == size / 8 && c.z / 4 == size / 8);
 }
 
+/// Whether the two nearest of a jittered grid of points are not about equally far away.
+bool inVoronoi(glm::ivec3 c) {
+    constexpr int kCell = 20;
+    int64_t nearest = INT64_MAX, second = INT64_MAX;
+    const glm::ivec3 home = c / kCell;
+    for (int i = 0; i < 27; ++i) {
+        const glm::ivec3 cell = home + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
+        const uint32_t h = hashCell(cell.x, cell.y, cell.z, 11);
+        const glm::ivec3 away = cell * kCell + glm::ivec3(int(h % kCell), int(h >> 8) % kCell, int(h >> 16) % kCell) - c;
+        const int64_t square = int64_t(away.x) * away.x + int64_t(away.y) * away.y + int64_t(away.z) * away.z;
+        second = std::min(second, std::max(nearest, square));
+        nearest = std::min(nearest, square);
+    }
+    return second - nearest > 60;
+}
+
 bool isSolid(Solid solid, glm::ivec3 c, int size) {
     switch (solid) {
         case Solid::Building:
@@ -45,6 +63,12 @@ bool isSolid(Solid solid, glm::ivec3 c, int size) {
             return true;
         case Solid::Halves:
             return inHalves(c, size);
+        case Solid::Voronoi:
+            return inVoronoi(c);
+        case Solid::Noise20:
+            return hashCell(c.x, c.y, c.z, 7) % 100 < 20;
+        case Solid::Noise32:
+            return hashCell(c.x, c.y, c.z, 7) % 100 < 32;
     }
     return false;
 }

@@ -118,6 +118,7 @@ Table connectivityTradeoff(const Options& options) {
                 "when what a cut has loosened comes off: a cut's cost, and how long a loose piece hangs",
                 {"grid", "parts a step", "cut us p50", "cut us p99", "step between us p99", "frames a loose piece hangs", "loose at the end"},
                 {}};
+    table.note = "Every step counts with its median over the runs, so that the machine's hiccups are left out; the spread is that of single runs.";
     const int size = options.full ? 256 : 128, cuts = options.full ? 96 : 32;
     double atOnce = 0.0, smallest = 0.0, typical = 0.0;
     int hangs = 0;
