@@ -23,7 +23,7 @@ constexpr double kWorthSlicing = 0.2;  ///< of a bond, from which the layers of 
 constexpr int kBlowRounds = 24;
 constexpr int kWindowReach = LoadCuts::kReach;
 constexpr int kApart = 8;  ///< cells between two sections, one behind the other, that break in the same step
-constexpr int64_t kBrickWork = 200, kRowWork = 400;
+constexpr int64_t kBrickWork = 450, kRowWork = 350;
 
 /// What a unit of motion across a bond does to it, with E = 1: forces, and moments as rows of a symmetric matrix.
 struct BondStiffness {
