@@ -116,12 +116,13 @@ Measured overRuns(const std::vector<Run>& runs, std::vector<double> Run::*list, 
 Table connectivityTradeoff(const Options& options) {
     Table table{"T5",
                 "when what a cut has loosened comes off: a cut's cost, and how long a loose piece hangs",
-                {"grid", "parts a step", "cut us p50", "cut us p99", "step between us p99", "frames a loose piece hangs", "loose at the end"},
+                {"grid", "parts a step", "cut us p50", "cut us p99", "step between us p99", "steps a loose piece hangs", "loose at the end"},
                 {}};
     table.note = "Every step counts with its median over the runs, so that the machine's hiccups are left out; the spread is that of single runs.";
     const int size = options.full ? 256 : 128, cuts = options.full ? 96 : 32;
     double atOnce = 0.0, smallest = 0.0, typical = 0.0;
     int hangs = 0;
+    uint64_t stillLoose = 0;
     std::vector<Series> plot{{"cut, in slices", {}}, {"cut, at once", {}}, {"step between cuts", {}}, {"flood fill", {}}};
     for (const size_t parts : {size_t(0), size_t(512), size_t(128), size_t(32), size_t(8), size_t(2)}) {
         std::vector<Run> runs;
@@ -131,7 +132,7 @@ Table connectivityTradeoff(const Options& options) {
                    std::to_string(runs[0].mostFrames), std::to_string(runs[0].stillLoose)});
         (parts ? smallest : atOnce) = p99.median;
         if (!parts) typical = p50.median;
-        hangs = runs[0].mostFrames;
+        hangs = runs[0].mostFrames, stillLoose = runs[0].stillLoose;
         if (parts) plot[0].points.emplace_back(parts, p99.median), plot[2].points.emplace_back(parts, wait.median);
     }
     const Level level = holedBlock(size);
@@ -150,8 +151,8 @@ Table connectivityTradeoff(const Options& options) {
     }
     table.bottomLine = fmt::format(
         "A full flood fill takes {:.0f} times as long as the median cut with its split; at once the slowest cuts take {:.0f} us (p99), in the "
-        "smallest slices {:.0f} us, and then a piece hangs for up to {} steps.",
-        flood.median / typical, atOnce, smallest, hangs);
+        "smallest slices {:.0f} us, and then a piece hangs for up to {} steps, and {} voxels still do at the end.",
+        flood.median / typical, atOnce, smallest, hangs, stillLoose);
     writePlot(options, "T5", "Connectivity: what a cut costs, by how much of it a step may look at", "parts a step", "us, p99", plot);
     return table;
 }

@@ -144,7 +144,7 @@ Table debrisTradeoff(const Options& options) {
         if (keepAll == 0.0) keepAll = ms.median;  // the reference comes first
         if (ms.median < least) least = ms.median, dropped = seen.massLost - reference.massLost;
         auto series = std::find_if(plot.begin(), plot.end(), [&](const Series& s) { return s.name == setting.axis; });
-        if (series == plot.end()) series = plot.insert(plot.end(), {setting.axis, {}});
+        if (series == plot.end()) series = plot.insert(plot.end(), {setting.axis, {}, setting.axis == std::string("several")});
         series->points.emplace_back(ms.median, seen.massLost - reference.massLost);
     }
     table.bottomLine = fmt::format(

@@ -101,7 +101,7 @@ bool writePlot(const Options& options, const std::string& name, const std::strin
             path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", xAxis.at(x), yAxis.at(y));
             svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n", xAxis.at(x), yAxis.at(y), color);
         }
-        svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>\n", path, color);
+        if (!series[s].isCloud) svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>\n", path, color);
         svg += legend(s, series[s].name, color);
     }
     return write(options, name, svg);

@@ -39,10 +39,14 @@ double quantile(std::vector<double> values, double share) {
     return values[std::min(values.size() - 1, size_t(share * double(values.size())))];
 }
 
+Measured summary(const std::vector<double>& values) {
+    return {quantile(values, 0.5), quantile(values, 0.0), quantile(values, 1.0)};
+}
+
 Measured measure(int repeats, const std::function<double()>& once) {
     std::vector<double> values;
     for (int i = 0; i < repeats; ++i) values.push_back(once());
-    return {quantile(values, 0.5), *std::min_element(values.begin(), values.end()), *std::max_element(values.begin(), values.end())};
+    return summary(values);
 }
 
 std::string stamp(const Options& options) {

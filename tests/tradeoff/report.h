@@ -20,6 +20,7 @@ struct Measured {
     double median = 0.0, low = 0.0, high = 0.0;
     std::string text() const;  ///< "1.20 (1.15 to 1.31)"
 };
+Measured summary(const std::vector<double>& values);
 Measured measure(int repeats, const std::function<double()>& once);
 double quantile(std::vector<double> values, double share);
 
@@ -41,10 +42,11 @@ std::string stamp(const Options& options);
 bool writeCsv(const Options& options, const Table& table);
 std::string markdown(const Table& table);
 
-/// Lines through points, drawn as SVG text.
+/// Points, joined by lines unless they are a cloud; drawn as SVG text.
 struct Series {
     std::string name;
     std::vector<std::pair<double, double>> points;
+    bool isCloud = false;
 };
 bool writePlot(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel, const std::string& yLabel,
                const std::vector<Series>& series);
