@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "runtime/assets/byte_reader.h"
@@ -69,5 +70,17 @@ void readGridChunk(ByteReader& in, const std::vector<VoxelGrid*>& grids);
 FileHeader readFileHeader(ByteReader& in);
 /// Bytes of one chunk, checked and unpacked.
 std::vector<uint8_t> readChunk(ByteReader& in, ChunkHeader& header);
+/// A whole file: its header, and read(header, raw bytes, index) for each chunk, until something fails in the reader.
+template <class F>
+FileHeader readChunkFile(ByteReader& in, F&& read) {
+    const FileHeader file = readFileHeader(in);
+    for (uint32_t i = 0; i < file.chunks && !in.failed(); ++i) {
+        ChunkHeader chunk;
+        const std::vector<uint8_t> raw = readChunk(in, chunk);
+        if (!in.failed()) read(chunk, raw, i);
+    }
+    if (in.remaining() > 0) in.fail("the end of the file", std::to_string(in.remaining()) + " more bytes");
+    return file;
+}
 
 }  // namespace rubble

@@ -65,14 +65,9 @@ std::vector<uint8_t> levelToRubble(const Level& level) {
 
 Result<Level> levelFromRubble(std::span<const uint8_t> bytes, const std::string& name) {
     ByteReader in(bytes, "baked level");
-    const FileHeader header = readFileHeader(in);
     Parsed parsed;
-    for (uint32_t i = 0; i < header.chunks && !in.failed(); ++i) {
-        ChunkHeader chunk;
-        const std::vector<uint8_t> raw = readChunk(in, chunk);
-        if (!in.failed()) readContent(chunk, raw, i, parsed, in);
-    }
-    if (in.remaining() > 0) in.fail("the end of the file", fmt::format("{} more bytes", in.remaining()));
+    const FileHeader header =
+        readChunkFile(in, [&](const ChunkHeader& chunk, const std::vector<uint8_t>& raw, uint32_t i) { readContent(chunk, raw, i, parsed, in); });
     if (!parsed.haveLevel) in.fail("a LEVL chunk", "none");
     if (in.failed()) return Error{name + ": " + in.error()};
     if (const Result<Done> checked = checkLevel(parsed.level); !checked) return Error{name + ": " + checked.error()};

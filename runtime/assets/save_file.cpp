@@ -172,14 +172,9 @@ std::vector<uint8_t> gameToBytes(const SavedGame& game) {
 
 Result<SavedGame> gameFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world) {
     ByteReader in(bytes, "save");
-    const FileHeader header = readFileHeader(in);
     Parsed parsed;
-    for (uint32_t i = 0; i < header.chunks && !in.failed(); ++i) {
-        ChunkHeader chunk;
-        const std::vector<uint8_t> raw = readChunk(in, chunk);
-        if (!in.failed()) readContent(chunk, raw, i, world, parsed, in);
-    }
-    if (in.remaining() > 0) in.fail("the end of the file", fmt::format("{} more bytes", in.remaining()));
+    const FileHeader header = readChunkFile(
+        in, [&](const ChunkHeader& chunk, const std::vector<uint8_t>& raw, uint32_t i) { readContent(chunk, raw, i, world, parsed, in); });
     if (!parsed.haveState) in.fail("a SAVE chunk", "none");
     if (in.failed()) return Error{name + ": " + in.error()};
     WorldState& state = parsed.game.world;
