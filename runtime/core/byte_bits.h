@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -22,8 +23,13 @@ constexpr uint64_t nonZeroBytes(uint64_t bytes) {
 constexpr uint64_t gatherBits(uint64_t ones) {
     return ones * 0x0102040810204080ull >> 56;
 }
+inline constexpr std::array<uint64_t, 256> kSpreadBits = [] {
+    std::array<uint64_t, 256> out{};
+    for (uint64_t bits = 0; bits < 256; ++bits) out[bits] = nonZeroBytes(bits * kByteOnes & 0x8040201008040201ull);
+    return out;
+}();
 constexpr uint64_t spreadBits(uint64_t bits) {
-    return nonZeroBytes((bits & 0xff) * kByteOnes & 0x8040201008040201ull);
+    return kSpreadBits[bits & 0xff];
 }
 
 inline uint64_t loadBytes(const uint8_t* bytes) {

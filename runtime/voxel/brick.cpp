@@ -34,7 +34,7 @@ std::unique_ptr<BrickIndices> maskIndices(const BrickIndices& indices, const Bri
     uint64_t first = 0, others = 0;  // the first one in eight bytes; where others differ from it
     for (size_t row = 0; row < 64; ++row) {
         const uint64_t bits = solid[row / 8] >> 8 * (row % 8) & 0xff;
-        const uint64_t cells = bits == 0xff ? ~uint64_t(0) : bits ? spreadBits(bits) * 0xff : 0;
+        const uint64_t cells = spreadBits(bits) * 0xff;
         const uint64_t kept = loadRow(indices, row) & cells;
         storeRow(*out, row, kept);
         if (!first && bits) first = (kept >> 8 * std::countr_zero(bits) & 0xff) * kByteOnes;
