@@ -213,7 +213,8 @@ std::vector<BodyPlane> breakingPlanes(const LoadedShape& body, const LoadBlow& b
     if (planes.empty()) return {};
     const int first = planes.front().plane, length = planes.back().plane + 1 - first;
     const int shortest = shortestPart(worst.width);
-    const int parts = std::clamp(std::min(int(std::sqrt(worst.share)) + 1, length / shortest), 2, kMostParts);
+    const int parts =
+        std::clamp(std::min(int(std::sqrt(std::min(worst.share, double(kMostParts * kMostParts)))) + 1, length / shortest), 2, kMostParts);
     std::vector<BodyPlane> out{worst};
     for (int i = 1; i < parts && int(out.size()) + 1 < parts; ++i) {
         const int stray = length / parts / 3;

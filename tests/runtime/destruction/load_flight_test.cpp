@@ -82,6 +82,9 @@ TEST(LoadFlight, ANeckBreaksFirst) {
 TEST(LoadFlight, WhatIsShortOrUnbreakableStaysWhole) {
     const Beam cube(0, 8, 8);
     EXPECT_TRUE(cube.hit(4, 1e12).empty());
+    Beam dough(0, 120, 8);
+    dough.fixture.entries[1].tensile = dough.fixture.entries[1].compressive = dough.fixture.entries[1].shear = 0.0;
+    EXPECT_FALSE(dough.hit(60, 1.0).empty()) << "no strength at all is no number that breaks it";
     Beam steel(0, 120, 8);
     steel.fixture.fill({{3, 3, 3}, {123, 11, 11}}, 3);
     EXPECT_TRUE(steel.hit(60, 1e12).empty());

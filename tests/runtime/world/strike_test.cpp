@@ -172,6 +172,18 @@ TEST(Strike, BadNumbersAreRefused) {
     step(world, out, {StrikeEdit{{}, {1.0, 1.0, 1.0}, {1.0, 0.0, 0.0}}, StrikeEdit{shape, {500.0, 0.0, 0.0}, {1e9, 0.0, 0.0}}});
     for (int i = 0; i < 10; ++i) step(world, out);
     EXPECT_FALSE(out.isBroken());
+    // A blow beyond all numbers breaks nothing, and the next one is looked at as ever.
+    WorldSettings settings = world.settings();
+    settings.load.contactTime = 1e-300;
+    world.setSettings(settings);
+    for (int i = 0; i < 10; ++i) step(world, out, {StrikeEdit{shape, {1.0, 1.0, 1.0}, {1e9, 0.0, 0.0}}});
+    settings.load.contactTime = kContact;
+    world.setSettings(settings);
+    for (int i = 0; i < 30; ++i) step(world, out);
+    EXPECT_FALSE(out.isBroken());
+    step(world, out, {StrikeEdit{shape, {1.0, 1.9, 1.0}, {1e6, 0.0, 0.0}}});
+    for (int i = 0; i < 60; ++i) step(world, out);
+    EXPECT_TRUE(out.isBroken());
 }
 
 TEST(Strike, TheSameBlowsGiveTheSameHashes) {
