@@ -14,10 +14,12 @@ constexpr double kSameFloor = 0.4;  ///< metres: events this near share one look
 constexpr int kFlamesAStep = 30;    ///< of all fires together
 constexpr int kSmokeAStep = 4;
 constexpr int kEmbersAStep = 5;
-constexpr float kBlaze = 90.0f;      ///< fires from which on flames are as tall as they get
-constexpr double kImpactPuff = 400;  ///< N s from which a hit raises dust
-constexpr double kHeaviest = 10.0;   ///< of roots of 4 kN s: beyond it no more dust
-constexpr double kLevel = 0.5;       ///< of a normal: dust lies on what is more level than that
+constexpr float kBlaze = 90.0f;       ///< fires from which on flames are as tall as they get
+constexpr double kSolidShare = 0.6;   ///< of the budget: beyond it there is only room for gas and fire
+constexpr double kImpactPuff = 1500;  ///< N s from which a hit raises dust
+constexpr double kHeaviest = 10.0;    ///< of roots of 4 kN s: beyond it no more dust
+constexpr double kDusty = 1.5;        ///< metres over the ground up to which it does
+constexpr double kLevel = 0.5;        ///< of a normal: dust lies on what is more level than that
 
 /// What a material throws up for each voxel: how much of it hangs in the air, and what flies.
 struct Throws {
@@ -47,8 +49,8 @@ glm::vec3 Particles::anyDirection() {
     return glm::vec3(x, y, z) / std::max(0.3f, std::sqrt(x * x + y * y + z * z));
 }
 
-int Particles::share(double wanted) {
-    const double room = 1.0 - double(m_alive.size()) / double(m_settings.most);
+int Particles::share(double wanted, double ofBudget) {
+    const double room = 1.0 - double(m_alive.size()) / (ofBudget * double(m_settings.most));
     return int(wanted * std::clamp(room * 1.6, 0.0, 1.0) + double(m_random.unit()));
 }
 
@@ -95,7 +97,7 @@ void Particles::addDust(const DustCloud& cloud, const World& world) {
         add(p);
     }
     const double most = throws.solid == ParticleKind::Glint ? 9.0 * std::sqrt(voxels) : 4.0 + 2.2 * std::sqrt(voxels);
-    const int solids = share(std::min(voxels * double(throws.solids), most) * 0.8);
+    const int solids = share(std::min(voxels * double(throws.solids), most) * 0.8, kSolidShare);
     for (int i = 0; i < solids; ++i) {
         const glm::vec3 way = anyDirection();
         const bool spark = throws.solid == ParticleKind::Spark && m_random.below(3) != 0;
@@ -140,18 +142,22 @@ void Particles::addBlast(const Blast& blast, const World& world) {
 void Particles::addImpact(const Impact& impact, const World& world) {
     if (!(impact.impulse > kImpactPuff) || std::abs(impact.normal.y) < kLevel) return;
     const double floor = floorBelow(impact.position + glm::dvec3(0, 0.3, 0), world);
+    if (impact.position.y > floor + kDusty) return;
     const double strength = std::min(std::sqrt(impact.impulse / 4000.0), kHeaviest);
     const float size = float(strength);
-    for (int i = share(1.0 + 2.0 * strength); i > 0; --i) {
+    for (int i = share(1.0 + 4.0 * strength); i > 0; --i) {
         glm::vec3 way = anyDirection();
         way.y = std::abs(way.y) * 0.5f;
         Particle p{ParticleKind::Dust};
-        p.position = impact.position + glm::dvec3(way) * (0.1 + 0.1 * strength);
+        // A long thing lands along its length, but a pair of bodies has one contact: the heavier, the farther around it.
+        const double spread = 0.1 + 0.05 * strength * strength * double(m_random.unit());
+        p.position = {impact.position.x + double(way.x) * spread, impact.position.y + 0.2 * double(way.y),
+                      impact.position.z + double(way.z) * spread};
         p.velocity = way * (between(0.8f, 2.4f) * std::min(size, 1.5f + 0.4f * size));
         p.color = glm::vec3(0.36f, 0.33f, 0.29f) * between(0.85f, 1.15f);
         p.radius = 0.14f + 0.1f * size;
         p.growth = between(0.4f, 0.8f) * (1.0f + 0.1f * size);
-        p.opacity = between(0.3f, 0.5f);
+        p.opacity = between(0.3f, 0.5f) + 0.02f * size;
         p.life = between(1.2f, 2.6f) * (1.0f + 0.12f * size);
         p.floor = floor;
         p.seed = m_random.next();

@@ -56,7 +56,7 @@ private:
     float between(float low, float high) { return low + (high - low) * m_random.unit(); }
     /// How much of what an emitter wants fits: falls as the budget fills, so that late events still show.
     /// Fractions are left to chance: many small events together throw up what one large one does.
-    int share(double wanted);
+    int share(double wanted, double ofBudget = 1.0);
 
     ParticleSettings m_settings;
     std::vector<Particle> m_alive;  ///< oldest first

@@ -191,6 +191,7 @@ Scene towerScene() {
     scene.verticalFov = 0.86f;
     scene.steps = 480;
     scene.settings.load.on = true;
+    scene.settings.load.contactTime = 0.0015;  // brittle: it shall break where it lands
     return scene;
 }
 
