@@ -4,7 +4,7 @@
 
 #include "runtime/core/random.h"
 #include "samples/scenes/demolition.h"
-#include "samples/scenes/fracture.h"
+#include "samples/scenes/placement.h"
 #include "samples/scenes/script_clock.h"
 
 namespace rubble {
@@ -39,10 +39,8 @@ void hammer(ScriptClock& clock, const Target& target) {
         clock.add(carveSphere(target.at(kHits[i][0], kHits[i][1], kHits[i][2]), {radius, radius * 0.8, 0.0}));
 }
 
-void charge(ScriptClock& clock, const Target& target, double second, dvec3 share, int axis, double size, uint64_t seed) {
-    const dvec3 place = target.at(share.x, share.y, share.z);
-    clock.spread(second - 0.25, second - 0.03, fracture({place, axis, size * 1.4, size * 0.5, 9, Hardness::Medium, seed}));
-    if (clock.at(second)) clock.add(ExplodeEdit{place, size});
+void charge(ScriptClock& clock, const Target& target, double second, dvec3 share, double size) {
+    if (clock.at(second)) clock.add(ExplodeEdit{target.at(share.x, share.y, share.z), 1.3 * size});
 }
 
 /// A horizontal slice right through, a little way up: all above it comes down.
@@ -64,13 +62,13 @@ Edits demolishModel(int step, glm::dvec3 low, glm::dvec3 high, uint64_t seed) {
     spray(clock, target);
     hammer(clock, target);
     const double size = target.tool();
-    charge(clock, target, 2.58, {0.04, 0.4, 0.6}, 0, size, seed + 1);
-    charge(clock, target, 3.47, {0.35, 0.6, 0.96}, 2, size, seed + 2);
+    charge(clock, target, 2.58, {0.04, 0.4, 0.6}, size);
+    charge(clock, target, 3.47, {0.35, 0.6, 0.96}, size);
     slice(clock, target);
     Random random(seed);
     for (int i = 0; i < 6; ++i) {
         const double x = random.unit(), y = random.unit(), z = random.unit();
-        charge(clock, target, 5.9 + i * 0.6, {0.1 + 0.8 * x, 0.1 + 0.5 * y, 0.1 + 0.8 * z}, i % 3, size * 0.8, seed + 10 + uint64_t(i));
+        charge(clock, target, 5.9 + i * 0.6, {0.1 + 0.8 * x, 0.1 + 0.5 * y, 0.1 + 0.8 * z}, size * 0.8);
     }
     return clock.take();
 }

@@ -2,7 +2,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "samples/scenes/fracture.h"
 #include "samples/scenes/house.h"
 #include "samples/scenes/lettering.h"
 #include "samples/scenes/script_clock.h"
@@ -51,16 +50,13 @@ void hammer(ScriptClock& clock) {
         clock.add(carveSphere(inHouse(kHits[i][0], kHits[i][1], kHits[i][2]), {0.42, 0.3, 0.0}));
 }
 
-/// The wall that faces the sun: cracks run out, then a charge in the room throws the pieces out. Ground floor first, then
+/// The wall that faces the sun: a charge in the room throws it out. Ground floor first, then
 /// the one above, then the front, so that the rooms stand open to the light.
-void blowWalls(ScriptClock& clock, uint64_t seed) {
+void blowWalls(ScriptClock& clock) {
     const dvec3 low = inHouse(9.5, 17.0, 80.0), high = inHouse(9.5, 43.0, 78.0), front = inHouse(34.0, 29.0, 102.5);
-    clock.spread(2.35, 2.55, fracture({low, 0, 2.1, 0.25, 10, Hardness::Medium, seed + 1}));
-    if (clock.at(2.58)) clock.add(ExplodeEdit{low + dvec3(1.25, -0.3, 0.1), 1.6});
-    clock.spread(3.25, 3.42, fracture({high, 0, 2.0, 0.25, 9, Hardness::Medium, seed + 2}));
-    if (clock.at(3.47)) clock.add(ExplodeEdit{high + dvec3(1.2, -0.3, 0.1), 1.5});
-    clock.spread(4.1, 4.3, fracture({front, 2, 2.2, 0.25, 11, Hardness::Medium, seed + 3}));
-    if (clock.at(4.36)) clock.add(ExplodeEdit{front + dvec3(0.1, -1.0, -1.2), 1.5});
+    if (clock.at(2.58)) clock.add(ExplodeEdit{low + dvec3(0.9, -0.3, 0.1), 2.5});
+    if (clock.at(3.47)) clock.add(ExplodeEdit{high + dvec3(0.9, -0.3, 0.1), 2.3});
+    if (clock.at(4.36)) clock.add(ExplodeEdit{front + dvec3(0.1, -1.0, -0.9), 2.4});
 }
 
 /// The torch goes round the upper floor of the front room; when the last edge is through, the floor comes down with all on it.
@@ -102,11 +98,9 @@ void fellTower(ScriptClock& clock) {
     if (clock.at(6.05)) leg(1, 1.0, 1.3);
 }
 
-void breakShop(ScriptClock& clock, uint64_t seed) {
+void breakShop(ScriptClock& clock) {
     const dvec3 front = (dvec3(plan::kShop) + dvec3(30, 15, ShopPlan::kDepth - 1.5)) * kVoxel;
-    clock.spread(6.9, 7.05, fracture({front, 2, 1.4, 0.2, 10, Hardness::Soft, seed + 7}));
-    clock.spread(6.95, 7.1, fracture({front + dvec3(5.5, 0, 0), 2, 1.4, 0.2, 10, Hardness::Soft, seed + 8}));
-    if (clock.at(7.15)) clock.add(ExplodeEdit{front + dvec3(1.0, -0.4, -1.6), 1.2});
+    if (clock.at(7.15)) clock.add(ExplodeEdit{front + dvec3(1.0, -0.4, -1.2), 1.6});
 }
 
 /// The tower has landed on the shop: its sign goes out.
@@ -115,35 +109,33 @@ void putOutSign(ScriptClock& clock) {
     if (clock.at(8.75)) clock.add(ExplodeEdit{sign, 1.8});
 }
 
-void blowCarAndWall(ScriptClock& clock, uint64_t seed) {
+void blowCarAndWall(ScriptClock& clock) {
     const dvec3 car = (dvec3(plan::kRedCar) + dvec3(16.0, -5.0, 7.0)) * kVoxel;
     if (clock.at(7.9)) clock.add(ExplodeEdit{car, 1.2, 1.6e5});
     const dvec3 wall = (dvec3(plan::kWall) + dvec3(64, 7, 2.5)) * kVoxel;
-    clock.spread(8.6, 8.8, fracture({wall, 2, 1.1, 0.3, 8, Hardness::Medium, seed + 5}));
-    if (clock.at(8.88)) clock.add(ExplodeEdit{wall + dvec3(0, -0.2, -0.5), 1.0});
+    if (clock.at(8.88)) clock.add(ExplodeEdit{wall + dvec3(0, -0.2, -0.5), 1.6});
 }
 
 /// The roof over the open rooms goes last: tiles and rafters fly up into the sun.
-void blowRoof(ScriptClock& clock, uint64_t seed) {
+void blowRoof(ScriptClock& clock) {
     const dvec3 roof = inHouse(36.0, 70.0, 86.0);
-    clock.spread(9.2, 9.5, fracture({roof, 1, 2.2, 1.2, 10, Hardness::Medium, seed + 6}));
-    if (clock.at(9.55)) clock.add(ExplodeEdit{roof - dvec3(0, 1.4, 0.2), 1.6});
+    if (clock.at(9.55)) clock.add(ExplodeEdit{roof - dvec3(0, 0.9, 0.2), 2.3});
 }
 
 }  // namespace
 
-Edits demolition(int step, uint64_t seed) {
+Edits demolition(int step, uint64_t) {
     ScriptClock clock(step);
     spray(clock);
     hammer(clock);
-    blowWalls(clock, seed);
+    blowWalls(clock);
     cutFloor(clock);
     fellTower(clock);
     shootLamps(clock);
-    breakShop(clock, seed);
-    blowCarAndWall(clock, seed);
+    breakShop(clock);
+    blowCarAndWall(clock);
     putOutSign(clock);
-    blowRoof(clock, seed);
+    blowRoof(clock);
     return clock.take();
 }
 

@@ -2,7 +2,6 @@
 #include <glm/geometric.hpp>
 
 #include "runtime/core/random.h"
-#include "samples/scenes/fracture.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
 #include "samples/scenes/recipes.h"
@@ -166,7 +165,7 @@ glm::dvec3 onPlinth(int i, double x, double y, double z) {
     return glm::dvec3(kPlaces[i]) * kVoxel + glm::dvec3(x, kPlinth * kVoxel + y, z);
 }
 
-Edits gardenScript(int step, uint64_t seed) {
+Edits gardenScript(int step, uint64_t) {
     ScriptClock clock(step);
     // Castle: a charge in the keep. Globe: sliced like an apple. Ship: shot through. Temple: columns knocked out. Fountain: sledge.
     if (clock.at(1.0)) clock.add(ExplodeEdit{onPlinth(0, 0.3, 0.5, 0.7), 0.9, 250});
@@ -185,8 +184,7 @@ Edits gardenScript(int step, uint64_t seed) {
                                    {0.13, 0.13, 0.1}));
     for (int i = 0; i < 7; ++i)
         if (clock.at(3.6 + 0.2 * i)) clock.add(carveSphere(onPlinth(3, -0.9 + 0.3 * i, 0.5, i % 2 ? 0.5 : -0.5), {0.24, 0.24, 0.2}));
-    clock.spread(5.0, 5.2, fracture({onPlinth(4, 0.0, 0.3, 0.0), 1, 1.0, 0.4, 9, Hardness::Medium, seed + 1}));
-    if (clock.at(5.25)) clock.add(ExplodeEdit{onPlinth(4, 0.2, 0.3, 0.3), 0.6, 200});
+    if (clock.at(5.25)) clock.add(ExplodeEdit{onPlinth(4, 0.2, 0.3, 0.3), 1.0, 200});
     return clock.take();
 }
 

@@ -6,7 +6,7 @@
 
 #include "render/gl/offscreen.h"
 #include "runtime/plugin/frame_loop.h"
-#include "samples/scenes/fracture.h"
+#include "samples/scenes/placement.h"
 #include "samples/scenes/test_scenes.h"
 #include "samples/support/gl_context.h"
 #include "samples/support/image.h"
@@ -30,15 +30,11 @@ struct Run {
     Image picture;
 };
 
-/// A brick wall that cracks in two places and is blown.
-Edits script(int step, uint64_t seed) {
+/// A brick wall that is blown in two places.
+Edits script(int step, uint64_t) {
     Edits edits;
     for (int i = 0; i < 2; ++i)
-        if (step == 2 + i) {
-            const Edits cracks = scenes::fracture({{3.1 + 1.8 * i, 1.2, 4.05}, 2, 1.1, 0.3, 11, Hardness::Medium, seed + uint64_t(i)});
-            edits.insert(edits.end(), cracks.begin(), cracks.end());
-        }
-    if (step == 10) edits.push_back(ExplodeEdit{{4.0, 0.9, 3.2}, 1.0, 900.0});
+        if (step == 6 + 4 * i) edits.push_back(ExplodeEdit{{3.1 + 1.8 * i, 1.0, 3.5}, 1.6, 900.0});
     return edits;
 }
 
