@@ -1,81 +1,62 @@
 #include "physics/contacts.h"
 
-#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
-#include <BulletDynamics/Dynamics/btRigidBody.h>
-
 #include <algorithm>
 #include <tuple>
 
-#include "physics/bullet_math.h"
+#include "physics/dynamic_body.h"
 
 namespace rubble {
 namespace {
 
-btVector3 velocityAt(const btCollisionObject& object, const btVector3& point) {
-    const btRigidBody* body = btRigidBody::upcast(&object);
-    return body ? body->getVelocityInLocalPoint(point - body->getCenterOfMassPosition()) : btVector3(0, 0, 0);
+glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point) {
+    if (!object.dynamic || object.dynamic->asleep()) return glm::dvec3(0.0);
+    const SolverBody& motion = object.dynamic->motion;
+    return motion.velocity + glm::cross(motion.angularVelocity, point - motion.position);
 }
 
 }  // namespace
 
-double ContactLog::approachSpeed(const btPersistentManifold& manifold) {
+double approachSpeed(const Manifold& manifold, double seconds) {
     double fastest = 0.0;
-    for (int i = 0; i < manifold.getNumContacts(); ++i) {
-        const btManifoldPoint& point = manifold.getContactPoint(i);
-        const btVector3 relative =
-            velocityAt(*manifold.getBody0(), point.getPositionWorldOnA()) - velocityAt(*manifold.getBody1(), point.getPositionWorldOnB());
-        fastest = std::max(fastest, -double(relative.dot(point.m_normalWorldOnB)));
+    for (const ManifoldPoint& point : manifold.all()) {
+        const glm::dvec3 position = manifold.origin + glm::dvec3(point.position);
+        const glm::dvec3 relative = velocityAt(*manifold.objects.first, position) - velocityAt(*manifold.objects.second, position);
+        const double speed = -glm::dot(relative, glm::dvec3(point.normal));
+        if (speed * seconds > double(point.separation)) fastest = std::max(fastest, speed);
     }
     return fastest;
 }
 
-void ContactLog::beforeSolve(btDispatcher& dispatcher) {
-    m_approach.resize(size_t(dispatcher.getNumManifolds()));
-    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) m_approach[size_t(i)] = approachSpeed(*dispatcher.getManifoldByIndexInternal(i));
-}
-
-void ContactLog::afterSolve(btDispatcher& dispatcher, double minSpeed) {
-    const auto first = m_hits.size();
-    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-        if (!(m_approach[size_t(i)] > minSpeed)) continue;
-        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-        const int slot0 = manifold.getBody0()->getUserIndex(), slot1 = manifold.getBody1()->getUserIndex();
-        const double sign = slot0 > slot1 ? 1.0 : -1.0;
-        for (int p = 0; p < manifold.getNumContacts(); ++p) {
-            const btManifoldPoint& point = manifold.getContactPoint(p);
-            const double impulse = point.getAppliedImpulse();
-            if (!(impulse > 0.0)) continue;
-            m_hits.push_back({std::max(slot0, slot1), std::min(slot0, slot1), fromBullet(point.getPositionWorldOnB()) * impulse,
-                              fromBullet(point.m_normalWorldOnB) * (impulse * sign), impulse});
+void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double threshold, const std::vector<BodyHandle>& handles,
+                 std::vector<Impact>& out) {
+    struct Hit {
+        uint32_t body, other;         ///< slots; body > other unless other is static
+        glm::dvec3 position, normal;  ///< weighted by impulse
+        double impulse;
+    };
+    std::vector<Hit> hits;
+    for (const Manifold* manifold : manifolds) {
+        double approach = 0.0, total = 0.0;
+        glm::dvec3 position(0.0), normal(0.0);
+        for (const ManifoldPoint& point : manifold->all()) {
+            if (!(point.totalImpulse > 0.0f)) continue;
+            approach = std::max(approach, double(point.approach));
+            total += double(point.totalImpulse);
+            position += (manifold->origin + glm::dvec3(point.position)) * double(point.totalImpulse);
+            normal += glm::dvec3(point.normal) * double(point.totalImpulse);
         }
+        if (!(approach > minSpeed)) continue;
+        hits.push_back({manifold->objects.first->body, manifold->objects.second->body, position, normal, total});
     }
-    const auto begin = m_hits.begin() + std::ptrdiff_t(first);
-    // The impulse breaks ties so that equal pairs add up in one order.
-    std::sort(begin, m_hits.end(), [](const Hit& a, const Hit& b) {
-        return std::tuple(a.body, a.other, a.impulse, a.position.x, a.position.y, a.position.z) <
-               std::tuple(b.body, b.other, b.impulse, b.position.x, b.position.y, b.position.z);
-    });
-    size_t kept = first;
-    for (size_t i = first; i < m_hits.size(); ++i) {
-        Hit& hit = m_hits[i];
-        if (kept > first && m_hits[kept - 1].body == hit.body && m_hits[kept - 1].other == hit.other) {
-            Hit& sum = m_hits[kept - 1];
-            sum.position += hit.position;
-            sum.normal += hit.normal;
-            sum.impulse += hit.impulse;
-        } else {
-            m_hits[kept++] = hit;
-        }
-    }
-    m_hits.erase(m_hits.begin() + std::ptrdiff_t(kept), m_hits.end());
-}
-
-void ContactLog::impacts(double threshold, const std::vector<BodyHandle>& handles, glm::dvec3 origin, std::vector<Impact>& out) const {
-    for (const Hit& hit : m_hits) {
-        if (hit.impulse < threshold) continue;
-        const double length = glm::length(hit.normal);
-        out.push_back({handles[size_t(hit.body)], handles[size_t(hit.other)], origin + hit.position / hit.impulse,
-                       length > 0.0 ? hit.normal / length : glm::dvec3(0.0, 1.0, 0.0), hit.impulse});
+    std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return std::tie(a.body, a.other) < std::tie(b.body, b.other); });
+    for (size_t i = 0; i < hits.size();) {  // several shapes of one static body are one hit
+        Hit sum = hits[i++];
+        for (; i < hits.size() && hits[i].body == sum.body && hits[i].other == sum.other; ++i)
+            sum.position += hits[i].position, sum.normal += hits[i].normal, sum.impulse += hits[i].impulse;
+        if (sum.impulse < threshold) continue;
+        const double length = glm::length(sum.normal);
+        out.push_back({handles[sum.body], handles[sum.other], sum.position / sum.impulse,
+                       length > 0.0 ? sum.normal / length : glm::dvec3(0.0, 1.0, 0.0), sum.impulse});
     }
 }
 

@@ -1,33 +1,18 @@
 #pragma once
-#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
-
+#include <span>
 #include <vector>
 
+#include "physics/manifold.h"
 #include "runtime/world/world.h"
 
 namespace rubble {
 
-/// The hits of a step: approach is measured before the solver runs, impulses are read after it.
-class ContactLog {
-public:
-    void beginStep() { m_hits.clear(); }
-    /// Largest speed, m/s, at which the two bodies of a manifold near each other along a contact normal.
-    static double approachSpeed(const btPersistentManifold& manifold);
+/// Largest speed, m/s, at which two bodies near each other along a normal of points that they reach within the step.
+double approachSpeed(const Manifold& manifold, double seconds);
 
-    void beforeSolve(btDispatcher& dispatcher);
-    /// Adds up the impulses of contacts that approached faster than minSpeed, for each pair of bodies.
-    void afterSolve(btDispatcher& dispatcher, double minSpeed);
-    /// Those above the threshold. handles: by body slot; origin: world position of Bullet's zero.
-    void impacts(double threshold, const std::vector<BodyHandle>& handles, glm::dvec3 origin, std::vector<Impact>& out) const;
-
-private:
-    struct Hit {
-        int body, other;              ///< slots; body > other
-        glm::dvec3 position, normal;  ///< weighted by impulse
-        double impulse;
-    };
-    std::vector<double> m_approach;  ///< by manifold, of this substep
-    std::vector<Hit> m_hits;
-};
+/// The hits of a step: contacts that were approached faster than minSpeed and took more than `threshold` N s, added up for
+/// each pair of bodies, in the order of pairs. handles: by body slot.
+void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double threshold, const std::vector<BodyHandle>& handles,
+                 std::vector<Impact>& out);
 
 }  // namespace rubble

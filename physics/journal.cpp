@@ -14,28 +14,14 @@ T& slotOf(std::vector<T>& table, uint32_t slot) {
 
 }  // namespace
 
-void PhysicsWorld::Impl::clear() {
-    for (uint32_t slot = 0; slot < dynamics.size(); ++slot)
-        if (dynamics[slot]) destroyDynamic(slot);
-    statics.clear();
-    shapeBody.clear();
-    handles.clear();
-    awake.clear();
-    waiting.clear();
-    poses.clear();
-    impacts.clear();
-}
-
 void PhysicsWorld::Impl::setGravity(const World& world) {
-    if (world.environment().gravity == gravity) return;
+    if (glm::dvec3(world.environment().gravity) == gravity) return;
     gravity = world.environment().gravity;
-    bullet.setGravity(toBullet(glm::dvec3(gravity)));
     for (const auto& body : dynamics)
         if (body) wakeOrWait(*body);
 }
 
 void PhysicsWorld::Impl::loadAll(const World& world) {
-    clear();
     glm::dvec3 low(0.0), high(0.0);
     bool first = true;
     world.bodies().forEach([&](BodyHandle, const Body& body) {
@@ -45,7 +31,7 @@ void PhysicsWorld::Impl::loadAll(const World& world) {
         high = first ? p : glm::max(high, p);
         first = false;
     });
-    origin = glm::round((low + high) * 0.5);
+    broadphase.setOrigin(glm::round((low + high) * 0.5));
     setGravity(world);
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
         if (!body.isStatic) return createDynamic(world, handle, body.asleep);
@@ -55,11 +41,23 @@ void PhysicsWorld::Impl::loadAll(const World& world) {
 
 void PhysicsWorld::Impl::createStatic(const World& world, ShapeHandle handle) {
     const Shape& shape = world.shapes().at(handle);
+    destroyStatic(handle.slot());
     slotOf(handles, shape.body.slot()) = shape.body;
     slotOf(shapeBody, handle.slot()) = shape.body;
-    auto& place = slotOf(statics, handle.slot());
-    place.reset();
-    place = std::make_unique<StaticShape>(bullet, shape, world.shapeToWorld(handle), world.materials(), origin);
+    auto object = std::make_unique<CollisionObject>();
+    object->collider.parts.push_back(std::make_unique<VoxelPart>(shape, Pose{}, world.materials()));
+    if (object->collider.empty()) return;
+    object->place(world.shapeToWorld(handle));
+    object->body = shape.body.slot();
+    object->number = kStaticObject | handle.slot();
+    broadphase.add(*object, false);
+    slotOf(statics, handle.slot()) = std::move(object);
+}
+
+void PhysicsWorld::Impl::destroyStatic(uint32_t slot) {
+    if (slot >= statics.size() || !statics[slot]) return;
+    broadphase.remove(*statics[slot]);
+    statics[slot].reset();
 }
 
 void PhysicsWorld::Impl::createDynamic(const World& world, BodyHandle handle, bool asleep) {
@@ -67,8 +65,8 @@ void PhysicsWorld::Impl::createDynamic(const World& world, BodyHandle handle, bo
     slotOf(handles, slot) = handle;
     for (const ShapeHandle shape : world.bodies().at(handle).shapes) slotOf(shapeBody, shape.slot()) = handle;
     auto& place = slotOf(dynamics, slot);
-    place = std::make_unique<DynamicBody>(world, handle, origin);
-    if (place->boxCount() == 0 || !place->finite()) {
+    place = std::make_unique<DynamicBody>(world, handle);
+    if (place->object.collider.empty() || !place->finite(broadphase.origin())) {
         logWarning(fmt::format("physics: body {} '{}' has no solid voxels, or a pose or velocity that is no finite number: it is left out", slot,
                                world.bodies().at(handle).name));
         place->setAsleep(true);
@@ -78,26 +76,23 @@ void PhysicsWorld::Impl::createDynamic(const World& world, BodyHandle handle, bo
     place->setAsleep(asleep);
     place->isDebris = world.debris().contains(handle);
     place->settled = asleep && world.bodies().at(handle).settled;
-    if (asleep) return bullet.addResting(place->rigid());
-    bullet.addRigidBody(&place->rigid());
-    joinAwake(*place);
+    broadphase.add(place->object, !asleep);
+    if (!asleep) joinAwake(*place);
 }
 
 void PhysicsWorld::Impl::destroyDynamic(uint32_t slot) {
     DynamicBody& body = *dynamics[slot];
-    if (!body.quarantined()) body.asleep() ? bullet.removeResting(body.rigid()) : bullet.removeRigidBody(&body.rigid());
+    broadphase.remove(body.object);
     leaveAwake(body);
     dynamics[slot].reset();
 }
 
 void PhysicsWorld::Impl::forget(const FrameChanges& changes) {
-    for (const ShapeHandle handle : changes.shapesDestroyed)
-        if (handle.slot() < statics.size()) statics[handle.slot()].reset();
+    for (const ShapeHandle handle : changes.shapesDestroyed) destroyStatic(handle.slot());
     for (const BodyHandle handle : changes.bodiesDestroyed) {
         DynamicBody* body = dynamicAt(handle.slot());
         if (!body || body->handle() != handle) continue;
-        btVector3 low, high;
-        body->rigid().getAabb(low, high);
+        const glm::dvec3 low = body->object.low, high = body->object.high;
         const bool wasThere = !body->quarantined();
         destroyDynamic(handle.slot());
         if (wasThere) wakeTouching(low, high);
@@ -111,13 +106,16 @@ void PhysicsWorld::Impl::refreshStatic(const FrameChanges& changes, const World&
         std::vector<glm::ivec3> bricks;
         for (const BrickChange& change : changes.bricks)
             if (change.shape == handle) bricks.push_back(change.brick);
-        StaticShape& known = *statics[handle.slot()];
-        known.rebuild(*shape, world.materials(), bricks);
+        CollisionObject& object = *statics[handle.slot()];
+        object.collider.parts[0]->update(*shape, bricks);
+        const glm::dmat3 axes = glm::mat3_cast(object.pose.rotation);
+        const double half = 0.5 * kBrickSize * shape->voxelSize;
+        const glm::dvec3 reach = (glm::abs(axes[0]) + glm::abs(axes[1]) + glm::abs(axes[2])) * half;
         for (const glm::ivec3& brick : bricks) {
-            btVector3 low, high;
-            known.brickBounds(brick, low, high);
-            wakeTouching(low, high);
+            const glm::dvec3 center = object.pose.transformPoint((glm::dvec3(brick) * 2.0 + 1.0) * half);
+            wakeTouching(center - reach, center + reach);
         }
+        if (object.collider.empty()) destroyStatic(handle.slot());
     }
     for (const ShapeHandle handle : changes.shapesCreated) {
         const Shape* shape = world.shapes().find(handle);
@@ -143,14 +141,13 @@ void PhysicsWorld::Impl::refreshDynamic(const FrameChanges& changes, const World
         if (!body || body->isStatic) continue;
         const bool known = dynamicAt(handle.slot()) != nullptr;
         if (known) {  // out, made anew about its new centre, and back in
-            btVector3 low, high;
-            dynamics[handle.slot()]->rigid().getAabb(low, high);
+            const glm::dvec3 low = dynamics[handle.slot()]->object.low, high = dynamics[handle.slot()]->object.high;
             const bool wasThere = !dynamics[handle.slot()]->quarantined();
             destroyDynamic(handle.slot());
             if (wasThere) wakeTouching(low, high);
         }
         for (const ShapeHandle shape : body->shapes)  // a static body that came loose
-            if (shape.slot() < statics.size()) statics[shape.slot()].reset();
+            destroyStatic(shape.slot());
         const bool isPlaced = std::find(changes.placed.begin(), changes.placed.end(), handle) != changes.placed.end();
         createDynamic(world, handle, body->asleep && (!known || isPlaced));
     }
@@ -162,8 +159,7 @@ void PhysicsWorld::Impl::applyImpulses(const FrameChanges& changes) {
         if (!body || body->handle() != applied.body || body->quarantined()) continue;
         wake(*body);
         body->slowSeconds = 0.0;
-        btRigidBody& rigid = body->rigid();
-        rigid.applyImpulse(toBullet(applied.impulse), toBullet(applied.position - origin) - rigid.getCenterOfMassPosition());
+        body->applyImpulse(applied.impulse, applied.position);
     }
     quarantineBroken();
 }

@@ -1,13 +1,15 @@
 #pragma once
 #include <algorithm>
+#include <memory>
 #include <utility>
+#include <vector>
 
-#include "physics/bullet_math.h"
-#include "physics/bullet_world.h"
+#include "physics/broadphase.h"
+#include "physics/contact_solver.h"
 #include "physics/contacts.h"
 #include "physics/dynamic_body.h"
+#include "physics/narrowphase.h"
 #include "physics/physics_world.h"
-#include "physics/static_shape.h"
 
 namespace rubble {
 
@@ -16,19 +18,8 @@ inline constexpr double kStep = 1.0 / 60.0;
 /// What PhysicsWorld holds. Its functions are in three files: journal.cpp (what World changed), sleep.cpp (who rests and
 /// who wakes), physics_world.cpp (a step).
 struct PhysicsWorld::Impl {
-    explicit Impl(const PhysicsSettings& given) : settings(given), bullet(given.solverIterations) {
-        bullet.beforeSolve = [this] {
-            noteContacts();
-            contacts.beforeSolve(*bullet.getDispatcher());
-        };
-        bullet.afterSolve = [this] {
-            contacts.afterSolve(*bullet.getDispatcher(), settings.impactSpeed);
-            brakeFast();
-        };
-    }
-    ~Impl() { clear(); }
+    explicit Impl(const PhysicsSettings& given) : settings(given) {}
 
-    void clear();
     void loadAll(const World& world);
     void setGravity(const World& world);
     void forget(const FrameChanges& changes);
@@ -37,11 +28,11 @@ struct PhysicsWorld::Impl {
     void applyImpulses(const FrameChanges& changes);
 
     void createStatic(const World& world, ShapeHandle handle);
+    void destroyStatic(uint32_t slot);
     void createDynamic(const World& world, BodyHandle handle, bool asleep);
     void destroyDynamic(uint32_t slot);
 
     DynamicBody* dynamicAt(uint32_t slot) const { return slot < dynamics.size() ? dynamics[slot].get() : nullptr; }
-    DynamicBody* dynamicOf(const btCollisionObject& object) const { return dynamicAt(uint32_t(object.getUserIndex())); }
     /// Whether the budget of debris lets one more of these move.
     bool mayWake(const DynamicBody& body) const { return !body.isDebris || awakeDebris < awakeDebrisLimit; }
     void wake(DynamicBody& body);
@@ -51,34 +42,37 @@ struct PhysicsWorld::Impl {
     void sleep(DynamicBody& body);
     void joinAwake(const DynamicBody& body);
     void leaveAwake(const DynamicBody& body);
-    void wakeTouching(btVector3 low, btVector3 high);
+    void wakeTouching(glm::dvec3 low, glm::dvec3 high);
+    void findContacts();
+    bool wakeHit();
     void noteContacts();
-    void readdWoken();
+    void solve();
     void quarantineBroken();
-    void brakeFast();
-    void releaseFast();
     void settle();
     void disturb();
     void report();
 
     PhysicsSettings settings;
-    BulletWorld bullet;
-    ContactLog contacts;
-    glm::dvec3 origin{0.0};  ///< world position of Bullet's zero
-    glm::vec3 gravity{0.0f};
-    std::vector<std::unique_ptr<DynamicBody>> dynamics;  ///< by body slot
-    std::vector<std::unique_ptr<StaticShape>> statics;   ///< by shape slot
-    std::vector<BodyHandle> shapeBody;                   ///< by shape slot
-    std::vector<BodyHandle> handles;                     ///< by body slot
-    std::vector<uint32_t> awake;                         ///< body slots, ascending
-    std::vector<uint32_t> waiting;                       ///< body slots of debris that would wake if it had a place, ascending
+    Broadphase broadphase;
+    Narrowphase narrowphase;
+    ContactSolver solver;
+    glm::dvec3 gravity{0.0};
+    std::vector<std::unique_ptr<DynamicBody>> dynamics;     ///< by body slot
+    std::vector<std::unique_ptr<CollisionObject>> statics;  ///< by shape slot
+    std::vector<BodyHandle> shapeBody;                      ///< by shape slot
+    std::vector<BodyHandle> handles;                        ///< by body slot
+    std::vector<uint32_t> awake;                            ///< body slots, ascending
+    std::vector<uint32_t> waiting;                          ///< body slots of debris that would wake if it had a place, ascending
     size_t awakeDebris = 0, awakeDebrisLimit = 0;
-    std::vector<uint32_t> ended;                         ///< fell asleep or were quarantined in this step
-    std::vector<btCollisionObject*> found;               ///< of the last query
-    std::vector<std::pair<uint32_t, btVector3>> braked;  ///< body slot and the velocity it gets back after the substep
+    std::vector<uint32_t> ended;           ///< fell asleep or were quarantined in this step
+    std::vector<CollisionObject*> found;   ///< of the last query
+    std::vector<CollisionObject*> moving;  ///< whose pairs are looked for
+    std::vector<ObjectPair> pairs;
+    std::vector<SolverBody> bodies;  ///< of the solver; 0: the world
+    std::vector<int> bodyNumber;     ///< in `bodies`, by body slot
+    std::vector<std::pair<int, int>> bodyOf;
     std::vector<BodyPose> poses;
     std::vector<Impact> impacts;
-    bool contactsKnown = false;
 };
 
 /// Sets of slots as ascending lists: true if the slot was not there, or was.

@@ -6,42 +6,67 @@
 #include "runtime/core/log.h"
 
 namespace rubble {
+namespace {
 
-/// Continuous collision against what stands still: a body that would fly through it in this substep stops just inside it,
-/// and meets it with its full velocity in the next. A ray from the centre stands for the body.
-void PhysicsWorld::Impl::brakeFast() {
-    const double seconds = kStep / settings.substeps;
-    for (const uint32_t slot : awake) {
-        DynamicBody& body = *dynamics[slot];
-        const btVector3 velocity = body.rigid().getLinearVelocity();
-        const double way = double(velocity.length()) * seconds;
-        if (way < 0.5 * body.reach() || !body.finite()) continue;
-        const btVector3 from = body.rigid().getCenterOfMassPosition();
-        const btVector3 to = from + velocity.normalized() * btScalar(way + body.reach());
-        btCollisionWorld::ClosestRayResultCallback ray(from, to);
-        ray.m_collisionFilterMask = btBroadphaseProxy::StaticFilter;
-        bullet.rayTest(from, to, ray);
-        if (!ray.hasHit()) continue;
-        const double free = double(ray.m_closestHitFraction) * (way + body.reach()) - 0.9 * body.reach();
-        if (free >= way) continue;
-        braked.emplace_back(slot, velocity);
-        body.rigid().setLinearVelocity(velocity * btScalar(std::max(free, 0.0) / way));
+constexpr double kUneven = 1.1;    ///< ratio of a body's moments of inertia above which its spin is not simply kept
+constexpr double kSpinning = 1.0;  ///< rad/s
+
+}  // namespace
+
+/// Contacts of what moves, with what it hits and wakes.
+void PhysicsWorld::Impl::findContacts() {
+    const NarrowphaseSettings narrow{.margin = settings.contactMargin, .seconds = kStep, .continuous = settings.continuous};
+    narrowphase.begin();
+    for (const uint32_t slot : awake) dynamics[slot]->known = false;
+    for (bool more = true; more; more = wakeHit()) {
+        moving.clear();
+        for (const uint32_t slot : awake) {
+            DynamicBody& body = *dynamics[slot];
+            if (body.known) continue;
+            body.place();
+            broadphase.move(body.object, body.motion.velocity * kStep,
+                            settings.contactMargin + body.object.radius * glm::length(body.motion.angularVelocity) * kStep);
+            moving.push_back(&body.object);
+        }
+        pairs.clear();
+        broadphase.findPairs(
+            moving, [](const CollisionObject& o) { return o.dynamic->known; }, pairs);
+        for (CollisionObject* object : moving) object->dynamic->known = true;
+        narrowphase.collide(pairs, narrow, settings.parallelFor ? settings.parallelFor : ParallelFor(serialFor));
     }
 }
 
-void PhysicsWorld::Impl::releaseFast() {
-    for (const auto& [slot, velocity] : braked) dynamics[slot]->rigid().setLinearVelocity(velocity);
-    braked.clear();
+void PhysicsWorld::Impl::solve() {
+    bodies.assign(1, {});
+    bodyNumber.resize(dynamics.size());
+    for (const uint32_t slot : awake) {
+        bodyNumber[slot] = int(bodies.size());
+        SolverBody& body = dynamics[slot]->motion;
+        const glm::dvec3& i = body.inertia;
+        const double unevenness = std::max({i.x, i.y, i.z}) / std::min({i.x, i.y, i.z});
+        body.conserves = settings.rotation == RotationRule::Always ||
+                         (settings.rotation == RotationRule::WhereNeeded && unevenness > kUneven && glm::length(body.angularVelocity) > kSpinning);
+        bodies.push_back(body);
+    }
+    bodyOf.clear();
+    const auto numberOf = [&](const CollisionObject& object) { return object.dynamic && !object.dynamic->asleep() ? bodyNumber[object.body] : 0; };
+    for (const Manifold* manifold : narrowphase.manifolds())
+        bodyOf.emplace_back(numberOf(*manifold->objects.first), numberOf(*manifold->objects.second));
+    solver.solve(bodies, narrowphase.manifolds(), bodyOf, gravity,
+                 {.substeps = settings.substeps, .iterations = settings.iterations, .seconds = kStep});
+    for (const uint32_t slot : awake) {
+        dynamics[slot]->motion = bodies[size_t(bodyNumber[slot])];
+        dynamics[slot]->place();
+    }
 }
 
 void PhysicsWorld::Impl::quarantineBroken() {
-    for (size_t i = 0; i < awake.size(); ++i) {
-        const uint32_t slot = awake[i];
+    for (const uint32_t slot : awake) {
         DynamicBody& body = *dynamics[slot];
-        if (body.finite()) continue;
+        if (body.finite(broadphase.origin())) continue;
         logWarning(fmt::format("physics: body {} got a pose or velocity that is no finite number: it is frozen where it last was", slot));
-        bullet.removeRigidBody(&body.rigid());
-        body.restore(origin);
+        broadphase.remove(body.object);
+        body.restore();
         body.setAsleep(true);
         body.quarantine();
         ended.push_back(slot);
@@ -53,7 +78,7 @@ void PhysicsWorld::Impl::report() {
     std::sort(ended.begin(), ended.end());
     auto next = ended.begin();
     const auto add = [&](uint32_t slot) {
-        if (dynamics[slot] && dynamics[slot]->refresh(origin)) poses.push_back(dynamics[slot]->state());
+        if (dynamics[slot] && dynamics[slot]->refresh()) poses.push_back(dynamics[slot]->state());
     };
     for (const uint32_t slot : awake) {
         for (; next != ended.end() && *next < slot; ++next) add(*next);
@@ -69,7 +94,7 @@ PhysicsWorld::~PhysicsWorld() = default;
 
 void PhysicsWorld::apply(const FrameChanges& changes, const World& world, bool anew) {
     anew = anew || changes.levelReplaced;
-    if (anew) m_impl = std::make_unique<Impl>(PhysicsSettings(m_impl->settings));  // not cleared: Bullet's pools and trees remember
+    if (anew) m_impl = std::make_unique<Impl>(PhysicsSettings(m_impl->settings));  // not cleared: trees remember
     Impl& impl = *m_impl;
     impl.awakeDebrisLimit = 0;  // what World says is awake comes first; the others wait for the step
     if (anew)
@@ -91,19 +116,15 @@ void PhysicsWorld::step() {
     Impl& impl = *m_impl;
     impl.poses.clear();
     impl.impacts.clear();
-    impl.contacts.beginStep();
     impl.wakeWaiting();
     if (!impl.awake.empty()) {
-        for (int i = 0; i < impl.settings.substeps; ++i) {
-            impl.readdWoken();
-            impl.bullet.substep(btScalar(kStep / impl.settings.substeps));
-            impl.releaseFast();
-            impl.quarantineBroken();
-        }
-        impl.readdWoken();
+        impl.findContacts();
+        impl.noteContacts();
+        impl.solve();
+        impl.quarantineBroken();
         impl.settle();
         impl.disturb();
-        impl.contacts.impacts(impl.settings.impactThreshold, impl.handles, impl.origin, impl.impacts);
+        findImpacts(impl.narrowphase.manifolds(), impl.settings.impactSpeed, impl.settings.impactThreshold, impl.handles, impl.impacts);
     }
     impl.report();
 }
@@ -118,15 +139,8 @@ std::span<const Impact> PhysicsWorld::impacts() const {
 PhysicsFigures PhysicsWorld::figures() const {
     PhysicsFigures figures;
     figures.awake = int(m_impl->awake.size());
-    for (const auto& body : m_impl->dynamics)
-        if (body) {
-            ++figures.bodies;
-            figures.colliderBoxes += body->boxCount();
-        }
-    for (const auto& shape : m_impl->statics)
-        if (shape) figures.colliderBoxes += shape->boxCount();
-    btDispatcher& dispatcher = *m_impl->bullet.getDispatcher();
-    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) figures.contacts += dispatcher.getManifoldByIndexInternal(i)->getNumContacts();
+    for (const auto& body : m_impl->dynamics) figures.bodies += body != nullptr;
+    for (const Manifold* manifold : m_impl->narrowphase.manifolds()) figures.contacts += manifold->count;
     return figures;
 }
 

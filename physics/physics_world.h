@@ -4,27 +4,35 @@
 #include <span>
 #include <vector>
 
+#include "runtime/core/parallel_for.h"
 #include "runtime/world/frame_changes.h"
 #include "runtime/world/world.h"
 
 namespace rubble {
 
+/// Which bodies keep their angular momentum in free rotation; the others keep their angular velocity.
+enum class RotationRule : uint8_t { Never, WhereNeeded, Always };
+
 struct PhysicsSettings {
-    int substeps = 2;  ///< of 1/60 s
-    int solverIterations = 10;
+    int substeps = 4;             ///< of 1/60 s, in which contacts are solved; they are found once a step
+    int iterations = 1;           ///< over the contacts in each half of a substep
+    double contactMargin = 0.02;  ///< metres apart at which bodies count as touching
+    bool continuous = true;       ///< what moves farther than that in a step is swept
+    RotationRule rotation = RotationRule::WhereNeeded;
     double sleepVelocity = 0.02;         ///< m/s of drift, averaged over sleepTime, below which a touching body falls asleep
     double sleepAngularVelocity = 0.04;  ///< rad/s
     double sleepTime = 0.5;              ///< s of calm before it does
     double impactThreshold = 50.0;       ///< N s below which a contact is not reported
     double impactSpeed = 0.5;            ///< m/s of approach below which it counts as resting and is not reported
+    ParallelFor parallelFor;             ///< none: one thread; results do not depend on it
 };
 
 struct PhysicsFigures {
-    int bodies = 0, awake = 0, contacts = 0, colliderBoxes = 0;
+    int bodies = 0, awake = 0, contacts = 0;
 };
 
-/// Bullet's world behind one wall. Bullet counts in float from an origin chosen when a level is loaded (the middle of its
-/// bodies, whole metres), so a level anywhere keeps its precision; World and this interface are double. [main-thread]
+/// Rigid bodies made of voxels: who moves, who touches whom, who rests. Positions are double; what is near is compared in
+/// floats about each pair, and broadphase about an origin chosen when a level is loaded. [main-thread]
 class PhysicsWorld {
 public:
     explicit PhysicsWorld(const PhysicsSettings& settings = {});
@@ -32,9 +40,9 @@ public:
     PhysicsWorld(const PhysicsWorld&) = delete;
     PhysicsWorld& operator=(const PhysicsWorld&) = delete;
 
-    /// Creates, destroys and re-shapes bodies as the journal says, then applies its impulses. Colliders are rebuilt off
-    /// to the side and swapped; a piece starts with its parent's motion (v + w x r, w), which World has already set.
-    /// anew: everything is made from the World in slot order, as after levelReplaced: nothing of the past counts any more.
+    /// Creates, destroys and re-shapes bodies as the journal says, then applies its impulses; a piece starts with its parent's motion (v + w x r, w),
+    /// which World has already set. anew: everything is made from the World in slot order, as after levelReplaced: nothing of the past counts any
+    /// more.
     void apply(const FrameChanges& changes, const World& world, bool anew = false);
     /// 1/60 s.
     void step();

@@ -1,5 +1,5 @@
 #pragma once
-#include <LinearMath/btTransform.h>
+#include "runtime/core/pose.h"
 
 namespace rubble {
 
@@ -7,18 +7,18 @@ namespace rubble {
 /// enough for what lies on it to be woken. Positions, not velocities: a jittering contact keeps its place.
 class Settling {
 public:
-    void restart(const btTransform& now);
+    void restart(const Pose& now);
     /// Counts `seconds` of calm if the body stays within `radius` metres and `angle` radians of where the calm began;
     /// else calm begins anew. Returns the calm so far.
-    double calm(const btTransform& now, double radius, double angle, double seconds);
+    double calm(const Pose& now, double radius, double angle, double seconds);
     /// True, and the count starts again, if the body has moved by more than `radius` or `angle` since the last true.
-    bool disturbed(const btTransform& now, double radius, double angle);
+    bool disturbed(const Pose& now, double radius, double angle);
     /// Where the body was at the last true of disturbed().
-    const btTransform& disturbedAt() const { return m_disturbedAt; }
+    const Pose& disturbedAt() const { return m_disturbedAt; }
 
 private:
-    btTransform m_calmAt;
-    btTransform m_disturbedAt;
+    Pose m_calmAt;
+    Pose m_disturbedAt;
     double m_calmSeconds = 0.0;
 };
 

@@ -5,22 +5,22 @@
 namespace rubble {
 namespace {
 
-constexpr double kDisturbed = 0.02;         ///< metres a body moves before what touches it is woken
-constexpr double kDisturbedAngle = 0.04;    ///< radians
-constexpr btScalar kTouchDistance = 0.02f;  ///< metres between bounds that count as touching: Bullet's contact breaking threshold
-constexpr double kSlow = 0.3;               ///< m/s: a touching body slower than this is on its way to rest
-constexpr double kSlowDamping = 0.03;       ///< share of its speeds lost a step, and the same again for each second of being slow
-constexpr double kMostPatience = 4.0;       ///< times the drift of the settings that is calm after seconds of being slow
-constexpr double kWakeSpeed = 0.15;         ///< m/s that a hit must give a sleeping body to wake it
-constexpr double kReviveSpeed = 0.6;        ///< the same for a settled one
+constexpr double kDisturbed = 0.02;       ///< metres a body moves before what touches it is woken
+constexpr double kDisturbedAngle = 0.04;  ///< radians
+constexpr double kTouchDistance = 0.02;   ///< metres between bounds that count as touching
+constexpr double kSlow = 0.3;             ///< m/s: a touching body slower than this is on its way to rest
+constexpr double kSlowDamping = 0.01;     ///< share of its speeds lost a step, and the same again for each second of being slow
+constexpr double kMostPatience = 4.0;     ///< times the drift of the settings that is calm after seconds of being slow
+constexpr double kWakeSpeed = 0.15;       ///< m/s that a hit must give a sleeping body to wake it
+constexpr double kReviveSpeed = 0.6;      ///< the same for a settled one
 
 }  // namespace
 
 void PhysicsWorld::Impl::wake(DynamicBody& body) {
     if (!body.asleep() || body.quarantined()) return;
-    bullet.removeResting(body.rigid());
+    broadphase.remove(body.object);
     body.setAsleep(false);
-    bullet.addRigidBody(&body.rigid());
+    broadphase.add(body.object, true);
     joinAwake(body);
 }
 
@@ -48,74 +48,67 @@ void PhysicsWorld::Impl::leaveAwake(const DynamicBody& body) {
 }
 
 void PhysicsWorld::Impl::sleep(DynamicBody& body) {
-    bullet.removeRigidBody(&body.rigid());
     body.setAsleep(true);
-    bullet.addResting(body.rigid());
+    broadphase.remove(body.object);
+    broadphase.add(body.object, false);
 }
 
 /// Bodies whose bounds touch these, in slot order.
-void PhysicsWorld::Impl::wakeTouching(btVector3 low, btVector3 high) {
-    const btVector3 around(kTouchDistance, kTouchDistance, kTouchDistance);
+void PhysicsWorld::Impl::wakeTouching(glm::dvec3 low, glm::dvec3 high) {
     found.clear();
-    bullet.overlapping(low - around, high + around, found);
-    std::sort(found.begin(), found.end(),
-              [](const btCollisionObject* a, const btCollisionObject* b) { return a->getUserIndex() < b->getUserIndex(); });
-    for (btCollisionObject* object : found)
-        if (DynamicBody* body = dynamicOf(*object)) wakeOrWait(*body);
+    broadphase.find(low - kTouchDistance, high + kTouchDistance, found);
+    std::sort(found.begin(), found.end(), [](const CollisionObject* a, const CollisionObject* b) { return a->number < b->number; });
+    for (CollisionObject* object : found)
+        if (object->dynamic) wakeOrWait(*object->dynamic);
 }
 
-/// Wakes sleepers that are about to be hit, in time for the solve, and notes who touches anything.
+/// Wakes sleepers that are about to be hit, in time for the solve; true if there were any.
+bool PhysicsWorld::Impl::wakeHit() {
+    bool any = false;
+    for (const Manifold* manifold : narrowphase.manifolds()) {
+        DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
+        if (!a || !b || a->asleep() == b->asleep()) continue;
+        DynamicBody& sleeper = a->asleep() ? *a : *b;
+        const DynamicBody& hitter = a->asleep() ? *b : *a;
+        if (sleeper.quarantined() || !mayWake(sleeper)) continue;
+        const double share = hitter.mass().mass / (hitter.mass().mass + sleeper.mass().mass);
+        if (approachSpeed(*manifold, kStep) * share <= (sleeper.settled ? kReviveSpeed : kWakeSpeed)) continue;
+        wake(sleeper);
+        any = true;
+    }
+    return any;
+}
+
+/// Notes who touches anything, and which sleepers.
 void PhysicsWorld::Impl::noteContacts() {
     for (const uint32_t slot : awake) dynamics[slot]->touching = false;
-    btDispatcher& dispatcher = *bullet.getDispatcher();
-    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-        if (manifold.getNumContacts() == 0) continue;
-        DynamicBody* a = dynamicOf(*manifold.getBody0());
-        DynamicBody* b = dynamicOf(*manifold.getBody1());
+    for (const Manifold* manifold : narrowphase.manifolds()) {
+        DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
         if (a) a->touching = true;
         if (b) b->touching = true;
         if (!a || !b || a->asleep() == b->asleep()) continue;
-        DynamicBody& sleeper = a->asleep() ? *a : *b;
-        DynamicBody& hitter = a->asleep() ? *b : *a;
-        std::vector<uint32_t>& touched = hitter.sleepersTouched;
-        if (std::find(touched.begin(), touched.end(), sleeper.handle().slot()) == touched.end()) touched.push_back(sleeper.handle().slot());
-        const double share = hitter.mass().mass / (hitter.mass().mass + sleeper.mass().mass);
-        const double wakeSpeed = sleeper.settled ? kReviveSpeed : kWakeSpeed;
-        if (ContactLog::approachSpeed(manifold) * share <= wakeSpeed || !mayWake(sleeper) || !sleeper.wakeInPlace()) continue;
-        bullet.enlist(sleeper.rigid());
-        joinAwake(sleeper);
-    }
-}
-
-/// Puts bodies that were woken during a solve into Bullet's lists.
-void PhysicsWorld::Impl::readdWoken() {
-    for (const uint32_t slot : awake) {
-        DynamicBody& body = *dynamics[slot];
-        if (!body.readd) continue;
-        body.readd = false;
-        bullet.removeRigidBody(&body.rigid());
-        bullet.addRigidBody(&body.rigid());
+        std::vector<uint32_t>& touched = (a->asleep() ? *b : *a).sleepersTouched;
+        const uint32_t slot = (a->asleep() ? *a : *b).handle().slot();
+        if (std::find(touched.begin(), touched.end(), slot) == touched.end()) touched.push_back(slot);
     }
 }
 
 /// Puts the calm to sleep.
 void PhysicsWorld::Impl::settle() {
-    const bool weightless = gravity == glm::vec3(0.0f);
+    const bool weightless = gravity == glm::dvec3(0.0);
     for (const uint32_t slot : awake) {
         DynamicBody& body = *dynamics[slot];
-        btRigidBody& rigid = body.rigid();
-        const double speed = std::max(double(rigid.getLinearVelocity().length()), double(rigid.getAngularVelocity().length()) * body.reach());
+        SolverBody& motion = body.motion;
+        const double speed = std::max(glm::length(motion.velocity), glm::length(motion.angularVelocity) * body.reach());
         body.slowSeconds = body.touching && speed < kSlow ? body.slowSeconds + kStep : 0.0;
         const double patience = std::min(1.0 + body.slowSeconds, kMostPatience);
         if (body.slowSeconds > 0.0) {
-            const btScalar kept = btScalar(1.0 - kSlowDamping * patience);
-            rigid.setLinearVelocity(rigid.getLinearVelocity() * kept);
-            rigid.setAngularVelocity(rigid.getAngularVelocity() * kept);
+            const double kept = 1.0 - kSlowDamping * patience;
+            motion.velocity *= kept;
+            motion.angularVelocity *= kept;
         }
         const double allowed = settings.sleepTime * patience;
-        const double calm =
-            body.settling.calm(rigid.getWorldTransform(), settings.sleepVelocity * allowed, settings.sleepAngularVelocity * allowed, kStep);
+        const double calm = body.settling.calm(body.pose(), settings.sleepVelocity * allowed, settings.sleepAngularVelocity * allowed, kStep);
         if (calm < settings.sleepTime || !(body.touching || weightless)) continue;
         sleep(body);
         ended.push_back(slot);
@@ -123,19 +116,14 @@ void PhysicsWorld::Impl::settle() {
     for (const uint32_t slot : ended) leaveAwake(*dynamics[slot]);
 }
 
-/// What moved wakes what it touched; the first time after it woke, all that its bounds touch: Bullet reports no contacts
-/// between sleepers. Those woken join `awake` at their place, so the walk finds its own again.
+/// What moved wakes what it touched; the first time after it woke, all that its bounds touch: there are no contacts between
+/// sleepers. Those woken join `awake` at their place, so the walk finds its own again.
 void PhysicsWorld::Impl::disturb() {
     for (size_t i = 0; i < awake.size(); ++i) {
         const uint32_t slot = awake[i];
         DynamicBody& body = *dynamics[slot];
-        const btTransform before = body.settling.disturbedAt();
-        if (!body.settling.disturbed(body.rigid().getWorldTransform(), kDisturbed, kDisturbedAngle)) continue;
-        if (body.freshlyAwake) {
-            btVector3 low, high;
-            body.rigid().getCollisionShape()->getAabb(before, low, high);
-            wakeTouching(low, high);
-        }
+        if (!body.settling.disturbed(body.pose(), kDisturbed, kDisturbedAngle)) continue;
+        if (body.freshlyAwake) wakeTouching(body.object.low, body.object.high);
         body.freshlyAwake = false;
         std::sort(body.sleepersTouched.begin(), body.sleepersTouched.end());
         for (const uint32_t touched : body.sleepersTouched)

@@ -1,64 +1,100 @@
 #include <benchmark/benchmark.h>
 
-#include "physics/box_merge.h"
-#include "runtime/core/random.h"
-#include "tests/physics/physics_scene.h"
+#include <algorithm>
+#include <chrono>
+#include <functional>
+
+#include "physics/physics_world.h"
+#include "runtime/world/world.h"
+#include "tests/physics/baseline/box_merge.h"
+#include "tests/physics/baseline/bullet_compounds.h"
+#include "tests/physics/baseline/overlap.h"
+#include "tests/physics/baseline/voronoi_pit.h"
 
 namespace rubble {
 namespace {
 
-/// A connected random lump of up to 100 voxels.
-VoxelGrid lump(Random& random) {
-    VoxelGrid grid({8, 8, 8});
-    GridWriter writer(grid);
-    glm::ivec3 cell(4, 4, 4);
-    const int count = random.between(50, 300);
-    for (int i = 0; i < count; ++i) {
-        writer.set(cell, 7);
-        const int axis = int(random.below(3));
-        const int step = random.below(2) ? 1 : -1;
-        cell[axis] = std::clamp(cell[axis] + step, 0, 7);
-    }
-    return grid;
+using Clock = std::chrono::steady_clock;
+
+double median(std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+    return values[values.size() / 2];
 }
 
-/// One step of a heap of pieces, all awake: 1.5 s after they were dropped.
-void stepOfPieces(benchmark::State& state) {
+/// Ours: all pieces awake from the start, and for good.
+struct Pile {
+    explicit Pile(const Level& level, PhysicsSettings settings) : physics(settings) {
+        world.load(level);
+        FrameChanges changes;
+        changes.levelReplaced = true;
+        physics.apply(changes, world);
+        FrameChanges nudge;
+        world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+            handles.push_back(handle);
+            if (!body.isStatic) nudge.impulses.push_back({handle, body.pose.position, glm::dvec3(0.0)});
+        });
+        physics.apply(nudge, world);
+    }
+    void step() {
+        physics.step();
+        world.setPoses(physics.poses());
+    }
+    std::vector<Pose> poses() const {
+        std::vector<Pose> all;
+        for (const BodyHandle handle : handles) all.push_back(world.bodies().at(handle).pose);
+        return all;
+    }
+    World world;
+    PhysicsWorld physics;
+    std::vector<BodyHandle> handles;
+};
+
+/// 1,000 awake Voronoi pieces in a pit: ours and Bullet's compounds of merged boxes, step by step in turn.
+void voronoiPieces(benchmark::State& state) {
+    const int pieces = int(state.range(0));
+    const Level level = voronoiPit(pieces);
     PhysicsSettings settings;
     settings.sleepTime = 1e9;
-    PhysicsScene scene(settings);
-    scene.addFloor();
-    Random random(1);
-    for (int i = 0; i < int(state.range(0)); ++i) {
-        VoxelGrid grid = lump(random);
-        scene.add(std::move(grid), {(i % 8) * 0.9 - 3.5, 0.3 + i / 64 * 0.9, (i / 8 % 8) * 0.9 - 3.5}, false);
+    Pile ours(level, settings);
+    BulletCompounds bullet(level, {});
+    const auto timed = [](const std::function<void()>& step) {
+        const auto start = Clock::now();
+        step();
+        return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    };
+    std::vector<double> oursMs, bulletMs;
+    for (auto _ : state) {
+        double sum = 0.0;
+        for (int i = 0; i < 600; ++i) {
+            const double a = timed([&] { ours.step(); }), b = timed([&] { bullet.step(); });
+            sum += a;
+            if (i >= 120) oursMs.push_back(a), bulletMs.push_back(b);
+        }
+        state.SetIterationTime(sum * 1e-3);
     }
-    scene.load();
-    scene.seconds(1.5);
-    for (auto _ : state) scene.step();
-    const PhysicsFigures figures = scene.physics.figures();
-    state.counters["awake"] = figures.awake;
-    state.counters["contacts"] = figures.contacts;
-    state.counters["boxes"] = figures.colliderBoxes;
+    std::vector<Pose> theirs;
+    for (size_t i = 0; i < level.bodies.size(); ++i) theirs.push_back(bullet.pose(i));
+    const Overlaps a = measureOverlaps(level, ours.poses()), b = measureOverlaps(level, theirs);
+    const double m = median(oursMs), n = median(bulletMs);
+    std::sort(oursMs.begin(), oursMs.end());
+    state.counters["step_ms"] = m;
+    state.counters["p99_ms"] = oursMs[oursMs.size() * 99 / 100];
+    state.counters["bullet_ms"] = n;
+    state.counters["times_faster"] = n / m;
+    state.counters["deep_mean_mm"] = a.mean * 1000;
+    state.counters["bullet_deep_mean_mm"] = b.mean * 1000;
+    state.counters["deep_median_mm"] = a.median * 1000;
+    state.counters["bullet_deep_median_mm"] = b.median * 1000;
+    state.counters["deep_worst_voxels"] = a.worst * 10;
+    state.counters["bullet_deep_worst_voxels"] = b.worst * 10;
+    state.counters["overlaps"] = double(a.pairs);
+    state.counters["bullet_overlaps"] = double(b.pairs);
+    state.counters["height_m"] = a.middle;
+    state.counters["bullet_height_m"] = b.middle;
+    state.counters["contacts"] = ours.physics.figures().contacts;
+    state.counters["boxes"] = double(bullet.boxes());
 }
-BENCHMARK(stepOfPieces)->Arg(200)->Arg(300)->Arg(1000)->Unit(benchmark::kMillisecond)->Iterations(30);
-
-/// Solid voxels to boxes: a ragged grid of 64^3.
-void mergeBoxes(benchmark::State& state) {
-    VoxelGrid grid({64, 64, 64});
-    {
-        GridWriter writer(grid);
-        Random random(2);
-        for (int z = 0; z < 64; ++z)
-            for (int y = 0; y < 64; ++y)
-                for (int x = 0; x < 64; ++x)
-                    if (random.below(20)) writer.set({x, y, z}, 1);
-    }
-    size_t boxes = 0;
-    for (auto _ : state) boxes = mergeGrid(grid, ~SolidEntries{}).size();
-    state.counters["boxes"] = double(boxes);
-}
-BENCHMARK(mergeBoxes)->Unit(benchmark::kMillisecond);
+BENCHMARK(voronoiPieces)->Name("physics/voronoiPieces")->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond)->Iterations(1)->UseManualTime();
 
 }  // namespace
 }  // namespace rubble

@@ -1,4 +1,4 @@
-#include "physics/box_merge.h"
+#include "tests/physics/baseline/box_merge.h"
 
 #include <gtest/gtest.h>
 

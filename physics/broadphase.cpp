@@ -1,0 +1,76 @@
+#include "physics/broadphase.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/bullet_math.h"
+
+namespace rubble {
+namespace {
+
+constexpr btScalar kFat = 0.05f;  ///< metres that a moving object's leaf is larger than it: small moves do not touch the tree
+
+}  // namespace
+
+void CollisionObject::place(const Pose& at) {
+    pose = at;
+    m_lattices.clear();
+    for (const auto& part : collider.parts) {
+        const glm::dmat3 axes = glm::mat3_cast(at.rotation * part->frame().rotation) * part->voxelSize();
+        m_lattices.push_back({axes, at.rotation * part->frame().position});
+    }
+}
+
+bool Broadphase::overlap(const CollisionObject& a, const CollisionObject& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
+void Broadphase::sortPairs(std::vector<ObjectPair>& pairs, size_t from) {
+    std::sort(pairs.begin() + std::ptrdiff_t(from), pairs.end(), [](const ObjectPair& a, const ObjectPair& b) {
+        return a.first->number != b.first->number ? a.first->number < b.first->number : a.second->number < b.second->number;
+    });
+}
+
+void Broadphase::setBounds(CollisionObject& object, glm::dvec3 way, double margin) const {
+    glm::dvec3 low, high;
+    object.collider.bounds(low, high);
+    const glm::dvec3 half = (high - low) * 0.5, center = object.pose.transformPoint((low + high) * 0.5);
+    const glm::dmat3 axes = glm::mat3_cast(object.pose.rotation);
+    const glm::dvec3 reach = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z + margin;
+    object.low = center - reach + glm::min(way, 0.0);
+    object.high = center + reach + glm::max(way, 0.0);
+}
+
+btDbvtVolume Broadphase::volumeOf(glm::dvec3 low, glm::dvec3 high) const {
+    return btDbvtVolume::FromMM(toBullet(low - m_origin), toBullet(high - m_origin));
+}
+
+void Broadphase::add(CollisionObject& object, bool moves) {
+    setBounds(object, glm::dvec3(0.0), 0.0);
+    object.m_moves = moves;
+    object.m_leaf = (moves ? m_moving : m_resting).insert(volumeOf(object.low, object.high), &object);
+}
+
+void Broadphase::remove(CollisionObject& object) {
+    if (!object.m_leaf) return;
+    (object.m_moves ? m_moving : m_resting).remove(object.m_leaf);
+    object.m_leaf = nullptr;
+}
+
+void Broadphase::move(CollisionObject& object, glm::dvec3 way, double margin) {
+    setBounds(object, way, margin);
+    btDbvtVolume volume = volumeOf(object.low, object.high);
+    m_moving.update(object.m_leaf, volume, btVector3(0, 0, 0), kFat);
+}
+
+void Broadphase::find(glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObject*>& out) {
+    struct Collect : btDbvt::ICollide {
+        explicit Collect(std::vector<CollisionObject*>& found) : objects(found) {}
+        void Process(const btDbvtNode* leaf) override { objects.push_back(static_cast<CollisionObject*>(leaf->data)); }
+        std::vector<CollisionObject*>& objects;
+    } collect(out);
+    const btDbvtVolume volume = volumeOf(low, high);
+    for (btDbvt* tree : {&m_resting, &m_moving}) tree->collideTVNoStackAlloc(tree->m_root, volume, m_stack, collect);
+}
+
+}  // namespace rubble

@@ -1,0 +1,219 @@
+#include "physics/contact_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr int kPasses = 2, kFastPasses = 8;  ///< over the normals of two bodies that meet, by how fast they do
+constexpr float kFast = 20.0f;               ///< m/s
+
+/// Two directions across the normal.
+void tangentsOf(const glm::vec3& n, glm::vec3& t1, glm::vec3& t2) {
+    t1 = std::abs(n.x) > 0.57f ? glm::vec3(n.y, -n.x, 0.0f) : glm::vec3(0.0f, n.z, -n.y);
+    t1 /= std::sqrt(glm::dot(t1, t1));
+    t2 = glm::cross(n, t1);
+}
+
+}  // namespace
+
+ContactSolver::Softness ContactSolver::soften(double hertz, double dampingRatio, double seconds) {
+    const double omega = 2.0 * 3.14159265358979 * hertz;
+    const double a1 = 2.0 * dampingRatio + seconds * omega, a2 = seconds * omega * a1, a3 = 1.0 / (1.0 + a2);
+    return {float(omega / a1), float(a2 * a3), float(a3)};
+}
+
+void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf) {
+    m_states.assign(bodies.size(), {});
+    for (size_t i = 1; i < bodies.size(); ++i) {
+        State& state = m_states[i];
+        state.v = glm::vec3(bodies[i].velocity);
+        state.w = glm::vec3(bodies[i].angularVelocity);
+        state.inverseMass = float(bodies[i].inverseMass);
+        state.inverseInertia = glm::mat3(worldInverseInertia(bodies[i]));
+    }
+    m_constraints.clear();
+    m_ranges.clear();
+    for (size_t m = 0; m < manifolds.size(); ++m) {
+        const auto [a, b] = bodyOf[m];
+        const State &A = m_states[size_t(a)], &B = m_states[size_t(b)];
+        m_states[size_t(a)].touches = m_states[size_t(b)].touches = true;
+        const glm::vec3 originA = glm::vec3(manifolds[m]->origin - bodies[size_t(a)].position);
+        const glm::vec3 originB = glm::vec3(manifolds[m]->origin - bodies[size_t(b)].position);
+        Range& range = m_ranges.emplace_back();
+        range.a = a, range.b = b;
+        range.from = m_constraints.size();
+        range.to = range.from + manifolds[m]->all().size();
+        float fastest = 0.0f;
+        for (ManifoldPoint& point : manifolds[m]->all()) {
+            Constraint& c = m_constraints.emplace_back();
+            c.rA = a ? originA + point.position : glm::vec3(0.0f);
+            c.rB = b ? originB + point.position : glm::vec3(0.0f);
+            c.normal = point.normal;
+            tangentsOf(c.normal, c.tangent1, c.tangent2);
+            const auto massAlong = [&](const glm::vec3& d) {
+                const glm::vec3 xa = glm::cross(c.rA, d), xb = glm::cross(c.rB, d);
+                const float k = A.inverseMass + B.inverseMass + glm::dot(xa, A.inverseInertia * xa) + glm::dot(xb, B.inverseInertia * xb);
+                return k > 0.0f ? 1.0f / k : 0.0f;
+            };
+            c.normalMass = massAlong(c.normal);
+            c.tangentMass1 = massAlong(c.tangent1);
+            c.tangentMass2 = massAlong(c.tangent2);
+            c.separation = point.separation;
+            c.friction = point.friction;
+            c.restitution = point.restitution;
+            c.approach = glm::dot(relativeVelocity(c, A, B), c.normal);
+            c.normalImpulse = point.normalImpulse;
+            c.tangentImpulse1 = glm::dot(point.frictionImpulse, c.tangent1);
+            c.tangentImpulse2 = glm::dot(point.frictionImpulse, c.tangent2);
+            c.total = c.most = c.bounceImpulse = 0.0f;
+            c.isStatic = A.inverseMass == 0.0f || B.inverseMass == 0.0f;
+            c.point = &point;
+            fastest = std::max(fastest, -c.approach);
+        }
+        range.passes = fastest > kFast ? kFastPasses : kPasses;
+    }
+}
+
+void ContactSolver::apply(const Constraint& c, State& A, State& B, const glm::vec3& impulse) {
+    A.v += impulse * A.inverseMass;
+    A.w += A.inverseInertia * glm::cross(c.rA, impulse);
+    B.v -= impulse * B.inverseMass;
+    B.w -= B.inverseInertia * glm::cross(c.rB, impulse);
+}
+
+glm::vec3 ContactSolver::relativeVelocity(const Constraint& c, const State& A, const State& B) {
+    return A.v + glm::cross(A.w, c.rA) - B.v - glm::cross(B.w, c.rB);
+}
+
+void ContactSolver::warmStart() {
+    for (const Range& range : m_ranges)
+        for (size_t i = range.from; i < range.to; ++i) {
+            const Constraint& c = m_constraints[i];
+            apply(c, m_states[size_t(range.a)], m_states[size_t(range.b)],
+                  c.normal * c.normalImpulse + c.tangent1 * c.tangentImpulse1 + c.tangent2 * c.tangentImpulse2);
+        }
+}
+
+void ContactSolver::solveNormal(Constraint& c, State& A, State& B, float inverseSeconds, bool pushApart) const {
+    const glm::vec3 moved = A.moved + A.turned * c.rA - B.moved - B.turned * c.rB;
+    const float s = c.separation + glm::dot(moved, c.normal);
+    const Softness& soft = c.isStatic ? m_softStatic : m_soft;
+    float bias = 0.0f, massScale = 1.0f, impulseScale = 0.0f;
+    if (s > 0.0f)
+        bias = s * inverseSeconds;
+    else if (pushApart) {
+        bias = std::max(soft.biasRate * std::min(s + m_slop, 0.0f), -m_pushSpeed);
+        massScale = soft.massScale;
+        impulseScale = soft.impulseScale;
+    }
+    const float speed = glm::dot(relativeVelocity(c, A, B), c.normal);
+    const float old = c.normalImpulse;
+    c.normalImpulse = std::max(old - c.normalMass * massScale * (speed + bias) - impulseScale * old, 0.0f);
+    c.most = std::max(c.most, c.normalImpulse);
+    apply(c, A, B, c.normal * (c.normalImpulse - old));
+}
+
+void ContactSolver::solveFriction(Constraint& c, State& A, State& B) const {
+    const glm::vec3 relative = relativeVelocity(c, A, B);
+    const float limit = c.friction * c.normalImpulse;
+    float t1 = c.tangentImpulse1 - c.tangentMass1 * glm::dot(relative, c.tangent1);
+    float t2 = c.tangentImpulse2 - c.tangentMass2 * glm::dot(relative, c.tangent2);
+    const float size2 = t1 * t1 + t2 * t2;
+    if (size2 > limit * limit) {
+        const float shrink = limit / std::sqrt(size2);
+        t1 *= shrink;
+        t2 *= shrink;
+    }
+    apply(c, A, B, c.tangent1 * (t1 - c.tangentImpulse1) + c.tangent2 * (t2 - c.tangentImpulse2));
+    c.tangentImpulse1 = t1;
+    c.tangentImpulse2 = t2;
+}
+
+/// All normals of two bodies first, then their friction: what one point takes too much of, the next gives back before it rubs.
+void ContactSolver::solveContacts(float inverseSeconds, bool pushApart) {
+    for (const Range& range : m_ranges) {
+        State &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
+        const std::span<Constraint> points(m_constraints.data() + range.from, range.to - range.from);
+        for (int pass = 0; pass < range.passes; ++pass)
+            for (Constraint& c : points) solveNormal(c, A, B, inverseSeconds, pushApart);
+        for (Constraint& c : points) solveFriction(c, A, B);
+    }
+}
+
+void ContactSolver::bounce(float threshold) {
+    for (const Range& range : m_ranges) {
+        State &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
+        for (int pass = 0; pass < kFastPasses; ++pass)
+            for (size_t i = range.from; i < range.to; ++i) {
+                Constraint& c = m_constraints[i];
+                if (c.restitution == 0.0f || c.approach > -threshold || c.most == 0.0f) continue;
+                // On top of what the contact bears, which the next step starts with.
+                const float speed = glm::dot(relativeVelocity(c, A, B), c.normal), old = c.bounceImpulse;
+                c.bounceImpulse = std::max(old - c.normalMass * (speed + c.restitution * c.approach), 0.0f);
+                apply(c, A, B, c.normal * (c.bounceImpulse - old));
+            }
+        for (size_t i = range.from; i < range.to; ++i) m_constraints[i].total += m_constraints[i].bounceImpulse;
+    }
+}
+
+void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf,
+                          glm::dvec3 gravity, const SolverSettings& settings) {
+    const double h = settings.seconds / settings.substeps;
+    const double hertz = std::min(settings.contactHertz, 0.25 / h);
+    m_soft = soften(hertz, settings.dampingRatio, h);
+    m_softStatic = soften(2.0 * hertz, settings.dampingRatio, h);
+    m_pushSpeed = float(settings.pushSpeed);
+    m_slop = float(settings.slop);
+    prepare(bodies, manifolds, bodyOf);
+    m_start.resize(bodies.size());
+    for (size_t i = 0; i < bodies.size(); ++i) m_start[i] = bodies[i].rotation;
+    const glm::vec3 fall = glm::vec3(gravity * h);
+    for (int substep = 0; substep < settings.substeps; ++substep) {
+        for (size_t i = 1; i < bodies.size(); ++i) m_states[i].v += fall;
+        warmStart();
+        for (int i = 0; i < settings.iterations; ++i) solveContacts(float(1.0 / h), true);
+        move(bodies, gravity, h);
+        for (int i = 0; i < settings.iterations; ++i) solveContacts(float(1.0 / h), false);
+        for (Constraint& c : m_constraints) c.total += c.normalImpulse;
+    }
+    bounce(float(settings.bounceSpeed));
+    for (size_t i = 1; i < bodies.size(); ++i)
+        if (m_states[i].touches) bodies[i].velocity = m_states[i].v, bodies[i].angularVelocity = m_states[i].w;
+    store();
+}
+
+/// Integrates positions. Bodies without contacts stay in doubles: nothing is rounded in free flight.
+void ContactSolver::move(std::span<SolverBody> bodies, glm::dvec3 gravity, double h) {
+    for (size_t i = 1; i < bodies.size(); ++i) {
+        SolverBody& body = bodies[i];
+        State& state = m_states[i];
+        if (state.touches) {
+            body.velocity = state.v;
+            body.angularVelocity = state.w;
+        } else
+            body.velocity += gravity * h;
+        const glm::dvec3 way = body.velocity * h;
+        body.position += way;
+        rotateBody(body, h);
+        if (!state.touches) continue;
+        state.moved += glm::vec3(way);
+        state.turned = glm::mat3(glm::mat3_cast(body.rotation * glm::conjugate(m_start[i])) - glm::dmat3(1.0));
+        if (body.conserves) {
+            state.w = glm::vec3(body.angularVelocity);
+            state.inverseInertia = glm::mat3(worldInverseInertia(body));
+        }
+    }
+}
+
+void ContactSolver::store() {
+    for (const Constraint& c : m_constraints) {
+        c.point->normalImpulse = c.normalImpulse;
+        c.point->frictionImpulse = c.tangent1 * c.tangentImpulse1 + c.tangent2 * c.tangentImpulse2;
+        c.point->totalImpulse = c.total;
+        c.point->approach = -c.approach;
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,98 @@
+#pragma once
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <span>
+#include <vector>
+
+#include "physics/manifold.h"
+
+namespace rubble {
+
+/// A body as the solver moves it. Its frame is its principal axes about the centre of mass.
+struct SolverBody {
+    glm::dvec3 position{0.0};  ///< world, metres
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+    glm::dvec3 velocity{0.0}, angularVelocity{0.0};
+    glm::dvec3 inertia{1.0};  ///< kg m2
+    double inverseMass = 0.0;
+    bool conserves = false;  ///< its rotation keeps angular momentum: for uneven bodies that spin fast
+};
+
+struct SolverSettings {
+    int substeps = 4;
+    int iterations = 1;           ///< over all contacts, in each half of a substep
+    double seconds = 1.0 / 60.0;  ///< of all substeps together
+    double contactHertz = 30.0;   ///< stiffness of contacts, at most a quarter of the rate of substeps
+    double dampingRatio = 10.0;
+    double pushSpeed = 3.0;    ///< m/s at which overlaps are pushed apart
+    double slop = 0.0002;      ///< metres that contacts may overlap, so that they last
+    double bounceSpeed = 1.0;  ///< m/s of approach below which nothing bounces
+};
+
+/// Contacts between bodies, solved in substeps: soft constraints pushed apart and relaxed, positions followed within the
+/// step without finding contacts anew (Catto, "Solver2D", 2023; Macklin et al., "Small Steps in Physics Simulation", 2019).
+/// Body 0 of `bodies` is the world: it does not move. The same input gives the same bits.
+class ContactSolver {
+public:
+    /// Moves the bodies by settings.seconds. bodyOf: the number in `bodies` of each manifold's first and second; impulses of
+    /// the manifolds are where the solver starts, and what it found.
+    void solve(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf, glm::dvec3 gravity,
+               const SolverSettings& settings);
+
+private:
+    void prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf);
+    void warmStart();
+    void solveContacts(float inverseSeconds, bool pushApart);
+    void move(std::span<SolverBody> bodies, glm::dvec3 gravity, double seconds);
+    void bounce(float threshold);
+    void store();
+
+    struct Softness {
+        float biasRate = 0.0f, massScale = 1.0f, impulseScale = 0.0f;
+    };
+    static Softness soften(double hertz, double dampingRatio, double seconds);
+
+    /// A body within the step.
+    struct State {
+        glm::vec3 v{0.0f}, w{0.0f};
+        float inverseMass = 0.0f;
+        glm::vec3 moved{0.0f};           ///< since the step began
+        glm::mat3 turned{0.0f};          ///< rotation since the step began, less the identity
+        glm::mat3 inverseInertia{0.0f};  ///< world
+        bool touches = false;
+    };
+    struct Constraint {
+        glm::vec3 rA, rB, normal, tangent1, tangent2;
+        float separation;  ///< at the start of the step
+        float normalMass, tangentMass1, tangentMass2;
+        float friction, restitution, approach;
+        float normalImpulse, tangentImpulse1, tangentImpulse2, total, most, bounceImpulse;
+        bool isStatic;
+        ManifoldPoint* point;
+    };
+    /// The contacts of two bodies.
+    struct Range {
+        int a, b;  ///< in m_states
+        size_t from, to;
+        int passes;
+    };
+    static glm::vec3 relativeVelocity(const Constraint& c, const State& A, const State& B);
+    static void apply(const Constraint& c, State& A, State& B, const glm::vec3& impulse);
+    void solveNormal(Constraint& c, State& A, State& B, float inverseSeconds, bool pushApart) const;
+    void solveFriction(Constraint& c, State& A, State& B) const;
+
+    std::vector<State> m_states;
+    std::vector<Range> m_ranges;
+    std::vector<Constraint> m_constraints;
+    std::vector<glm::dquat> m_start;  ///< rotations at the start of the step
+    Softness m_soft, m_softStatic;
+    float m_pushSpeed = 0.0f, m_slop = 0.0f;
+};
+
+/// One substep of a body's rotation. Bodies that conserve: angular momentum is held, implicit midpoint rule, which keeps the
+/// energy of a free body bounded; the others keep their angular velocity.
+void rotateBody(SolverBody& body, double seconds);
+/// World tensor of a body's inverse inertia.
+glm::dmat3 worldInverseInertia(const SolverBody& body);
+
+}  // namespace rubble

@@ -1,0 +1,95 @@
+#include "physics/manifold.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr float kSameDirection = 0.8f;  ///< cosine between normals that count as one direction
+constexpr int kPointsADirection = 4;
+constexpr float kKeptDepth = 0.001f;  ///< metres deeper that it counts as
+constexpr float kKept = 2.0f;         ///< a point that was kept in the last step counts as this much farther out: choices do not flicker
+
+bool wasKept(const Manifold* before, uint64_t feature) {
+    if (before)
+        for (const ManifoldPoint& point : before->all())
+            if (point.feature == feature) return true;
+    return false;
+}
+
+/// Moves four of contacts[from, to) to the front: the deepest, the one farthest from it, the one farthest from their line,
+/// and the one farthest from that on the other side. Returns how many there are.
+size_t chooseSpread(std::vector<ContactPoint>& contacts, size_t from, size_t to, const Manifold* before) {
+    if (to - from <= kPointsADirection) return to - from;
+    const auto best = [&](size_t first, auto&& score) {
+        size_t found = first;
+        float highest = -1e30f;
+        for (size_t i = first; i < to; ++i) {
+            float value = score(contacts[i]);
+            if (value > 0 && wasKept(before, contacts[i].feature)) value *= kKept;
+            if (value > highest) highest = value, found = i;
+        }
+        std::swap(contacts[first], contacts[found]);
+        return highest;
+    };
+    const glm::vec3 deepest = contacts[from].position, normal = contacts[from].normal;
+    best(from + 1, [&](const ContactPoint& c) { return glm::dot(c.position - deepest, c.position - deepest); });
+    const glm::vec3 side = glm::cross(contacts[from + 1].position - deepest, normal);
+    const auto across = [&](const ContactPoint& c) { return glm::dot(side, c.position - deepest); };
+    best(from + 2, [&](const ContactPoint& c) { return std::abs(across(c)); });
+    const float sign = across(contacts[from + 2]) > 0 ? -1.0f : 1.0f;
+    best(from + 3, [&](const ContactPoint& c) { return sign * across(c); });
+    return kPointsADirection;
+}
+
+/// Points that were there before start with the impulses they had; what points that are gone bore is shared by the new ones
+/// of their direction.
+void inherit(const Manifold& before, Manifold& now) {
+    std::array<bool, kMaxManifoldPoints> taken{}, known{};
+    for (int i = 0; i < now.count; ++i)
+        for (int k = 0; k < before.count; ++k)
+            if (before.points[size_t(k)].feature == now.points[size_t(i)].feature) {
+                now.points[size_t(i)].normalImpulse = before.points[size_t(k)].normalImpulse;
+                now.points[size_t(i)].frictionImpulse = before.points[size_t(k)].frictionImpulse;
+                taken[size_t(k)] = known[size_t(i)] = true;
+            }
+    for (int k = 0; k < before.count; ++k) {
+        const ManifoldPoint& gone = before.points[size_t(k)];
+        if (taken[size_t(k)] || gone.normalImpulse == 0.0f) continue;
+        const auto takes = [&](int i) { return !known[size_t(i)] && glm::dot(now.points[size_t(i)].normal, gone.normal) > kSameDirection; };
+        int heirs = 0;
+        for (int i = 0; i < now.count; ++i) heirs += takes(i);
+        for (int i = 0; i < now.count; ++i)
+            if (takes(i)) {
+                now.points[size_t(i)].normalImpulse += gone.normalImpulse / float(heirs);
+                now.points[size_t(i)].frictionImpulse += gone.frictionImpulse / float(heirs);
+            }
+    }
+}
+
+}  // namespace
+
+void reduceContacts(std::vector<ContactPoint>& contacts, const Manifold* before, Manifold& out) {
+    out.count = 0;
+    size_t from = 0;
+    while (from < contacts.size() && out.count < kMaxManifoldPoints) {
+        size_t deepest = from;
+        float lowest = 1e9f;
+        for (size_t i = from; i < contacts.size(); ++i) {
+            const float separation = contacts[i].separation - (wasKept(before, contacts[i].feature) ? kKeptDepth : 0.0f);
+            if (separation < lowest) lowest = separation, deepest = i;
+        }
+        std::swap(contacts[from], contacts[deepest]);
+        const glm::vec3 normal = contacts[from].normal;
+        size_t to = from + 1;
+        for (size_t i = to; i < contacts.size(); ++i)
+            if (glm::dot(contacts[i].normal, normal) > kSameDirection) std::swap(contacts[to++], contacts[i]);
+        const size_t kept = chooseSpread(contacts, from, to, before);
+        for (size_t i = from; i < from + kept && out.count < kMaxManifoldPoints; ++i) out.points[size_t(out.count++)] = {contacts[i]};
+        from = to;
+    }
+    if (before) inherit(*before, out);
+}
+
+}  // namespace rubble

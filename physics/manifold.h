@@ -1,0 +1,40 @@
+#pragma once
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "physics/voxel_contacts.h"
+
+namespace rubble {
+
+struct CollisionObject;
+
+/// A contact with what the solver knows about it.
+struct ManifoldPoint : ContactPoint {
+    float normalImpulse = 0.0f;       ///< of a substep, N s
+    glm::vec3 frictionImpulse{0.0f};  ///< of a substep, world
+    float totalImpulse = 0.0f;        ///< along the normal over the last step, N s
+    float approach = 0.0f;            ///< m/s along the normal before the last solve
+};
+
+inline constexpr int kMaxManifoldPoints = 8;
+
+/// The contacts of two bodies that are kept: for each direction, in which they touch, the deepest and those that span the
+/// widest area with it.
+struct Manifold {
+    uint32_t first = 0, second = 0;  ///< numbers of the collision objects
+    std::pair<CollisionObject*, CollisionObject*> objects;
+    glm::dvec3 origin{0.0};  ///< of the first's frame, world: where positions count from
+    int count = 0;
+    std::array<ManifoldPoint, kMaxManifoldPoints> points;
+
+    std::span<ManifoldPoint> all() { return {points.data(), size_t(count)}; }
+    std::span<const ManifoldPoint> all() const { return {points.data(), size_t(count)}; }
+};
+
+/// Keeps at most kMaxManifoldPoints of the contacts, whose order it changes, and gives those that `before` (may be null)
+/// had too their impulses back.
+void reduceContacts(std::vector<ContactPoint>& contacts, const Manifold* before, Manifold& out);
+
+}  // namespace rubble

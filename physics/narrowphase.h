@@ -1,0 +1,40 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "physics/broadphase.h"
+#include "physics/manifold.h"
+#include "runtime/core/parallel_for.h"
+
+namespace rubble {
+
+/// Contacts of all pairs of a step, in batches that may run side by side; the result does not depend on how many do.
+class Narrowphase {
+public:
+    /// Begins a step: what is known becomes what was.
+    void begin();
+    /// Adds the manifolds of these sorted pairs that touch.
+    void collide(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, const ParallelFor& parallelFor);
+    /// Of this step, sorted by first and second, valid until the next begin().
+    std::span<Manifold* const> manifolds() const { return m_sets[m_now].list; }
+
+private:
+    struct Batch {
+        std::vector<Manifold> manifolds;
+        size_t used = 0;
+        std::vector<ContactPoint> contacts;
+    };
+    struct Set {
+        std::vector<std::unique_ptr<Batch>> batches;
+        size_t usedBatches = 0;
+        std::vector<Manifold*> list;
+    };
+    const Manifold* before(uint32_t first, uint32_t second) const;
+    void collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch) const;
+
+    std::array<Set, 2> m_sets;
+    size_t m_now = 0;
+};
+
+}  // namespace rubble

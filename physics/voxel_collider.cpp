@@ -1,0 +1,139 @@
+#include "physics/voxel_collider.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr size_t kTightBricks = 512;  ///< grids of more bricks get their bounds by bricks
+
+/// The grid without voxels of unphysical entries.
+VoxelGrid withoutGhosts(const VoxelGrid& grid, const ContactSurfaces& surfaces) {
+    VoxelGrid out = grid;
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        BrickBits keep = brick->occupancy;
+        bool all = true;
+        forEachVoxel(brick->occupancy, [&](int i) {
+            if (surfaces.solid[brick->at(i)]) return;
+            keep[size_t(i >> 6)] &= ~(uint64_t(1) << (i & 63));
+            all = false;
+        });
+        if (!all) out.setBrick(position, maskBrick(*brick, keep));
+    });
+    return out;
+}
+
+void includeBrick(glm::ivec3 position, const Brick& brick, CellBox& box) {
+    uint64_t flat = 0;
+    int low = 8, high = -1;
+    for (int z = 0; z < 8; ++z) {
+        if (!brick.occupancy[size_t(z)]) continue;
+        flat |= brick.occupancy[size_t(z)];
+        low = std::min(low, z);
+        high = z;
+    }
+    uint32_t row = 0;
+    for (int y = 0; y < 8; ++y) row |= uint32_t(flat >> (8 * y)) & 0xff;
+    const glm::ivec3 base = position * kBrickSize;
+    box.low = glm::min(box.low, base + glm::ivec3(std::countr_zero(row), std::countr_zero(flat) / 8, low));
+    box.high = glm::max(box.high, base + glm::ivec3(32 - std::countl_zero(row), 8 - std::countl_zero(flat) / 8, high + 1));
+}
+
+}  // namespace
+
+ContactSurfaces::ContactSurfaces(const Palette& palette, const MaterialTable& materials) {
+    for (size_t i = 0; i < friction.size(); ++i) {
+        const Material& material = materials[palette[i].material];
+        friction[i] = material.friction;
+        restitution[i] = material.restitution;
+        solid[i] = material.hardness != Hardness::Unphysical;
+    }
+}
+
+VoxelPart::VoxelPart(const Shape& shape, const Pose& frame, const MaterialTable& materials)
+    : m_frame(frame), m_voxelSize(shape.voxelSize), m_surfaces(std::make_shared<ContactSurfaces>(*shape.palette, materials)) {
+    takeGrid(shape.grid);
+    const glm::ivec3 nodes = m_grid.sizeInNodes();
+    m_nodes = std::make_unique<Lazy<NodeFeatures>[]>(size_t(nodes.x) * size_t(nodes.y) * size_t(nodes.z));
+}
+
+void VoxelPart::takeGrid(const VoxelGrid& grid) {
+    const auto& solid = m_surfaces->solid;
+    m_grid = std::all_of(solid.begin(), solid.end(), [](bool s) { return s; }) ? grid : withoutGhosts(grid, *m_surfaces);
+    findBounds();
+}
+
+void VoxelPart::findBounds() {
+    m_bounds = {m_grid.size(), glm::ivec3(0)};
+    if (m_grid.brickCount() <= kTightBricks)
+        m_grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) { includeBrick(position, *brick, m_bounds); });
+    else
+        m_grid.forEachNode([&](glm::ivec3 node, const BrickNode&) {
+            m_bounds.low = glm::min(m_bounds.low, node * kNodeSize);
+            m_bounds.high = glm::max(m_bounds.high, glm::min((node + 1) * kNodeSize, m_grid.size()));
+        });
+}
+
+void VoxelPart::update(const Shape& shape, const std::vector<glm::ivec3>& bricks) {
+    takeGrid(shape.grid);
+    for (const glm::ivec3& brick : bricks)
+        for (int i = 0; i < 27; ++i) {
+            const glm::ivec3 near = brick + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
+            if (near.x < 0 || near.y < 0 || near.z < 0 || glm::any(glm::greaterThanEqual(near >> 2, m_grid.sizeInNodes()))) continue;
+            if (const NodeFeatures* known = m_nodes[nodeNumber(near >> 2)].find()) {
+                known->bricks[size_t(childIndex(near))].forget();
+                known->surroundings[size_t(childIndex(near))].forget();
+            }
+        }
+}
+
+const VoxelPart::NodeFeatures& VoxelPart::node(glm::ivec3 brick) const {
+    Lazy<NodeFeatures>& lazy = m_nodes[nodeNumber(brick >> 2)];
+    const NodeFeatures* known = lazy.find();
+    return known ? *known : lazy.keep(std::make_unique<NodeFeatures>());
+}
+
+const FeatureList& VoxelPart::features(glm::ivec3 brick) const {
+    Lazy<FeatureList>& lazy = node(brick).bricks[size_t(childIndex(brick))];
+    const FeatureList* known = lazy.find();
+    return known ? *known : lazy.keep(std::make_unique<FeatureList>(findFeatures(m_grid, brick)));
+}
+
+const BrickBits& VoxelPart::surroundings(glm::ivec3 brick) const {
+    Lazy<BrickBits>& lazy = node(brick).surroundings[size_t(childIndex(brick))];
+    const BrickBits* known = lazy.find();
+    return known ? *known : lazy.keep(std::make_unique<BrickBits>(dilateBrick(m_grid, brick)));
+}
+
+bool VoxelCollider::empty() const {
+    return std::all_of(parts.begin(), parts.end(), [](const auto& part) { return part->grid().empty(); });
+}
+
+void VoxelCollider::bounds(glm::dvec3& low, glm::dvec3& high) const {
+    low = glm::dvec3(1e30), high = glm::dvec3(-1e30);
+    for (const auto& part : parts) {
+        if (part->grid().empty()) continue;
+        const glm::dvec3 halfSize = glm::dvec3(part->bounds().high - part->bounds().low) * (0.5 * part->voxelSize());
+        const glm::dvec3 center = part->frame().transformPoint(glm::dvec3(part->bounds().low + part->bounds().high) * (0.5 * part->voxelSize()));
+        const glm::dmat3 axes = glm::mat3_cast(part->frame().rotation);
+        const glm::dvec3 reach = glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
+        low = glm::min(low, center - reach);
+        high = glm::max(high, center + reach);
+    }
+}
+
+double VoxelCollider::radius() const {
+    double farthest = 0.0;
+    for (const auto& part : parts) {
+        if (part->grid().empty()) continue;
+        for (int i = 0; i < 8; ++i) {
+            const glm::ivec3 cell(i & 1 ? part->bounds().high.x : part->bounds().low.x, i & 2 ? part->bounds().high.y : part->bounds().low.y,
+                                  i & 4 ? part->bounds().high.z : part->bounds().low.z);
+            farthest = std::max(farthest, glm::length(part->frame().transformPoint(glm::dvec3(cell) * part->voxelSize())));
+        }
+    }
+    return farthest;
+}
+
+}  // namespace rubble

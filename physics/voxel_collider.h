@@ -1,0 +1,76 @@
+#pragma once
+#include <array>
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <vector>
+
+#include "physics/surface_features.h"
+#include "runtime/core/lazy.h"
+#include "runtime/core/pose.h"
+#include "runtime/voxel/cell_box.h"
+#include "runtime/world/world.h"
+
+namespace rubble {
+
+/// How a palette's entries rub and bounce.
+struct ContactSurfaces {
+    std::array<float, 256> friction{}, restitution{};
+    std::array<bool, 256> solid{};  ///< false: unphysical, seen but not touched
+    ContactSurfaces(const Palette& palette, const MaterialTable& materials);
+};
+
+/// One shape as physics sees it: its bricks, shared with World, and the features of those that something came near.
+/// A cut changes bricks and nothing else. Written by the main thread; narrowphase threads read it together.
+class VoxelPart {
+public:
+    /// frame: grid corner -> the collider's frame.
+    VoxelPart(const Shape& shape, const Pose& frame, const MaterialTable& materials);
+
+    const VoxelGrid& grid() const { return m_grid; }
+    const Pose& frame() const { return m_frame; }
+    void setFrame(const Pose& frame) { m_frame = frame; }
+    double voxelSize() const { return m_voxelSize; }
+    /// Cells that hold all solid ones; tight for small grids, by bricks for large ones.
+    const CellBox& bounds() const { return m_bounds; }
+    const ContactSurfaces& surfaces() const { return *m_surfaces; }
+    /// Found when first asked for.
+    const FeatureList& features(glm::ivec3 brick) const;
+    /// Cells of a brick of which a neighbour (of 26), or which themselves, are solid. Found when first asked for.
+    const BrickBits& surroundings(glm::ivec3 brick) const;
+
+    /// The shape's voxels have changed in these bricks; its size has not.
+    void update(const Shape& shape, const std::vector<glm::ivec3>& bricks);
+
+private:
+    struct NodeFeatures {
+        mutable std::array<Lazy<FeatureList>, 64> bricks;
+        mutable std::array<Lazy<BrickBits>, 64> surroundings;
+    };
+    const NodeFeatures& node(glm::ivec3 brick) const;
+    void takeGrid(const VoxelGrid& grid);
+    void findBounds();
+    size_t nodeNumber(glm::ivec3 node) const {
+        const glm::ivec3 n = m_grid.sizeInNodes();
+        return (size_t(node.z) * size_t(n.y) + size_t(node.y)) * size_t(n.x) + size_t(node.x);
+    }
+
+    VoxelGrid m_grid;
+    Pose m_frame;
+    double m_voxelSize;
+    CellBox m_bounds;
+    std::shared_ptr<const ContactSurfaces> m_surfaces;
+    std::unique_ptr<Lazy<NodeFeatures>[]> m_nodes;
+};
+
+/// All shapes of a body, or one of a static body.
+struct VoxelCollider {
+    std::vector<std::unique_ptr<VoxelPart>> parts;
+
+    bool empty() const;
+    /// Box of the collider's frame that holds all parts.
+    void bounds(glm::dvec3& low, glm::dvec3& high) const;
+    /// The farthest that any of it is from the frame's origin, metres.
+    double radius() const;
+};
+
+}  // namespace rubble
