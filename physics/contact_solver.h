@@ -22,8 +22,8 @@ struct SolverSettings {
     int substeps = 4;
     int iterations = 1;           ///< over all contacts, in each half of a substep
     double seconds = 1.0 / 60.0;  ///< of all substeps together
-    double contactHertz = 30.0;   ///< stiffness of contacts, at most a quarter of the rate of substeps
-    double dampingRatio = 10.0;
+    double contactHertz = 60.0;   ///< stiffness of contacts, at most a quarter of the rate of substeps
+    double dampingRatio = 5.0;
     double pushSpeed = 3.0;    ///< m/s at which overlaps are pushed apart
     double slop = 0.0002;      ///< metres that contacts may overlap, so that they last
     double bounceSpeed = 1.0;  ///< m/s of approach below which nothing bounces
