@@ -14,7 +14,7 @@ struct Beam {
     int axis, length, depth, offset;
     LoadFixture fixture{glm::ivec3(140)};
 
-    Beam(int axis, int length, int depth, int offset = 3) : axis(axis), length(length), depth(depth), offset(offset) {
+    Beam(int along, int cells, int cellsDeep, int first = 3) : axis(along), length(cells), depth(cellsDeep), offset(first) {
         CellBox box{glm::ivec3(offset), glm::ivec3(offset + depth)};
         box.high[axis] = offset + length;
         fixture.fill(box);
@@ -56,7 +56,7 @@ TEST(LoadFlight, AFreeBeamHitInItsMiddleBreaksThere) {
 
 TEST(LoadFlight, PartsAreAsManyAsBearTheBlow) {
     const Beam beam(2, 120, 8);
-    for (const auto [share, parts] : {std::pair{1.5, 2u}, {4.5, 3u}, {9.5, 4u}}) {
+    for (const auto& [share, parts] : {std::pair{1.5, 2u}, {4.5, 3u}, {9.5, 4u}}) {
         const std::vector<BodyPlane> planes = beam.hit(60, share * beam.force(8.0));
         EXPECT_EQ(planes.size() + 1, parts) << share;
         for (size_t i = 1; i < planes.size(); ++i) EXPECT_GE(planes[i].plane - planes[i - 1].plane, 6);
