@@ -102,7 +102,9 @@ void EditStep::listChangedBricks() {
     for (const auto& [slot, each] : m_touched) {
         const Shape* shape = m_world.m_shapes.find(each.shape);
         if (!shape) continue;
-        each.carved.forEach([&](glm::ivec3 brick) { m_changes.bricks.push_back({each.shape, brick, shape->grid.shareBrick(brick)}); });
+        each.carved.forEach([&, handle = each.shape](glm::ivec3 brick) {
+            m_changes.bricks.push_back({handle, brick, shape->grid.shareBrick(brick)});
+        });
     }
 }
 

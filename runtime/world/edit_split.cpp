@@ -27,7 +27,7 @@ void EditStep::splitShapes() {
     std::vector<PendingSplit>& line = m_world.m_pendingSplits;
     for (auto& [slot, each] : m_touched) {
         if (each.carved.empty() && !each.lostVoxels) continue;
-        auto known = std::find_if(line.begin(), line.end(), [&](const PendingSplit& pending) { return pending.shape == each.shape; });
+        auto known = std::find_if(line.begin(), line.end(), [shape = each.shape](const PendingSplit& pending) { return pending.shape == shape; });
         if (known == line.end()) known = line.insert(line.end(), {each.shape, {}, {}});
         known->cut.insert(each.carved);
         known->search.reset();
