@@ -24,13 +24,30 @@ ContactSolver::Softness ContactSolver::soften(double hertz, double dampingRatio,
     return {float(omega / a1), float(a2 * a3), float(a3)};
 }
 
-void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf) {
+/// Two that meet so fast that one could turn its way past the few points which touch it: their cores, spheres as wide as their
+/// smallest sides, may not pass the plane that they meet at, however they tumble.
+void ContactSolver::addCore(const Range& range, const Constraint& fastest) {
+    const State &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
+    Constraint core = fastest;
+    if (range.a) core.separation += std::max(0.0f, -glm::dot(core.rA, core.normal) - A.reach);
+    if (range.b) core.separation += std::max(0.0f, glm::dot(core.rB, core.normal) - B.reach);
+    core.rA = core.rB = glm::vec3(0.0f);
+    core.normalMass = 1.0f / (A.inverseMass + B.inverseMass);
+    core.friction = core.restitution = 0.0f;
+    core.normalImpulse = core.tangentImpulse1 = core.tangentImpulse2 = 0.0f;
+    core.point = nullptr;
+    m_constraints.push_back(core);
+}
+
+void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf,
+                            float seconds) {
     m_states.assign(bodies.size(), {});
     for (size_t i = 1; i < bodies.size(); ++i) {
         State& state = m_states[i];
         state.v = glm::vec3(bodies[i].velocity);
         state.w = glm::vec3(bodies[i].angularVelocity);
         state.inverseMass = float(bodies[i].inverseMass);
+        state.reach = float(bodies[i].reach);
         state.inverseInertia = glm::mat3(worldInverseInertia(bodies[i]));
     }
     m_constraints.clear();
@@ -45,11 +62,12 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
         range.a = a, range.b = b;
         range.from = m_constraints.size();
         range.to = range.from + manifolds[m]->all().size();
-        float fastest = 0.0f;
+        size_t fastest = range.from;
         for (ManifoldPoint& point : manifolds[m]->all()) {
             Constraint& c = m_constraints.emplace_back();
-            c.rA = a ? originA + point.position : glm::vec3(0.0f);
-            c.rB = b ? originB + point.position : glm::vec3(0.0f);
+            const glm::vec3 half = point.normal * (0.5f * point.separation);  // far apart before a fast hit: where each is touched
+            c.rA = a ? originA + point.position + half : glm::vec3(0.0f);
+            c.rB = b ? originB + point.position - half : glm::vec3(0.0f);
             c.normal = point.normal;
             tangentsOf(c.normal, c.tangent1, c.tangent2);
             const auto massAlong = [&](const glm::vec3& d) {
@@ -70,9 +88,15 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
             c.total = c.most = c.bounceImpulse = 0.0f;
             c.isStatic = A.inverseMass == 0.0f || B.inverseMass == 0.0f;
             c.point = &point;
-            fastest = std::max(fastest, -c.approach);
+            if (c.approach < m_constraints[fastest].approach) fastest = m_constraints.size() - 1;
         }
-        range.passes = fastest > kFast ? kFastPasses : kPasses;
+        const float speed = -m_constraints[fastest].approach;
+        range.passes = speed > kFast ? kFastPasses : kPasses;
+        const float thin = std::min(a ? A.reach : 1e9f, b ? B.reach : 1e9f);
+        if (speed * seconds > thin) {
+            addCore(range, Constraint(m_constraints[fastest]));
+            ++range.to;
+        }
     }
 }
 
@@ -166,7 +190,7 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     m_softStatic = soften(2.0 * hertz, settings.dampingRatio, h);
     m_pushSpeed = float(settings.pushSpeed);
     m_slop = float(settings.slop);
-    prepare(bodies, manifolds, bodyOf);
+    prepare(bodies, manifolds, bodyOf, float(settings.seconds));
     m_start.resize(bodies.size());
     for (size_t i = 0; i < bodies.size(); ++i) m_start[i] = bodies[i].rotation;
     const glm::vec3 fall = glm::vec3(gravity * h);
@@ -209,6 +233,7 @@ void ContactSolver::move(std::span<SolverBody> bodies, glm::dvec3 gravity, doubl
 
 void ContactSolver::store() {
     for (const Constraint& c : m_constraints) {
+        if (!c.point) continue;
         c.point->normalImpulse = c.normalImpulse;
         c.point->frictionImpulse = c.tangent1 * c.tangentImpulse1 + c.tangent2 * c.tangentImpulse2;
         c.point->totalImpulse = c.total;

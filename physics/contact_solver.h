@@ -15,6 +15,7 @@ struct SolverBody {
     glm::dvec3 velocity{0.0}, angularVelocity{0.0};
     glm::dvec3 inertia{1.0};  ///< kg m2
     double inverseMass = 0.0;
+    double reach = 0.0;      ///< metres: half its smallest side
     bool conserves = false;  ///< its rotation keeps angular momentum: for uneven bodies that spin fast
 };
 
@@ -40,7 +41,7 @@ public:
                const SolverSettings& settings);
 
 private:
-    void prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf);
+    void prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf, float seconds);
     void warmStart();
     void solveContacts(float inverseSeconds, bool pushApart);
     void move(std::span<SolverBody> bodies, glm::dvec3 gravity, double seconds);
@@ -55,7 +56,7 @@ private:
     /// A body within the step.
     struct State {
         glm::vec3 v{0.0f}, w{0.0f};
-        float inverseMass = 0.0f;
+        float inverseMass = 0.0f, reach = 0.0f;
         glm::vec3 moved{0.0f};           ///< since the step began
         glm::mat3 turned{0.0f};          ///< rotation since the step began, less the identity
         glm::mat3 inverseInertia{0.0f};  ///< world
@@ -68,7 +69,7 @@ private:
         float friction, restitution, approach;
         float normalImpulse, tangentImpulse1, tangentImpulse2, total, most, bounceImpulse;
         bool isStatic;
-        ManifoldPoint* point;
+        ManifoldPoint* point;  ///< null: of a core
     };
     /// The contacts of two bodies.
     struct Range {
@@ -76,6 +77,7 @@ private:
         size_t from, to;
         int passes;
     };
+    void addCore(const Range& range, const Constraint& fastest);
     static glm::vec3 relativeVelocity(const Constraint& c, const State& A, const State& B);
     static void apply(const Constraint& c, State& A, State& B, const glm::vec3& impulse);
     void solveNormal(Constraint& c, State& A, State& B, float inverseSeconds, bool pushApart) const;

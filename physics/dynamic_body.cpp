@@ -49,6 +49,7 @@ DynamicBody::DynamicBody(const World& world, BodyHandle handle) : m_handle(handl
     glm::dvec3 low, high;
     object.collider.bounds(low, high);
     m_reach = 0.5 * std::min({high.x - low.x, high.y - low.y, high.z - low.z});
+    motion.reach = m_reach;
 }
 
 void DynamicBody::setAsleep(bool asleep) {

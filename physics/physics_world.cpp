@@ -9,9 +9,29 @@ namespace rubble {
 namespace {
 
 constexpr double kUneven = 1.1;    ///< ratio of a body's moments of inertia above which its spin is not simply kept
-constexpr double kSpinning = 1.0;  ///< rad/s
+constexpr double kSpinning = 0.3;  ///< rad/s
 
 }  // namespace
+
+PhysicsSettings fastPhysics() {
+    PhysicsSettings settings;
+    settings.substeps = 2;
+    settings.rotation = RotationRule::Never;
+    return settings;
+}
+
+PhysicsSettings balancedPhysics() {
+    return {};
+}
+
+PhysicsSettings accuratePhysics() {
+    PhysicsSettings settings;
+    settings.substeps = 16;
+    settings.iterations = 2;
+    settings.contactHertz = 240.0;
+    settings.rotation = RotationRule::Always;
+    return settings;
+}
 
 /// Contacts of what moves, with what it hits and wakes.
 void PhysicsWorld::Impl::findContacts() {
@@ -53,7 +73,7 @@ void PhysicsWorld::Impl::solve() {
     for (const Manifold* manifold : narrowphase.manifolds())
         bodyOf.emplace_back(numberOf(*manifold->objects.first), numberOf(*manifold->objects.second));
     solver.solve(bodies, narrowphase.manifolds(), bodyOf, gravity,
-                 {.substeps = settings.substeps, .iterations = settings.iterations, .seconds = kStep});
+                 {.substeps = settings.substeps, .iterations = settings.iterations, .seconds = kStep, .contactHertz = settings.contactHertz});
     for (const uint32_t slot : awake) {
         dynamics[slot]->motion = bodies[size_t(bodyNumber[slot])];
         dynamics[slot]->place();

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <glm/glm.hpp>
 
 #include "physics/contact_solver.h"
@@ -13,9 +14,15 @@ glm::dquat turnBy(glm::dvec3 angle) {
     return glm::normalize(glm::dquat(1.0, half.x * tangent, half.y * tangent, half.z * tangent));
 }
 
-/// Angular velocity of a body of this momentum, both in world axes.
-glm::dvec3 spinOf(const glm::dquat& rotation, glm::dvec3 inertia, glm::dvec3 momentum) {
-    return rotation * ((glm::conjugate(rotation) * momentum) / inertia);
+/// The principal axis whose moment is the farthest from the other two.
+int uniqueAxis(glm::dvec3 inertia) {
+    int found = 0;
+    double closest = 1e300;
+    for (int i = 0; i < 3; ++i) {
+        const double a = inertia[(i + 1) % 3], b = inertia[(i + 2) % 3], apart = std::max(a, b) / std::min(a, b);
+        if (apart < closest) closest = apart, found = i;
+    }
+    return found;
 }
 
 }  // namespace
@@ -25,15 +32,26 @@ void rotateBody(SolverBody& body, double seconds) {
         body.rotation = glm::normalize(turnBy(body.angularVelocity * seconds) * body.rotation);
         return;
     }
-    const glm::dquat before = body.rotation;
-    const glm::dvec3 momentum = before * (body.inertia * (glm::conjugate(before) * body.angularVelocity));
-    glm::dvec3 middle = body.angularVelocity;
-    for (int i = 0; i < 4; ++i) {
-        const glm::dquat halfway = glm::normalize(turnBy(middle * (0.5 * seconds)) * before);
-        middle = spinOf(halfway, body.inertia, momentum);
-    }
-    body.rotation = glm::normalize(turnBy(middle * seconds) * before);
-    body.angularVelocity = spinOf(body.rotation, body.inertia, momentum);
+    // A symmetric top turns about its momentum and about its own axis at constant rates, so those two turns are its exact
+    // motion however long it is. What differs between the other two axes is a third turn, half before and half after.
+    const int axis = uniqueAxis(body.inertia), middle = (axis + 1) % 3, last = (axis + 2) % 3;
+    const glm::dvec3 inverse = 1.0 / body.inertia;
+    glm::dvec3 momentum = body.inertia * (glm::conjugate(body.rotation) * body.angularVelocity);  // principal axes
+    glm::dquat& rotation = body.rotation;
+    const auto turnAbout = [&](int i, double time) {
+        glm::dvec3 angle(0.0);
+        angle[i] = (inverse[i] - inverse[last]) * momentum[i] * time;
+        const glm::dquat turn = turnBy(angle);
+        rotation = rotation * turn;
+        momentum = glm::conjugate(turn) * momentum;
+    };
+    turnAbout(middle, 0.5 * seconds);
+    turnAbout(axis, 0.5 * seconds);
+    rotation = rotation * turnBy(momentum * (inverse[last] * seconds));
+    turnAbout(axis, 0.5 * seconds);
+    turnAbout(middle, 0.5 * seconds);
+    rotation = glm::normalize(rotation);
+    body.angularVelocity = rotation * (momentum * inverse);
 }
 
 glm::dmat3 worldInverseInertia(const SolverBody& body) {

@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include "tests/physics/scenes/known_scenes.h"
+
+namespace rubble {
+namespace {
+
+using namespace known;
+
+TEST(FreeMotion, AnArcIsTheDiscreteParabolaWhateverTheSpin) {
+    for (const glm::vec3 spin : {glm::vec3(0.0f), glm::vec3(3.0f, 11.0f, -7.0f)}) {
+        PhysicsScene scene(sleepless({}));
+        LevelBody& body = scene.add(tHandle(), {0, 50, 0}, false);
+        body.velocity = {8, 12, -3};
+        body.angularVelocity = spin;
+        scene.load();
+        const glm::dvec3 start = scene.center(0), gravity = scene.world.environment().gravity;
+        scene.seconds(3.0);
+        const double h = 1.0 / 240.0, n = 720.0;
+        const glm::dvec3 expected = start + glm::dvec3(8, 12, -3) * 3.0 + gravity * (h * h * n * (n + 1.0) / 2.0);
+        EXPECT_LT(glm::length(scene.center(0) - expected), 1e-9);
+    }
+}
+
+TEST(FreeMotion, THandleFlipsAsTheReferenceDoes) {
+    PhysicsScene probe;
+    probe.add(tHandle(), {0, 0, 0}, false);
+    probe.load();
+    const MassProperties mass = probe.world.bodyMass(probe.handle(0));
+    const glm::dvec3& i = mass.principalInertia;
+    int middle = 0;
+    for (int k = 0; k < 3; ++k)
+        if ((i[k] > i[(k + 1) % 3]) != (i[k] > i[(k + 2) % 3])) middle = k;
+    glm::dvec3 spin(0.01);
+    spin[middle] = 6.0;
+    const glm::dvec3 world = glm::vec3(mass.principalAxes * spin);
+    const FreeSpin ours = spinFreely({}, tHandle(), world, 60.0);
+    const FreeSpin reference = spinReference(i, glm::conjugate(mass.principalAxes) * world, 60.0, 64);
+    ASSERT_GT(reference.flips.size(), 10u);
+    ASSERT_EQ(ours.flips.size(), reference.flips.size());
+    const auto period = [](const FreeSpin& s) { return (s.flips.back() - s.flips.front()) / double(s.flips.size() - 1); };
+    EXPECT_NEAR(period(ours), period(reference), 1e-3 * period(reference));
+    EXPECT_LT(ours.momentum, 1e-9);
+    EXPECT_LT(ours.energy, 1e-4);
+}
+
+TEST(FreeMotion, SymmetricTopPrecessesAtTheRateOfItsMomentum) {
+    PhysicsScene scene(sleepless({}));
+    scene.level.environment.gravity = {0, 0, 0};
+    scene.add(blockGrid({9, 1, 9}, 7), {0, 0, 0}, false).angularVelocity = {4, 15, 0};
+    scene.load();
+    // About the fixed momentum, the axis goes round at |L| / I, I being the moment across it (Goldstein, 5.6).
+    const double across = (0.9 * 0.9 + 0.1 * 0.1) / 12.0, along = 2.0 * 0.9 * 0.9 / 12.0;
+    const glm::dvec3 momentum(4.0 * across, 15.0 * along, 0.0);
+    const double seconds = 20.0, rate = glm::length(momentum) / across;
+    scene.seconds(seconds);
+    const glm::dvec3 expected = glm::angleAxis(rate * seconds, glm::normalize(momentum)) * glm::dvec3(0, 1, 0);
+    const glm::dvec3 axis = scene.body(0).pose.rotation * glm::dvec3(0, 1, 0);
+    EXPECT_LT(glm::length(axis - expected), 0.02);  // of some 600 radians
+}
+
+TEST(FreeMotion, RodsKeepMomentumAndEnergy) {
+    for (const int length : {1, 4, 16, 64})
+        for (const double speed : {1.0, 30.0}) {
+            const glm::dvec3 spin = glm::normalize(glm::dvec3(1, 0.9, 0.3)) * speed;
+            const FreeSpin rod = spinFreely({}, blockGrid({length, 1, 1}, 7), spin, 60.0);
+            EXPECT_LT(rod.momentum, 1e-5) << length << " at " << speed;
+            EXPECT_LT(rod.direction, 1e-5) << length << " at " << speed;
+            EXPECT_LT(rod.energy, 1e-3) << length << " at " << speed;
+        }
+    const FreeSpin plank = spinFreely({}, blockGrid({24, 5, 2}, 7), {12, 17, 9}, 60.0);  // three moments that differ
+    EXPECT_LT(plank.momentum, 1e-5);
+    EXPECT_LT(plank.energy, 1e-3);
+}
+
+}  // namespace
+}  // namespace rubble
