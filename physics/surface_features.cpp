@@ -5,31 +5,10 @@
 namespace rubble {
 namespace {
 
-/// A brick's occupancy with one cell of its neighbours all around: bit x + 1 of row (y + 1) + 10 (z + 1).
-using Rows = std::array<uint16_t, 100>;
-
-Rows collectRows(const VoxelGrid& grid, glm::ivec3 brick) {
-    Rows rows{};
-    for (int dz = -1; dz <= 1; ++dz)
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx) {
-                const Brick* b = grid.brickAt(brick + glm::ivec3(dx, dy, dz));
-                if (!b) continue;
-                const int z0 = dz < 0 ? 7 : 0, z1 = dz > 0 ? 0 : 7, y0 = dy < 0 ? 7 : 0, y1 = dy > 0 ? 0 : 7;
-                for (int z = z0; z <= z1; ++z)
-                    for (int y = y0; y <= y1; ++y) {
-                        const uint32_t bits = uint32_t(b->occupancy[size_t(z)] >> (8 * y)) & 0xff;
-                        const uint32_t placed = dx == 0 ? bits << 1 : dx < 0 ? bits >> 7 : (bits & 1) << 9;
-                        rows[size_t((y + 8 * dy + 1) + 10 * (z + 8 * dz + 1))] |= uint16_t(placed);
-                    }
-            }
-    return rows;
-}
-
 /// Cells of a row whose neighbour towards +-x, +-y, +-z is solid are shifted to the cell itself.
-uint32_t seen(const Rows& rows, int y, int z, glm::ivec3 d) {
-    const uint32_t row = rows[size_t((y + d.y + 1) + 10 * (z + d.z + 1))];
-    return (d.x < 0 ? row << 1 : d.x > 0 ? row >> 1 : row) >> 1;
+uint32_t seen(const BrickSurroundings& around, int y, int z, glm::ivec3 d) {
+    const uint32_t row = around.rows[size_t((y + d.y + 2) + BrickSurroundings::kSize * (z + d.z + 2))];
+    return (d.x < 0 ? row << 1 : d.x > 0 ? row >> 1 : row) >> 2 & 0xff;
 }
 
 glm::ivec3 outwardOf(int kind) {
@@ -38,13 +17,13 @@ glm::ivec3 outwardOf(int kind) {
 }
 
 /// Cells of a row around which everything on a feature's outer side is empty.
-uint32_t convex(const Rows& rows, int y, int z, glm::ivec3 out) {
-    uint32_t around = 0;
+uint32_t convex(const BrickSurroundings& around, int y, int z, glm::ivec3 out) {
+    uint32_t solid = 0;
     for (int part = 1; part < 8; ++part) {
         const glm::ivec3 d(part & 1 ? out.x : 0, part & 2 ? out.y : 0, part & 4 ? out.z : 0);
-        if (d != glm::ivec3(0)) around |= seen(rows, y, z, d);
+        if (d != glm::ivec3(0)) solid |= seen(around, y, z, d);
     }
-    return seen(rows, y, z, {0, 0, 0}) & ~around & 0xff;
+    return seen(around, y, z, {0, 0, 0}) & ~solid;
 }
 
 void add(FeatureList& list, glm::ivec3 voxel, int kind) {
@@ -83,13 +62,13 @@ const std::array<FeatureKind, kFeatureKinds>& featureKinds() {
 FeatureList findFeatures(const VoxelGrid& grid, glm::ivec3 brick) {
     FeatureList found;
     if (!grid.brickAt(brick)) return found;
-    const Rows rows = collectRows(grid, brick);
+    const BrickSurroundings around = surroundBrick(grid, brick);
     for (int z = 0; z < 8; ++z)
         for (int y = 0; y < 8; ++y) {
-            if (!seen(rows, y, z, {0, 0, 0})) continue;
+            if (!seen(around, y, z, {0, 0, 0})) continue;
             std::array<uint32_t, kFeatureKinds> masks{};
             uint32_t any = 0;
-            for (int kind = 0; kind < kFeatureKinds; ++kind) any |= masks[size_t(kind)] = convex(rows, y, z, outwardOf(kind));
+            for (int kind = 0; kind < kFeatureKinds; ++kind) any |= masks[size_t(kind)] = convex(around, y, z, outwardOf(kind));
             for (; any; any &= any - 1) {
                 const int x = std::countr_zero(any);
                 for (int kind = 0; kind < kFeatureKinds; ++kind)
@@ -100,15 +79,21 @@ FeatureList findFeatures(const VoxelGrid& grid, glm::ivec3 brick) {
     return found;
 }
 
-BrickBits dilateBrick(const VoxelGrid& grid, glm::ivec3 brick) {
-    const Rows rows = collectRows(grid, brick);
-    BrickBits out{};
-    for (int z = 0; z < 8; ++z)
-        for (int y = 0; y < 8; ++y) {
-            uint32_t any = 0;
-            for (int i = 0; i < 9; ++i) any |= rows[size_t((y + i % 3) + 10 * (z + i / 3))];
-            out[size_t(z)] |= uint64_t((any | any << 1 | any >> 1) >> 1 & 0xff) << (8 * y);
-        }
+BrickSurroundings surroundBrick(const VoxelGrid& grid, glm::ivec3 brick) {
+    BrickSurroundings out;
+    constexpr int kAround = BrickSurroundings::kAround, kSize = BrickSurroundings::kSize;
+    for (int i = 0; i < 27; ++i) {
+        const glm::ivec3 d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        const Brick* b = grid.brickAt(brick + d);
+        if (!b) continue;
+        const int z0 = d.z < 0 ? 8 - kAround : 0, z1 = d.z > 0 ? kAround : 8, y0 = d.y < 0 ? 8 - kAround : 0, y1 = d.y > 0 ? kAround : 8;
+        for (int z = z0; z < z1; ++z)
+            for (int y = y0; y < y1; ++y) {
+                const uint32_t bits = uint32_t(b->occupancy[size_t(z)] >> (8 * y)) & 0xff;
+                const uint32_t placed = d.x == 0 ? bits << kAround : d.x < 0 ? bits >> (8 - kAround) : (bits & 3) << (8 + kAround);
+                out.rows[size_t((y + 8 * d.y + kAround) + kSize * (z + 8 * d.z + kAround))] |= uint16_t(placed);
+            }
+    }
     return out;
 }
 

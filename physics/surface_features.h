@@ -34,7 +34,19 @@ struct FeatureList {
 /// own are empty, an edge if all three are. What lies outside the grid is empty.
 FeatureList findFeatures(const VoxelGrid& grid, glm::ivec3 brick);
 
-/// Cells of a brick that are solid or have a solid one among their 26 neighbours.
-BrickBits dilateBrick(const VoxelGrid& grid, glm::ivec3 brick);
+/// Which cells of a brick, and of two more around it, are solid.
+struct BrickSurroundings {
+    static constexpr int kAround = 2, kSize = kBrickSize + 2 * kAround;
+    std::array<uint16_t, size_t(kSize) * kSize> rows{};  ///< bit x + 2 of row (y + 2) + 12 (z + 2)
+
+    /// Whether a cell of a box is solid; both ends are part of it and count from the brick's low corner, -2 to 9.
+    bool any(glm::ivec3 low, glm::ivec3 high) const {
+        uint32_t found = 0;
+        for (int z = low.z + kAround; z <= high.z + kAround; ++z)
+            for (int y = low.y + kAround; y <= high.y + kAround; ++y) found |= rows[size_t(y + kSize * z)];
+        return found & ((2u << (high.x + kAround)) - (1u << (low.x + kAround)));
+    }
+};
+BrickSurroundings surroundBrick(const VoxelGrid& grid, glm::ivec3 brick);
 
 }  // namespace rubble

@@ -100,10 +100,10 @@ const FeatureList& VoxelPart::features(glm::ivec3 brick) const {
     return known ? *known : lazy.keep(std::make_unique<FeatureList>(findFeatures(m_grid, brick)));
 }
 
-const BrickBits& VoxelPart::surroundings(glm::ivec3 brick) const {
-    Lazy<BrickBits>& lazy = node(brick).surroundings[size_t(childIndex(brick))];
-    const BrickBits* known = lazy.find();
-    return known ? *known : lazy.keep(std::make_unique<BrickBits>(dilateBrick(m_grid, brick)));
+const BrickSurroundings& VoxelPart::surroundings(glm::ivec3 brick) const {
+    Lazy<BrickSurroundings>& lazy = node(brick).surroundings[size_t(childIndex(brick))];
+    const BrickSurroundings* known = lazy.find();
+    return known ? *known : lazy.keep(std::make_unique<BrickSurroundings>(surroundBrick(m_grid, brick)));
 }
 
 bool VoxelCollider::empty() const {

@@ -35,8 +35,7 @@ public:
     const ContactSurfaces& surfaces() const { return *m_surfaces; }
     /// Found when first asked for.
     const FeatureList& features(glm::ivec3 brick) const;
-    /// Cells of a brick of which a neighbour (of 26), or which themselves, are solid. Found when first asked for.
-    const BrickBits& surroundings(glm::ivec3 brick) const;
+    const BrickSurroundings& surroundings(glm::ivec3 brick) const;
 
     /// The shape's voxels have changed in these bricks; its size has not.
     void update(const Shape& shape, const std::vector<glm::ivec3>& bricks);
@@ -44,7 +43,7 @@ public:
 private:
     struct NodeFeatures {
         mutable std::array<Lazy<FeatureList>, 64> bricks;
-        mutable std::array<Lazy<BrickBits>, 64> surroundings;
+        mutable std::array<Lazy<BrickSurroundings>, 64> surroundings;
     };
     const NodeFeatures& node(glm::ivec3 brick) const;
     void takeGrid(const VoxelGrid& grid);

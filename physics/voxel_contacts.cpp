@@ -12,6 +12,7 @@ constexpr float kOpposed = 0.1f;    ///< how far a normal may point along a side
 constexpr float kAlongEdge = 0.6f;  ///< how far a normal may point along an edge
 constexpr float kSooner = 0.15f;    ///< cells by which a way out may be longer than one that a feature does not accept
 constexpr int kDeepest = 4;         ///< cells below a surface that a way out is looked for
+constexpr float kRounding = 1e-3f;  ///< cells by which more is looked at than should be needed
 constexpr float kParallel = 0.15f;  ///< sine between edges below which they do not cross
 
 using Cell = glm::ivec3;
@@ -34,13 +35,16 @@ bool any(FourBools bools) {
 class Occupancy {
 public:
     explicit Occupancy(const VoxelPart& part) : m_part(part), m_grid(part.grid()) {}
-    /// False if no cell within one of this one is solid.
-    bool near(Cell c) {
-        const Cell inside = glm::clamp(c, Cell(0), m_grid.size() - 1), out = glm::abs(c - inside);
-        if (std::max({out.x, out.y, out.z}) > 1) return false;
-        const Cell brick = inside >> 3;
+    /// False if no cell of a box, both ends included, is solid; large boxes are not looked at closely.
+    bool mayTouch(Cell low, Cell high) {
+        const Cell brick = glm::clamp(low, Cell(0), m_grid.size() - 1) >> 3;
+        low = glm::max(low - brick * 8, Cell(-BrickSurroundings::kAround));
+        high -= brick * 8;
+        constexpr int kLast = kBrickSize + BrickSurroundings::kAround - 1;
+        if (std::max({low.x, low.y, low.z}) > kLast || std::min({high.x, high.y, high.z}) < -BrickSurroundings::kAround) return false;
+        if (std::max({high.x, high.y, high.z}) > kLast) return true;
         if (brick != m_nearAt) m_nearAt = brick, m_near = &m_part.surroundings(brick);
-        return (*m_near)[size_t(inside.z & 7)] >> ((inside.x & 7) + 8 * (inside.y & 7)) & 1;
+        return m_near->any(low, high);
     }
     bool solid(Cell c) {
         if (!m_grid.contains(c)) return false;
@@ -54,7 +58,7 @@ private:
     const VoxelGrid& m_grid;
     Cell m_at{-1}, m_nearAt{-1};
     const Brick* m_brick = nullptr;
-    const BrickBits* m_near = nullptr;
+    const BrickSurroundings* m_near = nullptr;
 };
 
 /// A face that a feature may rest on.
@@ -259,7 +263,7 @@ public:
         m_high = glm::vec3(m_into.bounds().high) + m_reach;
         CellBox near;
         if (!overlap(near)) return false;
-        placeKinds();
+        placeReaches();
         const Cell low = near.low >> 3, high = (near.high - 1) >> 3;
         for (int z = low.z; z <= high.z; ++z)
             for (int y = low.y; y <= high.y; ++y)
@@ -285,18 +289,42 @@ private:
         return glm::all(glm::lessThan(c - r, m_high)) && glm::all(glm::greaterThan(c + r, m_low));
     }
 
-    void placeKinds() {
-        for (int kind = 0; kind < kFeatureKinds; ++kind) {
-            const FeatureKind& k = featureKinds()[size_t(kind)];
-            Probe& probe = m_probes[size_t(kind)];
-            probe.kind = &k;
-            probe.sideCount = 0;
-            for (int axis = 0; axis < 3; ++axis)
-                if (k.outward[axis] != 0.0f) probe.sides[probe.sideCount++] = m_unit[axis] * k.outward[axis];
-            probe.along = k.edgeAxis >= 0 ? m_unit[k.edgeAxis] : glm::vec3(0.0f);
-            probe.length = m_scale;
-            m_insets[size_t(kind)] = m_axes * (k.outward * -kInset);
+    /// How far around a corner, and around the middles of edges along each axis, something is looked for.
+    void placeReaches() {
+        m_placed = 0;
+        const glm::vec3 inset = (glm::abs(m_axes[0]) + glm::abs(m_axes[1]) + glm::abs(m_axes[2])) * kInset;
+        const glm::vec3 around = inset + (m_margin + kInset * m_scale + kRounding);
+        m_reaches[0] = around;
+        for (int axis = 0; axis < 3; ++axis) m_reaches[size_t(axis + 1)] = glm::max(around, glm::abs(m_axes[axis]) * 0.5f + kRounding);
+        if (!m_sweeps) return;
+        for (glm::vec3& reach : m_reaches) reach += (std::abs(m_spin.x) + std::abs(m_spin.y) + std::abs(m_spin.z)) * glm::length(inset);
+    }
+
+    const Probe& probeOf(uint8_t kind, const glm::vec3& point) {
+        Probe& probe = m_probes[kind];
+        probe.point = point;
+        if (m_placed >> kind & 1) return probe;
+        m_placed |= 1u << kind;
+        const FeatureKind& k = featureKinds()[kind];
+        probe.kind = &k;
+        probe.sideCount = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            if (k.outward[axis] != 0.0f) probe.sides[probe.sideCount++] = m_unit[axis] * k.outward[axis];
+        probe.along = k.edgeAxis >= 0 ? m_unit[k.edgeAxis] : glm::vec3(0.0f);
+        probe.length = m_scale;
+        m_insets[kind] = m_axes * (k.outward * -kInset);
+        return probe;
+    }
+
+    /// False if nothing that a feature there could meet is solid.
+    bool mayMeet(const glm::vec3& point, uint8_t kind) {
+        const glm::vec3& reach = m_reaches[kind < 8 ? 0 : size_t(kind - 4) / 4];
+        glm::vec3 low = point - reach, high = point + reach;
+        if (m_sweeps) {
+            const glm::vec3 way = m_velocity + glm::cross(m_spin, point - m_about);
+            low += glm::min(way, 0.0f), high += glm::max(way, 0.0f);
         }
+        return m_occupancy.mayTouch(cellOf(low), cellOf(high));
     }
 
     void probeBrick(Cell brick, std::vector<ContactPoint>& out) {
@@ -315,14 +343,13 @@ private:
             for (size_t k = 0; k < 4; ++k) {
                 if (!inside[k]) continue;
                 const uint8_t kind = features.kind[i + k];
-                m_probes[kind].point = {p[0][k], p[1][k], p[2][k]};
-                test(m_probes[kind], kind, corner + voxelInBrick(features.voxel[i + k]), out);
+                const glm::vec3 point(p[0][k], p[1][k], p[2][k]);
+                if (mayMeet(point, kind)) test(probeOf(kind, point), kind, corner + voxelInBrick(features.voxel[i + k]), out);
             }
         }
     }
 
     void test(const Probe& probe, uint8_t kind, Cell own, std::vector<ContactPoint>& out) {
-        if (!m_sweeps && !m_occupancy.near(cellOf(probe.point))) return;
         if (probe.isEdge()) {
             float from, to;
             if (findStretch(m_occupancy, probe, from, to) && testCrossing(probe, from, to, kind, own, out)) return;
@@ -403,6 +430,8 @@ private:
     glm::vec3 m_corner;  ///< of `from`, in cells of `into`
     float m_scale;       ///< cells of `into` that a cell of `from` is long
     std::array<glm::vec3, 3> m_unit;
+    uint32_t m_placed = 0;               ///< kinds whose probes are ready
+    std::array<glm::vec3, 4> m_reaches;  ///< of corners and of edges along x, y, z
     std::array<Probe, kFeatureKinds> m_probes;
     std::array<glm::vec3, kFeatureKinds> m_insets;
     float m_margin, m_reach = 0.0f;
