@@ -20,18 +20,28 @@ Pose inverse(const Pose& pose) {
 
 }  // namespace
 
-DynamicBody::DynamicBody(const World& world, BodyHandle handle) : m_handle(handle), m_mass(world.bodyMass(handle)) {
-    const Body& body = world.bodies().at(handle);
+DynamicBody::DynamicBody(const World& world, BodyHandle handle) : m_handle(handle), m_shapes(world.bodies().at(handle).shapes) {
+    for (const ShapeHandle shape : m_shapes)
+        object.collider.parts.push_back(std::make_unique<VoxelPart>(world.shapes().at(shape), Pose{}, world.materials()));
+    object.body = object.number = handle.slot();
+    object.dynamic = this;
+    takeState(world);
+}
+
+void DynamicBody::takeState(const World& world) {
+    const Body& body = world.bodies().at(m_handle);
+    m_mass = world.bodyMass(m_handle);
     if (!(m_mass.mass > 0.0)) {  // nothing but weightless materials: it must weigh something to be moved
         m_mass = MassProperties{};
         m_mass.mass = 1.0;
         m_mass.principalInertia = glm::dvec3(1.0);
     }
-    m_state = {handle, body.pose, body.velocity, body.angularVelocity, body.asleep};
+    m_state = {m_handle, body.pose, body.velocity, body.angularVelocity, body.asleep};
     const Pose centerInBody{m_mass.center, m_mass.principalAxes};
     m_bodyInCenter = inverse(centerInBody);
 
     const Pose center = body.pose * centerInBody;
+    motion = {};
     motion.position = center.position;
     motion.rotation = center.rotation;
     motion.velocity = body.velocity;
@@ -39,17 +49,30 @@ DynamicBody::DynamicBody(const World& world, BodyHandle handle) : m_handle(handl
     motion.inertia = m_mass.principalInertia;
     motion.inverseMass = 1.0 / m_mass.mass;
 
-    for (const ShapeHandle shape : body.shapes)
-        object.collider.parts.push_back(
-            std::make_unique<VoxelPart>(world.shapes().at(shape), m_bodyInCenter * world.shapes().at(shape).local, world.materials()));
-    object.body = object.number = handle.slot();
-    object.dynamic = this;
+    for (size_t i = 0; i < m_shapes.size(); ++i) object.collider.parts[i]->setFrame(m_bodyInCenter * world.shapes().at(m_shapes[i]).local);
     object.radius = object.collider.radius();
     place();
     glm::dvec3 low, high;
     object.collider.bounds(low, high);
     m_reach = 0.5 * std::min({high.x - low.x, high.y - low.y, high.z - low.z});
     motion.reach = m_reach;
+}
+
+bool DynamicBody::reshape(const World& world, const FrameChanges& changes) {
+    if (m_quarantined || world.bodies().at(m_handle).shapes != m_shapes) return false;
+    for (size_t i = 0; i < m_shapes.size(); ++i)
+        if (world.shapes().at(m_shapes[i]).grid.size() != object.collider.parts[i]->grid().size()) return false;
+    std::vector<glm::ivec3> bricks;
+    for (size_t i = 0; i < m_shapes.size(); ++i) {
+        if (std::find(changes.carved.begin(), changes.carved.end(), m_shapes[i]) == changes.carved.end()) continue;
+        changedBricks(changes, m_shapes[i], bricks);
+        object.collider.parts[i]->update(world.shapes().at(m_shapes[i]), bricks, world.materials());
+    }
+    takeState(world);
+    slowSeconds = 0.0;
+    touching = false;
+    setAsleep(false);
+    return true;
 }
 
 void DynamicBody::setAsleep(bool asleep) {

@@ -14,6 +14,10 @@ public:
     DynamicBody(const DynamicBody&) = delete;
     DynamicBody& operator=(const DynamicBody&) = delete;
 
+    /// Takes over that its shapes' voxels have changed, with its mass and frame, and is awake as if made anew; false, and
+    /// nothing has changed, if its shapes or their cells are not the same any more.
+    bool reshape(const World& world, const FrameChanges& changes);
+
     void setAsleep(bool asleep);
     bool asleep() const { return m_asleep; }
     void quarantine() { m_quarantined = true; }
@@ -49,7 +53,11 @@ public:
     bool known = false;                     ///< its pairs of this step have been found
 
 private:
+    /// Mass, frame and motion from World; the collider's parts are placed about the centre.
+    void takeState(const World& world);
+
     BodyHandle m_handle;
+    std::vector<ShapeHandle> m_shapes;  ///< of the collider's parts
     MassProperties m_mass;
     Pose m_bodyInCenter;
     BodyPose m_state;

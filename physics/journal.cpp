@@ -66,18 +66,22 @@ void PhysicsWorld::Impl::createDynamic(const World& world, BodyHandle handle, bo
     for (const ShapeHandle shape : world.bodies().at(handle).shapes) slotOf(shapeBody, shape.slot()) = handle;
     auto& place = slotOf(dynamics, slot);
     place = std::make_unique<DynamicBody>(world, handle);
-    if (place->object.collider.empty() || !place->finite(broadphase.origin())) {
-        logWarning(fmt::format("physics: body {} '{}' has no solid voxels, or a pose or velocity that is no finite number: it is left out", slot,
-                               world.bodies().at(handle).name));
-        place->setAsleep(true);
-        place->quarantine();
-        return;
-    }
-    place->setAsleep(asleep);
-    place->isDebris = world.debris().contains(handle);
-    place->settled = asleep && world.bodies().at(handle).settled;
-    broadphase.add(place->object, !asleep);
-    if (!asleep) joinAwake(*place);
+    if (enter(world, *place, asleep)) return;
+    logWarning(fmt::format("physics: body {} '{}' has no solid voxels, or a pose or velocity that is no finite number: it is left out", slot,
+                           world.bodies().at(handle).name));
+    place->setAsleep(true);
+    place->quarantine();
+}
+
+/// Puts a body among the others; false if it cannot be there.
+bool PhysicsWorld::Impl::enter(const World& world, DynamicBody& body, bool asleep) {
+    if (body.object.collider.empty() || !body.finite(broadphase.origin())) return false;
+    body.setAsleep(asleep);
+    body.isDebris = world.debris().contains(body.handle());
+    body.settled = asleep && world.bodies().at(body.handle()).settled;
+    broadphase.add(body.object, !asleep);
+    if (!asleep) joinAwake(body);
+    return true;
 }
 
 void PhysicsWorld::Impl::destroyDynamic(uint32_t slot) {
@@ -104,10 +108,9 @@ void PhysicsWorld::Impl::refreshStatic(const FrameChanges& changes, const World&
         const Shape* shape = world.shapes().find(handle);
         if (!shape || !world.bodies().at(shape->body).isStatic || handle.slot() >= statics.size() || !statics[handle.slot()]) continue;
         std::vector<glm::ivec3> bricks;
-        for (const BrickChange& change : changes.bricks)
-            if (change.shape == handle) bricks.push_back(change.brick);
+        changedBricks(changes, handle, bricks);
         CollisionObject& object = *statics[handle.slot()];
-        object.collider.parts[0]->update(*shape, bricks);
+        object.collider.parts[0]->update(*shape, bricks, world.materials());
         const glm::dmat3 axes = glm::mat3_cast(object.pose.rotation);
         const double half = 0.5 * kBrickSize * shape->voxelSize;
         const glm::dvec3 reach = (glm::abs(axes[0]) + glm::abs(axes[1]) + glm::abs(axes[2])) * half;
@@ -124,27 +127,38 @@ void PhysicsWorld::Impl::refreshStatic(const FrameChanges& changes, const World&
 }
 
 void PhysicsWorld::Impl::refreshDynamic(const FrameChanges& changes, const World& world) {
-    std::vector<BodyHandle> touched = changes.bodiesCreated;
-    touched.insert(touched.end(), changes.placed.begin(), changes.placed.end());
-    const auto addOwner = [&](ShapeHandle handle) {
-        if (const Shape* shape = world.shapes().find(handle)) touched.push_back(shape->body);
+    struct Touched {
+        BodyHandle body;
+        bool onlyCarved;
     };
-    for (const ShapeHandle handle : changes.carved) addOwner(handle);
-    for (const ShapeHandle handle : changes.shapesCreated) addOwner(handle);
+    std::vector<Touched> touched;
+    for (const BodyHandle handle : changes.bodiesCreated) touched.push_back({handle, false});
+    for (const BodyHandle handle : changes.placed) touched.push_back({handle, false});
+    const auto addOwner = [&](ShapeHandle handle, bool onlyCarved) {
+        if (const Shape* shape = world.shapes().find(handle)) touched.push_back({shape->body, onlyCarved});
+    };
+    for (const ShapeHandle handle : changes.carved) addOwner(handle, true);
+    for (const ShapeHandle handle : changes.shapesCreated) addOwner(handle, false);
     for (const ShapeHandle handle : changes.shapesDestroyed)
-        if (handle.slot() < shapeBody.size()) touched.push_back(shapeBody[handle.slot()]);
-    std::sort(touched.begin(), touched.end(), [](BodyHandle a, BodyHandle b) { return a.slot() < b.slot(); });
-    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+        if (handle.slot() < shapeBody.size()) touched.push_back({shapeBody[handle.slot()], false});
+    std::sort(touched.begin(), touched.end(), [](const Touched& a, const Touched& b) {
+        return a.body.slot() != b.body.slot() ? a.body.slot() < b.body.slot() : a.onlyCarved < b.onlyCarved;
+    });
+    touched.erase(std::unique(touched.begin(), touched.end(), [](const Touched& a, const Touched& b) { return a.body.slot() == b.body.slot(); }),
+                  touched.end());
 
-    for (const BodyHandle handle : touched) {
+    for (const auto& [handle, onlyCarved] : touched) {
         const Body* body = world.bodies().find(handle);
         if (!body || body->isStatic) continue;
-        const bool known = dynamicAt(handle.slot()) != nullptr;
-        if (known) {  // out, made anew about its new centre, and back in
-            const glm::dvec3 low = dynamics[handle.slot()]->object.low, high = dynamics[handle.slot()]->object.high;
-            const bool wasThere = !dynamics[handle.slot()]->quarantined();
-            destroyDynamic(handle.slot());
+        DynamicBody* known = dynamicAt(handle.slot());
+        if (known) {  // out, of another shape about its new centre, and back in
+            const glm::dvec3 low = known->object.low, high = known->object.high;
+            const bool wasThere = !known->quarantined();
+            broadphase.remove(known->object);
+            leaveAwake(*known);
             if (wasThere) wakeTouching(low, high);
+            if (onlyCarved && known->reshape(world, changes) && enter(world, *known, false)) continue;
+            dynamics[handle.slot()].reset();
         }
         for (const ShapeHandle shape : body->shapes)  // a static body that came loose
             destroyStatic(shape.slot());

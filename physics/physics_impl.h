@@ -30,6 +30,7 @@ struct PhysicsWorld::Impl {
     void createStatic(const World& world, ShapeHandle handle);
     void destroyStatic(uint32_t slot);
     void createDynamic(const World& world, BodyHandle handle, bool asleep);
+    bool enter(const World& world, DynamicBody& body, bool asleep);
     void destroyDynamic(uint32_t slot);
 
     DynamicBody* dynamicAt(uint32_t slot) const { return slot < dynamics.size() ? dynamics[slot].get() : nullptr; }

@@ -2,26 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rubble {
 namespace {
 
 constexpr size_t kTightBricks = 512;  ///< grids of more bricks get their bounds by bricks
 
-/// The grid without voxels of unphysical entries.
-VoxelGrid withoutGhosts(const VoxelGrid& grid, const ContactSurfaces& surfaces) {
-    VoxelGrid out = grid;
-    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
-        BrickBits keep = brick->occupancy;
-        bool all = true;
-        forEachVoxel(brick->occupancy, [&](int i) {
-            if (surfaces.solid[brick->at(i)]) return;
-            keep[size_t(i >> 6)] &= ~(uint64_t(1) << (i & 63));
-            all = false;
-        });
-        if (!all) out.setBrick(position, maskBrick(*brick, keep));
+/// The brick without voxels of unphysical entries; null if nothing is left.
+BrickRef withoutGhosts(const BrickRef& brick, const ContactSurfaces& surfaces) {
+    if (!brick || (!brick->indices && surfaces.solid[brick->uniform])) return brick;
+    BrickBits keep = brick->occupancy;
+    forEachVoxel(brick->occupancy, [&](int i) {
+        if (!surfaces.solid[brick->at(i)]) keep[size_t(i >> 6)] &= ~(uint64_t(1) << (i & 63));
     });
-    return out;
+    return keep == brick->occupancy ? brick : maskBrick(*brick, keep);
 }
 
 void includeBrick(glm::ivec3 position, const Brick& brick, CellBox& box) {
@@ -53,14 +48,24 @@ ContactSurfaces::ContactSurfaces(const Palette& palette, const MaterialTable& ma
 
 VoxelPart::VoxelPart(const Shape& shape, const Pose& frame, const MaterialTable& materials)
     : m_frame(frame), m_voxelSize(shape.voxelSize), m_surfaces(std::make_shared<ContactSurfaces>(*shape.palette, materials)) {
-    takeGrid(shape.grid);
+    takeGrid(shape.grid, nullptr);
     const glm::ivec3 nodes = m_grid.sizeInNodes();
     m_nodes = std::make_unique<Lazy<NodeFeatures>[]>(size_t(nodes.x) * size_t(nodes.y) * size_t(nodes.z));
 }
 
-void VoxelPart::takeGrid(const VoxelGrid& grid) {
-    const auto& solid = m_surfaces->solid;
-    m_grid = std::all_of(solid.begin(), solid.end(), [](bool s) { return s; }) ? grid : withoutGhosts(grid, *m_surfaces);
+void VoxelPart::takeGrid(const VoxelGrid& grid, const std::vector<glm::ivec3>* bricks) {
+    const bool shared = !bricks || !m_hasGhosts;
+    if (shared) m_grid = grid;
+    const auto take = [&](glm::ivec3 position, const BrickRef& brick) {
+        BrickRef kept = withoutGhosts(brick, *m_surfaces);
+        const bool differs = kept != brick;
+        m_hasGhosts = m_hasGhosts || differs;
+        if (differs || !shared) m_grid.setBrick(position, std::move(kept));
+    };
+    if (!bricks) m_hasGhosts = false;
+    if (!bricks) grid.forEachBrick(take);
+    if (bricks)
+        for (const glm::ivec3& brick : *bricks) take(brick, grid.shareBrick(brick));
     findBounds();
 }
 
@@ -75,8 +80,9 @@ void VoxelPart::findBounds() {
         });
 }
 
-void VoxelPart::update(const Shape& shape, const std::vector<glm::ivec3>& bricks) {
-    takeGrid(shape.grid);
+void VoxelPart::update(const Shape& shape, const std::vector<glm::ivec3>& bricks, const MaterialTable& materials) {
+    const auto before = std::exchange(m_surfaces, std::make_shared<ContactSurfaces>(*shape.palette, materials));
+    takeGrid(shape.grid, before->solid == m_surfaces->solid ? &bricks : nullptr);
     for (const glm::ivec3& brick : bricks)
         for (int i = 0; i < 27; ++i) {
             const glm::ivec3 near = brick + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
@@ -104,6 +110,12 @@ const BrickSurroundings& VoxelPart::surroundings(glm::ivec3 brick) const {
     Lazy<BrickSurroundings>& lazy = node(brick).surroundings[size_t(childIndex(brick))];
     const BrickSurroundings* known = lazy.find();
     return known ? *known : lazy.keep(std::make_unique<BrickSurroundings>(surroundBrick(m_grid, brick)));
+}
+
+void changedBricks(const FrameChanges& changes, ShapeHandle shape, std::vector<glm::ivec3>& out) {
+    out.clear();
+    for (const BrickChange& change : changes.bricks)
+        if (change.shape == shape) out.push_back(change.brick);
 }
 
 bool VoxelCollider::empty() const {

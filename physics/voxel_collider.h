@@ -37,8 +37,8 @@ public:
     const FeatureList& features(glm::ivec3 brick) const;
     const BrickSurroundings& surroundings(glm::ivec3 brick) const;
 
-    /// The shape's voxels have changed in these bricks; its size has not.
-    void update(const Shape& shape, const std::vector<glm::ivec3>& bricks);
+    /// The shape's voxels have changed in these bricks; its size has not. Costs those bricks and the directory.
+    void update(const Shape& shape, const std::vector<glm::ivec3>& bricks, const MaterialTable& materials);
 
 private:
     struct NodeFeatures {
@@ -46,7 +46,8 @@ private:
         mutable std::array<Lazy<BrickSurroundings>, 64> surroundings;
     };
     const NodeFeatures& node(glm::ivec3 brick) const;
-    void takeGrid(const VoxelGrid& grid);
+    /// All of it, or what has changed in these bricks.
+    void takeGrid(const VoxelGrid& grid, const std::vector<glm::ivec3>* bricks);
     void findBounds();
     size_t nodeNumber(glm::ivec3 node) const {
         const glm::ivec3 n = m_grid.sizeInNodes();
@@ -57,9 +58,13 @@ private:
     Pose m_frame;
     double m_voxelSize;
     CellBox m_bounds;
+    bool m_hasGhosts = false;  ///< the shape has voxels that are not in m_grid
     std::shared_ptr<const ContactSurfaces> m_surfaces;
     std::unique_ptr<Lazy<NodeFeatures>[]> m_nodes;
 };
+
+/// The bricks of a shape that the journal names.
+void changedBricks(const FrameChanges& changes, ShapeHandle shape, std::vector<glm::ivec3>& out);
 
 /// All shapes of a body, or one of a static body.
 struct VoxelCollider {

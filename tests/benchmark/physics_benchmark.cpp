@@ -2,36 +2,69 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <ctime>
 #include <functional>
+#include <string>
 
 #include "physics/physics_world.h"
 #include "runtime/world/world.h"
 #include "tests/physics/baseline/box_merge.h"
 #include "tests/physics/baseline/bullet_compounds.h"
 #include "tests/physics/baseline/overlap.h"
+#include "tests/physics/baseline/pile_support.h"
 #include "tests/physics/baseline/voronoi_pit.h"
+#include "tests/support/allocation_count.h"
+#include "tests/support/thread_pool.h"
 
 namespace rubble {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-    return values[values.size() / 2];
+/// Milliseconds of this thread's processor time that something takes.
+double cpuMs(const std::function<void()>& f) {
+    const auto now = [] {
+        timespec t{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+        return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
+    };
+    const double start = now();
+    f();
+    return now() - start;
+}
+double wallMs(const std::function<void()>& f) {
+    const auto start = Clock::now();
+    f();
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// Ours: all pieces awake from the start, and for good.
+double percentile(std::vector<double> values, size_t percent) {
+    std::sort(values.begin(), values.end());
+    return values[std::min(values.size() - 1, values.size() * percent / 100)];
+}
+double median(const std::vector<double>& values) {
+    return percentile(values, 50);
+}
+
+PhysicsSettings sleepless() {
+    PhysicsSettings settings;
+    settings.sleepTime = 1e9;
+    return settings;
+}
+
+/// Ours: the first `woken` bodies are awake from the start.
 struct Pile {
-    explicit Pile(const Level& level, PhysicsSettings settings) : physics(settings) {
+    Pile(const Level& level, const PhysicsSettings& settings, size_t woken = ~size_t(0)) : physics(settings) {
         world.load(level);
+        world.applyEdits({});
         FrameChanges changes;
         changes.levelReplaced = true;
         physics.apply(changes, world);
         FrameChanges nudge;
         world.bodies().forEach([&](BodyHandle handle, const Body& body) {
             handles.push_back(handle);
-            if (!body.isStatic) nudge.impulses.push_back({handle, body.pose.position, glm::dvec3(0.0)});
+            if (!body.isStatic && handles.size() <= woken) nudge.impulses.push_back({handle, body.pose.position, glm::dvec3(0.0)});
         });
         physics.apply(nudge, world);
     }
@@ -49,52 +82,205 @@ struct Pile {
     std::vector<BodyHandle> handles;
 };
 
-/// 1,000 awake Voronoi pieces in a pit: ours and Bullet's compounds of merged boxes, step by step in turn.
+std::vector<Pose> posesOf(const BulletCompounds& bullet, const Level& level) {
+    std::vector<Pose> poses;
+    for (size_t i = 0; i < level.bodies.size(); ++i) poses.push_back(bullet.pose(i));
+    return poses;
+}
+
+void reportPile(benchmark::State& state, const std::string& who, const std::vector<double>& ms, const Level& level, const std::vector<Pose>& poses) {
+    const Overlaps overlaps = measureOverlaps(level, poses);
+    state.counters[who + "_ms"] = median(ms);
+    state.counters[who + "_p99_ms"] = percentile(ms, 99);
+    state.counters[who + "_deep_mean_mm"] = overlaps.mean * 1000;
+    state.counters[who + "_deep_median_mm"] = overlaps.median * 1000;
+    state.counters[who + "_deep_worst_voxels"] = overlaps.worst * 10;
+    state.counters[who + "_height_m"] = overlaps.middle;
+}
+
+/// Awake Voronoi pieces in a pit: ours, and Bullet's compounds of merged boxes with one and with two friction directions,
+/// step by step in turn, in processor time. From the second second on, when the first pieces lie.
 void voronoiPieces(benchmark::State& state) {
-    const int pieces = int(state.range(0));
-    const Level level = voronoiPit(pieces);
-    PhysicsSettings settings;
-    settings.sleepTime = 1e9;
-    Pile ours(level, settings);
-    BulletCompounds bullet(level, {});
-    const auto timed = [](const std::function<void()>& step) {
-        const auto start = Clock::now();
-        step();
-        return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    };
-    std::vector<double> oursMs, bulletMs;
+    const Level level = voronoiPit(int(state.range(0)));
+    Pile ours(level, sleepless());
+    BulletCompounds one(level, {.frictionDirections = 1}), two(level, {.frictionDirections = 2});
+    std::vector<double> oursMs, oneMs, twoMs;
     for (auto _ : state) {
         double sum = 0.0;
-        for (int i = 0; i < 600; ++i) {
-            const double a = timed([&] { ours.step(); }), b = timed([&] { bullet.step(); });
+        for (int i = 0; i < int(state.range(1)); ++i) {
+            const double a = cpuMs([&] { ours.step(); }), b = cpuMs([&] { one.step(); }), c = cpuMs([&] { two.step(); });
             sum += a;
-            if (i >= 120) oursMs.push_back(a), bulletMs.push_back(b);
+            if (i >= 120) oursMs.push_back(a), oneMs.push_back(b), twoMs.push_back(c);
         }
         state.SetIterationTime(sum * 1e-3);
     }
-    std::vector<Pose> theirs;
-    for (size_t i = 0; i < level.bodies.size(); ++i) theirs.push_back(bullet.pose(i));
-    const Overlaps a = measureOverlaps(level, ours.poses()), b = measureOverlaps(level, theirs);
-    const double m = median(oursMs), n = median(bulletMs);
-    std::sort(oursMs.begin(), oursMs.end());
-    state.counters["step_ms"] = m;
-    state.counters["p99_ms"] = oursMs[oursMs.size() * 99 / 100];
-    state.counters["bullet_ms"] = n;
-    state.counters["times_faster"] = n / m;
-    state.counters["deep_mean_mm"] = a.mean * 1000;
-    state.counters["bullet_deep_mean_mm"] = b.mean * 1000;
-    state.counters["deep_median_mm"] = a.median * 1000;
-    state.counters["bullet_deep_median_mm"] = b.median * 1000;
-    state.counters["deep_worst_voxels"] = a.worst * 10;
-    state.counters["bullet_deep_worst_voxels"] = b.worst * 10;
-    state.counters["overlaps"] = double(a.pairs);
-    state.counters["bullet_overlaps"] = double(b.pairs);
-    state.counters["height_m"] = a.middle;
-    state.counters["bullet_height_m"] = b.middle;
+    reportPile(state, "ours", oursMs, level, ours.poses());
+    reportPile(state, "bullet1", oneMs, level, posesOf(one, level));
+    reportPile(state, "bullet2", twoMs, level, posesOf(two, level));
+    state.counters["times_faster_than_1"] = median(oneMs) / median(oursMs);
+    state.counters["times_faster_than_2"] = median(twoMs) / median(oursMs);
     state.counters["contacts"] = ours.physics.figures().contacts;
-    state.counters["boxes"] = double(bullet.boxes());
+    state.counters["boxes"] = double(one.boxes());
 }
-BENCHMARK(voronoiPieces)->Name("physics/voronoiPieces")->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond)->Iterations(1)->UseManualTime();
+BENCHMARK(voronoiPieces)
+    ->Name("physics/voronoiPieces")
+    ->Args({144, 480})
+    ->Args({1000, 480})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1)
+    ->UseManualTime();
+
+/// How high a pile is that Bullet has solved to the end: 8 substeps of 30 iterations with two friction directions.
+void convergedPile(benchmark::State& state) {
+    const Level level = voronoiPit(int(state.range(0)));
+    Pile ours(level, sleepless());
+    BulletCompounds bullet(level, {.substeps = 8, .iterations = 30});
+    std::vector<double> oursMs, bulletMs;
+    for (auto _ : state)
+        for (int i = 0; i < int(state.range(1)); ++i) {
+            oursMs.push_back(cpuMs([&] { ours.step(); }));
+            bulletMs.push_back(cpuMs([&] { bullet.step(); }));
+        }
+    reportPile(state, "ours", oursMs, level, ours.poses());
+    reportPile(state, "bullet", bulletMs, level, posesOf(bullet, level));
+}
+BENCHMARK(convergedPile)->Name("physics/convergedPile")->Args({144, 480})->Unit(benchmark::kMillisecond)->Iterations(1);
+
+/// A pit of pieces, and around it others that sleep on a plain.
+Level pitInAPlain(int pieces, int sleepers) {
+    Level level = voronoiPit(pieces);
+    const int side = int(std::ceil(std::sqrt(double(sleepers))));
+    VoxelGrid floor(glm::ivec3(side * 20, 8, side * 20));
+    auto full = std::make_shared<Brick>();
+    full->occupancy.fill(~uint64_t(0));
+    full->uniform = 7;
+    const glm::ivec3 bricks = floor.sizeInBricks();
+    for (int z = 0; z < floor.size().z / 8; ++z)
+        for (int x = 0; x < bricks.x && x < floor.size().x / 8; ++x) floor.setBrick({x, 0, z}, full);
+    LevelBody plain = level.bodies[0];
+    plain.pose.position = {20.0, -0.8, 0.0};
+    plain.shapes[0].grid = std::move(floor);
+    for (int i = 0; i < sleepers; ++i) {
+        LevelBody body = level.bodies[1 + size_t(i % pieces)];
+        body.pose = {{20.2 + (i % side) * 1.98, 0.0, 0.2 + (i / side) * 1.98}, {1, 0, 0, 0}};
+        level.bodies.push_back(std::move(body));
+    }
+    level.bodies.push_back(std::move(plain));
+    return level;
+}
+
+/// 10,000 pieces in the world of which some are awake: the step's processor time.
+void awakeAmongSleepers(benchmark::State& state) {
+    const int awake = int(state.range(0));
+    Pile pile(pitInAPlain(awake, 10'000 - awake), sleepless(), size_t(awake) + 1);
+    std::vector<double> ms;
+    for (auto _ : state) {
+        for (int i = 0; i < 480; ++i) ms.push_back(cpuMs([&] { pile.step(); }));
+        state.SetIterationTime(median(ms) * 1e-3);
+    }
+    state.counters["p99_ms"] = percentile(ms, 99);
+    state.counters["bodies"] = pile.physics.figures().bodies;
+    state.counters["awake"] = pile.physics.figures().awake;
+}
+BENCHMARK(awakeAmongSleepers)
+    ->Name("physics/awakeAmongSleepers")
+    ->Arg(250)
+    ->Arg(500)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1)
+    ->UseManualTime();
+
+void sleepers(benchmark::State& state) {
+    Pile pile(pitInAPlain(1, int(state.range(0)) - 1), {}, 0);
+    pile.step();
+    const size_t before = allocationCount();
+    size_t steps = 0;
+    for (auto _ : state) {
+        pile.physics.step();
+        ++steps;
+    }
+    state.counters["allocations"] = double(allocationCount() - before) / double(steps);
+    state.counters["awake"] = pile.physics.figures().awake;
+}
+BENCHMARK(sleepers)->Name("physics/sleepers")->Arg(10'000)->Unit(benchmark::kMicrosecond);
+
+/// The same pile with one and with two threads, step by step in turn, on the wall's clock: means little on a busy machine.
+void twoThreads(benchmark::State& state) {
+    const Level level = voronoiPit(int(state.range(0)));
+    double narrow[2] = {0.0, 0.0};
+    ThreadPool pool(2);
+    PhysicsSettings settings[2] = {sleepless(), sleepless()};
+    settings[0].parallelFor = [&](size_t count, const std::function<void(size_t)>& f) { narrow[0] += wallMs([&] { serialFor(count, f); }); };
+    settings[1].parallelFor = [&](size_t count, const std::function<void(size_t)>& f) { narrow[1] += wallMs([&] { pool.run(count, f); }); };
+    Pile one(level, settings[0]), two(level, settings[1]);
+    std::vector<double> narrowMs[2], stepMs[2];
+    for (auto _ : state)
+        for (int i = 0; i < 360; ++i) {
+            narrow[0] = narrow[1] = 0.0;
+            stepMs[0].push_back(wallMs([&] { one.physics.step(); }));
+            stepMs[1].push_back(wallMs([&] { two.physics.step(); }));
+            for (const size_t k : {0, 1}) narrowMs[k].push_back(narrow[k]);
+        }
+    state.counters["narrowphase_1_ms"] = median(narrowMs[0]);
+    state.counters["narrowphase_2_ms"] = median(narrowMs[1]);
+    state.counters["step_1_ms"] = median(stepMs[0]);
+    state.counters["step_2_ms"] = median(stepMs[1]);
+    state.counters["narrowphase_ratio"] = median(narrowMs[0]) / median(narrowMs[1]);
+    state.counters["step_ratio"] = median(stepMs[0]) / median(stepMs[1]);
+}
+BENCHMARK(twoThreads)->Name("physics/twoThreads")->Arg(500)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+/// How long after they have landed pieces sleep, and whether anything floats then.
+void settlingPile(benchmark::State& state) {
+    const int pieces = int(state.range(0));
+    Pile pile(voronoiPit(pieces), {});
+    double slept = 0.0;
+    std::vector<BodyHandle> floating;
+    for (auto _ : state) {
+        for (int i = 0; i < 2400 && pile.physics.figures().awake; ++i) {
+            pile.step();
+            if (pile.physics.figures().awake * 100 > pieces) slept = double(i + 1) / 60.0;
+        }
+        floating = findUnsupported(pile.world);
+    }
+    state.counters["asleep_99_s"] = slept;
+    state.counters["awake"] = pile.physics.figures().awake;
+    state.counters["floating"] = double(floating.size());
+}
+BENCHMARK(settlingPile)->Name("physics/settlingPile")->Arg(500)->Arg(5000)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+/// Cuts of a body of 256^3 voxels that lies among moving pieces: what physics takes for the journal of one.
+void cutOfALargeBody(benchmark::State& state) {
+    Level level = voronoiPit(100, 1, 40);
+    LevelBody block = level.bodies[1];
+    VoxelGrid grid(glm::ivec3(256));
+    auto full = std::make_shared<Brick>();
+    full->occupancy.fill(~uint64_t(0));
+    full->uniform = 7;
+    for (int i = 0; i < 32 * 32 * 32; ++i) grid.setBrick({i % 32, i / 32 % 32, i / 1024}, full);
+    block.shapes[0].grid = std::move(grid);
+    block.pose = {{7.0, 0.0, 7.0}, {1, 0, 0, 0}};
+    level.bodies.push_back(std::move(block));
+    Pile pile(level, sleepless());
+    for (int i = 0; i < 120; ++i) pile.step();
+    std::vector<double> cutMs, physicsMs, stepMs;
+    for (auto _ : state)
+        for (int i = 0; i < 60; ++i) {
+            const BodyHandle body = pile.handles.back();
+            const glm::dvec3 at = pile.world.bodies().at(body).pose.transformPoint({(i % 10) * 2.5, 25.6, (i / 10) * 4.0});
+            const CarveEdit cut{.kind = BrushKind::Sphere, .position = at, .radii = {0.6, 0.6, 0.6}, .shape = pile.world.bodies().at(body).shapes[0]};
+            FrameChanges changes;
+            cutMs.push_back(cpuMs([&] { changes = pile.world.applyEdits({cut}); }));
+            physicsMs.push_back(cpuMs([&] { pile.physics.apply(changes, pile.world); }));
+            stepMs.push_back(cpuMs([&] { pile.step(); }));
+        }
+    state.counters["cut_ms"] = median(cutMs);
+    state.counters["physics_ms"] = median(physicsMs);
+    state.counters["physics_p99_ms"] = percentile(physicsMs, 99);
+    state.counters["step_ms"] = median(stepMs);
+}
+BENCHMARK(cutOfALargeBody)->Name("physics/cutOfALargeBody")->Unit(benchmark::kMillisecond)->Iterations(1);
 
 }  // namespace
 }  // namespace rubble

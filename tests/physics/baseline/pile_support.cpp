@@ -1,0 +1,211 @@
+#include "tests/physics/baseline/pile_support.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+namespace rubble {
+namespace {
+
+constexpr double kNear = 0.02;      ///< metres
+constexpr double kLeftOver = 0.05;  ///< share of the weight that may stay unbalanced: gaps of 2 cm change levers
+constexpr int kSweeps = 2000;
+
+using Wrench = std::array<double, 6>;  ///< force, and torque about the centre over the body's size
+
+double dot(const Wrench& a, const Wrench& b) {
+    double sum = 0.0;
+    for (size_t i = 0; i < 6; ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+/// One shape; each body has one here for each.
+struct Part {
+    const VoxelGrid* grid;
+    double size;
+    Pose pose;  ///< grid corner -> world
+    glm::dvec3 low, high;
+    std::vector<glm::dvec3> points;  ///< along the edges of its surface's voxels, metres from the corner
+    size_t body;
+};
+
+struct Item {
+    BodyHandle handle;
+    bool isStatic = false, held = false;
+    glm::dvec3 center{0.0};
+    double reach = 1.0;
+    std::vector<std::pair<size_t, Wrench>> pushes;  ///< by which other body
+    std::vector<size_t> touched;
+};
+
+bool exposed(const VoxelGrid& grid, glm::ivec3 c) {
+    for (int i = 0; i < 6; ++i) {
+        glm::ivec3 next = c;
+        next[i / 2] += i % 2 * 2 - 1;
+        if (!grid.at(next)) return true;
+    }
+    return false;
+}
+
+std::vector<glm::dvec3> edgePoints(const VoxelGrid& grid, double size) {
+    std::set<std::tuple<int, int, int>> quarters;
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        forEachVoxel(brick->occupancy, [&](int v) {
+            const glm::ivec3 c = position * kBrickSize + voxelInBrick(v);
+            if (!exposed(grid, c)) return;
+            for (int i = 0; i < 125; ++i) {
+                const glm::ivec3 at(i % 5, i / 5 % 5, i / 25);
+                if ((at.x % 4 == 0) + (at.y % 4 == 0) + (at.z % 4 == 0) >= 2) quarters.emplace(c.x * 4 + at.x, c.y * 4 + at.y, c.z * 4 + at.z);
+            }
+        });
+    });
+    std::vector<glm::dvec3> points;
+    for (const auto& [x, y, z] : quarters) points.push_back(glm::dvec3(x, y, z) * (0.25 * size));
+    return points;
+}
+
+/// Where a point (in cells) within `reach` cells of the solid is pushed to; false if it is farther.
+bool wayOut(const VoxelGrid& grid, const glm::dvec3& p, double reach, glm::dvec3& out) {
+    const glm::ivec3 own(glm::floor(p)), low(glm::floor(p - reach)), high(glm::floor(p + reach));
+    double nearest = 1e9;
+    if (grid.at(own)) {
+        for (int i = 0; i < 6; ++i) {
+            glm::ivec3 d(0);
+            d[i / 2] = i % 2 * 2 - 1;
+            if (grid.at(own + d)) continue;
+            const double way = d[i / 2] > 0 ? double(own[i / 2] + 1) - p[i / 2] : p[i / 2] - double(own[i / 2]);
+            if (way < nearest) nearest = way, out = glm::dvec3(d);
+        }
+        return nearest < 1e8;
+    }
+    for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x) {
+                if (!grid.at({x, y, z})) continue;
+                const glm::dvec3 cell(x, y, z), d = p - glm::clamp(p, cell, cell + 1.0);
+                const double way = glm::length(d);
+                if (way < nearest) nearest = way, out = way > 1e-9 ? d / way : glm::dvec3(0.0);
+            }
+    return nearest <= reach && out != glm::dvec3(0.0);
+}
+
+/// Adds what `from`'s points feel of `into`: four forces about each normal, on both bodies.
+void touch(const Part& from, const Part& into, std::vector<Item>& items) {
+    Item &a = items[from.body], &b = items[into.body];
+    bool any = false;
+    for (const glm::dvec3& point : from.points) {
+        const glm::dvec3 at = from.pose.transformPoint(point);
+        if (glm::any(glm::lessThan(at, into.low - kNear)) || glm::any(glm::greaterThan(at, into.high + kNear))) continue;
+        glm::dvec3 normal;
+        if (!wayOut(*into.grid, into.pose.inversePoint(at) / into.size, kNear / into.size, normal)) continue;
+        any = true;
+        normal = into.pose.rotation * normal;
+        const glm::dvec3 across = glm::normalize(std::abs(normal.x) > 0.5 ? glm::dvec3(normal.y, -normal.x, 0) : glm::dvec3(0, normal.z, -normal.y));
+        const glm::dvec3 other = glm::cross(normal, across);
+        for (const glm::dvec3& side : {across, -across, other, -other}) {
+            const glm::dvec3 force = normal + side;
+            const auto wrench = [&](const Item& item, const glm::dvec3& f) {
+                const glm::dvec3 torque = glm::cross(at - item.center, f) / item.reach;
+                return Wrench{f.x, f.y, f.z, torque.x, torque.y, torque.z};
+            };
+            if (!a.isStatic) a.pushes.emplace_back(into.body, wrench(a, force));
+            if (!b.isStatic) b.pushes.emplace_back(from.body, wrench(b, -force));
+        }
+    }
+    if (!any) return;
+    a.touched.push_back(into.body);
+    b.touched.push_back(from.body);
+}
+
+/// Whether pushes (none of which pulls) by what is held add up to the weight: coordinate descent on the squared rest.
+bool balanced(const Item& item, const std::vector<Item>& items) {
+    std::vector<const Wrench*> pushes;
+    for (const auto& [by, wrench] : item.pushes)
+        if (items[by].held) pushes.push_back(&wrench);
+    std::vector<double> strength(pushes.size(), 0.0);
+    Wrench rest{0.0, -1.0, 0.0, 0.0, 0.0, 0.0};
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+        for (size_t i = 0; i < pushes.size(); ++i) {
+            const double change = std::max(-dot(rest, *pushes[i]) / dot(*pushes[i], *pushes[i]), -strength[i]);
+            strength[i] += change;
+            for (size_t k = 0; k < 6; ++k) rest[k] += change * (*pushes[i])[k];
+        }
+        if (dot(rest, rest) < kLeftOver * kLeftOver) return true;
+    }
+    return false;
+}
+
+/// Only what a chain of touching held bodies joins to something static stays held.
+void keepJoined(std::vector<Item>& items) {
+    std::vector<size_t> open;
+    std::vector<bool> reached(items.size());
+    for (size_t i = 0; i < items.size(); ++i)
+        if (items[i].isStatic) open.push_back(i), reached[i] = true;
+    while (!open.empty()) {
+        const size_t i = open.back();
+        open.pop_back();
+        for (const size_t next : items[i].touched)
+            if (items[next].held && !reached[next]) open.push_back(next), reached[next] = true;
+    }
+    for (size_t i = 0; i < items.size(); ++i) items[i].held = items[i].held && reached[i];
+}
+
+std::vector<Part> partsOf(const World& world, const Body& body, size_t index) {
+    std::vector<Part> parts;
+    for (const ShapeHandle shapeHandle : body.shapes) {
+        const Shape& shape = world.shapes().at(shapeHandle);
+        Part part{&shape.grid, shape.voxelSize, world.shapeToWorld(shapeHandle), glm::dvec3(1e30), glm::dvec3(-1e30), {}, index};
+        const glm::dvec3 size = glm::dvec3(shape.grid.size()) * part.size;
+        for (int k = 0; k < 8; ++k) {
+            const glm::dvec3 corner = part.pose.transformPoint({k & 1 ? size.x : 0, k & 2 ? size.y : 0, k & 4 ? size.z : 0});
+            part.low = glm::min(part.low, corner);
+            part.high = glm::max(part.high, corner);
+        }
+        if (!body.isStatic) part.points = edgePoints(shape.grid, part.size);
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+}  // namespace
+
+std::vector<BodyHandle> findUnsupported(const World& world) {
+    std::vector<Item> items;
+    std::vector<Part> parts;
+    world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+        if (!body.isStatic && !body.asleep) return;
+        Item item{.handle = handle, .isStatic = body.isStatic, .held = true};
+        if (!body.isStatic) item.center = body.pose.transformPoint(world.bodyMass(handle).center);
+        for (Part& part : partsOf(world, body, items.size())) {
+            item.reach = std::max(0.1, 0.25 * glm::length(part.high - part.low));
+            parts.push_back(std::move(part));
+        }
+        items.push_back(std::move(item));
+    });
+    std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.low.x < b.low.x; });
+    for (size_t i = 0; i < parts.size(); ++i)
+        for (size_t k = i + 1; k < parts.size() && parts[k].low.x <= parts[i].high.x + kNear; ++k) {
+            const Part &a = parts[i], &b = parts[k];
+            if (a.body == b.body || (items[a.body].isStatic && items[b.body].isStatic)) continue;
+            if (glm::any(glm::greaterThan(a.low, b.high + kNear)) || glm::any(glm::greaterThan(b.low, a.high + kNear))) continue;
+            touch(a, b, items);
+            touch(b, a, items);
+        }
+    for (bool changed = true; changed;) {  // what leans on something that is not held is not held either
+        changed = false;
+        keepJoined(items);
+        for (Item& item : items) {
+            if (item.isStatic || !item.held || balanced(item, items)) continue;
+            item.held = false;
+            changed = true;
+        }
+    }
+    std::vector<BodyHandle> floating;
+    for (const Item& item : items)
+        if (!item.held) floating.push_back(item.handle);
+    return floating;
+}
+
+}  // namespace rubble

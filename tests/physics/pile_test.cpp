@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/physics/baseline/pile_support.h"
+#include "tests/physics/baseline/voronoi_pit.h"
+#include "tests/physics/physics_scene.h"
+#include "tests/support/thread_pool.h"
+
+namespace rubble {
+namespace {
+
+/// Edits go in and physics follows, as in the frame loop.
+void stepWith(PhysicsScene& scene, const Edits& edits) {
+    scene.physics.apply(scene.world.applyEdits(edits), scene.world);
+    scene.step();
+}
+
+struct PitScene : PhysicsScene {
+    explicit PitScene(int pieces, int pit = 8, const PhysicsSettings& settings = {}) : PhysicsScene(settings) {
+        level = voronoiPit(pieces, 1, pit);
+        load();
+        world.applyEdits({});  // the level itself: already there
+    }
+    int awake() const { return physics.figures().awake; }
+};
+
+TEST(Pile, SleepsSoonAndNothingFloatsBeforeOrAfterItsFloorGoes) {
+    const int pieces = std::getenv("RUBBLE_LONG") ? 5000 : 120;
+    PitScene scene(pieces);
+    int steps = 0;
+    const int limit = pieces > 1000 ? 2400 : 720;
+    while (steps < limit && scene.awake() * 100 > pieces) scene.step(), ++steps;
+    EXPECT_LE(scene.awake() * 100, pieces) << "after " << steps << " steps";
+    EXPECT_TRUE(findUnsupported(scene.world).empty());
+
+    // A hole in the pit's floor, 3 m wide: what lay on it moves within a step, and what then sleeps rests on something.
+    const int before = scene.awake();
+    CarveEdit hole{.kind = BrushKind::Box, .position = {4.0, -0.4, 4.0}, .halfSize = {1.5, 0.45, 1.5}};
+    hole.shape = scene.body(0).shapes[0];
+    stepWith(scene, {hole});
+    EXPECT_GT(scene.awake(), before);
+    for (int i = 0; i < limit && scene.awake(); ++i) scene.step();  // what lies on something awake may fall yet
+    EXPECT_TRUE(findUnsupported(scene.world).empty());
+}
+
+TEST(Pile, TheCheckKnowsWhatFloats) {
+    PhysicsScene scene;
+    scene.addFloor();
+    const VoxelGrid cube = blockGrid({4, 4, 4}, 7), plank = blockGrid({20, 2, 4}, 7);
+    scene.add(cube, {0, 0, 0}, false);
+    scene.add(cube, {0, 0.41, 0}, false);      // on the first
+    scene.add(cube, {3, 0.1, 0}, false);       // 10 cm above the floor
+    scene.add(plank, {0.13, 0.82, 0}, false);  // its centre is out over the edge
+    scene.add(cube, {0, 5, 0}, false);         // two that touch each other only
+    scene.add(cube, {0, 5.4, 0}, false);
+    scene.load(false);
+    const std::vector<BodyHandle> floating = findUnsupported(scene.world);
+    EXPECT_EQ(floating, (std::vector{scene.handle(3), scene.handle(4), scene.handle(5), scene.handle(6)}));
+}
+
+/// The state of all bodies after every step.
+std::vector<double> trace(const PhysicsSettings& settings) {
+    PitScene scene(40, 4, settings);
+    std::vector<double> all;
+    for (int i = 0; i < 120; ++i) {
+        scene.physics.step();
+        for (const BodyPose& p : scene.physics.poses())
+            all.insert(all.end(), {p.pose.position.x, p.pose.position.y, p.pose.position.z, p.pose.rotation.w, p.velocity.x, p.velocity.y});
+        scene.world.setPoses(scene.physics.poses());
+    }
+    return all;
+}
+
+TEST(Pile, TheSameOnAnyNumberOfThreads) {
+    const std::vector<double> one = trace({});
+    for (const int threads : {2, 5}) {
+        ThreadPool pool(threads);
+        PhysicsSettings settings;
+        settings.parallelFor = [&](size_t count, const std::function<void(size_t)>& f) { pool.run(count, f); };
+        EXPECT_EQ(trace(settings), one) << threads;
+    }
+}
+
+/// A cut while it falls changes a body in place: it moves on as one that is made anew from the World does.
+TEST(Pile, ACutBodyIsAsIfMadeAnew) {
+    const auto fall = [](bool anew) {
+        PhysicsScene scene;
+        scene.addFloor();
+        VoxelGrid block = blockGrid({40, 40, 40}, 7);
+        scene.add(block, {-2, 0.5, -2}, false, glm::normalize(glm::dquat(1, 0.1, 0.2, 0.05)));
+        scene.load();
+        scene.world.applyEdits({});  // the level itself: already there
+        scene.step(20);              // in the air
+        const ShapeHandle shape = scene.body(1).shapes[0];
+        std::vector<double> all;
+        for (int i = 0; i < 120; ++i) {
+            Edits edits;
+            if (i % 12 == 0) {
+                const glm::dvec3 at = scene.body(1).pose.transformPoint({0.4 * (i / 12), 4.0, 2.0});
+                edits.push_back(CarveEdit{.kind = BrushKind::Sphere, .position = at, .radii = {0.7, 0.7, 0.7}, .shape = shape});
+            }
+            FrameChanges changes = scene.world.applyEdits(edits);
+            if (anew && !edits.empty()) changes.shapesCreated.push_back(shape);
+            scene.physics.apply(changes, scene.world);
+            scene.step();
+            const Body& body = scene.body(1);
+            for (int k = 0; k < 3; ++k) all.insert(all.end(), {body.pose.position[k], body.velocity[k], body.angularVelocity[k]});
+        }
+        return all;
+    };
+    EXPECT_EQ(fall(false), fall(true));
+}
+
+}  // namespace
+}  // namespace rubble

@@ -1,0 +1,60 @@
+#pragma once
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace rubble {
+
+/// The simplest ParallelFor with threads, as a host may supply one: the caller works too.
+class ThreadPool {
+public:
+    explicit ThreadPool(int threads) {
+        for (int i = 1; i < threads; ++i) m_threads.emplace_back([this](const std::stop_token& stop) { serve(stop); });
+    }
+
+    void run(size_t count, const std::function<void(size_t)>& body) {
+        {
+            const std::lock_guard lock(m_mutex);
+            m_body = &body;
+            m_count = count;
+            m_next = 0;
+            m_busy = m_threads.size();
+            ++m_round;
+        }
+        m_wake.notify_all();
+        work();
+        std::unique_lock lock(m_mutex);
+        m_done.wait(lock, [&] { return m_busy == 0; });
+    }
+
+private:
+    void work() {
+        for (size_t i = m_next++; i < m_count; i = m_next++) (*m_body)(i);
+    }
+    void serve(const std::stop_token& stop) {
+        for (uint64_t seen = 0;;) {
+            {
+                std::unique_lock lock(m_mutex);
+                if (!m_wake.wait(lock, stop, [&] { return m_round != seen; })) return;
+                seen = m_round;
+            }
+            work();
+            const std::lock_guard lock(m_mutex);
+            if (--m_busy == 0) m_done.notify_one();
+        }
+    }
+
+    std::mutex m_mutex;
+    std::condition_variable_any m_wake;
+    std::condition_variable m_done;
+    const std::function<void(size_t)>* m_body = nullptr;
+    size_t m_count = 0, m_busy = 0;
+    std::atomic<size_t> m_next = 0;
+    uint64_t m_round = 0;
+    std::vector<std::jthread> m_threads;  ///< last: they end before what they use
+};
+
+}  // namespace rubble
