@@ -63,7 +63,7 @@ FeatureList findFeatures(const VoxelGrid& grid, glm::ivec3 brick) {
     FeatureList found;
     if (!grid.brickAt(brick)) return found;
     const BrickSurroundings around = surroundBrick(grid, brick);
-    for (int z = 0; z < 8; ++z)
+    for (int z = 0; z < 8; ++z, found.layers[size_t(z)] = uint32_t(found.size()))
         for (int y = 0; y < 8; ++y) {
             if (!seen(around, y, z, {0, 0, 0})) continue;
             std::array<uint32_t, kFeatureKinds> masks{};

@@ -27,6 +27,7 @@ struct FeatureList {
     std::vector<float> x, y, z;   ///< where they are, in cells from the brick's low corner; filled up to fours with NaN
     std::vector<uint16_t> voxel;  ///< in the brick, as voxelIndex()
     std::vector<uint8_t> kind;
+    std::array<uint32_t, kBrickSize + 1> layers{};  ///< where those of the voxels of each z begin, and their number
     size_t size() const { return kind.size(); }
 };
 

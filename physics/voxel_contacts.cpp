@@ -46,6 +46,16 @@ public:
         if (brick != m_nearAt) m_nearAt = brick, m_near = &m_part.surroundings(brick);
         return m_near->any(low, high);
     }
+    /// False if no brick that a box of cells reaches into holds anything; large boxes are not looked at closely.
+    bool mayHold(Cell low, Cell high) const {
+        low = glm::max(low, Cell(0)) >> 3, high = glm::min(high, m_grid.size() - 1) >> 3;
+        if (std::max({high.x - low.x, high.y - low.y, high.z - low.z}) > 3) return true;
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y)
+                for (int x = low.x; x <= high.x; ++x)
+                    if (m_grid.brickAt({x, y, z})) return true;
+        return false;
+    }
     bool solid(Cell c) {
         if (!m_grid.contains(c)) return false;
         const Cell brick = c >> 3;
@@ -264,15 +274,27 @@ public:
         CellBox near;
         if (!overlap(near)) return false;
         placeReaches();
+        if (!mayReach(near.low, near.high)) return false;
         const Cell low = near.low >> 3, high = (near.high - 1) >> 3;
         for (int z = low.z; z <= high.z; ++z)
             for (int y = low.y; y <= high.y; ++y)
-                for (int x = low.x; x <= high.x; ++x)
-                    if (m_from.grid().brickAt({x, y, z})) probeBrick({x, y, z}, out);
+                for (int x = low.x; x <= high.x; ++x) {
+                    const Cell brick(x, y, z), corner = brick * kBrickSize;
+                    if (m_from.grid().brickAt(brick) && mayReach(glm::max(near.low - 1, corner), glm::min(near.high + 1, corner + kBrickSize)))
+                        probeBrick(brick, near, out);
+                }
         return true;
     }
 
 private:
+    /// Whether the cells [low, high) of `from` may come within reach of bricks of `into`.
+    bool mayReach(Cell low, Cell high) const {
+        const glm::vec3 c = m_corner + m_axes * (glm::vec3(low + high) * 0.5f), h = glm::vec3(high - low) * 0.5f;
+        const glm::vec3 r =
+            glm::abs(m_axes[0]) * h.x + glm::abs(m_axes[1]) * h.y + glm::abs(m_axes[2]) * h.z + (m_reach + kInset * 2.0f * m_scale + kRounding);
+        return m_occupancy.mayHold(cellOf(c - r), cellOf(c + r));
+    }
+
     /// The cells of `from` that may come within reach of `into`; false: none.
     bool overlap(CellBox& near) const {
         const glm::mat3 back = glm::transpose(m_axes) / (m_scale * m_scale);
@@ -296,6 +318,7 @@ private:
         const glm::vec3 around = inset + (m_margin + kInset * m_scale + kRounding);
         m_reaches[0] = around;
         for (int axis = 0; axis < 3; ++axis) m_reaches[size_t(axis + 1)] = glm::max(around, glm::abs(m_axes[axis]) * 0.5f + kRounding);
+        m_farthest = glm::max(glm::max(m_reaches[0], m_reaches[1]), glm::max(m_reaches[2], m_reaches[3]));
         if (!m_sweeps) return;
         for (glm::vec3& reach : m_reaches) reach += (std::abs(m_spin.x) + std::abs(m_spin.y) + std::abs(m_spin.z)) * glm::length(inset);
     }
@@ -327,19 +350,37 @@ private:
         return m_occupancy.mayTouch(cellOf(low), cellOf(high));
     }
 
-    void probeBrick(Cell brick, std::vector<ContactPoint>& out) {
+    /// The same of four at once, as a whole.
+    bool mayMeet(const Four (&p)[3], FourBools which) {
+        if (m_sweeps) return true;
+        glm::vec3 low(1e9f), high(-1e9f);
+        for (size_t k = 0; k < 4; ++k)
+            if (which[k])
+                for (int axis = 0; axis < 3; ++axis) low[axis] = std::min(low[axis], p[axis][k]), high[axis] = std::max(high[axis], p[axis][k]);
+        return m_occupancy.mayTouch(cellOf(low - m_farthest), cellOf(high + m_farthest));
+    }
+
+    void probeBrick(Cell brick, const CellBox& near, std::vector<ContactPoint>& out) {
         const FeatureList& features = m_from.features(brick);
         const Cell corner = brick * kBrickSize;
         const glm::vec3 base = m_corner + m_axes * glm::vec3(corner);
-        for (size_t i = 0; i < features.x.size(); i += 4) {
+        const auto four = [](float value) { return Four{value, value, value, value}; };
+        Four origin[3], axes[3][3], from[3], to[3];  // what the loop reads, in registers
+        for (int axis = 0; axis < 3; ++axis) {
+            origin[axis] = four(base[axis]), from[axis] = four(m_low[axis]), to[axis] = four(m_high[axis]);
+            for (int k = 0; k < 3; ++k) axes[k][axis] = four(m_axes[k][axis]);
+        }
+        const int first = std::max(near.low.z - corner.z - 1, 0), last = std::min(near.high.z - corner.z + 1, kBrickSize);
+        const size_t end = features.layers[size_t(last)];
+        for (size_t i = features.layers[size_t(first)] & ~size_t(3); i < end; i += 4) {
             const Four x = load(&features.x[i]), y = load(&features.y[i]), z = load(&features.z[i]);
             Four p[3];
             FourBools inside = {-1, -1, -1, -1};
             for (int axis = 0; axis < 3; ++axis) {
-                p[axis] = base[axis] + m_axes[0][axis] * x + m_axes[1][axis] * y + m_axes[2][axis] * z;
-                inside &= (p[axis] > m_low[axis]) & (p[axis] < m_high[axis]);
+                p[axis] = origin[axis] + axes[0][axis] * x + axes[1][axis] * y + axes[2][axis] * z;
+                inside &= (p[axis] > from[axis]) & (p[axis] < to[axis]);
             }
-            if (!any(inside)) continue;
+            if (!any(inside) || !mayMeet(p, inside)) continue;
             for (size_t k = 0; k < 4; ++k) {
                 if (!inside[k]) continue;
                 const uint8_t kind = features.kind[i + k];
@@ -431,6 +472,7 @@ private:
     float m_scale;       ///< cells of `into` that a cell of `from` is long
     std::array<glm::vec3, 3> m_unit;
     uint32_t m_placed = 0;               ///< kinds whose probes are ready
+    glm::vec3 m_farthest{0.0f};          ///< of the reaches
     std::array<glm::vec3, 4> m_reaches;  ///< of corners and of edges along x, y, z
     std::array<Probe, kFeatureKinds> m_probes;
     std::array<glm::vec3, kFeatureKinds> m_insets;
