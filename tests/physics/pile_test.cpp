@@ -26,7 +26,7 @@ struct PitScene : PhysicsScene {
 };
 
 TEST(Pile, SleepsSoonAndNothingFloatsBeforeOrAfterItsFloorGoes) {
-    const int pieces = std::getenv("RUBBLE_LONG") ? 5000 : 120;
+    const int pieces = std::getenv("RUBBLE_LONG") ? 5000 : 80;
     PitScene scene(pieces);
     int steps = 0;
     const int limit = pieces > 1000 ? 2400 : 720;
