@@ -8,6 +8,8 @@ namespace {
 
 constexpr int kPasses = 2, kFastPasses = 8;  ///< over the normals of two bodies that meet, by how fast they do
 constexpr float kFast = 20.0f;               ///< m/s
+constexpr float kSlope = 0.3f;               ///< how far up a normal points where one body lies on the other
+constexpr double kStiffer = 4.0;             ///< times as stiff, in hertz, are contacts of what bears
 
 /// Two directions across the normal.
 void tangentsOf(const glm::vec3& n, glm::vec3& t1, glm::vec3& t2) {
@@ -86,6 +88,7 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
             c.tangentImpulse1 = glm::dot(point.frictionImpulse, c.tangent1);
             c.tangentImpulse2 = glm::dot(point.frictionImpulse, c.tangent2);
             c.total = c.most = c.bounceImpulse = 0.0f;
+            c.isStiff = false;
             c.isStatic = A.inverseMass == 0.0f || B.inverseMass == 0.0f;
             c.point = &point;
             if (c.approach < m_constraints[fastest].approach) fastest = m_constraints.size() - 1;
@@ -97,6 +100,41 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
             addCore(range, Constraint(m_constraints[fastest]));
             ++range.to;
         }
+    }
+}
+
+/// Bodies that something much heavier lies on, and those that these lie on in turn: as stiff as their own weight asks for, and
+/// passed over as often as others, they would be pressed into each other.
+void ContactSolver::findBearers(glm::vec3 up, float ratio) {
+    m_bearing.clear();
+    const auto lower = [&](const Range& range) -> State* {
+        const float rise = range.to > range.from ? glm::dot(m_constraints[range.from].normal, up) : 0.0f;
+        return rise > kSlope ? &m_states[size_t(range.b)] : rise < -kSlope ? &m_states[size_t(range.a)] : nullptr;
+    };
+    const auto upper = [&](const Range& range, const State* under) {
+        return &m_states[size_t(under == &m_states[size_t(range.b)] ? range.a : range.b)];
+    };
+    bool any = false;
+    for (const Range& range : m_ranges) {
+        if (!range.a || !range.b) continue;
+        const float a = m_states[size_t(range.a)].inverseMass, b = m_states[size_t(range.b)].inverseMass;
+        if (a <= ratio * b && b <= ratio * a) continue;
+        State* under = lower(range);
+        if (under && under->inverseMass > ratio * upper(range, under)->inverseMass) under->bears = any = true;
+    }
+    for (bool more = any; more;) {
+        more = false;
+        for (const Range& range : m_ranges) {
+            State* under = lower(range);
+            if (under && under->inverseMass > 0.0f && !under->bears && upper(range, under)->bears) under->bears = more = true;
+        }
+    }
+    if (!any) return;
+    for (size_t i = 0; i < m_ranges.size(); ++i) {
+        const Range& range = m_ranges[i];
+        if (!m_states[size_t(range.a)].bears && !m_states[size_t(range.b)].bears) continue;
+        m_bearing.push_back(i);
+        for (size_t k = range.from; k < range.to; ++k) m_constraints[k].isStiff = true;
     }
 }
 
@@ -123,7 +161,7 @@ void ContactSolver::warmStart() {
 void ContactSolver::solveNormal(Constraint& c, State& A, State& B, float inverseSeconds, bool pushApart) const {
     const glm::vec3 moved = A.moved + A.turned * c.rA - B.moved - B.turned * c.rB;
     const float s = c.separation + glm::dot(moved, c.normal);
-    const Softness& soft = c.isStatic ? m_softStatic : m_soft;
+    const Softness& soft = c.isStiff ? m_stiff : c.isStatic ? m_softStatic : m_soft;
     float bias = 0.0f, massScale = 1.0f, impulseScale = 0.0f;
     if (s > 0.0f)
         bias = s * inverseSeconds;
@@ -156,14 +194,19 @@ void ContactSolver::solveFriction(Constraint& c, State& A, State& B) const {
 }
 
 /// All normals of two bodies first, then their friction: what one point takes too much of, the next gives back before it rubs.
+void ContactSolver::solveRange(const Range& range, float inverseSeconds, bool pushApart) {
+    State &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
+    const std::span<Constraint> points(m_constraints.data() + range.from, range.to - range.from);
+    for (int pass = 0; pass < range.passes; ++pass)
+        for (Constraint& c : points) solveNormal(c, A, B, inverseSeconds, pushApart);
+    for (Constraint& c : points) solveFriction(c, A, B);
+}
+
 void ContactSolver::solveContacts(float inverseSeconds, bool pushApart) {
-    for (const Range& range : m_ranges) {
-        State &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
-        const std::span<Constraint> points(m_constraints.data() + range.from, range.to - range.from);
-        for (int pass = 0; pass < range.passes; ++pass)
-            for (Constraint& c : points) solveNormal(c, A, B, inverseSeconds, pushApart);
-        for (Constraint& c : points) solveFriction(c, A, B);
-    }
+    for (const Range& range : m_ranges) solveRange(range, inverseSeconds, pushApart);
+    if (m_bearing.empty()) return;
+    for (int pass = 0; pass < m_heavyPasses; ++pass)
+        for (const size_t i : m_bearing) solveRange(m_ranges[i], inverseSeconds, pushApart);
 }
 
 void ContactSolver::bounce(float threshold) {
@@ -188,9 +231,14 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     const double hertz = std::min(settings.contactHertz, 0.25 / h);
     m_soft = soften(hertz, settings.dampingRatio, h);
     m_softStatic = soften(2.0 * hertz, settings.dampingRatio, h);
+    m_stiff = soften(kStiffer * hertz, settings.dampingRatio, h);
     m_pushSpeed = float(settings.pushSpeed);
     m_slop = float(settings.slop);
     prepare(bodies, manifolds, bodyOf, float(settings.seconds));
+    m_heavyPasses = settings.heavyPasses;
+    m_bearing.clear();
+    const double weight = glm::length(gravity);
+    if (settings.heavyPasses > 0 && weight > 0.0) findBearers(glm::vec3(gravity / -weight), float(settings.heavyRatio));
     m_start.resize(bodies.size());
     for (size_t i = 0; i < bodies.size(); ++i) m_start[i] = bodies[i].rotation;
     const glm::vec3 fall = glm::vec3(gravity * h);

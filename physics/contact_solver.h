@@ -25,6 +25,8 @@ struct SolverSettings {
     double seconds = 1.0 / 60.0;  ///< of all substeps together
     double contactHertz = 60.0;   ///< stiffness of contacts, at most a quarter of the rate of substeps
     double dampingRatio = 5.0;
+    double heavyRatio = 30.0;  ///< of masses above which a light body that bears a heavy one gets stiffer contacts
+    int heavyPasses = 8;       ///< over the contacts of such bodies, more than over others; 0: none is stiffer
     double pushSpeed = 3.0;    ///< m/s at which overlaps are pushed apart
     double slop = 0.0002;      ///< metres that contacts may overlap, so that they last
     double bounceSpeed = 1.0;  ///< m/s of approach below which nothing bounces
@@ -60,7 +62,7 @@ private:
         glm::vec3 moved{0.0f};           ///< since the step began
         glm::mat3 turned{0.0f};          ///< rotation since the step began, less the identity
         glm::mat3 inverseInertia{0.0f};  ///< world
-        bool touches = false;
+        bool touches = false, bears = false;
     };
     struct Constraint {
         glm::vec3 rA, rB, normal, tangent1, tangent2;
@@ -68,7 +70,7 @@ private:
         float normalMass, tangentMass1, tangentMass2;
         float friction, restitution, approach;
         float normalImpulse, tangentImpulse1, tangentImpulse2, total, most, bounceImpulse;
-        bool isStatic;
+        bool isStatic, isStiff;
         ManifoldPoint* point;  ///< null: of a core
     };
     /// The contacts of two bodies.
@@ -77,6 +79,8 @@ private:
         size_t from, to;
         int passes;
     };
+    void findBearers(glm::vec3 up, float ratio);
+    void solveRange(const Range& range, float inverseSeconds, bool pushApart);
     void addCore(const Range& range, const Constraint& fastest);
     static glm::vec3 relativeVelocity(const Constraint& c, const State& A, const State& B);
     static void apply(const Constraint& c, State& A, State& B, const glm::vec3& impulse);
@@ -86,8 +90,10 @@ private:
     std::vector<State> m_states;
     std::vector<Range> m_ranges;
     std::vector<Constraint> m_constraints;
+    std::vector<size_t> m_bearing;    ///< ranges of bodies that bear
     std::vector<glm::dquat> m_start;  ///< rotations at the start of the step
-    Softness m_soft, m_softStatic;
+    Softness m_soft, m_softStatic, m_stiff;
+    int m_heavyPasses = 0;
     float m_pushSpeed = 0.0f, m_slop = 0.0f;
 };
 

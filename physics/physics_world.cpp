@@ -73,7 +73,12 @@ void PhysicsWorld::Impl::solve() {
     for (const Manifold* manifold : narrowphase.manifolds())
         bodyOf.emplace_back(numberOf(*manifold->objects.first), numberOf(*manifold->objects.second));
     solver.solve(bodies, narrowphase.manifolds(), bodyOf, gravity,
-                 {.substeps = settings.substeps, .iterations = settings.iterations, .seconds = kStep, .contactHertz = settings.contactHertz});
+                 {.substeps = settings.substeps,
+                  .iterations = settings.iterations,
+                  .seconds = kStep,
+                  .contactHertz = settings.contactHertz,
+                  .heavyRatio = settings.heavyRatio,
+                  .heavyPasses = settings.heavyPasses});
     for (const uint32_t slot : awake) {
         dynamics[slot]->motion = bodies[size_t(bodyNumber[slot])];
         dynamics[slot]->place();

@@ -17,6 +17,8 @@ struct PhysicsSettings {
     int substeps = 4;             ///< of 1/60 s, in which contacts are solved; they are found once a step
     int iterations = 1;           ///< over the contacts in each half of a substep
     double contactHertz = 60.0;   ///< stiffness of contacts; at most a quarter of the rate of substeps counts
+    double heavyRatio = 30.0;     ///< how many times as heavy what lies on a body must be for its contacts to be stiffer
+    int heavyPasses = 8;          ///< over such contacts, more than over others; 0: none is stiffer
     double contactMargin = 0.02;  ///< metres apart at which bodies count as touching
     bool continuous = true;       ///< what moves farther than that in a step is swept
     RotationRule rotation = RotationRule::WhereNeeded;

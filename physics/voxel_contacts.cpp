@@ -418,6 +418,7 @@ private:
         const glm::vec3 q = probe.point + probe.along * ((from + to) * 0.5f * probe.length);
         const glm::vec3 halfStretch = glm::abs(probe.along * ((to - from) * 0.5f * probe.length));
         const Cell cell = cellOf(q);
+        if (!m_occupancy.solid(cell)) return false;  // an edge that lies in a surface goes in and out by rounding
         // The two exposed faces of q's cell that are closest, if they share an edge that is exposed too.
         Cell signs(0);
         glm::vec3 depth(2.0f);

@@ -1,6 +1,7 @@
 #include "tests/physics/scenes/known_scenes.h"
 
 #include "runtime/core/random.h"
+#include "tests/physics/baseline/overlap.h"
 
 namespace rubble::known {
 
@@ -208,6 +209,79 @@ SeamRide rideOverSeams(const PhysicsSettings& settings, int voxels, int shapes) 
         ride.lost = std::max(ride.lost, 1.0 - double(scene.body(shapes).velocity.x) / 5.0);
     }
     return ride;
+}
+
+Collision collide(const PhysicsSettings& settings, double restitution) {
+    PhysicsScene scene(sleepless(settings));
+    scene.level.environment.gravity = {0, 0, 0};
+    const uint8_t light = setMaterial(scene, 7, 0.5f, float(restitution), 1000), heavy = setMaterial(scene, 8, 0.5f, float(restitution), 2000);
+    scene.add(blockGrid({5, 5, 5}, light), {-1.013, 0, 0}, false).velocity = {3, 0, 0};
+    scene.add(blockGrid({5, 5, 5}, heavy), {1.0, 0, 0}, false).velocity = {-1, 0, 0};
+    scene.load();
+    const double m1 = scene.world.bodyMass(scene.handle(0)).mass, m2 = scene.world.bodyMass(scene.handle(1)).mass;
+    scene.seconds(1.0);
+    const double v1 = scene.body(0).velocity.x, v2 = scene.body(1).velocity.x, before = m1 * 3 - m2;
+    return {(m1 * v1 + m2 * v2 - before) / (m1 * 3 + m2), (v2 - v1) / 4.0};
+}
+
+Container fillContainer(const PhysicsSettings& settings, int count, double seconds) {
+    PhysicsScene scene(sleepless(settings));
+    const int inside = 6 * count + 2;  // cells
+    scene.add(blockGrid({inside + 4, 2, inside + 4}, 7), {-0.2, -0.2, -0.2}, true);
+    for (const int side : {0, 1}) {
+        const double at = side ? inside * 0.1 : -0.2;
+        scene.add(blockGrid({2, 12 * count, inside + 4}, 7), {at, 0, -0.2}, true);
+        scene.add(blockGrid({inside + 4, 12 * count, 2}, 7), {-0.2, 0, at}, true);
+    }
+    for (int i = 0; i < count * count * count; ++i) {
+        const glm::dvec3 cell(i % count, i / (count * count), i / count % count);
+        scene.add(blockGrid({5, 5, 5}, 7), cell * 0.6 + glm::dvec3(0.1 + 0.02 * (i % 3), 0.05, 0.1 + 0.02 * (i % 5)), false,
+                  glm::angleAxis(0.01 * (i % 7), glm::dvec3(0, 1, 0)));
+    }
+    scene.load();
+    scene.seconds(seconds);
+    Container result;
+    std::vector<Pose> poses;
+    for (int i = 0; i < int(scene.level.bodies.size()); ++i) {
+        const Body& body = scene.body(i);
+        poses.push_back(body.pose);
+        if (body.isStatic) continue;
+        result.fastest = std::max(result.fastest, double(glm::length(body.velocity)));
+        const glm::dvec3 c = scene.center(i);
+        result.allInside = result.allInside && c.y > 0 && c.x > 0 && c.z > 0 && c.x < inside * 0.1 && c.z < inside * 0.1;
+    }
+    const Overlaps overlaps = measureOverlaps(scene.level, poses);
+    result.meanOverlap = overlaps.mean;
+    result.worstOverlap = overlaps.worst;
+    return result;
+}
+
+Recovery partOverlapping(const PhysicsSettings& settings, double share) {
+    PhysicsScene scene(sleepless(settings));
+    scene.addFloor();
+    scene.add(blockGrid({5, 5, 5}, 7), {0, 0, 0}, false);
+    scene.add(blockGrid({5, 5, 5}, 7), {0.02, 0.5 * (1.0 - share), 0.03}, false);
+    scene.load();
+    Recovery recovery;
+    for (int i = 0; i < 180; ++i) {
+        scene.step();
+        for (const int k : {1, 2}) recovery.fastest = std::max(recovery.fastest, double(glm::length(scene.body(k).velocity)));
+    }
+    recovery.overlap = measureOverlaps(scene.level, std::vector<Pose>{scene.body(0).pose, scene.body(1).pose, scene.body(2).pose}).worst;
+    return recovery;
+}
+
+std::vector<glm::dvec3> tumble(const PhysicsSettings& settings, glm::dvec3 middle) {
+    PhysicsScene scene(settings);
+    scene.addFloor(7, middle);
+    for (int i = 0; i < 4; ++i) scene.add(blockGrid({5, 5, 5}, 7), middle + glm::dvec3(0.05 * i, 0.5 * i, 0), false);
+    scene.add(blockGrid({9, 2, 3}, 7), middle + glm::dvec3(-3, 1.5, 1), false, glm::angleAxis(0.5, glm::dvec3(0, 0, 1))).angularVelocity = {1, 2, 5};
+    scene.add(tHandle(), middle + glm::dvec3(2, 2, -2), false).velocity = {-1, 0, 2};
+    scene.load();
+    scene.seconds(4.0);
+    std::vector<glm::dvec3> at;
+    for (int i = 1; i <= 6; ++i) at.push_back(scene.center(i) - middle);
+    return at;
 }
 
 }  // namespace rubble::known

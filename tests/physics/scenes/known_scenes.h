@@ -63,4 +63,28 @@ struct SeamRide {
 };
 SeamRide rideOverSeams(const PhysicsSettings& settings, int voxels, int shapes);
 
+/// Two cubes that meet head on at 4 m/s, one twice as heavy.
+struct Collision {
+    double momentum = 0.0;     ///< that was lost or gained, as a share
+    double restitution = 0.0;  ///< speed apart by speed together
+};
+Collision collide(const PhysicsSettings& settings, double restitution);
+
+/// Cubes of half a metre, count^3 of them, dropped into a box of walls.
+struct Container {
+    double meanOverlap = 0.0, worstOverlap = 0.0;  ///< metres, measured from the voxels
+    double fastest = 0.0;                          ///< m/s, at the end
+    bool allInside = true;
+};
+Container fillContainer(const PhysicsSettings& settings, int count, double seconds);
+
+/// Two cubes that start with `share` of them in each other: the fastest that they get, and how deep they still are after 3 s.
+struct Recovery {
+    double fastest = 0.0, overlap = 0.0;
+};
+Recovery partOverlapping(const PhysicsSettings& settings, double share);
+
+/// A scene of falling, sliding and tumbling pieces at `middle`: where they are in the end, from `middle`.
+std::vector<glm::dvec3> tumble(const PhysicsSettings& settings, glm::dvec3 middle);
+
 }  // namespace rubble::known
