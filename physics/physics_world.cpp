@@ -16,6 +16,7 @@ constexpr double kSpinning = 0.3;  ///< rad/s
 PhysicsSettings fastPhysics() {
     PhysicsSettings settings;
     settings.substeps = 2;
+    settings.heavyRatio = 10.0;
     settings.rotation = RotationRule::Never;
     return settings;
 }
@@ -29,6 +30,7 @@ PhysicsSettings accuratePhysics() {
     settings.substeps = 16;
     settings.iterations = 2;
     settings.contactHertz = 240.0;
+    settings.slowDamping = 0.0;
     settings.rotation = RotationRule::Always;
     return settings;
 }

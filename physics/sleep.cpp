@@ -9,7 +9,6 @@ constexpr double kDisturbed = 0.02;       ///< metres a body moves before what t
 constexpr double kDisturbedAngle = 0.04;  ///< radians
 constexpr double kTouchDistance = 0.02;   ///< metres between bounds that count as touching
 constexpr double kSlow = 0.3;             ///< m/s: a touching body slower than this is on its way to rest
-constexpr double kSlowDamping = 0.01;     ///< share of its speeds lost a step, and the same again for each second of being slow
 constexpr double kMostPatience = 4.0;     ///< times the drift of the settings that is calm after seconds of being slow
 constexpr double kWakeSpeed = 0.15;       ///< m/s that a hit must give a sleeping body to wake it
 constexpr double kReviveSpeed = 0.6;      ///< the same for a settled one
@@ -103,7 +102,7 @@ void PhysicsWorld::Impl::settle() {
         body.slowSeconds = body.touching && speed < kSlow ? body.slowSeconds + kStep : 0.0;
         const double patience = std::min(1.0 + body.slowSeconds, kMostPatience);
         if (body.slowSeconds > 0.0) {
-            const double kept = 1.0 - kSlowDamping * patience;
+            const double kept = 1.0 - settings.slowDamping * patience;
             motion.velocity *= kept;
             motion.angularVelocity *= kept;
         }

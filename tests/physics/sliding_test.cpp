@@ -17,6 +17,18 @@ TEST(Sliding, AccelerationIsCoulombsOnEveryHeading) {
         EXPECT_NEAR(slideDown({}, kCritical + 5.0, heading * 0.5236 + 0.05, kFriction, 2.0).acceleration, expected, 0.01 * expected) << heading;
 }
 
+TEST(Sliding, SticksATenthOfADegreeBelowAndSlidesAsFarAbove) {
+    for (int heading = 0; heading < 12; ++heading) {
+        const double turn = heading * 0.5236 + 0.05;
+        EXPECT_LT(slideDown({}, kCritical - 0.1, turn, kFriction, 2.0).way, 1e-4) << heading;
+        EXPECT_GT(slideDown({}, kCritical + 0.1, turn, kFriction, 2.0).way, 5e-3) << heading;
+    }
+    // Undamped, also so close to the threshold it is Coulomb's law that decides how far.
+    const double angle = glm::radians(kCritical + 0.1);
+    const double expected = 9.81 * (std::sin(angle) - kFriction * std::cos(angle)) * 1.5;  // the second second
+    EXPECT_NEAR(slideDown(accuratePhysics(), kCritical + 0.1, 0.05, kFriction, 2.0).way, expected, 0.05 * expected);
+}
+
 TEST(Sliding, SeamsAreNoBumps) {
     const SeamRide one = rideOverSeams({}, 1000, 1);
     EXPECT_LT(one.lost, 1e-6);

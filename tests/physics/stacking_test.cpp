@@ -19,13 +19,19 @@ TEST(Stacking, BalancedHolds15AwakeAnd30Asleep) {
 
 TEST(Stacking, AccurateHolds20AwakeAnd60Asleep) {
     EXPECT_LT(stack(sleepless(accuratePhysics()), 20, 15.0).lower, 0.01);
-    const Tower asleep = stack(accuratePhysics(), 60, 10.0);
+    const Tower asleep = stack(accuratePhysics(), 60, 6.0);
     EXPECT_TRUE(asleep.stands());
     EXPECT_LT(asleep.lower, 0.05);
     EXPECT_EQ(asleep.awake, 0);
 }
 
+TEST(Stacking, FastHoldsTwelveAwake) {
+    EXPECT_TRUE(stack(sleepless(fastPhysics()), 12, 20.0).stands());
+}
+
 TEST(Stacking, HeavyOnLight) {
+    EXPECT_LT(sink(fastPhysics(), 100.0), 0.01);
+    EXPECT_LT(sink(balancedPhysics(), 100.0), 0.01);
     EXPECT_LT(sink(accuratePhysics(), 1000.0), 0.01);
 }
 

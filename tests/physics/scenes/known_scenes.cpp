@@ -103,7 +103,8 @@ Slide slideDown(const PhysicsSettings& settings, double degrees, double heading,
     // The plane is turned under the block, so that its cells lie askew to the slope too.
     const glm::dquat tilt = glm::angleAxis(glm::radians(degrees), glm::dvec3(0, 0, 1)), turn = glm::angleAxis(heading, up);
     const glm::dquat plane = tilt * glm::angleAxis(0.37 * heading, up), block = tilt * turn;
-    scene.add(blockGrid({600, 5, 600}, entry), plane * glm::dvec3(-30, -0.5, -30), true, plane);
+    static const VoxelGrid ground = blockGrid({600, 5, 600}, 7);
+    scene.add(ground, plane * glm::dvec3(-30, -0.5, -30), true, plane);
     scene.add(blockGrid({10, 3, 8}, entry), tilt * glm::dvec3(20, 0, 0) + block * glm::dvec3(-0.5, 0, -0.4), false, block);
     scene.load();
     std::vector<glm::dvec3> at;
