@@ -11,7 +11,7 @@ namespace rubble {
 /// by our own code and read back; a model is imported and put on the street; a scene is made in place.
 struct SandboxStage {
     Level level;
-    WorldSettings settings;
+    WorldSettings settings{.paint = {.mode = PaintMode::Layer}};  ///< soot and sprays keep their colours on full palettes
     std::function<Edits(int step)> script;
     std::function<Pose(double seconds)> camera;
     float verticalFov = 0.7f;  ///< radians
