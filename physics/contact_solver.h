@@ -97,8 +97,8 @@ private:
     float m_pushSpeed = 0.0f, m_slop = 0.0f;
 };
 
-/// One substep of a body's rotation. Bodies that conserve: angular momentum is held, implicit midpoint rule, which keeps the
-/// energy of a free body bounded; the others keep their angular velocity.
+/// One substep of a body's rotation. Bodies that conserve hold their angular momentum (see rotation.cpp for how); the others
+/// keep their angular velocity.
 void rotateBody(SolverBody& body, double seconds);
 /// World tensor of a body's inverse inertia.
 glm::dmat3 worldInverseInertia(const SolverBody& body);

@@ -36,7 +36,7 @@ struct PhysicsSettings {
 /// one that it lies on and sinks by less than 1 cm.
 ///   fast       12 cubes awake (20 with sleep), 100 times as heavy, spin keeps its velocity instead of its momentum
 ///   balanced   the default: 20 cubes awake (60 with sleep), 300 times as heavy, momentum and energy of free spin kept
-///   accurate   60 cubes awake, 3,000 times as heavy, what is slow is not damped
+///   accurate   20 cubes awake (60 with sleep), 3,000 times as heavy, what is slow is not damped
 PhysicsSettings fastPhysics();
 PhysicsSettings balancedPhysics();
 PhysicsSettings accuratePhysics();

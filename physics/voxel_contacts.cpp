@@ -181,25 +181,36 @@ Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float marg
     return best;
 }
 
-/// The first face that a point meets on its way, Amanatides and Woo's walk.
-Face firstFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm::vec3& way, const Probe& probe) {
+/// Amanatides and Woo's walk through the cells on a way: `next` is where, in shares of the way, it leaves the cell by each axis.
+struct CellSteps {
+    Cell cell, step;
     glm::vec3 next, delta;
-    Cell step;
-    for (int axis = 0; axis < 3; ++axis) {
-        step[axis] = way[axis] > 0 ? 1 : -1;
-        delta[axis] = way[axis] != 0.0f ? std::abs(1.0f / way[axis]) : 1e30f;
-        next[axis] = way[axis] != 0.0f ? (step[axis] > 0 ? float(cell[axis] + 1) - p[axis] : p[axis] - float(cell[axis])) * delta[axis] : 1e30f;
+
+    CellSteps(Cell from, const glm::vec3& p, const glm::vec3& way) : cell(from) {
+        for (int axis = 0; axis < 3; ++axis) {
+            step[axis] = way[axis] > 0 ? 1 : -1;
+            delta[axis] = way[axis] != 0.0f ? std::abs(1.0f / way[axis]) : 1e30f;
+            next[axis] = way[axis] != 0.0f ? toSide(cell, p, axis, step[axis]) * delta[axis] : 1e30f;
+        }
     }
-    for (;;) {
-        const int axis = next.x < next.y ? (next.x < next.z ? 0 : 2) : (next.y < next.z ? 1 : 2);
-        if (!(next[axis] <= 1.0f)) return {};
-        cell[axis] += step[axis];
-        next[axis] += delta[axis];
-        if (!occupancy.solid(cell)) continue;
-        const float sign = float(-step[axis]);
+    int axis() const { return next.x < next.y ? (next.x < next.z ? 0 : 2) : (next.y < next.z ? 1 : 2); }
+    void cross(int side) {
+        cell[side] += step[side];
+        next[side] += delta[side];
+    }
+};
+
+/// The first face that a point meets on its way.
+Face firstFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm::vec3& way, const Probe& probe) {
+    for (CellSteps walk(cell, p, way);;) {
+        const int axis = walk.axis();
+        if (!(walk.next[axis] <= 1.0f)) return {};
+        walk.cross(axis);
+        if (!occupancy.solid(walk.cell)) continue;
+        const float sign = float(-walk.step[axis]);
         if (!probe.accepts(axis, sign)) return {};
-        const float plane = float(sign > 0 ? cell[axis] + 1 : cell[axis]);
-        return {axis, sign, (p[axis] - plane) * sign, cell};
+        const float plane = float(sign > 0 ? walk.cell[axis] + 1 : walk.cell[axis]);
+        return {axis, sign, (p[axis] - plane) * sign, walk.cell};
     }
 }
 
@@ -207,24 +218,15 @@ Face firstFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm::v
 /// a whole.
 bool findStretch(Occupancy& occupancy, const Probe& probe, float& from, float& to) {
     const glm::vec3 way = probe.along * probe.length, start = probe.point - way * 0.5f;
-    Cell cell = cellOf(start);
-    glm::vec3 next, delta;
-    Cell step;
-    for (int axis = 0; axis < 3; ++axis) {
-        step[axis] = way[axis] > 0 ? 1 : -1;
-        delta[axis] = way[axis] != 0.0f ? std::abs(1.0f / way[axis]) : 1e30f;
-        next[axis] =
-            way[axis] != 0.0f ? (step[axis] > 0 ? float(cell[axis] + 1) - start[axis] : start[axis] - float(cell[axis])) * delta[axis] : 1e30f;
-    }
-    bool inside = occupancy.solid(cell), any = inside, all = inside;
+    CellSteps walk(cellOf(start), start, way);
+    bool inside = occupancy.solid(walk.cell), any = inside, all = inside;
     from = 0.0f, to = 1.0f;
     for (;;) {
-        const int axis = next.x < next.y ? (next.x < next.z ? 0 : 2) : (next.y < next.z ? 1 : 2);
-        const float t = next[axis];
+        const int axis = walk.axis();
+        const float t = walk.next[axis];
         if (!(t < 1.0f)) break;
-        cell[axis] += step[axis];
-        next[axis] += delta[axis];
-        const bool now = occupancy.solid(cell);
+        walk.cross(axis);
+        const bool now = occupancy.solid(walk.cell);
         all = all && now;
         if (now == inside) continue;
         if (now && !any) from = t;
