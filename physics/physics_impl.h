@@ -74,6 +74,7 @@ struct PhysicsWorld::Impl {
     std::vector<std::pair<int, int>> bodyOf;
     std::vector<BodyPose> poses;
     std::vector<Impact> impacts;
+    std::vector<CharacterMove> characterMoves;
 };
 
 /// Sets of slots as ascending lists: true if the slot was not there, or was.

@@ -143,6 +143,7 @@ void PhysicsWorld::step() {
     Impl& impl = *m_impl;
     impl.poses.clear();
     impl.impacts.clear();
+    impl.characterMoves.clear();
     impl.wakeWaiting();
     if (!impl.awake.empty()) {
         impl.findContacts();
@@ -158,6 +159,9 @@ void PhysicsWorld::step() {
 
 std::span<const BodyPose> PhysicsWorld::poses() const {
     return m_impl->poses;
+}
+std::span<const CharacterMove> PhysicsWorld::characters() const {
+    return m_impl->characterMoves;
 }
 std::span<const Impact> PhysicsWorld::impacts() const {
     return m_impl->impacts;

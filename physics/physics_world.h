@@ -62,6 +62,8 @@ public:
     void step();
     /// Bodies that moved, fell asleep or woke in the last step, in slot order; valid until the next step().
     std::span<const BodyPose> poses() const;
+    /// Characters that moved or changed in the last step, in slot order; valid until the next step().
+    std::span<const CharacterMove> characters() const;
     /// Hits harder than the threshold in the last step, one for each pair of bodies and substep, in a fixed order; the
     /// normal points from `other` to `body`. Valid until the next step().
     std::span<const Impact> impacts() const;

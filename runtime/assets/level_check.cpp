@@ -81,6 +81,18 @@ public:
             if (!(value.strength > 0.0f && value.strength <= 1e6f))
                 fail("a strength above 0 and up to 1e6 times its materials'", fmt::format("{}", value.strength));
         if constexpr (std::is_same_v<T, LevelShape>) checkPaint(value);
+        if constexpr (std::is_same_v<T, Water>) {
+            if (value.outline.size() < 3) fail("an outline of 3 points or more", fmt::format("{}", value.outline.size()));
+            if (!(value.depth > 0.0 && value.density >= 0.0 && value.linearDrag >= 0.0 && value.angularDrag >= 0.0))
+                fail("a depth above 0, a density and drags of 0 or more", fmt::format("{} m, {} kg/m3", value.depth, value.density));
+        }
+        if constexpr (std::is_same_v<T, Trigger>)
+            if (value.kind == TriggerKind::Polygon && value.outline.size() < 3)
+                fail("an outline of 3 points or more", fmt::format("{}", value.outline.size()));
+        if constexpr (std::is_same_v<T, Character>)
+            if (!(value.radius >= 0.02 && value.crouchedHeight >= 2.0 * value.radius && value.height >= value.crouchedHeight && value.mass > 0.0))
+                fail("a radius of 0.02 m or more, crouched and standing height of two radii or more, a mass above 0",
+                     fmt::format("{} m, {} m, {} m, {} kg", value.radius, value.crouchedHeight, value.height, value.mass));
         fields(*this, value);
     }
 

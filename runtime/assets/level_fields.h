@@ -20,6 +20,10 @@ inline constexpr std::array<const char*, 5> kHardnessNames = {"soft", "medium", 
 inline std::span<const char* const> enumNames(LightKind) {
     return kLightKindNames;
 }
+inline constexpr std::array<const char*, 3> kTriggerKindNames = {"sphere", "box", "polygon"};
+inline std::span<const char* const> enumNames(TriggerKind) {
+    return kTriggerKindNames;
+}
 inline std::span<const char* const> enumNames(Hardness) {
     return kHardnessNames;
 }
@@ -79,6 +83,8 @@ void fields(A& a, Is<LevelShape> auto& shape) {
     a("paint_colors", shape.paintColors);
     a("strength", shape.strength);
     a("bears_load", shape.bearsLoad);
+    a("collision_layer", shape.collisionLayer);
+    a("collision_mask", shape.collisionMask);
 }
 template <class A>
 void fields(A& a, Is<LevelBody> auto& body) {
@@ -131,6 +137,71 @@ void fields(A& a, Is<Environment> auto& environment) {
     a("exposure", environment.exposure);
     a("gravity", environment.gravity);
 }
+template <class A>
+void fields(A& a, Is<GroundPoint> auto& point) {
+    a("x", point.x);
+    a("z", point.z);
+}
+template <class A>
+void fields(A& a, Is<WaterWaves> auto& waves) {
+    a("height", waves.height);
+    a("length", waves.length);
+    a("speed", waves.speed);
+    a("direction", waves.direction);
+}
+template <class A>
+void fields(A& a, Is<Water> auto& water) {
+    a("name", water.name);
+    a("outline", water.outline);
+    a("surface", water.surface);
+    a("depth", water.depth);
+    a("density", water.density);
+    a("linear_drag", water.linearDrag);
+    a("angular_drag", water.angularDrag);
+    a("flow", water.flow);
+    a("color", water.color);
+    a("clarity", water.clarity);
+    a("waves", water.waves);
+}
+template <class A>
+void fields(A& a, Is<Trigger> auto& trigger) {
+    a("name", trigger.name);
+    a("kind", trigger.kind);
+    a("pose", trigger.pose);
+    a("radius", trigger.radius);
+    a("half_size", trigger.halfSize);
+    a("outline", trigger.outline);
+    a("height", trigger.height);
+    a("layers", trigger.layers);
+    a("tags", trigger.tags);
+    if constexpr (requires { A::kIsBinary; }) a("inside", trigger.inside);
+}
+template <class A>
+void fields(A& a, Is<Character> auto& character) {
+    a("name", character.name);
+    a("radius", character.radius);
+    a("height", character.height);
+    a("crouched_height", character.crouchedHeight);
+    a("step_height", character.stepHeight);
+    a("steepest", character.steepest);
+    a("mass", character.mass);
+    a("walk_speed", character.walkSpeed);
+    a("crouch_speed", character.crouchSpeed);
+    a("jump_speed", character.jumpSpeed);
+    a("swim_speed", character.swimSpeed);
+    a("push_force", character.pushForce);
+    a("collision_layer", character.collisionLayer);
+    a("collision_mask", character.collisionMask);
+    a("wish", character.wish);
+    a("wants_jump", character.wantsJump);
+    a("wants_crouch", character.wantsCrouch);
+    a("position", character.position);
+    a("velocity", character.velocity);
+    a("grounded", character.grounded);
+    a("crouched", character.crouched);
+    a("swimming", character.swimming);
+    if constexpr (requires { A::kIsBinary; }) a("ground", character.ground);
+}
 using NamedPose = std::pair<std::string, Pose>;
 template <class A>
 void fields(A& a, Is<NamedPose> auto& location) {
@@ -147,6 +218,9 @@ void fields(A& a, Is<Level> auto& level) {
     a("lights", level.lights);
     a("locations", level.locations);
     a("bodies", level.bodies);
+    a("waters", level.waters);
+    a("triggers", level.triggers);
+    a("characters", level.characters);
 }
 
 }  // namespace rubble

@@ -22,12 +22,23 @@ void fields(A& a, Is<BodyPose> auto& pose) {
     a("asleep", pose.asleep);
 }
 template <class A>
+void fields(A& a, Is<CharacterMove> auto& move) {
+    a("character", move.character);
+    a("position", move.position);
+    a("velocity", move.velocity);
+    a("grounded", move.grounded);
+    a("crouched", move.crouched);
+    a("swimming", move.swimming);
+    a("ground", move.ground);
+}
+template <class A>
 void fields(A& a, Is<RecordedStep> auto& step) {
     a("step", step.step);
     a("saved_before", step.savedBefore);
     a("edits", step.edits);
     a("delta", step.delta);
     a("poses", step.poses);
+    a("characters", step.characters);
     a("hash", step.hash);
     a("resolved_hash", step.resolvedHash);
     a("voxel_hash", step.voxelHash);

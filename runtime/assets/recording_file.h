@@ -18,9 +18,10 @@ struct RecordedStep {
     Edits edits;                  ///< the host's alone; what impacts did is in the delta, and follows from physics
     std::vector<uint8_t> delta;   ///< see stepToBytes()
     std::vector<BodyPose> poses;  ///< that physics handed over
-    uint64_t hash = 0;            ///< of the World after the step
-    uint64_t resolvedHash = 0;    ///< what the delta and the poses must come to
-    uint64_t voxelHash = 0;       ///< what the delta alone must come to
+    std::vector<CharacterMove> characters;
+    uint64_t hash = 0;          ///< of the World after the step
+    uint64_t resolvedHash = 0;  ///< what the delta and the poses must come to
+    uint64_t voxelHash = 0;     ///< what the delta alone must come to
 };
 
 /// Writes a recording: a save, then the steps, each a chunk. The file gets its name when it is closed; until then it has a

@@ -51,6 +51,9 @@ std::vector<uint8_t> stateToBytes(const SavedGame& game, PaletteList& palettes) 
     putSlots(out, world.shapes);
     putSlots(out, world.lights);
     putSlots(out, world.groups);
+    putSlots(out, world.waters);
+    putSlots(out, world.triggers);
+    putSlots(out, world.characters);
     out.put(world.revived);
     out.put(world.materials.materials);
     out.put(world.environment);
@@ -71,6 +74,9 @@ SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& pale
     getSlots(reader, in, number, world.shapes);
     getSlots(reader, in, number, world.lights);
     getSlots(reader, in, number, world.groups);
+    getSlots(reader, in, number, world.waters);
+    getSlots(reader, in, number, world.triggers);
+    getSlots(reader, in, number, world.characters);
     in.get(world.revived);
     in.get(world.materials.materials);
     in.get(world.environment);

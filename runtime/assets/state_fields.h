@@ -54,6 +54,8 @@ void fields(A& a, Is<Shape> auto& shape) {
     a("nothing_loose", shape.nothingLoose);
     a("bears_load", shape.bearsLoad);
     a("strength", shape.strength);
+    a("collision_layer", shape.collisionLayer);
+    a("collision_mask", shape.collisionMask);
 }
 template <class A>
 void fields(A& a, Is<Light> auto& light) {
@@ -237,6 +239,49 @@ template <class A>
 void fields(A& a, Is<ResizeShapeEdit> auto& edit) {
     a("shape", edit.shape);
     a("box", edit.box);
+}
+template <class A>
+void fields(A& a, Is<SetCollisionEdit> auto& edit) {
+    a("shape", edit.shape);
+    a("layer", edit.layer);
+    a("mask", edit.mask);
+}
+template <class A>
+void fields(A& a, Is<AddWaterEdit> auto& edit) {
+    a("water", edit.water);
+}
+template <class A>
+void fields(A& a, Is<RemoveWaterEdit> auto& edit) {
+    a("water", edit.water);
+}
+template <class A>
+void fields(A& a, Is<AddTriggerEdit> auto& edit) {
+    a("trigger", edit.trigger);
+}
+template <class A>
+void fields(A& a, Is<RemoveTriggerEdit> auto& edit) {
+    a("trigger", edit.trigger);
+}
+template <class A>
+void fields(A& a, Is<AddCharacterEdit> auto& edit) {
+    a("character", edit.character);
+}
+template <class A>
+void fields(A& a, Is<RemoveCharacterEdit> auto& edit) {
+    a("character", edit.character);
+}
+template <class A>
+void fields(A& a, Is<MoveCharacterEdit> auto& edit) {
+    a("character", edit.character);
+    a("wish", edit.wish);
+    a("jump", edit.jump);
+    a("crouch", edit.crouch);
+}
+template <class A>
+void fields(A& a, Is<PlaceCharacterEdit> auto& edit) {
+    a("character", edit.character);
+    a("position", edit.position);
+    a("velocity", edit.velocity);
 }
 
 }  // namespace rubble

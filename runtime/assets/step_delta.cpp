@@ -101,9 +101,15 @@ public:
         readValues(delta.bodies);
         readValues(delta.lights);
         readValues(delta.groups);
+        readValues(delta.waters);
+        readValues(delta.triggers);
+        readValues(delta.characters);
         for (uint32_t i = m_reader.readCount(5, "shapes"); i-- > 0 && !m_reader.failed();) readShape(delta);
         m_in.get(delta.freeBodies);
         m_in.get(delta.freeShapes);
+        m_in.get(delta.freeWaters);
+        m_in.get(delta.freeTriggers);
+        m_in.get(delta.freeCharacters);
         return delta;
     }
 
@@ -227,10 +233,16 @@ std::vector<uint8_t> stepToBytes(const WorldDelta& before, const FrameChanges& c
     putValues(out, before.bodies, after.bodies());
     putValues(out, before.lights, after.lights());
     putValues(out, before.groups, after.lightGroups());
+    putValues(out, before.waters, after.waters());
+    putValues(out, before.triggers, after.triggers());
+    putValues(out, before.characters, after.characters());
     out.put(uint32_t(before.shapes.size()));
     for (const auto& [slot, was] : before.shapes) putShape(out, delta, slot, before, changes, after);
     out.put(after.bodies().freeSlots());
     out.put(after.shapes().freeSlots());
+    out.put(after.waters().freeSlots());
+    out.put(after.triggers().freeSlots());
+    out.put(after.characters().freeSlots());
     std::vector<uint8_t> bytes = palettesToBytes({palettes.palettes().begin() + std::ptrdiff_t(known), palettes.palettes().end()});
     bytes.insert(bytes.end(), delta.begin(), delta.end());
     return bytes;

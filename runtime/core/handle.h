@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-enum class HandleType : uint8_t { None, Body, Shape, Light, LightGroup, World, Renderer };
+enum class HandleType : uint8_t { None, Body, Shape, Light, LightGroup, World, Renderer, Water, Trigger, Character };
 
 /// A value that names an object of one World: type, world, generation and slot in 64 bits.
 /// A handle whose generation is older than its slot's is stale: it is reported, never followed. Zero is "nothing".
@@ -28,6 +28,9 @@ using BodyHandle = Handle<HandleType::Body>;
 using ShapeHandle = Handle<HandleType::Shape>;
 using LightHandle = Handle<HandleType::Light>;
 using LightGroupHandle = Handle<HandleType::LightGroup>;
+using WaterHandle = Handle<HandleType::Water>;
+using TriggerHandle = Handle<HandleType::Trigger>;
+using CharacterHandle = Handle<HandleType::Character>;
 
 }  // namespace rubble
 

@@ -80,7 +80,8 @@ void FrameLoop::stepWith(Edits hostEdits) {
     {
         const ScopedTimer timer(m_times[Stage::Poses]);
         m_world.setPoses(m_physics.poses());
-        if (m_recorder) m_recorder->moved(m_physics.poses(), m_world);
+        m_world.setCharacters(m_physics.characters());
+        if (m_recorder) m_recorder->moved(m_physics.poses(), m_physics.characters(), m_world);
     }
     {
         const ScopedTimer timer(m_times[Stage::Impacts]);

@@ -7,10 +7,13 @@ void Recorder::edited(const Edits& hostEdits, const FrameChanges& changes, const
     m_step.delta = stepToBytes(m_mirror.update(world, changes), changes, world, m_palettes);
 }
 
-void Recorder::moved(std::span<const BodyPose> poses, const World& world) {
+void Recorder::moved(std::span<const BodyPose> poses, std::span<const CharacterMove> characters, const World& world) {
     SlotValues<BodyHandle, Body> unused;
     m_mirror.move(world, poses, unused);
+    SlotValues<CharacterHandle, Character> unusedToo;
+    m_mirror.move(world, characters, unusedToo);
     m_step.poses.assign(poses.begin(), poses.end());
+    m_step.characters.assign(characters.begin(), characters.end());
     m_step.hash = world.hash();
     m_step.resolvedHash = world.resolvedHash();
     m_step.voxelHash = world.voxelHash();

@@ -13,8 +13,8 @@ public:
 
     /// After applyEdits(). savedBefore: physics is made anew in this step.
     void edited(const Edits& hostEdits, const FrameChanges& changes, const World& world, bool savedBefore);
-    /// After setPoses(): the step is done.
-    void moved(std::span<const BodyPose> poses, const World& world);
+    /// After setPoses() and setCharacters(): the step is done.
+    void moved(std::span<const BodyPose> poses, std::span<const CharacterMove> characters, const World& world);
     Result<Done> close() { return m_writer.close(); }
 
 private:

@@ -9,8 +9,11 @@
 
 #include "runtime/core/handle.h"
 #include "runtime/destruction/brush.h"
+#include "runtime/world/character.h"
 #include "runtime/world/paint_settings.h"
 #include "runtime/world/shape_edits.h"
+#include "runtime/world/trigger.h"
+#include "runtime/world/water.h"
 #include "runtime/world/world_settings.h"
 
 namespace rubble {
@@ -114,8 +117,48 @@ struct RemoveFiresEdit {
     glm::dvec3 low{0.0}, high{0.0};
 };
 
-using Edit = std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit,
-                          BreakEdit, SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit, StrikeEdit>;
+/// Gives a shape another collision layer and mask: two shapes touch if each one's layer is in the other's mask.
+struct SetCollisionEdit {
+    ShapeHandle shape;
+    uint8_t layer = 1, mask = 255;  ///< bits
+};
+
+struct AddWaterEdit {
+    Water water;
+};
+struct RemoveWaterEdit {
+    WaterHandle water;
+};
+/// Who is inside is found in the same step.
+struct AddTriggerEdit {
+    Trigger trigger;
+};
+struct RemoveTriggerEdit {
+    TriggerHandle trigger;
+};
+struct AddCharacterEdit {
+    Character character;
+};
+struct RemoveCharacterEdit {
+    CharacterHandle character;
+};
+/// What a character wants from now on.
+struct MoveCharacterEdit {
+    CharacterHandle character;
+    glm::dvec3 wish{0.0};  ///< m/s, world; the vertical part counts in water only
+    bool jump = false;     ///< in this step, if it stands or swims
+    bool crouch = false;
+};
+/// Puts a character somewhere else.
+struct PlaceCharacterEdit {
+    CharacterHandle character;
+    glm::dvec3 position{0.0}, velocity{0.0};  ///< of the feet
+};
+
+using Edit =
+    std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit, BreakEdit,
+                 SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit, StrikeEdit, SetCollisionEdit, AddWaterEdit, RemoveWaterEdit,
+                 AddTriggerEdit, RemoveTriggerEdit, AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit, PlaceCharacterEdit>;
 using Edits = std::vector<Edit>;
 
 /// Where a host leaves edits for the next step. [main-thread]

@@ -134,6 +134,8 @@ ShapeHandle EditStep::createChild(ShapeHandle parentHandle, Piece piece, const M
     shape.tags = parent.tags;
     shape.bearsLoad = parent.bearsLoad;
     shape.strength = parent.strength;
+    shape.collisionLayer = parent.collisionLayer;
+    shape.collisionMask = parent.collisionMask;
     shape.isPiece = true;
     shape.nothingLoose = true;
     const BodyHandle bodyHandle = m_world.m_bodies.insert(std::move(body));

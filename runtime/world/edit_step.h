@@ -138,6 +138,21 @@ private:
     void moveHeat();
     void splitHeat(const ShapeSplit& split);
 
+    // edit_regions.cpp
+    void apply(const SetCollisionEdit& edit);
+    void apply(const AddWaterEdit& edit);
+    void apply(const RemoveWaterEdit& edit);
+    void apply(const AddTriggerEdit& edit);
+    void apply(const RemoveTriggerEdit& edit);
+    void updateTriggers();
+    void quench();
+
+    // edit_character.cpp
+    void apply(const AddCharacterEdit& edit);
+    void apply(const RemoveCharacterEdit& edit);
+    void apply(const MoveCharacterEdit& edit);
+    void apply(const PlaceCharacterEdit& edit);
+
     // edit_push.cpp
     void apply(const ImpulseEdit& edit);
     void push(const ExplodeEdit& edit);

@@ -111,16 +111,21 @@ struct FrameChanges {
     uint64_t paintedVoxels = 0;
     uint64_t paintMerges = 0;  ///< colours that found no free entry and took the nearest
     std::vector<FireEvent> firesLit;
-    std::vector<FireEvent> firesOut;  ///< a shape that is destroyed takes its fires along without a word
-    bool firesChanged = false;        ///< something burns, or did until this step
-    uint64_t firesRefused = 0;        ///< bricks hot enough to burn, beyond FireSettings::maxFires
-    uint64_t heatLost = 0;            ///< deposits of heat beyond FireSettings::maxHot
-    std::vector<CrackOpened> cracks;  ///< their voxels are in `removed` too
+    std::vector<FireEvent> firesOut;          ///< a shape that is destroyed takes its fires along without a word
+    bool firesChanged = false;                ///< something burns, or did until this step
+    uint64_t firesRefused = 0;                ///< bricks hot enough to burn, beyond FireSettings::maxFires
+    uint64_t heatLost = 0;                    ///< deposits of heat beyond FireSettings::maxHot
+    std::vector<CrackOpened> cracks;          ///< their voxels are in `removed` too
+    std::vector<ShapeHandle> filters;         ///< shapes with another collision layer or mask
+    std::vector<WaterHandle> waters;          ///< created, changed or removed
+    std::vector<TriggerHandle> triggers;      ///< created, removed, or holding other bodies
+    std::vector<CharacterHandle> characters;  ///< created, removed, placed, or wishing something else
+    std::vector<TriggerEvent> triggerEvents;  ///< by trigger, then body, in slot order
 
     bool empty() const {
         return !levelReplaced && bodiesCreated.empty() && bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() &&
                bricks.empty() && palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() && settled.empty() && revived.empty() &&
-               groups.empty() && placed.empty() && !firesChanged;
+               groups.empty() && placed.empty() && !firesChanged && filters.empty() && waters.empty() && triggers.empty() && characters.empty();
     }
 };
 

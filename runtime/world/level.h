@@ -8,7 +8,10 @@
 #include "runtime/voxel/paint_colors.h"
 #include "runtime/voxel/palette.h"
 #include "runtime/voxel/voxel_grid.h"
+#include "runtime/world/character.h"
 #include "runtime/world/lights.h"
+#include "runtime/world/trigger.h"
+#include "runtime/world/water.h"
 
 namespace rubble {
 
@@ -25,6 +28,8 @@ struct LevelShape {
     PaintColorsRef paintColors;  ///< null: no voxel has a paint layer
     float strength = 1.0f;       ///< multiple of its materials' strengths
     bool bearsLoad = true;       ///< false: it never breaks under its load
+    uint8_t collisionLayer = 1;  ///< bits; two shapes touch if each one's layer is in the other's mask
+    uint8_t collisionMask = 255;
 };
 
 struct LevelBody {
@@ -54,6 +59,9 @@ struct Level {
     uint32_t autoLightGroups = 0;  ///< at most this many groups are made from glowing voxels that have none; see fitLights()
     Environment environment;
     std::vector<std::pair<std::string, Pose>> locations;  ///< named places: spawn points, cameras
+    std::vector<Water> waters;
+    std::vector<Trigger> triggers;
+    std::vector<Character> characters;
 };
 
 }  // namespace rubble

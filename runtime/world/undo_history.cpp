@@ -17,6 +17,9 @@ void addMissing(WorldDelta& into, WorldDelta from) {
     addMissing(into.shapes, std::move(from.shapes));
     addMissing(into.lights, std::move(from.lights));
     addMissing(into.groups, std::move(from.groups));
+    addMissing(into.waters, std::move(from.waters));
+    addMissing(into.triggers, std::move(from.triggers));
+    addMissing(into.characters, std::move(from.characters));
 }
 
 /// For each slot of `slots`: its value in `first`, else in `second`.
@@ -58,6 +61,9 @@ WorldDelta UndoHistory::swapIn(World& world, WorldDelta entry, FrameChanges& cha
     out.shapes = pick(slots.shapes, drift.shapes, was.shapes);
     out.lights = pick(slots.lights, drift.lights, was.lights);
     out.groups = pick(slots.groups, drift.groups, was.groups);
+    out.waters = pick(slots.waters, drift.waters, was.waters);
+    out.triggers = pick(slots.triggers, drift.triggers, was.triggers);
+    out.characters = pick(slots.characters, drift.characters, was.characters);
     m_open = m_mirror.emptyDelta();
     m_isDrift = true;
     return out;
@@ -90,6 +96,10 @@ void UndoHistory::note(const World& world, const FrameChanges& changes, bool wen
 
 void UndoHistory::noteMoved(const World& world, std::span<const BodyPose> poses) {
     m_mirror.move(world, poses, m_open.bodies);
+}
+
+void UndoHistory::noteMoved(const World& world, std::span<const CharacterMove> moves) {
+    m_mirror.move(world, moves, m_open.characters);
 }
 
 }  // namespace rubble

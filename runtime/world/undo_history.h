@@ -24,6 +24,7 @@ public:
     void note(const World& world, const FrameChanges& changes, bool wentBack);
     /// World::setPoses() has moved these.
     void noteMoved(const World& world, std::span<const BodyPose> poses);
+    void noteMoved(const World& world, std::span<const CharacterMove> moves);
 
 private:
     WorldDelta swapIn(World& world, WorldDelta entry, FrameChanges& changes);

@@ -58,7 +58,7 @@ struct Hasher {
 
 }  // namespace
 
-World::World(uint8_t id) : m_id(id), m_bodies(id), m_shapes(id), m_lights(id), m_groups(id) {}
+World::World(uint8_t id) : m_id(id), m_bodies(id), m_shapes(id), m_lights(id), m_groups(id), m_waters(id), m_triggers(id), m_characters(id) {}
 World::~World() = default;
 World::World(const World&) = default;
 World::World(World&&) noexcept = default;
@@ -71,8 +71,13 @@ void World::clear() {
     m_shapes.clear();
     m_lights.clear();
     m_groups.clear();
+    m_waters.clear();
+    m_triggers.clear();
+    m_characters.clear();
     m_fire = {};
     m_places.clear();
+    m_triggerPlaces.clear();
+    m_movedBodies.clear();
     m_debris.clear();
     m_revived.clear();
     m_pendingSplits.clear();
@@ -110,6 +115,8 @@ void World::load(const Level& level) {
                         from.paintColors, {},         from.anchors, from.tags,      false};
             shape.strength = from.strength;
             shape.bearsLoad = from.bearsLoad;
+            shape.collisionLayer = from.collisionLayer;
+            shape.collisionMask = from.collisionMask;
             if (!shape.palette) shape.palette = std::make_shared<const Palette>();
             if (source.isStatic && shape.anchors.empty()) shape.anchors = {bottomLayer(shape.grid)};
             shape.moments = gridMoments(shape.grid, *shape.palette, m_materials);
@@ -134,6 +141,15 @@ void World::load(const Level& level) {
             if (!source.groupName.empty() && group.name == source.groupName) light.group = handle;
         });
         m_lights.insert(std::move(light));
+    }
+    for (const Water& water : level.waters) m_waters.insert(water);
+    for (Trigger trigger : level.triggers) {
+        trigger.inside.clear();
+        m_triggers.insert(std::move(trigger));
+    }
+    for (Character character : level.characters) {
+        character.ground = {};
+        m_characters.insert(std::move(character));
     }
     listLoads();
 }
@@ -189,7 +205,7 @@ Level World::toLevel() const {
         for (const ShapeHandle handle : body.shapes) {
             const Shape& shape = m_shapes.at(handle);
             out.shapes.push_back({shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors, shape.tags, false,
-                                  shape.paintColors, shape.strength, shape.bearsLoad});
+                                  shape.paintColors, shape.strength, shape.bearsLoad, shape.collisionLayer, shape.collisionMask});
             shapeNames[handle.slot()] = shape.name;
         }
         level.bodies.push_back(std::move(out));
@@ -206,6 +222,9 @@ Level World::toLevel() const {
         out.light.group = {};
         level.lights.push_back(std::move(out));
     });
+    m_waters.forEach([&](WaterHandle, const Water& water) { level.waters.push_back(water); });
+    m_triggers.forEach([&](TriggerHandle, const Trigger& trigger) { level.triggers.push_back(trigger), level.triggers.back().inside.clear(); });
+    m_characters.forEach([&](CharacterHandle, const Character& each) { level.characters.push_back(each), level.characters.back().ground = {}; });
     return level;
 }
 
@@ -232,6 +251,20 @@ void World::setPoses(std::span<const BodyPose> poses) {
             listDebris(pose.body);
         }
     for (UndoHistory& undo : m_undo) undo.noteMoved(*this, poses);
+}
+
+void World::setCharacters(std::span<const CharacterMove> moves) {
+    for (const CharacterMove& move : moves)
+        if (Character* character = m_characters.find(move.character)) {
+            character->position = move.position;
+            character->velocity = move.velocity;
+            character->grounded = move.grounded;
+            character->crouched = move.crouched;
+            character->swimming = move.swimming;
+            character->ground = move.ground;
+            character->wantsJump = false;
+        }
+    for (UndoHistory& undo : m_undo) undo.noteMoved(*this, moves);
 }
 
 void World::listDebris(BodyHandle handle) {
@@ -390,6 +423,7 @@ uint64_t World::resolvedHash() const {
         hasher.add(shape.local);
         hasher.add(shape.grid.contentHash());
         hasher.add(paletteHash);
+        hasher.add(uint64_t(shape.collisionLayer) << 8 | shape.collisionMask);
         if (shape.paintColors) hasher.add(hashBytes(shape.paintColors.get(), sizeof(PaintColors)));
     });
     m_lights.forEach([&](LightHandle handle, const Light& light) {
@@ -403,6 +437,15 @@ uint64_t World::resolvedHash() const {
         hasher.add(group.removedVoxels << 1 | uint64_t(group.out));
         hasher.add(group.dyingSince << 1 | uint64_t(group.dark));
     });
+    const auto addAll = [&](const auto& map) {
+        map.forEach([&](auto handle, const auto& value) {
+            hasher.add(handle.slot());
+            hasher.add(value.hash());
+        });
+    };
+    addAll(m_waters);
+    addAll(m_triggers);
+    addAll(m_characters);
     return hasher.state;
 }
 

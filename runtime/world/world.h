@@ -34,10 +34,12 @@ struct Shape {
     MassMoments moments;           ///< of the grid, always up to date
     std::vector<CellBox> anchors;  ///< cells that hold a static shape to the world
     std::vector<std::string> tags;
-    bool isPiece = false;       ///< came off something
-    bool nothingLoose = false;  ///< known since its last split: a cut need only look around itself
-    bool bearsLoad = true;      ///< false: left out of the load analysis
-    float strength = 1.0f;      ///< multiple of its materials' strengths
+    bool isPiece = false;        ///< came off something
+    bool nothingLoose = false;   ///< known since its last split: a cut need only look around itself
+    bool bearsLoad = true;       ///< false: left out of the load analysis
+    float strength = 1.0f;       ///< multiple of its materials' strengths
+    uint8_t collisionLayer = 1;  ///< bits; two shapes touch if each one's layer is in the other's mask
+    uint8_t collisionMask = 255;
 };
 
 /// A rigid body: a frame that shapes are fixed to. Its origin is not its centre of mass.
@@ -113,6 +115,7 @@ public:
     /// One step: carves, splits, paints, puts light groups out. Counts the step.
     FrameChanges applyEdits(const Edits& edits);
     void setPoses(std::span<const BodyPose> poses);
+    void setCharacters(std::span<const CharacterMove> moves);
     /// The edits that impacts cause by their force; see WorldSettings.
     Edits damageFrom(std::span<const Impact> impacts) const;
     /// All that decides what happens next, and the World that has it: everything before is gone, all handles are those of
@@ -142,6 +145,11 @@ public:
     const SlotMap<ShapeHandle, Shape>& shapes() const { return m_shapes; }
     const SlotMap<LightHandle, Light>& lights() const { return m_lights; }
     const SlotMap<LightGroupHandle, LightGroup>& lightGroups() const { return m_groups; }
+    const SlotMap<WaterHandle, Water>& waters() const { return m_waters; }
+    const SlotMap<TriggerHandle, Trigger>& triggers() const { return m_triggers; }
+    const SlotMap<CharacterHandle, Character>& characters() const { return m_characters; }
+    /// Bounds of the shapes, by slot, to be looked through by queries.
+    const BoundsTree& places() const { return m_places; }
     const MaterialTable& materials() const { return m_materials; }
     const Environment& environment() const { return m_environment; }
     const std::vector<std::pair<std::string, Pose>>& locations() const { return m_locations; }
@@ -209,7 +217,12 @@ private:
     SlotMap<ShapeHandle, Shape> m_shapes;
     SlotMap<LightHandle, Light> m_lights;
     SlotMap<LightGroupHandle, LightGroup> m_groups;
-    BoundsTree m_places;  ///< of shapes, by slot
+    SlotMap<WaterHandle, Water> m_waters;
+    SlotMap<TriggerHandle, Trigger> m_triggers;
+    SlotMap<CharacterHandle, Character> m_characters;
+    BoundsTree m_places;                    ///< of shapes, by slot
+    BoundsTree m_triggerPlaces;             ///< by slot
+    std::vector<BodyHandle> m_movedBodies;  ///< since triggers were last looked at; empty if there are none
     DebrisList m_debris;
     std::vector<BodyHandle> m_revived;  ///< settled bodies that physics has woken since the last step
     MaterialTable m_materials = defaultMaterials();

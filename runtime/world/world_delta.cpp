@@ -27,6 +27,16 @@ SlotValues<Handle, T> exchangeSlots(Map& map, SlotValues<Handle, T>&& target) {
     return before;
 }
 
+/// What was in the slots, if it is no more, and what is.
+template <class Map, class Handle, class T>
+void journalSlots(const SlotValues<Handle, T>& before, const Map& now, std::vector<Handle>& out) {
+    for (const auto& [slot, was] : before) {
+        const Handle is = now.handleAt(slot);
+        if (was.first && was.first != is) out.push_back(was.first);
+        if (is) out.push_back(is);
+    }
+}
+
 bool sameMotion(const Body& a, const Body& b) {
     return a.pose == b.pose && a.velocity == b.velocity && a.angularVelocity == b.angularVelocity && a.asleep == b.asleep && a.settled == b.settled &&
            a.isStatic == b.isStatic && a.shapes == b.shapes;
@@ -41,6 +51,7 @@ void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameC
     });
     if (isCarved) changes.carved.push_back(handle);
     if (was.palette != is.palette || was.paintColors != is.paintColors) changes.palettes.push_back(handle);
+    if (was.collisionLayer != is.collisionLayer || was.collisionMask != is.collisionMask) changes.filters.push_back(handle);
 }
 
 void journalShape(ShapeHandle was, const std::optional<Shape>& before, ShapeHandle is, const Shape* now, FrameChanges& changes) {
@@ -61,12 +72,21 @@ WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
     changes.firesChanged = before.fire.isActive() || m_fire.isActive();
     before.freeBodies = m_bodies.freeSlots();
     before.freeShapes = m_shapes.freeSlots();
+    before.freeWaters = m_waters.freeSlots();
+    before.freeTriggers = m_triggers.freeSlots();
+    before.freeCharacters = m_characters.freeSlots();
     before.bodies = exchangeSlots(m_bodies, std::move(target.bodies));
     before.shapes = exchangeSlots(m_shapes, std::move(target.shapes));
     before.lights = exchangeSlots(m_lights, std::move(target.lights));
     before.groups = exchangeSlots(m_groups, std::move(target.groups));
+    before.waters = exchangeSlots(m_waters, std::move(target.waters));
+    before.triggers = exchangeSlots(m_triggers, std::move(target.triggers));
+    before.characters = exchangeSlots(m_characters, std::move(target.characters));
     m_bodies.setFreeSlots(target.freeBodies);
     m_shapes.setFreeSlots(target.freeShapes);
+    m_waters.setFreeSlots(target.freeWaters);
+    m_triggers.setFreeSlots(target.freeTriggers);
+    m_characters.setFreeSlots(target.freeCharacters);
 
     for (const auto& [slot, was] : before.shapes) {
         if (was.first && was.first != m_shapes.handleAt(slot)) forgetShape(was.first);
@@ -95,6 +115,9 @@ WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
         m_dyingGroups += uint32_t(m_groups.at(is).dyingSince != 0) - uint32_t(was.second && was.second->dyingSince != 0);
         if (m_groups.at(is).out && !(was.second && was.second->out)) changes.groupsOut.push_back(is);
     }
+    journalSlots(before.waters, m_waters, changes.waters);
+    journalSlots(before.triggers, m_triggers, changes.triggers);
+    journalSlots(before.characters, m_characters, changes.characters);
     return before;
 }
 

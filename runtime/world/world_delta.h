@@ -19,11 +19,16 @@ struct WorldDelta {
     SlotValues<ShapeHandle, Shape> shapes;
     SlotValues<LightHandle, Light> lights;
     SlotValues<LightGroupHandle, LightGroup> groups;
+    SlotValues<WaterHandle, Water> waters;
+    SlotValues<TriggerHandle, Trigger> triggers;
+    SlotValues<CharacterHandle, Character> characters;
     uint64_t imported = 0, removed = 0;
     FireState fire;
-    std::vector<uint32_t> freeBodies, freeShapes;  ///< slots that are used next
+    std::vector<uint32_t> freeBodies, freeShapes, freeWaters, freeTriggers, freeCharacters;  ///< slots that are used next
 
-    bool empty() const { return bodies.empty() && shapes.empty() && lights.empty() && groups.empty(); }
+    bool empty() const {
+        return bodies.empty() && shapes.empty() && lights.empty() && groups.empty() && waters.empty() && triggers.empty() && characters.empty();
+    }
 };
 
 }  // namespace rubble

@@ -21,7 +21,8 @@ void follow(const Map& now, Map& last, Handle handle, SlotValues<Handle, T>& bef
 
 template <class F>
 void forEachShapeIn(const FrameChanges& changes, F&& f) {
-    for (const auto* list : {&changes.shapesDestroyed, &changes.shapesCreated, &changes.carved, &changes.palettes, &changes.rehomed})
+    for (const auto* list :
+         {&changes.shapesDestroyed, &changes.shapesCreated, &changes.carved, &changes.palettes, &changes.rehomed, &changes.filters})
         for (const ShapeHandle shape : *list) f(shape);
     for (const BrickChange& change : changes.bricks) f(change.shape);
     for (const ShapeSplit& split : changes.splits) f(split.parent);
@@ -30,7 +31,12 @@ void forEachShapeIn(const FrameChanges& changes, F&& f) {
 }  // namespace
 
 WorldMirror::WorldMirror(const World& world)
-    : m_last(world.state()), m_freeBodies(world.bodies().freeSlots()), m_freeShapes(world.shapes().freeSlots()) {}
+    : m_last(world.state()),
+      m_freeBodies(world.bodies().freeSlots()),
+      m_freeShapes(world.shapes().freeSlots()),
+      m_freeWaters(world.waters().freeSlots()),
+      m_freeTriggers(world.triggers().freeSlots()),
+      m_freeCharacters(world.characters().freeSlots()) {}
 
 WorldDelta WorldMirror::emptyDelta() const {
     WorldDelta delta;
@@ -39,6 +45,9 @@ WorldDelta WorldMirror::emptyDelta() const {
     delta.fire = m_last.fire;
     delta.freeBodies = m_freeBodies;
     delta.freeShapes = m_freeShapes;
+    delta.freeWaters = m_freeWaters;
+    delta.freeTriggers = m_freeTriggers;
+    delta.freeCharacters = m_freeCharacters;
     return delta;
 }
 
@@ -57,11 +66,17 @@ WorldDelta WorldMirror::update(const World& world, const FrameChanges& changes) 
     for (const ImpulseApplied& impulse : changes.impulses) body(impulse.body);
     for (const LightHandle handle : changes.lights) follow(world.lights(), m_last.lights, handle, before.lights);
     for (const LightGroupHandle handle : changes.groups) follow(world.lightGroups(), m_last.groups, handle, before.groups);
+    for (const WaterHandle handle : changes.waters) follow(world.waters(), m_last.waters, handle, before.waters);
+    for (const TriggerHandle handle : changes.triggers) follow(world.triggers(), m_last.triggers, handle, before.triggers);
+    for (const CharacterHandle handle : changes.characters) follow(world.characters(), m_last.characters, handle, before.characters);
     m_last.imported = world.m_imported;
     m_last.removed = world.m_removed;
     if (world.m_fire.isActive() || m_last.fire.isActive()) m_last.fire = world.m_fire;
     m_freeBodies = world.bodies().freeSlots();
     m_freeShapes = world.shapes().freeSlots();
+    m_freeWaters = world.waters().freeSlots();
+    m_freeTriggers = world.triggers().freeSlots();
+    m_freeCharacters = world.characters().freeSlots();
     return before;
 }
 
@@ -73,6 +88,16 @@ void WorldMirror::move(const World& world, std::span<const BodyPose> poses, Slot
         const uint32_t slot = pose.body.slot();
         const auto place = before.lower_bound(slot);
         if (place == before.end() || place->first != slot) before.emplace_hint(place, slot, std::pair(pose.body, *last));
+        *last = *now;
+    }
+}
+
+void WorldMirror::move(const World& world, std::span<const CharacterMove> moves, SlotValues<CharacterHandle, Character>& before) {
+    for (const CharacterMove& move : moves) {
+        Character* last = m_last.characters.find(move.character);
+        const Character* now = world.characters().find(move.character);
+        if (!last || !now) continue;
+        before.try_emplace(move.character.slot(), move.character, *last);
         *last = *now;
     }
 }

@@ -18,11 +18,13 @@ public:
     WorldDelta update(const World& world, const FrameChanges& changes);
     /// Adds bodies that World::setPoses() has moved, as they were, where `before` does not have them.
     void move(const World& world, std::span<const BodyPose> poses, SlotValues<BodyHandle, Body>& before);
+    /// The same for characters that World::setCharacters() has moved.
+    void move(const World& world, std::span<const CharacterMove> moves, SlotValues<CharacterHandle, Character>& before);
     const WorldState& last() const { return m_last; }
 
 private:
     WorldState m_last;
-    std::vector<uint32_t> m_freeBodies, m_freeShapes;
+    std::vector<uint32_t> m_freeBodies, m_freeShapes, m_freeWaters, m_freeTriggers, m_freeCharacters;
 };
 
 }  // namespace rubble

@@ -23,6 +23,9 @@ struct WorldState {
     WorldSettings settings;
     std::vector<std::pair<std::string, Pose>> locations;
     FireState fire;
+    SlotMap<WaterHandle, Water> waters;
+    SlotMap<TriggerHandle, Trigger> triggers;
+    SlotMap<CharacterHandle, Character> characters;
 };
 
 }  // namespace rubble

@@ -43,6 +43,13 @@ TEST(RubbleFile, TheHashSeesEveryField) {
         [](Level& l) { l.bodies[0].shapes[1].voxelSize = 0.1f; },
         [](Level& l) { l.bodies[0].shapes[1].strength = 1.0f; },
         [](Level& l) { l.bodies[0].shapes[1].bearsLoad = true; },
+        [](Level& l) { l.bodies[0].shapes[1].collisionMask = 13; },
+        [](Level& l) { l.waters[0].outline[1].z = 0.5; },
+        [](Level& l) { l.waters[0].waves.speed = 2.0f; },
+        [](Level& l) { l.triggers[0].kind = TriggerKind::Box; },
+        [](Level& l) { l.triggers[0].tags.clear(); },
+        [](Level& l) { l.characters[0].steepest = 0.9; },
+        [](Level& l) { l.characters[0].grounded = false; },
         [](Level& l) {
             auto palette = std::make_shared<Palette>(*l.bodies[0].shapes[0].palette);
             (*palette)[200].blue = 9;

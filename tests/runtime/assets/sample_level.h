@@ -58,6 +58,8 @@ inline Level sampleLevel() {
     lamp.tags = {"light"};
     lamp.strength = 0.75f;
     lamp.bearsLoad = false;
+    lamp.collisionLayer = 4;
+    lamp.collisionMask = 12;
     house.shapes.push_back(lamp);
     level.bodies.push_back(house);
 
@@ -86,6 +88,38 @@ inline Level sampleLevel() {
     light.shapeName = "lamp";
     light.groupName = "bulb";
     level.lights.push_back(light);
+
+    level.waters.push_back({.name = "pond",
+                            .outline = {{0.0, 0.1}, {5.0, 0.0}, {2.0, 7.5}},
+                            .surface = -0.3,
+                            .depth = 2.5,
+                            .density = 1025.0,
+                            .linearDrag = 0.7,
+                            .angularDrag = 0.6,
+                            .flow = {0.1, 0.0, 0.2},
+                            .color = {0.2f, 0.3f, 0.1f},
+                            .clarity = 1.5f,
+                            .waves = {0.1f, 3.0f, 1.0f, 0.5f}});
+    level.triggers.push_back({.name = "door way",
+                              .kind = TriggerKind::Polygon,
+                              .pose = {{1.0, 2.0, 3.0}, glm::angleAxis(0.4, glm::dvec3(0, 1, 0))},
+                              .radius = 0.5,
+                              .halfSize = {1.0, 2.0, 0.5},
+                              .outline = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}},
+                              .height = 2.0,
+                              .layers = 6,
+                              .tags = {"exit"}});
+    Character player;
+    player.name = "player";
+    player.radius = 0.25;
+    player.steepest = 0.8;
+    player.collisionMask = 7;
+    player.wish = {1.0, 0.0, 0.5};
+    player.wantsCrouch = true;
+    player.position = {3.0, 0.5, 4.0};
+    player.velocity = {0.0, -1.0, 0.0};
+    player.grounded = true;
+    level.characters.push_back(player);
     return level;
 }
 

@@ -93,6 +93,7 @@ TEST(FrameLoop, ARecordingReplaysToTheSameHashes) {
         ASSERT_TRUE(applied) << applied.error();
         ASSERT_EQ(follower.voxelHash(), step.voxelHash) << "step " << step.step;
         follower.setPoses(step.poses);
+        follower.setCharacters(step.characters);
         ASSERT_EQ(follower.resolvedHash(), step.resolvedHash) << "step " << step.step;
     }
     EXPECT_EQ(second.world().hash(), loop.world().hash());

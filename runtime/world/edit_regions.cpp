@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/core/log.h"
+#include "runtime/world/edit_step.h"
+
+namespace rubble {
+namespace {
+
+bool isSane(double value, double low, double high) {
+    return value >= low && value <= high;  // false for a NaN
+}
+
+bool isSane(glm::dvec3 v) {
+    return isSane(v.x, -1e9, 1e9) && isSane(v.y, -1e9, 1e9) && isSane(v.z, -1e9, 1e9);
+}
+
+bool isSane(const GroundArea& area) {
+    return area.size() >= 3 && std::all_of(area.begin(), area.end(), [](const GroundPoint& p) { return isSane({p.x, 0.0, p.z}); });
+}
+
+bool isSane(const Water& water) {
+    return isSane(water.outline) && isSane(water.surface, -1e9, 1e9) && isSane(water.depth, 1e-6, 1e6) && isSane(water.density, 0.0, 1e6) &&
+           isSane(water.linearDrag, 0.0, 1e6) && isSane(water.angularDrag, 0.0, 1e6) && isSane(water.flow);
+}
+
+bool isSane(const Trigger& trigger) {
+    const glm::dquat& q = trigger.pose.rotation;
+    if (!isSane(trigger.pose.position) || !isSane(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 0.999, 1.001)) return false;
+    if (trigger.kind == TriggerKind::Sphere) return isSane(trigger.radius, 1e-6, 1e6);
+    if (trigger.kind == TriggerKind::Polygon) return isSane(trigger.outline) && isSane(trigger.height, 1e-6, 1e6);
+    const glm::dvec3& h = trigger.halfSize;
+    return isSane(h.x, 1e-6, 1e6) && isSane(h.y, 1e-6, 1e6) && isSane(h.z, 1e-6, 1e6);
+}
+
+}  // namespace
+
+void EditStep::apply(const SetCollisionEdit& edit) {
+    Shape* shape = m_world.m_shapes.find(edit.shape);
+    if (!shape) return logWarning("SetCollisionEdit: the handle of its shape is stale; nothing was changed");
+    shape->collisionLayer = edit.layer;
+    shape->collisionMask = edit.mask;
+    m_changes.filters.push_back(edit.shape);
+    wake(shape->body);
+}
+
+void EditStep::apply(const AddWaterEdit& edit) {
+    if (!isSane(edit.water))
+        return logWarning("AddWaterEdit: expected an outline of three points or more, a depth above zero and finite numbers; no water was made");
+    m_changes.waters.push_back(m_world.m_waters.insert(edit.water));
+}
+
+void EditStep::apply(const RemoveWaterEdit& edit) {
+    if (!m_world.m_waters.erase(edit.water)) return logWarning("RemoveWaterEdit: the handle of its water is stale; nothing was removed");
+    m_changes.waters.push_back(edit.water);
+}
+
+void EditStep::apply(const AddTriggerEdit& edit) {
+    if (!isSane(edit.trigger)) return logWarning("AddTriggerEdit: expected a size above zero and finite numbers; no trigger was made");
+    Trigger trigger = edit.trigger;
+    trigger.inside.clear();
+    m_changes.triggers.push_back(m_world.m_triggers.insert(std::move(trigger)));
+}
+
+void EditStep::apply(const RemoveTriggerEdit& edit) {
+    if (!m_world.m_triggers.erase(edit.trigger)) return logWarning("RemoveTriggerEdit: the handle of its trigger is stale; nothing was removed");
+    m_changes.triggers.push_back(edit.trigger);
+}
+
+}  // namespace rubble

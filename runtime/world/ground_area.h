@@ -1,0 +1,25 @@
+#pragma once
+#include <vector>
+
+namespace rubble {
+
+/// A place in the ground plane, metres, world.
+struct GroundPoint {
+    double x = 0.0, z = 0.0;
+    friend bool operator==(const GroundPoint&, const GroundPoint&) = default;
+};
+
+/// The corners of a simple polygon in the ground plane, in either sense; the last is joined to the first.
+using GroundArea = std::vector<GroundPoint>;
+
+/// Whether a point is inside: a line from it crosses an odd number of sides.
+inline bool contains(const GroundArea& area, double x, double z) {
+    bool inside = false;
+    for (size_t i = 0, j = area.size() - 1; i < area.size(); j = i++) {
+        const GroundPoint &a = area[i], &b = area[j];
+        if ((a.z > z) != (b.z > z) && x < (b.x - a.x) * (z - a.z) / (b.z - a.z) + a.x) inside = !inside;
+    }
+    return inside;
+}
+
+}  // namespace rubble
