@@ -93,6 +93,8 @@ public:
             if (!(value.radius >= 0.02 && value.crouchedHeight >= 2.0 * value.radius && value.height >= value.crouchedHeight && value.mass > 0.0))
                 fail("a radius of 0.02 m or more, crouched and standing height of two radii or more, a mass above 0",
                      fmt::format("{} m, {} m, {} m, {} kg", value.radius, value.crouchedHeight, value.height, value.mass));
+        if constexpr (std::is_same_v<T, Joint>)
+            if (const std::string error = jointError(value); !error.empty()) fail("a joint that can be", error);
         fields(*this, value);
     }
 

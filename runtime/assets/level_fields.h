@@ -17,6 +17,14 @@ concept Is = std::same_as<std::remove_const_t<T>, Named>;
 
 inline constexpr std::array<const char*, 4> kLightKindNames = {"sphere", "cone", "capsule", "area"};
 inline constexpr std::array<const char*, 5> kHardnessNames = {"soft", "medium", "hard", "unbreakable", "unphysical"};
+inline constexpr std::array<const char*, 7> kJointKindNames = {"ball", "hinge", "prismatic", "cone", "fixed", "rope", "wheel"};
+inline constexpr std::array<const char*, 3> kMotorModeNames = {"off", "speed", "position"};
+inline std::span<const char* const> enumNames(JointKind) {
+    return kJointKindNames;
+}
+inline std::span<const char* const> enumNames(MotorMode) {
+    return kMotorModeNames;
+}
 inline std::span<const char* const> enumNames(LightKind) {
     return kLightKindNames;
 }
@@ -202,6 +210,74 @@ void fields(A& a, Is<Character> auto& character) {
     a("swimming", character.swimming);
     if constexpr (requires { A::kIsBinary; }) a("ground", character.ground);
 }
+template <class A>
+void fields(A& a, Is<JointEnd> auto& end) {
+    if constexpr (requires { A::kIsBinary; }) a("shape", end.shape);
+    a("frame", end.frame);
+    a("cell", end.cell);
+    a("radius", end.radius);
+    a("loose", end.isLoose);
+}
+template <class A>
+void fields(A& a, Is<JointLimits> auto& limits) {
+    a("on", limits.on);
+    a("low", limits.low);
+    a("high", limits.high);
+}
+template <class A>
+void fields(A& a, Is<JointMotor> auto& motor) {
+    a("mode", motor.mode);
+    a("target", motor.target);
+    a("most_force", motor.mostForce);
+}
+template <class A>
+void fields(A& a, Is<JointSpring> auto& spring) {
+    a("hertz", spring.hertz);
+    a("damping_ratio", spring.dampingRatio);
+}
+template <class A>
+void fields(A& a, Is<RopeSettings> auto& rope) {
+    a("length", rope.length);
+    a("slack", rope.slack);
+    a("points", rope.points);
+    a("radius", rope.radius);
+    a("mass_per_metre", rope.massPerMetre);
+    a("stretch", rope.stretch);
+    a("strength", rope.strength);
+    a("red", rope.color[0]);
+    a("green", rope.color[1]);
+    a("blue", rope.color[2]);
+}
+template <class A>
+void fields(A& a, Is<RopePoint> auto& point) {
+    a("position", point.position);
+    a("velocity", point.velocity);
+}
+template <class A>
+void fields(A& a, Is<Joint> auto& joint) {
+    a("name", joint.name);
+    a("kind", joint.kind);
+    a("first", joint.ends[0]);
+    a("second", joint.ends[1]);
+    a("collides", joint.collides);
+    a("limits", joint.limits);
+    a("motor", joint.motor);
+    a("spring", joint.spring);
+    a("friction", joint.friction);
+    a("most_force", joint.mostForce);
+    a("break_force", joint.breakForce);
+    a("break_torque", joint.breakTorque);
+    a("steer", joint.steer);
+    a("hand", joint.hand);
+    a("rope", joint.rope);
+    a("points", joint.points);
+}
+template <class A>
+void fields(A& a, Is<LevelJoint> auto& joint) {
+    a("first_shape", joint.shapeNames[0]);
+    a("second_shape", joint.shapeNames[1]);
+    a("joint", joint.joint);
+}
 using NamedPose = std::pair<std::string, Pose>;
 template <class A>
 void fields(A& a, Is<NamedPose> auto& location) {
@@ -221,6 +297,7 @@ void fields(A& a, Is<Level> auto& level) {
     a("waters", level.waters);
     a("triggers", level.triggers);
     a("characters", level.characters);
+    a("joints", level.joints);
 }
 
 }  // namespace rubble

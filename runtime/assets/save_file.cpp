@@ -60,6 +60,7 @@ std::vector<uint8_t> stateToBytes(const SavedGame& game, PaletteList& palettes) 
     out.put(world.settings);
     out.put(world.locations);
     out.put(world.fire.fields);
+    putSlots(out, world.joints);
     out.put(game.pending);
     return bytes;
 }
@@ -83,6 +84,7 @@ SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& pale
     in.get(world.settings);
     in.get(world.locations);
     in.get(world.fire.fields);
+    getSlots(reader, in, number, world.joints);
     world.fire.tidy();
     in.get(game.pending);
     return game;
@@ -105,6 +107,11 @@ Result<Done> checkHandles(const WorldState& world) {
     if (named != world.shapes.size()) fail("world", 0);
     world.shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
         if (!world.bodies.find(shape.body) || shape.grid.size() == glm::ivec3(0)) fail("shape", handle.slot());
+    });
+    world.joints.forEach([&](JointHandle handle, const Joint& joint) {
+        for (const JointEnd& end : joint.ends)
+            if (end.shape && !world.shapes.find(end.shape)) fail("joint", handle.slot());
+        if (joint.points.size() != (joint.kind == JointKind::Rope ? joint.rope.points : 0)) fail("points of joint", handle.slot());
     });
     uint32_t next = 0;
     for (const HeatField& field : world.fire.fields) {

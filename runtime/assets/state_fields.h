@@ -14,6 +14,10 @@ inline constexpr std::array<const char*, 5> kToolNames = {"any", "sledge", "torc
 inline std::span<const char* const> enumNames(Tool) {
     return kToolNames;
 }
+inline constexpr std::array<const char*, 4> kJointBreakNames = {"voxel gone", "force", "removed", "cut"};
+inline std::span<const char* const> enumNames(JointBreak) {
+    return kJointBreakNames;
+}
 inline std::span<const char* const> enumNames(BrushKind) {
     return kBrushKindNames;
 }
@@ -282,6 +286,43 @@ void fields(A& a, Is<PlaceCharacterEdit> auto& edit) {
     a("character", edit.character);
     a("position", edit.position);
     a("velocity", edit.velocity);
+}
+
+template <class A>
+void fields(A& a, Is<AddJointEdit> auto& edit) {
+    a("joint", edit.joint);
+}
+template <class A>
+void fields(A& a, Is<RemoveJointEdit> auto& edit) {
+    a("joint", edit.joint);
+    a("reason", edit.reason);
+    a("place", edit.place);
+}
+template <class A>
+void fields(A& a, Is<SetJointMotorEdit> auto& edit) {
+    a("joint", edit.joint);
+    a("motor", edit.motor);
+    a("friction", edit.friction);
+    a("steer", edit.steer);
+}
+template <class A>
+void fields(A& a, Is<DetachJointEdit> auto& edit) {
+    a("joint", edit.joint);
+    a("shape", edit.shape);
+}
+template <class A>
+void fields(A& a, Is<GrabEdit> auto& edit) {
+    a("body", edit.body);
+    a("point", edit.point);
+    a("target", edit.target);
+    a("most_force", edit.mostForce);
+    a("hertz", edit.hertz);
+    a("hand", edit.hand);
+}
+template <class A>
+void fields(A& a, Is<ReleaseEdit> auto& edit) {
+    a("impulse", edit.impulse);
+    a("hand", edit.hand);
 }
 
 }  // namespace rubble

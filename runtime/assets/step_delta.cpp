@@ -104,12 +104,14 @@ public:
         readValues(delta.waters);
         readValues(delta.triggers);
         readValues(delta.characters);
+        readValues(delta.joints);
         for (uint32_t i = m_reader.readCount(5, "shapes"); i-- > 0 && !m_reader.failed();) readShape(delta);
         m_in.get(delta.freeBodies);
         m_in.get(delta.freeShapes);
         m_in.get(delta.freeWaters);
         m_in.get(delta.freeTriggers);
         m_in.get(delta.freeCharacters);
+        m_in.get(delta.freeJoints);
         return delta;
     }
 
@@ -202,6 +204,17 @@ bool fits(const WorldDelta& delta, const World& world) {
         return body && std::count(body->shapes.begin(), body->shapes.end(), handle) == 1;
     };
     bool good = true;
+    for (const auto& [slot, value] : delta.joints) {
+        if (!value.first) continue;
+        for (const JointEnd& end : value.second->ends) good = good && (!end.shape || shapeAfter(end.shape));
+        good = good && jointError(*value.second).empty() &&
+               value.second->points.size() == (value.second->kind == JointKind::Rope ? value.second->rope.points : 0);
+    }
+    for (const auto& [slot, value] : delta.shapes) {
+        const ShapeHandle was = world.shapes().handleAt(slot);
+        if (!was || was == value.first) continue;
+        for (const JointHandle joint : world.jointsOf(was)) good = good && delta.joints.contains(joint.slot());
+    }
     for (const auto& [slot, value] : delta.shapes) {
         if (value.first) good = good && isHome(value.first, *value.second);
         const Shape* was = world.shapes().find(world.shapes().handleAt(slot));
@@ -236,6 +249,7 @@ std::vector<uint8_t> stepToBytes(const WorldDelta& before, const FrameChanges& c
     putValues(out, before.waters, after.waters());
     putValues(out, before.triggers, after.triggers());
     putValues(out, before.characters, after.characters());
+    putValues(out, before.joints, after.joints());
     out.put(uint32_t(before.shapes.size()));
     for (const auto& [slot, was] : before.shapes) putShape(out, delta, slot, before, changes, after);
     out.put(after.bodies().freeSlots());
@@ -243,6 +257,7 @@ std::vector<uint8_t> stepToBytes(const WorldDelta& before, const FrameChanges& c
     out.put(after.waters().freeSlots());
     out.put(after.triggers().freeSlots());
     out.put(after.characters().freeSlots());
+    out.put(after.joints().freeSlots());
     std::vector<uint8_t> bytes = palettesToBytes({palettes.palettes().begin() + std::ptrdiff_t(known), palettes.palettes().end()});
     bytes.insert(bytes.end(), delta.begin(), delta.end());
     return bytes;

@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-enum class HandleType : uint8_t { None, Body, Shape, Light, LightGroup, World, Renderer, Water, Trigger, Character };
+enum class HandleType : uint8_t { None, Body, Shape, Light, LightGroup, World, Renderer, Water, Trigger, Character, Joint };
 
 /// A value that names an object of one World: type, world, generation and slot in 64 bits.
 /// A handle whose generation is older than its slot's is stale: it is reported, never followed. Zero is "nothing".
@@ -31,6 +31,7 @@ using LightGroupHandle = Handle<HandleType::LightGroup>;
 using WaterHandle = Handle<HandleType::Water>;
 using TriggerHandle = Handle<HandleType::Trigger>;
 using CharacterHandle = Handle<HandleType::Character>;
+using JointHandle = Handle<HandleType::Joint>;
 
 }  // namespace rubble
 

@@ -66,6 +66,7 @@ void EditStep::run(const Edits& edits) {
     for (const Edit& edit : edits) std::visit([&](const auto& each) { apply(each); }, edit);
     burn();
     splitShapes();
+    checkJoints();
     settleMotions();
     for (const Push& each : m_pushes) std::visit([&](const auto& edit) { push(edit); }, each);
     limitDebris();

@@ -128,6 +128,7 @@ void EditStep::apply(const SplitShapeEdit& edit) {
     shape->nothingLoose = true;
     if (split.children.empty()) return;
     moveLights(split);
+    moveJoints(split);
     m_changes.splits.push_back(std::move(split));
 }
 
@@ -198,6 +199,10 @@ void EditStep::apply(const MergeShapeEdit& edit) {
         rider.local.position += glm::dvec3(at) * double(into->voxelSize);
         m_changes.lights.push_back(light);
     });
+    const std::span<const JointHandle> held = m_world.jointsOf(edit.shape);
+    for (const JointHandle joint : std::vector<JointHandle>(held.begin(), held.end()))
+        for (size_t end = 0; end < 2; ++end)
+            if (m_world.m_joints.at(joint).ends[end].shape == edit.shape) moveJointEnd(joint, end, target, -at);
     countRemoved(edit.shape, lost, {m_world.shapeToWorld(edit.shape).transformPoint({}), 0.0, {}});
     m_touched.erase(edit.shape.slot());
     destroyShape(edit.shape);
@@ -236,6 +241,7 @@ bool EditStep::reframe(ShapeHandle handle, const CellBox& box) {
         rider.local.position -= glm::dvec3(box.low) * double(shape.voxelSize);
         m_changes.lights.push_back(light);
     });
+    reframeJoints(handle, box.low);
     if (isLess) countRemoved(handle, removed, {m_world.shapeToWorld(handle).transformPoint({}), 0.0, {}});
     for (PendingSplit& pending : m_world.m_pendingSplits)  // its cut was in the old cells
         if (pending.shape == handle) pending.cut.clear(), pending.search.reset(), shape.nothingLoose = false;

@@ -17,6 +17,7 @@ void EditStep::releaseFragments() {
         broken.fragments.clear();
         m_cutWires.insert(broken.shape.slot());
         moveLights(split);
+        moveJoints(split);
         m_changes.splits.push_back(std::move(split));
     }
 }
@@ -92,6 +93,7 @@ void EditStep::splitShape(ShapeHandle parent, const Loose& loose) {
     if (!split.children.empty()) {
         m_cutWires.insert(parent.slot());
         moveLights(split);
+        moveJoints(split);
     }
     if (shape->grid.empty())
         destroyShape(parent);
@@ -170,6 +172,7 @@ void EditStep::rehome(ShapeHandle handle) {
     shape.isPiece = true;
     m_changes.bodiesCreated.push_back(newBody);
     m_changes.rehomed.push_back(handle);
+    for (const JointHandle joint : m_world.jointsOf(handle)) m_changes.jointsChanged.push_back(joint);
     m_world.m_lights.forEach([&](LightHandle light, const Light& rider) {
         if (rider.shape == handle) m_changes.lights.push_back(light);
     });
@@ -177,6 +180,7 @@ void EditStep::rehome(ShapeHandle handle) {
 
 void EditStep::destroyShape(ShapeHandle handle) {
     putOutLightsOf(handle);
+    loseJoints(handle);
     const BodyHandle body = m_world.m_shapes.at(handle).body;
     m_world.forgetShape(handle);
     m_world.m_shapes.erase(handle);

@@ -152,6 +152,20 @@ private:
     void apply(const RemoveCharacterEdit& edit);
     void apply(const MoveCharacterEdit& edit);
     void apply(const PlaceCharacterEdit& edit);
+    // edit_joint.cpp
+    void apply(const AddJointEdit& edit);
+    void apply(const RemoveJointEdit& edit);
+    void apply(const SetJointMotorEdit& edit);
+    void apply(const DetachJointEdit& edit);
+    void apply(const GrabEdit& edit);
+    void apply(const ReleaseEdit& edit);
+    void breakJoint(JointHandle handle, JointBreak reason, glm::dvec3 position);
+    void moveJointEnd(JointHandle handle, size_t end, ShapeHandle to, glm::ivec3 cellOffset);
+    void moveJoints(const ShapeSplit& split);
+    void reframeJoints(ShapeHandle shape, glm::ivec3 low);
+    void loseJoints(ShapeHandle shape);
+    void loseEnd(JointHandle handle, size_t end);
+    void checkJoints();
 
     // edit_push.cpp
     void apply(const ImpulseEdit& edit);

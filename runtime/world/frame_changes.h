@@ -7,6 +7,7 @@
 #include "runtime/destruction/load_section.h"
 #include "runtime/voxel/brick.h"
 #include "runtime/voxel/palette.h"
+#include "runtime/world/joint.h"
 #include "runtime/world/level.h"
 
 namespace rubble {
@@ -82,6 +83,19 @@ struct FireEvent {
     glm::dvec3 position;  ///< world, metres
 };
 
+/// An end of a joint went with its voxel into another shape.
+struct JointMoved {
+    JointHandle joint;
+    ShapeHandle from, to;
+};
+
+/// A joint that is no more, but for the two parts of a rope that was cut: the first keeps the handle.
+struct JointBroken {
+    JointHandle joint;
+    JointBreak reason;
+    glm::dvec3 position;  ///< world
+};
+
 /// Everything that one step of edits changed: the one journal that physics, shadow, renderer, recording and undo read.
 /// Handles refer to the World after the edits, except in the destroyed lists. Each list is in the order it happened;
 /// a step in which nothing happens allocates nothing.
@@ -121,11 +135,16 @@ struct FrameChanges {
     std::vector<TriggerHandle> triggers;      ///< created, removed, or holding other bodies
     std::vector<CharacterHandle> characters;  ///< created, removed, placed, or wishing something else
     std::vector<TriggerEvent> triggerEvents;  ///< by trigger, then body, in slot order
+    std::vector<JointHandle> jointsMade;      ///< by edits, and the second parts of ropes that were cut
+    std::vector<JointMoved> jointsMoved;      ///< to another shape, in a split or merge
+    std::vector<JointBroken> jointsBroken;
+    std::vector<JointHandle> jointsChanged;  ///< motor, place of an end or length: read it from the World
 
     bool empty() const {
         return !levelReplaced && bodiesCreated.empty() && bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() &&
                bricks.empty() && palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() && settled.empty() && revived.empty() &&
-               groups.empty() && placed.empty() && !firesChanged && filters.empty() && waters.empty() && triggers.empty() && characters.empty();
+               groups.empty() && placed.empty() && !firesChanged && filters.empty() && waters.empty() && triggers.empty() && characters.empty() &&
+               jointsMade.empty() && jointsMoved.empty() && jointsBroken.empty() && jointsChanged.empty();
     }
 };
 

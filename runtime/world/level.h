@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "runtime/voxel/palette.h"
 #include "runtime/voxel/voxel_grid.h"
 #include "runtime/world/character.h"
+#include "runtime/world/joint.h"
 #include "runtime/world/lights.h"
 #include "runtime/world/trigger.h"
 #include "runtime/world/water.h"
@@ -49,6 +51,12 @@ struct LevelLight {
     std::string groupName;  ///< "" = none
 };
 
+/// JointEnd::shape is not set in a level: the names stand for them.
+struct LevelJoint {
+    Joint joint;
+    std::array<std::string, 2> shapeNames;  ///< "" = fixed in the world
+};
+
 /// A level as data, independent of any World. PaletteEntry::lightGroup is the index into lightGroups plus one.
 struct Level {
     std::string name;
@@ -62,6 +70,7 @@ struct Level {
     std::vector<Water> waters;
     std::vector<Trigger> triggers;
     std::vector<Character> characters;
+    std::vector<LevelJoint> joints;
 };
 
 }  // namespace rubble

@@ -20,6 +20,7 @@ void addMissing(WorldDelta& into, WorldDelta from) {
     addMissing(into.waters, std::move(from.waters));
     addMissing(into.triggers, std::move(from.triggers));
     addMissing(into.characters, std::move(from.characters));
+    addMissing(into.joints, std::move(from.joints));
 }
 
 /// For each slot of `slots`: its value in `first`, else in `second`.
@@ -64,6 +65,7 @@ WorldDelta UndoHistory::swapIn(World& world, WorldDelta entry, FrameChanges& cha
     out.waters = pick(slots.waters, drift.waters, was.waters);
     out.triggers = pick(slots.triggers, drift.triggers, was.triggers);
     out.characters = pick(slots.characters, drift.characters, was.characters);
+    out.joints = pick(slots.joints, drift.joints, was.joints);
     m_open = m_mirror.emptyDelta();
     m_isDrift = true;
     return out;
@@ -92,6 +94,10 @@ void UndoHistory::note(const World& world, const FrameChanges& changes, bool wen
     if (wentBack) return;
     m_isDrift = false;
     m_redo.clear();
+}
+
+void UndoHistory::noteMoved(const World& world, std::span<const RopeMotion> ropes) {
+    m_mirror.move(world, ropes, m_open.joints);
 }
 
 void UndoHistory::noteMoved(const World& world, std::span<const BodyPose> poses) {

@@ -23,6 +23,7 @@ public:
     /// A step has made these changes. If it went back or forth itself, they do not end the redo.
     void note(const World& world, const FrameChanges& changes, bool wentBack);
     /// World::setPoses() has moved these.
+    void noteMoved(const World& world, std::span<const RopeMotion> ropes);
     void noteMoved(const World& world, std::span<const BodyPose> poses);
     void noteMoved(const World& world, std::span<const CharacterMove> moves);
 

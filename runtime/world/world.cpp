@@ -58,7 +58,8 @@ struct Hasher {
 
 }  // namespace
 
-World::World(uint8_t id) : m_id(id), m_bodies(id), m_shapes(id), m_lights(id), m_groups(id), m_waters(id), m_triggers(id), m_characters(id) {}
+World::World(uint8_t id)
+    : m_id(id), m_bodies(id), m_shapes(id), m_lights(id), m_groups(id), m_waters(id), m_triggers(id), m_characters(id), m_joints(id) {}
 World::~World() = default;
 World::World(const World&) = default;
 World::World(World&&) noexcept = default;
@@ -74,6 +75,8 @@ void World::clear() {
     m_waters.clear();
     m_triggers.clear();
     m_characters.clear();
+    m_joints.clear();
+    m_jointList.clear();
     m_fire = {};
     m_places.clear();
     m_triggerPlaces.clear();
@@ -151,6 +154,24 @@ void World::load(const Level& level) {
         character.ground = {};
         m_characters.insert(std::move(character));
     }
+    for (const LevelJoint& source : level.joints) {
+        Joint joint = source.joint;
+        std::string error;
+        for (size_t i = 0; i < 2; ++i) {
+            const auto shape = byName.find(source.shapeNames[i]);
+            joint.ends[i].shape = {};
+            if (source.shapeNames[i].empty()) continue;
+            if (shape == byName.end())
+                error = "there is no shape '" + source.shapeNames[i] + "'";
+            else
+                joint.ends[i].shape = shape->second;
+        }
+        if (error.empty()) error = fitJoint(joint);
+        if (error.empty())
+            addJoint(std::move(joint));
+        else
+            logWarning("joint '" + source.joint.name + "': " + error + ": it is left out");
+    }
     listLoads();
 }
 
@@ -225,6 +246,14 @@ Level World::toLevel() const {
     m_waters.forEach([&](WaterHandle, const Water& water) { level.waters.push_back(water); });
     m_triggers.forEach([&](TriggerHandle, const Trigger& trigger) { level.triggers.push_back(trigger), level.triggers.back().inside.clear(); });
     m_characters.forEach([&](CharacterHandle, const Character& each) { level.characters.push_back(each), level.characters.back().ground = {}; });
+    m_joints.forEach([&](JointHandle, const Joint& joint) {
+        LevelJoint out{joint, {}};
+        for (size_t i = 0; i < 2; ++i) {
+            if (joint.ends[i].shape) out.shapeNames[i] = shapeNames[joint.ends[i].shape.slot()];
+            out.joint.ends[i].shape = {};
+        }
+        level.joints.push_back(std::move(out));
+    });
     return level;
 }
 
@@ -378,6 +407,7 @@ Ledger World::ledger() const {
 uint64_t World::hash() const {
     uint64_t hash = hashValue(m_step, resolvedHash());
     if (m_fire.isActive()) hash = hashValue(m_fire.hash(), hash);
+    for (const JointHandle rope : m_jointList.ropes()) hash = hashRopePoints(m_joints.at(rope), hash);
     for (const PendingSplit& pending : m_pendingSplits) {
         hash = hashValue(pending.shape.slot(), hashValue(pending.search ? pending.search->seen() : 0, hash));
         pending.cut.forEachNode([&](glm::ivec3 node, BrickMask bricks) {
@@ -446,6 +476,7 @@ uint64_t World::resolvedHash() const {
     addAll(m_waters);
     addAll(m_triggers);
     addAll(m_characters);
+    m_joints.forEach([&](JointHandle handle, const Joint& joint) { hasher.state = hashJoint(joint, hashValue(handle.slot(), hasher.state)); });
     return hasher.state;
 }
 

@@ -15,6 +15,8 @@
 #include "runtime/world/edit.h"
 #include "runtime/world/fire.h"
 #include "runtime/world/frame_changes.h"
+#include "runtime/world/joint.h"
+#include "runtime/world/joint_list.h"
 #include "runtime/world/level.h"
 #include "runtime/world/pending_split.h"
 #include "runtime/world/world_load.h"
@@ -76,6 +78,12 @@ struct Impact {
     double impulse = 0.0;    ///< N s
 };
 
+/// Where a rope's points are, as physics hands them over.
+struct RopeMotion {
+    JointHandle rope;
+    std::span<const RopePoint> points;
+};
+
 struct WorldHit {
     bool hit = false;
     double distance = 0.0;  ///< metres
@@ -116,6 +124,7 @@ public:
     FrameChanges applyEdits(const Edits& edits);
     void setPoses(std::span<const BodyPose> poses);
     void setCharacters(std::span<const CharacterMove> moves);
+    void setRopes(std::span<const RopeMotion> ropes);
     /// The edits that impacts cause by their force; see WorldSettings.
     Edits damageFrom(std::span<const Impact> impacts) const;
     /// All that decides what happens next, and the World that has it: everything before is gone, all handles are those of
@@ -150,6 +159,15 @@ public:
     const SlotMap<CharacterHandle, Character>& characters() const { return m_characters; }
     /// Bounds of the shapes, by slot, to be looked through by queries.
     const BoundsTree& places() const { return m_places; }
+    const SlotMap<JointHandle, Joint>& joints() const { return m_joints; }
+    /// Those that hold on to a shape, in slot order.
+    std::span<const JointHandle> jointsOf(ShapeHandle shape) const { return m_jointList.of(shape); }
+    /// Ropes, and grabs, in slot order.
+    const JointList& jointList() const { return m_jointList; }
+    /// Whether joints lead from a body to one that is static, or to the world.
+    bool isJointedToStatic(BodyHandle body) const;
+    /// An end of a joint -> world.
+    Pose jointToWorld(const JointEnd& end) const;
     const MaterialTable& materials() const { return m_materials; }
     const Environment& environment() const { return m_environment; }
     const std::vector<std::pair<std::string, Pose>>& locations() const { return m_locations; }
@@ -201,6 +219,11 @@ private:
     /// Begins the load analysis of every standing shape anew, or ends it if it is off.
     void listLoads();
     /// Whether wire leads from the group's supply to a voxel of it.
+    /// Finds the voxels that hold a joint and the points of a rope; what is missing, or nothing.
+    std::string fitJoint(Joint& joint) const;
+    JointHandle addJoint(Joint joint);
+    void listJoints();
+    void journalJoints(const WorldDelta& before, FrameChanges& changes);
     bool isSupplied(LightGroupHandle handle, const LightGroup& group) const;
     void connectSupplies();
     void addImpactDamage(const Impact& impact, BodyHandle body, Edits& out) const;
@@ -223,6 +246,8 @@ private:
     BoundsTree m_places;                    ///< of shapes, by slot
     BoundsTree m_triggerPlaces;             ///< by slot
     std::vector<BodyHandle> m_movedBodies;  ///< since triggers were last looked at; empty if there are none
+    SlotMap<JointHandle, Joint> m_joints;
+    JointList m_jointList;
     DebrisList m_debris;
     std::vector<BodyHandle> m_revived;  ///< settled bodies that physics has woken since the last step
     MaterialTable m_materials = defaultMaterials();

@@ -82,6 +82,9 @@ WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
     before.waters = exchangeSlots(m_waters, std::move(target.waters));
     before.triggers = exchangeSlots(m_triggers, std::move(target.triggers));
     before.characters = exchangeSlots(m_characters, std::move(target.characters));
+    before.freeJoints = m_joints.freeSlots();
+    before.joints = exchangeSlots(m_joints, std::move(target.joints));
+    m_joints.setFreeSlots(target.freeJoints);
     m_bodies.setFreeSlots(target.freeBodies);
     m_shapes.setFreeSlots(target.freeShapes);
     m_waters.setFreeSlots(target.freeWaters);
@@ -106,6 +109,7 @@ WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
         const ShapeHandle is = m_shapes.handleAt(slot);
         journalShape(was.first, was.second, is, m_shapes.find(is), changes);
     }
+    journalJoints(before, changes);
     for (const auto& [slot, was] : before.lights)
         if (const LightHandle is = m_lights.handleAt(slot)) changes.lights.push_back(is);
     for (const auto& [slot, was] : before.groups) {

@@ -24,10 +24,12 @@ struct WorldDelta {
     SlotValues<CharacterHandle, Character> characters;
     uint64_t imported = 0, removed = 0;
     FireState fire;
-    std::vector<uint32_t> freeBodies, freeShapes, freeWaters, freeTriggers, freeCharacters;  ///< slots that are used next
+    SlotValues<JointHandle, Joint> joints;
+    std::vector<uint32_t> freeBodies, freeShapes, freeWaters, freeTriggers, freeCharacters, freeJoints;  ///< slots that are used next
 
     bool empty() const {
-        return bodies.empty() && shapes.empty() && lights.empty() && groups.empty() && waters.empty() && triggers.empty() && characters.empty();
+        return bodies.empty() && shapes.empty() && lights.empty() && groups.empty() && waters.empty() && triggers.empty() && characters.empty() &&
+               joints.empty();
     }
 };
 

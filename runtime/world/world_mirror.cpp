@@ -36,7 +36,8 @@ WorldMirror::WorldMirror(const World& world)
       m_freeShapes(world.shapes().freeSlots()),
       m_freeWaters(world.waters().freeSlots()),
       m_freeTriggers(world.triggers().freeSlots()),
-      m_freeCharacters(world.characters().freeSlots()) {}
+      m_freeCharacters(world.characters().freeSlots()),
+      m_freeJoints(world.joints().freeSlots()) {}
 
 WorldDelta WorldMirror::emptyDelta() const {
     WorldDelta delta;
@@ -48,6 +49,7 @@ WorldDelta WorldMirror::emptyDelta() const {
     delta.freeWaters = m_freeWaters;
     delta.freeTriggers = m_freeTriggers;
     delta.freeCharacters = m_freeCharacters;
+    delta.freeJoints = m_freeJoints;
     return delta;
 }
 
@@ -69,6 +71,11 @@ WorldDelta WorldMirror::update(const World& world, const FrameChanges& changes) 
     for (const WaterHandle handle : changes.waters) follow(world.waters(), m_last.waters, handle, before.waters);
     for (const TriggerHandle handle : changes.triggers) follow(world.triggers(), m_last.triggers, handle, before.triggers);
     for (const CharacterHandle handle : changes.characters) follow(world.characters(), m_last.characters, handle, before.characters);
+    const auto joint = [&](JointHandle handle) { follow(world.joints(), m_last.joints, handle, before.joints); };
+    for (const auto* list : {&changes.jointsMade, &changes.jointsChanged})
+        for (const JointHandle handle : *list) joint(handle);
+    for (const JointMoved& moved : changes.jointsMoved) joint(moved.joint);
+    for (const JointBroken& broken : changes.jointsBroken) joint(broken.joint);
     m_last.imported = world.m_imported;
     m_last.removed = world.m_removed;
     if (world.m_fire.isActive() || m_last.fire.isActive()) m_last.fire = world.m_fire;
@@ -77,7 +84,18 @@ WorldDelta WorldMirror::update(const World& world, const FrameChanges& changes) 
     m_freeWaters = world.waters().freeSlots();
     m_freeTriggers = world.triggers().freeSlots();
     m_freeCharacters = world.characters().freeSlots();
+    m_freeJoints = world.joints().freeSlots();
     return before;
+}
+
+void WorldMirror::move(const World& world, std::span<const RopeMotion> ropes, SlotValues<JointHandle, Joint>& before) {
+    for (const RopeMotion& rope : ropes) {
+        Joint* last = m_last.joints.find(rope.rope);
+        const Joint* now = world.joints().find(rope.rope);
+        if (!last || !now) continue;
+        before.try_emplace(rope.rope.slot(), std::pair(rope.rope, *last));
+        *last = *now;
+    }
 }
 
 void WorldMirror::move(const World& world, std::span<const BodyPose> poses, SlotValues<BodyHandle, Body>& before) {

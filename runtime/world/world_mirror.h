@@ -20,11 +20,13 @@ public:
     void move(const World& world, std::span<const BodyPose> poses, SlotValues<BodyHandle, Body>& before);
     /// The same for characters that World::setCharacters() has moved.
     void move(const World& world, std::span<const CharacterMove> moves, SlotValues<CharacterHandle, Character>& before);
+    /// The same for ropes, which World::setRopes() has moved.
+    void move(const World& world, std::span<const RopeMotion> ropes, SlotValues<JointHandle, Joint>& before);
     const WorldState& last() const { return m_last; }
 
 private:
     WorldState m_last;
-    std::vector<uint32_t> m_freeBodies, m_freeShapes, m_freeWaters, m_freeTriggers, m_freeCharacters;
+    std::vector<uint32_t> m_freeBodies, m_freeShapes, m_freeWaters, m_freeTriggers, m_freeCharacters, m_freeJoints;
 };
 
 }  // namespace rubble

@@ -7,8 +7,8 @@
 namespace rubble {
 
 WorldState World::state() const {
-    return {m_name,      m_step,        m_imported, m_removed,   m_bodies, m_shapes, m_lights,   m_groups,    m_revived,
-            m_materials, m_environment, m_settings, m_locations, m_fire,   m_waters, m_triggers, m_characters};
+    return {m_name,      m_step,        m_imported, m_removed,   m_bodies, m_shapes, m_lights,   m_groups,     m_revived,
+            m_materials, m_environment, m_settings, m_locations, m_fire,   m_waters, m_triggers, m_characters, m_joints};
 }
 
 void World::setState(WorldState state) {
@@ -31,6 +31,8 @@ void World::setState(WorldState state) {
     m_waters = std::move(state.waters);
     m_triggers = std::move(state.triggers);
     m_characters = std::move(state.characters);
+    m_joints = std::move(state.joints);
+    listJoints();
     setSettings(state.settings);
     m_shapes.forEach([&](ShapeHandle handle, const Shape&) { placeShape(handle); });
     listLoads();

@@ -26,6 +26,7 @@ struct WorldState {
     SlotMap<WaterHandle, Water> waters;
     SlotMap<TriggerHandle, Trigger> triggers;
     SlotMap<CharacterHandle, Character> characters;
+    SlotMap<JointHandle, Joint> joints;
 };
 
 }  // namespace rubble

@@ -120,6 +120,21 @@ inline Level sampleLevel() {
     player.velocity = {0.0, -1.0, 0.0};
     player.grounded = true;
     level.characters.push_back(player);
+    LevelJoint rope{{.name = "line", .kind = JointKind::Rope}, {"walls.north", ""}};
+    rope.joint.ends[0].frame = {{0.1, 0.2, 0.3}, glm::angleAxis(0.4, glm::dvec3(0, 0, 1))};
+    rope.joint.ends[1] = {.frame = {{3.0, 4.0, 5.0}}, .cell = {1, 2, 3}, .radius = 0.7, .isLoose = true};
+    rope.joint.limits = {true, -0.5, 0.75};
+    rope.joint.motor = {MotorMode::Position, 1.5, 200.0};
+    rope.joint.spring = {3.0, 0.5};
+    rope.joint.collides = true;
+    rope.joint.friction = 7.0;
+    rope.joint.breakForce = 1e4;
+    rope.joint.breakTorque = 2e3;
+    rope.joint.steer = 0.2;
+    rope.joint.rope = {
+        .length = 4.0, .slack = 0.5, .points = 2, .radius = 0.05, .massPerMetre = 3.0, .stretch = 0.01, .strength = 9e3, .color = {1, 2, 3}};
+    rope.joint.points = {{{1.0, 2.0, 3.0}, {0.1, 0.2, 0.3}}, {{4.0, 5.0, 6.0}}};
+    level.joints.push_back(rope);
     return level;
 }
 

@@ -20,6 +20,10 @@ World brokenWorld(uint8_t id = 1) {
     Level level = oneShapeLevel(towerGrid({40, 40, 20}), true);
     level.lightGroups.push_back({"lamp"});
     level.lights.push_back({Light{.name = "bulb"}, "shape", "lamp"});
+    LevelJoint rope{{.name = "rope", .kind = JointKind::Rope}, {"shape", ""}};
+    rope.joint.ends[0].frame.position = {0.05, 0.05, 0.05};
+    rope.joint.ends[1].frame.position = {5.0, 2.0, 0.0};
+    level.joints.push_back(rope);
     World world(id);
     world.load(level);
     WorldSettings settings;
@@ -84,6 +88,7 @@ TEST(SaveFile, ASettingThatTheFileForgetsIsNoticed) {
     EXPECT_EQ(sizeof(FireSettings), 24u);
     EXPECT_EQ(sizeof(LoadSettings), 56u);
     EXPECT_EQ(sizeof(WorldSettings), 56 + sizeof(DebrisSettings) + sizeof(LoadSettings) + sizeof(FireSettings) + sizeof(SplitSettings) + 8u);
+    EXPECT_EQ(sizeof(Joint), 440u);
     EXPECT_EQ(sizeof(PaintEdit), 80u);
     EXPECT_EQ(sizeof(CarveEdit), 160u);
 }

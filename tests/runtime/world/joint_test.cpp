@@ -1,0 +1,174 @@
+#include "runtime/world/joint.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/world/world_mirror.h"
+#include "tests/runtime/world/worlds.h"
+
+namespace rubble {
+namespace {
+
+using namespace test;
+
+/// A beam of 30 x 1 x 1 cells along x, free, and a post that stands beside its end.
+Level beamAndPost() {
+    Level level = oneShapeLevel(VoxelGrid({30, 1, 1}), false, {{0.0, 1.0, 0.0}});
+    {
+        GridWriter writer(level.bodies[0].shapes[0].grid);
+        for (int x = 0; x < 30; ++x) writer.set({x, 0, 0}, 1);
+    }
+    LevelBody post{.name = "post"};
+    post.shapes.push_back(levelShape("post", VoxelGrid({1, 20, 1})));
+    {
+        GridWriter writer(post.shapes[0].grid);
+        for (int y = 0; y < 20; ++y) writer.set({0, y, 0}, 1);
+    }
+    post.pose.position = {3.0, 0.0, 0.0};
+    level.bodies.push_back(post);
+    LevelJoint hinge{{.name = "hinge", .kind = JointKind::Hinge}, {"shape", "post"}};
+    hinge.joint.ends[0].frame.position = {3.0, 0.05, 0.05};
+    hinge.joint.ends[1].frame.position = {0.0, 1.05, 0.05};
+    level.joints.push_back(hinge);
+    return level;
+}
+
+JointHandle firstJoint(const World& world) {
+    return world.joints().handleAt(0);
+}
+
+TEST(Joint, ComesWithTheLevelAndHoldsOnToVoxels) {
+    World world;
+    world.load(beamAndPost());
+    ASSERT_EQ(world.joints().size(), 1u);
+    const Joint& joint = world.joints().at(firstJoint(world));
+    EXPECT_EQ(joint.ends[0].cell, glm::ivec3(29, 0, 0));
+    EXPECT_EQ(joint.ends[1].cell, glm::ivec3(0, 10, 0));
+    EXPECT_NEAR(glm::length(world.jointToWorld(joint.ends[0]).position - world.jointToWorld(joint.ends[1]).position), 0.0, 1e-6);
+    EXPECT_EQ(world.jointsOf(joint.ends[0].shape).size(), 1u);
+    EXPECT_TRUE(world.isJointedToStatic(world.shapes().at(joint.ends[0].shape).body));
+    World again;
+    again.load(world.toLevel());
+    again.applyEdits({});
+    world.applyEdits({});
+    EXPECT_EQ(again.hash(), world.hash());
+}
+
+TEST(Joint, GoesWithItsVoxelIntoThePieceThatHasIt) {
+    World world;
+    world.load(beamAndPost());
+    const JointHandle joint = firstJoint(world);
+    const ShapeHandle beam = world.joints().at(joint).ends[0].shape;
+    const glm::dvec3 before = world.jointToWorld(world.joints().at(joint).ends[0]).position;
+    const FrameChanges changes = world.applyEdits({sphereCarve({2.05, 1.05, 0.05}, 0.2)});  // the end with the joint is the smaller part
+    ASSERT_EQ(changes.jointsMoved.size(), 1u);
+    EXPECT_EQ(changes.jointsMoved[0].joint, joint);
+    EXPECT_EQ(changes.jointsMoved[0].from, beam);
+    const JointEnd& end = world.joints().at(joint).ends[0];
+    EXPECT_EQ(end.shape, changes.jointsMoved[0].to);
+    EXPECT_NE(end.shape, beam);
+    EXPECT_TRUE(world.shapes().at(end.shape).grid.at(end.cell));
+    EXPECT_NEAR(glm::length(world.jointToWorld(end).position - before), 0.0, 1e-6);
+    EXPECT_TRUE(world.jointsOf(beam).empty());
+    EXPECT_EQ(world.jointsOf(end.shape).size(), 1u);
+    EXPECT_TRUE(changes.jointsBroken.empty());
+}
+
+TEST(Joint, BreaksWithItsVoxelAndWithItsShape) {
+    for (const double x : {3.0, 0.3}) {  // one end of the beam, and then all of it
+        World world;
+        world.load(beamAndPost());
+        const JointHandle joint = firstJoint(world);
+        const FrameChanges changes = world.applyEdits({x > 1.0 ? sphereCarve({3.0, 1.05, 0.05}, 0.06) : sphereCarve({1.2, 1.05, 0.05}, 1.78)});
+        ASSERT_EQ(changes.jointsBroken.size(), 1u) << x;
+        EXPECT_EQ(changes.jointsBroken[0].joint, joint);
+        EXPECT_EQ(changes.jointsBroken[0].reason, JointBreak::VoxelGone);
+        EXPECT_FALSE(world.joints().find(joint));
+        EXPECT_FALSE(world.isJointedToStatic(world.bodies().handleAt(0)));
+    }
+}
+
+TEST(Joint, EditsMakeRemoveDriveAndRefuse) {
+    World world;
+    world.load(beamAndPost());
+    const ShapeHandle beam = world.joints().at(firstJoint(world)).ends[0].shape;
+    const AddJointEdit ball{jointAt(world, JointKind::Ball, beam, {}, {{0.05, 1.05, 0.05}})};
+    AddJointEdit nowhere = ball, nonsense = ball;
+    nowhere.joint.ends[0].frame.position = {0.0, 5.0, 0.0};
+    nonsense.joint.breakForce = std::numeric_limits<double>::quiet_NaN();
+    FrameChanges changes = world.applyEdits({ball, nowhere, nonsense, AddJointEdit{}});
+    ASSERT_EQ(changes.jointsMade.size(), 1u);
+    const JointHandle made = changes.jointsMade[0];
+    EXPECT_EQ(world.joints().at(made).ends[0].cell, glm::ivec3(0));
+
+    const uint64_t before = world.resolvedHash();
+    changes =
+        world.applyEdits({SetJointMotorEdit{made, {MotorMode::Speed, 2.0, 100.0}, 5.0}, SetJointMotorEdit{made, {MotorMode::Speed, 1e300, 0.0}}});
+    EXPECT_EQ(changes.jointsChanged, std::vector<JointHandle>{made});
+    EXPECT_EQ(world.joints().at(made).motor.target, 2.0);
+    EXPECT_NE(world.resolvedHash(), before);
+
+    changes = world.applyEdits({RemoveJointEdit{made, JointBreak::Force}, RemoveJointEdit{made}, DetachJointEdit{made, beam}});
+    ASSERT_EQ(changes.jointsBroken.size(), 1u);
+    EXPECT_EQ(changes.jointsBroken[0].reason, JointBreak::Force);
+    EXPECT_EQ(world.joints().size(), 1u);
+}
+
+TEST(Joint, AHandHoldsOneBodyAndLetsGo) {
+    World world;
+    world.load(beamAndPost());
+    const BodyHandle beam = world.bodies().handleAt(0), post = world.bodies().handleAt(1);
+    GrabEdit grab{.body = beam, .point = {0.5, 1.05, 0.05}, .target = {0.5, 2.0, 0.0}};
+    FrameChanges changes = world.applyEdits({grab, GrabEdit{.body = post}});
+    ASSERT_EQ(changes.jointsMade.size(), 1u);
+    grab.target.y = 3.0;
+    const FrameChanges moved = world.applyEdits({grab});
+    EXPECT_EQ(moved.jointsChanged, changes.jointsMade);
+    EXPECT_EQ(world.joints().at(changes.jointsMade[0]).ends[1].frame.position.y, 3.0);
+    EXPECT_TRUE(world.applyEdits({grab}).jointsChanged.empty());
+    changes = world.applyEdits({ReleaseEdit{{0.0, 0.0, 7.0}}});
+    EXPECT_EQ(changes.jointsBroken.size(), 1u);
+    ASSERT_EQ(changes.impulses.size(), 1u);
+    EXPECT_EQ(changes.impulses[0].body, beam);
+    EXPECT_EQ(world.joints().size(), 1u);
+}
+
+TEST(Joint, ARopeIsLaidFromEndToEndAndHangsOnWhenAnEndGoes) {
+    World world;
+    Level level = beamAndPost();
+    level.joints[0].joint.kind = JointKind::Rope;
+    level.joints[0].joint.rope.slack = 1.0;
+    level.joints[0].joint.ends[1].frame.position = {0.0, 2.0, 0.0};
+    world.load(level);
+    const JointHandle rope = firstJoint(world);
+    EXPECT_NEAR(world.joints().at(rope).rope.length, 1.953, 0.01);
+    EXPECT_EQ(world.joints().at(rope).points.size(), 6u);
+    const FrameChanges changes = world.applyEdits({sphereCarve({3.0, 1.05, 0.05}, 0.06)});
+    EXPECT_TRUE(changes.jointsBroken.empty());
+    EXPECT_EQ(changes.jointsChanged, std::vector<JointHandle>{rope});
+    EXPECT_TRUE(world.joints().at(rope).ends[0].isLoose);
+    EXPECT_FALSE(world.joints().at(rope).ends[1].isLoose);
+}
+
+TEST(Joint, UndoGivesBackWhatBrokeAndWhatMoved) {
+    World world;
+    world.load(beamAndPost());
+    WorldSettings settings;
+    settings.undoMarks = 4;
+    world.applyEdits({SettingsEdit{settings}});
+    world.applyEdits({HistoryEdit{}});
+    const uint64_t before = world.resolvedHash();
+    for (const double x : {3.0, 2.05}) {
+        world.applyEdits({sphereCarve({x, 1.05, 0.05}, 0.06)});
+        EXPECT_NE(world.resolvedHash(), before);
+        const FrameChanges changes = world.applyEdits({HistoryEdit{HistoryAction::Undo}});
+        EXPECT_EQ(world.resolvedHash(), before);
+        EXPECT_FALSE(changes.jointsMade.empty() && changes.jointsChanged.empty());
+        const JointHandle joint = firstJoint(world);
+        ASSERT_TRUE(world.joints().find(joint));
+        EXPECT_EQ(world.jointsOf(world.joints().at(joint).ends[0].shape).size(), 1u);
+        world.applyEdits({HistoryEdit{}});
+    }
+}
+
+}  // namespace
+}  // namespace rubble
