@@ -8,7 +8,8 @@
 namespace rubble {
 namespace {
 
-constexpr btScalar kFat = 0.05f;  ///< metres that a moving object's leaf is larger than it: small moves do not touch the tree
+constexpr btScalar kFat = 0.05f;    ///< metres that a moving object's leaf is larger than it: small moves do not touch the tree
+constexpr double kRounding = 1e-4;  ///< metres that bounds are wider than their floats say
 
 }  // namespace
 
@@ -32,13 +33,17 @@ void Broadphase::sortPairs(std::vector<ObjectPair>& pairs, size_t from) {
 }
 
 void Broadphase::setBounds(CollisionObject& object, glm::dvec3 way, double margin) const {
-    glm::dvec3 low, high;
-    object.collider.bounds(low, high);
-    const glm::dvec3 half = (high - low) * 0.5, center = object.pose.transformPoint((low + high) * 0.5);
-    const glm::dmat3 axes = glm::mat3_cast(object.pose.rotation);
-    const glm::dvec3 reach = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z + margin;
-    object.low = center - reach + glm::min(way, 0.0);
-    object.high = center + reach + glm::max(way, 0.0);
+    glm::dvec3 low(1e30), high(-1e30);
+    for (size_t i = 0; i < object.m_lattices.size(); ++i) {
+        const VoxelPart& part = *object.collider.parts[i];
+        if (part.grid().empty()) continue;
+        glm::vec3 partLow, partHigh;
+        part.hull().bounds(glm::mat3(object.m_lattices[i].axes), partLow, partHigh);
+        low = glm::min(low, object.m_lattices[i].corner + glm::dvec3(partLow));
+        high = glm::max(high, object.m_lattices[i].corner + glm::dvec3(partHigh));
+    }
+    object.low = object.pose.position + low - margin - kRounding + glm::min(way, 0.0);
+    object.high = object.pose.position + high + margin + kRounding + glm::max(way, 0.0);
 }
 
 btDbvtVolume Broadphase::volumeOf(glm::dvec3 low, glm::dvec3 high) const {

@@ -8,6 +8,7 @@ namespace {
 
 constexpr float kSameDirection = 0.8f;  ///< cosine between normals that count as one direction
 constexpr int kPointsADirection = 4;
+constexpr float kInLine = 0.02f;      ///< distance from a line, in lengths of it, below which a point adds nothing to its ends
 constexpr float kKeptDepth = 0.001f;  ///< metres deeper that it counts as
 constexpr float kKept = 2.0f;         ///< a point that was kept in the last step counts as this much farther out: choices do not flicker
 
@@ -19,7 +20,7 @@ bool wasKept(const Manifold* before, uint64_t feature) {
 }
 
 /// Moves four of contacts[from, to) to the front: the deepest, the one farthest from it, the one farthest from their line,
-/// and the one farthest from that on the other side. Returns how many there are.
+/// and the one farthest from that on the other side, as far as there are. Returns how many.
 size_t chooseSpread(std::vector<ContactPoint>& contacts, size_t from, size_t to, const Manifold* before) {
     if (to - from <= kPointsADirection) return to - from;
     const auto best = [&](size_t first, auto&& score) {
@@ -37,10 +38,10 @@ size_t chooseSpread(std::vector<ContactPoint>& contacts, size_t from, size_t to,
     best(from + 1, [&](const ContactPoint& c) { return glm::dot(c.position - deepest, c.position - deepest); });
     const glm::vec3 side = glm::cross(contacts[from + 1].position - deepest, normal);
     const auto across = [&](const ContactPoint& c) { return glm::dot(side, c.position - deepest); };
-    best(from + 2, [&](const ContactPoint& c) { return std::abs(across(c)); });
+    const float inLine = kInLine * glm::dot(side, side);  // or which of many points in line is taken changes from step to step
+    if (best(from + 2, [&](const ContactPoint& c) { return std::abs(across(c)); }) < inLine) return 2;
     const float sign = across(contacts[from + 2]) > 0 ? -1.0f : 1.0f;
-    best(from + 3, [&](const ContactPoint& c) { return sign * across(c); });
-    return kPointsADirection;
+    return best(from + 3, [&](const ContactPoint& c) { return sign * across(c); }) < inLine ? 3 : 4;
 }
 
 /// Points that were there before start with the impulses they had; what points that are gone bore is shared by the new ones

@@ -20,6 +20,11 @@ public:
     std::span<Manifold* const> manifolds() const { return m_sets[m_now].list; }
 
 private:
+    /// Along which two were apart, or nearly.
+    struct Axis {
+        uint32_t first, second;
+        glm::vec3 direction;
+    };
     struct Batch {
         std::vector<Manifold> manifolds;
         size_t used = 0;
@@ -29,9 +34,10 @@ private:
         std::vector<std::unique_ptr<Batch>> batches;
         size_t usedBatches = 0;
         std::vector<Manifold*> list;
+        std::vector<Axis> axes;  ///< of all pairs, sorted
     };
     const Manifold* before(uint32_t first, uint32_t second) const;
-    void collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch) const;
+    void collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch, std::span<Axis> axes) const;
 
     std::array<Set, 2> m_sets;
     size_t m_now = 0;

@@ -1,14 +1,20 @@
 #include "physics/surface_features.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <glm/gtc/type_precision.hpp>
+#include <span>
 
 namespace rubble {
 namespace {
 
-/// Cells of a row whose neighbour towards +-x, +-y, +-z is solid are shifted to the cell itself.
-uint32_t seen(const BrickSurroundings& around, int y, int z, glm::ivec3 d) {
-    const uint32_t row = around.rows[size_t((y + d.y + 2) + BrickSurroundings::kSize * (z + d.z + 2))];
-    return (d.x < 0 ? row << 1 : d.x > 0 ? row >> 1 : row) >> 2 & 0xff;
+constexpr int kCluster = 4;  ///< cells on a side
+
+/// Cells of a row whose neighbour towards d is solid: shifted to the cell itself.
+uint64_t seen(const SolidRows& rows, int y, int z, glm::ivec3 d) {
+    const uint64_t row = rows.row(y + d.y, z + d.z);
+    return d.x < 0 ? row << 1 : d.x > 0 ? row >> 1 : row;
 }
 
 glm::ivec3 outwardOf(int kind) {
@@ -17,22 +23,69 @@ glm::ivec3 outwardOf(int kind) {
 }
 
 /// Cells of a row around which everything on a feature's outer side is empty.
-uint32_t convex(const BrickSurroundings& around, int y, int z, glm::ivec3 out) {
-    uint32_t solid = 0;
+uint64_t convex(const SolidRows& rows, int y, int z, glm::ivec3 out) {
+    uint64_t solid = 0;
     for (int part = 1; part < 8; ++part) {
         const glm::ivec3 d(part & 1 ? out.x : 0, part & 2 ? out.y : 0, part & 4 ? out.z : 0);
-        if (d != glm::ivec3(0)) solid |= seen(around, y, z, d);
+        if (d != glm::ivec3(0)) solid |= seen(rows, y, z, d);
     }
-    return seen(around, y, z, {0, 0, 0}) & ~solid;
+    return ~solid;
 }
 
-void add(FeatureList& list, glm::ivec3 voxel, int kind) {
-    const glm::vec3 place = glm::vec3(voxel) + featureKinds()[size_t(kind)].place;
-    list.x.push_back(place.x);
-    list.y.push_back(place.y);
-    list.z.push_back(place.z);
-    list.voxel.push_back(uint16_t(voxelIndex(voxel)));
-    list.kind.push_back(uint8_t(kind));
+struct Feature {
+    glm::u8vec3 cell;
+    uint8_t kind;
+};
+
+void addCluster(FeatureList& list, size_t number, std::span<const Feature> features) {
+    if (number % 4 == 0) {
+        FeatureList::ClusterFour& none = list.clusters.emplace_back();
+        for (int axis = 0; axis < 3; ++axis) none.low[size_t(axis)].fill(std::nanf("")), none.high[size_t(axis)].fill(std::nanf(""));
+        none.from.fill(0), none.to.fill(0);
+    }
+    FeatureList::ClusterFour& clusters = list.clusters.back();
+    const size_t lane = number % 4;
+    glm::vec3 low(1e9f), high(-1e9f);
+    clusters.from[lane] = uint32_t(list.fours.size());
+    for (size_t i = 0; i < features.size(); ++i) {
+        if (i % 4 == 0) {
+            FeatureList::Four& none = list.fours.emplace_back();
+            none.x.fill(std::nanf("")), none.y.fill(std::nanf("")), none.z.fill(std::nanf(""));
+        }
+        const glm::vec3 p = glm::vec3(features[i].cell) + featureKinds()[features[i].kind].place;
+        FeatureList::Four& four = list.fours.back();
+        four.x[i % 4] = p.x, four.y[i % 4] = p.y, four.z[i % 4] = p.z;
+        four.cell[i % 4] = {features[i].cell.x, features[i].cell.y, features[i].cell.z};
+        four.kind[i % 4] = features[i].kind;
+        low = glm::min(low, p), high = glm::max(high, p);
+    }
+    clusters.to[lane] = uint32_t(list.fours.size());
+    for (int axis = 0; axis < 3; ++axis) clusters.low[size_t(axis)][lane] = low[axis], clusters.high[size_t(axis)][lane] = high[axis];
+}
+
+/// The features of rows [z, z + kCluster), by clusters.
+void findInSlab(const SolidRows& rows, int z0, std::vector<std::vector<Feature>>& found) {
+    static const auto outwards = [] {
+        std::array<glm::ivec3, kFeatureKinds> all{};
+        for (int kind = 0; kind < kFeatureKinds; ++kind) all[size_t(kind)] = outwardOf(kind);
+        return all;
+    }();
+    const glm::ivec3 size = rows.box().high - rows.box().low;
+    const int across = (size.x + kCluster - 1) / kCluster;
+    const uint64_t inside = ~uint64_t(0) >> (64 - size.x);
+    for (int z = z0; z < std::min(z0 + kCluster, size.z); ++z)
+        for (int y = 0; y < size.y; ++y) {
+            const uint64_t own = rows.row(y, z) >> SolidRows::kAround & inside;
+            if (!own) continue;
+            std::array<uint64_t, kFeatureKinds> masks{};
+            uint64_t any = 0;
+            for (size_t kind = 0; kind < kFeatureKinds; ++kind) any |= masks[kind] = convex(rows, y, z, outwards[kind]) >> SolidRows::kAround & own;
+            for (; any; any &= any - 1) {
+                const int x = std::countr_zero(any);
+                for (size_t kind = 0; kind < kFeatureKinds; ++kind)
+                    if (masks[kind] >> x & 1) found[size_t(y / kCluster * across + x / kCluster)].push_back({glm::u8vec3(x, y, z), uint8_t(kind)});
+            }
+        }
 }
 
 }  // namespace
@@ -59,42 +112,20 @@ const std::array<FeatureKind, kFeatureKinds>& featureKinds() {
     return kinds;
 }
 
-FeatureList findFeatures(const VoxelGrid& grid, glm::ivec3 brick) {
-    FeatureList found;
-    if (!grid.brickAt(brick)) return found;
-    const BrickSurroundings around = surroundBrick(grid, brick);
-    for (int z = 0; z < 8; ++z, found.layers[size_t(z)] = uint32_t(found.size()))
-        for (int y = 0; y < 8; ++y) {
-            if (!seen(around, y, z, {0, 0, 0})) continue;
-            std::array<uint32_t, kFeatureKinds> masks{};
-            uint32_t any = 0;
-            for (int kind = 0; kind < kFeatureKinds; ++kind) any |= masks[size_t(kind)] = convex(around, y, z, outwardOf(kind));
-            for (; any; any &= any - 1) {
-                const int x = std::countr_zero(any);
-                for (int kind = 0; kind < kFeatureKinds; ++kind)
-                    if (masks[size_t(kind)] >> x & 1) add(found, {x, y, z}, kind);
-            }
+FeatureList findFeatures(const SolidRows& rows) {
+    FeatureList list;
+    const glm::ivec3 size = rows.box().high - rows.box().low, clusters = (size + kCluster - 1) / kCluster;
+    std::vector<std::vector<Feature>> found(size_t(clusters.x) * size_t(clusters.y));
+    size_t number = 0;
+    for (int z = 0; z < size.z; z += kCluster) {
+        findInSlab(rows, z, found);
+        for (std::vector<Feature>& cluster : found) {
+            list.count += cluster.size();
+            if (!cluster.empty()) addCluster(list, number++, cluster);
+            cluster.clear();
         }
-    for (std::vector<float>* row : {&found.x, &found.y, &found.z}) row->resize((found.size() + 3) & ~size_t(3), std::nanf(""));
-    return found;
-}
-
-BrickSurroundings surroundBrick(const VoxelGrid& grid, glm::ivec3 brick) {
-    BrickSurroundings out;
-    constexpr int kAround = BrickSurroundings::kAround, kSize = BrickSurroundings::kSize;
-    for (int i = 0; i < 27; ++i) {
-        const glm::ivec3 d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-        const Brick* b = grid.brickAt(brick + d);
-        if (!b) continue;
-        const int z0 = d.z < 0 ? 8 - kAround : 0, z1 = d.z > 0 ? kAround : 8, y0 = d.y < 0 ? 8 - kAround : 0, y1 = d.y > 0 ? kAround : 8;
-        for (int z = z0; z < z1; ++z)
-            for (int y = y0; y < y1; ++y) {
-                const uint32_t bits = uint32_t(b->occupancy[size_t(z)] >> (8 * y)) & 0xff;
-                const uint32_t placed = d.x == 0 ? bits << kAround : d.x < 0 ? bits >> (8 - kAround) : (bits & 3) << (8 + kAround);
-                out.rows[size_t((y + 8 * d.y + kAround) + kSize * (z + 8 * d.z + kAround))] |= uint16_t(placed);
-            }
     }
-    return out;
+    return list;
 }
 
 }  // namespace rubble

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "runtime/voxel/voxel_grid.h"
+#include "physics/solid_rows.h"
 
 namespace rubble {
 
@@ -22,32 +22,25 @@ struct FeatureKind {
 };
 const std::array<FeatureKind, kFeatureKinds>& featureKinds();
 
-/// Features of one brick, side by side in arrays that are gone through four at a time.
+/// Features of a region, from its low corner, in clusters of 4 x 4 x 4 cells. What is gone through lies side by side, four
+/// at a time; fours are filled up with NaN.
 struct FeatureList {
-    std::vector<float> x, y, z;   ///< where they are, in cells from the brick's low corner; filled up to fours with NaN
-    std::vector<uint16_t> voxel;  ///< in the brick, as voxelIndex()
-    std::vector<uint8_t> kind;
-    std::array<uint32_t, kBrickSize + 1> layers{};  ///< where those of the voxels of each z begin, and their number
-    size_t size() const { return kind.size(); }
+    struct alignas(64) Four {
+        std::array<float, 4> x, y, z;                ///< where they are, in cells
+        std::array<std::array<uint8_t, 3>, 4> cell;  ///< that they belong to
+        std::array<uint8_t, 4> kind;
+    };
+    struct ClusterFour {
+        std::array<std::array<float, 4>, 3> low, high;  ///< bounds of the features, in cells, by axis
+        std::array<uint32_t, 4> from, to;               ///< in `fours`
+    };
+    std::vector<Four> fours;
+    std::vector<ClusterFour> clusters;
+    size_t count = 0;
 };
 
-/// The features of the voxels of one brick, in the order of voxels. A corner is convex if all seven cells around it but its
-/// own are empty, an edge if all three are. What lies outside the grid is empty.
-FeatureList findFeatures(const VoxelGrid& grid, glm::ivec3 brick);
-
-/// Which cells of a brick, and of two more around it, are solid.
-struct BrickSurroundings {
-    static constexpr int kAround = 2, kSize = kBrickSize + 2 * kAround;
-    std::array<uint16_t, size_t(kSize) * kSize> rows{};  ///< bit x + 2 of row (y + 2) + 12 (z + 2)
-
-    /// Whether a cell of a box is solid; both ends are part of it and count from the brick's low corner, -2 to 9.
-    bool any(glm::ivec3 low, glm::ivec3 high) const {
-        uint32_t found = 0;
-        for (int z = low.z + kAround; z <= high.z + kAround; ++z)
-            for (int y = low.y + kAround; y <= high.y + kAround; ++y) found |= rows[size_t(y + kSize * z)];
-        return found & ((2u << (high.x + kAround)) - (1u << (low.x + kAround)));
-    }
-};
-BrickSurroundings surroundBrick(const VoxelGrid& grid, glm::ivec3 brick);
+/// The features of the voxels of the rows' box. A corner is convex if all seven cells around it but its own are empty, an edge
+/// if all three are.
+FeatureList findFeatures(const SolidRows& rows);
 
 }  // namespace rubble

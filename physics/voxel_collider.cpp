@@ -50,7 +50,7 @@ VoxelPart::VoxelPart(const Shape& shape, const Pose& frame, const MaterialTable&
     : m_frame(frame), m_voxelSize(shape.voxelSize), m_surfaces(std::make_shared<ContactSurfaces>(*shape.palette, materials)) {
     takeGrid(shape.grid, nullptr);
     const glm::ivec3 nodes = m_grid.sizeInNodes();
-    m_nodes = std::make_unique<Lazy<NodeFeatures>[]>(size_t(nodes.x) * size_t(nodes.y) * size_t(nodes.z));
+    m_nodes = std::make_unique<Lazy<NodeSurface>[]>(size_t(nodes.x) * size_t(nodes.y) * size_t(nodes.z));
 }
 
 void VoxelPart::takeGrid(const VoxelGrid& grid, const std::vector<glm::ivec3>* bricks) {
@@ -70,6 +70,8 @@ void VoxelPart::takeGrid(const VoxelGrid& grid, const std::vector<glm::ivec3>* b
 }
 
 void VoxelPart::findBounds() {
+    m_hull.forget();
+    m_whole.forget();
     m_bounds = {m_grid.size(), glm::ivec3(0)};
     if (m_grid.brickCount() <= kTightBricks)
         m_grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) { includeBrick(position, *brick, m_bounds); });
@@ -87,29 +89,42 @@ void VoxelPart::update(const Shape& shape, const std::vector<glm::ivec3>& bricks
         for (int i = 0; i < 27; ++i) {
             const glm::ivec3 near = brick + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
             if (near.x < 0 || near.y < 0 || near.z < 0 || glm::any(glm::greaterThanEqual(near >> 2, m_grid.sizeInNodes()))) continue;
-            if (const NodeFeatures* known = m_nodes[nodeNumber(near >> 2)].find()) {
-                known->bricks[size_t(childIndex(near))].forget();
-                known->surroundings[size_t(childIndex(near))].forget();
+            if (const NodeSurface* known = m_nodes[nodeNumber(near >> 2)].find()) {
+                known->features[size_t(childIndex(near))].forget();
+                known->rows[size_t(childIndex(near))].forget();
             }
         }
 }
 
-const VoxelPart::NodeFeatures& VoxelPart::node(glm::ivec3 brick) const {
-    Lazy<NodeFeatures>& lazy = m_nodes[nodeNumber(brick >> 2)];
-    const NodeFeatures* known = lazy.find();
-    return known ? *known : lazy.keep(std::make_unique<NodeFeatures>());
+const VoxelPart::NodeSurface& VoxelPart::node(glm::ivec3 brick) const {
+    Lazy<NodeSurface>& lazy = m_nodes[nodeNumber(brick >> 2)];
+    const NodeSurface* known = lazy.find();
+    return known ? *known : lazy.keep(std::make_unique<NodeSurface>());
 }
 
 const FeatureList& VoxelPart::features(glm::ivec3 brick) const {
-    Lazy<FeatureList>& lazy = node(brick).bricks[size_t(childIndex(brick))];
+    Lazy<FeatureList>& lazy = node(brick).features[size_t(childIndex(brick))];
     const FeatureList* known = lazy.find();
-    return known ? *known : lazy.keep(std::make_unique<FeatureList>(findFeatures(m_grid, brick)));
+    return known ? *known : lazy.keep(std::make_unique<FeatureList>(findFeatures(rows(brick))));
 }
 
-const BrickSurroundings& VoxelPart::surroundings(glm::ivec3 brick) const {
-    Lazy<BrickSurroundings>& lazy = node(brick).surroundings[size_t(childIndex(brick))];
-    const BrickSurroundings* known = lazy.find();
-    return known ? *known : lazy.keep(std::make_unique<BrickSurroundings>(surroundBrick(m_grid, brick)));
+const SolidRows& VoxelPart::rows(glm::ivec3 brick) const {
+    Lazy<SolidRows>& lazy = node(brick).rows[size_t(childIndex(brick))];
+    const SolidRows* known = lazy.find();
+    return known ? *known : lazy.keep(std::make_unique<SolidRows>(m_grid, CellBox{brick * kBrickSize, (brick + 1) * kBrickSize}));
+}
+
+const PartSurface* VoxelPart::whole() const {
+    const glm::ivec3 size = m_bounds.high - m_bounds.low;
+    if (m_bounds.empty() || std::max({size.x, size.y, size.z}) > kSmall) return nullptr;
+    const PartSurface* known = m_whole.find();
+    return known ? known : &m_whole.keep(std::make_unique<PartSurface>(m_grid, m_bounds));
+}
+
+const HullPoints& VoxelPart::hull() const {
+    if (const PartSurface* surface = whole()) return surface->hull;
+    const HullPoints* known = m_hull.find();
+    return known ? *known : m_hull.keep(std::make_unique<HullPoints>(m_bounds));
 }
 
 void changedBricks(const FrameChanges& changes, ShapeHandle shape, std::vector<glm::ivec3>& out) {

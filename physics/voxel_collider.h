@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "physics/hull_points.h"
 #include "physics/surface_features.h"
 #include "runtime/core/lazy.h"
 #include "runtime/core/pose.h"
@@ -19,10 +20,19 @@ struct ContactSurfaces {
     ContactSurfaces(const Palette& palette, const MaterialTable& materials);
 };
 
+/// What narrowphase wants to know of a small part.
+struct PartSurface {
+    explicit PartSurface(const VoxelGrid& grid, const CellBox& box) : rows(grid, box), features(findFeatures(rows)), hull(rows) {}
+    SolidRows rows;
+    FeatureList features;
+    HullPoints hull;
+};
+
 /// One shape as physics sees it: its bricks, shared with World, and the features of those that something came near.
 /// A cut changes bricks and nothing else. Written by the main thread; narrowphase threads read it together.
 class VoxelPart {
 public:
+    static constexpr int kSmall = 32;
     /// frame: grid corner -> the collider's frame.
     VoxelPart(const Shape& shape, const Pose& frame, const MaterialTable& materials);
 
@@ -33,19 +43,22 @@ public:
     /// Cells that hold all solid ones; tight for small grids, by bricks for large ones.
     const CellBox& bounds() const { return m_bounds; }
     const ContactSurfaces& surfaces() const { return *m_surfaces; }
-    /// Found when first asked for.
+    /// Of all of it if its bounds are at most kSmall cells on a side, else null. Like the others, found when first asked for.
+    const PartSurface* whole() const;
+    const HullPoints& hull() const;
+    /// Of one brick.
     const FeatureList& features(glm::ivec3 brick) const;
-    const BrickSurroundings& surroundings(glm::ivec3 brick) const;
+    const SolidRows& rows(glm::ivec3 brick) const;
 
     /// The shape's voxels have changed in these bricks; its size has not. Costs those bricks and the directory.
     void update(const Shape& shape, const std::vector<glm::ivec3>& bricks, const MaterialTable& materials);
 
 private:
-    struct NodeFeatures {
-        mutable std::array<Lazy<FeatureList>, 64> bricks;
-        mutable std::array<Lazy<BrickSurroundings>, 64> surroundings;
+    struct NodeSurface {
+        mutable std::array<Lazy<FeatureList>, 64> features;
+        mutable std::array<Lazy<SolidRows>, 64> rows;
     };
-    const NodeFeatures& node(glm::ivec3 brick) const;
+    const NodeSurface& node(glm::ivec3 brick) const;
     /// All of it, or what has changed in these bricks.
     void takeGrid(const VoxelGrid& grid, const std::vector<glm::ivec3>* bricks);
     void findBounds();
@@ -60,7 +73,9 @@ private:
     CellBox m_bounds;
     bool m_hasGhosts = false;  ///< the shape has voxels that are not in m_grid
     std::shared_ptr<const ContactSurfaces> m_surfaces;
-    std::unique_ptr<Lazy<NodeFeatures>[]> m_nodes;
+    std::unique_ptr<Lazy<NodeSurface>[]> m_nodes;  ///< of large parts
+    mutable Lazy<PartSurface> m_whole;
+    mutable Lazy<HullPoints> m_hull;
 };
 
 /// The bricks of a shape that the journal names.

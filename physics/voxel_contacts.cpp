@@ -2,243 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <span>
+
+#include "physics/four.h"
+#include "physics/separation.h"
+#include "physics/ways_out.h"
 
 namespace rubble {
 namespace {
 
 constexpr float kInset = 0.05f;     ///< voxels that a feature is looked up inside of its own solid: edges that line up still meet
-constexpr float kOpposed = 0.1f;    ///< how far a normal may point along a side that a feature sticks out on
-constexpr float kAlongEdge = 0.6f;  ///< how far a normal may point along an edge
-constexpr float kSooner = 0.15f;    ///< cells by which a way out may be longer than one that a feature does not accept
-constexpr int kDeepest = 4;         ///< cells below a surface that a way out is looked for
 constexpr float kRounding = 1e-3f;  ///< cells by which more is looked at than should be needed
+constexpr float kLookedAt = 0.15f;  ///< voxels, more than the margin, around a corner or edge in which contacts are looked for
 constexpr float kParallel = 0.15f;  ///< sine between edges below which they do not cross
-
-using Cell = glm::ivec3;
-
-/// Four floats that are worked on at once, and four truths (-1 or 0).
-using Four = float __attribute__((vector_size(16)));
-using FourBools = int __attribute__((vector_size(16)));
-Four load(const float* from) {
-    Four four;
-    std::memcpy(&four, from, sizeof four);
-    return four;
-}
-bool any(FourBools bools) {
-    std::array<uint64_t, 2> words;
-    std::memcpy(words.data(), &bools, sizeof bools);
-    return (words[0] | words[1]) != 0;
-}
-
-/// Which cells of a grid are solid; remembers the last brick.
-class Occupancy {
-public:
-    explicit Occupancy(const VoxelPart& part) : m_part(part), m_grid(part.grid()) {}
-    /// False if no cell of a box, both ends included, is solid; large boxes are not looked at closely.
-    bool mayTouch(Cell low, Cell high) {
-        const Cell brick = glm::clamp(low, Cell(0), m_grid.size() - 1) >> 3;
-        low = glm::max(low - brick * 8, Cell(-BrickSurroundings::kAround));
-        high -= brick * 8;
-        constexpr int kLast = kBrickSize + BrickSurroundings::kAround - 1;
-        if (std::max({low.x, low.y, low.z}) > kLast || std::min({high.x, high.y, high.z}) < -BrickSurroundings::kAround) return false;
-        if (std::max({high.x, high.y, high.z}) > kLast) return true;
-        if (brick != m_nearAt) m_nearAt = brick, m_near = &m_part.surroundings(brick);
-        return m_near->any(low, high);
-    }
-    /// False if no brick that a box of cells reaches into holds anything; large boxes are not looked at closely.
-    bool mayHold(Cell low, Cell high) const {
-        low = glm::max(low, Cell(0)) >> 3, high = glm::min(high, m_grid.size() - 1) >> 3;
-        if (std::max({high.x - low.x, high.y - low.y, high.z - low.z}) > 3) return true;
-        for (int z = low.z; z <= high.z; ++z)
-            for (int y = low.y; y <= high.y; ++y)
-                for (int x = low.x; x <= high.x; ++x)
-                    if (m_grid.brickAt({x, y, z})) return true;
-        return false;
-    }
-    bool solid(Cell c) {
-        if (!m_grid.contains(c)) return false;
-        const Cell brick = c >> 3;
-        if (brick != m_at) m_at = brick, m_brick = m_grid.brickAt(brick);
-        return m_brick && m_brick->solid(voxelIndex(c & 7));
-    }
-
-private:
-    const VoxelPart& m_part;
-    const VoxelGrid& m_grid;
-    Cell m_at{-1}, m_nearAt{-1};
-    const Brick* m_brick = nullptr;
-    const BrickSurroundings* m_near = nullptr;
-};
-
-/// A face that a feature may rest on.
-struct Face {
-    int axis = -1;  ///< none
-    float sign = 0.0f;
-    float separation = 0.0f;  ///< cells
-    Cell cell{0};             ///< that it belongs to
-};
-
-/// A feature of one shape in the cells of the other.
-struct Probe {
-    const FeatureKind* kind;
-    glm::vec3 point;     ///< where it is
-    glm::vec3 sides[3];  ///< unit vectors that it sticks out along
-    int sideCount;
-    glm::vec3 along;  ///< of an edge, unit
-    float length;     ///< of an edge, cells
-    bool isEdge() const { return kind->edgeAxis >= 0; }
-
-    bool accepts(const glm::vec3& normal) const {
-        for (int i = 0; i < sideCount; ++i)
-            if (glm::dot(normal, sides[i]) > kOpposed) return false;
-        return !isEdge() || std::abs(glm::dot(normal, along)) < kAlongEdge;
-    }
-    bool accepts(int axis, float sign) const {
-        for (int i = 0; i < sideCount; ++i)
-            if (sides[i][axis] * sign > kOpposed) return false;
-        return !isEdge() || std::abs(along[axis]) < kAlongEdge;
-    }
-};
-
-/// Rounds down; without SSE 4.1, std::floor is a call.
-int floorOf(float v) {
-    const int i = int(v);
-    return i - (float(i) > v);
-}
-Cell cellOf(const glm::vec3& p) {
-    return {floorOf(p.x), floorOf(p.y), floorOf(p.z)};
-}
-
-/// How far a point is from the side of its cell.
-float toSide(Cell cell, const glm::vec3& p, int axis, int sign) {
-    return sign > 0 ? float(cell[axis] + 1) - p[axis] : p[axis] - float(cell[axis]);
-}
-
-/// A point in a notch: its cell has no exposed face, but a cell over an edge or a corner is empty. Of the planes that meet
-/// there it is behind all: the one that it is deepest behind, of the closest such cell.
-Face wayOutOfNotch(Occupancy& occupancy, Cell cell, const glm::vec3& p, const Probe& probe) {
-    Face best;
-    float closest = 1e9f;
-    for (int i = 0; i < 27; ++i) {
-        const Cell d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-        if (d.x * d.x + d.y * d.y + d.z * d.z < 2) continue;
-        float distance = 0.0f, deepest = -1.0f;
-        int axis = -1;
-        for (int k = 0; k < 3; ++k) {
-            if (!d[k]) continue;
-            const float way = toSide(cell, p, k, d[k]);
-            distance += way * way;
-            if (way > deepest && probe.accepts(k, float(d[k]))) deepest = way, axis = k;
-        }
-        if (axis < 0 || distance >= closest || occupancy.solid(cell + d)) continue;
-        closest = distance;
-        best = {axis, float(d[axis]), -deepest, cell};
-    }
-    return best;
-}
-
-/// The face through which a point inside the solid gets out the soonest: of its own cell, else of a notch that it is in,
-/// else straight on. None if it would get out much sooner through a face that the feature does not stick out against: then
-/// another feature is in the way.
-Face wayOut(Occupancy& occupancy, Cell cell, const glm::vec3& p, const Probe& probe) {
-    Face best;
-    best.separation = -1e9f;
-    float soonest = -1e9f;  // of all faces, whatever the feature accepts
-    for (int crossed = 0; crossed < kDeepest; ++crossed) {
-        for (int axis = 0; axis < 3; ++axis)
-            for (const int sign : {-1, 1}) {
-                const float separation = -toSide(cell, p, axis, sign) - float(crossed);
-                if (separation <= best.separation) continue;
-                Cell owner = cell;
-                owner[axis] += sign * crossed;
-                Cell next = owner;
-                next[axis] += sign;
-                if (occupancy.solid(next)) continue;
-                soonest = std::max(soonest, separation);
-                if (probe.accepts(axis, float(sign))) best = {axis, float(sign), separation, owner};
-            }
-        if (soonest > best.separation + kSooner) return {};
-        if (best.axis < 0 && crossed == 0) best = wayOutOfNotch(occupancy, cell, p, probe);
-        if (best.axis >= 0) return best;
-        best.separation = -1e9f;
-    }
-    return best;
-}
-
-/// The closest face within the margin of a point outside the solid.
-Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float margin, const Probe& probe) {
-    Face best;
-    best.separation = margin;
-    for (int axis = 0; axis < 3; ++axis)
-        for (const int sign : {-1, 1}) {
-            const float away = sign > 0 ? p[axis] - float(cell[axis]) : float(cell[axis] + 1) - p[axis];
-            if (away >= best.separation || !probe.accepts(axis, float(sign))) continue;
-            Cell below = cell;
-            below[axis] -= sign;
-            if (occupancy.solid(below)) best = {axis, float(sign), away, below};
-        }
-    return best;
-}
-
-/// Amanatides and Woo's walk through the cells on a way: `next` is where, in shares of the way, it leaves the cell by each axis.
-struct CellSteps {
-    Cell cell, step;
-    glm::vec3 next, delta;
-
-    CellSteps(Cell from, const glm::vec3& p, const glm::vec3& way) : cell(from) {
-        for (int axis = 0; axis < 3; ++axis) {
-            step[axis] = way[axis] > 0 ? 1 : -1;
-            delta[axis] = way[axis] != 0.0f ? std::abs(1.0f / way[axis]) : 1e30f;
-            next[axis] = way[axis] != 0.0f ? toSide(cell, p, axis, step[axis]) * delta[axis] : 1e30f;
-        }
-    }
-    int axis() const { return next.x < next.y ? (next.x < next.z ? 0 : 2) : (next.y < next.z ? 1 : 2); }
-    void cross(int side) {
-        cell[side] += step[side];
-        next[side] += delta[side];
-    }
-};
-
-/// The first face that a point meets on its way.
-Face firstFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm::vec3& way, const Probe& probe) {
-    for (CellSteps walk(cell, p, way);;) {
-        const int axis = walk.axis();
-        if (!(walk.next[axis] <= 1.0f)) return {};
-        walk.cross(axis);
-        if (!occupancy.solid(walk.cell)) continue;
-        const float sign = float(-walk.step[axis]);
-        if (!probe.accepts(axis, sign)) return {};
-        const float plane = float(sign > 0 ? walk.cell[axis] + 1 : walk.cell[axis]);
-        return {axis, sign, (p[axis] - plane) * sign, walk.cell};
-    }
-}
-
-/// The stretch of an edge that is in the solid, in shares of its length from its middle. False: it is outside, or inside as
-/// a whole.
-bool findStretch(Occupancy& occupancy, const Probe& probe, float& from, float& to) {
-    const glm::vec3 way = probe.along * probe.length, start = probe.point - way * 0.5f;
-    CellSteps walk(cellOf(start), start, way);
-    bool inside = occupancy.solid(walk.cell), any = inside, all = inside;
-    from = 0.0f, to = 1.0f;
-    for (;;) {
-        const int axis = walk.axis();
-        const float t = walk.next[axis];
-        if (!(t < 1.0f)) break;
-        walk.cross(axis);
-        const bool now = occupancy.solid(walk.cell);
-        all = all && now;
-        if (now == inside) continue;
-        if (now && !any) from = t;
-        if (!now) {
-            to = t;
-            break;  // the first stretch is enough
-        }
-        inside = any = true;
-    }
-    from -= 0.5f, to -= 0.5f;
-    return any && !all;
-}
 
 /// One shape's features against another's occupancy.
 class Prober {
@@ -267,6 +43,13 @@ public:
         m_about = glm::vec3(toInto * -m_intoLattice.corner);
     }
 
+    /// Features beyond `limit` along a direction, world axes and metres from the first body's frame origin, meet nothing.
+    void setLimit(const glm::vec3& direction, float limit, const Lattice& fromLattice) {
+        m_direction = direction * glm::mat3(fromLattice.axes);
+        m_limit = limit - glm::dot(direction, glm::vec3(fromLattice.corner)) +
+                  0.5f * std::max({std::abs(m_direction.x), std::abs(m_direction.y), std::abs(m_direction.z)});
+    }
+
     /// False if nothing of the two is near.
     bool run(bool isFirst, uint64_t partKey, std::vector<ContactPoint>& out) {
         m_isFirst = isFirst;
@@ -276,25 +59,30 @@ public:
         CellBox near;
         if (!overlap(near)) return false;
         placeReaches();
-        if (!mayReach(near.low, near.high)) return false;
+        if (m_sweeps) followSweep();
+        if (!mayReach(glm::vec3(near.low), glm::vec3(near.high))) return false;
+        if (const PartSurface* surface = m_from.whole()) {
+            probeFeatures(surface->features, surface->rows.box().low, near, out);
+            return true;
+        }
         const Cell low = near.low >> 3, high = (near.high - 1) >> 3;
         for (int z = low.z; z <= high.z; ++z)
             for (int y = low.y; y <= high.y; ++y)
                 for (int x = low.x; x <= high.x; ++x) {
                     const Cell brick(x, y, z), corner = brick * kBrickSize;
-                    if (m_from.grid().brickAt(brick) && mayReach(glm::max(near.low - 1, corner), glm::min(near.high + 1, corner + kBrickSize)))
-                        probeBrick(brick, near, out);
+                    if (m_from.grid().brickAt(brick) &&
+                        mayReach(glm::vec3(glm::max(near.low - 1, corner)), glm::vec3(glm::min(near.high + 1, corner + kBrickSize))))
+                        probeFeatures(m_from.features(brick), corner, near, out);
                 }
         return true;
     }
 
 private:
-    /// Whether the cells [low, high) of `from` may come within reach of bricks of `into`.
-    bool mayReach(Cell low, Cell high) const {
-        const glm::vec3 c = m_corner + m_axes * (glm::vec3(low + high) * 0.5f), h = glm::vec3(high - low) * 0.5f;
-        const glm::vec3 r =
-            glm::abs(m_axes[0]) * h.x + glm::abs(m_axes[1]) * h.y + glm::abs(m_axes[2]) * h.z + (m_reach + kInset * 2.0f * m_scale + kRounding);
-        return m_occupancy.mayHold(cellOf(c - r), cellOf(c + r));
+    /// Whether features in a box of `from` may come within reach of what is solid.
+    bool mayReach(const glm::vec3& low, const glm::vec3& high) {
+        const glm::vec3 c = m_corner + m_axes * ((low + high) * 0.5f), h = (high - low) * 0.5f;
+        const glm::vec3 r = glm::abs(m_axes[0]) * h.x + glm::abs(m_axes[1]) * h.y + glm::abs(m_axes[2]) * h.z + m_farthest;
+        return m_occupancy.mayHold(cellOf(c - r + m_wayLow), cellOf(c + r + m_wayHigh));
     }
 
     /// The cells of `from` that may come within reach of `into`; false: none.
@@ -316,13 +104,26 @@ private:
     /// How far around a corner, and around the middles of edges along each axis, something is looked for.
     void placeReaches() {
         m_placed = 0;
-        const glm::vec3 inset = (glm::abs(m_axes[0]) + glm::abs(m_axes[1]) + glm::abs(m_axes[2])) * kInset;
+        glm::vec3 inset = (glm::abs(m_axes[0]) + glm::abs(m_axes[1]) + glm::abs(m_axes[2])) * kInset;
+        if (m_sweeps) inset += (std::abs(m_spin.x) + std::abs(m_spin.y) + std::abs(m_spin.z)) * glm::length(inset);
         const glm::vec3 around = inset + (m_margin + kInset * m_scale + kRounding);
         m_reaches[0] = around;
         for (int axis = 0; axis < 3; ++axis) m_reaches[size_t(axis + 1)] = glm::max(around, glm::abs(m_axes[axis]) * 0.5f + kRounding);
         m_farthest = glm::max(glm::max(m_reaches[0], m_reaches[1]), glm::max(m_reaches[2], m_reaches[3]));
-        if (!m_sweeps) return;
-        for (glm::vec3& reach : m_reaches) reach += (std::abs(m_spin.x) + std::abs(m_spin.y) + std::abs(m_spin.z)) * glm::length(inset);
+    }
+
+    /// The bounds of the ways of features that may meet something: only those that come from where they lead are looked at.
+    void followSweep() {
+        const CellBox& own = m_from.bounds();
+        const glm::vec3 c = m_corner + m_axes * (glm::vec3(own.low + own.high) * 0.5f), h = glm::vec3(own.high - own.low) * 0.5f;
+        const glm::vec3 r = glm::abs(m_axes[0]) * h.x + glm::abs(m_axes[1]) * h.y + glm::abs(m_axes[2]) * h.z + kRounding;
+        const glm::vec3 low = glm::max(c - r, m_low) - m_about, high = glm::min(c + r, m_high) - m_about;
+        const glm::vec3 way = m_velocity + glm::cross(m_spin, (low + high) * 0.5f), half = glm::max((high - low) * 0.5f, 0.0f), s = glm::abs(m_spin);
+        const glm::vec3 around(s.y * half.z + s.z * half.y, s.z * half.x + s.x * half.z, s.x * half.y + s.y * half.x);
+        m_wayLow = glm::min(way - around, 0.0f) - kRounding;
+        m_wayHigh = glm::max(way + around, 0.0f) + kRounding;
+        m_low = glm::max(m_low, glm::vec3(m_into.bounds().low) - m_farthest - m_wayHigh);
+        m_high = glm::min(m_high, glm::vec3(m_into.bounds().high) + m_farthest - m_wayLow);
     }
 
     const Probe& probeOf(uint8_t kind, const glm::vec3& point) {
@@ -352,42 +153,55 @@ private:
         return m_occupancy.mayTouch(cellOf(low), cellOf(high));
     }
 
-    /// The same of four at once, as a whole.
-    bool mayMeet(const Four (&p)[3], FourBools which) {
-        if (m_sweeps) return true;
-        glm::vec3 low(1e9f), high(-1e9f);
-        for (size_t k = 0; k < 4; ++k)
-            if (which[k])
-                for (int axis = 0; axis < 3; ++axis) low[axis] = std::min(low[axis], p[axis][k]), high[axis] = std::max(high[axis], p[axis][k]);
-        return m_occupancy.mayTouch(cellOf(low - m_farthest), cellOf(high + m_farthest));
+    /// Features of a region of `from` whose low corner is `corner`.
+    void probeFeatures(const FeatureList& features, Cell corner, const CellBox& near, std::vector<ContactPoint>& out) {
+        const glm::vec3 base = m_corner + m_axes * glm::vec3(corner), from(near.low - corner), to(near.high - corner);
+        const float limit = m_limit - glm::dot(m_direction, glm::vec3(corner));
+        std::array<bool, 3> rises{};
+        for (int axis = 0; axis < 3; ++axis) rises[size_t(axis)] = m_direction[axis] > 0.0f;
+        for (const FeatureList::ClusterFour& clusters : features.clusters) {
+            Four nearest = four(0.0f);
+            FourBools inside = {-1, -1, -1, -1};
+            for (size_t axis = 0; axis < 3; ++axis) {
+                const Four low = load(clusters.low[axis].data()), high = load(clusters.high[axis].data());
+                nearest += (rises[axis] ? low : high) * four(m_direction[int(axis)]);
+                inside &= (low <= four(to[int(axis)] + kRounding)) & (high >= four(from[int(axis)] - kRounding));
+            }
+            inside &= nearest <= four(limit);
+            if (!any(inside)) continue;
+            for (size_t k = 0; k < 4; ++k) {
+                if (!inside[k]) continue;
+                const glm::vec3 low(clusters.low[0][k], clusters.low[1][k], clusters.low[2][k]);
+                const glm::vec3 high(clusters.high[0][k], clusters.high[1][k], clusters.high[2][k]);
+                if (mayReach(low + glm::vec3(corner), high + glm::vec3(corner)))
+                    probeCluster({&features.fours[clusters.from[k]], &features.fours[clusters.to[k]]}, corner, base, limit, out);
+            }
+        }
     }
 
-    void probeBrick(Cell brick, const CellBox& near, std::vector<ContactPoint>& out) {
-        const FeatureList& features = m_from.features(brick);
-        const Cell corner = brick * kBrickSize;
-        const glm::vec3 base = m_corner + m_axes * glm::vec3(corner);
-        const auto four = [](float value) { return Four{value, value, value, value}; };
-        Four origin[3], axes[3][3], from[3], to[3];  // what the loop reads, in registers
+    void probeCluster(std::span<const FeatureList::Four> fours, Cell corner, const glm::vec3& base, float limit, std::vector<ContactPoint>& out) {
+        Four origin[3], axes[3][3], from[3], to[3], along[3];  // what the loop reads, in registers
         for (int axis = 0; axis < 3; ++axis) {
             origin[axis] = four(base[axis]), from[axis] = four(m_low[axis]), to[axis] = four(m_high[axis]);
+            along[axis] = four(m_direction[axis]);
             for (int k = 0; k < 3; ++k) axes[k][axis] = four(m_axes[k][axis]);
         }
-        const int first = std::max(near.low.z - corner.z - 1, 0), last = std::min(near.high.z - corner.z + 1, kBrickSize);
-        const size_t end = features.layers[size_t(last)];
-        for (size_t i = features.layers[size_t(first)] & ~size_t(3); i < end; i += 4) {
-            const Four x = load(&features.x[i]), y = load(&features.y[i]), z = load(&features.z[i]);
+        for (const FeatureList::Four& features : fours) {
+            const Four x = load(features.x.data()), y = load(features.y.data()), z = load(features.z.data());
+            FourBools inside = along[0] * x + along[1] * y + along[2] * z <= four(limit);
+            if (!any(inside)) continue;
             Four p[3];
-            FourBools inside = {-1, -1, -1, -1};
             for (int axis = 0; axis < 3; ++axis) {
                 p[axis] = origin[axis] + axes[0][axis] * x + axes[1][axis] * y + axes[2][axis] * z;
                 inside &= (p[axis] > from[axis]) & (p[axis] < to[axis]);
             }
-            if (!any(inside) || !mayMeet(p, inside)) continue;
+            if (!any(inside)) continue;
             for (size_t k = 0; k < 4; ++k) {
                 if (!inside[k]) continue;
-                const uint8_t kind = features.kind[i + k];
+                const uint8_t kind = features.kind[k];
                 const glm::vec3 point(p[0][k], p[1][k], p[2][k]);
-                if (mayMeet(point, kind)) test(probeOf(kind, point), kind, corner + voxelInBrick(features.voxel[i + k]), out);
+                const Cell own(features.cell[k][0], features.cell[k][1], features.cell[k][2]);
+                if (mayMeet(point, kind)) test(probeOf(kind, point), kind, corner + own, out);
             }
         }
     }
@@ -483,32 +297,89 @@ private:
     bool m_sweeps = false, m_isFirst = true;
     uint64_t m_key = 0;
     glm::vec3 m_velocity{0.0f}, m_spin{0.0f}, m_about{0.0f};
-    glm::vec3 m_low, m_high;  ///< where features may meet `into`, in its cells
+    glm::vec3 m_direction{0.0f};                ///< in cells of `from`
+    float m_limit = 1e30f;                      ///< beyond which along it nothing is met
+    glm::vec3 m_wayLow{0.0f}, m_wayHigh{0.0f};  ///< bounds of the ways of features in the step, and 0
+    glm::vec3 m_low, m_high;                    ///< where features may meet `into`, in its cells
 };
+
+/// How the first body moves against the second.
+struct Approach {
+    Approach(const Motion& first, const Motion& second, const NarrowphaseSettings& settings) : seconds(settings.seconds) {
+        apart = second.pose.position - first.pose.position;
+        // v1 + w1 x r - (v2 + w2 x (r - apart))
+        velocity = first.velocity - second.velocity + glm::cross(second.angularVelocity, apart);
+        spin = first.angularVelocity - second.angularVelocity;
+        way = (glm::length(first.velocity - second.velocity) + glm::length(first.angularVelocity) * first.radius +
+               glm::length(second.angularVelocity) * second.radius) *
+              seconds;
+        sweeps = settings.continuous && way > settings.margin;
+        if (second.radius == 0.0 || first.radius < second.radius)
+            radius = first.radius, central = velocity;
+        else
+            radius = second.radius, central = velocity + glm::cross(spin, apart);
+    }
+    /// The most that what may meet comes closer in the step along a unit vector from the second to the first, metres.
+    /// around: metres from a feature in which it is looked for.
+    float closing(const glm::vec3& axis, double around) const {
+        if (!sweeps) return 0.0f;
+        const double straight = -glm::dot(glm::dvec3(axis), central),
+                     turning = glm::length(glm::cross(glm::dvec3(axis), spin)) * (radius + way + around);
+        return float(std::clamp((straight + turning) * seconds, 0.0, way));
+    }
+
+    double seconds;
+    glm::dvec3 apart{0.0};     ///< from the first's frame origin to the second's, world axes
+    glm::dvec3 velocity{0.0};  ///< of the first at its origin against the second, world axes
+    glm::dvec3 spin{0.0};
+    double way = 0.0;  ///< the longest that a point of them moves against the other, metres
+    bool sweeps = false;
+    double radius = 0.0;      ///< of the smaller
+    glm::dvec3 central{0.0};  ///< the velocity at its origin
+};
+
+PlacedHull placeHull(const VoxelPart& part, const Lattice& lattice) {
+    return {part.hull(), glm::mat3(lattice.axes), glm::vec3(lattice.corner)};
+}
+
+/// From the middle of one part to that of the other.
+glm::vec3 between(const VoxelPart& to, const PlacedHull& toHull, const VoxelPart& from, const PlacedHull& fromHull) {
+    const auto middle = [](const VoxelPart& part, const PlacedHull& hull) {
+        return hull.corner + hull.axes * (glm::vec3(part.bounds().low + part.bounds().high) * 0.5f);
+    };
+    const glm::vec3 way = middle(to, toHull) - middle(from, fromHull);
+    const float length2 = glm::dot(way, way);
+    return length2 > 1e-12f ? way / std::sqrt(length2) : glm::vec3(0.0f, 1.0f, 0.0f);
+}
 
 }  // namespace
 
 void findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second, const Motion& secondMotion,
-                  const NarrowphaseSettings& settings, std::vector<ContactPoint>& out) {
-    const glm::dvec3 origin = firstMotion.pose.position, apart = secondMotion.pose.position - origin;
-    // Relative velocity of the first at its own origin, and spin: v1 + w1 x r - (v2 + w2 x (r - apart)).
-    const glm::dvec3 velocity = firstMotion.velocity - secondMotion.velocity + glm::cross(secondMotion.angularVelocity, apart);
-    const glm::dvec3 spin = firstMotion.angularVelocity - secondMotion.angularVelocity;
-    const double way = (glm::length(firstMotion.velocity - secondMotion.velocity) + glm::length(firstMotion.angularVelocity) * firstMotion.radius +
-                        glm::length(secondMotion.angularVelocity) * secondMotion.radius) *
-                       settings.seconds;
+                  const NarrowphaseSettings& settings, glm::vec3& axis, std::vector<ContactPoint>& out) {
+    const Approach approach(firstMotion, secondMotion, settings);
+    const bool isOne = first.parts.size() == 1 && second.parts.size() == 1;
     for (size_t i = 0; i < first.parts.size(); ++i)
         for (size_t j = 0; j < second.parts.size(); ++j) {
             const VoxelPart &a = *first.parts[i], &b = *second.parts[j];
             if (a.grid().empty() || b.grid().empty()) continue;
             const Lattice& la = firstMotion.lattices[i];
-            const Lattice lb{secondMotion.lattices[j].axes, secondMotion.lattices[j].corner + apart};
+            const Lattice lb{secondMotion.lattices[j].axes, secondMotion.lattices[j].corner + approach.apart};
+            const PlacedHull hullA = placeHull(a, la), hullB = placeHull(b, lb);
+            glm::vec3 way = isOne && axis != glm::vec3(0.0f) ? axis : between(a, hullA, b, hullB);
+            const float size = float(std::max(a.voxelSize(), b.voxelSize()));
+            const float most = float(settings.margin) + kLookedAt * size, closing = float(approach.way);
+            const float gap = widenGap(hullA, hullB, most + closing, way);
+            if (isOne) axis = way;
+            const float near = most + approach.closing(way, double(most));
+            if (gap > near) continue;
             const uint64_t key = uint64_t(i & 31) << 6 | uint64_t(j & 31) << 1;
             Prober forward(a, la, b, lb);
-            forward.setMotion(velocity, spin, settings, way);
+            forward.setMotion(approach.velocity, approach.spin, settings, approach.way);
+            forward.setLimit(way, hullB.highest(way) + near, la);
             if (!forward.run(true, key, out)) continue;
             Prober backward(b, lb, a, la);
-            backward.setMotion(-velocity, -spin, settings, way);
+            backward.setMotion(-approach.velocity, -approach.spin, settings, approach.way);
+            backward.setLimit(-way, hullA.highest(-way) + near, lb);
             backward.run(false, key | 1, out);
         }
 }

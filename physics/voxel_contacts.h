@@ -42,7 +42,9 @@ struct NarrowphaseSettings {
 /// relative motion where that is fast. A normal is that of a face which is exposed in its own grid, and against which the
 /// feature sticks out in its own: seams between voxels are no bumps, and aligned edges give no sideways push.
 /// Appended in a fixed order.
+/// axis: a unit vector along which the two may be apart, or 0; comes back as a better one to start from in the next step. The
+/// contacts do not depend on it.
 void findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second, const Motion& secondMotion,
-                  const NarrowphaseSettings& settings, std::vector<ContactPoint>& out);
+                  const NarrowphaseSettings& settings, glm::vec3& axis, std::vector<ContactPoint>& out);
 
 }  // namespace rubble

@@ -1,0 +1,30 @@
+#include "physics/separation.h"
+
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr int kTurns = 4;
+
+}  // namespace
+
+float widenGap(const PlacedHull& a, const PlacedHull& b, float enough, glm::vec3& axis) {
+    float gap = gapAlong(a, b, axis), step = 1.0f;
+    for (int turn = 0; turn < kTurns && gap <= enough; ++turn) {
+        const glm::vec3 way = a.farthest(-axis) - b.farthest(axis);
+        const glm::vec3 across = way - axis * glm::dot(way, axis);
+        const float length2 = glm::dot(across, across);
+        if (length2 < 1e-8f) break;
+        const glm::vec3 n = axis + across * (step / std::sqrt(length2));
+        const glm::vec3 turned = n / std::sqrt(glm::dot(n, n));
+        const float wider = gapAlong(a, b, turned);
+        if (wider > gap)
+            gap = wider, axis = turned;
+        else
+            step *= 0.5f;
+    }
+    return gap;
+}
+
+}  // namespace rubble

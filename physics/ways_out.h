@@ -1,0 +1,57 @@
+#pragma once
+#include "physics/occupancy.h"
+#include "physics/surface_features.h"
+
+namespace rubble {
+
+inline constexpr float kOpposed = 0.1f;    ///< how far a normal may point along a side that a feature sticks out on
+inline constexpr float kAlongEdge = 0.6f;  ///< how far a normal may point along an edge
+
+/// A feature of one shape in the cells of the other.
+struct Probe {
+    const FeatureKind* kind;
+    glm::vec3 point;     ///< where it is
+    glm::vec3 sides[3];  ///< unit vectors that it sticks out along
+    int sideCount;
+    glm::vec3 along;  ///< of an edge, unit
+    float length;     ///< of an edge, cells
+    bool isEdge() const { return kind->edgeAxis >= 0; }
+
+    bool accepts(const glm::vec3& normal) const {
+        for (int i = 0; i < sideCount; ++i)
+            if (glm::dot(normal, sides[i]) > kOpposed) return false;
+        return !isEdge() || std::abs(glm::dot(normal, along)) < kAlongEdge;
+    }
+    bool accepts(int axis, float sign) const {
+        for (int i = 0; i < sideCount; ++i)
+            if (sides[i][axis] * sign > kOpposed) return false;
+        return !isEdge() || std::abs(along[axis]) < kAlongEdge;
+    }
+};
+
+/// A face that a feature may rest on.
+struct Face {
+    int axis = -1;  ///< none
+    float sign = 0.0f;
+    float separation = 0.0f;  ///< cells
+    Cell cell{0};             ///< that it belongs to
+};
+
+/// How far a point is from the side of its cell.
+inline float toSide(Cell cell, const glm::vec3& p, int axis, int sign) {
+    return sign > 0 ? float(cell[axis] + 1) - p[axis] : p[axis] - float(cell[axis]);
+}
+
+/// The face through which a point inside the solid gets out the soonest: of its own cell, else of a notch that it is in,
+/// else straight on. None if it would get out much sooner through a face that the feature does not stick out against: then
+/// another feature is in the way.
+Face wayOut(Occupancy& occupancy, Cell cell, const glm::vec3& p, const Probe& probe);
+/// The closest face within the margin of a point outside the solid.
+Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float margin, const Probe& probe);
+/// The first face that a point meets on its way.
+Face firstFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm::vec3& way, const Probe& probe);
+/// The stretch of an edge that is in the solid, in shares of its length from its middle. False: it is outside, or inside as
+/// a whole.
+bool findStretch(Occupancy& occupancy, const Probe& probe, float& from, float& to);
+
+}  // namespace rubble
