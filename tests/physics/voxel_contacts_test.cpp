@@ -1,0 +1,131 @@
+#include "physics/voxel_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "physics/broadphase.h"
+#include "runtime/core/random.h"
+#include "tests/physics/baseline/voronoi_pit.h"
+
+namespace rubble {
+namespace {
+
+double between(Random& random, double low, double high) {
+    return low + (high - low) * random.unit();
+}
+
+glm::dvec3 anyVector(Random& random, double size) {
+    glm::dvec3 v;
+    for (int k = 0; k < 3; ++k) v[k] = between(random, -size, size);
+    return v;
+}
+
+void put(CollisionObject& object, const LevelBody& body, const MaterialTable& materials, const Pose& at) {
+    Shape shape;
+    shape.grid = body.shapes[0].grid;
+    shape.palette = body.shapes[0].palette;
+    shape.voxelSize = body.shapes[0].voxelSize;
+    object.collider.parts.push_back(std::make_unique<VoxelPart>(shape, Pose{}, materials));
+    object.radius = object.collider.radius();
+    object.place(at);
+}
+
+/// All solid cells' corners of a part.
+std::vector<glm::vec3> cornersOf(const VoxelPart& part) {
+    std::vector<glm::vec3> corners;
+    part.grid().forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        forEachVoxel(brick->occupancy, [&](int v) {
+            for (int i = 0; i < 8; ++i) corners.push_back(glm::vec3(position * kBrickSize + voxelInBrick(v) + glm::ivec3(i & 1, i >> 1 & 1, i >> 2)));
+        });
+    });
+    return corners;
+}
+
+TEST(VoxelContacts, HullReachesAsFarAsTheVoxels) {
+    const Level level = voronoiPit(30);
+    Random random(7);
+    for (size_t i = 1; i < level.bodies.size(); ++i) {
+        CollisionObject object;
+        put(object, level.bodies[i], level.materials, {});
+        const VoxelPart& part = *object.collider.parts[0];
+        const std::vector<glm::vec3> corners = cornersOf(part);
+        ASSERT_LT(part.hull().size() * 20, corners.size());
+        for (int k = 0; k < 50; ++k) {
+            const glm::vec3 direction = glm::vec3(anyVector(random, 1.0));
+            float highest = -1e9f;
+            for (const glm::vec3& c : corners) highest = std::max(highest, c.x * direction.x + c.y * direction.y + c.z * direction.z);
+            ASSERT_EQ(part.hull().highest(direction), highest);
+            const glm::vec3 far = part.hull().farthest(direction);
+            ASSERT_EQ(far.x * direction.x + far.y * direction.y + far.z * direction.z, highest);
+        }
+    }
+}
+
+/// Corners and edges as defined, cell by cell.
+TEST(VoxelContacts, FeaturesAreTheConvexCornersAndEdges) {
+    const Level level = voronoiPit(8);
+    for (size_t i = 1; i < level.bodies.size(); ++i) {
+        CollisionObject object;
+        put(object, level.bodies[i], level.materials, {});
+        const VoxelPart& part = *object.collider.parts[0];
+        std::vector<std::array<int, 4>> found, expected;
+        const FeatureList& list = part.whole()->features;
+        for (const FeatureList::Four& four : list.fours)
+            for (size_t k = 0; k < 4; ++k)
+                if (four.x[k] == four.x[k]) found.push_back({four.cell[k][0], four.cell[k][1], four.cell[k][2], four.kind[k]});
+        const CellBox box = part.bounds();
+        for (int z = box.low.z; z < box.high.z; ++z)
+            for (int y = box.low.y; y < box.high.y; ++y)
+                for (int x = box.low.x; x < box.high.x; ++x)
+                    for (int kind = 0; kind < kFeatureKinds && part.grid().at({x, y, z}); ++kind) {
+                        const glm::ivec3 out(featureKinds()[size_t(kind)].outward);
+                        bool convex = true;
+                        for (int side = 1; side < 8; ++side) {
+                            const glm::ivec3 d(side & 1 ? out.x : 0, side & 2 ? out.y : 0, side & 4 ? out.z : 0);
+                            convex = convex && (d == glm::ivec3(0) || !part.grid().at(glm::ivec3(x, y, z) + d));
+                        }
+                        if (convex) expected.push_back({x - box.low.x, y - box.low.y, z - box.low.z, kind});
+                    }
+        std::sort(found.begin(), found.end());
+        std::sort(expected.begin(), expected.end());
+        EXPECT_EQ(found, expected);
+        EXPECT_EQ(list.count, expected.size());
+    }
+}
+
+/// Whatever direction the search for a gap begins with, what it leaves out could not touch.
+TEST(VoxelContacts, DoNotDependOnTheAxisThatTheyBeginWith) {
+    const Level level = voronoiPit(40);
+    Random random(3);
+    size_t touching = 0;
+    for (int round = 0; round < 600; ++round) {
+        CollisionObject a, b;
+        const bool againstPit = round % 5 == 0;
+        const glm::dvec3 apart = againstPit ? glm::dvec3(0.5) : anyVector(random, 0.7);
+        put(a, level.bodies[1 + size_t(round % 40)], level.materials, {apart, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
+        put(b, level.bodies[againstPit ? 0 : 1 + size_t(round * 7 % 40)], level.materials,
+            againstPit ? level.bodies[0].pose : Pose{{0.2, 0.1, 0}, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
+        const double speed = std::array{0.0, 1.0, 30.0}[size_t(round % 3)];
+        const auto motionOf = [&](const CollisionObject& object) {
+            return Motion{object.pose, object.lattices(), anyVector(random, speed), anyVector(random, speed), object.radius};
+        };
+        const Motion motionA = motionOf(a), motionB = againstPit ? Motion{b.pose, b.lattices()} : motionOf(b);
+        std::vector<ContactPoint> first, again;
+        for (int k = 0; k < 8; ++k) {
+            glm::vec3 axis = k ? glm::normalize(glm::vec3(anyVector(random, 1.0))) : glm::vec3(0.0f);
+            std::vector<ContactPoint>& found = k ? again : first;
+            found.clear();
+            findContacts(a.collider, motionA, b.collider, motionB, {}, axis, found);
+            ASSERT_EQ(found.size(), first.size()) << round;
+            for (size_t i = 0; i < found.size(); ++i)
+                ASSERT_TRUE(found[i].feature == first[i].feature && found[i].separation == first[i].separation &&
+                            found[i].position == first[i].position);
+        }
+        touching += !first.empty();
+    }
+    EXPECT_GT(touching, 100u);
+}
+
+}  // namespace
+}  // namespace rubble
