@@ -53,6 +53,7 @@ btDbvtVolume Broadphase::volumeOf(glm::dvec3 low, glm::dvec3 high) const {
 void Broadphase::add(CollisionObject& object, bool moves) {
     setBounds(object, glm::dvec3(0.0), 0.0);
     object.m_moves = moves;
+    touch(object);
     object.m_leaf = (moves ? m_moving : m_resting).insert(volumeOf(object.low, object.high), &object);
 }
 

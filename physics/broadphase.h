@@ -22,6 +22,7 @@ struct CollisionObject {
     uint32_t number = 0;             ///< unique; the order of pairs: a body's slot, or a static shape's with kStaticObject
     DynamicBody* dynamic = nullptr;  ///< null: static
     glm::dvec3 low{0.0}, high{0.0};  ///< world bounds, with what it sweeps in the step
+    uint32_t version = 0;            ///< another one after it was added anew or its voxels changed
 
     /// Puts it at a place; the broadphase is told with Broadphase::move().
     void place(const Pose& at);
@@ -46,6 +47,8 @@ public:
 
     void add(CollisionObject& object, bool moves);
     void remove(CollisionObject& object);
+    /// Its voxels have changed where it is.
+    void touch(CollisionObject& object) { object.version = ++m_versions; }
     /// The object has moved: its bounds are those of its pose, widened by `margin` and by its way (metres, world).
     void move(CollisionObject& object, glm::dvec3 way, double margin);
 
@@ -78,6 +81,7 @@ private:
     btDbvt m_moving, m_resting;
     btAlignedObjectArray<const btDbvtNode*> m_stack;
     std::vector<CollisionObject*> m_found;
+    uint32_t m_versions = 0;
 };
 
 }  // namespace rubble

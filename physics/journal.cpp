@@ -111,6 +111,7 @@ void PhysicsWorld::Impl::refreshStatic(const FrameChanges& changes, const World&
         changedBricks(changes, handle, bricks);
         CollisionObject& object = *statics[handle.slot()];
         object.collider.parts[0]->update(*shape, bricks, world.materials());
+        broadphase.touch(object);
         const glm::dmat3 axes = glm::mat3_cast(object.pose.rotation);
         const double half = 0.5 * kBrickSize * shape->voxelSize;
         const glm::dvec3 reach = (glm::abs(axes[0]) + glm::abs(axes[1]) + glm::abs(axes[2])) * half;

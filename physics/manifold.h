@@ -16,6 +16,9 @@ struct ManifoldPoint : ContactPoint {
     glm::vec3 frictionImpulse{0.0f};  ///< of a substep, world
     float totalImpulse = 0.0f;        ///< along the normal over the last step, N s
     float approach = 0.0f;            ///< m/s along the normal before the last solve
+    glm::vec3 onFirst{0.0f};          ///< where the first is touched, in its frame: this and the next as found, see anchor()
+    glm::vec3 normalInSecond{0.0f};
+    float separationThen = 0.0f;
 };
 
 inline constexpr int kMaxManifoldPoints = 8;

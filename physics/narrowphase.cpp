@@ -8,7 +8,8 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kBatch = 32;  ///< pairs
+constexpr size_t kBatch = 32;     ///< pairs
+constexpr double kReused = 0.05;  ///< margins that two may move against each other before their contacts are found anew
 
 template <class T>
 bool isBefore(const T& a, const T& b) {
@@ -32,38 +33,53 @@ void Narrowphase::begin() {
     m_now ^= 1;
     Set& set = m_sets[m_now];
     set.list.clear();
-    set.axes.clear();
+    set.pairs.clear();
     set.usedBatches = 0;
 }
 
-const Manifold* Narrowphase::before(uint32_t first, uint32_t second) const {
-    const std::vector<Manifold*>& old = m_sets[m_now ^ 1].list;
-    Manifold key;
-    key.first = first, key.second = second;
-    const auto at = std::lower_bound(old.begin(), old.end(), &key, isListedBefore);
-    return at != old.end() && (*at)->first == first && (*at)->second == second ? *at : nullptr;
+void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettings& settings, const Pair* before, Batch& batch, Pair& pair) {
+    const auto [first, second] = objects;
+    const Motion firstMotion = motionOf(*first), secondMotion = motionOf(*second);
+    const bool isKnown = before && before->firstVersion == first->version && before->secondVersion == second->version;
+    const bool isSlow = longestWay(firstMotion, secondMotion, settings.seconds) <= settings.margin;
+    const RelativePlace place = relativePlace(first->pose, second->pose);
+    const auto makeManifold = [&]() -> Manifold& {
+        Manifold& manifold = batch.manifolds[batch.used++];
+        pair.manifold = &manifold;
+        return manifold;
+    };
+    if (isKnown && isSlow && before->isReusable && wayBetween(before->place, place, first->radius) < kReused * settings.margin) {
+        pair = *before;
+        if (before->manifold) follow(makeManifold() = *before->manifold, before->place, place, first->pose, second->pose);
+        return;
+    }
+    pair = {first->number, second->number, first->version, second->version};
+    if (before) pair.axis = before->axis;
+    batch.contacts.clear();
+    pair.isReusable = findContacts(first->collider, firstMotion, second->collider, secondMotion, settings, pair.axis, batch.contacts) && isSlow;
+    pair.place = place;
+    if (batch.contacts.empty()) return;
+    Manifold& manifold = makeManifold();
+    manifold.first = first->number;
+    manifold.second = second->number;
+    manifold.origin = first->pose.position;
+    manifold.objects = {first, second};
+    reduceContacts(batch.contacts, before ? before->manifold : nullptr, manifold);
+    anchor(manifold, first->pose, second->pose);
 }
 
-void Narrowphase::collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch, std::span<Axis> axes) const {
-    const std::vector<Axis>& known = m_sets[m_now ^ 1].axes;
-    auto next = known.end();
+void Narrowphase::collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch, std::span<Pair> out) const {
+    const std::vector<Pair>& known = m_sets[m_now ^ 1].pairs;
     batch.used = 0;
     if (batch.manifolds.size() < pairs.size()) batch.manifolds.resize(pairs.size());
+    auto next = known.end();
     for (size_t i = 0; i < pairs.size(); ++i) {
-        const auto [first, second] = pairs[i];
-        axes[i] = {first->number, second->number, glm::vec3(0.0f)};
-        if (i == 0) next = std::lower_bound(known.begin(), known.end(), axes[i], isBefore<Axis>);
-        while (next != known.end() && isBefore(*next, axes[i])) ++next;
-        if (next != known.end() && !isBefore(axes[i], *next)) axes[i].direction = next->direction;
-        batch.contacts.clear();
-        findContacts(first->collider, motionOf(*first), second->collider, motionOf(*second), settings, axes[i].direction, batch.contacts);
-        if (batch.contacts.empty()) continue;
-        Manifold& manifold = batch.manifolds[batch.used++];
-        manifold.first = first->number;
-        manifold.second = second->number;
-        manifold.origin = first->pose.position;
-        manifold.objects = {first, second};
-        reduceContacts(batch.contacts, before(first->number, second->number), manifold);
+        Pair& pair = out[i];
+        pair.first = pairs[i].first->number, pair.second = pairs[i].second->number;
+        if (i == 0) next = std::lower_bound(known.begin(), known.end(), pair, isBefore<Pair>);
+        while (next != known.end() && isBefore(*next, pair)) ++next;
+        const bool isKnown = next != known.end() && !isBefore(pair, *next);
+        collidePair(pairs[i], settings, isKnown ? &*next : nullptr, batch, pair);
     }
 }
 
@@ -72,17 +88,17 @@ void Narrowphase::collide(std::span<const ObjectPair> pairs, const NarrowphaseSe
     const size_t batches = (pairs.size() + kBatch - 1) / kBatch, firstBatch = set.usedBatches;
     set.usedBatches += batches;
     while (set.batches.size() < set.usedBatches) set.batches.push_back(std::make_unique<Batch>());
-    const size_t firstAxis = set.axes.size();
-    set.axes.resize(firstAxis + pairs.size());
+    const size_t firstPair = set.pairs.size();
+    set.pairs.resize(firstPair + pairs.size());
     parallelFor(batches, [&](size_t i) {
         const size_t from = i * kBatch, count = std::min(kBatch, pairs.size() - from);
-        collideBatch(pairs.subspan(from, count), settings, *set.batches[firstBatch + i], std::span(set.axes).subspan(firstAxis + from, count));
+        collideBatch(pairs.subspan(from, count), settings, *set.batches[firstBatch + i], std::span(set.pairs).subspan(firstPair + from, count));
     });
     for (size_t i = firstBatch; i < set.usedBatches; ++i)
         for (size_t m = 0; m < set.batches[i]->used; ++m) set.list.push_back(&set.batches[i]->manifolds[m]);
     if (!firstBatch) return;
     std::sort(set.list.begin(), set.list.end(), isListedBefore);
-    std::sort(set.axes.begin(), set.axes.end(), isBefore<Axis>);
+    std::sort(set.pairs.begin(), set.pairs.end(), isBefore<Pair>);
 }
 
 }  // namespace rubble

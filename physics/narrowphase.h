@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "physics/broadphase.h"
+#include "physics/contact_reuse.h"
 #include "physics/manifold.h"
 #include "runtime/core/parallel_for.h"
 
@@ -20,10 +21,13 @@ public:
     std::span<Manifold* const> manifolds() const { return m_sets[m_now].list; }
 
 private:
-    /// Along which two were apart, or nearly.
-    struct Axis {
-        uint32_t first, second;
-        glm::vec3 direction;
+    /// What is known of two whose bounds overlap.
+    struct Pair {
+        uint32_t first = 0, second = 0, firstVersion = 0, secondVersion = 0;
+        glm::vec3 axis{0.0f};                ///< see findContacts()
+        bool isReusable = false;             ///< they were near each other and slow
+        RelativePlace place;                 ///< at which contacts were found
+        const Manifold* manifold = nullptr;  ///< none: they do not touch
     };
     struct Batch {
         std::vector<Manifold> manifolds;
@@ -34,10 +38,10 @@ private:
         std::vector<std::unique_ptr<Batch>> batches;
         size_t usedBatches = 0;
         std::vector<Manifold*> list;
-        std::vector<Axis> axes;  ///< of all pairs, sorted
+        std::vector<Pair> pairs;  ///< all, sorted
     };
-    const Manifold* before(uint32_t first, uint32_t second) const;
-    void collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch, std::span<Axis> axes) const;
+    void collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch, std::span<Pair> out) const;
+    static void collidePair(const ObjectPair& objects, const NarrowphaseSettings& settings, const Pair* before, Batch& batch, Pair& pair);
 
     std::array<Set, 2> m_sets;
     size_t m_now = 0;

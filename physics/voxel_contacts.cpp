@@ -310,9 +310,7 @@ struct Approach {
         // v1 + w1 x r - (v2 + w2 x (r - apart))
         velocity = first.velocity - second.velocity + glm::cross(second.angularVelocity, apart);
         spin = first.angularVelocity - second.angularVelocity;
-        way = (glm::length(first.velocity - second.velocity) + glm::length(first.angularVelocity) * first.radius +
-               glm::length(second.angularVelocity) * second.radius) *
-              seconds;
+        way = longestWay(first, second, seconds);
         sweeps = settings.continuous && way > settings.margin;
         if (second.radius == 0.0 || first.radius < second.radius)
             radius = first.radius, central = velocity;
@@ -354,9 +352,16 @@ glm::vec3 between(const VoxelPart& to, const PlacedHull& toHull, const VoxelPart
 
 }  // namespace
 
-void findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second, const Motion& secondMotion,
+double longestWay(const Motion& first, const Motion& second, double seconds) {
+    return (glm::length(first.velocity - second.velocity) + glm::length(first.angularVelocity) * first.radius +
+            glm::length(second.angularVelocity) * second.radius) *
+           seconds;
+}
+
+bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second, const Motion& secondMotion,
                   const NarrowphaseSettings& settings, glm::vec3& axis, std::vector<ContactPoint>& out) {
     const Approach approach(firstMotion, secondMotion, settings);
+    bool isNear = false;
     const bool isOne = first.parts.size() == 1 && second.parts.size() == 1;
     for (size_t i = 0; i < first.parts.size(); ++i)
         for (size_t j = 0; j < second.parts.size(); ++j) {
@@ -367,11 +372,12 @@ void findContacts(const VoxelCollider& first, const Motion& firstMotion, const V
             const PlacedHull hullA = placeHull(a, la), hullB = placeHull(b, lb);
             glm::vec3 way = isOne && axis != glm::vec3(0.0f) ? axis : between(a, hullA, b, hullB);
             const float size = float(std::max(a.voxelSize(), b.voxelSize()));
-            const float most = float(settings.margin) + kLookedAt * size, closing = float(approach.way);
+            const float most = float(settings.margin) + kLookedAt * size, closing = approach.sweeps ? float(approach.way) : 0.0f;
             const float gap = widenGap(hullA, hullB, most + closing, way);
             if (isOne) axis = way;
             const float near = most + approach.closing(way, double(most));
             if (gap > near) continue;
+            isNear = true;
             const uint64_t key = uint64_t(i & 31) << 6 | uint64_t(j & 31) << 1;
             Prober forward(a, la, b, lb);
             forward.setMotion(approach.velocity, approach.spin, settings, approach.way);
@@ -382,6 +388,7 @@ void findContacts(const VoxelCollider& first, const Motion& firstMotion, const V
             backward.setLimit(-way, hullA.highest(-way) + near, lb);
             backward.run(false, key | 1, out);
         }
+    return isNear;
 }
 
 }  // namespace rubble

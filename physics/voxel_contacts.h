@@ -32,6 +32,9 @@ struct ContactPoint {
     uint64_t feature = 0;  ///< which feature of which body it is: finds the point again in the next step
 };
 
+/// How far points of two bodies move against each other in a time, at most.
+double longestWay(const Motion& first, const Motion& second, double seconds);
+
 struct NarrowphaseSettings {
     double margin = 0.02;  ///< metres apart at which bodies count as touching: contacts do not come and go
     double seconds = 1.0 / 60.0;
@@ -44,7 +47,8 @@ struct NarrowphaseSettings {
 /// Appended in a fixed order.
 /// axis: a unit vector along which the two may be apart, or 0; comes back as a better one to start from in the next step. The
 /// contacts do not depend on it.
-void findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second, const Motion& secondMotion,
+/// Returns whether they are near each other; if not, nothing can touch.
+bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second, const Motion& secondMotion,
                   const NarrowphaseSettings& settings, glm::vec3& axis, std::vector<ContactPoint>& out);
 
 }  // namespace rubble
