@@ -32,13 +32,18 @@ void Broadphase::sortPairs(std::vector<ObjectPair>& pairs, size_t from) {
     });
 }
 
+/// Of what moves by its hull, of what rests by boxes, which are there already.
 void Broadphase::setBounds(CollisionObject& object, glm::dvec3 way, double margin) const {
     glm::dvec3 low(1e30), high(-1e30);
     for (size_t i = 0; i < object.m_lattices.size(); ++i) {
         const VoxelPart& part = *object.collider.parts[i];
         if (part.grid().empty()) continue;
+        const glm::mat3 axes(object.m_lattices[i].axes);
         glm::vec3 partLow, partHigh;
-        part.hull().bounds(glm::mat3(object.m_lattices[i].axes), partLow, partHigh);
+        if (object.m_moves)
+            part.hull().bounds(axes, partLow, partHigh);
+        else
+            HullPoints(part.bounds()).bounds(axes, partLow, partHigh);
         low = glm::min(low, object.m_lattices[i].corner + glm::dvec3(partLow));
         high = glm::max(high, object.m_lattices[i].corner + glm::dvec3(partHigh));
     }
@@ -51,8 +56,8 @@ btDbvtVolume Broadphase::volumeOf(glm::dvec3 low, glm::dvec3 high) const {
 }
 
 void Broadphase::add(CollisionObject& object, bool moves) {
-    setBounds(object, glm::dvec3(0.0), 0.0);
     object.m_moves = moves;
+    setBounds(object, glm::dvec3(0.0), 0.0);
     touch(object);
     object.m_leaf = (moves ? m_moving : m_resting).insert(volumeOf(object.low, object.high), &object);
 }

@@ -3,15 +3,9 @@
 #include <cmath>
 
 namespace rubble {
-namespace {
-
-constexpr int kTurns = 4;
-
-}  // namespace
-
-float widenGap(const PlacedHull& a, const PlacedHull& b, float enough, glm::vec3& axis) {
+float widenGap(const PlacedHull& a, const PlacedHull& b, float enough, int turns, glm::vec3& axis) {
     float gap = gapAlong(a, b, axis), step = 1.0f;
-    for (int turn = 0; turn < kTurns && gap <= enough; ++turn) {
+    for (int turn = 0; turn < turns && gap <= enough; ++turn) {
         const glm::vec3 way = a.farthest(-axis) - b.farthest(axis);
         const glm::vec3 across = way - axis * glm::dot(way, axis);
         const float length2 = glm::dot(across, across);

@@ -18,7 +18,7 @@ inline float gapAlong(const PlacedHull& a, const PlacedHull& b, const glm::vec3&
     return -a.highest(-axis) - b.highest(axis);
 }
 
-/// Turns a unit vector towards where the gap is widest, until it is `enough` or the search ends; returns the gap.
-float widenGap(const PlacedHull& a, const PlacedHull& b, float enough, glm::vec3& axis);
+/// Turns a unit vector at most `turns` times towards where the gap is widest, until that is `enough`; returns the gap.
+float widenGap(const PlacedHull& a, const PlacedHull& b, float enough, int turns, glm::vec3& axis);
 
 }  // namespace rubble

@@ -11,25 +11,23 @@ namespace {
 
 constexpr int kCluster = 4;  ///< cells on a side
 
-/// Cells of a row whose neighbour towards d is solid: shifted to the cell itself.
-uint64_t seen(const SolidRows& rows, int y, int z, glm::ivec3 d) {
-    const uint64_t row = rows.row(y + d.y, z + d.z);
-    return d.x < 0 ? row << 1 : d.x > 0 ? row >> 1 : row;
-}
-
-glm::ivec3 outwardOf(int kind) {
-    const glm::vec3 o = featureKinds()[size_t(kind)].outward;
-    return {int(o.x), int(o.y), int(o.z)};
-}
-
-/// Cells of a row around which everything on a feature's outer side is empty.
-uint64_t convex(const SolidRows& rows, int y, int z, glm::ivec3 out) {
-    uint64_t solid = 0;
-    for (int part = 1; part < 8; ++part) {
-        const glm::ivec3 d(part & 1 ? out.x : 0, part & 2 ? out.y : 0, part & 4 ? out.z : 0);
-        if (d != glm::ivec3(0)) solid |= seen(rows, y, z, d);
-    }
-    return ~solid;
+/// Which cells of a row have a feature of each kind: those around which everything on its outer side is empty.
+std::array<uint64_t, kFeatureKinds> findInRow(const SolidRows& rows, int y, int z) {
+    std::array<uint64_t, kFeatureKinds> found{};
+    const uint64_t own = rows.row(y, z);
+    const auto beside = [](uint64_t row, size_t high) { return high ? row >> 1 : row << 1; };  // seen from the cell itself
+    for (size_t hz = 0; hz < 2; ++hz)
+        for (size_t hy = 0; hy < 2; ++hy) {
+            const int dy = hy ? 1 : -1, dz = hz ? 1 : -1;
+            const uint64_t byY = rows.row(y + dy, z), byZ = rows.row(y, z + dz), all = byY | byZ | rows.row(y + dy, z + dz);
+            found[8 + hy + 2 * hz] = own & ~all;
+            for (size_t hx = 0; hx < 2; ++hx) {
+                found[hx + 2 * hy + 4 * hz] = own & ~(all | beside(own | all, hx));
+                found[12 + hz + 2 * hx] = own & ~(byZ | beside(own | byZ, hx));
+                found[16 + hx + 2 * hy] = own & ~(byY | beside(own | byY, hx));
+            }
+        }
+    return found;
 }
 
 struct Feature {
@@ -65,25 +63,21 @@ void addCluster(FeatureList& list, size_t number, std::span<const Feature> featu
 
 /// The features of rows [z, z + kCluster), by clusters.
 void findInSlab(const SolidRows& rows, int z0, std::vector<std::vector<Feature>>& found) {
-    static const auto outwards = [] {
-        std::array<glm::ivec3, kFeatureKinds> all{};
-        for (int kind = 0; kind < kFeatureKinds; ++kind) all[size_t(kind)] = outwardOf(kind);
-        return all;
-    }();
     const glm::ivec3 size = rows.box().high - rows.box().low;
     const int across = (size.x + kCluster - 1) / kCluster;
     const uint64_t inside = ~uint64_t(0) >> (64 - size.x);
     for (int z = z0; z < std::min(z0 + kCluster, size.z); ++z)
         for (int y = 0; y < size.y; ++y) {
-            const uint64_t own = rows.row(y, z) >> SolidRows::kAround & inside;
-            if (!own) continue;
-            std::array<uint64_t, kFeatureKinds> masks{};
+            if (!(rows.row(y, z) >> SolidRows::kAround & inside)) continue;
+            const std::array<uint64_t, kFeatureKinds> masks = findInRow(rows, y, z);
             uint64_t any = 0;
-            for (size_t kind = 0; kind < kFeatureKinds; ++kind) any |= masks[kind] = convex(rows, y, z, outwards[kind]) >> SolidRows::kAround & own;
+            for (const uint64_t mask : masks) any |= mask;
+            any = any >> SolidRows::kAround & inside;
             for (; any; any &= any - 1) {
                 const int x = std::countr_zero(any);
                 for (size_t kind = 0; kind < kFeatureKinds; ++kind)
-                    if (masks[kind] >> x & 1) found[size_t(y / kCluster * across + x / kCluster)].push_back({glm::u8vec3(x, y, z), uint8_t(kind)});
+                    if (masks[kind] >> (x + SolidRows::kAround) & 1)
+                        found[size_t(y / kCluster * across + x / kCluster)].push_back({glm::u8vec3(x, y, z), uint8_t(kind)});
             }
         }
 }

@@ -11,10 +11,11 @@
 namespace rubble {
 namespace {
 
-constexpr float kInset = 0.05f;     ///< voxels that a feature is looked up inside of its own solid: edges that line up still meet
-constexpr float kRounding = 1e-3f;  ///< cells by which more is looked at than should be needed
-constexpr float kLookedAt = 0.15f;  ///< voxels, more than the margin, around a corner or edge in which contacts are looked for
-constexpr float kParallel = 0.15f;  ///< sine between edges below which they do not cross
+constexpr float kInset = 0.05f;             ///< voxels that a feature is looked up inside of its own solid: edges that line up still meet
+constexpr float kRounding = 1e-3f;          ///< cells by which more is looked at than should be needed
+constexpr float kLookedAt = 0.15f;          ///< voxels, more than the margin, around a corner or edge in which contacts are looked for
+constexpr int kFirstTurns = 4, kTurns = 1;  ///< in the search for a gap, of pairs that are new and not
+constexpr float kParallel = 0.15f;          ///< sine between edges below which they do not cross
 
 /// One shape's features against another's occupancy.
 class Prober {
@@ -370,10 +371,11 @@ bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const V
             const Lattice& la = firstMotion.lattices[i];
             const Lattice lb{secondMotion.lattices[j].axes, secondMotion.lattices[j].corner + approach.apart};
             const PlacedHull hullA = placeHull(a, la), hullB = placeHull(b, lb);
-            glm::vec3 way = isOne && axis != glm::vec3(0.0f) ? axis : between(a, hullA, b, hullB);
+            const bool isKnown = isOne && axis != glm::vec3(0.0f);
+            glm::vec3 way = isKnown ? axis : between(a, hullA, b, hullB);
             const float size = float(std::max(a.voxelSize(), b.voxelSize()));
             const float most = float(settings.margin) + kLookedAt * size, closing = approach.sweeps ? float(approach.way) : 0.0f;
-            const float gap = widenGap(hullA, hullB, most + closing, way);
+            const float gap = widenGap(hullA, hullB, most + closing, isKnown ? kTurns : kFirstTurns, way);
             if (isOne) axis = way;
             const float near = most + approach.closing(way, double(most));
             if (gap > near) continue;
