@@ -20,6 +20,45 @@ void tangentsOf(const glm::vec3& n, glm::vec3& t1, glm::vec3& t2) {
 
 }  // namespace
 
+/// Kept in registers, not in m_states, while the contacts of two bodies are gone through.
+struct ContactSolver::Moving {
+    Moving(const State& A, const State& B)
+        : vA(four(A.v)),
+          wA(four(A.w)),
+          vB(four(B.v)),
+          wB(four(B.w)),
+          massA(A.inverseMass),
+          massB(B.inverseMass),
+          inertiaA(A.inverseInertia),
+          inertiaB(B.inverseInertia) {}
+    void store(State& A, State& B) const { A.v = vec3(vA), A.w = vec3(wA), B.v = vec3(vB), B.w = vec3(wB); }
+
+    float speedAlong(const Constraint& c) const {
+        const Four parts = c.normal * (vA - vB) + c.leverA * wA - c.leverB * wB;
+        return parts[0] + parts[1] + parts[2];
+    }
+    Four relativeVelocity(const Constraint& c) const { return vA + cross(wA, c.rA) - vB - cross(wB, c.rB); }
+    /// An impulse along the normal.
+    void push(const Constraint& c, float impulse) {
+        vA += c.normal * four(impulse * massA);
+        wA += c.spinA * four(impulse);
+        vB -= c.normal * four(impulse * massB);
+        wB -= c.spinB * four(impulse);
+    }
+    /// Impulses along the tangents.
+    void rub(const Constraint& c, float impulse1, float impulse2) {
+        const Four impulse = c.tangent1 * four(impulse1) + c.tangent2 * four(impulse2);
+        vA += impulse * four(massA);
+        wA += inertiaA * cross(c.rA, impulse);
+        vB -= impulse * four(massB);
+        wB -= inertiaB * cross(c.rB, impulse);
+    }
+
+    Four vA, wA, vB, wB;
+    float massA, massB;
+    FourColumns inertiaA, inertiaB;
+};
+
 ContactSolver::Softness ContactSolver::soften(double hertz, double dampingRatio, double seconds) {
     const double omega = 2.0 * 3.14159265358979 * hertz;
     const double a1 = 2.0 * dampingRatio + seconds * omega, a2 = seconds * omega * a1, a3 = 1.0 / (1.0 + a2);
@@ -31,9 +70,9 @@ ContactSolver::Softness ContactSolver::soften(double hertz, double dampingRatio,
 void ContactSolver::addCore(const Range& range, const Constraint& fastest) {
     const State &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
     Constraint core = fastest;
-    if (range.a) core.separation += std::max(0.0f, -glm::dot(core.rA, core.normal) - A.reach);
-    if (range.b) core.separation += std::max(0.0f, glm::dot(core.rB, core.normal) - B.reach);
-    core.rA = core.rB = glm::vec3(0.0f);
+    if (range.a) core.separation += std::max(0.0f, -dot(core.rA, core.normal) - A.reach);
+    if (range.b) core.separation += std::max(0.0f, dot(core.rB, core.normal) - B.reach);
+    core.rA = core.rB = core.leverA = core.leverB = core.spinA = core.spinB = four(0.0f);
     core.normalMass = 1.0f / (A.inverseMass + B.inverseMass);
     core.friction = core.restitution = 0.0f;
     core.normalImpulse = core.tangentImpulse1 = core.tangentImpulse2 = 0.0f;
@@ -68,25 +107,28 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
         for (ManifoldPoint& point : manifolds[m]->all()) {
             Constraint& c = m_constraints.emplace_back();
             const glm::vec3 half = point.normal * (0.5f * point.separation);  // far apart before a fast hit: where each is touched
-            c.rA = a ? originA + point.position + half : glm::vec3(0.0f);
-            c.rB = b ? originB + point.position - half : glm::vec3(0.0f);
-            c.normal = point.normal;
-            tangentsOf(c.normal, c.tangent1, c.tangent2);
+            const glm::vec3 rA = a ? originA + point.position + half : glm::vec3(0.0f), rB = b ? originB + point.position - half : glm::vec3(0.0f);
+            glm::vec3 tangent1, tangent2;
+            tangentsOf(point.normal, tangent1, tangent2);
             const auto massAlong = [&](const glm::vec3& d) {
-                const glm::vec3 xa = glm::cross(c.rA, d), xb = glm::cross(c.rB, d);
+                const glm::vec3 xa = glm::cross(rA, d), xb = glm::cross(rB, d);
                 const float k = A.inverseMass + B.inverseMass + glm::dot(xa, A.inverseInertia * xa) + glm::dot(xb, B.inverseInertia * xb);
                 return k > 0.0f ? 1.0f / k : 0.0f;
             };
-            c.normalMass = massAlong(c.normal);
-            c.tangentMass1 = massAlong(c.tangent1);
-            c.tangentMass2 = massAlong(c.tangent2);
+            c.normal = four(point.normal), c.tangent1 = four(tangent1), c.tangent2 = four(tangent2);
+            c.rA = four(rA), c.rB = four(rB);
+            c.leverA = cross(c.rA, c.normal), c.leverB = cross(c.rB, c.normal);
+            c.spinA = four(A.inverseInertia * vec3(c.leverA)), c.spinB = four(B.inverseInertia * vec3(c.leverB));
+            c.normalMass = massAlong(point.normal);
+            c.tangentMass1 = massAlong(tangent1);
+            c.tangentMass2 = massAlong(tangent2);
             c.separation = point.separation;
             c.friction = point.friction;
             c.restitution = point.restitution;
-            c.approach = glm::dot(relativeVelocity(c, A, B), c.normal);
+            c.approach = Moving(A, B).speedAlong(c);
             c.normalImpulse = point.normalImpulse;
-            c.tangentImpulse1 = glm::dot(point.frictionImpulse, c.tangent1);
-            c.tangentImpulse2 = glm::dot(point.frictionImpulse, c.tangent2);
+            c.tangentImpulse1 = glm::dot(point.frictionImpulse, tangent1);
+            c.tangentImpulse2 = glm::dot(point.frictionImpulse, tangent2);
             c.total = c.most = c.bounceImpulse = 0.0f;
             c.isStiff = false;
             c.isStatic = A.inverseMass == 0.0f || B.inverseMass == 0.0f;
@@ -108,7 +150,7 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
 void ContactSolver::findBearers(glm::vec3 up, float ratio) {
     m_bearing.clear();
     const auto lower = [&](const Range& range) -> State* {
-        const float rise = range.to > range.from ? glm::dot(m_constraints[range.from].normal, up) : 0.0f;
+        const float rise = range.to > range.from ? glm::dot(vec3(m_constraints[range.from].normal), up) : 0.0f;
         return rise > kSlope ? &m_states[size_t(range.b)] : rise < -kSlope ? &m_states[size_t(range.a)] : nullptr;
     };
     const auto upper = [&](const Range& range, const State* under) {
@@ -138,57 +180,47 @@ void ContactSolver::findBearers(glm::vec3 up, float ratio) {
     }
 }
 
-void ContactSolver::apply(const Constraint& c, State& A, State& B, const glm::vec3& impulse) {
-    A.v += impulse * A.inverseMass;
-    A.w += A.inverseInertia * glm::cross(c.rA, impulse);
-    B.v -= impulse * B.inverseMass;
-    B.w -= B.inverseInertia * glm::cross(c.rB, impulse);
-}
-
-glm::vec3 ContactSolver::relativeVelocity(const Constraint& c, const State& A, const State& B) {
-    return A.v + glm::cross(A.w, c.rA) - B.v - glm::cross(B.w, c.rB);
-}
-
 void ContactSolver::warmStart() {
-    for (const Range& range : m_ranges)
+    for (const Range& range : m_ranges) {
+        State &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
+        Moving bodies(A, B);
         for (size_t i = range.from; i < range.to; ++i) {
             const Constraint& c = m_constraints[i];
-            apply(c, m_states[size_t(range.a)], m_states[size_t(range.b)],
-                  c.normal * c.normalImpulse + c.tangent1 * c.tangentImpulse1 + c.tangent2 * c.tangentImpulse2);
+            bodies.push(c, c.normalImpulse);
+            bodies.rub(c, c.tangentImpulse1, c.tangentImpulse2);
         }
-}
-
-void ContactSolver::solveNormal(Constraint& c, State& A, State& B, float inverseSeconds, bool pushApart) const {
-    const glm::vec3 moved = A.moved + A.turned * c.rA - B.moved - B.turned * c.rB;
-    const float s = c.separation + glm::dot(moved, c.normal);
-    const Softness& soft = c.isStiff ? m_stiff : c.isStatic ? m_softStatic : m_soft;
-    float bias = 0.0f, massScale = 1.0f, impulseScale = 0.0f;
-    if (s > 0.0f)
-        bias = s * inverseSeconds;
-    else if (pushApart) {
-        bias = std::max(soft.biasRate * std::min(s + m_slop, 0.0f), -m_pushSpeed);
-        massScale = soft.massScale;
-        impulseScale = soft.impulseScale;
+        bodies.store(A, B);
     }
-    const float speed = glm::dot(relativeVelocity(c, A, B), c.normal);
-    const float old = c.normalImpulse;
-    c.normalImpulse = std::max(old - c.normalMass * massScale * (speed + bias) - impulseScale * old, 0.0f);
-    c.most = std::max(c.most, c.normalImpulse);
-    apply(c, A, B, c.normal * (c.normalImpulse - old));
 }
 
-void ContactSolver::solveFriction(Constraint& c, State& A, State& B) const {
-    const glm::vec3 relative = relativeVelocity(c, A, B);
+ContactSolver::Push ContactSolver::pushOf(const Constraint& c, const State& A, const State& B, float inverseSeconds, bool pushApart) const {
+    const Four moved = four(A.moved - B.moved) + FourColumns(A.turned) * c.rA - FourColumns(B.turned) * c.rB;
+    const float s = c.separation + dot(moved, c.normal);
+    if (s > 0.0f) return {s * inverseSeconds};
+    if (!pushApart) return {};
+    const Softness& soft = c.isStiff ? m_stiff : c.isStatic ? m_softStatic : m_soft;
+    return {std::max(soft.biasRate * std::min(s + m_slop, 0.0f), -m_pushSpeed), soft.massScale, soft.impulseScale};
+}
+
+void ContactSolver::solveNormal(Constraint& c, const Push& push, Moving& bodies) {
+    const float old = c.normalImpulse;
+    c.normalImpulse = std::max(old - c.normalMass * push.massScale * (bodies.speedAlong(c) + push.bias) - push.impulseScale * old, 0.0f);
+    c.most = std::max(c.most, c.normalImpulse);
+    bodies.push(c, c.normalImpulse - old);
+}
+
+void ContactSolver::solveFriction(Constraint& c, Moving& bodies) {
+    const Four relative = bodies.relativeVelocity(c);
     const float limit = c.friction * c.normalImpulse;
-    float t1 = c.tangentImpulse1 - c.tangentMass1 * glm::dot(relative, c.tangent1);
-    float t2 = c.tangentImpulse2 - c.tangentMass2 * glm::dot(relative, c.tangent2);
+    float t1 = c.tangentImpulse1 - c.tangentMass1 * dot(relative, c.tangent1);
+    float t2 = c.tangentImpulse2 - c.tangentMass2 * dot(relative, c.tangent2);
     const float size2 = t1 * t1 + t2 * t2;
     if (size2 > limit * limit) {
         const float shrink = limit / std::sqrt(size2);
         t1 *= shrink;
         t2 *= shrink;
     }
-    apply(c, A, B, c.tangent1 * (t1 - c.tangentImpulse1) + c.tangent2 * (t2 - c.tangentImpulse2));
+    bodies.rub(c, t1 - c.tangentImpulse1, t2 - c.tangentImpulse2);
     c.tangentImpulse1 = t1;
     c.tangentImpulse2 = t2;
 }
@@ -197,9 +229,18 @@ void ContactSolver::solveFriction(Constraint& c, State& A, State& B) const {
 void ContactSolver::solveRange(const Range& range, float inverseSeconds, bool pushApart) {
     State &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
     const std::span<Constraint> points(m_constraints.data() + range.from, range.to - range.from);
+    std::array<Push, kMaxManifoldPoints + 1> pushes;  // a core may be one more
+    for (size_t i = 0; i < points.size(); ++i) {
+        Constraint& c = points[i];
+        pushes[i] = pushOf(c, A, B, inverseSeconds, pushApart);
+        if (A.inertiaTurns) c.spinA = FourColumns(A.inverseInertia) * c.leverA;
+        if (B.inertiaTurns) c.spinB = FourColumns(B.inverseInertia) * c.leverB;
+    }
+    Moving bodies(A, B);
     for (int pass = 0; pass < range.passes; ++pass)
-        for (Constraint& c : points) solveNormal(c, A, B, inverseSeconds, pushApart);
-    for (Constraint& c : points) solveFriction(c, A, B);
+        for (size_t i = 0; i < points.size(); ++i) solveNormal(points[i], pushes[i], bodies);
+    for (Constraint& c : points) solveFriction(c, bodies);
+    bodies.store(A, B);
 }
 
 void ContactSolver::solveContacts(float inverseSeconds, bool pushApart) {
@@ -212,16 +253,20 @@ void ContactSolver::solveContacts(float inverseSeconds, bool pushApart) {
 void ContactSolver::bounce(float threshold) {
     for (const Range& range : m_ranges) {
         State &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
+        const std::span<Constraint> points(m_constraints.data() + range.from, range.to - range.from);
+        const auto bounces = [&](const Constraint& c) { return c.restitution != 0.0f && c.approach <= -threshold && c.most != 0.0f; };
+        if (std::none_of(points.begin(), points.end(), bounces)) continue;
+        Moving bodies(A, B);
         for (int pass = 0; pass < kFastPasses; ++pass)
-            for (size_t i = range.from; i < range.to; ++i) {
-                Constraint& c = m_constraints[i];
-                if (c.restitution == 0.0f || c.approach > -threshold || c.most == 0.0f) continue;
+            for (Constraint& c : points) {
+                if (!bounces(c)) continue;
                 // On top of what the contact bears, which the next step starts with.
-                const float speed = glm::dot(relativeVelocity(c, A, B), c.normal), old = c.bounceImpulse;
-                c.bounceImpulse = std::max(old - c.normalMass * (speed + c.restitution * c.approach), 0.0f);
-                apply(c, A, B, c.normal * (c.bounceImpulse - old));
+                const float old = c.bounceImpulse;
+                c.bounceImpulse = std::max(old - c.normalMass * (bodies.speedAlong(c) + c.restitution * c.approach), 0.0f);
+                bodies.push(c, c.bounceImpulse - old);
             }
-        for (size_t i = range.from; i < range.to; ++i) m_constraints[i].total += m_constraints[i].bounceImpulse;
+        bodies.store(A, B);
+        for (Constraint& c : points) c.total += c.bounceImpulse;
     }
 }
 
@@ -275,6 +320,7 @@ void ContactSolver::move(std::span<SolverBody> bodies, glm::dvec3 gravity, doubl
         if (body.conserves) {
             state.w = glm::vec3(body.angularVelocity);
             state.inverseInertia = glm::mat3(worldInverseInertia(body));
+            state.inertiaTurns = true;
         }
     }
 }
@@ -283,7 +329,7 @@ void ContactSolver::store() {
     for (const Constraint& c : m_constraints) {
         if (!c.point) continue;
         c.point->normalImpulse = c.normalImpulse;
-        c.point->frictionImpulse = c.tangent1 * c.tangentImpulse1 + c.tangent2 * c.tangentImpulse2;
+        c.point->frictionImpulse = vec3(c.tangent1 * four(c.tangentImpulse1) + c.tangent2 * four(c.tangentImpulse2));
         c.point->totalImpulse = c.total;
         c.point->approach = -c.approach;
     }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/four.h"
 #include "physics/manifold.h"
 
 namespace rubble {
@@ -63,15 +64,24 @@ private:
         glm::mat3 turned{0.0f};          ///< rotation since the step began, less the identity
         glm::mat3 inverseInertia{0.0f};  ///< world
         bool touches = false, bears = false;
+        bool inertiaTurns = false;  ///< within the step
     };
     struct Constraint {
-        glm::vec3 rA, rB, normal, tangent1, tangent2;
-        float separation;  ///< at the start of the step
+        Four normal, rA, rB, tangent1, tangent2;
+        Four leverA, leverB;  ///< r x normal
+        Four spinA, spinB;    ///< that an impulse of 1 along the normal gives
+        float separation;     ///< at the start of the step
         float normalMass, tangentMass1, tangentMass2;
         float friction, restitution, approach;
         float normalImpulse, tangentImpulse1, tangentImpulse2, total, most, bounceImpulse;
         bool isStatic, isStiff;
         ManifoldPoint* point;  ///< null: of a core
+    };
+    /// What two bodies do while their contacts are solved.
+    struct Moving;
+    /// What pushes a contact apart, or lets it close.
+    struct Push {
+        float bias = 0.0f, massScale = 1.0f, impulseScale = 0.0f;
     };
     /// The contacts of two bodies.
     struct Range {
@@ -82,10 +92,9 @@ private:
     void findBearers(glm::vec3 up, float ratio);
     void solveRange(const Range& range, float inverseSeconds, bool pushApart);
     void addCore(const Range& range, const Constraint& fastest);
-    static glm::vec3 relativeVelocity(const Constraint& c, const State& A, const State& B);
-    static void apply(const Constraint& c, State& A, State& B, const glm::vec3& impulse);
-    void solveNormal(Constraint& c, State& A, State& B, float inverseSeconds, bool pushApart) const;
-    void solveFriction(Constraint& c, State& A, State& B) const;
+    Push pushOf(const Constraint& c, const State& A, const State& B, float inverseSeconds, bool pushApart) const;
+    static void solveNormal(Constraint& c, const Push& push, Moving& bodies);
+    static void solveFriction(Constraint& c, Moving& bodies);
 
     std::vector<State> m_states;
     std::vector<Range> m_ranges;

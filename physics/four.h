@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <glm/mat3x3.hpp>
 
 namespace rubble {
 
@@ -28,5 +29,28 @@ inline bool any(FourBools bools) {
     std::memcpy(words.data(), &bools, sizeof bools);
     return (words[0] | words[1]) != 0;
 }
+
+/// A vector in the first three, 0 in the last.
+inline Four four(const glm::vec3& v) {
+    return Four{v.x, v.y, v.z, 0.0f};
+}
+inline glm::vec3 vec3(Four v) {
+    return {v[0], v[1], v[2]};
+}
+inline float dot(Four a, Four b) {
+    const Four product = a * b;
+    return product[0] + product[1] + product[2];
+}
+inline Four cross(Four a, Four b) {
+    const Four turned = a * __builtin_shufflevector(b, b, 1, 2, 0, 3) - __builtin_shufflevector(a, a, 1, 2, 0, 3) * b;
+    return __builtin_shufflevector(turned, turned, 1, 2, 0, 3);
+}
+
+/// A matrix of columns of four.
+struct FourColumns {
+    FourColumns(const glm::mat3& m) : x(four(m[0])), y(four(m[1])), z(four(m[2])) {}
+    Four operator*(Four v) const { return x * four(v[0]) + y * four(v[1]) + z * four(v[2]); }
+    Four x, y, z;
+};
 
 }  // namespace rubble
