@@ -9,6 +9,7 @@ namespace rubble {
 /// Four floats that are worked on at once, and four truths (-1 or 0).
 using Four = float __attribute__((vector_size(16)));
 using FourBools = int __attribute__((vector_size(16)));
+using FourInts = FourBools;
 
 inline Four load(const float* from) {
     Four four;
@@ -23,6 +24,17 @@ inline Four smaller(Four a, Four b) {
 }
 inline Four larger(Four a, Four b) {
     return a > b ? a : b;
+}
+inline FourInts smaller(FourInts a, FourInts b) {
+    return a < b ? a : b;
+}
+inline FourInts larger(FourInts a, FourInts b) {
+    return a > b ? a : b;
+}
+/// Rounds down.
+inline FourInts floorOf(Four v) {
+    const FourInts i = __builtin_convertvector(v, FourInts);
+    return i + (__builtin_convertvector(i, Four) > v);
 }
 inline bool any(FourBools bools) {
     std::array<uint64_t, 2> words;

@@ -23,17 +23,11 @@ public:
     explicit Occupancy(const VoxelPart& part) : m_part(part), m_grid(part.grid()), m_whole(part.whole() ? &part.whole()->rows : nullptr) {}
 
     /// False if no cell of a box, both ends included, is solid; in a large part, large boxes are not looked at closely.
-    bool mayTouch(Cell low, Cell high) {
-        if (m_whole) return m_whole->any(low, high);
-        const Cell brick = glm::clamp(low, Cell(0), m_grid.size() - 1) >> 3, last = brick * kBrickSize + kBrickSize + SolidRows::kAround - 1;
-        if (glm::any(glm::greaterThan(low, last)) || glm::any(glm::lessThan(high, last - (kBrickSize + 2 * SolidRows::kAround - 1)))) return false;
-        if (glm::any(glm::greaterThan(high, last))) return true;
-        if (brick != m_nearAt) m_nearAt = brick, m_near = &m_part.rows(brick);
-        return m_near->any(low, high);
-    }
+    bool mayTouch(FourInts low, FourInts high) { return m_whole ? m_whole->any(low, high) : mayTouchBrick(low, high); }
     /// False if no brick that a box of cells reaches into holds anything; large boxes are not looked at closely.
-    bool mayHold(Cell low, Cell high) const {
-        if (m_whole) return m_whole->any(low, high);
+    bool mayHold(FourInts from, FourInts to) const {
+        if (m_whole) return m_whole->any(from, to);
+        Cell low(from[0], from[1], from[2]), high(to[0], to[1], to[2]);
         low = glm::max(low, Cell(0)) >> 3, high = glm::min(high, m_grid.size() - 1) >> 3;
         if (std::max({high.x - low.x, high.y - low.y, high.z - low.z}) > 3) return true;
         for (int z = low.z; z <= high.z; ++z)
@@ -51,6 +45,15 @@ public:
     }
 
 private:
+    bool mayTouchBrick(FourInts from, FourInts to) {
+        const Cell low(from[0], from[1], from[2]), high(to[0], to[1], to[2]);
+        const Cell brick = glm::clamp(low, Cell(0), m_grid.size() - 1) >> 3, last = brick * kBrickSize + kBrickSize + SolidRows::kAround - 1;
+        if (glm::any(glm::greaterThan(low, last)) || glm::any(glm::lessThan(high, last - (kBrickSize + 2 * SolidRows::kAround - 1)))) return false;
+        if (glm::any(glm::greaterThan(high, last))) return true;
+        if (brick != m_nearAt) m_nearAt = brick, m_near = &m_part.rows(brick);
+        return m_near->any(from, to);
+    }
+
     const VoxelPart& m_part;
     const VoxelGrid& m_grid;
     const SolidRows* m_whole;

@@ -3,6 +3,7 @@
 #include <glm/common.hpp>
 #include <vector>
 
+#include "physics/four.h"
 #include "runtime/voxel/cell_box.h"
 #include "runtime/voxel/voxel_grid.h"
 
@@ -28,13 +29,14 @@ public:
         return covers(cell) && m_rows[size_t(c.y + m_ny * c.z)] >> c.x & 1;
     }
     /// Whether a covered cell of a box, both ends included, is solid.
-    bool any(glm::ivec3 low, glm::ivec3 high) const {
-        low = glm::max(low - m_low, glm::ivec3(0)), high = glm::min(high - m_low, glm::ivec3(m_nx, m_ny, m_nz) - 1);
-        if (low.x > high.x) return false;
+    bool any(FourInts low, FourInts high) const {
+        const FourInts corner = {m_low.x, m_low.y, m_low.z, 0};
+        low = larger(low - corner, FourInts{0, 0, 0, 0}), high = smaller(high - corner, FourInts{m_nx - 1, m_ny - 1, m_nz - 1, 0});
+        if (low[0] > high[0]) return false;
         uint64_t found = 0;
-        for (int z = low.z; z <= high.z; ++z)
-            for (int y = low.y; y <= high.y; ++y) found |= m_rows[size_t(y + m_ny * z)];
-        return found >> low.x & (~uint64_t(0) >> (63 - (high.x - low.x)));
+        for (int z = low[2]; z <= high[2]; ++z)
+            for (int y = low[1]; y <= high[1]; ++y) found |= m_rows[size_t(y + m_ny * z)];
+        return found >> low[0] & (~uint64_t(0) >> (63 - (high[0] - low[0])));
     }
 
 private:

@@ -83,7 +83,7 @@ private:
     bool mayReach(const glm::vec3& low, const glm::vec3& high) {
         const glm::vec3 c = m_corner + m_axes * ((low + high) * 0.5f), h = (high - low) * 0.5f;
         const glm::vec3 r = glm::abs(m_axes[0]) * h.x + glm::abs(m_axes[1]) * h.y + glm::abs(m_axes[2]) * h.z + m_farthest;
-        return m_occupancy.mayHold(cellOf(c - r + m_wayLow), cellOf(c + r + m_wayHigh));
+        return m_occupancy.mayHold(floorOf(four(c - r + m_wayLow)), floorOf(four(c + r + m_wayHigh)));
     }
 
     /// The cells of `from` that may come within reach of `into`; false: none.
@@ -108,9 +108,14 @@ private:
         glm::vec3 inset = (glm::abs(m_axes[0]) + glm::abs(m_axes[1]) + glm::abs(m_axes[2])) * kInset;
         if (m_sweeps) inset += (std::abs(m_spin.x) + std::abs(m_spin.y) + std::abs(m_spin.z)) * glm::length(inset);
         const glm::vec3 around = inset + (m_margin + kInset * m_scale + kRounding);
-        m_reaches[0] = around;
-        for (int axis = 0; axis < 3; ++axis) m_reaches[size_t(axis + 1)] = glm::max(around, glm::abs(m_axes[axis]) * 0.5f + kRounding);
-        m_farthest = glm::max(glm::max(m_reaches[0], m_reaches[1]), glm::max(m_reaches[2], m_reaches[3]));
+        m_reaches[0] = four(around);
+        m_farthest = around;
+        for (int axis = 0; axis < 3; ++axis) {
+            const glm::vec3 reach = glm::max(around, glm::abs(m_axes[axis]) * 0.5f + kRounding);
+            m_reaches[size_t(axis + 1)] = four(reach);
+            m_farthest = glm::max(m_farthest, reach);
+        }
+        m_velocityFour = four(m_velocity), m_spinFour = four(m_spin), m_aboutFour = four(m_about);
     }
 
     /// The bounds of the ways of features that may meet something: only those that come from where they lead are looked at.
@@ -144,14 +149,14 @@ private:
     }
 
     /// False if nothing that a feature there could meet is solid.
-    bool mayMeet(const glm::vec3& point, uint8_t kind) {
-        const glm::vec3& reach = m_reaches[kind < 8 ? 0 : size_t(kind - 4) / 4];
-        glm::vec3 low = point - reach, high = point + reach;
+    bool mayMeet(Four point, uint8_t kind) {
+        const Four reach = m_reaches[kind < 8 ? 0 : size_t(kind - 4) / 4];
+        Four low = point - reach, high = point + reach;
         if (m_sweeps) {
-            const glm::vec3 way = m_velocity + glm::cross(m_spin, point - m_about);
-            low += glm::min(way, 0.0f), high += glm::max(way, 0.0f);
+            const Four way = m_velocityFour + cross(m_spinFour, point - m_aboutFour);
+            low += smaller(way, four(0.0f)), high += larger(way, four(0.0f));
         }
-        return m_occupancy.mayTouch(cellOf(low), cellOf(high));
+        return m_occupancy.mayTouch(floorOf(low), floorOf(high));
     }
 
     /// Features of a region of `from` whose low corner is `corner`.
@@ -200,9 +205,10 @@ private:
             for (size_t k = 0; k < 4; ++k) {
                 if (!inside[k]) continue;
                 const uint8_t kind = features.kind[k];
-                const glm::vec3 point(p[0][k], p[1][k], p[2][k]);
+                const Four point = {p[0][k], p[1][k], p[2][k], 0.0f};
+                if (!mayMeet(point, kind)) continue;
                 const Cell own(features.cell[k][0], features.cell[k][1], features.cell[k][2]);
-                if (mayMeet(point, kind)) test(probeOf(kind, point), kind, corner + own, out);
+                test(probeOf(kind, vec3(point)), kind, corner + own, out);
             }
         }
     }
@@ -289,9 +295,10 @@ private:
     glm::vec3 m_corner;  ///< of `from`, in cells of `into`
     float m_scale;       ///< cells of `into` that a cell of `from` is long
     std::array<glm::vec3, 3> m_unit;
-    uint32_t m_placed = 0;               ///< kinds whose probes are ready
-    glm::vec3 m_farthest{0.0f};          ///< of the reaches
-    std::array<glm::vec3, 4> m_reaches;  ///< of corners and of edges along x, y, z
+    uint32_t m_placed = 0;       ///< kinds whose probes are ready
+    glm::vec3 m_farthest{0.0f};  ///< of the reaches
+    Four m_velocityFour, m_spinFour, m_aboutFour;
+    std::array<Four, 4> m_reaches;  ///< of corners and of edges along x, y, z
     std::array<Probe, kFeatureKinds> m_probes;
     std::array<glm::vec3, kFeatureKinds> m_insets;
     float m_margin, m_reach = 0.0f;
