@@ -76,7 +76,7 @@ void ContactSolver::addCore(const Range& range, const Constraint& fastest) {
     core.normalMass = 1.0f / (A.inverseMass + B.inverseMass);
     core.friction = core.restitution = 0.0f;
     core.normalImpulse = core.tangentImpulse1 = core.tangentImpulse2 = 0.0f;
-    core.point = nullptr;
+    core.isCore = true;
     m_constraints.push_back(core);
 }
 
@@ -130,7 +130,7 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
             c.tangentImpulse1 = glm::dot(point.frictionImpulse, tangent1);
             c.tangentImpulse2 = glm::dot(point.frictionImpulse, tangent2);
             c.total = c.most = c.bounceImpulse = 0.0f;
-            c.isStiff = false;
+            c.isStiff = c.isCore = false;
             c.isStatic = A.inverseMass == 0.0f || B.inverseMass == 0.0f;
             c.point = &point;
             if (c.approach < m_constraints[fastest].approach) fastest = m_constraints.size() - 1;
@@ -327,7 +327,10 @@ void ContactSolver::move(std::span<SolverBody> bodies, glm::dvec3 gravity, doubl
 
 void ContactSolver::store() {
     for (const Constraint& c : m_constraints) {
-        if (!c.point) continue;
+        if (c.isCore) {
+            c.point->totalImpulse += c.total;
+            continue;
+        }
         c.point->normalImpulse = c.normalImpulse;
         c.point->frictionImpulse = vec3(c.tangent1 * four(c.tangentImpulse1) + c.tangent2 * four(c.tangentImpulse2));
         c.point->totalImpulse = c.total;

@@ -74,8 +74,8 @@ private:
         float normalMass, tangentMass1, tangentMass2;
         float friction, restitution, approach;
         float normalImpulse, tangentImpulse1, tangentImpulse2, total, most, bounceImpulse;
-        bool isStatic, isStiff;
-        ManifoldPoint* point;  ///< null: of a core
+        bool isStatic, isStiff, isCore;
+        ManifoldPoint* point;  ///< of a core the one that its impulse is added to
     };
     /// What two bodies do while their contacts are solved.
     struct Moving;

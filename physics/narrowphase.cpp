@@ -9,7 +9,7 @@ namespace rubble {
 namespace {
 
 constexpr size_t kBatch = 32;    ///< pairs
-constexpr double kReused = 0.1;  ///< margins that two may move against each other before their contacts are found anew
+constexpr double kReused = 0.05;  ///< margins that two may move against each other before their contacts are found anew
 
 template <class T>
 bool isBefore(const T& a, const T& b) {

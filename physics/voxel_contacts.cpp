@@ -78,6 +78,9 @@ public:
         return true;
     }
 
+    /// Whether a feature was inside the other's solid without a way out that it accepts.
+    bool isStuck() const { return m_isStuck; }
+
 private:
     /// Whether features in a box of `from` may come within reach of what is solid.
     bool mayReach(const glm::vec3& low, const glm::vec3& high) {
@@ -223,6 +226,7 @@ private:
         Face face = m_occupancy.solid(cell) ? wayOut(m_occupancy, cell, inset, probe)
                                             : closestFace(m_occupancy, cell, inset, m_margin + kInset * m_scale, probe);
         if (face.axis < 0) {
+            m_isStuck = m_isStuck || m_occupancy.solid(cell);
             if (!m_sweeps) return;
             const glm::vec3 way = m_velocity + glm::cross(m_spin, inset - m_about);
             if (glm::dot(way, way) > m_margin * m_margin) face = firstFace(m_occupancy, cell, inset, way, probe);
@@ -302,7 +306,7 @@ private:
     std::array<Probe, kFeatureKinds> m_probes;
     std::array<glm::vec3, kFeatureKinds> m_insets;
     float m_margin, m_reach = 0.0f;
-    bool m_sweeps = false, m_isFirst = true;
+    bool m_sweeps = false, m_isFirst = true, m_isStuck = false;
     uint64_t m_key = 0;
     glm::vec3 m_velocity{0.0f}, m_spin{0.0f}, m_about{0.0f};
     glm::vec3 m_direction{0.0f};                ///< in cells of `from`
@@ -358,6 +362,22 @@ glm::vec3 between(const VoxelPart& to, const PlacedHull& toHull, const VoxelPart
     return length2 > 1e-12f ? way / std::sqrt(length2) : glm::vec3(0.0f, 1.0f, 0.0f);
 }
 
+/// For two that overlap so that none of their features accepts a way out: apart along the axis, at the middle of what their
+/// bounds share, no harder than from half a voxel deep.
+ContactPoint pushOut(const VoxelPart& a, const PlacedHull& hullA, const VoxelPart& b, const PlacedHull& hullB, const glm::vec3& axis, float gap,
+                     uint64_t key) {
+    glm::vec3 lowA, highA, lowB, highB;
+    hullA.points.bounds(hullA.axes, lowA, highA);
+    hullB.points.bounds(hullB.axes, lowB, highB);
+    const glm::vec3 low = glm::max(hullA.corner + lowA, hullB.corner + lowB), high = glm::min(hullA.corner + highA, hullB.corner + highB);
+    ContactPoint contact;
+    contact.position = (low + high) * 0.5f;
+    contact.normal = axis;
+    contact.separation = std::max(gap, -0.5f * float(std::min(a.voxelSize(), b.voxelSize())));
+    contact.feature = key | uint64_t(kFeatureKinds) << 12;
+    return contact;
+}
+
 }  // namespace
 
 double longestWay(const Motion& first, const Motion& second, double seconds) {
@@ -387,6 +407,7 @@ bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const V
             const float near = most + approach.closing(way, double(most));
             if (gap > near) continue;
             isNear = true;
+            const size_t before = out.size();
             const uint64_t key = uint64_t(i & 31) << 6 | uint64_t(j & 31) << 1;
             Prober forward(a, la, b, lb);
             forward.setMotion(approach.velocity, approach.spin, settings, approach.way);
@@ -396,6 +417,8 @@ bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const V
             backward.setMotion(-approach.velocity, -approach.spin, settings, approach.way);
             backward.setLimit(-way, hullA.highest(-way) + near, lb);
             backward.run(false, key | 1, out);
+            if (out.size() == before && gap < 0.0f && (forward.isStuck() || backward.isStuck()))
+                out.push_back(pushOut(a, hullA, b, hullB, way, gap, key));
         }
     return isNear;
 }

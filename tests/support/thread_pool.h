@@ -22,20 +22,24 @@ public:
             m_count = count;
             m_next = 0;
             m_busy = m_threads.size();
-            ++m_round;
+            m_round.store(m_round + 1);
         }
         m_wake.notify_all();
         work();
+        for (int i = 0; i < kSpins && m_busy; ++i) pause();
         std::unique_lock lock(m_mutex);
         m_done.wait(lock, [&] { return m_busy == 0; });
     }
 
 private:
+    static constexpr int kSpins = 2000;  ///< looks before it sleeps: work comes in bursts, and waking takes longer than most of it
+    static void pause() { std::this_thread::yield(); }
     void work() {
         for (size_t i = m_next++; i < m_count; i = m_next++) (*m_body)(i);
     }
     void serve(const std::stop_token& stop) {
         for (uint64_t seen = 0;;) {
+            for (int i = 0; i < kSpins && m_round == seen; ++i) pause();
             {
                 std::unique_lock lock(m_mutex);
                 if (!m_wake.wait(lock, stop, [&] { return m_round != seen; })) return;
@@ -51,9 +55,9 @@ private:
     std::condition_variable_any m_wake;
     std::condition_variable m_done;
     const std::function<void(size_t)>* m_body = nullptr;
-    size_t m_count = 0, m_busy = 0;
-    std::atomic<size_t> m_next = 0;
-    uint64_t m_round = 0;
+    size_t m_count = 0;
+    std::atomic<size_t> m_next = 0, m_busy = 0;
+    std::atomic<uint64_t> m_round = 0;
     std::vector<std::jthread> m_threads;  ///< last: they end before what they use
 };
 

@@ -12,7 +12,7 @@ struct Item {
     bool isStatic;
     Pose pose;  ///< grid corner -> world
     glm::dvec3 low, high;
-    std::vector<glm::vec3> points;  ///< on the surface, in cells
+    std::vector<glm::ivec3> surface;  ///< cells with an exposed face
 };
 
 bool exposed(const VoxelGrid& grid, glm::ivec3 c) {
@@ -25,20 +25,25 @@ bool exposed(const VoxelGrid& grid, glm::ivec3 c) {
     return false;
 }
 
-std::vector<glm::vec3> surfacePoints(const VoxelGrid& grid) {
-    std::vector<glm::vec3> points;
+std::vector<glm::ivec3> surfaceCells(const VoxelGrid& grid) {
+    std::vector<glm::ivec3> cells;
     grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         forEachVoxel(brick->occupancy, [&](int v) {
             const glm::ivec3 c = position * kBrickSize + voxelInBrick(v);
-            if (!exposed(grid, c)) return;
-            for (int i = 0; i < 125; ++i) {
-                const glm::ivec3 at(i % 5, i / 5 % 5, i / 25);
-                const bool onFace = at.x % 4 == 0 || at.y % 4 == 0 || at.z % 4 == 0;
-                if (onFace) points.push_back(glm::vec3(c) + glm::vec3(at) * 0.25f);
-            }
+            if (exposed(grid, c)) cells.push_back(c);
         });
     });
-    return points;
+    return cells;
+}
+
+/// Whether any cell within `reach` of a point is solid.
+bool anySolid(const VoxelGrid& grid, const glm::dvec3& p, double reach) {
+    const glm::ivec3 low = glm::max(glm::ivec3(glm::floor(p - reach)), 0), high = glm::min(glm::ivec3(glm::floor(p + reach)), grid.size() - 1);
+    for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x)
+                if (grid.at({x, y, z})) return true;
+    return false;
 }
 
 /// Cells to the nearest empty one; 0: outside.
@@ -63,9 +68,18 @@ double deepest(const Item& from, const Item& into) {
     const double fromSize = from.shape->voxelSize, intoSize = into.shape->voxelSize;
     const glm::dmat3 turn = glm::mat3_cast(glm::conjugate(into.pose.rotation) * from.pose.rotation);
     const glm::dvec3 corner = into.pose.inversePoint(from.pose.position);
-    for (const glm::vec3& point : from.points) {
-        const glm::dvec3 p = (corner + turn * (glm::dvec3(point) * fromSize)) / intoSize;
-        depth = std::max(depth, depthAt(into.shape->grid, p) * intoSize);
+    const double scale = fromSize / intoSize, around = 0.87 * scale;  // half a diagonal of a cell
+    const glm::dvec3 size(into.shape->grid.size());
+    for (const glm::ivec3& cell : from.surface) {
+        const glm::dvec3 middle = corner / intoSize + turn * ((glm::dvec3(cell) + 0.5) * scale);
+        if (glm::any(glm::lessThan(middle, glm::dvec3(-around))) || glm::any(glm::greaterThan(middle, size + around))) continue;
+        if (!anySolid(into.shape->grid, middle, around)) continue;
+        for (int i = 0; i < 125; ++i) {
+            const glm::ivec3 at(i % 5, i / 5 % 5, i / 25);
+            if (at.x % 4 && at.y % 4 && at.z % 4) continue;  // not on a face
+            const glm::dvec3 p = (corner + turn * ((glm::dvec3(cell) + glm::dvec3(at) * 0.25) * fromSize)) / intoSize;
+            depth = std::max(depth, depthAt(into.shape->grid, p) * intoSize);
+        }
     }
     return depth;
 }
@@ -84,7 +98,7 @@ Overlaps measureOverlaps(const Level& level, std::span<const Pose> poses) {
             item.low = glm::min(item.low, c);
             item.high = glm::max(item.high, c);
         }
-        if (!body.isStatic) item.points = surfacePoints(item.shape->grid);
+        if (!body.isStatic) item.surface = surfaceCells(item.shape->grid);
         items.push_back(std::move(item));
     }
     Overlaps result;

@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include "tests/physics/physics_scene.h"
+
+namespace rubble {
+namespace {
+
+/// Cubes that begin well inside each other, nearly aligned: no corner has a way out that it accepts.
+TEST(OverlapRecovery, CubesComeApartSlowly) {
+    for (const double turn : {0.0, 0.03}) {
+        PhysicsSettings settings;
+        settings.sleepTime = 1e9;
+        PhysicsScene scene(settings);
+        scene.addFloor();
+        scene.add(blockGrid({10, 10, 10}, 7), {0.0, 0.0, 0.0}, false);
+        scene.add(blockGrid({10, 10, 10}, 7), {0.7, 0.005, 0.01}, false, glm::angleAxis(turn, glm::dvec3(0, 1, 0)));
+        scene.load();
+        double fastest = 0.0;
+        for (int i = 0; i < 180; ++i) {
+            scene.step();
+            fastest = std::max({fastest, glm::length(scene.body(1).velocity), glm::length(scene.body(2).velocity)});
+        }
+        EXPECT_GT(glm::length(scene.center(2) - scene.center(1)), 0.98) << turn;
+        EXPECT_LT(fastest, 4.0) << turn;
+        EXPECT_LT(glm::length(scene.body(1).velocity) + glm::length(scene.body(2).velocity), 0.05) << turn;
+    }
+}
+
+/// What stops a very fast body is in the impact, also where its core stops it.
+TEST(Impact, OfAFastBodyIsItsChangeOfMomentum) {
+    PhysicsScene scene;
+    scene.add(blockGrid({60, 60, 10}, 7), {-3.0, -3.0, 0.0}, true);
+    scene.add(blockGrid({3, 3, 3}, 7), {0.0, 0.0, 3.0}, false, glm::angleAxis(0.3, glm::normalize(glm::dvec3(1, 1, 0))));
+    scene.load();
+    const double mass = scene.world.bodyMass(scene.handle(1)).mass;
+    scene.physics.apply({}, scene.world);
+    FrameChanges shot;
+    shot.impulses.push_back({scene.handle(1), scene.center(1), glm::dvec3(0.0, 0.0, -200.0 * mass)});
+    scene.physics.apply(shot, scene.world);
+    double total = 0.0;
+    for (int i = 0; i < 4 && total == 0.0; ++i) {
+        const double before = i ? scene.body(1).velocity.z : -200.0;
+        scene.step();
+        for (const Impact& impact : scene.physics.impacts()) total += impact.impulse;
+        if (total > 0.0) {
+            EXPECT_NEAR(total / (mass * (scene.body(1).velocity.z - before)), 1.0, 0.05);
+        }
+    }
+    EXPECT_GT(total, 0.0);
+}
+
+}  // namespace
+}  // namespace rubble
