@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kBatch = 32;    ///< pairs
+constexpr size_t kBatch = 32;     ///< pairs
 constexpr double kReused = 0.05;  ///< margins that two may move against each other before their contacts are found anew
 
 template <class T>
