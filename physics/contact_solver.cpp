@@ -22,7 +22,7 @@ void tangentsOf(const glm::vec3& n, glm::vec3& t1, glm::vec3& t2) {
 
 /// Kept in registers, not in m_states, while the contacts of two bodies are gone through.
 struct ContactSolver::Moving {
-    Moving(const State& A, const State& B)
+    Moving(const SolverState& A, const SolverState& B)
         : vA(four(A.v)),
           wA(four(A.w)),
           vB(four(B.v)),
@@ -31,7 +31,7 @@ struct ContactSolver::Moving {
           massB(B.inverseMass),
           inertiaA(A.inverseInertia),
           inertiaB(B.inverseInertia) {}
-    void store(State& A, State& B) const { A.v = vec3(vA), A.w = vec3(wA), B.v = vec3(vB), B.w = vec3(wB); }
+    void store(SolverState& A, SolverState& B) const { A.v = vec3(vA), A.w = vec3(wA), B.v = vec3(vB), B.w = vec3(wB); }
 
     float speedAlong(const Constraint& c) const {
         const Four parts = c.normal * (vA - vB) + c.leverA * wA - c.leverB * wB;
@@ -68,7 +68,7 @@ ContactSolver::Softness ContactSolver::soften(double hertz, double dampingRatio,
 /// Two that meet so fast that one could turn its way past the few points which touch it: their cores, spheres as wide as their
 /// smallest sides, may not pass the plane that they meet at, however they tumble.
 void ContactSolver::addCore(const Range& range, const Constraint& fastest) {
-    const State &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
+    const SolverState &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
     Constraint core = fastest;
     if (range.a) core.separation += std::max(0.0f, -dot(core.rA, core.normal) - A.reach);
     if (range.b) core.separation += std::max(0.0f, dot(core.rB, core.normal) - B.reach);
@@ -84,7 +84,7 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
                             float seconds) {
     m_states.assign(bodies.size(), {});
     for (size_t i = 1; i < bodies.size(); ++i) {
-        State& state = m_states[i];
+        SolverState& state = m_states[i];
         state.v = glm::vec3(bodies[i].velocity);
         state.w = glm::vec3(bodies[i].angularVelocity);
         state.inverseMass = float(bodies[i].inverseMass);
@@ -95,7 +95,7 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
     m_ranges.clear();
     for (size_t m = 0; m < manifolds.size(); ++m) {
         const auto [a, b] = bodyOf[m];
-        const State &A = m_states[size_t(a)], &B = m_states[size_t(b)];
+        const SolverState &A = m_states[size_t(a)], &B = m_states[size_t(b)];
         m_states[size_t(a)].touches = m_states[size_t(b)].touches = true;
         const glm::vec3 originA = glm::vec3(manifolds[m]->origin - bodies[size_t(a)].position);
         const glm::vec3 originB = glm::vec3(manifolds[m]->origin - bodies[size_t(b)].position);
@@ -149,11 +149,11 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
 /// passed over as often as others, they would be pressed into each other.
 void ContactSolver::findBearers(glm::vec3 up, float ratio) {
     m_bearing.clear();
-    const auto lower = [&](const Range& range) -> State* {
+    const auto lower = [&](const Range& range) -> SolverState* {
         const float rise = range.to > range.from ? glm::dot(vec3(m_constraints[range.from].normal), up) : 0.0f;
         return rise > kSlope ? &m_states[size_t(range.b)] : rise < -kSlope ? &m_states[size_t(range.a)] : nullptr;
     };
-    const auto upper = [&](const Range& range, const State* under) {
+    const auto upper = [&](const Range& range, const SolverState* under) {
         return &m_states[size_t(under == &m_states[size_t(range.b)] ? range.a : range.b)];
     };
     bool any = false;
@@ -161,13 +161,13 @@ void ContactSolver::findBearers(glm::vec3 up, float ratio) {
         if (!range.a || !range.b) continue;
         const float a = m_states[size_t(range.a)].inverseMass, b = m_states[size_t(range.b)].inverseMass;
         if (a <= ratio * b && b <= ratio * a) continue;
-        State* under = lower(range);
+        SolverState* under = lower(range);
         if (under && under->inverseMass > ratio * upper(range, under)->inverseMass) under->bears = any = true;
     }
     for (bool more = any; more;) {
         more = false;
         for (const Range& range : m_ranges) {
-            State* under = lower(range);
+            SolverState* under = lower(range);
             if (under && under->inverseMass > 0.0f && !under->bears && upper(range, under)->bears) under->bears = more = true;
         }
     }
@@ -182,7 +182,7 @@ void ContactSolver::findBearers(glm::vec3 up, float ratio) {
 
 void ContactSolver::warmStart() {
     for (const Range& range : m_ranges) {
-        State &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
+        SolverState &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
         Moving bodies(A, B);
         for (size_t i = range.from; i < range.to; ++i) {
             const Constraint& c = m_constraints[i];
@@ -193,7 +193,8 @@ void ContactSolver::warmStart() {
     }
 }
 
-ContactSolver::Push ContactSolver::pushOf(const Constraint& c, const State& A, const State& B, float inverseSeconds, bool pushApart) const {
+ContactSolver::Push ContactSolver::pushOf(const Constraint& c, const SolverState& A, const SolverState& B, float inverseSeconds,
+                                          bool pushApart) const {
     const Four moved = four(A.moved - B.moved) + FourColumns(A.turned) * c.rA - FourColumns(B.turned) * c.rB;
     const float s = c.separation + dot(moved, c.normal);
     if (s > 0.0f) return {s * inverseSeconds};
@@ -227,7 +228,7 @@ void ContactSolver::solveFriction(Constraint& c, Moving& bodies) {
 
 /// All normals of two bodies first, then their friction: what one point takes too much of, the next gives back before it rubs.
 void ContactSolver::solveRange(const Range& range, float inverseSeconds, bool pushApart) {
-    State &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
+    SolverState &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
     const std::span<Constraint> points(m_constraints.data() + range.from, range.to - range.from);
     std::array<Push, kMaxManifoldPoints + 1> pushes;  // a core may be one more
     for (size_t i = 0; i < points.size(); ++i) {
@@ -250,9 +251,16 @@ void ContactSolver::solveContacts(float inverseSeconds, bool pushApart) {
         for (const size_t i : m_bearing) solveRange(m_ranges[i], inverseSeconds, pushApart);
 }
 
+void ContactSolver::solvePasses(std::span<const SolverBody> bodies, int passes, double seconds, bool pushApart) {
+    for (int i = 0; i < passes; ++i) {
+        if (!m_joints.empty()) m_joints.solve(bodies, m_states, pushApart);
+        solveContacts(float(1.0 / seconds), pushApart);
+    }
+}
+
 void ContactSolver::bounce(float threshold) {
     for (const Range& range : m_ranges) {
-        State &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
+        SolverState &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
         const std::span<Constraint> points(m_constraints.data() + range.from, range.to - range.from);
         const auto bounces = [&](const Constraint& c) { return c.restitution != 0.0f && c.approach <= -threshold && c.most != 0.0f; };
         if (std::none_of(points.begin(), points.end(), bounces)) continue;
@@ -271,7 +279,7 @@ void ContactSolver::bounce(float threshold) {
 }
 
 void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf,
-                          glm::dvec3 gravity, const SolverSettings& settings) {
+                          glm::dvec3 gravity, const SolverSettings& settings, std::span<JointConstraint* const> joints) {
     const double h = settings.seconds / settings.substeps;
     const double hertz = std::min(settings.contactHertz, 0.25 / h);
     m_soft = soften(hertz, settings.dampingRatio, h);
@@ -280,6 +288,7 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     m_pushSpeed = float(settings.pushSpeed);
     m_slop = float(settings.slop);
     prepare(bodies, manifolds, bodyOf, float(settings.seconds));
+    m_joints.begin(joints, m_states);
     m_heavyPasses = settings.heavyPasses;
     m_bearing.clear();
     const double weight = glm::length(gravity);
@@ -289,10 +298,12 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     const glm::vec3 fall = glm::vec3(gravity * h);
     for (int substep = 0; substep < settings.substeps; ++substep) {
         for (size_t i = 1; i < bodies.size(); ++i) m_states[i].v += fall;
+        if (!m_joints.empty()) m_joints.prepare(bodies, m_states, h);
         warmStart();
-        for (int i = 0; i < settings.iterations; ++i) solveContacts(float(1.0 / h), true);
+        solvePasses(bodies, settings.iterations, h, true);
         move(bodies, gravity, h);
-        for (int i = 0; i < settings.iterations; ++i) solveContacts(float(1.0 / h), false);
+        solvePasses(bodies, settings.iterations, h, false);
+        if (!m_joints.empty()) m_joints.note(settings.seconds);
         for (Constraint& c : m_constraints) c.total += c.normalImpulse;
     }
     bounce(float(settings.bounceSpeed));
@@ -305,7 +316,7 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
 void ContactSolver::move(std::span<SolverBody> bodies, glm::dvec3 gravity, double h) {
     for (size_t i = 1; i < bodies.size(); ++i) {
         SolverBody& body = bodies[i];
-        State& state = m_states[i];
+        SolverState& state = m_states[i];
         if (state.touches) {
             body.velocity = state.v;
             body.angularVelocity = state.w;

@@ -1,24 +1,13 @@
 #pragma once
-#include <glm/gtc/quaternion.hpp>
-#include <glm/mat3x3.hpp>
 #include <span>
 #include <vector>
 
 #include "physics/four.h"
+#include "physics/joint_solver.h"
 #include "physics/manifold.h"
+#include "physics/solver_state.h"
 
 namespace rubble {
-
-/// A body as the solver moves it. Its frame is its principal axes about the centre of mass.
-struct SolverBody {
-    glm::dvec3 position{0.0};  ///< world, metres
-    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
-    glm::dvec3 velocity{0.0}, angularVelocity{0.0};
-    glm::dvec3 inertia{1.0};  ///< kg m2
-    double inverseMass = 0.0;
-    double reach = 0.0;      ///< metres: half its smallest side
-    bool conserves = false;  ///< its rotation keeps angular momentum: for uneven bodies that spin fast
-};
 
 struct SolverSettings {
     int substeps = 4;
@@ -38,14 +27,15 @@ struct SolverSettings {
 /// Body 0 of `bodies` is the world: it does not move. The same input gives the same bits.
 class ContactSolver {
 public:
-    /// Moves the bodies by settings.seconds. bodyOf: the number in `bodies` of each manifold's first and second; impulses of
+    /// Moves the bodies by settings.seconds, held by the joints. bodyOf: the number in `bodies` of each manifold's first and second; impulses of
     /// the manifolds are where the solver starts, and what it found.
     void solve(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf, glm::dvec3 gravity,
-               const SolverSettings& settings);
+               const SolverSettings& settings, std::span<JointConstraint* const> joints = {});
 
 private:
     void prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf, float seconds);
     void warmStart();
+    void solvePasses(std::span<const SolverBody> bodies, int passes, double seconds, bool pushApart);
     void solveContacts(float inverseSeconds, bool pushApart);
     void move(std::span<SolverBody> bodies, glm::dvec3 gravity, double seconds);
     void bounce(float threshold);
@@ -56,16 +46,6 @@ private:
     };
     static Softness soften(double hertz, double dampingRatio, double seconds);
 
-    /// A body within the step.
-    struct State {
-        glm::vec3 v{0.0f}, w{0.0f};
-        float inverseMass = 0.0f, reach = 0.0f;
-        glm::vec3 moved{0.0f};           ///< since the step began
-        glm::mat3 turned{0.0f};          ///< rotation since the step began, less the identity
-        glm::mat3 inverseInertia{0.0f};  ///< world
-        bool touches = false, bears = false;
-        bool inertiaTurns = false;  ///< within the step
-    };
     struct Constraint {
         Four normal, rA, rB, tangent1, tangent2;
         Four leverA, leverB;  ///< r x normal
@@ -92,11 +72,12 @@ private:
     void findBearers(glm::vec3 up, float ratio);
     void solveRange(const Range& range, float inverseSeconds, bool pushApart);
     void addCore(const Range& range, const Constraint& fastest);
-    Push pushOf(const Constraint& c, const State& A, const State& B, float inverseSeconds, bool pushApart) const;
+    Push pushOf(const Constraint& c, const SolverState& A, const SolverState& B, float inverseSeconds, bool pushApart) const;
     static void solveNormal(Constraint& c, const Push& push, Moving& bodies);
     static void solveFriction(Constraint& c, Moving& bodies);
 
-    std::vector<State> m_states;
+    std::vector<SolverState> m_states;
+    JointSolver m_joints;
     std::vector<Range> m_ranges;
     std::vector<Constraint> m_constraints;
     std::vector<size_t> m_bearing;    ///< ranges of bodies that bear
@@ -105,11 +86,5 @@ private:
     int m_heavyPasses = 0;
     float m_pushSpeed = 0.0f, m_slop = 0.0f;
 };
-
-/// One substep of a body's rotation. Bodies that conserve hold their angular momentum (see rotation.cpp for how); the others
-/// keep their angular velocity.
-void rotateBody(SolverBody& body, double seconds);
-/// World tensor of a body's inverse inertia.
-glm::dmat3 worldInverseInertia(const SolverBody& body);
 
 }  // namespace rubble

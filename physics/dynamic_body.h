@@ -36,6 +36,8 @@ public:
     const MassProperties& mass() const { return m_mass; }
     /// Half the smallest side of the collider's bounds, metres.
     double reach() const { return m_reach; }
+    /// The body's frame in that of the motion.
+    const Pose& bodyInCenter() const { return m_bodyInCenter; }
     Pose pose() const { return {motion.position, motion.rotation}; }
     /// The collision object follows the motion.
     void place() { object.place(pose()); }
@@ -50,6 +52,7 @@ public:
     bool touching = false;                  ///< had a contact in the last step
     bool isDebris = false;                  ///< counts in the budget of what moves
     bool settled = false;                   ///< a touch does not wake it
+    bool wantsSleep = false;                ///< it is calm, but what it is jointed to may not be
     bool known = false;                     ///< its pairs of this step have been found
 
 private:

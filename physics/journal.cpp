@@ -37,6 +37,7 @@ void PhysicsWorld::Impl::loadAll(const World& world) {
         if (!body.isStatic) return createDynamic(world, handle, body.asleep);
         for (const ShapeHandle shape : body.shapes) createStatic(world, shape);
     });
+    world.joints().forEach([&](JointHandle handle, const Joint&) { readJoint(world, handle); });
 }
 
 void PhysicsWorld::Impl::createStatic(const World& world, ShapeHandle handle) {

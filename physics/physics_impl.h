@@ -8,6 +8,7 @@
 #include "physics/contact_solver.h"
 #include "physics/contacts.h"
 #include "physics/dynamic_body.h"
+#include "physics/joints.h"
 #include "physics/narrowphase.h"
 #include "physics/physics_world.h"
 
@@ -15,8 +16,8 @@ namespace rubble {
 
 inline constexpr double kStep = 1.0 / 60.0;
 
-/// What PhysicsWorld holds. Its functions are in three files: journal.cpp (what World changed), sleep.cpp (who rests and
-/// who wakes), physics_world.cpp (a step).
+/// What PhysicsWorld holds. Its functions are in files: journal.cpp (what World changed), sleep.cpp (who rests and
+/// who wakes), joints.cpp (who is tied to whom), physics_world.cpp (a step).
 struct PhysicsWorld::Impl {
     explicit Impl(const PhysicsSettings& given) : settings(given) {}
 
@@ -53,6 +54,15 @@ struct PhysicsWorld::Impl {
     void disturb();
     void report();
 
+    void applyJoints(const FrameChanges& changes, const World& world);
+    void forgetJoint(uint32_t slot);
+    void readJoint(const World& world, JointHandle handle);
+    void wakeJointed();
+    void gatherJoints();
+    void breakJoints();
+    void settleJointed();
+    void moveRopes();
+
     PhysicsSettings settings;
     Broadphase broadphase;
     Narrowphase narrowphase;
@@ -72,6 +82,10 @@ struct PhysicsWorld::Impl {
     std::vector<SolverBody> bodies;  ///< of the solver; 0: the world
     std::vector<int> bodyNumber;     ///< in `bodies`, by body slot
     std::vector<std::pair<int, int>> bodyOf;
+    JointTable joints;
+    std::vector<JointConstraint*> activeJoints;  ///< of what is awake, by slot
+    std::vector<JointHandle> jointBreaks;
+    std::vector<RopeMotion> ropeMotions;
     std::vector<BodyPose> poses;
     std::vector<Impact> impacts;
     std::vector<CharacterMove> characterMoves;

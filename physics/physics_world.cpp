@@ -53,6 +53,7 @@ void PhysicsWorld::Impl::findContacts() {
         pairs.clear();
         broadphase.findPairs(
             moving, [](const CollisionObject& o) { return o.dynamic->known; }, pairs);
+        if (!joints.empty()) joints.dropApart(pairs);
         for (CollisionObject* object : moving) object->dynamic->known = true;
         narrowphase.collide(pairs, narrow, settings.parallelFor ? settings.parallelFor : ParallelFor(serialFor));
     }
@@ -74,13 +75,15 @@ void PhysicsWorld::Impl::solve() {
     const auto numberOf = [&](const CollisionObject& object) { return object.dynamic && !object.dynamic->asleep() ? bodyNumber[object.body] : 0; };
     for (const Manifold* manifold : narrowphase.manifolds())
         bodyOf.emplace_back(numberOf(*manifold->objects.first), numberOf(*manifold->objects.second));
+    gatherJoints();
     solver.solve(bodies, narrowphase.manifolds(), bodyOf, gravity,
                  {.substeps = settings.substeps,
                   .iterations = settings.iterations,
                   .seconds = kStep,
                   .contactHertz = settings.contactHertz,
                   .heavyRatio = settings.heavyRatio,
-                  .heavyPasses = settings.heavyPasses});
+                  .heavyPasses = settings.heavyPasses},
+                 activeJoints);
     for (const uint32_t slot : awake) {
         dynamics[slot]->motion = bodies[size_t(bodyNumber[slot])];
         dynamics[slot]->place();
@@ -133,6 +136,7 @@ void PhysicsWorld::apply(const FrameChanges& changes, const World& world, bool a
         impl.refreshStatic(changes, world);
         impl.refreshDynamic(changes, world);
     }
+    if (!anew) impl.applyJoints(changes, world);
     impl.applyImpulses(changes);
     for (const BodyHandle handle : changes.settled)
         if (DynamicBody* body = impl.dynamicAt(handle.slot()); body && body->handle() == handle) body->settled = body->asleep();
@@ -144,16 +148,21 @@ void PhysicsWorld::step() {
     impl.poses.clear();
     impl.impacts.clear();
     impl.characterMoves.clear();
+    impl.jointBreaks.clear();
+    impl.ropeMotions.clear();
     impl.wakeWaiting();
+    impl.wakeJointed();
     if (!impl.awake.empty()) {
         impl.findContacts();
         impl.noteContacts();
         impl.solve();
+        impl.breakJoints();
         impl.quarantineBroken();
         impl.settle();
         impl.disturb();
         findImpacts(impl.narrowphase.manifolds(), impl.settings.impactSpeed, impl.settings.impactThreshold, impl.handles, impl.impacts);
     }
+    impl.moveRopes();
     impl.report();
 }
 
@@ -165,6 +174,14 @@ std::span<const CharacterMove> PhysicsWorld::characters() const {
 }
 std::span<const Impact> PhysicsWorld::impacts() const {
     return m_impl->impacts;
+}
+
+std::span<const JointHandle> PhysicsWorld::jointBreaks() const {
+    return m_impl->jointBreaks;
+}
+
+std::span<const RopeMotion> PhysicsWorld::ropes() const {
+    return m_impl->ropeMotions;
 }
 
 PhysicsFigures PhysicsWorld::figures() const {

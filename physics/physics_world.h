@@ -67,6 +67,10 @@ public:
     /// Hits harder than the threshold in the last step, one for each pair of bodies and substep, in a fixed order; the
     /// normal points from `other` to `body`. Valid until the next step().
     std::span<const Impact> impacts() const;
+    /// Joints that bore more in the last step than they can, in slot order; valid until the next step().
+    std::span<const JointHandle> jointBreaks() const;
+    /// Where the ropes are that moved in the last step, in slot order; valid until the next.
+    std::span<const RopeMotion> ropes() const;
     PhysicsFigures figures() const;
 
 private:

@@ -17,6 +17,7 @@ constexpr double kReviveSpeed = 0.6;      ///< the same for a settled one
 
 void PhysicsWorld::Impl::wake(DynamicBody& body) {
     if (!body.asleep() || body.quarantined()) return;
+    body.wantsSleep = false;
     broadphase.remove(body.object);
     body.setAsleep(false);
     broadphase.add(body.object, true);
@@ -108,10 +109,13 @@ void PhysicsWorld::Impl::settle() {
         }
         const double allowed = settings.sleepTime * patience;
         const double calm = body.settling.calm(body.pose(), settings.sleepVelocity * allowed, settings.sleepAngularVelocity * allowed, kStep);
-        if (calm < settings.sleepTime || !(body.touching || weightless)) continue;
+        const bool isJointed = !joints.of(slot).empty();
+        body.wantsSleep = calm >= settings.sleepTime && (body.touching || weightless || isJointed);
+        if (!body.wantsSleep || isJointed) continue;
         sleep(body);
         ended.push_back(slot);
     }
+    if (!activeJoints.empty()) settleJointed();
     for (const uint32_t slot : ended) leaveAwake(*dynamics[slot]);
 }
 

@@ -16,6 +16,7 @@
 #include "render/passes/local_lights_pass.h"
 #include "render/passes/particles_pass.h"
 #include "render/passes/reflections_pass.h"
+#include "render/passes/ropes_pass.h"
 #include "render/passes/show_pass.h"
 #include "render/passes/sky_pass.h"
 #include "render/passes/sun_pass.h"
@@ -54,6 +55,7 @@ struct Renderer::Impl {
     /// The frame: each pass reads what those above it have drawn.
     void drawPasses(const FrameContext& frame) {
         run("gbuffer", [&] { gbuffer.draw(frame); });
+        if (!scene.ropes().empty()) run("ropes", [&] { drawRopes(frame); });
         if (scene.hasGlass()) run("glass", [&] { glass.draw(frame, gbuffer.order()); });
         clearLight(frame);
         if (settings.sun && block.sunDirection.y > 0.0f) run("sun", [&] { sun.draw(frame); });
@@ -74,6 +76,11 @@ struct Renderer::Impl {
     void drawParticles(const FrameContext& frame) {
         if (!particles) particles.emplace(shaders);
         particles->draw(frame, alphaOfStep);
+    }
+
+    void drawRopes(const FrameContext& frame) {
+        if (!ropes) ropes.emplace(shaders);
+        ropes->draw(frame, alphaOfStep);
     }
 
     /// Passes add to it, each in its own channels.
@@ -119,6 +126,7 @@ struct Renderer::Impl {
     ReflectionsPass reflections{shaders};
     CompositePass composite{shaders};
     std::optional<ParticlesPass> particles;
+    std::optional<RopesPass> ropes;
     TaaPass taa{shaders};
     BloomPass bloom{shaders};
     ExposurePass exposure{shaders};

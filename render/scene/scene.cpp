@@ -20,6 +20,8 @@ void Scene::apply(FrameSnapshot&& snapshot) {
     for (const SnapshotPose& pose : snapshot.poses) m_bodies.setPose(pose);
     m_shadow.apply(snapshot.shadow, snapshot.shadowReplacesAll);
     if (snapshot.lightsChanged) m_lights = std::move(snapshot.lights);
+    if (snapshot.replacesAll) m_ropes.clear();
+    if (snapshot.ropesChanged) m_ropes = std::move(snapshot.ropes);
     if (snapshot.replacesAll) m_particles.clear();
     if (snapshot.particlesChanged) m_particles = std::move(snapshot.particles);
     m_smokeChanged = m_smokeChanged || snapshot.replacesAll || snapshot.particlesChanged || snapshot.environmentChanged;

@@ -19,6 +19,7 @@ public:
     const Bodies& bodies() const { return m_bodies; }
     const std::vector<SnapshotLight>& lights() const { return m_lights; }
     const std::vector<SnapshotParticle>& particles() const { return m_particles; }
+    const std::vector<SnapshotRope>& ropes() const { return m_ropes; }
     const Environment& environment() const { return m_environment; }
     /// Sets the samplers that lib/shadow_trace.glsl reads. The program must be in use.
     void bindShadow(const Program& program) const { m_shadow.bind(program); }
@@ -41,6 +42,7 @@ private:
     SmokeShadow m_smoke;
     std::vector<SnapshotLight> m_lights;
     std::vector<SnapshotParticle> m_particles;
+    std::vector<SnapshotRope> m_ropes;
     bool m_smokeChanged = false;
     Environment m_environment;
     glm::dvec3 m_origin{0.0};

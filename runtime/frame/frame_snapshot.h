@@ -71,6 +71,14 @@ struct SnapshotParticle {
     uint32_t seed;        ///< the same from its first step to its last
 };
 
+/// A rope's points at the previous step and at this one.
+struct SnapshotRope {
+    JointHandle rope;
+    std::vector<glm::dvec3> previous, current;  ///< world, as many in both
+    float radius;                               ///< metres
+    glm::vec3 color;                            ///< sRGB, 0 to 1
+};
+
 /// What one frame hands to the renderer: values only, and only what changed since the snapshot before. All of it shows
 /// the step `version`, the shadow volume too, so light and bodies agree.
 struct FrameSnapshot {
@@ -88,6 +96,8 @@ struct FrameSnapshot {
     std::vector<SnapshotFire> fires;  ///< all of them, if firesChanged
     bool particlesChanged = false;
     std::vector<SnapshotParticle> particles;  ///< all of them, if particlesChanged
+    bool ropesChanged = false;
+    std::vector<SnapshotRope> ropes;  ///< all of them, if ropesChanged
     bool environmentChanged = false;
     Environment environment;
     bool shadowReplacesAll = false;

@@ -129,6 +129,10 @@ void merge(FrameSnapshot& into, FrameSnapshot&& later) {
         into.particlesChanged = true;
         into.particles = std::move(later.particles);
     }
+    if (later.ropesChanged) {
+        into.ropesChanged = true;
+        into.ropes = std::move(later.ropes);
+    }
     if (later.environmentChanged) {
         into.environmentChanged = true;
         into.environment = later.environment;

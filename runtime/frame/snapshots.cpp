@@ -20,7 +20,7 @@ SnapshotShape describeShape(ShapeHandle handle, const Shape& shape) {
 
 bool showsNothing(const FrameSnapshot& s) {
     return !s.replacesAll && s.destroyed.empty() && s.created.empty() && s.bricks.empty() && s.palettes.empty() && s.poses.empty() &&
-           !s.lightsChanged && !s.firesChanged && !s.particlesChanged && !s.environmentChanged;
+           !s.lightsChanged && !s.firesChanged && !s.particlesChanged && !s.ropesChanged && !s.environmentChanged;
 }
 
 void append(std::optional<FrameSnapshot>& out, FrameSnapshot&& later) {
@@ -94,6 +94,8 @@ void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> m
     addPoses(moved, world, out);
     addLights(changes, moved, world, out);
     addParticles(changes, impacts, world, out);
+    if (changes.levelReplaced) m_ropes.clear();
+    if (!m_ropes.empty() || !world.jointList().ropes().empty()) addRopes(world, out);
     if (changes.levelReplaced || !m_environment || *m_environment != world.environment()) {
         out.environmentChanged = true;
         out.environment = world.environment();
@@ -180,6 +182,28 @@ void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose>
     });
     std::sort(m_lightBodies.begin(), m_lightBodies.end());
     addFires(changes, world, out);
+}
+
+/// All ropes, if one has moved, come or gone, or moved in the step before.
+void Snapshots::addRopes(const World& world, FrameSnapshot& out) {
+    std::vector<SnapshotRope> ropes;
+    bool changed = world.jointList().ropes().size() != m_ropes.size();
+    for (const JointHandle handle : world.jointList().ropes()) {
+        const Joint& joint = world.joints().at(handle);
+        SnapshotRope& rope = ropes.emplace_back();
+        rope.rope = handle;
+        rope.radius = float(joint.rope.radius);
+        rope.color = glm::vec3(joint.rope.color[0], joint.rope.color[1], joint.rope.color[2]) / 255.0f;
+        for (const RopePoint& point : joint.points) rope.current.push_back(point.position);
+        const auto last = std::find_if(m_ropes.begin(), m_ropes.end(), [&](const SnapshotRope& each) { return each.rope == handle; });
+        const bool isKnown = last != m_ropes.end() && last->current.size() == rope.current.size();
+        rope.previous = isKnown ? last->current : rope.current;
+        changed = changed || !isKnown || rope.previous != rope.current || last->previous != last->current;
+    }
+    if (!changed) return;
+    out.ropesChanged = true;
+    out.ropes = ropes;
+    m_ropes = std::move(ropes);
 }
 
 /// Flames as data, and lights that flicker over the biggest of them.

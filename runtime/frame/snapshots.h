@@ -46,6 +46,7 @@ private:
     void addPose(ShapeHandle shape, const World& world, FrameSnapshot& out);
     void addParticles(const FrameChanges& changes, std::span<const Impact> impacts, const World& world, FrameSnapshot& out);
     void addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, FrameSnapshot& out);
+    void addRopes(const World& world, FrameSnapshot& out);
     void addFires(const FrameChanges& changes, const World& world, FrameSnapshot& out) const;
     /// Moves the oldest waiting snapshot, without its shadow, behind `out`.
     void releaseOldest(std::optional<FrameSnapshot>& out);
@@ -60,6 +61,7 @@ private:
     std::vector<BodyHandle> m_lightBodies;  ///< that carry a light, ascending
     std::optional<Environment> m_environment;
     Particles m_particles;
+    std::vector<SnapshotRope> m_ropes;  ///< as the newest snapshot shows them
     std::vector<SnapshotFire> m_fires;  ///< that burn now: they feed the particles
 };
 

@@ -80,6 +80,7 @@ void FrameLoop::stepWith(Edits hostEdits) {
     {
         const ScopedTimer timer(m_times[Stage::Poses]);
         m_world.setPoses(m_physics.poses());
+        m_world.setRopes(m_physics.ropes());
         m_world.setCharacters(m_physics.characters());
         if (m_recorder) m_recorder->moved(m_physics.poses(), m_physics.characters(), m_world);
     }
@@ -87,6 +88,7 @@ void FrameLoop::stepWith(Edits hostEdits) {
         const ScopedTimer timer(m_times[Stage::Impacts]);
         m_pending = m_world.damageFrom(m_physics.impacts());  // lands next step: no stage runs twice
         addBreakThrough(m_world, m_physics.impacts(), m_pending);
+        for (const JointHandle joint : m_physics.jointBreaks()) m_pending.emplace_back(RemoveJointEdit{joint, JointBreak::Force});
     }
     {
         const ScopedTimer timer(m_times[Stage::Shadow]);

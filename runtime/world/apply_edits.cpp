@@ -18,7 +18,8 @@ FrameChanges World::applyEdits(const Edits& edits) {
         m_undo.emplace_back(*this);
     const bool goesBack = runHistory(edits, changes);
     if (goesBack) listLoads();
-    const bool isBusy = debrisWaits() || m_dyingGroups || m_fire.isActive() || (m_load && m_load->isBusy()) || !m_pendingSplits.empty();
+    const bool isBusy =
+        debrisWaits() || m_dyingGroups || m_fire.isActive() || (m_load && m_load->isBusy()) || !m_pendingSplits.empty() || isWinding();
     if (!edits.empty() || isBusy) EditStep(*this, changes).run(edits);
     for (UndoHistory& undo : m_undo) undo.note(*this, changes, goesBack);
     return changes;
@@ -64,6 +65,7 @@ void EditStep::run(const Edits& edits) {
     m_changes.revived = std::exchange(m_world.m_revived, {});
     if (m_world.m_load) openCracks();
     for (const Edit& edit : edits) std::visit([&](const auto& each) { apply(each); }, edit);
+    windRopes();
     burn();
     splitShapes();
     checkJoints();

@@ -5,6 +5,7 @@ namespace rubble {
 
 void EditStep::apply(const BreakEdit& edit) {
     if (!edit.shape) {
+        cutRopes({.position = edit.position, .radii = edit.radii});
         for (const ShapeHandle handle : m_world.shapesNear(edit.position, edit.radii[0])) breakShape(handle, edit);
         return;
     }

@@ -7,6 +7,7 @@ namespace rubble {
 
 void EditStep::apply(const CarveEdit& edit) {
     if (!edit.shape) {
+        cutRopes(edit);
         const EditReach reach = editReach(edit);
         for (const ShapeHandle handle : m_world.shapesNear(reach.center, reach.radius)) carveShape(handle, edit);
         return;

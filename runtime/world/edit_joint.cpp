@@ -10,6 +10,21 @@ std::vector<JointHandle> copyOf(std::span<const JointHandle> joints) {
     return {joints.begin(), joints.end()};
 }
 
+/// Where a rope comes nearest to a place: the number of a point, and how far on to the next.
+double nearestOnRope(const Joint& rope, glm::dvec3 place) {
+    double best = 0.0, nearest = 1e300;
+    for (size_t i = 0; i + 1 < rope.points.size(); ++i) {
+        const glm::dvec3 from = rope.points[i].position, way = rope.points[i + 1].position - from;
+        const double length2 = glm::dot(way, way);
+        const double along = length2 > 0.0 ? std::clamp(glm::dot(place - from, way) / length2, 0.0, 1.0) : 0.0;
+        const glm::dvec3 away = from + way * along - place;
+        if (glm::dot(away, away) >= nearest) continue;
+        nearest = glm::dot(away, away);
+        best = double(i) + along;
+    }
+    return best;
+}
+
 bool isFinite(const glm::dvec3& v) {
     return glm::length(v) < 1e12;
 }
@@ -27,6 +42,10 @@ void EditStep::apply(const RemoveJointEdit& edit) {
     if (!joint) {
         if (edit.reason != JointBreak::Force) logWarning("RemoveJointEdit: the handle of its joint is stale; nothing was removed");
         return;
+    }
+    if (joint->kind == JointKind::Rope && edit.reason != JointBreak::Removed) {
+        const double middle = edit.reason == JointBreak::Force ? 0.5 * double(joint->points.size() - 1) : nearestOnRope(*joint, edit.place);
+        if (cutRope(edit.joint, middle, edit.reason)) return;
     }
     breakJoint(edit.joint, edit.reason, m_world.jointToWorld(joint->ends[0]).position);
 }
@@ -154,7 +173,7 @@ void EditStep::loseJoints(ShapeHandle shape) {
 void EditStep::loseEnd(JointHandle handle, size_t end) {
     Joint& joint = m_world.m_joints.at(handle);
     const glm::dvec3 place = m_world.jointToWorld(joint.ends[end]).position;
-    if (joint.kind != JointKind::Rope) return breakJoint(handle, JointBreak::VoxelGone, place);
+    if (joint.kind != JointKind::Rope || joint.ends[1 - end].isLoose) return breakJoint(handle, JointBreak::VoxelGone, place);
     m_world.m_jointList.remove(handle, joint);
     joint.ends[end] = {.frame = {place}, .isLoose = true};
     m_world.m_jointList.add(handle, joint);

@@ -167,6 +167,11 @@ private:
     void loseEnd(JointHandle handle, size_t end);
     void checkJoints();
 
+    // edit_rope.cpp
+    void cutRopes(const CarveEdit& volume);
+    bool cutRope(JointHandle handle, double place, JointBreak reason);
+    void windRopes();
+
     // edit_push.cpp
     void apply(const ImpulseEdit& edit);
     void push(const ExplodeEdit& edit);

@@ -223,6 +223,7 @@ private:
     std::string fitJoint(Joint& joint) const;
     JointHandle addJoint(Joint joint);
     void listJoints();
+    bool isWinding() const;  ///< a winch turns
     void journalJoints(const WorldDelta& before, FrameChanges& changes);
     bool isSupplied(LightGroupHandle handle, const LightGroup& group) const;
     void connectSupplies();

@@ -74,6 +74,11 @@ void World::listJoints() {
     m_joints.forEach([&](JointHandle handle, const Joint& joint) { m_jointList.add(handle, joint); });
 }
 
+bool World::isWinding() const {
+    const auto winds = [&](JointHandle rope) { return m_joints.at(rope).motor.mode != MotorMode::Off; };
+    return std::any_of(m_jointList.ropes().begin(), m_jointList.ropes().end(), winds);
+}
+
 Pose World::jointToWorld(const JointEnd& end) const {
     return m_shapes.find(end.shape) ? shapeToWorld(end.shape) * end.frame : end.frame;
 }

@@ -66,6 +66,7 @@ struct PhysicsScene {
         for (int i = 0; i < count; ++i) {
             physics.step();
             world.setPoses(physics.poses());
+            world.setRopes(physics.ropes());
         }
     }
     void seconds(double time) { step(int(std::lround(time * 60.0))); }

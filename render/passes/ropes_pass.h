@@ -1,0 +1,31 @@
+#pragma once
+#include <vector>
+
+#include "render/frame_context.h"
+
+namespace rubble {
+
+/// Draws all ropes into the G-buffer in one call: strips turned to the camera that look round, after the bodies. Made when the first rope is
+/// drawn.
+class RopesPass {
+public:
+    explicit RopesPass(ShaderLibrary& shaders);
+    void draw(const FrameContext& frame, float alpha);
+
+private:
+    /// A straight bit of a rope, as the vertex shader reads it.
+    struct Instance {
+        glm::vec4 from, to;          ///< xyz from the render origin, w metres along the rope
+        glm::vec4 lastFrom, lastTo;  ///< where they were in the last frame; w of the first: radius
+        glm::vec4 color;             ///< rgb sRGB
+    };
+    void fillInstances(const FrameContext& frame, float alpha);
+
+    const Program& m_program;
+    GlName<BufferKind> m_buffer = GlName<BufferKind>::make();
+    VertexArray m_vertexArray = VertexArray::make();
+    std::vector<Instance> m_instances;
+    std::vector<glm::dvec3> m_places, m_lastPlaces;  ///< of all bits' ends, world
+};
+
+}  // namespace rubble

@@ -1,0 +1,38 @@
+// A straight bit of rope as a quad along it, turned to the camera.
+#include "lib/frame.glsl"
+
+layout(location = 0) in vec4 from;      // xyz from the render origin, w metres along the rope
+layout(location = 1) in vec4 to;
+layout(location = 2) in vec4 lastFrom;  // where they were in the last frame; w radius
+layout(location = 3) in vec4 lastTo;
+layout(location = 4) in vec4 tint;      // rgb sRGB
+
+out vec3 place;      // on the quad
+out vec3 lastPlace;
+out float across;    // -1 to 1
+out float metres;    // along the rope
+flat out vec3 side;
+flat out vec3 front; // to the eye, at right angles to the rope
+flat out float radiusDrawn;
+flat out vec3 tintOut;
+
+void main() {
+    float ends[6] = float[6](0.0, 1.0, 1.0, 0.0, 1.0, 0.0);
+    float sides[6] = float[6](-1.0, -1.0, 1.0, -1.0, 1.0, 1.0);
+    float end = ends[gl_VertexID];
+    across = sides[gl_VertexID];
+    vec3 along = normalize(to.xyz - from.xyz + vec3(0.0, 1e-6, 0.0));
+    vec3 middle = mix(from.xyz, to.xyz, end);
+    vec3 toEye = normalize(frame.cameraPosition.xyz - middle);
+    side = normalize(cross(along, toEye) + vec3(1e-6));
+    front = cross(side, along);
+    float depth = max(dot(middle - frame.cameraPosition.xyz, frame.cameraForward.xyz), 0.1);
+    // Never thinner than most of a pixel: it would fall to pieces.
+    radiusDrawn = max(lastFrom.w, 0.6 * frame.cameraUp.w * frame.targetSize.w * depth);
+    vec3 overlap = along * ((end * 2.0 - 1.0) * radiusDrawn * 0.35);
+    place = middle + side * (across * radiusDrawn) + overlap;
+    lastPlace = mix(lastFrom.xyz, lastTo.xyz, end) + side * (across * radiusDrawn) + overlap;
+    metres = mix(from.w, to.w, end);
+    tintOut = tint.rgb;
+    gl_Position = frame.viewProjection * vec4(place, 1.0);
+}

@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "physics/angles.h"
+#include "tests/physics/scenes/joint_scenes.h"
+
+namespace rubble {
+namespace {
+
+using namespace known;
+
+constexpr double kPi = 3.14159265358979323846;
+
+TEST(Angles, AgreeWithTheLibrary) {
+    double worst = 0.0, worstSine = 0.0;
+    for (int i = -1000; i <= 1000; ++i) {
+        const double angle = kPi * i / 1000.0;
+        double cosine, sine;
+        cosineSine(angle, cosine, sine);
+        worstSine = std::max({worstSine, std::abs(cosine - std::cos(angle)), std::abs(sine - std::sin(angle))});
+        if (std::abs(i) < 1000) worst = std::max(worst, std::abs(arcTangent(3.0 * std::sin(angle), 3.0 * std::cos(angle)) - angle));
+    }
+    EXPECT_LT(worst, 1e-12);
+    EXPECT_LT(worstSine, 1e-11);
+    EXPECT_EQ(arcTangent(0.0, 0.0), 0.0);
+}
+
+TEST(Joint, PendulumSwingsAtThePeriodOfItsMomentAndAmplitude) {
+    for (const PhysicsSettings& settings : {fastPhysics(), balancedPhysics(), accuratePhysics()})
+        for (const double degrees : {5.0, 60.0}) {
+            const Pendulum pendulum = swing(settings, degrees);
+            EXPECT_NEAR(pendulum.period / pendulum.expected, 1.0, 0.002) << degrees;
+            EXPECT_GT(pendulum.kept, 0.95);
+            EXPECT_LT(pendulum.kept, 1.001);
+        }
+}
+
+TEST(Joint, LimitMotorSpringAndBreakForce) {
+    EXPECT_LT(hitLimit({}, 0.8), 0.01);
+    const Motor motor = turn({});
+    EXPECT_NEAR(motor.acceleration / motor.expected, 1.0, 0.01);
+    EXPECT_NEAR(motor.speed, 5.0, 1e-3);
+    EXPECT_NEAR(springPeriod({}, 1.0), 1.0, 0.005);
+    EXPECT_NEAR(springPeriod({}, 3.0), 1.0 / 3.0, 0.002);
+    EXPECT_NEAR(breakFixed({}, 5000.0), 1.0, 0.05);
+}
+
+TEST(Joint, AChainStaysTogether) {
+    EXPECT_LT(swingChain({}, 10, 30.0).apart, 1e-3);
+    EXPECT_LT(hangHeavy({}, 5, 100.0), 1e-3);
+    EXPECT_LT(hangHeavy({}, 5, 1000.0), 1e-3);
+    EXPECT_LT(hangHeavy(accuratePhysics(), 5, 1000.0), 1e-3);
+}
+
+TEST(Rope, HoldsAThousandTimesTheMassOfItsPoints) {
+    for (const double ratio : {10.0, 1000.0}) {
+        const RopeSwing swing = swingOnRope({}, ratio);
+        EXPECT_LT(swing.stretched, 0.001);
+        EXPECT_LT(swing.longest, 0.03);
+        EXPECT_NEAR(swing.period / swing.expected, 1.0, 0.005);
+    }
+    const Pulley pulley = hangOver({});
+    EXPECT_GT(pulley.risen, 1.5);
+    EXPECT_LT(pulley.sunk, 0.03);
+}
+
+/// A block on a hinge, one on a rope, and a chain of two.
+void addMobile(PhysicsScene& scene) {
+    scene.addFloor();
+    const auto hang = [&](JointKind kind, std::string first, std::string second, glm::dvec3 in, glm::dvec3 at) {
+        LevelJoint joint{{.kind = kind}, {std::move(first), std::move(second)}};
+        joint.joint.ends[0].frame.position = in;
+        joint.joint.ends[1].frame.position = at;
+        scene.level.joints.push_back(joint);
+    };
+    for (int i = 0; i < 4; ++i) scene.add(blockGrid({4, 4, 4}, 7), {1.0 * i, 3.0, 0.0}, false);
+    hang(JointKind::Hinge, "", "body 1", {0.0, 3.4, 0.2}, {0.0, 0.4, 0.2});
+    hang(JointKind::Rope, "", "body 2", {0.0, 5.0, 0.2}, {0.2, 0.4, 0.2});
+    hang(JointKind::Ball, "body 3", "body 4", {0.4, 0.2, 0.2}, {-0.6, 0.2, 0.2});
+    scene.level.joints.back().joint.ends[1].radius = 1.0;
+}
+
+TEST(Joint, TheSameBitsWithAnyNumberOfThreads) {
+    std::vector<uint64_t> hashes;
+    for (const int threads : {1, 2, 5}) {
+        PhysicsSettings settings;
+        if (threads > 1)
+            settings.parallelFor = [threads](size_t count, const std::function<void(size_t)>& f) {
+                std::atomic<size_t> next{0};
+                std::vector<std::thread> workers;
+                for (int t = 0; t < threads; ++t)
+                    workers.emplace_back([&] {
+                        for (size_t i = next++; i < count; i = next++) f(i);
+                    });
+                for (std::thread& worker : workers) worker.join();
+            };
+        PhysicsScene scene(settings);
+        addMobile(scene);
+        scene.load();
+        scene.seconds(3.0);
+        hashes.push_back(scene.world.hash());
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(hashes[0], hashes[2]);
+}
+
+TEST(Joint, ARebuildFromTheWorldGoesOnTheSame) {
+    PhysicsScene first;
+    addMobile(first);
+    first.load();
+    first.seconds(1.0);
+    World copy = first.world;
+    PhysicsWorld anew;
+    anew.apply({}, copy, true);
+    first.physics.apply({}, first.world, true);
+    for (int i = 0; i < 60; ++i) {
+        first.step();
+        anew.step();
+        copy.setPoses(anew.poses());
+        copy.setRopes(anew.ropes());
+        ASSERT_EQ(copy.hash(), first.world.hash()) << i;
+    }
+}
+
+TEST(Joint, WhatHangsTogetherSleepsTogetherAndWakesTogether) {
+    PhysicsScene scene;
+    addMobile(scene);
+    scene.load();
+    scene.seconds(40.0);
+    for (int i = 3; i <= 4; ++i) EXPECT_TRUE(scene.body(i).asleep) << i;
+    FrameChanges push;
+    push.impulses.push_back({scene.handle(4), scene.center(4), {0.0, 60.0, 0.0}});
+    scene.physics.apply(push, scene.world);
+    scene.step(2);
+    EXPECT_FALSE(scene.body(3).asleep);
+    EXPECT_FALSE(scene.body(4).asleep);
+}
+
+TEST(Joint, WhatItJoinsDoesNotTouchUnlessItShould) {
+    for (const bool collides : {false, true}) {
+        PhysicsScene scene;
+        scene.level.environment.gravity = {0, 0, 0};
+        scene.add(blockGrid({4, 4, 4}, 7), {0.0, 0.0, 0.0}, true);
+        scene.add(blockGrid({4, 4, 4}, 7), {0.35, 0.13, 0.07}, false);  // within the other by half a cell
+        LevelJoint slide{{.kind = JointKind::Prismatic, .collides = collides}, {"body 0", "body 1"}};
+        slide.joint.ends[0].frame.position = {0.35, 0.33, 0.27};
+        slide.joint.ends[1].frame.position = {0.0, 0.2, 0.2};
+        scene.level.joints.push_back(slide);
+        scene.load();
+        scene.seconds(1.0);
+        EXPECT_EQ(std::abs(scene.body(1).pose.position.x - 0.35) > 0.01, collides);
+    }
+}
+
+}  // namespace
+}  // namespace rubble
