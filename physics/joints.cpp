@@ -86,7 +86,9 @@ void PhysicsWorld::Impl::readJoint(const World& world, JointHandle handle) {
     if (before && before->handle == handle) held->constraint = before->constraint;
     held->constraint.joint = &held->joint;
     held->constraint.handle = handle;
-    joints.add(std::move(held));
+    const HeldJoint& added = joints.add(std::move(held));
+    for (const BodyHandle body : added.bodies)
+        if (DynamicBody* dynamic = body && added.drives() ? dynamicAt(body.slot()) : nullptr) wake(*dynamic);
 }
 
 void PhysicsWorld::Impl::applyJoints(const FrameChanges& changes, const World& world) {
@@ -177,8 +179,7 @@ void PhysicsWorld::Impl::settleJointed() {
         if (a && b) group[size_t(std::max(rootOf(a), rootOf(b)))] = std::min(rootOf(a), rootOf(b));
     }
     for (const JointConstraint* c : activeJoints)
-        if (c->joint->motor.mode == MotorMode::Speed && c->joint->motor.target != 0.0 && c->joint->motor.mostForce > 0.0)
-            isAwake[size_t(rootOf(std::max(c->bodies[0], c->bodies[1])))] = true;
+        if (joints.at(c->handle.slot())->drives()) isAwake[size_t(rootOf(std::max(c->bodies[0], c->bodies[1])))] = true;
     for (const uint32_t slot : awake)
         if (!dynamics[slot]->wantsSleep) isAwake[size_t(rootOf(bodyNumber[slot]))] = true;
     for (const uint32_t slot : awake) {

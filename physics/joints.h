@@ -20,6 +20,9 @@ struct HeldJoint {
     int restingFor = 0;                                   ///< steps in which a rope has hardly moved
     JointConstraint constraint;                           ///< with the impulses of the last step
 
+    /// A motor that is to turn does not let anything sleep.
+    bool drives() const { return joint.motor.mode == MotorMode::Speed && joint.motor.target != 0.0 && joint.motor.mostForce > 0.0; }
+
     static constexpr uint32_t kNothing = ~0u;
 };
 

@@ -38,6 +38,8 @@ Scene dominoesScene();
 Scene cratersScene();
 Scene crushScene();
 Scene gardenScene();
+Scene craneScene();
+Scene dominoRunScene();
 }  // namespace scenes
 
 }  // namespace rubble
