@@ -231,24 +231,28 @@ void twoThreads(benchmark::State& state) {
 }
 BENCHMARK(twoThreads)->Name("physics/twoThreads")->Arg(500)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-/// How long after they have landed pieces sleep, and whether anything floats then.
+/// How long after the last of them has landed (nothing is faster than 3 m/s) pieces sleep, and whether anything floats then.
 void settlingPile(benchmark::State& state) {
     const int pieces = int(state.range(0));
-    Pile pile(voronoiPit(pieces), {});
-    double slept = 0.0;
+    Pile pile(voronoiPit(pieces, 1, int(state.range(1))), {});
+    double slept = 0.0, landed = 0.0;
     std::vector<BodyHandle> floating;
     for (auto _ : state) {
         for (int i = 0; i < 2400 && pile.physics.figures().awake; ++i) {
             pile.step();
-            if (pile.physics.figures().awake * 100 > pieces) slept = double(i + 1) / 60.0;
+            const double now = double(i + 1) / 60.0;
+            if (pile.physics.figures().awake * 100 > pieces) slept = now;
+            for (const BodyPose& moved : pile.physics.poses())
+                if (glm::length(moved.velocity) > 3.0) landed = now;
         }
         floating = findUnsupported(pile.world);
     }
-    state.counters["asleep_99_s"] = slept;
+    state.counters["landed_s"] = landed;
+    state.counters["asleep_99_after_s"] = slept - landed;
     state.counters["awake"] = pile.physics.figures().awake;
     state.counters["floating"] = double(floating.size());
 }
-BENCHMARK(settlingPile)->Name("physics/settlingPile")->Arg(500)->Arg(5000)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(settlingPile)->Name("physics/settlingPile")->Args({500, 8})->Args({5000, 16})->Unit(benchmark::kMillisecond)->Iterations(1);
 
 /// Cuts of a body of 256^3 voxels that lies among moving pieces: what physics takes for the journal of one.
 void cutOfALargeBody(benchmark::State& state) {

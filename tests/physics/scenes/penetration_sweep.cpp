@@ -1,0 +1,74 @@
+#include "tests/physics/scenes/penetration_sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "tests/physics/baseline/bullet_compounds.h"
+#include "tests/physics/baseline/voronoi_pit.h"
+#include "tests/physics/scenes/known_scenes.h"
+
+namespace rubble::known {
+namespace {
+
+double threadMs() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
+}
+
+/// Runs `step` as often as asked; the mean of the last quarter, ms.
+template <class Step>
+double timeLast(int steps, Step&& step) {
+    const int from = steps - steps / 4;
+    for (int i = 0; i < from; ++i) step();
+    const double start = threadMs();
+    for (int i = from; i < steps; ++i) step();
+    return (threadMs() - start) / std::max(1, steps - from);
+}
+
+PenetrationPoint runRubble(const Level& level, int steps, int substeps) {
+    PhysicsSettings settings;
+    settings.substeps = substeps;
+    PhysicsScene scene(sleepless(settings));
+    scene.level = level;
+    scene.load();
+    PenetrationPoint point{"rubble", substeps, settings.iterations};
+    point.stepMs = timeLast(steps, [&] { scene.step(); });
+    std::vector<Pose> poses;
+    scene.world.bodies().forEach([&](BodyHandle, const Body& body) { poses.push_back(body.pose); });
+    point.overlaps = measureOverlaps(level, poses);
+    return point;
+}
+
+PenetrationPoint runBullet(const Level& level, int steps, int substeps, int iterations) {
+    BulletCompounds bullet(level, {.substeps = substeps, .iterations = iterations});
+    PenetrationPoint point{"bullet", substeps, iterations};
+    point.stepMs = timeLast(steps, [&] { bullet.step(); });
+    std::vector<Pose> poses;
+    for (size_t i = 0; i < level.bodies.size(); ++i) poses.push_back(bullet.pose(i));
+    point.overlaps = measureOverlaps(level, poses);
+    return point;
+}
+
+}  // namespace
+
+std::vector<PenetrationPoint> sweepPenetration(int pieces, int steps) {
+    const Level level = voronoiPit(pieces);
+    std::vector<PenetrationPoint> points;
+    for (const int substeps : {1, 2, 4, 8}) points.push_back(runRubble(level, steps, substeps));
+    for (const int substeps : {1, 2, 4}) points.push_back(runBullet(level, steps, substeps, 10));
+    points.push_back(runBullet(level, steps, 1, 30));
+    return points;
+}
+
+std::string toCsv(const std::vector<PenetrationPoint>& points) {
+    std::string csv = "engine,substeps,iterations,step_ms,pairs,mean_mm,median_mm,worst_voxels,height_m\n";
+    for (const PenetrationPoint& p : points)
+        csv += fmt::format("{},{},{},{:.3f},{},{:.3f},{:.3f},{:.3f},{:.3f}\n", p.engine, p.substeps, p.iterations, p.stepMs, p.overlaps.pairs,
+                           p.overlaps.mean * 1e3, p.overlaps.median * 1e3, p.overlaps.worst * 10.0, p.overlaps.middle);
+    return csv;
+}
+
+}  // namespace rubble::known
