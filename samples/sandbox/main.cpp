@@ -43,7 +43,8 @@ int run(int argc, char** argv) {
     options.tools = std::filesystem::weakly_canonical(std::filesystem::path(argv[0])).parent_path().string();
     CLI::App app{
         "Rubble sandbox: a town corner to take apart.\n"
-        "With a display: WASD and mouse fly, Space/Shift up and down, 1 hammer, 2 explosive, 3 spray can, left click uses it, F fly or walk, R "
+        "With a display: WASD and mouse fly, Space/Shift up and down, 1 hammer, 2 explosive, 3 spray can, left click uses it, G held grabs (with a "
+        "click on letting go: throws), F fly or walk, R "
         "resets, P next pass, Esc leaves.",
         "sandbox"};
     app.add_option("--model", options.model, "put this .vox, .vdb or .rubble on the street and demolish it")->check(CLI::ExistingFile);

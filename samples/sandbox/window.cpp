@@ -24,6 +24,8 @@ constexpr double kMouseRadiansAPixel = 0.0025;
 constexpr int kScreenshotFrames = 12;                 ///< drawn before --screenshot writes its picture
 constexpr double kToolSeconds[] = {0.25, 0.5, 0.03};  ///< between two uses of a tool while the button is held
 
+constexpr double kGrabReach = 4.0, kGrabForce = 3000.0, kThrowImpulse = 250.0;  // metres, N, N s
+
 constexpr const char* kToolNames[] = {"hammer", "explosive", "spray can"};
 
 /// The running game behind one window.
@@ -62,6 +64,7 @@ private:
         m_player.place(m_stage.camera(0.0));
         m_step = 0;
         m_cut = true;
+        m_held = {};
         m_loop.step();
     }
 
@@ -92,11 +95,29 @@ private:
             m_renderer->showPass(m_passes[m_pass]);
             m_window.setTitle("Rubble sandbox: " + m_passes[m_pass]);
         }
+        grab();
         m_toolWait -= elapsed;
         if (m_window.mouseHeld() && m_toolWait <= 0.0) {
             m_loop.edits().push(useTool(m_tool, m_loop.world(), m_player.camera().position, m_player.camera().forward(), m_seed++));
             m_toolWait = kToolSeconds[int(m_tool)];
         }
+    }
+
+    /// G takes hold of what is looked at and carries it along; letting go throws it the way that one looks, if the button is held.
+    void grab() {
+        const glm::dvec3 eye = m_player.camera().position, ahead = m_player.camera().forward();
+        if (!m_window.held(GLFW_KEY_G)) {
+            if (std::exchange(m_held, {})) m_loop.edits().push(ReleaseEdit{m_window.mouseHeld() ? ahead * kThrowImpulse : glm::dvec3(0.0)});
+            return;
+        }
+        if (!m_held) {
+            const WorldHit hit = m_loop.world().raycast(eye, ahead, kGrabReach);
+            if (!hit.hit) return;
+            m_held = m_loop.world().shapes().at(hit.shape).body;
+            m_heldAt = hit.distance;
+        }
+        if (const Body* body = m_loop.world().bodies().find(m_held); body && !body->isStatic)
+            m_loop.edits().push(GrabEdit{.body = m_held, .point = eye + ahead * m_heldAt, .target = eye + ahead * m_heldAt, .mostForce = kGrabForce});
     }
 
     void draw(double alpha) {
@@ -116,6 +137,8 @@ private:
     int m_step = 0;  ///< of the scene's script
     double m_toolWait = 0.0, m_lag = 0.0;
     bool m_cut = true;
+    BodyHandle m_held;      ///< by the hand
+    double m_heldAt = 0.0;  ///< metres from the eye
     std::vector<std::string> m_passes;
     size_t m_pass = 0;
     std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();

@@ -103,6 +103,44 @@ TEST_F(Abi, AWorldBreaksAndTellsOfIt) {
     EXPECT_EQ(count, after.shape_count);
 }
 
+TEST_F(Abi, JointsAreMadeReadAndRemoved) {
+    auto table = sized<rubble_joint_settings>();
+    table.kind = RUBBLE_JOINT_ROPE;
+    const rubble_body body = bodies(m_world).at(0).body;
+    std::array<rubble_shape_state, 1> shape{};
+    uint32_t count = 0;
+    ASSERT_EQ(api()->shape_states(m_world, body, shape.data(), 1, &count), RUBBLE_OK);
+    table.shapes[0] = shape[0].shape;
+    table.position[0] = table.position[1] = table.position[2] = 0.85;
+    table.rope_end[1] = 4.0;
+    ASSERT_EQ(api()->add_joint(m_world, &table), RUBBLE_OK) << api()->last_error();
+    ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    std::array<rubble_joint_state, 2> joints{};
+    ASSERT_EQ(api()->joint_states(m_world, joints.data(), 2, &count), RUBBLE_OK);
+    ASSERT_EQ(count, 1u);
+    EXPECT_EQ(joints[0].shapes[0], shape[0].shape);
+    ASSERT_GE(joints[0].rope_points, 3u);
+    std::vector<double> points(3 * joints[0].rope_points);
+    ASSERT_EQ(api()->rope_points(m_world, joints[0].joint, points.data(), uint32_t(points.size()), &count), RUBBLE_OK);
+    EXPECT_EQ(count, points.size());
+    EXPECT_NEAR(points[1], 0.85, 1e-6);
+    auto motor = sized<rubble_joint_motor>();
+    motor.joint = joints[0].joint;
+    motor.motor = 3;
+    EXPECT_EQ(api()->set_joint_motor(m_world, &motor), RUBBLE_ERROR_ARGUMENT);
+    motor.motor = RUBBLE_MOTOR_SPEED;
+    EXPECT_EQ(api()->set_joint_motor(m_world, &motor), RUBBLE_OK);
+    auto grab = sized<rubble_grab>();
+    EXPECT_EQ(api()->grab(m_world, &grab), RUBBLE_ERROR_STALE);
+    auto release = sized<rubble_release>();
+    EXPECT_EQ(api()->release(m_world, &release), RUBBLE_OK);
+    ASSERT_EQ(api()->remove_joint(m_world, joints[0].joint), RUBBLE_OK);
+    ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    EXPECT_EQ(api()->remove_joint(m_world, joints[0].joint), RUBBLE_ERROR_STALE);
+    table.kind = 7;
+    EXPECT_EQ(api()->add_joint(m_world, &table), RUBBLE_ERROR_ARGUMENT);
+}
+
 TEST_F(Abi, BreaksArriveAndEveryLostVoxelIsDust) {
     auto edit = sized<rubble_break>();
     edit.position[0] = 0.3, edit.position[1] = 0.9, edit.position[2] = 0.3;

@@ -6,6 +6,7 @@
 #include "runtime/core/log.h"
 #include "runtime/plugin/c_abi/checks.h"
 #include "runtime/plugin/c_abi/edits.h"
+#include "runtime/plugin/c_abi/joints.h"
 #include "runtime/plugin/c_abi/reads.h"
 #include "runtime/plugin/c_abi/registry.h"
 
@@ -394,6 +395,46 @@ rubble_result redo(rubble_world world) {
     return pushHistory("redo", world, HistoryAction::Redo);
 }
 
+// ---- joints ----
+
+rubble_result addJoint(rubble_world world, const rubble_joint_settings* settings) {
+    return pushEdit("add_joint", world, settings);
+}
+rubble_result removeJoint(rubble_world world, rubble_joint joint) {
+    return guarded("remove_joint", [&] {
+        const auto hosted = Registry::instance().world(world);
+        jointOf(hosted->loop.world(), joint);
+        hosted->loop.edits().push(RemoveJointEdit{JointHandle{joint}});
+    });
+}
+rubble_result setJointMotor(rubble_world world, const rubble_joint_motor* motor) {
+    return pushEdit("set_joint_motor", world, motor);
+}
+rubble_result grab(rubble_world world, const rubble_grab* edit) {
+    return pushEdit("grab", world, edit);
+}
+rubble_result release(rubble_world world, const rubble_release* edit) {
+    return pushEdit("release", world, edit);
+}
+rubble_result jointStates(rubble_world world, rubble_joint_state* out, uint32_t capacity, uint32_t* count) {
+    return guarded("joint_states", [&] {
+        const auto hosted = Registry::instance().world(world);
+        const World& inside = hosted->loop.world();
+        RowWriter<rubble_joint_state> rows(out, capacity, count);
+        inside.joints().forEach([&](JointHandle handle, const Joint& joint) { rows.add([&] { return jointState(inside, handle, joint); }); });
+        rows.finish();
+    });
+}
+rubble_result ropePoints(rubble_world world, rubble_joint joint, double* out, uint32_t capacity, uint32_t* count) {
+    return guarded("rope_points", [&] {
+        const auto hosted = Registry::instance().world(world);
+        RowWriter<double> rows(out, capacity, count);
+        for (const RopePoint& point : jointOf(hosted->loop.world(), joint).points)
+            for (int i = 0; i < 3; ++i) rows.add([&] { return point.position[i]; });
+        rows.finish();
+    });
+}
+
 constexpr rubble_api kApi = {
     sizeof(rubble_api),
     RUBBLE_VERSION,
@@ -430,6 +471,13 @@ constexpr rubble_api kApi = {
     undo,
     redo,
     breakVoxels,
+    addJoint,
+    removeJoint,
+    setJointMotor,
+    grab,
+    release,
+    jointStates,
+    ropePoints,
 };
 
 }  // namespace

@@ -45,6 +45,7 @@ typedef uint64_t rubble_world;
 typedef uint64_t rubble_renderer;
 typedef uint64_t rubble_body;        /* a rigid body: a frame that shapes are fixed to */
 typedef uint64_t rubble_shape;       /* a grid of voxels on a body */
+typedef uint64_t rubble_joint;       /* holds two shapes together, or one to the world */
 typedef uint64_t rubble_light_group; /* lights that go out together */
 
 typedef int32_t rubble_result;
@@ -117,6 +118,80 @@ typedef struct rubble_break {
     uint32_t reserved;
     rubble_shape shape; /* only this one; 0: all */
 } rubble_break;
+
+/* How a joint holds. Its axis is x of its frame. */
+enum {
+    RUBBLE_JOINT_BALL,      /* one point in common */
+    RUBBLE_JOINT_HINGE,     /* turns about the axis */
+    RUBBLE_JOINT_PRISMATIC, /* slides along the axis */
+    RUBBLE_JOINT_CONE,      /* one point in common, the axes at most `high` radians apart */
+    RUBBLE_JOINT_FIXED,
+    RUBBLE_JOINT_ROPE,
+    RUBBLE_JOINT_WHEEL /* shapes[0]: chassis, shapes[1]: wheel; travels along y, spins about x */
+};
+enum { RUBBLE_MOTOR_OFF, RUBBLE_MOTOR_SPEED, RUBBLE_MOTOR_POSITION };
+enum {
+    RUBBLE_JOINT_COLLIDES = 1, /* the two shapes touch each other */
+    RUBBLE_JOINT_LIMITED = 2   /* low and high count */
+};
+
+/* A joint between two shapes as they are now. It holds on to a voxel of each, and goes with it or breaks with it. */
+typedef struct rubble_joint_settings {
+    uint32_t struct_size;
+    uint32_t kind;                       /* RUBBLE_JOINT_BALL ... */
+    rubble_shape shapes[2];              /* 0: the world */
+    double position[3];                  /* world; of a rope: its first end */
+    double rotation[4];                  /* world */
+    double radius;                       /* metres within which a voxel must be; 0: 0.2 */
+    uint32_t flags;                      /* RUBBLE_JOINT_COLLIDES ... */
+    uint32_t motor;                      /* RUBBLE_MOTOR_...; of a rope: a winch */
+    double motor_target;                 /* rad/s or m/s; radians or metres */
+    double motor_force;                  /* N m or N */
+    double low, high;                    /* radians or metres */
+    double spring_hertz, spring_damping; /* 0 hertz: none, or rigid */
+    double friction;                     /* N m or N; a wheel's brake */
+    double break_force, break_torque;    /* N, N m; 0: never */
+    double rope_end[3];                  /* world: its second end */
+    double rope_length, rope_radius;     /* metres; 0: as far as its ends are apart; 0.03 */
+    double rope_stretch;                 /* share of its length under 10 kN */
+    double rope_strength;                /* N; 0: never breaks */
+} rubble_joint_settings;
+
+/* What drives and brakes a joint from now on. */
+typedef struct rubble_joint_motor {
+    uint32_t struct_size;
+    uint32_t motor; /* RUBBLE_MOTOR_... */
+    rubble_joint joint;
+    double motor_target, motor_force;
+    double friction;
+    double steer; /* of a wheel: radians */
+} rubble_joint_motor;
+
+typedef struct rubble_joint_state {
+    rubble_joint joint;
+    uint32_t kind, rope_points;
+    rubble_shape shapes[2];
+    double first[3], second[3]; /* its ends, world */
+    double rope_length;
+} rubble_joint_state;
+
+/* Pulls a body toward a place. A hand holds one body; the same call with another target moves it. */
+typedef struct rubble_grab {
+    uint32_t struct_size;
+    uint32_t hand;
+    rubble_body body;
+    double point[3];  /* world: where it is taken hold of */
+    double target[3]; /* world */
+    double force;     /* N at most; 0: 1000 */
+    double hertz;     /* how stiffly; 0: 4 */
+} rubble_grab;
+
+/* Lets go of what a hand holds, and throws it. */
+typedef struct rubble_release {
+    uint32_t struct_size;
+    uint32_t hand;
+    double impulse[3]; /* N s */
+} rubble_release;
 
 /* Breaks a sphere and pushes what is near away from it. */
 typedef struct rubble_explosion {
@@ -375,6 +450,15 @@ typedef struct rubble_api {
     rubble_result (*redo)(rubble_world world);
     /* [main-thread] A command for the next step. */
     rubble_result (*break_voxels)(rubble_world world, const rubble_break* edit);
+    /* [main-thread] Commands for the next step. Where no voxel holds an end, no joint is made and the log says so. */
+    rubble_result (*add_joint)(rubble_world world, const rubble_joint_settings* settings);
+    rubble_result (*remove_joint)(rubble_world world, rubble_joint joint);
+    rubble_result (*set_joint_motor)(rubble_world world, const rubble_joint_motor* motor);
+    rubble_result (*grab)(rubble_world world, const rubble_grab* grab);
+    rubble_result (*release)(rubble_world world, const rubble_release* release);
+    /* [main-thread] All joints in the order of their slots; the points of a rope, three numbers each, from its first end on. */
+    rubble_result (*joint_states)(rubble_world world, rubble_joint_state* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*rope_points)(rubble_world world, rubble_joint joint, double* out, uint32_t capacity, uint32_t* count);
 } rubble_api;
 
 /* [any-thread] The one export: the plugin's table for this version of the interface, or RUBBLE_ERROR_VERSION and null. */
