@@ -67,12 +67,12 @@ LevelShape makeJib() {
 LevelShape makeWreckingBall() {
     constexpr int kSize = 15;
     Canvas c({kSize, kSize + 3, kSize});
-    const Swatch steel = c.mix(kCastSteel), eye = c.mix(kDarkSteel);
+    const Swatch steel = c.mix(kCastSteel);
     c.fill(ivec3(0), ivec3(kSize), [&](ivec3 cell) {
         const ivec3 d = cell - kSize / 2;
         return d.x * d.x + d.y * d.y + d.z * d.z <= 53 ? PaintBox::pick(steel, cell) : uint8_t(0);
     });
-    c.box({6, kSize - 1, 6}, {9, kSize + 3, 9}, eye);
+    c.box({6, kSize - 1, 6}, {9, kSize + 3, 9}, steel);
     return c.finish("wrecking ball");
 }
 
@@ -98,7 +98,7 @@ void addCrane(Level& level) {
     LevelJoint slew{{.name = "slew", .kind = JointKind::Hinge}, {"mast", "jib"}};
     slew.joint.ends[0].frame = {pivot - atCell(kMast.x, kMast.y, kMast.z), upright};
     slew.joint.ends[1].frame = {pivotInJib, glm::conjugate(heading) * upright};
-    slew.joint.motor = {MotorMode::Speed, 0.62, 1.6e6};
+    slew.joint.motor = {MotorMode::Speed, 0.28, 1.0e6};
     level.joints.push_back(slew);
     LevelJoint rope{{.name = "rope", .kind = JointKind::Rope}, {"jib", "wrecking ball"}};
     rope.joint.ends[0].frame.position = tipInJib;
@@ -117,7 +117,7 @@ Level craneLevel(uint64_t seed) {
     Level level = makePlot("crane", ground, seed);
     HouseStyle style;
     style.rooms = false;
-    addHouse(level, "house", {262, 0, 118}, style);
+    addHouse(level, "house", {272, 0, 118}, style);
     addCrane(level);
     for (int i = 0; i < 6; ++i) addLoose(level, makeCrate("crate " + std::to_string(i)), {110 + i % 3 * 11, i / 3 * 8, 262});
     addLoose(level, makeBarrel("barrel 1", kCarRed), {150, 0, 280});
