@@ -183,7 +183,7 @@ private:
                 const glm::vec3 low(clusters.low[0][k], clusters.low[1][k], clusters.low[2][k]);
                 const glm::vec3 high(clusters.high[0][k], clusters.high[1][k], clusters.high[2][k]);
                 if (mayReach(low + glm::vec3(corner), high + glm::vec3(corner)))
-                    probeCluster({&features.fours[clusters.from[k]], &features.fours[clusters.to[k]]}, corner, base, limit, out);
+                    probeCluster({features.fours.data() + clusters.from[k], features.fours.data() + clusters.to[k]}, corner, base, limit, out);
             }
         }
     }
