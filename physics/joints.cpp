@@ -194,7 +194,7 @@ void PhysicsWorld::Impl::settleJointed() {
 void PhysicsWorld::Impl::moveRopes() {
     for (const uint32_t slot : joints.ropes()) {
         HeldJoint& held = *joints.at(slot);
-        RopeStep step{.length = held.joint.rope.length, .radius = held.joint.rope.radius, .gravity = gravity, .seconds = kStep};
+        RopeStep step{.length = held.joint.rope.length, .radius = held.joint.rope.radius, .gravity = gravity, .seconds = settings.stepSeconds};
         bool isCarried = false;
         for (size_t i = 0; i < 2; ++i) {
             const DynamicBody* body = held.bodies[i] ? dynamicAt(held.bodies[i].slot()) : nullptr;
@@ -206,7 +206,7 @@ void PhysicsWorld::Impl::moveRopes() {
         if (!isCarried && held.restingFor >= kRopeRest) continue;
         glm::dvec3 low(1e300), high(-1e300);
         for (const RopePoint& point : held.joint.points) {
-            const glm::dvec3 next = point.position + point.velocity * kStep;
+            const glm::dvec3 next = point.position + point.velocity * settings.stepSeconds;
             low = glm::min(low, glm::min(point.position, next));
             high = glm::max(high, glm::max(point.position, next));
         }

@@ -14,8 +14,6 @@
 
 namespace rubble {
 
-inline constexpr double kStep = 1.0 / 60.0;
-
 /// What PhysicsWorld holds. Its functions are in files: journal.cpp (what World changed), sleep.cpp (who rests and
 /// who wakes), joints.cpp (who is tied to whom), physics_world.cpp (a step).
 struct PhysicsWorld::Impl {

@@ -37,7 +37,7 @@ PhysicsSettings accuratePhysics() {
 
 /// Contacts of what moves, with what it hits and wakes.
 void PhysicsWorld::Impl::findContacts() {
-    const NarrowphaseSettings narrow{.margin = settings.contactMargin, .seconds = kStep, .continuous = settings.continuous};
+    const NarrowphaseSettings narrow{.margin = settings.contactMargin, .seconds = settings.stepSeconds, .continuous = settings.continuous};
     narrowphase.begin();
     for (const uint32_t slot : awake) dynamics[slot]->known = false;
     for (bool more = true; more; more = wakeHit()) {
@@ -46,8 +46,8 @@ void PhysicsWorld::Impl::findContacts() {
             DynamicBody& body = *dynamics[slot];
             if (body.known) continue;
             body.place();
-            broadphase.move(body.object, body.motion.velocity * kStep,
-                            settings.contactMargin + body.object.radius * glm::length(body.motion.angularVelocity) * kStep);
+            broadphase.move(body.object, body.motion.velocity * settings.stepSeconds,
+                            settings.contactMargin + body.object.radius * glm::length(body.motion.angularVelocity) * settings.stepSeconds);
             moving.push_back(&body.object);
         }
         pairs.clear();
@@ -79,7 +79,7 @@ void PhysicsWorld::Impl::solve() {
     solver.solve(bodies, narrowphase.manifolds(), bodyOf, gravity,
                  {.substeps = settings.substeps,
                   .iterations = settings.iterations,
-                  .seconds = kStep,
+                  .seconds = settings.stepSeconds,
                   .contactHertz = settings.contactHertz,
                   .heavyRatio = settings.heavyRatio,
                   .heavyPasses = settings.heavyPasses},

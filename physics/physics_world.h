@@ -14,13 +14,14 @@ namespace rubble {
 enum class RotationRule : uint8_t { Never, WhereNeeded, Always };
 
 struct PhysicsSettings {
-    int substeps = 4;             ///< of 1/60 s, in which contacts are solved; they are found once a step
-    int iterations = 1;           ///< over the contacts in each half of a substep
-    double contactHertz = 60.0;   ///< stiffness of contacts; at most a quarter of the rate of substeps counts
-    double heavyRatio = 30.0;     ///< how many times as heavy what lies on a body must be for its contacts to be stiffer
-    int heavyPasses = 8;          ///< over such contacts, more than over others; 0: none is stiffer
-    double contactMargin = 0.02;  ///< metres apart at which bodies count as touching
-    bool continuous = true;       ///< what moves farther than that in a step is swept
+    int substeps = 4;                 ///< of 1/60 s, in which contacts are solved; they are found once a step
+    int iterations = 1;               ///< over the contacts in each half of a substep
+    double stepSeconds = 1.0 / 60.0;  ///< of a step; the frame loop counts on this, measurements take others
+    double contactHertz = 60.0;       ///< stiffness of contacts; at most a quarter of the rate of substeps counts
+    double heavyRatio = 30.0;         ///< how many times as heavy what lies on a body must be for its contacts to be stiffer
+    int heavyPasses = 8;              ///< over such contacts, more than over others; 0: none is stiffer
+    double contactMargin = 0.02;      ///< metres apart at which bodies count as touching
+    bool continuous = true;           ///< what moves farther than that in a step is swept
     RotationRule rotation = RotationRule::WhereNeeded;
     double sleepVelocity = 0.02;         ///< m/s of drift, averaged over sleepTime, below which a touching body falls asleep
     double sleepAngularVelocity = 0.04;  ///< rad/s
@@ -58,7 +59,7 @@ public:
     /// which World has already set. anew: everything is made from the World in slot order, as after levelReplaced: nothing of the past counts any
     /// more.
     void apply(const FrameChanges& changes, const World& world, bool anew = false);
-    /// 1/60 s.
+    /// settings.stepSeconds further.
     void step();
     /// Bodies that moved, fell asleep or woke in the last step, in slot order; valid until the next step().
     std::span<const BodyPose> poses() const;

@@ -72,7 +72,7 @@ bool PhysicsWorld::Impl::wakeHit() {
         const DynamicBody& hitter = a->asleep() ? *b : *a;
         if (sleeper.quarantined() || !mayWake(sleeper)) continue;
         const double share = hitter.mass().mass / (hitter.mass().mass + sleeper.mass().mass);
-        if (approachSpeed(*manifold, kStep) * share <= (sleeper.settled ? kReviveSpeed : kWakeSpeed)) continue;
+        if (approachSpeed(*manifold, settings.stepSeconds) * share <= (sleeper.settled ? kReviveSpeed : kWakeSpeed)) continue;
         wake(sleeper);
         any = true;
     }
@@ -100,7 +100,7 @@ void PhysicsWorld::Impl::settle() {
         DynamicBody& body = *dynamics[slot];
         SolverBody& motion = body.motion;
         const double speed = std::max(glm::length(motion.velocity), glm::length(motion.angularVelocity) * body.reach());
-        body.slowSeconds = body.touching && speed < kSlow ? body.slowSeconds + kStep : 0.0;
+        body.slowSeconds = body.touching && speed < kSlow ? body.slowSeconds + settings.stepSeconds : 0.0;
         const double patience = std::min(1.0 + body.slowSeconds, kMostPatience);
         if (body.slowSeconds > 0.0) {
             const double kept = 1.0 - settings.slowDamping * patience;
@@ -108,7 +108,8 @@ void PhysicsWorld::Impl::settle() {
             motion.angularVelocity *= kept;
         }
         const double allowed = settings.sleepTime * patience;
-        const double calm = body.settling.calm(body.pose(), settings.sleepVelocity * allowed, settings.sleepAngularVelocity * allowed, kStep);
+        const double calm =
+            body.settling.calm(body.pose(), settings.sleepVelocity * allowed, settings.sleepAngularVelocity * allowed, settings.stepSeconds);
         const bool isJointed = !joints.of(slot).empty();
         body.wantsSleep = calm >= settings.sleepTime && (body.touching || weightless || isJointed);
         if (!body.wantsSleep || isJointed) continue;

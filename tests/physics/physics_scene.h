@@ -25,7 +25,7 @@ inline VoxelGrid blockGrid(glm::ivec3 size, uint8_t entry) {
 
 /// A level made of grids, a World and its physics, stepped together as the frame loop does.
 struct PhysicsScene {
-    explicit PhysicsScene(const PhysicsSettings& settings = {}) : physics(settings) {}
+    explicit PhysicsScene(const PhysicsSettings& settings = {}) : stepSeconds(settings.stepSeconds), physics(settings) {}
 
     LevelBody& add(VoxelGrid grid, glm::dvec3 corner, bool isStatic, glm::dquat rotation = {1, 0, 0, 0}) {
         LevelBody body;
@@ -69,7 +69,8 @@ struct PhysicsScene {
             world.setRopes(physics.ropes());
         }
     }
-    void seconds(double time) { step(int(std::lround(time * 60.0))); }
+    int stepsIn(double seconds) const { return int(std::lround(seconds / stepSeconds)); }
+    void seconds(double time) { step(stepsIn(time)); }
 
     BodyHandle handle(int index) const {
         BodyHandle found;
@@ -85,6 +86,7 @@ struct PhysicsScene {
     PaletteRef palette = materialPalette();
     Level level;
     World world;
+    double stepSeconds;
     PhysicsWorld physics;
 };
 

@@ -108,10 +108,11 @@ Slide slideDown(const PhysicsSettings& settings, double degrees, double heading,
     scene.add(blockGrid({10, 3, 8}, entry), tilt * glm::dvec3(20, 0, 0) + block * glm::dvec3(-0.5, 0, -0.4), false, block);
     scene.load();
     std::vector<glm::dvec3> at;
-    const int steps = int(seconds * 60.0);
+    const int steps = scene.stepsIn(seconds);
+    const double h = scene.stepSeconds;
     for (int i = 0; i <= steps; ++i, scene.step()) at.push_back(scene.center(1));
-    const auto speed = [&](int i) { return glm::length(at[size_t(i)] - at[size_t(i - 1)]) * 60.0; };
-    return {glm::length(at[size_t(steps)] - at[size_t(steps - 60)]), (speed(steps) - speed(steps / 2)) / ((steps - steps / 2) / 60.0)};
+    const auto speed = [&](int i) { return glm::length(at[size_t(i)] - at[size_t(i - 1)]) / h; };
+    return {glm::length(at[size_t(steps)] - at[size_t(steps - scene.stepsIn(1.0))]), (speed(steps) - speed(steps / 2)) / ((steps - steps / 2) * h)};
 }
 
 Tower stack(const PhysicsSettings& settings, int cubes, double seconds) {
@@ -139,7 +140,7 @@ double sink(const PhysicsSettings& settings, double ratio) {
     scene.add(blockGrid({5, 5, 5}, heavy), {0, 0.5, 0}, false);
     scene.load();
     double deepest = 0.0;
-    for (int i = 0; i < 600; ++i) {
+    for (int i = scene.stepsIn(10.0); i > 0; --i) {
         scene.step();
         deepest = std::max(deepest, 0.75 - scene.center(2).y);
     }
