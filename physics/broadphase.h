@@ -21,6 +21,7 @@ struct CollisionObject {
     uint32_t body = 0;               ///< slot
     uint32_t number = 0;             ///< unique; the order of pairs: a body's slot, or a static shape's with kStaticObject
     DynamicBody* dynamic = nullptr;  ///< null: static
+    bool isNew = true;               ///< has another mass or form than in the last step: its contacts inherit no impulses
     glm::dvec3 low{0.0}, high{0.0};  ///< world bounds, with what it sweeps in the step
     uint32_t version = 0;            ///< another one after it was added anew or its voxels changed
 

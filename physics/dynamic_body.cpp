@@ -69,6 +69,7 @@ bool DynamicBody::reshape(const World& world, const FrameChanges& changes) {
         object.collider.parts[i]->update(world.shapes().at(m_shapes[i]), bricks, world.materials());
     }
     takeState(world);
+    object.isNew = true;
     slowSeconds = 0.0;
     touching = false;
     setAsleep(false);

@@ -64,7 +64,8 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
     manifold.second = second->number;
     manifold.origin = first->pose.position;
     manifold.objects = {first, second};
-    reduceContacts(batch.contacts, before ? before->manifold : nullptr, manifold);
+    const bool inherits = before && !first->isNew && !second->isNew;
+    reduceContacts(batch.contacts, inherits ? before->manifold : nullptr, manifold);
     anchor(manifold, first->pose, second->pose);
 }
 

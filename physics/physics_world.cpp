@@ -188,7 +188,7 @@ PhysicsFigures PhysicsWorld::figures() const {
     PhysicsFigures figures;
     figures.awake = int(m_impl->awake.size());
     for (const auto& body : m_impl->dynamics) figures.bodies += body != nullptr;
-    for (const Manifold* manifold : m_impl->narrowphase.manifolds()) figures.contacts += manifold->count;
+    for (const Manifold* manifold : m_impl->narrowphase.manifolds()) figures.pairs += manifold->count > 0, figures.contacts += manifold->count;
     return figures;
 }
 

@@ -43,7 +43,8 @@ PhysicsSettings balancedPhysics();
 PhysicsSettings accuratePhysics();
 
 struct PhysicsFigures {
-    int bodies = 0, awake = 0, contacts = 0;
+    int bodies = 0, awake = 0;
+    int pairs = 0, contacts = 0;  ///< of bodies that touch, and their points, in the last step
 };
 
 /// Rigid bodies made of voxels: who moves, who touches whom, who rests. Positions are double; what is near is compared in

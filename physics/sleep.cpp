@@ -83,6 +83,7 @@ bool PhysicsWorld::Impl::wakeHit() {
 void PhysicsWorld::Impl::noteContacts() {
     for (const uint32_t slot : awake) dynamics[slot]->touching = false;
     for (const Manifold* manifold : narrowphase.manifolds()) {
+        manifold->objects.first->isNew = manifold->objects.second->isNew = false;
         DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
         if (a) a->touching = true;
         if (b) b->touching = true;

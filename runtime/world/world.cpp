@@ -56,6 +56,15 @@ struct Hasher {
     }
 };
 
+/// Of a shape's grid at a pose (grid corner -> world).
+WorldBox boundsOf(const Shape& shape, const Pose& pose) {
+    const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
+    const glm::dmat3 axes = glm::mat3_cast(pose.rotation);
+    const glm::dvec3 reach = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z;
+    const glm::dvec3 middle = pose.transformPoint(half);
+    return {middle - reach, middle + reach};
+}
+
 }  // namespace
 
 World::World(uint8_t id)
@@ -319,20 +328,20 @@ bool World::debrisWaits() const {
 }
 
 void World::placeShape(ShapeHandle handle) {
-    const Shape& shape = m_shapes.at(handle);
-    const Pose pose = shapeToWorld(handle);
-    const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
-    const glm::dmat3 axes = glm::mat3_cast(pose.rotation);
-    const glm::dvec3 reach = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z;
-    const glm::dvec3 middle = pose.transformPoint(half);
-    m_places.place(handle.slot(), {middle - reach, middle + reach});
+    m_places.place(handle.slot(), boundsOf(m_shapes.at(handle), shapeToWorld(handle)));
 }
 
+/// The tree's margins depend on how a shape came to where it is, so what it finds is looked at again: nothing that happens
+/// next may depend on that.
 std::vector<ShapeHandle> World::shapesNear(glm::dvec3 point, double reach) const {
     std::vector<ShapeHandle> out;
     if (!(reach >= 0.0)) return out;
     const WorldBox around{point - reach, point + reach};
-    m_places.find([&](const WorldBox& box) { return box.meets(around); }, [&](uint32_t slot) { out.push_back(m_shapes.handleAt(slot)); });
+    const auto visit = [&](uint32_t slot) {
+        const ShapeHandle handle = m_shapes.handleAt(slot);
+        if (boundsOf(m_shapes.at(handle), shapeToWorld(handle)).meets(around)) out.push_back(handle);
+    };
+    m_places.find([&](const WorldBox& box) { return box.meets(around); }, visit);
     std::sort(out.begin(), out.end(), [](ShapeHandle a, ShapeHandle b) { return a.slot() < b.slot(); });
     return out;
 }

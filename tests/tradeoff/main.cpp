@@ -1,4 +1,4 @@
-// ./rubble tradeoff destruction: tables (CSV, Markdown) and plots (SVG) of what accuracy costs.
+// ./rubble tradeoff destruction|physics: tables (CSV, Markdown) and plots (SVG) of what accuracy costs.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -7,43 +7,79 @@
 #include <fstream>
 
 #include "tests/tradeoff/destruction.h"
+#include "tests/tradeoff/physics.h"
+
+namespace rubble::tradeoff {
+namespace {
+
+using Row = std::pair<std::string, std::function<Table(const Options&)>>;
+
+std::vector<Row> rowsOf(const std::string& subject) {
+    if (subject == "destruction")
+        return {{"T4", debrisTradeoff},    {"T5", connectivityTradeoff}, {"T12", featureTradeoff},      {"T13-load", loadMap},
+                {"T13-pieces", piecesMap}, {"T13-split", splitMap},      {"T13-fragments", fragmentMap}};
+    std::vector<Row> rows{{"T1", contactTradeoff},
+                          {"T2", rotationTradeoff},
+                          {"T3", collisionTradeoff},
+                          {"T10-coordinates", coordinateTradeoff},
+                          {"T12-physics", physicsFeatureTradeoff}};
+    for (Row& map : physicsMaps()) rows.push_back(std::move(map));
+    return rows;
+}
+
+/// Makes a table, prints it and writes its files.
+Table made(const Row& row, const Options& options, bool& written) {
+    const auto begin = std::chrono::steady_clock::now();
+    Table table = row.second(options);
+    written &= writeCsv(options, table);
+    fmt::print("{}({:.1f} s)\n\n", markdown(table), std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    std::fflush(stdout);
+    return table;
+}
+
+bool writeText(const std::string& path, const std::string& text) {
+    std::ofstream file(path);
+    file << text;
+    return bool(file.flush());
+}
+
+}  // namespace
+}  // namespace rubble::tradeoff
 
 int main(int argc, char** argv) {
     using namespace rubble::tradeoff;
     Options options;
-    std::string subject;
+    std::string subject, only, scene;
+    bool publish = false;
     CLI::App app{"Trade-off report: what is turned, what it costs, what it gets wrong", "tradeoff"};
-    app.add_option("subject", subject, "destruction")->required()->check(CLI::IsMember({"destruction"}));
+    app.add_option("subject", subject, "destruction or physics")->required()->check(CLI::IsMember({"destruction", "physics"}));
     app.add_flag("--full", options.full, "every combination: minutes instead of seconds");
     app.add_option("--out", options.out, "folder for tables and plots")->capture_default_str();
-    std::string only;
-    app.add_option("--only", only, "one table, as T12 or T13-load");
+    app.add_option("--only", only, "tables whose name begins so, as T12 or T13-load");
     app.add_option("--repeats", options.repeats, "runs of each measurement")->capture_default_str()->check(CLI::PositiveNumber);
     app.add_option("--seed", options.seed)->capture_default_str();
+    app.add_flag("--publish", publish, "physics: write OPERATING_ENVELOPE.md");
+    app.add_option("--feature-scene", scene)->group("");  // this program under valgrind
     CLI11_PARSE(app, argc, argv);
+    if (!scene.empty()) return runFeatureScene(scene) ? 0 : 1;
 
     std::error_code ignored;
     std::filesystem::create_directories(options.out, ignored);
     const auto start = std::chrono::steady_clock::now();
-    std::string report = fmt::format("# Trade-offs of destruction\n\n{}\n\n", stamp(options));
+    std::string report = fmt::format("# Trade-offs of {}\n\n{}\n\n", subject, stamp(options));
     bool written = true, holds = true;
-    const std::pair<const char*, Table (*)(const Options&)> tables[] = {
-        {"T4", debrisTradeoff},    {"T5", connectivityTradeoff}, {"T12", featureTradeoff},      {"T13-load", loadMap},
-        {"T13-pieces", piecesMap}, {"T13-split", splitMap},      {"T13-fragments", fragmentMap}};
-    for (const auto& [name, make] : tables) {
-        if (!only.empty() && only != name) continue;
-        const auto begin = std::chrono::steady_clock::now();
-        const Table table = make(options);
-        written &= writeCsv(options, table);
-        holds &= !table.failed;
+    std::vector<Table> maps;
+    for (const auto& row : rowsOf(subject)) {
+        if (row.first.rfind(only, 0) != 0) continue;
+        const Table table = made(row, options, written);
         report += markdown(table);
-        fmt::print("{}({:.1f} s)\n\n", markdown(table), std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-        std::fflush(stdout);
+        holds &= !table.failed;
+        if (!table.envelope.empty()) maps.push_back(table);
     }
-    std::ofstream file(options.out + "/" + subject + ".md");
-    file << report;
+    written &= writeText(options.out + "/" + subject + ".md", report);
+    if (publish) written &= writeText(RUBBLE_SOURCE_DIR "/OPERATING_ENVELOPE.md", operatingEnvelope(options, maps));
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print("{}\n{:.0f} s; tables and plots are in {}\n", stamp(options), seconds, options.out);
     if (!holds) fmt::print("Some tables FAILED: see their bottom lines.\n");
-    return written && file.flush() && holds ? 0 : 1;
+    return written && holds ? 0 : 1;
 }

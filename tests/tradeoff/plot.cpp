@@ -99,12 +99,23 @@ bool writePlot(const Options& options, const std::string& name, const std::strin
         std::string path;
         for (const auto& [x, y] : series[s].points) {
             path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", xAxis.at(x), yAxis.at(y));
-            svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n", xAxis.at(x), yAxis.at(y), color);
+            svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"/>\n", xAxis.at(x), yAxis.at(y), series[s].isMark ? 6 : 3,
+                               color);
+            if (series[s].isMark) svg += text(xAxis.at(x) + 8, yAxis.at(y) - 6, series[s].name, "start");
         }
-        if (!series[s].isCloud) svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>\n", path, color);
+        if (!series[s].isCloud && !series[s].isMark)
+            svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>\n", path, color);
         svg += legend(s, series[s].name, color);
     }
     return write(options, name, svg);
+}
+
+Series frontOf(const std::string& name, std::vector<std::pair<double, double>> all) {
+    std::sort(all.begin(), all.end());
+    Series front{name, {}};
+    for (const auto& point : all)
+        if (front.points.empty() || point.second < front.points.back().second) front.points.push_back(point);
+    return front;
 }
 
 bool writeBars(const Options& options, const std::string& name, const std::string& title, const std::string& yLabel, const std::vector<Bar>& bars) {

@@ -23,6 +23,8 @@ struct Measured {
 Measured summary(const std::vector<double>& values);
 Measured measure(int repeats, const std::function<double()>& once);
 double quantile(std::vector<double> values, double share);
+/// Milliseconds of this thread's processor time that something takes: what else the machine does is left out.
+double cpuMs(const std::function<void()>& f);
 
 /// A table of one report: what is turned, what it costs, what it gets wrong.
 struct Table {
@@ -30,9 +32,10 @@ struct Table {
     std::string title;  ///< a sentence
     std::vector<std::string> columns;
     std::vector<std::vector<std::string>> rows;
-    std::string note = {};        ///< what the words in it mean
-    std::string bottomLine = {};  ///< what it comes down to, from its figures
-    bool failed = false;          ///< something that was promised is not so; the bottom line says what
+    std::string note = {};                                           ///< what the words in it mean
+    std::string bottomLine = {};                                     ///< what it comes down to, from its figures
+    std::vector<std::pair<std::string, std::string>> envelope = {};  ///< of extreme maps: what, and how far it holds
+    bool failed = false;                                             ///< something that was promised is not so; the bottom line says what
     void add(std::vector<std::string> row) { rows.push_back(std::move(row)); }
 };
 
@@ -42,12 +45,14 @@ std::string stamp(const Options& options);
 bool writeCsv(const Options& options, const Table& table);
 std::string markdown(const Table& table);
 
-/// Points, joined by lines unless they are a cloud; drawn as SVG text.
+/// Points, joined by lines unless they are a cloud; marks are large and named beside them. Drawn as SVG text.
 struct Series {
     std::string name;
     std::vector<std::pair<double, double>> points;
-    bool isCloud = false;
+    bool isCloud = false, isMark = false;
 };
+/// The points of `all` that no other is better than in both: the least y for each x, from the least x on.
+Series frontOf(const std::string& name, std::vector<std::pair<double, double>> all);
 bool writePlot(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel, const std::string& yLabel,
                const std::vector<Series>& series);
 

@@ -2,7 +2,9 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "runtime/voxel/mass_properties.h"
 #include "tests/physics/baseline/box_merge.h"
@@ -52,7 +54,7 @@ struct BulletCompounds::World {
         const MassProperties mass = massProperties(gridMoments(shape.grid, *shape.palette, materials), shape.voxelSize);
         const Pose center = shape.local * Pose{mass.center, mass.principalAxes};
         item->frameInCenter = inverse(center);
-        for (const CellBox& cells : mergeGrid(shape.grid, solidEntries(*shape.palette, materials))) {
+        for (const CellBox& cells : boxesOf(body, solidEntries(*shape.palette, materials))) {
             const glm::dvec3 half = glm::dvec3(cells.high - cells.low) * (0.5 * double(shape.voxelSize));
             const Pose place{glm::dvec3(cells.low + cells.high) * (0.5 * double(shape.voxelSize)), {1, 0, 0, 0}};
             item->boxes.push_back(std::make_unique<btBoxShape>(toBullet(half)));
@@ -71,6 +73,19 @@ struct BulletCompounds::World {
         item->body->setActivationState(DISABLE_DEACTIVATION);
         bullet.addRigidBody(item->body.get());
         items.push_back(std::move(item));
+    }
+    std::vector<CellBox> boxesOf(const LevelBody& body, const SolidEntries& solid) const {
+        const VoxelGrid& grid = body.shapes.at(0).grid;
+        std::vector<CellBox> merged = mergeGrid(grid, solid), cells;
+        if (body.isStatic || settings.detail == Detail::MergedBoxes || merged.empty()) return merged;
+        CellBox all = merged[0];
+        for (const CellBox& box : merged) {
+            all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
+            for (int z = box.low.z; z < box.high.z; ++z)
+                for (int y = box.low.y; y < box.high.y; ++y)
+                    for (int x = box.low.x; x < box.high.x; ++x) cells.push_back({{x, y, z}, {x + 1, y + 1, z + 1}});
+        }
+        return settings.detail == Detail::OneBox ? std::vector<CellBox>{all} : cells;
     }
     static glm::ivec3 firstCell(const VoxelGrid& grid) {
         glm::ivec3 cell(0);
@@ -108,6 +123,15 @@ void BulletCompounds::step() {
 Pose BulletCompounds::pose(size_t body) const {
     const World::Item& item = *m_world->items.at(body);
     return fromBullet(item.body->getWorldTransform()) * item.frameInCenter;
+}
+
+int BulletCompounds::pairs() const {
+    std::set<std::pair<const btCollisionObject*, const btCollisionObject*>> touching;  // a manifold is of two boxes
+    for (int i = 0; i < m_world->dispatcher.getNumManifolds(); ++i) {
+        const btPersistentManifold* manifold = m_world->dispatcher.getManifoldByIndexInternal(i);
+        if (manifold->getNumContacts() > 0) touching.emplace(std::minmax(manifold->getBody0(), manifold->getBody1()));
+    }
+    return int(touching.size());
 }
 
 size_t BulletCompounds::boxes() const {

@@ -11,10 +11,12 @@ namespace rubble {
 /// that its voxels merge to. Sleeping is off.
 class BulletCompounds {
 public:
+    enum class Detail { OneBox, MergedBoxes, EveryVoxel };  ///< of what moves; what stands is merged boxes
     struct Settings {
         int substeps = 1;  ///< of 1/60 s
         int iterations = 10;
         int frictionDirections = 2;  ///< 1, Bullet's default, lets piles slide apart: friction acts along one line a contact
+        Detail detail = Detail::MergedBoxes;
     };
     /// Bodies of the level in order; one shape each. Materials' friction and restitution as in Rubble.
     BulletCompounds(const Level& level, const Settings& settings);
@@ -24,6 +26,8 @@ public:
     /// Of the body's frame (its grid's frame in the level), world.
     Pose pose(size_t body) const;
     size_t boxes() const;
+    /// Pairs of bodies that touch.
+    int pairs() const;
 
 private:
     struct World;

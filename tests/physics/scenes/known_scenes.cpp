@@ -76,15 +76,22 @@ FreeSpin spinFreely(const PhysicsSettings& settings, VoxelGrid grid, glm::dvec3 
     return result;
 }
 
-FreeSpin spinReference(glm::dvec3 inertia, glm::dvec3 w, double seconds, int substeps) {
+FreeSpin spinBy(const SpinStep& step, glm::dvec3 inertia, glm::dvec3 w, double seconds) {
     FreeSpin result;
     SpinWatch watch(inertia, result);
-    glm::dquat q(1, 0, 0, 0);
-    const double h = 1.0 / 60.0 / substeps;
-    const auto alpha = [&](glm::dvec3 v) { return glm::cross(inertia * v, v) / inertia; };
-    const auto spin = [](const glm::dquat& r, glm::dvec3 v) { return r * glm::dquat(0.0, v.x, v.y, v.z) * 0.5; };
+    glm::dquat rotation(1, 0, 0, 0);
     for (int i = 0; i <= int(seconds * 60.0); ++i) {
-        watch.see(i / 60.0, q, w);
+        watch.see(i / 60.0, rotation, w);
+        step(rotation, w);
+    }
+    return result;
+}
+
+SpinStep rungeKutta(glm::dvec3 inertia, int substeps) {
+    return [inertia, substeps](glm::dquat& q, glm::dvec3& w) {
+        const double h = 1.0 / 60.0 / substeps;
+        const auto alpha = [&](glm::dvec3 v) { return glm::cross(inertia * v, v) / inertia; };
+        const auto spin = [](const glm::dquat& r, glm::dvec3 v) { return r * glm::dquat(0.0, v.x, v.y, v.z) * 0.5; };
         for (int k = 0; k < substeps; ++k) {
             const glm::dvec3 a1 = alpha(w), a2 = alpha(w + a1 * (h / 2)), a3 = alpha(w + a2 * (h / 2)), a4 = alpha(w + a3 * h);
             const glm::dquat q1 = spin(q, w), q2 = spin(q + q1 * (h / 2), w + a1 * (h / 2)), q3 = spin(q + q2 * (h / 2), w + a2 * (h / 2)),
@@ -92,8 +99,11 @@ FreeSpin spinReference(glm::dvec3 inertia, glm::dvec3 w, double seconds, int sub
             w += (a1 + a2 * 2.0 + a3 * 2.0 + a4) * (h / 6);
             q = glm::normalize(q + (q1 + q2 * 2.0 + q3 * 2.0 + q4) * (h / 6));
         }
-    }
-    return result;
+    };
+}
+
+FreeSpin spinReference(glm::dvec3 inertia, glm::dvec3 w, double seconds, int substeps) {
+    return spinBy(rungeKutta(inertia, substeps), inertia, w, seconds);
 }
 
 Slide slideDown(const PhysicsSettings& settings, double degrees, double heading, double friction, double seconds) {
@@ -147,9 +157,14 @@ double sink(const PhysicsSettings& settings, double ratio) {
     return deepest;
 }
 
-double unrest(const PhysicsSettings& settings, double voxelSize, glm::ivec3 size) {
+double unrest(const PhysicsSettings& settings, double voxelSize, glm::ivec3 size, double gravity) {
     PhysicsScene scene(sleepless(settings));
+    scene.level.environment.gravity = {0.0f, -float(gravity), 0.0f};
     scene.addFloor();
+    if (voxelSize > 0.1) {  // large things want a large floor
+        scene.level.bodies[0].pose.position *= voxelSize / 0.1;
+        scene.level.bodies[0].shapes[0].voxelSize = float(voxelSize);
+    }
     for (int i = 0; i < 9; ++i) {
         LevelBody& body = scene.add(blockGrid(size, 7),
                                     {(i % 3 - 1.5) * voxelSize * (size.x + 2.3), voxelSize * (0.5 + 0.06 * std::max(size.x, size.z)),
@@ -167,16 +182,16 @@ double unrest(const PhysicsSettings& settings, double voxelSize, glm::ivec3 size
     return fastest;
 }
 
-Shots shoot(const PhysicsSettings& settings, int count, uint64_t seed, double fastest) {
+Shots shoot(const PhysicsSettings& settings, int count, uint64_t seed, double fastest, double slowest, int thickness) {
     Random random(seed);
     Shots shots;
     const auto uniform = [&](double low, double high) { return low + (high - low) * (double(random.below(1u << 30)) / double(1u << 30)); };
-    const VoxelGrid wall = blockGrid({28, 1, 28}, 7);
+    const VoxelGrid wall = blockGrid({28, thickness, 28}, 7);
     for (; shots.fired < count; ++shots.fired) {
         PhysicsScene scene(sleepless(settings));
         scene.level.environment.gravity = {0, 0, 0};
-        scene.add(wall, {-1.4, -0.05, -1.4}, true);
-        const double speed = uniform(1.0, fastest), lean = uniform(0.0, 1.3), heading = uniform(0.0, 6.28), distance = uniform(1.0, 2.0);
+        scene.add(wall, {-1.4, -0.1 * thickness + 0.05, -1.4}, true);
+        const double speed = uniform(slowest, fastest), lean = uniform(0.0, 1.3), heading = uniform(0.0, 6.28), distance = uniform(1.0, 2.0);
         const glm::dvec3 from(std::sin(lean) * std::cos(heading), std::cos(lean), std::sin(lean) * std::sin(heading));
         const int size = 1 + int(random.below(4));
         const double x = uniform(-1, 1), y = uniform(-1, 1), z = uniform(-1, 1);
@@ -188,7 +203,7 @@ Shots shoot(const PhysicsSettings& settings, int count, uint64_t seed, double fa
         shot.angularVelocity = {wx, wy, wz};
         scene.load();
         scene.step(int(glm::length(start) / speed * 60.0) + 4);
-        shots.through += scene.center(1).y < 0.0;
+        shots.through += scene.center(1).y < 0.05 - 0.05 * thickness;
     }
     return shots;
 }
@@ -273,12 +288,18 @@ Recovery partOverlapping(const PhysicsSettings& settings, double share) {
     return recovery;
 }
 
-std::vector<glm::dvec3> tumble(const PhysicsSettings& settings, glm::dvec3 middle) {
-    PhysicsScene scene(settings);
+Level tumblingLevel(glm::dvec3 middle) {
+    PhysicsScene scene;
     scene.addFloor(7, middle);
     for (int i = 0; i < 4; ++i) scene.add(blockGrid({5, 5, 5}, 7), middle + glm::dvec3(0.05 * i, 0.5 * i, 0), false);
     scene.add(blockGrid({9, 2, 3}, 7), middle + glm::dvec3(-3, 1.5, 1), false, glm::angleAxis(0.5, glm::dvec3(0, 0, 1))).angularVelocity = {1, 2, 5};
     scene.add(tHandle(), middle + glm::dvec3(2, 2, -2), false).velocity = {-1, 0, 2};
+    return scene.level;
+}
+
+std::vector<glm::dvec3> tumble(const PhysicsSettings& settings, glm::dvec3 middle) {
+    PhysicsScene scene(settings);
+    scene.level = tumblingLevel(middle);
     scene.load();
     scene.seconds(4.0);
     std::vector<glm::dvec3> at;

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "tests/physics/physics_scene.h"
@@ -23,7 +24,11 @@ struct FreeSpin {
 FreeSpin spinFreely(const PhysicsSettings& settings, VoxelGrid grid, glm::dvec3 angularVelocity, double seconds);
 /// The T-handle of the space station, in voxels.
 VoxelGrid tHandle();
+/// The same of any way to turn a body: `step` takes rotation and angular velocity (both in principal axes) 1/60 s further.
+using SpinStep = std::function<void(glm::dquat& rotation, glm::dvec3& angularVelocityInBody)>;
+FreeSpin spinBy(const SpinStep& step, glm::dvec3 inertia, glm::dvec3 angularVelocityInBody, double seconds);
 /// The same by Runge and Kutta's method in double, `substeps` of 1/60 s, of a body of these moments (principal axes).
+SpinStep rungeKutta(glm::dvec3 inertia, int substeps);
 FreeSpin spinReference(glm::dvec3 inertia, glm::dvec3 angularVelocityInBody, double seconds, int substeps);
 
 /// A block on a plane of friction 0.6, tilted by `degrees`, its side turned by `heading` radians about the plane's normal.
@@ -46,14 +51,14 @@ Tower stack(const PhysicsSettings& settings, int cubes, double seconds);
 /// How far a cube sinks into one that is `ratio` times as light and lies under it, in 10 s, metres.
 double sink(const PhysicsSettings& settings, double ratio);
 
-/// Fastest movement of bodies of one voxel of `voxelSize` metres that have lain for 3 s, over a further second, m/s.
-double unrest(const PhysicsSettings& settings, double voxelSize, glm::ivec3 size);
+/// Fastest movement of bodies of `size` voxels of `voxelSize` metres that have lain for 6 s, over a further second, m/s.
+double unrest(const PhysicsSettings& settings, double voxelSize, glm::ivec3 size, double gravity = 9.81);
 
-/// Shots of random cubes of one to four voxels at a wall of one voxel; returns how many went through.
+/// Shots of random cubes of one to four voxels at a wall of `thickness` voxels; returns how many went through.
 struct Shots {
     int fired = 0, through = 0;
 };
-Shots shoot(const PhysicsSettings& settings, int count, uint64_t seed, double fastest);
+Shots shoot(const PhysicsSettings& settings, int count, uint64_t seed, double fastest, double slowest = 1.0, int thickness = 1);
 
 /// A block without friction that slides over `voxels` cells at 5 m/s; shapes: into how many flush shapes the floor is cut.
 struct SeamRide {
@@ -84,7 +89,8 @@ struct Recovery {
 };
 Recovery partOverlapping(const PhysicsSettings& settings, double share);
 
-/// A scene of falling, sliding and tumbling pieces at `middle`: where they are in the end, from `middle`.
+/// A floor at `middle` (body 0), and pieces that fall, slide and tumble; where their centres are after 4 s, from `middle`.
+Level tumblingLevel(glm::dvec3 middle);
 std::vector<glm::dvec3> tumble(const PhysicsSettings& settings, glm::dvec3 middle);
 
 }  // namespace rubble::known

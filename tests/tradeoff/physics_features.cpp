@@ -1,0 +1,191 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "tests/physics/baseline/voronoi_pit.h"
+#include "tests/physics/scenes/known_scenes.h"
+#include "tests/tradeoff/physics.h"
+
+namespace rubble::tradeoff {
+namespace {
+
+using namespace known;
+
+constexpr int kSteps = 90;
+constexpr double kKept = 0.9, kCost = 0.3, kNothing = 0.005;  ///< promised shares; extra cost that is none to speak of
+
+struct State {
+    const char *feature, *state;
+    std::function<void(PhysicsSettings&)> set;
+};
+
+const std::vector<State>& states() {
+    using S = PhysicsSettings;
+    static const std::vector<State> all{
+        {"conserving rotation", "off", [](S& s) { s.rotation = RotationRule::Never; }},
+        {"conserving rotation", "by rule", [](S&) {}},
+        {"conserving rotation", "always", [](S& s) { s.rotation = RotationRule::Always; }},
+        {"continuous collision", "off", [](S& s) { s.continuous = false; }},
+        {"continuous collision", "by rule", [](S&) {}},
+        {"continuous collision", "always", [](S& s) { s.sweepBeyond = 0.0; }},
+        {"heavy passes", "off", [](S& s) { s.heavyPasses = 0; }},
+        {"heavy passes", "by rule", [](S&) {}},
+        {"heavy passes", "always", [](S& s) { s.heavyRatio = 0.0; }},
+        {"sleep", "off", [](S& s) { s.sleepTime = 1e9; }},
+        {"sleep", "by rule", [](S&) {}},
+    };
+    return all;
+}
+
+PhysicsSettings settingsOf(const State& state) {
+    PhysicsSettings settings;
+    state.set(settings);
+    return settings;
+}
+
+/// Something for each feature: pieces that tumble into a pit, shots among them, and an anvil that lands on all.
+Level yard() {
+    Level level = voronoiPit(36);
+    const auto add = [&](glm::ivec3 size, glm::dvec3 corner, uint8_t entry) -> LevelBody& {
+        LevelBody body;
+        body.name = "thrown";
+        body.pose.position = corner;
+        LevelShape shape;
+        shape.name = body.name;
+        shape.palette = level.bodies[0].shapes[0].palette;
+        shape.grid = blockGrid(size, entry);
+        body.shapes.push_back(std::move(shape));
+        body.isStatic = false;
+        level.bodies.push_back(std::move(body));
+        return level.bodies.back();
+    };
+    add(glm::ivec3(16), {3.2, 2.6, 3.2}, 7);
+    for (int i = 0; i < 4; ++i) add(glm::ivec3(2), {1.0 + i, 8.0, 2.0 + i}, 7).velocity = {5.0 * i, -60.0, 0.0};
+    return level;
+}
+
+void runYard(const PhysicsSettings& settings, int steps) {
+    PhysicsScene scene(settings);
+    scene.level = yard();
+    scene.load();
+    scene.step(steps);
+}
+
+/// Instructions of a run of this program, counted by valgrind; 0 without it.
+double instructionsOf(const std::string& setting) {
+    char self[4096] = {};
+    if (readlink("/proc/self/exe", self, sizeof self - 1) < 0) return 0.0;
+    const std::string command = fmt::format(
+        "valgrind --tool=cachegrind --cache-sim=no --cachegrind-out-file=/dev/null '{}' physics --feature-scene '{}' 2>&1", self, setting);
+    double count = 0.0;
+    if (FILE* pipe = popen(command.c_str(), "r")) {
+        char line[256];
+        while (std::fgets(line, sizeof line, pipe)) {
+            std::string text(line);
+            if (text.find("refs:") == std::string::npos) continue;
+            text = text.substr(text.find("refs:") + 5);
+            text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c < '0' || c > '9'; }), text.end());
+            if (!text.empty()) count = std::stod(text);
+        }
+        pclose(pipe);
+    }
+    return count;
+}
+
+/// How far the pieces of the yard still creep when they have lain for a while: mean, mm in 2 s.
+double creep(const PhysicsSettings& settings) {
+    PhysicsScene scene(settings);
+    scene.level = yard();
+    scene.load();
+    scene.seconds(12.0);
+    std::vector<glm::dvec3> before;
+    const int count = int(scene.level.bodies.size());
+    for (int i = 1; i < count; ++i) before.push_back(scene.center(i));
+    scene.seconds(2.0);
+    double sum = 0.0;
+    for (int i = 1; i < count; ++i) sum += glm::length(scene.center(i) - before[size_t(i - 1)]);
+    return sum * 1e3 / (count - 1);
+}
+
+/// What each feature is for, as an error that it makes smaller.
+struct Purpose {
+    const char* feature;
+    const char* what;
+    double (*error)(const PhysicsSettings&, uint64_t seed);
+};
+constexpr Purpose kPurposes[] = {
+    {"conserving rotation", "momentum of a plank turned aside in 20 s, rad",
+     [](const PhysicsSettings& s, uint64_t) {
+         return spinFreely(s, blockGrid({24, 5, 2}, 7), {6, 9, 5}, 20.0).direction;
+     }},
+    {"continuous collision", "shots of up to 300 m/s through a wall, %",
+     [](const PhysicsSettings& s, uint64_t seed) {
+         const Shots shots = shoot(s, 300, seed, 300.0);
+         return 100.0 * shots.through / shots.fired;
+     }},
+    {"heavy passes", "100 times as heavy sinks, mm", [](const PhysicsSettings& s, uint64_t) { return sink(s, 100.0) * 1e3; }},
+    {"sleep", "pieces that lie creep, mm in 2 s", [](const PhysicsSettings& s, uint64_t) { return creep(s); }},
+};
+
+struct Figures {
+    Measured cost;
+    double error = 0.0;
+};
+
+}  // namespace
+
+bool runFeatureScene(const std::string& setting) {
+    if (setting == "nothing") return runYard({}, 0), true;
+    for (const State& state : states())
+        if (setting == std::string(state.feature) + ", " + state.state) return runYard(settingsOf(state), kSteps), true;
+    return false;
+}
+
+Table physicsFeatureTradeoff(const Options& options) {
+    const double loading = instructionsOf("nothing");
+    const bool counts = loading > 0.0;
+    Table table{"T12-physics",
+                "what each feature of physics costs and is worth, the others by rule",
+                {"feature", "state", counts ? "million instructions" : "ms", "over off %", "error", "of what"},
+                {}};
+    table.note = fmt::format(
+        "Cost: {} steps of 36 pieces, four shots and an anvil that fall into a pit{}. Promised: the rule keeps {:.0f} % of what always on gains in "
+        "accuracy for {:.0f} % of what it costs more than off, or costs nothing to speak of ({:.1f} %).",
+        kSteps, counts ? ", instructions counted by valgrind: the same on every run" : " (processor time: valgrind is not installed)", kKept * 100.0,
+        kCost * 100.0, kNothing * 100.0);
+    std::vector<Bar> bars;
+    std::map<std::string, std::map<std::string, Figures>> all;
+    for (const State& state : states()) {
+        const PhysicsSettings settings = settingsOf(state);
+        const Purpose& purpose = *std::find_if(std::begin(kPurposes), std::end(kPurposes),
+                                               [&](const Purpose& each) { return each.feature == std::string(state.feature); });
+        Figures& figures = all[state.feature][state.state];
+        if (counts) {
+            const double millions = (instructionsOf(std::string(state.feature) + ", " + state.state) - loading) / 1e6;
+            figures.cost = {millions, millions, millions};
+        } else
+            figures.cost = measure(options.repeats, [&] { return cpuMs([&] { runYard(settings, kSteps); }); });
+        figures.error = purpose.error(settings, options.seed);
+        const double over = figures.cost.median / all[state.feature]["off"].cost.median - 1.0;
+        table.add({state.feature, state.state, counts ? fmt::format("{:.2f}", figures.cost.median) : figures.cost.text(),
+                   fmt::format("{:+.2f}", over * 100.0), fmt::format("{:.3g}", figures.error), purpose.what});
+        bars.push_back({state.feature, state.state, {over * 100.0, over * 100.0, over * 100.0}});
+    }
+    for (auto& [feature, of] : all) {
+        if (!of.count("always")) continue;
+        const double gain = of["off"].error - of["always"].error, kept = gain > 0.0 ? (of["off"].error - of["by rule"].error) / gain : 1.0;
+        const double off = of["off"].cost.median, rule = of["by rule"].cost.median - off, always = of["always"].cost.median - off;
+        const bool holds = kept >= kKept && (rule <= kCost * always || rule <= kNothing * off);
+        table.failed |= !holds;
+        table.bottomLine += fmt::format("{}: the rule keeps {:.1f} % of the accuracy for {:+.2f} % where always on costs {:+.2f} %{}. ", feature,
+                                        kept * 100.0, rule / off * 100.0, always / off * 100.0, holds ? "" : ": NOT AS PROMISED");
+    }
+    writeBars(options, "T12-physics", "Features of physics: off, by rule, always", counts ? "instructions over off, %" : "processor time over off, %",
+              bars);
+    return table;
+}
+
+}  // namespace rubble::tradeoff

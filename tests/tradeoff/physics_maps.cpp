@@ -1,0 +1,267 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/physics/scenes/known_scenes.h"
+#include "tests/tradeoff/physics.h"
+
+namespace rubble::tradeoff {
+namespace {
+
+using namespace known;
+
+struct Judged {
+    Outcome outcome;
+    std::string text;
+};
+
+/// Stable up to one limit, degraded up to another, failed beyond and where it is no number.
+Judged judge(double value, double stable, double degraded, const std::string& text) {
+    return {value <= stable ? Outcome::Stable : value <= degraded ? Outcome::Degraded : Outcome::Failed, text};
+}
+
+/// A map in two dimensions: one of them is pushed until it fails.
+struct Map {
+    const char *name, *title, *criterion;
+    const char *xLabel, *xUnit;
+    std::vector<double> pushed, pushedFull;  ///< ascending; Full: beyond those, with --full
+    const char* yLabel;
+    std::vector<std::string> rows;
+    std::function<Judged(double x, size_t row, bool full)> look;
+};
+
+std::vector<std::string> presetNames() {
+    std::vector<std::string> names;
+    for (const Preset& preset : presets()) names.push_back(preset.name);
+    return names;
+}
+
+std::vector<std::string> namesOf(const std::vector<double>& values, const char* unit = "") {
+    std::vector<std::string> names;
+    for (const double value : values) names.push_back(fmt::format("{:g}{}", value, unit));
+    return names;
+}
+
+Judged lookAtSpin(double spin, size_t row, bool full) {
+    const int lengths[] = {1, 4, 16, 64};
+    const FreeSpin free = spinFreely({}, blockGrid({lengths[row], 1, 1}, 7), glm::normalize(glm::dvec3(1, 0.9, 0.3)) * spin, full ? 60.0 : 10.0);
+    return judge(std::max(free.energy, free.momentum * 100.0), 1e-3, 0.1, fmt::format("E {:.0e}\nL {:.0e}", free.energy, free.momentum));
+}
+
+Judged lookAtStack(double cubes, size_t row, bool full) {
+    const Tower tower = stack(sleepless(presets()[row].settings), int(cubes), full ? 30.0 : 10.0);
+    const std::string text = fmt::format("{:.1f} mm", tower.lower * 1e3);
+    return tower.stands() ? judge(tower.lower, 0.02, 0.25, text) : Judged{Outcome::Failed, "falls"};
+}
+
+Judged lookAtRatio(const PhysicsSettings& settings, double ratio) {
+    const double deep = sink(settings, ratio);
+    return judge(deep, 0.01, 0.05, fmt::format("{:.1f} mm", deep * 1e3));
+}
+
+Judged lookAtRest(double voxelSize, double gravity, glm::ivec3 size) {
+    const double speed = unrest({}, voxelSize, size, gravity), scale = std::max(1.0, voxelSize / 0.1);
+    return judge(speed, 1e-3 * scale, 1e-2 * scale, fmt::format("{:.2g} mm/s", speed * 1e3));
+}
+
+Judged lookAtShots(double speed, size_t row, bool full) {
+    const int thickness[] = {1, 2, 4};
+    const Shots shots = shoot({}, full ? 500 : 60, 1, speed, 0.8 * speed, thickness[row]);
+    return judge(double(shots.through) / shots.fired, 0.0, 0.02, fmt::format("{} of {}", shots.through, shots.fired));
+}
+
+Judged lookAtDistance(double km, size_t row, bool) {
+    const std::vector<glm::dvec3> here = tumble(presets()[row].settings, glm::dvec3(0.0)),
+                                  there = tumble(presets()[row].settings, {km * 1e3, 0, km * 0.625e3});
+    double off = 0.0;
+    for (size_t i = 0; i < here.size(); ++i) off = std::max(off, glm::length(here[i] - there[i]));
+    return judge(off, 1e-3, 1e-2, fmt::format("{:.2g} mm", off * 1e3));
+}
+
+Judged lookAtIncline(double degrees, double friction) {
+    const double angle = glm::radians(degrees), expected = 9.81 * (std::sin(angle) - friction * std::cos(angle));
+    const Slide slide = slideDown({}, degrees, 0.57, friction, 2.0);
+    if (expected <= 0.0) return judge(slide.way, 1e-3, 1e-2, fmt::format("sticks\n{:.2g} mm", slide.way * 1e3));
+    const double off = std::abs(slide.acceleration / expected - 1.0);
+    return judge(off, 0.01, 0.05, fmt::format("slides\n{:.2g} %", off * 100.0));
+}
+
+Judged lookAtCrowd(double side, size_t row, bool) {
+    const Container container = fillContainer(presets()[row].settings, int(side), 6.0);
+    const std::string text = fmt::format("{:.2g} mm\n{:.2g} mm", container.meanOverlap * 1e3, container.worstOverlap * 1e3);
+    return container.allInside ? judge(std::max(container.meanOverlap * 10.0, container.worstOverlap), 0.01, 0.05, text)
+                               : Judged{Outcome::Failed, "gets out"};
+}
+
+Judged lookAtOverlap(double share, size_t row, bool) {
+    const Recovery recovery = partOverlapping(presets()[row].settings, share);
+    return judge(std::max(recovery.fastest / 4.0, recovery.overlap / 0.002), 1.0, 3.0,
+                 fmt::format("{:.1f} m/s\n{:.1f} mm", recovery.fastest, recovery.overlap * 1e3));
+}
+
+std::vector<Map> maps() {
+    const std::vector<double> sizes{0.01, 0.1, 1.0}, frictions{0.1, 0.3, 0.6, 1.0}, ratios{3, 10, 30, 100, 300, 1000};
+    const std::vector<glm::ivec3> shapes{{1, 1, 1}, {3, 3, 3}, {20, 1, 20}, {10, 1, 1}};
+    return {
+        {"T13-spin",
+         "free spin of rods",
+         "energy kept within 0.1 %, momentum within 1e-5; degraded: 10 %, 0.1 %",
+         "spin, rad/s",
+         "rad/s",
+         {1, 10, 30, 100, 300},
+         {1000},
+         "rod",
+         {"1:1", "1:4", "1:16", "1:64"},
+         lookAtSpin},
+        {"T13-stack",
+         "towers of half-metre cubes that nothing lets sleep",
+         "10 s (30 s with --full) later at most 2 cm lower; degraded: it stands",
+         "cubes",
+         "cubes",
+         {5, 10, 15, 20, 30, 40},
+         {60, 80},
+         "preset",
+         presetNames(),
+         lookAtStack},
+        {"T13-mass",
+         "heavy cube on a light one",
+         "sinks by less than 1 cm in 10 s; degraded: half a voxel",
+         "times as heavy",
+         "times",
+         {10, 30, 100, 300, 1000, 3000, 10000},
+         {100000},
+         "preset",
+         presetNames(),
+         [](double ratio, size_t row, bool) { return lookAtRatio(presets()[row].settings, ratio); }},
+        {"T13-substeps",
+         "heavy cube on a light one, by substeps",
+         "sinks by less than 1 cm in 10 s; degraded: half a voxel",
+         "substeps",
+         "substeps",
+         {1, 2, 4, 8, 16},
+         {32},
+         "times as heavy",
+         namesOf(ratios),
+         [ratios](double substeps, size_t row, bool) {
+             PhysicsSettings settings;
+             settings.substeps = int(substeps);
+             return lookAtRatio(settings, ratios[row]);
+         }},
+        {"T13-size",
+         "things at rest, by size",
+         "slower than 1 mm/s, for voxels above 10 cm by their size more; degraded: ten times that",
+         "a voxel, m",
+         "m",
+         {0.001, 0.003, 0.01, 0.1, 1, 10},
+         {30},
+         "voxels",
+         {"1", "3x3x3", "20x1x20", "10x1x1"},
+         [shapes](double size, size_t row, bool) { return lookAtRest(size, 9.81, shapes[row]); }},
+        {"T13-gravity",
+         "cubes of 3x3x3 voxels at rest, by gravity",
+         "slower than 1 mm/s, for voxels above 10 cm by their size more; degraded: ten times that",
+         "gravity, m/s2",
+         "m/s2",
+         {0.1, 1, 9.81, 30, 100, 300},
+         {1000},
+         "a voxel, m",
+         namesOf(sizes),
+         [sizes](double gravity, size_t row, bool) { return lookAtRest(sizes[row], gravity, glm::ivec3(3)); }},
+        {"T13-tunnel",
+         "shots of one to four voxels at a wall",
+         "none goes through; degraded: 2 %",
+         "speed, m/s",
+         "m/s",
+         {10, 30, 100, 300, 1000},
+         {3000, 10000},
+         "wall, voxels",
+         {"1", "2", "4"},
+         lookAtShots},
+        {"T13-distance",
+         "six pieces that fall, slide and tumble, far away",
+         "end within 1 mm of where they do at the origin; degraded: 1 cm",
+         "distance, km",
+         "km",
+         {1, 10, 100, 1000, 10000},
+         {100000},
+         "preset",
+         presetNames(),
+         lookAtDistance},
+        {"T13-incline",
+         "a block on a slope",
+         "below the angle of friction it stays within 1 mm, above it accelerates as Coulomb says within 1 %; degraded: 1 cm, 5 %",
+         "slope, degrees",
+         "degrees",
+         {3, 10, 20, 30, 40, 50},
+         {60, 75},
+         "friction",
+         namesOf(frictions),
+         [frictions](double degrees, size_t row, bool) { return lookAtIncline(degrees, frictions[row]); }},
+        {"T13-crowd",
+         "cubes of half a metre in a box of walls",
+         "overlap by 1 mm on average and 1 cm at most, none gets out; degraded: 5 times that",
+         "cubes along a side",
+         "cubes",
+         {2, 3, 4},
+         {6, 8, 10},
+         "preset",
+         presetNames(),
+         lookAtCrowd},
+        {"T13-overlap",
+         "two cubes that start in each other",
+         "part slower than 4 m/s and are apart within 2 mm after 3 s; degraded: three times that",
+         "share of one in the other",
+         "",
+         {0.1, 0.3, 0.5, 0.7, 0.9},
+         {0.99},
+         "preset",
+         presetNames(),
+         lookAtOverlap},
+    };
+}
+
+/// How far a row holds: "stable up to 20 cubes, fails at 40".
+std::string reach(const Map& map, const std::vector<double>& xs, const std::vector<Judged>& row) {
+    const auto value = [&](size_t i) { return fmt::format("{:g} {}", xs[i], map.xUnit); };
+    size_t stable = 0;
+    while (stable < row.size() && row[stable].outcome == Outcome::Stable) ++stable;
+    const auto failed = std::find_if(row.begin(), row.end(), [](const Judged& each) { return each.outcome == Outcome::Failed; });
+    if (stable == row.size()) return "stable up to " + value(stable - 1) + ", the most that was tried";
+    const std::string fails = failed == row.end() ? ", nowhere fails" : ", fails at " + value(size_t(failed - row.begin()));
+    return (stable ? "stable up to " + value(stable - 1) : "nowhere stable from " + value(0) + " on") + fails;
+}
+
+Table draw(const Options& options, const Map& map) {
+    Table table{map.name, map.title, {map.yLabel, map.xLabel, "outcome", "figure"}, {}};
+    table.note = std::string("Stable: ") + map.criterion + ".";
+    std::vector<double> xs = map.pushed;
+    if (options.full) xs.insert(xs.end(), map.pushedFull.begin(), map.pushedFull.end());
+    std::vector<MapCell> cells;
+    std::string words;
+    for (size_t row = 0; row < map.rows.size(); ++row) {
+        std::vector<Judged> line;
+        for (const double x : xs) {
+            const Judged& seen = line.emplace_back(map.look(x, row, options.full));
+            std::string flat = seen.text;
+            std::replace(flat.begin(), flat.end(), '\n', ' ');
+            table.add({map.rows[row], fmt::format("{:g}", x), nameOf(seen.outcome), flat});
+            cells.push_back({fmt::format("{:g}", x), map.rows[row], seen.outcome, seen.text});
+        }
+        table.envelope.push_back({map.rows[row], reach(map, xs, line)});
+        words += fmt::format("{}{}: {}", row ? "; " : "", map.rows[row], table.envelope.back().second);
+    }
+    table.bottomLine = words + ".";
+    writeMap(options, map.name, fmt::format("{}: {}", map.name, map.title), map.xLabel, map.yLabel, cells, {"stable", "degraded", "failed", nullptr});
+    return table;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::function<Table(const Options&)>>> physicsMaps() {
+    std::vector<std::pair<std::string, std::function<Table(const Options&)>>> all;
+    for (const Map& map : maps()) all.emplace_back(map.name, [map](const Options& options) { return draw(options, map); });
+    return all;
+}
+
+}  // namespace rubble::tradeoff
