@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rubble {
 namespace {
 
-constexpr double kFarthest = 1e6;  ///< metres from the broadphase's zero: beyond, its floats step by 6 cm
-constexpr double kFastest = 1e4;   ///< m/s and rad/s
-
 bool finiteBelow(glm::dvec3 v, double limit) {
     return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.z) < limit;
+}
+
+/// False if it is shorter than `most` already.
+bool shorten(glm::dvec3& v, double most) {
+    const double length2 = glm::dot(v, v);
+    if (length2 <= most * most) return false;
+    v *= most / std::sqrt(length2);
+    return true;
 }
 
 Pose inverse(const Pose& pose) {
@@ -36,6 +42,10 @@ void DynamicBody::takeState(const World& world) {
         m_mass.mass = 1.0;
         m_mass.principalInertia = glm::dvec3(1.0);
     }
+    const double weight = std::clamp(m_mass.mass, envelope::kLightest, envelope::kHeaviest);
+    m_hasOddMass = weight != m_mass.mass;
+    m_mass.principalInertia *= weight / m_mass.mass;
+    m_mass.mass = weight;
     m_state = {m_handle, body.pose, body.velocity, body.angularVelocity, body.asleep};
     const Pose centerInBody{m_mass.center, m_mass.principalAxes};
     m_bodyInCenter = inverse(centerInBody);
@@ -85,10 +95,22 @@ void DynamicBody::setAsleep(bool asleep) {
     motion.velocity = motion.angularVelocity = glm::dvec3(0.0);
 }
 
-bool DynamicBody::finite(glm::dvec3 origin) const {
+bool DynamicBody::finite() const {
     const glm::dquat& q = motion.rotation;
-    return finiteBelow(motion.position - origin, kFarthest) && finiteBelow(motion.velocity, kFastest) &&
-           finiteBelow(motion.angularVelocity, kFastest) && finiteBelow({q.x, q.y, q.z}, 2.0) && std::abs(q.w) < 2.0;
+    return finiteBelow(motion.position, 1e300) && finiteBelow(motion.velocity, envelope::kAbsurd) &&
+           finiteBelow(motion.angularVelocity, envelope::kAbsurd) && finiteBelow({q.x, q.y, q.z}, 2.0) && std::abs(q.w) < 2.0;
+}
+
+bool DynamicBody::isFartherThan(double distance, glm::dvec3 origin) const {
+    return !finiteBelow(motion.position - origin, distance);
+}
+
+bool DynamicBody::clamp(ExcessCounts& counts) {
+    const bool speed = shorten(motion.velocity, envelope::kFastest), spin = shorten(motion.angularVelocity, envelope::kFastestSpin);
+    counts[size_t(Excess::Speed)] += speed;
+    counts[size_t(Excess::Spin)] += spin;
+    counts[size_t(Excess::Mass)] += m_hasOddMass;
+    return speed || spin || std::exchange(m_hasOddMass, false);
 }
 
 void DynamicBody::restore() {

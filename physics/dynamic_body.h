@@ -1,6 +1,7 @@
 #pragma once
 #include "physics/broadphase.h"
 #include "physics/contact_solver.h"
+#include "physics/envelope.h"
 #include "physics/settling.h"
 #include "runtime/world/world.h"
 
@@ -22,8 +23,11 @@ public:
     bool asleep() const { return m_asleep; }
     void quarantine() { m_quarantined = true; }
     bool quarantined() const { return m_quarantined; }
-    /// No NaN, no infinity, nothing absurdly far from `origin` or fast.
-    bool finite(glm::dvec3 origin) const;
+    /// No NaN, no infinity, nothing absurd: numbers to compute with.
+    bool finite() const;
+    bool isFartherThan(double distance, glm::dvec3 origin) const;
+    /// Brings what is beyond the envelope back to it; true if anything was. counts: by kind.
+    bool clamp(ExcessCounts& counts);
     /// Where the last finite step left it.
     void restore();
 
@@ -63,6 +67,7 @@ private:
     std::vector<ShapeHandle> m_shapes;  ///< of the collider's parts
     MassProperties m_mass;
     Pose m_bodyInCenter;
+    bool m_hasOddMass = false;  ///< World's is beyond the envelope
     BodyPose m_state;
     double m_reach = 0.0;
     bool m_asleep = false;

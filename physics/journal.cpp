@@ -68,15 +68,16 @@ void PhysicsWorld::Impl::createDynamic(const World& world, BodyHandle handle, bo
     auto& place = slotOf(dynamics, slot);
     place = std::make_unique<DynamicBody>(world, handle);
     if (enter(world, *place, asleep)) return;
-    logWarning(fmt::format("physics: body {} '{}' has no solid voxels, or a pose or velocity that is no finite number: it is left out", slot,
-                           world.bodies().at(handle).name));
+    logWarning(fmt::format("physics: body {} '{}' has no solid voxels, is too far away, or has a pose or velocity that is no number: it is left out",
+                           slot, world.bodies().at(handle).name));
     place->setAsleep(true);
     place->quarantine();
 }
 
 /// Puts a body among the others; false if it cannot be there.
 bool PhysicsWorld::Impl::enter(const World& world, DynamicBody& body, bool asleep) {
-    if (body.object.collider.empty() || !body.finite(broadphase.origin())) return false;
+    if (body.object.collider.empty() || !body.finite() || isBeyond(body)) return false;
+    clamp(body);
     body.setAsleep(asleep);
     body.isDebris = world.debris().contains(body.handle());
     body.settled = asleep && world.bodies().at(body.handle()).settled;

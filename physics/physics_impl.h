@@ -48,6 +48,10 @@ struct PhysicsWorld::Impl {
     void noteContacts();
     void solve();
     void quarantineBroken();
+    /// Whether it is too far away, which is counted.
+    bool isBeyond(const DynamicBody& body);
+    void clamp(DynamicBody& body);
+    void warnOf(const ExcessCounts& before);
     void settle();
     void disturb();
     void report();
@@ -86,6 +90,7 @@ struct PhysicsWorld::Impl {
     std::vector<RopeMotion> ropeMotions;
     std::vector<BodyPose> poses;
     std::vector<Impact> impacts;
+    ExcessCounts clamped{};
     std::vector<CharacterMove> characterMoves;
 };
 

@@ -37,7 +37,8 @@ PhysicsSettings accuratePhysics() {
 
 /// Contacts of what moves, with what it hits and wakes.
 void PhysicsWorld::Impl::findContacts() {
-    const NarrowphaseSettings narrow{.margin = settings.contactMargin, .seconds = settings.stepSeconds, .continuous = settings.continuous};
+    const NarrowphaseSettings narrow{
+        .margin = settings.contactMargin, .seconds = settings.stepSeconds, .sweepBeyond = settings.continuous ? settings.sweepBeyond : 1e300};
     narrowphase.begin();
     for (const uint32_t slot : awake) dynamics[slot]->known = false;
     for (bool more = true; more; more = wakeHit()) {
@@ -90,11 +91,37 @@ void PhysicsWorld::Impl::solve() {
     }
 }
 
+bool PhysicsWorld::Impl::isBeyond(const DynamicBody& body) {
+    if (!body.isFartherThan(envelope::kFarthest, broadphase.origin())) return false;
+    const ExcessCounts before = clamped;
+    ++clamped[size_t(Excess::Place)];
+    warnOf(before);
+    return true;
+}
+
+void PhysicsWorld::Impl::clamp(DynamicBody& body) {
+    const ExcessCounts before = clamped;
+    if (body.clamp(clamped)) warnOf(before);
+}
+
+/// Of what was never beyond the envelope before.
+void PhysicsWorld::Impl::warnOf(const ExcessCounts& before) {
+    static constexpr const char* kWhat[] = {"faster than 5,000 m/s is clamped to that", "spinning faster than 1,000 rad/s is clamped to that",
+                                            "a mass below 1e-9 or above 1e12 kg is clamped to that",
+                                            "what gets farther than 1,000 km from the middle of the level stays there"};
+    for (size_t i = 0; i < clamped.size(); ++i)
+        if (before[i] == 0 && clamped[i] > 0) logWarning(fmt::format("physics: {}; PhysicsFigures count how often", kWhat[i]));
+}
+
 void PhysicsWorld::Impl::quarantineBroken() {
     for (const uint32_t slot : awake) {
         DynamicBody& body = *dynamics[slot];
-        if (body.finite(broadphase.origin())) continue;
-        logWarning(fmt::format("physics: body {} got a pose or velocity that is no finite number: it is frozen where it last was", slot));
+        if (body.finite() && !isBeyond(body)) {
+            clamp(body);
+            continue;
+        }
+        if (!body.finite())
+            logWarning(fmt::format("physics: body {} got a pose or velocity that is no number: it is frozen where it last was", slot));
         broadphase.remove(body.object);
         body.restore();
         body.setAsleep(true);
@@ -124,7 +151,11 @@ PhysicsWorld::~PhysicsWorld() = default;
 
 void PhysicsWorld::apply(const FrameChanges& changes, const World& world, bool anew) {
     anew = anew || changes.levelReplaced;
-    if (anew) m_impl = std::make_unique<Impl>(PhysicsSettings(m_impl->settings));  // not cleared: trees remember
+    if (anew) {  // not cleared: trees remember
+        const ExcessCounts clamped = m_impl->clamped;
+        m_impl = std::make_unique<Impl>(PhysicsSettings(m_impl->settings));
+        m_impl->clamped = clamped;
+    }
     Impl& impl = *m_impl;
     impl.awakeDebrisLimit = 0;  // what World says is awake comes first; the others wait for the step
     if (anew)
@@ -186,6 +217,7 @@ std::span<const RopeMotion> PhysicsWorld::ropes() const {
 
 PhysicsFigures PhysicsWorld::figures() const {
     PhysicsFigures figures;
+    figures.clamped = m_impl->clamped;
     figures.awake = int(m_impl->awake.size());
     for (const auto& body : m_impl->dynamics) figures.bodies += body != nullptr;
     for (const Manifold* manifold : m_impl->narrowphase.manifolds()) figures.pairs += manifold->count > 0, figures.contacts += manifold->count;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/envelope.h"
 #include "runtime/core/parallel_for.h"
 #include "runtime/world/frame_changes.h"
 #include "runtime/world/world.h"
@@ -21,7 +22,8 @@ struct PhysicsSettings {
     double heavyRatio = 30.0;         ///< how many times as heavy what lies on a body must be for its contacts to be stiffer
     int heavyPasses = 8;              ///< over such contacts, more than over others; 0: none is stiffer
     double contactMargin = 0.02;      ///< metres apart at which bodies count as touching
-    bool continuous = true;           ///< what moves farther than that in a step is swept
+    bool continuous = true;           ///< what is fast is swept
+    double sweepBeyond = 0.02;        ///< metres that something must move in a step for that
     RotationRule rotation = RotationRule::WhereNeeded;
     double sleepVelocity = 0.02;         ///< m/s of drift, averaged over sleepTime, below which a touching body falls asleep
     double sleepAngularVelocity = 0.04;  ///< rad/s
@@ -45,6 +47,7 @@ PhysicsSettings accuratePhysics();
 struct PhysicsFigures {
     int bodies = 0, awake = 0;
     int pairs = 0, contacts = 0;  ///< of bodies that touch, and their points, in the last step
+    ExcessCounts clamped{};       ///< how often what was beyond the envelope, by kind, since the beginning
 };
 
 /// Rigid bodies made of voxels: who moves, who touches whom, who rests. Positions are double; what is near is compared in

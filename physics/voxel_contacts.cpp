@@ -35,7 +35,7 @@ public:
     void setMotion(glm::dvec3 velocity, glm::dvec3 spin, const NarrowphaseSettings& settings, double way) {
         const double size = m_into.voxelSize();
         m_margin = std::min(float(settings.margin / size), 0.4f);
-        m_sweeps = settings.continuous && way > settings.margin;
+        m_sweeps = way > settings.sweepBeyond;
         m_reach = m_margin + (m_sweeps ? float(way / size) : 0.0f);
         if (!m_sweeps) return;
         const glm::dmat3 toInto = glm::transpose(m_intoLattice.axes) / (size * size);
@@ -323,7 +323,7 @@ struct Approach {
         velocity = first.velocity - second.velocity + glm::cross(second.angularVelocity, apart);
         spin = first.angularVelocity - second.angularVelocity;
         way = longestWay(first, second, seconds);
-        sweeps = settings.continuous && way > settings.margin;
+        sweeps = way > settings.sweepBeyond;
         if (second.radius == 0.0 || first.radius < second.radius)
             radius = first.radius, central = velocity;
         else

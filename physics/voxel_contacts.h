@@ -38,7 +38,7 @@ double longestWay(const Motion& first, const Motion& second, double seconds);
 struct NarrowphaseSettings {
     double margin = 0.02;  ///< metres apart at which bodies count as touching: contacts do not come and go
     double seconds = 1.0 / 60.0;
-    bool continuous = true;  ///< features are swept along their motion where that is more than the margin
+    double sweepBeyond = 0.02;  ///< metres of motion beyond which features are swept along it
 };
 
 /// Contacts of two bodies of voxels: the corners and edges of each against the occupancy of the other, swept along their

@@ -136,7 +136,8 @@ RoundResult playRound(const Round& round, const std::function<void()>& advanced)
     if (result.wrong.empty() && result.energy.gained() > kGainAllowed * result.energy.lost())
         result.wrong = fmt::format("energy from nothing: {:.0f} J of {:.0f} J that were lost", result.energy.gained(), result.energy.lost());
     malloc_trim(0);
-    result.liveBytes = mallinfo2().uordblks;
+    const struct mallinfo2 memory = mallinfo2();
+    result.liveBytes = memory.uordblks + memory.hblkhd;
     result.residentBytes = residentBytes();
     return result;
 }

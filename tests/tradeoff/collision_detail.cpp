@@ -133,7 +133,9 @@ Build buildOf(const Level& pieces, const Variant& variant) {
         }
         world.shapes().forEach([&](ShapeHandle, const Shape& shape) {
             VoxelPart& part = *parts.emplace_back(std::make_unique<VoxelPart>(shape, Pose{}, world.materials()));
-            part.grid().forEachBrick([&](glm::ivec3 brick, const BrickRef&) { part.features(brick), part.surroundings(brick); });
+            part.hull();
+            if (part.whole()) return;
+            part.grid().forEachBrick([&](glm::ivec3 brick, const BrickRef&) { part.features(brick), part.rows(brick); });
         });
     });
     const double count = double(level.bodies.size());

@@ -80,7 +80,7 @@ double flipPhase(const FreeSpin& spin, const FreeSpin& reference) {
 }
 
 double bounded(double error) {
-    return error < kWorst ? std::max(error, 1e-16) : kWorst;
+    return error < kWorst ? std::max(error, 1e-12) : kWorst;
 }
 
 struct Worst {
