@@ -14,7 +14,7 @@ bool finiteBelow(glm::dvec3 v, double limit) {
 /// False if it is shorter than `most` already.
 bool shorten(glm::dvec3& v, double most) {
     const double length2 = glm::dot(v, v);
-    if (length2 <= most * most) return false;
+    if (length2 <= most * most * (1.0 + 1e-9)) return false;  // what has been shortened is not too long
     v *= most / std::sqrt(length2);
     return true;
 }
@@ -109,8 +109,9 @@ bool DynamicBody::clamp(ExcessCounts& counts) {
     const bool speed = shorten(motion.velocity, envelope::kFastest), spin = shorten(motion.angularVelocity, envelope::kFastestSpin);
     counts[size_t(Excess::Speed)] += speed;
     counts[size_t(Excess::Spin)] += spin;
-    counts[size_t(Excess::Mass)] += m_hasOddMass;
-    return speed || spin || std::exchange(m_hasOddMass, false);
+    const bool mass = std::exchange(m_hasOddMass, false);
+    counts[size_t(Excess::Mass)] += mass;
+    return speed || spin || mass;
 }
 
 void DynamicBody::restore() {
