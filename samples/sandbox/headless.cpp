@@ -11,11 +11,11 @@
 #include "runtime/core/log.h"
 #include "runtime/plugin/frame_loop.h"
 #include "samples/sandbox/figures.h"
-#include "samples/support/progress.h"
 #include "samples/sandbox/stage.h"
 #include "samples/scenes/scene.h"
 #include "samples/support/gl_context.h"
 #include "samples/support/image.h"
+#include "samples/support/progress.h"
 
 namespace rubble {
 namespace {
