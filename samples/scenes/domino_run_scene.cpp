@@ -77,7 +77,7 @@ Pose dominoRunCamera(double) {
 Scene dominoRunScene() {
     Scene scene{"domino_run", "five hundred stones that tip over one another", dominoRunLevel, dominoRunScript, dominoRunCamera};
     scene.verticalFov = 0.80f;
-    scene.steps = 2700;
+    scene.steps = 3240;
     return scene;
 }
 
