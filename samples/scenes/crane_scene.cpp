@@ -130,17 +130,17 @@ Edits craneScript(int, uint64_t) {
 }
 
 Pose craneCamera(double seconds) {
-    return lookAt({11.0 + 0.25 * seconds, 5.6, 47.0}, {23.0, 5.6, 22.0});
+    return lookAt({12.0 + 0.25 * seconds, 6.4, 48.5}, {25.0, 6.0, 21.0});
 }
 
 }  // namespace
 
 Scene craneScene() {
     Scene scene{"crane", "a tower crane swings a wrecking ball through a house", craneLevel, craneScript, craneCamera};
-    scene.verticalFov = 0.85f;
+    scene.verticalFov = 0.92f;
     scene.steps = 720;
-    scene.settings.impactRadius = 0.35;
-    scene.settings.impactRadiusLimit = 1.2;
+    scene.settings.impactRadius = 0.5;
+    scene.settings.impactRadiusLimit = 2.0;
     scene.settings.load.on = true;
     return scene;
 }
