@@ -16,8 +16,11 @@ constexpr double kRounding = 1e-4;  ///< metres that bounds are wider than their
 void CollisionObject::place(const Pose& at) {
     pose = at;
     m_lattices.clear();
+    filter = {0, 0};
     for (const auto& part : collider.parts) {
         const glm::dmat3 axes = glm::mat3_cast(at.rotation * part->frame().rotation) * part->voxelSize();
+        filter.layer |= part->filter().layer;
+        filter.mask |= part->filter().mask;
         m_lattices.push_back({axes, at.rotation * part->frame().position});
     }
 }

@@ -22,6 +22,7 @@ struct CollisionObject {
     uint32_t number = 0;             ///< unique; the order of pairs: a body's slot, or a static shape's with kStaticObject
     DynamicBody* dynamic = nullptr;  ///< null: static
     bool isNew = true;               ///< has another mass or form than in the last step: its contacts inherit no impulses
+    CollisionFilter filter;          ///< of all parts together, as of the last place()
     glm::dvec3 low{0.0}, high{0.0};  ///< world bounds, with what it sweeps in the step
     uint32_t version = 0;            ///< another one after it was added anew or its voxels changed
 
@@ -64,7 +65,7 @@ public:
             m_found.clear();
             find(object->low, object->high, m_found);
             for (CollisionObject* other : m_found) {
-                if (other == object || !overlap(*object, *other)) continue;
+                if (other == object || !object->filter.meets(other->filter) || !overlap(*object, *other)) continue;
                 if (other->m_moves && (isKnown(*other) || other->number < object->number)) continue;
                 out.emplace_back(object->number < other->number ? ObjectPair(object, other) : ObjectPair(other, object));
             }

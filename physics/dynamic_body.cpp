@@ -86,6 +86,11 @@ bool DynamicBody::reshape(const World& world, const FrameChanges& changes) {
     return true;
 }
 
+void DynamicBody::setFilter(ShapeHandle shape, CollisionFilter filter) {
+    for (size_t i = 0; i < m_shapes.size(); ++i)
+        if (m_shapes[i] == shape) object.collider.parts[i]->setFilter(filter);
+}
+
 void DynamicBody::setAsleep(bool asleep) {
     m_asleep = asleep;
     sleepersTouched.clear();
@@ -123,7 +128,7 @@ void DynamicBody::restore() {
 }
 
 bool DynamicBody::refresh() {
-    const BodyPose now{m_handle, pose() * m_bodyInCenter, motion.velocity, motion.angularVelocity, m_asleep};
+    const BodyPose now{m_handle, bodyPose(), motion.velocity, motion.angularVelocity, m_asleep};
     const bool differs = !(now.pose == m_state.pose && now.velocity == m_state.velocity && now.angularVelocity == m_state.angularVelocity &&
                            now.asleep == m_state.asleep);
     m_state = now;

@@ -19,6 +19,7 @@ public:
     /// nothing has changed, if its shapes or their cells are not the same any more.
     bool reshape(const World& world, const FrameChanges& changes);
 
+    void setFilter(ShapeHandle shape, CollisionFilter filter);
     void setAsleep(bool asleep);
     bool asleep() const { return m_asleep; }
     void quarantine() { m_quarantined = true; }
@@ -43,6 +44,8 @@ public:
     /// The body's frame in that of the motion.
     const Pose& bodyInCenter() const { return m_bodyInCenter; }
     Pose pose() const { return {motion.position, motion.rotation}; }
+    /// Of World's frame of the body.
+    Pose bodyPose() const { return pose() * m_bodyInCenter; }
     /// The collision object follows the motion.
     void place() { object.place(pose()); }
     void applyImpulse(glm::dvec3 impulse, glm::dvec3 position);
@@ -54,6 +57,7 @@ public:
     bool freshlyAwake = true;               ///< has not moved noticeably since it woke
     std::vector<uint32_t> sleepersTouched;  ///< slots of sleeping bodies that it has touched since it last moved noticeably
     bool touching = false;                  ///< had a contact in the last step
+    bool afloat = false;                    ///< was in water in the last step
     bool isDebris = false;                  ///< counts in the budget of what moves
     bool settled = false;                   ///< a touch does not wake it
     bool wantsSleep = false;                ///< it is calm, but what it is jointed to may not be

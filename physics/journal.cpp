@@ -33,6 +33,8 @@ void PhysicsWorld::Impl::loadAll(const World& world) {
     });
     broadphase.setOrigin(glm::round((low + high) * 0.5));
     setGravity(world);
+    world.characters().forEach([&](CharacterHandle handle, const Character& character) { characters.emplace_back(handle, character); });
+    world.waters().forEach([&](WaterHandle handle, const Water& water) { waters.set(handle.slot(), &water); });
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
         if (!body.isStatic) return createDynamic(world, handle, body.asleep);
         for (const ShapeHandle shape : body.shapes) createStatic(world, shape);
@@ -168,6 +170,37 @@ void PhysicsWorld::Impl::refreshDynamic(const FrameChanges& changes, const World
         const bool isPlaced = std::find(changes.placed.begin(), changes.placed.end(), handle) != changes.placed.end();
         createDynamic(world, handle, body->asleep && (!known || isPlaced));
     }
+}
+
+/// What may touch now, or no longer, is looked at anew.
+void PhysicsWorld::Impl::refreshFilters(const FrameChanges& changes, const World& world) {
+    for (const ShapeHandle handle : changes.filters) {
+        const Shape* shape = world.shapes().find(handle);
+        if (!shape) continue;
+        DynamicBody* dynamic = dynamicAt(shape->body.slot());
+        CollisionObject* object = handle.slot() < statics.size() ? statics[handle.slot()].get() : nullptr;
+        const CollisionFilter filter{shape->collisionLayer, shape->collisionMask};
+        if (object) object->collider.parts[0]->setFilter(filter);
+        if (!object && dynamic) dynamic->setFilter(handle, filter), object = &dynamic->object;
+        if (!object) continue;
+        object->place(object->pose);
+        broadphase.touch(*object);
+        wakeTouching(object->low, object->high);
+    }
+}
+
+/// What floated on water that is gone falls, what lies where water is now may float.
+void PhysicsWorld::Impl::refreshWaters(const FrameChanges& changes, const World& world) {
+    for (const WaterHandle handle : changes.waters) {
+        const std::optional<WorldBox> box = waters.set(handle.slot(), world.waters().find(world.waters().handleAt(handle.slot())));
+        if (box) wakeTouching(box->low, box->high);
+    }
+}
+
+void PhysicsWorld::Impl::refreshCharacters(const FrameChanges& changes, const World& world) {
+    if (changes.characters.empty() && !changes.levelReplaced) return;
+    characters.clear();
+    world.characters().forEach([&](CharacterHandle handle, const Character& character) { characters.emplace_back(handle, character); });
 }
 
 void PhysicsWorld::Impl::applyImpulses(const FrameChanges& changes) {

@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "physics/broadphase.h"
+#include "physics/character.h"
 #include "physics/contact_solver.h"
 #include "physics/contacts.h"
 #include "physics/dynamic_body.h"
 #include "physics/joints.h"
 #include "physics/narrowphase.h"
 #include "physics/physics_world.h"
+#include "physics/water.h"
 
 namespace rubble {
 
@@ -24,6 +26,9 @@ struct PhysicsWorld::Impl {
     void forget(const FrameChanges& changes);
     void refreshStatic(const FrameChanges& changes, const World& world);
     void refreshDynamic(const FrameChanges& changes, const World& world);
+    void refreshFilters(const FrameChanges& changes, const World& world);
+    void refreshCharacters(const FrameChanges& changes, const World& world);
+    void refreshWaters(const FrameChanges& changes, const World& world);
     void applyImpulses(const FrameChanges& changes);
 
     void createStatic(const World& world, ShapeHandle handle);
@@ -43,6 +48,8 @@ struct PhysicsWorld::Impl {
     void joinAwake(const DynamicBody& body);
     void leaveAwake(const DynamicBody& body);
     void wakeTouching(glm::dvec3 low, glm::dvec3 high);
+    void applyWater();
+    void moveCharacters();
     void findContacts();
     bool wakeHit();
     void noteContacts();
@@ -67,6 +74,7 @@ struct PhysicsWorld::Impl {
 
     PhysicsSettings settings;
     Broadphase broadphase;
+    WaterBodies waters;
     Narrowphase narrowphase;
     ContactSolver solver;
     glm::dvec3 gravity{0.0};
@@ -91,6 +99,8 @@ struct PhysicsWorld::Impl {
     std::vector<BodyPose> poses;
     std::vector<Impact> impacts;
     ExcessCounts clamped{};
+    std::vector<std::pair<CharacterHandle, Character>> characters;  ///< by slot
+    std::vector<CharacterPush> pushes;
     std::vector<CharacterMove> characterMoves;
 };
 

@@ -35,6 +35,31 @@ PhysicsSettings accuratePhysics() {
     return settings;
 }
 
+void PhysicsWorld::Impl::applyWater() {
+    for (const uint32_t slot : awake) dynamics[slot]->afloat = !waters.empty() && waters.act(*dynamics[slot], gravity, settings.stepSeconds);
+}
+
+void PhysicsWorld::Impl::moveCharacters() {
+    for (auto& [handle, character] : characters) {
+        const Character before = character;
+        CharacterSurroundings around{.waters = waters.empty() ? nullptr : &waters, .gravity = gravity, .seconds = settings.stepSeconds};
+        const double reach = characterReach(character, settings.stepSeconds);
+        broadphase.find(before.position - reach, before.position + glm::dvec3(0.0, character.height, 0.0) + reach, around.objects);
+        std::sort(around.objects.begin(), around.objects.end(),
+                  [](const CollisionObject* a, const CollisionObject* b) { return a->number < b->number; });
+        pushes.clear();
+        moveCharacter(character, around, handles, pushes);
+        for (const CharacterPush& push : pushes) {
+            if (push.wakes) wakeOrWait(*push.body);
+            if (!push.body->asleep()) push.body->applyImpulse(push.impulse, push.position);
+        }
+        character.wantsJump = false;
+        if (character == before) continue;
+        characterMoves.push_back(
+            {handle, character.position, character.velocity, character.grounded, character.crouched, character.swimming, character.ground});
+    }
+}
+
 /// Contacts of what moves, with what it hits and wakes.
 void PhysicsWorld::Impl::findContacts() {
     const NarrowphaseSettings narrow{
@@ -166,6 +191,9 @@ void PhysicsWorld::apply(const FrameChanges& changes, const World& world, bool a
         impl.forget(changes);
         impl.refreshStatic(changes, world);
         impl.refreshDynamic(changes, world);
+        impl.refreshFilters(changes, world);
+        impl.refreshWaters(changes, world);
+        impl.refreshCharacters(changes, world);
     }
     if (!anew) impl.applyJoints(changes, world);
     impl.applyImpulses(changes);
@@ -184,6 +212,7 @@ void PhysicsWorld::step() {
     impl.wakeWaiting();
     impl.wakeJointed();
     if (!impl.awake.empty()) {
+        impl.applyWater();
         impl.findContacts();
         impl.noteContacts();
         impl.solve();
@@ -194,6 +223,7 @@ void PhysicsWorld::step() {
         findImpacts(impl.narrowphase.manifolds(), impl.settings.impactSpeed, impl.settings.impactThreshold, impl.handles, impl.impacts);
     }
     impl.moveRopes();
+    impl.moveCharacters();
     impl.report();
 }
 

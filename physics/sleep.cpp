@@ -112,7 +112,7 @@ void PhysicsWorld::Impl::settle() {
         const double calm =
             body.settling.calm(body.pose(), settings.sleepVelocity * allowed, settings.sleepAngularVelocity * allowed, settings.stepSeconds);
         const bool isJointed = !joints.of(slot).empty();
-        body.wantsSleep = calm >= settings.sleepTime && (body.touching || weightless || isJointed);
+        body.wantsSleep = calm >= settings.sleepTime && (body.touching || body.afloat || weightless || isJointed);
         if (!body.wantsSleep || isJointed) continue;
         sleep(body);
         ended.push_back(slot);

@@ -47,7 +47,10 @@ ContactSurfaces::ContactSurfaces(const Palette& palette, const MaterialTable& ma
 }
 
 VoxelPart::VoxelPart(const Shape& shape, const Pose& frame, const MaterialTable& materials)
-    : m_frame(frame), m_voxelSize(shape.voxelSize), m_surfaces(std::make_shared<ContactSurfaces>(*shape.palette, materials)) {
+    : m_frame(frame),
+      m_voxelSize(shape.voxelSize),
+      m_filter{shape.collisionLayer, shape.collisionMask},
+      m_surfaces(std::make_shared<ContactSurfaces>(*shape.palette, materials)) {
     takeGrid(shape.grid, nullptr);
     const glm::ivec3 nodes = m_grid.sizeInNodes();
     m_nodes = std::make_unique<Lazy<NodeSurface>[]>(size_t(nodes.x) * size_t(nodes.y) * size_t(nodes.z));

@@ -28,6 +28,12 @@ struct PartSurface {
     HullPoints hull;
 };
 
+/// Who touches whom: each one's layer must be in the other's mask. Bits.
+struct CollisionFilter {
+    uint8_t layer = 1, mask = 255;
+    bool meets(CollisionFilter other) const { return (layer & other.mask) && (other.layer & mask); }
+};
+
 /// One shape as physics sees it: its bricks, shared with World, and the features of those that something came near.
 /// A cut changes bricks and nothing else. Written by the main thread; narrowphase threads read it together.
 class VoxelPart {
@@ -43,6 +49,8 @@ public:
     /// Cells that hold all solid ones; tight for small grids, by bricks for large ones.
     const CellBox& bounds() const { return m_bounds; }
     const ContactSurfaces& surfaces() const { return *m_surfaces; }
+    CollisionFilter filter() const { return m_filter; }
+    void setFilter(CollisionFilter filter) { m_filter = filter; }
     /// Of all of it if its bounds are at most kSmall cells on a side, else null. Like the others, found when first asked for.
     const PartSurface* whole() const;
     const HullPoints& hull() const;
@@ -70,6 +78,7 @@ private:
     VoxelGrid m_grid;
     Pose m_frame;
     double m_voxelSize;
+    CollisionFilter m_filter;
     CellBox m_bounds;
     bool m_hasGhosts = false;  ///< the shape has voxels that are not in m_grid
     std::shared_ptr<const ContactSurfaces> m_surfaces;

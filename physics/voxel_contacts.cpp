@@ -394,7 +394,7 @@ bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const V
     for (size_t i = 0; i < first.parts.size(); ++i)
         for (size_t j = 0; j < second.parts.size(); ++j) {
             const VoxelPart &a = *first.parts[i], &b = *second.parts[j];
-            if (a.grid().empty() || b.grid().empty()) continue;
+            if (a.grid().empty() || b.grid().empty() || !a.filter().meets(b.filter())) continue;
             const Lattice& la = firstMotion.lattices[i];
             const Lattice lb{secondMotion.lattices[j].axes, secondMotion.lattices[j].corner + approach.apart};
             const PlacedHull hullA = placeHull(a, la), hullB = placeHull(b, lb);

@@ -22,6 +22,7 @@
 #include "render/passes/sun_pass.h"
 #include "render/passes/taa_pass.h"
 #include "render/passes/tonemap_pass.h"
+#include "render/passes/water_pass.h"
 #include "render/scene/scene.h"
 #include "runtime/core/blue_noise.h"
 
@@ -65,6 +66,7 @@ struct Renderer::Impl {
         run("filter", [&] { filter.draw(frame); });
         if (ReflectionsPass::needed(frame)) run("reflections", [&] { reflections.draw(frame); });
         run("composite", [&] { composite.draw(frame); });
+        if (!scene.waters().empty()) run("water", [&] { drawWaters(frame); });
         if (!scene.particles().empty()) run("particles", [&] { drawParticles(frame); });
         run("taa", [&] { taa.draw(frame); });
         if (settings.bloom > 0.0f) run("bloom", [&] { bloom.draw(frame); });
@@ -81,6 +83,11 @@ struct Renderer::Impl {
     void drawRopes(const FrameContext& frame) {
         if (!ropes) ropes.emplace(shaders);
         ropes->draw(frame, alphaOfStep);
+    }
+
+    void drawWaters(const FrameContext& frame) {
+        if (!water) water.emplace(shaders);
+        water->draw(frame);
     }
 
     /// Passes add to it, each in its own channels.
@@ -125,6 +132,7 @@ struct Renderer::Impl {
     FilterPass filter{shaders};
     ReflectionsPass reflections{shaders};
     CompositePass composite{shaders};
+    std::optional<WaterPass> water;
     std::optional<ParticlesPass> particles;
     std::optional<RopesPass> ropes;
     TaaPass taa{shaders};

@@ -19,6 +19,8 @@ void Scene::apply(FrameSnapshot&& snapshot) {
     for (const SnapshotPalette& palette : snapshot.palettes) m_bodies.setPalette(palette);
     for (const SnapshotPose& pose : snapshot.poses) m_bodies.setPose(pose);
     m_shadow.apply(snapshot.shadow, snapshot.shadowReplacesAll);
+    if (snapshot.watersChanged) m_waters = std::move(snapshot.waters);
+    m_seconds = double(snapshot.version) / 60.0;
     if (snapshot.lightsChanged) m_lights = std::move(snapshot.lights);
     if (snapshot.replacesAll) m_ropes.clear();
     if (snapshot.ropesChanged) m_ropes = std::move(snapshot.ropes);

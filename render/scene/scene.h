@@ -21,6 +21,9 @@ public:
     const std::vector<SnapshotParticle>& particles() const { return m_particles; }
     const std::vector<SnapshotRope>& ropes() const { return m_ropes; }
     const Environment& environment() const { return m_environment; }
+    const std::vector<Water>& waters() const { return m_waters; }
+    /// Of game time, at the step that is drawn.
+    double seconds() const { return m_seconds; }
     /// Sets the samplers that lib/shadow_trace.glsl reads. The program must be in use.
     void bindShadow(const Program& program) const { m_shadow.bind(program); }
     /// Sets the uniforms of lib/smoke_shadow.glsl. The program must be in use.
@@ -43,6 +46,8 @@ private:
     std::vector<SnapshotLight> m_lights;
     std::vector<SnapshotParticle> m_particles;
     std::vector<SnapshotRope> m_ropes;
+    std::vector<Water> m_waters;
+    double m_seconds = 0.0;
     bool m_smokeChanged = false;
     Environment m_environment;
     glm::dvec3 m_origin{0.0};

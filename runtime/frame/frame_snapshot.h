@@ -12,6 +12,7 @@
 #include "runtime/voxel/voxel_grid.h"
 #include "runtime/world/frame_changes.h"
 #include "runtime/world/lights.h"
+#include "runtime/world/water.h"
 
 namespace rubble {
 
@@ -98,6 +99,8 @@ struct FrameSnapshot {
     std::vector<SnapshotParticle> particles;  ///< all of them, if particlesChanged
     bool ropesChanged = false;
     std::vector<SnapshotRope> ropes;  ///< all of them, if ropesChanged
+    bool watersChanged = false;
+    std::vector<Water> waters;  ///< all of them, if watersChanged
     bool environmentChanged = false;
     Environment environment;
     bool shadowReplacesAll = false;

@@ -133,6 +133,10 @@ void merge(FrameSnapshot& into, FrameSnapshot&& later) {
         into.ropesChanged = true;
         into.ropes = std::move(later.ropes);
     }
+    if (later.watersChanged) {
+        into.watersChanged = true;
+        into.waters = std::move(later.waters);
+    }
     if (later.environmentChanged) {
         into.environmentChanged = true;
         into.environment = later.environment;

@@ -20,7 +20,7 @@ SnapshotShape describeShape(ShapeHandle handle, const Shape& shape) {
 
 bool showsNothing(const FrameSnapshot& s) {
     return !s.replacesAll && s.destroyed.empty() && s.created.empty() && s.bricks.empty() && s.palettes.empty() && s.poses.empty() &&
-           !s.lightsChanged && !s.firesChanged && !s.particlesChanged && !s.ropesChanged && !s.environmentChanged;
+           !s.lightsChanged && !s.firesChanged && !s.particlesChanged && !s.ropesChanged && !s.watersChanged && !s.environmentChanged;
 }
 
 void append(std::optional<FrameSnapshot>& out, FrameSnapshot&& later) {
@@ -96,6 +96,10 @@ void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> m
     addParticles(changes, impacts, world, out);
     if (changes.levelReplaced) m_ropes.clear();
     if (!m_ropes.empty() || !world.jointList().ropes().empty()) addRopes(world, out);
+    if (changes.levelReplaced || !changes.waters.empty()) {
+        out.watersChanged = true;
+        world.waters().forEach([&](WaterHandle, const Water& water) { out.waters.push_back(water); });
+    }
     if (changes.levelReplaced || !m_environment || *m_environment != world.environment()) {
         out.environmentChanged = true;
         out.environment = world.environment();

@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-CellHit walkRay(const VoxelGrid& grid, const CellRay& ray) {
+CellHit walkRay(const VoxelGrid& grid, const CellRay& ray, const std::array<bool, 256>* accepted) {
     CellHit out;
     CellWalk walk;
     bool inside = walk.start(ray, grid.size());
@@ -20,7 +20,8 @@ CellHit walkRay(const VoxelGrid& grid, const CellRay& ray) {
             continue;
         }
         for (glm::ivec3 at = cell; inside && (at >> 3) == position; at = walk.cell()) {
-            if (brick->solid(voxelIndex(at & 7))) return {true, at, walk.t(), walk.axis(), walk.sign(), out.steps};
+            const int i = voxelIndex(at & 7);
+            if (brick->solid(i) && (!accepted || (*accepted)[brick->at(i)])) return {true, at, walk.t(), walk.axis(), walk.sign(), out.steps};
             inside = walk.step();
             if (inside && (walk.cell() >> 3) == position) ++out.steps;
         }

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <glm/vec3.hpp>
 
 #include "runtime/voxel/voxel_grid.h"
@@ -23,7 +24,8 @@ struct CellHit {
 
 /// The first solid voxel that the ray touches. Walks empty bricks and directory nodes in one step each, then cells (see
 /// CellWalk for the rules on faces, edges and corners: the leaps change nothing). Zero components never divide; a NaN
-/// anywhere, or an infinite origin or direction, gives no hit. A voxel entered exactly at tMax is hit.
-CellHit walkRay(const VoxelGrid& grid, const CellRay& ray);
+/// anywhere, or an infinite origin or direction, gives no hit. A voxel entered exactly at tMax is hit. accepted: palette entries that count; null:
+/// all.
+CellHit walkRay(const VoxelGrid& grid, const CellRay& ray, const std::array<bool, 256>* accepted = nullptr);
 
 }  // namespace rubble

@@ -18,8 +18,8 @@ FrameChanges World::applyEdits(const Edits& edits) {
         m_undo.emplace_back(*this);
     const bool goesBack = runHistory(edits, changes);
     if (goesBack) listLoads();
-    const bool isBusy =
-        debrisWaits() || m_dyingGroups || m_fire.isActive() || (m_load && m_load->isBusy()) || !m_pendingSplits.empty() || isWinding();
+    const bool isBusy = debrisWaits() || m_dyingGroups || m_fire.isActive() || (m_load && m_load->isBusy()) || !m_movedBodies.empty() ||
+                        !m_pendingSplits.empty() || isWinding();
     if (!edits.empty() || isBusy) EditStep(*this, changes).run(edits);
     for (UndoHistory& undo : m_undo) undo.note(*this, changes, goesBack);
     return changes;
@@ -76,6 +76,7 @@ void EditStep::run(const Edits& edits) {
     updateLightGroups();
     if (m_world.m_load) weighShapes();
     listChangedBricks();
+    if (m_world.m_triggers.size()) updateTriggers();
 }
 
 void EditStep::apply(const SettingsEdit& edit) {

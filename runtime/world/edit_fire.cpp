@@ -152,6 +152,7 @@ void EditStep::burn() {
     if (!m_world.m_settings.fire.enabled)
         for (HeatField& field : fire.fields)
             for (HotBrick& hot : field.bricks) putOut(field.shape, hot, 0);
+    if (m_world.m_waters.size()) quench();
     fire.tidy();
     for (HeatField& field : fire.fields) burnShape(field);
     for (const Deposit& deposit : m_deposits) heat(deposit);

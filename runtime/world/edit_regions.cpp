@@ -7,6 +7,8 @@
 namespace rubble {
 namespace {
 
+constexpr uint32_t kWetSeconds = 20;  ///< that what was under water stays wet
+
 bool isSane(double value, double low, double high) {
     return value >= low && value <= high;  // false for a NaN
 }
@@ -55,15 +57,30 @@ void EditStep::apply(const RemoveWaterEdit& edit) {
     m_changes.waters.push_back(edit.water);
 }
 
+/// What is under water goes out and gets wet.
+void EditStep::quench() {
+    for (HeatField& field : m_world.m_fire.fields)
+        for (HotBrick& hot : field.bricks) {
+            if (!m_world.m_shapes.find(field.shape)) continue;
+            const glm::dvec3 at = brickInWorld(field.shape, hot.brick);
+            m_world.m_waters.forEach([&](WaterHandle, const Water& water) {
+                if (water.holds(at)) putOut(field.shape, hot, kWetSeconds * kHeatUpdates);
+            });
+        }
+}
+
 void EditStep::apply(const AddTriggerEdit& edit) {
     if (!isSane(edit.trigger)) return logWarning("AddTriggerEdit: expected a size above zero and finite numbers; no trigger was made");
     Trigger trigger = edit.trigger;
     trigger.inside.clear();
-    m_changes.triggers.push_back(m_world.m_triggers.insert(std::move(trigger)));
+    const TriggerHandle handle = m_world.m_triggers.insert(std::move(trigger));
+    m_world.m_triggerPlaces.place(handle.slot(), edit.trigger.bounds());
+    m_changes.triggers.push_back(handle);
 }
 
 void EditStep::apply(const RemoveTriggerEdit& edit) {
     if (!m_world.m_triggers.erase(edit.trigger)) return logWarning("RemoveTriggerEdit: the handle of its trigger is stale; nothing was removed");
+    m_world.m_triggerPlaces.remove(edit.trigger.slot());
     m_changes.triggers.push_back(edit.trigger);
 }
 

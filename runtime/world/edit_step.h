@@ -20,6 +20,8 @@ class EditStep {
 public:
     EditStep(World& world, FrameChanges& changes);
     void run(const Edits& edits);
+    /// Of a World that is new: who is in its triggers is looked at in the next step, and is as it was if nothing has changed.
+    static void placeTriggers(World& world);
 
 private:
     /// What happened to a shape in this step, besides what the journal already holds.
@@ -144,8 +146,11 @@ private:
     void apply(const RemoveWaterEdit& edit);
     void apply(const AddTriggerEdit& edit);
     void apply(const RemoveTriggerEdit& edit);
-    void updateTriggers();
     void quench();
+
+    // edit_triggers.cpp
+    void updateTriggers();
+    std::vector<BodyHandle> bodiesToWatch();
 
     // edit_character.cpp
     void apply(const AddCharacterEdit& edit);

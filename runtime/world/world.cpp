@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <glm/mat3x3.hpp>
-#include <limits>
 #include <unordered_map>
 
 #include "runtime/core/hash.h"
 #include "runtime/core/log.h"
 #include "runtime/destruction/wire.h"
-#include "runtime/voxel/ray_walk.h"
+#include "runtime/world/edit_step.h"
 #include "runtime/world/fit_lights.h"
 #include "runtime/world/undo_history.h"
 
@@ -27,21 +26,6 @@ CellBox bottomLayer(const VoxelGrid& grid) {
 
 glm::dmat3 inertiaMatrix(const std::array<double, 6>& t) {
     return {t[0], t[3], t[5], t[3], t[1], t[4], t[5], t[4], t[2]};
-}
-
-/// Whether a ray (unit direction) meets a box within a distance (slabs: Kay & Kajiya 1986).
-bool crosses(const WorldBox& box, glm::dvec3 origin, glm::dvec3 direction, double distance) {
-    double enter = 0.0, leave = distance;
-    for (int a = 0; a < 3; ++a) {
-        if (direction[a] == 0.0) {
-            if (origin[a] < box.low[a] || origin[a] > box.high[a]) return false;
-            continue;
-        }
-        const double low = (box.low[a] - origin[a]) / direction[a], high = (box.high[a] - origin[a]) / direction[a];
-        enter = std::max(enter, std::min(low, high));
-        leave = std::min(leave, std::max(low, high));
-    }
-    return enter <= leave;
 }
 
 /// Chains field after field into one hash.
@@ -181,6 +165,7 @@ void World::load(const Level& level) {
         else
             logWarning("joint '" + source.joint.name + "': " + error + ": it is left out");
     }
+    EditStep::placeTriggers(*this);
     listLoads();
 }
 
@@ -288,6 +273,8 @@ void World::setPoses(std::span<const BodyPose> poses) {
             body->settled = false;
             listDebris(pose.body);
         }
+    if (m_triggers.size())
+        for (const BodyPose& pose : poses) m_movedBodies.push_back(pose.body);
     for (UndoHistory& undo : m_undo) undo.noteMoved(*this, poses);
 }
 
@@ -380,31 +367,6 @@ MassProperties World::bodyMass(BodyHandle handle) const {
     sum.inertia = {inertia[0][0], inertia[1][1], inertia[2][2], inertia[1][0], inertia[2][1], inertia[2][0]};
     principalAxes(sum.inertia, sum.principalInertia, sum.principalAxes);
     return sum;
-}
-
-WorldHit World::raycast(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const {
-    WorldHit best;
-    const double length = glm::length(direction);
-    if (!(length > 0.0) || !(maxDistance > 0.0)) return best;
-    direction /= length;
-    best.distance = maxDistance;
-    const auto visit = [&](uint32_t slot) {
-        const ShapeHandle handle = m_shapes.handleAt(slot);
-        const Shape& shape = m_shapes.at(handle);
-        const Pose pose = shapeToWorld(handle);
-        const double cellsPerMetre = 1.0 / shape.voxelSize;
-        const CellRay ray{pose.inversePoint(origin) * cellsPerMetre, glm::conjugate(pose.rotation) * direction, best.distance * cellsPerMetre};
-        const CellHit hit = walkRay(shape.grid, ray);
-        if (!hit.hit || (best.hit && hit.t * shape.voxelSize > best.distance)) return;
-        if (best.hit && hit.t * shape.voxelSize == best.distance && slot > best.shape.slot()) return;  // the tree has no order
-        glm::dvec3 normalLocal(0.0);
-        if (hit.axis >= 0) normalLocal[hit.axis] = hit.sign;
-        const double distance = hit.t * shape.voxelSize;
-        best = {true,   distance, origin + direction * distance, hit.axis < 0 ? -direction : pose.rotation * normalLocal,
-                handle, hit.cell, shape.grid.at(hit.cell)};
-    };
-    m_places.find([&](const WorldBox& box) { return crosses(box, origin, direction, best.distance); }, visit);
-    return best;
 }
 
 Ledger World::ledger() const {

@@ -120,6 +120,10 @@ WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
         if (m_groups.at(is).out && !(was.second && was.second->out)) changes.groupsOut.push_back(is);
     }
     journalSlots(before.waters, m_waters, changes.waters);
+    for (const auto& [slot, was] : before.triggers) {
+        m_triggerPlaces.remove(slot);
+        if (const TriggerHandle is = m_triggers.handleAt(slot)) m_triggerPlaces.place(slot, m_triggers.at(is).bounds());
+    }
     journalSlots(before.triggers, m_triggers, changes.triggers);
     journalSlots(before.characters, m_characters, changes.characters);
     return before;

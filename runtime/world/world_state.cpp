@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "runtime/world/edit_step.h"
 #include "runtime/world/undo_history.h"
 
 namespace rubble {
@@ -35,6 +36,7 @@ void World::setState(WorldState state) {
     listJoints();
     setSettings(state.settings);
     m_shapes.forEach([&](ShapeHandle handle, const Shape&) { placeShape(handle); });
+    EditStep::placeTriggers(*this);
     listLoads();
 }
 

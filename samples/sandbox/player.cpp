@@ -5,48 +5,60 @@
 namespace rubble {
 namespace {
 
-constexpr double kEyeHeight = 1.7;    // metres above the ground
-constexpr double kStepHeight = 0.45;  // what walking climbs
-constexpr double kBodyRadius = 0.3;
-constexpr double kWalkSpeed = 4.0, kFlySpeed = 8.0, kFastFactor = 3.0;  // m/s
-constexpr double kJumpSpeed = 4.5;
-constexpr double kSteepest = 1.5;  // radians of pitch
+constexpr double kBelowCrown = 0.12;                  // metres from the eyes to the top of the head
+constexpr double kFlySpeed = 8.0, kFastFactor = 3.0;  // m/s
+constexpr double kEyeFollows = 14.0;                  // 1/s: steps and crouching are no jolts
+constexpr double kSteepest = 1.5;                     // radians of pitch
+constexpr const char* kName = "player";
+
+CharacterHandle findPlayer(const World& world) {
+    CharacterHandle found;
+    world.characters().forEach([&](CharacterHandle handle, const Character& character) {
+        if (!found && character.name == kName) found = handle;
+    });
+    return found;
+}
 
 }  // namespace
 
 void Player::place(const Pose& eye) {
     m_camera.position = eye.position;
     m_camera.lookAt(eye.position + eye.rotation * glm::dvec3(0, 0, -1));
-    m_fallSpeed = 0.0;
+    m_isComing = false;
 }
 
-void Player::move(const PlayerInput& input, const World& world, double seconds) {
+Edits Player::move(const PlayerInput& input, const World& world, double seconds) {
     m_camera.yaw -= input.turnRight;
     m_camera.pitch = std::clamp(m_camera.pitch + input.turnUp, -kSteepest, kSteepest);
-    const glm::dquat heading = m_walks ? glm::angleAxis(m_camera.yaw, glm::dvec3(0, 1, 0)) : m_camera.rotation();
-    glm::dvec3 step = heading * glm::dvec3(input.right, 0, -input.forward);
-    if (!m_walks) step.y += input.up;
-    step *= (m_walks ? kWalkSpeed : kFlySpeed) * (input.fast ? kFastFactor : 1.0) * seconds;
-    if (m_walks)
-        walk(step, input.up > 0.0, world, seconds);
-    else
-        m_camera.position += step;
+    if (m_walks) return walk(input, world, seconds);
+    m_isComing = false;
+    const glm::dvec3 step = m_camera.rotation() * glm::dvec3(input.right, 0, -input.forward) + glm::dvec3(0.0, input.up, 0.0);
+    m_camera.position += step * (kFlySpeed * (input.fast ? kFastFactor : 1.0) * seconds);
+    const CharacterHandle left = findPlayer(world);
+    return left ? Edits{RemoveCharacterEdit{left}} : Edits{};
 }
 
-void Player::walk(glm::dvec3 step, bool jump, const World& world, double seconds) {
-    glm::dvec3& eye = m_camera.position;
-    const glm::dvec3 knee = eye - glm::dvec3(0, kEyeHeight - kStepHeight, 0);
-    const double distance = glm::length(step);
-    if (distance > 0.0 && !world.raycast(knee, step, distance + kBodyRadius).hit && !world.raycast(eye, step, distance + kBodyRadius).hit)
-        eye += step;
-    m_fallSpeed += 9.81 * seconds;
-    const WorldHit ground = world.raycast(eye, {0, -1, 0}, kEyeHeight + m_fallSpeed * seconds);
-    if (ground.hit) {
-        eye.y = ground.position.y + kEyeHeight;
-        m_fallSpeed = jump ? -kJumpSpeed : 0.0;
-    } else {
-        eye.y -= m_fallSpeed * seconds;
+Edits Player::walk(const PlayerInput& input, const World& world, double seconds) {
+    const CharacterHandle handle = findPlayer(world);
+    const Character* character = world.characters().find(handle);
+    if (!character) {
+        if (std::exchange(m_isComing, true)) return {};
+        Character player{.name = kName};
+        player.position = m_camera.position - glm::dvec3(0.0, player.height - kBelowCrown, 0.0);
+        return {AddCharacterEdit{player}};
     }
+    m_isComing = false;
+    follow(*character, seconds);
+    const glm::dquat heading = character->swimming ? m_camera.rotation() : glm::angleAxis(m_camera.yaw, glm::dvec3(0, 1, 0));
+    glm::dvec3 wish = heading * glm::dvec3(input.right, 0, -input.forward) * character->walkSpeed;
+    if (character->swimming) wish.y += input.up * character->swimSpeed;
+    return {MoveCharacterEdit{handle, wish, input.up > 0.0, input.up < 0.0}};
+}
+
+void Player::follow(const Character& character, double seconds) {
+    const glm::dvec3 eye = character.position + glm::dvec3(0.0, character.tall() - kBelowCrown, 0.0);
+    const double y = m_camera.position.y + (eye.y - m_camera.position.y) * std::min(1.0, kEyeFollows * seconds);
+    m_camera.position = {eye.x, std::clamp(y, eye.y - 0.6, eye.y + 0.6), eye.z};
 }
 
 }  // namespace rubble

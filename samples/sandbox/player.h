@@ -11,21 +11,23 @@ struct PlayerInput {
     bool fast = false;
 };
 
-/// The eyes of the sandbox: flies freely, or walks at eye height on whatever stands below.
+/// The eyes of the sandbox: fly freely, or are those of a character that walks, jumps, crouches and swims.
 class Player {
 public:
     void place(const Pose& eye);
-    void move(const PlayerInput& input, const World& world, double seconds);
+    /// Turns and flies the camera, or puts it where the character is. Returns what is to be done to the character.
+    Edits move(const PlayerInput& input, const World& world, double seconds);
     void toggleWalk() { m_walks = !m_walks; }
     bool walks() const { return m_walks; }
     const Camera& camera() const { return m_camera; }
 
 private:
-    void walk(glm::dvec3 step, bool jump, const World& world, double seconds);
+    Edits walk(const PlayerInput& input, const World& world, double seconds);
+    void follow(const Character& character, double seconds);
 
     Camera m_camera;
-    double m_fallSpeed = 0.0;
     bool m_walks = false;
+    bool m_isComing = false;  ///< the character has been asked for
 };
 
 }  // namespace rubble

@@ -82,7 +82,7 @@ private:
         const glm::dvec2 mouse = m_window.takeMouseMotion();
         input.turnRight = mouse.x * kMouseRadiansAPixel;
         input.turnUp = -mouse.y * kMouseRadiansAPixel;
-        m_player.move(input, m_loop.world(), elapsed);
+        m_loop.edits().push(m_player.move(input, m_loop.world(), elapsed));
         for (int i = 0; i < 3; ++i)
             if (m_window.pressed(GLFW_KEY_1 + i)) {
                 m_tool = HandTool(i);

@@ -40,6 +40,7 @@ Scene crushScene();
 Scene gardenScene();
 Scene craneScene();
 Scene dominoRunScene();
+Scene raftScene();
 }  // namespace scenes
 
 }  // namespace rubble

@@ -1,13 +1,14 @@
-#include <exception>
-#include <new>
 #include <string>
 
 #include "runtime/assets/assets.h"
 #include "runtime/core/log.h"
 #include "runtime/plugin/c_abi/checks.h"
 #include "runtime/plugin/c_abi/edits.h"
+#include "runtime/plugin/c_abi/guard.h"
 #include "runtime/plugin/c_abi/joints.h"
+#include "runtime/plugin/c_abi/queries.h"
 #include "runtime/plugin/c_abi/reads.h"
+#include "runtime/plugin/c_abi/regions.h"
 #include "runtime/plugin/c_abi/registry.h"
 
 // The table of rubble.h. Inside a function a wrong call throws; guarded() makes a result of it, and nothing gets out.
@@ -17,26 +18,14 @@ namespace {
 thread_local std::string g_lastError;
 rubble_host g_host = {};
 
+}  // namespace
+
 rubble_result remember(const char* function, const Refusal& refusal) {
     g_lastError = std::string(function) + ": " + refusal.text;
     return refusal.code;
 }
 
-template <class F>
-rubble_result guarded(const char* function, F&& body) noexcept try {
-    try {
-        body();
-        return RUBBLE_OK;
-    } catch (const Refusal& refusal) {
-        return remember(function, refusal);
-    } catch (const std::bad_alloc&) {
-        return remember(function, {RUBBLE_ERROR_MEMORY, "out of memory"});
-    } catch (const std::exception& error) {
-        return remember(function, {RUBBLE_ERROR_INTERNAL, error.what()});
-    }
-} catch (...) {
-    return RUBBLE_ERROR_MEMORY;  // even the message found no memory
-}
+namespace {
 
 const char* lastError() {
     return g_lastError.c_str();
@@ -99,55 +88,25 @@ rubble_result step(rubble_world world) {
 
 // ---- edits ----
 
-template <class HostEdit>
-rubble_result pushEdit(const char* function, rubble_world world, const HostEdit* edit) {
-    return guarded(function, [&] {
-        const auto hosted = Registry::instance().world(world);
-        hosted->loop.edits().push(toEdit(hosted->loop.world(), readable(edit, function)));
-    });
-}
+constexpr auto kToEdit = [](const World& world, const auto& given) { return toEdit(world, given); };
 
 rubble_result carve(rubble_world world, const rubble_carve* edit) {
-    return pushEdit("carve", world, edit);
+    return pushEdit("carve", world, edit, kToEdit);
 }
 rubble_result breakVoxels(rubble_world world, const rubble_break* edit) {
-    return pushEdit("break_voxels", world, edit);
+    return pushEdit("break_voxels", world, edit, kToEdit);
 }
 rubble_result explode(rubble_world world, const rubble_explosion* edit) {
-    return pushEdit("explode", world, edit);
+    return pushEdit("explode", world, edit, kToEdit);
 }
 rubble_result paint(rubble_world world, const rubble_paint* edit) {
-    return pushEdit("paint", world, edit);
+    return pushEdit("paint", world, edit, kToEdit);
 }
 rubble_result pushBody(rubble_world world, const rubble_impulse* edit) {
-    return pushEdit("push", world, edit);
+    return pushEdit("push", world, edit, kToEdit);
 }
 
 // ---- reads ----
-
-/// Rows for a host's array: counts all, writes those that fit.
-template <class Row>
-class RowWriter {
-public:
-    RowWriter(Row* out, uint32_t capacity, uint32_t* count) : m_out(out), m_capacity(capacity), m_count(required(count, "count")) {
-        if (capacity) required(out, "out");
-        m_count = 0;
-    }
-    template <class Make>
-    void add(Make&& make) {
-        if (m_count < m_capacity) m_out[m_count] = make();
-        ++m_count;
-    }
-    void finish() const {
-        if (m_capacity && m_count > m_capacity)
-            throw Refusal{RUBBLE_ERROR_CAPACITY, "there are " + std::to_string(m_count) + " rows, the array holds " + std::to_string(m_capacity)};
-    }
-
-private:
-    Row* m_out;
-    uint32_t m_capacity;
-    uint32_t& m_count;
-};
 
 rubble_result events(rubble_world world, rubble_events* out) {
     return guarded("events", [&] { writeTo(out, Registry::instance().world(world)->events.view()); });
@@ -398,7 +357,7 @@ rubble_result redo(rubble_world world) {
 // ---- joints ----
 
 rubble_result addJoint(rubble_world world, const rubble_joint_settings* settings) {
-    return pushEdit("add_joint", world, settings);
+    return pushEdit("add_joint", world, settings, kToEdit);
 }
 rubble_result removeJoint(rubble_world world, rubble_joint joint) {
     return guarded("remove_joint", [&] {
@@ -408,13 +367,13 @@ rubble_result removeJoint(rubble_world world, rubble_joint joint) {
     });
 }
 rubble_result setJointMotor(rubble_world world, const rubble_joint_motor* motor) {
-    return pushEdit("set_joint_motor", world, motor);
+    return pushEdit("set_joint_motor", world, motor, kToEdit);
 }
 rubble_result grab(rubble_world world, const rubble_grab* edit) {
-    return pushEdit("grab", world, edit);
+    return pushEdit("grab", world, edit, kToEdit);
 }
 rubble_result release(rubble_world world, const rubble_release* edit) {
-    return pushEdit("release", world, edit);
+    return pushEdit("release", world, edit, kToEdit);
 }
 rubble_result jointStates(rubble_world world, rubble_joint_state* out, uint32_t capacity, uint32_t* count) {
     return guarded("joint_states", [&] {
@@ -478,6 +437,25 @@ constexpr rubble_api kApi = {
     release,
     jointStates,
     ropePoints,
+    setCollision,
+    addWater,
+    removeWater,
+    addTrigger,
+    removeTrigger,
+    addCharacter,
+    removeCharacter,
+    moveCharacter,
+    placeCharacter,
+    waters,
+    triggers,
+    characterStates,
+    triggerEvents,
+    triggerBodies,
+    castRays,
+    castShapes,
+    overlapBodies,
+    overlapShapes,
+    closestPoint,
 };
 
 }  // namespace

@@ -47,6 +47,9 @@ typedef uint64_t rubble_body;        /* a rigid body: a frame that shapes are fi
 typedef uint64_t rubble_shape;       /* a grid of voxels on a body */
 typedef uint64_t rubble_joint;       /* holds two shapes together, or one to the world */
 typedef uint64_t rubble_light_group; /* lights that go out together */
+typedef uint64_t rubble_water;       /* a body of water */
+typedef uint64_t rubble_trigger;     /* a region that reports who enters and leaves it */
+typedef uint64_t rubble_character;   /* one who walks */
 
 typedef int32_t rubble_result;
 enum {
@@ -345,6 +348,147 @@ typedef struct rubble_figures {
     double publish_ms;
 } rubble_figures;
 
+/* ---- collision layers, water, triggers, characters ---- */
+
+enum { RUBBLE_COLLISION_NOTHING = 256 /* as a mask: touches nothing; as a layer: is touched by nothing */ };
+
+/* Two shapes touch if each one's layer is in the other's mask. */
+typedef struct rubble_collision {
+    uint32_t struct_size;
+    uint32_t layer; /* 8 bits; 0: 1 */
+    uint32_t mask;  /* 8 bits; 0: 255 */
+    uint32_t reserved;
+    rubble_shape shape;
+} rubble_collision;
+
+typedef struct rubble_water_params {
+    uint32_t struct_size;
+    uint32_t outline_count; /* corners, at least 3 */
+    const double* outline;  /* x and z of each corner, world; copied */
+    double surface;         /* height */
+    double depth;           /* below the surface; 0: 1 */
+    double density;         /* kg/m3; 0: 1000 */
+    double linear_drag;     /* 1/s: how fast as much water as a body displaces takes it along; 0: 1.5 */
+    double angular_drag;    /* 1/s; 0: 1.5 */
+    double flow[3];         /* m/s */
+} rubble_water_params;
+
+enum { RUBBLE_TRIGGER_SPHERE = 0, RUBBLE_TRIGGER_BOX = 1, RUBBLE_TRIGGER_POLYGON = 2 };
+typedef struct rubble_trigger_params {
+    uint32_t struct_size;
+    uint32_t kind;         /* RUBBLE_TRIGGER_... */
+    double position[3];    /* sphere and box: middle; polygon: its origin */
+    double rotation[4];    /* box */
+    double radius;         /* sphere */
+    double half_size[3];   /* box */
+    double height;         /* polygon: upward from the position */
+    const double* outline; /* polygon: x and z of each corner, from the position; copied */
+    uint32_t outline_count;
+    uint32_t layers; /* only shapes with a collision layer in this mask count; 0: all */
+} rubble_trigger_params;
+
+/* A body has come into a trigger, or left it. */
+typedef struct rubble_trigger_event {
+    rubble_trigger trigger;
+    rubble_body body;
+    uint32_t entered; /* 0: left */
+    uint32_t reserved;
+} rubble_trigger_event;
+
+typedef struct rubble_character_params {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double position[3];     /* of the feet */
+    double radius;          /* 0: 0.3 */
+    double height;          /* 0: 1.8 */
+    double crouched_height; /* 0: 1.1 */
+    double step_height;     /* that it climbs without a jump; 0: 0.45 */
+    double steepest;        /* slope that it can stand on, rise over run; 0: 1 */
+    double mass;            /* 0: 80 */
+    double walk_speed;      /* m/s; 0: 4 */
+    double jump_speed;      /* 0: 4.5 */
+    double swim_speed;      /* 0: 2 */
+    double push_force;      /* N, on bodies in its way; 0: 400 */
+} rubble_character_params;
+
+enum { RUBBLE_MOVE_JUMP = 1, RUBBLE_MOVE_CROUCH = 2 };
+/* What a character wants from now on; a jump only in the next step. */
+typedef struct rubble_character_move {
+    uint32_t struct_size;
+    uint32_t flags; /* RUBBLE_MOVE_... */
+    rubble_character character;
+    double wish[3]; /* m/s, world; the vertical part counts in water only */
+} rubble_character_move;
+
+/* Puts a character somewhere else. */
+typedef struct rubble_character_place {
+    uint32_t struct_size;
+    uint32_t reserved;
+    rubble_character character;
+    double position[3]; /* of the feet */
+    double velocity[3];
+} rubble_character_place;
+
+enum { RUBBLE_CHARACTER_GROUNDED = 1, RUBBLE_CHARACTER_CROUCHED = 2, RUBBLE_CHARACTER_SWIMMING = 4 };
+typedef struct rubble_character_state {
+    rubble_character character;
+    double position[3]; /* of the feet */
+    double velocity[3];
+    rubble_body ground; /* what it stands on; 0: nothing */
+    uint32_t flags;     /* RUBBLE_CHARACTER_... */
+    uint32_t reserved;
+} rubble_character_state;
+
+/* ---- queries ---- */
+
+enum { RUBBLE_FILTER_NO_STATIC = 1, RUBBLE_FILTER_NO_DYNAMIC = 2, RUBBLE_FILTER_REJECT_TRANSPARENT = 4, RUBBLE_FILTER_REJECT_UNPHYSICAL = 8 };
+typedef struct rubble_filter {
+    uint32_t struct_size;
+    uint32_t flags;  /* RUBBLE_FILTER_... */
+    uint32_t layers; /* only shapes with a collision layer in this mask; 0: all */
+    uint32_t rejected_body_count;
+    uint32_t rejected_shape_count;
+    uint32_t reserved;
+    const rubble_body* rejected_bodies;
+    const rubble_shape* rejected_shapes;
+} rubble_filter;
+
+typedef struct rubble_ray {
+    double origin[3];
+    double direction[3]; /* need not be normalised */
+    double max_distance;
+    double radius; /* > 0: a ball is cast */
+} rubble_ray;
+
+enum { RUBBLE_REGION_SPHERE = 0, RUBBLE_REGION_CAPSULE = 1, RUBBLE_REGION_BOX = 2 };
+typedef struct rubble_region {
+    uint32_t kind; /* RUBBLE_REGION_... */
+    uint32_t reserved;
+    double position[3];  /* sphere and box: middle; capsule: one end */
+    double end[3];       /* capsule: the other end */
+    double radius;       /* sphere and capsule */
+    double half_size[3]; /* box */
+    double rotation[4];  /* box */
+} rubble_region;
+
+typedef struct rubble_cast {
+    rubble_region shape;
+    double direction[3]; /* need not be normalised */
+    double max_distance;
+} rubble_cast;
+
+typedef struct rubble_touch {
+    uint32_t hit;   /* 0: nothing, and nothing below is set */
+    uint32_t entry; /* of the shape's palette */
+    double distance;
+    double position[3];
+    double normal[3]; /* from the voxel */
+    rubble_shape shape;
+    rubble_body body;
+    int32_t cell[3]; /* of the shape's grid */
+    uint32_t reserved;
+} rubble_touch;
+
 /* ---- renderer ---- */
 
 typedef struct rubble_renderer_settings {
@@ -459,6 +603,36 @@ typedef struct rubble_api {
     /* [main-thread] All joints in the order of their slots; the points of a rope, three numbers each, from its first end on. */
     rubble_result (*joint_states)(rubble_world world, rubble_joint_state* out, uint32_t capacity, uint32_t* count);
     rubble_result (*rope_points)(rubble_world world, rubble_joint joint, double* out, uint32_t capacity, uint32_t* count);
+
+    /* [main-thread] Commands for the next step. */
+    rubble_result (*set_collision)(rubble_world world, const rubble_collision* edit);
+    rubble_result (*add_water)(rubble_world world, const rubble_water_params* water);
+    rubble_result (*remove_water)(rubble_world world, rubble_water water);
+    rubble_result (*add_trigger)(rubble_world world, const rubble_trigger_params* trigger);
+    rubble_result (*remove_trigger)(rubble_world world, rubble_trigger trigger);
+    rubble_result (*add_character)(rubble_world world, const rubble_character_params* character);
+    rubble_result (*remove_character)(rubble_world world, rubble_character character);
+    rubble_result (*move_character)(rubble_world world, const rubble_character_move* move);
+    rubble_result (*place_character)(rubble_world world, const rubble_character_place* place);
+    /* [main-thread] All of them in a fixed order, with capacity and count as in body_states(); a new one is the last but where
+     * an older one was removed. */
+    rubble_result (*waters)(rubble_world world, rubble_water* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*triggers)(rubble_world world, rubble_trigger* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*character_states)(rubble_world world, rubble_character_state* out, uint32_t capacity, uint32_t* count);
+    /* [main-thread] Who came into triggers and left them in the last step; the bodies with a voxel in one now. */
+    rubble_result (*trigger_events)(rubble_world world, rubble_trigger_event* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*trigger_bodies)(rubble_world world, rubble_trigger trigger, rubble_body* out, uint32_t capacity, uint32_t* count);
+
+    /* [main-thread] Queries; filter may be null. out[i] answers rays[i], or casts[i]; a cast shape moves without turning. */
+    rubble_result (*cast_rays)(rubble_world world, const rubble_ray* rays, uint32_t count, const rubble_filter* filter, rubble_touch* out);
+    rubble_result (*cast_shapes)(rubble_world world, const rubble_cast* casts, uint32_t count, const rubble_filter* filter, rubble_touch* out);
+    /* [main-thread] Bodies, or shapes, with a voxel in a region, in a fixed order; capacity and count as in body_states(). */
+    rubble_result (*overlap_bodies)(rubble_world world, const rubble_region* region, const rubble_filter* filter, rubble_body* out, uint32_t capacity,
+                                    uint32_t* count);
+    rubble_result (*overlap_shapes)(rubble_world world, const rubble_region* region, const rubble_filter* filter, rubble_shape* out,
+                                    uint32_t capacity, uint32_t* count);
+    /* [main-thread] The point of a voxel that is closest to a point; distance 0 inside a voxel. */
+    rubble_result (*closest_point)(rubble_world world, const double position[3], double max_distance, const rubble_filter* filter, rubble_touch* out);
 } rubble_api;
 
 /* [any-thread] The one export: the plugin's table for this version of the interface, or RUBBLE_ERROR_VERSION and null. */

@@ -1,0 +1,21 @@
+#pragma once
+#include "render/frame_context.h"
+
+namespace rubble {
+
+struct Water;
+
+/// Draws the surfaces of waters over "radiance": what is below is tinted by the way through the water, the sky is mirrored in
+/// ripples. Seen from above only; of an outline the first 32 corners count.
+class WaterPass {
+public:
+    explicit WaterPass(ShaderLibrary& shaders);
+    void draw(const FrameContext& frame) const;
+
+private:
+    void setWater(const FrameContext& frame, const Water& water) const;
+
+    const Program& m_program;
+};
+
+}  // namespace rubble

@@ -1,0 +1,65 @@
+#pragma once
+#include <exception>
+#include <new>
+#include <string>
+
+#include "runtime/plugin/c_abi/checks.h"
+#include "runtime/plugin/c_abi/registry.h"
+
+// What every function of the table is wrapped in.
+namespace rubble::abi {
+
+/// Keeps the reason for last_error().
+rubble_result remember(const char* function, const Refusal& refusal);
+
+/// Makes a result of whatever is thrown inside: nothing gets out of the plugin.
+template <class F>
+rubble_result guarded(const char* function, F&& body) noexcept try {
+    try {
+        body();
+        return RUBBLE_OK;
+    } catch (const Refusal& refusal) {
+        return remember(function, refusal);
+    } catch (const std::bad_alloc&) {
+        return remember(function, {RUBBLE_ERROR_MEMORY, "out of memory"});
+    } catch (const std::exception& error) {
+        return remember(function, {RUBBLE_ERROR_INTERNAL, error.what()});
+    }
+} catch (...) {
+    return RUBBLE_ERROR_MEMORY;  // even the message found no memory
+}
+
+/// Rows for a host's array: counts all, writes those that fit.
+template <class Row>
+class RowWriter {
+public:
+    RowWriter(Row* out, uint32_t capacity, uint32_t* count) : m_out(out), m_capacity(capacity), m_count(required(count, "count")) {
+        if (capacity) required(out, "out");
+        m_count = 0;
+    }
+    template <class Make>
+    void add(Make&& make) {
+        if (m_count < m_capacity) m_out[m_count] = make();
+        ++m_count;
+    }
+    void finish() const {
+        if (m_capacity && m_count > m_capacity)
+            throw Refusal{RUBBLE_ERROR_CAPACITY, "there are " + std::to_string(m_count) + " rows, the array holds " + std::to_string(m_capacity)};
+    }
+
+private:
+    Row* m_out;
+    uint32_t m_capacity;
+    uint32_t& m_count;
+};
+
+/// A command for the next step; convert(world, edit) checks it.
+template <class HostEdit, class Convert>
+rubble_result pushEdit(const char* function, rubble_world world, const HostEdit* edit, Convert&& convert) {
+    return guarded(function, [&] {
+        const auto hosted = Registry::instance().world(world);
+        hosted->loop.edits().push(convert(hosted->loop.world(), readable(edit, function)));
+    });
+}
+
+}  // namespace rubble::abi

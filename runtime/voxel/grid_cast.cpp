@@ -1,0 +1,364 @@
+#include "runtime/voxel/grid_cast.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <vector>
+
+namespace rubble {
+namespace {
+
+constexpr double kTouching = 1e-9;  ///< cells
+constexpr double kFarthest = 1e7;   ///< cells from the grid: beyond, nothing is looked for
+constexpr int kMostSteps = 64;      ///< of Newton's method; it needs three or four, except at a graze
+
+struct Span {
+    double enter, leave;
+    bool empty() const { return !(enter <= leave); }
+};
+
+/// When a point that moves is in a box (slabs: Kay & Kajiya 1986).
+Span spanInBox(glm::dvec3 point, glm::dvec3 direction, glm::dvec3 low, glm::dvec3 high, Span span) {
+    for (int a = 0; a < 3; ++a) {
+        if (direction[a] == 0.0) {
+            if (point[a] < low[a] || point[a] > high[a]) return {1.0, 0.0};
+            continue;
+        }
+        const double first = (low[a] - point[a]) / direction[a], second = (high[a] - point[a]) / direction[a];
+        span.enter = std::max(span.enter, std::min(first, second));
+        span.leave = std::min(span.leave, std::max(first, second));
+    }
+    return span;
+}
+
+/// Voxels that are not shut in by others of the brick on all six sides.
+BrickBits outerVoxels(const BrickBits& solid) {
+    constexpr uint64_t kNotFirst = 0xfefefefefefefefeull, kNotLast = 0x7f7f7f7f7f7f7f7full;
+    BrickBits outer = solid;
+    for (size_t z = 1; z < 7; ++z) {
+        const uint64_t w = solid[z];
+        outer[z] &= ~((w << 1 & kNotFirst) & (w >> 1 & kNotLast) & w << 8 & w >> 8 & solid[z - 1] & solid[z + 1]);
+    }
+    return outer;
+}
+
+BrickBits acceptedVoxels(const Brick& brick, EntryFilter accepted) {
+    if (!accepted) return brick.occupancy;
+    BrickBits bits{};
+    if (!brick.indices) return (*accepted)[brick.uniform] ? brick.occupancy : bits;
+    forEachVoxel(brick.occupancy, [&](int i) {
+        if ((*accepted)[(*brick.indices)[size_t(i)]]) bits[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
+    });
+    return bits;
+}
+
+/// Drops the voxels of a brick that are outside a box of the grid's cells.
+void clip(BrickBits& bits, glm::ivec3 brick, glm::dvec3 low, glm::dvec3 high) {
+    const glm::dvec3 base(brick * kBrickSize);
+    const glm::ivec3 from(glm::clamp(glm::floor(low - base), 0.0, 8.0)), to(glm::clamp(glm::floor(high - base), -1.0, 7.0));
+    if (from.x > to.x || from.y > to.y || from.z > to.z) return bits.fill(0);
+    const uint64_t row = (2ull << to.x) - (1ull << from.x);
+    uint64_t layer = 0;
+    for (int y = from.y; y <= to.y; ++y) layer |= row << (8 * y);
+    for (int z = 0; z < 8; ++z) bits[size_t(z)] &= z >= from.z && z <= to.z ? layer : 0;
+}
+
+/// f(brick, content) for the bricks of a grid that may have cells in a box of cells.
+template <class F>
+void forEachBrickIn(const VoxelGrid& grid, glm::dvec3 low, glm::dvec3 high, F&& f) {
+    const glm::dvec3 size(grid.size());
+    if (!(high.x >= 0.0 && high.y >= 0.0 && high.z >= 0.0 && low.x <= size.x && low.y <= size.y && low.z <= size.z)) return;
+    const glm::ivec3 last = grid.sizeInBricks() - 1;
+    const glm::ivec3 from(glm::clamp(glm::floor(low / 8.0 - 1e-9), glm::dvec3(0.0), glm::dvec3(last)));
+    const glm::ivec3 to(glm::clamp(glm::floor(high / 8.0 + 1e-9), glm::dvec3(0.0), glm::dvec3(last)));
+    for (int nz = from.z >> 2; nz <= to.z >> 2; ++nz)
+        for (int ny = from.y >> 2; ny <= to.y >> 2; ++ny)
+            for (int nx = from.x >> 2; nx <= to.x >> 2; ++nx) {
+                const BrickNode* node = grid.nodeAt({nx, ny, nz});
+                if (!node) continue;
+                for (uint64_t mask = node->mask; mask; mask &= mask - 1) {
+                    const int i = std::countr_zero(mask);
+                    const glm::ivec3 brick = glm::ivec3(nx, ny, nz) * 4 + childPosition(i);
+                    if (glm::all(glm::greaterThanEqual(brick, from)) && glm::all(glm::lessThanEqual(brick, to))) f(brick, *node->bricks[size_t(i)]);
+                }
+            }
+}
+
+/// The directions along which two boxes can be apart: three of the cells, three of the box, and what is at right angles to one
+/// of each (Gottschalk, Lin & Manocha 1996). Exact for boxes that move without turning.
+struct BoxAxes {
+    std::array<glm::dvec3, 15> axes;
+    std::array<double, 15> shapeReach;
+    int count = 0;
+
+    explicit BoxAxes(const CellShape& box) {
+        for (int i = 0; i < 3; ++i) add(box, glm::dvec3(i == 0, i == 1, i == 2));
+        for (const glm::dvec3& half : box.halfAxes) add(box, half);
+        for (int i = 0; i < 3; ++i)
+            for (const glm::dvec3& half : box.halfAxes)
+                if (const double length = glm::length(half); length > 0.0) add(box, glm::cross(glm::dvec3(i == 0, i == 1, i == 2), half / length));
+    }
+    void add(const CellShape& box, glm::dvec3 axis) {
+        const double length = glm::length(axis);
+        if (!(length > 1e-9)) return;
+        axis /= length;
+        axes[size_t(count)] = axis;
+        shapeReach[size_t(count)] = 0.0;
+        for (const glm::dvec3& half : box.halfAxes) shapeReach[size_t(count)] += std::abs(glm::dot(axis, half));
+        ++count;
+    }
+    double reach(int i, double cubeHalf) const {
+        const glm::dvec3& axis = axes[size_t(i)];
+        return shapeReach[size_t(i)] + cubeHalf * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));
+    }
+    bool overlaps(glm::dvec3 fromCube, double cubeHalf) const {
+        for (int i = 0; i < count; ++i)
+            if (std::abs(glm::dot(axes[size_t(i)], fromCube)) > reach(i, cubeHalf)) return false;
+        return true;
+    }
+    /// When the box, `fromCube` away, touches a cube; the axis they are apart on until then.
+    Span touch(glm::dvec3 fromCube, glm::dvec3 direction, Span span, glm::dvec3& normal) const {
+        for (int i = 0; i < count; ++i) {
+            const double from = glm::dot(axes[size_t(i)], fromCube), speed = glm::dot(axes[size_t(i)], direction), most = reach(i, 0.5);
+            if (std::abs(speed) < 1e-15) {
+                if (std::abs(from) > most) return {1.0, 0.0};
+                continue;
+            }
+            const double first = (-most - from) / speed, second = (most - from) / speed;
+            if (std::min(first, second) > span.enter) {
+                span.enter = std::min(first, second);
+                normal = speed < 0.0 ? axes[size_t(i)] : -axes[size_t(i)];
+            }
+            span.leave = std::min(span.leave, std::max(first, second));
+            if (span.empty()) return span;
+        }
+        return span;
+    }
+};
+
+/// One cast through one grid.
+class Cast {
+public:
+    Cast(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 direction, double tMax, EntryFilter accepted)
+        : m_grid(grid), m_shape(shape), m_middle(shape.middle()), m_reach(shape.reach()), m_direction(direction), m_accepted(accepted) {
+        m_best.t = tMax;
+        if (shape.isBox) m_axes.emplace(shape);
+    }
+
+    /// A stretch of the way after the other, each as long as a directory node: a brick's turn comes where the shape's bounds
+    /// first meet it.
+    CellTouch run() {
+        const Span way = spanInBox(m_middle, m_direction, -m_reach, glm::dvec3(m_grid.size()) + m_reach, {0.0, m_best.t});
+        if (way.empty()) return {};
+        const double speed = glm::length(m_direction);
+        const double stretch = speed > 0.0 ? kNodeSize / speed : 1.0;
+        for (double from = way.enter;; from += stretch) {
+            visitStretch({from, std::min(from + stretch, way.leave)}, from == way.enter);
+            if (!(from + stretch < std::min(way.leave, m_best.t))) break;
+        }
+        if (!m_best.hit) return {};
+        if (m_best.normal == glm::dvec3(0.0)) m_best.normal = speed > 0.0 ? -m_direction / speed : glm::dvec3(0.0, 1.0, 0.0);
+        return m_best;
+    }
+
+private:
+    struct Waiting {
+        double enter, leave;
+        glm::ivec3 position;
+        const Brick* brick;
+    };
+
+    void visitStretch(Span stretch, bool isFirst) {
+        const glm::dvec3 from = m_middle + m_direction * stretch.enter, to = m_middle + m_direction * stretch.leave;
+        m_waiting.clear();
+        forEachBrickIn(m_grid, glm::min(from, to) - m_reach, glm::max(from, to) + m_reach, [&](glm::ivec3 position, const Brick& brick) {
+            const glm::dvec3 low(position * kBrickSize);
+            const Span span = spanInBox(m_middle, m_direction, low - m_reach, low + 8.0 + m_reach, {0.0, m_best.t});
+            if (span.empty() || span.enter > stretch.leave || (span.enter <= stretch.enter && !isFirst)) return;
+            m_waiting.push_back({span.enter, span.leave, position, &brick});
+        });
+        std::stable_sort(m_waiting.begin(), m_waiting.end(), [](const Waiting& a, const Waiting& b) { return a.enter < b.enter; });
+        for (const Waiting& each : m_waiting) {
+            if (each.enter > m_best.t) break;
+            visitBrick(each);
+        }
+    }
+
+    void visitBrick(const Waiting& each) {
+        BrickBits bits = acceptedVoxels(*each.brick, m_accepted);
+        if (each.enter > 0.0) bits = outerVoxels(bits);
+        const glm::dvec3 from = m_middle + m_direction * each.enter, to = m_middle + m_direction * std::min(each.leave, m_best.t);
+        clip(bits, each.position, glm::min(from, to) - m_reach - 1e-6, glm::max(from, to) + m_reach + 1e-6);
+        forEachVoxel(bits, [&](int i) { visitCell(each.position * kBrickSize + voxelInBrick(i)); });
+    }
+
+    void visitCell(glm::ivec3 cell) {
+        const glm::dvec3 low(cell);
+        const Span span = spanInBox(m_middle, m_direction, low - m_reach, low + 1.0 + m_reach, {0.0, m_best.t});
+        if (span.empty() || (m_best.hit && span.enter >= m_best.t)) return;
+        if (m_axes) {
+            glm::dvec3 normal(0.0);
+            const Span touch = m_axes->touch(m_middle - low - 0.5, m_direction, {0.0, m_best.t}, normal);
+            if (!touch.empty() && (!m_best.hit || touch.enter < m_best.t))
+                m_best = {true, cell, touch.enter, glm::clamp(m_middle + m_direction * touch.enter, low, low + 1.0), normal};
+            return;
+        }
+        touchRound(cell, span.enter);
+    }
+
+    /// The distance to a convex set is a convex function along the way, so Newton's method comes to its first zero from before.
+    void touchRound(glm::ivec3 cell, double t) {
+        const glm::dvec3 low(cell);
+        for (int i = 0; i < kMostSteps; ++i) {
+            const glm::dvec3 moved = m_direction * t;
+            const SegmentToBox near = closestToBox(m_shape.a + moved, m_shape.b + moved, low, low + 1.0);
+            const double gap = near.distance - m_shape.radius;
+            const glm::dvec3 normal = near.distance > 0.0 ? (near.onSegment - near.onBox) / near.distance : glm::dvec3(0.0);
+            const double approach = -glm::dot(normal, m_direction);
+            if (gap <= kTouching) {
+                if (gap >= -kTouching && near.distance > 0.0 && !(approach > 1e-12)) return;
+                m_best = {true, cell, t, near.onBox, normal};
+                return;
+            }
+            if (!(approach > 0.0)) return;
+            t += gap / approach;
+            if (t > m_best.t || (m_best.hit && t == m_best.t)) return;
+        }
+    }
+
+    const VoxelGrid& m_grid;
+    const CellShape& m_shape;
+    glm::dvec3 m_middle, m_reach, m_direction;
+    EntryFilter m_accepted;
+    std::optional<BoxAxes> m_axes;
+    CellTouch m_best;
+    std::vector<Waiting> m_waiting;
+};
+
+bool isNear(glm::dvec3 v) {
+    return std::abs(v.x) < kFarthest && std::abs(v.y) < kFarthest && std::abs(v.z) < kFarthest;
+}
+
+bool isNear(const CellShape& shape) {
+    bool near = isNear(shape.a) && isNear(shape.reach());
+    if (!shape.isBox) near = near && isNear(shape.b) && shape.radius >= 0.0;
+    return near;
+}
+
+}  // namespace
+
+glm::dvec3 CellShape::reach() const {
+    if (!isBox) return glm::abs(b - a) * 0.5 + radius;
+    return glm::abs(halfAxes[0]) + glm::abs(halfAxes[1]) + glm::abs(halfAxes[2]);
+}
+
+/// The square of the distance is convex and piecewise quadratic along the segment, divided where it crosses the box's planes.
+SegmentToBox closestToBox(glm::dvec3 a, glm::dvec3 b, glm::dvec3 low, glm::dvec3 high) {
+    const glm::dvec3 way = b - a;
+    const auto slope = [&](double s) {
+        const glm::dvec3 p = a + way * s;
+        return glm::dot(p - glm::clamp(p, low, high), way);
+    };
+    double first = 0.0, last = 1.0, firstSlope = slope(0.0), lastSlope = slope(1.0), at = 0.0;
+    if (firstSlope >= 0.0) {
+        at = 0.0;
+    } else if (lastSlope <= 0.0) {
+        at = 1.0;
+    } else {
+        for (int i = 0; i < 6; ++i) {
+            const int axis = i >> 1;
+            if (way[axis] == 0.0) continue;
+            const double s = ((i & 1 ? high[axis] : low[axis]) - a[axis]) / way[axis];
+            if (!(s > first && s < last)) continue;
+            const double here = slope(s);
+            if (here < 0.0)
+                first = s, firstSlope = here;
+            else
+                last = s, lastSlope = here;
+        }
+        at = first + (last - first) * (firstSlope / (firstSlope - lastSlope));
+    }
+    const glm::dvec3 onSegment = a + way * at;
+    const glm::dvec3 onBox = glm::clamp(onSegment, low, high);
+    return {onSegment, onBox, glm::length(onSegment - onBox)};
+}
+
+CellTouch castShape(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 direction, double tMax, EntryFilter accepted) {
+    if (!isNear(shape) || !isNear(direction) || !(tMax >= 0.0) || grid.empty()) return {};
+    return Cast(grid, shape, direction, tMax, accepted).run();
+}
+
+std::optional<glm::ivec3> findOverlap(const VoxelGrid& grid, const CellShape& shape, EntryFilter accepted) {
+    if (!isNear(shape) || grid.empty()) return {};
+    const glm::dvec3 middle = shape.middle(), reach = shape.reach();
+    std::optional<BoxAxes> axes;
+    if (shape.isBox) axes.emplace(shape);
+    const auto meets = [&](glm::dvec3 low, double size) {
+        if (axes) return axes->overlaps(middle - low - 0.5 * size, 0.5 * size);
+        return closestToBox(shape.a, shape.b, low, low + size).distance <= shape.radius;
+    };
+    std::optional<glm::ivec3> found;
+    forEachBrickIn(grid, middle - reach, middle + reach, [&](glm::ivec3 position, const Brick& brick) {
+        if (found || !meets(glm::dvec3(position * kBrickSize), kBrickSize)) return;
+        BrickBits bits = acceptedVoxels(brick, accepted);
+        clip(bits, position, middle - reach - 1.0, middle + reach);
+        forEachVoxel(bits, [&](int i) {
+            const glm::ivec3 cell = position * kBrickSize + voxelInBrick(i);
+            if (!found && meets(glm::dvec3(cell), 1.0)) found = cell;
+        });
+    });
+    return found;
+}
+
+CellTouch findDeepest(const VoxelGrid& grid, const CellShape& round) {
+    CellTouch best;
+    if (!isNear(round) || grid.empty()) return best;
+    const glm::dvec3 middle = round.middle(), reach = round.reach();
+    best.t = round.radius;
+    forEachBrickIn(grid, middle - reach, middle + reach, [&](glm::ivec3 position, const Brick& brick) {
+        const glm::dvec3 base(position * kBrickSize);
+        if (closestToBox(round.a, round.b, base, base + 8.0).distance > best.t) return;
+        BrickBits bits = brick.occupancy;
+        clip(bits, position, middle - reach - 1.0, middle + reach);
+        forEachVoxel(bits, [&](int i) {
+            const glm::ivec3 cell = position * kBrickSize + voxelInBrick(i);
+            const SegmentToBox near = closestToBox(round.a, round.b, glm::dvec3(cell), glm::dvec3(cell) + 1.0);
+            if (near.distance > best.t || (best.hit && near.distance == best.t)) return;
+            const glm::dvec3 normal = near.distance > 0.0 ? (near.onSegment - near.onBox) / near.distance : glm::dvec3(0.0);
+            best = {true, cell, near.distance, near.onBox, normal};
+        });
+    });
+    return best;
+}
+
+ClosestVoxel findClosest(const VoxelGrid& grid, glm::dvec3 point, double reach, EntryFilter accepted) {
+    ClosestVoxel best;
+    if (!isNear(point) || !(reach >= 0.0) || grid.empty()) return best;
+    reach = std::min(reach, kFarthest);
+    best.distance = reach;
+    struct Waiting {
+        double distance;
+        glm::ivec3 position;
+        const Brick* brick;
+    };
+    const auto distanceTo = [&](glm::dvec3 low, double size) { return glm::length(point - glm::clamp(point, low, low + size)); };
+    std::vector<Waiting> waiting;
+    forEachBrickIn(grid, point - reach, point + reach, [&](glm::ivec3 position, const Brick& brick) {
+        const double distance = distanceTo(glm::dvec3(position * kBrickSize), kBrickSize);
+        if (distance <= reach) waiting.push_back({distance, position, &brick});
+    });
+    std::stable_sort(waiting.begin(), waiting.end(), [](const Waiting& a, const Waiting& b) { return a.distance < b.distance; });
+    for (const Waiting& each : waiting) {
+        if (each.distance > best.distance || (best.found && each.distance == best.distance)) break;
+        forEachVoxel(acceptedVoxels(*each.brick, accepted), [&](int i) {
+            const glm::ivec3 cell = each.position * kBrickSize + voxelInBrick(i);
+            const double distance = distanceTo(glm::dvec3(cell), 1.0);
+            if (distance > best.distance || (best.found && distance == best.distance)) return;
+            best = {true, cell, glm::clamp(point, glm::dvec3(cell), glm::dvec3(cell) + 1.0), distance};
+        });
+    }
+    return best;
+}
+
+}  // namespace rubble

@@ -1,0 +1,322 @@
+#include "physics/character.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "runtime/core/random.h"
+#include "runtime/world/query.h"
+#include "runtime/world/world_state.h"
+#include "tests/physics/physics_scene.h"
+
+namespace rubble {
+namespace {
+
+/// A scene with one who walks.
+struct Walk : PhysicsScene {
+    explicit Walk(glm::dvec3 feet = {0.0, 0.01, 0.0}) {
+        level.characters.emplace_back();
+        level.characters[0].position = feet;
+    }
+    void wish(glm::dvec3 velocity, bool jump = false, bool crouch = false) { edits.push_back(MoveCharacterEdit{who(), velocity, jump, crouch}); }
+    void walk(int steps) {
+        for (int i = 0; i < steps; ++i) {
+            physics.apply(world.applyEdits(std::exchange(edits, {})), world);
+            physics.step();
+            world.setPoses(physics.poses());
+            world.setCharacters(physics.characters());
+        }
+    }
+    /// Walks toward a velocity for a time and returns how far it came.
+    glm::dvec3 go(glm::dvec3 velocity, double time) {
+        const glm::dvec3 before = me().position;
+        wish(velocity);
+        walk(int(time * 60.0));
+        return me().position - before;
+    }
+    CharacterHandle who() const { return world.characters().handleAt(0); }
+    const Character& me() const { return world.characters().at(who()); }
+    bool isInside() const {
+        const Character& c = me();
+        const QueryShape capsule{.kind = QueryShapeKind::Capsule,
+                                 .position = c.position + glm::dvec3(0, c.radius, 0),
+                                 .end = c.position + glm::dvec3(0, c.tall() - c.radius, 0),
+                                 .radius = c.radius - 1e-6};
+        return !overlappingShapes(world, capsule, {.includeDynamic = false}).empty();
+    }
+    Edits edits;
+};
+
+TEST(Character, WalksOnTheGroundAtItsSpeedAndStops) {
+    Walk scene;
+    scene.addFloor();
+    scene.load();
+    scene.walk(30);
+    EXPECT_TRUE(scene.me().grounded);
+    EXPECT_TRUE(scene.me().ground == scene.handle(0));
+    EXPECT_NEAR(scene.me().position.y, 0.0, 0.02);
+    const glm::dvec3 way = scene.go({2.0, 0.0, 0.0}, 1.0);
+    EXPECT_NEAR(way.x, 2.0, 0.01);
+    EXPECT_NEAR(scene.go({0.0, 0.0, 30.0}, 1.0).z, 4.0, 0.05) << "not faster than it can";
+    EXPECT_NEAR(glm::length(scene.go({}, 1.0)), 0.0, 1e-6);
+}
+
+TEST(Character, SlidesAlongAWall) {
+    Walk scene;
+    scene.addFloor();
+    scene.add(blockGrid({2, 30, 100}, 7), {1.0, 0.0, -5.0}, true);
+    scene.load();
+    scene.walk(10);
+    const glm::dvec3 way = scene.go({2.0, 0.0, 2.0}, 1.5);
+    EXPECT_NEAR(scene.me().position.x, 0.7, 0.02);
+    EXPECT_NEAR(way.z, 3.0, 0.1);
+    EXPECT_FALSE(scene.isInside());
+}
+
+TEST(Character, ClimbsStepsUpToItsStepHeightAndNoHigher) {
+    for (const int rise : {1, 2, 3, 4, 5, 8}) {
+        Walk scene;
+        scene.addFloor();
+        for (int i = 0; i < 5; ++i) scene.add(blockGrid({6, rise * (i + 1), 30}, 7), {1.0 + 0.6 * i, 0.0, -1.5}, true);
+        scene.load();
+        scene.walk(10);
+        scene.go({2.0, 0.0, 0.0}, 1.8);
+        if (rise <= 4)
+            EXPECT_NEAR(scene.me().position.y, 0.1 * rise * 5, 0.1 * rise + 0.02) << rise;
+        else
+            EXPECT_LT(scene.me().position.y, 0.02) << rise;
+        if (rise <= 4) EXPECT_GT(scene.me().position.x, 3.0) << rise;
+        EXPECT_FALSE(scene.isInside());
+        if (rise > 4) continue;
+        scene.go({-2.0, 0.0, 0.0}, 2.5);  // and down again, without a leap
+        EXPECT_NEAR(scene.me().position.y, 0.0, 0.02) << rise;
+    }
+}
+
+TEST(Character, WalksUpSlopesThatItCanStandOn) {
+    for (const auto& [degrees, climbs] : {std::pair(20.0, true), std::pair(40.0, true), std::pair(55.0, false)}) {
+        Walk scene;
+        scene.addFloor();
+        const double angle = degrees * 3.14159265 / 180.0;
+        scene.add(blockGrid({60, 4, 30}, 7), {1.0 + 0.4 * std::sin(angle), -0.4 * std::cos(angle), -1.5}, true,
+                  glm::angleAxis(angle, glm::dvec3(0, 0, 1)));
+        scene.load();
+        scene.walk(10);
+        scene.go({2.0, 0.0, 0.0}, 2.0);
+        if (climbs)
+            EXPECT_GT(scene.me().position.y, 0.5) << degrees;
+        else
+            EXPECT_LT(scene.me().position.y, 0.35) << degrees;
+        EXPECT_FALSE(scene.isInside());
+    }
+}
+
+TEST(Character, ASteepStairOfVoxelsIsASteepSlope) {
+    for (const auto& [run, climbs] : {std::pair(2, true), std::pair(1, true)}) {  // 0.1 m steps, 0.2 and 0.1 m deep
+        Walk scene;
+        scene.addFloor();
+        VoxelGrid stairs({20 * run, 20, 30});
+        {
+            GridWriter writer(stairs);
+            for (int z = 0; z < 30; ++z)
+                for (int x = 0; x < 20 * run; ++x)
+                    for (int y = 0; y <= x / run; ++y) writer.set({x, y, z}, 7);
+        }
+        scene.add(std::move(stairs), {1.0, 0.0, -1.5}, true);
+        scene.load();
+        scene.walk(10);
+        scene.go({2.0, 0.0, 0.0}, 1.8);
+        EXPECT_EQ(scene.me().position.y > 0.6, climbs) << run << " " << scene.me().position.y;
+    }
+    Walk scene;
+    scene.addFloor();
+    VoxelGrid stairs({10, 30, 30});  // three up, one along
+    {
+        GridWriter writer(stairs);
+        for (int z = 0; z < 30; ++z)
+            for (int x = 0; x < 10; ++x)
+                for (int y = 0; y <= 3 * x && y < 30; ++y) writer.set({x, y, z}, 7);
+    }
+    scene.add(std::move(stairs), {1.0, 0.0, -1.5}, true);
+    scene.load();
+    scene.walk(10);
+    scene.go({2.0, 0.0, 0.0}, 1.8);
+    EXPECT_LT(scene.me().position.y, 0.5);
+}
+
+TEST(Character, JumpsAsHighAsItsSpeedAndFalls) {
+    Walk scene;
+    scene.addFloor();
+    scene.load();
+    scene.walk(10);
+    scene.wish({}, true);
+    double highest = 0.0;
+    for (int i = 0; i < 90; ++i) {
+        scene.walk(1);
+        highest = std::max(highest, scene.me().position.y);
+    }
+    EXPECT_NEAR(highest, 4.5 * 4.5 / (2.0 * 9.81), 0.06);
+    EXPECT_TRUE(scene.me().grounded);
+    EXPECT_NEAR(scene.me().position.y, 0.0, 0.02);
+}
+
+TEST(Character, CrouchesUnderThingsAndStandsUpOnlyWhereThereIsRoom) {
+    Walk scene;
+    scene.addFloor();
+    scene.add(blockGrid({20, 5, 40}, 7), {1.0, 1.3, -2.0}, true);
+    scene.load();
+    scene.walk(10);
+    scene.go({2.0, 0.0, 0.0}, 1.0);
+    EXPECT_LT(scene.me().position.x, 0.75) << "too tall";
+    scene.wish({2.0, 0.0, 0.0}, false, true);
+    scene.walk(60);
+    EXPECT_GT(scene.me().position.x, 1.5);
+    EXPECT_TRUE(scene.me().crouched);
+    scene.wish({});
+    scene.walk(10);
+    EXPECT_TRUE(scene.me().crouched) << "no room";
+    scene.go({2.0, 0.0, 0.0}, 2.5);
+    EXPECT_GT(scene.me().position.x, 3.3);
+    EXPECT_FALSE(scene.me().crouched);
+    EXPECT_FALSE(scene.isInside());
+}
+
+TEST(Character, FallsIntoAHoleBlownUnderIt) {
+    Walk scene;
+    scene.add(blockGrid({100, 5, 100}, 5), {-5.0, -0.5, -5.0}, true);
+    scene.addFloor(7, {0.0, -3.0, 0.0});
+    scene.load();
+    scene.walk(20);
+    ASSERT_NEAR(scene.me().position.y, 0.0, 0.02);
+    CarveEdit hole{.position = {0.0, -0.2, 0.0}};
+    hole.radii.fill(1.0);
+    scene.edits.push_back(hole);
+    scene.walk(90);
+    EXPECT_NEAR(scene.me().position.y, -3.0, 0.02);
+    EXPECT_TRUE(scene.me().grounded);
+}
+
+TEST(Character, IsCarriedByWhatItStandsOnAndTurnsWithIt) {
+    Walk scene({1.5, 1.21, 0.0});
+    scene.level.environment.gravity = {};  // or both would fly their own ways
+    LevelBody& plate = scene.add(blockGrid({60, 2, 60}, 13), {-3.0, 1.0, -3.0}, false);
+    plate.velocity = {1.0f, 0.0f, 0.0f};
+    plate.angularVelocity = {0.0f, 0.5f, 0.0f};
+    scene.load();
+    scene.walk(60);
+    const glm::dvec3 middle = scene.center(0), from = scene.me().position - middle;
+    EXPECT_NEAR(std::hypot(from.x, from.z), 1.5, 0.08);
+    EXPECT_NEAR(std::atan2(-from.z, from.x), 0.5, 0.08);
+    EXPECT_TRUE(scene.me().ground == scene.handle(0));
+}
+
+TEST(Character, PushesWhatIsLightAndIsStoppedByWhatIsHeavy) {
+    Walk scene;
+    scene.addFloor();
+    scene.add(blockGrid({4, 6, 4}, 5), {1.0, 0.0, -0.2}, false);  // too high to step on
+    scene.add(blockGrid({12, 12, 12}, 13), {-2.6, 0.0, -0.6}, false);
+    scene.load();
+    scene.walk(30);
+    scene.go({2.0, 0.0, 0.0}, 2.0);
+    EXPECT_GT(scene.center(1).x, 2.0);
+    const glm::dvec3 before = scene.center(2);
+    scene.go({-2.0, 0.0, 0.0}, 4.0);
+    EXPECT_NEAR(scene.center(2).x, before.x, 0.1);
+    EXPECT_GT(scene.me().position.x, -1.2);
+}
+
+TEST(Character, IsPushedByWhatIsHeavyAndNeverThroughTheFloor) {
+    Walk scene;
+    scene.addFloor();
+    LevelBody& block = scene.add(blockGrid({15, 15, 15}, 13), {-4.0, 0.01, -0.75}, false);
+    block.velocity = {8.0f, 0.0f, 0.0f};
+    scene.add(blockGrid({10, 10, 10}, 13), {1.2, 3.0, -0.5}, false);
+    scene.load();
+    for (int i = 0; i < 120; ++i) {
+        scene.walk(1);
+        ASSERT_GT(scene.me().position.y, -0.01);
+        ASSERT_FALSE(scene.isInside());
+    }
+    EXPECT_GT(scene.me().position.x, 0.2);
+}
+
+TEST(Character, SwimsAndClimbsOut) {
+    Walk scene({0.0, -2.5, 0.0});
+    scene.addFloor(7, {0.0, -3.0, 0.0});
+    scene.add(blockGrid({30, 30, 60}, 7), {2.0, -3.0, -3.0}, true);  // a bank as high as the water
+    scene.level.waters.push_back({.name = "pool", .outline = {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, .surface = -0.2, .depth = 2.8});
+    scene.load();
+    scene.walk(5);
+    EXPECT_TRUE(scene.me().swimming);
+    const glm::dvec3 up = scene.go({0.0, 1.0, 0.0}, 1.0);
+    EXPECT_NEAR(up.y, 1.0, 0.2);
+    scene.go({1.0, 1.0, 0.0}, 3.0);
+    for (int i = 0; i < 120 && !scene.me().grounded; ++i) scene.wish({2.0, 2.0, 0.0}, true), scene.walk(1);
+    EXPECT_TRUE(scene.me().grounded);
+    scene.go({2.0, 0.0, 0.0}, 0.5);
+    EXPECT_NEAR(scene.me().position.y, 0.0, 0.03);
+}
+
+/// Blocks, gaps, slanted plates and loose pieces.
+void addRuin(Walk& scene, uint64_t seed) {
+    Random random(seed);
+    scene.addFloor();
+    for (int i = 0; i < 60; ++i) {
+        const int x = int(random.below(80)), z = int(random.below(80)), w = 2 + int(random.below(12)), h = 1 + int(random.below(14)),
+                  d = 2 + int(random.below(12));
+        const double tilt = i % 3 ? 0.0 : double(random.unit()) - 0.5;
+        scene.add(blockGrid({w, h, d}, 7), {0.1 * x - 4.0, i % 4 == 1 ? 1.2 : 0.0, 0.1 * z - 4.0}, true,
+                  glm::angleAxis(tilt, glm::dvec3(0.6, 0.0, 0.8)));
+    }
+    for (int i = 0; i < 12; ++i) {
+        const int x = int(random.below(80)), z = int(random.below(80));
+        scene.add(blockGrid({3 + i % 4, 4, 3}, 4), {0.1 * x - 4.0, 2.0, 0.1 * z - 4.0}, false);
+    }
+}
+
+TEST(Character, TenThousandRandomMovesNeverEndInside) {
+    Random random(11);
+    int jumps = 0;
+    for (int run = 0; run < 5; ++run) {
+        Walk scene({0.0, 3.0, 0.0});
+        addRuin(scene, uint64_t(run));
+        scene.load();
+        for (int i = 0; i < 2000; ++i) {
+            if (i % 25 == 0) {
+                const float x = random.unit();
+                const float z = random.unit();
+                const bool jump = random.below(4) == 0, crouch = random.below(5) == 0;
+                scene.wish({12.0 * x - 6.0, 0.0, 12.0 * z - 6.0}, jump, crouch);
+                jumps += jump;
+            }
+            scene.walk(1);
+            ASSERT_FALSE(scene.isInside()) << run << " " << i;
+            if (std::abs(scene.me().position.x) > 8.0 || std::abs(scene.me().position.z) > 8.0)
+                scene.edits.push_back(PlaceCharacterEdit{scene.who(), {0.0, 3.0, 0.0}});
+        }
+        EXPECT_GT(scene.me().position.y, -0.01);
+    }
+    EXPECT_GT(jumps, 20);
+}
+
+TEST(Character, IsTheSameAfterASave) {
+    Walk scene({0.0, 3.0, 0.0});
+    addRuin(scene, 3);
+    scene.load();
+    scene.wish({1.5, 0.0, 0.7});
+    scene.walk(100);
+    Walk other;
+    other.world.setState(scene.world.state());
+    FrameChanges anew;
+    anew.levelReplaced = true;
+    other.physics.apply(anew, other.world);
+    scene.physics.apply({}, scene.world, true);
+    for (Walk* each : {&scene, &other}) {
+        each->wish({-1.0, 0.0, 2.0}, true);
+        each->walk(120);
+    }
+    EXPECT_EQ(scene.me().hash(), other.me().hash());
+}
+
+}  // namespace
+}  // namespace rubble

@@ -1,0 +1,176 @@
+#include "physics/water.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "runtime/core/random.h"
+#include "tests/physics/physics_scene.h"
+
+namespace rubble {
+namespace {
+
+/// A lake without ground, its surface at y = 0, and a material of a chosen density as entry 1 of the palette.
+struct Lake : PhysicsScene {
+    explicit Lake(uint32_t density, double drag = 1.5) {
+        level.materials.materials[1].density = density;
+        level.waters.push_back(
+            {.name = "lake", .outline = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}}, .depth = 40.0, .linearDrag = drag, .angularDrag = drag});
+    }
+    void load() {
+        PhysicsScene::load();
+        world.applyEdits({});  // its journal says that the level is new
+    }
+    double speed(int index) const { return glm::length(body(index).velocity); }
+};
+
+TEST(Water, CubesFloatAsDeepAsTheyAreDense) {
+    for (const auto& [density, share] : {std::pair(500u, 0.5), std::pair(250u, 0.25), std::pair(900u, 0.9)}) {
+        Lake scene(density);
+        scene.add(blockGrid({10, 10, 10}, 1), {0.0, -0.4, 0.0}, false);
+        scene.load();
+        scene.seconds(20.0);
+        const double under = 0.5 - scene.center(0).y;
+        EXPECT_NEAR(under, share, 0.01) << density;
+        EXPECT_TRUE(scene.body(0).asleep) << "calm water lets things rest";
+    }
+}
+
+TEST(Water, ATurnedCubeUnderWaterIsLiftedByAllOfItsVolume) {
+    Lake scene(500);
+    Random random(3);
+    scene.add(blockGrid({7, 9, 5}, 1), {0.0, 0.0, 0.0}, false);
+    scene.load();
+    const Shape& shape = scene.world.shapes().at(scene.body(0).shapes[0]);
+    const VoxelPart part(shape, Pose{}, scene.world.materials());
+    for (int i = 0; i < 200; ++i) {
+        const float a = random.unit();
+        const float b = random.unit();
+        const float c = random.unit();
+        const float h = random.unit();
+        const glm::dmat3 axes = glm::mat3_cast(glm::normalize(glm::dquat(a, b - 0.5, c - 0.5, 0.3)));
+        const Lattice lattice{axes * 0.1, {0.2, -0.7 + h, 0.1}};
+        Submersion sum;
+        addSubmersion(part, lattice, {}, scene.world.waters().at(scene.world.waters().handleAt(0)), sum);
+        double volume = 0.0;  // by points, 4 x 4 x 4 a voxel
+        glm::dvec3 moment(0.0);
+        const int n = 4;
+        const double piece = 1e-3 / (n * n * n);
+        for (int z = 0; z < 5 * n; ++z)
+            for (int y = 0; y < 9 * n; ++y)
+                for (int x = 0; x < 7 * n; ++x) {
+                    const glm::dvec3 p = lattice.corner + lattice.axes * ((glm::dvec3(x, y, z) + 0.5) / double(n));
+                    if (p.y < 0.0) volume += piece, moment += p * piece;
+                }
+        EXPECT_NEAR(sum.volume, volume, 0.003) << i;
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(sum.moment[k], moment[k], 0.0015) << i;
+        EXPECT_NEAR(sum.total, 0.315, 1e-6);
+    }
+}
+
+TEST(Water, ACubeBobsWithThePeriodOfItsBuoyancy) {
+    Lake scene(500, 0.02);
+    scene.add(blockGrid({10, 10, 10}, 1), {0.0, -0.3, 0.0}, false);
+    scene.load();
+    std::vector<double> rises;  // times at which it passes its rest upward
+    double before = scene.center(0).y;
+    for (int i = 0; i < 1200 && rises.size() < 6; ++i) {
+        scene.step();
+        const double now = scene.center(0).y;
+        if (before < 0.0 && now >= 0.0) rises.push_back((i + 1 - now / (now - before)) / 60.0);
+        before = now;
+    }
+    ASSERT_EQ(rises.size(), 6u);
+    const double period = (rises.back() - rises.front()) / 5.0, expected = 2.0 * 3.14159265 * std::sqrt(500.0 / (1000.0 * 9.81));
+    EXPECT_NEAR(period, expected, 0.03 * expected);
+}
+
+TEST(Water, NothingRisesHigherThanItFellFrom) {
+    for (const double drag : {0.0, 0.1, 1.5, 1000.0}) {
+        Lake scene(400, drag);
+        scene.add(blockGrid({5, 5, 5}, 1), {0.0, 1.0, 0.0}, false);
+        scene.load();
+        double before = 1.25;
+        for (int window = 0; window < 15; ++window) {
+            double highest = -1e9;
+            for (int i = 0; i < 120; ++i) {
+                scene.step();
+                if (window || i > 60) highest = std::max(highest, scene.center(0).y);
+            }
+            EXPECT_LE(highest, drag == 0.0 ? 1.27 : before + 0.002) << drag << " in window " << window;
+            before = highest;
+        }
+    }
+}
+
+TEST(Water, ALogComesToLieFlat) {
+    Lake scene(600);
+    scene.add(blockGrid({4, 40, 4}, 1), {0.0, -3.0, 0.0}, false, glm::angleAxis(0.02, glm::dvec3(0, 0, 1)));
+    scene.load();
+    scene.seconds(25.0);
+    const glm::dvec3 axis = scene.body(0).pose.rotation * glm::dvec3(0, 1, 0);
+    EXPECT_LT(std::abs(axis.y), 0.05);
+    EXPECT_NEAR(scene.center(0).y, 0.0, 0.15);
+}
+
+TEST(Water, WhatIsDenserSinksAtItsTerminalVelocity) {
+    Lake scene(2000, 3.0);
+    scene.add(blockGrid({6, 6, 6}, 1), {0.0, -2.0, 0.0}, false);
+    scene.load();
+    scene.seconds(4.0);
+    // m g = rho V g + drag rho V v
+    const double expected = (2000.0 / 1000.0 - 1.0) * 9.81 / 3.0;
+    EXPECT_NEAR(-scene.body(0).velocity.y, expected, 0.01 * expected);
+}
+
+TEST(Water, TheLightestDoesNotJitter) {
+    Lake scene(30);
+    scene.add(blockGrid({8, 1, 8}, 1), {0.0, 0.3, 0.0}, false);
+    scene.add(blockGrid({1, 1, 1}, 1), {5.0, 0.3, 0.0}, false);
+    scene.load();
+    scene.seconds(5.0);
+    for (int i = 0; i < 120; ++i) {
+        scene.step();
+        EXPECT_LT(scene.speed(0), 0.05);
+        EXPECT_LT(scene.speed(1), 0.05);
+    }
+}
+
+TEST(Water, AFlowTakesThingsAlongAndItsEndLetsThemFall) {
+    Lake scene(500);
+    scene.level.waters[0].flow = {0.8, 0.0, 0.0};
+    scene.level.waters[0].depth = 2.0;
+    scene.add(blockGrid({5, 5, 5}, 1), {40.0, -0.25, 0.0}, false);
+    scene.load();
+    scene.seconds(5.0);
+    EXPECT_NEAR(scene.body(0).velocity.x, 0.8, 0.05);
+    scene.seconds(15.0);
+    EXPECT_LT(scene.center(0).y, -2.0) << "the water ends at x = 50, and there is no ground";
+}
+
+TEST(Water, WhatFloatedFallsWhenTheWaterGoes) {
+    Lake scene(500);
+    scene.add(blockGrid({5, 5, 5}, 1), {0.0, -0.25, 0.0}, false);
+    scene.load();
+    scene.seconds(10.0);
+    ASSERT_TRUE(scene.body(0).asleep);
+    scene.physics.apply(scene.world.applyEdits({RemoveWaterEdit{scene.world.waters().handleAt(0)}}), scene.world);
+    scene.seconds(1.0);
+    EXPECT_LT(scene.center(0).y, -2.0);
+}
+
+TEST(Water, FiresInItGoOut) {
+    Lake scene(500);
+    scene.addFloor(7, {0.0, -1.0, 0.0});
+    scene.add(blockGrid({10, 10, 10}, 5), {0.0, -0.5, 0.0}, true);
+    scene.load();
+    scene.physics.apply(scene.world.applyEdits({spawnFire({0.5, 0.5, 0.5}, 1.0), spawnFire({0.5, -0.5, 0.5}, 1.0)}), scene.world);
+    for (int i = 0; i < 30; ++i) scene.world.applyEdits({});
+    const std::vector<Fire> fires = scene.world.fires();
+    EXPECT_FALSE(fires.empty());
+    for (const Fire& fire : fires) EXPECT_GT(fire.position.y, 0.0);
+}
+
+}  // namespace
+}  // namespace rubble
