@@ -236,6 +236,14 @@ void fields(A& a, Is<JointSpring> auto& spring) {
     a("damping_ratio", spring.dampingRatio);
 }
 template <class A>
+void fields(A& a, Is<WheelSettings> auto& wheel) {
+    a("drive_torque", wheel.driveTorque);
+    a("top_spin", wheel.topSpin);
+    a("brake_torque", wheel.brakeTorque);
+    a("steer_angle", wheel.steerAngle);
+    a("steer_rate", wheel.steerRate);
+}
+template <class A>
 void fields(A& a, Is<RopeSettings> auto& rope) {
     a("length", rope.length);
     a("slack", rope.slack);
@@ -268,6 +276,7 @@ void fields(A& a, Is<Joint> auto& joint) {
     a("break_force", joint.breakForce);
     a("break_torque", joint.breakTorque);
     a("steer", joint.steer);
+    a("wheel", joint.wheel);
     a("hand", joint.hand);
     a("rope", joint.rope);
     a("points", joint.points);

@@ -306,6 +306,13 @@ void fields(A& a, Is<SetJointMotorEdit> auto& edit) {
     a("steer", edit.steer);
 }
 template <class A>
+void fields(A& a, Is<DriveEdit> auto& edit) {
+    a("body", edit.body);
+    a("throttle", edit.throttle);
+    a("steer", edit.steer);
+    a("brake", edit.brake);
+}
+template <class A>
 void fields(A& a, Is<DetachJointEdit> auto& edit) {
     a("joint", edit.joint);
     a("shape", edit.shape);

@@ -31,6 +31,7 @@ std::vector<Material> makeDefaults() {
         {"unphysical",   Unphysical,     0,  0,      0,        0,      0,     0,     0,     0,     0,    "none",     false, false, false, false},
         {"snow",         Soft,         200,  0.01e6f,0.05e6f,  0.01e6f,0.30f, 0.00f, 2090,  0,     0,    "crumble",  true, true, true, true},
         {"wire",         Soft,        8900,  220e6f, 220e6f,   125e6f, 0.45f, 0.10f, 385,   0,     0,    "tear",     true, true, true, true},
+        {"rubber",       Soft,        1100,  15e6f,  30e6f,    10e6f,  1.00f, 0.30f, 1900,  620,   25,   "chunk",    true, true, true, true},
     };
     // clang-format on
 }

@@ -159,7 +159,7 @@ struct PlaceCharacterEdit {
 using Edit = std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit,
                           BreakEdit, SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit, StrikeEdit, SetCollisionEdit, AddWaterEdit,
                           RemoveWaterEdit, AddTriggerEdit, RemoveTriggerEdit, AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit,
-                          PlaceCharacterEdit, AddJointEdit, RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit>;
+                          PlaceCharacterEdit, AddJointEdit, RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit>;
 using Edits = std::vector<Edit>;
 
 /// Where a host leaves edits for the next step. [main-thread]

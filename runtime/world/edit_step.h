@@ -162,6 +162,7 @@ private:
     void apply(const RemoveJointEdit& edit);
     void apply(const SetJointMotorEdit& edit);
     void apply(const DetachJointEdit& edit);
+    void apply(const DriveEdit& edit);
     void apply(const GrabEdit& edit);
     void apply(const ReleaseEdit& edit);
     void breakJoint(JointHandle handle, JointBreak reason, glm::dvec3 position);

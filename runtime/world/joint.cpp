@@ -34,7 +34,8 @@ std::string jointError(const Joint& joint) {
     if (!isWithin(joint.limits.low, -kMost, kMost) || !isWithin(joint.limits.high, joint.limits.low, kMost)) return "its limits are not low to high";
     if (!isWithin(joint.motor.target, -kMost, kMost) || !isWithin(joint.steer, -kMost, kMost)) return "its target is no finite number";
     for (const double value : {joint.motor.mostForce, joint.spring.hertz, joint.spring.dampingRatio, joint.friction, joint.mostForce,
-                               joint.breakForce, joint.breakTorque, joint.rope.length, joint.rope.slack, joint.rope.stretch, joint.rope.strength})
+                               joint.breakForce, joint.breakTorque, joint.rope.length, joint.rope.slack, joint.rope.stretch, joint.rope.strength,
+                               joint.wheel.driveTorque, joint.wheel.topSpin, joint.wheel.brakeTorque, joint.wheel.steerAngle, joint.wheel.steerRate})
         if (!isWithin(value, 0.0, kMost)) return "a force, length or rate is not 0 or more";
     if (joint.kind != JointKind::Rope) return joint.points.empty() ? "" : "only ropes have points";
     if (joint.rope.points == 1 || joint.rope.points > kMaxRopePoints) return "a rope has 2 to 256 points";
@@ -55,6 +56,8 @@ uint64_t hashJoint(const Joint& joint, uint64_t seed) {
                                joint.spring.dampingRatio, joint.friction, joint.mostForce, joint.breakForce, joint.breakTorque, joint.steer,
                                joint.rope.length, joint.rope.radius, joint.rope.massPerMetre, joint.rope.stretch, joint.rope.strength})
         hash = hashValue(value, hash);
+    static_assert(sizeof(WheelSettings) == 5 * sizeof(double), "hashed as bytes");
+    hash = hashBytes(&joint.wheel, sizeof joint.wheel, hash);
     return hashValue(uint64_t(joint.rope.points) << 16 | uint64_t(joint.limits.on) << 8 | uint64_t(joint.motor.mode), hash);
 }
 

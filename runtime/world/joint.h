@@ -18,7 +18,8 @@ enum class JointKind : uint8_t {
     Cone,       ///< one point in common, and the axes at most limits.high radians apart
     Fixed,      ///< as if one
     Rope,       ///< a chain of points between the ends
-    Wheel,      ///< end 0: a chassis, end 1: a wheel. It travels along y of end 0's frame and spins about its own x
+    Wheel,      ///< end 0: a chassis, end 1: a wheel. It travels along y of end 0's frame, up, and spins about its own x, which points left:
+                ///< then spinning forward drives forward and steering by a positive angle turns left
 };
 
 /// What a joint is fixed to: a voxel of a shape, or the world. It goes with that voxel into whatever piece has it.
@@ -53,6 +54,15 @@ struct JointSpring {
     double dampingRatio = 1.0;
 };
 
+/// What a wheel can do for the vehicle that it is on: see DriveEdit.
+struct WheelSettings {
+    double driveTorque = 0.0;  ///< N m; 0: it only rolls
+    double topSpin = 60.0;     ///< rad/s, forward; backward half of it
+    double brakeTorque = 0.0;  ///< N m
+    double steerAngle = 0.0;   ///< radians either way; 0: it does not steer
+    double steerRate = 2.0;    ///< rad/s at which it turns there
+};
+
 struct RopeSettings {
     double length = 0.0;                       ///< metres; 0: from end to end when it is made, and `slack` more
     double slack = 0.0;                        ///< metres
@@ -81,7 +91,8 @@ struct Joint {
     double mostForce = 0.0;                      ///< N that it pulls with, and no more; 0: any
     double breakForce = 0.0, breakTorque = 0.0;  ///< N and N m over a step at which it breaks; 0: never
     double steer = 0.0;                          ///< of a wheel: radians about y
-    uint32_t hand = 0;                           ///< not 0: a grab, by hand - 1; see GrabEdit
+    WheelSettings wheel;
+    uint32_t hand = 0;  ///< not 0: a grab, by hand - 1; see GrabEdit
     RopeSettings rope;
     std::vector<RopePoint> points;  ///< of a rope, from end 0 to end 1
 };

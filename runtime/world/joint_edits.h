@@ -29,6 +29,15 @@ struct SetJointMotorEdit {
     double steer = 0.0;
 };
 
+/// Drives a vehicle: any body that has wheels (JointKind::Wheel) at its end 0. Each wheel does what its WheelSettings let it; what broke off
+/// takes its wheels along, and they are driven no more. Holds until the next one.
+struct DriveEdit {
+    BodyHandle body;
+    double throttle = 0.0;  ///< -1 (back) to 1
+    double steer = 0.0;     ///< -1 (right) to 1
+    double brake = 0.0;     ///< 0 to 1
+};
+
 /// Lets a rope's end on a shape go loose. Other joints are removed.
 struct DetachJointEdit {
     JointHandle joint;

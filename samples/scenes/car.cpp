@@ -1,5 +1,6 @@
 #include "samples/scenes/car.h"
 
+#include "samples/scenes/placement.h"
 #include "samples/scenes/recipes.h"
 
 namespace rubble::scenes {
@@ -22,14 +23,20 @@ struct CarSwatches {
     Swatch paint, seam, black, tyre, steel, iron, glass, seat, head, tail, plate, rust;
 };
 
-void drawWheels(Canvas& c, const CarSwatches& s, std::initializer_list<int> places, int width) {
+void drawArches(Canvas& c, std::initializer_list<int> places, int width) {
     for (int x : places)
-        for (int z : {0, width - 3}) {
-            // The arch, then the tyre and its rim; an axle stub ties the wheel to the floor.
+        for (int z : {0, width - 3})
             c.fill({x - 5, 1, z}, {x + 5, 9, z + 3}, [&](ivec3 cell) {
                 const int dx = 2 * cell.x + 1 - 2 * x, dy = 2 * cell.y + 1 - 8;
                 return dx * dx + dy * dy <= 86 ? uint8_t(0) : c.at(cell);
             });
+}
+
+/// Wheels that stand still; an axle ties them to the floor.
+void drawWheels(Canvas& c, const CarSwatches& s, std::initializer_list<int> places, int width) {
+    drawArches(c, places, width);
+    for (int x : places)
+        for (int z : {0, width - 3}) {
             c.ring(2, z, z + 3, {2 * x, 8, 0}, 4, 8, s.tyre);
             c.ring(2, z, z + 3, {2 * x, 8, 0}, -1, 4, s.steel);
         }
@@ -64,10 +71,9 @@ void drawSeats(Canvas& c, const CarSwatches& s, std::initializer_list<int> rows,
         }
 }
 
-}  // namespace
+constexpr int kLength = 42, kWidth = 18, kRearAxle = 8, kFrontAxle = 33;  // of the saloon, cells
 
-LevelShape makeCar(std::string name, const Recipe& paint) {
-    constexpr int kLength = 42, kWidth = 18;
+LevelShape makeSaloon(std::string name, const Recipe& paint, bool hasWheels) {
     Canvas c({kLength, 15, kWidth});
     const CarSwatches s(c, paint);
     c.box({1, 2, 0}, {kLength - 1, 9, kWidth}, s.paint);
@@ -84,7 +90,12 @@ LevelShape makeCar(std::string name, const Recipe& paint) {
     c.box({29, 6, 1}, {31, 8, kWidth - 1}, s.black);  // dashboard
     c.box({28, 8, 4}, {29, 10, 8}, s.black);          // wheel
     c.box({28, 7, 5}, {29, 8, 7}, s.black);
-    drawWheels(c, s, {8, 33}, kWidth);
+    if (hasWheels) {
+        drawWheels(c, s, {kRearAxle, kFrontAxle}, kWidth);
+    } else {
+        drawArches(c, {kRearAxle, kFrontAxle}, kWidth);
+        for (int x : {kRearAxle, kFrontAxle}) c.box({x - 1, 3, 3}, {x + 1, 5, kWidth - 3}, s.iron);
+    }
     for (int z : {1, kWidth - 5}) {
         c.box({kLength - 1, 5, z}, {kLength, 7, z + 4}, s.head);
         c.box({0, 5, z}, {1, 7, z + 4}, s.tail);
@@ -97,8 +108,53 @@ LevelShape makeCar(std::string name, const Recipe& paint) {
         for (int x : {20, 28}) c.box({x, 7, z}, {x + 2, 8, z + 1}, s.steel);
     }
     c.stain({1, 2, 0}, {kLength - 1, 4, kWidth}, s.rust, 8);
-    c.dropLoose();
+    if (hasWheels) c.dropLoose();
     return c.finish(std::move(name));
+}
+
+/// A tyre on a rim, its axle along z, in voxels of half the size, so that it rolls.
+LevelShape makeWheel(std::string name) {
+    constexpr int kAcross = 16, kWide = 5;
+    Canvas c({kAcross, kAcross, kWide});
+    const Swatch rubber = c.mix(kRubber), rim = c.mix(kSteel), hub = c.mix(kDarkSteel);
+    c.ring(2, 0, kWide, {kAcross, kAcross, 0}, 10, kAcross, rubber);
+    c.ring(2, 1, kWide - 1, {kAcross, kAcross, 0}, 4, 10, rim);
+    c.ring(2, 0, kWide, {kAcross, kAcross, 0}, -1, 4, hub);
+    LevelShape shape = c.finish(std::move(name));
+    shape.voxelSize = float(0.5 * kVoxel);
+    return shape;
+}
+
+}  // namespace
+
+LevelShape makeCar(std::string name, const Recipe& paint) {
+    return makeSaloon(std::move(name), paint, true);
+}
+
+size_t addDrivenCar(Level& level, const std::string& name, const Recipe& paint, ivec3 cell, double throttle) {
+    constexpr double kHalf = 0.70710678118654752, kRadius = 0.4, kWide = 0.25;
+    constexpr glm::dquat kLeftward(kHalf, 0.0, kHalf, 0.0);  // x becomes -z: the left of what looks along +x
+    const size_t place = level.bodies.size();
+    addLoose(level, makeSaloon(name, paint, false), cell);
+    const Pose car = level.bodies.back().pose;
+    for (const int x : {kRearAxle, kFrontAxle})
+        for (const bool isLeft : {true, false}) {
+            const std::string wheelName = name + (x == kFrontAxle ? " front " : " rear ") + (isLeft ? "left" : "right");
+            const glm::dvec3 hub(x * kVoxel, kRadius, isLeft ? 0.5 * kWide : kWidth * kVoxel - 0.5 * kWide);
+            const glm::dvec3 middle(kRadius, kRadius, 0.5 * kWide);
+            LevelBody wheel{.name = wheelName, .pose = {car.position + hub - middle}, .isStatic = false};
+            wheel.shapes.push_back(makeWheel(wheelName));
+            level.bodies.push_back(std::move(wheel));
+            LevelJoint axle{{.name = wheelName, .kind = JointKind::Wheel}, {name, wheelName}};
+            axle.joint.ends[0] = {.frame = {hub, kLeftward}, .radius = 0.4};
+            axle.joint.ends[1] = {.frame = {middle, kLeftward}};
+            axle.joint.limits = {true, -0.12, 0.12};
+            axle.joint.spring = {3.0, 0.7};
+            axle.joint.wheel = {.driveTorque = 9e3, .topSpin = 45.0, .brakeTorque = 12e3, .steerAngle = x == kFrontAxle ? 0.5 : 0.0};
+            if (throttle != 0.0) axle.joint.motor = {MotorMode::Speed, axle.joint.wheel.topSpin, throttle * axle.joint.wheel.driveTorque};
+            level.joints.push_back(std::move(axle));
+        }
+    return place;
 }
 
 LevelShape makeVan(std::string name, const Recipe& paint) {

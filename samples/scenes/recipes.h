@@ -74,6 +74,7 @@ inline constexpr Recipe kCopperPipe{"metal", {0xa86a45, 0x9c6040}, 110, 220, 60}
 inline constexpr Recipe kWire{"plastic", {0x2f2f33}, 180, 0, 10, 255, 0};
 inline constexpr Recipe kGlass{"glass", {0xdfeeee, 0xd6e8e8}, 12, 0, 16, 40, 0};
 inline constexpr Recipe kTyre{"plastic", {0x2b2b2d, 0x303032}, 235, 0, 10, 255, 3};
+inline constexpr Recipe kRubber{"rubber", {0x2b2b2d, 0x303032}, 235, 0, 10, 255, 3};
 inline constexpr Recipe kPlasticBlack{"plastic", {0x2e2f31, 0x343538}, 170, 0, 12, 255, 3};
 inline constexpr Recipe kPlasticGrey{"plastic", {0x7c7f82, 0x85888b}, 170, 0, 12, 255, 3};
 inline constexpr Recipe kPlasticGreen{"plastic", {0x2f6b45, 0x2b633f}, 150, 0, 12, 255, 3};

@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include "tests/runtime/world/worlds.h"
+
+namespace rubble {
+namespace {
+
+using namespace test;
+
+VoxelGrid block(glm::ivec3 size) {
+    VoxelGrid grid(size);
+    GridWriter writer(grid);
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) writer.set({x, y, z}, 1);
+    return grid;
+}
+
+/// A chassis of 20 x 2 x 4 cells with a wheel below each end; the front one, at +x, drives and steers, both brake.
+Level cart() {
+    Level level = oneShapeLevel(block({20, 2, 4}), false, {{0.0, 1.0, 0.0}});
+    for (int i = 0; i < 2; ++i) {
+        LevelBody wheel{.name = "wheel", .isStatic = false};
+        wheel.shapes.push_back(levelShape(i ? "front" : "back", block({2, 2, 2})));
+        wheel.pose.position = {i ? 1.7 : 0.1, 0.75, 0.1};
+        level.bodies.push_back(wheel);
+        LevelJoint joint{{.name = "axle", .kind = JointKind::Wheel}, {"shape", i ? "front" : "back"}};
+        joint.joint.ends[0].frame.position = {i ? 1.8 : 0.2, 0.0, 0.2};
+        joint.joint.ends[1].frame.position = {0.1, 0.1, 0.1};
+        joint.joint.wheel = {.driveTorque = i ? 200.0 : 0.0, .topSpin = 40.0, .brakeTorque = 500.0, .steerAngle = i ? 0.5 : 0.0, .steerRate = 3.0};
+        level.joints.push_back(joint);
+    }
+    return level;
+}
+
+struct Cart {
+    World world;
+    BodyHandle body;
+    Cart() {
+        world.load(cart());
+        world.applyEdits({});
+        body = world.shapes().at(wheel(1).ends[0].shape).body;
+    }
+    const Joint& wheel(uint32_t i) const { return world.joints().at(world.joints().handleAt(i)); }
+    size_t drive(double throttle, double steer, double brake) {
+        return world.applyEdits({DriveEdit{body, throttle, steer, brake}}).jointsChanged.size();
+    }
+};
+
+TEST(Drive, EachWheelDoesWhatItCan) {
+    Cart cart;
+    cart.drive(0.5, 0.0, 0.0);
+    EXPECT_EQ(cart.wheel(0).motor.mode, MotorMode::Off);
+    EXPECT_EQ(cart.wheel(1).motor.mode, MotorMode::Speed);
+    EXPECT_EQ(cart.wheel(1).motor.target, 40.0);
+    EXPECT_EQ(cart.wheel(1).motor.mostForce, 100.0);
+    cart.drive(-1.0, 0.0, 0.0);
+    EXPECT_EQ(cart.wheel(1).motor.target, -20.0);
+    cart.drive(0.0, 0.0, 1.0);
+    EXPECT_EQ(cart.wheel(1).motor.mode, MotorMode::Off);
+    for (uint32_t i = 0; i < 2; ++i) EXPECT_NEAR(cart.wheel(i).friction, 500.0, 10.0);
+}
+
+TEST(Drive, SteersAtItsRateAndOnlyWhatSteers) {
+    Cart cart;
+    int steps = 0;
+    for (; cart.wheel(1).steer < 0.5 - 1e-9 && steps < 100; ++steps) cart.drive(0.0, 1.0, 0.0);
+    EXPECT_EQ(steps, 10);  // 0.5 rad at 3 rad/s
+    cart.drive(0.0, 1.0, 0.0);
+    EXPECT_EQ(cart.wheel(1).steer, 0.5);
+    EXPECT_EQ(cart.wheel(0).steer, 0.0);
+    EXPECT_EQ(cart.drive(0.0, 1.0, 0.0), 0u) << "nothing changes, nothing wakes";
+}
+
+TEST(Drive, WhatBrokeOffTakesItsWheelsAlong) {
+    Cart cart;
+    const FrameChanges cut = cart.world.applyEdits({sphereCarve(cart.world.bodies().at(cart.body).pose.transformPoint({1.0, 0.1, 0.2}), 0.35)});
+    ASSERT_EQ(cut.splits.size(), 1u);
+    const BodyHandle front = cart.world.shapes().at(cart.wheel(1).ends[0].shape).body,
+                     back = cart.world.shapes().at(cart.wheel(0).ends[0].shape).body;
+    ASSERT_NE(front, back);
+    cart.body = back;
+    cart.drive(1.0, 0.0, 0.0);
+    EXPECT_EQ(cart.wheel(1).motor.mode, MotorMode::Off);
+    cart.body = front;
+    cart.drive(1.0, 0.0, 0.0);
+    EXPECT_EQ(cart.wheel(1).motor.mode, MotorMode::Speed);
+}
+
+TEST(Drive, NonsenseIsRefused) {
+    Cart cart;
+    EXPECT_EQ(cart.drive(2.0, 0.0, 0.0), 0u);
+    EXPECT_EQ(cart.drive(0.0, NAN, 0.0), 0u);
+    EXPECT_EQ(cart.drive(0.0, 0.0, -1.0), 0u);
+    cart.body = BodyHandle::make(1, 99, 1);
+    EXPECT_EQ(cart.drive(1.0, 0.0, 0.0), 0u);
+    EXPECT_EQ(cart.wheel(1).motor.mode, MotorMode::Off);
+}
+
+}  // namespace
+}  // namespace rubble
