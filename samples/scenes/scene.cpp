@@ -8,7 +8,7 @@ namespace rubble {
 std::span<const Scene> allScenes() {
     using namespace scenes;
     static const std::array list = {towerScene(),   bridgeScene(), fireScene(),   wallScene(),  paneScene(),      lampsScene(), dominoesScene(),
-                                    cratersScene(), crushScene(),  gardenScene(), craneScene(), dominoRunScene(), raftScene()};
+                                    cratersScene(), crushScene(),  gardenScene(), craneScene(), dominoRunScene(), raftScene(),  driveScene()};
     return list;
 }
 

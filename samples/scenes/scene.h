@@ -41,6 +41,7 @@ Scene gardenScene();
 Scene craneScene();
 Scene dominoRunScene();
 Scene raftScene();
+Scene driveScene();
 }  // namespace scenes
 
 }  // namespace rubble
