@@ -149,8 +149,8 @@ size_t addDrivenCar(Level& level, const std::string& name, const Recipe& paint, 
             axle.joint.ends[0] = {.frame = {hub, kLeftward}, .radius = 0.4};
             axle.joint.ends[1] = {.frame = {middle, kLeftward}};
             axle.joint.limits = {true, -0.12, 0.12};
-            axle.joint.spring = {3.0, 0.7};
-            axle.joint.wheel = {.driveTorque = 9e3, .topSpin = 45.0, .brakeTorque = 12e3, .steerAngle = x == kFrontAxle ? 0.5 : 0.0};
+            axle.joint.spring = {8.0, 0.6};  // of a wheel on what it bears: its own weight against the car
+            axle.joint.wheel = {.driveTorque = 16e3, .topSpin = 45.0, .brakeTorque = 12e3, .steerAngle = x == kFrontAxle ? 0.5 : 0.0};
             if (throttle != 0.0) axle.joint.motor = {MotorMode::Speed, axle.joint.wheel.topSpin, throttle * axle.joint.wheel.driveTorque};
             level.joints.push_back(std::move(axle));
         }

@@ -64,6 +64,7 @@ Scene driveScene() {
     Scene scene{"drive", "a car drives through a house", driveLevel, driveScript, driveCamera};
     scene.verticalFov = 0.75f;
     scene.steps = 540;
+    scene.settings.impactThreshold = 8000.0;  // what a tyre rolls over breaks nothing, fifteen tonnes in a wall do
     scene.settings.impactRadius = 0.4;
     scene.settings.impactRadiusLimit = 1.4;
     scene.settings.load.on = true;
