@@ -78,8 +78,8 @@ Level raftLevel(uint64_t seed) {
     for (LevelBody& body : level.bodies)
         if (!body.isStatic) body.velocity.y = -0.1f;  // what is in the water must not sleep there
     addLoose(level, makeBench("bench"), {150, 0, 258});
-    addTree(level, "tree", {286, 0, 120}, 80, kLeaves, seed + 3);
-    addTree(level, "tree 2", {34, 0, 150}, 70, kLeavesAutumn, seed + 4);
+    addTree(level, "bank tree 1", {286, 0, 120}, 80, kLeaves, seed + 3);
+    addTree(level, "bank tree 2", {34, 0, 150}, 70, kLeavesAutumn, seed + 4);
     return level;
 }
 

@@ -142,7 +142,9 @@ TEST(Joint, ARopeIsLaidFromEndToEndAndHangsOnWhenAnEndGoes) {
     const JointHandle rope = firstJoint(world);
     EXPECT_NEAR(world.joints().at(rope).rope.length, 1.953, 0.01);
     EXPECT_EQ(world.joints().at(rope).points.size(), 6u);
-    const FrameChanges changes = world.applyEdits({sphereCarve({3.0, 1.05, 0.05}, 0.06)});
+    CarveEdit carve = sphereCarve({3.0, 1.05, 0.05}, 0.06);
+    carve.shape = world.joints().at(rope).ends[0].shape;  // and not the rope
+    const FrameChanges changes = world.applyEdits({carve});
     EXPECT_TRUE(changes.jointsBroken.empty());
     EXPECT_EQ(changes.jointsChanged, std::vector<JointHandle>{rope});
     EXPECT_TRUE(world.joints().at(rope).ends[0].isLoose);
