@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "runtime/core/log.h"
 #include "tests/tradeoff/destruction.h"
 #include "tests/tradeoff/physics.h"
 
@@ -61,6 +62,7 @@ int main(int argc, char** argv) {
     app.add_flag("--publish", publish, "physics: write OPERATING_ENVELOPE.md");
     app.add_option("--feature-scene", scene)->group("");  // this program under valgrind
     CLI11_PARSE(app, argc, argv);
+    rubble::setLogSink([](void*, rubble::LogLevel, std::string_view) {}, nullptr);  // what is pushed until it fails has much to say
     if (!scene.empty()) return runFeatureScene(scene) ? 0 : 1;
 
     std::error_code ignored;

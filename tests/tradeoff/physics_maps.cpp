@@ -25,7 +25,7 @@ Judged judge(double value, double stable, double degraded, const std::string& te
 struct Map {
     const char *name, *title, *criterion;
     const char *xLabel, *xUnit;
-    std::vector<double> pushed, pushedFull;  ///< ascending; Full: beyond those, with --full
+    std::vector<double> pushed, pushedFull;  ///< from easy to hard; Full: beyond those, with --full
     const char* yLabel;
     std::vector<std::string> rows;
     std::function<Judged(double x, size_t row, bool full)> look;
@@ -139,8 +139,8 @@ std::vector<Map> maps() {
          "sinks by less than 1 cm in 10 s; degraded: half a voxel",
          "substeps",
          "substeps",
-         {1, 2, 4, 8, 16},
-         {32},
+         {16, 8, 4, 2, 1},
+         {},
          "times as heavy",
          namesOf(ratios),
          [ratios](double substeps, size_t row, bool) {
@@ -224,12 +224,13 @@ std::vector<Map> maps() {
 /// How far a row holds: "stable up to 20 cubes, fails at 40".
 std::string reach(const Map& map, const std::vector<double>& xs, const std::vector<Judged>& row) {
     const auto value = [&](size_t i) { return fmt::format("{:g} {}", xs[i], map.xUnit); };
+    const std::string upTo = xs.front() < xs.back() ? "stable up to " : "stable down to ";
     size_t stable = 0;
     while (stable < row.size() && row[stable].outcome == Outcome::Stable) ++stable;
     const auto failed = std::find_if(row.begin(), row.end(), [](const Judged& each) { return each.outcome == Outcome::Failed; });
-    if (stable == row.size()) return "stable up to " + value(stable - 1) + ", the most that was tried";
+    if (stable == row.size()) return upTo + value(stable - 1) + ", the most that was tried";
     const std::string fails = failed == row.end() ? ", nowhere fails" : ", fails at " + value(size_t(failed - row.begin()));
-    return (stable ? "stable up to " + value(stable - 1) : "nowhere stable from " + value(0) + " on") + fails;
+    return (stable ? upTo + value(stable - 1) : "nowhere stable from " + value(0) + " on") + fails;
 }
 
 Table draw(const Options& options, const Map& map) {

@@ -173,7 +173,7 @@ double unrest(const PhysicsSettings& settings, double voxelSize, glm::ivec3 size
         body.shapes[0].voxelSize = float(voxelSize);
     }
     scene.load();
-    scene.seconds(6.0);
+    scene.seconds(6.0 * std::max(1.0, std::sqrt(voxelSize * 9.81 / gravity)));  // large things fall slowly
     double fastest = 0.0;
     for (int i = 0; i < 60; ++i) {
         scene.step();
