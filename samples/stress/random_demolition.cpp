@@ -82,8 +82,8 @@ Level makeStressLevel(uint64_t seed) {
 WorldSettings stressSettings() {
     WorldSettings settings;
     settings.load.on = true;
-    settings.debris.awakeBodies = 150;
-    settings.debris.bodies = 600;
+    settings.debris.awakeBodies = 80;
+    settings.debris.bodies = 400;
     return settings;
 }
 

@@ -9,17 +9,19 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 #include <thread>
 
 #include "runtime/assets/recording_file.h"
-#include "runtime/plugin/frame_loop.h"
+#include "samples/stress/mechanical_energy.h"
 #include "samples/stress/random_demolition.h"
 
 namespace rubble {
 namespace {
 
 constexpr int kHashEvery = 60;
-constexpr double kGainAllowed = 0.01, kGainOfAnyRound = 1e3;  ///< of what contacts and friction take; J: what overlaps is pushed apart
+/// Joules that may come from nothing, as a share of what contacts and friction take: what a cut left overlapping is pushed apart.
+constexpr double kGainAllowed = 1e-3;
 
 /// As a host might supply it at its simplest.
 ParallelFor threadsFor(int count) {
@@ -31,15 +33,6 @@ ParallelFor threadsFor(int count) {
                 for (size_t i = size_t(t); i < items; i += size_t(count)) body(i);
             });
     };
-}
-
-FrameLoopSettings loopSettings(int threads) {
-    FrameLoopSettings settings;
-    settings.publish = settings.shadowVolume = false;
-    settings.shadow = ShadowWorker::Mode::Inline;
-    settings.particles.most = 0;
-    settings.physics.parallelFor = threadsFor(threads);
-    return settings;
 }
 
 /// "" if all is well, else what is wrong.
@@ -57,7 +50,7 @@ std::string whatIsWrong(const World& world) {
 
 /// The recording again, from its save and its edits: every step must come to the hash that it had.
 std::string replayed(const std::string& path) {
-    FrameLoop loop(loopSettings(1));
+    FrameLoop loop(stressLoop(1));
     Result<Recording> recording = readRecording(path, loop.world().id());
     if (!recording) return recording.error();
     loop.load(recording->start);
@@ -68,19 +61,11 @@ std::string replayed(const std::string& path) {
     return {};
 }
 
-size_t residentBytes() {
-    std::ifstream file("/proc/self/statm");
-    size_t all = 0, resident = 0;
-    file >> all >> resident;
-    return resident * size_t(sysconf(_SC_PAGESIZE));
-}
-
 /// A recording in a file that goes with it.
 class RecordedPart {
 public:
     explicit RecordedPart(const Round& round)
-        : m_path((std::filesystem::temp_directory_path() / fmt::format("rubble_stress_{}_{}_{}.rubblelog", getpid(), round.number, round.threads))
-                     .string()),
+        : m_path((std::filesystem::temp_directory_path() / fmt::format("rubble_stress_{}_{}.rubblelog", getpid(), round.number)).string()),
           m_from(round.recordedSteps ? round.steps / 2 : -1),
           m_to(m_from + round.recordedSteps) {}
     ~RecordedPart() { std::remove(m_path.c_str()); }
@@ -100,10 +85,33 @@ private:
     int m_from, m_to;
 };
 
-void play(const Round& round, RoundResult& result, const std::function<void()>& advanced) {
-    FrameLoop loop(loopSettings(round.threads));
+void noteTimes(std::vector<double> ms, RoundResult& result) {
+    if (ms.empty()) return;
+    std::sort(ms.begin(), ms.end());
+    result.meanMs = std::accumulate(ms.begin(), ms.end(), 0.0) / double(ms.size());
+    result.medianMs = ms[ms.size() / 2], result.p99Ms = ms[ms.size() * 99 / 100], result.worstMs = ms.back();
+}
+
+}  // namespace
+
+FrameLoopSettings stressLoop(int threads) {
+    FrameLoopSettings settings;
+    settings.publish = settings.shadowVolume = false;
+    settings.shadow = ShadowWorker::Mode::Inline;
+    settings.particles.most = 0;
+    settings.physics.parallelFor = threadsFor(threads);
+    return settings;
+}
+
+void loadRound(const Round& round, FrameLoop& loop) {
     loop.world().setSettings(stressSettings());
     loop.load(round.level ? *round.level : makeStressLevel(round.seed + uint64_t(round.number)));
+}
+
+RoundResult playRound(const Round& round, FrameLoop& loop, const std::function<void()>& advanced) {
+    RoundResult result;
+    std::vector<double> ms;
+    MechanicalEnergy energy;
     Random random(round.seed, 77 + uint64_t(round.number));
     RecordedPart recorded(round);
     for (int step = 0; step < round.steps && result.wrong.empty(); ++step) {
@@ -114,32 +122,44 @@ void play(const Round& round, RoundResult& result, const std::function<void()>& 
             loop.edits().push(std::move(edits));
         }
         {
-            const ScopedTimer timer(result.stepMs.emplace_back());
+            const ScopedTimer timer(ms.emplace_back());
             loop.step();
         }
-        result.energy.see(loop.world(), loop.changes());
+        energy.see(loop.world(), loop.changes());
         for (const ShapeSplit& split : loop.changes().splits) result.pieces += split.children.size();
         for (const RemovedVoxels& removed : loop.changes().removed) result.removed += removed.count;
         result.mostBodies = std::max(result.mostBodies, loop.world().bodies().size());
-        if ((step + 1) % kHashEvery == 0) result.hashes.push_back(loop.world().hash());
+        if ((step + 1) % kHashEvery == 0) {
+            result.hashes.push_back(loop.world().hash());
+            result.mostBytes = std::max(result.mostBytes, liveBytes());
+        }
         result.wrong = whatIsWrong(loop.world());
         if (!result.wrong.empty()) result.wrong = fmt::format("step {}: {}", step, result.wrong);
         advanced();
     }
+    noteTimes(std::move(ms), result);
+    result.compared = energy.stepsCompared(), result.lost = energy.lost(), result.gained = energy.gained();
+    if (result.wrong.empty() && result.gained > kGainAllowed * result.lost)
+        result.wrong = fmt::format("energy from nothing: {:.0f} J, and {:.0f} J were lost", result.gained, result.lost);
+    return result;
 }
 
-}  // namespace
-
-RoundResult playRound(const Round& round, const std::function<void()>& advanced) {
-    RoundResult result;
-    play(round, result, advanced);
-    if (result.wrong.empty() && result.energy.gained() > kGainAllowed * result.energy.lost() + kGainOfAnyRound)
-        result.wrong = fmt::format("energy from nothing: {:.0f} J of {:.0f} J that were lost", result.energy.gained(), result.energy.lost());
-    malloc_trim(0);
+size_t liveBytes() {
     const struct mallinfo2 memory = mallinfo2();
-    result.liveBytes = memory.uordblks + memory.hblkhd;
-    result.residentBytes = residentBytes();
-    return result;
+    return memory.uordblks + memory.hblkhd;
+}
+
+size_t liveBytesEmptied(FrameLoop& loop) {
+    loop.load(Level{});
+    for (int i = 0; i < 2; ++i) loop.step();  // the journal of the first says that all is gone
+    return liveBytes();
+}
+
+size_t residentBytes() {
+    std::ifstream file("/proc/self/statm");
+    size_t all = 0, resident = 0;
+    file >> all >> resident;
+    return resident * size_t(sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace rubble
