@@ -9,6 +9,8 @@ namespace {
 constexpr int kPasses = 2, kFastPasses = 8;  ///< over the normals of two bodies that meet, by how fast they do
 constexpr float kFast = 20.0f;               ///< m/s
 constexpr float kSlope = 0.3f;               ///< how far up a normal points where one body lies on the other
+constexpr float kJolt = 4.0f;                ///< m/s that the impulses of the last step may give a body before they count as out of balance
+constexpr int kBalanceRounds = 4;            ///< in which those that were held by what is out of balance follow
 constexpr double kStiffer = 4.0;             ///< times as stiff, in hertz, are contacts of what bears
 
 /// Two directions across the normal.
@@ -180,6 +182,40 @@ void ContactSolver::findBearers(glm::vec3 up, float ratio) {
     }
 }
 
+/// Where a contact has gone since the last step, what it held back would throw a light body that something heavy presses on:
+/// the impulses of its other contacts do not start from the last step then.
+void ContactSolver::dropUnbalanced(std::span<const SolverBody> bodies) {
+    for (int round = 0; round < kBalanceRounds; ++round) {
+        m_jolts.assign(bodies.size(), {});
+        for (const Range& range : m_ranges) {
+            Jolt &a = m_jolts[size_t(range.a)], &b = m_jolts[size_t(range.b)];
+            for (size_t i = range.from; i < range.to; ++i) {
+                const Constraint& c = m_constraints[i];
+                const Four impulse = c.normal * four(c.normalImpulse) + c.tangent1 * four(c.tangentImpulse1) + c.tangent2 * four(c.tangentImpulse2);
+                a.impulse += impulse, a.turn += cross(c.rA, impulse);
+                b.impulse -= impulse, b.turn -= cross(c.rB, impulse);
+            }
+        }
+        for (size_t i = 1; i < bodies.size(); ++i) {
+            const SolverState& state = m_states[i];
+            Jolt& jolt = m_jolts[i];
+            const float speed2 = dot(jolt.impulse, jolt.impulse) * state.inverseMass * state.inverseMass;
+            const float spin2 = dot(jolt.turn, FourColumns(state.inverseInertia) * jolt.turn) * state.inverseMass;
+            jolt.isTooHard = !state.isJointed && speed2 + spin2 > kJolt * kJolt;
+        }
+        bool any = false;
+        for (const Range& range : m_ranges) {
+            if (!m_jolts[size_t(range.a)].isTooHard && !m_jolts[size_t(range.b)].isTooHard) continue;
+            for (size_t i = range.from; i < range.to; ++i) {
+                Constraint& c = m_constraints[i];
+                any |= c.normalImpulse != 0.0f;
+                c.normalImpulse = c.tangentImpulse1 = c.tangentImpulse2 = 0.0f;
+            }
+        }
+        if (!any) return;
+    }
+}
+
 void ContactSolver::warmStart() {
     for (const Range& range : m_ranges) {
         SolverState &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
@@ -201,6 +237,20 @@ ContactSolver::Push ContactSolver::pushOf(const Constraint& c, const SolverState
     if (!pushApart) return {};
     const Softness& soft = c.isStiff ? m_stiff : c.isStatic ? m_softStatic : m_soft;
     return {std::max(soft.biasRate * std::min(s + m_slop, 0.0f), -m_pushSpeed), soft.massScale, soft.impulseScale};
+}
+
+/// What an impulse does after one of the two has turned. With the masses of before, a rod would be pushed more than it takes
+/// to stop it, time and again.
+void ContactSolver::turnInertia(Constraint& c, const SolverState& A, const SolverState& B) {
+    const FourColumns inertiaA(A.inverseInertia), inertiaB(B.inverseInertia);
+    c.spinA = inertiaA * c.leverA, c.spinB = inertiaB * c.leverB;
+    const float mass = A.inverseMass + B.inverseMass;
+    c.normalMass = 1.0f / (mass + dot(c.leverA, c.spinA) + dot(c.leverB, c.spinB));
+    const auto massAlong = [&](const Four& d) {
+        const Four xa = cross(c.rA, d), xb = cross(c.rB, d);
+        return 1.0f / (mass + dot(xa, inertiaA * xa) + dot(xb, inertiaB * xb));
+    };
+    c.tangentMass1 = massAlong(c.tangent1), c.tangentMass2 = massAlong(c.tangent2);
 }
 
 void ContactSolver::solveNormal(Constraint& c, const Push& push, Moving& bodies) {
@@ -234,8 +284,7 @@ void ContactSolver::solveRange(const Range& range, float inverseSeconds, bool pu
     for (size_t i = 0; i < points.size(); ++i) {
         Constraint& c = points[i];
         pushes[i] = pushOf(c, A, B, inverseSeconds, pushApart);
-        if (A.inertiaTurns) c.spinA = FourColumns(A.inverseInertia) * c.leverA;
-        if (B.inertiaTurns) c.spinB = FourColumns(B.inverseInertia) * c.leverB;
+        if (A.inertiaTurns || B.inertiaTurns) turnInertia(c, A, B);
     }
     Moving bodies(A, B);
     for (int pass = 0; pass < range.passes; ++pass)
@@ -289,6 +338,7 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     m_slop = float(settings.slop);
     prepare(bodies, manifolds, bodyOf, float(settings.seconds));
     m_joints.begin(joints, m_states);
+    dropUnbalanced(bodies);
     m_heavyPasses = settings.heavyPasses;
     m_bearing.clear();
     const double weight = glm::length(gravity);

@@ -34,6 +34,7 @@ public:
 
 private:
     void prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf, float seconds);
+    void dropUnbalanced(std::span<const SolverBody> bodies);
     void warmStart();
     void solvePasses(std::span<const SolverBody> bodies, int passes, double seconds, bool pushApart);
     void solveContacts(float inverseSeconds, bool pushApart);
@@ -69,10 +70,16 @@ private:
         size_t from, to;
         int passes;
     };
+    /// What the impulses of the last step would do to a body, all together.
+    struct Jolt {
+        Four impulse{}, turn{};
+        bool isTooHard = false;
+    };
     void findBearers(glm::vec3 up, float ratio);
     void solveRange(const Range& range, float inverseSeconds, bool pushApart);
     void addCore(const Range& range, const Constraint& fastest);
     Push pushOf(const Constraint& c, const SolverState& A, const SolverState& B, float inverseSeconds, bool pushApart) const;
+    static void turnInertia(Constraint& c, const SolverState& A, const SolverState& B);
     static void solveNormal(Constraint& c, const Push& push, Moving& bodies);
     static void solveFriction(Constraint& c, Moving& bodies);
 
@@ -80,6 +87,7 @@ private:
     JointSolver m_joints;
     std::vector<Range> m_ranges;
     std::vector<Constraint> m_constraints;
+    std::vector<Jolt> m_jolts;
     std::vector<size_t> m_bearing;    ///< ranges of bodies that bear
     std::vector<glm::dquat> m_start;  ///< rotations at the start of the step
     Softness m_soft, m_softStatic, m_stiff;

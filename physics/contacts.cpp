@@ -32,7 +32,7 @@ void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double t
     struct Hit {
         uint32_t body, other;         ///< slots; body > other unless other is static
         glm::dvec3 position, normal;  ///< weighted by impulse
-        double impulse;
+        double impulse, speed;
     };
     std::vector<Hit> hits;
     for (const Manifold* manifold : manifolds) {
@@ -46,17 +46,18 @@ void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double t
             normal += glm::dvec3(point.normal) * double(point.totalImpulse);
         }
         if (!(approach > minSpeed)) continue;
-        hits.push_back({manifold->objects.first->body, manifold->objects.second->body, position, normal, total});
+        hits.push_back({manifold->objects.first->body, manifold->objects.second->body, position, normal, total, approach});
     }
     std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return std::tie(a.body, a.other) < std::tie(b.body, b.other); });
     for (size_t i = 0; i < hits.size();) {  // several shapes of one static body are one hit
         Hit sum = hits[i++];
         for (; i < hits.size() && hits[i].body == sum.body && hits[i].other == sum.other; ++i)
-            sum.position += hits[i].position, sum.normal += hits[i].normal, sum.impulse += hits[i].impulse;
+            sum.position += hits[i].position, sum.normal += hits[i].normal, sum.impulse += hits[i].impulse,
+                sum.speed = std::max(sum.speed, hits[i].speed);
         if (sum.impulse < threshold) continue;
         const double length = glm::length(sum.normal);
         out.push_back({handles[sum.body], handles[sum.other], sum.position / sum.impulse,
-                       length > 0.0 ? sum.normal / length : glm::dvec3(0.0, 1.0, 0.0), sum.impulse});
+                       length > 0.0 ? sum.normal / length : glm::dvec3(0.0, 1.0, 0.0), sum.impulse, sum.speed});
     }
 }
 

@@ -71,7 +71,7 @@ void JointSolver::begin(std::span<JointConstraint* const> joints, std::span<Solv
         e.c = c;
         e.isInSystem = c->joint->kind != JointKind::Rope && c->joint->mostForce == 0.0 && (c->joint->spring.hertz == 0.0 || isSpringFree(*c->joint));
         c->force = c->torque = glm::dvec3(0.0);
-        for (const int body : c->bodies) states[size_t(body)].touches = true;
+        for (const int body : c->bodies) states[size_t(body)].touches = states[size_t(body)].isJointed = true;
     }
 }
 

@@ -50,7 +50,8 @@ void inherit(const Manifold& before, Manifold& now) {
     std::array<bool, kMaxManifoldPoints> taken{}, known{};
     for (int i = 0; i < now.count; ++i)
         for (int k = 0; k < before.count; ++k)
-            if (before.points[size_t(k)].feature == now.points[size_t(i)].feature) {
+            if (!taken[size_t(k)] && !known[size_t(i)] && before.points[size_t(k)].feature == now.points[size_t(i)].feature &&
+                glm::dot(before.points[size_t(k)].normal, now.points[size_t(i)].normal) > kSameDirection) {
                 now.points[size_t(i)].normalImpulse = before.points[size_t(k)].normalImpulse;
                 now.points[size_t(i)].frictionImpulse = before.points[size_t(k)].frictionImpulse;
                 taken[size_t(k)] = known[size_t(i)] = true;

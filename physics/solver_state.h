@@ -24,6 +24,7 @@ struct SolverState {
     glm::mat3 inverseInertia{0.0f};  ///< world
     bool touches = false, bears = false;
     bool inertiaTurns = false;  ///< within the step
+    bool isJointed = false;
 };
 
 /// One substep of a body's rotation. Bodies that conserve hold their angular momentum (see rotation.cpp for how); the others

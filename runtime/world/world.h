@@ -76,6 +76,7 @@ struct Impact {
     glm::dvec3 position{0.0};
     glm::dvec3 normal{0.0};  ///< the way that `body` is pushed
     double impulse = 0.0;    ///< N s
+    double speed = 0.0;      ///< m/s at which they met
 };
 
 /// Where a rope's points are, as physics hands them over.

@@ -1,0 +1,93 @@
+#include "physics/contact_solver.h"
+
+#include <gtest/gtest.h>
+
+namespace rubble {
+namespace {
+
+SolverBody body(double mass, glm::dvec3 inertia) {
+    SolverBody body;
+    body.inverseMass = 1.0 / mass;
+    body.inertia = inertia;
+    body.reach = 0.05;
+    return body;
+}
+
+double energy(const SolverBody& body) {
+    const glm::dvec3 spin = glm::conjugate(body.rotation) * body.angularVelocity;
+    return 0.5 * glm::dot(body.velocity, body.velocity) / body.inverseMass + 0.5 * glm::dot(body.inertia * spin, spin);
+}
+
+ManifoldPoint contact(glm::vec3 position, glm::vec3 normal) {
+    ManifoldPoint point;
+    point.position = position;
+    point.normal = normal;
+    point.friction = 0.5f;
+    return point;
+}
+
+TEST(ContactSolver, WhatSeventeenTonnesPressedOnDoesNotFlyOffWhenItsSupportGoes) {
+    std::vector<SolverBody> bodies = {{}, body(17e3, glm::dvec3(2e4)), body(1.5, glm::dvec3(0.01))};
+    Manifold manifold;  // the chip first; what held it from the other side is gone since the last step
+    for (const float y : {-0.05f, 0.05f}) {
+        ManifoldPoint point = contact({-0.05f, y, 0.0f}, {1, 0, 0});
+        point.normalImpulse = 1000.0f;
+        point.frictionImpulse = {0.0f, 100.0f, 0.0f};
+        manifold.points[size_t(manifold.count++)] = point;
+    }
+    Manifold* const manifolds[] = {&manifold};
+    const std::pair<int, int> bodyOf[] = {{2, 1}};
+    ContactSolver().solve(bodies, manifolds, bodyOf, {0, 0, 0}, {});
+    EXPECT_LT(glm::length(bodies[2].velocity), 0.5);
+    EXPECT_LT(glm::length(bodies[2].angularVelocity), 5.0);
+}
+
+TEST(ContactSolver, WhatBearsItsLoadGoesOnFromTheLastStep) {
+    std::vector<SolverBody> bodies = {{}, body(1.5, glm::dvec3(0.01))};
+    const double weight = 1.5 * 10.0 / 240.0;
+    Manifold manifold;
+    ManifoldPoint point = contact({0, -0.05f, 0}, {0, 1, 0});
+    point.normalImpulse = float(weight);
+    manifold.points[size_t(manifold.count++)] = point;
+    Manifold* const manifolds[] = {&manifold};
+    const std::pair<int, int> bodyOf[] = {{1, 0}};
+    SolverSettings settings;
+    settings.iterations = 0;  // nothing but what it starts with
+    ContactSolver().solve(bodies, manifolds, bodyOf, {0, -10, 0}, settings);
+    EXPECT_LT(glm::length(bodies[1].velocity), 1e-4);
+}
+
+TEST(ContactSolver, ImpulsesAreHandedOnOnce) {
+    Manifold before;
+    before.points[size_t(before.count++)] = contact({0, 0, 0}, {0, 1, 0});
+    before.points[0].feature = 7;
+    before.points[0].normalImpulse = 10.0f;
+    std::vector<ContactPoint> contacts = {contact({0, 0, 0}, {0, 1, 0}), contact({0.01f, 0, 0}, {0.1f, 0.995f, 0}), contact({0, 0, 0}, {1, 0, 0})};
+    for (ContactPoint& each : contacts) each.feature = 7;
+    Manifold now;
+    reduceContacts(contacts, &before, now);
+    float up = 0.0f, aside = 0.0f;
+    for (const ManifoldPoint& point : now.all()) (point.normal.y > 0.5f ? up : aside) += point.normalImpulse;
+    EXPECT_EQ(up, 10.0f);
+    EXPECT_EQ(aside, 0.0f) << "what pushed up says nothing of what pushes aside";
+}
+
+TEST(ContactSolver, ARodThatTurnsUnderItsContactsGainsNoEnergy) {
+    for (const double spin : {30.0, 90.0, 200.0}) {
+        std::vector<SolverBody> bodies = {{}, body(2.0, {0.0283, 0.0283, 0.0013})};
+        SolverBody& rod = bodies[1];
+        rod.conserves = true;
+        rod.angularVelocity = {5.0, spin, 0.0};
+        rod.velocity = {0, -3, 0};
+        Manifold manifold;
+        for (const float z : {-0.2f, 0.2f}) manifold.points[size_t(manifold.count++)] = contact({0.02f, -0.05f, z}, {0, 1, 0});
+        Manifold* const manifolds[] = {&manifold};
+        const std::pair<int, int> bodyOf[] = {{1, 0}};
+        const double before = energy(rod);
+        ContactSolver().solve(bodies, manifolds, bodyOf, {0, 0, 0}, {});
+        EXPECT_LE(energy(rod), 1.001 * before) << spin;
+    }
+}
+
+}  // namespace
+}  // namespace rubble
