@@ -1,6 +1,7 @@
 #include "runtime/world/break_through.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 
 #include "runtime/destruction/fragment_style.h"
@@ -12,43 +13,72 @@ namespace {
 constexpr double kContact = 0.2;  ///< metres: how far from the contact that physics reports the surface may be
 constexpr double kStepInCells = 0.5;
 
-/// What a hole goes through along a way from the side that was hit; null if it is not deep enough, or meets what stays.
-const Material* wallThrough(const World& world, const BreakEdit& hole, glm::dvec3 way) {
-    const Shape& shape = world.shapes().at(hole.shape);
-    const Pose pose = world.shapeToWorld(hole.shape);
-    const Material* wall = nullptr;
-    const double step = kStepInCells * double(shape.voxelSize);
-    for (double depth = -kContact; depth < hole.radii[0]; depth += step) {
-        const glm::dvec3 cell = pose.inversePoint(hole.position + way * depth) / double(shape.voxelSize);
-        const uint8_t entry = shape.grid.at(glm::ivec3(glm::floor(cell)));
-        if (!entry && wall) return wall;
-        if (!entry) continue;
-        const Material& material = world.materials()[(*shape.palette)[entry].material];
-        if (material.hardness > Hardness::Hard || hole.radii[size_t(material.hardness)] <= 0.0) return nullptr;
-        if (!wall || impactToughness(material) > impactToughness(*wall)) wall = &material;
+/// What a hole meets on its way, seen in columns a voxel apart across the disc that it is.
+struct Passage {
+    const Material* wall = nullptr;  ///< the toughest of it near the middle; null if something stays there, or nothing was in the way
+    double meanToughness = 0.0;      ///< over the disc: a pipe in the open stops less than a wall of pipes
+};
+
+class HoleWalk {
+public:
+    HoleWalk(const World& world, const BreakEdit& hole, glm::dvec3 way)
+        : m_world(world), m_hole(hole), m_way(way), m_shape(world.shapes().at(hole.shape)), m_pose(world.shapeToWorld(hole.shape)) {}
+
+    Passage passage() {
+        const double voxel = double(m_shape.voxelSize);
+        const glm::dvec3 u = glm::normalize(glm::cross(m_way, std::abs(m_way.y) < 0.7 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
+        const glm::dvec3 v = glm::cross(m_way, u);
+        const int across = int(m_hole.radii[0] / voxel);
+        for (int j = -across; j <= across; ++j)
+            for (int i = -across; i <= across; ++i) addColumn(u * (double(i) * voxel) + v * (double(j) * voxel));
+        if (m_stays) m_passage.wall = nullptr;
+        m_passage.meanToughness /= std::max(m_columns, 1);
+        return m_passage;
     }
-    return nullptr;
-}
+
+private:
+    void addColumn(glm::dvec3 offset) {
+        const double radius = m_hole.radii[0], out2 = glm::dot(offset, offset);
+        if (out2 > radius * radius) return;
+        ++m_columns;
+        const bool isMiddle = out2 <= kContact * kContact;
+        const Material* toughest = nullptr;
+        for (double depth = -kContact; depth < radius; depth += kStepInCells * double(m_shape.voxelSize)) {
+            const Material* material = materialAt(m_hole.position + offset + m_way * depth);
+            if (!material) {
+                if (isMiddle && toughest) break;  // out on the other side
+                continue;
+            }
+            const bool goes = material->hardness <= Hardness::Hard && out2 + depth * depth < reach2(material->hardness);
+            if (isMiddle && (!goes || depth + kStepInCells * double(m_shape.voxelSize) >= radius)) m_stays = true;
+            if (goes && (!toughest || impactToughness(*material) > impactToughness(*toughest))) toughest = material;
+        }
+        if (!toughest) return;
+        m_passage.meanToughness += impactToughness(*toughest);
+        if (isMiddle && (!m_passage.wall || impactToughness(*toughest) > impactToughness(*m_passage.wall))) m_passage.wall = toughest;
+    }
+    double reach2(Hardness hardness) const { return m_hole.radii[size_t(hardness)] * m_hole.radii[size_t(hardness)]; }
+    const Material* materialAt(glm::dvec3 point) const {
+        const uint8_t entry = m_shape.grid.at(glm::ivec3(glm::floor(m_pose.inversePoint(point) / double(m_shape.voxelSize))));
+        return entry ? &m_world.materials()[(*m_shape.palette)[entry].material] : nullptr;
+    }
+
+    const World& m_world;
+    const BreakEdit& m_hole;
+    glm::dvec3 m_way;
+    const Shape& m_shape;
+    Pose m_pose;
+    Passage m_passage;
+    int m_columns = 0;
+    bool m_stays = false;
+};
 
 /// N s that a hole takes: the broken area grows with the impulse, as in World::addImpactDamage(). A pane takes no more than
 /// what it breaks at, wherever its cracks end.
-double impulseOf(const BreakEdit& hole, const Material& wall, const WorldSettings& settings) {
-    const double breaks = settings.impactThreshold * impactToughness(wall);
-    if (fragmentStyle(wall.fragments).wholePane) return breaks;
+double impulseOf(const BreakEdit& hole, const Passage& passage, const WorldSettings& settings) {
+    if (fragmentStyle(passage.wall->fragments).wholePane) return settings.impactThreshold * impactToughness(*passage.wall);
     const double ratio = hole.radii[0] / settings.impactRadius;
-    return breaks * std::max(1.0, ratio * ratio);
-}
-
-/// A pane goes as a whole; through a wall there is only the hole.
-bool fitsThrough(const World& world, BodyHandle handle, const BreakEdit& hole, const Material& wall) {
-    const Body* body = world.bodies().find(handle);
-    if (!body || body->isStatic) return false;
-    if (fragmentStyle(wall.fragments).wholePane) return true;
-    return std::all_of(body->shapes.begin(), body->shapes.end(), [&](ShapeHandle each) {
-        const Shape& shape = world.shapes().at(each);
-        const glm::ivec3 size = shape.grid.size();
-        return double(std::max({size.x, size.y, size.z})) * double(shape.voxelSize) <= 2.0 * hole.radii[0];
-    });
+    return settings.impactThreshold * passage.meanToughness * std::max(1.0, ratio * ratio);
 }
 
 }  // namespace
@@ -64,10 +94,14 @@ void addBreakThrough(const World& world, std::span<const Impact> impacts, Edits&
             if (impact.position != hole.position || (impact.body != shape->body && impact.other != shape->body)) continue;
             const bool hitterIsFirst = impact.other == shape->body;
             const BodyHandle hitter = hitterIsFirst ? impact.body : impact.other;
+            const Body* body = world.bodies().find(hitter);
+            if (!body || body->isStatic) break;
             const glm::dvec3 way = hitterIsFirst ? -impact.normal : impact.normal;
-            const Material* wall = wallThrough(world, hole, way);
-            if (!wall || !fitsThrough(world, hitter, hole, *wall)) break;
-            const double spare = impact.impulse - impulseOf(hole, *wall, world.settings());
+            const Passage passage = HoleWalk(world, hole, way).passage();
+            if (!passage.wall) break;
+            // No more than it came with: what something else presses through the wall is not thrown ahead of that.
+            const double came = world.bodyMass(hitter).mass * impact.speed;
+            const double spare = std::min(impact.impulse - impulseOf(hole, passage, world.settings()), came);
             if (spare > 0.0) damage.emplace_back(ImpulseEdit{hitter, impact.position, way * spare});
             break;
         }

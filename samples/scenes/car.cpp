@@ -63,6 +63,15 @@ void drawCabin(Canvas& c, const CarSwatches& s, int low, int top, int x0, int x1
     }
 }
 
+/// Bars before the grille and over the screen, on a frame that runs to the rear axle.
+void drawRam(Canvas& c) {
+    const Swatch ram = c.mix(kRam);
+    const int front = c.size().x, width = c.size().z;
+    for (int y : {2, 5, 8}) c.box({front - 2, y, 1}, {front, y + 1, width - 1}, ram);
+    for (int z : {3, width / 2 - 1, width - 5}) c.box({front - 2, 2, z}, {front, 9, z + 2}, ram);
+    for (int z : {3, width - 5}) c.box({6, 3, z}, {front - 2, 5, z + 2}, ram);
+}
+
 void drawSeats(Canvas& c, const CarSwatches& s, std::initializer_list<int> rows, int width) {
     for (int x : rows)
         for (int z : {3, width - 8}) {
@@ -95,6 +104,7 @@ LevelShape makeSaloon(std::string name, const Recipe& paint, bool hasWheels) {
     } else {
         drawArches(c, {kRearAxle, kFrontAxle}, kWidth);
         for (int x : {kRearAxle, kFrontAxle}) c.box({x - 1, 3, 3}, {x + 1, 5, kWidth - 3}, s.iron);
+        drawRam(c);
     }
     for (int z : {1, kWidth - 5}) {
         c.box({kLength - 1, 5, z}, {kLength, 7, z + 4}, s.head);

@@ -1,8 +1,9 @@
-// A car drives through a house: in by one gable, out by the other, and round it to a stop.
+// A car drives through a wooden house: in by one gable, out by the other, and round it to a stop.
+#include "runtime/core/random.h"
+#include "samples/scenes/building.h"
 #include "samples/scenes/car.h"
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
-#include "samples/scenes/house.h"
 #include "samples/scenes/lamp.h"
 #include "samples/scenes/plot.h"
 #include "samples/scenes/recipes.h"
@@ -12,8 +13,47 @@
 namespace rubble::scenes {
 namespace {
 
-constexpr ivec3 kHouse{210, 0, 140};
-constexpr int kWide = 84, kDeep = 84, kLane = kHouse.z + kDeep / 2;  // cells; the middle of the lane that the car takes
+constexpr int kMargin = 5, kWide = 72, kDeep = 60, kEaves = 30;  // of the house, cells
+constexpr ivec3 kHouse{200, 0, 140};
+constexpr int kLane = kHouse.z + kDeep / 2;  // the middle of the lane that the car takes
+
+struct HouseSwatches {
+    explicit HouseSwatches(Canvas& c) : plank(c.mix(kRedWood)), plankDark(c.mix(kRedWood, 88)), post(c.mix(kTimber)), white(c.mix(kWhiteWood)) {
+        windows = {white, c.mix(kGlass), white, c.mix(kClothCream), plankDark};
+        roof = {c.mix(kDarkWood), c.mix(kDarkWood, 84), post, c.mix(kDarkWood, 76), white};
+    }
+    Swatch plank, plankDark, post, white;
+    WindowSwatches windows;
+    RoofSwatches roof;
+};
+
+/// Boards upright on posts and rails, gables up to the roof, corners in white.
+void drawBoards(Canvas& c, const WallFrame& wall, bool isGable, const HouseSwatches& s) {
+    for (int u = 0; u < wall.length; ++u) {
+        const int top = isGable ? kEaves + gableHeight(wall.cell(u, 0, 0).z, kMargin - 4, kMargin + kDeep + 4) : kEaves + 2;
+        for (int y = 0; y < top; ++y) {
+            const Swatch& board = u % 4 == 0 ? s.plankDark : s.plank;
+            c.setEntry(wall.cell(u, y, 0), PaintBox::pickFor(board, hashCell(u / 4, isGable, y / 24, 61)));
+            if (u % 12 == 6 || y % 15 == 7) c.set(wall.cell(u, y, 1), s.post);
+        }
+        if (u >= 2 && u < wall.length - 2) continue;
+        for (int y = 0; y < kEaves + 2; ++y) c.set(wall.cell(u, y, 0), s.white);
+    }
+}
+
+/// A wooden house of one room on bare ground.
+void addWoodenHouse(Level& level) {
+    Canvas c({kWide + 2 * kMargin, kEaves + gableHeight(kMargin + kDeep / 2, kMargin - 4, kMargin + kDeep + 4) + 4, kDeep + 2 * kMargin});
+    const HouseSwatches s(c);
+    const WallFrames walls = wallFrames({kMargin, 0, kMargin}, {kMargin + kWide, 0, kMargin + kDeep});
+    for (const WallFrame* wall : {&walls.left, &walls.right}) drawBoards(c, *wall, true, s);
+    for (const WallFrame* wall : {&walls.back, &walls.front}) drawBoards(c, *wall, false, s);
+    drawGableRoof(c, {kMargin - 4, 0, kMargin - 4}, {kMargin + kWide + 4, 0, kMargin + kDeep + 4}, kEaves, s.roof);
+    for (const int u : {8, 52}) drawWindow(c, walls.front, u, 9, 11, 12, s.windows, true);
+    for (const WallFrame* wall : {&walls.left, &walls.right}) drawWindow(c, *wall, kDeep / 2 - 5, kEaves + 4, 9, 8, s.windows, false);
+    drawDoor(c, walls.front, 31, 0, c.mix(kGreenWood), s.white, c.mix(kDarkSteel));
+    addStatic(level, c.finish("house"), kHouse - ivec3(kMargin, 0, kMargin));
+}
 
 Level driveLevel(uint64_t seed) {
     GroundPlan ground;
@@ -23,18 +63,12 @@ Level driveLevel(uint64_t seed) {
     ground.lanesAlongX = {{{0, 0, 304}, {480, 0, 306}}};
     Level level = makePlot("drive", ground, seed);
     addDrivenCar(level, "driven car", kCarRed, {14, 0, kLane - 9}, 1.0);
-    HouseStyle style;
-    style.width = kWide;
-    style.depth = kDeep;
-    style.rooms = false;
-    style.wall = &kBrickYellow;
-    style.roof = &kRoofTileRed;
-    addHouse(level, "house", kHouse, style);
+    addWoodenHouse(level);
     for (int i = 0; i < 5; ++i) addLoose(level, makeCrate("crate " + std::to_string(i)), {346 + i % 2 * 10, i / 2 * 8, kLane - 8 + i % 2 * 3});
-    addLoose(level, makeTable("table"), {kHouse.x + 40, 2, kLane - 8});
+    addLoose(level, makeTable("table"), {kHouse.x + 30, 0, kLane - 20});
     addLoose(level, makeBench("bench"), {150, 0, kLane + 34}, Turn::Askew);
     addStreetLamp(level, "lamp", {120, 0, 266}, false);
-    addLoose(level, makeCar("parked car", kCarBlue), {330, -kRoadDrop, 284});
+    addLoose(level, makeCar("parked car", kCarBlue), {150, -kRoadDrop, 284});
     return level;
 }
 
@@ -49,13 +83,13 @@ BodyHandle drivenCar() {
 Edits driveScript(int step, uint64_t) {
     static const BodyHandle kCar = drivenCar();
     const double seconds = step / 60.0;
-    if (seconds < 5.2) return {DriveEdit{kCar, 1.0, 0.0, 0.0}};
-    if (seconds < 6.4) return {DriveEdit{kCar, 0.3, -1.0, 0.0}};
-    return {DriveEdit{kCar, 0.0, -0.4, 1.0}};
+    if (seconds < 5.6) return {DriveEdit{kCar, 1.0, 0.0, 0.0}};
+    if (seconds < 6.2) return {DriveEdit{kCar, 0.2, -0.6, 0.0}};
+    return {DriveEdit{kCar, 0.0, -0.6, 1.0}};
 }
 
 Pose driveCamera(double seconds) {
-    return lookAt({9.0 + 1.6 * seconds, 4.2, 37.0}, {17.0 + 1.5 * seconds, 2.6, 18.5});
+    return lookAt({41.0 - 0.3 * seconds, 6.5, 33.5}, {20.5 + 1.2 * seconds, 2.2, 17.0});
 }
 
 }  // namespace

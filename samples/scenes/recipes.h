@@ -68,6 +68,7 @@ inline constexpr Recipe kTankPaint{"metal", {0x8fa3a6, 0x98abad, 0x869a9e}, 150,
 inline constexpr Recipe kRust{"metal", {0x8a5a3a, 0x7a4a30, 0x96643f}, 230, 60};
 inline constexpr Recipe kDarkSteel{"metal", {0x3d4246, 0x454a4f}, 140, 160, 40};
 inline constexpr Recipe kCastSteel{"heavy metal", {0x4a4d50, 0x54585b, 0x434649}, 110, 160, 40, 255, 4};
+inline constexpr Recipe kRam{"hard metal", {0x2c2e31, 0x33363a}, 150, 120, 40, 255, 3};  // what it hits breaks
 inline constexpr Recipe kBallRed{"heavy metal", {0xa8382c, 0xb23f32}, 120, 40, 40, 255, 2};
 inline constexpr Recipe kBallCream{"heavy metal", {0xd3cbb8, 0xcbc3b0}, 120, 40, 40, 255, 2};
 inline constexpr Recipe kCopperPipe{"metal", {0xa86a45, 0x9c6040}, 110, 220, 60};
