@@ -6,12 +6,12 @@
 namespace rubble {
 namespace {
 
-constexpr int kPasses = 2, kFastPasses = 8;  ///< over the normals of two bodies that meet, by how fast they do
-constexpr float kFast = 20.0f;               ///< m/s
-constexpr float kSlope = 0.3f;               ///< how far up a normal points where one body lies on the other
-constexpr float kJolt = 4.0f;                ///< m/s that the impulses of the last step may give a body before they count as out of balance
-constexpr int kBalanceRounds = 4;            ///< in which those that were held by what is out of balance follow
-constexpr double kStiffer = 4.0;             ///< times as stiff, in hertz, are contacts of what bears
+constexpr int kHitPasses = 2, kFastPasses = 8;  ///< over the normals of two bodies that meet; over others one
+constexpr float kHit = 1.0f, kFast = 20.0f;     ///< m/s
+constexpr float kSlope = 0.3f;                  ///< how far up a normal points where one body lies on the other
+constexpr float kJolt = 4.0f;                   ///< m/s that the impulses of the last step may give a body before they count as out of balance
+constexpr int kBalanceRounds = 4;               ///< in which those that were held by what is out of balance follow
+constexpr double kStiffer = 4.0;                ///< times as stiff, in hertz, are contacts of what bears
 
 /// Two directions across the normal.
 void tangentsOf(const glm::vec3& n, glm::vec3& t1, glm::vec3& t2) {
@@ -138,7 +138,7 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
             if (c.approach < m_constraints[fastest].approach) fastest = m_constraints.size() - 1;
         }
         const float speed = -m_constraints[fastest].approach;
-        range.passes = speed > kFast ? kFastPasses : kPasses;
+        range.passes = speed > kFast ? kFastPasses : speed > kHit ? kHitPasses : 1;
         const float thin = std::min(a ? A.reach : 1e9f, b ? B.reach : 1e9f);
         if (speed * seconds > thin) {
             addCore(range, Constraint(m_constraints[fastest]));

@@ -10,10 +10,10 @@
 namespace rubble {
 
 struct SolverSettings {
-    int substeps = 4;
+    int substeps = 6;
     int iterations = 1;           ///< over all contacts, in each half of a substep
     double seconds = 1.0 / 60.0;  ///< of all substeps together
-    double contactHertz = 60.0;   ///< stiffness of contacts, at most a quarter of the rate of substeps
+    double contactHertz = 90.0;   ///< stiffness of contacts, at most a quarter of the rate of substeps
     double dampingRatio = 5.0;
     double heavyRatio = 30.0;  ///< of masses above which a light body that bears a heavy one gets stiffer contacts
     int heavyPasses = 8;       ///< over the contacts of such bodies, more than over others; 0: none is stiffer

@@ -15,7 +15,7 @@ constexpr double kSpinning = 0.3;  ///< rad/s
 
 PhysicsSettings fastPhysics() {
     PhysicsSettings settings;
-    settings.substeps = 2;
+    settings.substeps = 3;
     settings.heavyRatio = 10.0;
     settings.rotation = RotationRule::Never;
     return settings;

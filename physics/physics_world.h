@@ -15,10 +15,10 @@ namespace rubble {
 enum class RotationRule : uint8_t { Never, WhereNeeded, Always };
 
 struct PhysicsSettings {
-    int substeps = 4;                 ///< of 1/60 s, in which contacts are solved; they are found once a step
+    int substeps = 6;                 ///< of 1/60 s, in which contacts are solved; they are found once a step
     int iterations = 1;               ///< over the contacts in each half of a substep
     double stepSeconds = 1.0 / 60.0;  ///< of a step; the frame loop counts on this, measurements take others
-    double contactHertz = 60.0;       ///< stiffness of contacts; at most a quarter of the rate of substeps counts
+    double contactHertz = 90.0;       ///< stiffness of contacts; at most a quarter of the rate of substeps counts
     double heavyRatio = 30.0;         ///< how many times as heavy what lies on a body must be for its contacts to be stiffer
     int heavyPasses = 8;              ///< over such contacts, more than over others; 0: none is stiffer
     double contactMargin = 0.02;      ///< metres apart at which bodies count as touching
@@ -37,9 +37,9 @@ struct PhysicsSettings {
 /// Presets: settings to start from; every one can still be set by itself. What each holds is measured by the scenes of
 /// tests/physics/scenes: towers of half-metre cubes that nothing lets sleep for 30 s, how much heavier a cube may be than the
 /// one that it lies on and sinks by less than 1 cm.
-///   fast       12 cubes awake (20 with sleep), 100 times as heavy, spin keeps its velocity instead of its momentum
-///   balanced   the default: 20 cubes awake (60 with sleep), 300 times as heavy, momentum and energy of free spin kept
-///   accurate   20 cubes awake (60 with sleep), 3,000 times as heavy, what is slow is not damped
+///   fast       16 cubes awake (20 with sleep), 100 times as heavy, spin keeps its velocity instead of its momentum
+///   balanced   the default: 25 cubes awake (60 with sleep), 1,000 times as heavy, momentum and energy of free spin kept
+///   accurate   30 cubes awake (60 with sleep), 3,000 times as heavy, what is slow is not damped
 PhysicsSettings fastPhysics();
 PhysicsSettings balancedPhysics();
 PhysicsSettings accuratePhysics();

@@ -16,7 +16,7 @@ TEST(FreeMotion, AnArcIsTheDiscreteParabolaWhateverTheSpin) {
         scene.load();
         const glm::dvec3 start = scene.center(0), gravity = scene.world.environment().gravity;
         scene.seconds(3.0);
-        const double h = 1.0 / 240.0, n = 720.0;
+        const double h = scene.stepSeconds / PhysicsSettings{}.substeps, n = 3.0 / h;
         const glm::dvec3 expected = start + glm::dvec3(8, 12, -3) * 3.0 + gravity * (h * h * n * (n + 1.0) / 2.0);
         EXPECT_LT(glm::length(scene.center(0) - expected), 1e-9);
     }

@@ -32,7 +32,7 @@ TEST(PhysicsWorld, FreeFallFollowsTheDiscreteFormula) {
     const glm::dvec3 start = scene.center(0);
     scene.step(120);
     // Symplectic Euler with n substeps: y = -g h^2 n (n + 1) / 2.
-    const double h = 1.0 / 240.0, n = 480.0;
+    const double h = scene.stepSeconds / PhysicsSettings{}.substeps, n = 2.0 / h;
     EXPECT_NEAR(scene.center(0).y - start.y, -9.81 * h * h * n * (n + 1) / 2.0, 2e-3);
     EXPECT_NEAR(scene.body(0).velocity.y, -9.81 * 2.0, 1e-3);
     EXPECT_NEAR(scene.center(0).x, start.x, 1e-5);

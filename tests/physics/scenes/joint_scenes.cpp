@@ -237,11 +237,12 @@ Pulley hangOver(const PhysicsSettings& settings) {
     Pulley result;
     for (int i = 0; i < 90; ++i) {
         scene.step();
+        result.risen = scene.center(1).y - from;
+        if (result.risen > 2.0) break;  // soon it is pulled over the beam
         for (const RopePoint& point : scene.world.joints().at(scene.world.joints().handleAt(0)).points)
             if (std::abs(point.position.z) < 1.0)
                 result.sunk = std::max(result.sunk, std::min({0.1 - std::abs(point.position.x), 5.2 - point.position.y, point.position.y - 5.0}));
     }
-    result.risen = scene.center(1).y - from;
     return result;
 }
 

@@ -165,11 +165,12 @@ double unrest(const PhysicsSettings& settings, double voxelSize, glm::ivec3 size
         scene.level.bodies[0].pose.position *= voxelSize / 0.1;
         scene.level.bodies[0].shapes[0].voxelSize = float(voxelSize);
     }
+    const int longest = std::max(size.x, size.z);
     for (int i = 0; i < 9; ++i) {
-        LevelBody& body = scene.add(blockGrid(size, 7),
-                                    {(i % 3 - 1.5) * voxelSize * (size.x + 2.3), voxelSize * (0.5 + 0.06 * std::max(size.x, size.z)),
-                                     (i / 3 - 1.5) * voxelSize * (size.z + 2.7)},
-                                    false, glm::angleAxis(0.1 * i, glm::normalize(glm::dvec3(0.1 * (i % 2), 1, 0.05 * (i % 3)))));
+        LevelBody& body =
+            scene.add(blockGrid(size, 7),
+                      {(i % 3 - 1.5) * voxelSize * (longest + 2.3), voxelSize * (0.5 + 0.06 * longest), (i / 3 - 1.5) * voxelSize * (longest + 2.7)},
+                      false, glm::angleAxis(0.1 * i, glm::normalize(glm::dvec3(0.1 * (i % 2), 1, 0.05 * (i % 3)))));
         body.shapes[0].voxelSize = float(voxelSize);
     }
     scene.load();
