@@ -19,11 +19,8 @@ std::vector<Row> rowsOf(const std::string& subject) {
     if (subject == "destruction")
         return {{"T4", debrisTradeoff},    {"T5", connectivityTradeoff}, {"T12", featureTradeoff},      {"T13-load", loadMap},
                 {"T13-pieces", piecesMap}, {"T13-split", splitMap},      {"T13-fragments", fragmentMap}};
-    std::vector<Row> rows{{"T1", contactTradeoff},
-                          {"T2", rotationTradeoff},
-                          {"T3", collisionTradeoff},
-                          {"T10-coordinates", coordinateTradeoff},
-                          {"T12-physics", physicsFeatureTradeoff}};
+    std::vector<Row> rows{{"T1", contactTradeoff},   {"T1-penetration", penetrationTradeoff}, {"T2", rotationTradeoff},
+                          {"T3", collisionTradeoff}, {"T10-coordinates", coordinateTradeoff}, {"T12-physics", physicsFeatureTradeoff}};
     for (Row& map : physicsMaps()) rows.push_back(std::move(map));
     return rows;
 }

@@ -13,6 +13,8 @@ const std::vector<Preset>& presets();
 
 /// Length of a step, substeps, iterations, stiffness: us a body against penetration, towers, mass ratio and incline.
 Table contactTradeoff(const Options& options);
+/// Substeps of ours and of Bullet's: ms a step of pieces in a pit against how deep they overlap.
+Table penetrationTradeoff(const Options& options);
 /// How rotation is stepped: ns a body against energy, angular momentum and when a T-handle flips.
 Table rotationTradeoff(const Options& options);
 /// A box, merged boxes, every voxel: us a pair, build, bytes against overlap and where things come to rest.
