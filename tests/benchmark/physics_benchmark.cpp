@@ -231,13 +231,13 @@ void twoThreads(benchmark::State& state) {
 }
 BENCHMARK(twoThreads)->Name("physics/twoThreads")->Arg(500)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-/// How long after the last of them has landed (nothing is faster than 3 m/s) pieces sleep, and whether anything floats then.
+/// How long after the last of them has landed (nothing is faster than 3 m/s) pieces sleep, and whether anything floats then;
+/// then a hole of 3 x 3 m in the floor: how many of those that lay on it wake within a step, and what floats in the end.
 void settlingPile(benchmark::State& state) {
     const int pieces = int(state.range(0));
     Pile pile(voronoiPit(pieces, 1, int(state.range(1))), {});
     double slept = 0.0, landed = 0.0;
-    std::vector<BodyHandle> floating;
-    for (auto _ : state) {
+    const auto settle = [&] {
         for (int i = 0; i < 2400 && pile.physics.figures().awake; ++i) {
             pile.step();
             const double now = double(i + 1) / 60.0;
@@ -245,12 +245,27 @@ void settlingPile(benchmark::State& state) {
             for (const BodyPose& moved : pile.physics.poses())
                 if (glm::length(moved.velocity) > 3.0) landed = now;
         }
-        floating = findUnsupported(pile.world);
+    };
+    for (auto _ : state) {
+        settle();
+        state.counters["landed_s"] = landed;
+        state.counters["asleep_99_after_s"] = slept - landed;
+        state.counters["awake"] = pile.physics.figures().awake;
+        state.counters["floating"] = double(findUnsupported(pile.world).size());
+
+        const double middle = 0.5 * double(state.range(1));
+        const glm::dvec3 low(middle - 1.5, -0.85, middle - 1.5), high(middle + 1.5, 0.0, middle + 1.5);
+        const std::vector<BodyHandle> held = findTouching(pile.world, low, high);
+        CarveEdit hole{.kind = BrushKind::Box, .position = 0.5 * (low + high), .halfSize = 0.5 * (high - low)};
+        hole.shape = pile.world.bodies().at(pile.handles[0]).shapes[0];
+        pile.physics.apply(pile.world.applyEdits({hole}), pile.world);
+        pile.step();
+        state.counters["held_by_the_hole"] = double(held.size());
+        state.counters["of_them_woken"] =
+            double(std::count_if(held.begin(), held.end(), [&](BodyHandle body) { return !pile.world.bodies().at(body).asleep; }));
+        settle();
+        state.counters["floating_after"] = double(findUnsupported(pile.world).size());
     }
-    state.counters["landed_s"] = landed;
-    state.counters["asleep_99_after_s"] = slept - landed;
-    state.counters["awake"] = pile.physics.figures().awake;
-    state.counters["floating"] = double(floating.size());
 }
 BENCHMARK(settlingPile)->Name("physics/settlingPile")->Args({500, 8})->Args({5000, 16})->Unit(benchmark::kMillisecond)->Iterations(1);
 

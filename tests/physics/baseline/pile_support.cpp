@@ -208,4 +208,22 @@ std::vector<BodyHandle> findUnsupported(const World& world) {
     return floating;
 }
 
+std::vector<BodyHandle> findTouching(const World& world, glm::dvec3 low, glm::dvec3 high) {
+    std::vector<BodyHandle> touching;
+    const auto isNear = [&](const glm::dvec3& a, const glm::dvec3& b) {
+        return !glm::any(glm::greaterThan(low - kNear, b)) && !glm::any(glm::lessThan(high + kNear, a));
+    };
+    world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+        if (body.isStatic) return;
+        for (const Part& part : partsOf(world, body, 0)) {
+            if (!isNear(part.low, part.high)) continue;
+            const auto touches = [&](const glm::dvec3& point) { return isNear(part.pose.transformPoint(point), part.pose.transformPoint(point)); };
+            if (std::none_of(part.points.begin(), part.points.end(), touches)) continue;
+            touching.push_back(handle);
+            return;
+        }
+    });
+    return touching;
+}
+
 }  // namespace rubble
