@@ -44,7 +44,7 @@ TEST(ContactSolver, WhatSeventeenTonnesPressedOnDoesNotFlyOffWhenItsSupportGoes)
 
 TEST(ContactSolver, WhatBearsItsLoadGoesOnFromTheLastStep) {
     std::vector<SolverBody> bodies = {{}, body(1.5, glm::dvec3(0.01))};
-    const double weight = 1.5 * 10.0 / 240.0;
+    const double weight = 1.5 * 10.0 * SolverSettings{}.seconds / SolverSettings{}.substeps;
     Manifold manifold;
     ManifoldPoint point = contact({0, -0.05f, 0}, {0, 1, 0});
     point.normalImpulse = float(weight);
