@@ -141,6 +141,41 @@ TEST_F(Abi, JointsAreMadeReadAndRemoved) {
     EXPECT_EQ(api()->add_joint(m_world, &table), RUBBLE_ERROR_ARGUMENT);
 }
 
+TEST_F(Abi, WheelsAreDriven) {
+    const rubble_body body = bodies(m_world).at(0).body;
+    std::array<rubble_shape_state, 1> shape{};
+    uint32_t count = 0;
+    ASSERT_EQ(api()->shape_states(m_world, body, shape.data(), 1, &count), RUBBLE_OK);
+    auto wheel = sized<rubble_joint_settings>();
+    wheel.kind = RUBBLE_JOINT_WHEEL;
+    wheel.shapes[0] = shape[0].shape;
+    wheel.position[0] = wheel.position[1] = wheel.position[2] = 0.85;
+    wheel.drive_torque = 1000.0;
+    wheel.steer_angle = -1.0;
+    EXPECT_EQ(api()->add_joint(m_world, &wheel), RUBBLE_ERROR_ARGUMENT) << "either way is as far";
+    wheel.steer_angle = 0.5;
+    ASSERT_EQ(api()->add_joint(m_world, &wheel), RUBBLE_OK) << api()->last_error();
+    ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    auto drive = sized<rubble_drive>();
+    EXPECT_EQ(api()->drive(m_world, &drive), RUBBLE_ERROR_STALE);
+    drive.body = body;
+    drive.throttle = 1.5;
+    EXPECT_EQ(api()->drive(m_world, &drive), RUBBLE_ERROR_ARGUMENT);
+    drive.throttle = 0.5;
+    const auto hash = [&] {
+        uint64_t value = 0;
+        EXPECT_EQ(api()->state_hash(m_world, &value), RUBBLE_OK);
+        return value;
+    };
+    const uint64_t before = hash();
+    ASSERT_EQ(api()->drive(m_world, &drive), RUBBLE_OK) << api()->last_error();
+    ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    const uint64_t driven = hash();
+    EXPECT_NE(driven, before);
+    ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    EXPECT_EQ(hash(), driven) << "it goes on as it was told";
+}
+
 TEST_F(Abi, BreaksArriveAndEveryLostVoxelIsDust) {
     auto edit = sized<rubble_break>();
     edit.position[0] = 0.3, edit.position[1] = 0.9, edit.position[2] = 0.3;

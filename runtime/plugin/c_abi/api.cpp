@@ -369,6 +369,9 @@ rubble_result removeJoint(rubble_world world, rubble_joint joint) {
 rubble_result setJointMotor(rubble_world world, const rubble_joint_motor* motor) {
     return pushEdit("set_joint_motor", world, motor, kToEdit);
 }
+rubble_result drive(rubble_world world, const rubble_drive* edit) {
+    return pushEdit("drive", world, edit, kToEdit);
+}
 rubble_result grab(rubble_world world, const rubble_grab* edit) {
     return pushEdit("grab", world, edit, kToEdit);
 }
@@ -456,6 +459,7 @@ constexpr rubble_api kApi = {
     overlapBodies,
     overlapShapes,
     closestPoint,
+    drive,
 };
 
 }  // namespace

@@ -43,6 +43,9 @@ AddJointEdit toEdit(const World& world, const rubble_joint_settings& given) {
     joint.rope.radius = readNumber(given.rope_radius, 1e-3, 1.0, joint.rope.radius, "rope_radius");
     joint.rope.stretch = readSize(given.rope_stretch, "rope_stretch");
     joint.rope.strength = readSize(given.rope_strength, "rope_strength");
+    joint.wheel = {readSize(given.drive_torque, "drive_torque"), readNumber(given.top_spin, 0.0, 1e4, joint.wheel.topSpin, "top_spin"),
+                   readSize(given.brake_torque, "brake_torque"), readNumber(given.steer_angle, 0.0, 1.5, 0.0, "steer_angle"),
+                   readNumber(given.steer_rate, 0.0, 100.0, joint.wheel.steerRate, "steer_rate")};
     if (const std::string error = jointError(joint); !error.empty()) throw Refusal{RUBBLE_ERROR_ARGUMENT, error};
     return {joint};
 }
@@ -51,6 +54,13 @@ SetJointMotorEdit toEdit(const World& world, const rubble_joint_motor& given) {
     jointOf(world, given.joint);
     return {JointHandle{given.joint}, readMotor(given.motor, given.motor_target, given.motor_force), readSize(given.friction, "friction"),
             readNumber(given.steer, -3.0, 3.0, 0.0, "steer")};
+}
+
+DriveEdit toEdit(const World& world, const rubble_drive& given) {
+    const BodyHandle body = readHandle<HandleType::Body>(given.body, "body");
+    if (!world.bodies().find(body)) throw Refusal{RUBBLE_ERROR_STALE, "body is stale"};
+    return {body, readNumber(given.throttle, -1.0, 1.0, 0.0, "throttle"), readNumber(given.steer, -1.0, 1.0, 0.0, "steer"),
+            readNumber(given.brake, 0.0, 1.0, 0.0, "brake")};
 }
 
 GrabEdit toEdit(const World& world, const rubble_grab& given) {

@@ -7,6 +7,7 @@ namespace rubble::abi {
 // The host's joints as the World's, checked. Throw Refusal.
 AddJointEdit toEdit(const World& world, const rubble_joint_settings& settings);
 SetJointMotorEdit toEdit(const World& world, const rubble_joint_motor& motor);
+DriveEdit toEdit(const World& world, const rubble_drive& drive);
 GrabEdit toEdit(const World& world, const rubble_grab& grab);
 ReleaseEdit toEdit(const World& world, const rubble_release& release);
 /// Throws if the handle is stale.

@@ -158,6 +158,9 @@ typedef struct rubble_joint_settings {
     double rope_length, rope_radius;     /* metres; 0: as far as its ends are apart; 0.03 */
     double rope_stretch;                 /* share of its length under 10 kN */
     double rope_strength;                /* N; 0: never breaks */
+    double drive_torque, brake_torque;   /* N m of a wheel at full throttle and brake, see drive() */
+    double top_spin;                     /* rad/s forward, half of it back; 0: 60 */
+    double steer_angle, steer_rate;      /* radians either way; rad/s at which it turns there; 0: 2 */
 } rubble_joint_settings;
 
 /* What drives and brakes a joint from now on. */
@@ -169,6 +172,16 @@ typedef struct rubble_joint_motor {
     double friction;
     double steer; /* of a wheel: radians */
 } rubble_joint_motor;
+
+/* Drives, steers and brakes all wheels of a body, until the next such command. */
+typedef struct rubble_drive {
+    uint32_t struct_size;
+    uint32_t reserved;
+    rubble_body body; /* the chassis: shapes[0] of its wheels' joints is on it */
+    double throttle;  /* -1 (back) to 1 */
+    double steer;     /* -1 (right) to 1 */
+    double brake;     /* 0 to 1 */
+} rubble_drive;
 
 typedef struct rubble_joint_state {
     rubble_joint joint;
@@ -633,6 +646,9 @@ typedef struct rubble_api {
                                     uint32_t capacity, uint32_t* count);
     /* [main-thread] The point of a voxel that is closest to a point; distance 0 inside a voxel. */
     rubble_result (*closest_point)(rubble_world world, const double position[3], double max_distance, const rubble_filter* filter, rubble_touch* out);
+
+    /* [main-thread] A command for the next step. */
+    rubble_result (*drive)(rubble_world world, const rubble_drive* edit);
 } rubble_api;
 
 /* [any-thread] The one export: the plugin's table for this version of the interface, or RUBBLE_ERROR_VERSION and null. */
