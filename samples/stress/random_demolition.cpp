@@ -82,8 +82,8 @@ Level makeStressLevel(uint64_t seed) {
 WorldSettings stressSettings() {
     WorldSettings settings;
     settings.load.on = true;
-    settings.debris.awakeBodies = 80;
-    settings.debris.bodies = 400;
+    settings.debris.awakeBodies = 40;
+    settings.debris.bodies = 250;
     return settings;
 }
 

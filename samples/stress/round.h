@@ -18,9 +18,9 @@ struct Round {
 
 /// What came of a round.
 struct RoundResult {
-    std::string wrong;             ///< "": all that must hold did
-    std::vector<uint64_t> hashes;  ///< every 60 steps
-    double meanMs = 0.0, medianMs = 0.0, p99Ms = 0.0, worstMs = 0.0;
+    std::string wrong;                                                ///< "": all that must hold did
+    std::vector<uint64_t> hashes;                                     ///< every 60 steps
+    double meanMs = 0.0, medianMs = 0.0, p99Ms = 0.0, worstMs = 0.0;  ///< of processor time, a step
     size_t mostBodies = 0, edits = 0, pieces = 0, removed = 0;
     int compared = 0;                 ///< steps whose energy could be
     double lost = 0.0, gained = 0.0;  ///< J, in them

@@ -24,7 +24,10 @@ Table collisionTradeoff(const Options& options);
 Table coordinateTradeoff(const Options& options);
 /// Each feature of physics always on, by rule, and off: instructions, and the accuracy that they buy.
 Table physicsFeatureTradeoff(const Options& options);
-/// Runs the scene of that table with one of its settings, for valgrind to count; false: there is no such.
+/// What the stages of features cost that nothing uses, as a share of a step; and a run of that scene.
+Table absentFeatureTradeoff(const Options& options);
+void runWithoutFeatures();
+/// Runs a scene of these tables with one of its settings, for valgrind to count; false: there is no such.
 bool runFeatureScene(const std::string& setting);
 /// Pushed until they fail, in two dimensions; by name.
 std::vector<std::pair<std::string, std::function<Table(const Options&)>>> physicsMaps();

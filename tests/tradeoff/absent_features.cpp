@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runtime/plugin/frame_loop.h"
+#include "tests/physics/physics_scene.h"
+#include "tests/tradeoff/counted_instructions.h"
+#include "tests/tradeoff/physics.h"
+
+namespace rubble::tradeoff {
+namespace {
+
+constexpr int kSteps = 120;
+constexpr double kNothing = 0.001;  ///< share of a step that is none to speak of
+
+/// What each feature has in every step, wherever it is asked for.
+struct Stages {
+    const char* feature;
+    std::vector<const char*> functions;
+};
+const std::vector<Stages>& stages() {
+    static const std::vector<Stages> all{
+        {"joints and ropes",
+         {"PhysicsWorld::Impl::applyJoints", "PhysicsWorld::Impl::wakeJointed", "PhysicsWorld::Impl::gatherJoints", "PhysicsWorld::Impl::breakJoints",
+          "PhysicsWorld::Impl::settleJointed", "PhysicsWorld::Impl::moveRopes", "World::setRopes", "EditStep::checkJoints", "EditStep::windRopes"}},
+        {"water", {"PhysicsWorld::Impl::applyWater", "PhysicsWorld::Impl::refreshWaters"}},
+        {"characters", {"PhysicsWorld::Impl::moveCharacters", "PhysicsWorld::Impl::refreshCharacters", "World::setCharacters"}},
+        {"triggers", {"EditStep::updateTriggers"}},
+        {"layers", {"PhysicsWorld::Impl::refreshFilters"}},
+        {"load", {"EditStep::openCracks", "EditStep::weighShapes"}},
+        {"fire and heat", {"EditStep::burn", "EditStep::moveHeat"}},
+        {"light groups", {"EditStep::updateLightGroups"}},
+        {"debris budget", {"EditStep::limitDebris"}},
+    };
+    return all;
+}
+
+}  // namespace
+
+void runWithoutFeatures() {
+    PhysicsScene scene;
+    scene.addFloor();
+    for (int i = 0; i < 64; ++i) scene.add(blockGrid({5, 5, 5}, 7), {i % 4 * 0.8, 0.5 * (i / 16) + 0.1, i / 4 % 4 * 0.8}, false);
+    for (LevelBody& body : scene.level.bodies) body.velocity = body.isStatic ? glm::vec3(0.0f) : glm::vec3(0.0f, -0.1f, 0.0f);
+    FrameLoopSettings settings;
+    settings.publish = settings.shadowVolume = false;
+    settings.particles.most = 0;
+    settings.physics.sleepTime = 1e9;
+    FrameLoop loop(settings);
+    loop.load(scene.level);
+    for (int i = 0; i < kSteps; ++i) loop.step();
+}
+
+Table absentFeatureTradeoff(const Options& options) {
+    Table table{"T12-absent",
+                fmt::format("what a feature costs that nothing uses: instructions of its stages in {} steps of 64 cubes that stand", kSteps),
+                {"feature", "instructions a step", "share of all %", "stages that are no functions of their own"},
+                {}};
+    table.note =
+        "Counted by valgrind's callgrind, each stage with all that it calls: the same on every run. A stage that the compiler made part of its "
+        "caller "
+        "is named; it has no count of its own.";
+    const std::map<std::string, double> counts = instructionsByFunction("nothing used");
+    const auto whole = counts.find("rubble::FrameLoop::step");
+    if (whole == counts.end()) {
+        table.bottomLine = "Not measured: it takes Debian's package valgrind.";
+        return table;
+    }
+    std::vector<Bar> bars;
+    double most = 0.0, sum = 0.0;
+    std::string dearest;
+    for (const Stages& each : stages()) {
+        double count = 0.0;
+        std::string inlined;
+        for (const char* function : each.functions) {
+            const auto at = counts.find(std::string("rubble::") + function);
+            if (at != counts.end())
+                count += at->second;
+            else
+                inlined += std::string(inlined.empty() ? "" : " ") + function;
+        }
+        const double share = count / whole->second;
+        if (share >= most) most = share, dearest = each.feature;
+        sum += share;
+        table.add({each.feature, fmt::format("{:.0f}", count / kSteps), fmt::format("{:.4f}", share * 100.0), inlined.empty() ? "-" : inlined});
+        bars.push_back({each.feature, "absent", {share * 100.0, share * 100.0, share * 100.0}});
+    }
+    table.failed = most > kNothing;
+    table.bottomLine =
+        fmt::format("The dearest of what is absent, {}, takes {:.4f} % of a step, all together {:.4f} %.", dearest, most * 100.0, sum * 100.0);
+    writeBars(options, "T12-absent", "Features that nothing uses", "instructions, % of a step", bars);
+    return table;
+}
+
+}  // namespace rubble::tradeoff
