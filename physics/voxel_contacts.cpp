@@ -15,6 +15,7 @@ constexpr float kInset = 0.05f;             ///< voxels that a feature is looked
 constexpr float kRounding = 1e-3f;          ///< cells by which more is looked at than should be needed
 constexpr float kLookedAt = 0.15f;          ///< voxels, more than the margin, around a corner or edge in which contacts are looked for
 constexpr int kFirstTurns = 4, kTurns = 1;  ///< in the search for a gap, of pairs that are new and not
+constexpr float kStuckDeep = 0.25f;         ///< cells that a feature without a way out must be in for it to count though others touch
 constexpr float kParallel = 0.15f;          ///< sine between edges below which they do not cross
 
 /// One shape's features against another's occupancy.
@@ -78,8 +79,8 @@ public:
         return true;
     }
 
-    /// Whether a feature was inside the other's solid without a way out that it accepts.
-    bool isStuck() const { return m_isStuck; }
+    /// How deep, in cells of the other, a feature was inside its solid without a way out that it accepts; 0: none was.
+    float stuckDepth() const { return m_stuckDepth; }
 
 private:
     /// Whether features in a box of `from` may come within reach of what is solid.
@@ -226,7 +227,7 @@ private:
         Face face = m_occupancy.solid(cell) ? wayOut(m_occupancy, cell, inset, probe)
                                             : closestFace(m_occupancy, cell, inset, m_margin + kInset * m_scale, probe);
         if (face.axis < 0) {
-            m_isStuck = m_isStuck || m_occupancy.solid(cell);
+            if (m_occupancy.solid(cell)) m_stuckDepth = std::max(m_stuckDepth, depthIn(m_occupancy, cell, inset));
             if (!m_sweeps) return;
             const glm::vec3 way = m_velocity + glm::cross(m_spin, inset - m_about);
             if (glm::dot(way, way) > m_margin * m_margin) face = firstFace(m_occupancy, cell, inset, way, probe);
@@ -306,7 +307,8 @@ private:
     std::array<Probe, kFeatureKinds> m_probes;
     std::array<glm::vec3, kFeatureKinds> m_insets;
     float m_margin, m_reach = 0.0f;
-    bool m_sweeps = false, m_isFirst = true, m_isStuck = false;
+    bool m_sweeps = false, m_isFirst = true;
+    float m_stuckDepth = 0.0f;
     uint64_t m_key = 0;
     glm::vec3 m_velocity{0.0f}, m_spin{0.0f}, m_about{0.0f};
     glm::vec3 m_direction{0.0f};                ///< in cells of `from`
@@ -417,8 +419,8 @@ bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const V
             backward.setMotion(-approach.velocity, -approach.spin, settings, approach.way);
             backward.setLimit(-way, hullA.highest(-way) + near, lb);
             backward.run(false, key | 1, out);
-            if (out.size() == before && gap < 0.0f && (forward.isStuck() || backward.isStuck()))
-                out.push_back(pushOut(a, hullA, b, hullB, way, gap, key));
+            const float stuck = std::max(forward.stuckDepth(), backward.stuckDepth());
+            if (gap < 0.0f && stuck > (out.size() == before ? 0.0f : kStuckDeep)) out.push_back(pushOut(a, hullA, b, hullB, way, gap, key));
         }
     return isNear;
 }

@@ -1,5 +1,6 @@
 #include "physics/ways_out.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rubble {
@@ -75,6 +76,17 @@ Face wayOut(Occupancy& occupancy, Cell cell, const glm::vec3& p, const Probe& pr
         best.separation = -1e9f;
     }
     return best;
+}
+
+float depthIn(Occupancy& occupancy, Cell cell, const glm::vec3& p) {
+    float depth = 1.5f;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int sign : {-1, 1}) {
+            Cell next = cell;
+            next[axis] += sign;
+            if (!occupancy.solid(next)) depth = std::min(depth, toSide(cell, p, axis, sign));
+        }
+    return depth;
 }
 
 Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float margin, const Probe& probe) {

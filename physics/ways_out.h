@@ -46,6 +46,8 @@ inline float toSide(Cell cell, const glm::vec3& p, int axis, int sign) {
 /// else straight on. None if it would get out much sooner through a face that the feature does not stick out against: then
 /// another feature is in the way.
 Face wayOut(Occupancy& occupancy, Cell cell, const glm::vec3& p, const Probe& probe);
+/// How deep a point of a solid cell is behind the nearest exposed side of it; 1.5: none is.
+float depthIn(Occupancy& occupancy, Cell cell, const glm::vec3& p);
 /// The closest face within the margin of a point outside the solid.
 Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float margin, const Probe& probe);
 /// The first face that a point meets on its way.
