@@ -71,12 +71,18 @@ Judged lookAtShots(double speed, size_t row, bool full) {
     return judge(double(shots.through) / shots.fired, 0.0, 0.02, fmt::format("{} of {}", shots.through, shots.fired));
 }
 
+/// At several places as far away: whether a rounding there turns a decision, as when something falls asleep, is chance.
 Judged lookAtDistance(double km, size_t row, bool) {
-    const std::vector<glm::dvec3> here = tumble(presets()[row].settings, glm::dvec3(0.0)),
-                                  there = tumble(presets()[row].settings, {km * 1e3, 0, km * 0.625e3});
-    double off = 0.0;
-    for (size_t i = 0; i < here.size(); ++i) off = std::max(off, glm::length(here[i] - there[i]));
-    return judge(off, 1e-3, 1e-2, fmt::format("{:.2g} mm", off * 1e3));
+    constexpr int kPlaces = 8;
+    const std::vector<glm::dvec3> here = tumble(presets()[row].settings, glm::dvec3(0.0));
+    std::vector<double> off;
+    for (int place = 0; place < kPlaces; ++place) {
+        const double far = km * 1e3 * (1.0 + place / 64.0);
+        const std::vector<glm::dvec3> there = tumble(presets()[row].settings, {far, 0, far * 0.625});
+        off.push_back(0.0);
+        for (size_t i = 0; i < here.size(); ++i) off.back() = std::max(off.back(), glm::length(here[i] - there[i]));
+    }
+    return judge(quantile(off, 1.0), 1e-3, 1e-2, fmt::format("{:.2g} mm\n{:.2g} at worst", quantile(off, 0.5) * 1e3, quantile(off, 1.0) * 1e3));
 }
 
 Judged lookAtIncline(double degrees, double friction) {
@@ -180,7 +186,7 @@ std::vector<Map> maps() {
          lookAtShots},
         {"T13-distance",
          "six pieces that fall, slide and tumble, far away",
-         "end within 1 mm of where they do at the origin; degraded: 1 cm",
+         "end within 1 mm of where they do at the origin, at the worst of eight places as far away; degraded: 1 cm",
          "distance, km",
          "km",
          {1, 10, 100, 1000, 10000},
