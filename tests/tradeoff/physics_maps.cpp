@@ -77,7 +77,7 @@ Judged lookAtDistance(double km, size_t row, bool) {
     const std::vector<glm::dvec3> here = tumble(presets()[row].settings, glm::dvec3(0.0));
     std::vector<double> off;
     for (int place = 0; place < kPlaces; ++place) {
-        const double far = km * 1e3 * (1.0 + place / 64.0);
+        const double far = km * 1e3 * (1.0 + 0.0137 * place);
         const std::vector<glm::dvec3> there = tumble(presets()[row].settings, {far, 0, far * 0.625});
         off.push_back(0.0);
         for (size_t i = 0; i < here.size(); ++i) off.back() = std::max(off.back(), glm::length(here[i] - there[i]));
