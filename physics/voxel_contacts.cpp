@@ -16,6 +16,7 @@ constexpr float kRounding = 1e-3f;          ///< cells by which more is looked a
 constexpr float kLookedAt = 0.15f;          ///< voxels, more than the margin, around a corner or edge in which contacts are looked for
 constexpr int kFirstTurns = 4, kTurns = 1;  ///< in the search for a gap, of pairs that are new and not
 constexpr float kStuckDeep = 0.25f;         ///< cells that a feature without a way out must be in for it to count though others touch
+constexpr float kAgree = 0.5f;              ///< length of the mean normal of contacts below which they push against each other
 constexpr float kParallel = 0.15f;          ///< sine between edges below which they do not cross
 
 /// One shape's features against another's occupancy.
@@ -364,6 +365,16 @@ glm::vec3 between(const VoxelPart& to, const PlacedHull& toHull, const VoxelPart
     return length2 > 1e-12f ? way / std::sqrt(length2) : glm::vec3(0.0f, 1.0f, 0.0f);
 }
 
+/// Which way two with a stuck feature are pushed apart: along the hulls' axis if they have no contacts, else as these push on
+/// the whole, or both would spin what lies between. Zero: not at all.
+glm::vec3 wayApart(std::span<const ContactPoint> contacts, const glm::vec3& axis, float stuckDepth) {
+    if (contacts.empty()) return axis;
+    glm::vec3 sum(0.0f);
+    for (const ContactPoint& contact : contacts) sum += contact.normal;
+    const float length = glm::length(sum);
+    return stuckDepth > kStuckDeep && length > kAgree * float(contacts.size()) ? sum / length : glm::vec3(0.0f);
+}
+
 /// For two that overlap so that none of their features accepts a way out: apart along the axis, at the middle of what their
 /// bounds share, no harder than from half a voxel deep.
 ContactPoint pushOut(const VoxelPart& a, const PlacedHull& hullA, const VoxelPart& b, const PlacedHull& hullB, const glm::vec3& axis, float gap,
@@ -420,7 +431,10 @@ bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const V
             backward.setLimit(-way, hullA.highest(-way) + near, lb);
             backward.run(false, key | 1, out);
             const float stuck = std::max(forward.stuckDepth(), backward.stuckDepth());
-            if (gap < 0.0f && stuck > (out.size() == before ? 0.0f : kStuckDeep)) out.push_back(pushOut(a, hullA, b, hullB, way, gap, key));
+            if (const float stuck = std::max(forward.stuckDepth(), backward.stuckDepth()); stuck > 0.0f && gap < 0.0f) {
+                const glm::vec3 apart = wayApart({out.data() + before, out.size() - before}, way, stuck);
+                if (apart != glm::vec3(0.0f)) out.push_back(pushOut(a, hullA, b, hullB, apart, gap, key));
+            }
         }
     return isNear;
 }
