@@ -17,7 +17,7 @@ struct SolverSettings {
     double dampingRatio = 5.0;
     double heavyRatio = 30.0;  ///< of masses above which a light body that bears a heavy one gets stiffer contacts
     int heavyPasses = 8;       ///< over the contacts of such bodies, more than over others; 0: none is stiffer
-    double pushSpeed = 3.0;    ///< m/s at which overlaps are pushed apart
+    double pushSpeed = 1.5;    ///< m/s at which overlaps are pushed apart
     double slop = 0.0002;      ///< metres that contacts may overlap, so that they last
     double bounceSpeed = 1.0;  ///< m/s of approach below which nothing bounces
 };
