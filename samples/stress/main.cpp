@@ -19,6 +19,9 @@ constexpr double kMiB = 1024.0 * 1024.0;
 /// What an emptied loop may hold on to more than after half of the rounds: lists grow to the most that they ever held.
 constexpr double kGrowthAllowed = 64.0 * 1024.0;
 
+/// Joules that may come from nothing in all rounds, as a share of what contacts and friction take.
+constexpr double kGainAllowed = 1e-3;
+
 void printHead() {
     fmt::print(
         "| round | edits | pieces | removed  | bodies | mean ms |   p50  |  p99   | worst | quiet | lost kJ  | gained J | most MiB | emptied KiB | "
@@ -85,6 +88,7 @@ int run(int argc, char** argv) {
     emptied.reserve(size_t(rounds));
     std::string wrong;
     size_t all = 0;
+    double lost = 0.0, gained = 0.0;
     const auto start = std::chrono::steady_clock::now();
     printHead();
     FrameLoop loop(stressLoop(1));  // one for all rounds, as a game's
@@ -96,16 +100,17 @@ int run(int argc, char** argv) {
         if (twice) beginning = loop.save();
         const RoundResult result = playRound(round, loop, advanced);
         wrong = result.wrong;
-        all += size_t(round.steps);
+        all += size_t(round.steps), lost += result.lost, gained += result.gained;
         if (twice && wrong.empty()) wrong = playedAgain(round, std::move(*beginning), result, advanced);
         beginning.reset();
         emptied.push_back(liveBytesEmptied(loop));
         printRound(i, result, emptied.back());
     }
     if (wrong.empty()) wrong = compareMemory(emptied);
-    fmt::print("stress: {} steps in {} rounds, {} of them twice, seed {}, {:.0f} s: {}\n", all, emptied.size(), repeated, round.seed,
-               std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
-               wrong.empty() ? "all held" : "FAILED in round " + std::to_string(round.number) + ": " + wrong);
+    if (wrong.empty() && gained > kGainAllowed * lost) wrong = "more than a thousandth of the energy lost came from nothing";
+    fmt::print("stress: {} steps in {} rounds, {} of them twice, seed {}, {:.0f} s; {:.0f} kJ lost, {:.1f} kJ from nothing: {}\n", all,
+               emptied.size(), repeated, round.seed, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), lost / 1e3,
+               gained / 1e3, wrong.empty() ? "all held" : "FAILED in round " + std::to_string(round.number) + ": " + wrong);
     return wrong.empty() ? 0 : 1;
 }
 
