@@ -32,7 +32,7 @@ void EditStep::breakShape(ShapeHandle handle, const BreakEdit& edit) {
     for (Fragment& fragment : broken.fragments) {
         shape.moments -= fragment.moments;
         countLit(fragment.piece.grid, *shape.palette);
-        touched(handle).fragments.push_back(std::move(fragment));
+        touched(handle).fragments.push_back({std::move(fragment), shape.palette, shape.paintColors});
     }
 }
 

@@ -10,9 +10,12 @@ void EditStep::releaseFragments() {
     for (auto& [slot, broken] : m_touched) {
         if (broken.fragments.empty()) continue;
         ShapeSplit split{.parent = broken.shape};
-        for (Fragment& fragment : broken.fragments) {
+        for (auto& [fragment, palette, paintColors] : broken.fragments) {
             split.parentOffset.push_back(fragment.piece.offset);
             split.children.push_back(createChild(broken.shape, std::move(fragment.piece), fragment.moments, split.motions.emplace_back()));
+            Shape& child = m_world.m_shapes.at(split.children.back());
+            child.palette = std::move(palette);
+            child.paintColors = std::move(paintColors);
         }
         broken.fragments.clear();
         m_cutWires.insert(broken.shape.slot());

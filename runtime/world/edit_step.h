@@ -24,13 +24,19 @@ public:
     static void placeTriggers(World& world);
 
 private:
+    /// A fragment, and what its entries and paint mean: its shape may be painted anew before it is a body.
+    struct BrokenOff {
+        Fragment fragment;
+        PaletteRef palette;
+        PaintColorsRef paintColors;
+    };
     /// What happened to a shape in this step, besides what the journal already holds.
     struct Touched {
         ShapeHandle shape;
         BrickSet carved;
         BrickSet painted;
-        std::vector<Fragment> fragments;  ///< out of the grid already; bodies of their own after the edits
-        bool lostVoxels = false;          ///< and is in a new frame of cells: look at all of it
+        std::vector<BrokenOff> fragments;  ///< out of the grid already; bodies of their own after the edits
+        bool lostVoxels = false;           ///< and is in a new frame of cells: look at all of it
     };
     /// How a free body moved before anything was taken from it.
     struct Motion {

@@ -70,5 +70,42 @@ TEST(PaintEdit, AStrokeIsASkidMark) {
     }
 }
 
+/// Soot that a blast leaves takes palette slots, and merges others where there are none: fragments of that blast keep theirs.
+TEST(PaintEdit, FragmentsKeepTheirMaterialsWhenTheirPaletteIsFull) {
+    Level level = test::oneShapeLevel(VoxelGrid({24, 24, 24}), true);
+    level.materials = defaultMaterials();
+    LevelShape& shape = level.bodies[0].shapes[0];
+    auto palette = std::make_shared<Palette>();
+    const std::array materials = {"concrete", "wood", "brick", "dirt", "plaster"};
+    for (int i = 1; i < 256; ++i) {
+        PaletteEntry& entry = (*palette)[size_t(i)];
+        entry.red = uint8_t(i), entry.green = uint8_t(i * 7), entry.blue = uint8_t(i * 13);
+        entry.material = defaultMaterials().find(materials[size_t(i) % materials.size()]);
+    }
+    shape.palette = palette;
+    {
+        GridWriter writer(shape.grid);
+        for (int z = 0; z < 24; ++z)
+            for (int y = 0; y < 24; ++y)
+                for (int x = 0; x < 24; ++x) writer.set({x, y, z}, uint8_t(1 + (x + 24 * y + 7 * z) % 255));
+        writer.flush();
+    }
+    const auto weighed = [](const World& world) {
+        int64_t weight = 0;
+        world.shapes().forEach([&](ShapeHandle, const Shape& each) {
+            EXPECT_EQ(each.moments, gridMoments(each.grid, *each.palette, world.materials()));
+            weight += each.moments.weight;
+        });
+        return weight;
+    };
+    World world;
+    world.load(level);
+    weighed(world);
+    const FrameChanges changes = world.applyEdits({ExplodeEdit{.position = {2.4, 1.2, 1.2}, .size = 0.9}});
+    EXPECT_FALSE(changes.splits.empty());
+    EXPECT_GT(changes.paintMerges, 0u);
+    weighed(world);
+}
+
 }  // namespace
 }  // namespace rubble
