@@ -94,6 +94,28 @@ TEST(VoxelContacts, FeaturesAreTheConvexCornersAndEdges) {
     }
 }
 
+/// What is stuck is pushed the way that its other contacts push it, or not at all. Such a push alone does not rub.
+TEST(VoxelContacts, APushOutOfWhatIsStuckFightsNoOtherContacts) {
+    const Level level = voronoiPit(40);
+    Random random(5);
+    int pushes = 0;
+    for (int round = 0; round < 600; ++round) {
+        CollisionObject a, b;
+        put(a, level.bodies[1 + size_t(round % 40)], level.materials,
+            {anyVector(random, 0.3), glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
+        put(b, level.bodies[1 + size_t(round * 7 % 40)], level.materials, {{}, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
+        std::vector<ContactPoint> found;
+        glm::vec3 axis(0.0f);
+        findContacts(a.collider, {a.pose, a.lattices()}, b.collider, {b.pose, b.lattices()}, {}, axis, found);
+        if (found.size() < 2 || found.back().friction != 0.0f) continue;
+        ++pushes;
+        glm::vec3 others(0.0f);
+        for (size_t i = 0; i + 1 < found.size(); ++i) others += found[i].normal;
+        EXPECT_GT(glm::dot(others, found.back().normal), 0.5f * float(found.size() - 1)) << round;
+    }
+    EXPECT_GT(pushes, 10);
+}
+
 /// Whatever direction the search for a gap begins with, what it leaves out could not touch.
 TEST(VoxelContacts, DoNotDependOnTheAxisThatTheyBeginWith) {
     const Level level = voronoiPit(40);

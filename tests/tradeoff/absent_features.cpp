@@ -58,8 +58,7 @@ Table absentFeatureTradeoff(const Options& options) {
                 {}};
     table.note =
         "Counted by valgrind's callgrind, each stage with all that it calls: the same on every run. A stage that the compiler made part of its "
-        "caller "
-        "is named; it has no count of its own.";
+        "caller is named; it has no count of its own.";
     const std::map<std::string, double> counts = instructionsByFunction("nothing used");
     const auto whole = counts.find("rubble::FrameLoop::step");
     if (whole == counts.end()) {
