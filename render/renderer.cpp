@@ -146,6 +146,7 @@ void Renderer::Impl::fillBlock(const View& view) {
     camera.begin(view, settings.temporal, scene.origin(), block);
     const Environment& e = scene.environment();
     block.counters.z = int(scene.lights().size());
+    block.counters.w = settings.noise == Noise::White;
     block.sunDirection = glm::vec4(glm::normalize(e.sunDirection), e.sunAngle);
     block.sunColor = glm::vec4(e.sunColor, 0.0f);
     block.skyColor = glm::vec4(e.skyColor, 0.0f);
@@ -237,6 +238,19 @@ std::vector<std::string> Renderer::passNames() const {
     std::vector<std::string> names;
     for (const Shown& shown : kShown) names.emplace_back(shown.name);
     return names;
+}
+
+Result<FloatImage> Renderer::readTarget(std::string_view name) const {
+    const Texture* texture = m_impl->targets.find(name);
+    if (!texture) return Error{"no pass has drawn a target \"" + std::string(name) + "\""};
+    if (pixelFormat(texture->internalFormat()).format == GL_DEPTH_COMPONENT) return Error{"target \"" + std::string(name) + "\" holds no colours"};
+    const GlStateGuard hostState;
+    FloatImage image(texture->size());
+    m_impl->targets.framebuffer({texture}).begin();
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    glReadPixels(0, 0, image.size.x, image.size.y, GL_RGBA, GL_FLOAT, image.pixels.data());
+    return image;
 }
 
 const RenderFigures& Renderer::figures() const {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render/float_image.h"
 #include "runtime/core/result.h"
 #include "runtime/frame/frame_snapshot.h"
 
@@ -25,6 +26,9 @@ struct View {
     bool cut = false;          ///< the camera jumped: history is forgotten
 };
 
+/// How the rays of a pixel are spread. White noise has no order over pixels or time: what estimators are tested with.
+enum class Noise { Blue, White };
+
 /// Quality against speed. Presets "fast", "balanced", "accurate".
 struct RenderSettings {
     int skyRays = 2;  ///< cosine-weighted rays a pixel
@@ -35,7 +39,9 @@ struct RenderSettings {
     int historyFrames = 32;     ///< how many pictures the accumulation remembers
     int warmUpFrames = 0;       ///< drawn unseen before the first picture and after each cut: clean stills
     bool sun = true, sky = true, localLights = true, reflections = true;
-    bool bevel = true;  ///< rounds the edges of near voxels in light
+    bool bounce = true;         ///< what sky and mirror rays hit shines back; off: it is black
+    Noise noise = Noise::Blue;  ///< of light's rays
+    bool bevel = true;          ///< rounds the edges of near voxels in light
     float bloom = 0.04f;
     static RenderSettings preset(std::string_view name);
 };
@@ -65,6 +71,9 @@ public:
     /// Which intermediate target draw() shows: "final" (default), "albedo", "normal", "depth", ... ; false if there is none such.
     bool showPass(std::string_view name);
     std::vector<std::string> passNames() const;
+    /// What the last draw() left in a colour target of this name ("light", "accumulated", "radiance", "depth", ...): not mapped for
+    /// the eye. Waits for the GL. For tests and measurements.
+    Result<FloatImage> readTarget(std::string_view name) const;
     const RenderFigures& figures() const;
 
 private:

@@ -8,6 +8,7 @@ void bindBounce(const Program& program, const FrameContext& frame) {
     program.set("uLastRadiance", radiance.previous);
     program.set("uLastSurface", surface.previous);
     program.set("uLastValid", int(radiance.valid && surface.valid));
+    program.set("uBounce", int(frame.settings.bounce));
     program.set("uSunUp", int(frame.block.sunDirection.y > 0.0f));
 }
 

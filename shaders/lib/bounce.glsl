@@ -4,6 +4,7 @@ uniform sampler2D uLastRadiance;  // last frame's picture before post-processing
 uniform sampler2D uLastSurface;   // x linear depth
 uniform bool uLastValid;
 uniform bool uSunUp;
+uniform bool uBounce;
 
 const float kBounceAlbedo = 0.50;
 const float kShadowCellMetres = 0.1;
@@ -39,6 +40,7 @@ bool radianceOnScreen(vec3 hitWorld, out vec3 radiance) {
 /// run inside a room, where it sums up all bounces, and zero in a closed one.
 vec3 bounceRadiance(vec3 hitWorld, vec3 direction, vec3 lightHere) {
     vec3 radiance;
+    if (!uBounce) return vec3(0.0);
     if (radianceOnScreen(hitWorld, radiance)) return radiance;
     vec3 normal = faceNormal(hitWorld, direction);
     vec3 irradiance = 0.9 * lightHere;

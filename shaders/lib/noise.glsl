@@ -2,15 +2,6 @@
 // quasirandom sequences"): low discrepancy over time at each pixel, blue over the screen at each time.
 uniform sampler2D uBlueNoise;
 
-/// Two numbers in [0, 1) for a pixel. `dimension` tells the draws of one frame apart; `index` counts draws over time.
-vec2 blueNoise(ivec2 pixel, int dimension, int index) {
-    ivec2 first = (pixel + dimension * ivec2(23, 41)) & 63;
-    ivec2 second = (pixel + dimension * ivec2(23, 41) + ivec2(37, 11)) & 63;
-    vec2 base = vec2(texelFetch(uBlueNoise, first, 0).r, texelFetch(uBlueNoise, second, 0).r);
-    // The index wraps so that the product keeps its fraction's bits in float.
-    return fract(base + float(index & 1023) * vec2(0.7548776662, 0.5698402910));
-}
-
 /// A well mixed hash of 32 bits (the "lowbias32" constants found by Chris Wellons' prospector).
 uint hashBits(uint x) {
     x ^= x >> 16;
@@ -18,6 +9,20 @@ uint hashBits(uint x) {
     x ^= x >> 15;
     x *= 0x846ca68bu;
     return x ^ (x >> 16);
+}
+
+/// Two numbers in [0, 1) for a pixel. `dimension` tells the draws of one frame apart; `index` counts draws over time.
+/// White where the settings say so.
+vec2 blueNoise(ivec2 pixel, int dimension, int index) {
+    if (frame.counters.w == 1) {
+        uint seed = hashBits(uint(index) + hashBits(uint(dimension) + hashBits(uint(pixel.x) + hashBits(uint(pixel.y)))));
+        return vec2(uvec2(seed, hashBits(seed ^ 0x9e3779b9u)) >> 8u) * (1.0 / 16777216.0);
+    }
+    ivec2 first = (pixel + dimension * ivec2(23, 41)) & 63;
+    ivec2 second = (pixel + dimension * ivec2(23, 41) + ivec2(37, 11)) & 63;
+    vec2 base = vec2(texelFetch(uBlueNoise, first, 0).r, texelFetch(uBlueNoise, second, 0).r);
+    // The index wraps so that the product keeps its fraction's bits in float.
+    return fract(base + float(index & 1023) * vec2(0.7548776662, 0.5698402910));
 }
 
 float hash01(ivec2 p) { return float(hashBits(uint(p.x) + hashBits(uint(p.y))) >> 8) * (1.0 / 16777216.0); }

@@ -11,7 +11,7 @@ vec4 previousCameraPosition;  // xyz world
 vec4 targetSize;              // width, height, 1 / width, 1 / height of the view
 vec4 jitter;                  // xy of this frame, zw of the last, in uv units: sample point = pixel centre + jitter
 vec4 noiseOffset;             // xy R2 sequence for the blue noise, zw R1 and golden ratio of the frame, all in [0, 1)
-ivec4 counters;               // x frame number, y 1 if the last frame may be reprojected, z number of lights, w unused
+ivec4 counters;               // x frame number, y 1 if the last frame may be reprojected, z number of lights, w 1 for white noise
 vec4 sunDirection;            // xyz unit vector towards the sun; w angular radius, radians
 vec4 sunColor;                // rgb irradiance on a face turned to it
 vec4 skyColor;                // rgb radiance overhead

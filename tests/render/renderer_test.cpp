@@ -126,5 +126,24 @@ TEST_F(RendererTest, TownPicture) {
     }
 }
 
+TEST_F(RendererTest, TargetsAreReadAsNumbers) {
+    TestScene scene = corner();
+    renderer->apply(scene.take());
+    Offscreen target({64, 48});
+    Camera camera;
+    camera.position = {0, 2, 6};
+    camera.lookAt({0, 0, 0});
+    renderer->draw(camera.view(target.size(), target.framebuffer()), 1.0f);
+    const auto depth = renderer->readTarget("depth"), normal = renderer->readTarget("normal");
+    ASSERT_TRUE(depth) << depth.error();
+    ASSERT_TRUE(normal) << normal.error();
+    EXPECT_EQ(depth->size, target.size());
+    // The lowest row shows the floor, nearer than the middle of the picture does.
+    EXPECT_NEAR(normal->at(32, 0).y, 1.0f, 0.01f);
+    EXPECT_LT(depth->at(32, 0).x, depth->at(32, 16).x);
+    EXPECT_FALSE(renderer->readTarget("depthBuffer"));
+    EXPECT_FALSE(renderer->readTarget("no such"));
+}
+
 }  // namespace
 }  // namespace rubble

@@ -1,0 +1,19 @@
+#pragma once
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+namespace rubble {
+
+/// A picture in linear numbers of any range: rgba, rows from the bottom.
+struct FloatImage {
+    glm::ivec2 size{0};
+    std::vector<glm::vec4> pixels;
+
+    FloatImage() = default;
+    explicit FloatImage(glm::ivec2 given) : size(given), pixels(size_t(given.x) * size_t(given.y), glm::vec4(0.0f)) {}
+    glm::vec4& at(int x, int y) { return pixels[size_t(y) * size_t(size.x) + size_t(x)]; }
+    const glm::vec4& at(int x, int y) const { return pixels[size_t(y) * size_t(size.x) + size_t(x)]; }
+};
+
+}  // namespace rubble
