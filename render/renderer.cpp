@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "render/frame_camera.h"
@@ -23,6 +24,7 @@
 #include "render/passes/taa_pass.h"
 #include "render/passes/tonemap_pass.h"
 #include "render/passes/water_pass.h"
+#include "render/passes/wetness_pass.h"
 #include "render/scene/scene.h"
 #include "runtime/core/blue_noise.h"
 
@@ -57,6 +59,7 @@ struct Renderer::Impl {
     void drawPasses(const FrameContext& frame) {
         run("gbuffer", [&] { gbuffer.draw(frame); });
         if (!scene.ropes().empty()) run("ropes", [&] { drawRopes(frame); });
+        if (scene.environment().wetness > 0.0f) run("wetness", [&] { drawWetness(frame); });
         if (scene.hasGlass()) run("glass", [&] { glass.draw(frame, gbuffer.order()); });
         clearLight(frame);
         if (settings.sun && block.sunDirection.y > 0.0f) run("sun", [&] { sun.draw(frame); });
@@ -83,6 +86,11 @@ struct Renderer::Impl {
     void drawRopes(const FrameContext& frame) {
         if (!ropes) ropes.emplace(shaders);
         ropes->draw(frame, alphaOfStep);
+    }
+
+    void drawWetness(const FrameContext& frame) {
+        if (!wetness) wetness.emplace(shaders);
+        wetness->draw(frame);
     }
 
     void drawWaters(const FrameContext& frame) {
@@ -132,6 +140,7 @@ struct Renderer::Impl {
     FilterPass filter{shaders};
     ReflectionsPass reflections{shaders};
     CompositePass composite{shaders};
+    std::optional<WetnessPass> wetness;
     std::optional<WaterPass> water;
     std::optional<ParticlesPass> particles;
     std::optional<RopesPass> ropes;
@@ -151,7 +160,7 @@ void Renderer::Impl::fillBlock(const View& view) {
     block.sunColor = glm::vec4(e.sunColor, 0.0f);
     block.skyColor = glm::vec4(e.skyColor, 0.0f);
     block.horizonColor = glm::vec4(e.horizonColor, 0.0f);
-    block.groundColor = glm::vec4(e.groundColor, 0.0f);
+    block.groundColor = glm::vec4(e.groundColor, e.wetness > 0.0f ? std::min(e.wetness, 1.0f) : 0.0f);
     block.fogColor = glm::vec4(e.fogColor, e.fogDistance);
     block.exposure = glm::vec4(e.exposure);
     block.shadowSectorLow = glm::ivec4(scene.shadowSectorLow(), scene.shadow().sectorCount().x > 0);

@@ -122,6 +122,10 @@ void Program::set(std::string_view name, const glm::mat4& value) const {
     if (const Uniform* u = find(name)) glUniformMatrix4fv(u->location, 1, GL_FALSE, glm::value_ptr(value));
 }
 
+void Program::set(std::string_view name, std::span<const glm::vec4> values) const {
+    if (const Uniform* u = find(name)) glUniform4fv(u->location, GLsizei(values.size()), glm::value_ptr(values[0]));
+}
+
 void Program::bind(std::string_view sampler, GLenum target, GLuint texture) const {
     const Uniform* u = find(sampler);
     if (!u || u->unit < 0) return;

@@ -3,6 +3,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,8 @@ public:
     void set(std::string_view uniform, glm::ivec2 value) const;
     void set(std::string_view uniform, glm::ivec3 value) const;
     void set(std::string_view uniform, const glm::mat4& value) const;
+    /// The first elements of an array; its name ends in [0].
+    void set(std::string_view uniform, std::span<const glm::vec4> values) const;
     /// Binds a texture to the sampler's unit.
     void set(std::string_view sampler, const Texture& texture) const { bind(sampler, texture.target(), texture.name()); }
     void set(std::string_view sampler, const BufferTexture& texture) const { bind(sampler, texture.target(), texture.name()); }

@@ -23,7 +23,7 @@ ReflectionsPass::ReflectionsPass(ShaderLibrary& shaders)
     : m_mask(shaders.load("passes/reflection_mask.frag")), m_program(shaders.load("passes/reflections.frag", kFarVertexShader)) {}
 
 bool ReflectionsPass::needed(const FrameContext& frame) {
-    return frame.settings.reflections && (frame.scene.hasMirrors() || frame.scene.hasGlass());
+    return frame.settings.reflections && (frame.scene.hasMirrors() || frame.scene.hasGlass() || frame.scene.environment().wetness > 0.0f);
 }
 
 void ReflectionsPass::draw(const FrameContext& frame) const {

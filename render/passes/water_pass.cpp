@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/mat4x4.hpp>
 
+#include "render/passes/bounce.h"
 #include "render/scene/scene.h"
 #include "runtime/core/log.h"
 
@@ -11,6 +13,8 @@ namespace rubble {
 namespace {
 
 constexpr size_t kMostCorners = 32;
+constexpr size_t kMostRipples = 64;
+constexpr float kRingSpeed = 0.9f;                                                      // m/s
 constexpr std::array kOutlines = {"uOutline0", "uOutline1", "uOutline2", "uOutline3"};  // 8 corners each
 
 }  // namespace
@@ -37,23 +41,40 @@ void WaterPass::setWater(const FrameContext& frame, const Water& water) const {
     m_program.set("uSeconds", float(frame.scene.seconds()));
 }
 
+/// The rings on this water, as the shader reads them: where the crest is and how high it still stands.
+void WaterPass::setRipples(const FrameContext& frame, const Water& water) const {
+    const glm::dvec3 origin = frame.scene.origin();
+    std::array<glm::vec4, kMostRipples> rings;
+    int count = 0;
+    for (const SnapshotRipple& ripple : frame.scene.ripples()) {
+        if (ripple.surface != water.surface || size_t(count) == kMostRipples) continue;
+        const float radius = ripple.radius + kRingSpeed * ripple.age;
+        const float fade = std::exp(-1.2f * ripple.age) * std::min(ripple.age * 8.0f, 1.0f) * std::sqrt((ripple.radius + 0.3f) / (radius + 0.3f));
+        rings[size_t(count++)] = {float(ripple.place.x - origin.x), float(ripple.place.y - origin.z), radius, ripple.strength * fade};
+    }
+    m_program.set("uRippleCount", count);
+    if (count > 0) m_program.set("uRipples[0]", std::span<const glm::vec4>(rings.data(), size_t(count)));
+}
+
 void WaterPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
-    frame.targets.framebuffer({&frame.targets.at("radiance")}).begin();
-    m_program.use();
-    m_program.set("uDepth", frame.targets.at("depth"));
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
+    const Texture& behind = frame.targets.target("behindWater", GL_RGBA16F);
+    const Framebuffer& picture = frame.targets.framebuffer({&frame.targets.at("radiance")});
     for (const Water& water : frame.scene.waters()) {
+        frame.targets.framebuffer({&behind}).begin();
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.name());
+        glBlitFramebuffer(0, 0, behind.size().x, behind.size().y, 0, 0, behind.size().x, behind.size().y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        picture.begin();
+        m_program.use();
+        m_program.set("uDepth", frame.targets.at("depth"));
+        m_program.set("uBehind", behind);
+        m_program.set("uBlueNoise", frame.blueNoise);
+        frame.scene.bindShadow(m_program);
+        bindBounce(m_program, frame);
         setWater(frame, water);
-        m_program.set("uAdds", 0);  // first what is left of the light from below, then the water's own
-        glBlendFunc(GL_ZERO, GL_SRC_COLOR);
-        frame.drawFullscreen();
-        m_program.set("uAdds", 1);
-        glBlendFunc(GL_ONE, GL_ONE);
+        setRipples(frame, water);
         frame.drawFullscreen();
     }
-    glDisable(GL_BLEND);
 }
 
 }  // namespace rubble

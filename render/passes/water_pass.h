@@ -5,8 +5,8 @@ namespace rubble {
 
 struct Water;
 
-/// Draws the surfaces of waters over "radiance": what is below is tinted by the way through the water, the sky is mirrored in
-/// ripples. Seen from above only; of an outline the first 32 corners count.
+/// Draws the surfaces of waters over "radiance": what is below is bent by the waves and tinted by the way through the water, what is
+/// around is mirrored by rays, foam lies where the water ends. Seen from above only; of an outline the first 32 corners count.
 class WaterPass {
 public:
     explicit WaterPass(ShaderLibrary& shaders);
@@ -14,6 +14,7 @@ public:
 
 private:
     void setWater(const FrameContext& frame, const Water& water) const;
+    void setRipples(const FrameContext& frame, const Water& water) const;
 
     const Program& m_program;
 };

@@ -20,6 +20,8 @@ void Scene::apply(FrameSnapshot&& snapshot) {
     for (const SnapshotPose& pose : snapshot.poses) m_bodies.setPose(pose);
     m_shadow.apply(snapshot.shadow, snapshot.shadowReplacesAll);
     if (snapshot.watersChanged) m_waters = std::move(snapshot.waters);
+    if (snapshot.replacesAll) m_ripples.clear();
+    if (snapshot.ripplesChanged) m_ripples = std::move(snapshot.ripples);
     m_seconds = double(snapshot.version) / 60.0;
     if (snapshot.lightsChanged) m_lights = std::move(snapshot.lights);
     if (snapshot.replacesAll) m_ropes.clear();

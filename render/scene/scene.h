@@ -22,6 +22,7 @@ public:
     const std::vector<SnapshotRope>& ropes() const { return m_ropes; }
     const Environment& environment() const { return m_environment; }
     const std::vector<Water>& waters() const { return m_waters; }
+    const std::vector<SnapshotRipple>& ripples() const { return m_ripples; }
     /// Of game time, at the step that is drawn.
     double seconds() const { return m_seconds; }
     /// Sets the samplers that lib/shadow_trace.glsl reads. The program must be in use.
@@ -47,6 +48,7 @@ private:
     std::vector<SnapshotParticle> m_particles;
     std::vector<SnapshotRope> m_ropes;
     std::vector<Water> m_waters;
+    std::vector<SnapshotRipple> m_ripples;
     double m_seconds = 0.0;
     bool m_smokeChanged = false;
     Environment m_environment;

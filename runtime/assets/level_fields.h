@@ -143,6 +143,7 @@ void fields(A& a, Is<Environment> auto& environment) {
     a("fog_color", environment.fogColor);
     a("fog_distance", environment.fogDistance);
     a("exposure", environment.exposure);
+    a("wetness", environment.wetness);
     a("gravity", environment.gravity);
 }
 template <class A>

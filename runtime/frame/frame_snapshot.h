@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -80,6 +81,15 @@ struct SnapshotRope {
     glm::vec3 color;                            ///< sRGB, 0 to 1
 };
 
+/// A ring that runs over a water's surface from where something moved in it.
+struct SnapshotRipple {
+    glm::dvec2 place;  ///< world x and z
+    double surface;    ///< height of the water
+    float radius;      ///< metres, at its birth
+    float strength;    ///< metres, crest above calm at its birth
+    float age;         ///< seconds
+};
+
 /// What one frame hands to the renderer: values only, and only what changed since the snapshot before. All of it shows
 /// the step `version`, the shadow volume too, so light and bodies agree.
 struct FrameSnapshot {
@@ -101,6 +111,8 @@ struct FrameSnapshot {
     std::vector<SnapshotRope> ropes;  ///< all of them, if ropesChanged
     bool watersChanged = false;
     std::vector<Water> waters;  ///< all of them, if watersChanged
+    bool ripplesChanged = false;
+    std::vector<SnapshotRipple> ripples;  ///< all of them, if ripplesChanged
     bool environmentChanged = false;
     Environment environment;
     bool shadowReplacesAll = false;

@@ -137,6 +137,10 @@ void merge(FrameSnapshot& into, FrameSnapshot&& later) {
         into.watersChanged = true;
         into.waters = std::move(later.waters);
     }
+    if (later.ripplesChanged) {
+        into.ripplesChanged = true;
+        into.ripples = std::move(later.ripples);
+    }
     if (later.environmentChanged) {
         into.environmentChanged = true;
         into.environment = later.environment;

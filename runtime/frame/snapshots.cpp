@@ -20,7 +20,8 @@ SnapshotShape describeShape(ShapeHandle handle, const Shape& shape) {
 
 bool showsNothing(const FrameSnapshot& s) {
     return !s.replacesAll && s.destroyed.empty() && s.created.empty() && s.bricks.empty() && s.palettes.empty() && s.poses.empty() &&
-           !s.lightsChanged && !s.firesChanged && !s.particlesChanged && !s.ropesChanged && !s.watersChanged && !s.environmentChanged;
+           !s.lightsChanged && !s.firesChanged && !s.particlesChanged && !s.ropesChanged && !s.watersChanged && !s.ripplesChanged &&
+           !s.environmentChanged;
 }
 
 void append(std::optional<FrameSnapshot>& out, FrameSnapshot&& later) {
@@ -94,6 +95,8 @@ void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> m
     addPoses(moved, world, out);
     addLights(changes, moved, world, out);
     addParticles(changes, impacts, world, out);
+    if (changes.levelReplaced) m_ripples.clear();
+    addRipples(moved, world, out);
     if (changes.levelReplaced) m_ropes.clear();
     if (!m_ropes.empty() || !world.jointList().ropes().empty()) addRopes(world, out);
     if (changes.levelReplaced || !changes.waters.empty()) {
@@ -168,6 +171,14 @@ void Snapshots::addParticles(const FrameChanges& changes, std::span<const Impact
     if (!before && m_particles.empty()) return;
     out.particlesChanged = true;
     out.particles = m_particles.snapshot();
+}
+
+void Snapshots::addRipples(std::span<const BodyPose> moved, const World& world, FrameSnapshot& out) {
+    const bool before = !m_ripples.empty();
+    m_ripples.step(moved, world);
+    if (!before && m_ripples.empty()) return;
+    out.ripplesChanged = true;
+    out.ripples = m_ripples.snapshot();
 }
 
 void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, FrameSnapshot& out) {

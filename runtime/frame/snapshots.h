@@ -7,6 +7,7 @@
 #include "runtime/core/mailbox.h"
 #include "runtime/frame/frame_snapshot.h"
 #include "runtime/frame/particles.h"
+#include "runtime/frame/ripples.h"
 #include "runtime/world/world.h"
 
 namespace rubble {
@@ -45,6 +46,7 @@ private:
     /// Nothing if the snapshot already holds it.
     void addPose(ShapeHandle shape, const World& world, FrameSnapshot& out);
     void addParticles(const FrameChanges& changes, std::span<const Impact> impacts, const World& world, FrameSnapshot& out);
+    void addRipples(std::span<const BodyPose> moved, const World& world, FrameSnapshot& out);
     void addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, FrameSnapshot& out);
     void addRopes(const World& world, FrameSnapshot& out);
     void addFires(const FrameChanges& changes, const World& world, FrameSnapshot& out) const;
@@ -61,6 +63,7 @@ private:
     std::vector<BodyHandle> m_lightBodies;  ///< that carry a light, ascending
     std::optional<Environment> m_environment;
     Particles m_particles;
+    Ripples m_ripples;
     std::vector<SnapshotRope> m_ropes;  ///< as the newest snapshot shows them
     std::vector<SnapshotFire> m_fires;  ///< that burn now: they feed the particles
 };

@@ -54,6 +54,7 @@ struct Environment {
     glm::vec3 fogColor{0.62f, 0.66f, 0.72f};
     float fogDistance = 150.0f;  ///< metres at which the haze takes half
     float exposure = 1.0f;
+    float wetness = 0.0f;  ///< of what lies open to the sky: 0 dry, 0.5 dark and smooth, 1 with puddles
     glm::vec3 gravity{0.0f, -9.81f, 0.0f};
 
     friend bool operator==(const Environment&, const Environment&) = default;

@@ -1,10 +1,13 @@
-// The surface of a water, in two draws that blend: what is left of the light from below, and what the water adds.
+// The surface of a water over a copy of the picture: what is below it, bent and tinted by the way through it, and what it mirrors.
+#include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 #include "lib/brdf.glsl"
 #include "lib/sky.glsl"
+#include "lib/shadow_trace.glsl"
+#include "lib/bounce.glsl"
 
-uniform sampler2D uDepth;
+uniform sampler2D uBehind;   // the picture without this water
 uniform mat4 uOutline0, uOutline1, uOutline2, uOutline3;  // corners x, z, x, z ...
 uniform int uCorners;
 uniform float uSurface;   // height
@@ -12,7 +15,13 @@ uniform vec3 uColor;      // of the light that is left after uClarity metres
 uniform float uClarity;
 uniform vec4 uWaves;      // height, length, speed, direction
 uniform float uSeconds;
-uniform bool uAdds;
+uniform vec4 uRipples[64];  // xy place, z radius of the crest now, w height
+uniform int uRippleCount;
+
+const float kRingWidth = 0.45;      // metres to each side of a crest
+const float kRefraction = 0.35;     // metres that a slope of 1 shifts what lies a metre below
+const float kReactive = 0.6;        // how far anti-aliasing may trust its past here: waves leave no motion behind
+const float kMirrorReach = 40.0;    // metres
 
 in vec2 uv;
 out vec4 color;
@@ -32,6 +41,21 @@ bool insideOutline(vec2 p) {
     return inside;
 }
 
+/// Slope of the rings that run over the water, and in z how high the nearest crest is.
+vec3 ringSlope(vec2 p) {
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < uRippleCount; ++i) {
+        vec2 away = p - uRipples[i].xy;
+        float range = length(away);
+        float phase = (range - uRipples[i].z) / kRingWidth;
+        if (abs(phase) >= 1.0 || range < 1e-3) continue;
+        float window = (1.0 - phase * phase) * (1.0 - phase * phase);
+        sum.xy += away / range * (uRipples[i].w * window * cos(9.42 * phase) * 9.42 / kRingWidth);
+        sum.z += uRipples[i].w * window * max(sin(9.42 * phase + 1.57), 0.0);
+    }
+    return sum;
+}
+
 /// Slopes of a few sines, the longest first: each turned from the last and a little shorter.
 vec2 rippleSlope(vec2 p, float far) {
     vec2 slope = vec2(0.0);
@@ -48,6 +72,39 @@ vec2 rippleSlope(vec2 p, float far) {
     return slope;
 }
 
+/// Where the ray of a pixel meets what is below, shifted by the waves: its colour, and its way through the water in w.
+vec4 seenBelow(vec3 place, vec2 slope, float t, float behind, float stretch) {
+    float deep = min(behind - t, 3.0);
+    vec4 clip = frame.viewProjection * vec4(place - vec3(slope.x, 0.0, slope.y) * (kRefraction * deep), 1.0);
+    vec4 straight = frame.viewProjection * vec4(place, 1.0);
+    ivec2 shift = ivec2((clip.xy / clip.w - straight.xy / straight.w) * 0.5 * frame.targetSize.xy);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    ivec2 bent = clamp(pixel + shift, ivec2(0), ivec2(frame.targetSize.xy) - 1);
+    float bentDepth = texelFetch(uDepth, bent, 0).r;
+    // What stands before the water is not seen through it.
+    if (bentDepth <= t) {
+        bent = pixel;
+        bentDepth = behind;
+    }
+    return vec4(texelFetch(uBehind, bent, 0).rgb, min((bentDepth - t) * stretch, 50.0));
+}
+
+vec3 mirroredIn(vec3 place, vec3 normal, vec3 direction) {
+    vec3 mirror = reflect(direction, normal);
+    mirror = normalize(vec3(mirror.x, max(mirror.y, 0.03), mirror.z));
+    float t;
+    vec3 origin = place + vec3(0.0, 0.01, 0.0);
+    if (shadowTrace(origin, mirror, kMirrorReach, t)) return bounceRadiance(origin + mirror * t, mirror, 0.4 * skyRadiance(vec3(0, 1, 0)));
+    return withHills(withClouds(skyRadiance(mirror), mirror), mirror);
+}
+
+/// Share of white on the water: a line along what it touches, and on steep rings.
+float foamAt(vec2 place, float below, float crest) {
+    float bubbles = fractalNoise(place * 7.0 + uSeconds * 0.15, 3);
+    float shore = (1.0 - smoothstep(0.0, 0.14, below)) * 0.9;
+    return smoothstep(0.62, 0.80, bubbles * 0.55 + shore * 0.5 + min(crest * 14.0, 0.45));
+}
+
 void main() {
     vec3 ray = viewRay(uv);
     float over = frame.cameraPosition.y - uSurface;
@@ -59,21 +116,17 @@ void main() {
 
     float stretch = length(ray);
     vec3 direction = ray / stretch;
-    vec2 slope = rippleSlope(place.xz, t);
+    vec3 rings = ringSlope(place.xz);
+    vec2 slope = rippleSlope(place.xz, t) + rings.xy;
     vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
     float mirrored = fresnel(vec3(0.02), max(dot(normal, -direction), 0.0)).r;
-    float way = min((behind - t) * stretch, 50.0);
-    vec3 left = pow(uColor, vec3(way / uClarity));
-    if (!uAdds) {
-        color = vec4(left * (1.0 - mirrored), 1.0);
-        return;
-    }
+    vec4 below = seenBelow(place, slope, t, behind, stretch);
+    vec3 left = pow(uColor, vec3(below.w / uClarity));
     vec3 light = skyRadiance(vec3(0, 1, 0)) + frame.sunColor.rgb * max(frame.sunDirection.y, 0.0) * 0.3183;
     vec3 scattered = uColor * light * 0.35 * (1.0 - left);
-    vec3 mirror = reflect(direction, normal);
-    mirror = normalize(vec3(mirror.x, max(mirror.y, 0.03), mirror.z));
-    vec3 sky = withHills(withClouds(skyRadiance(mirror), mirror), mirror);
     vec3 glint = frame.sunColor.rgb * min(specularLobe(normal, -direction, frame.sunDirection.xyz, 0.12), 30.0) *
                  max(dot(normal, frame.sunDirection.xyz), 0.0) * mirrored;
-    color = vec4(scattered * (1.0 - mirrored) + sky * mirrored + min(glint, vec3(20.0)), 0.0);
+    vec3 water = (below.rgb * left + scattered) * (1.0 - mirrored) + mirroredIn(place, normal, direction) * mirrored + min(glint, vec3(20.0));
+    float foam = foamAt(place.xz, (behind - t) * -ray.y, rings.z);
+    color = vec4(mix(water, 0.75 * light, foam), kReactive);
 }

@@ -16,7 +16,7 @@ vec4 sunDirection;            // xyz unit vector towards the sun; w angular radi
 vec4 sunColor;                // rgb irradiance on a face turned to it
 vec4 skyColor;                // rgb radiance overhead
 vec4 horizonColor;            // rgb
-vec4 groundColor;             // rgb
+vec4 groundColor;             // rgb; w wetness of what lies open to the sky, 0 to 1
 vec4 fogColor;                // rgb; w metres at which the haze takes half
 vec4 exposure;                // x of the level
 ivec4 shadowSectorLow;        // xyz first sector of the shadow volume's directory (from the render origin); w 1 if there is a volume

@@ -1,0 +1,33 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "runtime/frame/frame_snapshot.h"
+#include "runtime/world/world.h"
+
+namespace rubble {
+
+/// Rings on water around what moves through its surface: bodies and characters. At most kMostRipples; a new one takes the oldest's
+/// place. For eyes only: the World knows nothing of them. Owned by Snapshots. [main-thread]
+class Ripples {
+public:
+    static constexpr size_t kMostRipples = 64;
+    static constexpr float kLife = 3.0f;  ///< seconds
+
+    /// Ages what is there by 1/60 s and adds what the bodies that moved in this step make. Looks at them only where there is water.
+    void step(std::span<const BodyPose> moved, const World& world);
+    void clear() { m_alive.clear(); }
+    bool empty() const { return m_alive.empty(); }
+    std::vector<SnapshotRipple> snapshot() const;
+
+private:
+    struct Ripple {
+        SnapshotRipple drawn;
+        uint64_t source;  ///< bits of the handle of what made it
+    };
+    void disturb(const Water& water, const WorldBox& box, glm::dvec3 velocity, uint64_t source);
+
+    std::vector<Ripple> m_alive;  ///< oldest first
+};
+
+}  // namespace rubble

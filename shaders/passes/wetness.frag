@@ -1,0 +1,44 @@
+// Rain on what lies open to the sky, blended over the G-buffer: a film that darkens and smooths what is rough, and puddles on
+// level ground. A ray upward tells what is under a roof.
+#include "lib/gbuffer.glsl"
+#include "lib/frame.glsl"
+#include "lib/noise.glsl"
+#include "lib/sampling.glsl"
+#include "lib/shadow_trace.glsl"
+
+uniform float uReach;  // metres: a roof higher than that keeps nothing dry
+
+in vec2 uv;
+layout(location = 0) out vec4 outAlbedo;    // a: how far the colour goes to rgb
+layout(location = 1) out vec4 outMaterial;  // roughness, metallic, reflectivity; a: how far they go there
+
+const float kRainAngle = 0.12;         // radians that drops fall aslant
+const float kPuddleMetres = 2.2;       // across, about
+
+/// Depth of standing water over level ground, some tenths where there is a puddle and below zero where there is none.
+float puddleDepth(vec2 place, float wetness) {
+    float hollows = 0.8 * fractalNoise(place / kPuddleMetres, 3) + 0.2 * valueNoise(place * 2.7);
+    return hollows - mix(0.92, 0.47, wetness);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Surface s = readSurface(pixel);
+    float up = s.normal.y;
+    if (s.sky || up < -0.3) discard;
+    vec3 world = worldFromDepth(uv, s.depth);
+    vec3 rain = coneDirection(vec3(0, 1, 0), kRainAngle, blueNoise(pixel, 30, frame.counters.x));
+    // Walls get what the wind brings, and only high up under the sky.
+    rain = normalize(rain + s.normal * (1.0 - max(up, 0.0)) * 0.6);
+    float t;
+    if (shadowTrace(shadowOrigin(world, s.normal), rain, uReach, t)) discard;
+
+    float wetness = frame.groundColor.w;
+    vec2 place = fract(world.xz / 512.0) * 512.0;
+    float film = smoothstep(0.0, 0.6, wetness) * mix(0.35, 1.0, max(up, 0.0));
+    float puddle = up > 0.9 ? smoothstep(0.0, 0.05, puddleDepth(place, wetness)) : 0.0;
+    float porous = smoothstep(0.25, 0.7, s.roughness) * (1.0 - s.metallic);
+    outAlbedo = vec4(vec3(0.0), porous * (0.28 * film + 0.10 * puddle));
+    float damp = film * smoothstep(0.3, 0.9, up);
+    outMaterial = vec4(mix(0.34, 0.02, puddle), s.metallic, mix(0.035, 0.05, puddle), max(puddle, 0.75 * damp));
+}
