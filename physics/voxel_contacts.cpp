@@ -430,7 +430,6 @@ bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const V
             backward.setMotion(-approach.velocity, -approach.spin, settings, approach.way);
             backward.setLimit(-way, hullA.highest(-way) + near, lb);
             backward.run(false, key | 1, out);
-            const float stuck = std::max(forward.stuckDepth(), backward.stuckDepth());
             if (const float stuck = std::max(forward.stuckDepth(), backward.stuckDepth()); stuck > 0.0f && gap < 0.0f) {
                 const glm::vec3 apart = wayApart({out.data() + before, out.size() - before}, way, stuck);
                 if (apart != glm::vec3(0.0f)) out.push_back(pushOut(a, hullA, b, hullB, apart, gap, key));

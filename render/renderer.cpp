@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 
 #include "render/frame_camera.h"
@@ -27,6 +28,7 @@
 #include "render/passes/wetness_pass.h"
 #include "render/scene/scene.h"
 #include "runtime/core/blue_noise.h"
+#include "runtime/core/log.h"
 
 namespace rubble {
 namespace {
@@ -113,6 +115,8 @@ struct Renderer::Impl {
     }
     void draw(const View& view, float alpha);
     void drawOnce(const View& view);
+    void drawSmallerIfRefused(const View& view);
+    glm::vec4 dot() const;
     void fillBlock(const View& view);
     void uploadBlock();
 
@@ -130,6 +134,9 @@ struct Renderer::Impl {
     bool drawnBefore = false;
     float alphaOfStep = 1.0f;  ///< of the frame being drawn
     const Shown* shown = &kShown[0];
+    int halvings = 0;  ///< of the view's size, where the GL cannot do more
+    std::string trouble;
+    std::chrono::steady_clock::time_point reloaded{};
 
     GBufferPass gbuffer{shaders};
     GlassPass glass{shaders};
@@ -173,8 +180,28 @@ void Renderer::Impl::uploadBlock() {
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, blockBuffer.get());
 }
 
+constexpr int kMostHalvings = 6;
+
+/// How often a size must be halved to fit what the GL can draw into.
+int halvingsFor(glm::ivec2 size) {
+    GLint side = 0, viewport[2] = {0, 0};
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+    const glm::ivec2 most(std::min(side, viewport[0]), std::min(side, viewport[1]));
+    int halvings = 0;
+    while (halvings < kMostHalvings && ((size.x >> halvings) > most.x || (size.y >> halvings) > most.y)) ++halvings;
+    return halvings;
+}
+
 void Renderer::Impl::draw(const View& view, float alpha) {
+    if (view.size.x <= 0 || view.size.y <= 0) return;
+    if (isContextLost()) {
+        if (trouble.empty()) logError(trouble = "the GL context was lost: destroy this renderer, make a context and a new one");
+        return;
+    }
+    trouble.clear();
     const GlStateGuard hostState;
+    halvings = std::max(halvings, halvingsFor(view.size));
     figures.uploadBytes = scene.beginFrame(alpha, view.position);
     alphaOfStep = alpha;
     const bool fresh = view.cut || !drawnBefore;
@@ -184,12 +211,36 @@ void Renderer::Impl::draw(const View& view, float alpha) {
         drawOnce(each);
         each.cut = false;
     }
+    drawSmallerIfRefused(view);
     figures.textureBytes = targets.bytes() + scene.bytes() + blueNoise.bytes();
     figures.shapes = scene.bodies().shapes();
     figures.bricks = scene.bodies().bricks();
 }
 
-void Renderer::Impl::drawOnce(const View& view) {
+void Renderer::Impl::drawSmallerIfRefused(const View& view) {
+    while (targets.refused()) {
+        if (halvings == kMostHalvings) {
+            logError(trouble = "the GL refuses every size of targets to draw into: is it out of memory?");
+            return;
+        }
+        ++halvings;
+        logWarning("the GL refuses targets for a view of " + std::to_string(view.size.x) + "x" + std::to_string(view.size.y) + ": drawn at 1/" +
+                   std::to_string(1 << halvings) + " of it");
+        targets.clear();
+        drawOnce(view);
+    }
+}
+
+/// Red while shaders do not build, green for a second after they were reloaded.
+glm::vec4 Renderer::Impl::dot() const {
+    if (!shaders.errors().empty()) return {0.9f, 0.1f, 0.05f, 1.0f};
+    const bool justNow = std::chrono::steady_clock::now() - reloaded < std::chrono::seconds(1);
+    return justNow ? glm::vec4(0.1f, 0.8f, 0.2f, 1.0f) : glm::vec4(0.0f);
+}
+
+void Renderer::Impl::drawOnce(const View& wanted) {
+    View view = wanted;
+    view.size = glm::max(wanted.size >> halvings, glm::ivec2(1));
     timer.beginFrame(figures.passMs);
     figures.drawCalls = figures.bodyDraws = 0;
     targets.beginFrame(view.size, view.cut);
@@ -198,7 +249,7 @@ void Renderer::Impl::drawOnce(const View& view) {
     const FrameContext frame{block, settings, scene, targets, blueNoise, figures, emptyVertexArray};
     drawPasses(frame);
     const Texture* target = targets.find(shown->target);
-    run("show", [&] { show.draw(frame, target ? *target : blueNoise, shown->mode, view.framebuffer, view.size); });
+    run("show", [&] { show.draw(frame, target ? *target : blueNoise, shown->mode, wanted, dot()); });
 }
 
 RenderSettings RenderSettings::preset(std::string_view name) {
@@ -232,6 +283,21 @@ void Renderer::apply(FrameSnapshot&& snapshot) {
 }
 void Renderer::draw(const View& view, float alpha) {
     m_impl->draw(view, alpha);
+}
+
+const std::string& Renderer::trouble() const {
+    return m_impl->trouble;
+}
+
+bool Renderer::reloadShaders() {
+    const GlStateGuard hostState;
+    const bool any = m_impl->shaders.reloadChanged();
+    if (any) m_impl->reloaded = std::chrono::steady_clock::now();
+    return any;
+}
+
+std::vector<std::string> Renderer::shaderErrors() const {
+    return m_impl->shaders.errors();
 }
 
 bool Renderer::showPass(std::string_view name) {

@@ -66,8 +66,16 @@ public:
     Renderer& operator=(const Renderer&) = delete;
 
     void apply(FrameSnapshot&& snapshot);
-    /// alpha in [0, 1]: how far between the previous and current poses.
+    /// alpha in [0, 1]: how far between the previous and current poses. A view without pixels draws nothing. What the GL cannot make in
+    /// the view's size is drawn smaller and scaled, with a warning; what cannot be drawn at all is said by trouble().
     void draw(const View& view, float alpha);
+    /// Why the last draw() drew nothing ("the GL context was lost: ..."); empty if it did.
+    const std::string& trouble() const;
+    /// Builds programs anew whose files have changed on disk. One that fails keeps its last good program; a red dot in the picture's
+    /// corner says so until it is mended, a green one for a second that it is. True if any was built.
+    bool reloadShaders();
+    /// Of shaders that do not build as they lie on disk: with file and line.
+    std::vector<std::string> shaderErrors() const;
     /// Which intermediate target draw() shows: "final" (default), "albedo", "normal", "depth", ... ; false if there is none such.
     bool showPass(std::string_view name);
     std::vector<std::string> passNames() const;

@@ -7,8 +7,7 @@ namespace rubble {
 
 void TargetPool::beginFrame(glm::ivec2 viewSize, bool cut) {
     if (viewSize != m_viewSize) {
-        m_framebuffers.clear();
-        m_slots.clear();
+        clear();
         m_viewSize = viewSize;
         cut = true;
     }
@@ -18,13 +17,22 @@ void TargetPool::beginFrame(glm::ivec2 viewSize, bool cut) {
         if (slot.isHistory) slot.current ^= 1;
 }
 
+void TargetPool::clear() {
+    m_framebuffers.clear();
+    m_slots.clear();
+    m_refused = false;
+}
+
 TargetPool::Slot& TargetPool::slot(std::string_view name, GLenum internalFormat, int divisor, Filter filter, bool isHistory) {
     auto found = m_slots.find(name);
     if (found == m_slots.end()) {
         const glm::ivec2 size = glm::max((m_viewSize + divisor - 1) / divisor, glm::ivec2(1));
         found = m_slots.try_emplace(std::string(name)).first;
         found->second.isHistory = isHistory;
+        while (glGetError() != GL_NO_ERROR) {  // whoever made these: they are not about what comes now
+        }
         for (int i = 0; i <= int(isHistory); ++i) found->second.textures[i] = Texture(internalFormat, size, filter);
+        m_refused |= glGetError() != GL_NO_ERROR;
     }
     Slot& slot = found->second;
     assert(slot.isHistory == isHistory && slot.textures[0].internalFormat() == internalFormat && "one name, two kinds of target");
@@ -58,7 +66,9 @@ const Framebuffer& TargetPool::framebuffer(std::initializer_list<const Texture*>
     for (const Texture* color : colors) key.push_back(color->name());
     const auto found = m_framebuffers.find(key);
     if (found != m_framebuffers.end()) return found->second;
-    return m_framebuffers.emplace(std::move(key), Framebuffer(colors, depth)).first->second;
+    const Framebuffer& made = m_framebuffers.emplace(std::move(key), Framebuffer(colors, depth)).first->second;
+    m_refused |= !made.isComplete();
+    return made;
 }
 
 uint64_t TargetPool::bytes() const {

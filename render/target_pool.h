@@ -36,6 +36,10 @@ public:
 
     glm::ivec2 viewSize() const { return m_viewSize; }
     uint64_t bytes() const;
+    /// The GL would not make a target or a combination of them since the last clear(): what was drawn is worth nothing.
+    bool refused() const { return m_refused; }
+    /// Frees everything.
+    void clear();
 
 private:
     struct Slot {
@@ -51,6 +55,7 @@ private:
     glm::ivec2 m_viewSize{0};
     uint64_t m_frame = 0;
     uint64_t m_cutFrame = 0;
+    bool m_refused = false;
 };
 
 }  // namespace rubble

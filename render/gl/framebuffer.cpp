@@ -17,7 +17,7 @@ Framebuffer::Framebuffer(const std::vector<const Texture*>& colors, const Textur
     if (depth) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->name(), 0);
     if (buffers.empty()) buffers.push_back(GL_NONE);
     glDrawBuffers(GLsizei(buffers.size()), buffers.data());
-    assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && "a combination of attachments that the GL refuses");
+    m_isComplete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
 void Framebuffer::begin() const {

@@ -16,12 +16,15 @@ public:
 
     GLuint name() const { return m_name.get(); }
     glm::ivec2 size() const { return m_size; }
+    /// False if the GL refuses to draw into these together, or had no memory for them.
+    bool isComplete() const { return m_isComplete; }
     /// Makes it the target and sets the viewport to all of it.
     void begin() const;
 
 private:
     GlName<FramebufferKind> m_name;
     glm::ivec2 m_size{0};
+    bool m_isComplete = false;
 };
 
 }  // namespace rubble

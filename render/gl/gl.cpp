@@ -5,6 +5,27 @@
 #include <string_view>
 
 namespace rubble {
+namespace {
+
+using ResetStatus = GLenum(GLAD_API_PTR*)();
+ResetStatus g_resetStatus = nullptr;
+
+bool offers(std::string_view extension) {
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i)
+        if (extension == reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, GLuint(i)))) return true;
+    return false;
+}
+
+/// GL 4.5, KHR_robustness or ARB_robustness.
+const char* resetStatusName(int version) {
+    if (version >= GLAD_MAKE_VERSION(4, 5)) return "glGetGraphicsResetStatus";
+    if (offers("GL_KHR_robustness")) return "glGetGraphicsResetStatusKHR";
+    return offers("GL_ARB_robustness") ? "glGetGraphicsResetStatusARB" : nullptr;
+}
+
+}  // namespace
 
 Result<Done> loadGl(void* (*loader)(const char* name)) {
     static thread_local void* (*current)(const char*);
@@ -14,7 +35,16 @@ Result<Done> loadGl(void* (*loader)(const char* name)) {
     if (version < GLAD_MAKE_VERSION(3, 3))
         return Error{"OpenGL: expected 3.3 or newer, found " + std::to_string(GLAD_VERSION_MAJOR(version)) + "." +
                      std::to_string(GLAD_VERSION_MINOR(version))};
+    GLint major = 0, minor = 0;
+    glGetIntegerv(GL_MAJOR_VERSION, &major);
+    glGetIntegerv(GL_MINOR_VERSION, &minor);
+    const char* name = resetStatusName(GLAD_MAKE_VERSION(major, minor));
+    g_resetStatus = name ? reinterpret_cast<ResetStatus>(loader(name)) : nullptr;
     return Done{};
+}
+
+bool isContextLost() {
+    return g_resetStatus && g_resetStatus() != GL_NO_ERROR;
 }
 
 bool isSoftwareGl() {

@@ -10,4 +10,7 @@ Result<Done> loadGl(void* (*loader)(const char* name));
 /// True on a renderer without a GPU, where a timer query says little and glFinish costs nothing.
 bool isSoftwareGl();
 
+/// True once the context has been lost (a driver reset, a GPU taken away), where the GL can tell. Everything made in it is gone.
+bool isContextLost();
+
 }  // namespace rubble

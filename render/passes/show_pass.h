@@ -12,7 +12,8 @@ public:
     enum class Mode { Color = 0, Linear = 1, Signed = 2, Distance = 3, Motion = 4, Alpha = 5, Red = 6, History = 7 };
 
     explicit ShowPass(ShaderLibrary& shaders);
-    void draw(const FrameContext& frame, const Texture& target, Mode mode, unsigned framebuffer, glm::ivec2 size) const;
+    /// dot: a coloured one in the corner, if its alpha is 1.
+    void draw(const FrameContext& frame, const Texture& target, Mode mode, const View& view, glm::vec4 dot) const;
 
 private:
     const Program& m_program;

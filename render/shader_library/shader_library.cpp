@@ -20,7 +20,7 @@ bool ShaderLibrary::build(Entry& entry) {
     const auto vertex = readShader(m_folder, entry.vertexFile);
     const auto fragment = readShader(m_folder, entry.fragmentFile);
     if (!vertex || !fragment) {
-        m_errors.push_back(vertex ? fragment.error() : vertex.error());
+        entry.error = vertex ? fragment.error() : vertex.error();
         return false;
     }
     entry.files = vertex->files;
@@ -30,9 +30,10 @@ bool ShaderLibrary::build(Entry& entry) {
     bool vertexFailed = false;
     Program program(vertex->text, fragment->text, log, vertexFailed);
     if (!program) {
-        m_errors.push_back((vertexFailed ? *vertex : *fragment).explain(log));
+        entry.error = (vertexFailed ? *vertex : *fragment).explain(log);
         return false;
     }
+    entry.error.clear();
     entry.program = std::move(program);
     return true;
 }
@@ -41,10 +42,16 @@ bool ShaderLibrary::reloadChanged() {
     bool any = false;
     for (const auto& entry : m_entries) {
         if (newestOf(entry->files) <= entry->newest) continue;
-        m_errors.clear();
         any |= build(*entry);
     }
     return any;
+}
+
+std::vector<std::string> ShaderLibrary::errors() const {
+    std::vector<std::string> all;
+    for (const auto& entry : m_entries)
+        if (!entry->error.empty()) all.push_back(entry->error);
+    return all;
 }
 
 std::filesystem::file_time_type ShaderLibrary::newestOf(const std::vector<std::string>& files) const {

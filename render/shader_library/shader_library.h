@@ -18,7 +18,8 @@ public:
     const Program& load(const std::string& fragmentFile, const std::string& vertexFile = "lib/fullscreen.vert");
     /// Rebuilds what uses a file that changed on disk; on an error the last good program stays. True if any was rebuilt.
     bool reloadChanged();
-    const std::vector<std::string>& errors() const { return m_errors; }
+    /// Of the programs whose files do not build as they are now, with file and line.
+    std::vector<std::string> errors() const;
 
 private:
     struct Entry {
@@ -26,13 +27,13 @@ private:
         std::vector<std::string> files;
         std::filesystem::file_time_type newest;
         Program program;
+        std::string error = {};
     };
     bool build(Entry& entry);
     std::filesystem::file_time_type newestOf(const std::vector<std::string>& files) const;
 
     std::filesystem::path m_folder;
     std::vector<std::unique_ptr<Entry>> m_entries;
-    std::vector<std::string> m_errors;
 };
 
 }  // namespace rubble

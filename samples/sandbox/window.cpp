@@ -120,7 +120,20 @@ private:
             m_loop.edits().push(GrabEdit{.body = m_held, .point = eye + ahead * m_heldAt, .target = eye + ahead * m_heldAt, .mostForce = kGrabForce});
     }
 
+    /// What is saved in an editor is seen a moment later.
+    void reloadShaders() {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - m_shadersLooked < std::chrono::milliseconds(500)) return;
+        m_shadersLooked = now;
+        if (m_renderer->reloadShaders()) logInfo("shaders reloaded");
+        const std::vector<std::string> errors = m_renderer->shaderErrors();
+        if (errors != m_shaderErrors)
+            for (const std::string& error : errors) logError(error);
+        m_shaderErrors = errors;
+    }
+
     void draw(double alpha) {
+        reloadShaders();
         View view = m_player.camera().view(m_window.size(), 0);
         view.cut = std::exchange(m_cut, false);
         m_loop.draw(*m_renderer, view, float(alpha));
@@ -139,6 +152,8 @@ private:
     bool m_cut = true;
     BodyHandle m_held;      ///< by the hand
     double m_heldAt = 0.0;  ///< metres from the eye
+    std::vector<std::string> m_shaderErrors;
+    std::chrono::steady_clock::time_point m_shadersLooked{};
     std::vector<std::string> m_passes;
     size_t m_pass = 0;
     std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();

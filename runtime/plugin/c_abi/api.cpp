@@ -248,6 +248,7 @@ rubble_result rendererDraw(rubble_renderer renderer, const rubble_view* view) {
         const rubble_view& given = readable(view, "view");
         const double alpha = readNumber(given.alpha, 0.0, 1.0, 0.0, "alpha");
         world->loop.draw(*hosted->renderer, readView(given), float(alpha));
+        if (const std::string& trouble = hosted->renderer->trouble(); !trouble.empty()) throw Refusal{RUBBLE_ERROR_GL, trouble};
         hosted->applyMs = world->loop.times()[Stage::Apply];
         hosted->drawMs = world->loop.times()[Stage::Draw];
     });

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "render/gl/offscreen.h"
+#include "render/renderer.h"
+#include "runtime/core/log.h"
+#include "tests/golden/drawing.h"
+
+namespace rubble {
+namespace {
+
+constexpr glm::ivec2 kSize(64, 48);
+
+int g_refusals = 0;  ///< framebuffers that the GL will still refuse
+GLenum refuseSome(GLenum) {
+    return g_refusals-- > 0 ? GL_FRAMEBUFFER_UNSUPPORTED : GL_FRAMEBUFFER_COMPLETE;
+}
+GLenum g_resetStatus = GL_NO_ERROR;
+GLenum resetStatus() {
+    return g_resetStatus;
+}
+void* loaderOfAContextThatIsLost(const char* name) {
+    if (std::strstr(name, "glGetGraphicsResetStatus")) return reinterpret_cast<void*>(&resetStatus);
+    return testContext().loader()(name);
+}
+
+/// What can go wrong around the renderer: there is a message and a picture, or a message and none.
+class ResilienceTest : public Drawing {
+protected:
+    void SetUp() override {
+        Drawing::SetUp();
+        setLogSink([](void* lines, LogLevel, std::string_view text) { static_cast<std::vector<std::string>*>(lines)->emplace_back(text); }, &m_lines);
+    }
+    void TearDown() override {
+        setLogSink(nullptr, nullptr);
+        Drawing::TearDown();
+    }
+    bool said(std::string_view text) const {
+        return std::any_of(m_lines.begin(), m_lines.end(), [&](const std::string& line) { return line.find(text) != std::string::npos; });
+    }
+    static size_t colors(const Image& image) {
+        std::set<uint32_t> all;
+        for (size_t i = 0; i < image.rgb.size(); i += 3) all.insert(uint32_t(image.rgb[i] | image.rgb[i + 1] << 8 | image.rgb[i + 2] << 16));
+        return all.size();
+    }
+    std::vector<std::string> m_lines;
+};
+
+TEST_F(ResilienceTest, AViewWithoutPixelsDrawsNothingAndTheNextOneIsFine) {
+    start(streetScene(), kSize);
+    for (const glm::ivec2 size : {glm::ivec2(0, 0), glm::ivec2(0, 48), glm::ivec2(64, 0), glm::ivec2(-3, 5)}) {
+        renderer->draw(streetCamera(0).view(size, target->framebuffer()), 1.0f);
+        EXPECT_EQ(renderer->trouble(), "");
+    }
+    EXPECT_GT(colors(draw(streetCamera(0))), 50u);
+}
+
+TEST_F(ResilienceTest, SizesMayChangeWithEveryFrame) {
+    start(streetScene(), {97, 61});
+    for (const glm::ivec2 size : {glm::ivec2(97, 61), glm::ivec2(1, 1), glm::ivec2(5, 61), glm::ivec2(97, 2), glm::ivec2(97, 61)})
+        renderer->draw(streetCamera(0).view(size, target->framebuffer()), 1.0f);
+    EXPECT_GT(colors(draw(streetCamera(0))), 50u);
+}
+
+TEST_F(ResilienceTest, WhatTheGlRefusesIsDrawnSmaller) {
+    start(streetScene(), kSize);
+    const auto real = std::exchange(glad_glCheckFramebufferStatus, refuseSome);
+    g_refusals = 2;
+    const Image image = draw(streetCamera(0));
+    glad_glCheckFramebufferStatus = real;
+    EXPECT_TRUE(said("drawn at 1/2")) << "no warning";
+    EXPECT_EQ(renderer->trouble(), "");
+    EXPECT_GT(colors(image), 50u);
+}
+
+TEST_F(ResilienceTest, AGlThatRefusesEverythingIsReported) {
+    start(streetScene(), kSize);
+    const auto real = std::exchange(glad_glCheckFramebufferStatus, refuseSome);
+    g_refusals = 1 << 30;
+    renderer->draw(streetCamera(0).view(kSize, target->framebuffer()), 1.0f);
+    glad_glCheckFramebufferStatus = real;
+    EXPECT_NE(renderer->trouble().find("out of memory"), std::string::npos);
+}
+
+TEST_F(ResilienceTest, ALostContextIsSaidOnceAndDrawsNothing) {
+    auto made = Renderer::create(loaderOfAContextThatIsLost, shaderFolder(), {});
+    ASSERT_TRUE(made) << made.error();
+    const auto lost = std::move(made).value();
+    g_resetStatus = 0x8253;  // GL_GUILTY_CONTEXT_RESET
+    const Offscreen offscreen(kSize);
+    for (int i = 0; i < 3; ++i) lost->draw(streetCamera(0).view(kSize, offscreen.framebuffer()), 1.0f);
+    g_resetStatus = GL_NO_ERROR;
+    static_cast<void>(loadGl(testContext().loader()));
+    EXPECT_NE(lost->trouble().find("lost"), std::string::npos);
+    EXPECT_EQ(m_lines.size(), 1u);
+}
+
+TEST_F(ResilienceTest, AShaderThatBreaksLeavesThePictureAndARedDot) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::path(testing::TempDir()) / "rubble_reload";
+    fs::remove_all(folder);
+    fs::copy(shaderFolder(), folder, fs::copy_options::recursive);
+    auto made = Renderer::create(testContext().loader(), folder.string(), {});
+    ASSERT_TRUE(made) << made.error();
+    renderer = std::move(made).value();
+    renderer->apply(streetScene().snapshot());
+    target = std::make_unique<Offscreen>(kSize);
+    const Image before = draw(streetCamera(0));
+
+    const fs::path file = folder / "passes/tonemap.frag";
+    std::ifstream in(file);
+    const std::string good((std::istreambuf_iterator<char>(in)), {});
+    std::ofstream(file) << good << "\nvoid broken() { oops }\n";
+    fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(5));
+    renderer->reloadShaders();
+    ASSERT_EQ(renderer->shaderErrors().size(), 1u);
+    EXPECT_NE(renderer->shaderErrors()[0].find("passes/tonemap.frag:"), std::string::npos) << renderer->shaderErrors()[0];
+    const Image broken = draw(streetCamera(0));
+    EXPECT_GT(broken.at(12, kSize.y - 13)[0], 200) << "no dot";
+    EXPECT_LT(broken.at(12, kSize.y - 13)[2], 60);
+    EXPECT_EQ(colors(before) > 50, colors(broken) > 50) << "the last good program is kept";
+
+    std::ofstream(file) << good;
+    fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(10));
+    EXPECT_TRUE(renderer->reloadShaders());
+    EXPECT_TRUE(renderer->shaderErrors().empty());
+    EXPECT_GT(draw(streetCamera(0)).at(12, kSize.y - 13)[1], 150) << "no green dot";
+    fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace rubble
