@@ -21,6 +21,7 @@ uniform int uRippleCount;
 const float kRingWidth = 0.45;      // metres to each side of a crest
 const float kRefraction = 0.35;     // metres that a slope of 1 shifts what lies a metre below
 const float kReactive = 0.6;        // how far anti-aliasing may trust its past here: waves leave no motion behind
+const float kWeakestMirror = 0.05;  // share of light
 const float kMirrorReach = 40.0;    // metres
 
 in vec2 uv;
@@ -89,9 +90,11 @@ vec4 seenBelow(vec3 place, vec2 slope, float t, float behind, float stretch) {
     return vec4(texelFetch(uBehind, bent, 0).rgb, min((bentDepth - t) * stretch, 50.0));
 }
 
-vec3 mirroredIn(vec3 place, vec3 normal, vec3 direction) {
+/// share: of the light that is mirrored. Where it is little, no ray is worth its price.
+vec3 mirroredIn(vec3 place, vec3 normal, vec3 direction, float share) {
     vec3 mirror = reflect(direction, normal);
     mirror = normalize(vec3(mirror.x, max(mirror.y, 0.03), mirror.z));
+    if (share < kWeakestMirror) return skyRadiance(mirror);
     float t;
     vec3 origin = place + vec3(0.0, 0.01, 0.0);
     if (shadowTrace(origin, mirror, kMirrorReach, t)) return bounceRadiance(origin + mirror * t, mirror, 0.4 * skyRadiance(vec3(0, 1, 0)));
@@ -126,7 +129,7 @@ void main() {
     vec3 scattered = uColor * light * 0.35 * (1.0 - left);
     vec3 glint = frame.sunColor.rgb * min(specularLobe(normal, -direction, frame.sunDirection.xyz, 0.12), 30.0) *
                  max(dot(normal, frame.sunDirection.xyz), 0.0) * mirrored;
-    vec3 water = (below.rgb * left + scattered) * (1.0 - mirrored) + mirroredIn(place, normal, direction) * mirrored + min(glint, vec3(20.0));
+    vec3 water = (below.rgb * left + scattered) * (1.0 - mirrored) + mirroredIn(place, normal, direction, mirrored) * mirrored + min(glint, vec3(20.0));
     float foam = foamAt(place.xz, (behind - t) * -ray.y, rings.z);
     color = vec4(mix(water, 0.75 * light, foam), kReactive);
 }
