@@ -86,6 +86,10 @@ public:
             if (!(value.depth > 0.0 && value.density >= 0.0 && value.linearDrag >= 0.0 && value.angularDrag >= 0.0))
                 fail("a depth above 0, a density and drags of 0 or more", fmt::format("{} m, {} kg/m3", value.depth, value.density));
         }
+        if constexpr (std::is_same_v<T, LightPicture>)
+            if (value.width > kMostPictureSide || value.height() > kMostPictureSide || value.texels.size() != size_t(value.width) * value.height())
+                fail(fmt::format("a picture of at most {} x {} texels", kMostPictureSide, kMostPictureSide),
+                     fmt::format("{} texels in rows of {}", value.texels.size(), value.width));
         if constexpr (std::is_same_v<T, Trigger>)
             if (value.kind == TriggerKind::Polygon && value.outline.size() < 3)
                 fail("an outline of 3 points or more", fmt::format("{}", value.outline.size()));

@@ -15,7 +15,7 @@ namespace rubble {
 template <class T, class Named>
 concept Is = std::same_as<std::remove_const_t<T>, Named>;
 
-inline constexpr std::array<const char*, 4> kLightKindNames = {"sphere", "cone", "capsule", "area"};
+inline constexpr std::array<const char*, 5> kLightKindNames = {"sphere", "cone", "capsule", "area", "screen"};
 inline constexpr std::array<const char*, 5> kHardnessNames = {"soft", "medium", "hard", "unbreakable", "unphysical"};
 inline constexpr std::array<const char*, 7> kJointKindNames = {"ball", "hinge", "prismatic", "cone", "fixed", "rope", "wheel"};
 inline constexpr std::array<const char*, 3> kMotorModeNames = {"off", "speed", "position"};
@@ -105,6 +105,11 @@ void fields(A& a, Is<LevelBody> auto& body) {
     a("tags", body.tags);
 }
 template <class A>
+void fields(A& a, Is<LightPicture> auto& picture) {
+    a("width", picture.width);
+    a("texels", picture.texels);
+}
+template <class A>
 void fields(A& a, Is<LevelLight> auto& light) {
     a("name", light.light.name);
     a("kind", light.light.kind);
@@ -116,6 +121,10 @@ void fields(A& a, Is<LevelLight> auto& light) {
     a("reach", light.light.reach);
     a("cone_inner", light.light.coneInner);
     a("cone_outer", light.light.coneOuter);
+    a("width", light.light.width);
+    a("height", light.light.height);
+    a("two_sided", light.light.twoSided);
+    a("picture", light.light.picture);
     a("enabled", light.light.enabled);
 }
 template <class A>
@@ -142,6 +151,13 @@ void fields(A& a, Is<Environment> auto& environment) {
     a("ground_color", environment.groundColor);
     a("fog_color", environment.fogColor);
     a("fog_distance", environment.fogDistance);
+    a("fog_density", environment.fogDensity);
+    a("fog_base", environment.fogBase);
+    a("fog_height", environment.fogHeight);
+    a("fog_forward", environment.fogForward);
+    a("fog_tint", environment.fogTint);
+    a("clouds", environment.clouds);
+    a("stars", environment.stars);
     a("exposure", environment.exposure);
     a("wetness", environment.wetness);
     a("gravity", environment.gravity);

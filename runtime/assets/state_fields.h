@@ -72,6 +72,10 @@ void fields(A& a, Is<Light> auto& light) {
     a("reach", light.reach);
     a("cone_inner", light.coneInner);
     a("cone_outer", light.coneOuter);
+    a("width", light.width);
+    a("height", light.height);
+    a("two_sided", light.twoSided);
+    a("picture", light.picture);
     a("group", light.group);
     a("enabled", light.enabled);
 }

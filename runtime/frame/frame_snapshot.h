@@ -48,6 +48,10 @@ struct SnapshotLight {
     glm::vec3 direction;
     glm::vec3 color;
     float radius, reach, coneInner, coneOuter;
+    glm::vec3 right{1, 0, 0};           ///< unit vector along `width`
+    float width = 0.0f, height = 0.0f;  ///< metres
+    bool twoSided = false;
+    LightPicture picture = {};  ///< of a screen
 };
 
 /// A burning brick, as flames and smoke are drawn.

@@ -193,7 +193,9 @@ void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose>
         if (!light.enabled || (group && (group->out || group->dark))) return;
         const Pose pose = world.lightToWorld(light);
         const glm::vec3 direction(pose.rotation * glm::dvec3(0.0, 0.0, -1.0));
-        out.lights.push_back({light.kind, pose.position, direction, light.color, light.radius, light.reach, light.coneInner, light.coneOuter});
+        const glm::vec3 right(pose.rotation * glm::dvec3(1.0, 0.0, 0.0));
+        out.lights.push_back({light.kind, pose.position, direction, light.color, light.radius, light.reach, light.coneInner, light.coneOuter, right,
+                              light.width, light.height, light.twoSided, light.picture});
     });
     std::sort(m_lightBodies.begin(), m_lightBodies.end());
     addFires(changes, world, out);

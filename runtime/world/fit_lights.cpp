@@ -99,15 +99,25 @@ Light fitLight(const LevelShape& shape, const VoxelGrid& only, const Component& 
     const glm::dvec3 x = axes[sides[0].second], z = axes[sides[2].second];
     Light light{.name = shape.name + " glow"};
     light.local = {mass.center, glm::normalize(glm::quat_cast(glm::dmat3(x, glm::cross(z, x), z)))};
-    if (sides[0].first > kRodRatio * sides[1].first)
+    const double length = sides[0].first, breadth = sides[1].first, thickness = sides[2].first;
+    if (length > kRodRatio * breadth)
         light.kind = LightKind::Capsule;
-    else if (sides[1].first > kPlateRatio * sides[2].first)
-        light.kind = LightKind::Area;
+    else if (breadth > kPlateRatio * thickness)
+        light.kind = LightKind::Area, light.twoSided = true;
     // A convex body shows a quarter of its surface on average (Cauchy).
     const double shown = 0.25 * double(surface(only, voxels)) * double(shape.voxelSize) * double(shape.voxelSize);
     light.radius = float(std::sqrt(shown / kPi));
     const glm::vec3 color(srgbToLinear(entry.red), srgbToLinear(entry.green), srgbToLinear(entry.blue));
     light.color = color * (entry.emission * float(shown));
+    if (light.kind == LightKind::Capsule) {
+        light.radius = float(std::sqrt(breadth * thickness / kPi));
+        light.width = std::max(float(length) - 2.0f * light.radius, 0.0f);
+    }
+    if (light.kind == LightKind::Area) {
+        light.width = float(length), light.height = float(breadth);
+        light.radius = float(0.5 * thickness) + 0.07f;  // what it clears: its own voxels
+        light.color *= 2.0f;                            // straight ahead it shows twice its mean over all directions
+    }
     const double brightest = std::max({light.color.x, light.color.y, light.color.z});
     light.reach = float(std::clamp(std::sqrt(brightest / kFaintest), 1.0, 15.0));
     return light;

@@ -11,6 +11,13 @@ inline Level sampleLevel() {
     level.materials.materials.push_back({.name = "cheese", .hardness = Hardness::Hard, .density = 950, .friction = 0.123f, .gun = false});
     level.environment.sunDirection = {0.1f, 0.7f, -0.3f};
     level.environment.exposure = 1.25f;
+    level.environment.fogDensity = 0.02f;
+    level.environment.fogBase = -1.0f;
+    level.environment.fogHeight = 7.0f;
+    level.environment.fogForward = 0.2f;
+    level.environment.fogTint = {0.9f, 0.8f, 0.7f};
+    level.environment.clouds = 0.25f;
+    level.environment.stars = 0.5f;
     level.environment.gravity = {0.0f, -1.62f, 0.0f};
     level.locations.emplace_back("spawn", Pose{{1.0 / 3.0, 2e-7, -12345.678}, glm::angleAxis(0.3, glm::dvec3(0, 1, 0))});
 
@@ -87,6 +94,13 @@ inline Level sampleLevel() {
     light.light.enabled = false;
     light.shapeName = "lamp";
     light.groupName = "bulb";
+    level.lights.push_back(light);
+    light.light.name = "news";
+    light.light.kind = LightKind::Screen;
+    light.light.width = 1.6f;
+    light.light.height = 0.9f;
+    light.light.twoSided = true;
+    light.light.picture = {2, {0xff0000, 0x123456, 0, 0xffffff}};
     level.lights.push_back(light);
 
     level.waters.push_back({.name = "pond",
