@@ -9,6 +9,7 @@
 namespace rubble {
 
 class Scene;
+class LightGrid;
 
 /// The uniforms that every pass sees (lib/frame.glsl).
 struct FrameBlock {
@@ -27,6 +28,7 @@ struct FrameContext {
     const Texture& blueNoise;  ///< 64x64, R8, repeats
     RenderFigures& figures;
     VertexArray& emptyVertexArray;
+    const LightGrid* lightGrid = nullptr;  ///< null: the scene has no local lights
 
     /// Draws one triangle over the framebuffer that is bound, with the program that is in use. State: no depth test, no blending.
     void drawFullscreen() const {

@@ -13,6 +13,7 @@
 #include "render/passes/composite_pass.h"
 #include "render/passes/exposure_pass.h"
 #include "render/passes/filter_pass.h"
+#include "render/passes/fog_pass.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/passes/glass_pass.h"
 #include "render/passes/local_lights_pass.h"
@@ -26,6 +27,7 @@
 #include "render/passes/tonemap_pass.h"
 #include "render/passes/water_pass.h"
 #include "render/passes/wetness_pass.h"
+#include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
 #include "runtime/core/blue_noise.h"
 #include "runtime/core/log.h"
@@ -66,12 +68,13 @@ struct Renderer::Impl {
         clearLight(frame);
         if (settings.sun && block.sunDirection.y > 0.0f) run("sun", [&] { sun.draw(frame); });
         if (settings.sky) run("sky", [&] { sky.draw(frame); });
-        if (settings.localLights && !scene.lights().empty()) run("local lights", [&] { localLights.draw(frame); });
+        if (LocalLightsPass::needed(frame)) run("local lights", [&] { drawLocalLights(frame); });
         run("accumulate", [&] { accumulate.draw(frame); });
         run("filter", [&] { filter.draw(frame); });
         if (ReflectionsPass::needed(frame)) run("reflections", [&] { reflections.draw(frame); });
         run("composite", [&] { composite.draw(frame); });
         if (!scene.waters().empty()) run("water", [&] { drawWaters(frame); });
+        if (FogPass::needed(frame)) run("fog", [&] { drawFog(frame); });
         if (!scene.particles().empty()) run("particles", [&] { drawParticles(frame); });
         run("taa", [&] { taa.draw(frame); });
         if (settings.bloom > 0.0f) run("bloom", [&] { bloom.draw(frame); });
@@ -83,6 +86,16 @@ struct Renderer::Impl {
     void drawParticles(const FrameContext& frame) {
         if (!particles) particles.emplace(shaders);
         particles->draw(frame, alphaOfStep);
+    }
+
+    void drawFog(const FrameContext& frame) {
+        if (!fog) fog.emplace(shaders);
+        fog->draw(frame);
+    }
+
+    void drawLocalLights(const FrameContext& frame) {
+        if (!localLights) localLights.emplace(shaders);
+        localLights->draw(frame);
     }
 
     void drawRopes(const FrameContext& frame) {
@@ -119,6 +132,7 @@ struct Renderer::Impl {
     glm::vec4 dot() const;
     void fillBlock(const View& view);
     void uploadBlock();
+    const LightGrid* sortLights();
 
     RenderSettings settings;
     ShaderLibrary shaders;
@@ -142,13 +156,15 @@ struct Renderer::Impl {
     GlassPass glass{shaders};
     SunPass sun{shaders};
     SkyPass sky{shaders};
-    LocalLightsPass localLights{shaders};
+    std::optional<LightGrid> lightGrid;
+    std::optional<LocalLightsPass> localLights;
     AccumulatePass accumulate{shaders};
     FilterPass filter{shaders};
     ReflectionsPass reflections{shaders};
     CompositePass composite{shaders};
     std::optional<WetnessPass> wetness;
     std::optional<WaterPass> water;
+    std::optional<FogPass> fog;
     std::optional<ParticlesPass> particles;
     std::optional<RopesPass> ropes;
     TaaPass taa{shaders};
@@ -169,9 +185,20 @@ void Renderer::Impl::fillBlock(const View& view) {
     block.horizonColor = glm::vec4(e.horizonColor, 0.0f);
     block.groundColor = glm::vec4(e.groundColor, e.wetness > 0.0f ? std::min(e.wetness, 1.0f) : 0.0f);
     block.fogColor = glm::vec4(e.fogColor, e.fogDistance);
+    block.fog =
+        glm::vec4(e.fogDensity, float(double(e.fogBase) - scene.origin().y), std::max(e.fogHeight, 0.1f), std::clamp(e.fogForward, -0.9f, 0.9f));
+    block.fogTint = glm::vec4(e.fogTint, 0.0f);
+    block.skyCover = glm::vec4(e.clouds, e.stars, 0.0f, 0.0f);
     block.exposure = glm::vec4(e.exposure);
     block.shadowSectorLow = glm::ivec4(scene.shadowSectorLow(), scene.shadow().sectorCount().x > 0);
     block.shadowSectorCount = glm::ivec4(scene.shadow().sectorCount(), 0);
+}
+
+const LightGrid* Renderer::Impl::sortLights() {
+    if (scene.lights().empty()) return nullptr;
+    if (!lightGrid) lightGrid.emplace();
+    figures.uploadBytes += lightGrid->update(scene.lights(), block, scene.origin());
+    return &*lightGrid;
 }
 
 void Renderer::Impl::uploadBlock() {
@@ -212,7 +239,7 @@ void Renderer::Impl::draw(const View& view, float alpha) {
         each.cut = false;
     }
     drawSmallerIfRefused(view);
-    figures.textureBytes = targets.bytes() + scene.bytes() + blueNoise.bytes();
+    figures.textureBytes = targets.bytes() + scene.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
     figures.shapes = scene.bodies().shapes();
     figures.bricks = scene.bodies().bricks();
 }
@@ -246,7 +273,7 @@ void Renderer::Impl::drawOnce(const View& wanted) {
     targets.beginFrame(view.size, view.cut);
     fillBlock(view);
     uploadBlock();
-    const FrameContext frame{block, settings, scene, targets, blueNoise, figures, emptyVertexArray};
+    const FrameContext frame{block, settings, scene, targets, blueNoise, figures, emptyVertexArray, sortLights()};
     drawPasses(frame);
     const Texture* target = targets.find(shown->target);
     run("show", [&] { show.draw(frame, target ? *target : blueNoise, shown->mode, wanted, dot()); });

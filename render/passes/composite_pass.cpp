@@ -2,6 +2,7 @@
 
 #include "render/passes/depth_limit.h"
 #include "render/passes/gbuffer_pass.h"
+#include "render/passes/local_lights_pass.h"
 #include "render/passes/reflections_pass.h"
 #include "render/scene/scene.h"
 
@@ -37,6 +38,8 @@ void CompositePass::draw(const FrameContext& frame) const {
         GBufferPass::bind(m_surfaces, frame.targets);
         bindGlass(m_surfaces, frame);
         m_surfaces.set("uLight", frame.targets.at("lighting"));
+        m_surfaces.set("uLocalLights", int(LocalLightsPass::needed(frame)));
+        if (LocalLightsPass::needed(frame)) m_surfaces.set("uSpecular", frame.targets.at("specular"));
         m_surfaces.set("uBevel", int(frame.settings.bevel));
         frame.drawFullscreen();
     }

@@ -3,12 +3,14 @@
 
 namespace rubble {
 
-/// Adds sphere and cone lights to the colour of "light", each within the part of the view that it can reach. Draws nothing
-/// for lights whose reach the view does not meet.
+/// Adds local lights to the colour of "light", and what smooth surfaces show of them as "specular", in one draw over the tiles of the
+/// view that any of them reaches.
 class LocalLightsPass {
 public:
     explicit LocalLightsPass(ShaderLibrary& shaders);
     void draw(const FrameContext& frame) const;
+    /// The settings want local lights and the scene has some.
+    static bool needed(const FrameContext& frame);
 
 private:
     const Program& m_program;

@@ -51,6 +51,8 @@ int run(int argc, char** argv) {
     app.add_option("--level", options.level, "open this level instead of the town")->check(CLI::ExistingFile);
     app.add_option("--scene", options.scene, "one of the scripted scenes instead of the town, or all");
     app.add_flag("--list-scenes", list, "name the scenes and leave");
+    app.add_option("--time", options.time, "of day: noon, afternoon, dusk, night or rain")
+        ->check(CLI::IsMember({"noon", "afternoon", "dusk", "night", "rain"}));
     app.add_option("--pictures", options.pictures, "draw only so many pictures, evenly over the run; no MP4")->check(CLI::Range(1, 1000));
     app.add_option("--out", options.out, "folder for pictures and figures")->capture_default_str();
     app.add_option("--size", options.size, "picture size, WIDTHxHEIGHT")->capture_default_str();

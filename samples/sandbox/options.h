@@ -9,6 +9,7 @@ struct SandboxOptions {
     std::string model;        ///< .vox, .vdb or .rubble to put on the street instead of the house
     std::string level;        ///< a whole level to open instead of the town
     std::string scene;        ///< one of the scripted scenes instead of the town; "all": one after the other
+    std::string time;         ///< of day, instead of the level's own: noon, afternoon, dusk, night or rain
     int pictures = 0;         ///< only so many pictures, evenly over the run, and no MP4; 0: at `fps`
     std::string out = "out";  ///< folder for pictures and figures
     std::string size = "640x360";

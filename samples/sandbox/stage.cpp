@@ -6,6 +6,7 @@
 #include "runtime/assets/assets.h"
 #include "runtime/core/log.h"
 #include "samples/scenes/demolition.h"
+#include "samples/scenes/environment.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/town.h"
 
@@ -54,9 +55,7 @@ Result<SandboxStage> sceneStage(const SandboxOptions& options) {
     return stage;
 }
 
-}  // namespace
-
-Result<SandboxStage> loadStage(const SandboxOptions& options) {
+Result<SandboxStage> anyStage(const SandboxOptions& options) {
     const std::string vdbTool = options.tools + "/rubble-vdb";
     if (!options.scene.empty()) return sceneStage(options);
     if (!options.model.empty()) return modelStage(options, vdbTool);
@@ -73,6 +72,17 @@ Result<SandboxStage> loadStage(const SandboxOptions& options) {
     stage.script = [seed = options.seed](int step) { return demolition(step, seed); };
     stage.camera = demolitionCamera;
     stage.verticalFov = kDemolitionFov;
+    return stage;
+}
+
+}  // namespace
+
+Result<SandboxStage> loadStage(const SandboxOptions& options) {
+    Result<SandboxStage> stage = anyStage(options);
+    if (!stage || options.time.empty()) return stage;
+    const glm::vec3 gravity = stage->level.environment.gravity;
+    stage->level.environment = scenes::timeOfDay(options.time);
+    stage->level.environment.gravity = gravity;
     return stage;
 }
 

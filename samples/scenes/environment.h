@@ -1,5 +1,7 @@
 #pragma once
-#include "runtime/world/lights.h"
+#include <string_view>
+
+#include "runtime/world/sky_model.h"
 
 namespace rubble::scenes {
 
@@ -28,6 +30,58 @@ inline Environment dusk() {
     air.fogColor = {0.16f, 0.16f, 0.19f};
     air.exposure = 1.7f;
     return air;
+}
+
+/// A high sun, short shadows.
+inline Environment noon() {
+    Environment air;
+    air.clouds = 0.42f;
+    followSun(air, {-0.38f, 0.86f, 0.34f});
+    air.exposure = 0.75f;
+    air.fogDistance = 260.0f;
+    return air;
+}
+
+/// The sun has set a moment ago: a warm edge of sky, blue above, lamps have taken over, mist in their light.
+inline Environment afterSunset() {
+    Environment air;
+    followSun(air, {-0.90f, 0.035f, 0.35f});
+    air.exposure = 2.2f;
+    air.fogDistance = 130.0f;
+    air.fogDensity = 0.006f;
+    air.fogHeight = 9.0f;
+    return air;
+}
+
+/// Moon and stars; lamps and windows carry it.
+inline Environment night() {
+    Environment air;
+    air.clouds = 0.40f;
+    followSun(air, {-0.8f, -0.5f, 0.2f});
+    air.exposure = 2.6f;
+    air.fogDistance = 200.0f;
+    air.fogDensity = 0.007f;
+    air.fogHeight = 8.0f;
+    return air;
+}
+
+/// Overcast, without shadows, with rain in the distance.
+inline Environment rain() {
+    Environment air;
+    air.clouds = 1.0f;
+    followSun(air, {-0.6f, 0.45f, 0.3f});
+    air.wetness = 1.0f;
+    air.exposure = 1.3f;
+    air.fogDistance = 75.0f;
+    air.fogDensity = 0.004f;
+    air.fogHeight = 25.0f;
+    air.fogForward = 0.2f;
+    return air;
+}
+
+/// By the name that `sandbox --time` takes; the late afternoon for any other.
+inline Environment timeOfDay(std::string_view name) {
+    return name == "noon" ? noon() : name == "dusk" ? afterSunset() : name == "night" ? night() : name == "rain" ? rain() : lateAfternoon();
 }
 
 }  // namespace rubble::scenes

@@ -39,7 +39,8 @@ vec3 withClouds(vec3 sky, vec3 direction) {
     // Streets of cloud: stretched along one axis, fading where the foreshortening would crowd them.
     vec2 stretched = place * vec2(0.75, 1.25);
     float density = fractalNoise(stretched, 6) * 0.75 + valueNoise(stretched * 0.35 + 9.1) * 0.35;
-    float cover = smoothstep(0.52, 0.80, density);
+    float more = (frame.skyCover.x - 0.5) * 0.9;
+    float cover = smoothstep(0.52 - more, 0.80 - more, density);
     if (cover <= 0.0) return sky;
     vec2 toSun = normalize(frame.sunDirection.xz) * 0.35;
     float thickness = fractalNoise(stretched + toSun, 4) * 0.75 + valueNoise((stretched + toSun) * 0.35 + 9.1) * 0.35;
@@ -87,14 +88,33 @@ vec3 fieldsBelow(vec3 direction, float eyeHeight) {
     return mix(albedo * light, hazeRadiance(direction), min(hazeAmount(distanceMetres), 0.72));
 }
 
+/// Stars of the clear night: a few in each patch of sky, some brighter, fainter toward the horizon.
+vec3 starsIn(vec3 direction) {
+    if (frame.skyCover.y <= 0.0 || direction.y < 0.02) return vec3(0.0);
+    // Patches of equal size on a cube around the eye.
+    vec3 a = abs(direction);
+    vec3 face = a.x > max(a.y, a.z) ? vec3(direction.yz / a.x, sign(direction.x)) : a.y > a.z ? vec3(direction.xz / a.y, 3.0 * sign(direction.y))
+                                                                                             : vec3(direction.xy / a.z, 5.0 * sign(direction.z));
+    vec2 place = face.xy * 90.0;
+    ivec2 patch_ = ivec2(floor(place));
+    uint dice = hashBits(uint(patch_.x + 512) + hashBits(uint(patch_.y + 512) * 16u + uint(face.z + 8.0)));
+    if ((dice & 7u) > 2u) return vec3(0.0);
+    vec2 star = 0.2 + 0.6 * vec2(uvec2(dice >> 8, dice >> 16) & 255u) / 255.0;
+    float size = float(dice >> 24) / 255.0;
+    float glow = 0.02 + 0.30 * size * size * size * size * size;
+    vec2 away = (place - vec2(patch_) - star) * 9.0;
+    vec3 tint = mix(vec3(1.0, 0.82, 0.65), vec3(0.75, 0.86, 1.0), float((dice >> 3) & 31u) / 31.0);
+    return tint * (frame.skyCover.y * glow * max(0.0, 1.0 - dot(away, away)) * smoothstep(0.02, 0.35, direction.y));
+}
+
 /// Everything behind the level as the camera sees it. eyeHeight: over the plane of the fields.
 vec3 backgroundRadiance(vec3 direction, float eyeHeight) {
     vec3 result;
     if (direction.y < 0.0 && eyeHeight > 0.0) return fieldsBelow(direction, eyeHeight);
     float mu = dot(direction, frame.sunDirection.xyz);
-    vec3 sky = withClouds(skyRadiance(vec3(direction.x, max(direction.y, 0.02), direction.z)), direction);
+    vec3 sky = withClouds(skyRadiance(vec3(direction.x, max(direction.y, 0.02), direction.z)) + starsIn(direction), direction);
     // The disc itself, a little larger than life and far from its true radiance: it must bloom, not flicker.
     float edge = 1.0 - 0.5 * frame.sunDirection.w * frame.sunDirection.w * 4.0;
-    sky += frame.sunColor.rgb * 12.0 * smoothstep(edge, 1.0 - (1.0 - edge) * 0.6, mu);
+    sky += frame.sunColor.rgb * 12.0 * smoothstep(edge, 1.0 - (1.0 - edge) * 0.6, mu) * (1.0 - smoothstep(0.6, 0.95, frame.skyCover.x));
     return withHills(sky, direction);
 }

@@ -6,9 +6,12 @@
 #include "lib/bevel.glsl"
 #include "lib/sky.glsl"
 #include "lib/glass.glsl"
+#include "lib/color.glsl"
 
 uniform sampler2D uLight;        // rgb mean radiance from sky and lamps, a share of the sun
 uniform bool uBevel;
+uniform bool uLocalLights;
+uniform sampler2D uSpecular;     // rgb highlights of local lights, a luminance of their part of the light
 
 in vec2 uv;
 out vec4 radiance;
@@ -25,12 +28,20 @@ vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel) {
 
     vec3 share = fresnelRough(f0, dot(normal, view), s.roughness);
     vec3 mirrored = light.rgb;
+    vec3 lamps = vec3(0.0);
+    if (uLocalLights) {
+        // Lamps shine back in their highlights, not with the rest of the light a second time.
+        vec4 specular = texelFetch(uSpecular, pixel, 0);
+        lamps = specular.rgb;
+        mirrored *= clamp(1.0 - specular.a / max(luminance(light.rgb), 1e-4), 0.0, 1.0);
+    }
     if (uReflections) {
         vec4 traced = texelFetch(uReflection, pixel, 0);
-        float smoothness = 1.0 - smoothstep(0.35, 0.6, s.roughness);
-        mirrored = mix(mirrored, traced.rgb, traced.a * smoothness);
+        float smoothness = traced.a * (1.0 - smoothstep(0.35, 0.6, s.roughness));
+        mirrored = mix(mirrored, traced.rgb, smoothness);
+        lamps *= 1.0 - smoothness;  // these rays have met the glowing voxels themselves
     }
-    return diffuse * (1.0 - share) + min(highlight, vec3(30.0)) + mirrored * share + s.albedo * s.emission;
+    return diffuse * (1.0 - share) + min(highlight, vec3(30.0)) + mirrored * share + lamps + s.albedo * s.emission;
 }
 
 void main() {

@@ -1,44 +1,86 @@
-// Irradiance / pi from sphere and cone lights, added to the colour of `light`: one ray to a random point of the
-// light. One draw a light, blended.
+// Light of spheres, capsules, cones, areas and screens: one ray to a random point of one light, chosen in proportion to what each
+// would send here without shadows (resampling, Talbot et al. 2005): right on average, at one price whatever their number.
+// Irradiance / pi is added to the colour of `light`; what shines back to the eye is averaged over time in `specular`.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 #include "lib/sampling.glsl"
 #include "lib/shadow_trace.glsl"
+#include "lib/brdf.glsl"
+#include "lib/local_lights.glsl"
 
-uniform vec4 uPlace;   // xyz centre, w radius
-uniform vec4 uPower;   // rgb intensity, w reach
-uniform vec3 uAxis;    // of a cone
-uniform vec2 uCone;    // cosine of the outer half angle; 1 / (cosine of the inner - cosine of the outer)
-uniform int uIndex;    // tells the noise of lights apart
-
-const float kFaintest = 0.002;  // radiance of a white surface below which no ray is worth its price
+uniform sampler2D uLastSpecular;
+uniform sampler2D uLastSurface;   // x linear depth, z frames accumulated
+uniform bool uLastValid;
+uniform float uFaintest;          // radiance of a white surface below which rays are sent only now and then
 
 in vec2 uv;
-out vec4 light;
+layout(location = 0) out vec4 light;
+layout(location = 1) out vec4 specular;  // rgb radiance, a luminance of the light that came in
 
-/// Inverse square, brought to zero at the reach (Karis, "Real shading in Unreal Engine 4").
-float attenuation(float distanceMetres, float radius, float reach) {
-    float ratio = distanceMetres / reach;
-    float window = clamp(1.0 - ratio * ratio * ratio * ratio, 0.0, 1.0);
-    return window * window / max(distanceMetres * distanceMetres, radius * radius);
+struct Choice {
+    int light;
+    float share;    // what the choice stands for / what this light would send: 0 for none
+};
+
+/// One of the lights near a pixel. weight: of the chosen, by which its sample is to be multiplied.
+Choice chooseLight(ivec2 pixel, float depth, vec3 position, vec3 normal, vec2 random) {
+    ivec2 cell = lightsAt(pixel, depth);
+    int looked = lightsLooked(cell.y);
+    float total = 0.0, chosen = 1.0;
+    int found = -1;
+    for (int i = 0; i < looked; ++i) {
+        vec2 next = lightLooked(cell, i, random.y);
+        float here = roughIrradiance(int(next.x), position, normal), weight = here * next.y;
+        if (weight <= 0.0) continue;
+        total += weight;
+        // A random number serves again: what is left of it is as random.
+        float limit = weight / total;
+        if (random.x < limit) {
+            found = int(next.x);
+            chosen = here;
+            random.x /= limit;
+        } else {
+            random.x = (random.x - limit) / max(1.0 - limit, 1e-6);
+        }
+    }
+    if (found < 0) return Choice(-1, 0.0);
+    // Faint light is looked for now and then, and counts for more.
+    float chance = min(total / (kPi * uFaintest), 1.0);
+    return random.x < chance ? Choice(found, total / (chosen * chance)) : Choice(-1, 0.0);
+}
+
+/// This frame's highlight, averaged with those of the same place in the frames before.
+vec4 overTime(vec4 now, vec3 position) {
+    vec2 lastUv = uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg;
+    if (!uLastValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return now;
+    ivec2 last = ivec2(lastUv * frame.targetSize.xy);
+    vec4 surface = texelFetch(uLastSurface, last, 0);
+    float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
+    if (abs(surface.x - expected) > 0.05 + 0.03 * expected) return now;
+    return mix(texelFetch(uLastSpecular, last, 0), now, 1.0 / min(surface.z + 1.0, 16.0));
 }
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = readSurface(pixel);
-    light = vec4(0.0);
     vec3 position = worldFromDepth(uv, s.depth);
-    vec3 toCentre = uPlace.xyz - position;
-    float range = length(toCentre);
-    float facing = dot(s.normal, toCentre) / range;
-    float edge = clamp((-dot(toCentre, uAxis) / range - uCone.x) * uCone.y, 0.0, 1.0);
-    vec3 arriving = uPower.rgb * (attenuation(range, uPlace.w, uPower.w) * edge * edge * facing / kPi);
-    if (facing <= 0.0 || max(arriving.r, max(arriving.g, arriving.b)) < kFaintest) discard;
+    vec2 u = blueNoise(pixel, 2, frame.counters.x);
+    Choice choice = chooseLight(pixel, s.depth, position, s.normal, u);
+    light = specular = vec4(0.0);
     vec3 origin = shadowOrigin(position, s.normal);
-    vec3 toTarget = uPlace.xyz + uPlace.w * spherePoint(blueNoise(pixel, 2 + uIndex, frame.counters.x)) - origin;
-    float distanceMetres = length(toTarget);
+    LightSample point = sampleLight(readLight(max(choice.light, 0)), origin, vec3(blueNoise(pixel, 3, frame.counters.x), blueNoise(pixel, 4, frame.counters.x).x));
+    float facing = max(dot(point.direction, s.normal), 0.0);
+    vec3 arriving = point.arriving * (facing * choice.share);
+    bool dark = choice.share <= 0.0 || luminance(arriving) <= 0.0;
     float t;
-    // The ray ends before the light's own glowing voxels.
-    if (!shadowTrace(origin, toTarget / distanceMetres, distanceMetres - max(uPlace.w, 0.12), t)) light.rgb = arriving;
+    // Where nothing would arrive the ray has no length.
+    if (!shadowTrace(origin, point.direction, dark ? -1.0 : max(point.clear, 0.0), t) && !dark) {
+        light.rgb = arriving;
+        vec3 view = normalize(frame.cameraPosition.xyz - position);
+        vec3 f0 = mix(vec3(s.reflectivity), s.albedo, s.metallic);
+        vec3 mirrored = fresnel(f0, dot(view, normalize(view + point.direction))) * specularLobe(s.normal, view, point.direction, s.roughness);
+        specular = vec4(min(mirrored * arriving * kPi, vec3(30.0)), luminance(arriving));
+    }
+    specular = overTime(specular, position);
 }

@@ -18,6 +18,9 @@ vec4 skyColor;                // rgb radiance overhead
 vec4 horizonColor;            // rgb
 vec4 groundColor;             // rgb; w wetness of what lies open to the sky, 0 to 1
 vec4 fogColor;                // rgb; w metres at which the haze takes half
+vec4 fog;                     // x share of light taken in a metre at its base; y height of the base, z metres for 1/e, w mean cosine
+vec4 fogTint;                 // rgb share of that which is scattered
+vec4 skyCover;                // x clouds: 0.5 some, 1 overcast; y brightness of the stars
 vec4 exposure;                // x of the level
 ivec4 shadowSectorLow;        // xyz first sector of the shadow volume's directory (from the render origin); w 1 if there is a volume
 ivec4 shadowSectorCount;      // xyz sectors of the directory

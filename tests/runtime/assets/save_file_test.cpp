@@ -89,7 +89,7 @@ TEST(SaveFile, ASettingThatTheFileForgetsIsNoticed) {
     EXPECT_EQ(sizeof(LoadSettings), 56u);
     EXPECT_EQ(sizeof(WorldSettings), 56 + sizeof(DebrisSettings) + sizeof(LoadSettings) + sizeof(FireSettings) + sizeof(SplitSettings) + 8u);
     EXPECT_EQ(sizeof(Joint), 480u);
-    EXPECT_EQ(sizeof(Light), 224u);
+    EXPECT_EQ(sizeof(Light), 192u);
     EXPECT_EQ(sizeof(Environment), 136u);
     EXPECT_EQ(sizeof(PaintEdit), 80u);
     EXPECT_EQ(sizeof(CarveEdit), 160u);

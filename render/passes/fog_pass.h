@@ -1,0 +1,24 @@
+#pragma once
+#include "render/frame_context.h"
+
+namespace rubble {
+
+/// Fog with shafts of light in it: its light at half the size, smoothed, then laid over "radiance".
+class FogPass {
+public:
+    explicit FogPass(ShaderLibrary& shaders);
+    void draw(const FrameContext& frame) const;
+    /// The environment has fog.
+    static bool needed(const FrameContext& frame);
+
+private:
+    void drawLight(const FrameContext& frame) const;
+    void drawFiltered(const FrameContext& frame) const;
+    void drawOver(const FrameContext& frame) const;
+
+    const Program& m_light;
+    const Program& m_filter;
+    const Program& m_over;
+};
+
+}  // namespace rubble

@@ -1,0 +1,183 @@
+#include "render/scene/light_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "render/frame_context.h"
+#include "runtime/core/log.h"
+
+namespace rubble {
+namespace {
+
+constexpr int kTilePixels = 32;  // these three as in lib/local_lights.glsl
+constexpr int kAlwaysLooked = 12;
+constexpr int kTexelsALight = 6;
+constexpr int kSlices = 12;  // two each time the depth doubles, from 1 m: the last one goes on for ever
+
+int sliceAt(float depth) {
+    return std::clamp(int(std::floor(2.0f * std::log2(std::max(depth, 1.0f)))), 0, kSlices - 1);
+}
+
+/// Distance from a light's place within which all of it lies.
+float extentOf(const SnapshotLight& light) {
+    if (light.kind == LightKind::Capsule) return 0.5f * light.width + light.radius;
+    if (light.kind == LightKind::Area || light.kind == LightKind::Screen) return 0.5f * glm::length(glm::vec2(light.width, light.height));
+    return light.radius;
+}
+
+float brightness(const SnapshotLight& light) {
+    return glm::dot(light.color, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+}
+
+/// The sphere that a light's reach fits into: for cones narrower than a right angle less than all around.
+glm::vec4 reachOf(const SnapshotLight& light, glm::dvec3 origin) {
+    const glm::vec3 place(light.position - origin);
+    const float all = light.reach + extentOf(light);
+    if (light.kind != LightKind::Cone || light.coneOuter > 0.78f) return {place, all};
+    const float half = all / (2.0f * std::cos(light.coneOuter));
+    return {place + light.direction * half, half + light.radius};
+}
+
+/// Tiles along one axis of the screen that a sphere can touch. `along`, `depth`: its centre in the camera's frame; tangent: of half
+/// the view's angle. Between two planes through the eye each, so exact but for the ends.
+std::optional<glm::ivec2> tilesAlong(float along, float depth, float radius, float tangent, float pixels) {
+    const int count = int(std::ceil(pixels / kTilePixels));
+    int low = count, high = -1;
+    for (int tile = 0; tile < count; ++tile) {
+        const auto beyond = [&](int edge) {  // signed distance from the plane through this edge, positive to the right
+            const float slope = (std::min(float(edge * kTilePixels), pixels) / pixels * 2.0f - 1.0f) * tangent;
+            return (along - slope * depth) / std::sqrt(1.0f + slope * slope);
+        };
+        if (beyond(tile) < -radius || beyond(tile + 1) > radius) continue;
+        low = std::min(low, tile);
+        high = std::max(high, tile);
+    }
+    if (high < low) return {};
+    return glm::ivec2(low, high);
+}
+
+}  // namespace
+
+void LightGrid::listReaches(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin) {
+    m_reaches.clear();
+    for (size_t i = 0; i < lights.size(); ++i) {
+        const glm::vec4 sphere = reachOf(lights[i], origin);
+        const glm::vec3 toCentre = glm::vec3(sphere) - glm::vec3(block.cameraPosition);
+        const float depth = glm::dot(toCentre, glm::vec3(block.cameraForward));
+        if (!(depth + sphere.w > 0.0f) || !(lights[i].reach > 0.0f) || !(brightness(lights[i]) > 0.0f)) continue;
+        const auto across = tilesAlong(glm::dot(toCentre, glm::vec3(block.cameraRight)), depth, sphere.w, block.cameraRight.w, block.targetSize.x);
+        const auto up = tilesAlong(glm::dot(toCentre, glm::vec3(block.cameraUp)), depth, sphere.w, block.cameraUp.w, block.targetSize.y);
+        if (!across || !up) continue;
+        m_reaches.push_back({int(i), {across->x, up->x, sliceAt(depth - sphere.w)}, {across->y, up->y, sliceAt(depth + sphere.w)}});
+    }
+    std::stable_sort(m_reaches.begin(), m_reaches.end(),
+                     [&](const Reach& a, const Reach& b) { return brightness(lights[size_t(a.light)]) > brightness(lights[size_t(b.light)]); });
+}
+
+void LightGrid::fillCells() {
+    m_cells.assign(size_t(tiles()) * (kSlices + 1), glm::uvec2(0));
+    const auto eachCell = [&](const Reach& reach, auto&& visit) {
+        for (int y = reach.low.y; y <= reach.high.y; ++y)
+            for (int x = reach.low.x; x <= reach.high.x; ++x) {
+                for (int slice = reach.low.z; slice <= reach.high.z; ++slice) visit(m_cells[size_t(x + m_size.x * (y + m_size.y * slice))]);
+                visit(m_cells[size_t(x + m_size.x * (y + m_size.y * kSlices))]);
+            }
+    };
+    for (const Reach& reach : m_reaches) eachCell(reach, [](glm::uvec2& cell) { ++cell.y; });
+    uint32_t sum = 0;
+    for (glm::uvec2& cell : m_cells) {
+        cell.x = sum;
+        sum += std::exchange(cell.y, 0u);
+    }
+    m_list.resize(sum);
+    for (size_t i = 0; i < m_reaches.size(); ++i) eachCell(m_reaches[i], [&](glm::uvec2& cell) { m_list[cell.x + cell.y++] = uint32_t(i); });
+}
+
+/// In cells of more lights than a pixel looks at, those that are strongest at the cell's middle come first.
+void LightGrid::bringNearForward(const FrameBlock& block) {
+    std::vector<std::pair<float, uint32_t>> byStrength;
+    for (size_t i = 0; i < m_cells.size(); ++i) {
+        const glm::uvec2 cell = m_cells[i];
+        if (cell.y <= 2 * kAlwaysLooked) continue;
+        const int slice = int(i) / tiles(), x = int(i) % m_size.x, y = int(i) / m_size.x % m_size.y;
+        const float depth = slice == kSlices ? 8.0f : std::exp2(0.5f * (float(slice) + 0.5f));
+        const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) * float(kTilePixels) / glm::vec2(block.targetSize) * 2.0f - 1.0f;
+        const glm::vec3 middle =
+            glm::vec3(block.cameraPosition) + depth * (glm::vec3(block.cameraForward) + glm::vec3(block.cameraRight) * (uv.x * block.cameraRight.w) +
+                                                       glm::vec3(block.cameraUp) * (uv.y * block.cameraUp.w));
+        byStrength.clear();
+        for (uint32_t k = 0; k < cell.y; ++k) {
+            const uint32_t light = m_list[cell.x + k];
+            const glm::vec4 place = m_texels[light * kTexelsALight], color = m_texels[light * kTexelsALight + 1];
+            const glm::vec3 away = glm::vec3(place) - middle;
+            byStrength.emplace_back(-(color.x + color.y + color.z) / (0.5f + glm::dot(away, away)), light);
+        }
+        std::nth_element(byStrength.begin(), byStrength.begin() + kAlwaysLooked, byStrength.end());
+        for (uint32_t k = 0; k < cell.y; ++k) m_list[cell.x + k] = byStrength[k].second;
+    }
+}
+
+void LightGrid::fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 origin) {
+    m_texels.clear();
+    m_pictures.clear();
+    for (const Reach& reach : m_reaches) {
+        const SnapshotLight& light = lights[size_t(reach.light)];
+        const bool cone = light.kind == LightKind::Cone;
+        // Without a cone its edge lies beyond all directions.
+        const float outer = cone ? std::cos(light.coneOuter) : -3.0f, inner = cone ? std::cos(light.coneInner) : -2.0f;
+        const int shape = light.kind == LightKind::Screen ? 3 : light.kind == LightKind::Area ? 2 : light.kind == LightKind::Capsule ? 1 : 0;
+        const bool picture = shape == 3 && light.picture.height() > 0;
+        m_texels.emplace_back(glm::vec3(light.position - origin), extentOf(light));
+        m_texels.emplace_back(light.color, light.reach);
+        m_texels.emplace_back(light.direction, float(shape));
+        m_texels.emplace_back(outer, 1.0f / std::max(inner - outer, 1e-3f), std::max(light.radius, 0.005f), 0.5f * light.height);
+        m_texels.emplace_back(light.right, 0.5f * light.width);
+        m_texels.emplace_back(float(light.twoSided), float(m_pictures.size()), picture ? float(light.picture.width) : 0.0f,
+                              float(light.picture.height()));
+        if (picture) m_pictures.insert(m_pictures.end(), light.picture.texels.begin(), light.picture.texels.end());
+    }
+}
+
+uint64_t LightGrid::upload() {
+    uint64_t sent = 0;
+    const auto send = [&](BufferTexture& texture, const auto& data) {
+        const auto bytes = std::as_bytes(std::span(data));
+        if (bytes.empty()) return true;
+        if (!texture.reserve(bytes.size())) return false;
+        texture.upload(0, bytes);
+        sent += bytes.size();
+        return true;
+    };
+    const bool fits =
+        send(m_lightsTexture, m_texels) && send(m_cellsTexture, m_cells) && send(m_listTexture, m_list) && send(m_picturesTexture, m_pictures);
+    if (!fits) {
+        logError("local lights are not drawn: " + std::to_string(m_reaches.size()) +
+                 " in view are more than the largest buffer texture of this GL holds");
+        m_list.clear();
+    }
+    return sent;
+}
+
+uint64_t LightGrid::update(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin) {
+    m_size = glm::ivec3(glm::ivec2(glm::ceil(glm::vec2(block.targetSize) / float(kTilePixels))), kSlices);
+    listReaches(lights, block, origin);
+    m_list.clear();
+    if (m_reaches.empty()) return 0;
+    fillTexels(lights, origin);
+    fillCells();
+    bringNearForward(block);
+    return upload();
+}
+
+void LightGrid::bind(const Program& program) const {
+    program.set("uLights", m_lightsTexture);
+    program.set("uLightCells", m_cellsTexture);
+    program.set("uLightList", m_listTexture);
+    program.set("uLightPictures", m_picturesTexture);
+    program.set("uLightGrid", m_size);
+}
+
+}  // namespace rubble

@@ -1,0 +1,46 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "render/gl/program.h"
+#include "runtime/frame/frame_snapshot.h"
+
+namespace rubble {
+
+struct FrameBlock;
+
+/// The local lights in view as shaders read them (lib/local_lights.glsl), and for each tile of the view and slice of depth the
+/// ones that reach it: a pixel looks at those alone. Made anew for each frame; costs nothing without lights. [render-thread]
+class LightGrid {
+public:
+    /// Sorts the lights for a camera. `origin`: world position that the GPU's coordinates are relative to. Returns the bytes sent.
+    uint64_t update(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin);
+    /// Sets the uniforms of lib/local_lights.glsl. The program must be in use.
+    void bind(const Program& program) const;
+    /// Any light reaches into the view.
+    bool empty() const { return m_list.empty(); }
+    int tiles() const { return m_size.x * m_size.y; }
+    uint64_t bytes() const { return m_lightsTexture.bytes() + m_cellsTexture.bytes() + m_listTexture.bytes() + m_picturesTexture.bytes(); }
+
+private:
+    /// A light's share of the grid: tiles and slices from low to high, both within.
+    struct Reach {
+        int light;
+        glm::ivec3 low, high;
+    };
+    void listReaches(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin);
+    void fillCells();
+    void bringNearForward(const FrameBlock& block);
+    void fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 origin);
+    uint64_t upload();
+
+    glm::ivec3 m_size{0};             ///< tiles across and up, slices
+    std::vector<Reach> m_reaches;     ///< strongest light first
+    std::vector<glm::uvec2> m_cells;  ///< first place in m_list, number; the slice after the last one is for all depths
+    std::vector<uint32_t> m_list;
+    std::vector<glm::vec4> m_texels;
+    std::vector<uint32_t> m_pictures;
+    BufferTexture m_lightsTexture{GL_RGBA32F}, m_cellsTexture{GL_RG32UI}, m_listTexture{GL_R32UI}, m_picturesTexture{GL_R32UI};
+};
+
+}  // namespace rubble

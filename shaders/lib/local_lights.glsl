@@ -1,0 +1,127 @@
+// Local lights: which are near a pixel (filled by render/scene/light_grid.cpp), what they send there, and random points of
+// them. runtime/world/lights.h says what each kind is. Needs lib/frame, lib/sampling.
+#include "lib/color.glsl"
+
+uniform samplerBuffer uLights;          // kTexelsALight a light: see readLight()
+uniform usamplerBuffer uLightCells;     // of the grid: first place in the list, number of lights
+uniform usamplerBuffer uLightList;      // the first kAlwaysLooked of a cell are those that may matter most there
+uniform usamplerBuffer uLightPictures;  // sRGB 0xRRGGBB
+uniform ivec3 uLightGrid;               // tiles across and up, slices of depth; after the last slice one for all depths
+
+const int kTexelsALight = 6;
+const int kTilePixels = 32;
+const int kAlwaysLooked = 12;  // the same in render/scene/light_grid.cpp
+const int kOthersLooked = 12;
+const int kBall = 0, kCapsule = 1, kArea = 2, kScreen = 3;
+
+struct LocalLight {
+    vec3 place;
+    float extent;     // all of it lies within this of its place
+    vec3 color;
+    float reach;
+    vec3 axis;        // where it looks
+    int kind;
+    vec2 cone;        // cosine of the outer half angle; 1 / (cosine of the inner - cosine of the outer). Lies beyond all directions without one
+    float radius;
+    vec3 right;
+    vec2 halfSize;    // along right and up
+    bool twoSided;
+    ivec3 picture;    // first texel, columns, rows
+};
+
+LocalLight readLight(int i) {
+    i *= kTexelsALight;
+    vec4 a = texelFetch(uLights, i), b = texelFetch(uLights, i + 1), c = texelFetch(uLights, i + 2), d = texelFetch(uLights, i + 3),
+         e = texelFetch(uLights, i + 4), f = texelFetch(uLights, i + 5);
+    return LocalLight(a.xyz, a.w, b.rgb, b.w, c.xyz, int(c.w), d.xy, d.z, e.xyz, vec2(e.w, d.w), f.x > 0.0, ivec3(f.yzw));
+}
+
+/// The lights that may reach a pixel: x first place in the list, y number. Depth below 0: at any depth.
+ivec2 lightsAt(ivec2 pixel, float depth) {
+    int slice = depth < 0.0 ? uLightGrid.z : clamp(int(floor(2.0 * log2(max(depth, 1.0)))), 0, uLightGrid.z - 1);
+    ivec2 tile = min(pixel / kTilePixels, uLightGrid.xy - 1);
+    return ivec2(texelFetch(uLightCells, tile.x + uLightGrid.x * (tile.y + uLightGrid.y * slice)).xy);
+}
+
+/// Where to look for the i-th of those that a pixel weighs: the first ones always, of the others every so many from a random one on,
+/// so that hundreds cost no more than some. x: the light, y: for how many it stands.
+int lightsLooked(int count) { return min(count, kAlwaysLooked + kOthersLooked); }
+vec2 lightLooked(ivec2 cell, int i, float random) {
+    float others = float(cell.y - kAlwaysLooked) / float(kOthersLooked);
+    bool counted = others <= 1.0 || i < kAlwaysLooked;
+    int place = counted ? i : kAlwaysLooked + int((float(i - kAlwaysLooked) + random) * others);
+    return vec2(texelFetch(uLightList, cell.x + min(place, cell.y - 1)).x, counted ? 1.0 : others);
+}
+
+float lightWindow(float distanceMetres, float reach) {
+    float x = distanceMetres / reach;
+    float w = clamp(1.0 - x * x * x * x, 0.0, 1.0);
+    return w * w;
+}
+
+float coneEdge(LocalLight light, float cosine) {
+    float e = clamp((cosine - light.cone.x) * light.cone.y, 0.0, 1.0);
+    return e * e;
+}
+
+/// Luminance of about what a light sends to a surface without shadows: never 0 where it may send some.
+float roughIrradiance(int i, vec3 position, vec3 normal) {
+    i *= kTexelsALight;
+    vec4 a = texelFetch(uLights, i), b = texelFetch(uLights, i + 1), c = texelFetch(uLights, i + 2), d = texelFetch(uLights, i + 3);
+    vec3 toPlace = a.xyz - position;
+    float extent = a.w, range = length(toPlace), nearest = max(range, extent);
+    float facing = clamp((dot(normal, toPlace) + extent) / nearest, 0.0, 1.0);
+    float cosine = -dot(toPlace, c.xyz);
+    float edge = clamp((cosine / range - d.x) * d.y, 0.0, 1.0);
+    if (c.w >= float(kArea)) edge = clamp((abs(cosine) + extent) / nearest, 0.0, 1.0);
+    return luminance(b.rgb) * facing * edge * edge * lightWindow(max(range - extent, 0.0), b.w) / (nearest * nearest);
+}
+
+struct LightSample {
+    vec3 direction;      // unit vector to a point of the light
+    float clear;         // metres that must be empty for it to arrive
+    vec3 arriving;       // irradiance / pi through a face that looks to it
+};
+
+vec3 pictureAt(LocalLight light, vec2 place) {
+    if (light.picture.y == 0) return vec3(1.0);
+    ivec2 texel = clamp(ivec2((0.5 - 0.5 * place) * vec2(light.picture.yz)), ivec2(0), light.picture.yz - 1);
+    uint rgb = texelFetch(uLightPictures, light.picture.x + texel.x + texel.y * light.picture.y).x;
+    return pow(vec3(uvec3(rgb >> 16, rgb >> 8, rgb) & 255u) / 255.0, vec3(2.2));
+}
+
+/// A ball's points by the solid angle that each takes: its light arrives as exactly as its shadow.
+LightSample sampleBall(LocalLight light, vec3 position, vec3 u) {
+    if (light.kind == kCapsule) light.place += light.right * (light.halfSize.x * (2.0 * u.z - 1.0));
+    vec3 toPlace = light.place - position;
+    float range2 = max(dot(toPlace, toPlace), 1e-6), range = sqrt(range2), radius2 = light.radius * light.radius;
+    float sine2 = min(radius2 / range2, 1.0);
+    float open = sine2 / (1.0 + sqrt(1.0 - sine2));   // 1 - cosine of the edge: the solid angle / 2 pi
+    float fall = u.y * open, turned2 = fall * (2.0 - fall);
+    float angle = 2.0 * kPi * u.x;
+    vec3 local = vec3(sqrt(turned2) * vec2(cos(angle), sin(angle)), 1.0 - fall);
+    float distanceMetres = max(range * local.z - sqrt(max(radius2 - range2 * turned2, 0.0)), 0.0);
+    float edge = coneEdge(light, -dot(toPlace, light.axis) / range);
+    vec3 arriving = light.color * (2.0 * open / radius2 * edge * lightWindow(distanceMetres, light.reach) / kPi);
+    return LightSample(basisAround(toPlace / range) * local, distanceMetres - max(light.radius, 0.12), arriving);
+}
+
+LightSample sampleArea(LocalLight light, vec3 position, vec3 u) {
+    vec2 place = 2.0 * u.xy - 1.0;
+    vec3 up = cross(light.right, light.axis);
+    vec3 toPoint = light.place + light.right * (place.x * light.halfSize.x) + up * (place.y * light.halfSize.y) - position;
+    float range2 = max(dot(toPoint, toPoint), 1e-4), range = sqrt(range2);
+    vec3 direction = toPoint / range;
+    float cosine = -dot(direction, light.axis);
+    cosine = light.twoSided ? abs(cosine) : max(cosine, 0.0);
+    vec3 color = light.kind == kScreen ? light.color * pictureAt(light, place) : light.color;
+    vec3 arriving = color * (cosine / range2 * lightWindow(range, light.reach) / kPi);
+    return LightSample(direction, range - max(light.radius, 0.12) / max(cosine, 0.1), arriving);
+}
+
+/// u: three random numbers.
+LightSample sampleLight(LocalLight light, vec3 position, vec3 u) {
+    LightSample ball = sampleBall(light, position, u);
+    LightSample area = sampleArea(light, position, u);
+    return light.kind >= kArea ? area : ball;
+}

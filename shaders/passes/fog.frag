@@ -1,0 +1,17 @@
+// What fog takes from the picture and what it adds: blended as colour + alpha x picture.
+#include "lib/frame.glsl"
+#include "lib/fog.glsl"
+
+uniform sampler2D uLight;   // at half the size: mean light of the fog in front
+uniform sampler2D uDepth;
+
+in vec2 uv;
+out vec4 color;
+
+void main() {
+    vec3 toPixel = viewRay(uv);
+    float stretch = length(toPixel);
+    float depth = min(texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r * stretch, kFogEnd);
+    float left = exp(-fogBetween(toPixel.y / stretch, depth));
+    color = vec4(texture(uLight, uv).rgb * frame.fogTint.rgb * (1.0 - left), left);
+}

@@ -1,0 +1,132 @@
+// Light that fog sends to the eye, as the mean over the fog in front of each pixel, at half the size: one ray to the sun from a
+// random place in it, one to a local light or into the sky. Averaged over time.
+#include "lib/frame.glsl"
+#include "lib/noise.glsl"
+#include "lib/sampling.glsl"
+#include "lib/shadow_trace.glsl"
+#include "lib/sky.glsl"
+#include "lib/fog.glsl"
+#include "lib/local_lights.glsl"
+
+uniform sampler2D uDepth;
+uniform sampler2D uLast;      // rgb mean light, a frames
+uniform bool uLastValid;
+uniform bool uSunUp;
+uniform bool uLocalLights;
+uniform float uLongest;       // frames
+
+in vec2 uv;
+out vec4 light;
+
+const float kSunReach = 80.0, kSkyReach = 16.0;  // metres
+
+struct FogRay {
+    vec3 direction;
+    float end;       // metres
+    float share;     // of light that its fog takes
+};
+
+/// A place in the fog, as likely as light from there would come to the eye.
+float placeInFog(FogRay ray, float u) { return min(fogDistance(ray.direction.y, -log(1.0 - u * ray.share)), ray.end); }
+
+vec3 fromSun(FogRay ray, float u) {
+    vec3 place = frame.cameraPosition.xyz + ray.direction * placeInFog(ray, u);
+    float t;
+    if (!uSunUp || shadowTrace(place, frame.sunDirection.xyz, kSunReach, t)) return vec3(0.0);
+    float above = fogDensity(place.y) * frame.fog.z / max(frame.sunDirection.y, 0.05);
+    return frame.sunColor.rgb * (fogPhase(dot(ray.direction, frame.sunDirection.xyz)) * exp(-above));
+}
+
+/// The part of a ray that a light's reach holds, in angles as the light sees it: places even in these angles follow 1 / d^2
+/// (Kulla and Fajardo 2012).
+struct Passing {
+    float nearest;   // metres along the ray
+    float aside;     // of the light from there
+    float from, to;  // radians
+};
+Passing passBy(FogRay ray, vec3 place, float reach, float radius) {
+    vec3 toPlace = place - frame.cameraPosition.xyz;
+    float along = dot(toPlace, ray.direction), aside2 = max(dot(toPlace, toPlace) - along * along, 0.0);
+    float half_ = sqrt(max(reach * reach - aside2, 0.0)), aside = max(sqrt(aside2), max(radius, 0.1));
+    float first = max(along - half_, 0.0), last = min(along + half_, ray.end);
+    if (last <= first) return Passing(along, aside, 0.0, 0.0);
+    return Passing(along, aside, atan(first - along, aside), atan(last - along, aside));
+}
+
+/// What a light sends to the eye from a random place of the ray, without the fog's share that it is a mean over.
+vec3 fromLight(FogRay ray, LocalLight light, vec2 u) {
+    Passing p = passBy(ray, light.place, light.reach + light.extent, light.radius);
+    float beyond = p.aside * tan(mix(p.from, p.to, u.x)), metres = p.nearest + beyond;
+    vec3 place = frame.cameraPosition.xyz + ray.direction * metres;
+    vec3 up = cross(light.right, light.axis);
+    vec3 fromMiddle = place - light.place;
+    // The light's point that is nearest.
+    vec2 limit = light.kind == kBall ? vec2(0.0) : light.halfSize;
+    vec2 on = clamp(vec2(dot(fromMiddle, light.right), dot(fromMiddle, up)), -limit, limit);
+    vec3 toLight = on.x * light.right + on.y * up - fromMiddle;
+    float range = max(length(toLight), 1e-3);
+    toLight /= range;
+    float cosine = -dot(toLight, light.axis);
+    float edge = light.kind < kArea ? coneEdge(light, cosine) : light.twoSided ? abs(cosine) : max(cosine, 0.0);
+    float strength = edge * lightWindow(range, light.reach) * fogPhase(dot(ray.direction, toLight)) * (p.to - p.from) / p.aside;
+    float fog = fogDensity(place.y);
+    strength *= fog * exp(-fogBetween(ray.direction.y, metres) - fog * range);
+    float t;
+    bool dark = strength <= 0.0;
+    if (shadowTrace(place, toLight, dark ? -1.0 : max(range - max(light.radius, 0.12), 0.0), t) || dark) return vec3(0.0);
+    return light.color * strength;
+}
+
+vec3 fromSky(FogRay ray, vec3 u) {
+    vec3 place = frame.cameraPosition.xyz + ray.direction * placeInFog(ray, u.z), direction = spherePoint(u.xy);
+    float t;
+    return shadowTrace(place, direction, kSkyReach, t) ? vec3(0.0) : skyRadiance(direction);
+}
+
+/// One local light or the sky, in proportion to what each would send.
+vec3 fromOthers(FogRay ray, ivec2 pixel, vec2 random, vec3 u) {
+    float total = luminance(mix(frame.skyColor.rgb, frame.horizonColor.rgb, 0.5)) * 0.5 + 1e-5, chosen = total;
+    int found = -1;
+    ivec2 cell = uLocalLights ? lightsAt(pixel, -1.0) : ivec2(0);
+    int looked = lightsLooked(cell.y);
+    for (int i = 0; i < looked; ++i) {
+        vec2 next = lightLooked(cell, i, random.y);
+        vec4 a = texelFetch(uLights, int(next.x) * kTexelsALight), b = texelFetch(uLights, int(next.x) * kTexelsALight + 1);
+        Passing p = passBy(ray, a.xyz, b.w + a.w, 0.1);
+        float fog = fogDensity(frame.cameraPosition.y + ray.direction.y * max(p.nearest, 0.0));
+        float here = luminance(b.rgb) * (p.to - p.from) / p.aside * fog * 0.08 / ray.share, weight = here * next.y;
+        total += weight;
+        float limit = weight / total;
+        if (random.x < limit) {
+            found = int(next.x);
+            chosen = here;
+            random.x /= limit;
+        } else {
+            random.x = (random.x - limit) / max(1.0 - limit, 1e-6);
+        }
+    }
+    vec3 light = found < 0 ? fromSky(ray, u) : fromLight(ray, readLight(found), u.xy) / ray.share;
+    return light * (total / chosen);
+}
+
+void main() {
+    ivec2 pixel = min(ivec2(gl_FragCoord.xy) * 2, ivec2(frame.targetSize.xy) - 1);
+    vec3 toPixel = viewRay((vec2(pixel) + 0.5) * frame.targetSize.zw);
+    float stretch = length(toPixel);
+    FogRay ray;
+    ray.direction = toPixel / stretch;
+    ray.end = min(texelFetch(uDepth, pixel, 0).r * stretch, kFogEnd);
+    ray.share = max(1.0 - exp(-fogBetween(ray.direction.y, ray.end)), 1e-5);
+    ivec2 half_ = ivec2(gl_FragCoord.xy);
+    vec2 u = blueNoise(half_, 30, frame.counters.x), v = blueNoise(half_, 31, frame.counters.x), w = blueNoise(half_, 32, frame.counters.x);
+    vec3 now = fromSun(ray, u.x) + fromOthers(ray, pixel, v, vec3(w, u.y));
+    light = vec4(min(now, vec3(1000.0)), 1.0);
+
+    vec3 middle = frame.cameraPosition.xyz + ray.direction * placeInFog(ray, 0.5);
+    vec4 clip = frame.previousViewProjection * vec4(middle, 1.0);
+    vec2 lastUv = clip.xy / max(clip.w, 1e-3) * 0.5 + 0.5;
+    if (!uLastValid || clip.w < 0.05 || lastUv != clamp(lastUv, vec2(0.0), vec2(1.0))) return;
+    vec4 last = texture(uLast, lastUv);
+    light.a = min(last.a + 1.0, uLongest);
+    light.rgb = mix(last.rgb, light.rgb, 1.0 / light.a);
+}
