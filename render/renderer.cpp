@@ -15,6 +15,7 @@
 #include "render/passes/filter_pass.h"
 #include "render/passes/fog_pass.h"
 #include "render/passes/gbuffer_pass.h"
+#include "render/passes/glare_pass.h"
 #include "render/passes/glass_pass.h"
 #include "render/passes/local_lights_pass.h"
 #include "render/passes/particles_pass.h"
@@ -76,6 +77,7 @@ struct Renderer::Impl {
         if (!scene.waters().empty()) run("water", [&] { drawWaters(frame); });
         if (FogPass::needed(frame)) run("fog", [&] { drawFog(frame); });
         if (!scene.particles().empty()) run("particles", [&] { drawParticles(frame); });
+        if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty()) run("glare", [&] { drawGlare(frame); });
         run("taa", [&] { taa.draw(frame); });
         if (settings.bloom > 0.0f) run("bloom", [&] { bloom.draw(frame); });
         run("exposure", [&] { exposure.draw(frame); });
@@ -86,6 +88,11 @@ struct Renderer::Impl {
     void drawParticles(const FrameContext& frame) {
         if (!particles) particles.emplace(shaders);
         particles->draw(frame, alphaOfStep);
+    }
+
+    void drawGlare(const FrameContext& frame) {
+        if (!glare) glare.emplace(shaders);
+        glare->draw(frame);
     }
 
     void drawFog(const FrameContext& frame) {
@@ -165,6 +172,7 @@ struct Renderer::Impl {
     std::optional<WetnessPass> wetness;
     std::optional<WaterPass> water;
     std::optional<FogPass> fog;
+    std::optional<GlarePass> glare;
     std::optional<ParticlesPass> particles;
     std::optional<RopesPass> ropes;
     TaaPass taa{shaders};

@@ -38,7 +38,7 @@ struct RenderSettings {
     bool temporal = true;       ///< reprojected accumulation and TAA
     int historyFrames = 32;     ///< how many pictures the accumulation remembers
     int warmUpFrames = 0;       ///< drawn unseen before the first picture and after each cut: clean stills
-    bool sun = true, sky = true, localLights = true, reflections = true, fog = true;
+    bool sun = true, sky = true, localLights = true, reflections = true, fog = true, glare = true;
     bool bounce = true;         ///< what sky and mirror rays hit shines back; off: it is black
     Noise noise = Noise::Blue;  ///< of light's rays
     bool bevel = true;          ///< rounds the edges of near voxels in light

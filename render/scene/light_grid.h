@@ -19,6 +19,7 @@ public:
     void bind(const Program& program) const;
     /// Any light reaches into the view.
     bool empty() const { return m_list.empty(); }
+    int lights() const { return int(m_reaches.size()); }
     int tiles() const { return m_size.x * m_size.y; }
     uint64_t bytes() const { return m_lightsTexture.bytes() + m_cellsTexture.bytes() + m_listTexture.bytes() + m_picturesTexture.bytes(); }
 

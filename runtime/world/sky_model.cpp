@@ -44,14 +44,15 @@ struct Colors {
 };
 
 Colors clearColors(double sine) {
-    const double air = airMass(sine);
+    // The sky is lit from above, where a low sun's light comes through less air than where we stand.
+    const double air = airMass(sine), airAbove = std::min(air, 7.0);
     // The sun is gone at 1.5 degrees below the horizon, its light in the air at 9.
     const double day = smoothStep(-0.16, 0.20, sine), disc = smoothStep(-0.026, 0.02, sine);
     Colors colors;
     colors.sun = kSunAbove * through(air) * disc;
-    colors.sky =
-        kSunAbove * kMolecules * through(0.4 * air) * (0.31 * day) + kBlueHour * smoothStep(-0.20, 0.0, sine) * (1.0 - smoothStep(0.1, 0.4, sine));
-    colors.horizon = kSunAbove * through(0.5 * air) * (0.054 * day);
+    colors.sky = kSunAbove * kMolecules * through(0.4 * airAbove) * (0.31 * day) +
+                 kBlueHour * smoothStep(-0.20, 0.0, sine) * (1.0 - smoothStep(0.1, 0.4, sine));
+    colors.horizon = kSunAbove * through(0.5 * airAbove) * (0.054 * day);
     const double night = 1.0 - smoothStep(-0.20, 0.0, sine);
     colors.sky += kNightSky * night;
     colors.horizon += kNightHorizon * night;

@@ -7,8 +7,9 @@ namespace rubble {
 
 std::span<const Scene> allScenes() {
     using namespace scenes;
-    static const std::array list = {towerScene(),   bridgeScene(), fireScene(),   wallScene(),  paneScene(),      lampsScene(), dominoesScene(),
-                                    cratersScene(), crushScene(),  gardenScene(), craneScene(), dominoRunScene(), raftScene(),  driveScene()};
+    static const std::array list = {towerScene(), bridgeScene(),    fireScene(),    wallScene(),  paneScene(),
+                                    lampsScene(), dominoesScene(),  cratersScene(), crushScene(), gardenScene(),
+                                    craneScene(), dominoRunScene(), raftScene(),    driveScene(), lightsScene()};
     return list;
 }
 

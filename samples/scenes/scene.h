@@ -42,6 +42,7 @@ Scene craneScene();
 Scene dominoRunScene();
 Scene raftScene();
 Scene driveScene();
+Scene lightsScene();
 }  // namespace scenes
 
 }  // namespace rubble

@@ -79,7 +79,8 @@ float roughIrradiance(int i, vec3 position, vec3 normal) {
 
 struct LightSample {
     vec3 direction;      // unit vector to a point of the light
-    float clear;         // metres that must be empty for it to arrive
+    float range;         // metres to it
+    float own;           // of these, the last ones are the light's own
     vec3 arriving;       // irradiance / pi through a face that looks to it
 };
 
@@ -103,7 +104,7 @@ LightSample sampleBall(LocalLight light, vec3 position, vec3 u) {
     float distanceMetres = max(range * local.z - sqrt(max(radius2 - range2 * turned2, 0.0)), 0.0);
     float edge = coneEdge(light, -dot(toPlace, light.axis) / range);
     vec3 arriving = light.color * (2.0 * open / radius2 * edge * lightWindow(distanceMetres, light.reach) / kPi);
-    return LightSample(basisAround(toPlace / range) * local, distanceMetres - max(light.radius, 0.12), arriving);
+    return LightSample(basisAround(toPlace / range) * local, distanceMetres, max(light.radius, 0.12), arriving);
 }
 
 LightSample sampleArea(LocalLight light, vec3 position, vec3 u) {
@@ -116,7 +117,7 @@ LightSample sampleArea(LocalLight light, vec3 position, vec3 u) {
     cosine = light.twoSided ? abs(cosine) : max(cosine, 0.0);
     vec3 color = light.kind == kScreen ? light.color * pictureAt(light, place) : light.color;
     vec3 arriving = color * (cosine / range2 * lightWindow(range, light.reach) / kPi);
-    return LightSample(direction, range - max(light.radius, 0.12) / max(cosine, 0.1), arriving);
+    return LightSample(direction, range, max(light.radius, 0.12) / max(cosine, 0.1), arriving);
 }
 
 /// u: three random numbers.

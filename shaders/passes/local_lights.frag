@@ -68,14 +68,14 @@ void main() {
     vec2 u = blueNoise(pixel, 2, frame.counters.x);
     Choice choice = chooseLight(pixel, s.depth, position, s.normal, u);
     light = specular = vec4(0.0);
-    vec3 origin = shadowOrigin(position, s.normal);
-    LightSample point = sampleLight(readLight(max(choice.light, 0)), origin, vec3(blueNoise(pixel, 3, frame.counters.x), blueNoise(pixel, 4, frame.counters.x).x));
+    LightSample point = sampleLight(readLight(max(choice.light, 0)), position, vec3(blueNoise(pixel, 3, frame.counters.x), blueNoise(pixel, 4, frame.counters.x).x));
     float facing = max(dot(point.direction, s.normal), 0.0);
     vec3 arriving = point.arriving * (facing * choice.share);
     bool dark = choice.share <= 0.0 || luminance(arriving) <= 0.0;
-    float t;
+    vec3 origin = shadowOrigin(position, s.normal), way = position + point.direction * point.range - origin;
+    float wayLength = max(length(way), 1e-4), t;
     // Where nothing would arrive the ray has no length.
-    if (!shadowTrace(origin, point.direction, dark ? -1.0 : max(point.clear, 0.0), t) && !dark) {
+    if (!shadowTrace(origin, way / wayLength, dark ? -1.0 : max(wayLength - point.own, 0.0), t) && !dark) {
         light.rgb = arriving;
         vec3 view = normalize(frame.cameraPosition.xyz - position);
         vec3 f0 = mix(vec3(s.reflectivity), s.albedo, s.metallic);

@@ -1,0 +1,28 @@
+#include "render/passes/glare_pass.h"
+
+#include "render/scene/light_grid.h"
+#include "render/scene/scene.h"
+#include "runtime/core/log.h"
+
+namespace rubble {
+
+GlarePass::GlarePass(ShaderLibrary& shaders) : m_program(shaders.load("passes/glare.frag", "passes/glare.vert")) {
+    if (!m_program) logError("glare is not drawn: " + shaders.errors().back());
+}
+
+void GlarePass::draw(const FrameContext& frame) const {
+    if (!m_program) return;
+    frame.targets.framebuffer({&frame.targets.at("radiance")}).begin();
+    m_program.use();
+    frame.scene.bindShadow(m_program);
+    frame.lightGrid->bind(m_program);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glBindVertexArray(frame.emptyVertexArray.get());
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 6, frame.lightGrid->lights());
+    ++frame.figures.drawCalls;
+    glDisable(GL_BLEND);
+}
+
+}  // namespace rubble

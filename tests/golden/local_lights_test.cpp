@@ -1,0 +1,292 @@
+// Local lights and fog against closed forms, read as numbers before any filter.
+#include <algorithm>
+#include <cmath>
+
+#include "tests/golden/drawing.h"
+
+namespace rubble {
+namespace {
+
+constexpr double kPi = 3.14159265358979;
+constexpr glm::ivec2 kSize(48, 32);
+constexpr glm::vec3 kDown(0, -1, 0);
+
+PaletteRef gray(uint8_t roughness = 230) {
+    auto palette = std::make_shared<Palette>();
+    PaletteEntry& e = (*palette)[1];
+    e.red = e.green = e.blue = 186;
+    e.roughness = roughness;
+    e.reflectivity = 100;
+    e.material = 1;
+    return palette;
+}
+
+/// A floor whose top is at height 0, under a black sky.
+LitScene floorScene(uint8_t roughness = 230) {
+    LitScene scene(gray(roughness));
+    scene.add({120, 2, 120}, {{-6, -0.2, -6}}, [](glm::ivec3) { return uint8_t(1); });
+    Environment& air = scene.environment;
+    air.sunColor = air.skyColor = air.horizonColor = air.groundColor = air.fogColor = glm::vec3(0.0f);
+    air.fogDistance = 1e6f;
+    return scene;
+}
+
+SnapshotLight lightAt(LightKind kind, glm::dvec3 place, float intensity) {
+    SnapshotLight light{kind, place, kDown, glm::vec3(intensity), 0.02f, 1000.0f, 0.3f, 0.5f};
+    light.right = {1, 0, 0};
+    return light;
+}
+
+class LocalLightsTest : public Drawing {
+protected:
+    void start(const LitScene& scene) {
+        RenderSettings settings;
+        settings.temporal = false;
+        settings.noise = Noise::White;
+        settings.sky = settings.sun = false;
+        Drawing::start(scene, kSize, settings);
+    }
+    /// The floor from straight above: a few centimetres of it, so that every pixel's answer is that of the point below.
+    static Camera above(glm::dvec3 point) {
+        Camera camera;
+        camera.position = point + glm::dvec3(0, 5, 0.001);
+        camera.lookAt(point);
+        camera.verticalFov = 0.005f;
+        return camera;
+    }
+    /// Irradiance / pi at a point of the floor (red, green and blue), the mean of many random samples.
+    glm::dvec3 lightOn(glm::dvec3 point, int frames = 8) {
+        glm::dvec3 sum(0.0);
+        for (int i = 0; i < frames; ++i) {
+            draw(above(point));
+            const auto light = renderer->readTarget("light");
+            for (const glm::vec4& pixel : light->pixels) sum += glm::dvec3(pixel);
+        }
+        return sum / double(frames * kSize.x * kSize.y);
+    }
+    double shadeOf(const SnapshotLight& light, glm::dvec3 point = {0, 0, 0}, int frames = 8) {
+        LitScene scene = floorScene();
+        scene.addLight(light);
+        start(scene);
+        return lightOn(point, frames).g;
+    }
+    bool hasPass(const char* name) const {
+        const auto& passes = renderer->figures().passMs;
+        return std::any_of(passes.begin(), passes.end(), [&](const auto& pass) { return std::string(pass.first) == name; });
+    }
+    double passMs(const char* name) const {
+        for (const auto& [pass, ms] : renderer->figures().passMs)
+            if (std::string(pass) == name) return ms;
+        return 0.0;
+    }
+};
+
+TEST_F(LocalLightsTest, FallOffWithTheSquareOfTheDistance) {
+    for (const double height : {0.5, 1.0, 2.0, 4.0}) {
+        const double expected = 3.0 / (height * height) / kPi;
+        EXPECT_NEAR(shadeOf(lightAt(LightKind::Sphere, {0, height, 0}, 3.0f)), expected, 0.01 * expected) << height;
+    }
+    // Aside: cosine too.
+    const double expected = 3.0 * 2.0 / std::pow(2.0 * 2.0 + 1.5 * 1.5, 1.5) / kPi;
+    EXPECT_NEAR(shadeOf(lightAt(LightKind::Sphere, {0, 2, 0}, 3.0f), {1.5, 0, 0}), expected, 0.01 * expected);
+}
+
+TEST_F(LocalLightsTest, ALargeBallShinesLikeASmallOneOfTheSameIntensity) {
+    SnapshotLight light = lightAt(LightKind::Sphere, {0, 2, 0}, 3.0f);
+    light.radius = 1.0f;
+    EXPECT_NEAR(shadeOf(light), 3.0 / 4.0 / kPi, 0.01 * 3.0 / 4.0 / kPi);  // exact for a Lambertian ball over the horizon
+}
+
+TEST_F(LocalLightsTest, AreaHasTheFormFactorOfAParallelRectangle) {
+    for (const double height : {0.7, 1.5, 3.0}) {
+        SnapshotLight light = lightAt(LightKind::Area, {0, height, 0}, 6.0f);
+        light.width = 2.0f;
+        light.height = 1.2f;
+        const double x = 1.0 / height, y = 0.6 / height, rx = std::sqrt(1 + x * x), ry = std::sqrt(1 + y * y);
+        const double factor = 4.0 / (2.0 * kPi) * (x / rx * std::atan(y / rx) + y / ry * std::atan(x / ry));
+        const double expected = 6.0 / (2.0 * 1.2) * factor;
+        EXPECT_NEAR(shadeOf(light, {0, 0, 0}, 24), expected, 0.01 * expected) << height;
+        light.direction = -kDown;
+        EXPECT_EQ(shadeOf(light), 0.0) << "its back is dark";
+        light.twoSided = true;
+        EXPECT_NEAR(shadeOf(light, {0, 0, 0}, 24), expected, 0.01 * expected);
+    }
+}
+
+TEST_F(LocalLightsTest, CapsuleIsALineOfBalls) {
+    SnapshotLight light = lightAt(LightKind::Capsule, {0, 1, 0}, 4.0f);
+    light.width = 3.0f;
+    const double expected = 4.0 / (1.0 * std::sqrt(1.0 + 1.5 * 1.5)) / kPi;
+    EXPECT_NEAR(shadeOf(light, {0, 0, 0}, 24), expected, 0.01 * expected);
+}
+
+TEST_F(LocalLightsTest, ConeIsFullInsideAndDarkOutside) {
+    const double height = 3.0;
+    const SnapshotLight light = lightAt(LightKind::Cone, {0, height, 0}, 3.0f);
+    const auto at = [&](double angle) {
+        return shadeOf(light, {height * std::tan(angle), 0, 0}) / (3.0 * std::pow(std::cos(angle), 3.0) / (height * height) / kPi);
+    };
+    EXPECT_NEAR(at(0.0), 1.0, 0.01);
+    EXPECT_NEAR(at(0.27), 1.0, 0.01);
+    const double edge = (std::cos(0.4) - std::cos(0.5)) / (std::cos(0.3) - std::cos(0.5));
+    EXPECT_NEAR(at(0.4), edge * edge, 0.03);
+    EXPECT_EQ(at(0.53), 0.0);
+}
+
+TEST_F(LocalLightsTest, ReachIsTheEnd) {
+    SnapshotLight light = lightAt(LightKind::Sphere, {0, 2, 0}, 3.0f);
+    light.reach = 4.0f;
+    const double window = std::pow(1.0 - std::pow(0.5, 4.0), 2.0);
+    EXPECT_NEAR(shadeOf(light) / (3.0 / 4.0 / kPi), window, 0.02);
+    EXPECT_EQ(shadeOf(light, {3.6, 0, 0}), 0.0);
+}
+
+TEST_F(LocalLightsTest, ScreenShinesInItsPicturesColors) {
+    SnapshotLight light = lightAt(LightKind::Screen, {0, 1, 0}, 6.0f);
+    light.width = 4.0f;
+    light.height = 1.0f;
+    light.picture = {2, {0xff0000, 0x0000ff}};
+    LitScene scene = floorScene();
+    scene.addLight(light);
+    start(scene);
+    // It looks down, its x is the world's: who lies below with the head toward +z has +x to the left.
+    const glm::dvec3 left = lightOn({1.5, 0, 0}, 16), right = lightOn({-1.5, 0, 0}, 16);
+    EXPECT_GT(left.r, 3.0 * left.b);
+    EXPECT_GT(right.b, 3.0 * right.r);
+    EXPECT_NEAR(left.r, right.b, 0.03 * left.r);
+    EXPECT_EQ(left.g, 0.0);
+}
+
+TEST_F(LocalLightsTest, HalfHiddenByAnEdgeGivesHalf) {
+    LitScene scene = floorScene();
+    scene.add({40, 2, 60}, {{-4, 1, -3}}, [](glm::ivec3) { return uint8_t(1); });  // a shelf from x = -4 to 0, at 1 to 1.2 m
+    SnapshotLight panel = lightAt(LightKind::Area, {0, 2.6, 0}, 3.0f);
+    panel.width = panel.height = 1.0f;
+    scene.addLight(panel);
+    start(scene);
+    Camera camera = above({0, 0, 0});
+    camera.position = {0.5, 0.5, 0};
+    camera.lookAt({0, 0, 0.001});
+    double sum = 0;
+    const int frames = 16;
+    for (int i = 0; i < frames; ++i) {
+        draw(camera);
+        const auto light = renderer->readTarget("light");
+        for (const glm::vec4& pixel : light->pixels) sum += double(pixel.g);
+    }
+    const double shade = sum / double(frames * kSize.x * kSize.y), open = shadeOf(panel, {0, 0, 0}, 16);
+    EXPECT_NEAR(shade / open, 0.5, 0.06);
+}
+
+TEST_F(LocalLightsTest, HundredsAreRightOnAverageAtTheCostOfSome) {
+    const auto withLights = [&](int count) {
+        LitScene scene = floorScene();
+        double expected = 0.0;
+        for (int i = 0; i < count; ++i) {
+            const glm::dvec3 place(std::cos(2.4 * i) * 0.004 * i, 1.0 + 0.01 * (i % 50), std::sin(2.4 * i) * 0.004 * i);
+            const double intensity = 0.05 * (1 + i % 7), range2 = glm::dot(place, place);
+            scene.addLight(lightAt(LightKind::Sphere, place, float(intensity)));
+            expected += intensity * place.y / std::pow(range2, 1.5) / kPi;
+        }
+        start(scene);
+        return expected;
+    };
+    const auto fastest = [&] {
+        Camera camera;
+        camera.position = {0, 3, 4};
+        camera.lookAt({0, 0, 0});
+        double best = 1e9;
+        for (int i = 0; i < 12; ++i) draw(camera), best = std::min(best, passMs("local lights"));
+        return best;
+    };
+    withLights(8);
+    const double some = fastest();
+    const double expected = withLights(300), many = fastest();
+    EXPECT_NEAR(lightOn({0, 0, 0}, 32).g, expected, 0.02 * expected);
+    EXPECT_LT(many, 4.0 * some) << "on an idle machine it is below 2";
+    std::printf("300 lights over each other: %.2f times the time of 8\n", many / some);
+}
+
+TEST_F(LocalLightsTest, SmoothFloorsShineBack) {
+    const auto brightest = [&](uint8_t roughness) {
+        LitScene scene = floorScene(roughness);
+        scene.addLight(lightAt(LightKind::Sphere, {0, 2, -2}, 20.0f));
+        start(scene);
+        Camera camera;
+        camera.position = {0, 2, 2};
+        camera.lookAt({0, 0, 0});
+        draw(camera);
+        float best = 0.0f;
+        const auto specular = renderer->readTarget("specular");
+        for (const glm::vec4& pixel : specular->pixels) best = std::max(best, pixel.g);
+        return best;
+    };
+    const float rough = brightest(240), smooth = brightest(90);
+    EXPECT_GT(rough, 0.01f);
+    EXPECT_GT(smooth, 5.0f * rough);
+}
+
+TEST_F(LocalLightsTest, WithoutLightsAndFogNeitherIsPaidFor) {
+    LitScene scene = floorScene();
+    start(scene);
+    draw(above({0, 0, 0}));
+    const uint64_t bytes = renderer->figures().textureBytes;
+    EXPECT_FALSE(hasPass("local lights"));
+    EXPECT_FALSE(hasPass("fog"));
+    for (const char* target : {"specular", "fogLight", "fog"}) EXPECT_FALSE(renderer->readTarget(target)) << target;
+    scene.environment.fogDensity = 0.05f;
+    scene.addLight(lightAt(LightKind::Sphere, {0, 2, 0}, 3.0f));
+    renderer->apply(scene.step());
+    draw(above({0, 0, 0}));
+    EXPECT_TRUE(hasPass("local lights"));
+    EXPECT_TRUE(hasPass("fog"));
+    EXPECT_GT(renderer->figures().textureBytes, bytes);
+}
+
+TEST_F(LocalLightsTest, FogTakesByItsThicknessAndGivesWhatSurroundsIt) {
+    LitScene scene(gray());
+    scene.add({2, 2, 2}, {{-0.1, 40, -0.1}}, [](glm::ivec3) { return uint8_t(1); });
+    Environment& air = scene.environment;
+    air.sunColor = glm::vec3(0.0f);
+    air.skyColor = air.horizonColor = air.groundColor = glm::vec3(0.5f);
+    air.fogDensity = 0.03f;
+    air.fogHeight = 1e6f;
+    start(scene);
+    Camera camera;
+    camera.position = {0, 40.1, 20};
+    camera.lookAt({0, 40.1, 0});
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < 16; ++i) {
+        draw(camera);
+        const auto fog = renderer->readTarget("fogLight");
+        for (const glm::vec4& pixel : fog->pixels) sum += glm::dvec3(pixel) / double(16 * fog->pixels.size());
+    }
+    EXPECT_NEAR(sum.g, 0.5, 0.005) << "in light that is the same from everywhere fog looks the same";
+
+    // A lamp in the fog: what it sends along a ray that passes at a metre, by the sum of small steps.
+    air.skyColor = air.horizonColor = air.groundColor = glm::vec3(0.0f);
+    scene.environment.fogForward = 0.0f;
+    scene.addLight(lightAt(LightKind::Sphere, {1, 40.1, 10}, 8.0f));
+    start(scene);
+    camera.verticalFov = 0.004f;
+    camera.lookAt({0, 41.0, 0});  // beside the cube
+    const glm::dvec3 ahead = glm::normalize(glm::dvec3(0, 41.0, 0) - camera.position);
+    double expected = 0.0;
+    const double step = 0.01;
+    for (double t = 0.5 * step; t < 400.0; t += step) {
+        const glm::dvec3 away = camera.position + ahead * t - glm::dvec3(1, 40.1, 10);
+        const double range2 = glm::dot(away, away);
+        expected += step * 0.03 * std::exp(-0.03 * (t + std::sqrt(range2))) * 8.0 / range2 / (4.0 * kPi);
+    }
+    expected /= 1.0 - std::exp(-0.03 * 400.0);
+    double mean = 0.0;
+    for (int i = 0; i < 32; ++i) {
+        draw(camera);
+        const auto fog = renderer->readTarget("fogLight");
+        for (const glm::vec4& pixel : fog->pixels) mean += double(pixel.g) / double(32 * fog->pixels.size());
+    }
+    EXPECT_NEAR(mean, expected, 0.03 * expected);
+}
+
+}  // namespace
+}  // namespace rubble
