@@ -31,13 +31,14 @@ enum class Noise { Blue, White };
 
 /// Quality against speed. Presets "fast", "balanced", "accurate".
 struct RenderSettings {
-    int skyRays = 2;  ///< cosine-weighted rays a pixel
+    int skyRays = 1;  ///< cosine-weighted rays a pixel
     int sunRays = 1;
-    float skyDistance = 24.0f;  ///< metres
-    int filterPasses = 4;       ///< of the spatial filter
-    bool temporal = true;       ///< reprojected accumulation and TAA
-    int historyFrames = 32;     ///< how many pictures the accumulation remembers
-    int warmUpFrames = 0;       ///< drawn unseen before the first picture and after each cut: clean stills
+    float skyDistance = 24.0f;   ///< metres
+    int filterPasses = 4;        ///< of the spatial filter
+    bool temporal = true;        ///< reprojected accumulation and TAA
+    int historyFrames = 32;      ///< how many pictures the accumulation remembers
+    bool forgetsChanges = true;  ///< memory is cut where the light has changed; off: it fades
+    int warmUpFrames = 0;        ///< drawn unseen before the first picture and after each cut: clean stills
     bool sun = true, sky = true, localLights = true, reflections = true, fog = true, glare = true;
     bool bounce = true;         ///< what sky and mirror rays hit shines back; off: it is black
     Noise noise = Noise::Blue;  ///< of light's rays

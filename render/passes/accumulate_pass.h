@@ -10,6 +10,10 @@ public:
     void draw(const FrameContext& frame) const;
 
 private:
+    /// Compares "light" with memory in tiles of 4x4 pixels: returns what of it may be trusted.
+    const Texture& findChanges(const FrameContext& frame, const History& light, const History& surface) const;
+
+    const Program& m_change;
     const Program& m_program;
 };
 

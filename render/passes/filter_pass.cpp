@@ -25,6 +25,7 @@ void FilterPass::draw(const FrameContext& frame) const {
         m_program.set("uLight", *source);
         // Without filter passes the one step looks at the pixel alone.
         m_program.set("uStride", frame.settings.filterPasses ? 1 << step : 0);
+        m_program.set("uDiagonal", step % 2);
         frame.drawFullscreen();
         source = &target;
     }

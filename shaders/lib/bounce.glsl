@@ -1,7 +1,8 @@
 // What a ray sees where it meets the world: the lit colour if the last picture shows that place, else an estimate.
 // Needs lib/frame, gbuffer, sky, shadow_trace.
+#include "lib/surface_history.glsl"
 uniform sampler2D uLastRadiance;  // last frame's picture before post-processing
-uniform sampler2D uLastSurface;   // x linear depth
+uniform sampler2D uLastSurface;   // lib/surface_history.glsl
 uniform bool uLastValid;
 uniform bool uSunUp;
 uniform bool uBounce;
@@ -19,14 +20,15 @@ vec3 faceNormal(vec3 hitWorld, vec3 direction) {
     return vec3(0, 0, -sign(direction.z));
 }
 
-bool radianceOnScreen(vec3 hitWorld, out vec3 radiance) {
+/// normal: of the face that was hit. What the picture shows there must face the same way: the far side of a thin wall is another place.
+bool radianceOnScreen(vec3 hitWorld, vec3 normal, out vec3 radiance) {
     radiance = vec3(0.0);
     if (!uLastValid) return false;
     vec4 clip = frame.previousViewProjection * vec4(hitWorld, 1.0);
     if (clip.w < 0.1 || any(greaterThan(abs(clip.xy), vec2(clip.w)))) return false;
     ivec2 pixel = ivec2((clip.xy / clip.w * 0.5 + 0.5) * frame.targetSize.xy);
-    float depth = texelFetch(uLastSurface, pixel, 0).x;
-    if (abs(depth - clip.w) > 0.12 + 0.01 * clip.w) return false;
+    vec2 surface = texelFetch(uLastSurface, pixel, 0).xy;
+    if (abs(surface.x - clip.w) > 0.12 + 0.01 * clip.w || dot(unpackNormal(surface.y), normal) < 0.6) return false;
     // Without the air between the eye and the place: it does not light a closed room. Bright dots met by few rays would speckle.
     vec3 fromEye = hitWorld - frame.cameraPosition.xyz;
     float range = length(fromEye);
@@ -41,8 +43,8 @@ bool radianceOnScreen(vec3 hitWorld, out vec3 radiance) {
 vec3 bounceRadiance(vec3 hitWorld, vec3 direction, vec3 lightHere) {
     vec3 radiance;
     if (!uBounce) return vec3(0.0);
-    if (radianceOnScreen(hitWorld, radiance)) return radiance;
     vec3 normal = faceNormal(hitWorld, direction);
+    if (radianceOnScreen(hitWorld, normal, radiance)) return radiance;
     vec3 irradiance = 0.9 * lightHere;
     float facing = dot(normal, frame.sunDirection.xyz);
     float t;

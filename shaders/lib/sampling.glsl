@@ -27,9 +27,12 @@ vec3 spherePoint(vec2 u) {
     return vec3(sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(angle), sin(angle)), z);
 }
 
-/// A direction toward a disc of angular radius `angle` radians around `axis`.
+/// A direction within `angle` radians around `axis`, even over these.
 vec3 coneDirection(vec3 axis, float angle, vec2 u) {
-    return normalize(basisAround(axis) * vec3(discPoint(u) * angle, 1.0));
+    float halfSine = sin(0.5 * angle);
+    float drop = u.y * 2.0 * halfSine * halfSine;  // 1 - cosine: a sun's is lost in 1 - ...
+    float turn = 2.0 * kPi * u.x;
+    return normalize(basisAround(axis) * vec3(sqrt(drop * (2.0 - drop)) * vec2(cos(turn), sin(turn)), 1.0 - drop));
 }
 
 /// A half vector seen from v in proportion to what a GGX surface shows of it (Heitz 2018, "Sampling the GGX distribution of

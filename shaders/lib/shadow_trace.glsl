@@ -50,10 +50,17 @@ bool shadowTrace(vec3 originWorld, vec3 direction, float tMax, out float t) {
     return false;
 }
 
-// THE rule for leaving one's own surface: a ray starts half a cell's extent along the surface's normal above it (and a hair).
-// A body sets the cells whose centres lie in it, so its own cells reach exactly that far out of its faces; from there a ray that
-// does not go down never meets them, however the body is turned. vec3(1) dot |normal| is 1 to 1.73 cells.
+// THE rule for leaving one's own surface. A body sets the cells whose centres lie in it. A face along the grid therefore ends in
+// the cells at the boundary nearest to it: the ray starts there, exactly. The cells of a turned body reach up to half a cell's
+// extent along the normal out of its faces, vec3(1) dot |normal| being 1 to 1.73 cells: from there (and a hair) a ray that does
+// not go down never meets them, however the body is turned.
 const float kLeaveCells = 0.52;
 vec3 shadowOrigin(vec3 positionWorld, vec3 normalWorld) {
-    return positionWorld + normalWorld * (kLeaveCells * kShadowCell * dot(abs(normalWorld), vec3(1.0)));
+    vec3 along = abs(normalWorld);
+    float cells = kLeaveCells * dot(along, vec3(1.0));
+    if (max(along.x, max(along.y, along.z)) > 0.9999) {
+        float height = dot(positionWorld, normalWorld) / kShadowCell;
+        cells = ceil(height - 0.499) + 0.01 - height;
+    }
+    return positionWorld + normalWorld * (cells * kShadowCell);
 }

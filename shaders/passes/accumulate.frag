@@ -1,5 +1,5 @@
 // Mixes this frame's light with last frame's at the same place in the world. History is dropped where the place was not
-// seen, and shortened where the light around a pixel has changed: the change shows at once, the filter hides the noise.
+// seen, and where the light has changed (light_change.frag): the change shows at once, the filter hides the noise.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/color.glsl"
@@ -8,6 +8,8 @@
 uniform sampler2D uLight;
 uniform sampler2D uLastLight;
 uniform sampler2D uLastSurface;
+uniform sampler2D uTrusted;
+uniform bool uForgets;
 uniform bool uLastValid;
 uniform float uLongest;  // frames
 
@@ -20,28 +22,27 @@ struct Past {
     float frames;
     float squared;
     float weight;
-    vec2 pixel;   // where it was, in pixels
 };
 
 /// The four pixels around the place in the last frame, those of the same surface only.
 Past readPast(Surface s, float packed_, vec3 position) {
-    Past past = Past(vec4(0.0), 0.0, 0.0, 0.0, vec2(0.0));
+    Past past = Past(vec4(0.0), 0.0, 0.0, 0.0);
     vec2 lastUv = uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg;
-    past.pixel = lastUv * frame.targetSize.xy;
     if (!uLastValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return past;
     float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
     float slant = max(0.08, abs(dot(s.normal, normalize(position - frame.cameraPosition.xyz))));
     float pixelMetres = 2.0 * frame.cameraUp.w * frame.targetSize.w * s.depth;
     float tolerance = 0.03 + 2.0 * pixelMetres / slant + s.moving * 0.5;
-    vec2 corner = past.pixel - 0.5;
+    vec2 corner = lastUv * frame.targetSize.xy - 0.5;
     ivec2 base = ivec2(floor(corner));
     vec2 f = corner - vec2(base);
     for (int i = 0; i < 4; ++i) {
         ivec2 offset = ivec2(i & 1, i >> 1);
+        float w = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
+        if (w < 0.004) continue;  // where the camera stands still one pixel is enough
         ivec2 p = clamp(base + offset, ivec2(0), ivec2(frame.targetSize.xy) - 1);
         vec4 there = texelFetch(uLastSurface, p, 0);
         if (abs(there.x - expected) > tolerance || (there.y != packed_ && dot(unpackNormal(there.y), s.normal) < 0.9)) continue;
-        float w = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y) + 1e-4;
         past.light += w * texelFetch(uLastLight, p, 0);
         past.frames += w * there.z;
         past.squared += w * there.w;
@@ -57,29 +58,6 @@ Past readPast(Surface s, float packed_, vec3 position) {
     return past;
 }
 
-/// Compares the mean light around the pixel now and then. Both see the same surfaces, so what differs is noise or a change.
-/// Returns the number of frames that history may still count for; clamps the sun's share to what is seen around.
-float trustedFrames(ivec2 pixel, inout Past past) {
-    ivec2 high = ivec2(frame.targetSize.xy) - 1;
-    ivec2 lastPixel = ivec2(floor(past.pixel));
-    float now = 0.0, then = 0.0, squares = 0.0, sunLow = 1.0, sunHigh = 0.0;
-    for (int i = 0; i < 25; ++i) {
-        vec4 here = texelFetch(uLight, clamp(pixel + ivec2(i % 5, i / 5) - 2, ivec2(0), high), 0);
-        float lum = luminance(here.rgb);
-        now += lum;
-        squares += lum * lum;
-        sunLow = min(sunLow, here.a);
-        sunHigh = max(sunHigh, here.a);
-    }
-    // The past is smooth already: fewer taps say as much.
-    for (int i = 0; i < 9; ++i) then += luminance(texelFetch(uLastLight, clamp(lastPixel + ivec2(i % 3, i / 3) * 2 - 2, ivec2(0), high), 0).rgb);
-    past.light.a = clamp(past.light.a, sunLow, sunHigh);
-    float mean = now / 25.0;
-    float deviation = sqrt(max(squares / 25.0 - mean * mean, 0.0)) / 5.0 + 0.03 * mean + 1e-4;
-    float surprise = abs(mean - then / 9.0) / deviation;
-    return mix(uLongest, 1.0, smoothstep(2.0, 4.0, surprise));
-}
-
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = readSurface(pixel);
@@ -89,7 +67,8 @@ void main() {
     surface = vec4(s.depth, packNormal(s.normal), 1.0, lum * lum);
     Past past = readPast(s, surface.y, worldFromDepth(uv, s.depth));
     if (past.weight == 0.0) return;
-    float frames = min(min(past.frames, trustedFrames(pixel, past)) + 1.0, uLongest);
+    float trusted = uForgets ? texture(uTrusted, uv).x : 1.0;
+    float frames = min(min(past.frames, trusted * uLongest) + 1.0, uLongest);
     accumulated = mix(past.light, now, 1.0 / frames);
     surface.z = frames;
     surface.w = mix(past.squared, lum * lum, 1.0 / frames);

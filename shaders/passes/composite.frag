@@ -35,7 +35,8 @@ vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel) {
         lamps = specular.rgb;
         mirrored *= clamp(1.0 - specular.a / max(luminance(light.rgb), 1e-4), 0.0, 1.0);
     }
-    if (uReflections) {
+    // Behind a pane the ray is the pane's.
+    if (uReflections && !(uGlass && texelFetch(uGlassSurface, pixel, 0).w > 0.0)) {
         vec4 traced = texelFetch(uReflection, pixel, 0);
         float smoothness = traced.a * (1.0 - smoothstep(0.35, 0.6, s.roughness));
         mirrored = mix(mirrored, traced.rgb, smoothness);

@@ -1,5 +1,5 @@
 // One step of an edge-stopping a-trous filter on light (Dammertz et al. 2010; variance guidance after Schied et al. 2017):
-// taps at a stride, each weighted by plane distance and by how far its light differs from the centre's in standard
+// five taps, at a stride along the rows and columns or along the diagonals by turns, each weighted by plane distance and by how far its light differs from the centre's in standard
 // deviations; only taps of the same orientation count, which for voxels is the same number. A constant stays itself.
 #include "lib/frame.glsl"
 #include "lib/color.glsl"
@@ -8,12 +8,14 @@
 uniform sampler2D uLight;
 uniform sampler2D uSurface;   // lib/surface_history.glsl
 uniform int uStride;
+uniform bool uDiagonal;
 uniform float uSunRays;
 
 in vec2 uv;
 out vec4 filtered;
 
-const int kTaps = 9;
+const int kTaps = 5;  // the first is the pixel itself
+const float kOwnWeight = 1.5;
 
 /// 1 for no difference, 0 from twice the scale on: a bell without an exponential.
 float bell(float x) {
@@ -38,14 +40,14 @@ void main() {
     float weights[kTaps];
     float sun = 0.0, total = 0.0, lum = 0.0, squares = 0.0, temporal = 0.0;
     for (int i = 0; i < kTaps; ++i) {
-        ivec2 offset = (ivec2(i % 3, i / 3) - 1);
+        ivec2 offset = ivec2(i == 1 ? 1 : i == 2 ? -1 : 0, i == 3 ? 1 : i == 4 ? -1 : 0);
+        if (uDiagonal) offset = ivec2(offset.x + offset.y, offset.x - offset.y);
         ivec2 p = clamp(pixel + offset * uStride, ivec2(0), high);
-        vec4 there = texelFetch(uSurface, p, 0);
+        vec4 there = i == 0 ? centre : texelFetch(uSurface, p, 0);
         vec2 away = vec2(p - pixel);
         float height = (facing + facingX * away.x + facingY * away.y) * there.x - facing * centre.x;
-        float kernel = float((2 - abs(offset.x)) * (2 - abs(offset.y)));
-        float w = there.y == centre.y ? kernel * max(0.0, 1.0 - abs(height) * planeScale) : 0.0;
-        vec4 light = texelFetch(uLight, p, 0);
+        float w = i == 0 ? kOwnWeight : there.y == centre.y ? max(0.0, 1.0 - abs(height) * planeScale) : 0.0;
+        vec4 light = i == 0 ? own : texelFetch(uLight, p, 0);
         float l = luminance(light.rgb);
         weights[i] = w;
         lights[i] = light;
@@ -60,13 +62,13 @@ void main() {
     lum /= total;
     // Deviation of the accumulated value: from moments over time once there are some (of the neighbours too: one pixel's own
     // few samples may agree by chance), else from how the neighbours differ.
-    float ownLum = lums[4];
+    float ownLum = lums[0];
     float spatial = max(squares / total - lum * lum, 0.0);
     float skyDeviation = sqrt(mix(spatial, temporal / total, clamp((centre.z - 3.0) / 6.0, 0.0, 1.0)));
     float sunDeviation = sqrt(max(sun * (1.0 - sun), 1e-6) / max(uSunRays * centre.z, 1.0));
     float skyScale = 1.0 / (4.0 * skyDeviation + 0.05 * lum + 1e-4);
     // The sun's noise lies in narrow penumbras: wide steps would only soften shadows.
-    float sunScale = uStride > 2 ? 1e4 : 1.0 / (1.5 * sunDeviation + 0.004);
+    float sunScale = uStride > 1 ? 1e4 : 1.0 / (1.5 * sunDeviation + 0.004);
 
     vec4 sum = vec4(0.0);
     vec2 totals = vec2(0.0);

@@ -30,9 +30,7 @@ void main() {
     vec3 halfVector = m.normal;
     if (m.roughness > 0.03) {
         mat3 basis = basisAround(m.normal);
-        // The rarest, widest normals are left out: they are most of the noise.
-        vec2 u = blueNoise(pixel, 20, frame.counters.x) * vec2(1.0, 0.85);
-        halfVector = basis * visibleHalfVector(m.view * basis, m.roughness * m.roughness, u);
+        halfVector = basis * visibleHalfVector(m.view * basis, m.roughness * m.roughness, blueNoise(pixel, 20, frame.counters.x));
     }
     vec3 direction = reflect(-m.view, halfVector);
     direction += m.normal * max(0.0, 0.02 - dot(direction, m.normal));

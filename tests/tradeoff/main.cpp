@@ -1,4 +1,4 @@
-// ./rubble tradeoff destruction|physics: tables (CSV, Markdown) and plots (SVG) of what accuracy costs.
+// ./rubble tradeoff destruction|physics|light: tables (CSV, Markdown) and plots (SVG) of what accuracy costs.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +9,7 @@
 
 #include "runtime/core/log.h"
 #include "tests/tradeoff/destruction.h"
+#include "tests/tradeoff/light.h"
 #include "tests/tradeoff/physics.h"
 
 namespace rubble::tradeoff {
@@ -20,6 +21,12 @@ std::vector<Row> rowsOf(const std::string& subject) {
     if (subject == "destruction")
         return {{"T4", debrisTradeoff},    {"T5", connectivityTradeoff}, {"T12", featureTradeoff},      {"T13-load", loadMap},
                 {"T13-pieces", piecesMap}, {"T13-split", splitMap},      {"T13-fragments", fragmentMap}};
+    if (subject == "light")
+        return {{"T6", shadowCellTradeoff},
+                {"T8", rayTradeoff},
+                {"T9", denoiserTradeoff},
+                {"T10-gbuffer", gbufferTradeoff},
+                {"T12-light", lightFeatureTradeoff}};
     std::vector<Row> rows{{"T1", contactTradeoff},
                           {"T1-penetration", penetrationTradeoff},
                           {"T2", rotationTradeoff},
@@ -56,7 +63,7 @@ int main(int argc, char** argv) {
     std::string subject, only, scene;
     bool publish = false;
     CLI::App app{"Trade-off report: what is turned, what it costs, what it gets wrong", "tradeoff"};
-    app.add_option("subject", subject, "destruction or physics")->required()->check(CLI::IsMember({"destruction", "physics"}));
+    app.add_option("subject", subject, "destruction, physics or light")->required()->check(CLI::IsMember({"destruction", "physics", "light"}));
     app.add_flag("--full", options.full, "every combination: minutes instead of seconds");
     app.add_option("--out", options.out, "folder for tables and plots")->capture_default_str();
     app.add_option("--only", only, "the table of this name, or those whose names begin so, as T12");

@@ -1,0 +1,48 @@
+// Where light has changed: each texel stands for 4x4 pixels and compares what has reached them in the last few pictures with
+// what they remember. Both see the same surfaces, so what differs is noise or a change. Read by accumulate.frag.
+#include "lib/frame.glsl"
+#include "lib/color.glsl"
+
+uniform sampler2D uLight;
+uniform sampler2D uMotion;
+uniform sampler2D uLastLight;     // accumulated
+uniform sampler2D uLastSurface;   // z frames accumulated
+uniform sampler2D uLastPulse;
+uniform bool uLastValid;
+
+const float kPulse = 4.0;  // pictures that the short memory holds
+
+layout(location = 0) out vec4 pulse;    // of the last few pictures: mean luminance, its variance a sample, mean share of the sun; pictures
+layout(location = 1) out vec4 trusted;  // x: 1 where memory holds, 0 where it must be forgotten
+
+float trust(float difference, float deviation) { return 1.0 - smoothstep(2.0, 4.0, abs(difference) / deviation); }
+
+void main() {
+    ivec2 tile = ivec2(gl_FragCoord.xy) * 4, high = ivec2(frame.targetSize.xy) - 1;
+    vec3 now = vec3(0.0);
+    for (int i = 0; i < 16; ++i) {
+        vec4 light = texelFetch(uLight, min(tile + ivec2(i & 3, i >> 2), high), 0);
+        float l = luminance(light.rgb);
+        now += vec3(l, l * l, light.a);
+    }
+    now /= 16.0;
+    now.y = max(now.y - now.x * now.x, 0.0);
+    pulse = vec4(now, 1.0);
+    trusted = vec4(1.0);
+    if (!uLastValid) return;
+    vec2 lastUv = (vec2(tile) + 2.0) * frame.targetSize.zw - texelFetch(uMotion, min(tile + 2, high), 0).rg;
+    if (any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return;
+    vec4 before = texture(uLastPulse, lastUv);
+    float pictures = min(before.w + 1.0, kPulse);
+    pulse = vec4(mix(before.xyz, now, 1.0 / pictures), pictures);
+
+    vec4 then = vec4(0.0);
+    for (int i = 0; i < 4; ++i) then += texture(uLastLight, lastUv + vec2((i & 1) * 2 - 1, (i >> 1) * 2 - 1) * frame.targetSize.zw);
+    then *= 0.25;
+    float thenLum = luminance(then.rgb), frames = max(texture(uLastSurface, lastUv).z, 1.0);
+    // What a mean of that many samples strays by, here and in the memory.
+    float share = (1.0 / pictures + 1.0 / frames) / 16.0;
+    float sunVariance = max(then.a * (1.0 - then.a), pulse.z * (1.0 - pulse.z)) + 0.02;
+    trusted.x = min(trust(pulse.x - thenLum, sqrt(pulse.y * share) + 0.03 * pulse.x + 1e-4), trust(pulse.z - then.a, sqrt(sunVariance * share)));
+    if (trusted.x < 0.5) pulse = vec4(now, 1.0);  // what is new is all that counts from here on
+}

@@ -1,0 +1,341 @@
+// Each estimator of light, with white noise and before any filter, against the truth and against closed forms.
+#include <algorithm>
+#include <cmath>
+
+#include "tests/golden/drawing.h"
+#include "tests/reference/path_tracer.h"
+#include "tests/reference/sampling.h"
+
+namespace rubble::reference {
+namespace {
+
+using glm::dvec3;
+
+const glm::dquat kLevel(1, 0, 0, 0);
+constexpr glm::ivec2 kSize(40, 28);
+
+PaletteRef palette(uint8_t gray, uint8_t roughness, uint8_t reflectivity) {
+    auto made = std::make_shared<Palette>();
+    PaletteEntry& e = (*made)[1];
+    e.red = e.green = e.blue = gray;
+    e.roughness = roughness, e.reflectivity = reflectivity, e.material = 1;
+    return made;
+}
+
+uint8_t solid(glm::ivec3) {
+    return 1;
+}
+
+/// A floor, a wall with a window, a step and a canopy: everything on the grid, as levels are before they break.
+LitScene yard(PaletteRef look) {
+    LitScene scene(std::move(look));
+    Environment& air = scene.environment;
+    air.sunDirection = {-0.5f, 0.7f, 0.4f};
+    air.sunAngle = 0.12f;
+    air.fogDistance = 1e6f;
+    scene.add({80, 2, 80}, {{-4, -0.2, -4}, kLevel}, solid);
+    scene.add({40, 24, 2}, {{-2, 0, -1}, kLevel}, [](glm::ivec3 c) { return uint8_t(c.x < 12 || c.x > 20 || c.y < 6 || c.y > 14); });
+    scene.add({8, 8, 8}, {{0.4, 0, 0.2}, kLevel}, solid);
+    scene.add({14, 1, 12}, {{-1.8, 1.2, -0.2}, kLevel}, solid);
+    return scene;
+}
+
+Camera yardCamera() {
+    Camera camera;
+    camera.position = {0.7, 1.9, 3.4};
+    camera.lookAt({-0.1, 0.5, -0.3});
+    return camera;
+}
+
+/// Mean and variance of the mean, for each pixel, of what the renderer has drawn in some pictures.
+struct Drawn {
+    FloatImage mean, variance;
+    double count = 0.0;
+};
+
+class EstimatorTest : public Drawing {
+protected:
+    static RenderSettings bare(Noise noise = Noise::White) {
+        RenderSettings settings;
+        settings.noise = noise;
+        settings.temporal = settings.bounce = settings.bevel = settings.fog = settings.glare = false;
+        settings.sun = settings.sky = settings.localLights = settings.reflections = false;
+        settings.filterPasses = 0;
+        settings.bloom = 0.0f;
+        settings.skyDistance = 1000.0f;
+        return settings;
+    }
+    FloatImage read(const char* name) {
+        auto image = renderer->readTarget(name);
+        EXPECT_TRUE(image) << image.error();
+        return std::move(*image);
+    }
+    Drawn drawMany(const Camera& camera, const char* name, int pictures) {
+        Drawn drawn{FloatImage(target->size()), FloatImage(target->size()), double(pictures)};
+        std::vector<glm::dvec4> sum(drawn.mean.pixels.size()), squares(sum.size());
+        for (int i = 0; i < pictures; ++i) {
+            renderer->draw(camera.view(target->size(), target->framebuffer()), 1.0f);
+            const FloatImage image = read(name);
+            for (size_t p = 0; p < sum.size(); ++p)
+                sum[p] += glm::dvec4(image.pixels[p]), squares[p] += glm::dvec4(image.pixels[p] * image.pixels[p]);
+        }
+        for (size_t p = 0; p < sum.size(); ++p) {
+            const glm::dvec4 mean = sum[p] / drawn.count;
+            drawn.mean.pixels[p] = mean;
+            drawn.variance.pixels[p] = glm::max(squares[p] / drawn.count - mean * mean, glm::dvec4(0)) / (drawn.count - 1.0);
+        }
+        return drawn;
+    }
+    /// 1 where renderer and truth see the same face at the centre of the pixel.
+    std::vector<bool> comparable(const Scene& scene, const Camera& camera) {
+        const FloatImage depth = read("depth"), normal = read("normal");
+        std::vector<bool> same(depth.pixels.size());
+        size_t differ = 0;
+        for (int y = 0; y < depth.size.y; ++y)
+            for (int x = 0; x < depth.size.x; ++x) {
+                const glm::dvec2 p = (glm::dvec2(x, y) + 0.5) / glm::dvec2(depth.size) * 2.0 - 1.0;
+                const double tanY = std::tan(camera.verticalFov * 0.5), tanX = tanY * depth.size.x / depth.size.y;
+                const dvec3 ray = camera.rotation() * dvec3(p.x * tanX, p.y * tanY, -1.0);
+                const Surface s = scene.closest({camera.position, glm::normalize(ray)});
+                const bool equal = s.hit ? std::abs(s.t / glm::length(ray) - depth.at(x, y).x) < 1e-3 &&
+                                               glm::dot(glm::vec3(s.normal), glm::vec3(normal.at(x, y))) > 0.99f
+                                         : depth.at(x, y).x > 1e4f;
+                same[size_t(y) * size_t(depth.size.x) + size_t(x)] = equal && s.hit;
+                differ += !equal;
+            }
+        EXPECT_LT(differ, same.size() / 50);
+        return same;
+    }
+};
+
+/// Two-sided tail of the normal distribution.
+double tail(double z) {
+    return std::erfc(std::abs(z) / std::sqrt(2.0));
+}
+
+/// Every pixel is one test of "both have one mean"; Sidak: with n of them each may fail with 1 - (1 - 0.01)^(1/n) only.
+/// channel of the drawn against x of the truth, or rgb each against its own.
+void expectSameMeans(const Drawn& drawn, const Picture& truth, const std::vector<bool>& comparable, bool alpha = false) {
+    struct Test {
+        double z, drawn, truth;
+        glm::ivec2 pixel;
+    };
+    std::vector<Test> tests;
+    double sum = 0.0, sumTruth = 0.0;
+    for (size_t p = 0; p < comparable.size(); ++p) {
+        if (!comparable[p]) continue;
+        const int channel = alpha ? 3 : 1;  // green: colours share their paths
+        const double a = drawn.mean.pixels[p][channel], b = truth.mean.pixels[p][alpha ? 0 : 1];
+        // Where few paths find light, a handful of samples says little of the variance: that of one more sample is added.
+        const double own = truth.variance.pixels[p][alpha ? 0 : 1];
+        const double floor = std::pow((alpha ? 1.0 : std::max(a, b)) / (drawn.count * 16.0), 2.0) + std::pow(5e-4 * b, 2.0);
+        const double variance = std::max(double(drawn.variance.pixels[p][channel]), own / (drawn.count * 16.0)) + own / truth.samples + floor;
+        tests.push_back({(a - b) / std::sqrt(variance + 1e-20), a, b, {int(p) % drawn.mean.size.x, int(p) / drawn.mean.size.x}});
+        sum += a, sumTruth += b;
+    }
+    ASSERT_GT(tests.size(), 300u);
+    EXPECT_GT(sumTruth, 0.0) << "nothing is compared";
+    std::sort(tests.begin(), tests.end(), [](const Test& a, const Test& b) { return std::abs(a.z) > std::abs(b.z); });
+    const double allowed = 1.0 - std::pow(1.0 - 0.01, 1.0 / double(tests.size()));
+    int failed = 0;
+    for (const Test& test : tests) failed += tail(test.z) < allowed;
+    const Test& worst = tests[0];
+    EXPECT_EQ(failed, 0) << "of " << tests.size() << " pixels; worst: z " << worst.z << " at " << worst.pixel.x << ", " << worst.pixel.y << ": "
+                         << worst.drawn << " drawn, " << worst.truth << " true; means " << sum / double(tests.size()) << ", "
+                         << sumTruth / double(tests.size());
+    EXPECT_NEAR(sum / sumTruth, 1.0, 0.01);
+}
+
+TEST_F(EstimatorTest, SunShareIsUnbiased) {
+    const LitScene scene = yard(palette(186, 255, 0));
+    RenderSettings settings = bare();
+    settings.sun = true;
+    settings.sunRays = 16;
+    start(scene, kSize, settings);
+    const Drawn drawn = drawMany(yardCamera(), "light", 64);
+    const Scene truth(scene.snapshot());
+    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::SunShare, .samples = 2048});
+    expectSameMeans(drawn, picture, comparable(truth, yardCamera()), true);
+}
+
+TEST_F(EstimatorTest, SkyIsUnbiased) {
+    const LitScene scene = yard(palette(186, 255, 0));
+    RenderSettings settings = bare();
+    settings.sky = true;
+    settings.skyRays = 16;
+    start(scene, kSize, settings);
+    const Drawn drawn = drawMany(yardCamera(), "light", 64);
+    const Scene truth(scene.snapshot());
+    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 2048, .bounces = 0});
+    expectSameMeans(drawn, picture, comparable(truth, yardCamera()));
+}
+
+TEST_F(EstimatorTest, LocalLightsAreUnbiased) {
+    LitScene scene = yard(palette(186, 255, 0));
+    scene.addLight({LightKind::Sphere, {-0.9, 0.55, 0.7}, {0, -1, 0}, {4, 3, 2}, 0.2f, 30.0f, 0.6f, 1.1f});
+    scene.addLight({LightKind::Cone, {1.2, 2.2, 1.2}, {0, -1, 0}, {3, 4, 5}, 0.15f, 30.0f, 0.5f, 0.9f});
+    RenderSettings settings = bare();
+    settings.localLights = true;
+    start(scene, kSize, settings);
+    const Drawn drawn = drawMany(yardCamera(), "light", 512);
+    const Scene truth(scene.snapshot());
+    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::LocalLights, .samples = 1024});
+    expectSameMeans(drawn, picture, comparable(truth, yardCamera()));
+}
+
+TEST_F(EstimatorTest, ReflectionsAreUnbiased) {
+    const LitScene scene = yard(palette(186, 90, 40));
+    RenderSettings settings = bare();
+    settings.reflections = true;
+    start(scene, kSize, settings);
+    const Drawn drawn = drawMany(yardCamera(), "reflection", 384);
+    const Scene truth(scene.snapshot());
+    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::Reflection, .samples = 1024, .bounces = 0, .reach = 1000});
+    std::vector<bool> same = comparable(truth, yardCamera());
+    for (size_t i = 0; i < same.size(); ++i) same[i] = same[i] && drawn.mean.pixels[i].a > 0.5f;
+    expectSameMeans(drawn, picture, same);
+}
+
+/// Without filter, the error of a mean of n pictures must fall as n^-0.5 with white noise, and no slower in production.
+TEST_F(EstimatorTest, ErrorFallsWithTheSamples) {
+    const LitScene scene = yard(palette(186, 255, 0));
+    const Scene truth(scene.snapshot());
+    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 4096, .bounces = 0});
+    for (const Noise noise : {Noise::White, Noise::Blue}) {
+        RenderSettings settings = bare(noise);
+        settings.sky = true;
+        settings.skyRays = 1;
+        start(scene, kSize, settings);
+        std::vector<double> sum(picture.mean.pixels.size(), 0.0);
+        std::vector<bool> same;
+        double meanX = 0, meanY = 0, xx = 0, xy = 0;
+        int points = 0;
+        for (int i = 1; i <= 128; ++i) {
+            renderer->draw(yardCamera().view(kSize, target->framebuffer()), 1.0f);
+            const FloatImage image = read("light");
+            for (size_t p = 0; p < sum.size(); ++p) sum[p] += image.pixels[p].y;
+            if ((i & (i - 1)) != 0) continue;
+            if (same.empty()) same = comparable(truth, yardCamera());
+            double error = 0.0;
+            for (size_t p = 0; p < sum.size(); ++p)
+                if (same[p]) error += std::pow(sum[p] / i - picture.mean.pixels[p].y, 2.0) - picture.variance.pixels[p].y / picture.samples;
+            const double x = std::log(double(i)), y = 0.5 * std::log(error);
+            meanX += x, meanY += y, xx += x * x, xy += x * y;
+            ++points;
+        }
+        const double slope = (xy - meanX * meanY / points) / (xx - meanX * meanX / points);
+        RecordProperty(noise == Noise::White ? "slope_white" : "slope_blue", std::to_string(slope));
+        if (noise == Noise::White) EXPECT_NEAR(slope, -0.5, 0.05);
+        if (noise == Noise::Blue) EXPECT_LE(slope, -0.45);
+    }
+}
+
+/// Radiance of a white thing that mirrors a little, under a sky that is the same everywhere: it cannot be seen.
+TEST_F(EstimatorTest, AWhiteFurnaceHidesWhatIsInIt) {
+    for (const uint8_t roughness : {uint8_t(20), uint8_t(128), uint8_t(255)}) {
+        LitScene scene(palette(255, roughness, 60));
+        Environment& air = scene.environment;
+        air.sunColor = glm::vec3(0.0f);
+        air.skyColor = air.horizonColor = air.groundColor = air.fogColor = glm::vec3(1.0f);
+        air.fogDistance = 1e6f;
+        scene.add({12, 12, 12}, {{-0.6, 1, -0.6}, kLevel}, solid);
+        RenderSettings settings = bare();
+        settings.sky = settings.reflections = settings.bounce = true;
+        settings.skyRays = 4;
+        start(scene, kSize, settings);
+        Camera camera;
+        camera.position = {1.6, 2.6, 2.2};
+        camera.lookAt({0, 1.6, 0});
+        const Drawn drawn = drawMany(camera, "radiance", 24);
+        const FloatImage depth = read("depth");
+        double sum = 0.0;
+        int pixels = 0;
+        for (size_t p = 0; p < depth.pixels.size(); ++p)
+            if (depth.pixels[p].x < 1e3f && drawn.mean.pixels[p].y != 0.0f) sum += drawn.mean.pixels[p].y, ++pixels;
+        ASSERT_GT(pixels, 100);
+        if (roughness > 128) EXPECT_NEAR(sum / pixels, 1.0, 0.01) << int(roughness);  // mirrors show hills and clouds
+    }
+}
+
+/// A square plate over a floor, under an even sky: seen from the point below its middle it takes the form factor
+/// F = 4 / (2 pi) (2 x / sqrt(1 + x^2)) atan(x / sqrt(1 + x^2)), x = half side / height (Siegel & Howell, B-4 four times).
+TEST_F(EstimatorTest, APlateOverheadTakesItsFormFactor) {
+    LitScene scene(palette(186, 255, 0));
+    Environment& air = scene.environment;
+    air.sunColor = glm::vec3(0.0f);
+    air.skyColor = air.horizonColor = air.groundColor = glm::vec3(1.0f);
+    scene.add({60, 1, 60}, {{-3, -0.1, -3}, kLevel}, solid);
+    scene.add({20, 1, 20}, {{-1, 1, -1}, kLevel}, solid);
+    const Scene truth(scene.snapshot());
+    Camera camera;  // so near over the floor that the whole picture is one place
+    camera.position = {0.0, 0.08, 0.0001};
+    camera.lookAt({0, 0, 0});
+    camera.verticalFov = 0.5f;
+    const double x = 1.0, r = std::sqrt(1.0 + x * x);
+    const double expected = 1.0 - 4.0 / (2.0 * kPi) * (2.0 * x / r * std::atan(x / r));
+    const glm::ivec2 size(16, 16);
+    double traced = 0.0, drawnMean = 0.0;
+    for (const glm::vec4& p : render(truth, camera.view(size, 0), {.term = Term::Sky, .samples = 1024, .bounces = 0}).mean.pixels)
+        traced += p.y / 256.0;
+    EXPECT_NEAR(traced, expected, 0.01 * expected);
+    RenderSettings settings = bare();
+    settings.sky = true;
+    settings.skyRays = 16;
+    start(scene, size, settings);
+    for (const glm::vec4& p : drawMany(camera, "light", 32).mean.pixels) drawnMean += p.y / 256.0;
+    EXPECT_NEAR(drawnMean, expected, 0.01 * expected);
+}
+
+/// A sphere of even radiance gives I cos / d^2 whatever its size, as long as all of it is over the horizon.
+TEST_F(EstimatorTest, ASphereLightGivesTheInverseSquare) {
+    LitScene scene(palette(186, 255, 0));
+    scene.add({60, 1, 60}, {{-3, -0.1, -3}, kLevel}, solid);
+    scene.addLight({LightKind::Sphere, {0.4, 0.9, 0.3}, {0, -1, 0}, {1, 1, 1}, 0.5f, 1000.0f, 0.6f, 1.1f});
+    Camera camera;
+    camera.position = {0.0, 0.08, 0.0001};
+    camera.lookAt({0, 0, 0});
+    camera.verticalFov = 0.5f;
+    const double d2 = 0.4 * 0.4 + 0.9 * 0.9 + 0.3 * 0.3, expected = 0.9 / std::sqrt(d2) / d2 / kPi;
+    const glm::ivec2 size(16, 16);
+    const Scene truth(scene.snapshot());
+    double traced = 0.0, drawnMean = 0.0;
+    for (const glm::vec4& p : render(truth, camera.view(size, 0), {.term = Term::LocalLights, .samples = 512}).mean.pixels) traced += p.y / 256.0;
+    EXPECT_NEAR(traced, expected, 0.01 * expected);
+    RenderSettings settings = bare();
+    settings.localLights = true;
+    start(scene, size, settings);
+    for (const glm::vec4& p : drawMany(camera, "light", 64).mean.pixels) drawnMean += p.y / 256.0;
+    EXPECT_NEAR(drawnMean, expected, 0.01 * expected);
+}
+
+/// Behind the edge of a roof at height d the sun's share goes from none to all within d x 2 tan(angle); between, it is the disc
+/// cut by a line: 1 - (acos(c) - c sqrt(1 - c^2)) / pi. The rays from beyond the edge meet its upper rim, one voxel higher.
+TEST_F(EstimatorTest, APenumbraIsAsWideAsTheSun) {
+    LitScene scene(palette(186, 255, 0));
+    scene.environment.sunDirection = {0, 1, 0};
+    scene.environment.sunAngle = 0.05f;
+    const double height = 8.0;
+    scene.add({60, 1, 60}, {{-3, -0.1, -3}, kLevel}, solid);
+    scene.add({30, 1, 60}, {{-3, height, -3}, kLevel}, solid);  // its edge: x = 0
+    Camera camera;
+    camera.position = {0, 0.9, 0.0001};
+    camera.lookAt({0, 0, 0});
+    const glm::ivec2 size(48, 8);
+    camera.verticalFov = 2.0f * std::atan(0.6f * 8 / 48 / 0.9f);  // 1.2 m from left to right
+    RenderSettings settings = bare();
+    settings.sun = true;
+    settings.sunRays = 32;
+    start(scene, size, settings);
+    const Drawn drawn = drawMany(camera, "light", 64);
+    for (int x = 0; x < size.x; ++x) {
+        double share = 0.0;
+        for (int y = 0; y < size.y; ++y) share += drawn.mean.at(x, y).a / size.y;
+        const double place = ((x + 0.5) / size.x - 0.5) * 1.2;  // metres from the edge
+        const double c = std::clamp(place / ((place > 0.0 ? height + 0.1 : height) * std::tan(0.05)), -1.0, 1.0);
+        const double expected = 1.0 - (std::acos(c) - c * std::sqrt(1.0 - c * c)) / kPi;
+        EXPECT_NEAR(share, expected, 0.01) << "at " << place << " m";
+    }
+}
+
+}  // namespace
+}  // namespace rubble::reference

@@ -1,0 +1,301 @@
+#include "tests/reference/path_tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <thread>
+
+#include "samples/support/progress.h"
+#include "tests/reference/sampling.h"
+#include "tests/reference/sky.h"
+#include "tests/support/thread_pool.h"
+
+namespace rubble::reference {
+namespace {
+
+using glm::dvec3;
+using glm::vec3;
+
+constexpr double kLeave = 1e-6;            // metres off a surface: doubles need no more
+constexpr double kPlaneHeight = -0.05;     // render/passes/composite_pass.cpp
+constexpr float kPaneReflectance = 0.05f;  // shaders/lib/glass.glsl
+constexpr double kBulb = 0.12;             // metres around a light in which its own voxels do not hide it
+constexpr int kRouletteFrom = 4;           // bounces
+constexpr double kFilterRadius = 1.5;      // pixels, with exp(-2.3 r^2): shaders/passes/taa.frag
+
+float brightest(vec3 c) {
+    return std::max(c.r, std::max(c.g, c.b));
+}
+
+float power5(float cosine) {
+    const float m = 1.0f - std::clamp(cosine, 0.0f, 1.0f);
+    return m * m * m * m * m;
+}
+
+vec3 fresnel(vec3 f0, float cosine) {
+    return f0 + (1.0f - f0) * power5(cosine);
+}
+
+vec3 fresnelRough(vec3 f0, float cosine, float roughness) {
+    const float smooth = 1.0f - roughness;
+    return f0 + (glm::max(vec3(smooth * smooth), f0) - f0) * power5(cosine);
+}
+
+/// specularLobe() of shaders/lib/brdf.glsl.
+float specularLobe(vec3 n, vec3 v, vec3 l, float roughness) {
+    const float alpha = std::max(roughness * roughness, 0.003f), a2 = alpha * alpha;
+    const vec3 h = glm::normalize(v + l);
+    const float nh = std::clamp(glm::dot(n, h), 0.0f, 1.0f);
+    const float nl = std::clamp(glm::dot(n, l), 1e-4f, 1.0f), nv = std::clamp(glm::dot(n, v), 1e-4f, 1.0f);
+    const float d = nh * nh * (a2 - 1.0f) + 1.0f;
+    const float masking = nl * std::sqrt(nv * nv * (1.0f - a2) + a2) + nv * std::sqrt(nl * nl * (1.0f - a2) + a2);
+    return a2 / (float(kPi) * d * d) * 0.5f / std::max(masking, 1e-5f);
+}
+
+/// How much a surface gives of each kind of light that reaches it: surfaceRadiance() of shaders/passes/composite.frag.
+struct Response {
+    vec3 f0, share;
+    vec3 diffuse;  ///< of mean radiance
+    vec3 mirror;   ///< of what a mirror ray brings
+    vec3 matte;    ///< of irradiance / pi from sun and lights, which have highlights of their own
+    float rough;   ///< of lights' highlights: smooth surfaces mirror their glowing voxels instead
+};
+
+Response responseOf(const Surface& s, vec3 view) {
+    Response r;
+    r.f0 = glm::mix(vec3(s.reflectivity), s.albedo, s.metallic);
+    r.share = fresnelRough(r.f0, glm::dot(vec3(s.normal), view), s.roughness);
+    const float smoothness = 1.0f - glm::smoothstep(0.35f, 0.6f, s.roughness);
+    r.matte = s.albedo * (1.0f - s.metallic) * (1.0f - r.share);
+    r.diffuse = r.matte + r.share * (1.0f - smoothness);
+    r.mirror = r.share * smoothness;
+    r.rough = 1.0f - smoothness;
+    return r;
+}
+
+class Tracer {
+public:
+    Tracer(const Scene& scene, const View& view, const Settings& settings)
+        : m_scene(scene), m_air(scene.environment()), m_settings(settings), m_view(view) {
+        m_sun = glm::normalize(dvec3(m_air.sunDirection));
+    }
+
+    /// One sample of a pixel.
+    vec3 sample(glm::ivec2 pixel, Random& random) const {
+        const Ray ray = cameraRay(pixel, random);
+        const Surface s = m_scene.closest(ray);
+        if (m_settings.term == Term::Whole) return whole(ray, s, random);
+        if (m_settings.term == Term::Reflection) return reflection(ray, s, random);
+        if (!s.hit) return vec3(0.0f);
+        if (m_settings.term == Term::LocalLights) return localLights(s, random);
+        if (m_settings.term == Term::Sky) return incoming({leave(s), cosineDirection(s.normal, unitSquare(random))}, true, random);
+        if (glm::dot(s.normal, m_sun) <= 0.0) return vec3(0.0f);
+        return vec3(m_scene.transmittance({leave(s), sunRay(random)}).x, 0.0f, 0.0f);
+    }
+
+private:
+    Ray cameraRay(glm::ivec2 pixel, Random& random) const {
+        glm::dvec2 place = glm::dvec2(pixel) + 0.5;
+        while (m_settings.filterPixels) {
+            const glm::dvec2 offset = (unitSquare(random) * 2.0 - 1.0) * kFilterRadius;
+            if (random.unit() >= std::exp(-2.3 * glm::dot(offset, offset))) continue;
+            place += offset;
+            break;
+        }
+        const glm::dvec2 p = place / glm::dvec2(m_view.size) * 2.0 - 1.0;
+        const double tanY = std::tan(double(m_view.verticalFov) * 0.5), tanX = tanY * m_view.size.x / m_view.size.y;
+        return {m_view.position, glm::normalize(m_view.rotation * dvec3(p.x * tanX, p.y * tanY, -1.0))};
+    }
+
+    static dvec3 leave(const Surface& s) { return s.position + s.normal * kLeave; }
+    dvec3 sunRay(Random& random) const { return coneDirection(m_sun, std::cos(double(m_air.sunAngle)), unitSquare(random)); }
+
+    /// Irradiance / pi from one of the lights, chosen by how much each would give if nothing stood between.
+    vec3 localLights(const Surface& s, Random& random, dvec3* direction = nullptr) const {
+        const auto& lights = m_scene.lights();
+        float sum = 0.0f;
+        for (const SnapshotLight& light : lights) sum += unoccluded(light, s);
+        if (sum <= 0.0f) return vec3(0.0f);
+        float left = random.unit() * sum;
+        size_t chosen = 0;
+        for (size_t i = 0; i < lights.size(); ++i) {
+            const float own = unoccluded(lights[i], s);
+            if (own <= 0.0f) continue;
+            chosen = i;
+            left -= own;
+            if (left < 0.0f) break;
+        }
+        return fromSphere(lights[chosen], s, random, direction) * (sum / unoccluded(lights[chosen], s));
+    }
+
+    /// Share of its light that a lamp sends to a place: its reach and cone.
+    static float sentTo(const SnapshotLight& light, dvec3 toCentre, double distance) {
+        const double range = glm::length(toCentre), ratio = distance / light.reach;
+        const float window = float(std::clamp(1.0 - ratio * ratio * ratio * ratio, 0.0, 1.0));
+        if (light.kind != LightKind::Cone) return window * window;
+        const float outer = std::cos(light.coneOuter), inner = std::cos(light.coneInner);
+        const float cosine = float(glm::dot(-toCentre / range, dvec3(light.direction)));
+        const float edge = std::clamp((cosine - outer) / std::max(inner - outer, 1e-3f), 0.0f, 1.0f);
+        return window * window * edge * edge;
+    }
+
+    /// What decides how often a light is sampled: never zero where it gives anything.
+    static float unoccluded(const SnapshotLight& light, const Surface& s) {
+        const dvec3 toCentre = light.position - s.position;
+        const double range = glm::length(toCentre);
+        if (glm::dot(toCentre, s.normal) <= -double(light.radius)) return 0.0f;
+        const double facing = std::max(glm::dot(toCentre, s.normal) / range, 0.05);
+        return float(facing / std::max(range * range, 1e-4)) * brightest(light.color) * sentTo(light, toCentre, std::max(range - light.radius, 0.0));
+    }
+
+    /// A sphere of even radiance color / (pi radius^2), sampled over the directions in which it is seen.
+    vec3 fromSphere(const SnapshotLight& light, const Surface& s, Random& random, dvec3* toLight) const {
+        const dvec3 toCentre = light.position - leave(s);
+        const double range = std::max(glm::length(toCentre), double(light.radius) * 1.001), radius = light.radius;
+        const double sine = radius / range, cosine = std::sqrt(1.0 - sine * sine);
+        const dvec3 direction = coneDirection(toCentre / range, cosine, unitSquare(random));
+        if (toLight) *toLight = direction;
+        const double facing = glm::dot(direction, s.normal);
+        if (facing <= 0.0) return vec3(0.0f);
+        const double along = glm::dot(direction, toCentre), chord = radius * radius - (range * range - along * along);
+        const double near = std::max(along - std::sqrt(std::max(chord, 0.0)), 0.0), clear = near - std::max(kBulb, radius);
+        const vec3 seen = clear > 0.0 ? m_scene.transmittance({leave(s), direction, clear}) : vec3(1.0f);
+        // 1 - cos without cancelling, as sin^2 / (1 + cos).
+        const double solidAngle = 2.0 * kPi * sine * sine / (1.0 + cosine);
+        return seen * light.color * float(solidAngle * facing / (kPi * kPi * radius * radius)) * sentTo(light, toCentre, near);
+    }
+
+    /// From sun and lights, as the surface sends it on.
+    vec3 direct(const Surface& s, const Response& r, vec3 view, Random& random) const {
+        vec3 sum(0.0f);
+        if (m_air.sunDirection.y > 0.0f) {
+            const dvec3 l = sunRay(random);
+            const float facing = float(glm::dot(s.normal, l));
+            if (facing > 0.0f) {
+                const vec3 sun = m_air.sunColor * facing * m_scene.transmittance({leave(s), l});
+                const vec3 toSun(m_sun), half = glm::normalize(view + toSun);
+                sum += r.matte * sun / float(kPi);
+                sum += glm::min(sun * fresnel(r.f0, glm::dot(view, half)) * specularLobe(vec3(s.normal), view, toSun, s.roughness), vec3(30.0f));
+            }
+        }
+        if (m_scene.lights().empty()) return sum;
+        dvec3 l;
+        const vec3 lamp = localLights(s, random, &l);
+        if (brightest(lamp) <= 0.0f) return sum;
+        const vec3 highlight =
+            fresnel(r.f0, glm::dot(view, glm::normalize(view + vec3(l)))) * specularLobe(vec3(s.normal), view, vec3(l), s.roughness);
+        return sum + r.matte * lamp + glm::min(highlight * lamp * float(kPi), vec3(30.0f)) * r.rough;
+    }
+
+    /// A mirror ray of a surface.
+    dvec3 mirrorDirection(dvec3 normal, dvec3 view, float roughness, Random& random) const {
+        dvec3 half = normal;
+        if (roughness > 0.03f) {
+            const glm::dmat3 basis = basisAround(normal);
+            half = basis * visibleNormal(view * basis, double(roughness) * roughness, unitSquare(random));
+        }
+        dvec3 direction = 2.0 * glm::dot(view, half) * half - view;
+        direction += normal * std::max(0.0, 0.02 - glm::dot(direction, normal));
+        return glm::normalize(direction);
+    }
+
+    /// The next ray of a path and what its radiance counts for.
+    struct Next {
+        Ray ray;
+        vec3 weight;
+        bool diffuse;
+    };
+    Next next(const Surface& s, const Response& r, dvec3 view, Random& random) const {
+        const float diffuse = brightest(r.diffuse), mirror = brightest(r.mirror), all = diffuse + mirror;
+        if (all <= 0.0f) return {{}, vec3(0.0f), true};
+        if (random.unit() * all < diffuse) return {{leave(s), cosineDirection(s.normal, unitSquare(random))}, r.diffuse * (all / diffuse), true};
+        return {{leave(s), mirrorDirection(s.normal, view, s.roughness, random)}, r.mirror * (all / mirror), false};
+    }
+
+    /// Radiance along a ray of light's. Without the air: it does not light a closed room.
+    vec3 incoming(Ray ray, bool diffuse, Random& random) const {
+        vec3 sum(0.0f), weight(1.0f);
+        for (int bounce = 0;; ++bounce) {
+            ray.tMax = m_settings.reach;
+            const Surface s = m_scene.closest(ray);
+            weight *= m_scene.panes({ray.origin, ray.direction, std::min(s.t, ray.tMax)}).tint;
+            if (!s.hit) return sum + weight * (diffuse ? skyRadiance(m_air, vec3(ray.direction)) : mirroredSky(m_air, vec3(ray.direction)));
+            if (bounce == m_settings.bounces) return sum;
+            const dvec3 view = -ray.direction;
+            const Response response = responseOf(s, vec3(view));
+            if (!diffuse || !s.hasLight) sum += weight * s.albedo * s.emission;
+            sum += weight * direct(s, response, vec3(view), random);
+            const Next n = next(s, response, view, random);
+            weight *= n.weight;
+            if (bounce >= kRouletteFrom) {
+                const float survival = std::min(brightest(weight), 0.95f);
+                if (random.unit() >= survival) return sum;
+                weight /= survival;
+            }
+            if (brightest(weight) <= 0.0f) return sum;
+            ray = n.ray, diffuse = n.diffuse;
+        }
+    }
+
+    /// As shaders/lib/mirror.glsl and passes/reflections.frag.
+    vec3 reflection(const Ray& ray, const Surface& s, Random& random) const {
+        const Panes pane = m_scene.panes({ray.origin, ray.direction, s.t});
+        if (!pane.any && !s.hit) return vec3(0.0f);
+        Surface at = s;
+        if (pane.any) at.position = pane.position, at.normal = pane.normal, at.roughness = 0.0f;
+        return incoming({leave(at), mirrorDirection(at.normal, -ray.direction, at.roughness, random)}, false, random);
+    }
+
+    vec3 whole(const Ray& ray, const Surface& s, Random& random) const {
+        const vec3 direction(ray.direction);
+        const Panes pane = m_scene.panes({ray.origin, ray.direction, s.t});
+        // What panes mirror and what lies behind, as often as each counts.
+        if (pane.any) {
+            const float share = fresnel(vec3(kPaneReflectance), std::abs(float(glm::dot(pane.normal, ray.direction)))).x;
+            if (random.unit() < std::min(1.6f * share, 1.0f)) return reflection(ray, s, random);
+        }
+        if (!s.hit) return pane.tint * backgroundRadiance(m_air, direction, vec3(ray.origin), float(ray.origin.y - kPlaneHeight));
+        const Response response = responseOf(s, -direction);
+        vec3 color = s.albedo * s.emission + direct(s, response, -direction, random);
+        const Next n = next(s, response, -ray.direction, random);
+        if (brightest(n.weight) > 0.0f) color += n.weight * incoming(n.ray, n.diffuse, random);
+        return pane.tint * glm::mix(color, hazeRadiance(m_air, direction), hazeAmount(m_air, float(s.t)));
+    }
+
+    const Scene& m_scene;
+    const Environment& m_air;
+    Settings m_settings;
+    View m_view;
+    dvec3 m_sun;
+};
+
+}  // namespace
+
+Picture render(const Scene& scene, const View& view, const Settings& settings, const std::string& what) {
+    const Tracer tracer(scene, view, settings);
+    Picture picture{FloatImage(view.size), FloatImage(view.size), settings.samples};
+    Progress progress(what, view.size.y);
+    std::mutex mutex;
+    int done = 0;
+    ThreadPool pool(int(std::max(1u, std::thread::hardware_concurrency())));
+    pool.run(size_t(view.size.y), [&](size_t row) {
+        for (int x = 0; x < view.size.x; ++x) {
+            Random random(settings.seed * 0x9e3779b97f4a7c15ull + row * 65536 + uint64_t(x), row * 65536 + uint64_t(x));
+            glm::dvec3 sum(0.0), squares(0.0);
+            for (int i = 0; i < settings.samples; ++i) {
+                const glm::dvec3 value(tracer.sample({x, int(row)}, random));
+                sum += value;
+                squares += value * value;
+            }
+            const glm::dvec3 mean = sum / double(settings.samples);
+            const glm::dvec3 variance = glm::max(squares / double(settings.samples) - mean * mean, 0.0);
+            picture.mean.at(x, int(row)) = glm::vec4(vec3(mean), 1.0f);
+            picture.variance.at(x, int(row)) = glm::vec4(vec3(variance * (settings.samples / std::max(settings.samples - 1.0, 1.0))), 0.0f);
+        }
+        const std::lock_guard lock(mutex);
+        if (++done; !what.empty()) progress.advance(done);
+    });
+    return picture;
+}
+
+}  // namespace rubble::reference

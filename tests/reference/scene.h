@@ -1,0 +1,93 @@
+#pragma once
+#include <array>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "runtime/frame/frame_snapshot.h"
+
+namespace rubble::reference {
+
+/// A ray in world metres; the direction has unit length.
+struct Ray {
+    glm::dvec3 origin, direction;
+    double tMax = 1e30;
+};
+
+/// What a ray meets, with the numbers of its palette entry as shaders/lib/gbuffer.glsl gives them to light.
+struct Surface {
+    bool hit = false;
+    double t = 1e30;
+    glm::dvec3 position{0.0}, normal{0.0};
+    glm::vec3 albedo{0.0f};  ///< linear
+    float emission = 0.0f, roughness = 1.0f, metallic = 0.0f, reflectivity = 0.0f;
+    bool hasLight = false;  ///< a light was placed with these glowing voxels: it lights what is around, they do not
+};
+
+/// The nearest pane before a surface, and what comes through all of them.
+struct Panes {
+    bool any = false;
+    double t = 0.0;
+    glm::dvec3 position{0.0}, normal{0.0};
+    glm::vec3 tint{1.0f};
+};
+
+/// What a FrameSnapshot shows, for rays on the CPU: through the voxels of each shape where it really stands, not through the
+/// shadow volume. Bodies and lights only: no ropes, water or particles. May be read by many threads.
+class Scene {
+public:
+    /// The snapshot must hold everything (replacesAll).
+    explicit Scene(const FrameSnapshot& snapshot);
+
+    /// The nearest opaque voxel.
+    Surface closest(const Ray& ray) const;
+    /// Share of light that comes along the ray: 0 behind anything opaque, coloured by panes.
+    glm::vec3 transmittance(const Ray& ray) const;
+    /// The panes within tMax.
+    Panes panes(const Ray& ray) const;
+
+    const Environment& environment() const { return m_environment; }
+    const std::vector<SnapshotLight>& lights() const { return m_lights; }
+    /// Of all that is seen: the key of cached pictures.
+    uint64_t hash() const { return m_hash; }
+
+private:
+    struct Entry {
+        glm::vec3 albedo, glassTint;
+        float emission, roughness, metallic, reflectivity;
+        bool hasLight;
+    };
+    struct Shape {
+        VoxelGrid grid;
+        Pose pose;
+        double voxelSize;
+        PaintColorsRef paint;
+        size_t palette;  ///< in m_palettes
+        glm::dvec3 low, high;
+    };
+    struct Look {
+        PaletteRef key;
+        std::array<Entry, 256> entries;
+        std::array<bool, 256> opaque, glass;
+        bool hasGlass;
+    };
+    struct Node {
+        glm::dvec3 low, high;
+        int first, count;  ///< shapes of a leaf; else the first of two nodes, and 0
+    };
+    size_t lookOf(const PaletteRef& palette);
+    void build(int node, int first, int count);
+    template <class F>
+    void forShapesOn(const Ray& ray, const double& tMax, F&& f) const;
+    glm::vec3 colorAt(const Shape& shape, const Look& look, glm::ivec3 cell) const;
+    void addPanes(const Shape& shape, const Ray& ray, Panes& panes) const;
+
+    std::vector<Shape> m_shapes;
+    std::vector<Look> m_looks;
+    std::vector<Node> m_nodes;
+    std::vector<SnapshotLight> m_lights;
+    Environment m_environment;
+    bool m_hasGlass = false;
+    uint64_t m_hash = 0;
+};
+
+}  // namespace rubble::reference

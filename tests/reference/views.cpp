@@ -1,0 +1,55 @@
+#include "tests/reference/views.h"
+
+#include "runtime/frame/snapshots.h"
+#include "runtime/shadow/shadow_worker.h"
+#include "samples/scenes/town.h"
+#include "samples/support/camera.h"
+#include "tests/golden/lit_scene.h"
+
+namespace rubble::reference {
+namespace {
+
+View lookingAt(glm::dvec3 from, glm::dvec3 at, float verticalFov) {
+    Camera camera;
+    camera.position = from;
+    camera.verticalFov = verticalFov;
+    camera.lookAt(at);
+    return camera.view({0, 0}, 0);
+}
+
+}  // namespace
+
+FrameSnapshot townSnapshot() {
+    World world;
+    world.load(makeTown(1));
+    const FrameChanges changes = world.applyEdits({});
+    ShadowWorker worker(ShadowWorker::Mode::Inline);
+    worker.submit(changes, {}, world);
+    Snapshots snapshots;
+    snapshots.publish(changes, {}, world, worker.takePatches());
+    return std::move(*snapshots.take());
+}
+
+std::vector<SceneView> tuningViews(bool withTown) {
+    std::vector<SceneView> views{{"street front", streetScene().snapshot(), streetCamera(0).view({0, 0}, 0)},
+                                 {"street room", streetScene().snapshot(), streetCamera(2).view({0, 0}, 0)}};
+    if (withTown) views.push_back({"town corner", townSnapshot(), lookingAt({9.0, 4.2, 43.0}, {20.5, 3.2, 36.0}, 0.9f)});
+    return views;
+}
+
+std::vector<SceneView> judgingViews() {
+    const FrameSnapshot town = townSnapshot();
+    return {{"street above", streetScene().snapshot(), streetCamera(3).view({0, 0}, 0)},
+            {"town street", town, lookingAt({13.0, 1.7, 58.0}, {25.0, 3.0, 36.0}, 0.9f)},
+            {"town from the air", town, lookingAt({6, 16, 60}, {28, 1, 34}, 0.8f)}};
+}
+
+RenderSettings comparedSettings() {
+    RenderSettings settings;
+    settings.skyRays = 1;
+    settings.sunRays = 1;
+    settings.bevel = settings.fog = settings.glare = false;
+    return settings;
+}
+
+}  // namespace rubble::reference

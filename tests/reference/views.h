@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "render/renderer.h"
+#include "runtime/frame/frame_snapshot.h"
+
+namespace rubble::reference {
+
+/// A scene and where it is seen from.
+struct SceneView {
+    std::string name;
+    FrameSnapshot snapshot;
+    View view;  ///< without size and framebuffer
+};
+
+/// The sandbox town, all of it, as it stands before anything breaks.
+FrameSnapshot townSnapshot();
+/// What the denoiser is tuned with, and what it is judged by: nothing was chosen by looking at the latter.
+/// withTown: the town takes a second to make.
+std::vector<SceneView> tuningViews(bool withTown = true);
+std::vector<SceneView> judgingViews();
+/// What is compared with the truth: no rounded edges and glare, which are a look and not an error, and no shafts of light in the air.
+RenderSettings comparedSettings();
+
+}  // namespace rubble::reference

@@ -1,0 +1,85 @@
+#include "tests/tradeoff/light_bench.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "samples/support/gl_context.h"
+#include "tests/reference/display.h"
+#include "tests/reference/flip.h"
+#include "tests/reference/picture_file.h"
+#include "tests/reference/relative_error.h"
+
+namespace rubble::tradeoff {
+namespace {
+
+/// One for all: the software renderer, so that every machine measures the same thing.
+GlContext& context() {
+    static const auto made = [] {
+        auto context = GlContext::create(GlContext::Kind::OsMesa);
+        if (!context) fmt::print("{}\n", context.error()), std::exit(1);
+        return std::move(*context);
+    }();
+    return *made;
+}
+
+}  // namespace
+
+LightBench::LightBench(const FrameSnapshot& snapshot, const View& view, glm::ivec2 size, const RenderSettings& settings) : m_view(view) {
+    auto made = Renderer::create(context().loader(), RUBBLE_SOURCE_DIR "/shaders", settings);
+    if (!made) fmt::print("{}\n", made.error()), std::exit(1);
+    m_renderer = std::move(*made);
+    m_renderer->apply(FrameSnapshot(snapshot));
+    m_target = std::make_unique<Offscreen>(size);
+    m_view.size = size;
+    m_view.framebuffer = m_target->framebuffer();
+}
+
+void LightBench::draw(int frames) {
+    for (int i = 0; i < frames; ++i) {
+        m_renderer->draw(m_view, 1.0f);
+        for (const auto& [pass, ms] : m_renderer->figures().passMs) {
+            const auto found =
+                std::find_if(m_least.begin(), m_least.end(), [name = std::string(pass)](const auto& each) { return each.first == name; });
+            if (found == m_least.end())
+                m_least.emplace_back(pass, ms);
+            else
+                found->second = std::min(found->second, ms);
+        }
+    }
+}
+
+FloatImage LightBench::read(const char* target) const {
+    auto image = m_renderer->readTarget(target);
+    if (!image) fmt::print("{}\n", image.error()), std::exit(1);
+    return std::move(*image);
+}
+
+double LightBench::ms() const {
+    double sum = 0.0;
+    for (const auto& each : m_least) sum += each.second;
+    return sum;
+}
+
+double LightBench::ms(std::string_view pass) const {
+    for (const auto& each : m_least)
+        if (each.first == pass) return each.second;
+    return 0.0;
+}
+
+Difference differenceOf(const FloatImage& truth, const FloatImage& drawn, float exposureOfLevel) {
+    const float exposure = reference::exposureFor(truth, exposureOfLevel);
+    return {reference::flip(reference::displayed(truth, exposure), reference::displayed(drawn, exposure)), reference::relativeError(truth, drawn)};
+}
+
+Judged streetTruth(const Options& options, glm::ivec2 size) {
+    Judged judged{std::move(reference::tuningViews(false)[0]), {}};
+    judged.scene.view.size = size;
+    const reference::Settings settings{.samples = options.full ? 1024 : 192, .filterPixels = true};
+    const reference::Scene scene(judged.scene.snapshot);
+    judged.truth =
+        reference::cachedRender(scene, judged.scene.view, settings, RUBBLE_BINARY_DIR "/reference", "the truth of " + judged.scene.name).mean;
+    return judged;
+}
+
+}  // namespace rubble::tradeoff

@@ -1,0 +1,47 @@
+#pragma once
+#include <memory>
+
+#include "render/gl/offscreen.h"
+#include "render/renderer.h"
+#include "tests/reference/views.h"
+#include "tests/tradeoff/report.h"
+
+namespace rubble::tradeoff {
+
+/// What a renderer with some settings draws of a scene, and what it takes.
+class LightBench {
+public:
+    /// Keeps the snapshot; everything is drawn at this size.
+    LightBench(const FrameSnapshot& snapshot, const View& view, glm::ivec2 size, const RenderSettings& settings);
+
+    /// Draws `frames` pictures of the still view.
+    void draw(int frames = 1);
+    void apply(FrameSnapshot&& snapshot) { m_renderer->apply(std::move(snapshot)); }
+    FloatImage read(const char* target) const;
+    /// Milliseconds a picture: the least that each pass took, added up. What else the machine does is left out as far as it can be.
+    double ms() const;
+    double ms(std::string_view pass) const;
+    void forgetTimes() { m_least.clear(); }
+    const RenderFigures& figures() const { return m_renderer->figures(); }
+
+private:
+    std::unique_ptr<Renderer> m_renderer;
+    std::unique_ptr<Offscreen> m_target;
+    View m_view;
+    std::vector<std::pair<std::string, double>> m_least;
+};
+
+/// How a picture differs from the truth as radiance and as it is shown.
+struct Difference {
+    double flip = 0.0, relative = 0.0;
+};
+Difference differenceOf(const FloatImage& truth, const FloatImage& drawn, float exposureOfLevel);
+
+/// The first tuning view (the street in the evening) and its truth, from the cache if an earlier run made it.
+struct Judged {
+    reference::SceneView scene;
+    FloatImage truth;
+};
+Judged streetTruth(const Options& options, glm::ivec2 size);
+
+}  // namespace rubble::tradeoff

@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tests/tradeoff/light.h"
+#include "tests/tradeoff/light_bench.h"
+
+namespace rubble::tradeoff {
+namespace {
+
+constexpr glm::ivec2 kSize(192, 108);
+constexpr int kFrames = 16;
+
+struct Setting {
+    int rays, divisor;
+    float length;
+    Noise noise;
+    const char* axis;
+    std::string text() const {
+        return fmt::format("{} ray{} of {:g} m, {} noise, 1/{} size", rays, rays > 1 ? "s" : "", length, noise == Noise::Blue ? "blue" : "white",
+                           divisor);
+    }
+};
+
+/// Along each axis from the middle; every combination with --full.
+std::vector<Setting> settingsOf(const Options& options) {
+    const float lengths[] = {6, 12, 24, 200};
+    std::vector<Setting> all;
+    if (!options.full) {
+        for (const int rays : {1, 2, 4, 8}) all.push_back({rays, 1, 24, Noise::Blue, "rays"});
+        for (const float length : lengths)
+            if (length != 24) all.push_back({1, 1, length, Noise::Blue, "length"});
+        all.push_back({1, 1, 24, Noise::White, "noise"});
+        for (const int rays : {1, 4}) all.push_back({rays, 2, 24, Noise::Blue, "resolution"});
+        return all;
+    }
+    for (const int divisor : {1, 2})
+        for (const int rays : {1, 2, 4, 8})
+            for (const float length : lengths)
+                for (const Noise noise : {Noise::Blue, Noise::White})
+                    all.push_back({rays, divisor, length, noise, divisor == 1 ? "full size" : "half size"});
+    return all;
+}
+
+/// Each pixel again for each of those it stands for.
+FloatImage enlarged(const FloatImage& image, glm::ivec2 size) {
+    FloatImage out(size);
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) out.at(x, y) = image.at(x * image.size.x / size.x, y * image.size.y / size.y);
+    return out;
+}
+
+}  // namespace
+
+Table rayTradeoff(const Options& options) {
+    Table table{"T8",
+                "sky rays a pixel, their length, their noise and the picture's size, against the converged truth",
+                {"sky rays", "length m", "noise", "size", "ms a picture", "FLIP after 1 picture", "FLIP after 16", "relMSE after 16", "relMSE x ms"},
+                {}};
+    table.note =
+        "The street in the evening, 192x108, software GL. FLIP and relMSE of the anti-aliased picture; relMSE x ms: error at equal time, the less "
+        "the better. What does not fall with the rays is the shortcuts' bias: light that bounces off what no picture shows, half a voxel of shadow.";
+    const Judged street = streetTruth(options, kSize);
+    std::vector<Series> series;
+    std::vector<std::pair<double, double>> cloud;
+    double oneRay = 0.0, best = 1e30;
+    std::string bestAtEqualTime;
+    for (const Setting& setting : settingsOf(options)) {
+        RenderSettings settings = reference::comparedSettings();
+        settings.skyRays = settings.sunRays = setting.rays;
+        settings.skyDistance = setting.length;
+        settings.noise = setting.noise;
+        LightBench bench(street.scene.snapshot, street.scene.view, kSize / setting.divisor, settings);
+        bench.draw(1);
+        const float exposure = street.scene.snapshot.environment.exposure;
+        const Difference first = differenceOf(street.truth, enlarged(bench.read("resolved"), kSize), exposure);
+        bench.forgetTimes();
+        bench.draw(kFrames - 1);
+        const Difference later = differenceOf(street.truth, enlarged(bench.read("resolved"), kSize), exposure);
+        const double ms = bench.ms();
+        table.add({std::to_string(setting.rays), fmt::format("{:g}", setting.length), setting.noise == Noise::Blue ? "blue" : "white",
+                   fmt::format("1/{}", setting.divisor), fmt::format("{:.1f}", ms), fmt::format("{:.4f}", first.flip),
+                   fmt::format("{:.4f}", later.flip), fmt::format("{:.5f}", later.relative), fmt::format("{:.3f}", later.relative * ms)});
+        if (series.empty() || series.back().name != setting.axis) series.push_back({setting.axis, {}});
+        series.back().points.emplace_back(ms, later.flip);
+        series.back().isCloud = options.full;
+        cloud.emplace_back(ms, later.flip);
+        if (setting.rays == 1 && setting.divisor == 1 && setting.length == 24 && setting.noise == Noise::Blue) oneRay = later.flip;
+        if (later.relative * ms < best) best = later.relative * ms, bestAtEqualTime = setting.text();
+    }
+    series.push_back(frontOf("front", cloud));
+    table.bottomLine =
+        fmt::format("Balanced (1 ray of 24 m, blue noise) comes to a FLIP of {:.4f}; the least error at equal time has {}.", oneRay, bestAtEqualTime);
+    writePlot(options, "T8", "Rays: FLIP after 16 pictures, by what a picture takes", "ms a picture", "FLIP", series);
+    return table;
+}
+
+}  // namespace rubble::tradeoff
