@@ -148,12 +148,15 @@ TEST_F(LightTest, AWallThatOpensIsSeenInTwelveFrames) {
     scene.edit(screen, [](glm::ivec3) { return uint8_t(0); });
     renderer->apply(scene.step());
     const double after = meanOf(draw(camera, 12, "sun"), low, high), skyAfter = meanOf(draw(camera, 1, "light"), low, high);
+    const double thirty = meanOf(draw(camera, 17, "sun"), low, high), skyThirty = meanOf(draw(camera, 1, "light"), low, high);
     const double settled = meanOf(draw(camera, 60, "sun"), low, high), skySettled = meanOf(draw(camera, 1, "light"), low, high);
     EXPECT_LT(before, 5.0);
     EXPECT_GT(settled, 250.0);
     EXPECT_GE(after - before, 0.9 * (settled - before));
     EXPECT_GT(skySettled, skyBefore + 5.0);
     EXPECT_GE(skyAfter - skyBefore, 0.9 * (skySettled - skyBefore));
+    EXPECT_NEAR(thirty, settled, 0.02 * (settled - before)) << "a ghost";
+    EXPECT_NEAR(skyThirty, skySettled, 0.02 * (skySettled - skyBefore)) << "a ghost";
 }
 
 }  // namespace

@@ -152,9 +152,9 @@ TEST_F(EstimatorTest, SunShareIsUnbiased) {
     settings.sun = true;
     settings.sunRays = 16;
     start(scene, kSize, settings);
-    const Drawn drawn = drawMany(yardCamera(), "light", 64);
+    const Drawn drawn = drawMany(yardCamera(), "light", 32);
     const Scene truth(scene.snapshot());
-    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::SunShare, .samples = 2048});
+    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::SunShare, .samples = 1024});
     expectSameMeans(drawn, picture, comparable(truth, yardCamera()), true);
 }
 
@@ -164,9 +164,9 @@ TEST_F(EstimatorTest, SkyIsUnbiased) {
     settings.sky = true;
     settings.skyRays = 16;
     start(scene, kSize, settings);
-    const Drawn drawn = drawMany(yardCamera(), "light", 64);
+    const Drawn drawn = drawMany(yardCamera(), "light", 32);
     const Scene truth(scene.snapshot());
-    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 2048, .bounces = 0});
+    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 1024, .bounces = 0});
     expectSameMeans(drawn, picture, comparable(truth, yardCamera()));
 }
 
@@ -177,7 +177,7 @@ TEST_F(EstimatorTest, LocalLightsAreUnbiased) {
     RenderSettings settings = bare();
     settings.localLights = true;
     start(scene, kSize, settings);
-    const Drawn drawn = drawMany(yardCamera(), "light", 512);
+    const Drawn drawn = drawMany(yardCamera(), "light", 256);
     const Scene truth(scene.snapshot());
     const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::LocalLights, .samples = 1024});
     expectSameMeans(drawn, picture, comparable(truth, yardCamera()));
@@ -188,7 +188,7 @@ TEST_F(EstimatorTest, ReflectionsAreUnbiased) {
     RenderSettings settings = bare();
     settings.reflections = true;
     start(scene, kSize, settings);
-    const Drawn drawn = drawMany(yardCamera(), "reflection", 384);
+    const Drawn drawn = drawMany(yardCamera(), "reflection", 192);
     const Scene truth(scene.snapshot());
     const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::Reflection, .samples = 1024, .bounces = 0, .reach = 1000});
     std::vector<bool> same = comparable(truth, yardCamera());
@@ -200,7 +200,7 @@ TEST_F(EstimatorTest, ReflectionsAreUnbiased) {
 TEST_F(EstimatorTest, ErrorFallsWithTheSamples) {
     const LitScene scene = yard(palette(186, 255, 0));
     const Scene truth(scene.snapshot());
-    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 4096, .bounces = 0});
+    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 2048, .bounces = 0});
     for (const Noise noise : {Noise::White, Noise::Blue}) {
         RenderSettings settings = bare(noise);
         settings.sky = true;
@@ -210,7 +210,7 @@ TEST_F(EstimatorTest, ErrorFallsWithTheSamples) {
         std::vector<bool> same;
         double meanX = 0, meanY = 0, xx = 0, xy = 0;
         int points = 0;
-        for (int i = 1; i <= 128; ++i) {
+        for (int i = 1; i <= 64; ++i) {
             renderer->draw(yardCamera().view(kSize, target->framebuffer()), 1.0f);
             const FloatImage image = read("light");
             for (size_t p = 0; p < sum.size(); ++p) sum[p] += image.pixels[p].y;
@@ -282,7 +282,7 @@ TEST_F(EstimatorTest, APlateOverheadTakesItsFormFactor) {
     settings.sky = true;
     settings.skyRays = 16;
     start(scene, size, settings);
-    for (const glm::vec4& p : drawMany(camera, "light", 32).mean.pixels) drawnMean += p.y / 256.0;
+    for (const glm::vec4& p : drawMany(camera, "light", 24).mean.pixels) drawnMean += p.y / 256.0;
     EXPECT_NEAR(drawnMean, expected, 0.01 * expected);
 }
 
@@ -304,7 +304,7 @@ TEST_F(EstimatorTest, ASphereLightGivesTheInverseSquare) {
     RenderSettings settings = bare();
     settings.localLights = true;
     start(scene, size, settings);
-    for (const glm::vec4& p : drawMany(camera, "light", 64).mean.pixels) drawnMean += p.y / 256.0;
+    for (const glm::vec4& p : drawMany(camera, "light", 40).mean.pixels) drawnMean += p.y / 256.0;
     EXPECT_NEAR(drawnMean, expected, 0.01 * expected);
 }
 
@@ -324,9 +324,9 @@ TEST_F(EstimatorTest, APenumbraIsAsWideAsTheSun) {
     camera.verticalFov = 2.0f * std::atan(0.6f * 8 / 48 / 0.9f);  // 1.2 m from left to right
     RenderSettings settings = bare();
     settings.sun = true;
-    settings.sunRays = 32;
+    settings.sunRays = 128;
     start(scene, size, settings);
-    const Drawn drawn = drawMany(camera, "light", 64);
+    const Drawn drawn = drawMany(camera, "light", 32);
     for (int x = 0; x < size.x; ++x) {
         double share = 0.0;
         for (int y = 0; y < size.y; ++y) share += drawn.mean.at(x, y).a / size.y;
