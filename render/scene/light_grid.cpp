@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <utility>
 
 #include "render/frame_context.h"
 #include "runtime/core/log.h"
@@ -14,7 +15,7 @@ namespace {
 
 constexpr int kTilePixels = 32;  // these three as in lib/local_lights.glsl
 constexpr int kAlwaysLooked = 12;
-constexpr int kTexelsALight = 6;
+constexpr int kTexelsALight = 7;
 constexpr int kSlices = 12;  // two each time the depth doubles, from 1 m: the last one goes on for ever
 
 int sliceAt(float depth) {
@@ -68,32 +69,52 @@ void LightGrid::listReaches(std::span<const SnapshotLight> lights, const FrameBl
         const glm::vec3 toCentre = glm::vec3(sphere) - glm::vec3(block.cameraPosition);
         const float depth = glm::dot(toCentre, glm::vec3(block.cameraForward));
         if (!(depth + sphere.w > 0.0f) || !(lights[i].reach > 0.0f) || !(brightness(lights[i]) > 0.0f)) continue;
-        const auto across = tilesAlong(glm::dot(toCentre, glm::vec3(block.cameraRight)), depth, sphere.w, block.cameraRight.w, block.targetSize.x);
-        const auto up = tilesAlong(glm::dot(toCentre, glm::vec3(block.cameraUp)), depth, sphere.w, block.cameraUp.w, block.targetSize.y);
+        const glm::vec3 seen(glm::dot(toCentre, glm::vec3(block.cameraRight)), glm::dot(toCentre, glm::vec3(block.cameraUp)), depth);
+        const auto across = tilesAlong(seen.x, depth, sphere.w, block.cameraRight.w, block.targetSize.x);
+        const auto up = tilesAlong(seen.y, depth, sphere.w, block.cameraUp.w, block.targetSize.y);
         if (!across || !up) continue;
-        m_reaches.push_back({int(i), {across->x, up->x, sliceAt(depth - sphere.w)}, {across->y, up->y, sliceAt(depth + sphere.w)}});
+        m_reaches.push_back({int(i), {seen, sphere.w}, {across->x, up->x, sliceAt(depth - sphere.w)}, {across->y, up->y, sliceAt(depth + sphere.w)}});
     }
     std::stable_sort(m_reaches.begin(), m_reaches.end(),
                      [&](const Reach& a, const Reach& b) { return brightness(lights[size_t(a.light)]) > brightness(lights[size_t(b.light)]); });
 }
 
-void LightGrid::fillCells() {
-    m_cells.assign(size_t(tiles()) * (kSlices + 1), glm::uvec2(0));
-    const auto eachCell = [&](const Reach& reach, auto&& visit) {
+/// Whether the sphere meets the box around a cell.
+bool LightGrid::touches(const Reach& reach, glm::ivec3 cell, const FrameBlock& block) const {
+    const float nearest = cell.z == 0 ? 0.0f : std::exp2(0.5f * float(cell.z));
+    const float farthest = cell.z + 1 == kSlices ? block.cameraForward.w : std::exp2(0.5f * float(cell.z + 1));
+    const auto aside = [&](int axis, float tangent) {
+        const float low = (float(cell[axis] * kTilePixels) / block.targetSize[axis] * 2.0f - 1.0f) * tangent;
+        const float high = (float((cell[axis] + 1) * kTilePixels) / block.targetSize[axis] * 2.0f - 1.0f) * tangent;
+        const float first = low * (low > 0.0f ? nearest : farthest), last = high * (high > 0.0f ? farthest : nearest);
+        return reach.sphere[axis] - std::clamp(reach.sphere[axis], first, last);
+    };
+    const glm::vec3 away(aside(0, block.cameraRight.w), aside(1, block.cameraUp.w), reach.sphere.z - std::clamp(reach.sphere.z, nearest, farthest));
+    return glm::dot(away, away) <= reach.sphere.w * reach.sphere.w;
+}
+
+void LightGrid::fillCells(const FrameBlock& block) {
+    m_pairs.clear();
+    const auto cellAt = [&](int x, int y, int slice) { return uint32_t(x + m_size.x * (y + m_size.y * slice)); };
+    for (size_t i = 0; i < m_reaches.size(); ++i) {
+        const Reach& reach = m_reaches[i];
         for (int y = reach.low.y; y <= reach.high.y; ++y)
             for (int x = reach.low.x; x <= reach.high.x; ++x) {
-                for (int slice = reach.low.z; slice <= reach.high.z; ++slice) visit(m_cells[size_t(x + m_size.x * (y + m_size.y * slice))]);
-                visit(m_cells[size_t(x + m_size.x * (y + m_size.y * kSlices))]);
+                const size_t before = m_pairs.size();
+                for (int slice = reach.low.z; slice <= reach.high.z; ++slice)
+                    if (touches(reach, {x, y, slice}, block)) m_pairs.emplace_back(cellAt(x, y, slice), uint32_t(i));
+                if (m_pairs.size() > before) m_pairs.emplace_back(cellAt(x, y, kSlices), uint32_t(i));
             }
-    };
-    for (const Reach& reach : m_reaches) eachCell(reach, [](glm::uvec2& cell) { ++cell.y; });
+    }
+    m_cells.assign(size_t(tiles()) * (kSlices + 1), glm::uvec2(0));
+    for (const auto& [cell, light] : m_pairs) ++m_cells[cell].y;
     uint32_t sum = 0;
     for (glm::uvec2& cell : m_cells) {
         cell.x = sum;
         sum += std::exchange(cell.y, 0u);
     }
     m_list.resize(sum);
-    for (size_t i = 0; i < m_reaches.size(); ++i) eachCell(m_reaches[i], [&](glm::uvec2& cell) { m_list[cell.x + cell.y++] = uint32_t(i); });
+    for (const auto& [cell, light] : m_pairs) m_list[m_cells[cell].x + m_cells[cell].y++] = light;
 }
 
 /// In cells of more lights than a pixel looks at, those that are strongest at the cell's middle come first.
@@ -111,9 +132,9 @@ void LightGrid::bringNearForward(const FrameBlock& block) {
         byStrength.clear();
         for (uint32_t k = 0; k < cell.y; ++k) {
             const uint32_t light = m_list[cell.x + k];
-            const glm::vec4 place = m_texels[light * kTexelsALight], color = m_texels[light * kTexelsALight + 1];
+            const glm::vec4 place = m_texels[light * kTexelsALight], rough = m_texels[light * kTexelsALight + 2];
             const glm::vec3 away = glm::vec3(place) - middle;
-            byStrength.emplace_back(-(color.x + color.y + color.z) / (0.5f + glm::dot(away, away)), light);
+            byStrength.emplace_back(-rough.x / (0.5f + glm::dot(away, away)), light);
         }
         std::nth_element(byStrength.begin(), byStrength.begin() + kAlwaysLooked, byStrength.end());
         for (uint32_t k = 0; k < cell.y; ++k) m_list[cell.x + k] = byStrength[k].second;
@@ -130,14 +151,21 @@ void LightGrid::fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 ori
         const float outer = cone ? std::cos(light.coneOuter) : -3.0f, inner = cone ? std::cos(light.coneInner) : -2.0f;
         const int shape = light.kind == LightKind::Screen ? 3 : light.kind == LightKind::Area ? 2 : light.kind == LightKind::Capsule ? 1 : 0;
         const bool picture = shape == 3 && light.picture.height() > 0;
+        // About how it falls off from its axis: cosine times the first, plus the second, clamped to 0 and 1.
+        const float scale = 1.0f / std::max(inner - outer, 1e-3f);
+        const bool facesOneWay = shape >= 2 && !light.twoSided;
+        const glm::vec2 edge = cone ? glm::vec2(scale, -outer * scale) : facesOneWay ? glm::vec2(1.0f, 0.0f) : glm::vec2(0.0f, 1.0f);
         m_texels.emplace_back(glm::vec3(light.position - origin), extentOf(light));
-        m_texels.emplace_back(light.color, light.reach);
-        m_texels.emplace_back(light.direction, float(shape));
-        m_texels.emplace_back(outer, 1.0f / std::max(inner - outer, 1e-3f), std::max(light.radius, 0.005f), 0.5f * light.height);
+        m_texels.emplace_back(light.direction * edge.x, edge.y);
+        m_texels.emplace_back(brightness(light), light.reach, std::max(light.radius, 0.005f), 0.5f * light.height);
+        m_texels.emplace_back(light.color, float(shape));
+        m_texels.emplace_back(light.direction, outer);
         m_texels.emplace_back(light.right, 0.5f * light.width);
-        m_texels.emplace_back(float(light.twoSided), float(m_pictures.size()), picture ? float(light.picture.width) : 0.0f,
-                              float(light.picture.height()));
-        if (picture) m_pictures.insert(m_pictures.end(), light.picture.texels.begin(), light.picture.texels.end());
+        m_texels.emplace_back(scale, float(m_pictures.size()), picture ? float(light.picture.width + (light.picture.height() << 8)) : 0.0f,
+                              float(light.twoSided));
+        if (!picture) continue;
+        for (const uint32_t texel : light.picture.texels)
+            m_pictures.emplace_back(srgbToLinear(uint8_t(texel >> 16)), srgbToLinear(uint8_t(texel >> 8)), srgbToLinear(uint8_t(texel)), 1.0f);
     }
 }
 
@@ -167,9 +195,18 @@ uint64_t LightGrid::update(std::span<const SnapshotLight> lights, const FrameBlo
     m_list.clear();
     if (m_reaches.empty()) return 0;
     fillTexels(lights, origin);
-    fillCells();
+    fillCells(block);
     bringNearForward(block);
     return upload();
+}
+
+std::vector<int> LightGrid::lightsAt(glm::ivec2 pixel, float depth) const {
+    std::vector<int> found;
+    if (empty()) return found;
+    const glm::ivec2 tile = pixel / kTilePixels;
+    const glm::uvec2 cell = m_cells[size_t(tile.x + m_size.x * (tile.y + m_size.y * sliceAt(depth)))];
+    for (uint32_t i = 0; i < cell.y; ++i) found.push_back(m_reaches[m_list[cell.x + i]].light);
+    return found;
 }
 
 void LightGrid::bind(const Program& program) const {

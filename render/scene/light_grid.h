@@ -19,18 +19,22 @@ public:
     void bind(const Program& program) const;
     /// Any light reaches into the view.
     bool empty() const { return m_list.empty(); }
+    /// Numbers, in what update() was given, of the lights listed for a pixel at a depth along the view axis.
+    std::vector<int> lightsAt(glm::ivec2 pixel, float depth) const;
     int lights() const { return int(m_reaches.size()); }
     int tiles() const { return m_size.x * m_size.y; }
     uint64_t bytes() const { return m_lightsTexture.bytes() + m_cellsTexture.bytes() + m_listTexture.bytes() + m_picturesTexture.bytes(); }
 
 private:
-    /// A light's share of the grid: tiles and slices from low to high, both within.
+    /// A light's sphere in the camera's frame (right, up, forward), and the part of the grid around it: tiles and slices from low to high.
     struct Reach {
         int light;
+        glm::vec4 sphere;
         glm::ivec3 low, high;
     };
     void listReaches(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin);
-    void fillCells();
+    bool touches(const Reach& reach, glm::ivec3 cell, const FrameBlock& block) const;
+    void fillCells(const FrameBlock& block);
     void bringNearForward(const FrameBlock& block);
     void fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 origin);
     uint64_t upload();
@@ -39,9 +43,10 @@ private:
     std::vector<Reach> m_reaches;     ///< strongest light first
     std::vector<glm::uvec2> m_cells;  ///< first place in m_list, number; the slice after the last one is for all depths
     std::vector<uint32_t> m_list;
+    std::vector<std::pair<uint32_t, uint32_t>> m_pairs;  ///< cell and light, while the list is made
     std::vector<glm::vec4> m_texels;
-    std::vector<uint32_t> m_pictures;
-    BufferTexture m_lightsTexture{GL_RGBA32F}, m_cellsTexture{GL_RG32UI}, m_listTexture{GL_R32UI}, m_picturesTexture{GL_R32UI};
+    std::vector<glm::vec4> m_pictures;
+    BufferTexture m_lightsTexture{GL_RGBA32F}, m_cellsTexture{GL_RG32UI}, m_listTexture{GL_R32UI}, m_picturesTexture{GL_RGBA32F};
 };
 
 }  // namespace rubble

@@ -42,11 +42,12 @@ inline Environment noon() {
     return air;
 }
 
-/// The sun has set a moment ago: a warm edge of sky, blue above, lamps have taken over, mist in their light.
-inline Environment afterSunset() {
+/// The last of the sun behind the houses: a warm edge of sky, blue above, lamps have taken over, mist in their light.
+inline Environment sunset() {
     Environment air;
-    followSun(air, {-0.90f, 0.035f, 0.35f});
-    air.exposure = 2.2f;
+    air.clouds = 0.46f;
+    followSun(air, {-0.70f, 0.062f, -0.66f});
+    air.exposure = 1.7f;
     air.fogDistance = 130.0f;
     air.fogDensity = 0.006f;
     air.fogHeight = 9.0f;
@@ -81,7 +82,7 @@ inline Environment rain() {
 
 /// By the name that `sandbox --time` takes; the late afternoon for any other.
 inline Environment timeOfDay(std::string_view name) {
-    return name == "noon" ? noon() : name == "dusk" ? afterSunset() : name == "night" ? night() : name == "rain" ? rain() : lateAfternoon();
+    return name == "noon" ? noon() : name == "dusk" ? sunset() : name == "night" ? night() : name == "rain" ? rain() : lateAfternoon();
 }
 
 }  // namespace rubble::scenes

@@ -133,7 +133,7 @@ void addFlood(Level& level, Canvas& c) {
     c.box({kMiddle - 1, 0, 6}, {kMiddle + 1, low.y, 8}, steel);
     c.box(low - ivec3(1, 1, 2), low + ivec3(9, 7, 1), steel);
     c.box(low + ivec3(0, 0, 1), low + ivec3(8, 6, 2), bright);
-    Light& light = addTurned(level, group, LightKind::Cone, glm::dvec3(low) + glm::dvec3(4, 3, 2.2), glm::vec3(1.0f, 0.86f, 0.62f) * 420.0f, 22.0f,
+    Light& light = addTurned(level, group, LightKind::Cone, glm::dvec3(low) + glm::dvec3(4, 3, 2.2), glm::vec3(1.0f, 0.86f, 0.62f) * 200.0f, 22.0f,
                              0.2f, kForward);
     light.coneInner = 0.55f;
     light.coneOuter = 0.8f;
@@ -194,18 +194,18 @@ glm::dvec3 inHall(glm::dvec3 cell) {
 
 Edits lightsScript(int step, uint64_t) {
     ScriptClock clock(step);
-    if (clock.at(1.2)) clock.add(carveSphere(inHall(glm::dvec3(kGlobe) + 0.5), {0.3, 0.2, 0.0}));
+    if (clock.at(2.2)) clock.add(carveSphere(inHall(glm::dvec3(kGlobe) + 0.5), {0.3, 0.2, 0.0}));
     for (int i = 0; i < 2; ++i)
-        if (clock.at(2.0 + 0.6 * i)) clock.add(carveSphere(inHall(glm::dvec3(kTubes[i]) + glm::dvec3(0.5, 12.0, 0.5)), {0.45, 0.2, 0.0}));
-    if (clock.at(3.3)) clock.add(ExplodeEdit{inHall(glm::dvec3(kPanel) + glm::dvec3(12, -2, 6)), 0.8, 120.0});
-    if (clock.at(4.1)) clock.add(carveSphere(inHall(glm::dvec3(kScreen) + glm::dvec3(14, 9, 3)), {0.7, 0.3, 0.0}));
-    if (clock.at(5.0)) clock.add(ExplodeEdit{inHall(glm::dvec3(kMiddle, kFloor + 14, kBack + 1)), 2.0, 700.0});
-    if (clock.at(7.0)) clock.add(carveSphere(inHall(glm::dvec3(kMiddle, kFloor + 21, 8)), {0.6, 0.5, 0.4}));
+        if (clock.at(2.8 + 0.5 * i)) clock.add(carveSphere(inHall(glm::dvec3(kTubes[i]) + glm::dvec3(0.5, 12.0, 0.5)), {0.45, 0.2, 0.0}));
+    if (clock.at(3.9)) clock.add(ExplodeEdit{inHall(glm::dvec3(kPanel) + glm::dvec3(12, -2, 6)), 0.8, 120.0});
+    if (clock.at(4.5)) clock.add(carveSphere(inHall(glm::dvec3(kScreen) + glm::dvec3(14, 9, 3)), {0.7, 0.3, 0.0}));
+    if (clock.at(5.2)) clock.add(ExplodeEdit{inHall(glm::dvec3(kMiddle, kFloor + 14, kBack + 1)), 2.0, 700.0});
+    if (clock.at(7.2)) clock.add(carveSphere(inHall(glm::dvec3(kMiddle, kFloor + 21, 8)), {0.6, 0.5, 0.4}));
     return clock.take();
 }
 
 Pose lightsCamera(double seconds) {
-    return lookAt({15.2 + 0.05 * seconds, 2.0, 22.6}, {15.8, 1.75, 13.6});
+    return lookAt({15.0 + 0.05 * seconds, 1.9, 23.8}, {15.5, 1.95, 13.6});
 }
 
 }  // namespace
@@ -214,7 +214,7 @@ Scene lightsScene() {
     Scene scene{"lights", "a ball, tubes, a cone, a panel and a screen of light in mist, put out one after the other", lightsLevel, lightsScript,
                 lightsCamera};
     scene.steps = 480;
-    scene.verticalFov = 0.85f;
+    scene.verticalFov = 0.9f;
     return scene;
 }
 

@@ -5,10 +5,10 @@
 uniform samplerBuffer uLights;          // kTexelsALight a light: see readLight()
 uniform usamplerBuffer uLightCells;     // of the grid: first place in the list, number of lights
 uniform usamplerBuffer uLightList;      // the first kAlwaysLooked of a cell are those that may matter most there
-uniform usamplerBuffer uLightPictures;  // sRGB 0xRRGGBB
+uniform samplerBuffer uLightPictures;   // linear
 uniform ivec3 uLightGrid;               // tiles across and up, slices of depth; after the last slice one for all depths
 
-const int kTexelsALight = 6;
+const int kTexelsALight = 7;  // the first three are all that the choice among lights needs: see roughIrradiance()
 const int kTilePixels = 32;
 const int kAlwaysLooked = 12;  // the same in render/scene/light_grid.cpp
 const int kOthersLooked = 12;
@@ -31,9 +31,10 @@ struct LocalLight {
 
 LocalLight readLight(int i) {
     i *= kTexelsALight;
-    vec4 a = texelFetch(uLights, i), b = texelFetch(uLights, i + 1), c = texelFetch(uLights, i + 2), d = texelFetch(uLights, i + 3),
-         e = texelFetch(uLights, i + 4), f = texelFetch(uLights, i + 5);
-    return LocalLight(a.xyz, a.w, b.rgb, b.w, c.xyz, int(c.w), d.xy, d.z, e.xyz, vec2(e.w, d.w), f.x > 0.0, ivec3(f.yzw));
+    vec4 a = texelFetch(uLights, i), c = texelFetch(uLights, i + 2), d = texelFetch(uLights, i + 3), e = texelFetch(uLights, i + 4),
+         f = texelFetch(uLights, i + 5), g = texelFetch(uLights, i + 6);
+    return LocalLight(a.xyz, a.w, d.rgb, c.y, e.xyz, int(d.w), vec2(e.w, g.x), c.z, f.xyz, vec2(f.w, c.w), g.w > 0.0,
+                      ivec3(int(g.y), int(g.z) & 255, int(g.z) >> 8));
 }
 
 /// The lights that may reach a pixel: x first place in the list, y number. Depth below 0: at any depth.
@@ -67,14 +68,30 @@ float coneEdge(LocalLight light, float cosine) {
 /// Luminance of about what a light sends to a surface without shadows: never 0 where it may send some.
 float roughIrradiance(int i, vec3 position, vec3 normal) {
     i *= kTexelsALight;
-    vec4 a = texelFetch(uLights, i), b = texelFetch(uLights, i + 1), c = texelFetch(uLights, i + 2), d = texelFetch(uLights, i + 3);
+    vec4 a = texelFetch(uLights, i), b = texelFetch(uLights, i + 1), c = texelFetch(uLights, i + 2);
     vec3 toPlace = a.xyz - position;
-    float extent = a.w, range = length(toPlace), nearest = max(range, extent);
-    float facing = clamp((dot(normal, toPlace) + extent) / nearest, 0.0, 1.0);
-    float cosine = -dot(toPlace, c.xyz);
-    float edge = clamp((cosine / range - d.x) * d.y, 0.0, 1.0);
-    if (c.w >= float(kArea)) edge = clamp((abs(cosine) + extent) / nearest, 0.0, 1.0);
-    return luminance(b.rgb) * facing * edge * edge * lightWindow(max(range - extent, 0.0), b.w) / (nearest * nearest);
+    float range2 = dot(toPlace, toPlace), extent = a.w, inverse = inversesqrt(max(range2, extent * extent)), wide = extent * inverse;
+    float facing = clamp(dot(normal, toPlace) * inverse + wide, 0.0, 1.0);
+    float edge = clamp(b.w - dot(toPlace, b.xyz) * inverse + wide, 0.0, 1.0);
+    float far = max(sqrt(range2) - extent, 0.0) / c.y, far2 = far * far, window = max(1.0 - far2 * far2, 0.0);
+    return c.x * facing * edge * edge * window * window * inverse * inverse;
+}
+
+/// Keeps one of the lights that are offered one after the other, each in proportion to its weight.
+struct Choice {
+    int light;      // -1: none
+    float weight;   // about what it sends
+    float total;    // of all that were offered
+    float random;   // serves again and again: what is left of it after a draw is as random
+};
+void offer(inout Choice choice, int light, float weight, float stands) {
+    float share = weight * stands;
+    choice.total += share;
+    float place = choice.random * choice.total;
+    bool taken = place < share;
+    choice.random = (taken ? place : place - share) / max(taken ? share : choice.total - share, 1e-20);
+    choice.light = taken ? light : choice.light;
+    choice.weight = taken ? weight : choice.weight;
 }
 
 struct LightSample {
@@ -87,8 +104,7 @@ struct LightSample {
 vec3 pictureAt(LocalLight light, vec2 place) {
     if (light.picture.y == 0) return vec3(1.0);
     ivec2 texel = clamp(ivec2((0.5 - 0.5 * place) * vec2(light.picture.yz)), ivec2(0), light.picture.yz - 1);
-    uint rgb = texelFetch(uLightPictures, light.picture.x + texel.x + texel.y * light.picture.y).x;
-    return pow(vec3(uvec3(rgb >> 16, rgb >> 8, rgb) & 255u) / 255.0, vec3(2.2));
+    return texelFetch(uLightPictures, light.picture.x + texel.x + texel.y * light.picture.y).rgb;
 }
 
 /// A ball's points by the solid angle that each takes: its light arrives as exactly as its shadow.

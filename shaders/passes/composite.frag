@@ -29,18 +29,20 @@ vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel) {
     vec3 share = fresnelRough(f0, dot(normal, view), s.roughness);
     vec3 mirrored = light.rgb;
     vec3 lamps = vec3(0.0);
+    float smoothness = 1.0 - smoothstep(0.35, 0.6, s.roughness);
     if (uLocalLights) {
-        // Lamps shine back in their highlights, not with the rest of the light a second time.
+        // Lamps shine back in their highlights, not with the rest of the light a second time. Rough surfaces show no more of them than
+        // of that rest, which is filtered.
         vec4 specular = texelFetch(uSpecular, pixel, 0);
-        lamps = specular.rgb;
-        mirrored *= clamp(1.0 - specular.a / max(luminance(light.rgb), 1e-4), 0.0, 1.0);
+        lamps = specular.rgb * smoothness;
+        mirrored *= 1.0 - smoothness * clamp(specular.a / max(luminance(light.rgb), 1e-4), 0.0, 1.0);
     }
     // Behind a pane the ray is the pane's.
     if (uReflections && !(uGlass && texelFetch(uGlassSurface, pixel, 0).w > 0.0)) {
         vec4 traced = texelFetch(uReflection, pixel, 0);
-        float smoothness = traced.a * (1.0 - smoothstep(0.35, 0.6, s.roughness));
-        mirrored = mix(mirrored, traced.rgb, smoothness);
-        lamps *= 1.0 - smoothness;  // these rays have met the glowing voxels themselves
+        mirrored = mix(mirrored, traced.rgb, traced.a * smoothness);
+        // The rays of a mirror have met the glowing voxels themselves.
+        lamps *= 1.0 - traced.a * (1.0 - smoothstep(0.1, 0.25, s.roughness));
     }
     return diffuse * (1.0 - share) + min(highlight, vec3(30.0)) + mirrored * share + lamps + s.albedo * s.emission;
 }

@@ -44,18 +44,24 @@ struct Passing {
     float aside;     // of the light from there
     float from, to;  // radians
 };
-Passing passBy(FogRay ray, vec3 place, float reach, float radius) {
+Passing passBy(FogRay ray, vec3 place, float reach) {
     vec3 toPlace = place - frame.cameraPosition.xyz;
     float along = dot(toPlace, ray.direction), aside2 = max(dot(toPlace, toPlace) - along * along, 0.0);
-    float half_ = sqrt(max(reach * reach - aside2, 0.0)), aside = max(sqrt(aside2), max(radius, 0.1));
+    float half_ = sqrt(max(reach * reach - aside2, 0.0)), aside = max(sqrt(aside2), 0.1);
     float first = max(along - half_, 0.0), last = min(along + half_, ray.end);
     if (last <= first) return Passing(along, aside, 0.0, 0.0);
     return Passing(along, aside, atan(first - along, aside), atan(last - along, aside));
 }
 
-/// What a light sends to the eye from a random place of the ray, without the fog's share that it is a mean over.
-vec3 fromLight(FogRay ray, LocalLight light, vec2 u) {
-    Passing p = passBy(ray, light.place, light.reach + light.extent, light.radius);
+/// A place in the fog, what would come to the eye from there, and the way that must be free for it. As the mean over the ray's fog.
+struct FogSample {
+    vec3 place, direction;
+    float range;
+    vec3 light;
+};
+
+FogSample towardLight(FogRay ray, LocalLight light, vec2 u) {
+    Passing p = passBy(ray, light.place, light.reach + light.extent);
     float beyond = p.aside * tan(mix(p.from, p.to, u.x)), metres = p.nearest + beyond;
     vec3 place = frame.cameraPosition.xyz + ray.direction * metres;
     vec3 up = cross(light.right, light.axis);
@@ -70,43 +76,44 @@ vec3 fromLight(FogRay ray, LocalLight light, vec2 u) {
     float edge = light.kind < kArea ? coneEdge(light, cosine) : light.twoSided ? abs(cosine) : max(cosine, 0.0);
     float strength = edge * lightWindow(range, light.reach) * fogPhase(dot(ray.direction, toLight)) * (p.to - p.from) / p.aside;
     float fog = fogDensity(place.y);
-    strength *= fog * exp(-fogBetween(ray.direction.y, metres) - fog * range);
-    float t;
-    bool dark = strength <= 0.0;
-    if (shadowTrace(place, toLight, dark ? -1.0 : max(range - max(light.radius, 0.12), 0.0), t) || dark) return vec3(0.0);
-    return light.color * strength;
+    strength *= fog * exp(-fogBetween(ray.direction.y, metres) - fog * range) / ray.share;
+    return FogSample(place, toLight, max(range - max(light.radius, 0.12), 0.0), light.color * strength);
 }
 
-vec3 fromSky(FogRay ray, vec3 u) {
-    vec3 place = frame.cameraPosition.xyz + ray.direction * placeInFog(ray, u.z), direction = spherePoint(u.xy);
-    float t;
-    return shadowTrace(place, direction, kSkyReach, t) ? vec3(0.0) : skyRadiance(direction);
+FogSample towardSky(FogRay ray, vec3 u) {
+    vec3 direction = spherePoint(u.xy);
+    return FogSample(frame.cameraPosition.xyz + ray.direction * placeInFog(ray, u.z), direction, kSkyReach, skyRadiance(direction));
+}
+
+/// Luminance of about what a light sends to the eye.
+float roughFogLight(FogRay ray, int i) {
+    i *= kTexelsALight;
+    vec4 a = texelFetch(uLights, i), c = texelFetch(uLights, i + 2);
+    vec3 toPlace = a.xyz - frame.cameraPosition.xyz;
+    float along = dot(toPlace, ray.direction), aside2 = max(dot(toPlace, toPlace) - along * along, 0.01), reach = c.y + a.w;
+    float half_ = sqrt(max(reach * reach - aside2, 0.0)), first = max(-half_, -along), last = min(half_, ray.end - along), aside = sqrt(aside2);
+    // The angle between both ends, as the light sees it.
+    float angle = last > first ? atan(aside * (last - first), aside2 + first * last) : 0.0;
+    return c.x * angle / aside * fogDensity(frame.cameraPosition.y + ray.direction.y * max(along, 0.0)) * 0.08 / ray.share;
 }
 
 /// One local light or the sky, in proportion to what each would send.
 vec3 fromOthers(FogRay ray, ivec2 pixel, vec2 random, vec3 u) {
-    float total = luminance(mix(frame.skyColor.rgb, frame.horizonColor.rgb, 0.5)) * 0.5 + 1e-5, chosen = total;
-    int found = -1;
+    float sky = luminance(mix(frame.skyColor.rgb, frame.horizonColor.rgb, 0.5)) * 0.5 + 1e-5;
+    Choice choice = Choice(-1, sky, sky, random.x);
     ivec2 cell = uLocalLights ? lightsAt(pixel, -1.0) : ivec2(0);
     int looked = lightsLooked(cell.y);
     for (int i = 0; i < looked; ++i) {
         vec2 next = lightLooked(cell, i, random.y);
-        vec4 a = texelFetch(uLights, int(next.x) * kTexelsALight), b = texelFetch(uLights, int(next.x) * kTexelsALight + 1);
-        Passing p = passBy(ray, a.xyz, b.w + a.w, 0.1);
-        float fog = fogDensity(frame.cameraPosition.y + ray.direction.y * max(p.nearest, 0.0));
-        float here = luminance(b.rgb) * (p.to - p.from) / p.aside * fog * 0.08 / ray.share, weight = here * next.y;
-        total += weight;
-        float limit = weight / total;
-        if (random.x < limit) {
-            found = int(next.x);
-            chosen = here;
-            random.x /= limit;
-        } else {
-            random.x = (random.x - limit) / max(1.0 - limit, 1e-6);
-        }
+        offer(choice, int(next.x), roughFogLight(ray, int(next.x)), next.y);
     }
-    vec3 light = found < 0 ? fromSky(ray, u) : fromLight(ray, readLight(found), u.xy) / ray.share;
-    return light * (total / chosen);
+    // One walk for whichever it is.
+    bool isSky = choice.light < 0;
+    FogSample way = isSky ? towardSky(ray, u) : towardLight(ray, readLight(choice.light), u.xy);
+    float t;
+    bool dark = luminance(way.light) <= 0.0;
+    if (shadowTrace(way.place, way.direction, dark ? -1.0 : way.range, t)) return vec3(0.0);
+    return way.light * (choice.total / choice.weight);
 }
 
 void main() {

@@ -18,36 +18,19 @@ in vec2 uv;
 layout(location = 0) out vec4 light;
 layout(location = 1) out vec4 specular;  // rgb radiance, a luminance of the light that came in
 
-struct Choice {
-    int light;
-    float share;    // what the choice stands for / what this light would send: 0 for none
-};
-
-/// One of the lights near a pixel. weight: of the chosen, by which its sample is to be multiplied.
-Choice chooseLight(ivec2 pixel, float depth, vec3 position, vec3 normal, vec2 random) {
+/// One of the lights near a pixel, and by what its sample is to be multiplied: 0 for none.
+float chooseLight(ivec2 pixel, float depth, vec3 position, vec3 normal, vec2 random, out int light) {
     ivec2 cell = lightsAt(pixel, depth);
     int looked = lightsLooked(cell.y);
-    float total = 0.0, chosen = 1.0;
-    int found = -1;
+    Choice choice = Choice(-1, 1.0, 0.0, random.x);
     for (int i = 0; i < looked; ++i) {
         vec2 next = lightLooked(cell, i, random.y);
-        float here = roughIrradiance(int(next.x), position, normal), weight = here * next.y;
-        if (weight <= 0.0) continue;
-        total += weight;
-        // A random number serves again: what is left of it is as random.
-        float limit = weight / total;
-        if (random.x < limit) {
-            found = int(next.x);
-            chosen = here;
-            random.x /= limit;
-        } else {
-            random.x = (random.x - limit) / max(1.0 - limit, 1e-6);
-        }
+        offer(choice, int(next.x), roughIrradiance(int(next.x), position, normal), next.y);
     }
-    if (found < 0) return Choice(-1, 0.0);
+    light = max(choice.light, 0);
     // Faint light is looked for now and then, and counts for more.
-    float chance = min(total / (kPi * uFaintest), 1.0);
-    return random.x < chance ? Choice(found, total / (chosen * chance)) : Choice(-1, 0.0);
+    float chance = min(choice.total / (kPi * uFaintest), 1.0);
+    return choice.random < chance && choice.total > 0.0 ? choice.total / (choice.weight * chance) : 0.0;
 }
 
 /// This frame's highlight, averaged with those of the same place in the frames before.
@@ -65,15 +48,15 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = readSurface(pixel);
     vec3 position = worldFromDepth(uv, s.depth);
-    vec2 u = blueNoise(pixel, 2, frame.counters.x);
-    Choice choice = chooseLight(pixel, s.depth, position, s.normal, u);
-    light = specular = vec4(0.0);
-    LightSample point = sampleLight(readLight(max(choice.light, 0)), position, vec3(blueNoise(pixel, 3, frame.counters.x), blueNoise(pixel, 4, frame.counters.x).x));
+    int chosen;
+    float share = chooseLight(pixel, s.depth, position, s.normal, blueNoise(pixel, 2, frame.counters.x), chosen);
+    LightSample point = sampleLight(readLight(chosen), position, vec3(blueNoise(pixel, 3, frame.counters.x), blueNoise(pixel, 4, frame.counters.x).x));
     float facing = max(dot(point.direction, s.normal), 0.0);
-    vec3 arriving = point.arriving * (facing * choice.share);
-    bool dark = choice.share <= 0.0 || luminance(arriving) <= 0.0;
+    vec3 arriving = point.arriving * (facing * share);
+    bool dark = luminance(arriving) <= 0.0;
     vec3 origin = shadowOrigin(position, s.normal), way = position + point.direction * point.range - origin;
     float wayLength = max(length(way), 1e-4), t;
+    light = specular = vec4(0.0);
     // Where nothing would arrive the ray has no length.
     if (!shadowTrace(origin, way / wayLength, dark ? -1.0 : max(wayLength - point.own, 0.0), t) && !dark) {
         light.rgb = arriving;
