@@ -233,7 +233,7 @@ TEST_F(LocalLightsTest, WithoutLightsAndFogNeitherIsPaidFor) {
     const uint64_t bytes = renderer->figures().textureBytes;
     EXPECT_FALSE(hasPass("local lights"));
     EXPECT_FALSE(hasPass("fog"));
-    for (const char* target : {"specular", "fogLight", "fog"}) EXPECT_FALSE(renderer->readTarget(target)) << target;
+    for (const char* name : {"specular", "fogLight", "fog"}) EXPECT_FALSE(renderer->readTarget(name)) << name;
     scene.environment.fogDensity = 0.05f;
     scene.addLight(lightAt(LightKind::Sphere, {0, 2, 0}, 3.0f));
     renderer->apply(scene.step());
