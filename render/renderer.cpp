@@ -17,6 +17,7 @@
 #include "render/passes/gbuffer_pass.h"
 #include "render/passes/glare_pass.h"
 #include "render/passes/glass_pass.h"
+#include "render/passes/glass_shadow_pass.h"
 #include "render/passes/local_lights_pass.h"
 #include "render/passes/particles_pass.h"
 #include "render/passes/reflections_pass.h"
@@ -66,6 +67,7 @@ struct Renderer::Impl {
         if (!scene.ropes().empty()) run("ropes", [&] { drawRopes(frame); });
         if (scene.environment().wetness > 0.0f) run("wetness", [&] { drawWetness(frame); });
         if (scene.hasGlass()) run("glass", [&] { glass.draw(frame, gbuffer.order()); });
+        if (glassIsInTheSun()) run("glass shadow", [&] { drawGlassShadow(frame); });
         clearLight(frame);
         if (settings.sun && block.sunDirection.y > 0.0f) run("sun", [&] { sun.draw(frame); });
         if (settings.sky) run("sky", [&] { sky.draw(frame); });
@@ -73,7 +75,7 @@ struct Renderer::Impl {
         run("accumulate", [&] { accumulate.draw(frame); });
         run("filter", [&] { filter.draw(frame); });
         if (ReflectionsPass::needed(frame)) run("reflections", [&] { reflections.draw(frame); });
-        run("composite", [&] { composite.draw(frame); });
+        run("composite", [&] { composite.draw(frame, glassIsInTheSun() ? &*glassShadow : nullptr); });
         if (!scene.waters().empty()) run("water", [&] { drawWaters(frame); });
         if (FogPass::needed(frame)) run("fog", [&] { drawFog(frame); });
         if (!scene.particles().empty()) run("particles", [&] { drawParticles(frame); });
@@ -108,6 +110,13 @@ struct Renderer::Impl {
     void drawRopes(const FrameContext& frame) {
         if (!ropes) ropes.emplace(shaders);
         ropes->draw(frame, alphaOfStep);
+    }
+
+    bool glassIsInTheSun() const { return settings.sun && block.sunDirection.y > 0.0f && scene.hasGlass(); }
+
+    void drawGlassShadow(const FrameContext& frame) {
+        if (!glassShadow) glassShadow.emplace(shaders);
+        glassShadow->draw(frame);
     }
 
     void drawWetness(const FrameContext& frame) {
@@ -169,6 +178,7 @@ struct Renderer::Impl {
     FilterPass filter{shaders};
     ReflectionsPass reflections{shaders};
     CompositePass composite{shaders};
+    std::optional<GlassShadowPass> glassShadow;
     std::optional<WetnessPass> wetness;
     std::optional<WaterPass> water;
     std::optional<FogPass> fog;

@@ -2,6 +2,7 @@
 
 #include "render/passes/depth_limit.h"
 #include "render/passes/gbuffer_pass.h"
+#include "render/passes/glass_shadow_pass.h"
 #include "render/passes/local_lights_pass.h"
 #include "render/passes/reflections_pass.h"
 #include "render/scene/scene.h"
@@ -29,7 +30,7 @@ void bindGlass(const Program& program, const FrameContext& frame) {
 CompositePass::CompositePass(ShaderLibrary& shaders)
     : m_surfaces(shaders.load("passes/composite.frag", kFarVertexShader)), m_background(shaders.load("passes/background.frag", kFarVertexShader)) {}
 
-void CompositePass::draw(const FrameContext& frame) const {
+void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glassShadow) const {
     if (!m_surfaces || !m_background) return;
     frame.targets.framebuffer({&frame.targets.history("radiance", GL_RGBA16F).current}, &frame.targets.at("depthBuffer")).begin();
     {
@@ -41,6 +42,8 @@ void CompositePass::draw(const FrameContext& frame) const {
         m_surfaces.set("uLocalLights", int(LocalLightsPass::needed(frame)));
         if (LocalLightsPass::needed(frame)) m_surfaces.set("uSpecular", frame.targets.at("specular"));
         m_surfaces.set("uBevel", int(frame.settings.bevel));
+        m_surfaces.set("uGlassShadow", 0);
+        if (glassShadow) glassShadow->bind(m_surfaces);
         frame.drawFullscreen();
     }
     const DepthLimit limit(DepthLimit::To::Sky);

@@ -3,11 +3,14 @@
 
 namespace rubble {
 
+class GlassShadowPass;
+
 /// Light x albedo, highlights, reflections, glass, emission, air; sky and fields behind: into the history "radiance".
 class CompositePass {
 public:
     explicit CompositePass(ShaderLibrary& shaders);
-    void draw(const FrameContext& frame) const;
+    /// glassShadow: null where no sun comes through glass.
+    void draw(const FrameContext& frame, const GlassShadowPass* glassShadow) const;
 
 private:
     const Program& m_surfaces;

@@ -1,5 +1,6 @@
 #include "render/scene/scene.h"
 
+#include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -12,12 +13,15 @@ constexpr double kRebaseDistance = 1024.0;  // floats are still good to 0.06 mm 
 }  // namespace
 
 void Scene::apply(FrameSnapshot&& snapshot) {
+    bool glassChanged = snapshot.environmentChanged || touchesGlass(snapshot);  // what goes
     if (snapshot.replacesAll) m_bodies.clear();
     for (ShapeHandle shape : snapshot.destroyed) m_bodies.destroy(shape);
     for (const SnapshotShape& shape : snapshot.created) m_bodies.create(shape);
     for (const BrickChange& change : snapshot.bricks) m_bodies.setBrick(change);
     for (const SnapshotPalette& palette : snapshot.palettes) m_bodies.setPalette(palette);
     for (const SnapshotPose& pose : snapshot.poses) m_bodies.setPose(pose);
+    glassChanged |= touchesGlass(snapshot);  // what comes
+    m_glassChanges += uint64_t(glassChanged);
     m_shadow.apply(snapshot.shadow, snapshot.shadowReplacesAll);
     if (snapshot.watersChanged) m_waters = std::move(snapshot.waters);
     if (snapshot.replacesAll) m_ripples.clear();
@@ -30,6 +34,18 @@ void Scene::apply(FrameSnapshot&& snapshot) {
     if (snapshot.particlesChanged) m_particles = std::move(snapshot.particles);
     m_smokeChanged = m_smokeChanged || snapshot.replacesAll || snapshot.particlesChanged || snapshot.environmentChanged;
     if (snapshot.environmentChanged) m_environment = snapshot.environment;
+}
+
+bool Scene::isGlass(ShapeHandle shape) const {
+    return shape.slot() < m_bodies.instances().size() && m_bodies.instances()[shape.slot()].glass;
+}
+
+bool Scene::touchesGlass(const FrameSnapshot& snapshot) const {
+    const auto isOne = [&](const auto& changed) { return isGlass(changed.shape); };
+    return std::any_of(snapshot.destroyed.begin(), snapshot.destroyed.end(), [&](ShapeHandle shape) { return isGlass(shape); }) ||
+           std::any_of(snapshot.created.begin(), snapshot.created.end(), isOne) ||
+           std::any_of(snapshot.bricks.begin(), snapshot.bricks.end(), isOne) ||
+           std::any_of(snapshot.palettes.begin(), snapshot.palettes.end(), isOne) || std::any_of(snapshot.poses.begin(), snapshot.poses.end(), isOne);
 }
 
 uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld) {

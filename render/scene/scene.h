@@ -34,6 +34,8 @@ public:
     glm::ivec3 shadowSectorLow() const;
     /// Any shape with a palette entry of opacity < 255.
     bool hasGlass() const { return m_bodies.hasGlass(); }
+    /// How often shapes with glass have changed or moved, or the sun has.
+    uint64_t glassChanges() const { return m_glassChanges; }
     /// Any shape with a palette entry smooth enough to mirror.
     bool hasMirrors() const { return m_bodies.hasMirrors(); }
     /// World position that the GPU's coordinates are relative to: a corner of the shadow volume's sectors.
@@ -41,6 +43,9 @@ public:
     uint64_t bytes() const { return m_bodies.bytes() + m_shadow.bytes() + m_smoke.bytes(); }
 
 private:
+    bool isGlass(ShapeHandle shape) const;
+    bool touchesGlass(const FrameSnapshot& snapshot) const;
+
     Bodies m_bodies;
     ShadowMirror m_shadow;
     SmokeShadow m_smoke;
@@ -50,6 +55,7 @@ private:
     std::vector<Water> m_waters;
     std::vector<SnapshotRipple> m_ripples;
     double m_seconds = 0.0;
+    uint64_t m_glassChanges = 0;
     bool m_smokeChanged = false;
     Environment m_environment;
     glm::dvec3 m_origin{0.0};

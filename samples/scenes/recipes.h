@@ -74,6 +74,11 @@ inline constexpr Recipe kBallCream{"heavy metal", {0xd3cbb8, 0xcbc3b0}, 120, 40,
 inline constexpr Recipe kCopperPipe{"metal", {0xa86a45, 0x9c6040}, 110, 220, 60};
 inline constexpr Recipe kWire{"plastic", {0x2f2f33}, 180, 0, 10, 255, 0};
 inline constexpr Recipe kGlass{"glass", {0xdfeeee, 0xd6e8e8}, 12, 0, 16, 40, 0};
+inline constexpr Recipe kGlassRed{"glass", {0xd0302a, 0xc42a30}, 12, 0, 16, 60, 3};
+inline constexpr Recipe kGlassBlue{"glass", {0x2a55d0, 0x2f66d8}, 12, 0, 16, 60, 3};
+inline constexpr Recipe kGlassGold{"glass", {0xf0b42c, 0xe8a428}, 12, 0, 16, 50, 3};
+inline constexpr Recipe kGlassGreen{"glass", {0x2fa04a, 0x3aac50}, 12, 0, 16, 60, 3};
+inline constexpr Recipe kGlassViolet{"glass", {0x8a3ab0, 0x7c36a8}, 12, 0, 16, 60, 3};
 inline constexpr Recipe kTyre{"plastic", {0x2b2b2d, 0x303032}, 235, 0, 10, 255, 3};
 inline constexpr Recipe kRubber{"rubber", {0x2b2b2d, 0x303032}, 235, 0, 10, 255, 3};
 inline constexpr Recipe kPlasticBlack{"plastic", {0x2e2f31, 0x343538}, 170, 0, 12, 255, 3};

@@ -7,9 +7,9 @@ namespace rubble {
 
 std::span<const Scene> allScenes() {
     using namespace scenes;
-    static const std::array list = {towerScene(), bridgeScene(),    fireScene(),    wallScene(),  paneScene(),
-                                    lampsScene(), dominoesScene(),  cratersScene(), crushScene(), gardenScene(),
-                                    craneScene(), dominoRunScene(), raftScene(),    driveScene(), lightsScene()};
+    static const std::array list = {towerScene(),    bridgeScene(),  fireScene(),   wallScene(),   paneScene(),  lampsScene(),
+                                    dominoesScene(), cratersScene(), crushScene(),  gardenScene(), craneScene(), dominoRunScene(),
+                                    raftScene(),     driveScene(),   lightsScene(), chapelScene()};
     return list;
 }
 

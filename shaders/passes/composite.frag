@@ -6,7 +6,11 @@
 #include "lib/bevel.glsl"
 #include "lib/sky.glsl"
 #include "lib/glass.glsl"
+<<<<<<< HEAD
 #include "lib/color.glsl"
+=======
+#include "lib/glass_shadow.glsl"
+>>>>>>> 2eeb447 (The sun through coloured glass colours what it falls on; a chapel shows it)
 
 uniform sampler2D uLight;        // rgb mean radiance from sky and lamps, a share of the sun
 uniform bool uBevel;
@@ -20,6 +24,7 @@ vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel) {
     vec3 normal = uBevel ? bevelledNormal(s, pixel) : s.normal;
     vec4 light = texelFetch(uLight, pixel, 0);
     vec3 sun = frame.sunColor.rgb * light.a * max(dot(normal, frame.sunDirection.xyz), 0.0);
+    if (light.a > 0.0) sun *= sunThroughGlass(worldFromDepth(uv, s.depth));
     vec3 f0 = mix(vec3(s.reflectivity), s.albedo, s.metallic);
     vec3 diffuse = s.albedo * (1.0 - s.metallic) * (light.rgb + sun / 3.14159265);
 

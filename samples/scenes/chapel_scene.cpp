@@ -1,0 +1,118 @@
+// A chapel with stained glass that throws its colours on the floor, until a charge opens the wall.
+#include "runtime/core/random.h"
+#include "samples/scenes/furniture.h"
+#include "samples/scenes/neighbourhood.h"
+#include "samples/scenes/plot.h"
+#include "samples/scenes/recipes.h"
+#include "samples/scenes/scene.h"
+#include "samples/scenes/script_clock.h"
+
+namespace rubble::scenes {
+namespace {
+
+constexpr int kWide = 92, kLong = 120, kTall = 52, kWall = 4;  // cells
+constexpr int kFloor = kFooting + 2;
+constexpr ivec3 kChapel{110, -kFooting, 90};
+
+constexpr int kWindows = 3, kLight = 18, kSill = 9, kSpring = 32, kGap = 16;  // of the wall to the sun
+constexpr int windowAt(int i) {
+    return 14 + i * (kLight + kGap);
+}
+
+/// Is this cell (along the wall, up) inside the pointed arch of a window?
+bool inWindow(int along, int up) {
+    for (int i = 0; i < kWindows; ++i) {
+        const int x = along - windowAt(i);
+        if (x < 0 || x >= kLight || up < kSill) continue;
+        if (up < kSpring) return true;
+        const int left = x, right = kLight - 1 - x, above = up - kSpring;  // two circles, each about the other side's foot
+        return left * left + above * above < kLight * kLight && right * right + above * above < kLight * kLight;
+    }
+    return false;
+}
+
+/// Stained glass: panes in lead, a lozenge pattern with a medallion in each window.
+void addGlass(Canvas& c, int x, int kFloorAt) {
+    const std::array<Swatch, 6> colors = {c.mix(kGlassRed),   c.mix(kGlassBlue),   c.mix(kGlassGold),
+                                          c.mix(kGlassGreen), c.mix(kGlassViolet), c.mix(kGlass)};
+    const Swatch lead = c.mix(kDarkSteel);
+    for (int z = 0; z < kLong; ++z)
+        for (int y = 0; y < kTall; ++y) {
+            if (!inWindow(z, y)) continue;
+            const int window = (z - windowAt(0)) / (kLight + kGap);
+            const int u = z - windowAt(window) - kLight / 2, v = y - 22;
+            const bool isRim = !inWindow(z - 1, y) || !inWindow(z + 1, y) || !inWindow(z, y - 1) || !inWindow(z, y + 1);
+            const int range = u * u + v * v;
+            const int a = (u + v + 600) / 6, b = (u - v + 600) / 6;
+            const bool isLead = isRim || (range >= 36 && range < 49) || (range >= 49 && ((u + v + 600) % 6 == 0 || (u - v + 600) % 6 == 0));
+            Swatch glass = colors[hashCell(a, b, window, 7) % 5];
+            if (range < 36) glass = colors[size_t((window + (range < 9 ? 2 : 0)) % 3)];
+            if (range >= 49 && hashCell(a, b, window, 9) % 4 == 0) glass = colors[5];
+            c.set({x, kFloorAt + y, z}, isLead ? lead : glass);
+        }
+}
+
+void addChapel(Level& level) {
+    Canvas c({kWide, kFloor + kTall + 36, kLong});
+    const Swatch stone = c.mix(kRender), base = c.mix(kConcrete), joint = c.mix(kPavingJoint), flag = c.mix(kPaving), beam = c.mix(kDarkWood),
+                 tile = c.mix(kRoofTile);
+    const int top = kFloor + kTall;
+    c.box({0, 0, 0}, {kWide, kFloor, kLong}, base);
+    c.fill({kWall, kFloor - 1, kWall}, {kWide - kWall, kFloor, kLong - kWall},
+           [&](ivec3 cell) { return PaintBox::pick(cell.x % 8 == 0 || (cell.z + cell.x / 8 % 2 * 4) % 8 == 0 ? joint : flag, cell); });
+    c.box({0, kFloor, 0}, {kWall, top, kLong}, stone);
+    c.box({kWide - kWall, kFloor, 0}, {kWide, top, kLong}, stone);
+    c.box({0, kFloor, 0}, {kWide, top, kWall}, stone);
+    c.box({0, kFloor, kLong - kWall}, {kWide, top, kLong}, stone);
+    for (int z = 0; z < kLong; ++z)
+        for (int y = 0; y < kTall; ++y)
+            if (inWindow(z, y)) c.clear({0, kFloor + y, z}, {kWall, kFloor + y + 1, z + 1});
+    addGlass(c, kWall / 2, kFloor);
+    // A steep roof over open beams.
+    for (int i = 0; i < kWide / 2; ++i) {
+        const int y = top + i * 3 / 4;
+        for (const int x : {i, kWide - 1 - i}) c.box({x, y, 0}, {x + 1, y + 2, kLong}, tile);
+        for (const int x : {i, kWide - 1 - i})
+            for (const int z : {0, kLong - kWall}) c.box({x, top, z}, {x + 1, y, z + kWall}, stone);
+    }
+    for (int z = 12; z < kLong; z += 24) c.box({0, top - 2, z}, {kWide, top + 2, z + 3}, beam);
+    c.clear({kWide / 2 - 8, kFloor, 0}, {kWide / 2 + 8, kFloor + 24, kWall});
+    addStatic(level, c.finish("chapel"), kChapel);
+}
+
+Level chapelLevel(uint64_t seed) {
+    GroundPlan ground;
+    using enum GroundPlan::Surface;
+    ground.size = {320, 0, 320};
+    ground.areas = {area(Paving, 146, 0, 166, 90)};
+    Level level = makePlot("chapel", ground, seed);
+    addChapel(level);
+    const ivec3 floor = kChapel + ivec3(0, kFloor, 0);
+    for (int row = 0; row < 4; ++row)
+        for (int side = 0; side < 2; ++side)
+            addLoose(level, makeBench("pew " + std::to_string(2 * row + side + 1)), floor + ivec3(16 + side * 40, 0, 26 + row * 20));
+    addLoose(level, makeTable("altar"), floor + ivec3(38, 0, kLong - 24));
+    return level;
+}
+
+Edits chapelScript(int step, uint64_t seed) {
+    ScriptClock clock(step);
+    const glm::dvec3 window(kChapel.x + kWall / 2, kChapel.y + kFloor + 20, kChapel.z + windowAt(1) + kLight / 2);
+    if (clock.at(1.0)) clock.add(ExplodeEdit{.position = atCell(window.x - 6, window.y, window.z), .size = 1.7, .seed = uint32_t(seed)});
+    return clock.take();
+}
+
+Pose chapelCamera(double seconds) {
+    return lookAt({18.6 - 0.1 * seconds, 2.1, 10.3}, {14.2, 1.1, 16.4});
+}
+
+}  // namespace
+
+Scene chapelScene() {
+    Scene scene{"chapel", "stained glass that colours the floor, until the wall opens", chapelLevel, chapelScript, chapelCamera};
+    scene.steps = 240;
+    scene.verticalFov = 1.1f;
+    return scene;
+}
+
+}  // namespace rubble::scenes
