@@ -1,5 +1,6 @@
 // A chapel with stained glass that throws its colours on the floor, until a charge opens the wall.
 #include "runtime/core/random.h"
+#include "samples/scenes/building.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/neighbourhood.h"
 #include "samples/scenes/plot.h"
@@ -87,23 +88,22 @@ Level chapelLevel(uint64_t seed) {
     ground.areas = {area(Paving, 146, 0, 166, 90)};
     Level level = makePlot("chapel", ground, seed);
     addChapel(level);
+    level.environment.exposure *= 1.5f;  // the eye is used to the dark in here
     const ivec3 floor = kChapel + ivec3(0, kFloor, 0);
-    for (int row = 0; row < 4; ++row)
-        for (int side = 0; side < 2; ++side)
-            addLoose(level, makeBench("pew " + std::to_string(2 * row + side + 1)), floor + ivec3(16 + side * 40, 0, 26 + row * 20));
+    for (int row = 0; row < 4; ++row) addLoose(level, makeBench("pew " + std::to_string(row + 1)), floor + ivec3(56, 0, 30 + row * 18));
     addLoose(level, makeTable("altar"), floor + ivec3(38, 0, kLong - 24));
     return level;
 }
 
-Edits chapelScript(int step, uint64_t seed) {
+Edits chapelScript(int step, uint64_t) {
     ScriptClock clock(step);
     const glm::dvec3 window(kChapel.x + kWall / 2, kChapel.y + kFloor + 20, kChapel.z + windowAt(1) + kLight / 2);
-    if (clock.at(1.0)) clock.add(ExplodeEdit{.position = atCell(window.x - 6, window.y, window.z), .size = 1.7, .seed = uint32_t(seed)});
+    if (clock.at(1.0)) clock.add(ExplodeEdit{.position = atCell(window.x - 6, window.y, window.z), .size = 1.7});
     return clock.take();
 }
 
 Pose chapelCamera(double seconds) {
-    return lookAt({18.6 - 0.1 * seconds, 2.1, 10.3}, {14.2, 1.1, 16.4});
+    return lookAt({19.2 - 0.1 * seconds, 2.6, 10.2}, {13.4, 1.2, 15.6});
 }
 
 }  // namespace

@@ -42,11 +42,8 @@ Scene craneScene();
 Scene dominoRunScene();
 Scene raftScene();
 Scene driveScene();
-<<<<<<< HEAD
 Scene lightsScene();
-=======
 Scene chapelScene();
->>>>>>> 2eeb447 (The sun through coloured glass colours what it falls on; a chapel shows it)
 }  // namespace scenes
 
 }  // namespace rubble

@@ -6,11 +6,8 @@
 #include "lib/bevel.glsl"
 #include "lib/sky.glsl"
 #include "lib/glass.glsl"
-<<<<<<< HEAD
 #include "lib/color.glsl"
-=======
 #include "lib/glass_shadow.glsl"
->>>>>>> 2eeb447 (The sun through coloured glass colours what it falls on; a chapel shows it)
 
 uniform sampler2D uLight;        // rgb mean radiance from sky and lamps, a share of the sun
 uniform bool uBevel;

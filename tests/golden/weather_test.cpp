@@ -1,0 +1,115 @@
+// Wet ground and coloured sunlight: where they must be, and where they must not.
+#include "tests/golden/drawing.h"
+
+namespace rubble {
+namespace {
+
+constexpr glm::ivec2 kSize(96, 64);
+constexpr uint8_t kStone = 1, kRedGlass = 2;
+
+PaletteRef stoneAndGlass(bool withGlass = true) {
+    auto palette = std::make_shared<Palette>();
+    PaletteEntry& stone = (*palette)[kStone];
+    stone.red = stone.green = stone.blue = 186;
+    stone.roughness = 230;
+    if (!withGlass) return palette;
+    PaletteEntry& glass = (*palette)[kRedGlass];
+    glass.red = 220;
+    glass.green = glass.blue = 20;
+    glass.opacity = 60;
+    glass.roughness = 10;
+    return palette;
+}
+
+Camera lookingAt(glm::dvec3 from, glm::dvec3 at) {
+    Camera camera;
+    camera.position = from;
+    camera.lookAt(at);
+    return camera;
+}
+
+class WeatherTest : public Drawing {
+protected:
+    FloatImage read(const char* name) const {
+        auto image = renderer->readTarget(name);
+        EXPECT_TRUE(image) << image.error();
+        return *image;
+    }
+    bool ran(std::string_view pass) const {
+        const auto& all = renderer->figures().passMs;
+        return std::any_of(all.begin(), all.end(), [&](const auto& each) { return each.first == pass; });
+    }
+};
+
+/// Mean of a channel over a box of pixels; y counts from the bottom.
+double meanOf(const FloatImage& image, glm::ivec2 low, glm::ivec2 high, int channel) {
+    double sum = 0;
+    for (int y = low.y; y < high.y; ++y)
+        for (int x = low.x; x < high.x; ++x) sum += image.at(x, y)[channel];
+    return sum / ((high.x - low.x) * (high.y - low.y));
+}
+
+/// A floor whose left half (seen from above) lies under a roof.
+LitScene halfUnderRoof(float wetness) {
+    LitScene scene(stoneAndGlass());
+    scene.environment.wetness = wetness;
+    scene.add({120, 2, 80}, {{-6, -0.2, -4}, {1, 0, 0, 0}}, [](glm::ivec3) { return kStone; });
+    scene.add({60, 2, 80}, {{-6, 3.0, -4}, {1, 0, 0, 0}}, [](glm::ivec3) { return kStone; });
+    return scene;
+}
+// From under the roof's edge, toward -z: x grows to the right.
+const Camera kUnderTheEdge = lookingAt({0, 1.6, 3.5}, {0, 0.0, 0.0});
+
+TEST_F(WeatherTest, RainWetsWhatLiesOpenAndLeavesWhatIsUnderARoof) {
+    start(halfUnderRoof(1.0f), kSize);
+    draw(kUnderTheEdge, 2);
+    const FloatImage wet = read("material"), wetColor = read("albedo");
+    start(halfUnderRoof(0.0f), kSize);
+    draw(kUnderTheEdge, 2);
+    EXPECT_FALSE(ran("wetness")) << "a dry level pays for rain";
+    const FloatImage dry = read("material"), dryColor = read("albedo");
+    const glm::ivec2 leftLow(4, 6), leftHigh(30, 28), rightLow(66, 6), rightHigh(92, 28);
+    EXPECT_NEAR(meanOf(wet, leftLow, leftHigh, 0), meanOf(dry, leftLow, leftHigh, 0), 0.01) << "it rains through the roof";
+    EXPECT_LT(meanOf(wet, rightLow, rightHigh, 0), 0.6 * meanOf(dry, rightLow, rightHigh, 0)) << "the open floor is not smooth";
+    EXPECT_LT(meanOf(wetColor, rightLow, rightHigh, 1), 0.9 * meanOf(dryColor, rightLow, rightHigh, 1)) << "the open floor is not darker";
+    EXPECT_NEAR(meanOf(wetColor, rightLow, rightHigh, 3), meanOf(dryColor, rightLow, rightHigh, 3), 1e-6) << "palette indices were blended";
+}
+
+/// A floor, and an upright pane of red glass that the sun comes through from -z.
+LitScene paneInTheSun(bool glass) {
+    LitScene scene(stoneAndGlass(glass));
+    scene.environment.sunDirection = {0.0f, 1.0f, -1.0f};
+    scene.add({120, 2, 120}, {{-6, -0.2, -6}, {1, 0, 0, 0}}, [](glm::ivec3) { return kStone; });
+    if (glass) scene.add({20, 20, 1}, {{-1, 0, 0}, {1, 0, 0, 0}}, [](glm::ivec3) { return kRedGlass; });
+    return scene;
+}
+
+TEST_F(WeatherTest, SunThroughRedGlassIsRedAndOnlyThere) {
+    const Camera above = lookingAt({0, 6.0, 0.02}, {0, 0, 0});
+    RenderSettings settings;
+    settings.sky = false;
+    settings.bounce = false;
+    start(paneInTheSun(true), kSize, settings);
+    draw(above, 4);
+    EXPECT_TRUE(ran("glass shadow"));
+    const FloatImage tinted = read("radiance");
+    start(paneInTheSun(false), kSize, settings);
+    draw(above, 4);
+    EXPECT_FALSE(ran("glass shadow"));
+    const FloatImage clear = read("radiance");
+    // Seen from above with -z up: the light falls from the pane, at the middle, two metres toward the lower edge.
+    const auto share = [&](glm::ivec2 low, glm::ivec2 high, int channel) {
+        return meanOf(tinted, low, high, channel) / meanOf(clear, low, high, channel);
+    };
+    const glm::ivec2 litLow(44, 20), litHigh(52, 26), besideLow(4, 20), besideHigh(12, 26), beforeLow(44, 42), beforeHigh(52, 50);
+    const double opacity = 60.0 / 255.0;
+    EXPECT_NEAR(share(litLow, litHigh, 0), 1.0 - opacity, 0.05);
+    EXPECT_LT(share(litLow, litHigh, 1), 0.5 * share(litLow, litHigh, 0));
+    for (int channel = 0; channel < 3; ++channel) {
+        EXPECT_NEAR(share(besideLow, besideHigh, channel), 1.0, 0.02);
+        EXPECT_NEAR(share(beforeLow, beforeHigh, channel), 1.0, 0.02);
+    }
+}
+
+}  // namespace
+}  // namespace rubble
