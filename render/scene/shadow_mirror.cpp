@@ -1,97 +1,115 @@
 #include "render/scene/shadow_mirror.h"
 
-#include <bit>
+#include <algorithm>
 #include <glm/common.hpp>
+#include <string>
+
+#include "runtime/core/log.h"
 
 namespace rubble {
 namespace {
 
-constexpr uint32_t kNone = ~0u;
-int childOf(glm::ivec3 brick) {
-    return (brick.x & 3) + (brick.y & 3) * 4 + (brick.z & 3) * 16;
+int64_t volume(glm::ivec3 size) {
+    return int64_t(size.x) * size.y * size.z;
 }
 
 }  // namespace
 
-size_t ShadowMirror::indexOf(glm::ivec3 sector) const {
-    const glm::ivec3 at = sector - m_low;
-    return (size_t(at.z) * size_t(m_count.y) + size_t(at.y)) * size_t(m_count.x) + size_t(at.x);
+bool ShadowMirror::holds(glm::ivec3 brick) const {
+    const glm::ivec3 at = brick - m_low * kSectorBricks;
+    return glm::all(glm::greaterThanEqual(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, bricks()));
 }
 
 void ShadowMirror::apply(const std::vector<ShadowPatch>& patches, bool replacesAll) {
     if (replacesAll) {
         m_low = m_count = glm::ivec3(0);
-        m_sectors.resize(0);
-        m_tableSlots = m_brickSlots = {};
+        m_cubes.reset(glm::ivec3(0));
+        m_directory.resize(0);
+        m_slots = {};
+        m_fullLogged = false;
     }
+    growTo(patches);
     for (const ShadowPatch& patch : patches) put(patch);
+    updateCubes();
 }
 
-void ShadowMirror::growTo(glm::ivec3 sector) {
-    const glm::ivec3 low = m_count.x ? glm::min(m_low, sector) : sector;
-    const glm::ivec3 high = m_count.x ? glm::max(m_low + m_count, sector + 1) : sector + 1;
+/// Makes the directory's box hold all that stands in these patches. A box that was there grows by a quarter and more, so that what
+/// flies away does not move it at every step.
+void ShadowMirror::growTo(const std::vector<ShadowPatch>& patches) {
+    glm::ivec3 low = m_low, high = m_low + m_count;
+    bool isNew = m_count.x == 0;
+    for (const ShadowPatch& patch : patches) {
+        if (!patch.content) continue;
+        const glm::ivec3 sector = patch.brick >> 2;
+        const glm::ivec3 nextLow = isNew ? sector : glm::min(low, sector), nextHigh = isNew ? sector + 1 : glm::max(high, sector + 1);
+        if (volume((nextHigh - nextLow) * kSectorBricks) > kMaxBricks) continue;
+        low = nextLow;
+        high = nextHigh;
+        isNew = false;
+    }
     if (low == m_low && high == m_low + m_count) return;
-    std::vector<Sector> old(m_sectors.size());
-    for (size_t i = 0; i < old.size(); ++i) old[i] = m_sectors[i];
-    const glm::ivec3 oldLow = m_low, oldCount = m_count;
+    const glm::ivec3 oldBricks = bricks(), oldLow = m_low * kSectorBricks;
+    if (m_count.x) {
+        const glm::ivec3 margin = m_count / 4;
+        const glm::ivec3 wideLow = low - margin * glm::ivec3(glm::lessThan(low, m_low));
+        const glm::ivec3 wideHigh = high + margin * glm::ivec3(glm::greaterThan(high, m_low + m_count));
+        if (volume((wideHigh - wideLow) * kSectorBricks) <= kMaxBricks) low = wideLow, high = wideHigh;
+    }
+    std::vector<Entry> old(m_directory.size());
+    for (size_t i = 0; i < old.size(); ++i) old[i] = m_directory[i];
     m_low = low;
     m_count = high - low;
-    const size_t size = size_t(m_count.x) * size_t(m_count.y) * size_t(m_count.z);
-    m_sectors.resize(size);
-    for (size_t i = 0; i < size; ++i) m_sectors.change(i) = Sector{};
+    const size_t size = size_t(volume(bricks()));
+    m_cubes.reset(bricks());
+    m_directory.resize(size);
+    for (size_t i = 0; i < size; ++i) m_directory.change(i) = Entry(~0u, 0, 0, 0);
     for (size_t i = 0; i < old.size(); ++i) {
+        if (isEmpty(old[i])) continue;
         const int n = int(i);
-        const glm::ivec3 at(n % oldCount.x, n / oldCount.x % oldCount.y, n / oldCount.x / oldCount.y);
-        m_sectors.change(indexOf(oldLow + at)) = old[i];
+        const glm::ivec3 at(n % oldBricks.x, n / oldBricks.x % oldBricks.y, n / oldBricks.x / oldBricks.y);
+        const glm::ivec3 place = oldLow + at - m_low * kSectorBricks;
+        m_directory.change(m_cubes.indexOf(place)) = old[i];
+        m_cubes.set(place, true);
     }
 }
 
 void ShadowMirror::put(const ShadowPatch& patch) {
-    const glm::ivec3 sector = patch.brick >> 2;
-    const bool inside = glm::all(glm::greaterThanEqual(sector, m_low)) && glm::all(glm::lessThan(sector, m_low + m_count));
-    if (!inside) {
-        if (!patch.content) return;
-        growTo(sector);
-    }
-    const size_t index = indexOf(sector);
-    const int child = childOf(patch.brick);
-    if (m_sectors[index].table == kNone) {
-        if (!patch.content) return;
-        Sector& added = m_sectors.change(index);
-        added.table = m_tableSlots.take();
-        m_tables.resize(std::max<size_t>(m_tables.size(), m_tableSlots.end()));
-        m_tables.change(added.table) = Table{};
-    }
-    Sector& at = m_sectors.change(index);
-    Child& entry = m_tables.change(at.table).children[child];
-    uint32_t& mask = at.mask[child >> 5];
-    const uint32_t bit = 1u << (child & 31);
-    if (patch.content) {
-        if (entry.slot == kNone) entry.slot = m_brickSlots.take();
-        m_bricks.resize(std::max<size_t>(m_bricks.size(), m_brickSlots.end()));
-        m_bricks.change(entry.slot) = *patch.content;
-        const uint64_t words = patch.content->occupiedWords();
-        entry.mask[0] = uint32_t(words);
-        entry.mask[1] = uint32_t(words >> 32);
-        mask |= bit;
+    if (!holds(patch.brick)) {
+        if (patch.content && !m_fullLogged)
+            logError("shadow directory: full at " + std::to_string(kMaxBricks) +
+                     " bricks (ShadowMirror::kMaxBricks); what is farther out casts no shadow");
+        m_fullLogged = m_fullLogged || patch.content;
         return;
     }
-    if (entry.slot != kNone) m_brickSlots.give(entry.slot);
-    entry = Child{};
-    mask &= ~bit;
-    if (at.mask[0] | at.mask[1]) return;
-    m_tableSlots.give(at.table);
-    at = Sector{};
+    const glm::ivec3 place = patch.brick - m_low * kSectorBricks;
+    const size_t index = m_cubes.indexOf(place);
+    m_cubes.set(place, bool(patch.content));
+    const Entry old = m_directory[index];
+    if (!patch.content) {
+        if (isEmpty(old)) return;
+        m_slots.give(old.x >> 4);
+        m_directory.change(index) = Entry(~0u, 0, 0, 0);  // until the cubes are known
+        return;
+    }
+    const uint32_t slot = isEmpty(old) ? m_slots.take() : old.x >> 4;
+    m_texels.resize(std::max<size_t>(m_texels.size(), m_slots.end()));
+    m_texels.change(slot) = patch.content->texels;
+    const Entry entry(slot << 4, uint32_t(patch.content->occupied), uint32_t(patch.content->occupied >> 32), 0);
+    if (entry != old) m_directory.change(index) = entry;
+}
+
+void ShadowMirror::updateCubes() {
+    for (const size_t index : m_cubes.update())
+        if (m_cubes.at(index)) m_directory.change(index) = Entry(m_cubes.at(index), 0, 0, 0);
 }
 
 uint64_t ShadowMirror::upload() {
-    return m_sectors.upload() + m_tables.upload() + m_bricks.upload();
+    return m_directory.upload() + m_texels.upload();
 }
 
 void ShadowMirror::bind(const Program& program) const {
-    program.set("uShadowSectors", m_sectors.texture());
-    program.set("uShadowTables", m_tables.texture());
-    program.set("uShadowBricks", m_bricks.texture());
+    program.set("uShadowDirectory", m_directory.texture());
+    program.set("uShadowTexels", m_texels.texture());
 }
 
 }  // namespace rubble

@@ -218,8 +218,8 @@ void ShapeRaster::addTo(glm::ivec3 brick, CellRows& rows) const {
     for (size_t i = 0; i < own.size(); ++i) to[i] |= own[i];
 }
 
-ShadowBrick packRows(const CellRows& rows) {
-    ShadowBrick out;
+ShadowWords packRows(const CellRows& rows) {
+    ShadowWords out{};
     for (int z = 0; z < kSide; ++z)
         for (int y = 0; y < kSide; y += 4) {
             const uint16_t* row = &rows[size_t(y + z * kSide)];
@@ -230,7 +230,7 @@ ShadowBrick packRows(const CellRows& rows) {
             v ^= swap ^ swap << 12;
             swap = (v ^ v >> 24) & 0x00000000ff00ff00u;
             v ^= swap ^ swap << 24;
-            uint64_t* words = &out.words[size_t(y + (z >> 2) * 16)];
+            uint64_t* words = &out[size_t(y + (z >> 2) * 16)];
             const int shift = (z & 3) * 16;
             for (int x = 0; x < 4; ++x) words[x] |= (v >> (x * 16) & 0xffff) << shift;
         }

@@ -35,6 +35,6 @@ private:
     std::vector<CellRows> m_rows;  ///< of the bricks from the lowest on, x first
 };
 
-ShadowBrick packRows(const CellRows& rows);
+ShadowWords packRows(const CellRows& rows);
 
 }  // namespace rubble

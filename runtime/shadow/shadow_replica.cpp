@@ -237,10 +237,11 @@ void ShadowReplica::remake(PlaceEntry& entry, ShadowPatches& out) {
     auto& [brick, place] = entry;
     CellRows rows;
     fill(place, brick, rows);
-    const ShadowBrick packed = packRows(rows);
-    const bool isEmpty = packed == ShadowBrick();
-    if (isEmpty ? !place.published : place.published && *place.published == packed) return;
-    place.published = isEmpty ? nullptr : std::make_shared<const ShadowBrick>(packed);
+    const ShadowWords cells = packRows(rows);
+    if (place.published && sameCells(*place.published, cells)) return;
+    ShadowBrickRef made = makeShadowBrick(cells);
+    if (!made && !place.published) return;
+    place.published = std::move(made);
     out.patches.push_back({brick, place.published});
 }
 

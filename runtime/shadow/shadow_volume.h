@@ -3,24 +3,33 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
-#include <unordered_map>
 #include <vector>
 
 namespace rubble {
 
-/// 16x16x16 shadow cells (voxels of 0.1 m on the world's axes), one bit each: 4x4x4 words of 4x4x4 cells.
-/// Word (x + 4 y + 16 z); bit inside a word (x + 4 y + 16 z).
+/// The cells of one word: 4x4x4, bit (x + 4 y + 16 z). A brick's words: 4x4x4, word (x + 4 y + 16 z).
+using ShadowWords = std::array<uint64_t, 64>;
+
+/// 16x16x16 shadow cells (voxels of 0.1 m on the world's axes) as rays read them.
+///
+/// The texel of a word that holds anything is its cells. The texel of an empty word says how far a ray may leap: for each of the
+/// eight octants of directions (bit a of its number set: down axis a) the sizes in words of a box that begins with this word, ends
+/// within the brick and is empty. Size - 1 in two bits: x at bit 2 octant, y at 16 + 2 octant, z at 32 + 2 octant.
 struct ShadowBrick {
-    std::array<uint64_t, 64> words{};
-    /// Bit (x + 4 y + 16 z) set where the word holds anything: the next coarser level.
-    uint64_t occupiedWords() const {
-        uint64_t mask = 0;
-        for (int i = 0; i < 64; ++i) mask |= uint64_t(words[size_t(i)] != 0) << i;
-        return mask;
-    }
-    friend bool operator==(const ShadowBrick&, const ShadowBrick&) = default;
+    ShadowWords texels{};
+    uint64_t occupied = 0;  ///< which words hold anything
+    uint64_t cells(int word) const { return occupied >> word & 1 ? texels[size_t(word)] : 0; }
 };
 using ShadowBrickRef = std::shared_ptr<const ShadowBrick>;
+
+/// Null if all words are empty.
+ShadowBrickRef makeShadowBrick(const ShadowWords& cells);
+bool sameCells(const ShadowBrick& brick, const ShadowWords& cells);
+/// The empty box of an empty word in an octant, in words.
+inline glm::ivec3 emptyBox(const ShadowBrick& brick, int word, int octant) {
+    const uint64_t texel = brick.texels[size_t(word)] >> (2 * octant);
+    return glm::ivec3(int(texel & 3), int(texel >> 16 & 3), int(texel >> 32 & 3)) + 1;
+}
 
 inline constexpr float kShadowCell = 0.1f;  ///< metres
 inline constexpr int kShadowBrickCells = 16;

@@ -1,30 +1,14 @@
-// Exact rays through the world's shadow volume (filled by render/scene/shadow_mirror.cpp): sectors of 64^3 cells, bricks of
-// 16^3, words of 4^3, cells of 0.1 m. Whatever is empty is leapt. Needs lib/frame.glsl first.
-#include "lib/cell_walk.glsl"
+// Exact rays through the world's shadow volume (filled by render/scene/shadow_mirror.cpp): bricks of 16^3 cells of 0.1 m, words of
+// 4^3. One step leaps an empty cube of bricks, an empty box of words, 2^3 empty cells or a cell. Needs lib/frame.glsl first.
 
-uniform usamplerBuffer uShadowSectors;  // a sector: 64-bit mask of its bricks, number of its table
-uniform usamplerBuffer uShadowTables;   // 64 texels a table: slot of the brick, -, 64-bit mask of its words
-uniform usamplerBuffer uShadowBricks;   // 64 texels a brick: a word of 4x4x4 cells each
+uniform usamplerBuffer uShadowDirectory;  // a texel a brick. Empty: x eight cubes (EmptyCubes). Else: x 16 x slot, yz which words hold anything
+uniform usamplerBuffer uShadowTexels;     // 64 texels a slot (ShadowBrick): the cells of a word, or its empty boxes
 
 const float kShadowCell = 0.1;  // metres
 
 // All fetches go through here: WebGL2 has no buffer textures and will read 2D ones.
-uvec4 fetchShadowSector(int i) { return texelFetch(uShadowSectors, i); }
-uvec4 fetchShadowTable(int i) { return texelFetch(uShadowTables, i); }
-uvec2 fetchShadowBrick(int i) { return texelFetch(uShadowBricks, i).rg; }
-
-// Side of the empty block that holds a cell of the directory; 0 if the cell is occupied.
-int shadowEmptySize(ivec3 cell, ivec3 sectors) {
-    ivec3 s = cell >> 6;
-    uvec4 sector = fetchShadowSector(s.x + sectors.x * (s.y + sectors.y * s.z));
-    if ((sector.x | sector.y) == 0u) return 64;
-    int empty = emptyChildren(sector.xy, cell >> 4);
-    if (empty != 0) return empty * 16;
-    uvec4 entry = fetchShadowTable(int(sector.z) * 64 + childOf(cell >> 4));
-    empty = emptyChildren(entry.zw, cell >> 2);
-    if (empty != 0) return empty * 4;
-    return emptyChildren(fetchShadowBrick(int(entry.x) * 64 + childOf(cell >> 2)), cell);
-}
+uvec4 fetchShadowDirectory(int i) { return texelFetch(uShadowDirectory, i); }
+uvec2 fetchShadowTexel(int i) { return texelFetch(uShadowTexels, i).rg; }
 
 // A point of the world (from the render origin) in the directory's cells.
 vec3 shadowCells(vec3 positionWorld) { return positionWorld / kShadowCell - vec3(frame.shadowSectorLow.xyz * 64); }
@@ -33,19 +17,52 @@ vec3 shadowCells(vec3 positionWorld) { return positionWorld / kShadowCell - vec3
 // vector `direction`; t is where. An origin in an occupied cell is a hit at 0: see shadowOrigin().
 bool shadowTrace(vec3 originWorld, vec3 direction, float tMax, out float t) {
     t = tMax;
-    ivec3 sectors = frame.shadowSectorCount.xyz;
-    ivec3 high = sectors * 64;
-    CellWalk w;
-    float tMaxCells = tMax / kShadowCell;
-    if (!startWalk(w, shadowCells(originWorld), direction, 0.0, tMaxCells, ivec3(0), high)) return false;
+    ivec3 bricks = frame.shadowSectorCount.xyz * 4;
+    // All axes are turned so that the ray goes up: cell c of a turned axis is cell (size - 1 - c) of the volume.
+    ivec3 down = ivec3(lessThan(direction, vec3(0.0)));
+    vec3 size = vec3(bricks * 16);
+    vec3 along = max(abs(direction), vec3(1.0e-20));
+    vec3 origin = shadowCells(originWorld);
+    origin += vec3(down) * (size - 2.0 * origin);
+    vec3 inverse = 1.0 / along;
+    vec3 enter = -origin * inverse, leave = (size - origin) * inverse;
+    float here = max(max(enter.x, enter.y), max(enter.z, 0.0));
+    float end = min(min(leave.x, leave.y), min(leave.z, tMax / kShadowCell));
+    if (!(here < end)) return false;  // a NaN too
+    ivec3 cell = clamp(ivec3(origin + along * here), ivec3(0), bricks * 16 - 1);
+
+    ivec3 pitch = ivec3(1, bricks.x, bricks.x * bricks.y);
+    ivec3 farthest = down * pitch * (bricks - 1);
+    int first = farthest.x + farthest.y + farthest.z;
+    pitch -= 2 * down * pitch;
+    int turned = 3 * (down.x + 4 * down.y + 16 * down.z);  // turns the number of a word in its brick, and of a cell in its word
+    int octant = down.x + 2 * down.y + 4 * down.z;
+    uint cubeShift = uint(octant * 4), boxShift = uint(octant * 2);
     for (int i = 0; i < 4096; ++i) {
-        int size = shadowEmptySize(w.cell, sectors);
-        if (size == 0) {
-            t = max(w.t, 0.0) * kShadowCell;
+        ivec3 brick = cell >> 4;
+        uvec4 entry = fetchShadowDirectory(first + brick.x * pitch.x + brick.y * pitch.y + brick.z * pitch.z);
+        bool emptyBrick = (entry.x & 15u) != 0u;
+        int word = ((cell.x >> 2 & 3) | (cell.y & 12) | (cell.z & 12) << 2) ^ turned;
+        bool emptyWord = ((word < 32 ? entry.y : entry.z) >> uint(word & 31) & 1u) == 0u;
+        uvec2 texel = fetchShadowTexel(emptyBrick ? 0 : int(entry.x >> 4) * 64 + word);
+        int inWord = ((cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4) ^ turned;
+        uint eight = (inWord < 32 ? texel.x : texel.y) >> uint(inWord & 10);  // the 2x2x2 cells that hold this one, and others
+        if (!emptyWord && (eight >> uint(inWord & 21) & 1u) != 0u) {
+            t = here * kShadowCell;
             return true;
         }
-        leaveBlock(w, size);
-        if (!(w.t <= tMaxCells) || !insideCells(w.cell, ivec3(0), high)) return false;
+        ivec3 box = ivec3(uvec3(texel.x >> boxShift, texel.x >> (boxShift + 16u), texel.y >> boxShift) & 3u) + 1;
+        ivec3 leap = emptyBrick ? ivec3(entry.x >> cubeShift & 15u) : emptyWord ? box : ivec3(1);
+        int unit = emptyBrick ? 4 : emptyWord ? 2 : (eight & 0x00330033u) == 0u ? 1 : 0;
+        ivec3 plane = ((cell >> unit) + leap) << unit;
+        leave = (vec3(plane) - origin) * inverse;
+        here = min(leave.x, min(leave.y, leave.z));
+        if (!(here < end)) return false;
+        ivec3 beside = clamp(ivec3(origin + along * here), cell, plane - 1);  // never back: a point is rounded
+        bvec3 across = lessThanEqual(leave, vec3(here));
+        cell.x = across.x ? plane.x : beside.x;
+        cell.y = across.y && !across.x ? plane.y : beside.y;  // round corners, never through them
+        cell.z = across.z && !across.x && !across.y ? plane.z : beside.z;
     }
     return false;
 }

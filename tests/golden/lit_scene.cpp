@@ -85,7 +85,7 @@ FrameSnapshot LitScene::step() {
 }
 
 void LitScene::fillShadow(FrameSnapshot& snapshot) const {
-    std::map<std::array<int, 3>, ShadowBrick> bricks;
+    std::map<std::array<int, 3>, ShadowWords> bricks;
     for (const Shape& s : m_shapes) {
         glm::dvec3 low(1e9), high(-1e9);
         for (int corner = 0; corner < 8; ++corner) {
@@ -101,12 +101,11 @@ void LitScene::fillShadow(FrameSnapshot& snapshot) const {
                     const uint8_t entry = s.grid.at(glm::ivec3(glm::floor(local)));
                     if (!entry || (*m_palette)[entry].opacity < 255) continue;
                     const glm::ivec3 cell = glm::ivec3(x, y, z) & 15, word = cell >> 2, bit = cell & 3;
-                    bricks[{x >> 4, y >> 4, z >> 4}].words[size_t(word.x + word.y * 4 + word.z * 16)] |= uint64_t(1)
-                                                                                                         << (bit.x + bit.y * 4 + bit.z * 16);
+                    bricks[{x >> 4, y >> 4, z >> 4}][size_t(word.x + word.y * 4 + word.z * 16)] |= uint64_t(1) << (bit.x + bit.y * 4 + bit.z * 16);
                 }
     }
     snapshot.shadowReplacesAll = true;
-    for (const auto& [key, brick] : bricks) snapshot.shadow.push_back({{key[0], key[1], key[2]}, std::make_shared<ShadowBrick>(brick)});
+    for (const auto& [key, cells] : bricks) snapshot.shadow.push_back({{key[0], key[1], key[2]}, makeShadowBrick(cells)});
 }
 
 }  // namespace rubble

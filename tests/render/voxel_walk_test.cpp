@@ -143,16 +143,14 @@ protected:
         const glm::ivec3 count = (grid.size() + 15) / 16;
         for (int i = 0; i < count.x * count.y * count.z; ++i) {
             const glm::ivec3 brick(i % count.x, i / count.x % count.y, i / count.x / count.y);
-            auto content = std::make_shared<ShadowBrick>();
-            bool any = false;
+            ShadowWords cells{};
             for (int c = 0; c < 4096; ++c) {
                 const glm::ivec3 in(c & 15, c >> 4 & 15, c >> 8);
                 if (!grid.at(brick * 16 + in)) continue;
-                any = true;
                 const glm::ivec3 word = in >> 2, bit = in & 3;
-                content->words[size_t(word.x + word.y * 4 + word.z * 16)] |= uint64_t(1) << (bit.x + bit.y * 4 + bit.z * 16);
+                cells[size_t(word.x + word.y * 4 + word.z * 16)] |= uint64_t(1) << (bit.x + bit.y * 4 + bit.z * 16);
             }
-            if (any) patches.push_back({low + brick, std::move(content)});
+            if (ShadowBrickRef content = makeShadowBrick(cells)) patches.push_back({low + brick, std::move(content)});
         }
         return patches;
     }
@@ -221,13 +219,13 @@ TEST_F(ShadowTraceTest, PatchesChangeOnlyTheirBricks) {
     second.shadow = patchesOf(grid, {-40, -9, 30});
     scene.apply(std::move(second));
     EXPECT_NEAR(traceShadow(scene, list)[0].x, 1.95, 1e-5);
-    EXPECT_LT(uploaded, 200'000u);
+    EXPECT_LT(uploaded, 1'000'000u) << "the directory";
 
     FrameSnapshot third;
     third.shadow.push_back({{1, 1, 1}, nullptr});
     scene.apply(std::move(third));
     EXPECT_EQ(traceShadow(scene, list)[0].y, 0.0f);
-    EXPECT_LT(uploaded, 4096u) << "one brick went";
+    EXPECT_LT(uploaded, 29u * 29 * 29 * 16) << "one brick went: its neighbourhood";
 }
 
 }  // namespace

@@ -96,6 +96,7 @@ void expectRebuildAtEveryPublish(ShadowWorker::Mode mode, int edits) {
             version = publication.version;
             volume.apply(publication);
             ASSERT_TRUE(volume == expected.at(version)) << "at version " << version;
+            ASSERT_EQ(volume.wrongBoxes(), 0u) << "at version " << version;
             expected.erase(expected.begin(), expected.upper_bound(version));
             ++publications;
         }

@@ -17,17 +17,19 @@ public:
         if (publication.replacesAll) m_bricks.clear();
         for (const ShadowPatch& patch : publication.patches) {
             const Key key(patch.brick.x, patch.brick.y, patch.brick.z);
-            if (patch.content)
-                m_bricks[key] = *patch.content;
-            else
+            if (!patch.content) {
                 m_bricks.erase(key);
+                continue;
+            }
+            for (int i = 0; i < 64; ++i) m_bricks[key][size_t(i)] = patch.content->cells(i);
+            if (++m_received % 32 == 0) m_wrongBoxes += wrongBoxes(*patch.content);
         }
     }
     bool at(glm::ivec3 cell) const {
         const auto brick = m_bricks.find({cell.x >> 4, cell.y >> 4, cell.z >> 4});
         if (brick == m_bricks.end()) return false;
         const glm::ivec3 word = cell >> 2 & 3, bit = cell & 3;
-        return brick->second.words[size_t(word.x + 4 * word.y + 16 * word.z)] >> (bit.x + 4 * bit.y + 16 * bit.z) & 1;
+        return brick->second[size_t(word.x + 4 * word.y + 16 * word.z)] >> (bit.x + 4 * bit.y + 16 * bit.z) & 1;
     }
     /// True if a ray from a point in metres meets a cell within `reach` metres (unit direction). Plain walk, cell by cell.
     bool occluded(glm::dvec3 originWorld, glm::dvec3 direction, double reach) const {
@@ -43,14 +45,34 @@ public:
     size_t cellCount() const {
         size_t count = 0;
         for (const auto& [key, brick] : m_bricks)
-            for (const uint64_t word : brick.words) count += size_t(std::popcount(word));
+            for (const uint64_t word : brick) count += size_t(std::popcount(word));
         return count;
     }
     bool empty() const { return m_bricks.empty(); }
-    friend bool operator==(const Volume&, const Volume&) = default;
+    /// Of every 32nd brick that came: empty boxes that hold something or reach out.
+    size_t wrongBoxes() const { return m_wrongBoxes; }
+    friend bool operator==(const Volume& a, const Volume& b) { return a.m_bricks == b.m_bricks; }
 
 private:
-    std::map<Key, ShadowBrick> m_bricks;
+    static size_t wrongBoxes(const ShadowBrick& brick) {
+        size_t wrong = 0;
+        for (int i = 0; i < 64 * 8; ++i) {
+            const int word = i >> 3, octant = i & 7;
+            if (brick.cells(word)) continue;
+            const glm::ivec3 first(word & 3, word >> 2 & 3, word >> 4), size = emptyBox(brick, word, octant);
+            bool good = true;
+            for (int k = 0; k < size.x * size.y * size.z; ++k) {
+                glm::ivec3 at(k % size.x, k / size.x % size.y, k / size.x / size.y);
+                for (int a = 0; a < 3; ++a) at[a] = octant >> a & 1 ? first[a] - at[a] : first[a] + at[a];
+                for (int a = 0; a < 3; ++a) good = good && at[a] >= 0 && at[a] < 4;
+                good = good && !brick.cells(at.x + 4 * at.y + 16 * at.z);
+            }
+            wrong += !good;
+        }
+        return wrong;
+    }
+    size_t m_received = 0, m_wrongBoxes = 0;
+    std::map<Key, ShadowWords> m_bricks;
 };
 
 /// The volume of a world, made from nothing.

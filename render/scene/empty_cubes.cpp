@@ -1,0 +1,101 @@
+#include "render/scene/empty_cubes.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <tuple>
+
+namespace rubble {
+namespace {
+
+constexpr int kBlock = 32;              ///< bricks: changes closer than that are looked at together
+constexpr int64_t kSmallBox = 1 << 18;  ///< bricks: as one box
+
+int64_t volume(glm::ivec3 size) {
+    return int64_t(size.x) * size.y * size.z;
+}
+
+}  // namespace
+
+void EmptyCubes::reset(glm::ivec3 size) {
+    m_size = size;
+    const size_t padded = size_t(volume(size + 2));
+    m_occupied.assign(padded, 0);
+    for (auto& sides : m_sides) sides.assign(padded, uint8_t(kReach));
+    m_cubes.assign(size_t(volume(size)), ~0u);
+    m_touched.clear();
+}
+
+void EmptyCubes::set(glm::ivec3 brick, bool occupied) {
+    uint8_t& known = m_occupied[paddedIndexOf(brick)];
+    if (known == uint8_t(occupied)) return;
+    known = occupied;
+    m_touched.push_back(brick);
+}
+
+std::vector<EmptyCubes::Box> EmptyCubes::dirtyBoxes() {
+    const auto boxOf = [&](size_t first, size_t end) {
+        Box box{m_touched[first], m_touched[first] + 1};
+        for (size_t i = first; i < end; ++i) box = {glm::min(box.low, m_touched[i]), glm::max(box.high, m_touched[i] + 1)};
+        return box;
+    };
+    if (m_touched.empty()) return {};
+    const Box all = boxOf(0, m_touched.size());
+    if (volume(all.high - all.low) <= kSmallBox) return {all};
+    const auto block = [](glm::ivec3 brick) { return std::tuple(brick.z / kBlock, brick.y / kBlock, brick.x / kBlock); };
+    std::sort(m_touched.begin(), m_touched.end(), [&](glm::ivec3 a, glm::ivec3 b) { return block(a) < block(b); });
+    std::vector<Box> boxes;
+    for (size_t first = 0, end = 1; first < m_touched.size(); first = end++) {
+        while (end < m_touched.size() && block(m_touched[end]) == block(m_touched[first])) ++end;
+        boxes.push_back(boxOf(first, end));
+    }
+    return boxes;
+}
+
+/// A cube is one larger than the smallest of the seven that begin one brick on: far ones first.
+void EmptyCubes::sweep(const Box& dirty, int octant) {
+    glm::ivec3 low = dirty.low, high = dirty.high, step;
+    for (int a = 0; a < 3; ++a) {
+        step[a] = octant >> a & 1 ? -1 : 1;
+        if (step[a] > 0)
+            low[a] = std::max(0, low[a] - (kReach - 1));
+        else
+            high[a] = std::min(m_size[a], high[a] + (kReach - 1));
+    }
+    const glm::ivec3 first(step.x > 0 ? high.x - 1 : low.x, step.y > 0 ? high.y - 1 : low.y, step.z > 0 ? high.z - 1 : low.z);
+    const glm::ivec3 count = high - low;
+    std::vector<uint8_t>& sides = m_sides[size_t(octant)];
+    const ptrdiff_t x = step.x, y = step.y * ptrdiff_t(m_size.x + 2), z = step.z * ptrdiff_t(m_size.x + 2) * (m_size.y + 2);
+    for (int k = 0; k < count.z; ++k)
+        for (int j = 0; j < count.y; ++j) {
+            const glm::ivec3 brick = first - step * glm::ivec3(0, j, k);
+            const size_t row = paddedIndexOf(brick);
+            uint8_t* side = &sides[row];
+            const uint8_t* occupied = &m_occupied[row];
+            size_t index = indexOf(brick);
+            // The four columns beside this one, as a minimum that goes along.
+            const auto beside = [&](const uint8_t* at) { return std::min(std::min(at[y], at[z]), at[y + z]); };
+            uint8_t behind = std::min(side[x], beside(side + x));
+            for (int i = 0; i < count.x; ++i, side -= x, occupied -= x, index -= size_t(x)) {
+                const uint8_t columns = beside(side);
+                const uint8_t value = *occupied ? uint8_t(0) : uint8_t(std::min(int(std::min(behind, columns)) + 1, kReach));
+                behind = std::min(value, columns);
+                if (*side == value) continue;
+                *side = value;
+                uint32_t& packed = m_cubes[index];
+                packed = (packed & ~(15u << (4 * octant))) | uint32_t(value) << (4 * octant);
+                m_changed.push_back(index);
+            }
+        }
+}
+
+const std::vector<size_t>& EmptyCubes::update() {
+    m_changed.clear();
+    for (const Box& box : dirtyBoxes())
+        for (int octant = 0; octant < 8; ++octant) sweep(box, octant);
+    m_touched.clear();
+    std::sort(m_changed.begin(), m_changed.end());
+    m_changed.erase(std::unique(m_changed.begin(), m_changed.end()), m_changed.end());
+    return m_changed;
+}
+
+}  // namespace rubble

@@ -1,0 +1,121 @@
+#include "runtime/shadow/shadow_volume.h"
+
+#include <algorithm>
+
+namespace rubble {
+namespace {
+
+using Set = uint64_t;  ///< of a brick's words
+
+/// The words in the lowest layer across each axis, and how far apart layers are.
+constexpr std::array<Set, 3> kLowest = {0x1111111111111111u, 0x000f000f000f000fu, 0x000000000000ffffu};
+constexpr std::array<int, 3> kPitch = {1, 4, 16};
+
+/// The words whose neighbour, one on in the octant, is in the set. Beyond the brick all are.
+Set ahead(Set set, int axis, int octant) {
+    const size_t a = size_t(axis);
+    return octant >> axis & 1 ? (set << kPitch[a] & ~kLowest[a]) | kLowest[a]
+                              : (set >> kPitch[a] & ~(kLowest[a] << (3 * kPitch[a]))) | kLowest[a] << (3 * kPitch[a]);
+}
+
+/// The 63 sizes of boxes above one word, less one in two bits each (x, y, z from the lowest), the largest first.
+constexpr std::array<uint8_t, 63> kSizes = [] {
+    std::array<uint8_t, 63> out{};
+    for (int i = 0; i < 63; ++i) out[size_t(i)] = uint8_t(i + 1);
+    const auto score = [](int s) {
+        const int x = (s & 3) + 1, y = (s >> 2 & 3) + 1, z = (s >> 4) + 1;
+        const int least = x < y ? (x < z ? x : z) : (y < z ? y : z);
+        return x * y * z + 6 * least;
+    };
+    for (size_t i = 1; i < out.size(); ++i)
+        for (size_t k = i; k && score(out[k]) > score(out[k - 1]); --k) {
+            const uint8_t swapped = out[k];
+            out[k] = out[k - 1];
+            out[k - 1] = swapped;
+        }
+    return out;
+}();
+
+/// For each size the words that begin an empty box of it; what is beyond the brick counts as empty.
+void listBoxes(Set empty, int octant, std::array<Set, 64>& boxes) {
+    boxes[0] = empty;
+    for (int axis = 0; axis < 3; ++axis) {
+        const size_t unit = size_t(1) << (2 * axis);
+        for (size_t base = 0; base < unit; ++base)
+            for (size_t size = 1; size < 4; ++size) boxes[base + size * unit] = boxes[base] & ahead(boxes[base + (size - 1) * unit], axis, octant);
+    }
+}
+
+/// Sizes as planes of bits: bit 0 and bit 1 for each axis.
+using Planes = std::array<std::array<Set, 2>, 3>;
+
+Planes chooseBoxes(Set empty, int octant) {
+    std::array<Set, 64> boxes;
+    listBoxes(empty, octant, boxes);
+    Planes planes{};
+    Set rest = empty;
+    for (size_t i = 0; i < kSizes.size() && rest; ++i) {
+        const uint8_t size = kSizes[i];
+        const Set taken = boxes[size] & rest;
+        if (!taken) continue;
+        rest ^= taken;
+        for (size_t bit = 0; bit < 6; ++bit)
+            if (size >> bit & 1) planes[bit >> 1][bit & 1] |= taken;
+    }
+    for (size_t a = 0; a < 3; ++a) {  // boxes end within the brick
+        const bool down = octant >> a & 1;
+        const auto layer = [&](int stepsToEnd) { return kLowest[a] << ((down ? stepsToEnd : 3 - stepsToEnd) * kPitch[a]); };
+        auto& [low, high] = planes[a];
+        low &= ~layer(0);
+        high &= ~layer(0);
+        low |= high & layer(1);
+        high &= ~layer(1);
+        low &= ~(high & layer(2));
+    }
+    return planes;
+}
+
+/// Bit i of row k becomes bit k of row i (Warren, "Hacker's Delight", 7-3).
+void transpose(ShadowWords& rows) {
+    Set mask = 0x00000000ffffffffu;
+    for (size_t half = 32; half; half >>= 1, mask ^= mask << half)
+        for (size_t k = 0; k < 64; k = ((k | half) + 1) & ~half) {
+            const Set swap = (rows[k] >> half ^ rows[k | half]) & mask;
+            rows[k] ^= swap << half;
+            rows[k | half] ^= swap;
+        }
+}
+
+Set occupiedWords(const ShadowWords& cells) {
+    Set out = 0;
+    for (int i = 0; i < 64; ++i) out |= Set(cells[size_t(i)] != 0) << i;
+    return out;
+}
+
+}  // namespace
+
+ShadowBrickRef makeShadowBrick(const ShadowWords& cells) {
+    const Set occupied = occupiedWords(cells);
+    if (!occupied) return nullptr;
+    auto brick = std::make_shared<ShadowBrick>();
+    brick->occupied = occupied;
+    if (~occupied) {
+        for (size_t octant = 0; octant < 8; ++octant) {
+            const Planes planes = chooseBoxes(~occupied, int(octant));
+            for (size_t a = 0; a < 3; ++a)
+                for (size_t bit = 0; bit < 2; ++bit) brick->texels[16 * a + 2 * octant + bit] = planes[a][bit];
+        }
+        transpose(brick->texels);
+    }
+    for (size_t i = 0; i < 64; ++i)
+        if (cells[i]) brick->texels[i] = cells[i];
+    return brick;
+}
+
+bool sameCells(const ShadowBrick& brick, const ShadowWords& cells) {
+    for (int i = 0; i < 64; ++i)
+        if (brick.cells(i) != cells[size_t(i)]) return false;
+    return true;
+}
+
+}  // namespace rubble

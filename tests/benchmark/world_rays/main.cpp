@@ -1,0 +1,112 @@
+// bench_world_rays [SCENE...] [--repeats N]: the exact walk against the reference's, on the GL, in one process. See walks.h.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "render/gl/gl.h"
+#include "samples/support/gl_context.h"
+#include "tests/benchmark/world_rays/demolition.h"
+#include "tests/benchmark/world_rays/scenes.h"
+#include "tests/benchmark/world_rays/walks.h"
+
+using namespace rubble;
+using namespace rubble::rays;
+
+namespace {
+
+double median(std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + ptrdiff_t(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+struct Total {
+    double milliseconds = 0.0;
+    size_t falseLight = 0, falseShadow = 0, grazing = 0, rays = 0;
+};
+
+std::vector<RaySet> setsOf(const RayScene& scene) {
+    std::vector<RaySet> sets;
+    for (const RayView& view : scene.views)
+        for (const RayKind kind : {RayKind::Ambient, RayKind::Sun, RayKind::Local}) sets.push_back(makeRays(scene.bits, view, kind));
+    return sets;
+}
+
+/// All rays of all sets; the walks take turns, so that what else the machine does hits all alike.
+std::vector<Total> measure(Walks& walks, const WorldBits& bits, const std::vector<RaySet>& sets, const std::vector<std::string>& names, int repeats) {
+    std::vector<Total> totals(names.size());
+    for (const RaySet& set : sets) {
+        std::vector<std::vector<double>> times(names.size());
+        for (int repeat = 0; repeat <= repeats; ++repeat)
+            for (size_t k = 0; k < names.size(); ++k) {
+                const Answers answers = walks.trace(names[k], set);
+                if (repeat) {
+                    times[k].push_back(answers.milliseconds);
+                    continue;
+                }
+                Total& total = totals[k];
+                total.rays += set.count;
+                for (size_t i = 0; i < set.rays.size(); ++i) {
+                    if (answers.stopped[i] == set.stopped[i]) continue;
+                    const bool grazes = k == 0 && isGrazing(bits, set.rays[i]);
+                    ++(grazes ? total.grazing : set.stopped[i] ? total.falseLight : total.falseShadow);
+                }
+            }
+        for (size_t k = 0; k < names.size(); ++k) totals[k].milliseconds += median(times[k]);
+    }
+    return totals;
+}
+
+void print(const std::string& title, const Walks& walks, const std::vector<std::string>& names, const std::vector<Total>& totals) {
+    fmt::print("{}: {} rays\n", title, totals[0].rays);
+    for (size_t k = 0; k < names.size(); ++k) {
+        const Total& t = totals[k];
+        fmt::print("  {:20} {:7.1f} ms {:6.0f} ns a ray   exact/this {:.2f}   false light {:6.3f} %  shadow {:6.3f} %   {:.2f} MB{}\n", names[k],
+                   t.milliseconds, t.milliseconds * 1e6 / double(t.rays), totals[0].milliseconds / t.milliseconds,
+                   100.0 * double(t.falseLight) / double(t.rays), 100.0 * double(t.falseShadow) / double(t.rays), double(walks.bytes(names[k])) / 1e6,
+                   k ? "" : fmt::format("   {} wrong, {} grazing", t.falseLight + t.falseShadow, t.grazing));
+    }
+}
+
+void run(const RayScene& scene, int repeats, int edits) {
+    const std::vector<RaySet> sets = setsOf(scene);
+    Walks walks(scene.bits, scene.patches);
+    const glm::ivec3 n = scene.bits.cells();
+    const std::vector<Total> rest = measure(walks, scene.bits, sets, Walks::names(), repeats);
+    print(fmt::format("{}, {} x {} x {} cells", scene.name, n.x, n.y, n.z), walks, Walks::names(), rest);
+    if (!edits) return;
+    Demolition demolition(scene, 300);
+    for (const auto& [what, count] : {std::pair("after edits, bodies asleep", edits), std::pair("300 bodies moving", 60)}) {
+        const bool moving = count == 60;
+        for (int i = 0; i < count; ++i) demolition.step(moving ? 0 : 1, moving);
+        walks.apply(demolition.takePatches());
+        std::vector<RaySet> now = sets;
+        const WorldBits bits = demolition.bitsLike(scene.bits);
+        for (RaySet& set : now) findTruth(bits, set);
+        const std::vector<Total> totals = measure(walks, bits, now, {Walks::names()[0]}, repeats);
+        print(fmt::format("{}, {}: worker {:.2f} ms a step, {:.2f} of the time at rest", scene.name, what, demolition.workerMs(),
+                          totals[0].milliseconds / rest[0].milliseconds),
+              walks, {Walks::names()[0]}, totals);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::vector<std::string> names{"town", "city", "model"};
+    int repeats = 5, edits = 0;
+    CLI::App app{"Rays through the shadow volume", "bench_world_rays"};
+    app.add_option("scenes", names, "town, city, model, wide")->capture_default_str();
+    app.add_option("--repeats", repeats)->capture_default_str();
+    app.add_option("--edits", edits, "then so many edits, then 300 moving bodies")->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+    setvbuf(stdout, nullptr, _IOLBF, 0);
+    useNoGlThreads();
+    auto context = GlContext::create(GlContext::Kind::OsMesa);
+    if (!context || !loadGl(context.value()->loader())) return 1;
+    for (const std::string& name : names) {
+        const RayScene scene = name == "town" ? townScene() : name == "city" ? cityScene() : name == "wide" ? wideCityScene(3) : modelScene();
+        if (!scene.views.empty()) run(scene, repeats, edits);
+    }
+    return 0;
+}

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "runtime/world/level.h"
+#include "tests/benchmark/world_rays/rays.h"
+
+namespace rubble::rays {
+
+struct RayScene {
+    std::string name;
+    Level level;
+    WorldBits bits;
+    std::vector<ShadowPatch> patches;
+    std::vector<RayView> views;
+};
+
+RayScene townScene();
+/// Streets 6 m wide and blocks of houses with rooms, windows and walls one cell thick, poles and trees: 1024 x 256 x 1024 cells.
+RayScene cityScene();
+/// The same streets over `blocks` x `blocks` of these cities: up to 4 x 4, 4 billion voxels' room.
+RayScene wideCityScene(int blocks);
+/// A model of ../shared/models; without views if it is not there.
+RayScene modelScene();
+
+}  // namespace rubble::rays

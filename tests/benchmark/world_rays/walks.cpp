@@ -1,0 +1,172 @@
+#include "tests/benchmark/world_rays/walks.h"
+
+#include <fmt/format.h>
+#include <time.h>
+
+#include <array>
+#include <bit>
+#include <cstdlib>
+
+#include "render/gl/framebuffer.h"
+#include "render/gl/gl.h"
+#include "render/shader_library/shader_source.h"
+
+namespace rubble::rays {
+namespace {
+
+constexpr int kLevels = 3;
+const std::string kExact = "exact";
+
+/// Volumes of the reference's walks: a byte holds 2x2x2 cells of its level.
+std::vector<uint8_t> packLevel(const WorldBits& bits, int level, glm::ivec3& texels) {
+    texels = bits.cells() >> (level + 1);
+    std::vector<uint8_t> out(size_t(texels.x) * size_t(texels.y) * size_t(texels.z));
+    const glm::ivec3 n = bits.words;
+    for (int w = 0; w < n.x * n.y * n.z; ++w)
+        for (uint64_t word = bits.bits[size_t(w)]; word; word &= word - 1) {
+            const int i = std::countr_zero(word);
+            const glm::ivec3 cell = glm::ivec3(w % n.x, w / n.x % n.y, w / n.x / n.y) * 4 + glm::ivec3(i & 3, i >> 2 & 3, i >> 4);
+            const glm::ivec3 c = cell >> level, t = c >> 1;
+            out[(size_t(t.z) * size_t(texels.y) + size_t(t.y)) * size_t(texels.x) + size_t(t.x)] |=
+                uint8_t(1 << ((c.x & 1) + (c.y & 1) * 2 + (c.z & 1) * 4));
+        }
+    return out;
+}
+
+std::string textOf(const std::filesystem::path& folder, const std::string& file) {
+    auto source = readShader(folder, file);
+    if (!source) {
+        fmt::print(stderr, "{}\n", source.error());
+        std::abort();
+    }
+    return source.value().text;
+}
+
+Program makeProgram(const std::string& walk) {
+    std::string fragment = textOf(RUBBLE_SOURCE_DIR "/shaders", "../tests/benchmark/world_rays/shaders/" + walk + ".frag");
+    fragment.insert(fragment.find('\n') + 1, "precision highp usampler3D;\n");
+    std::string log;
+    bool vertexFailed = false;
+    Program program(textOf(RUBBLE_SOURCE_DIR "/shaders", "lib/fullscreen.vert"), fragment, log, vertexFailed);
+    if (!program) {
+        fmt::print(stderr, "{}: {}\n", walk, log);
+        std::abort();
+    }
+    return program;
+}
+
+double processorMs() {
+    timespec time;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
+}
+
+}  // namespace
+
+struct Walks::Volumes {
+    GlName<TextureKind> texture3d = GlName<TextureKind>::make();
+    BufferTexture buffer{GL_R8UI};
+    std::array<glm::ivec4, kLevels> levels{};  ///< xyz texels, w the first
+    uint64_t bytes = 0;
+    Texture origins{GL_RGBA32F, kPicture}, directions{GL_RGBA32F, kPicture}, answers{GL_RGBA16F, kPicture};
+    Framebuffer framebuffer{{&answers}};
+    VertexArray emptyVertexArray = VertexArray::make();
+    GlName<BufferKind> block = GlName<BufferKind>::make();
+
+    explicit Volumes(const WorldBits& bits) {
+        std::vector<uint8_t> all;
+        glBindTexture(GL_TEXTURE_3D, texture3d.get());
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        for (int level = 0; level < kLevels; ++level) {
+            glm::ivec3 n;
+            const std::vector<uint8_t> packed = packLevel(bits, level, n);
+            glTexImage3D(GL_TEXTURE_3D, level, GL_R8UI, n.x, n.y, n.z, 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, packed.data());
+            levels[size_t(level)] = glm::ivec4(n, int(all.size()));
+            all.insert(all.end(), packed.begin(), packed.end());
+        }
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAX_LEVEL, kLevels - 1);
+        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+        glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        bytes = all.size();
+        if (!buffer.reserve(bytes)) std::abort();
+        buffer.upload(0, std::as_bytes(std::span(all)));
+    }
+};
+
+void useNoGlThreads() {
+    setenv("LP_NUM_THREADS", "0", 1);
+}
+
+const std::vector<std::string>& Walks::names() {
+    static const std::vector<std::string> list = {kExact, "super_sparse_3d", "super_sparse_buffer", "sparse_3d", "sparse_buffer"};
+    return list;
+}
+
+Walks::Walks(const WorldBits& bits, const std::vector<ShadowPatch>& patches)
+    : m_volumes(std::make_unique<Volumes>(bits)), m_low(bits.low), m_cells(bits.cells()) {
+    for (const std::string& name : names()) m_programs.emplace(name, makeProgram(name));
+    apply(patches);
+}
+Walks::~Walks() = default;
+
+uint64_t Walks::bytes(const std::string& walk) const {
+    return walk == kExact ? m_scene.shadow().bytes() : m_volumes->bytes;
+}
+
+void Walks::apply(std::vector<ShadowPatch> patches) {
+    FrameSnapshot snapshot;
+    snapshot.shadow = std::move(patches);
+    m_scene.apply(std::move(snapshot));
+    m_scene.beginFrame(1.0f, {});
+}
+
+void Walks::bind(const std::string& walk, const Program& program) {
+    program.use();
+    program.set("uOrigins", m_volumes->origins);
+    program.set("uDirections", m_volumes->directions);
+    program.set("uLow", m_low);
+    if (walk == kExact) {
+        FrameBlock block{};
+        block.shadowSectorLow = glm::ivec4(m_scene.shadowSectorLow(), 1);
+        block.shadowSectorCount = glm::ivec4(m_scene.shadow().sectorCount(), 0);
+        glBindBuffer(GL_UNIFORM_BUFFER, m_volumes->block.get());
+        glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
+        glBindBufferBase(GL_UNIFORM_BUFFER, 0, m_volumes->block.get());
+        return m_scene.bindShadow(program);
+    }
+    program.set("uCells", m_cells);
+    if (walk.ends_with("buffer")) {
+        program.set("uVolume", m_volumes->buffer);
+        glUniform4iv(glGetUniformLocation(program.name(), "uLevels"), kLevels, &m_volumes->levels[0].x);
+        return;
+    }
+    constexpr int kUnit = 8;  // beyond those of the two ray textures
+    glUniform1i(glGetUniformLocation(program.name(), "uVolume"), kUnit);
+    glActiveTexture(GL_TEXTURE0 + kUnit);
+    glBindTexture(GL_TEXTURE_3D, m_volumes->texture3d.get());
+}
+
+Answers Walks::trace(const std::string& walk, const RaySet& set) {
+    std::vector<glm::vec4> origins, directions;
+    for (const Ray& ray : set.rays) {
+        origins.emplace_back(ray.origin, ray.reach);
+        directions.emplace_back(ray.direction, 0.0f);
+    }
+    m_volumes->origins.upload(origins.data());
+    m_volumes->directions.upload(directions.data());
+    m_volumes->framebuffer.begin();
+    bind(walk, m_programs.at(walk));
+    glBindVertexArray(m_volumes->emptyVertexArray.get());
+    glFinish();
+    const double start = processorMs();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glFinish();
+    Answers out{{}, processorMs() - start};
+    std::vector<uint8_t> pixels(set.rays.size() * 4);
+    glReadPixels(0, 0, kPicture.x, kPicture.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    for (size_t i = 0; i < set.rays.size(); ++i) out.stopped.push_back(pixels[i * 4] > 127);
+    return out;
+}
+
+}  // namespace rubble::rays

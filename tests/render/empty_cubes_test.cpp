@@ -1,0 +1,66 @@
+#include "render/scene/empty_cubes.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/core/random.h"
+
+namespace rubble {
+namespace {
+
+/// By the definition: the largest side whose cube holds nothing that is occupied.
+int sideAt(const std::vector<uint8_t>& occupied, glm::ivec3 size, glm::ivec3 brick, int octant) {
+    const auto isOccupied = [&](glm::ivec3 p) {
+        for (int a = 0; a < 3; ++a)
+            if (p[a] < 0 || p[a] >= size[a]) return false;
+        return occupied[(size_t(p.z) * size_t(size.y) + size_t(p.y)) * size_t(size.x) + size_t(p.x)] != 0;
+    };
+    for (int side = 0; side < EmptyCubes::kReach; ++side)
+        for (int i = 0; i < (side + 1) * (side + 1); ++i)  // the outermost layer of the next larger cube
+            for (int face = 0; face < 3; ++face) {
+                glm::ivec3 at(side);
+                at[(face + 1) % 3] = i % (side + 1);
+                at[(face + 2) % 3] = i / (side + 1);
+                for (int a = 0; a < 3; ++a) at[a] = octant >> a & 1 ? -at[a] : at[a];
+                if (isOccupied(brick + at)) return side;
+            }
+    return EmptyCubes::kReach;
+}
+
+TEST(EmptyCubes, AreTheLargestAfterEveryUpdate) {
+    Random random(3);
+    const glm::ivec3 size(24, 20, 28);
+    EmptyCubes cubes;
+    cubes.reset(size);
+    std::vector<uint8_t> occupied(size_t(size.x * size.y * size.z));
+    std::vector<uint32_t> known(occupied.size(), ~0u);
+    for (int round = 0; round < 12; ++round) {
+        for (int i = 0; i < 1 + round * 3; ++i) {
+            const glm::ivec3 brick(random.below(uint32_t(size.x)), random.below(uint32_t(size.y)), random.below(uint32_t(size.z)));
+            uint8_t& at = occupied[cubes.indexOf(brick)];
+            at = random.below(3) ? 1 : 0;
+            cubes.set(brick, at);
+        }
+        for (const size_t index : cubes.update()) known[index] = cubes.at(index);
+        size_t wrong = 0;
+        for (size_t i = size_t(round); i < occupied.size(); i += 37) {
+            const int n = int(i);
+            const glm::ivec3 brick(n % size.x, n / size.x % size.y, n / size.x / size.y);
+            wrong += known[i] != cubes.at(i);
+            for (int octant = 0; octant < 8; ++octant) wrong += int(cubes.at(i) >> (4 * octant) & 15) != sideAt(occupied, size, brick, octant);
+        }
+        EXPECT_EQ(wrong, 0u) << "round " << round;
+    }
+}
+
+TEST(EmptyCubes, CostFollowsTheChange) {
+    EmptyCubes cubes;
+    cubes.reset({600, 10, 600});
+    cubes.set({20, 3, 20}, true);
+    cubes.set({590, 3, 580}, true);
+    EXPECT_LE(cubes.update().size(), size_t(2 * 29 * 29 * 29)) << "two places far apart";
+    cubes.set({20, 3, 20}, true);
+    EXPECT_TRUE(cubes.update().empty()) << "nothing new";
+}
+
+}  // namespace
+}  // namespace rubble
