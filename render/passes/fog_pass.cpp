@@ -1,5 +1,7 @@
 #include "render/passes/fog_pass.h"
 
+#include <algorithm>
+
 #include "render/passes/local_lights_pass.h"
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
@@ -8,7 +10,7 @@
 namespace rubble {
 namespace {
 
-constexpr float kLongest = 12.0f;  // frames that are averaged: as many as a wall that opens may take to be seen
+constexpr int kLongest = 12;  // frames that are averaged: as many as a wall that opens may take to be seen
 
 }  // namespace
 
@@ -34,7 +36,7 @@ void FogPass::drawLight(const FrameContext& frame) const {
     m_light.set("uLast", light.previous);
     m_light.set("uLastValid", int(frame.settings.temporal && light.valid));
     m_light.set("uSunUp", int(frame.settings.sun && frame.block.sunDirection.y > 0.0f));
-    m_light.set("uLongest", kLongest);
+    m_light.set("uLongest", float(lights ? std::min(kLongest, frame.lightGrid->framesSinceChange() + 1) : kLongest));
     frame.drawFullscreen();
 }
 

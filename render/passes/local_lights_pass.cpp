@@ -1,5 +1,7 @@
 #include "render/passes/local_lights_pass.h"
 
+#include <algorithm>
+
 #include "render/passes/depth_limit.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/light_grid.h"
@@ -10,6 +12,8 @@ namespace rubble {
 namespace {
 
 constexpr float kFaintest = 0.01f;  // radiance of a white surface at exposure 1: fainter light gets fewer rays
+
+constexpr int kLongest = 16;  // frames that highlights are averaged over
 
 }  // namespace
 
@@ -37,6 +41,7 @@ void LocalLightsPass::draw(const FrameContext& frame) const {
     m_program.set("uLastSpecular", specular.previous);
     m_program.set("uLastSurface", surface.previous);
     m_program.set("uLastValid", int(frame.settings.temporal && specular.valid && surface.valid));
+    m_program.set("uLongest", float(std::min(kLongest, frame.lightGrid->framesSinceChange() + 1)));
     m_program.set("uFaintest", kFaintest / frame.block.exposure.x);
     glEnablei(GL_BLEND, 0);
     glBlendEquation(GL_FUNC_ADD);

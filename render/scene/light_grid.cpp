@@ -191,6 +191,8 @@ uint64_t LightGrid::upload() {
 
 uint64_t LightGrid::update(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin) {
     m_size = glm::ivec3(glm::ivec2(glm::ceil(glm::vec2(block.targetSize) / float(kTilePixels))), kSlices);
+    m_framesSinceChange = lights.size() == m_lastCount ? std::min(m_framesSinceChange + 1, 1000) : 0;
+    m_lastCount = lights.size();
     listReaches(lights, block, origin);
     m_list.clear();
     if (m_reaches.empty()) return 0;

@@ -22,6 +22,8 @@ public:
     /// Numbers, in what update() was given, of the lights listed for a pixel at a depth along the view axis.
     std::vector<int> lightsAt(glm::ivec2 pixel, float depth) const;
     int lights() const { return int(m_reaches.size()); }
+    /// Since one came or went out: what histories of light may reach back to.
+    int framesSinceChange() const { return m_framesSinceChange; }
     int tiles() const { return m_size.x * m_size.y; }
     uint64_t bytes() const { return m_lightsTexture.bytes() + m_cellsTexture.bytes() + m_listTexture.bytes() + m_picturesTexture.bytes(); }
 
@@ -39,6 +41,8 @@ private:
     void fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 origin);
     uint64_t upload();
 
+    size_t m_lastCount = 0;
+    int m_framesSinceChange = 0;
     glm::ivec3 m_size{0};             ///< tiles across and up, slices
     std::vector<Reach> m_reaches;     ///< strongest light first
     std::vector<glm::uvec2> m_cells;  ///< first place in m_list, number; the slice after the last one is for all depths

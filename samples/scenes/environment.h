@@ -72,9 +72,9 @@ inline Environment rain() {
     air.clouds = 1.0f;
     followSun(air, {-0.6f, 0.45f, 0.3f});
     air.wetness = 1.0f;
-    air.exposure = 1.3f;
-    air.fogDistance = 75.0f;
-    air.fogDensity = 0.004f;
+    air.exposure = 1.1f;
+    air.fogDistance = 95.0f;
+    air.fogDensity = 0.0018f;
     air.fogHeight = 25.0f;
     air.fogForward = 0.2f;
     return air;

@@ -12,6 +12,7 @@
 uniform sampler2D uLastSpecular;
 uniform sampler2D uLastSurface;   // x linear depth, z frames accumulated
 uniform bool uLastValid;
+uniform float uLongest;           // frames
 uniform float uFaintest;          // radiance of a white surface below which rays are sent only now and then
 
 in vec2 uv;
@@ -41,7 +42,7 @@ vec4 overTime(vec4 now, vec3 position) {
     vec4 surface = texelFetch(uLastSurface, last, 0);
     float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
     if (abs(surface.x - expected) > 0.05 + 0.03 * expected) return now;
-    return mix(texelFetch(uLastSpecular, last, 0), now, 1.0 / min(surface.z + 1.0, 16.0));
+    return mix(texelFetch(uLastSpecular, last, 0), now, 1.0 / clamp(surface.z + 1.0, 1.0, max(uLongest, 1.0)));
 }
 
 void main() {
@@ -63,7 +64,7 @@ void main() {
         vec3 view = normalize(frame.cameraPosition.xyz - position);
         vec3 f0 = mix(vec3(s.reflectivity), s.albedo, s.metallic);
         vec3 mirrored = fresnel(f0, dot(view, normalize(view + point.direction))) * specularLobe(s.normal, view, point.direction, s.roughness);
-        specular = vec4(min(mirrored * arriving * kPi, vec3(30.0)), luminance(arriving));
+        specular = vec4(min(mirrored * arriving * kPi, vec3(12.0)), luminance(arriving));
     }
     specular = overTime(specular, position);
 }

@@ -226,6 +226,28 @@ TEST_F(LocalLightsTest, SmoothFloorsShineBack) {
     EXPECT_GT(smooth, 5.0f * rough);
 }
 
+TEST_F(LocalLightsTest, ALampThatGoesOutTakesItsHighlightWithIt) {
+    const SnapshotLight faint = lightAt(LightKind::Sphere, {3, 2, -3}, 0.05f);
+    LitScene both = floorScene(90), one = floorScene(90);
+    both.addLight(lightAt(LightKind::Sphere, {0, 2, -2}, 20.0f));
+    both.addLight(faint);
+    one.addLight(faint);
+    Drawing::start(both, kSize);
+    Camera camera;
+    camera.position = {0, 2, 2};
+    camera.lookAt({0, 0, 0});
+    const auto brightest = [&](int frames) {
+        draw(camera, frames);
+        const auto specular = renderer->readTarget("specular");
+        float best = 0.0f;
+        for (const glm::vec4& pixel : specular->pixels) best = std::max(best, pixel.g);
+        return best;
+    };
+    const float before = brightest(24);
+    renderer->apply(one.step());
+    EXPECT_LT(brightest(1), 0.1f * before);
+}
+
 TEST_F(LocalLightsTest, WithoutLightsAndFogNeitherIsPaidFor) {
     LitScene scene = floorScene();
     start(scene);
