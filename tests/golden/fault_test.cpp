@@ -25,11 +25,11 @@ constexpr Fault kFaults[] = {
     {"bodies turn the wrong way", "lib/bodies.glsl", "+ q.w * v)", "- q.w * v)"},
     {"sunlight without the one over pi", "passes/composite.frag", "sun / 3.14159265", "sun"},
     {"nothing glows", "passes/composite.frag", "s.albedo * s.emission", "s.albedo * 0.0"},
-    {"no fresnel", "lib/brdf.glsl", "return f0 + (1.0 - f0) * m2 * m2 * m", "return f0"},
+    {"no fresnel", "lib/brdf.glsl", "return f0 + (max(vec3(smoothness * smoothness), f0) - f0) * m2 * m2 * m", "return f0"},
     {"panes do not tint", "lib/glass.glsl", "behind * texelFetch(uGlassTint, pixel, 0).rgb", "behind"},
     {"no haze", "lib/sky.glsl", "return 1.0 - exp2(-ratio * sqrt(ratio))", "return 0.0"},
     {"exposure off by a tenth", "passes/tonemap.frag", "c * 0.5", "c * 0.55"},
-    {"the filter crosses edges", "passes/filter.frag", "there.y == centre.y", "there.x > 0.0"},
+    {"the filter crosses edges", "passes/filter.frag", "there.y == centre.y ? max(0.0, 1.0 - abs(height) * planeScale) : 0.0", "1.0"},
     {"history counts for nothing", "passes/accumulate.frag", "mix(past.light, now, 1.0 / frames)", "now"},
     {"empty blocks are too large", "lib/cell_walk.glsl", "return 2;", "return 4;"},
     {"palette indices from the wrong row", "lib/voxel_walk.glsl", "(c.x >> 2) + c.y * 2", "(c.x >> 2) + c.y * 4"},
@@ -40,36 +40,71 @@ constexpr Fault kFaults[] = {
     {"edges are not smoothed", "passes/taa.frag", "exp(-2.3 *", "exp(-230.0 *"},
 };
 
-/// Each fault must be seen in one of two pictures, by the measure that golden pictures are compared with.
+/// What the street shows small: a turned block close by, something that glows, a floor that mirrors at a flat angle, thin slats.
+LitScene closeUp() {
+    auto palette = std::make_shared<Palette>();
+    const auto entry = [&](int index, uint8_t grey, uint8_t roughness, uint8_t reflectivity, float emission) {
+        PaletteEntry& e = (*palette)[size_t(index)];
+        e.red = e.green = e.blue = grey;
+        e.roughness = roughness;
+        e.reflectivity = reflectivity;
+        e.emission = emission;
+    };
+    entry(1, 40, 20, 30, 0.0f);
+    entry(2, 200, 230, 10, 0.0f);
+    entry(3, 230, 230, 10, 6.0f);
+    LitScene scene(palette);
+    scene.environment.sunDirection = {-0.5f, 0.4f, 0.6f};
+    scene.add({120, 2, 120}, {{-6, -0.2, -6}, {1, 0, 0, 0}}, [](glm::ivec3) { return uint8_t(1); });
+    scene.add({10, 10, 10}, {{-1.2, 0.3, -0.5}, glm::normalize(glm::dquat(0.86, 0.21, 0.37, 0.28))}, [](glm::ivec3) { return uint8_t(2); });
+    scene.add({4, 12, 4}, {{0.5, 0.0, -0.8}, {1, 0, 0, 0}}, [](glm::ivec3 c) { return uint8_t(c.y > 7 ? 3 : 2); });
+    scene.add({20, 12, 3}, {{-1.0, 0.0, -2.0}, {1, 0, 0, 0}}, [](glm::ivec3 c) { return uint8_t(c.x % 2 == 0 || c.z == 2 ? 2 : 0); });
+    return scene;
+}
+
+/// Each fault must be seen in one of three pictures, by the measure that golden pictures are compared with.
 class FaultTest : public Drawing {
 protected:
     static constexpr glm::ivec2 kSize{160, 90};
-    std::array<Image, 2> pictures(const std::string& shaders) {
+    static constexpr int kPictures = 3;
+    using Pictures = std::array<Image, kPictures>;
+
+    Image picture(int which) {
+        renderer->apply(which < 2 ? streetScene().snapshot() : closeUp().snapshot());
+        Camera camera = streetCamera(2 * which);
+        if (which == 2) {
+            camera.position = {0.3, 0.7, 2.4};
+            camera.lookAt({-0.2, 0.5, -0.6});
+        }
+        View view = camera.view(kSize, target->framebuffer());
+        view.cut = true;
+        renderer->draw(view, 1.0f);
+        Image image(kSize.x, kSize.y);
+        image.rgb = target->readRgb();
+        return image;
+    }
+    Pictures pictures(const std::string& shaders) {
         RenderSettings settings;
-        settings.warmUpFrames = 7;
+        settings.warmUpFrames = 3;
         auto made = Renderer::create(testContext().loader(), shaders, settings);
         EXPECT_TRUE(made) << made.error();
         if (!made) return {};
         renderer = std::move(made).value();
-        renderer->apply(streetScene().snapshot());
         target = std::make_unique<Offscreen>(kSize);
-        std::array<Image, 2> images;
-        for (int i = 0; i < 2; ++i) {
-            View view = streetCamera(2 * i).view(kSize, target->framebuffer());
-            view.cut = true;
-            renderer->draw(view, 1.0f);
-            images[size_t(i)] = Image(kSize.x, kSize.y);
-            images[size_t(i)].rgb = target->readRgb();
-        }
-        return images;
+        Pictures all;
+        for (int i = 0; i < kPictures; ++i) all[size_t(i)] = picture(i);
+        return all;
     }
 };
 
 TEST_F(FaultTest, PicturesRejectEachOfTwentyFaults) {
-    const std::array<Image, 2> good = pictures(shaderFolder());
-    const std::array<Image, 2> again = pictures(shaderFolder());
+    const Pictures good = pictures(shaderFolder());
+    const Pictures again = pictures(shaderFolder());
     for (size_t i = 0; i < good.size(); ++i) ASSERT_TRUE(looksAlike(compare(again[i], good[i]))) << "the same shaders draw the same picture";
-    EXPECT_FALSE(looksAlike(compare(good[0], good[1]))) << "two pictures reject each other";
+    for (size_t i = 0; i < good.size(); ++i) {
+        EXPECT_TRUE(writePng(testing::TempDir() + "faults_" + std::to_string(i) + ".png", good[i]));
+        for (size_t k = 0; k < i; ++k) EXPECT_FALSE(looksAlike(compare(good[i], good[k]))) << "two pictures that do not reject each other";
+    }
 
     const fs::path folder = fs::path(testing::TempDir()) / "rubble_faults";
     for (const Fault& fault : kFaults) {
@@ -80,10 +115,15 @@ TEST_F(FaultTest, PicturesRejectEachOfTwentyFaults) {
         const size_t place = text.find(fault.good);
         ASSERT_NE(place, std::string::npos) << fault.name << ": " << fault.file << " does not say \"" << fault.good << "\" any more: seed it anew";
         std::ofstream(folder / fault.file) << text.replace(place, std::string(fault.good).size(), fault.bad);
-        const std::array<Image, 2> bad = pictures(folder.string());
-        const Difference street = compare(bad[0], good[0]), room = compare(bad[1], good[1]);
-        EXPECT_FALSE(looksAlike(street) && looksAlike(room)) << fault.name << " is not seen: " << street.share * 100 << " % and " << room.share * 100
-                                                             << " % differ clearly, " << street.mean << " and " << room.mean << " of 255 on average";
+        const Pictures bad = pictures(folder.string());
+        std::string seen;
+        bool alike = true;
+        for (size_t i = 0; i < good.size(); ++i) {
+            const Difference difference = compare(bad[i], good[i]);
+            alike = alike && looksAlike(difference);
+            seen += " " + std::to_string(difference.share * 100) + " % clearly, " + std::to_string(difference.mean) + " of 255 on average;";
+        }
+        EXPECT_FALSE(alike) << fault.name << " is not seen:" << seen;
     }
     fs::remove_all(folder);
 }
