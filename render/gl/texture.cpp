@@ -38,6 +38,8 @@ PixelFormat pixelFormat(GLenum internalFormat) {
             return {GL_RG, GL_FLOAT, 8};
         case GL_RGBA32F:
             return {GL_RGBA, GL_FLOAT, 16};
+        case GL_R8UI:
+            return {GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1};
         case GL_R32UI:
             return {GL_RED_INTEGER, GL_UNSIGNED_INT, 4};
         case GL_RG32UI:

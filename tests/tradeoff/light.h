@@ -3,6 +3,7 @@
 
 namespace rubble::tradeoff {
 
+Table walkTradeoff(const Options& options);          ///< T7
 Table rayTradeoff(const Options& options);           ///< T8
 Table denoiserTradeoff(const Options& options);      ///< T9
 Table gbufferTradeoff(const Options& options);       ///< T10-gbuffer

@@ -22,11 +22,9 @@ std::vector<Row> rowsOf(const std::string& subject) {
         return {{"T4", debrisTradeoff},    {"T5", connectivityTradeoff}, {"T12", featureTradeoff},      {"T13-load", loadMap},
                 {"T13-pieces", piecesMap}, {"T13-split", splitMap},      {"T13-fragments", fragmentMap}};
     if (subject == "light")
-        return {{"T6", shadowCellTradeoff},
-                {"T8", rayTradeoff},
-                {"T9", denoiserTradeoff},
-                {"T10-gbuffer", gbufferTradeoff},
-                {"T12-light", lightFeatureTradeoff}};
+        return {
+            {"T6", shadowCellTradeoff},         {"T7", walkTradeoff}, {"T8", rayTradeoff}, {"T9", denoiserTradeoff}, {"T10-gbuffer", gbufferTradeoff},
+            {"T12-light", lightFeatureTradeoff}};
     std::vector<Row> rows{{"T1", contactTradeoff},
                           {"T1-penetration", penetrationTradeoff},
                           {"T2", rotationTradeoff},
