@@ -7,7 +7,7 @@ uniform bool uLastValid;
 uniform bool uSunUp;
 uniform bool uBounce;
 
-const float kBounceAlbedo = 0.50;
+const float kBounceAlbedo = 0.3;  // of what no picture shows: the mean of the town
 const float kShadowCellMetres = 0.1;
 
 /// The cell face that a ray has come through at a point on the shadow volume's cells.

@@ -16,6 +16,7 @@ out vec4 filtered;
 
 const int kTaps = 5;  // the first is the pixel itself
 const float kOwnWeight = 1.5;
+const float kLongPast = 12.0;  // frames
 
 /// 1 for no difference, 0 from twice the scale on: a bell without an exponential.
 float bell(float x) {
@@ -28,6 +29,11 @@ void main() {
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec4 centre = texelFetch(uSurface, pixel, 0);
     vec4 own = texelFetch(uLight, pixel, 0);
+    // Wide steps are for places without a past: they cost detail that time keeps.
+    if (uStride > 2 && centre.z >= kLongPast) {
+        filtered = own;
+        return;
+    }
     vec3 normal = unpackNormal(centre.y);
     // Height of a tap over the centre's plane = dot(normal, ray) x depth - own height, and dot(normal, ray) is linear in pixels.
     float facing = dot(normal, viewRay(uv));

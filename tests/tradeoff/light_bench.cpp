@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 
 #include "samples/support/gl_context.h"
 #include "tests/reference/display.h"
@@ -12,6 +13,13 @@
 
 namespace rubble::tradeoff {
 namespace {
+
+/// Of this process, in all its threads: what else the machine does is left out.
+double processorMs() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
+}
 
 /// One for all: the software renderer, so that every machine measures the same thing.
 GlContext& context() {
@@ -37,7 +45,9 @@ LightBench::LightBench(const FrameSnapshot& snapshot, const View& view, glm::ive
 
 void LightBench::draw(int frames) {
     for (int i = 0; i < frames; ++i) {
+        const double begin = processorMs();
         m_renderer->draw(m_view, 1.0f);
+        m_leastMs = std::min(m_leastMs, processorMs() - begin);
         for (const auto& [pass, ms] : m_renderer->figures().passMs) {
             const auto found =
                 std::find_if(m_least.begin(), m_least.end(), [name = std::string(pass)](const auto& each) { return each.first == name; });
@@ -53,12 +63,6 @@ FloatImage LightBench::read(const char* target) const {
     auto image = m_renderer->readTarget(target);
     if (!image) fmt::print("{}\n", image.error()), std::exit(1);
     return std::move(*image);
-}
-
-double LightBench::ms() const {
-    double sum = 0.0;
-    for (const auto& each : m_least) sum += each.second;
-    return sum;
 }
 
 double LightBench::ms(std::string_view pass) const {

@@ -18,10 +18,11 @@ public:
     void draw(int frames = 1);
     void apply(FrameSnapshot&& snapshot) { m_renderer->apply(std::move(snapshot)); }
     FloatImage read(const char* target) const;
-    /// Milliseconds a picture: the least that each pass took, added up. What else the machine does is left out as far as it can be.
-    double ms() const;
+    /// Processor time of a picture over all threads, the least of those drawn.
+    double ms() const { return m_leastMs; }
+    /// The least that a pass took, by the clock.
     double ms(std::string_view pass) const;
-    void forgetTimes() { m_least.clear(); }
+    void forgetTimes() { m_least.clear(), m_leastMs = 1e30; }
     const RenderFigures& figures() const { return m_renderer->figures(); }
 
 private:
@@ -29,6 +30,7 @@ private:
     std::unique_ptr<Offscreen> m_target;
     View m_view;
     std::vector<std::pair<std::string, double>> m_least;
+    double m_leastMs = 1e30;
 };
 
 /// How a picture differs from the truth as radiance and as it is shown.
