@@ -26,7 +26,7 @@ VoxelGrid cellsOf(const FrameSnapshot& snapshot, int size) {
         if (!patch.content) continue;
         for (int i = 0; i < 16 * 16 * 16; ++i) {
             const glm::ivec3 cell(i & 15, i >> 4 & 15, i >> 8), word = cell >> 2, bit = cell & 3;
-            if (!(patch.content->words[size_t(word.x + word.y * 4 + word.z * 16)] >> (bit.x + bit.y * 4 + bit.z * 16) & 1)) continue;
+            if (!(patch.content->cells(word.x + word.y * 4 + word.z * 16) >> (bit.x + bit.y * 4 + bit.z * 16) & 1)) continue;
             const glm::ivec3 at = patch.brick * 16 + cell - kLow;
             writer.set(at / size, 1);
         }
