@@ -239,7 +239,7 @@ void ShadowReplica::remake(PlaceEntry& entry, ShadowPatches& out) {
     fill(place, brick, rows);
     const ShadowWords cells = packRows(rows);
     if (place.published && sameCells(*place.published, cells)) return;
-    ShadowBrickRef made = makeShadowBrick(cells);
+    ShadowBrickRef made = makeShadowBrick(cells, !place.moving.empty());
     if (!made && !place.published) return;
     place.published = std::move(made);
     out.patches.push_back({brick, place.published});

@@ -49,6 +49,20 @@ void listBoxes(Set empty, int octant, std::array<Set, 64>& boxes) {
 /// Sizes as planes of bits: bit 0 and bit 1 for each axis.
 using Planes = std::array<std::array<Set, 2>, 3>;
 
+/// Cuts boxes off where the brick ends.
+void endInBrick(Planes& planes, int octant) {
+    for (size_t a = 0; a < 3; ++a) {
+        const bool down = octant >> a & 1;
+        const auto layer = [&](int stepsToEnd) { return kLowest[a] << ((down ? stepsToEnd : 3 - stepsToEnd) * kPitch[a]); };
+        auto& [low, high] = planes[a];
+        low &= ~layer(0);
+        high &= ~layer(0);
+        low |= high & layer(1);
+        high &= ~layer(1);
+        low &= ~(high & layer(2));
+    }
+}
+
 Planes chooseBoxes(Set empty, int octant) {
     std::array<Set, 64> boxes;
     listBoxes(empty, octant, boxes);
@@ -62,19 +76,24 @@ Planes chooseBoxes(Set empty, int octant) {
         for (size_t bit = 0; bit < 6; ++bit)
             if (size >> bit & 1) planes[bit >> 1][bit & 1] |= taken;
     }
-    for (size_t a = 0; a < 3; ++a) {  // boxes end within the brick
-        const bool down = octant >> a & 1;
-        const auto layer = [&](int stepsToEnd) { return kLowest[a] << ((down ? stepsToEnd : 3 - stepsToEnd) * kPitch[a]); };
-        auto& [low, high] = planes[a];
-        low &= ~layer(0);
-        high &= ~layer(0);
-        low |= high & layer(1);
-        high &= ~layer(1);
-        low &= ~(high & layer(2));
-    }
+    endInBrick(planes, octant);
     return planes;
 }
 
+/// The largest empty cube instead: nearly as far, in a tenth of the work.
+Planes chooseCubes(Set empty, int octant) {
+    Planes planes{};
+    Set cubes = empty;
+    for (int size = 2; size <= 4; ++size) {
+        for (int axis = 0; axis < 3; ++axis) cubes &= ahead(cubes, axis, octant);  // of size - 1, at all eight corners
+        for (auto& [low, high] : planes) {
+            low = size == 3 ? low & ~cubes : low | cubes;
+            if (size >= 3) high |= cubes;
+        }
+    }
+    endInBrick(planes, octant);
+    return planes;
+}
 /// Bit i of row k becomes bit k of row i (Warren, "Hacker's Delight", 7-3).
 void transpose(ShadowWords& rows) {
     Set mask = 0x00000000ffffffffu;
@@ -94,14 +113,14 @@ Set occupiedWords(const ShadowWords& cells) {
 
 }  // namespace
 
-ShadowBrickRef makeShadowBrick(const ShadowWords& cells) {
+ShadowBrickRef makeShadowBrick(const ShadowWords& cells, bool isPassing) {
     const Set occupied = occupiedWords(cells);
     if (!occupied) return nullptr;
     auto brick = std::make_shared<ShadowBrick>();
     brick->occupied = occupied;
     if (~occupied) {
         for (size_t octant = 0; octant < 8; ++octant) {
-            const Planes planes = chooseBoxes(~occupied, int(octant));
+            const Planes planes = isPassing ? chooseCubes(~occupied, int(octant)) : chooseBoxes(~occupied, int(octant));
             for (size_t a = 0; a < 3; ++a)
                 for (size_t bit = 0; bit < 2; ++bit) brick->texels[16 * a + 2 * octant + bit] = planes[a][bit];
         }
