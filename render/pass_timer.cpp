@@ -1,6 +1,14 @@
 #include "render/pass_timer.h"
 
+#include <chrono>
+#include <ctime>
+
 namespace rubble {
+
+double PassTimer::nowMs() const {
+    if (m_processorTime) return double(std::clock()) * 1e3 / CLOCKS_PER_SEC;
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 void PassTimer::beginFrame(std::vector<std::pair<const char*, double>>& out) {
     out.clear();
@@ -14,7 +22,7 @@ void PassTimer::beginFrame(std::vector<std::pair<const char*, double>>& out) {
 
 void PassTimer::begin(const char* name) {
     if (m_software) {
-        m_start = std::chrono::steady_clock::now();
+        m_start = nowMs();
         m_running.resize(1);
         m_running[0].name = name;
         return;
@@ -31,7 +39,7 @@ void PassTimer::end(std::vector<std::pair<const char*, double>>& out) {
         return;
     }
     glFinish();
-    out.emplace_back(m_running[0].name, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - m_start).count());
+    out.emplace_back(m_running[0].name, nowMs() - m_start);
 }
 
 }  // namespace rubble

@@ -1,5 +1,4 @@
 #pragma once
-#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -11,7 +10,8 @@ namespace rubble {
 /// renderer, whose queries do not see the work.
 class PassTimer {
 public:
-    explicit PassTimer(bool software) : m_software(software) {}
+    /// processorTime: on a software renderer, the milliseconds that all threads of this process worked, not those on the wall.
+    PassTimer(bool software, bool processorTime) : m_software(software), m_processorTime(processorTime) {}
     /// Collects the frame before and starts a new one. `out` gets the times in the order drawn.
     void beginFrame(std::vector<std::pair<const char*, double>>& out);
     void begin(const char* name);
@@ -22,8 +22,9 @@ private:
         const char* name;
         GlName<QueryKind> query;
     };
-    bool m_software;
-    std::chrono::steady_clock::time_point m_start;
+    double nowMs() const;
+    bool m_software, m_processorTime;
+    double m_start = 0.0;
     std::vector<Timed> m_running;
     size_t m_count = 0;
 };

@@ -159,7 +159,7 @@ struct Renderer::Impl {
     GlName<BufferKind> blockBuffer = GlName<BufferKind>::make();
     VertexArray emptyVertexArray = VertexArray::make();
     Texture blueNoise;
-    PassTimer timer{isSoftwareGl()};
+    PassTimer timer{isSoftwareGl(), settings.processorTime};
     RenderFigures figures;
     bool drawnBefore = false;
     float alphaOfStep = 1.0f;  ///< of the frame being drawn

@@ -44,6 +44,7 @@ struct RenderSettings {
     Noise noise = Noise::Blue;  ///< of light's rays
     bool bevel = true;          ///< rounds the edges of near voxels in light
     float bloom = 0.04f;
+    bool processorTime = false;  ///< figures' times are of this process's threads, all together: for benchmarks on a busy machine
     static RenderSettings preset(std::string_view name);
 };
 

@@ -1,0 +1,23 @@
+#pragma once
+#include <glm/vec2.hpp>
+#include <string>
+#include <vector>
+
+#include "samples/support/gl_context.h"
+
+namespace rubble::bench {
+
+struct Options {
+    glm::ivec2 size{640, 360};
+    int frames = 15;             ///< of which the median is told
+    bool processorTime = false;  ///< of all threads, instead of the wall's
+    std::string shaders = RUBBLE_SOURCE_DIR "/shaders";
+    std::string picture;  ///< folder for PNGs of what was measured; empty: none
+};
+
+/// Each prints its tables and returns the program's exit code. The context is current.
+int benchFrame(const Options& options, GlContext& context);
+
+double median(std::vector<double> values);
+
+}  // namespace rubble::bench

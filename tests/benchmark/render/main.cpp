@@ -1,0 +1,44 @@
+// ./rubble bench frame|primary: what a picture costs, pass by pass and against other ways to draw it.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+
+#include "render/gl/gl.h"
+#include "tests/benchmark/render/benchmarks.h"
+
+double rubble::bench::median(std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+int main(int argc, char** argv) {
+    using namespace rubble;
+    bench::Options options;
+    std::string subject, gl = "osmesa", size = "640x360";
+    CLI::App app{"What a picture costs", "bench_render"};
+    app.add_option("subject", subject, "frame")->required()->check(CLI::IsMember({"frame"}));
+    app.add_option("--frames", options.frames, "measured")->capture_default_str()->check(CLI::PositiveNumber);
+    app.add_option("--size", size, "WIDTHxHEIGHT")->capture_default_str();
+    app.add_option("--gl", gl, "osmesa, egl or auto")->capture_default_str();
+    app.add_flag("--processor-time", options.processorTime, "milliseconds of all threads together: steady on a busy machine");
+    app.add_option("--shaders", options.shaders, "folder of the shaders")->capture_default_str();
+    app.add_option("--pictures", options.picture, "folder for pictures of what was measured");
+    CLI11_PARSE(app, argc, argv);
+    if (std::sscanf(size.c_str(), "%dx%d", &options.size.x, &options.size.y) != 2 || options.size.x < 1 || options.size.y < 1) {
+        fmt::print(stderr, "--size: expected WIDTHxHEIGHT, found {}\n", size);
+        return 1;
+    }
+    auto context = GlContext::create(GlContext::kindOf(gl));
+    if (!context) {
+        fmt::print(stderr, "{}\n", context.error());
+        return 1;
+    }
+    if (auto loaded = loadGl(context.value()->loader()); !loaded) {
+        fmt::print(stderr, "{}\n", loaded.error());
+        return 1;
+    }
+    fmt::print("{}, {}x{}\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)), options.size.x, options.size.y);
+    return bench::benchFrame(options, *context.value());
+}
