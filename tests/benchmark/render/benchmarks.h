@@ -17,6 +17,8 @@ struct Options {
 
 /// Each prints its tables and returns the program's exit code. The context is current.
 int benchFrame(const Options& options, GlContext& context);
+bool benchWalk(const Options& options);
+int benchPrimary(const Options& options);
 
 double median(std::vector<double> values);
 

@@ -5,29 +5,14 @@
 #include <map>
 
 #include "render/gl/offscreen.h"
-#include "runtime/plugin/frame_loop.h"
-#include "samples/scenes/demolition.h"
-#include "samples/scenes/placement.h"
-#include "samples/scenes/town.h"
 #include "samples/support/image.h"
 #include "tests/benchmark/render/benchmarks.h"
+#include "tests/benchmark/render/town_views.h"
 
 namespace rubble::bench {
 namespace {
 
 constexpr int kWarmUp = 4;
-
-struct Place {
-    const char* name;
-    Pose camera;
-    float verticalFov;
-};
-
-std::vector<Place> placesInTown() {
-    return {{"corner", demolitionCamera(2.0), kDemolitionFov},
-            {"street", scenes::lookAt({9.0, 1.7, 47.0}, {40.0, 2.0, 30.0}), 1.05f},
-            {"map view", scenes::lookAt({32.0, 62.0, 58.0}, {32.0, 0.0, 32.0}), 0.70f}};
-}
 
 struct Measured {
     std::vector<std::pair<std::string, std::vector<double>>> passes;  ///< in the order drawn
@@ -66,15 +51,7 @@ void print(const char* place, const Measured& m) {
 }  // namespace
 
 int benchFrame(const Options& options, GlContext& context) {
-    FrameLoopSettings settings;
-    settings.shadow = ShadowWorker::Mode::Inline;
-    settings.waitForShadow = true;
-    FrameLoop loop(settings);
-    loop.load(makeTown(1));
-    for (int i = 0; i < 120; ++i) {
-        loop.edits().push(demolition(i, 1));
-        loop.step();
-    }
+    const auto loop = playTown();
     RenderSettings renderSettings;
     renderSettings.processorTime = options.processorTime;
     auto renderer = Renderer::create(context.loader(), options.shaders, renderSettings);
@@ -84,13 +61,8 @@ int benchFrame(const Options& options, GlContext& context) {
     }
     const Offscreen target(options.size);
     for (const Place& place : placesInTown()) {
-        View view;
-        view.position = place.camera.position;
-        view.rotation = place.camera.rotation;
-        view.verticalFov = place.verticalFov;
-        view.size = options.size;
-        view.framebuffer = target.framebuffer();
-        print(place.name, measure(*renderer.value(), loop, view, options.frames));
+        const View view = place.view(options.size, target.framebuffer());
+        print(place.name, measure(*renderer.value(), *loop, view, options.frames));
         if (options.picture.empty()) continue;
         std::filesystem::create_directories(options.picture);
         Image image(options.size.x, options.size.y);

@@ -1,0 +1,25 @@
+#pragma once
+#include <glm/vec3.hpp>
+
+#include "render/gl/program.h"
+#include "runtime/voxel/voxel_grid.h"
+
+namespace rubble::bench {
+
+/// One object as the reference game keeps it: a 3D texture of a byte a voxel and two coarser levels, padded to multiples of 4.
+class DenseGrid {
+public:
+    explicit DenseGrid(const VoxelGrid& grid);
+    ~DenseGrid();
+    DenseGrid(const DenseGrid&) = delete;
+    DenseGrid& operator=(const DenseGrid&) = delete;
+    /// Sets the uniforms of shaders/dense_grid.glsl. The program must be in use.
+    void bind(const Program& program) const;
+    glm::ivec3 size() const { return m_size; }
+
+private:
+    glm::ivec3 m_size;
+    GLuint m_texture = 0;
+};
+
+}  // namespace rubble::bench

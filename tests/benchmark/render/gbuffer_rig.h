@@ -1,0 +1,64 @@
+#pragma once
+#include <ctime>
+
+#include "render/frame_camera.h"
+#include "render/passes/gbuffer_pass.h"
+#include "render/passes/glass_pass.h"
+#include "render/scene/scene.h"
+#include "tests/benchmark/render/benchmarks.h"
+
+namespace rubble::bench {
+
+/// Milliseconds that all threads of this process have worked: steady on a busy machine.
+inline double processMs() {
+    return double(std::clock()) * 1e3 / CLOCKS_PER_SEC;
+}
+
+/// Scene, camera and the passes of primary visibility, without the rest of a frame.
+class GBufferRig {
+public:
+    GBufferRig(const std::string& shaderFolder, FrameSnapshot&& snapshot) : shaders(shaderFolder), gbuffer(shaders), glass(shaders) {
+        scene.apply(std::move(snapshot));
+    }
+    void beginFrame(const View& view) {
+        scene.beginFrame(1.0f, view.position);
+        targets.beginFrame(view.size, view.cut);
+        camera.begin(view, false, scene.origin(), block);
+        glBindBuffer(GL_UNIFORM_BUFFER, m_blockBuffer.get());
+        glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
+        glBindBufferBase(GL_UNIFORM_BUFFER, 0, m_blockBuffer.get());
+        figures = {};
+    }
+    FrameContext context() { return {block, m_settings, scene, targets, m_noise, figures, m_emptyVertexArray}; }
+
+    ShaderLibrary shaders;
+    GBufferPass gbuffer;
+    GlassPass glass;
+    Scene scene;
+    TargetPool targets;
+    FrameCamera camera;
+    FrameBlock block{};
+    RenderFigures figures;
+
+private:
+    RenderSettings m_settings;
+    Texture m_noise;
+    GlName<BufferKind> m_blockBuffer = GlName<BufferKind>::make();
+    VertexArray m_emptyVertexArray = VertexArray::make();
+};
+
+/// Median processor milliseconds of what `draw` asks the GL for.
+template <class F>
+double medianMs(int frames, F&& draw) {
+    std::vector<double> ms;
+    for (int i = -1; i < frames; ++i) {
+        glFinish();
+        const double before = processMs();
+        draw();
+        glFinish();
+        if (i >= 0) ms.push_back(processMs() - before);
+    }
+    return median(ms);
+}
+
+}  // namespace rubble::bench

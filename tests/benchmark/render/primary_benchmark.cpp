@@ -1,0 +1,38 @@
+// Primary visibility: the town's G-buffer and glass alone, and our walk and whole method against the reference game's.
+#include <fmt/format.h>
+
+#include "tests/benchmark/render/gbuffer_rig.h"
+#include "tests/benchmark/render/town_views.h"
+
+namespace rubble::bench {
+namespace {
+
+/// A level as it is when it was just loaded.
+FrameSnapshot snapshotOf(const Level& level) {
+    World world;
+    world.load(level);
+    Snapshots snapshots;
+    snapshots.publishWithoutShadow(world.applyEdits({}), {}, world);
+    return std::move(*snapshots.take());
+}
+
+void benchTown(const Options& options) {
+    GBufferRig rig(options.shaders, snapshotOf(makeTown(1)));
+    fmt::print("\nthe town: milliseconds of processors' time\n");
+    for (const Place& place : placesInTown()) {
+        rig.beginFrame(place.view(options.size, 0));
+        const double gbuffer = medianMs(options.frames, [&] { rig.gbuffer.draw(rig.context()); });
+        const double glass = medianMs(options.frames, [&] { rig.glass.draw(rig.context(), rig.gbuffer.order()); });
+        fmt::print("  {:<10} gbuffer {:6.1f}   glass {:6.1f}   {} draws of bodies\n", place.name, gbuffer, glass, rig.figures.bodyDraws);
+    }
+}
+
+}  // namespace
+
+int benchPrimary(const Options& options) {
+    if (!benchWalk(options)) return 1;
+    benchTown(options);
+    return 0;
+}
+
+}  // namespace rubble::bench

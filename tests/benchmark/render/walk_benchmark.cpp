@@ -1,0 +1,106 @@
+// One big object: our walk against two over 3D textures, the same rays, in one process.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "render/gl/framebuffer.h"
+#include "runtime/core/random.h"
+#include "samples/support/camera.h"
+#include "tests/benchmark/render/dense_grid.h"
+#include "tests/benchmark/render/gbuffer_rig.h"
+#include "tests/render/test_scene.h"
+
+namespace rubble::bench {
+namespace {
+
+/// A block of houses: walls one voxel thick, windows, floors, gaps between the houses.
+VoxelGrid makeHouses() {
+    const glm::ivec3 size(256, 128, 256);
+    VoxelGrid grid(size);
+    GridWriter writer(grid);
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const int height = 30 + int(hashCell(x / 64, 0, z / 64) % 90), hx = x % 64, hz = z % 64;
+                const bool isHouse = hx >= 8 && hx < 56 && hz >= 8 && hz < 56 && y < height;
+                const bool isWall = hx == 8 || hx == 55 || hz == 8 || hz == 55, isWindow = y % 24 > 8 && y % 24 < 18 && (hx + hz) % 12 < 6;
+                if (y < 2 || (isHouse && ((isWall && !isWindow) || y % 24 == 0))) writer.set({x, y, z}, 1);
+            }
+    writer.flush();
+    return grid;
+}
+
+struct Eye {
+    const char* name;
+    glm::dvec3 from, to;
+};
+constexpr Eye kEyes[] = {{"from above", {-4, 16, -6}, {14, 3, 14}},
+                         {"in a street", {6.3, 1.7, 1.0}, {6.5, 3.0, 20.0}},
+                         {"in a house", {9.6, 4.0, 9.6}, {16.0, 4.5, 13.0}}};
+
+struct Drawn {
+    double ms;
+    std::vector<glm::vec4> found;
+};
+
+Drawn drawRays(GBufferRig& rig, const Program& program, const Texture& target, const DenseGrid& dense, int frames) {
+    Framebuffer framebuffer({&target});
+    program.use();
+    rig.scene.bodies().bind(program);
+    dense.bind(program);
+    program.set("uVoxelSize", 0.1f);
+    Drawn drawn;
+    drawn.ms = medianMs(frames, [&] {
+        framebuffer.begin();
+        rig.context().drawFullscreen();
+    });
+    drawn.found.resize(size_t(target.size().x) * size_t(target.size().y));
+    glBindTexture(GL_TEXTURE_2D, target.name());
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, drawn.found.data());
+    return drawn;
+}
+
+/// Pixels where two walks stop at different voxels more than 1e-4 of a voxel apart along the ray.
+int64_t differences(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+    int64_t count = 0;
+    for (size_t i = 0; i < a.size(); ++i) count += glm::vec3(a[i]) != glm::vec3(b[i]) && std::abs(a[i].w - b[i].w) * 10.0f > 1e-4f;
+    return count;
+}
+
+}  // namespace
+
+bool benchWalk(const Options& options) {
+    const VoxelGrid grid = makeHouses();
+    TestScene made;
+    made.add(grid, {}, testPalette());
+    GBufferRig rig(options.shaders, made.take());
+    const DenseGrid dense(grid);
+    const std::string folder = "../tests/benchmark/render/shaders/";
+    const Program& ours = rig.shaders.load(folder + "walk_ours.frag");
+    const Program& dda = rig.shaders.load(folder + "walk_dda.frag");
+    const Program& reference = rig.shaders.load(folder + "walk_reference.frag");
+    for (const std::string& error : rig.shaders.errors()) fmt::print(stderr, "{}\n", error);
+    if (!rig.shaders.errors().empty()) return false;
+
+    fmt::print("\none object of 256x128x256, a ray a pixel: milliseconds of processors' time\n");
+    const Texture target(GL_RGBA32F, options.size);
+    double sums[3] = {0, 0, 0};
+    int64_t differ = 0;
+    for (const Eye& eye : kEyes) {
+        Camera camera;
+        camera.position = eye.from;
+        camera.lookAt(eye.to);
+        rig.beginFrame(camera.view(options.size, 0));
+        const Drawn a = drawRays(rig, ours, target, dense, options.frames), b = drawRays(rig, dda, target, dense, options.frames),
+                    c = drawRays(rig, reference, target, dense, options.frames);
+        const int64_t differDda = differences(a.found, b.found), differReference = differences(a.found, c.found);
+        fmt::print("  {:<12} ours {:6.1f}   plain DDA {:6.1f} ({:.2f}x)   bits and mips {:6.1f} ({:.2f}x)   other voxels {} and {} of {}\n", eye.name,
+                   a.ms, b.ms, b.ms / a.ms, c.ms, c.ms / a.ms, differDda, differReference, a.found.size());
+        sums[0] += a.ms, sums[1] += b.ms, sums[2] += c.ms;
+        differ += differDda + differReference;
+    }
+    fmt::print("  together: {:.2f}x plain DDA (wanted 2.8), {:.2f}x bits and mips (wanted 1.15)\n", sums[1] / sums[0], sums[2] / sums[0]);
+    return true;
+}
+
+}  // namespace rubble::bench
