@@ -66,7 +66,7 @@ struct Renderer::Impl {
         run("gbuffer", [&] { gbuffer.draw(frame); });
         if (!scene.ropes().empty()) run("ropes", [&] { drawRopes(frame); });
         if (scene.environment().wetness > 0.0f) run("wetness", [&] { drawWetness(frame); });
-        if (scene.hasGlass()) run("glass", [&] { glass.draw(frame, gbuffer.order()); });
+        if (scene.hasGlass()) run("glass", [&] { glass.draw(frame, gbuffer.tiles()); });
         if (glassIsInTheSun()) run("glass shadow", [&] { drawGlassShadow(frame); });
         clearLight(frame);
         if (settings.sun && block.sunDirection.y > 0.0f) run("sun", [&] { sun.draw(frame); });

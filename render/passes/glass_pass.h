@@ -1,7 +1,6 @@
 #pragma once
-#include <vector>
-
 #include "render/frame_context.h"
+#include "render/scene/body_tiles.h"
 
 namespace rubble {
 
@@ -10,14 +9,11 @@ namespace rubble {
 class GlassPass {
 public:
     explicit GlassPass(ShaderLibrary& shaders);
-    /// order: the bodies in view, nearest first (GBufferPass::order).
-    void draw(const FrameContext& frame, const std::vector<int>& order);
+    /// tiles: of this frame's G-buffer.
+    void draw(const FrameContext& frame, const BodyTiles& tiles) const;
 
 private:
     const Program& m_program;
-    GlName<BufferKind> m_orderBuffer = GlName<BufferKind>::make();
-    VertexArray m_vertexArray = VertexArray::make();
-    std::vector<int> m_farthestFirst;
 };
 
 }  // namespace rubble

@@ -24,6 +24,12 @@ public:
         bool empty() const { return low.x >= high.x; }
     };
 
+    /// How a shape's bricks are found: its texels in lib/bodies.glsl.
+    struct Layout {
+        uint32_t node = 0, palette = 0, flags = 0, unused = 0;
+        glm::ivec4 sizeInNodes{0}, low{0}, high{0};
+    };
+
     void create(const SnapshotShape& shape);
     void destroy(ShapeHandle shape);
     void clear();
@@ -38,6 +44,8 @@ public:
 
     /// By slot; those with nothing in them are empty().
     const std::vector<Instance>& instances() const { return m_instances; }
+    /// Of the shape in a slot of instances().
+    const Layout& layout(size_t slot) const { return m_layouts[slot]; }
     bool hasGlass() const { return m_glassShapes > 0; }
     bool hasMirrors() const { return m_mirrorShapes > 0; }
     int shapes() const { return m_shapeCount; }
@@ -56,10 +64,6 @@ private:
     };
     struct Placement {
         glm::vec4 rotation{0, 0, 0, 1}, position{0}, lastRotation{0, 0, 0, 1}, lastPosition{0};
-    };
-    struct Layout {
-        uint32_t node = 0, palette = 0, flags = 0, unused = 0;
-        glm::ivec4 sizeInNodes{0}, low{0}, high{0};
     };
     struct PackedPalette {
         uint32_t entry[256][4] = {};

@@ -8,6 +8,8 @@ const int kStopAtSolid = 0;   // every voxel
 const int kStopAtOpaque = 1;  // voxels of opacity 255
 const int kStopAtGlass = 2;   // the others
 
+const int kMostSteps = 8192;
+
 struct VoxelHit {
     bool hit;
     ivec3 cell;
@@ -39,6 +41,44 @@ int emptySizeAt(Layout body, ivec3 cell, out int slot) {
     return emptyChildren((word & 1) == 0 ? pair.xy : pair.zw, cell);
 }
 
+// On to the first solid cell from the one that the walk is in, itself included. False if there is none up to tMax.
+// As leaveBlock() would go, but mirrored so that every ray goes up on all axes, and with nothing in the loop that can wait.
+bool findSolid(inout CellWalk w, Layout body, float tMax, out int slot, inout int steps) {
+    ivec3 flip = w.ahead - 1;  // 0 where the ray goes up, ~0 where it goes down
+    vec3 way = vec3(2 * w.ahead - 1);
+    vec3 origin = w.origin * way, direction = w.direction * way, inverse = w.inverse * way;
+    ivec3 last = ivec3(flip.x == 0 ? body.high.x - 1 : ~body.low.x, flip.y == 0 ? body.high.y - 1 : ~body.low.y,
+                       flip.z == 0 ? body.high.z - 1 : ~body.low.z);
+    ivec3 cell = w.cell ^ flip;
+    float t = w.t;
+    bool found = false;
+    int i = 0;
+    for (; i < kMostSteps; ++i) {
+        int size = emptySizeAt(body, cell ^ flip, slot);
+        found = size == 0;
+        ivec3 high = cell | (size - 1);
+        vec3 leave = (vec3(high + 1) - origin) * inverse + w.never;
+        float next = leave.y < leave.z ? leave.y : leave.z;
+        next = leave.x < next ? leave.x : next;
+        ivec3 to = max(cell, min(ivec3(floor(origin + direction * next)), high));
+        bool x = leave.x <= next, y = !x && leave.y <= next;
+        to.x = x ? high.x + 1 : to.x;
+        to.y = y ? high.y + 1 : to.y;
+        to.z = x || y ? to.z : high.z + 1;
+        if (found || !(next <= tMax) || any(greaterThan(to, last))) break;
+        cell = to;
+        t = next;
+    }
+    if (i > 0) {
+        vec3 enter = (vec3(cell) - origin) * inverse - w.never;
+        w.axis = enter.x >= max(enter.y, enter.z) ? ivec3(1, 0, 0) : enter.y >= enter.z ? ivec3(0, 1, 0) : ivec3(0, 0, 1);
+    }
+    steps += i + 1;
+    w.cell = cell ^ flip;
+    w.t = t;
+    return found;
+}
+
 // originCells and direction in the body's cells; tMin and tMax in lengths of the direction.
 VoxelHit walkVoxels(Layout body, vec3 originCells, vec3 direction, float tMin, float tMax, int stopAt) {
     VoxelHit result = VoxelHit(false, ivec3(0), 0, 0, tMax, vec3(0.0), 0);
@@ -47,19 +87,16 @@ VoxelHit walkVoxels(Layout body, vec3 originCells, vec3 direction, float tMin, f
     tMax = min(tMax, kFarthest);
     if (!startWalk(w, originCells, direction, tMin, tMax, body.low, body.high)) return result;
     bool plain = stopAt == kStopAtSolid || (stopAt == kStopAtOpaque && (body.flags & kHasGlass) == 0u);
-    for (int i = 0; i < 8192; ++i) {
+    // Two loops, as what is inside a loop costs every step of it, needed or not.
+    for (int i = 0; i < kMostSteps; ++i) {
         int slot;
-        int size = emptySizeAt(body, w.cell, slot);
-        result.steps = i + 1;
-        if (size == 0) {
-            int index = indexAt(slot, w.cell);
-            if (plain || isGlass(body.palette, index) == (stopAt == kStopAtGlass)) {
-                vec3 outward = vec3(1 - 2 * w.ahead);
-                return VoxelHit(true, w.cell, index, slot, max(w.t, 0.0), vec3(w.axis) * outward, result.steps);
-            }
-            size = 1;
+        if (!findSolid(w, body, tMax, slot, result.steps)) break;
+        int index = indexAt(slot, w.cell);
+        if (plain || isGlass(body.palette, index) == (stopAt == kStopAtGlass)) {
+            vec3 outward = vec3(1 - 2 * w.ahead);
+            return VoxelHit(true, w.cell, index, slot, max(w.t, 0.0), vec3(w.axis) * outward, result.steps);
         }
-        leaveBlock(w, size);
+        leaveBlock(w, 1);
         if (!(w.t <= tMax) || !insideCells(w.cell, body.low, body.high)) break;
     }
     return result;

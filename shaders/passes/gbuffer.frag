@@ -1,15 +1,15 @@
-// Walks the ray of a pixel through one body and writes the surface it meets. Targets: lib/gbuffer.glsl.
+// Walks the ray of a pixel through the bodies of its tile, nearest first, and writes the surface it meets. Targets: lib/gbuffer.glsl.
 #include "lib/frame.glsl"
 #include "lib/voxel_walk.glsl"
+#include "lib/body_tiles.glsl"
 #include "lib/paint.glsl"
-uniform sampler2D uDepthSoFar;  // linear depth of the bodies drawn before this batch
-flat in int body;
-flat in vec3 cameraCells;
 layout(location = 0) out vec4 outAlbedo;
 layout(location = 1) out vec4 outNormal;
 layout(location = 2) out vec4 outMaterial;
 layout(location = 3) out vec2 outMotion;
 layout(location = 4) out float outDepth;
+
+const float kSkyDepth = 65000.0;
 
 vec2 screenUv(mat4 viewProjection, vec3 world) {
     vec4 clip = viewProjection * vec4(world, 1.0);
@@ -23,24 +23,31 @@ float depthBufferValue(float linear) {
 }
 
 void main() {
-    Placement place = readPlacement(body);
-    Layout shape = readLayout(body);
-    vec3 rayWorld = viewRay(gl_FragCoord.xy * frame.targetSize.zw);
-    vec3 rayCells = rotateBack(place.rotation, rayWorld) / place.voxelSize;
-    float tMax = texelFetch(uDepthSoFar, ivec2(gl_FragCoord.xy), 0).r;
-    VoxelHit hit = walkVoxels(shape, cameraCells, rayCells, 0.0, tMax, kStopAtOpaque);
-    if (!hit.hit) discard;
+    ivec2 list = tileList(ivec2(gl_FragCoord.xy));
+    VoxelHit best = VoxelHit(false, ivec3(0), 0, 0, kSkyDepth, vec3(0.0), 0);
+    BodyView met;
+    for (int i = list.x; i < list.y; ++i) {
+        BodyView view = bodyViewAt(i, gl_FragCoord.xy);
+        if (view.nearest >= best.t) break;
+        VoxelHit hit = walkVoxels(view.shape, view.camera, view.ray, 0.0, best.t, kStopAtOpaque);
+        if (hit.hit) {
+            best = hit;
+            met = view;
+        }
+    }
+    if (!best.hit) discard;
 
-    Entry entry = readEntry(shape.palette, hit.index);
-    vec3 normal = hit.normal == vec3(0.0) ? -normalize(rayCells) : hit.normal;
-    vec3 pointBody = (cameraCells + rayCells * hit.t) * place.voxelSize;
-    vec3 world = frame.cameraPosition.xyz + rayWorld * hit.t;
+    Placement place = readPlacement(met.instance);
+    Entry entry = readEntry(met.shape.palette, best.index);
+    vec3 normal = best.normal == vec3(0.0) ? -normalize(met.ray) : best.normal;
+    vec3 pointBody = (met.camera + met.ray * best.t) * place.voxelSize;
+    vec3 world = frame.cameraPosition.xyz + viewRay(gl_FragCoord.xy * frame.targetSize.zw) * best.t;
     vec3 lastWorld = place.moved > 0.0 ? place.lastPosition + rotate(place.lastRotation, pointBody) : world;
 
-    outAlbedo = vec4(paintedColor(body, shape, hit.slot, hit.cell, entry.color), float(hit.index) / 255.0);
+    outAlbedo = vec4(paintedColor(met.instance, met.shape, best.slot, best.cell, entry.color), float(best.index) / 255.0);
     outNormal = vec4(rotate(place.rotation, normal), entry.emission);
     outMaterial = vec4(entry.roughness, entry.metallic, entry.reflectivity, place.moved);
     outMotion = screenUv(frame.viewProjectionPlain, world) - screenUv(frame.previousViewProjection, lastWorld);
-    outDepth = hit.t;
-    gl_FragDepth = clamp(depthBufferValue(max(hit.t, frame.cameraPosition.w)), 0.0, 1.0);
+    outDepth = best.t;
+    gl_FragDepth = clamp(depthBufferValue(max(best.t, frame.cameraPosition.w)), 0.0, 1.0);
 }

@@ -78,7 +78,7 @@ TEST_F(ShaderLibraryTest, ReloadKeepsTheLastGoodProgram) {
 TEST_F(ShaderLibraryTest, FrameBlockLiesInTheShaderAsInMemory) {
     write("a.frag", "");
     ShaderLibrary shaders(shaderFolder());
-    const Program& program = shaders.load("passes/gbuffer.frag", "passes/gbuffer.vert");
+    const Program& program = shaders.load("passes/gbuffer.frag", "passes/tiles.vert");
     ASSERT_TRUE(program);
     const GLuint block = glGetUniformBlockIndex(program.name(), "FrameBlock");
     ASSERT_NE(block, GL_INVALID_INDEX);
