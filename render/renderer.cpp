@@ -57,6 +57,7 @@ constexpr Shown kShown[] = {
 
 struct Renderer::Impl {
     Impl(const std::string& shaderFolder, const RenderSettings& given) : settings(given), shaders(shaderFolder) {
+        scene.setUploadBudget(given.uploadBudget);
         blueNoise = Texture(GL_R8, glm::ivec2(kBlueNoiseSize), Filter::Nearest, Wrap::Repeat);
         blueNoise.upload(makeBlueNoise().data());
     }
@@ -258,6 +259,7 @@ void Renderer::Impl::draw(const View& view, float alpha) {
     }
     drawSmallerIfRefused(view);
     figures.textureBytes = targets.bytes() + scene.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
+    figures.waitingBytes = scene.bodies().waitingBytes();
     figures.shapes = scene.bodies().shapes();
     figures.bricks = scene.bodies().bricks();
 }

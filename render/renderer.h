@@ -44,7 +44,8 @@ struct RenderSettings {
     Noise noise = Noise::Blue;  ///< of light's rays
     bool bevel = true;          ///< rounds the edges of near voxels in light
     float bloom = 0.04f;
-    bool processorTime = false;  ///< figures' times are of this process's threads, all together: for benchmarks on a busy machine
+    uint64_t uploadBudget = 4 << 20;  ///< bytes of changed bricks sent a frame; a level that is loaded is sent at once
+    bool processorTime = false;       ///< figures' times are of this process's threads, all together: for benchmarks on a busy machine
     static RenderSettings preset(std::string_view name);
 };
 
@@ -52,6 +53,7 @@ struct RenderFigures {
     int drawCalls = 0;
     int bodyDraws = 0;          ///< of those, the ones that draw voxel bodies
     uint64_t uploadBytes = 0;   ///< to the GL since the last figures
+    uint64_t waitingBytes = 0;  ///< of changed bricks over the budget: what has changed is drawn as it was
     uint64_t textureBytes = 0;  ///< held now
     int shapes = 0;
     int bricks = 0;

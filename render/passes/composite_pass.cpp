@@ -27,11 +27,14 @@ void bindGlass(const Program& program, const FrameContext& frame) {
 
 }  // namespace
 
-CompositePass::CompositePass(ShaderLibrary& shaders)
-    : m_surfaces(shaders.load("passes/composite.frag", kFarVertexShader)), m_background(shaders.load("passes/background.frag", kFarVertexShader)) {}
+CompositePass::CompositePass(ShaderLibrary& shaders) : m_surfaces(shaders.load("passes/composite.frag", kFarVertexShader)) {
+    m_backgrounds[BackgroundTiles::Sky] = &shaders.load("passes/background_sky.frag", "passes/tiles.vert");
+    m_backgrounds[BackgroundTiles::Fields] = &shaders.load("passes/background_fields.frag", "passes/tiles.vert");
+    m_backgrounds[BackgroundTiles::Both] = &shaders.load("passes/background.frag", "passes/tiles.vert");
+}
 
-void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glassShadow) const {
-    if (!m_surfaces || !m_background) return;
+void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glassShadow) {
+    if (!m_surfaces) return;
     frame.targets.framebuffer({&frame.targets.history("radiance", GL_RGBA16F).current}, &frame.targets.at("depthBuffer")).begin();
     {
         const DepthLimit limit(DepthLimit::To::Surfaces);
@@ -46,11 +49,21 @@ void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glass
         if (glassShadow) glassShadow->bind(m_surfaces);
         frame.drawFullscreen();
     }
+    drawBackground(frame);
+}
+
+void CompositePass::drawBackground(const FrameContext& frame) {
     const DepthLimit limit(DepthLimit::To::Sky);
-    m_background.use();
-    bindGlass(m_background, frame);
-    m_background.set("uPlaneHeight", float(kPlaneHeight - frame.scene.origin().y));
-    frame.drawFullscreen();
+    const float planeHeight = float(kPlaneHeight - frame.scene.origin().y);
+    m_tiles.update(frame.block, frame.block.cameraPosition.y - planeHeight);
+    for (const auto band : {BackgroundTiles::Sky, BackgroundTiles::Fields, BackgroundTiles::Both}) {
+        const Program& program = *m_backgrounds[band];
+        if (!program || m_tiles.empty(band)) continue;
+        program.use();
+        bindGlass(program, frame);
+        program.set("uPlaneHeight", planeHeight);
+        m_tiles.draw(program, band, frame);
+    }
 }
 
 }  // namespace rubble

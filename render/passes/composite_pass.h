@@ -1,5 +1,7 @@
 #pragma once
-#include "render/frame_context.h"
+#include <array>
+
+#include "render/passes/background_tiles.h"
 
 namespace rubble {
 
@@ -10,11 +12,14 @@ class CompositePass {
 public:
     explicit CompositePass(ShaderLibrary& shaders);
     /// glassShadow: null where no sun comes through glass.
-    void draw(const FrameContext& frame, const GlassShadowPass* glassShadow) const;
+    void draw(const FrameContext& frame, const GlassShadowPass* glassShadow);
 
 private:
+    void drawBackground(const FrameContext& frame);
+
     const Program& m_surfaces;
-    const Program& m_background;
+    std::array<const Program*, BackgroundTiles::kBands> m_backgrounds;
+    BackgroundTiles m_tiles;
 };
 
 }  // namespace rubble

@@ -19,11 +19,15 @@ void GBufferPass::draw(const FrameContext& frame) {
     const Texture& motion = targets.target("motion", GL_RG16F);
     const Texture& depth = targets.target("depth", GL_R32F);
     const Texture& depthBuffer = targets.target("depthBuffer", GL_DEPTH_COMPONENT32F);
-    const Framebuffer& gbuffer = targets.framebuffer({&albedo, &normal, &material, &motion, &depth}, &depthBuffer);
+    const bool hasGlass = frame.scene.hasGlass();
+    const Framebuffer& gbuffer =
+        hasGlass ? targets.framebuffer({&albedo, &normal, &material, &motion, &depth, &targets.target("glassMask", GL_R8)}, &depthBuffer)
+                 : targets.framebuffer({&albedo, &normal, &material, &motion, &depth}, &depthBuffer);
     const float zero[4] = {0, 0, 0, 0}, sky[4] = {kSkyDepth, 0, 0, 0};
     gbuffer.begin();
     for (int i = 0; i < 4; ++i) glClearBufferfv(GL_COLOR, i, zero);
     glClearBufferfv(GL_COLOR, 4, sky);
+    if (hasGlass) glClearBufferfv(GL_COLOR, 5, zero);
     const float farthest = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &farthest);
 
@@ -37,6 +41,7 @@ void GBufferPass::draw(const FrameContext& frame) {
     m_tiles.drawTiles(m_program, BodyTiles::Which::All, frame.emptyVertexArray);
     ++frame.figures.drawCalls;
     ++frame.figures.bodyDraws;
+    glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
 }
 

@@ -4,23 +4,41 @@
 
 namespace rubble {
 
-GlassPass::GlassPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/glass.frag", "passes/tiles.vert")) {}
+GlassPass::GlassPass(ShaderLibrary& shaders)
+    : m_mask(shaders.load("passes/glass_mask.frag", "passes/tiles.vert")), m_program(shaders.load("passes/glass.frag", "passes/tiles.vert")) {}
 
 void GlassPass::draw(const FrameContext& frame, const BodyTiles& tiles) const {
     const Texture& tint = frame.targets.target("glassTint", GL_RGBA8);
     const Texture& surface = frame.targets.target("glassSurface", GL_RGBA16F);
-    frame.targets.framebuffer({&tint, &surface}).begin();
+    frame.targets.framebuffer({&tint, &surface}, &frame.targets.target("glassDepth", GL_DEPTH_COMPONENT32F)).begin();
     const float clear[4] = {1, 1, 1, 1}, none[4] = {0, 0, 0, 0};
     glClearBufferfv(GL_COLOR, 0, clear);
     glClearBufferfv(GL_COLOR, 1, none);
-    if (!m_program || tiles.empty(BodyTiles::Which::Glass)) return;
+    glClearBufferfv(GL_DEPTH, 0, none);
+    if (!m_program || !m_mask || tiles.empty(BodyTiles::Which::Glass)) return;
+    glEnable(GL_DEPTH_TEST);
+    drawMask(frame, tiles);
+    // What is not marked is rejected before its shader runs, where a branch in the shader would be walked through.
+    glDepthFunc(GL_EQUAL);
     m_program.use();
     frame.scene.bodies().bind(m_program);
     tiles.bind(m_program, BodyTiles::Which::Glass);
     m_program.set("uDepth", frame.targets.at("depth"));
     tiles.drawTiles(m_program, BodyTiles::Which::Glass, frame.emptyVertexArray);
-    ++frame.figures.drawCalls;
-    ++frame.figures.bodyDraws;
+    frame.figures.drawCalls += 2;
+    frame.figures.bodyDraws += 2;
+    glDepthFunc(GL_LESS);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void GlassPass::drawMask(const FrameContext& frame, const BodyTiles& tiles) const {
+    m_mask.use();
+    tiles.bind(m_mask, BodyTiles::Which::Glass);
+    m_mask.set("uGlass", frame.targets.at("glassMask"));
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthFunc(GL_ALWAYS);
+    tiles.drawTiles(m_mask, BodyTiles::Which::Glass, frame.emptyVertexArray);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 }  // namespace rubble

@@ -13,6 +13,10 @@ public:
     void draw(const FrameContext& frame, const BodyTiles& tiles) const;
 
 private:
+    /// Marks the pixels that the G-buffer saw through glass.
+    void drawMask(const FrameContext& frame, const BodyTiles& tiles) const;
+
+    const Program& m_mask;
     const Program& m_program;
 };
 

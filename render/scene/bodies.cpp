@@ -26,6 +26,15 @@ bool hasGlassEntry(const Palette& palette) {
     return std::any_of(palette.begin() + 1, palette.end(), [](const PaletteEntry& e) { return e.opacity < 255; });
 }
 
+template <class F>
+void forEachBrick(const FrameSnapshot& snapshot, F&& f) {
+    for (const SnapshotShape& shape : snapshot.created)
+        for (const BrickChange& change : shape.bricks)
+            if (change.content) f(change.content);
+    for (const BrickChange& change : snapshot.bricks)
+        if (change.content) f(change.content);
+}
+
 }  // namespace
 
 Bodies::Shape* Bodies::find(ShapeHandle handle) {
@@ -233,7 +242,22 @@ uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld) {
             if (m_shapes[slot]->moving) still.push_back(slot);
         }
     m_moving = std::move(still);
-    return m_atlas.upload() + m_nodes.upload() + m_tables.upload() + m_placements.upload() + m_layouts.upload() + m_palettes.upload();
+    return m_nodes.upload() + m_tables.upload() + m_placements.upload() + m_layouts.upload() + m_palettes.upload();
+}
+
+uint64_t Bodies::newBytes(const FrameSnapshot& snapshot) const {
+    uint64_t bytes = 0;
+    forEachBrick(snapshot, [&](const BrickRef& brick) { bytes += m_atlas.has(brick.get()) ? 0 : BrickAtlas::kBrickBytes; });
+    return bytes;
+}
+
+uint64_t Bodies::hold(const FrameSnapshot& snapshot) {
+    forEachBrick(snapshot, [&](const BrickRef& brick) { m_atlas.acquire(brick); });
+    return m_atlas.queued();
+}
+
+void Bodies::letGo(const FrameSnapshot& snapshot) {
+    forEachBrick(snapshot, [&](const BrickRef& brick) { m_atlas.release(brick.get()); });
 }
 
 void Bodies::place(uint32_t slot, float alpha, glm::dvec3 originWorld) {

@@ -37,8 +37,19 @@ public:
     void setPalette(const SnapshotPalette& given);
     void setPose(const SnapshotPose& pose);
 
-    /// Places what moves between its last two poses and sends what changed. Returns the bytes sent.
+    /// Sends bricks, in the order they came, at most so many bytes. Returns the bytes sent.
+    uint64_t sendBricks(uint64_t budgetBytes) { return m_atlas.upload(budgetBytes); }
+    /// Places what moves between its last two poses and sends what changed, bricks aside. Returns the bytes sent.
     uint64_t beginFrame(float alpha, glm::dvec3 originWorld);
+
+    /// Bytes of a snapshot's bricks that the atlas does not have.
+    uint64_t newBytes(const FrameSnapshot& snapshot) const;
+    /// Has a snapshot's bricks sent before the snapshot is applied. Returns what bricksSent() must have come to.
+    uint64_t hold(const FrameSnapshot& snapshot);
+    /// After the snapshot was applied.
+    void letGo(const FrameSnapshot& snapshot);
+    uint64_t bricksSent() const { return m_atlas.sent(); }
+    uint64_t waitingBytes() const { return (m_atlas.queued() - m_atlas.sent()) * BrickAtlas::kBrickBytes; }
     /// Sets the samplers of lib/bodies.glsl. The program must be in use.
     void bind(const Program& program) const;
 

@@ -35,6 +35,7 @@ uint32_t BrickAtlas::acquire(const BrickRef& brick) {
         m_bySlot.resize(std::max<size_t>(m_bySlot.size(), entry.slot + 1));
         m_bySlot[entry.slot] = brick.get();
         m_pending.push_back(entry.slot);
+        ++m_queued;
         if (brick->paint) needPaint().put(entry.slot, *brick);
     }
     ++entry.references;
@@ -56,40 +57,46 @@ PaintAtlas& BrickAtlas::needPaint() {
     return *m_paint;
 }
 
-uint64_t BrickAtlas::upload() {
-    return uploadBricks() + (m_paint ? m_paint->upload(m_slots.end()) : 0);
+uint64_t BrickAtlas::upload(uint64_t budgetBytes) {
+    return uploadBricks(budgetBytes) + (m_paint ? m_paint->upload(m_slots.end()) : 0);
 }
 
-uint64_t BrickAtlas::uploadBricks() {
-    if (m_pending.empty()) return 0;
-    std::sort(m_pending.begin(), m_pending.end());
-    m_pending.erase(std::unique(m_pending.begin(), m_pending.end()), m_pending.end());
-    std::erase_if(m_pending, [&](uint32_t slot) { return !m_bySlot[slot]; });
+uint64_t BrickAtlas::uploadBricks(uint64_t budgetBytes) {
+    const size_t count = size_t(std::min<uint64_t>(m_pending.size(), budgetBytes / kBrickBytes));
+    if (count == 0) return 0;
+    std::vector<uint32_t> slots(m_pending.begin(), m_pending.begin() + std::ptrdiff_t(count));
+    m_pending.erase(m_pending.begin(), m_pending.begin() + std::ptrdiff_t(count));
+    std::sort(slots.begin(), slots.end());
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    std::erase_if(slots, [&](uint32_t slot) { return !m_bySlot[slot]; });
     if (!m_words.reserve(m_slots.end() * kWordBytes) || !m_indices.reserve(m_slots.end() * kIndexBytes)) {
         if (!m_full) logError("brick atlas: full at " + std::to_string(bytes()) + " bytes, the largest buffer texture of this GL");
         m_full = true;
         const uint64_t room = std::min(m_words.bytes() / kWordBytes, m_indices.bytes() / kIndexBytes);
-        std::erase_if(m_pending, [&](uint32_t slot) { return slot >= room; });
+        std::erase_if(slots, [&](uint32_t slot) { return slot >= room; });
     }
+    send(slots);
+    return slots.size() * kBrickBytes;
+}
+
+/// Ascending slots, neighbours together.
+void BrickAtlas::send(const std::vector<uint32_t>& slots) {
     std::vector<uint64_t> words;
     std::vector<uint8_t> indices;
-    for (size_t i = 0; i < m_pending.size();) {
+    for (size_t i = 0; i < slots.size();) {
         const size_t first = i;
         words.clear();
         indices.clear();
-        for (; i < m_pending.size() && m_pending[i] == m_pending[first] + (i - first); ++i) {
-            const Brick& brick = *m_bySlot[m_pending[i]];
+        for (; i < slots.size() && slots[i] == slots[first] + (i - first); ++i) {
+            const Brick& brick = *m_bySlot[slots[i]];
             for (int w = 0; w < 8; ++w) words.push_back(wordOf(brick, w & 1, w >> 1 & 1, w >> 2));
             BrickIndices expanded;
             expandBrick(&brick, expanded);
             indices.insert(indices.end(), expanded.begin(), expanded.end());
         }
-        m_words.upload(m_pending[first] * kWordBytes, std::as_bytes(std::span(words)));
-        m_indices.upload(m_pending[first] * kIndexBytes, std::as_bytes(std::span(indices)));
+        m_words.upload(slots[first] * kWordBytes, std::as_bytes(std::span(words)));
+        m_indices.upload(slots[first] * kIndexBytes, std::as_bytes(std::span(indices)));
     }
-    const uint64_t sent = m_pending.size() * (kWordBytes + kIndexBytes);
-    m_pending.clear();
-    return sent;
 }
 
 }  // namespace rubble

@@ -20,7 +20,13 @@ public:
     /// Which of a brick's eight 4x4x4 words hold anything: bit x + 2 y + 4 z.
     static uint32_t occupiedWords(const Brick& brick);
 
-    uint64_t upload();
+    bool has(const Brick* brick) const { return m_entries.count(brick) > 0; }
+    /// Sends new bricks in the order acquired, at most so many bytes of them, and all new paint. Returns the bytes sent.
+    uint64_t upload(uint64_t budgetBytes = ~uint64_t(0));
+    static constexpr uint64_t kBrickBytes = 64 + kBrickVoxels;  ///< of occupancy and indices
+    /// Bricks ever acquired anew, and how many of these have been sent (or were given up before).
+    uint64_t queued() const { return m_queued; }
+    uint64_t sent() const { return m_queued - m_pending.size(); }
     int bricks() const { return int(m_slots.used()); }
     uint64_t bytes() const { return m_words.bytes() + m_indices.bytes() + (m_paint ? m_paint->bytes() : 0); }
     /// Null until a brick with paint has come.
@@ -31,7 +37,8 @@ public:
     const BufferTexture& indices() const { return m_indices; }
 
 private:
-    uint64_t uploadBricks();
+    uint64_t uploadBricks(uint64_t budgetBytes);
+    void send(const std::vector<uint32_t>& slots);
     struct Entry {
         BrickRef brick;  ///< held, so that its address means this brick
         uint32_t slot;
@@ -39,7 +46,8 @@ private:
     };
     std::unordered_map<const Brick*, Entry> m_entries;
     std::vector<const Brick*> m_bySlot;
-    std::vector<uint32_t> m_pending;  ///< slots to upload
+    std::vector<uint32_t> m_pending;  ///< slots to upload, in the order acquired
+    uint64_t m_queued = 0;
     Slots m_slots;
     BufferTexture m_words{GL_RGBA32UI};  ///< 4 texels a brick
     BufferTexture m_indices{GL_R32UI};   ///< 128 texels a brick

@@ -13,6 +13,29 @@ constexpr double kRebaseDistance = 1024.0;  // floats are still good to 0.06 mm 
 }  // namespace
 
 void Scene::apply(FrameSnapshot&& snapshot) {
+    if (snapshot.replacesAll) {
+        for (Held& held : m_held) {
+            applyNow(held.snapshot);
+            m_bodies.letGo(held.snapshot);
+        }
+        m_held.clear();
+        m_sendAll = true;
+        return applyNow(snapshot);
+    }
+    if (m_held.empty() && (m_sendAll || m_bodies.waitingBytes() + m_bodies.newBytes(snapshot) <= m_uploadBudget)) return applyNow(snapshot);
+    const uint64_t bricks = m_bodies.hold(snapshot);
+    m_held.push_back({std::move(snapshot), bricks});
+}
+
+void Scene::applyHeld() {
+    while (!m_held.empty() && m_held.front().bricksSent <= m_bodies.bricksSent()) {
+        applyNow(m_held.front().snapshot);
+        m_bodies.letGo(m_held.front().snapshot);
+        m_held.pop_front();
+    }
+}
+
+void Scene::applyNow(FrameSnapshot& snapshot) {
     bool glassChanged = snapshot.environmentChanged || touchesGlass(snapshot);  // what goes
     if (snapshot.replacesAll) m_bodies.clear();
     for (ShapeHandle shape : snapshot.destroyed) m_bodies.destroy(shape);
@@ -49,11 +72,13 @@ bool Scene::touchesGlass(const FrameSnapshot& snapshot) const {
 }
 
 uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld) {
+    const uint64_t bricks = m_bodies.sendBricks(std::exchange(m_sendAll, false) ? ~uint64_t(0) : m_uploadBudget);
+    applyHeld();
     const bool rebased = glm::distance(cameraWorld, m_origin) > kRebaseDistance;
     if (rebased) m_origin = glm::round(cameraWorld / kSector) * kSector;
     if (m_smokeChanged || rebased) m_smoke.update(m_particles, m_environment.sunDirection, m_origin);
     m_smokeChanged = false;
-    return m_bodies.beginFrame(alpha, m_origin) + m_shadow.upload();
+    return bricks + m_bodies.beginFrame(alpha, m_origin) + m_shadow.upload();
 }
 
 glm::ivec3 Scene::shadowSectorLow() const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <deque>
 #include <vector>
 
 #include "render/gl/program.h"
@@ -12,7 +13,11 @@ namespace rubble {
 /// The renderer's mirror of the world, fed by snapshots: bodies, shadow volume, lights and environment. [render-thread]
 class Scene {
 public:
+    /// At once, unless its new bricks are more than the budget: then it waits, with all that comes after it, until they have been
+    /// sent, and what is drawn meanwhile is the world before it. A level that replaces all never waits.
     void apply(FrameSnapshot&& snapshot);
+    /// Bytes of changed bricks to send a frame.
+    void setUploadBudget(uint64_t bytes) { m_uploadBudget = bytes; }
     /// Places what moves and sends what changed to the GPU. Returns the bytes sent.
     uint64_t beginFrame(float alpha, glm::dvec3 cameraWorld);
 
@@ -45,8 +50,18 @@ public:
 private:
     bool isGlass(ShapeHandle shape) const;
     bool touchesGlass(const FrameSnapshot& snapshot) const;
+    struct Held {
+        FrameSnapshot snapshot;
+        uint64_t bricksSent;  ///< when it can be applied
+    };
+    /// Leaves the lists of bricks as they are.
+    void applyNow(FrameSnapshot& snapshot);
+    void applyHeld();
 
     Bodies m_bodies;
+    std::deque<Held> m_held;  ///< oldest first
+    uint64_t m_uploadBudget = ~uint64_t(0);
+    bool m_sendAll = false;  ///< a level was loaded
     ShadowMirror m_shadow;
     SmokeShadow m_smoke;
     std::vector<SnapshotLight> m_lights;

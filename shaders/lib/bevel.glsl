@@ -5,15 +5,16 @@ vec3 bevelledNormal(Surface s, ivec2 pixel) {
     float pixelMetres = 2.0 * frame.cameraUp.w * frame.targetSize.w * s.depth;
     float radius = kBevelMetres / pixelMetres;
     float strength = smoothstep(0.5, 1.2, radius);
-    if (strength <= 0.0) return s.normal;
     radius = clamp(radius, 1.0, 12.0);
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec3 sum = s.normal * 2.0;
-    for (int i = 0; i < 8; ++i) {
-        float angle = float(i) * 2.399963;
-        vec2 offset = vec2(cos(angle), sin(angle)) * radius * sqrt((float(i) + 0.5) / 8.0);
+    int taps = strength > 0.0 ? 8 : 0;  // a loop is left where a branch would be walked through
+    vec2 spiral = vec2(1.0, 0.0);
+    for (int i = 0; i < taps; ++i) {
+        vec2 offset = spiral * radius * sqrt((float(i) + 0.5) / 8.0);
+        spiral = vec2(dot(spiral, vec2(-0.7373688, -0.6754903)), dot(spiral, vec2(0.6754903, -0.7373688)));  // by the golden angle
         ivec2 p = clamp(pixel + ivec2(floor(offset + 0.5)), ivec2(0), high);
         if (abs(texelFetch(uDepth, p, 0).r - s.depth) < 0.05 + 4.0 * pixelMetres) sum += texelFetch(uNormal, p, 0).xyz;
     }
-    return normalize(mix(s.normal, normalize(sum), 0.7 * strength));
+    return strength > 0.0 ? normalize(mix(s.normal, normalize(sum), 0.7 * strength)) : s.normal;
 }

@@ -4,7 +4,8 @@
 //   material  RGBA8    r roughness, g metallic, b reflectivity (0.08 = 1/12.5 at 1.0: see reflectanceOf), a 1 if the body moves
 //   motion    RG16F    uv of the point now minus its uv in the last frame, both without jitter
 //   depth     R32F     linear: metres along the view axis; kSkyDepth where nothing was hit
-// Glass (opacity < 255) is not in these. Where the scene has some, the pass "glass" adds:
+// Glass (opacity < 255) is not in these. Where the scene has some, there are also:
+//   glassMask R8      1 where a pane stands before the surface or the sky
 //   glassTint RGBA8    rgb share of the light behind that comes through all panes (1 = no glass)
 //   glassSurface RGBA16F xyz normal of the nearest pane, w its linear depth (0 = no glass)
 const float kSkyDepth = 65000.0;

@@ -58,10 +58,12 @@ float hillLine(vec2 heading, float frequency, float seed, int octaves) {
     return fractalNoise(heading * frequency + seed, octaves);
 }
 
+const float kHighestHill = 0.16;  // tangent of its elevation; render/passes/background_tiles.cpp knows it too
+
 vec3 withHills(vec3 sky, vec3 direction) {
     vec2 heading = normalize(direction.xz);
     float slope = direction.y / max(length(direction.xz), 1e-4);
-    if (slope > 0.16) return sky;
+    if (slope > kHighestHill) return sky;
     vec3 haze = hazeRadiance(direction);
     vec3 light = frame.sunColor.rgb * 0.06 + frame.skyColor.rgb * 0.35;
     float pixel = 0.0022;   // softens the outline by about a pixel
@@ -107,14 +109,18 @@ vec3 starsIn(vec3 direction) {
     return tint * (frame.skyCover.y * glow * max(0.0, 1.0 - dot(away, away)) * smoothstep(0.02, 0.35, direction.y));
 }
 
-/// Everything behind the level as the camera sees it. eyeHeight: over the plane of the fields.
-vec3 backgroundRadiance(vec3 direction, float eyeHeight) {
-    vec3 result;
-    if (direction.y < 0.0 && eyeHeight > 0.0) return fieldsBelow(direction, eyeHeight);
+/// The sky as the camera sees it: with stars, clouds and the sun's disc.
+vec3 skyBehind(vec3 direction) {
     float mu = dot(direction, frame.sunDirection.xyz);
     vec3 sky = withClouds(skyRadiance(vec3(direction.x, max(direction.y, 0.02), direction.z)) + starsIn(direction), direction);
     // The disc itself, a little larger than life and far from its true radiance: it must bloom, not flicker.
     float edge = 1.0 - 0.5 * frame.sunDirection.w * frame.sunDirection.w * 4.0;
     sky += frame.sunColor.rgb * 12.0 * smoothstep(edge, 1.0 - (1.0 - edge) * 0.6, mu) * (1.0 - smoothstep(0.6, 0.95, frame.skyCover.x));
-    return withHills(sky, direction);
+    return sky;
+}
+
+/// Everything behind the level as the camera sees it. eyeHeight: over the plane of the fields.
+vec3 backgroundRadiance(vec3 direction, float eyeHeight) {
+    if (direction.y < 0.0 && eyeHeight > 0.0) return fieldsBelow(direction, eyeHeight);
+    return withHills(skyBehind(direction), direction);
 }

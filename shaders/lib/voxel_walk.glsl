@@ -18,6 +18,7 @@ struct VoxelHit {
     float t;        // in lengths of the direction
     vec3 normal;    // of the face entered through, in the body; 0 if the ray begins inside the voxel
     int steps;
+    float glassT;   // of the first voxel of glass that was passed by; tMax or more if there was none
 };
 
 int indexAt(int slot, ivec3 cell) {
@@ -81,7 +82,7 @@ bool findSolid(inout CellWalk w, Layout body, float tMax, out int slot, inout in
 
 // originCells and direction in the body's cells; tMin and tMax in lengths of the direction.
 VoxelHit walkVoxels(Layout body, vec3 originCells, vec3 direction, float tMin, float tMax, int stopAt) {
-    VoxelHit result = VoxelHit(false, ivec3(0), 0, 0, tMax, vec3(0.0), 0);
+    VoxelHit result = VoxelHit(false, ivec3(0), 0, 0, tMax, vec3(0.0), 0, kFarthest);
     CellWalk w;
     if (isnan(tMax)) return result;
     tMax = min(tMax, kFarthest);
@@ -94,8 +95,9 @@ VoxelHit walkVoxels(Layout body, vec3 originCells, vec3 direction, float tMin, f
         int index = indexAt(slot, w.cell);
         if (plain || isGlass(body.palette, index) == (stopAt == kStopAtGlass)) {
             vec3 outward = vec3(1 - 2 * w.ahead);
-            return VoxelHit(true, w.cell, index, slot, max(w.t, 0.0), vec3(w.axis) * outward, result.steps);
+            return VoxelHit(true, w.cell, index, slot, max(w.t, 0.0), vec3(w.axis) * outward, result.steps, result.glassT);
         }
+        result.glassT = min(result.glassT, w.t);
         leaveBlock(w, 1);
         if (!(w.t <= tMax) || !insideCells(w.cell, body.low, body.high)) break;
     }

@@ -8,12 +8,14 @@ layout(location = 1) out vec4 outNormal;
 layout(location = 2) out vec4 outMaterial;
 layout(location = 3) out vec2 outMotion;
 layout(location = 4) out float outDepth;
+layout(location = 5) out float outGlass;  // 1 where a pane stands before it: only in scenes with glass
 
 const float kSkyDepth = 65000.0;
 
+// What was at or behind the camera lies far off the screen, but not so far that 16 bits cannot hold it.
 vec2 screenUv(mat4 viewProjection, vec3 world) {
     vec4 clip = viewProjection * vec4(world, 1.0);
-    return clip.xy / clip.w * 0.5 + 0.5;
+    return clamp(clip.xy / max(clip.w, 1e-4) * 0.5 + 0.5, -8.0, 8.0);
 }
 
 // What the depth buffer holds for a linear depth, as the projection of render/frame_camera.cpp makes it.
@@ -24,18 +26,21 @@ float depthBufferValue(float linear) {
 
 void main() {
     ivec2 list = tileList(ivec2(gl_FragCoord.xy));
-    VoxelHit best = VoxelHit(false, ivec3(0), 0, 0, kSkyDepth, vec3(0.0), 0);
+    VoxelHit best = VoxelHit(false, ivec3(0), 0, 0, kSkyDepth, vec3(0.0), 0, kFarthest);
+    float glassT = kFarthest;
     BodyView met;
     for (int i = list.x; i < list.y; ++i) {
         BodyView view = bodyViewAt(i, gl_FragCoord.xy);
         if (view.nearest >= best.t) break;
         VoxelHit hit = walkVoxels(view.shape, view.camera, view.ray, 0.0, best.t, kStopAtOpaque);
+        glassT = min(glassT, hit.glassT);
         if (hit.hit) {
             best = hit;
             met = view;
         }
     }
-    if (!best.hit) discard;
+    bool behindGlass = glassT < best.t;
+    if (!best.hit && !behindGlass) discard;
 
     Placement place = readPlacement(met.instance);
     Entry entry = readEntry(met.shape.palette, best.index);
@@ -47,7 +52,12 @@ void main() {
     outAlbedo = vec4(paintedColor(met.instance, met.shape, best.slot, best.cell, entry.color), float(best.index) / 255.0);
     outNormal = vec4(rotate(place.rotation, normal), entry.emission);
     outMaterial = vec4(entry.roughness, entry.metallic, entry.reflectivity, place.moved);
-    outMotion = screenUv(frame.viewProjectionPlain, world) - screenUv(frame.previousViewProjection, lastWorld);
+    outMotion = gl_FragCoord.xy * frame.targetSize.zw + frame.jitter.xy - screenUv(frame.previousViewProjection, lastWorld);
     outDepth = best.t;
-    gl_FragDepth = clamp(depthBufferValue(max(best.t, frame.cameraPosition.w)), 0.0, 1.0);
+    outGlass = float(behindGlass);
+    if (!best.hit) {
+        outAlbedo = outNormal = outMaterial = vec4(0.0);
+        outMotion = vec2(0.0);
+    }
+    gl_FragDepth = !best.hit ? 1.0 : clamp(depthBufferValue(max(best.t, frame.cameraPosition.w)), 0.0, 1.0);
 }

@@ -8,6 +8,8 @@ uniform sampler2D uHistory;
 uniform bool uHistoryValid;
 uniform sampler2D uDepth;
 uniform sampler2D uMotion;
+uniform vec3 uWeightsAcross;  // of the columns left, here and right, and of the rows below, here and above: a gaussian around
+uniform vec3 uWeightsUp;      // where the jittered sample lies, with a sum of 1
 
 const float kSkyDepth = 65000.0;
 const float kNewShare = 0.1;
@@ -44,16 +46,14 @@ vec2 motionAt(ivec2 nearest, float depth) {
     if (depth < kSkyDepth) return texelFetch(uMotion, nearest, 0).rg;
     vec4 far = vec4(frame.cameraPosition.xyz + viewRay(uv) * 4000.0, 1.0);
     vec4 before = frame.previousViewProjection * far;
-    vec4 now = frame.viewProjectionPlain * far;
-    return (now.xy / now.w - before.xy / before.w) * 0.5;
+    return uv + frame.jitter.xy - (before.xy / max(before.w, 1e-4) * 0.5 + 0.5);
 }
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
-    vec2 jitterPixels = frame.jitter.xy * frame.targetSize.xy;
     vec3 sum = vec3(0.0), squares = vec3(0.0), now = vec3(0.0), low = vec3(1e9), top = vec3(-1e9);
-    float total = 0.0, depth = 1e9, seenThrough = 1.0;
+    float depth = 1e9, seenThrough = 1.0;
     ivec2 nearest = pixel;
     for (int i = 0; i < 9; ++i) {
         ivec2 offset = ivec2(i % 3, i / 3) - 1;
@@ -65,17 +65,14 @@ void main() {
         squares += c * c;
         low = min(low, c);
         top = max(top, c);
-        vec2 away = vec2(offset) + jitterPixels;
-        float w = exp(-2.3 * dot(away, away));
-        now += c * w;
-        total += w;
+        now += c * (uWeightsAcross[i % 3] * uWeightsUp[i / 3]);
+        if (i % 2 == 1) continue;  // corners and middle are enough to find an edge in front
         float d = texelFetch(uDepth, p, 0).r;
         if (d < depth) {
             depth = d;
             nearest = p;
         }
     }
-    now /= total;
     resolved = vec4(expand(fromYCoCg(now)), 1.0);
     vec2 before = uv - motionAt(nearest, depth);
     if (!uHistoryValid || any(lessThan(before, vec2(0.0))) || any(greaterThan(before, vec2(1.0)))) return;

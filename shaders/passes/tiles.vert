@@ -1,11 +1,13 @@
-// A square for each tile that has something to look at: two triangles.
+// A square for each tile that has something to show, at the far plane: two triangles.
 #include "lib/frame.glsl"
 uniform usamplerBuffer uTileNumbers;
 uniform ivec2 uTileGrid;  // as in lib/body_tiles.glsl
+out vec2 uv;
 
 void main() {
     int tile = int(texelFetch(uTileNumbers, gl_InstanceID).r);
     ivec2 corner = ivec2(gl_VertexID == 1 || gl_VertexID >= 4 ? 1 : 0, gl_VertexID == 2 || gl_VertexID == 3 || gl_VertexID == 5 ? 1 : 0);
     vec2 pixel = vec2((ivec2(tile % uTileGrid.x, tile / uTileGrid.x) + corner) << uTileGrid.y);
-    gl_Position = vec4(pixel * frame.targetSize.zw * 2.0 - 1.0, 0.0, 1.0);
+    uv = pixel * frame.targetSize.zw;
+    gl_Position = vec4(uv * 2.0 - 1.0, 1.0, 1.0);
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tests/golden/drawing.h"
+#include "tests/golden/finite_textures.h"
 
 namespace rubble {
 namespace {
@@ -109,22 +110,7 @@ TEST_F(LightTest, NoBufferHoldsANumberThatIsNone) {
     LitScene scene = streetScene();
     start(scene, {160, 90});
     for (int i = 0; i < 4; ++i) draw(streetCamera(i));
-    for (GLuint name = 1; name < 256; ++name) {
-        if (!glIsTexture(name)) continue;
-        while (glGetError() != GL_NO_ERROR) {
-        }
-        glBindTexture(GL_TEXTURE_2D, name);
-        if (glGetError() != GL_NO_ERROR) continue;  // of another kind
-        GLint width = 0, height = 0, format = 0;
-        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
-        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
-        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
-        if (width == 0 || (format != GL_RGBA16F && format != GL_RGBA32F && format != GL_RG16F && format != GL_R32F)) continue;
-        std::vector<float> values(size_t(width) * height * 4);
-        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, values.data());
-        const auto bad = std::count_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
-        EXPECT_EQ(bad, 0) << "texture " << name << ", format " << format << ", " << width << "x" << height;
-    }
+    EXPECT_EQ(texturesThatAreNotFinite(), "");
 }
 
 /// Mean of the pixels in a box of the image.

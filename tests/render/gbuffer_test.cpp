@@ -239,6 +239,51 @@ TEST_F(GBufferTest, UploadsFollowTheChange) {
     EXPECT_EQ(scene.bodies().shapes(), 0);
 }
 
+TEST_F(GBufferTest, ChangesOverTheBudgetWaitAndAreDrawnAsTheyWere) {
+    Scene scene;
+    scene.setUploadBudget(3 * BrickAtlas::kBrickBytes);
+    TestScene made;
+    VoxelGrid grid({80, 8, 8});
+    {
+        GridWriter writer(grid);
+        fillBox(writer, {0, 0, 0}, {80, 8, 8}, 5);
+    }
+    const ShapeHandle shape = made.add(grid, {{-4, -0.4, -6}, {1, 0, 0, 0}}, testPalette());
+    made.snapshot().replacesAll = true;
+    scene.apply(made.take());
+    View view;
+    view.size = {160, 20};
+    const auto entries = [&] {
+        draw(scene, view);
+        std::vector<int> row;
+        for (const glm::vec4& pixel : read(targets.at("albedo"))) row.push_back(int(std::lround(pixel.w * 255)));
+        return row;
+    };
+    const std::vector<int> before = entries();
+    EXPECT_EQ(scene.bodies().waitingBytes(), 0u) << "a level that is loaded does not wait";
+
+    for (int step = 0; step < 2; ++step) {  // both ends of the bar change in the first, nothing of it may be seen before all of it
+        for (int brick = 0; brick < 10; ++brick) {
+            BrickIndices indices;
+            indices.fill(uint8_t(20 + 20 * step + brick));
+            made.snapshot().bricks.push_back({shape, {brick, 0, 0}, makeBrick(indices)});
+        }
+        scene.apply(made.take());
+    }
+    int frames = 0;
+    std::vector<int> seen;
+    do {
+        EXPECT_GT(scene.bodies().waitingBytes(), 0u);
+        seen = entries();
+        EXPECT_LE(uploaded, 3 * BrickAtlas::kBrickBytes + 8192) << "the budget, and the directory";
+        ++frames;
+    } while (seen == before && frames < 100);
+    EXPECT_EQ(frames, 4) << "ten bricks, three a frame";
+    for (int entry : seen) EXPECT_TRUE(entry == 0 || (entry >= 20 && entry < 30)) << "the first change, whole";
+    while (scene.bodies().waitingBytes() > 0) seen = entries();
+    for (int entry : seen) EXPECT_TRUE(entry == 0 || (entry >= 40 && entry < 50)) << "the second";
+}
+
 TEST_F(GBufferTest, AtlasGrowsAndKeepsWhatItHeld) {
     std::vector<Body> bodies = bodiesFor(5);
     Scene scene;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/frame/frame_snapshot.h"
 #include "samples/support/gl_context.h"
 
 namespace rubble::bench {
@@ -18,6 +19,8 @@ struct Options {
 /// Each prints its tables and returns the program's exit code. The context is current.
 int benchFrame(const Options& options, GlContext& context);
 bool benchWalk(const Options& options);
+bool benchBodies(const Options& options);
+void benchCity(const Options& options, const FrameSnapshot& town);
 int benchPrimary(const Options& options);
 
 double median(std::vector<double> values);

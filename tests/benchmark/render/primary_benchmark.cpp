@@ -17,7 +17,9 @@ FrameSnapshot snapshotOf(const Level& level) {
 }
 
 void benchTown(const Options& options) {
-    GBufferRig rig(options.shaders, snapshotOf(makeTown(1)));
+    FrameSnapshot town = snapshotOf(makeTown(1));
+    benchCity(options, town);
+    GBufferRig rig(options.shaders, std::move(town));
     fmt::print("\nthe town: milliseconds of processors' time\n");
     for (const Place& place : placesInTown()) {
         rig.beginFrame(place.view(options.size, 0));
@@ -30,7 +32,7 @@ void benchTown(const Options& options) {
 }  // namespace
 
 int benchPrimary(const Options& options) {
-    if (!benchWalk(options)) return 1;
+    if (!benchWalk(options) || !benchBodies(options)) return 1;
     benchTown(options);
     return 0;
 }

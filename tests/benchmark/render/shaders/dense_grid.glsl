@@ -2,6 +2,7 @@
 uniform sampler3D uVoxels;
 uniform ivec3 uSize;
 const float kNudge = 1e-4;
+const float kNever = 1e30;
 
 // False if the ray passes the box by. The direction comes back without zeros.
 bool enterGrid(vec3 origin, vec3 given, out vec3 direction, out vec3 inverse, out float tEnter, out float tLeave) {

@@ -1,0 +1,52 @@
+#include "render/passes/background_tiles.h"
+
+#include <glm/geometric.hpp>
+
+namespace rubble {
+namespace {
+
+constexpr int kTileShift = 4;
+constexpr float kHighestHill = 0.16f;  // as in lib/sky.glsl
+
+/// What a direction can show. Each set but Both is a convex cone: what the four corners of a tile are, the tile is.
+BackgroundTiles::Band bandOf(glm::vec3 direction, float eyeHeight) {
+    if (direction.y < 0.0f && eyeHeight > 0.0f) return BackgroundTiles::Fields;
+    return direction.y > kHighestHill * glm::length(glm::vec2(direction.x, direction.z)) ? BackgroundTiles::Sky : BackgroundTiles::Both;
+}
+
+}  // namespace
+
+void BackgroundTiles::update(const FrameBlock& block, float eyeHeight) {
+    const glm::ivec2 size(block.targetSize), tiles = (size + (1 << kTileShift) - 1) >> kTileShift;
+    m_tilesAcross = tiles.x;
+    const glm::vec3 across = glm::vec3(block.cameraRight) * block.cameraRight.w, up = glm::vec3(block.cameraUp) * block.cameraUp.w;
+    std::vector<Band> corners;
+    for (int y = 0; y <= tiles.y; ++y)
+        for (int x = 0; x <= tiles.x; ++x) {
+            const glm::vec2 uv = glm::vec2(x << kTileShift, y << kTileShift) * glm::vec2(block.targetSize.z, block.targetSize.w);
+            const glm::vec2 p = (uv + glm::vec2(block.jitter)) * 2.0f - 1.0f;  // as viewRay() in lib/frame.glsl
+            corners.push_back(bandOf(glm::vec3(block.cameraForward) + across * p.x + up * p.y, eyeHeight));
+        }
+    for (auto& list : m_tiles) list.clear();
+    for (int y = 0; y < tiles.y; ++y)
+        for (int x = 0; x < tiles.x; ++x) {
+            const Band* c = &corners[size_t(y * (tiles.x + 1) + x)];
+            const bool same = c[0] == c[1] && c[0] == c[tiles.x + 1] && c[0] == c[tiles.x + 2];
+            m_tiles[same ? c[0] : Both].push_back(uint32_t(y * tiles.x + x));
+        }
+    for (size_t band = 0; band < kBands; ++band) {
+        if (m_tiles[band].empty()) continue;
+        m_textures[band].reserve(m_tiles[band].size() * sizeof(uint32_t));
+        m_textures[band].upload(0, std::as_bytes(std::span(m_tiles[band])));
+    }
+}
+
+void BackgroundTiles::draw(const Program& program, Band band, const FrameContext& frame) const {
+    program.set("uTileNumbers", m_textures[band]);
+    program.set("uTileGrid", glm::ivec2(m_tilesAcross, kTileShift));
+    glBindVertexArray(frame.emptyVertexArray.get());
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 6, GLsizei(m_tiles[band].size()));
+    ++frame.figures.drawCalls;
+}
+
+}  // namespace rubble

@@ -1,0 +1,25 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "render/frame_context.h"
+
+namespace rubble {
+
+/// Squares of the screen by what of the background they can show, so that each is drawn by a shader that does only that.
+class BackgroundTiles {
+public:
+    enum Band { Sky, Fields, Both, kBands };
+    /// eyeHeight: over the plane of the fields.
+    void update(const FrameBlock& block, float eyeHeight);
+    bool empty(Band band) const { return m_tiles[band].empty(); }
+    /// Draws a band's tiles with the program that is in use, whose vertex shader is passes/tiles.vert.
+    void draw(const Program& program, Band band, const FrameContext& frame) const;
+
+private:
+    int m_tilesAcross = 0;
+    std::array<std::vector<uint32_t>, kBands> m_tiles;
+    std::array<BufferTexture, kBands> m_textures{BufferTexture(GL_R32UI), BufferTexture(GL_R32UI), BufferTexture(GL_R32UI)};
+};
+
+}  // namespace rubble

@@ -1,0 +1,17 @@
+// The background below the horizon: see background.frag.
+#include "lib/frame.glsl"
+#include "lib/noise.glsl"
+#include "lib/brdf.glsl"
+#include "lib/sky.glsl"
+#include "lib/glass.glsl"
+
+uniform float uPlaneHeight;  // of the fields around the level, metres
+
+in vec2 uv;
+out vec4 radiance;
+
+void main() {
+    vec3 direction = normalize(viewRay(uv));
+    vec3 color = fieldsBelow(direction, frame.cameraPosition.y - uPlaneHeight);
+    radiance = vec4(onlyFinite(throughGlass(color, direction, ivec2(gl_FragCoord.xy))), 1.0);
+}
