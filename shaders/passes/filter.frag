@@ -17,6 +17,7 @@ out vec4 filtered;
 const int kTaps = 5;  // the first is the pixel itself
 const float kOwnWeight = 1.5;
 const float kLongPast = 12.0;  // frames
+const float kQuiet = 0.10;     // deviation of what is accumulated, as a share of it
 
 /// 1 for no difference, 0 from twice the scale on: a bell without an exponential.
 float bell(float x) {
@@ -29,8 +30,10 @@ void main() {
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec4 centre = texelFetch(uSurface, pixel, 0);
     vec4 own = texelFetch(uLight, pixel, 0);
-    // Wide steps are for places without a past: they cost detail that time keeps.
-    if (uStride > 2 && centre.z >= kLongPast) {
+    // Wide steps are for places without a past, or that are noisy in spite of it: they cost detail that time keeps.
+    float ownSquared = luminance(own.rgb) * luminance(own.rgb);
+    bool isQuiet = centre.w - ownSquared < kQuiet * kQuiet * ownSquared * centre.z;
+    if (uStride > 2 && centre.z >= kLongPast && isQuiet) {
         filtered = own;
         return;
     }
