@@ -22,7 +22,7 @@ TEST(Scenes, HaveDifferentNames) {
         EXPECT_EQ(findScene(scene.name)->name, scene.name);
         EXPECT_FALSE(scene.shows.empty());
     }
-    EXPECT_EQ(names.size(), 14u);
+    EXPECT_EQ(names.size(), allScenes().size());
     EXPECT_EQ(findScene("no such scene"), nullptr);
 }
 
