@@ -65,70 +65,36 @@ struct Renderer::Impl {
     /// The frame: each pass reads what those above it have drawn.
     void drawPasses(const FrameContext& frame) {
         run("gbuffer", [&] { gbuffer.draw(frame); });
-        if (!scene.ropes().empty()) run("ropes", [&] { drawRopes(frame); });
-        if (scene.environment().wetness > 0.0f) run("wetness", [&] { drawWetness(frame); });
+        if (!scene.ropes().empty()) run("ropes", [&] { drawMade(ropes, frame, alphaOfStep); });
+        if (scene.environment().wetness > 0.0f) run("wetness", [&] { drawMade(wetness, frame); });
         if (scene.hasGlass()) run("glass", [&] { glass.draw(frame, gbuffer.tiles()); });
-        if (glassIsInTheSun()) run("glass shadow", [&] { drawGlassShadow(frame); });
+        if (glassIsInTheSun()) run("glass shadow", [&] { drawMade(glassShadow, frame); });
         clearLight(frame);
         if (settings.sun && block.sunDirection.y > 0.0f) run("sun", [&] { sun.draw(frame); });
         if (settings.sky) run("sky", [&] { sky.draw(frame); });
-        if (LocalLightsPass::needed(frame)) run("local lights", [&] { drawLocalLights(frame); });
+        if (LocalLightsPass::needed(frame)) run("local lights", [&] { drawMade(localLights, frame); });
         run("accumulate", [&] { accumulate.draw(frame); });
         run("filter", [&] { filter.draw(frame); });
         if (ReflectionsPass::needed(frame)) run("reflections", [&] { reflections.draw(frame); });
         run("composite", [&] { composite.draw(frame, glassIsInTheSun() ? &*glassShadow : nullptr); });
-        if (!scene.waters().empty()) run("water", [&] { drawWaters(frame); });
-        if (FogPass::needed(frame)) run("fog", [&] { drawFog(frame); });
-        if (!scene.particles().empty()) run("particles", [&] { drawParticles(frame); });
-        if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty()) run("glare", [&] { drawGlare(frame); });
+        if (!scene.waters().empty()) run("water", [&] { drawMade(water, frame); });
+        if (FogPass::needed(frame)) run("fog", [&] { drawMade(fog, frame); });
+        if (!scene.particles().empty()) run("particles", [&] { drawMade(particles, frame, alphaOfStep); });
+        if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty()) run("glare", [&] { drawMade(glare, frame); });
         run("taa", [&] { taa.draw(frame); });
         if (settings.bloom > 0.0f) run("bloom", [&] { bloom.draw(frame); });
         run("exposure", [&] { exposure.draw(frame); });
         run("tonemap", [&] { tonemap.draw(frame); });
     }
 
-    /// Most scenes never have any: the pass is made with the first.
-    void drawParticles(const FrameContext& frame) {
-        if (!particles) particles.emplace(shaders);
-        particles->draw(frame, alphaOfStep);
-    }
-
-    void drawGlare(const FrameContext& frame) {
-        if (!glare) glare.emplace(shaders);
-        glare->draw(frame);
-    }
-
-    void drawFog(const FrameContext& frame) {
-        if (!fog) fog.emplace(shaders);
-        fog->draw(frame);
-    }
-
-    void drawLocalLights(const FrameContext& frame) {
-        if (!localLights) localLights.emplace(shaders);
-        localLights->draw(frame);
-    }
-
-    void drawRopes(const FrameContext& frame) {
-        if (!ropes) ropes.emplace(shaders);
-        ropes->draw(frame, alphaOfStep);
+    /// Passes of what most scenes never have: made with the first frame that needs them.
+    template <class Pass, class... Rest>
+    void drawMade(std::optional<Pass>& pass, const FrameContext& frame, Rest... rest) {
+        if (!pass) pass.emplace(shaders);
+        pass->draw(frame, rest...);
     }
 
     bool glassIsInTheSun() const { return settings.sun && block.sunDirection.y > 0.0f && scene.hasGlass(); }
-
-    void drawGlassShadow(const FrameContext& frame) {
-        if (!glassShadow) glassShadow.emplace(shaders);
-        glassShadow->draw(frame);
-    }
-
-    void drawWetness(const FrameContext& frame) {
-        if (!wetness) wetness.emplace(shaders);
-        wetness->draw(frame);
-    }
-
-    void drawWaters(const FrameContext& frame) {
-        if (!water) water.emplace(shaders);
-        water->draw(frame);
-    }
 
     /// Passes add to it, each in its own channels.
     void clearLight(const FrameContext& frame) {

@@ -50,6 +50,17 @@ History TargetPool::history(std::string_view name, GLenum internalFormat, int di
     return {found.textures[found.current], found.textures[previous], found.drawn[previous] + 1 == m_frame && m_cutFrame != m_frame};
 }
 
+const Texture& TargetPool::copy(const Texture& source, std::string_view name) {
+    const Texture& made = target(name, source.internalFormat());
+    const Framebuffer& from = framebuffer({&source});
+    const Framebuffer& to = framebuffer({&made});
+    const glm::ivec2 size = source.size();
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.name());
+    glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    return made;
+}
+
 const Texture* TargetPool::find(std::string_view name) const {
     const auto found = m_slots.find(name);
     return found == m_slots.end() ? nullptr : &found->second.textures[found->second.current];

@@ -26,6 +26,8 @@ public:
     const Texture& target(std::string_view name, GLenum internalFormat, int divisor = 1, Filter filter = Filter::Nearest);
     /// A target whose last frame is kept. Ask once a frame in each pass that draws it; others read it with find().
     History history(std::string_view name, GLenum internalFormat, int divisor = 1, Filter filter = Filter::Linear);
+    /// What a target shows now, in another one of that name: for a pass that reads what it draws into.
+    const Texture& copy(const Texture& source, std::string_view name);
     /// The current texture of that name, or nullptr if no pass has asked for it.
     const Texture* find(std::string_view name) const;
     /// Like find(), for a pass that needs what an earlier pass has drawn in this frame.

@@ -6,8 +6,7 @@
 namespace rubble {
 namespace {
 
-constexpr float kSkyDepth = 65000.0f;  // lib/gbuffer.glsl
-constexpr int kTile = 4;               // pixels: passes/light_change.frag
+constexpr int kTile = 4;  // pixels: passes/light_change.frag
 
 }  // namespace
 
@@ -37,7 +36,7 @@ void AccumulatePass::draw(const FrameContext& frame) const {
     const bool forgets = remembers && frame.settings.forgetsChanges;
     const Texture& trusted = forgets ? findChanges(frame, light, surface) : frame.blueNoise;  // else not looked at
     frame.targets.framebuffer({&light.current, &surface.current}, &frame.targets.at("depthBuffer")).begin();
-    const float none[4] = {0, 0, 0, 0}, sky[4] = {kSkyDepth, -1, 0, 0};
+    const float none[4] = {0, 0, 0, 0}, sky[4] = {GBufferPass::kSkyDepth, -1, 0, 0};
     glClearBufferfv(GL_COLOR, 0, none);
     glClearBufferfv(GL_COLOR, 1, sky);
     const DepthLimit limit(DepthLimit::To::Surfaces);

@@ -3,12 +3,6 @@
 #include "render/scene/scene.h"
 
 namespace rubble {
-namespace {
-
-constexpr float kSkyDepth = 65000.0f;  // as in lib/gbuffer.glsl
-
-}  // namespace
-
 GBufferPass::GBufferPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/gbuffer.frag", "passes/tiles.vert")) {}
 
 void GBufferPass::draw(const FrameContext& frame) {

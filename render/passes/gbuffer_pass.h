@@ -9,6 +9,7 @@ namespace rubble {
 class GBufferPass {
 public:
     static constexpr int kMostDraws = 1;
+    static constexpr float kSkyDepth = 65000.0f;  ///< as in lib/gbuffer.glsl
 
     explicit GBufferPass(ShaderLibrary& shaders);
     void draw(const FrameContext& frame);

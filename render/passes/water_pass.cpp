@@ -58,13 +58,10 @@ void WaterPass::setRipples(const FrameContext& frame, const Water& water) const 
 
 void WaterPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
-    const Texture& behind = frame.targets.target("behindWater", GL_RGBA16F);
-    const Framebuffer& picture = frame.targets.framebuffer({&frame.targets.at("radiance")});
+    const Texture& picture = frame.targets.at("radiance");
     for (const Water& water : frame.scene.waters()) {
-        frame.targets.framebuffer({&behind}).begin();
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.name());
-        glBlitFramebuffer(0, 0, behind.size().x, behind.size().y, 0, 0, behind.size().x, behind.size().y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-        picture.begin();
+        const Texture& behind = frame.targets.copy(picture, "behindWater");
+        frame.targets.framebuffer({&picture}).begin();
         m_program.use();
         m_program.set("uDepth", frame.targets.at("depth"));
         m_program.set("uBehind", behind);

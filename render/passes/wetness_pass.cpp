@@ -20,13 +20,7 @@ void WetnessPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
     const TargetPool& targets = frame.targets;
     // The depth of the G-buffer limits the draw, and what it writes it does not read: roughness comes from a copy.
-    const Texture& before = frame.targets.target("dryMaterial", GL_RGBA8);
-    const Framebuffer& copy = frame.targets.framebuffer({&before});
-    const Framebuffer& source = frame.targets.framebuffer({&targets.at("material")});
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, source.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, copy.name());
-    glBlitFramebuffer(0, 0, before.size().x, before.size().y, 0, 0, before.size().x, before.size().y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-
+    const Texture& before = frame.targets.copy(targets.at("material"), "dryMaterial");
     frame.targets.framebuffer({&targets.at("albedo"), &targets.at("material")}, &targets.at("depthBuffer")).begin();
     const DepthLimit limit(DepthLimit::To::Surfaces);
     glEnable(GL_BLEND);

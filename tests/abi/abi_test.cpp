@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/abi/test_level.h"
+#include "tests/support/temp_folder.h"
 
 namespace rubble {
 namespace {
@@ -405,8 +406,8 @@ TEST_F(Abi, ABadFileLeavesTheWorldAsItWas) {
 }
 
 TEST_F(Abi, SavesRecordsReplaysAndUndoes) {
-    const std::filesystem::path folder = testing::TempDir();
-    const std::string save = folder / "abi_test.save.rubble", log = folder / "abi_test.rubblelog";
+    const TempFolder folder;
+    const std::string save = folder / "game.rubble", log = folder / "game.rubblelog";
     const auto hash = [&] {
         uint64_t out = 0;
         EXPECT_EQ(api()->state_hash(m_world, &out), RUBBLE_OK);
@@ -449,8 +450,6 @@ TEST_F(Abi, SavesRecordsReplaysAndUndoes) {
     expectRefused(api()->replay(m_world, save.c_str(), nullptr), RUBBLE_ERROR_FILE, "GAME");
     expectRefused(api()->save(m_world, "/no/such/folder/x"), RUBBLE_ERROR_FILE, "/no/such/folder");
     EXPECT_EQ(hash(), end);
-    std::filesystem::remove(save);
-    std::filesystem::remove(log);
 }
 
 TEST_F(Abi, ARendererNeedsTheHostsGl) {

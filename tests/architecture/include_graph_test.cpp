@@ -5,6 +5,8 @@
 
 #include <fstream>
 
+#include "tests/support/temp_folder.h"
+
 namespace rubble::architecture {
 namespace {
 
@@ -40,15 +42,12 @@ TEST(Architecture, NamesSayWhatIsInside) {
 class PlantedTree : public testing::Test {
 protected:
     void SetUp() override {
-        m_root = fs::temp_directory_path() / ("rubble_planted_" + std::to_string(getpid()));
-        fs::remove_all(m_root);
         write("runtime/voxel/brick.h", "#pragma once\n#include \"runtime/core/hash.h\"\n");
         write("runtime/world/world.h", "#pragma once\n#include \"runtime/voxel/brick.h\"\n");
         write("render/renderer.h", "#pragma once\n#include \"runtime/frame/frame_snapshot.h\"\n");
         write("runtime/frame/frame_snapshot.h", "#pragma once\n");
         ASSERT_EQ(listed(violations()), "");
     }
-    void TearDown() override { fs::remove_all(m_root); }
 
     void write(const std::string& file, const std::string& text) {
         fs::create_directories((m_root / file).parent_path());
@@ -71,7 +70,8 @@ protected:
         EXPECT_EQ(found[0].line, line);
         fs::remove(m_root / file);
     }
-    fs::path m_root;
+    TempFolder m_folder;
+    const fs::path& m_root = m_folder.path();
 };
 
 TEST_F(PlantedTree, AnArrowBackwardsIsCaught) {

@@ -3,6 +3,7 @@
 
 #include "tests/golden/compare.h"
 #include "tests/golden/drawing.h"
+#include "tests/support/temp_folder.h"
 
 namespace rubble {
 namespace {
@@ -102,11 +103,11 @@ TEST_F(FaultTest, PicturesRejectEachOfTwentyFaults) {
     const Pictures again = pictures(shaderFolder());
     for (size_t i = 0; i < good.size(); ++i) ASSERT_TRUE(looksAlike(compare(again[i], good[i]))) << "the same shaders draw the same picture";
     for (size_t i = 0; i < good.size(); ++i) {
-        EXPECT_TRUE(writePng(testing::TempDir() + "faults_" + std::to_string(i) + ".png", good[i]));
         for (size_t k = 0; k < i; ++k) EXPECT_FALSE(looksAlike(compare(good[i], good[k]))) << "two pictures that do not reject each other";
     }
 
-    const fs::path folder = fs::path(testing::TempDir()) / "rubble_faults";
+    const TempFolder made;
+    const fs::path folder = made.path() / "shaders";
     for (const Fault& fault : kFaults) {
         fs::remove_all(folder);
         fs::copy(shaderFolder(), folder, fs::copy_options::recursive);
@@ -125,7 +126,6 @@ TEST_F(FaultTest, PicturesRejectEachOfTwentyFaults) {
         }
         EXPECT_FALSE(alike) << fault.name << " is not seen:" << seen;
     }
-    fs::remove_all(folder);
 }
 
 }  // namespace

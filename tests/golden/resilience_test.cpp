@@ -9,6 +9,7 @@
 #include "render/renderer.h"
 #include "runtime/core/log.h"
 #include "tests/golden/drawing.h"
+#include "tests/support/temp_folder.h"
 
 namespace rubble {
 namespace {
@@ -101,8 +102,8 @@ TEST_F(ResilienceTest, ALostContextIsSaidOnceAndDrawsNothing) {
 
 TEST_F(ResilienceTest, AShaderThatBreaksLeavesThePictureAndARedDot) {
     namespace fs = std::filesystem;
-    const fs::path folder = fs::path(testing::TempDir()) / "rubble_reload";
-    fs::remove_all(folder);
+    const TempFolder copies;
+    const fs::path folder = copies.path() / "shaders";
     fs::copy(shaderFolder(), folder, fs::copy_options::recursive);
     auto made = Renderer::create(testContext().loader(), folder.string(), {});
     ASSERT_TRUE(made) << made.error();
@@ -129,7 +130,6 @@ TEST_F(ResilienceTest, AShaderThatBreaksLeavesThePictureAndARedDot) {
     EXPECT_TRUE(renderer->reloadShaders());
     EXPECT_TRUE(renderer->shaderErrors().empty());
     EXPECT_GT(draw(streetCamera(0)).at(12, kSize.y - 13)[1], 150) << "no green dot";
-    fs::remove_all(folder);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "tests/golden/lit_scene.h"
 #include "tests/reference/picture_file.h"
+#include "tests/support/temp_folder.h"
 
 namespace rubble::reference {
 namespace {
@@ -85,7 +86,8 @@ TEST(PictureFile, KeepsEveryNumber) {
         picture.mean.pixels[size_t(i)] = glm::vec4(0.1f * float(i), -1.5f, 1e-20f, 1.0f);
         picture.variance.pixels[size_t(i)] = glm::vec4(float(i * i), 3e30f, 0.25f, 0.0f);
     }
-    const std::string path = ::testing::TempDir() + "picture.exr";
+    const TempFolder folder;
+    const std::string path = folder / "picture.exr";
     ASSERT_TRUE(writeExr(path, picture));
     const auto back = readExr(path);
     ASSERT_TRUE(back) << back.error();

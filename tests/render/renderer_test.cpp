@@ -4,9 +4,6 @@
 
 #include "render/gl/offscreen.h"
 #include "runtime/core/random.h"
-#include "runtime/frame/snapshots.h"
-#include "runtime/shadow/shadow_worker.h"
-#include "samples/scenes/town.h"
 #include "samples/support/camera.h"
 #include "samples/support/image.h"
 #include "tests/render/gl_fixture.h"
@@ -24,25 +21,6 @@ protected:
         auto made = Renderer::create(testContext().loader(), shaderFolder(), settings);
         ASSERT_TRUE(made) << made.error();
         renderer = std::move(made).value();
-    }
-    /// With RUBBLE_PICTURES=FOLDER every pass is written there, for eyes; with RUBBLE_PICTURES=- only the times are printed.
-    void writePictures(const View& view, const Offscreen& target, const std::string& name) {
-        const char* folder = std::getenv("RUBBLE_PICTURES");
-        if (!folder) return;
-        if (std::string(folder) == "-") return printTimes();
-        for (const std::string& pass : renderer->passNames()) {
-            ASSERT_TRUE(renderer->showPass(pass));
-            renderer->draw(view, 1.0f);
-            Image image(view.size.x, view.size.y);
-            image.rgb = target.readRgb();
-            ASSERT_TRUE(writePng(std::string(folder) + "/" + name + "_" + pass + ".png", image));
-        }
-        printTimes();
-    }
-    void printTimes() const {
-        double sum = 0.0;
-        for (const auto& [pass, ms] : renderer->figures().passMs) printf("%-16s %7.2f ms\n", pass, ms), sum += ms;
-        printf("%-16s %7.2f ms\n", "all", sum);
     }
     std::unique_ptr<Renderer> renderer;
 };
@@ -94,36 +72,6 @@ TEST_F(RendererTest, DrawsACornerInAFewDraws) {
     EXPECT_EQ(renderer->figures().uploadBytes, 0u) << "nothing changed";
     const std::vector<uint8_t> pixels = target.readRgb();
     EXPECT_GT(std::set<uint8_t>(pixels.begin(), pixels.end()).size(), 50u) << "an empty picture";
-    writePictures(view, target, "corner");
-}
-
-/// For eyes and for the clock: the town, every pass. Only with RUBBLE_PICTURES.
-TEST_F(RendererTest, TownPicture) {
-    if (!std::getenv("RUBBLE_PICTURES")) GTEST_SKIP() << "set RUBBLE_PICTURES to a folder to draw the town";
-    World world;
-    world.load(makeTown(1));
-    const FrameChanges changes = world.applyEdits({});
-    ShadowWorker worker(ShadowWorker::Mode::Inline);
-    worker.submit(changes, {}, world);
-    Snapshots snapshots;
-    snapshots.publish(changes, {}, world, worker.takePatches());
-    renderer->apply(std::move(*snapshots.take()));
-    const Offscreen target({640, 360});
-    for (const auto& [name, pose] : world.locations()) {
-        if (name.find("camera") != 0) continue;
-        View view;
-        view.position = pose.position;
-        view.rotation = pose.rotation;
-        view.size = target.size();
-        view.framebuffer = target.framebuffer();
-        view.cut = true;
-        renderer->draw(view, 1.0f);
-        view.cut = false;
-        for (int i = 0; i < 8; ++i) renderer->draw(view, 1.0f);
-        printf("%s: %d shapes, %d bricks, %.1f MB, %d draws\n", name.c_str(), renderer->figures().shapes, renderer->figures().bricks,
-               double(renderer->figures().textureBytes) * 1e-6, renderer->figures().bodyDraws);
-        writePictures(view, target, name);
-    }
 }
 
 TEST_F(RendererTest, TargetsAreReadAsNumbers) {

@@ -5,6 +5,7 @@
 
 #include "render/frame_context.h"
 #include "tests/render/gl_fixture.h"
+#include "tests/support/temp_folder.h"
 
 namespace rubble {
 namespace {
@@ -13,17 +14,12 @@ class ShaderLibraryTest : public GlTest {
 protected:
     void SetUp() override {
         GlTest::SetUp();
-        folder =
-            std::filesystem::path(testing::TempDir()) / ("shaders_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
         std::filesystem::create_directories(folder / "lib");
         write("full.vert", "void main() { gl_Position = vec4(0.0); }\n");
     }
-    void TearDown() override {
-        std::filesystem::remove_all(folder);
-        GlTest::TearDown();
-    }
     void write(const std::string& file, const std::string& text) { std::ofstream(folder / file) << text; }
-    std::filesystem::path folder;
+    TempFolder made;
+    const std::filesystem::path& folder = made.path();
 };
 
 TEST_F(ShaderLibraryTest, ErrorsNameTheFileAndLineOfAnInclude) {

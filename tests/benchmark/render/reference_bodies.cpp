@@ -1,5 +1,7 @@
 #include "tests/benchmark/render/reference_bodies.h"
 
+#include "render/passes/gbuffer_pass.h"
+
 namespace rubble::bench {
 
 ReferenceBodies::ReferenceBodies(ShaderLibrary& shaders)
@@ -15,7 +17,7 @@ void ReferenceBodies::draw(const FrameContext& frame, const std::vector<int>& or
     const Texture& depthSoFar = targets.target("depthSoFar", GL_R32F);
     const Texture& depthBuffer = targets.target("depthBuffer", GL_DEPTH_COMPONENT32F);
     const Framebuffer& gbuffer = targets.framebuffer({&albedo, &normal, &material, &motion, &depth}, &depthBuffer);
-    const float zero[4] = {0, 0, 0, 0}, sky[4] = {65000, 0, 0, 0}, farthest = 1.0f;
+    const float zero[4] = {0, 0, 0, 0}, sky[4] = {GBufferPass::kSkyDepth, 0, 0, 0}, farthest = 1.0f;
     targets.framebuffer({&depthSoFar}).begin();
     glClearBufferfv(GL_COLOR, 0, sky);
     gbuffer.begin();

@@ -10,6 +10,7 @@
 
 #include "runtime/core/hash.h"
 #include "tests/runtime/assets/sample_level.h"
+#include "tests/support/temp_folder.h"
 
 namespace rubble {
 namespace {
@@ -111,7 +112,8 @@ TEST(RubbleFile, LiesWithRightChecksumsAreRefused) {
 }
 
 TEST(RubbleFile, SenselessLevelsAreNotWritten) {
-    const std::string path = (fs::path(testing::TempDir()) / "senseless.rubble").string();
+    const TempFolder folder;
+    const std::string path = folder / "senseless.rubble";
     const auto error = [&](const std::function<void(Level&)>& change) {
         Level level = sampleLevel();
         change(level);
@@ -129,9 +131,8 @@ TEST(RubbleFile, SenselessLevelsAreNotWritten) {
 }
 
 TEST(RubbleFile, FilesAreReplacedWhole) {
-    const fs::path folder = fs::path(testing::TempDir()) / "rubble_file_test";
-    fs::create_directories(folder);
-    const std::string path = (folder / "level.rubble").string();
+    const TempFolder folder;
+    const std::string path = folder / "level.rubble";
     ASSERT_TRUE(writeRubble(path, sampleLevel()));
     Level second = sampleLevel();
     second.name = "second";
@@ -139,9 +140,8 @@ TEST(RubbleFile, FilesAreReplacedWhole) {
     const Result<Level> back = readLevel(path, "");
     ASSERT_TRUE(back) << back.error();
     EXPECT_EQ(back->name, "second");
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1) << "no neighbours stay";
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1) << "no neighbours stay";
     EXPECT_NE(writeRubble("/no/such/folder/x.rubble", second).error().find("/no/such/folder"), std::string::npos);
-    fs::remove_all(folder);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "runtime/assets/recording_file.h"
 #include "runtime/world/world_mirror.h"
 #include "tests/runtime/world/worlds.h"
+#include "tests/support/temp_folder.h"
 
 namespace rubble {
 namespace {
@@ -96,7 +97,8 @@ TEST(SaveFile, ASettingThatTheFileForgetsIsNoticed) {
 }
 
 TEST(SaveFile, FilesOfOtherKindsAreRefused) {
-    const std::string path = (std::filesystem::path(testing::TempDir()) / "save.rubble").string();
+    const TempFolder folder;
+    const std::string path = folder / "save.rubble";
     ASSERT_TRUE(writeSave(path, gameOf(brokenWorld())));
     EXPECT_TRUE(readSave(path, 1));
     const Result<Level> level = readRubble(path);
@@ -105,7 +107,6 @@ TEST(SaveFile, FilesOfOtherKindsAreRefused) {
     EXPECT_FALSE(readRecording(path, 1));
     ASSERT_TRUE(writeRubble(path, oneShapeLevel(towerGrid({16, 16, 16}), true)));
     EXPECT_FALSE(readSave(path, 1));
-    std::filesystem::remove(path);
 }
 
 /// What the host of a game would send: a snapshot to those who join, and each step's resolved edits to all.

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "tests/runtime/world/worlds.h"
+#include "tests/support/temp_folder.h"
 
 namespace rubble {
 namespace {
@@ -61,7 +62,8 @@ TEST(FrameLoop, GoingOnAfterASaveEqualsLoadingIt) {
 }
 
 TEST(FrameLoop, ARecordingReplaysToTheSameHashes) {
-    const std::string path = (std::filesystem::path(testing::TempDir()) / "frame_loop_test.rubblelog").string();
+    const TempFolder folder;
+    const std::string path = folder / "recording.rubblelog";
     FrameLoop loop(quiet());
     loop.load(tower());
     for (int step = 0; step < 5; ++step) loop.edits().push(script(step)), loop.step();
@@ -109,7 +111,6 @@ TEST(FrameLoop, ARecordingReplaysToTheSameHashes) {
         EXPECT_EQ(damaged.error().rfind("t.rubblelog: byte ", 0), 0u) << damaged.error();
         bytes[byte] ^= 16;
     }
-    std::filesystem::remove(path);
 }
 
 TEST(FrameLoop, UndoBringsTheTowerBackWhileItFalls) {

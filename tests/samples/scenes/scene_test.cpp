@@ -3,9 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 #include <set>
 
 namespace rubble {
+
+/// What GoogleTest calls a scene in its lines.
+void PrintTo(const Scene& scene, std::ostream* out) {
+    *out << scene.name;
+}
+
 namespace {
 
 class EveryScene : public testing::TestWithParam<Scene> {};

@@ -11,6 +11,7 @@
 #include "runtime/assets/vdb_tool.h"
 #include "tests/runtime/assets/sample_level.h"
 #include "tests/runtime/assets/vdb/foreign_vdb.h"
+#include "tests/support/temp_folder.h"
 
 namespace rubble {
 namespace {
@@ -21,12 +22,7 @@ const std::string kModels = RUBBLE_SOURCE_DIR "/../shared/models/";
 
 class VdbFile : public testing::Test {
 protected:
-    void SetUp() override {
-        m_folder = fs::path(testing::TempDir()) / ("vdb_test_" + std::to_string(getpid()));
-        fs::create_directories(m_folder);
-    }
-    void TearDown() override { fs::remove_all(m_folder); }
-    std::string path(const std::string& name) const { return (m_folder / name).string(); }
+    std::string path(const std::string& name) const { return m_folder / name; }
 
     /// What is read from a file of another program; the notes in `report`.
     Result<Level> foreign(const std::string& kind, ImportReport* report = nullptr) const {
@@ -35,7 +31,7 @@ protected:
         return readVdb(path("foreign.vdb"), kTool, report ? report : &unused);
     }
 
-    fs::path m_folder;
+    TempFolder m_folder;
 };
 
 std::string notes(const ImportReport& report) {
@@ -53,7 +49,7 @@ TEST_F(VdbFile, RoundTripKeepsTheHash) {
     ASSERT_TRUE(back) << back.error();
     EXPECT_EQ(hashLevel(*back), hashLevel(level));
     EXPECT_EQ(notes(report), "");
-    EXPECT_EQ(std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()), 1) << "no neighbours stay";
+    EXPECT_EQ(std::distance(fs::directory_iterator(m_folder.path()), fs::directory_iterator()), 1) << "no neighbours stay";
 }
 
 TEST_F(VdbFile, WhatAShapeBearsIsKeptAndHasADefault) {

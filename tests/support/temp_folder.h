@@ -1,0 +1,32 @@
+#pragma once
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+namespace rubble {
+
+/// A folder of this process and this object alone: empty at first, gone with all that is in it at the end.
+class TempFolder {
+public:
+    TempFolder() {
+        static int count = 0;
+        m_path = std::filesystem::temp_directory_path() / ("rubble_test_" + std::to_string(getpid()) + "_" + std::to_string(++count));
+        std::filesystem::remove_all(m_path);
+        std::filesystem::create_directories(m_path);
+    }
+    ~TempFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(m_path, ignored);
+    }
+    TempFolder(const TempFolder&) = delete;
+    TempFolder& operator=(const TempFolder&) = delete;
+
+    const std::filesystem::path& path() const { return m_path; }
+    std::string operator/(const std::string& file) const { return (m_path / file).string(); }
+
+private:
+    std::filesystem::path m_path;
+};
+
+}  // namespace rubble
