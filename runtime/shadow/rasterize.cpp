@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "runtime/shadow/row_clip.h"
+
 namespace rubble {
 namespace {
 
@@ -28,54 +30,6 @@ void copyShifted(const VoxelGrid& grid, const ShadowLattice& lattice, glm::ivec3
             }
 }
 
-/// Cuts rows of samples along the world's x axis to the box of a shape's grid, which leaves one interval of each.
-/// In doubles, which hold the lattice's fixed-point numbers exactly.
-class RowClip {
-public:
-    RowClip(const VoxelGrid& grid, const FixedPoint& step, int count) : m_end(count - 0.5) {
-        for (size_t k = 0; k < 3; ++k) {
-            m_step[k] = double(step[k]);
-            m_size[k] = double(int64_t(grid.size()[int(k)]) << 32);
-            m_enter[k] = step[k] < 0 ? m_size[k] : 0.0;
-            m_leave[k] = step[k] < 0 ? 0.0 : m_size[k];
-            m_inverse[k] = step[k] ? 1.0 / m_step[k] : 1e100;  // from outside it never enters
-        }
-    }
-    struct Interval {
-        int low, high;
-    };
-    /// The samples of [0, count) that lie inside, of the row whose first sample is given.
-    Interval operator()(double x, double y, double z) const {
-        constexpr double kDoubt = 1e-6;  // more than the estimate errs; where that matters the exact place decides
-        const double from = std::max(std::max(enters(x, 0), 0.0), std::max(enters(y, 1), enters(z, 2)));
-        const double to = std::min(std::min(leaves(x, 0), m_end), std::min(leaves(y, 1), leaves(z, 2)));
-        if (!(from <= to + kDoubt)) return {0, 0};
-        const Interval estimate{int(from + (1.0 - kDoubt)), int(to + (1.0 + kDoubt))};
-        if (estimate.low >= from + kDoubt && estimate.high <= to + (1.0 - kDoubt)) return estimate;
-        return trim(estimate, {x, y, z});
-    }
-
-private:
-    using Exact = std::array<double, 3>;
-    double enters(double first, size_t k) const { return (m_enter[k] - first) * m_inverse[k]; }
-    double leaves(double first, size_t k) const { return (m_leave[k] - first) * m_inverse[k]; }
-    Interval trim(Interval row, const Exact& first) const {
-        while (row.low < row.high && !isInside(first, row.low)) ++row.low;
-        while (row.low < row.high && !isInside(first, row.high - 1)) --row.high;
-        return row;
-    }
-    bool isInside(const Exact& first, int i) const {
-        bool inside = true;
-        for (size_t k = 0; k < 3; ++k) {
-            const double at = first[k] + i * m_step[k];
-            inside &= at >= 0.0 && at < m_size[k];
-        }
-        return inside;
-    }
-    Exact m_step, m_size, m_enter, m_leave, m_inverse;
-    double m_end;
-};
-
 /// Voxels straight from the bricks, remembering the last one.
 class BrickSource {
 public:
@@ -94,13 +48,6 @@ private:
     const VoxelGrid& m_grid;
     glm::ivec3 m_place{-1};
     const uint64_t* m_occupancy = nullptr;
-};
-
-/// Voxels from rows along x.
-struct RowSource {
-    const uint64_t* rows;
-    int height;
-    uint64_t solid(int x, int y, int z) const { return rows[y + z * height] >> x & 1; }
 };
 
 /// Bit i set for every sample i in [low, high) that lies in a solid voxel.
@@ -140,11 +87,6 @@ bool canMeet(const VoxelGrid& grid, const ShadowLattice& lattice, glm::ivec3 low
     return true;
 }
 
-FixedPoint operator+(FixedPoint a, const FixedPoint& b) {
-    for (size_t k = 0; k < 3; ++k) a[k] += b[k];
-    return a;
-}
-
 /// The cells of a box at most 64 wide: row(y, z) gets them from its low end on, rows without any are left out.
 template <class Source, class Row>
 void rasterizeBox(const VoxelGrid& grid, Source source, const ShadowLattice& lattice, const CellBox& box, Row&& row) {
@@ -152,7 +94,7 @@ void rasterizeBox(const VoxelGrid& grid, Source source, const ShadowLattice& lat
     const int samples = lattice.samples;
     const FixedPoint& step = lattice.step[0];
     const glm::ivec3 count = (box.high - box.low) * samples;
-    const RowClip clip(grid, step, count.x);
+    const RowClip clip({glm::ivec3(0), grid.size()}, step, count.x);
     FixedPoint plane = lattice.sample(box.low);
     for (int z = 0; z < count.z; ++z, plane = plane + lattice.step[2]) {
         FixedPoint first = plane;
@@ -181,41 +123,6 @@ void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBo
     const glm::ivec3 low = box.low - corner;
     rasterizeBox(grid, BrickSource(grid), lattice, box,
                  [&](int y, int z, uint64_t bits) { rows[size_t(low.y + y + (low.z + z) * kSide)] |= uint16_t(bits << low.x); });
-}
-
-bool ShapeRaster::make(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds) {
-    const glm::ivec3 size = bounds.high - bounds.low, voxels = grid.size();
-    if (std::max({size.x, size.y, size.z, voxels.x, voxels.y, voxels.z}) > 64) return false;
-    if (m_voxels.empty()) {
-        m_voxels.assign(size_t(voxels.y) * size_t(voxels.z), 0);
-        grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
-            forEachVoxel(brick->occupancy, [&](int i) {
-                const glm::ivec3 voxel = position * kBrickSize + voxelInBrick(i);
-                m_voxels[size_t(voxel.y + voxel.z * voxels.y)] |= uint64_t(1) << voxel.x;
-            });
-        });
-    }
-    m_lowBrick = bounds.low >> 4;
-    m_bricks = ((bounds.high + (kSide - 1)) >> 4) - m_lowBrick;
-    m_rows.assign(size_t(m_bricks.x) * size_t(m_bricks.y) * size_t(m_bricks.z), CellRows());
-    const glm::ivec3 low = bounds.low - m_lowBrick * kSide;
-    rasterizeBox(grid, RowSource{m_voxels.data(), voxels.y}, lattice, bounds, [&](int y, int z, uint64_t bits) {
-        y += low.y, z += low.z;
-        CellRows* brick = &m_rows[size_t(m_bricks.x) * size_t((y >> 4) + m_bricks.y * (z >> 4))];
-        const size_t at = size_t((y & 15) + (z & 15) * kSide);
-        (*brick)[at] |= uint16_t(bits << low.x);
-        for (bits >>= kSide - low.x; bits; bits >>= kSide) (*++brick)[at] |= uint16_t(bits);
-    });
-    return true;
-}
-
-void ShapeRaster::addTo(glm::ivec3 brick, CellRows& rows) const {
-    const glm::ivec3 at = brick - m_lowBrick;
-    for (int a = 0; a < 3; ++a)
-        if (at[a] < 0 || at[a] >= m_bricks[a]) return;
-    const CellRows& own = m_rows[size_t(at.x + m_bricks.x * (at.y + m_bricks.y * at.z))];
-    uint16_t* __restrict to = rows.data();
-    for (size_t i = 0; i < own.size(); ++i) to[i] |= own[i];
 }
 
 ShadowWords packRows(const CellRows& rows) {

@@ -16,25 +16,7 @@ using CellRows = std::array<uint16_t, kShadowBrickCells * kShadowBrickCells>;
 /// that the grid can set.
 void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds, glm::ivec3 brick, CellRows& rows);
 
-/// All cells of a small shape, made once a pose and then copied into each brick it touches.
-class ShapeRaster {
-public:
-    /// False, and nothing is made, if the bounds or the grid are wider than 64.
-    bool make(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds);
-    void addTo(glm::ivec3 brick, CellRows& rows) const;
-    bool isMade() const { return !m_rows.empty(); }
-    void poseChanged() { m_rows.clear(); }
-    void voxelsChanged() {
-        m_rows.clear();
-        m_voxels.clear();
-    }
-
-private:
-    std::vector<uint64_t> m_voxels;  ///< the grid's: bit x, row y + z * height
-    glm::ivec3 m_lowBrick{0}, m_bricks{0};
-    std::vector<CellRows> m_rows;  ///< of the bricks from the lowest on, x first
-};
-
+/// The cells as words.
 ShadowWords packRows(const CellRows& rows);
 
 }  // namespace rubble

@@ -10,6 +10,10 @@ namespace rubble {
 
 /// A point or a vector in a shape's cells, in steps of 2^-32 of a cell.
 using FixedPoint = std::array<int64_t, 3>;
+inline FixedPoint operator+(FixedPoint a, const FixedPoint& b) {
+    for (size_t k = 0; k < 3; ++k) a[k] += b[k];
+    return a;
+}
 
 /// Maps the world's shadow cells into a shape's cells, in integers: the same everywhere, and exactly affine over the whole
 /// shape, so that every brick of the volume is sampled from one lattice.

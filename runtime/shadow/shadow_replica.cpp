@@ -123,8 +123,9 @@ void ShadowReplica::setBrick(Shape& shape, const BrickChange& change) {
     const Brick* after = shape.casting().brickAt(change.brick);
     const bool same = before && after ? before->occupancy == after->occupancy : !before && !after;
     if (same) return;
-    shape.raster.voxelsChanged();
-    if (shape.placed && !shape.waits) touchVoxels(shape, change.brick);
+    shape.source.clear();
+    if (!shape.placed || shape.waits) return;
+    shape.raster.isMade() ? placeLater(shape) : touchVoxels(shape, change.brick);
 }
 
 void ShadowReplica::setPalette(Shape& shape, const Palette& palette) {
@@ -133,7 +134,7 @@ void ShadowReplica::setPalette(Shape& shape, const Palette& palette) {
     if (entries == shape.entries) return;
     shape.entries = entries;
     shape.hasTranslucent = std::find(entries.begin(), entries.end(), false) != entries.end();
-    shape.raster.voxelsChanged();
+    shape.source.clear();
     shape.opaque = shape.hasTranslucent ? onlyOpaque(shape.grid, entries) : VoxelGrid();
     placeLater(shape);
 }
@@ -152,13 +153,29 @@ void ShadowReplica::placeLater(Shape& shape) {
     m_waiting.push_back(shape.handle);
 }
 
+/// Makes the next raster of a shape, empty if it rests or is large, and lists the bricks that it is in.
+void ShadowReplica::rasterizeMoving(Shape& shape) {
+    const VoxelGrid& grid = shape.casting();
+    const glm::ivec3 size = grid.size();
+    bool made = shape.moving && std::max({size.x, size.y, size.z}) <= RasterSource::kMaxSize;
+    if (made && !shape.source.isMade()) shape.source.make(grid);
+    made = made && m_nextRaster.make(shape.source, shape.lattice, shape.bounds);
+    m_bricks.clear();
+    if (made) return m_nextRaster.forEach([&](glm::ivec3 brick, const ShadowWords&) { m_bricks.push_back(brick); });
+    m_nextRaster = ShapeRaster();
+    listBricks(grid, shape.pose, shape.voxelSize, m_bricks);
+}
+
 void ShadowReplica::place(Shape& shape) {
     shape.waits = false;
-    shape.raster.poseChanged();
     shape.placed = shape.grid.size().x > 0 && shape.lattice.place(shape.pose, shape.voxelSize);
     if (!shape.placed) return leaveAll(shape);
     shape.bounds = shadowBounds(shape.pose, shape.voxelSize, {glm::ivec3(0), shape.grid.size()});
-    listBricks(shape.casting(), shape.pose, shape.voxelSize, m_bricks);
+    rasterizeMoving(shape);
+    const auto changed = [&](glm::ivec3 brick) {
+        const ShadowWords *before = shape.raster.find(brick), *after = m_nextRaster.find(brick);
+        return !before || !after || *before != *after;
+    };
     // Most bricks are in the old list and the new one: theirs stay as they are.
     m_nextCovered.clear();
     auto old = shape.covered.begin();
@@ -167,10 +184,11 @@ void ShadowReplica::place(Shape& shape) {
         for (; old != oldEnd && isBefore((*old)->first, brick); ++old) leave(shape, **old);
         const bool stays = old != oldEnd && (*old)->first == brick;
         m_nextCovered.push_back(stays ? *old++ : enter(shape, brick));
-        touch(shape, *m_nextCovered.back());
+        if (!stays || changed(brick)) touch(shape, *m_nextCovered.back());
     }
     for (; old != oldEnd; ++old) leave(shape, **old);
     std::swap(shape.covered, m_nextCovered);
+    std::swap(shape.raster, m_nextRaster);
 }
 
 ShadowReplica::PlaceEntry* ShadowReplica::enter(const Shape& shape, glm::ivec3 brick) {
@@ -207,41 +225,50 @@ void ShadowReplica::touchVoxels(Shape& shape, glm::ivec3 voxelBrick) {
     });
 }
 
-void ShadowReplica::fillFrom(const std::vector<uint32_t>& slots, glm::ivec3 brick, CellRows& rows) const {
-    for (const uint32_t slot : slots) {
-        Shape& shape = *m_shapes[slot];
-        if (shape.moving && (shape.raster.isMade() || shape.raster.make(shape.casting(), shape.lattice, shape.bounds)))
-            shape.raster.addTo(brick, rows);
-        else
-            rasterize(shape.casting(), shape.lattice, shape.bounds, brick, rows);
+ShadowWords ShadowReplica::restingCells(const Place& place, glm::ivec3 brick) const {
+    CellRows rows{};
+    for (const uint32_t slot : place.resting) {
+        const Shape& shape = *m_shapes[slot];
+        rasterize(shape.casting(), shape.lattice, shape.bounds, brick, rows);
     }
+    return packRows(rows);
 }
 
-void ShadowReplica::fill(Place& place, glm::ivec3 brick, CellRows& rows) const {
-    rows.fill(0);
+ShadowWords ShadowReplica::cellsOf(Place& place, glm::ivec3 brick) const {
     if (place.moving.empty()) {
         place.rest.reset();
-        return fillFrom(place.resting, brick, rows);
+        return restingCells(place, brick);
     }
+    ShadowWords cells{};
+    const auto add = [&](const ShadowWords& others) {
+        for (size_t i = 0; i < cells.size(); ++i) cells[i] |= others[i];
+    };
     if (!place.resting.empty()) {
-        if (!place.rest) {
-            place.rest = std::make_unique<CellRows>();
-            fillFrom(place.resting, brick, *place.rest);
-        }
-        rows = *place.rest;
+        if (!place.rest) place.rest = std::make_unique<ShadowWords>(restingCells(place, brick));
+        cells = *place.rest;
     }
-    fillFrom(place.moving, brick, rows);
+    for (const uint32_t slot : place.moving) {
+        const Shape& shape = *m_shapes[slot];
+        if (const ShadowWords* words = shape.raster.find(brick)) {
+            add(*words);
+        } else if (!shape.raster.isMade()) {
+            CellRows rows{};
+            rasterize(shape.casting(), shape.lattice, shape.bounds, brick, rows);
+            add(packRows(rows));
+        }
+    }
+    return cells;
 }
 
 void ShadowReplica::remake(PlaceEntry& entry, ShadowPatches& out) {
     auto& [brick, place] = entry;
-    CellRows rows;
-    fill(place, brick, rows);
-    const ShadowWords cells = packRows(rows);
-    if (place.published && sameCells(*place.published, cells)) return;
-    ShadowBrickRef made = makeShadowBrick(cells, !place.moving.empty());
+    const ShadowWords cells = cellsOf(place, brick);
+    const bool passing = !place.moving.empty(), stopped = place.passing && !passing;  // then its boxes can be better ones
+    if (place.published && !stopped && sameCells(*place.published, cells)) return;
+    ShadowBrickRef made = makeShadowBrick(cells, passing);
     if (!made && !place.published) return;
     place.published = std::move(made);
+    place.passing = passing;
     out.patches.push_back({brick, place.published});
 }
 

@@ -9,6 +9,7 @@
 #include "runtime/shadow/shadow_lattice.h"
 #include "runtime/shadow/shadow_step.h"
 #include "runtime/shadow/shadow_volume.h"
+#include "runtime/shadow/shape_raster.h"
 
 namespace rubble {
 
@@ -30,8 +31,9 @@ private:
     /// One brick of the volume, and who is in it.
     struct Place {
         std::vector<uint32_t> resting, moving;  ///< slots of shapes
-        std::unique_ptr<CellRows> rest;         ///< the resting shapes' cells, kept while others move through
+        std::unique_ptr<ShadowWords> rest;      ///< the resting shapes' cells, kept while others move through
         ShadowBrickRef published;
+        bool passing = false;  ///< how it was published
         bool touched = false;
     };
     struct PlaceHash {
@@ -49,7 +51,8 @@ private:
         Pose pose;
         ShadowLattice lattice;
         CellBox bounds;       ///< in shadow cells
-        ShapeRaster raster;   ///< of a moving shape; made when it is first needed
+        RasterSource source;  ///< of a small shape that has moved
+        ShapeRaster raster;   ///< of a small shape that moves
         bool placed = false;  ///< false if its pose is unusable
         bool moving = false;
         bool waits = false;                ///< to be placed by the next update
@@ -69,8 +72,9 @@ private:
     void leaveAll(Shape& shape);
     void touch(const Shape& shape, PlaceEntry& entry);
     void touchVoxels(Shape& shape, glm::ivec3 voxelBrick);
-    void fill(Place& place, glm::ivec3 brick, CellRows& rows) const;
-    void fillFrom(const std::vector<uint32_t>& slots, glm::ivec3 brick, CellRows& rows) const;
+    void rasterizeMoving(Shape& shape);
+    ShadowWords cellsOf(Place& place, glm::ivec3 brick) const;
+    ShadowWords restingCells(const Place& place, glm::ivec3 brick) const;
     void remake(PlaceEntry& entry, ShadowPatches& out);
 
     std::vector<std::unique_ptr<Shape>> m_shapes;  ///< by slot
@@ -79,6 +83,7 @@ private:
     std::vector<PlaceEntry*> m_touched;      ///< bricks to be made anew
     std::vector<glm::ivec3> m_bricks;        ///< scratch of place()
     std::vector<PlaceEntry*> m_nextCovered;  ///< scratch of place()
+    ShapeRaster m_nextRaster;                ///< scratch of place()
 };
 
 }  // namespace rubble

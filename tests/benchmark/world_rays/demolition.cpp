@@ -86,20 +86,29 @@ std::vector<ShadowPatch> Demolition::takePatches() {
     return std::exchange(m_patches, {});
 }
 
-WorldBits Demolition::bitsLike(const WorldBits& box) const {
-    WorldBits out = box;
-    std::fill(out.bits.begin(), out.bits.end(), 0);
-    const glm::ivec3 low = box.low >> 4, count = box.words >> 2;
-    for (const auto& [key, content] : m_bricks) {
-        const glm::ivec3 at = glm::ivec3(key[0], key[1], key[2]) - low;
-        if (!content || at != glm::clamp(at, glm::ivec3(0), count - 1)) continue;
-        for (int i = 0; i < 64; ++i) out.bits[out.wordAt(at * 4 + glm::ivec3(i & 3, i >> 2 & 3, i >> 4))] = content->cells(i);
+std::vector<ShadowPatch> Demolition::patchesNow() const {
+    std::vector<ShadowPatch> out;
+    for (const auto& [key, content] : m_bricks) out.push_back({{key[0], key[1], key[2]}, content});
+    return out;
+}
+
+std::vector<ShadowPatch> Demolition::patchesAtRest() const {
+    std::vector<ShadowPatch> out = patchesNow();
+    for (ShadowPatch& patch : out) {
+        if (!patch.content) continue;
+        ShadowWords cells;
+        for (int i = 0; i < 64; ++i) cells[size_t(i)] = patch.content->cells(i);
+        patch.content = makeShadowBrick(cells);
     }
     return out;
 }
 
-double Demolition::workerMs() {
-    std::vector<double> last(m_times.end() - ptrdiff_t(std::min<size_t>(m_times.size(), 50)), m_times.end());
+WorldBits Demolition::bits() const {
+    return bitsOf(patchesNow());
+}
+
+double Demolition::workerMs(size_t steps) const {
+    std::vector<double> last(m_times.end() - ptrdiff_t(std::min(m_times.size(), steps)), m_times.end());
     std::nth_element(last.begin(), last.begin() + ptrdiff_t(last.size() / 2), last.end());
     return last[last.size() / 2];
 }

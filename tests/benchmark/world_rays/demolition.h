@@ -15,10 +15,13 @@ public:
     void step(int carves, bool moving);
     /// What the worker published since the last call.
     std::vector<ShadowPatch> takePatches();
-    /// The volume now, in the box of another; what lies outside is left out.
-    WorldBits bitsLike(const WorldBits& box) const;
-    /// Median over the last steps, of this thread's processor time.
-    double workerMs();
+    /// Every brick as it is, and as it would be if nothing moved.
+    std::vector<ShadowPatch> patchesNow() const;
+    std::vector<ShadowPatch> patchesAtRest() const;
+    /// The volume now, in a box of its own: pieces reach out of the scene's.
+    WorldBits bits() const;
+    /// Median over the last `steps`, of this thread's processor time.
+    double workerMs(size_t steps) const;
 
 private:
     Random m_random{7};

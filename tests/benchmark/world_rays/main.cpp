@@ -1,4 +1,5 @@
-// bench_world_rays [SCENE...] [--repeats N]: the exact walk against the reference's, on the GL, in one process. See walks.h.
+// bench_world_rays [SCENE...] [--repeats N] [--edits N] [--worker]: the exact walk against the reference's, on the GL, in one process.
+// See walks.h.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -33,7 +34,8 @@ std::vector<RaySet> setsOf(const RayScene& scene) {
 }
 
 /// All rays of all sets; the walks take turns, so that what else the machine does hits all alike.
-std::vector<Total> measure(Walks& walks, const WorldBits& bits, const std::vector<RaySet>& sets, const std::vector<std::string>& names, int repeats) {
+std::vector<Total> measure(Walks& walks, const WorldBits& bits, glm::ivec3 shift, const std::vector<RaySet>& sets,
+                           const std::vector<std::string>& names, int repeats) {
     std::vector<Total> totals(names.size());
     for (const RaySet& set : sets) {
         std::vector<std::vector<double>> times(names.size());
@@ -48,7 +50,7 @@ std::vector<Total> measure(Walks& walks, const WorldBits& bits, const std::vecto
                 total.rays += set.count;
                 for (size_t i = 0; i < set.rays.size(); ++i) {
                     if (answers.stopped[i] == set.stopped[i]) continue;
-                    const bool grazes = k == 0 && isGrazing(bits, set.rays[i]);
+                    const bool grazes = k == 0 && isGrazing(bits, set.rays[i], shift);
                     ++(grazes ? total.grazing : set.stopped[i] ? total.falseLight : total.falseShadow);
                 }
             }
@@ -68,25 +70,46 @@ void print(const std::string& title, const Walks& walks, const std::vector<std::
     }
 }
 
+const std::vector<std::string> kExactOnly(Walks::names().begin(), Walks::names().begin() + 1);
+
+/// The scene's rays in what became of it, and what they would cost if all that moves had come to rest where it is.
+void runChanged(const std::string& what, const RayScene& scene, Walks& walks, Demolition& demolition, std::vector<RaySet> sets, int repeats,
+                double untouchedMs) {
+    walks.apply(demolition.takePatches());
+    const WorldBits bits = demolition.bits();
+    const glm::ivec3 shift = scene.bits.low - bits.low;
+    for (RaySet& set : sets) findTruth(bits, set, shift);
+    const std::vector<Total> totals = measure(walks, bits, shift, sets, kExactOnly, repeats);
+    walks.apply(demolition.patchesAtRest());
+    const std::vector<Total> atRest = measure(walks, bits, shift, sets, kExactOnly, repeats);
+    walks.apply(demolition.patchesNow());
+    const double ms = totals[0].milliseconds;
+    print(fmt::format("{}, {}: worker {:.2f} ms a step; {:.2f} of the time untouched, {:.2f} of that of the same at rest", scene.name, what,
+                      demolition.workerMs(50), ms / untouchedMs, ms / atRest[0].milliseconds),
+          walks, kExactOnly, totals);
+}
+
 void run(const RayScene& scene, int repeats, int edits) {
     const std::vector<RaySet> sets = setsOf(scene);
     Walks walks(scene.bits, scene.patches);
     const glm::ivec3 n = scene.bits.cells();
-    const std::vector<Total> rest = measure(walks, scene.bits, sets, Walks::names(), repeats);
+    const std::vector<Total> rest = measure(walks, scene.bits, glm::ivec3(0), sets, Walks::names(), repeats);
     print(fmt::format("{}, {} x {} x {} cells", scene.name, n.x, n.y, n.z), walks, Walks::names(), rest);
     if (!edits) return;
     Demolition demolition(scene, 300);
-    for (const auto& [what, count] : {std::pair("after edits, bodies asleep", edits), std::pair("300 bodies moving", 60)}) {
-        const bool moving = count == 60;
-        for (int i = 0; i < count; ++i) demolition.step(moving ? 0 : 1, moving);
-        walks.apply(demolition.takePatches());
-        std::vector<RaySet> now = sets;
-        const WorldBits bits = demolition.bitsLike(scene.bits);
-        for (RaySet& set : now) findTruth(bits, set);
-        const std::vector<Total> totals = measure(walks, bits, now, {Walks::names()[0]}, repeats);
-        print(fmt::format("{}, {}: worker {:.2f} ms a step, {:.2f} of the time at rest", scene.name, what, demolition.workerMs(),
-                          totals[0].milliseconds / rest[0].milliseconds),
-              walks, {Walks::names()[0]}, totals);
+    for (int i = 0; i < edits; ++i) demolition.step(1, false);
+    runChanged(fmt::format("after {} edits, 300 bodies asleep", edits), scene, walks, demolition, sets, repeats, rest[0].milliseconds);
+    for (int i = 0; i < 60; ++i) demolition.step(0, true);
+    runChanged("300 bodies moving", scene, walks, demolition, sets, repeats, rest[0].milliseconds);
+}
+
+/// What moving pieces cost the worker.
+void runWorker(const RayScene& scene) {
+    for (const int bodies : {50, 150, 300, 1000}) {
+        Demolition demolition(scene, bodies);
+        for (int i = 0; i < 45; ++i) demolition.step(0, true);
+        fmt::print("{}, {} pieces of 8^3 to 32^3 moving: worker {:.2f} ms a step, {} bricks\n", scene.name, bodies, demolition.workerMs(40),
+                   demolition.takePatches().size() / 45);
     }
 }
 
@@ -95,10 +118,12 @@ void run(const RayScene& scene, int repeats, int edits) {
 int main(int argc, char** argv) {
     std::vector<std::string> names{"town", "city", "model"};
     int repeats = 5, edits = 0;
+    bool worker = false;
     CLI::App app{"Rays through the shadow volume", "bench_world_rays"};
     app.add_option("scenes", names, "town, city, model, wide")->capture_default_str();
     app.add_option("--repeats", repeats)->capture_default_str();
     app.add_option("--edits", edits, "then so many edits, then 300 moving bodies")->capture_default_str();
+    app.add_flag("--worker", worker, "only what moving pieces cost the worker");
     CLI11_PARSE(app, argc, argv);
     setvbuf(stdout, nullptr, _IOLBF, 0);
     useNoGlThreads();
@@ -106,7 +131,8 @@ int main(int argc, char** argv) {
     if (!context || !loadGl(context.value()->loader())) return 1;
     for (const std::string& name : names) {
         const RayScene scene = name == "town" ? townScene() : name == "city" ? cityScene() : name == "wide" ? wideCityScene(3) : modelScene();
-        if (!scene.views.empty()) run(scene, repeats, edits);
+        if (scene.views.empty()) continue;
+        worker ? runWorker(scene) : run(scene, std::max(repeats, 1), edits);
     }
     return 0;
 }

@@ -64,7 +64,7 @@ Ray makeRay(const Surface& from, RayKind kind, double reach, double u, double v)
     return {glm::vec3(origin), float(reach), glm::vec3(glm::normalize(direction))};
 }
 
-bool answer(const WorldBits& bits, const Ray& ray, glm::dvec3 moved = glm::dvec3(0.0)) {
+bool answer(const WorldBits& bits, const Ray& ray, glm::dvec3 moved) {
     return walk(bits, glm::dvec3(ray.origin) + moved, glm::dvec3(ray.direction), double(ray.reach));
 }
 
@@ -82,16 +82,16 @@ RaySet makeRays(const WorldBits& bits, const RayView& view, RayKind kind, double
     return out;
 }
 
-void findTruth(const WorldBits& bits, RaySet& set) {
+void findTruth(const WorldBits& bits, RaySet& set, glm::ivec3 shift) {
     set.stopped.clear();
-    for (const Ray& ray : set.rays) set.stopped.push_back(ray.reach >= 0.0f && answer(bits, ray));
+    for (const Ray& ray : set.rays) set.stopped.push_back(ray.reach >= 0.0f && answer(bits, ray, glm::dvec3(shift)));
 }
 
-bool isGrazing(const WorldBits& bits, const Ray& ray) {
+bool isGrazing(const WorldBits& bits, const Ray& ray, glm::ivec3 shift) {
     constexpr double kHair = 1e-3;
-    const bool here = answer(bits, ray);
+    const bool here = answer(bits, ray, glm::dvec3(shift));
     for (int i = 0; i < 8; ++i)
-        if (answer(bits, ray, kHair * (2.0 * glm::dvec3(i & 1, i >> 1 & 1, i >> 2) - 1.0)) != here) return true;
+        if (answer(bits, ray, glm::dvec3(shift) + kHair * (2.0 * glm::dvec3(i & 1, i >> 1 & 1, i >> 2) - 1.0)) != here) return true;
     return false;
 }
 

@@ -32,9 +32,9 @@ enum class RayKind { Ambient, Sun, Local };
 /// From every surface that a view sees: `reach` cells over the cosine-weighted hemisphere, to the sun, or to the nearest of lamps
 /// that hang every 12.8 m. The truth is a plain walk in doubles, cell by cell.
 RaySet makeRays(const WorldBits& bits, const RayView& view, RayKind kind, double reach = 240.0);
-/// The truth of `set` in another volume.
-void findTruth(const WorldBits& bits, RaySet& set);
+/// The truth of `set` in another volume, whose cell 0 lies `shift` cells below that of the rays.
+void findTruth(const WorldBits& bits, RaySet& set, glm::ivec3 shift = glm::ivec3(0));
 /// True if the ray's answer in doubles changes when the ray is moved by a thousandth of a cell: it grazes, and floats may differ.
-bool isGrazing(const WorldBits& bits, const Ray& ray);
+bool isGrazing(const WorldBits& bits, const Ray& ray, glm::ivec3 shift);
 
 }  // namespace rubble::rays

@@ -1,0 +1,241 @@
+#include "runtime/shadow/shape_raster.h"
+
+#include <bit>
+
+#include "runtime/shadow/row_clip.h"
+
+namespace rubble {
+namespace {
+
+constexpr int kSide = kShadowBrickCells;
+constexpr int kMaxCells = 60;  ///< of bounds: with what is left of the first word they fit a row of 64
+
+/// Bits [low, high).
+uint64_t bitsOf(int low, int high) {
+    return low < high ? ~uint64_t(0) >> (64 - (high - low)) << low : 0;
+}
+
+bool isSolid(const uint64_t* rows, int height, const CellBox& box) {
+    const uint64_t all = bitsOf(box.low.x, box.high.x);
+    for (int z = box.low.z; z < box.high.z; ++z)
+        for (int y = box.low.y; y < box.high.y; ++y)
+            if (~rows[y + z * height] & all) return false;
+    return true;
+}
+
+/// What is left of rows of voxels without those that have an empty neighbour. Empty if nothing is.
+std::vector<uint64_t> peeled(const std::vector<uint64_t>& rows, glm::ivec3 size) {
+    std::vector<uint64_t> out(rows.size(), 0);
+    uint64_t any = 0;
+    for (int z = 1; z + 1 < size.z; ++z)
+        for (int y = 1; y + 1 < size.y; ++y) {
+            const uint64_t* row = &rows[size_t(y + z * size.y)];
+            any |= out[size_t(y + z * size.y)] = row[0] & row[-1] & row[1] & row[-size.y] & row[size.y] & row[0] << 1 & row[0] >> 1;
+        }
+    return any ? out : std::vector<uint64_t>();
+}
+
+/// Four layers of cells, whole words of them: rows along x, and how to take them apart.
+struct Slab {
+    static constexpr int kRows = 64;
+    std::array<std::array<uint64_t, kRows>, 4> layers{};
+
+    /// The words of 4 rows in each of the 4 layers, from row `y` on: word i holds bits 4 i to 4 i + 3 of each.
+    bool takeWords(int y, std::array<uint64_t, 20>& words, int shift) {
+        std::array<uint64_t, 16> rows;
+        uint64_t any = 0;
+        for (size_t i = 0; i < 16; ++i) {
+            uint64_t& row = layers[i >> 2][size_t(y) + (i & 3)];
+            rows[i] = row;
+            any |= row;
+            row = 0;
+        }
+        if (!any) return false;
+        transposeNibbles(rows);
+        words = {};
+        for (size_t i = 0; i < 16; ++i) words[size_t(shift) + i] = rows[i];
+        return true;
+    }
+
+private:
+    /// Nibble i of row k becomes nibble k of row i.
+    static void transposeNibbles(std::array<uint64_t, 16>& rows) {
+        swapHalves<8>(rows, 0x00000000ffffffffu);
+        swapHalves<4>(rows, 0x0000ffff0000ffffu);
+        swapHalves<2>(rows, 0x00ff00ff00ff00ffu);
+        swapHalves<1>(rows, 0x0f0f0f0f0f0f0f0fu);
+    }
+    template <size_t kHalf>
+    static void swapHalves(std::array<uint64_t, 16>& rows, uint64_t mask) {
+        for (size_t base = 0; base < 16; base += 2 * kHalf)
+            for (size_t k = base; k < base + kHalf; ++k) {
+                const uint64_t swap = (rows[k] >> (4 * kHalf) ^ rows[k + kHalf]) & mask;
+                rows[k] ^= swap << (4 * kHalf);
+                rows[k + kHalf] ^= swap;
+            }
+    }
+};
+
+/// Rows of samples of a shape as rows of cells.
+class RowSampler {
+public:
+    RowSampler(const RasterSource& source, const ShadowLattice& lattice, int count)
+        : m_rows(source.rows()),
+          m_height(source.height()),
+          m_samples(lattice.samples),
+          m_step(lattice.step[0]),
+          m_used(source.used(), m_step, count),
+          m_core(source.core(), m_step, count),
+          m_hasCore(!source.core().empty()) {}
+    /// Bit i / samples is set for every sample i that lies in a solid voxel.
+    uint64_t cells(const FixedPoint& first) const {
+        const double x = double(first[0]), y = double(first[1]), z = double(first[2]);
+        const auto [low, high] = m_used(x, y, z);
+        if (low >= high) return 0;
+        if (m_samples > 1) return sampleFine(first, low, high);
+        const auto [coreLow, coreHigh] = m_hasCore ? m_core(x, y, z) : RowClip::Interval{0, 0};
+        if (coreLow >= coreHigh) return sample(first, low, high);
+        uint64_t bits = bitsOf(coreLow, coreHigh);
+        if (low < coreLow) bits |= sample(first, low, coreLow);
+        if (coreHigh < high) bits |= sample(first, coreHigh, high);
+        return bits;
+    }
+
+private:
+    uint64_t solid(int64_t x, int64_t y, int64_t z) const { return m_rows[(y >> 32) + (z >> 32) * m_height] >> (x >> 32) & 1; }
+    uint64_t sample(const FixedPoint& first, int low, int high) const {
+        uint64_t bits = 0;
+        const int64_t last = high - 1;
+        int64_t x = first[0] + last * m_step[0], y = first[1] + last * m_step[1], z = first[2] + last * m_step[2];
+        for (int i = low; i < high; ++i) {  // from the last one down: each makes room for the one before it
+            bits = bits + bits + solid(x, y, z);
+            x -= m_step[0], y -= m_step[1], z -= m_step[2];
+        }
+        return bits << low;
+    }
+    uint64_t sampleFine(const FixedPoint& first, int low, int high) const {
+        uint64_t bits = 0;
+        int64_t x = first[0] + low * m_step[0], y = first[1] + low * m_step[1], z = first[2] + low * m_step[2];
+        for (int i = low; i < high; ++i) {
+            bits |= solid(x, y, z) << (i / m_samples);
+            x += m_step[0], y += m_step[1], z += m_step[2];
+        }
+        return bits;
+    }
+    const uint64_t* m_rows;
+    const int64_t m_height;
+    const int m_samples;
+    const FixedPoint m_step;
+    const RowClip m_used, m_core;
+    const bool m_hasCore;
+};
+
+}  // namespace
+
+void RasterSource::make(const VoxelGrid& grid) {
+    const glm::ivec3 size = grid.size();
+    m_height = size.y;
+    m_rows.assign(size_t(size.y) * size_t(size.z), 0);
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        const glm::ivec3 low = position * kBrickSize, high = glm::min(low + kBrickSize, size);
+        for (int z = low.z; z < high.z; ++z)
+            for (int y = low.y; y < high.y; ++y)
+                m_rows[size_t(y + z * size.y)] |= (brick->occupancy[size_t(z - low.z)] >> ((y - low.y) * 8) & 0xff) << low.x;
+    });
+    findUsed(size);
+    findCore(size);
+}
+
+void RasterSource::findUsed(glm::ivec3 size) {
+    m_used = {size, glm::ivec3(0)};
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y) {
+            const uint64_t row = m_rows[size_t(y + z * size.y)];
+            if (!row) continue;
+            m_used.low = glm::min(m_used.low, glm::ivec3(std::countr_zero(row), y, z));
+            m_used.high = glm::max(m_used.high, glm::ivec3(64 - std::countl_zero(row), y + 1, z + 1));
+        }
+}
+
+/// A large solid box: peels the shape until nothing is left, and grows a box round a voxel that went last.
+void RasterSource::findCore(glm::ivec3 size) {
+    m_core = {};
+    if (m_used.empty()) return;
+    std::vector<uint64_t> rows = m_rows;
+    for (std::vector<uint64_t> next = peeled(rows, size); !next.empty(); next = peeled(rows, size)) rows = std::move(next);
+    const size_t first = size_t(std::find_if(rows.begin(), rows.end(), [](uint64_t row) { return row != 0; }) - rows.begin());
+    m_core.low = {std::countr_zero(rows[first]), int(first) % size.y, int(first) / size.y};
+    m_core.high = m_core.low + 1;
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (int side = 0; side < 6; ++side) {
+            const int axis = side >> 1;
+            CellBox layer = m_core;
+            (side & 1 ? layer.low : layer.high)[axis] = side & 1 ? m_core.high[axis] : m_core.low[axis];
+            (side & 1 ? layer.high : layer.low)[axis] += side & 1 ? 1 : -1;
+            if (layer.low[axis] < m_used.low[axis] || layer.high[axis] > m_used.high[axis] || !isSolid(m_rows.data(), m_height, layer)) continue;
+            (side & 1 ? m_core.high : m_core.low)[axis] += side & 1 ? 1 : -1;
+            grows = true;
+        }
+    }
+}
+
+void ShapeRaster::clear() {
+    m_places.clear();
+    m_used = 0;
+}
+
+const ShadowWords* ShapeRaster::find(glm::ivec3 brick) const {
+    const glm::ivec3 at = brick - m_lowBrick;
+    for (int a = 0; a < 3; ++a)
+        if (at[a] < 0 || at[a] >= m_bricks[a]) return nullptr;
+    const uint8_t place = m_places[size_t(at.x + m_bricks.x * (at.y + m_bricks.y * at.z))];
+    return place ? &m_words[place - 1u] : nullptr;
+}
+
+ShadowWords& ShapeRaster::wordsAt(size_t index) {
+    uint8_t& place = m_places[index];
+    if (!place) {
+        if (m_used == m_words.size()) m_words.emplace_back();
+        m_words[m_used].fill(0);
+        place = uint8_t(++m_used);
+    }
+    return m_words[place - 1u];
+}
+
+bool ShapeRaster::make(const RasterSource& source, const ShadowLattice& lattice, const CellBox& bounds) {
+    clear();
+    const glm::ivec3 size = bounds.high - bounds.low;
+    if (std::max({size.x, size.y, size.z}) > kMaxCells) return false;
+    m_lowBrick = bounds.low >> 4;
+    m_bricks = ((bounds.high + (kSide - 1)) >> 4) - m_lowBrick;
+    m_places.assign(size_t(m_bricks.x) * size_t(m_bricks.y) * size_t(m_bricks.z), 0);
+
+    const glm::ivec3 count = size * lattice.samples, low = bounds.low - m_lowBrick * kSide;  // cells from the lowest brick's corner
+    const RowSampler sampler(source, lattice, count.x);
+    const int inWord = low.x & 3, yBase = low.y & ~3;
+    Slab slab;
+    FixedPoint plane = lattice.sample(bounds.low);
+    for (int z = 0, zCell = low.z; zCell < low.z + size.z; ++zCell) {
+        for (const int end = z + lattice.samples; z < end; ++z, plane = plane + lattice.step[2]) {
+            FixedPoint first = plane;
+            std::array<uint64_t, Slab::kRows>& rows = slab.layers[size_t(zCell & 3)];
+            for (int y = 0; y < count.y; ++y, first = first + lattice.step[1])
+                rows[size_t(low.y - yBase + y / lattice.samples)] |= sampler.cells(first) << inWord;
+        }
+        if ((zCell & 3) != 3 && zCell + 1 < low.z + size.z) continue;
+        std::array<uint64_t, 20> words;
+        for (int y = yBase; y < low.y + size.y; y += 4) {
+            if (!slab.takeWords(y - yBase, words, low.x >> 2 & 3)) continue;
+            for (int x = 0; x < m_bricks.x; ++x) {
+                const uint64_t* four = &words[size_t(4 * x)];
+                if (!(four[0] | four[1] | four[2] | four[3])) continue;
+                ShadowWords& to = wordsAt(size_t(x + m_bricks.x * ((y >> 4) + m_bricks.y * (zCell >> 4))));
+                std::copy_n(four, 4, &to[size_t((y & 12) + (zCell >> 2 & 3) * 16)]);
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace rubble
