@@ -19,6 +19,6 @@ void main() {
     Layout shape = readLayout(body);
     vec3 originCells = rotateBack(place.rotation, origin - place.position) / place.voxelSize;
     Panes panes = throughPanes(body, shape, originCells, rotateBack(place.rotation, ray) / place.voxelSize, tMax);
-    if (!panes.any) discard;
+    if (panes.first == kFarthest) discard;
     shadow = vec4(panes.tint, uHigh - panes.last);
 }
