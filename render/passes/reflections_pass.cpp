@@ -46,6 +46,7 @@ void ReflectionsPass::draw(const FrameContext& frame) const {
     m_program.use();
     bindMirror(m_program, frame);
     frame.scene.bindShadow(m_program);
+    frame.scene.bindVoxelsAt(m_program);
     bindBounce(m_program, frame);
     m_program.set("uLight", frame.targets.at("lighting"));
     m_program.set("uBlueNoise", frame.blueNoise);

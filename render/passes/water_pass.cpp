@@ -67,6 +67,7 @@ void WaterPass::draw(const FrameContext& frame) const {
         m_program.set("uBehind", behind);
         m_program.set("uBlueNoise", frame.blueNoise);
         frame.scene.bindShadow(m_program);
+        frame.scene.bindVoxelsAt(m_program);
         bindBounce(m_program, frame);
         setWater(frame, water);
         setRipples(frame, water);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <glm/common.hpp>
+#include <utility>
 
 namespace rubble {
 namespace {
@@ -81,6 +82,7 @@ void Bodies::destroy(ShapeHandle handle) {
     release(*shape, handle.slot());
     m_shapes[handle.slot()].reset();
     m_instances[handle.slot()] = Instance{};
+    m_boundsDirty.push_back(handle.slot());
     --m_shapeCount;
 }
 
@@ -102,7 +104,6 @@ void Bodies::clear() {
     for (const auto& shape : m_shapes)
         if (shape) destroy(ShapeHandle(shape->handle));
     m_moving.clear();
-    m_boundsDirty.clear();
 }
 
 void Bodies::setBrick(const BrickChange& change) {
@@ -231,11 +232,12 @@ uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld) {
     m_boundsDirty.erase(std::unique(m_boundsDirty.begin(), m_boundsDirty.end()), m_boundsDirty.end());
     for (uint32_t slot : m_boundsDirty)
         if (m_shapes[slot]) updateBounds(slot);
-    m_boundsDirty.clear();
+    m_touched = std::exchange(m_boundsDirty, {});
 
     std::vector<uint32_t> still;
     std::sort(m_moving.begin(), m_moving.end());
     m_moving.erase(std::unique(m_moving.begin(), m_moving.end()), m_moving.end());
+    m_touched.insert(m_touched.end(), m_moving.begin(), m_moving.end());
     for (uint32_t slot : m_moving)
         if (m_shapes[slot]) {
             place(slot, alpha, originWorld);

@@ -53,6 +53,8 @@ public:
     /// Sets the samplers of lib/bodies.glsl. The program must be in use.
     void bind(const Program& program) const;
 
+    /// Slots of the instances that the last beginFrame() placed, gave other bounds, or found gone.
+    const std::vector<uint32_t>& touched() const { return m_touched; }
     /// By slot; those with nothing in them are empty().
     const std::vector<Instance>& instances() const { return m_instances; }
     /// Of the shape in a slot of instances().
@@ -116,7 +118,7 @@ private:
     std::unordered_map<const Palette*, PaletteUse> m_paletteUses;
     std::vector<std::unique_ptr<Shape>> m_shapes;  ///< by the handle's slot
     std::vector<Instance> m_instances;
-    std::vector<uint32_t> m_moving, m_boundsDirty;  ///< slots
+    std::vector<uint32_t> m_moving, m_boundsDirty, m_touched;  ///< slots
     glm::dvec3 m_origin{0.0};
     int m_shapeCount = 0, m_glassShapes = 0, m_mirrorShapes = 0;
 };

@@ -78,7 +78,29 @@ uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld) {
     if (rebased) m_origin = glm::round(cameraWorld / kSector) * kSector;
     if (m_smokeChanged || rebased) m_smoke.update(m_particles, m_environment.sunDirection, m_origin);
     m_smokeChanged = false;
-    return bricks + m_bodies.beginFrame(alpha, m_origin) + m_shadow.upload();
+    const uint64_t bodies = m_bodies.beginFrame(alpha, m_origin);
+    return bricks + bodies + updateGrid() + m_shadow.upload();
+}
+
+uint64_t Scene::updateGrid() {
+    if (!hasMirrors() && !hasGlass() && m_environment.wetness <= 0.0f && m_waters.empty()) {
+        m_grid.reset();
+        return 0;
+    }
+    const auto& instances = m_bodies.instances();
+    if (m_grid) {
+        for (const uint32_t slot : m_bodies.touched()) m_grid->put(slot, instances[slot]);
+    } else {
+        m_grid.emplace();
+        for (uint32_t slot = 0; slot < instances.size(); ++slot) m_grid->put(slot, instances[slot]);
+    }
+    return m_grid->upload();
+}
+
+void Scene::bindVoxelsAt(const Program& program) const {
+    m_bodies.bind(program);
+    program.set("uBodyBuckets", 0);
+    if (m_grid) m_grid->bind(program);
 }
 
 glm::ivec3 Scene::shadowSectorLow() const {

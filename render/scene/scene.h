@@ -1,9 +1,11 @@
 #pragma once
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "render/gl/program.h"
 #include "render/scene/bodies.h"
+#include "render/scene/body_grid.h"
 #include "render/scene/shadow_mirror.h"
 #include "render/scene/smoke_shadow.h"
 #include "runtime/frame/frame_snapshot.h"
@@ -32,6 +34,8 @@ public:
     double seconds() const { return m_seconds; }
     /// Sets the samplers that lib/shadow_trace.glsl reads. The program must be in use.
     void bindShadow(const Program& program) const { m_shadow.bind(program); }
+    /// Sets the samplers of lib/bodies.glsl and lib/voxel_at.glsl, which are there while the scene mirrors anything. The program must be in use.
+    void bindVoxelsAt(const Program& program) const;
     /// Sets the uniforms of lib/smoke_shadow.glsl. The program must be in use.
     void bindSmoke(const Program& program) const { m_smoke.bind(program); }
     const ShadowMirror& shadow() const { return m_shadow; }
@@ -45,7 +49,7 @@ public:
     bool hasMirrors() const { return m_bodies.hasMirrors(); }
     /// World position that the GPU's coordinates are relative to: a corner of the shadow volume's sectors.
     glm::dvec3 origin() const { return m_origin; }
-    uint64_t bytes() const { return m_bodies.bytes() + m_shadow.bytes() + m_smoke.bytes(); }
+    uint64_t bytes() const { return m_bodies.bytes() + m_shadow.bytes() + m_smoke.bytes() + (m_grid ? m_grid->bytes() : 0); }
 
 private:
     bool isGlass(ShapeHandle shape) const;
@@ -57,9 +61,11 @@ private:
     /// Leaves the lists of bricks as they are.
     void applyNow(FrameSnapshot& snapshot);
     void applyHeld();
+    uint64_t updateGrid();
 
     Bodies m_bodies;
-    std::deque<Held> m_held;  ///< oldest first
+    std::optional<BodyGrid> m_grid;  ///< while anything mirrors
+    std::deque<Held> m_held;         ///< oldest first
     uint64_t m_uploadBudget = ~uint64_t(0);
     bool m_sendAll = false;  ///< a level was loaded
     ShadowMirror m_shadow;

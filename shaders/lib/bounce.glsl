@@ -7,6 +7,7 @@ uniform bool uLastValid;
 uniform bool uSunUp;
 uniform bool uBounce;
 
+const float kEdge = 0.15;         // of the picture's half width and height: how far the trust in it takes to grow
 const float kBounceAlbedo = 0.3;  // of what no picture shows: the mean of the town
 const float kShadowCellMetres = 0.1;
 
@@ -21,34 +22,40 @@ vec3 faceNormal(vec3 hitWorld, vec3 direction) {
 }
 
 /// normal: of the face that was hit. What the picture shows there must face the same way: the far side of a thin wall is another place.
-bool radianceOnScreen(vec3 hitWorld, vec3 normal, out vec3 radiance) {
-    radiance = vec3(0.0);
-    if (!uLastValid) return false;
+/// a: 0 where it is not shown, 1 where it is, less toward the picture's edge.
+vec4 radianceOnScreen(vec3 hitWorld, vec3 normal) {
+    if (!uLastValid) return vec4(0.0);
     vec4 clip = frame.previousViewProjection * vec4(hitWorld, 1.0);
-    if (clip.w < 0.1 || any(greaterThan(abs(clip.xy), vec2(clip.w)))) return false;
+    if (clip.w < 0.1 || any(greaterThanEqual(abs(clip.xy), vec2(clip.w)))) return vec4(0.0);
     ivec2 pixel = ivec2((clip.xy / clip.w * 0.5 + 0.5) * frame.targetSize.xy);
     vec2 surface = texelFetch(uLastSurface, pixel, 0).xy;
-    if (abs(surface.x - clip.w) > 0.12 + 0.01 * clip.w || dot(unpackNormal(surface.y), normal) < 0.6) return false;
+    if (abs(surface.x - clip.w) > 0.12 + 0.01 * clip.w || dot(unpackNormal(surface.y), normal) < 0.6) return vec4(0.0);
     // Without the air between the eye and the place: it does not light a closed room. Bright dots met by few rays would speckle.
     vec3 fromEye = hitWorld - frame.cameraPosition.xyz;
     float range = length(fromEye);
     float haze = hazeAmount(range);
-    radiance = texelFetch(uLastRadiance, pixel, 0).rgb - hazeRadiance(fromEye / max(range, 1e-3)) * haze;
-    radiance = clamp(radiance / (1.0 - haze), vec3(0.0), vec3(3.0));
-    return haze < 0.9;
+    if (haze >= 0.9) return vec4(0.0);
+    vec3 radiance = texelFetch(uLastRadiance, pixel, 0).rgb - hazeRadiance(fromEye / max(range, 1e-3)) * haze;
+    vec2 fromEdge = (1.0 - abs(clip.xy / clip.w)) / kEdge;
+    return vec4(clamp(radiance / (1.0 - haze), vec3(0.0), vec3(3.0)), clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0));
 }
 
-/// lightHere: mean radiance where the ray started. A hit that no picture shows is taken to be lit as much: right in the long
-/// run inside a room, where it sums up all bounces, and zero in a closed one.
-vec3 bounceRadiance(vec3 hitWorld, vec3 direction, vec3 lightHere) {
-    vec3 radiance;
-    if (!uBounce) return vec3(0.0);
-    vec3 normal = faceNormal(hitWorld, direction);
-    if (radianceOnScreen(hitWorld, normal, radiance)) return radiance;
-    vec3 irradiance = 0.9 * lightHere;
+/// Mean radiance on a face that no picture shows: the sun's, and as much of the rest as there is where the ray started. That is right
+/// in the long run inside a room, where it sums up all bounces, and zero in a closed one.
+vec3 unseenLight(vec3 hitWorld, vec3 normal, vec3 lightHere) {
+    vec3 light = 0.9 * lightHere;
     float facing = dot(normal, frame.sunDirection.xyz);
     float t;
     if (uSunUp && facing > 0.0 && !shadowTrace(shadowOrigin(hitWorld, normal), frame.sunDirection.xyz, 64.0, t))
-        irradiance += frame.sunColor.rgb * (facing / 3.14159265);
-    return irradiance * kBounceAlbedo;
+        light += frame.sunColor.rgb * (facing / 3.14159265);
+    return light;
+}
+
+/// What a ray of rough light meets. lightHere: mean radiance where it started.
+vec3 bounceRadiance(vec3 hitWorld, vec3 direction, vec3 lightHere) {
+    if (!uBounce) return vec3(0.0);
+    vec3 normal = faceNormal(hitWorld, direction);
+    vec4 seen = radianceOnScreen(hitWorld, normal);
+    if (seen.a > 0.0) return seen.rgb;
+    return unseenLight(hitWorld, normal, lightHere) * kBounceAlbedo;
 }

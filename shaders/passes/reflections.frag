@@ -7,6 +7,7 @@
 #include "lib/brdf.glsl"
 #include "lib/sky.glsl"
 #include "lib/bounce.glsl"
+#include "lib/mirrored_place.glsl"
 #include "lib/mirror.glsl"
 
 uniform sampler2D uLight;
@@ -19,7 +20,7 @@ const float kReach = 40.0;
 /// Radiance of a mirror ray. The sun's disc is left to the specular lobe, which has no noise.
 vec3 mirrored(vec3 origin, vec3 direction, vec3 lightHere) {
     float t;
-    if (shadowTrace(origin, direction, kReach, t)) return bounceRadiance(origin + direction * t, direction, lightHere);
+    if (shadowTrace(origin, direction, kReach, t)) return mirroredRadiance(origin + direction * t, direction, lightHere);
     vec3 sky = direction.y > 0.0 ? withHills(withClouds(skyRadiance(direction), direction), direction) : skyRadiance(direction);
     return sky;
 }

@@ -1,0 +1,108 @@
+#include "render/scene/body_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+namespace rubble {
+namespace {
+
+constexpr uint32_t kFewestBuckets = 256;
+constexpr int kMostCellsAlong = 4;  ///< of a body's box, and one more where it lies across
+
+float cellSize(int level) {
+    return BodyGrid::kFinest * float(1 << (2 * level));
+}
+
+}  // namespace
+
+BodyGrid::Cells BodyGrid::cellsOf(const Bodies::Instance& body) {
+    if (body.empty()) return {};
+    const glm::vec3 low = glm::vec3(body.low) * body.voxelSize, high = glm::vec3(body.high) * body.voxelSize;
+    const glm::vec3 middle = body.position + body.rotation * (0.5f * (low + high));
+    const glm::mat3 axes = glm::mat3_cast(body.rotation);
+    const glm::vec3 half = 0.5f * (high - low);
+    const glm::vec3 extent = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z + 0.01f;
+    Cells cells;
+    const float side = 2.0f * std::max({extent.x, extent.y, extent.z});
+    while (cells.level + 1 < kLevels && side > float(kMostCellsAlong) * cellSize(cells.level)) ++cells.level;
+    const float scale = 1.0f / cellSize(cells.level);
+    cells.low = glm::ivec3(glm::floor((middle - extent) * scale));
+    cells.high = glm::ivec3(glm::floor((middle + extent) * scale)) + 1;
+    return cells;
+}
+
+/// As in lib/voxel_at.glsl.
+uint32_t BodyGrid::bucketOf(glm::ivec3 cell, int level) const {
+    const glm::uvec3 c(cell);
+    uint32_t hash = c.x * 0x8da6b343u ^ c.y * 0xd8163841u ^ c.z * 0xcb1ab31fu ^ uint32_t(level) * 0x9e3779b9u;
+    hash ^= hash >> 15;
+    return hash & uint32_t(m_firsts.size() - 1);
+}
+
+template <class F>
+void BodyGrid::forEachBucket(const Cells& cells, F&& f) const {
+    for (int z = cells.low.z; z < cells.high.z; ++z)
+        for (int y = cells.low.y; y < cells.high.y; ++y)
+            for (int x = cells.low.x; x < cells.high.x; ++x) f(bucketOf({x, y, z}, cells.level));
+}
+
+void BodyGrid::link(uint32_t slot) {
+    forEachBucket(m_where[slot], [&](uint32_t bucket) {
+        const uint32_t number = m_slots.take();
+        m_entries.resize(std::max<size_t>(m_entries.size(), m_slots.end()));
+        m_entries.change(number) = {slot, m_firsts[bucket]};
+        m_firsts.change(bucket) = number + 1;
+    });
+}
+
+void BodyGrid::unlink(uint32_t slot) {
+    forEachBucket(m_where[slot], [&](uint32_t bucket) {
+        uint32_t before = 0, at = m_firsts[bucket];
+        while (m_entries[at - 1].body != slot) {
+            before = at;
+            at = m_entries[at - 1].next;
+        }
+        (before ? m_entries.change(before - 1).next : m_firsts.change(bucket)) = m_entries[at - 1].next;
+        m_slots.give(at - 1);
+    });
+}
+
+/// Twice the buckets, and all bodies entered anew.
+void BodyGrid::grow() {
+    const size_t buckets = std::max<size_t>(kFewestBuckets, 2 * m_firsts.size());
+    m_firsts.resize(0);
+    m_firsts.resize(buckets);
+    for (size_t i = 0; i < buckets; ++i) m_firsts.change(i) = 0;
+    m_slots = {};
+    for (uint32_t slot = 0; slot < m_where.size(); ++slot) link(slot);
+}
+
+void BodyGrid::put(uint32_t slot, const Bodies::Instance& body) {
+    if (slot >= m_where.size()) m_where.resize(slot + 1);
+    const Cells cells = cellsOf(body);
+    if (cells == m_where[slot]) return;
+    unlink(slot);
+    m_where[slot] = cells;
+    const glm::ivec3 size = cells.high - cells.low;
+    if (m_slots.used() + uint32_t(size.x * size.y * size.z) > m_firsts.size()) return grow();
+    link(slot);
+}
+
+void BodyGrid::bind(const Program& program) const {
+    program.set("uBodyFirsts", m_firsts.texture());
+    program.set("uBodyEntries", m_entries.texture());
+    program.set("uBodyBuckets", int(m_firsts.size()));
+}
+
+std::vector<uint32_t> BodyGrid::bodiesAt(glm::vec3 point) const {
+    std::vector<uint32_t> bodies;
+    if (m_firsts.size() == 0) return bodies;
+    for (int level = 0; level < kLevels; ++level)
+        for (uint32_t at = m_firsts[bucketOf(glm::ivec3(glm::floor(point / cellSize(level))), level)]; at; at = m_entries[at - 1].next)
+            bodies.push_back(m_entries[at - 1].body);
+    return bodies;
+}
+
+}  // namespace rubble

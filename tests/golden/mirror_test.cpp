@@ -1,0 +1,123 @@
+// What mirrors show of places that the picture does not.
+#include <glm/gtc/constants.hpp>
+
+#include "tests/golden/drawing.h"
+
+namespace rubble {
+namespace {
+
+constexpr glm::ivec2 kSize(96, 64);
+constexpr uint8_t kSteel = 1, kRed = 2, kBlue = 3, kGlow = 4;
+
+PaletteRef steelAndPaints(bool mirrors = true) {
+    auto palette = std::make_shared<Palette>();
+    const auto entry = [&](int index, glm::ivec3 color) -> PaletteEntry& {
+        PaletteEntry& e = (*palette)[size_t(index)];
+        e.red = uint8_t(color.x);
+        e.green = uint8_t(color.y);
+        e.blue = uint8_t(color.z);
+        e.material = 1;
+        return e;
+    };
+    PaletteEntry& steel = entry(kSteel, {255, 255, 255});
+    steel.metallic = 255;
+    steel.roughness = mirrors ? 0 : 255;
+    entry(kRed, {200, 60, 40});
+    entry(kBlue, {40, 60, 200});
+    entry(kGlow, {200, 200, 60}).emission = 0.9f;
+    return palette;
+}
+
+/// A mirror stands before the camera, and behind it a wall that the sun shines on from the front.
+class MirrorTest : public Drawing {
+protected:
+    static constexpr float kSunHeight = 0.8f;
+    ShapeHandle wall;
+
+    static uint8_t steel(glm::ivec3) { return kSteel; }
+
+    LitScene mirrorAndWall(uint8_t entry, glm::dquat turn = {1, 0, 0, 0}) {
+        LitScene scene(steelAndPaints());
+        Environment& air = scene.environment;
+        air.sunDirection = {0.0f, kSunHeight, -1.0f};
+        air.sunColor = glm::vec3(4.0f);
+        air.skyColor = air.horizonColor = air.groundColor = glm::vec3(0.0f);
+        scene.add({60, 40, 2}, {{-3, -0.5, -2.2}, {1, 0, 0, 0}}, steel);
+        wall = scene.add({80, 60, 4}, {turn * glm::dvec3(-4, -1, 3.0), turn}, [=](glm::ivec3) { return entry; });
+        return scene;
+    }
+    static Camera camera() {
+        Camera camera;
+        camera.position = {0, 1, 0};
+        camera.lookAt({0, 1, -2});
+        return camera;
+    }
+    /// Mean of what the mirror shows in the picture's middle.
+    glm::vec3 mirrored() {
+        draw(camera(), 3);
+        const auto image = renderer->readTarget("reflection");
+        EXPECT_TRUE(image) << image.error();
+        glm::vec3 sum(0.0f);
+        for (int y = 28; y < 36; ++y)
+            for (int x = 40; x < 56; ++x) sum += glm::vec3(image->at(x, y));
+        return sum / (8.0f * 16.0f);
+    }
+    /// What a face of this colour gives back of the sun: Lambert.
+    static glm::vec3 lit(uint8_t red, uint8_t green, uint8_t blue) {
+        const glm::vec3 albedo(srgbToLinear(red), srgbToLinear(green), srgbToLinear(blue));
+        return albedo * (4.0f / glm::pi<float>() / std::sqrt(1.0f + kSunHeight * kSunHeight));
+    }
+    /// Of this colour, and as bright; a little light that has come another way is granted.
+    static void expectNear(glm::vec3 value, glm::vec3 expected) {
+        EXPECT_GT(value.r, 0.98f * expected.r);
+        EXPECT_LT(value.r, 1.12f * expected.r);
+        for (int i = 1; i < 3; ++i) EXPECT_NEAR(value[i] / value.r, expected[i] / expected.r, 0.01f) << "channel " << i;
+    }
+};
+
+TEST_F(MirrorTest, AWallBehindTheCameraShowsItsOwnColourInTheSun) {
+    LitScene scene = mirrorAndWall(kRed);
+    start(scene, kSize);
+    expectNear(mirrored(), lit(200, 60, 40));
+    scene.edit(wall, [](glm::ivec3) { return kBlue; });
+    renderer->apply(scene.step());
+    const glm::vec3 blue = lit(40, 60, 200);
+    const glm::vec3 after = mirrored();
+    expectNear({after.b, after.g, after.r}, {blue.b, blue.g, blue.r});
+}
+
+TEST_F(MirrorTest, AWallThatHasMovedIsMirroredWhereItIs) {
+    LitScene scene = mirrorAndWall(kRed);
+    start(scene, kSize);
+    const glm::dquat turn = glm::angleAxis(0.2, glm::dvec3(0, 0, 1));
+    scene.move(wall, {turn * glm::dvec3(-4, -1, 4.03), turn});
+    renderer->apply(scene.step());
+    expectNear(mirrored(), lit(200, 60, 40));
+    scene.move(wall, {{-4, -1, 60}, turn});  // too far for a mirror ray
+    renderer->apply(scene.step());
+    const glm::vec3 hills = mirrored();
+    EXPECT_LT(hills.r, 2.0f * hills.b);
+}
+
+TEST_F(MirrorTest, WhatGlowsBehindTheCameraGlowsInTheMirror) {
+    LitScene scene = mirrorAndWall(kGlow);
+    scene.environment.sunColor = glm::vec3(0.0f);
+    start(scene, kSize);
+    expectNear(mirrored(), 0.9f * glm::vec3(srgbToLinear(200), srgbToLinear(200), srgbToLinear(60)));
+}
+
+TEST_F(MirrorTest, WithoutMirrorsNothingIsKeptForThem) {
+    const auto bytes = [&](bool mirrors) {
+        LitScene scene(steelAndPaints(mirrors));
+        scene.add({60, 40, 2}, {{-3, -0.5, -2.2}, {1, 0, 0, 0}}, steel);
+        RenderSettings settings;
+        settings.reflections = false;  // no targets either way
+        start(scene, kSize, settings);
+        draw(camera(), 2);
+        return renderer->figures().textureBytes;
+    };
+    EXPECT_GT(bytes(true), bytes(false)) << "the test does not see the grid";
+}
+
+}  // namespace
+}  // namespace rubble
