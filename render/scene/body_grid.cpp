@@ -85,6 +85,7 @@ void BodyGrid::put(uint32_t slot, const Bodies::Instance& body) {
     if (cells == m_where[slot]) return;
     unlink(slot);
     m_where[slot] = cells;
+    m_levels = std::max(m_levels, cells.level + 1);
     const glm::ivec3 size = cells.high - cells.low;
     if (m_slots.used() + uint32_t(size.x * size.y * size.z) > m_firsts.size()) return grow();
     link(slot);
@@ -94,12 +95,13 @@ void BodyGrid::bind(const Program& program) const {
     program.set("uBodyFirsts", m_firsts.texture());
     program.set("uBodyEntries", m_entries.texture());
     program.set("uBodyBuckets", int(m_firsts.size()));
+    program.set("uBodyLevels", m_levels);
 }
 
 std::vector<uint32_t> BodyGrid::bodiesAt(glm::vec3 point) const {
     std::vector<uint32_t> bodies;
     if (m_firsts.size() == 0) return bodies;
-    for (int level = 0; level < kLevels; ++level)
+    for (int level = 0; level < m_levels; ++level)
         for (uint32_t at = m_firsts[bucketOf(glm::ivec3(glm::floor(point / cellSize(level))), level)]; at; at = m_entries[at - 1].next)
             bodies.push_back(m_entries[at - 1].body);
     return bodies;

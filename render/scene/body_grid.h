@@ -45,6 +45,7 @@ private:
     void grow();
 
     std::vector<Cells> m_where;  ///< by slot
+    int m_levels = 0;            ///< the lowest ones, that were ever used
     MirroredBuffer<uint32_t> m_firsts{GL_R32UI, "body grid"};
     MirroredBuffer<Entry> m_entries{GL_RG32UI, "body grid's entries"};
     Slots m_slots;  ///< of m_entries

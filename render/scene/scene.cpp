@@ -99,7 +99,7 @@ uint64_t Scene::updateGrid() {
 
 void Scene::bindVoxelsAt(const Program& program) const {
     m_bodies.bind(program);
-    program.set("uBodyBuckets", 0);
+    program.set("uBodyLevels", 0);
     if (m_grid) m_grid->bind(program);
 }
 

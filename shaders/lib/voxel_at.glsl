@@ -1,10 +1,10 @@
 // The voxel at a point of the world (filled by render/scene/body_grid.cpp). Needs lib/voxel_walk, paint.
 uniform usamplerBuffer uBodyFirsts;   // a bucket: number of its first entry plus one, 0 = none
 uniform usamplerBuffer uBodyEntries;  // body, number of the next entry plus one
-uniform int uBodyBuckets;             // a power of two; 0 = no body anywhere
+uniform int uBodyBuckets;  // a power of two
+uniform int uBodyLevels;   // 0 = no body anywhere
 
 const float kFinestBodyCell = 1.6;  // metres
-const int kBodyLevels = 6;
 const int kMostBodiesAt = 128;  // that are looked into
 
 uint firstBodyAt(vec3 world, int level) {
@@ -17,10 +17,10 @@ uint firstBodyAt(vec3 world, int level) {
 /// Its palette entry, painted, if an opaque voxel is there.
 bool voxelAt(vec3 world, out Entry entry) {
     uint next = 0u;
-    int level = uBodyBuckets > 0 ? 0 : kBodyLevels;
-    for (int i = 0; i < kMostBodiesAt + kBodyLevels; ++i) {
+    int level = 0;
+    for (int i = 0; i < kMostBodiesAt; ++i) {
         if (next == 0u) {
-            if (level == kBodyLevels) break;
+            if (level == uBodyLevels) break;
             next = firstBodyAt(world, level++);
             continue;
         }
