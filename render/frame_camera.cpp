@@ -7,7 +7,7 @@ namespace rubble {
 namespace {
 
 constexpr float kNear = 0.05f, kFar = 2000.0f;
-constexpr int kJitterPeriod = 16;
+constexpr float kJitterPeriod = 16.0f;  // where a pixel of the picture is one that is traced; else longer, to reach every part of it
 
 /// Van der Corput's radical inverse: with bases 2 and 3 the Halton sequence.
 float radicalInverse(int base, int index) {
@@ -29,11 +29,11 @@ glm::mat4 projection(const View& view, glm::vec2 jitterUv) {
 
 }  // namespace
 
-void FrameCamera::begin(const View& view, bool jittered, glm::dvec3 originWorld, FrameBlock& block) {
-    const bool cut = view.cut || m_frame == 0 || view.size != m_lastSize || originWorld != m_lastOrigin;
+void FrameCamera::begin(const View& view, glm::ivec2 traced, bool jittered, glm::dvec3 originWorld, FrameBlock& block) {
+    const bool cut = view.cut || m_frame == 0 || traced != m_lastSize || originWorld != m_lastOrigin;
     if (view.cut) m_frame = 0;  // the same noise after each cut: a still picture does not depend on what came before
-    const glm::vec2 size(view.size);
-    const int index = m_frame % kJitterPeriod + 1;
+    const glm::vec2 size(traced), picture(view.size);
+    const int index = m_frame % int(kJitterPeriod * picture.x * picture.y / (size.x * size.y)) + 1;
     const glm::vec2 jitter = jittered ? (glm::vec2(radicalInverse(2, index), radicalInverse(3, index)) - 0.5f) / size : glm::vec2(0.0f);
 
     const glm::vec3 position(view.position - originWorld);
@@ -47,10 +47,11 @@ void FrameCamera::begin(const View& view, bool jittered, glm::dvec3 originWorld,
     block.previousViewProjection = cut ? plain : m_lastViewProjection;
     block.cameraPosition = glm::vec4(position, kNear);
     block.previousCameraPosition = cut ? glm::vec4(position, 0.0f) : m_lastPosition;
-    block.cameraRight = glm::vec4(axes[0], tanY * size.x / size.y);
+    block.cameraRight = glm::vec4(axes[0], tanY * picture.x / picture.y);
     block.cameraUp = glm::vec4(axes[1], tanY);
     block.cameraForward = glm::vec4(-axes[2], kFar);
     block.targetSize = glm::vec4(size, 1.0f / size);
+    block.pictureSize = glm::vec4(picture, 1.0f / picture);
     block.jitter = glm::vec4(jitter, cut ? jitter : m_lastJitter);
     // Roberts' R1 and R2 sequences, extremelearning.com.au/unreasonable-effectiveness-of-quasirandom-sequences.
     const float n = float(m_frame % 4096);
@@ -60,7 +61,7 @@ void FrameCamera::begin(const View& view, bool jittered, glm::dvec3 originWorld,
     m_lastViewProjection = plain;
     m_lastPosition = glm::vec4(position, 0.0f);
     m_lastJitter = jitter;
-    m_lastSize = view.size;
+    m_lastSize = traced;
     m_lastOrigin = originWorld;
     ++m_frame;
 }

@@ -23,8 +23,9 @@ struct FrameBlock {
 struct FrameContext {
     const FrameBlock& block;  ///< bound for shaders already
     const RenderSettings& settings;
-    const Scene& scene;  ///< the world's mirror on the GPU: bodies, lights, environment, shadow volume
-    TargetPool& targets;
+    const Scene& scene;        ///< the world's mirror on the GPU: bodies, lights, environment, shadow volume
+    TargetPool& targets;       ///< what is traced, lit and filtered
+    TargetPool& pictures;      ///< from "resolved" on: in the size that is shown
     const Texture& blueNoise;  ///< 64x64, R8, repeats
     RenderFigures& figures;
     VertexArray& emptyVertexArray;

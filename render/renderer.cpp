@@ -113,14 +113,15 @@ struct Renderer::Impl {
     void drawOnce(const View& view);
     void drawSmallerIfRefused(const View& view);
     glm::vec4 dot() const;
-    void fillBlock(const View& view);
+    void fillBlock(const View& view, glm::ivec2 traced);
+    const Texture* find(std::string_view target) const;
     void uploadBlock();
     const LightGrid* sortLights();
 
     RenderSettings settings;
     ShaderLibrary shaders;
     Scene scene;
-    TargetPool targets;
+    TargetPool targets, pictures;  ///< as in FrameContext
     FrameCamera camera;
     FrameBlock block{};
     GlName<BufferKind> blockBuffer = GlName<BufferKind>::make();
@@ -159,8 +160,8 @@ struct Renderer::Impl {
     ShowPass show{shaders};
 };
 
-void Renderer::Impl::fillBlock(const View& view) {
-    camera.begin(view, settings.temporal, scene.origin(), block);
+void Renderer::Impl::fillBlock(const View& view, glm::ivec2 traced) {
+    camera.begin(view, traced, settings.temporal, scene.origin(), block);
     const Environment& e = scene.environment();
     block.counters.z = int(scene.lights().size());
     block.counters.w = settings.noise == Noise::White;
@@ -224,14 +225,14 @@ void Renderer::Impl::draw(const View& view, float alpha) {
         each.cut = false;
     }
     drawSmallerIfRefused(view);
-    figures.textureBytes = targets.bytes() + scene.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
+    figures.textureBytes = targets.bytes() + pictures.bytes() + scene.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
     figures.waitingBytes = scene.bodies().waitingBytes();
     figures.shapes = scene.bodies().shapes();
     figures.bricks = scene.bodies().bricks();
 }
 
 void Renderer::Impl::drawSmallerIfRefused(const View& view) {
-    while (targets.refused()) {
+    while (targets.refused() || pictures.refused()) {
         if (halvings == kMostHalvings) {
             logError(trouble = "the GL refuses every size of targets to draw into: is it out of memory?");
             return;
@@ -240,6 +241,7 @@ void Renderer::Impl::drawSmallerIfRefused(const View& view) {
         logWarning("the GL refuses targets for a view of " + std::to_string(view.size.x) + "x" + std::to_string(view.size.y) + ": drawn at 1/" +
                    std::to_string(1 << halvings) + " of it");
         targets.clear();
+        pictures.clear();
         drawOnce(view);
     }
 }
@@ -251,24 +253,37 @@ glm::vec4 Renderer::Impl::dot() const {
     return justNow ? glm::vec4(0.1f, 0.8f, 0.2f, 1.0f) : glm::vec4(0.0f);
 }
 
+const Texture* Renderer::Impl::find(std::string_view target) const {
+    const Texture* found = targets.find(target);
+    return found ? found : pictures.find(target);
+}
+
+/// A scale that is none counts as 1.
+glm::ivec2 tracedSize(glm::ivec2 view, float scale) {
+    if (!(scale >= 0.1f && scale < 1.0f)) return view;
+    return glm::max(glm::ivec2(glm::round(glm::vec2(view) * scale)), glm::ivec2(1));
+}
+
 void Renderer::Impl::drawOnce(const View& wanted) {
     View view = wanted;
     view.size = glm::max(wanted.size >> halvings, glm::ivec2(1));
     timer.beginFrame(figures.passMs);
     figures.drawCalls = figures.bodyDraws = 0;
-    targets.beginFrame(view.size, view.cut);
-    fillBlock(view);
+    const glm::ivec2 traced = tracedSize(view.size, settings.resolutionScale);
+    targets.beginFrame(traced, view.cut);
+    pictures.beginFrame(view.size, view.cut);
+    fillBlock(view, traced);
     uploadBlock();
-    const FrameContext frame{block, settings, scene, targets, blueNoise, figures, emptyVertexArray, sortLights()};
+    const FrameContext frame{block, settings, scene, targets, pictures, blueNoise, figures, emptyVertexArray, sortLights()};
     drawPasses(frame);
-    const Texture* target = targets.find(shown->target);
+    const Texture* target = find(shown->target);
     run("show", [&] { show.draw(frame, target ? *target : blueNoise, shown->mode, wanted, dot()); });
 }
 
 RenderSettings RenderSettings::preset(std::string_view name) {
     RenderSettings settings;
     if (name == "fast") {
-        settings.skyRays = 1;
+        settings.resolutionScale = 0.75f;
         settings.skyDistance = 12.0f;
         settings.filterPasses = 2;
     }
@@ -329,7 +344,7 @@ std::vector<std::string> Renderer::passNames() const {
 }
 
 Result<FloatImage> Renderer::readTarget(std::string_view name) const {
-    const Texture* texture = m_impl->targets.find(name);
+    const Texture* texture = m_impl->find(name);
     if (!texture) return Error{"no pass has drawn a target \"" + std::string(name) + "\""};
     if (pixelFormat(texture->internalFormat()).format == GL_DEPTH_COMPONENT) return Error{"target \"" + std::string(name) + "\" holds no colours"};
     const GlStateGuard hostState;

@@ -33,7 +33,10 @@ enum class Noise { Blue, White };
 struct RenderSettings {
     int skyRays = 1;  ///< cosine-weighted rays a pixel
     int sunRays = 1;
-    float skyDistance = 24.0f;   ///< metres
+    float skyDistance = 24.0f;  ///< metres
+    /// Of each side of the view: what is traced, lit and filtered. Below 1 the temporal pass brings it to the view's size, over several
+    /// pictures as sharp as that; what moves is less so. 0.5 costs about a quarter.
+    float resolutionScale = 1.0f;
     int filterPasses = 4;        ///< of the spatial filter
     bool temporal = true;        ///< reprojected accumulation and TAA
     int historyFrames = 32;      ///< how many pictures the accumulation remembers

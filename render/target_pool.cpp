@@ -5,10 +5,10 @@
 
 namespace rubble {
 
-void TargetPool::beginFrame(glm::ivec2 viewSize, bool cut) {
-    if (viewSize != m_viewSize) {
+void TargetPool::beginFrame(glm::ivec2 size, bool cut) {
+    if (size != m_size) {
         clear();
-        m_viewSize = viewSize;
+        m_size = size;
         cut = true;
     }
     ++m_frame;
@@ -26,7 +26,7 @@ void TargetPool::clear() {
 TargetPool::Slot& TargetPool::slot(std::string_view name, GLenum internalFormat, int divisor, Filter filter, bool isHistory) {
     auto found = m_slots.find(name);
     if (found == m_slots.end()) {
-        const glm::ivec2 size = glm::max((m_viewSize + divisor - 1) / divisor, glm::ivec2(1));
+        const glm::ivec2 size = glm::max((m_size + divisor - 1) / divisor, glm::ivec2(1));
         found = m_slots.try_emplace(std::string(name)).first;
         found->second.isHistory = isHistory;
         while (glGetError() != GL_NO_ERROR) {  // whoever made these: they are not about what comes now

@@ -16,12 +16,12 @@ struct History {
     bool valid;  ///< previous holds the frame before this one; false at the start, after a cut, a resize or a skipped frame
 };
 
-/// The textures that passes draw into, by name: made when first asked for, at the view's size divided by `divisor`,
-/// freed when the view's size changes. The pass viewer finds them here.
+/// The textures that passes draw into, by name: made when first asked for, at the frame's size divided by `divisor`,
+/// freed when that size changes. The pass viewer finds them here.
 class TargetPool {
 public:
     /// Starts a frame: histories change places. cut: what histories hold is not to be used.
-    void beginFrame(glm::ivec2 viewSize, bool cut);
+    void beginFrame(glm::ivec2 size, bool cut);
 
     const Texture& target(std::string_view name, GLenum internalFormat, int divisor = 1, Filter filter = Filter::Nearest);
     /// A target whose last frame is kept. Ask once a frame in each pass that draws it; others read it with find().
@@ -36,7 +36,6 @@ public:
     /// Framebuffers are made once for each combination.
     const Framebuffer& framebuffer(std::initializer_list<const Texture*> colors, const Texture* depth = nullptr);
 
-    glm::ivec2 viewSize() const { return m_viewSize; }
     uint64_t bytes() const;
     /// The GL would not make a target or a combination of them since the last clear(): what was drawn is worth nothing.
     bool refused() const { return m_refused; }
@@ -54,7 +53,7 @@ private:
 
     std::map<std::string, Slot, std::less<>> m_slots;
     std::map<std::vector<GLuint>, Framebuffer> m_framebuffers;
-    glm::ivec2 m_viewSize{0};
+    glm::ivec2 m_size{0};
     uint64_t m_frame = 0;
     uint64_t m_cutFrame = 0;
     bool m_refused = false;

@@ -20,11 +20,11 @@ BloomPass::BloomPass(ShaderLibrary& shaders) : m_down(shaders.load("passes/bloom
 void BloomPass::draw(const FrameContext& frame) const {
     if (!m_down || !m_up) return;
     std::array<const Texture*, kLevels.size()> levels;
-    for (size_t i = 0; i < kLevels.size(); ++i) levels[i] = &frame.targets.target(kLevels[i], GL_RGBA16F, 2 << i, Filter::Linear);
-    const Texture* source = &frame.targets.at("resolved");
+    for (size_t i = 0; i < kLevels.size(); ++i) levels[i] = &frame.pictures.target(kLevels[i], GL_RGBA16F, 2 << i, Filter::Linear);
+    const Texture* source = &frame.pictures.at("resolved");
     m_down.use();
     for (size_t i = 0; i < kLevels.size(); ++i) {
-        frame.targets.framebuffer({levels[i]}).begin();
+        frame.pictures.framebuffer({levels[i]}).begin();
         m_down.set("uSource", *source);
         m_down.set("uTexel", texel(*source));
         m_down.set("uThreshold", i == 0 ? kThreshold / std::max(frame.block.exposure.x, 1e-3f) : 0.0f);
@@ -35,7 +35,7 @@ void BloomPass::draw(const FrameContext& frame) const {
     glBlendFunc(GL_ONE, GL_ONE);
     m_up.use();
     for (size_t i = kLevels.size() - 1; i > 0; --i) {
-        frame.targets.framebuffer({levels[i - 1]}).begin();
+        frame.pictures.framebuffer({levels[i - 1]}).begin();
         m_up.set("uSource", *levels[i]);
         m_up.set("uTexel", texel(*levels[i]));
         frame.drawFullscreen();

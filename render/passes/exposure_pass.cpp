@@ -11,10 +11,10 @@ ExposurePass::ExposurePass(ShaderLibrary& shaders) : m_program(shaders.load("pas
 
 void ExposurePass::draw(const FrameContext& frame) const {
     if (!m_program) return;
-    const History exposure = frame.targets.history("exposure", GL_R32F, kOneTexel, Filter::Nearest);
-    frame.targets.framebuffer({&exposure.current}).begin();
+    const History exposure = frame.pictures.history("exposure", GL_R32F, kOneTexel, Filter::Nearest);
+    frame.pictures.framebuffer({&exposure.current}).begin();
     m_program.use();
-    m_program.set("uColor", frame.targets.at("resolved"));
+    m_program.set("uColor", frame.pictures.at("resolved"));
     m_program.set("uLast", exposure.previous);
     m_program.set("uLastValid", int(exposure.valid));
     frame.drawFullscreen();

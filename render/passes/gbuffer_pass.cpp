@@ -3,6 +3,7 @@
 #include "render/scene/scene.h"
 
 namespace rubble {
+
 GBufferPass::GBufferPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/gbuffer.frag", "passes/tiles.vert")) {}
 
 void GBufferPass::draw(const FrameContext& frame) {

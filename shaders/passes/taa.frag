@@ -1,5 +1,6 @@
 // Temporal anti-aliasing: the jittered picture mixed into its own history, which is fetched sharply (Catmull-Rom) and
 // clipped to the colours around the pixel (Karis 2014; Salvi 2016). Radiance is compressed meanwhile, so that bright points do not flicker.
+// Where fewer pixels are traced than shown, each sample counts most for the pixel that it lies in (Karis 2014, "Temporal upsampling").
 #include "lib/frame.glsl"
 #include "lib/color.glsl"
 
@@ -8,12 +9,11 @@ uniform sampler2D uHistory;
 uniform bool uHistoryValid;
 uniform sampler2D uDepth;
 uniform sampler2D uMotion;
-uniform vec3 uWeightsAcross;  // of the columns left, here and right, and of the rows below, here and above: a gaussian around
-uniform vec3 uWeightsUp;      // where the jittered sample lies, with a sum of 1
 
 const float kSkyDepth = 65000.0;
 const float kNewShare = 0.1;
 const float kNewShareInAir = 0.5;  // where particles cover all: they have no motion to follow
+const float kSharpness = 2.3;      // of the gaussian around a pixel, in pixels of the picture
 
 in vec2 uv;
 out vec4 resolved;
@@ -23,7 +23,7 @@ vec3 expand(vec3 c) { return c / max(1.0 - luminance(c), 1e-3); }
 
 /// Nine taps of Catmull-Rom in five bilinear fetches: the corners are dropped (Jimenez 2016).
 vec3 historyAt(vec2 place) {
-    vec2 size = frame.targetSize.xy;
+    vec2 size = frame.pictureSize.xy;
     vec2 p = place * size;
     vec2 centre = floor(p - 0.5) + 0.5;
     vec2 f = p - centre;
@@ -49,8 +49,20 @@ vec2 motionAt(ivec2 nearest, float depth) {
     return uv + frame.jitter.xy - (before.xy / max(before.w, 1e-4) * 0.5 + 0.5);
 }
 
+/// Weights of three samples in a row of which the middle one lies `away` beside the pixel: a gaussian, with a sum of 1.
+vec3 gaussian(float away, float sharpness) {
+    float side = exp(-sharpness), ratio = exp(-2.0 * sharpness * away);
+    vec3 weights = vec3(side / ratio, 1.0, side * ratio);
+    return weights / (weights.x + weights.y + weights.z);
+}
+
 void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    // The sample nearest to this pixel, how far it lies from it, and both in pixels that are traced.
+    vec2 place = (uv - frame.jitter.xy) * frame.targetSize.xy;
+    ivec2 pixel = ivec2(place);
+    vec2 away = floor(place) + 0.5 - place;
+    float enlarged = frame.pictureSize.x * frame.targetSize.z, sharpness = kSharpness * enlarged * enlarged;
+    vec3 across = gaussian(away.x, sharpness), up = gaussian(away.y, sharpness);
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec3 sum = vec3(0.0), squares = vec3(0.0), now = vec3(0.0), low = vec3(1e9), top = vec3(-1e9);
     float depth = 1e9, seenThrough = 1.0;
@@ -65,7 +77,7 @@ void main() {
         squares += c * c;
         low = min(low, c);
         top = max(top, c);
-        now += c * (uWeightsAcross[i % 3] * uWeightsUp[i / 3]);
+        now += c * (across[i % 3] * up[i / 3]);
         if (i % 2 == 1) continue;  // corners and middle are enough to find an edge in front
         float d = texelFetch(uDepth, p, 0).r;
         if (d < depth) {
@@ -85,5 +97,6 @@ void main() {
     vec3 ratio = abs(offset / extent);
     float outside = max(ratio.x, max(ratio.y, ratio.z));
     if (outside > 1.0) history = middle + offset / outside;
-    resolved.rgb = expand(fromYCoCg(mix(history, now, mix(kNewShareInAir, kNewShare, seenThrough))));
+    float near = enlarged > 1.0 ? exp(-0.5 * sharpness * dot(away, away)) : 1.0;
+    resolved.rgb = expand(fromYCoCg(mix(history, now, near * mix(kNewShareInAir, kNewShare, seenThrough))));
 }

@@ -8,7 +8,8 @@ vec4 cameraRight;             // xyz unit vector; w tan of half the horizontal a
 vec4 cameraUp;                // xyz unit vector; w tan of half the vertical angle
 vec4 cameraForward;           // xyz unit vector; w far plane, metres
 vec4 previousCameraPosition;  // xyz world
-vec4 targetSize;              // width, height, 1 / width, 1 / height of the view
+vec4 targetSize;              // width, height, 1 / width, 1 / height of what is traced and lit
+vec4 pictureSize;             // the same of what is shown: larger where RenderSettings::resolutionScale is below 1
 vec4 jitter;                  // xy of this frame, zw of the last, in uv units: sample point = pixel centre + jitter
 vec4 noiseOffset;             // xy R2 sequence for the blue noise, zw R1 and golden ratio of the frame, all in [0, 1)
 ivec4 counters;               // x frame number, y 1 if the last frame may be reprojected, z number of lights, w 1 for white noise

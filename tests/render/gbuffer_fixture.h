@@ -23,7 +23,7 @@ protected:
     void draw(Scene& scene, const View& view, float alpha = 1.0f, bool jittered = false) {
         uploaded = scene.beginFrame(alpha, view.position);
         targets.beginFrame(view.size, view.cut);
-        camera.begin(view, jittered, scene.origin(), block);
+        camera.begin(view, view.size, jittered, scene.origin(), block);
         block.shadowSectorLow = glm::ivec4(scene.shadowSectorLow(), 1);
         block.shadowSectorCount = glm::ivec4(scene.shadow().sectorCount(), 0);
         glBindBuffer(GL_UNIFORM_BUFFER, blockBuffer.get());
@@ -32,7 +32,7 @@ protected:
         figures = {};
         pass->draw(context(scene));
     }
-    FrameContext context(const Scene& scene) { return {block, settings, scene, targets, noise, figures, emptyVertexArray}; }
+    FrameContext context(const Scene& scene) { return {block, settings, scene, targets, pictures, noise, figures, emptyVertexArray}; }
     /// Four floats a pixel, rows from the bottom.
     std::vector<glm::vec4> read(const Texture& texture) {
         std::vector<glm::vec4> out(size_t(texture.size().x) * size_t(texture.size().y));
@@ -43,7 +43,7 @@ protected:
 
     std::unique_ptr<ShaderLibrary> shaders;
     std::unique_ptr<GBufferPass> pass;
-    TargetPool targets;
+    TargetPool targets, pictures;
     FrameCamera camera;
     FrameBlock block{};
     RenderSettings settings;

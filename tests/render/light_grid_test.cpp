@@ -16,7 +16,7 @@ class LightGridTest : public GlTest {
 protected:
     static FrameBlock seenFrom(const Camera& camera) {
         FrameBlock block{};
-        FrameCamera().begin(camera.view({320, 180}, 0), true, glm::dvec3(0.0), block);
+        FrameCamera().begin(camera.view({320, 180}, 0), {320, 180}, true, glm::dvec3(0.0), block);
         return block;
     }
     /// Lights scattered around the origin, of all kinds.

@@ -13,7 +13,8 @@ struct Options {
     int frames = 15;             ///< of which the median is told
     bool processorTime = false;  ///< of all threads, instead of the wall's
     std::string shaders = RUBBLE_SOURCE_DIR "/shaders";
-    std::string picture;  ///< folder for PNGs of what was measured; empty: none
+    std::string preset = "balanced";  ///< of the renderer, where a whole frame is measured
+    std::string picture;              ///< folder for PNGs of what was measured; empty: none
 };
 
 /// Each prints its tables and returns the program's exit code. The context is current.

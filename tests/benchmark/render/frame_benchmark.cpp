@@ -52,7 +52,7 @@ void print(const char* place, const Measured& m) {
 
 int benchFrame(const Options& options, GlContext& context) {
     const auto loop = playTown();
-    RenderSettings renderSettings;
+    RenderSettings renderSettings = RenderSettings::preset(options.preset);
     renderSettings.processorTime = options.processorTime;
     auto renderer = Renderer::create(context.loader(), options.shaders, renderSettings);
     if (!renderer) {

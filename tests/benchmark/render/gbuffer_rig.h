@@ -23,13 +23,13 @@ public:
     void beginFrame(const View& view) {
         scene.beginFrame(1.0f, view.position);
         targets.beginFrame(view.size, view.cut);
-        camera.begin(view, false, scene.origin(), block);
+        camera.begin(view, view.size, false, scene.origin(), block);
         glBindBuffer(GL_UNIFORM_BUFFER, m_blockBuffer.get());
         glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, m_blockBuffer.get());
         figures = {};
     }
-    FrameContext context() { return {block, m_settings, scene, targets, m_noise, figures, m_emptyVertexArray}; }
+    FrameContext context() { return {block, m_settings, scene, targets, m_pictures, m_noise, figures, m_emptyVertexArray}; }
 
     ShaderLibrary shaders;
     GBufferPass gbuffer;
@@ -42,6 +42,7 @@ public:
 
 private:
     RenderSettings m_settings;
+    TargetPool m_pictures;
     Texture m_noise;
     GlName<BufferKind> m_blockBuffer = GlName<BufferKind>::make();
     VertexArray m_emptyVertexArray = VertexArray::make();

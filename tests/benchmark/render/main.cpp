@@ -23,6 +23,9 @@ int main(int argc, char** argv) {
     app.add_option("--size", size, "WIDTHxHEIGHT")->capture_default_str();
     app.add_option("--gl", gl, "osmesa, egl or auto")->capture_default_str();
     app.add_flag("--processor-time", options.processorTime, "milliseconds of all threads together: steady on a busy machine");
+    app.add_option("--preset", options.preset, "frame: fast, balanced or accurate")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
     app.add_option("--shaders", options.shaders, "folder of the shaders")->capture_default_str();
     app.add_option("--pictures", options.picture, "folder for pictures of what was measured");
     CLI11_PARSE(app, argc, argv);
