@@ -38,7 +38,7 @@ constexpr Fault kFaults[] = {
     {"what rays hit shines too much", "lib/bounce.glsl", "kBounceAlbedo = 0.3", "kBounceAlbedo = 1.5"},
     {"the eye does not adapt", "passes/exposure.frag", "kStrength = 0.45", "kStrength = 0.0"},
     {"highlights forty times too weak", "lib/brdf.glsl", "distribution * 0.5", "distribution * 0.0125"},
-    {"edges are not smoothed", "passes/taa.frag", "uWeightsAcross[i % 3] * uWeightsUp[i / 3]", "(i == 4 ? 1.0 : 0.0)"},
+    {"edges are not smoothed", "passes/taa.frag", "across[i % 3] * up[i / 3]", "(i == 4 ? 1.0 : 0.0)"},
 };
 
 /// What the street shows small: a turned block close by, something that glows, a floor that mirrors at a flat angle, thin slats.
