@@ -49,8 +49,8 @@ private:
     std::vector<uint32_t> m_pending;  ///< slots to upload, in the order acquired
     uint64_t m_queued = 0;
     Slots m_slots;
-    BufferTexture m_words{GL_RGBA32UI};  ///< 4 texels a brick
-    BufferTexture m_indices{GL_R32UI};   ///< 128 texels a brick
+    BufferTexture m_words{GL_RG32UI};   ///< 8 texels a brick
+    BufferTexture m_indices{GL_R32UI};  ///< 128 texels a brick
     std::unique_ptr<PaintAtlas> m_paint;
     bool m_full = false;
 };

@@ -38,8 +38,7 @@ int emptySizeAt(Layout body, ivec3 cell, out int slot) {
     int word = (cell.x >> 2 & 1) + (cell.y >> 2 & 1) * 2 + (cell.z >> 2 & 1) * 4;
     if ((entry >> uint(word) & 1u) == 0u) return 4;
     slot = int(entry >> 8);
-    uvec4 pair = fetchWords(slot * 4 + (word >> 1));
-    return emptyChildren((word & 1) == 0 ? pair.xy : pair.zw, cell);
+    return emptyChildren(fetchWord(slot * 8 + word), cell);
 }
 
 // On to the first solid cell from the one that the walk is in, itself included. False if there is none up to tMax.
