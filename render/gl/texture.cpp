@@ -93,7 +93,9 @@ bool BufferTexture::reserve(uint64_t bytes) {
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &maxTexels);
     const uint64_t most = uint64_t(maxTexels) * pixelFormat(m_internalFormat).bytes;
     if (bytes > most) return false;
-    const uint64_t capacity = std::min(most, std::bit_ceil(bytes));
+    constexpr uint64_t kStep = 4096;
+    const uint64_t grown = std::max(bytes, m_capacity + m_capacity / 16);  // what grows by a little each time is not copied each time
+    const uint64_t capacity = std::min(most, (grown + kStep - 1) / kStep * kStep);
 
     auto buffer = GlName<BufferKind>::make();
     glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.get());

@@ -26,6 +26,7 @@ void ShadowMirror::apply(const std::vector<ShadowPatch>& patches, bool replacesA
         m_cubes.reset(glm::ivec3(0));
         m_directory.resize(0);
         m_slots = {};
+        m_waiting.clear();
         m_fullLogged = false;
     }
     growTo(patches);
@@ -92,8 +93,7 @@ void ShadowMirror::put(const ShadowPatch& patch) {
         return;
     }
     const uint32_t slot = isEmpty(old) ? m_slots.take() : old.x >> 4;
-    m_texels.resize(std::max<size_t>(m_texels.size(), m_slots.end()));
-    m_texels.change(slot) = patch.content->texels;
+    m_waiting.push_back({slot, patch.content});
     const Entry entry(slot << 4, uint32_t(patch.content->occupied), uint32_t(patch.content->occupied >> 32), 0);
     if (entry != old) m_directory.change(index) = entry;
 }
@@ -104,12 +104,36 @@ void ShadowMirror::updateCubes() {
 }
 
 uint64_t ShadowMirror::upload() {
-    return m_directory.upload() + m_texels.upload();
+    return m_directory.upload() + uploadTexels();
+}
+
+/// Neighbours in one go; of what came twice for a slot, the later.
+uint64_t ShadowMirror::uploadTexels() {
+    constexpr uint64_t kBytes = sizeof(ShadowWords);
+    if (!m_texels.reserve(m_slots.end() * kBytes) && !m_fullLogged) {
+        logError("shadow bricks: full at " + std::to_string(m_texels.bytes()) + " bytes, the largest buffer texture of this GL");
+        m_fullLogged = true;
+    }
+    std::stable_sort(m_waiting.begin(), m_waiting.end(), [](const Waiting& a, const Waiting& b) { return a.slot < b.slot; });
+    std::vector<ShadowWords> run;
+    uint64_t sent = 0;
+    for (size_t i = 0; i < m_waiting.size(); ++i) {
+        const uint32_t slot = m_waiting[i].slot;
+        const uint32_t next = i + 1 < m_waiting.size() ? m_waiting[i + 1].slot : ~0u;
+        if (next == slot || (slot + 1) * kBytes > m_texels.bytes()) continue;
+        run.push_back(m_waiting[i].content->texels);
+        if (next == slot + 1 && (next + 1) * kBytes <= m_texels.bytes()) continue;
+        m_texels.upload((slot + 1 - run.size()) * kBytes, std::as_bytes(std::span(run)));
+        sent += run.size() * kBytes;
+        run.clear();
+    }
+    m_waiting.clear();
+    return sent;
 }
 
 void ShadowMirror::bind(const Program& program) const {
     program.set("uShadowDirectory", m_directory.texture());
-    program.set("uShadowTexels", m_texels.texture());
+    program.set("uShadowTexels", m_texels);
 }
 
 }  // namespace rubble

@@ -27,7 +27,7 @@ public:
     /// The directory's box, in sectors of the world.
     glm::ivec3 sectorLow() const { return m_low; }
     glm::ivec3 sectorCount() const { return m_count; }
-    uint64_t bytes() const { return m_directory.texture().bytes() + m_texels.texture().bytes(); }
+    uint64_t bytes() const { return m_directory.texture().bytes() + m_texels.bytes(); }
 
 private:
     using Entry = glm::uvec4;
@@ -35,14 +35,20 @@ private:
     void growTo(const std::vector<ShadowPatch>& patches);
     void put(const ShadowPatch& patch);
     void updateCubes();
+    uint64_t uploadTexels();
     bool holds(glm::ivec3 brick) const;
     glm::ivec3 bricks() const { return m_count * kSectorBricks; }
 
     glm::ivec3 m_low{0}, m_count{0};  ///< sectors
     EmptyCubes m_cubes;
     MirroredBuffer<Entry> m_directory{GL_RGBA32UI, "shadow directory"};
-    MirroredBuffer<ShadowWords> m_texels{GL_RG32UI, "shadow bricks"};
+    BufferTexture m_texels{GL_RG32UI};
     Slots m_slots;
+    struct Waiting {
+        uint32_t slot;
+        ShadowBrickRef content;
+    };
+    std::vector<Waiting> m_waiting;  ///< to be uploaded: no texels are kept here
     bool m_fullLogged = false;
 };
 

@@ -94,12 +94,13 @@ void rasterizeBox(const VoxelGrid& grid, Source source, const ShadowLattice& lat
     const int samples = lattice.samples;
     const FixedPoint& step = lattice.step[0];
     const glm::ivec3 count = (box.high - box.low) * samples;
-    const RowClip clip({glm::ivec3(0), grid.size()}, step, count.x);
+    const RowClip clip({glm::ivec3(0), grid.size()}, lattice, count.x);
     FixedPoint plane = lattice.sample(box.low);
     for (int z = 0; z < count.z; ++z, plane = plane + lattice.step[2]) {
-        FixedPoint first = plane;
-        for (int y = 0; y < count.y; ++y, first = first + lattice.step[1]) {
-            const auto [low, high] = clip(double(first[0]), double(first[1]), double(first[2]));
+        const auto [yLow, yHigh] = clip.rows(toDoubles(plane), count.y);
+        FixedPoint first = plane + lattice.step[1] * yLow;
+        for (int y = yLow; y < yHigh; ++y, first = first + lattice.step[1]) {
+            const auto [low, high] = clip(toDoubles(first));
             if (low >= high) continue;
             if (samples == 1)
                 row(y, z, sampleRow(source, first, step, low, high));

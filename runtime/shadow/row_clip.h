@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
 
@@ -12,7 +13,9 @@ namespace rubble {
 /// In doubles, which hold the lattice's fixed-point numbers exactly.
 class RowClip {
 public:
-    RowClip(const CellBox& box, const FixedPoint& step, int count) : m_end(count - 0.5) {
+    using Exact = std::array<double, 3>;
+    RowClip(const CellBox& box, const ShadowLattice& lattice, int count) : m_end(count - 0.5) {
+        const FixedPoint& step = lattice.step[0];
         for (size_t k = 0; k < 3; ++k) {
             m_low[k] = double(int64_t(box.low[int(k)]) << 32);
             m_high[k] = double(int64_t(box.high[int(k)]) << 32);
@@ -21,25 +24,59 @@ public:
             m_leave[k] = step[k] < 0 ? m_low[k] : m_high[k];
             m_inverse[k] = step[k] ? 1.0 / m_step[k] : 1e100;  // from outside it never enters
         }
+        findSlopes(lattice.step[1]);
     }
     struct Interval {
         int low, high;
     };
     /// The samples of [0, count) that lie inside, of the row whose first sample is given.
-    Interval operator()(double x, double y, double z) const {
+    Interval operator()(const Exact& first) const {
         constexpr double kDoubt = 1e-6;  // more than the estimate errs; where that matters the exact place decides
-        const double from = std::max(std::max(enters(x, 0), 0.0), std::max(enters(y, 1), enters(z, 2)));
-        const double to = std::min(std::min(leaves(x, 0), m_end), std::min(leaves(y, 1), leaves(z, 2)));
+        const double from = std::max(std::max(enters(first, 0), 0.0), std::max(enters(first, 1), enters(first, 2)));
+        const double to = std::min(std::min(leaves(first, 0), m_end), std::min(leaves(first, 1), leaves(first, 2)));
         if (!(from <= to + kDoubt)) return {0, 0};
         const Interval estimate{int(from + (1.0 - kDoubt)), int(to + (1.0 + kDoubt))};
         if (estimate.low >= from + kDoubt && estimate.high <= to + (1.0 - kDoubt)) return estimate;
-        return trim(estimate, {x, y, z});
+        return trim(estimate, first);
+    }
+    /// All rows of [0, count) that have samples inside, and perhaps a few more, of the plane whose first sample is given: a row
+    /// enters by each face before it leaves by any other, and both move steadily from row to row.
+    Interval rows(const Exact& plane, int count) const {
+        constexpr double kMargin = 0.01;  // more than the estimate errs
+        const std::array<double, 4> enter = {enters(plane, 0), enters(plane, 1), enters(plane, 2), 0.0};
+        const std::array<double, 4> leave = {leaves(plane, 0), leaves(plane, 1), leaves(plane, 2), m_end};
+        double low = 0.0, high = count - 1.0;
+        for (size_t n = 0; n < m_slopes; ++n) {
+            const Slope& slope = m_slope[n];
+            const double row = (leave[slope.leave] - enter[slope.enter]) * slope.inverse;
+            if (slope.inverse > 0.0)
+                high = std::min(high, row);
+            else
+                low = std::max(low, row);
+        }
+        return low <= high + 2.0 * kMargin ? Interval{int(low + (1.0 - kMargin)), int(high + (1.0 + kMargin))} : Interval{0, 0};
     }
 
 private:
-    using Exact = std::array<double, 3>;
-    double enters(double first, size_t k) const { return (m_enter[k] - first) * m_inverse[k]; }
-    double leaves(double first, size_t k) const { return (m_leave[k] - first) * m_inverse[k]; }
+    /// By how much a row enters later than it leaves grows from row to row; 3 is the row's own ends.
+    struct Slope {
+        uint8_t enter, leave;
+        double inverse;
+    };
+    void findSlopes(const FixedPoint& rowStep) {
+        constexpr double kFlat = 0x1p20, kLevel = 1e-4;  // what hardly changes along a row, or from row to row, says little
+        std::array<double, 4> change{};
+        for (size_t k = 0; k < 3; ++k) change[k] = -double(rowStep[k]) * m_inverse[k];
+        const auto counts = [&](size_t k) { return k == 3 || std::abs(m_step[k]) >= kFlat; };
+        for (size_t i = 0; i < 4; ++i)
+            for (size_t j = 0; j < 4; ++j) {
+                const double slope = change[i] - change[j];
+                if (i == j || !counts(i) || !counts(j) || std::abs(slope) < kLevel) continue;
+                m_slope[m_slopes++] = {uint8_t(i), uint8_t(j), 1.0 / slope};
+            }
+    }
+    double enters(const Exact& first, size_t k) const { return (m_enter[k] - first[k]) * m_inverse[k]; }
+    double leaves(const Exact& first, size_t k) const { return (m_leave[k] - first[k]) * m_inverse[k]; }
     Interval trim(Interval row, const Exact& first) const {
         while (row.low < row.high && !isInside(first, row.low)) ++row.low;
         while (row.low < row.high && !isInside(first, row.high - 1)) --row.high;
@@ -55,6 +92,8 @@ private:
     }
     Exact m_low, m_high, m_step, m_enter, m_leave, m_inverse;
     double m_end;
+    std::array<Slope, 12> m_slope;
+    size_t m_slopes = 0;
 };
 
 }  // namespace rubble

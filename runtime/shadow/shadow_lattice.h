@@ -14,6 +14,14 @@ inline FixedPoint operator+(FixedPoint a, const FixedPoint& b) {
     for (size_t k = 0; k < 3; ++k) a[k] += b[k];
     return a;
 }
+inline FixedPoint operator*(FixedPoint a, int64_t times) {
+    for (size_t k = 0; k < 3; ++k) a[k] *= times;
+    return a;
+}
+/// Without loss, as long as it stays within 2^20 cells.
+inline std::array<double, 3> toDoubles(const FixedPoint& p) {
+    return {double(p[0]), double(p[1]), double(p[2])};
+}
 
 /// Maps the world's shadow cells into a shape's cells, in integers: the same everywhere, and exactly affine over the whole
 /// shape, so that every brick of the volume is sampled from one lattice.

@@ -209,7 +209,10 @@ void ShadowReplica::leaveAll(Shape& shape) {
 
 void ShadowReplica::touch(const Shape& shape, PlaceEntry& entry) {
     Place& place = entry.second;
-    if (!shape.moving) place.rest.reset();
+    if (!shape.moving) {
+        place.rest.reset();
+        place.restChanged = true;
+    }
     if (place.touched) return;
     place.touched = true;
     m_touched.push_back(&entry);
@@ -244,7 +247,13 @@ ShadowWords ShadowReplica::cellsOf(Place& place, glm::ivec3 brick) const {
         for (size_t i = 0; i < cells.size(); ++i) cells[i] |= others[i];
     };
     if (!place.resting.empty()) {
-        if (!place.rest) place.rest = std::make_unique<ShadowWords>(restingCells(place, brick));
+        if (!place.rest) {
+            place.rest = std::make_unique<ShadowWords>();
+            if (place.passing || place.restChanged)
+                *place.rest = restingCells(place, brick);
+            else if (place.published)
+                for (int i = 0; i < 64; ++i) (*place.rest)[size_t(i)] = place.published->cells(i);
+        }
         cells = *place.rest;
     }
     for (const uint32_t slot : place.moving) {
@@ -264,11 +273,12 @@ void ShadowReplica::remake(PlaceEntry& entry, ShadowPatches& out) {
     auto& [brick, place] = entry;
     const ShadowWords cells = cellsOf(place, brick);
     const bool passing = !place.moving.empty(), stopped = place.passing && !passing;  // then its boxes can be better ones
+    if (!passing) place.restChanged = false;
+    place.passing = passing;
     if (place.published && !stopped && sameCells(*place.published, cells)) return;
     ShadowBrickRef made = makeShadowBrick(cells, passing);
     if (!made && !place.published) return;
     place.published = std::move(made);
-    place.passing = passing;
     out.patches.push_back({brick, place.published});
 }
 

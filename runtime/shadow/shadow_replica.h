@@ -32,6 +32,7 @@ private:
     struct Place {
         std::vector<uint32_t> resting, moving;  ///< slots of shapes
         std::unique_ptr<ShadowWords> rest;      ///< the resting shapes' cells, kept while others move through
+        bool restChanged = false;               ///< since it was published without any that move
         ShadowBrickRef published;
         bool passing = false;  ///< how it was published
         bool touched = false;

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 namespace rubble {
 namespace {
 
@@ -82,27 +86,67 @@ Planes chooseBoxes(Set empty, int octant) {
 
 /// The largest empty cube instead: nearly as far, in a tenth of the work.
 Planes chooseCubes(Set empty, int octant) {
-    Planes planes{};
-    Set cubes = empty;
-    for (int size = 2; size <= 4; ++size) {
-        for (int axis = 0; axis < 3; ++axis) cubes &= ahead(cubes, axis, octant);  // of size - 1, at all eight corners
-        for (auto& [low, high] : planes) {
-            low = size == 3 ? low & ~cubes : low | cubes;
-            if (size >= 3) high |= cubes;
-        }
+    std::array<Set, 3> cubes;  // of 2, 3 and 4 words
+    Set begins = empty;
+    for (Set& ofSize : cubes) {
+        for (int axis = 0; axis < 3; ++axis) begins &= ahead(begins, axis, octant);  // of one less, at all eight corners
+        ofSize = begins;
     }
+    Planes planes;
+    planes.fill({(cubes[0] & ~cubes[1]) | cubes[2], cubes[1]});
     endInBrick(planes, octant);
     return planes;
 }
-/// Bit i of row k becomes bit k of row i (Warren, "Hacker's Delight", 7-3).
-void transpose(ShadowWords& rows) {
-    Set mask = 0x00000000ffffffffu;
-    for (size_t half = 32; half; half >>= 1, mask ^= mask << half)
-        for (size_t k = 0; k < 64; k = ((k | half) + 1) & ~half) {
-            const Set swap = (rows[k] >> half ^ rows[k | half]) & mask;
-            rows[k] ^= swap << half;
-            rows[k | half] ^= swap;
-        }
+
+/// The planes of all octants in the order of a texel's bits: 16 x, 16 y, 16 z, and nothing.
+using PlaneRows = std::array<std::array<Set, 4>, 16>;
+
+/// Within each 16 bits: bit i of row k becomes bit k of row i (after Warren, "Hacker's Delight", 7-3).
+template <size_t kHalf>
+void swapHalves(PlaneRows& rows, Set mask) {
+    for (size_t base = 0; base < 16; base += 2 * kHalf)
+        for (size_t k = base; k < base + kHalf; ++k)
+            for (size_t axis = 0; axis < 4; ++axis) {
+                Set &a = rows[k][axis], &b = rows[k + kHalf][axis];
+                const Set swap = (a >> kHalf ^ b) & mask;
+                a ^= swap << kHalf;
+                b ^= swap;
+            }
+}
+
+/// Row k of each axis holds 16 bits of words k, 16 + k, 32 + k and 48 + k now.
+void storeTexels(const PlaneRows& rows, ShadowWords& texels) {
+#if defined(__SSE2__)
+    for (size_t k = 0; k < 16; ++k) {
+        const __m128i xy = _mm_loadu_si128(reinterpret_cast<const __m128i*>(&rows[k][0]));
+        const __m128i zNone = _mm_loadu_si128(reinterpret_cast<const __m128i*>(&rows[k][2]));
+        const __m128i xz = _mm_unpacklo_epi16(xy, zNone), yNone = _mm_unpackhi_epi16(xy, zNone);
+        const __m128i low = _mm_unpacklo_epi16(xz, yNone), high = _mm_unpackhi_epi16(xz, yNone);
+        _mm_storel_epi64(reinterpret_cast<__m128i*>(&texels[k]), low);
+        _mm_storel_epi64(reinterpret_cast<__m128i*>(&texels[16 + k]), _mm_unpackhi_epi64(low, low));
+        _mm_storel_epi64(reinterpret_cast<__m128i*>(&texels[32 + k]), high);
+        _mm_storel_epi64(reinterpret_cast<__m128i*>(&texels[48 + k]), _mm_unpackhi_epi64(high, high));
+    }
+#else
+    for (size_t k = 0; k < 16; ++k) {
+        const auto& [x, y, z, none] = rows[k];
+        for (size_t l = 0; l < 4; ++l)
+            texels[16 * l + k] = (x >> (16 * l) & 0xffff) | (y >> (16 * l) & 0xffff) << 16 | (z >> (16 * l) & 0xffff) << 32;
+    }
+#endif
+}
+
+void makeTexels(Set empty, bool isPassing, ShadowWords& texels) {
+    PlaneRows rows;
+    for (size_t octant = 0; octant < 8; ++octant) {
+        const Planes planes = isPassing ? chooseCubes(empty, int(octant)) : chooseBoxes(empty, int(octant));
+        for (size_t bit = 0; bit < 2; ++bit) rows[2 * octant + bit] = {planes[0][bit], planes[1][bit], planes[2][bit], 0};
+    }
+    swapHalves<8>(rows, 0x00ff00ff00ff00ffu);
+    swapHalves<4>(rows, 0x0f0f0f0f0f0f0f0fu);
+    swapHalves<2>(rows, 0x3333333333333333u);
+    swapHalves<1>(rows, 0x5555555555555555u);
+    storeTexels(rows, texels);
 }
 
 Set occupiedWords(const ShadowWords& cells) {
@@ -118,16 +162,8 @@ ShadowBrickRef makeShadowBrick(const ShadowWords& cells, bool isPassing) {
     if (!occupied) return nullptr;
     auto brick = std::make_shared<ShadowBrick>();
     brick->occupied = occupied;
-    if (~occupied) {
-        for (size_t octant = 0; octant < 8; ++octant) {
-            const Planes planes = isPassing ? chooseCubes(~occupied, int(octant)) : chooseBoxes(~occupied, int(octant));
-            for (size_t a = 0; a < 3; ++a)
-                for (size_t bit = 0; bit < 2; ++bit) brick->texels[16 * a + 2 * octant + bit] = planes[a][bit];
-        }
-        transpose(brick->texels);
-    }
-    for (size_t i = 0; i < 64; ++i)
-        if (cells[i]) brick->texels[i] = cells[i];
+    if (~occupied) makeTexels(~occupied, isPassing, brick->texels);
+    for (size_t i = 0; i < 64; ++i) brick->texels[i] = cells[i] ? cells[i] : brick->texels[i];
     return brick;
 }
 

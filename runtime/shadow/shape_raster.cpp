@@ -84,16 +84,20 @@ public:
           m_height(source.height()),
           m_samples(lattice.samples),
           m_step(lattice.step[0]),
-          m_used(source.used(), m_step, count),
-          m_core(source.core(), m_step, count),
-          m_hasCore(!source.core().empty()) {}
+          m_used(source.used(), lattice, count),
+          m_core(source.core(), lattice, count),
+          m_hasCore(!source.core().empty()),
+          m_isBox(source.core() == source.used()) {}
+    /// All rows of a plane that can set cells.
+    RowClip::Interval rows(const FixedPoint& plane, int count) const { return m_used.rows(toDoubles(plane), count); }
     /// Bit i / samples is set for every sample i that lies in a solid voxel.
     uint64_t cells(const FixedPoint& first) const {
-        const double x = double(first[0]), y = double(first[1]), z = double(first[2]);
-        const auto [low, high] = m_used(x, y, z);
+        const RowClip::Exact at = toDoubles(first);
+        const auto [low, high] = m_used(at);
         if (low >= high) return 0;
         if (m_samples > 1) return sampleFine(first, low, high);
-        const auto [coreLow, coreHigh] = m_hasCore ? m_core(x, y, z) : RowClip::Interval{0, 0};
+        if (m_isBox) return bitsOf(low, high);
+        const auto [coreLow, coreHigh] = m_hasCore ? m_core(at) : RowClip::Interval{0, 0};
         if (coreLow >= coreHigh) return sample(first, low, high);
         uint64_t bits = bitsOf(coreLow, coreHigh);
         if (low < coreLow) bits |= sample(first, low, coreLow);
@@ -127,7 +131,7 @@ private:
     const int m_samples;
     const FixedPoint m_step;
     const RowClip m_used, m_core;
-    const bool m_hasCore;
+    const bool m_hasCore, m_isBox;
 };
 
 }  // namespace
@@ -218,10 +222,11 @@ bool ShapeRaster::make(const RasterSource& source, const ShadowLattice& lattice,
     FixedPoint plane = lattice.sample(bounds.low);
     for (int z = 0, zCell = low.z; zCell < low.z + size.z; ++zCell) {
         for (const int end = z + lattice.samples; z < end; ++z, plane = plane + lattice.step[2]) {
-            FixedPoint first = plane;
-            std::array<uint64_t, Slab::kRows>& rows = slab.layers[size_t(zCell & 3)];
-            for (int y = 0; y < count.y; ++y, first = first + lattice.step[1])
-                rows[size_t(low.y - yBase + y / lattice.samples)] |= sampler.cells(first) << inWord;
+            uint64_t* rows = &slab.layers[size_t(zCell & 3)][size_t(low.y - yBase)];
+            const auto [yLow, yHigh] = sampler.rows(plane, count.y);
+            FixedPoint first = plane + lattice.step[1] * yLow;
+            for (int y = yLow; y < yHigh; ++y, first = first + lattice.step[1])
+                rows[lattice.samples == 1 ? y : y / lattice.samples] |= sampler.cells(first) << inWord;
         }
         if ((zCell & 3) != 3 && zCell + 1 < low.z + size.z) continue;
         std::array<uint64_t, 20> words;
