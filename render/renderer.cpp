@@ -78,6 +78,7 @@ struct Renderer::Impl {
         if (ReflectionsPass::needed(frame)) run("reflections", [&] { reflections.draw(frame); });
         run("composite", [&] { composite.draw(frame, glassIsInTheSun() ? &*glassShadow : nullptr); });
         if (!scene.waters().empty()) run("water", [&] { drawMade(water, frame); });
+        if (scene.hasGlass()) run("panes", [&] { glass.drawOver(frame, gbuffer.tiles()); });
         if (FogPass::needed(frame)) run("fog", [&] { drawMade(fog, frame); });
         if (!scene.particles().empty()) run("particles", [&] { drawMade(particles, frame, alphaOfStep); });
         if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty()) run("glare", [&] { drawMade(glare, frame); });
@@ -225,7 +226,8 @@ void Renderer::Impl::draw(const View& view, float alpha) {
         each.cut = false;
     }
     drawSmallerIfRefused(view);
-    figures.textureBytes = targets.bytes() + pictures.bytes() + scene.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
+    figures.textureBytes =
+        targets.bytes() + pictures.bytes() + scene.bytes() + gbuffer.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
     figures.waitingBytes = scene.bodies().waitingBytes();
     figures.shapes = scene.bodies().shapes();
     figures.bricks = scene.bodies().bricks();

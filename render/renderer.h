@@ -46,6 +46,8 @@ struct RenderSettings {
     bool bounce = true;         ///< what sky and mirror rays hit shines back; off: it is black
     Noise noise = Noise::Blue;  ///< of light's rays
     bool bevel = true;          ///< rounds the edges of near voxels in light
+    bool refraction = true;     ///< panes shift what is behind them
+    bool detail = true;         ///< grain, joints and pores on the faces of near voxels, by material
     float bloom = 0.04f;
     uint64_t uploadBudget = 4 << 20;  ///< bytes of changed bricks sent a frame; a level that is loaded is sent at once
     bool processorTime = false;       ///< figures' times are of this process's threads, all together: for benchmarks on a busy machine

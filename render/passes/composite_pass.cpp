@@ -12,17 +12,12 @@ namespace {
 
 constexpr double kPlaneHeight = -0.05;  // of the fields around a level, whose ground ends at 0
 
-/// Sets the uniforms of lib/glass.glsl.
-void bindGlass(const Program& program, const FrameContext& frame) {
-    const bool reflections = ReflectionsPass::needed(frame);
+void bindReflections(const Program& program, const FrameContext& frame) {
+    const bool reflections = ReflectionsPass::needed(frame), glass = frame.scene.hasGlass();
     program.set("uReflections", int(reflections));
     if (reflections) program.set("uReflection", frame.targets.at("reflection"));
-    const Texture* pane = frame.targets.find("glassSurface");
-    const bool glass = pane && frame.scene.hasGlass();
     program.set("uGlass", int(glass));
-    if (!glass) return;
-    program.set("uGlassSurface", *pane);
-    program.set("uGlassTint", frame.targets.at("glassTint"));
+    if (glass) program.set("uGlassSurface", frame.targets.at("glassSurface"));
 }
 
 }  // namespace
@@ -40,11 +35,12 @@ void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glass
         const DepthLimit limit(DepthLimit::To::Surfaces);
         m_surfaces.use();
         GBufferPass::bind(m_surfaces, frame.targets);
-        bindGlass(m_surfaces, frame);
+        bindReflections(m_surfaces, frame);
         m_surfaces.set("uLight", frame.targets.at("lighting"));
         m_surfaces.set("uLocalLights", int(LocalLightsPass::needed(frame)));
         if (LocalLightsPass::needed(frame)) m_surfaces.set("uSpecular", frame.targets.at("specular"));
         m_surfaces.set("uBevel", int(frame.settings.bevel));
+        m_surfaces.set("uDetail", int(GBufferPass::hasDetail(frame)));
         m_surfaces.set("uGlassShadow", 0);
         if (glassShadow) glassShadow->bind(m_surfaces);
         frame.drawFullscreen();
@@ -60,7 +56,6 @@ void CompositePass::drawBackground(const FrameContext& frame) {
         const Program& program = *m_backgrounds[band];
         if (!program || m_tiles.empty(band)) continue;
         program.use();
-        bindGlass(program, frame);
         program.set("uPlaneHeight", planeHeight);
         m_tiles.draw(program, band, frame);
     }

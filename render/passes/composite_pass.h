@@ -7,7 +7,7 @@ namespace rubble {
 
 class GlassShadowPass;
 
-/// Light x albedo, highlights, reflections, glass, emission, air; sky and fields behind: into the history "radiance".
+/// Light x albedo, highlights, reflections, emission, air; sky and fields behind: into the history "radiance".
 class CompositePass {
 public:
     explicit CompositePass(ShaderLibrary& shaders);

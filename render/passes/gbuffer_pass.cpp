@@ -31,6 +31,11 @@ void GBufferPass::draw(const FrameContext& frame) {
     m_program.use();
     frame.scene.bodies().bind(m_program);
     m_tiles.bind(m_program, BodyTiles::Which::All);
+    m_program.set("uDetail", int(hasDetail(frame)));
+    if (hasDetail(frame)) {
+        if (!m_details) m_details.emplace();
+        m_program.set("uDetailMaps", m_details->texture());
+    }
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     m_tiles.drawTiles(m_program, BodyTiles::Which::All, frame.emptyVertexArray);
@@ -38,6 +43,10 @@ void GBufferPass::draw(const FrameContext& frame) {
     ++frame.figures.bodyDraws;
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
+}
+
+bool GBufferPass::hasDetail(const FrameContext& frame) {
+    return frame.settings.detail && frame.scene.bodies().hasDetail();
 }
 
 void GBufferPass::bind(const Program& program, const TargetPool& targets) {

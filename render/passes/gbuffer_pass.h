@@ -1,6 +1,9 @@
 #pragma once
+#include <optional>
+
 #include "render/frame_context.h"
 #include "render/scene/body_tiles.h"
+#include "render/scene/detail_maps.h"
 
 namespace rubble {
 
@@ -17,10 +20,14 @@ public:
     static void bind(const Program& program, const TargetPool& targets);
     /// What the last frame drew, and where.
     const BodyTiles& tiles() const { return m_tiles; }
+    uint64_t bytes() const { return m_details ? m_details->texture().bytes() : 0; }
+    /// Faces have grain: it is asked for, and there is a material that has some.
+    static bool hasDetail(const FrameContext& frame);
 
 private:
     const Program& m_program;
     BodyTiles m_tiles;
+    std::optional<DetailMaps> m_details;
 };
 
 }  // namespace rubble

@@ -1,11 +1,14 @@
 #include "render/passes/glass_pass.h"
 
+#include "render/passes/reflections_pass.h"
 #include "render/scene/scene.h"
 
 namespace rubble {
 
 GlassPass::GlassPass(ShaderLibrary& shaders)
-    : m_mask(shaders.load("passes/glass_mask.frag", "passes/tiles.vert")), m_program(shaders.load("passes/glass.frag", "passes/tiles.vert")) {}
+    : m_mask(shaders.load("passes/glass_mask.frag", "passes/tiles.vert")),
+      m_program(shaders.load("passes/glass.frag", "passes/tiles.vert")),
+      m_over(shaders.load("passes/panes.frag", "passes/tiles.vert")) {}
 
 void GlassPass::draw(const FrameContext& frame, const BodyTiles& tiles) const {
     const Texture& tint = frame.targets.target("glassTint", GL_RGBA8);
@@ -39,6 +42,29 @@ void GlassPass::drawMask(const FrameContext& frame, const BodyTiles& tiles) cons
     glDepthFunc(GL_ALWAYS);
     tiles.drawTiles(m_mask, BodyTiles::Which::Glass, frame.emptyVertexArray);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void GlassPass::drawOver(const FrameContext& frame, const BodyTiles& tiles) const {
+    if (!m_over || tiles.empty(BodyTiles::Which::Glass)) return;
+    const Texture& picture = frame.targets.at("radiance");
+    const Texture& behind = frame.targets.copy(picture, "behindGlass");
+    frame.targets.framebuffer({&picture}, &frame.targets.at("glassDepth")).begin();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_EQUAL);
+    m_over.use();
+    tiles.bind(m_over, BodyTiles::Which::Glass);
+    const bool reflections = ReflectionsPass::needed(frame);
+    m_over.set("uReflections", int(reflections));
+    if (reflections) m_over.set("uReflection", frame.targets.at("reflection"));
+    m_over.set("uBends", int(frame.settings.refraction));
+    m_over.set("uBehind", behind);
+    m_over.set("uDepth", frame.targets.at("depth"));
+    m_over.set("uGlassTint", frame.targets.at("glassTint"));
+    m_over.set("uGlassSurface", frame.targets.at("glassSurface"));
+    tiles.drawTiles(m_over, BodyTiles::Which::Glass, frame.emptyVertexArray);
+    ++frame.figures.drawCalls;
+    glDepthFunc(GL_LESS);
+    glDisable(GL_DEPTH_TEST);
 }
 
 }  // namespace rubble

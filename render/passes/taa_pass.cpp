@@ -1,5 +1,7 @@
 #include "render/passes/taa_pass.h"
 
+#include "render/scene/scene.h"
+
 namespace rubble {
 
 TaaPass::TaaPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/taa.frag")) {}
@@ -14,6 +16,8 @@ void TaaPass::draw(const FrameContext& frame) const {
     m_program.set("uHistoryValid", int(frame.settings.temporal && resolved.valid));
     m_program.set("uDepth", frame.targets.at("depth"));
     m_program.set("uMotion", frame.targets.at("motion"));
+    m_program.set("uGlass", int(frame.scene.hasGlass()));
+    if (frame.scene.hasGlass()) m_program.set("uGlassSurface", frame.targets.at("glassSurface"));
     frame.drawFullscreen();
 }
 

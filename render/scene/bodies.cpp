@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <utility>
 
+#include "render/scene/detail_maps.h"
+
 namespace rubble {
 namespace {
 
@@ -169,8 +171,10 @@ uint32_t Bodies::acquirePalette(const PaletteRef& palette) {
         to[0] = uint32_t(e.red) | uint32_t(e.green) << 8 | uint32_t(e.blue) << 16 | uint32_t(e.opacity) << 24;
         to[1] = uint32_t(e.roughness) | uint32_t(e.metallic) << 8 | uint32_t(e.reflectivity) << 16 | uint32_t(e.material) << 24;
         to[2] = std::bit_cast<uint32_t>(e.emission);
-        to[3] = e.lightGroup;
+        to[3] = e.material ? DetailMaps::mapOf(e.material) : 0;
+        use.detail |= to[3] != 0;
     }
+    m_detailPalettes += int(use.detail);
     return use.slot;
 }
 
@@ -178,6 +182,7 @@ void Bodies::releasePalette(const Palette* palette) {
     const auto found = m_paletteUses.find(palette);
     if (--found->second.references) return;
     m_paletteSlots.give(found->second.slot);
+    m_detailPalettes -= int(found->second.detail);
     m_paletteUses.erase(found);
 }
 

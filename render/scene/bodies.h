@@ -61,6 +61,8 @@ public:
     const Layout& layout(size_t slot) const { return m_layouts[slot]; }
     bool hasGlass() const { return m_glassShapes > 0; }
     bool hasMirrors() const { return m_mirrorShapes > 0; }
+    /// Any palette has an entry of a material with a detail map.
+    bool hasDetail() const { return m_detailPalettes > 0; }
     int shapes() const { return m_shapeCount; }
     int bricks() const { return m_atlas.bricks(); }
     uint64_t bytes() const;
@@ -106,6 +108,7 @@ private:
     struct PaletteUse {
         PaletteRef palette;
         uint32_t slot = 0, references = 0;
+        bool detail = false;  ///< an entry has a detail map
     };
     BrickAtlas m_atlas;
     MirroredBuffer<Node> m_nodes{GL_RGBA32UI, "brick directory"};
@@ -120,7 +123,7 @@ private:
     std::vector<Instance> m_instances;
     std::vector<uint32_t> m_moving, m_boundsDirty, m_touched;  ///< slots
     glm::dvec3 m_origin{0.0};
-    int m_shapeCount = 0, m_glassShapes = 0, m_mirrorShapes = 0;
+    int m_shapeCount = 0, m_glassShapes = 0, m_mirrorShapes = 0, m_detailPalettes = 0;
 };
 
 }  // namespace rubble

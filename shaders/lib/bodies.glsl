@@ -5,7 +5,7 @@ uniform usamplerBuffer uBrickWords;   // 8 texels a brick: 64-bit words of 4x4x4
 uniform usamplerBuffer uBrickIndices;  // 128 texels a brick: 512 palette indices, four a texel
 uniform samplerBuffer uPlacements;     // 4 texels an instance: rotation, position and voxel size, and both as they were last frame
 uniform usamplerBuffer uLayouts;       // 4 texels an instance: first node, palette, flags; size in nodes; low cell; high cell
-uniform usamplerBuffer uPalettes;      // 256 texels a palette: colour and opacity, surface, emission
+uniform usamplerBuffer uPalettes;      // 256 texels a palette: colour and opacity, surface, emission, detail map
 
 const uint kHasGlass = 1u, kHasPaint = 2u;
 
@@ -44,13 +44,14 @@ Layout readLayout(int instance) {
 struct Entry {
     vec3 color;       // sRGB
     float opacity, roughness, metallic, reflectivity, emission;
+    uint detail;      // number of its detail map, 0 = none
 };
 
 Entry readEntry(int palette, int index) {
     uvec4 v = texelFetch(uPalettes, palette * 256 + index);
     uvec4 bytes = uvec4(0u, 8u, 16u, 24u);
     vec4 a = vec4((uvec4(v.x) >> bytes) & 255u) / 255.0, b = vec4((uvec4(v.y) >> bytes) & 255u) / 255.0;
-    return Entry(a.rgb, a.a, b.r, b.g, b.b, uintBitsToFloat(v.z));
+    return Entry(a.rgb, a.a, b.r, b.g, b.b, uintBitsToFloat(v.z), v.w);
 }
 
 bool isGlass(int palette, int index) { return texelFetch(uPalettes, palette * 256 + index).x >> 24 < 255u; }

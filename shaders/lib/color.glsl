@@ -8,3 +8,6 @@ vec3 linearToSrgb(vec3 c) {
     c = clamp(c, 0.0, 1.0);
     return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, vec3(lessThan(c, vec3(0.0031308))));
 }
+
+/// Nothing downstream survives a NaN: history would keep it for ever.
+vec3 onlyFinite(vec3 c) { return all(lessThan(abs(c), vec3(60000.0))) ? max(c, vec3(0.0)) : vec3(0.0); }

@@ -1,9 +1,8 @@
 // The background below the horizon: see background.frag.
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
-#include "lib/brdf.glsl"
 #include "lib/sky.glsl"
-#include "lib/glass.glsl"
+#include "lib/color.glsl"
 
 uniform float uPlaneHeight;  // of the fields around the level, metres
 
@@ -13,5 +12,5 @@ out vec4 radiance;
 void main() {
     vec3 direction = normalize(viewRay(uv));
     vec3 color = fieldsBelow(direction, frame.cameraPosition.y - uPlaneHeight);
-    radiance = vec4(onlyFinite(throughGlass(color, direction, ivec2(gl_FragCoord.xy))), 1.0);
+    radiance = vec4(onlyFinite(color), 1.0);
 }

@@ -1,24 +1,37 @@
-// Surfaces: light x albedo, highlights, reflections, emission, air, glass: the picture in linear radiance.
+// Surfaces: light x albedo, highlights, reflections, emission, air: the picture in linear radiance.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 #include "lib/brdf.glsl"
 #include "lib/bevel.glsl"
 #include "lib/sky.glsl"
-#include "lib/glass.glsl"
 #include "lib/color.glsl"
 #include "lib/glass_shadow.glsl"
 
 uniform sampler2D uLight;        // rgb mean radiance from sky and lamps, a share of the sun
 uniform bool uBevel;
+uniform bool uDetail;
 uniform bool uLocalLights;
 uniform sampler2D uSpecular;     // rgb highlights of local lights, a luminance of their part of the light
+
+uniform bool uReflections;
+uniform sampler2D uReflection;
+uniform bool uGlass;
+uniform sampler2D uGlassSurface;
 
 in vec2 uv;
 out vec4 radiance;
 
+const float kMostTilt = 0.3;  // as in render/scene/detail_maps.h
+
+vec3 grained(vec3 normal, vec2 tilt) {
+    vec3 across = normalize(abs(normal.y) > 0.9 ? cross(normal, vec3(0, 0, 1)) : cross(vec3(0, 1, 0), normal));
+    return normalize(normal + (across * tilt.x + cross(normal, across) * tilt.y) * kMostTilt);
+}
+
 vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel) {
     vec3 normal = uBevel ? bevelledNormal(s, pixel) : s.normal;
+    if (uDetail) normal = grained(normal, s.tilt);
     vec4 light = texelFetch(uLight, pixel, 0);
     vec3 sun = frame.sunColor.rgb * light.a * max(dot(normal, frame.sunDirection.xyz), 0.0);
     if (light.a > 0.0) sun *= sunThroughGlass(worldFromDepth(uv, s.depth));
@@ -59,5 +72,5 @@ void main() {
     vec3 direction = normalize(ray);
     vec3 color = surfaceRadiance(s, -direction, pixel);
     color = mix(color, hazeRadiance(direction), hazeAmount(length(ray) * s.depth));
-    radiance = vec4(onlyFinite(throughGlass(color, direction, pixel)), 1.0);
+    radiance = vec4(onlyFinite(color), 1.0);
 }

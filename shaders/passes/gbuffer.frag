@@ -3,6 +3,7 @@
 #include "lib/voxel_walk.glsl"
 #include "lib/body_tiles.glsl"
 #include "lib/paint.glsl"
+#include "lib/detail.glsl"
 layout(location = 0) out vec4 outAlbedo;
 layout(location = 1) out vec4 outNormal;
 layout(location = 2) out vec4 outMaterial;
@@ -49,9 +50,12 @@ void main() {
     vec3 world = frame.cameraPosition.xyz + viewRay(gl_FragCoord.xy * frame.targetSize.zw) * best.t;
     vec3 lastWorld = place.moved > 0.0 ? place.lastPosition + rotate(place.lastRotation, pointBody) : world;
 
-    outAlbedo = vec4(paintedColor(met.instance, met.shape, best.slot, best.cell, entry.color), float(best.index) / 255.0);
+    float voxelPixels = place.voxelSize * frame.targetSize.y / (2.0 * frame.cameraUp.w * max(best.t, 1e-3));
+    Detail detail = detailAt(entry.detail, best.cell, best.normal, voxelPixels);
+    vec3 color = paintedColor(met.instance, met.shape, best.slot, best.cell, entry.color) * detail.color;
+    outAlbedo = vec4(color, float(best.index) / 255.0);
     outNormal = vec4(rotate(place.rotation, normal), entry.emission);
-    outMaterial = vec4(entry.roughness, entry.metallic, entry.reflectivity, place.moved);
+    outMaterial = vec4(entry.roughness * detail.roughness, entry.metallic, entry.reflectivity, abs(place.moved - tiltCode(detail.tilt) / 255.0));
     outMotion = gl_FragCoord.xy * frame.targetSize.zw + frame.jitter.xy - screenUv(frame.previousViewProjection, lastWorld);
     outDepth = best.t;
     outGlass = float(behindGlass);

@@ -9,6 +9,8 @@ uniform sampler2D uHistory;
 uniform bool uHistoryValid;
 uniform sampler2D uDepth;
 uniform sampler2D uMotion;
+uniform bool uGlass;
+uniform sampler2D uGlassSurface;
 
 const float kSkyDepth = 65000.0;
 const float kNewShare = 0.1;
@@ -41,12 +43,10 @@ vec3 historyAt(vec2 place) {
     return max(sum.rgb / sum.a, vec3(0.0));
 }
 
-/// Motion of the nearest surface around the pixel, so that edges move with what is in front; the sky's by the camera alone.
-vec2 motionAt(ivec2 nearest, float depth) {
-    if (depth < kSkyDepth) return texelFetch(uMotion, nearest, 0).rg;
-    vec4 far = vec4(frame.cameraPosition.xyz + viewRay(uv) * 4000.0, 1.0);
-    vec4 before = frame.previousViewProjection * far;
-    return uv + frame.jitter.xy - (before.xy / max(before.w, 1e-4) * 0.5 + 0.5);
+/// Motion of a point that stands still in the world, seen at a place of the screen.
+vec2 motionOf(vec2 place, float depth) {
+    vec4 before = frame.previousViewProjection * vec4(frame.cameraPosition.xyz + viewRay(place) * depth, 1.0);
+    return place + frame.jitter.xy - (before.xy / max(before.w, 1e-4) * 0.5 + 0.5);
 }
 
 /// Weights of three samples in a row of which the middle one lies `away` beside the pixel: a gaussian, with a sum of 1.
@@ -66,12 +66,15 @@ void main() {
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec3 sum = vec3(0.0), squares = vec3(0.0), now = vec3(0.0), low = vec3(1e9), top = vec3(-1e9);
     float depth = 1e9, seenThrough = 1.0;
-    ivec2 nearest = pixel;
+    float mostSeenThrough = 0.0;
+    ivec2 nearest = pixel, paned = pixel;
     for (int i = 0; i < 9; ++i) {
         ivec2 offset = ivec2(i % 3, i / 3) - 1;
         ivec2 p = clamp(pixel + offset, ivec2(0), high);
         vec4 there = texelFetch(uColor, p, 0);
+        paned = there.a < seenThrough ? p : paned;
         seenThrough = min(seenThrough, there.a);
+        mostSeenThrough = max(mostSeenThrough, there.a);
         vec3 c = toYCoCg(compress(there.rgb));
         sum += c;
         squares += c * c;
@@ -85,8 +88,15 @@ void main() {
             nearest = p;
         }
     }
+    // Panes are never wholly seen through: where that changes may be the edge of one.
+    float pane = uGlass ? texelFetch(uGlassSurface, paned, 0).w : 0.0;
+    bool onPanesEdge = pane > 0.0 && pane < depth && mostSeenThrough > 0.99;
     resolved = vec4(expand(fromYCoCg(now)), 1.0);
-    vec2 before = uv - motionAt(nearest, depth);
+    // The motion of the nearest surface around, so that edges move with what is in front; the sky's by the camera alone. A pane moves
+    // with what is behind it, but its edge with itself.
+    vec2 motion = motionOf(onPanesEdge ? (vec2(paned) + 0.5) * frame.targetSize.zw : uv, onPanesEdge ? pane : 4000.0);
+    if (!onPanesEdge && depth < kSkyDepth) motion = texelFetch(uMotion, nearest, 0).rg;
+    vec2 before = uv - motion;
     if (!uHistoryValid || any(lessThan(before, vec2(0.0))) || any(greaterThan(before, vec2(1.0)))) return;
     vec3 history = toYCoCg(compress(historyAt(before)));
     vec3 mean = sum / 9.0;

@@ -15,7 +15,7 @@ constexpr glm::ivec2 kSize(160, 90);
 constexpr int kViewsAWorld = 250;  // then the rubble is cleared away
 
 int viewsOfEach() {
-    return std::getenv("RUBBLE_LONG") ? 3334 : 30;
+    return std::getenv("RUBBLE_LONG") ? 3334 : 12;
 }
 
 struct Weather {

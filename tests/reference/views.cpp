@@ -46,6 +46,7 @@ std::vector<SceneView> judgingViews() {
 
 RenderSettings comparedSettings() {
     RenderSettings settings;
+    settings.refraction = settings.detail = false;  // the reference does without
     settings.skyRays = 1;
     settings.sunRays = 1;
     settings.bevel = settings.fog = settings.glare = false;

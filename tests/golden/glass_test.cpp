@@ -1,0 +1,127 @@
+// Panes one behind the other, of one body and of several, and what they do to what is behind them.
+#include <algorithm>
+#include <cmath>
+
+#include "tests/golden/drawing.h"
+
+namespace rubble {
+namespace {
+
+constexpr glm::ivec2 kSize(96, 64);
+constexpr uint8_t kWall = 1, kDark = 2, kGlow = 3, kFirstPane = 4;
+const glm::dquat kLevel(1, 0, 0, 0);
+
+struct Tint {
+    uint8_t red, green, blue, opacity;
+};
+constexpr Tint kTints[] = {{255, 90, 60, 40}, {80, 240, 90, 90}, {70, 90, 250, 20}, {250, 240, 100, 120}};
+
+PaletteRef wallAndPanes() {
+    auto palette = std::make_shared<Palette>();
+    const auto set = [&](int index, Tint tint) {
+        PaletteEntry& e = (*palette)[size_t(index)];
+        e.red = tint.red, e.green = tint.green, e.blue = tint.blue, e.opacity = tint.opacity, e.material = 1;
+    };
+    set(kWall, {200, 200, 200, 255});
+    set(kDark, {50, 50, 50, 255});
+    set(kGlow, {255, 255, 255, 255});
+    (*palette)[kGlow].emission = 20.0f;
+    for (size_t i = 0; i < std::size(kTints); ++i) set(kFirstPane + int(i), kTints[i]);
+    return palette;
+}
+
+/// What one pane lets through: as lib/panes.glsl describes it.
+glm::vec3 throughPane(int pane) {
+    const Tint t = kTints[pane];
+    const glm::vec3 linear = glm::pow(glm::vec3(t.red, t.green, t.blue) / 255.0f, glm::vec3(2.2f));
+    return (1.0f - float(t.opacity) / 255.0f) * glm::mix(glm::vec3(1.0f), linear / std::max({linear.x, linear.y, linear.z}), 0.7f);
+}
+
+class GlassTest : public Drawing {
+protected:
+    FloatImage read(const char* name) const {
+        auto image = renderer->readTarget(name);
+        EXPECT_TRUE(image) << image.error();
+        return *image;
+    }
+    static Camera camera() {
+        Camera camera;
+        camera.position = {0, 0, 4};
+        camera.lookAt({0, 0, 0});
+        return camera;
+    }
+};
+
+/// Panes 0 and 2 are one body's, pane 1 another's that stands between them, and pane 3 is behind a wall.
+TEST_F(GlassTest, OfOneBodyBetweenThoseOfAnotherCountsOnceAndTheNearestIsTheSurface) {
+    LitScene scene(wallAndPanes());
+    scene.add({20, 20, 21}, {{-1, -1, 0}, kLevel}, [](glm::ivec3 c) { return uint8_t(c.z == 20 ? kFirstPane : c.z == 0 ? kFirstPane + 2 : 0); });
+    scene.add({20, 20, 1}, {{-1, -1, 1}, kLevel}, [](glm::ivec3) { return uint8_t(kFirstPane + 1); });
+    scene.add({160, 60, 10}, {{-8, -3, -5}, kLevel}, [](glm::ivec3 c) { return uint8_t(c.z == 9 ? kWall : c.z == 2 ? kFirstPane + 3 : 0); });
+    RenderSettings settings;
+    settings.temporal = false;
+    start(scene, kSize, settings);
+    draw(camera());
+    const glm::vec3 expected = throughPane(0) * throughPane(1) * throughPane(2);
+    const FloatImage tint = read("glassTint"), surface = read("glassSurface");
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(tint.at(48, 32)[i], expected[i], 0.006f) << "channel " << i;
+    EXPECT_NEAR(surface.at(48, 32).w, 4.0f - 2.1f, 0.01f);
+    EXPECT_NEAR(surface.at(48, 32).z, 1.0f, 0.01f);
+    EXPECT_EQ(surface.at(8, 32).w, 0.0f) << "a pane behind the wall is seen";
+}
+
+/// A step of the wall from dark to light behind a slanted pane: where it is seen with and without refraction.
+TEST_F(GlassTest, ShiftsWhatIsBehindAsAPlateDoes) {
+    const auto edgeAt = [&](bool refraction) {
+        LitScene scene(wallAndPanes());
+        scene.environment.sunDirection = {0.1f, 0.3f, 1.0f};
+        scene.add({60, 60, 2}, {{-3, -3, -0.2}, kLevel}, [](glm::ivec3 c) { return uint8_t(c.x < 30 ? kDark : kWall); });
+        scene.add({60, 30, 1},
+                  {glm::dvec3(0, -1.5, 1) - glm::angleAxis(0.9, glm::dvec3(0, 1, 0)) * glm::dvec3(3, 0, 0), glm::angleAxis(0.9, glm::dvec3(0, 1, 0))},
+                  [](glm::ivec3) { return uint8_t(kFirstPane + 2); });
+        RenderSettings settings;
+        settings.temporal = false;
+        settings.refraction = refraction;
+        start(scene, {384, 256}, settings);
+        Camera near = camera();
+        near.position.z = 2.5;
+        draw(near, 2);
+        const FloatImage picture = read("radiance");
+        float most = 0.0f;
+        int edge = 0;
+        for (int x = 150; x < 234; ++x) {
+            const float step = picture.at(x + 1, 128).y - picture.at(x, 128).y;
+            if (step > most) most = step, edge = x;
+        }
+        return edge;
+    };
+    // A plate of index n shifts a ray by d (tan a - tan b), here along the wall by that over cos a: from Snell's law.
+    const double a = 0.9, b = std::asin(std::sin(a) / 1.5), across = 0.06 * (std::tan(a) - std::tan(b)) * std::cos(a);
+    const double pixels = across / (2.0 * std::tan(0.5 * camera().verticalFov) * 2.5) * 256.0;
+    const int shift = edgeAt(true) - edgeAt(false);
+    EXPECT_GT(pixels, 2.0);
+    EXPECT_NEAR(std::abs(shift), pixels, 1.1);
+}
+
+TEST_F(GlassTest, DoesNotSmearWhatStandsBeforeIt) {
+    LitScene scene(wallAndPanes());
+    scene.add({60, 60, 2}, {{-3, -3, -3.2}, kLevel}, [](glm::ivec3) { return kDark; });
+    scene.add({60, 30, 1}, {{-2, -1.5, 1}, glm::angleAxis(0.8, glm::dvec3(0, 1, 0))}, [](glm::ivec3) { return uint8_t(kFirstPane + 2); });
+    scene.add({2, 40, 2}, {{-0.1, -2, 2.4}, kLevel}, [](glm::ivec3) { return kGlow; });  // a bright bar before the pane
+    RenderSettings settings;
+    settings.temporal = settings.reflections = settings.fog = settings.glare = false;
+    settings.bloom = 0.0f;
+    start(scene, {192, 128}, settings);
+    draw(camera(), 2);
+    const FloatImage picture = read("radiance"), surface = read("glassSurface");
+    int panes = 0;
+    for (int x = 0; x < 192; ++x) {
+        if (surface.at(x, 64).w <= 0.0f) continue;
+        ++panes;
+        EXPECT_LT(picture.at(x, 64).y, 5.0f) << "at column " << x;
+    }
+    EXPECT_GT(panes, 60);
+}
+
+}  // namespace
+}  // namespace rubble
