@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 constexpr int kStepsASecond = 60;
 constexpr int kWarmUpFrames = 12;  ///< before the first picture, so that its light has settled
 constexpr int kSheetPictures = 12;
+constexpr int kPassColumns = 4;
 constexpr int kRunUp = 6;  ///< steps drawn before a picture that stands alone, so that light and edges have a past
 
 /// Draws pictures of a running world into files.
@@ -63,14 +64,17 @@ public:
         return image;
     }
 
-    /// The same picture through every pass, into `folder`.
+    /// The same picture through every pass, into `folder`, and all of them on a sheet beside it.
     void writeAllPasses(FrameLoop& loop, double seconds, const fs::path& folder) {
         fs::create_directories(folder);
+        std::vector<Image> sheet;
         for (const std::string& name : m_renderer->passNames()) {
             m_renderer->showPass(name);
-            if (auto written = writePng((folder / (name + ".png")).string(), draw(loop, seconds)); !written) logError(written.error());
+            sheet.push_back(draw(loop, seconds));
+            if (auto written = writePng((folder / (name + ".png")).string(), sheet.back()); !written) logError(written.error());
         }
         m_renderer->showPass(m_options.pass);
+        if (auto written = writePng(folder.string() + ".png", tile(sheet, kPassColumns)); !written) logError(written.error());
     }
 
     const Renderer& renderer() const { return *m_renderer; }

@@ -69,6 +69,7 @@ int run(int argc, char** argv) {
     app.add_flag("--no-render", options.noRender, "no pictures: state hashes and figures only");
     app.add_flag("--inline-shadow", options.inlineShadow, "shadow volume on the main thread instead of the worker");
     app.add_flag("--all-passes", options.allPasses, "write every pass for the pictures of the contact sheet");
+    app.add_flag("--map", options.map, "without a window: the whole level from above");
     app.add_option("--screenshot", options.screenshot, "window: write this PNG after a few frames and leave");
     app.add_option("--gl", options.gl, "without a window: auto, osmesa or egl")
         ->capture_default_str()

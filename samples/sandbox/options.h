@@ -23,6 +23,7 @@ struct SandboxOptions {
     bool noRender = false;       ///< state and figures only
     bool inlineShadow = false;   ///< the shadow volume on the main thread
     bool allPasses = false;      ///< also write every pass of every sheet picture
+    bool map = false;            ///< without a window: the whole level from above
     std::string screenshot;      ///< window mode: write one picture here and leave
     std::string gl = "auto";     ///< without a window: auto, osmesa or egl
     std::string shaders;         ///< folder of the shaders

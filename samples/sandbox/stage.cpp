@@ -1,6 +1,9 @@
 #include "samples/sandbox/stage.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <glm/gtc/constants.hpp>
 #include <string>
 
 #include "runtime/assets/assets.h"
@@ -75,14 +78,36 @@ Result<SandboxStage> anyStage(const SandboxOptions& options) {
     return stage;
 }
 
+/// From straight above, so high that all of the level is in view; north (-z) is up.
+void lookFromAbove(SandboxStage& stage, double aspect) {
+    glm::dvec3 low(1e30), high(-1e30);
+    for (const LevelBody& body : stage.level.bodies)
+        for (const LevelShape& shape : body.shapes)
+            for (int corner = 0; corner < 8; ++corner) {
+                const glm::dvec3 cell = glm::dvec3(shape.grid.size()) * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2);
+                const glm::dvec3 inBody = shape.local.position + shape.local.rotation * (cell * double(shape.voxelSize));
+                const glm::dvec3 place = body.pose.position + body.pose.rotation * inBody;
+                low = glm::min(low, place);
+                high = glm::max(high, place);
+            }
+    if (low.x > high.x) return;
+    const double half = std::max(0.5 * (high.z - low.z), 0.5 * (high.x - low.x) / aspect);
+    const glm::dvec3 above(0.5 * (low.x + high.x), high.y + 1.05 * half / std::tan(0.5 * double(stage.verticalFov)), 0.5 * (low.z + high.z));
+    const Pose camera{above, glm::angleAxis(-0.5 * glm::pi<double>(), glm::dvec3(1, 0, 0))};
+    stage.camera = [camera](double) { return camera; };
+    stage.level.environment.fogDistance *= 10.0f;  // a map without haze
+}
+
 }  // namespace
 
 Result<SandboxStage> loadStage(const SandboxOptions& options) {
     Result<SandboxStage> stage = anyStage(options);
-    if (!stage || options.time.empty()) return stage;
-    const glm::vec3 gravity = stage->level.environment.gravity;
-    stage->level.environment = scenes::timeOfDay(options.time);
-    stage->level.environment.gravity = gravity;
+    if (stage && !options.time.empty()) {
+        const glm::vec3 gravity = stage->level.environment.gravity;
+        stage->level.environment = scenes::timeOfDay(options.time);
+        stage->level.environment.gravity = gravity;
+    }
+    if (stage && options.map) lookFromAbove(*stage, double(options.width) / options.height);
     return stage;
 }
 
