@@ -89,7 +89,8 @@ void offer(inout Choice choice, int light, float weight, float stands) {
     choice.total += share;
     float place = choice.random * choice.total;
     bool taken = place < share;
-    choice.random = (taken ? place : place - share) / max(taken ? share : choice.total - share, 1e-20);
+    // A light that sends nothing is no draw.
+    choice.random = share > 0.0 ? (taken ? place : place - share) / max(taken ? share : choice.total - share, 1e-20) : choice.random;
     choice.light = taken ? light : choice.light;
     choice.weight = taken ? weight : choice.weight;
 }
