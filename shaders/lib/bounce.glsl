@@ -22,13 +22,14 @@ vec3 faceNormal(vec3 hitWorld, vec3 direction) {
 }
 
 /// normal: of the face that was hit. What the picture shows there must face the same way: the far side of a thin wall is another place.
+/// glow: the share that counts of voxels that shine: what the rays to their lamp bring must not come a second time.
 /// a: 0 where it is not shown, 1 where it is, less toward the picture's edge.
-vec4 radianceOnScreen(vec3 hitWorld, vec3 normal) {
+vec4 radianceOnScreen(vec3 hitWorld, vec3 normal, float glow) {
     if (!uLastValid) return vec4(0.0);
     vec4 clip = frame.previousViewProjection * vec4(hitWorld, 1.0);
     if (clip.w < 0.1 || any(greaterThanEqual(abs(clip.xy), vec2(clip.w)))) return vec4(0.0);
     ivec2 pixel = ivec2((clip.xy / clip.w * 0.5 + 0.5) * frame.targetSize.xy);
-    vec2 surface = texelFetch(uLastSurface, pixel, 0).xy;
+    vec3 surface = texelFetch(uLastSurface, pixel, 0).xyw;
     if (abs(surface.x - clip.w) > 0.12 + 0.01 * clip.w || dot(unpackNormal(surface.y), normal) < 0.6) return vec4(0.0);
     // Without the air between the eye and the place: it does not light a closed room. Bright dots met by few rays would speckle.
     vec3 fromEye = hitWorld - frame.cameraPosition.xyz;
@@ -37,7 +38,8 @@ vec4 radianceOnScreen(vec3 hitWorld, vec3 normal) {
     if (haze >= 0.9) return vec4(0.0);
     vec3 radiance = texelFetch(uLastRadiance, pixel, 0).rgb - hazeRadiance(fromEye / max(range, 1e-3)) * haze;
     vec2 fromEdge = (1.0 - abs(clip.xy / clip.w)) / kEdge;
-    return vec4(clamp(radiance / (1.0 - haze), vec3(0.0), vec3(3.0)), clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0));
+    float counted = surface.z < 0.0 && frame.counters.z > 0 ? glow : 1.0;
+    return vec4(clamp(radiance / (1.0 - haze), vec3(0.0), vec3(3.0)) * counted, clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0));
 }
 
 /// Mean radiance on a face that no picture shows: the sun's, and as much of the rest as there is where the ray started. That is right
@@ -55,7 +57,7 @@ vec3 unseenLight(vec3 hitWorld, vec3 normal, vec3 lightHere) {
 vec3 bounceRadiance(vec3 hitWorld, vec3 direction, vec3 lightHere) {
     if (!uBounce) return vec3(0.0);
     vec3 normal = faceNormal(hitWorld, direction);
-    vec4 seen = radianceOnScreen(hitWorld, normal);
+    vec4 seen = radianceOnScreen(hitWorld, normal, 0.0);
     if (seen.a > 0.0) return seen.rgb;
     return unseenLight(hitWorld, normal, lightHere) * kBounceAlbedo;
 }

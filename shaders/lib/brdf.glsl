@@ -27,3 +27,6 @@ float specularLobe(vec3 n, vec3 v, vec3 l, float roughness) {
     float masking = nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2);
     return distribution * 0.5 / max(masking, 1e-5);
 }
+
+/// Share of a lamp that a surface shows by the lobe above; the mirror rays of smooth ones bring the rest from its glowing voxels.
+float lampsByLobe(float roughness) { return smoothstep(0.1, 0.25, roughness); }

@@ -1,5 +1,5 @@
 // The target `surface`: what light accumulation remembers of each pixel, and what the filters compare.
-//   x linear depth (65000: sky) · y normal, packed (-1: sky) · z frames accumulated · w mean of the squared luminance of `light`
+//   x linear depth (65000: sky) · y normal, packed (-1: sky) · z frames accumulated · w mean of the squared luminance of `light` (-1: glows)
 /// A unit vector as a whole number below 2^24, which float holds exactly: octahedral, 12 bits an axis.
 float packNormal(vec3 n) {
     vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));

@@ -45,7 +45,7 @@ Past readPast(Surface s, float packed_, vec3 position) {
         if (abs(there.x - expected) > tolerance || (there.y != packed_ && dot(unpackNormal(there.y), s.normal) < 0.9)) continue;
         past.light += w * texelFetch(uLastLight, p, 0);
         past.frames += w * there.z;
-        past.squared += w * there.w;
+        past.squared += w * max(there.w, 0.0);
         past.weight += w;
     }
     if (past.weight < 0.01) {
@@ -64,12 +64,12 @@ void main() {
     vec4 now = texelFetch(uLight, pixel, 0);
     float lum = luminance(now.rgb);
     accumulated = now;
-    surface = vec4(s.depth, packNormal(s.normal), 1.0, lum * lum);
+    surface = vec4(s.depth, packNormal(s.normal), 1.0, s.emission > 0.0 ? -1.0 : lum * lum);
     Past past = readPast(s, surface.y, worldFromDepth(uv, s.depth));
     if (past.weight == 0.0) return;
     float trusted = uForgets ? texture(uTrusted, uv).x : 1.0;
     float frames = min(min(past.frames, trusted * uLongest) + 1.0, uLongest);
     accumulated = mix(past.light, now, 1.0 / frames);
     surface.z = frames;
-    surface.w = mix(past.squared, lum * lum, 1.0 / frames);
+    surface.w = s.emission > 0.0 ? -1.0 : mix(past.squared, lum * lum, 1.0 / frames);
 }

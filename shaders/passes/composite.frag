@@ -60,7 +60,7 @@ vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel) {
         vec4 traced = texelFetch(uReflection, pixel, 0);
         mirrored = mix(mirrored, traced.rgb, traced.a * smoothness);
         // The rays of a mirror have met the glowing voxels themselves.
-        lamps *= 1.0 - traced.a * (1.0 - smoothstep(0.1, 0.25, s.roughness));
+        lamps *= mix(1.0, lampsByLobe(s.roughness), traced.a);
     }
     return diffuse * (1.0 - share) + min(highlight, vec3(30.0)) + mirrored * share + lamps + s.albedo * s.emission;
 }

@@ -18,9 +18,9 @@ out vec4 reflection;
 const float kReach = 40.0;
 
 /// Radiance of a mirror ray. The sun's disc is left to the specular lobe, which has no noise.
-vec3 mirrored(vec3 origin, vec3 direction, vec3 lightHere) {
+vec3 mirrored(vec3 origin, vec3 direction, vec3 lightHere, float glow) {
     float t;
-    if (shadowTrace(origin, direction, kReach, t)) return mirroredRadiance(origin + direction * t, direction, lightHere);
+    if (shadowTrace(origin, direction, kReach, t)) return mirroredRadiance(origin + direction * t, direction, lightHere, glow);
     vec3 sky = direction.y > 0.0 ? withHills(withClouds(skyRadiance(direction), direction), direction) : skyRadiance(direction);
     return sky;
 }
@@ -36,5 +36,5 @@ void main() {
     vec3 direction = reflect(-m.view, halfVector);
     direction += m.normal * max(0.0, 0.02 - dot(direction, m.normal));
     vec3 lightHere = texelFetch(uLight, pixel, 0).rgb;
-    reflection = vec4(mirrored(shadowOrigin(m.position, m.normal), normalize(direction), lightHere), 1.0);
+    reflection = vec4(mirrored(shadowOrigin(m.position, m.normal), normalize(direction), lightHere, 1.0 - lampsByLobe(m.roughness)), 1.0);
 }

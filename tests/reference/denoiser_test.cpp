@@ -1,4 +1,5 @@
 // The denoised picture against the truth, and how soon it follows what changes.
+#include <cmath>
 #include <cstdlib>
 
 #include "tests/golden/drawing.h"
@@ -39,6 +40,98 @@ TEST_F(DenoiserTest, OneRayAPixelComesNearTheTruth) {
         printf("%s: FLIP %.4f\n", each.name.c_str(), difference);
         EXPECT_LE(difference, 0.035) << each.name;
     }
+}
+
+/// A floor under a weak sky, seen from above, and a region of its pixels whose light is about to change.
+class ChangeTest : public Drawing {
+protected:
+    static constexpr glm::ivec2 kSize{96, 64};
+    static PaletteRef gray() {
+        auto palette = std::make_shared<Palette>();
+        PaletteEntry& e = (*palette)[1];
+        e.red = e.green = e.blue = 186;
+        e.roughness = 255, e.material = 1;
+        return palette;
+    }
+    static LitScene floorScene() {
+        LitScene scene(gray());
+        scene.environment.fogDistance = 1e6f;
+        scene.add({120, 2, 120}, {{-6, -0.2, -6}}, [](glm::ivec3) { return uint8_t(1); });
+        return scene;
+    }
+    void begin(const LitScene& scene) { start(scene, kSize, comparedSettings()); }
+    static Camera above() {
+        Camera camera;
+        camera.position = {0.0, 5.0, 3.0};
+        camera.lookAt({0, 0, 0});
+        return camera;
+    }
+    FloatImage next() {
+        renderer->draw(above().view(kSize, target->framebuffer()), 1.0f);
+        return std::move(*renderer->readTarget("resolved"));
+    }
+    /// The mean of some pictures.
+    FloatImage meanOf(int pictures) {
+        FloatImage sum(kSize);
+        for (int i = 0; i < pictures; ++i) {
+            const FloatImage image = next();
+            for (size_t p = 0; p < sum.pixels.size(); ++p) sum.pixels[p] += image.pixels[p] / float(pictures);
+        }
+        return sum;
+    }
+    /// Draws what is there, changes it, and expects 90 % of the new light within 12 pictures and less than 2 % of the old after 30:
+    /// of the pixels that change by more than half of the largest change.
+    template <class F>
+    void expectToFollow(F&& change) {
+        for (int i = 0; i < 40; ++i) next();
+        const FloatImage before = meanOf(24);
+        change();
+        std::vector<FloatImage> after;
+        for (int i = 0; i < 30; ++i) after.push_back(next());
+        for (int i = 0; i < 40; ++i) next();
+        const FloatImage settled = meanOf(24);
+        const auto old = [&](size_t p) { return before.pixels[p].g - settled.pixels[p].g; };
+        float largest = 0.0f;
+        for (size_t p = 0; p < before.pixels.size(); ++p) largest = std::max(largest, std::abs(old(p)));
+        const auto left = [&](const FloatImage& image) {
+            double sum = 0.0, all = 0.0;
+            for (size_t p = 0; p < before.pixels.size(); ++p) {
+                if (std::abs(old(p)) < 0.5f * largest) continue;
+                sum += (image.pixels[p].g - settled.pixels[p].g) * (old(p) > 0.0f ? 1.0 : -1.0), all += std::abs(old(p));
+            }
+            return sum / all;
+        };
+        ASSERT_GT(largest, 0.1f) << "nothing changes";
+        RecordProperty("left_after_12", std::to_string(left(after[11])));
+        RecordProperty("left_after_30", std::to_string(left(after[29])));
+        EXPECT_LT(std::abs(left(after[11])), 0.1);
+        EXPECT_LT(std::abs(left(after[29])), 0.02) << "a ghost";
+    }
+};
+
+TEST_F(ChangeTest, ALampThatDiesLeavesNoGlow) {
+    LitScene scene = floorScene();
+    scene.environment.sunColor = glm::vec3(0.0f);
+    scene.addLight({LightKind::Sphere, {0, 1.2, 0}, {0, -1, 0}, {6, 5, 4}, 0.15f, 12.0f, 0.6f, 1.1f});
+    begin(scene);
+    expectToFollow([&] {
+        FrameSnapshot dark = scene.step();
+        dark.lightsChanged = true;
+        dark.lights.clear();
+        renderer->apply(std::move(dark));
+    });
+}
+
+TEST_F(ChangeTest, ABodyThatIsGoneTakesItsShadowAlong) {
+    LitScene scene = floorScene();
+    scene.environment.sunDirection = {-0.8f, 0.9f, 0.1f};
+    const ShapeHandle box = scene.add({12, 12, 12}, {{-1.6, 0, -0.6}}, [](glm::ivec3) { return uint8_t(1); });
+    begin(scene);
+    expectToFollow([&] {
+        scene.move(box, {{-1.6, 0, -30.0}});
+        renderer->apply(scene.step());
+        renderer->apply(scene.step());  // it lies still where it is now
+    });
 }
 
 /// The same small, where the truth has noise of its own.

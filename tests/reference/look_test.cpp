@@ -1,8 +1,11 @@
-// Pictures for eyes: what the renderer draws beside the truth. Only with RUBBLE_PICTURES=FOLDER.
+// Pictures for eyes: what the renderer draws beside the truth. Only with RUBBLE_PICTURES=FOLDER; RUBBLE_WITHOUT=sun,sky,lamps,bounce,
+// mirrors,glow leaves parts of the light out of both, RUBBLE_PART=sun|sky|lamps|mirrors shows one estimator.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
+#include <sstream>
 
 #include "tests/golden/drawing.h"
 #include "tests/reference/display.h"
@@ -51,6 +54,70 @@ int numberFrom(const char* name, int otherwise) {
     return text ? std::atoi(text) : otherwise;
 }
 
+/// Takes a part of the light out of the scene, for both: what is wrong then is not that part's.
+void remove(SceneView& each, RenderSettings& drawn, Settings& traced, const std::string& part) {
+    FrameSnapshot& s = each.snapshot;
+    if (part == "sun") s.environment.sunColor = glm::vec3(0.0f);
+    if (part == "sky") s.environment.skyColor = s.environment.horizonColor = s.environment.groundColor = glm::vec3(0.0f);
+    if (part == "lamps") s.lights.clear();
+    if (part == "bounce") drawn.bounce = false, traced.bounces = 0;
+    if (part != "mirrors" && part != "glow") return;
+    for (SnapshotShape& shape : s.created) {
+        auto palette = std::make_shared<Palette>(*shape.palette);
+        for (size_t i = 1; i < 256; ++i) {
+            PaletteEntry& e = (*palette)[i];
+            if (part == "mirrors") e.reflectivity = e.metallic = 0;
+            if (part == "glow") e.emission = 0.0f;
+        }
+        shape.palette = palette;
+    }
+}
+
+/// What a part of the light is called here, in the truth, and in the renderer's targets.
+struct Part {
+    const char* name;
+    Term term;
+    const char* target;
+    bool alpha;
+};
+constexpr Part kParts[] = {{"whole", Term::Whole, "resolved", false},
+                           {"sun", Term::SunShare, "light", true},
+                           {"sky", Term::Sky, "light", false},
+                           {"lamps", Term::LocalLights, "light", false},
+                           {"mirrors", Term::Reflection, "reflection", false}};
+
+const Part& partNamed(const std::string& name) {
+    for (const Part& part : kParts)
+        if (part.name == name) return part;
+    return kParts[0];
+}
+
+/// One estimator alone, as it is before any filter, at the centres of the pixels.
+void select(const Part& part, RenderSettings& drawn, Settings& traced) {
+    traced.term = part.term;
+    if (part.term == Term::Whole) return;
+    traced.filterPixels = drawn.temporal = false;
+    drawn.filterPasses = 0;
+    drawn.sun = part.term == Term::SunShare, drawn.localLights = part.term == Term::LocalLights;
+    drawn.sky = part.term == Term::Sky;
+}
+
+/// The last picture, or of one estimator the mean of all.
+FloatImage drawnPart(Renderer& renderer, const View& view, const Part& part, int frames, LeastTimes& times) {
+    FloatImage sum;
+    for (int i = 0; i < frames; ++i) {
+        renderer.draw(view, 1.0f), times.add(renderer.figures());
+        if (part.term == Term::Whole && i + 1 < frames) continue;
+        FloatImage image = std::move(*renderer.readTarget(part.target));
+        if (part.alpha)
+            for (glm::vec4& p : image.pixels) p = glm::vec4(p.a, 0.0f, 0.0f, 1.0f);
+        if (sum.pixels.empty()) sum = FloatImage(image.size);
+        const float share = part.term == Term::Whole ? 1.0f : 1.0f / float(frames);
+        for (size_t p = 0; p < image.pixels.size(); ++p) sum.pixels[p] += share * image.pixels[p];
+    }
+    return sum;
+}
+
 TEST_F(Look, AtTheTruth) {
     const char* folder = std::getenv("RUBBLE_PICTURES");
     if (!folder) GTEST_SKIP() << "set RUBBLE_PICTURES to a folder to draw the views beside the truth";
@@ -61,23 +128,29 @@ TEST_F(Look, AtTheTruth) {
     for (SceneView& each : views) {
         if (each.name.find(only) == std::string::npos) continue;
         each.view.size = {width, width * 9 / 16};
+        Settings settings{.samples = samples, .filterPixels = true};
+        RenderSettings drawnSettings = comparedSettings();
+        drawnSettings.filterPasses = numberFrom("RUBBLE_PASSES", drawnSettings.filterPasses);
+        drawnSettings.historyFrames = numberFrom("RUBBLE_HISTORY", drawnSettings.historyFrames);
+        drawnSettings.skyDistance = float(numberFrom("RUBBLE_REACH", int(drawnSettings.skyDistance)));
+        const Part& part = partNamed(std::getenv("RUBBLE_PART") ? std::getenv("RUBBLE_PART") : "whole");
+        select(part, drawnSettings, settings);
+        std::stringstream without(std::getenv("RUBBLE_WITHOUT") ? std::getenv("RUBBLE_WITHOUT") : "");
+        for (std::string one; std::getline(without, one, ',');) remove(each, drawnSettings, settings, one);
         const Scene scene(each.snapshot);
-        const Settings settings{.samples = samples, .filterPixels = true};
         const Picture truth = cachedRender(scene, each.view, settings, RUBBLE_BINARY_DIR "/reference", each.name);
         const char* shaders = std::getenv("RUBBLE_SHADERS");
-        auto made = Renderer::create(testContext().loader(), shaders ? shaders : shaderFolder(), comparedSettings());
+        auto made = Renderer::create(testContext().loader(), shaders ? shaders : shaderFolder(), drawnSettings);
         ASSERT_TRUE(made) << made.error();
         (*made)->apply(FrameSnapshot(each.snapshot));
         const Offscreen target(each.view.size);
         each.view.framebuffer = target.framebuffer();
         LeastTimes times;
-        for (int i = 0; i < frames; ++i) (*made)->draw(each.view, 1.0f), times.add((*made)->figures());
+        const FloatImage drawn = drawnPart(**made, each.view, part, frames, times);
         times.print();
-        const auto drawn = (*made)->readTarget("resolved");
-        ASSERT_TRUE(drawn) << drawn.error();
         const float exposure = exposureFor(truth.mean, each.snapshot.environment.exposure);
-        const FloatImage a = displayed(truth.mean, exposure), b = displayed(*drawn, exposure), map = flipMap(a, b);
-        printf("%-20s FLIP %.4f  relMSE %.4f  SSIM %.4f\n", each.name.c_str(), flip(a, b), relativeError(truth.mean, *drawn), ssim(a, b));
+        const FloatImage a = displayed(truth.mean, exposure), b = displayed(drawn, exposure), map = flipMap(a, b);
+        printf("%-20s FLIP %.4f  relMSE %.4f  SSIM %.4f\n", each.name.c_str(), flip(a, b), relativeError(truth.mean, drawn), ssim(a, b));
         std::string file = each.name;
         std::replace(file.begin(), file.end(), ' ', '_');
         ASSERT_TRUE(writePng(std::string(folder) + "/" + file + ".png", tile({toImage(a), toImage(b), toImage(asGray(map))}, 1)));

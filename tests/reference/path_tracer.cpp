@@ -58,7 +58,7 @@ struct Response {
     vec3 diffuse;  ///< of mean radiance
     vec3 mirror;   ///< of what a mirror ray brings
     vec3 matte;    ///< of irradiance / pi from sun and lights, which have highlights of their own
-    float rough;   ///< of lights' highlights: smooth surfaces mirror their glowing voxels instead
+    float lobe;    ///< of lamps, by their highlights; mirror rays bring the rest from their glowing voxels
 };
 
 Response responseOf(const Surface& s, vec3 view) {
@@ -69,7 +69,7 @@ Response responseOf(const Surface& s, vec3 view) {
     r.matte = s.albedo * (1.0f - s.metallic) * (1.0f - r.share);
     r.diffuse = r.matte + r.share * (1.0f - smoothness);
     r.mirror = r.share * smoothness;
-    r.rough = 1.0f - smoothness;
+    r.lobe = glm::smoothstep(0.1f, 0.25f, s.roughness);
     return r;
 }
 
@@ -88,7 +88,8 @@ public:
         if (m_settings.term == Term::Reflection) return reflection(ray, s, random);
         if (!s.hit) return vec3(0.0f);
         if (m_settings.term == Term::LocalLights) return localLights(s, random);
-        if (m_settings.term == Term::Sky) return incoming({leave(s), cosineDirection(s.normal, unitSquare(random))}, true, random);
+        if (m_settings.term == Term::Sky)
+            return incoming({{leave(s), cosineDirection(s.normal, unitSquare(random))}, vec3(1.0f), true, 0.0f}, random);
         if (glm::dot(s.normal, m_sun) <= 0.0) return vec3(0.0f);
         return vec3(m_scene.transmittance({leave(s), sunRay(random)}).x, 0.0f, 0.0f);
     }
@@ -125,32 +126,57 @@ private:
             left -= own;
             if (left < 0.0f) break;
         }
-        return fromSphere(lights[chosen], s, random, direction) * (sum / unoccluded(lights[chosen], s));
+        return fromLight(lights[chosen], s, random, direction) * (sum / unoccluded(lights[chosen], s));
     }
 
-    /// Share of its light that a lamp sends to a place: its reach and cone.
-    static float sentTo(const SnapshotLight& light, dvec3 toCentre, double distance) {
-        const double range = glm::length(toCentre), ratio = distance / light.reach;
+    /// What of a light's reach is left at a distance.
+    static float windowOf(const SnapshotLight& light, double distance) {
+        const double ratio = distance / light.reach;
         const float window = float(std::clamp(1.0 - ratio * ratio * ratio * ratio, 0.0, 1.0));
-        if (light.kind != LightKind::Cone) return window * window;
+        return window * window;
+    }
+
+    static float coneEdge(const SnapshotLight& light, dvec3 toCentre) {
+        if (light.kind != LightKind::Cone) return 1.0f;
         const float outer = std::cos(light.coneOuter), inner = std::cos(light.coneInner);
-        const float cosine = float(glm::dot(-toCentre / range, dvec3(light.direction)));
+        const float cosine = float(glm::dot(-glm::normalize(toCentre), dvec3(light.direction)));
         const float edge = std::clamp((cosine - outer) / std::max(inner - outer, 1e-3f), 0.0f, 1.0f);
-        return window * window * edge * edge;
+        return edge * edge;
+    }
+
+    static bool isFlat(const SnapshotLight& light) { return light.kind == LightKind::Area || light.kind == LightKind::Screen; }
+
+    /// Distance from its place within which all of a light lies.
+    static double extentOf(const SnapshotLight& light) {
+        if (isFlat(light)) return 0.5 * std::hypot(light.width, light.height);
+        return light.radius + (light.kind == LightKind::Capsule ? 0.5 * light.width : 0.0);
     }
 
     /// What decides how often a light is sampled: never zero where it gives anything.
     static float unoccluded(const SnapshotLight& light, const Surface& s) {
         const dvec3 toCentre = light.position - s.position;
-        const double range = glm::length(toCentre);
-        if (glm::dot(toCentre, s.normal) <= -double(light.radius)) return 0.0f;
-        const double facing = std::max(glm::dot(toCentre, s.normal) / range, 0.05);
-        return float(facing / std::max(range * range, 1e-4)) * brightest(light.color) * sentTo(light, toCentre, std::max(range - light.radius, 0.0));
+        const double range = glm::length(toCentre), extent = extentOf(light);
+        if (glm::dot(toCentre, s.normal) <= -extent) return 0.0f;
+        const double facing = std::clamp((glm::dot(toCentre, s.normal) + (isFlat(light) ? extent : 0.0)) / range, 0.05, 1.0);
+        const double square = std::max(range * range, light.kind == LightKind::Sphere ? 1e-4 : extent * extent);
+        return float(facing / square) * brightest(light.color) * windowOf(light, std::max(range - extent, 0.0)) * coneEdge(light, toCentre);
     }
 
-    /// A sphere of even radiance color / (pi radius^2), sampled over the directions in which it is seen.
-    vec3 fromSphere(const SnapshotLight& light, const Surface& s, Random& random, dvec3* toLight) const {
-        const dvec3 toCentre = light.position - leave(s);
+    vec3 fromLight(const SnapshotLight& light, const Surface& s, Random& random, dvec3* toLight) const {
+        if (isFlat(light)) return fromRectangle(light, s, random, toLight);
+        dvec3 place = light.position;
+        if (light.kind == LightKind::Capsule) place += dvec3(light.right) * (light.width * (double(random.unit()) - 0.5));
+        return fromBall(light, place, s, random, toLight);
+    }
+
+    /// Share of the light that gets from where a surface is left to within what a light's own voxels may fill.
+    vec3 seen(const Surface& s, dvec3 direction, double clear) const {
+        return clear > 0.0 ? m_scene.transmittance({leave(s), direction, clear}) : vec3(1.0f);
+    }
+
+    /// A ball of even radiance color / (pi radius^2), sampled over the directions in which it is seen.
+    vec3 fromBall(const SnapshotLight& light, dvec3 place, const Surface& s, Random& random, dvec3* toLight) const {
+        const dvec3 toCentre = place - leave(s);
         const double range = std::max(glm::length(toCentre), double(light.radius) * 1.001), radius = light.radius;
         const double sine = radius / range, cosine = std::sqrt(1.0 - sine * sine);
         const dvec3 direction = coneDirection(toCentre / range, cosine, unitSquare(random));
@@ -158,11 +184,34 @@ private:
         const double facing = glm::dot(direction, s.normal);
         if (facing <= 0.0) return vec3(0.0f);
         const double along = glm::dot(direction, toCentre), chord = radius * radius - (range * range - along * along);
-        const double near = std::max(along - std::sqrt(std::max(chord, 0.0)), 0.0), clear = near - std::max(kBulb, radius);
-        const vec3 seen = clear > 0.0 ? m_scene.transmittance({leave(s), direction, clear}) : vec3(1.0f);
+        const double near = std::max(along - std::sqrt(std::max(chord, 0.0)), 0.0);
         // 1 - cos without cancelling, as sin^2 / (1 + cos).
         const double solidAngle = 2.0 * kPi * sine * sine / (1.0 + cosine);
-        return seen * light.color * float(solidAngle * facing / (kPi * kPi * radius * radius)) * sentTo(light, toCentre, near);
+        return seen(s, direction, near - std::max(kBulb, radius)) * light.color * float(solidAngle * facing / (kPi * kPi * radius * radius)) *
+               windowOf(light, near) * coneEdge(light, toCentre);
+    }
+
+    /// A rectangle of radiance color / its area, times its picture, sampled evenly over its face.
+    vec3 fromRectangle(const SnapshotLight& light, const Surface& s, Random& random, dvec3* toLight) const {
+        const glm::dvec2 u = unitSquare(random);
+        const dvec3 right(light.right), axis(light.direction), up = glm::cross(right, axis);
+        const dvec3 toPoint = light.position + right * ((u.x - 0.5) * light.width) + up * ((u.y - 0.5) * light.height) - leave(s);
+        const double range = glm::length(toPoint), turned = -glm::dot(toPoint, axis) / range;
+        const double cosine = light.twoSided ? std::abs(turned) : std::max(turned, 0.0), facing = glm::dot(toPoint, s.normal) / range;
+        if (toLight) *toLight = toPoint / range;
+        if (cosine <= 0.0 || facing <= 0.0) return vec3(0.0f);
+        const vec3 through = seen(s, toPoint / range, range - std::max(kBulb, double(light.radius)) / std::max(cosine, 0.1));
+        return through * light.color * pictureAt(light, u) * float(cosine * facing / (range * range * kPi)) * windowOf(light, range);
+    }
+
+    /// u: along `right` and up. Who looks at a screen has its right on the left.
+    static vec3 pictureAt(const SnapshotLight& light, glm::dvec2 u) {
+        const LightPicture& picture = light.picture;
+        if (light.kind != LightKind::Screen || picture.texels.empty()) return vec3(1.0f);
+        const uint32_t column = std::min(uint32_t((1.0 - u.x) * picture.width), picture.width - 1);
+        const uint32_t row = std::min(uint32_t((1.0 - u.y) * picture.height()), picture.height() - 1);
+        const uint32_t texel = picture.texels[column + row * picture.width];
+        return linear(vec3(float(texel >> 16 & 255), float(texel >> 8 & 255), float(texel & 255)) / 255.0f);
     }
 
     /// From sun and lights, as the surface sends it on.
@@ -184,7 +233,7 @@ private:
         if (brightest(lamp) <= 0.0f) return sum;
         const vec3 highlight =
             fresnel(r.f0, glm::dot(view, glm::normalize(view + vec3(l)))) * specularLobe(vec3(s.normal), view, vec3(l), s.roughness);
-        return sum + r.matte * lamp + glm::min(highlight * lamp * float(kPi), vec3(30.0f)) * r.rough;
+        return sum + r.matte * lamp + glm::min(highlight * lamp * float(kPi), vec3(30.0f)) * r.lobe;
     }
 
     /// A mirror ray of a surface.
@@ -204,17 +253,22 @@ private:
         Ray ray;
         vec3 weight;
         bool diffuse;
+        float glow;  ///< share that counts of voxels that have a light
     };
     Next next(const Surface& s, const Response& r, dvec3 view, Random& random) const {
         const float diffuse = brightest(r.diffuse), mirror = brightest(r.mirror), all = diffuse + mirror;
-        if (all <= 0.0f) return {{}, vec3(0.0f), true};
-        if (random.unit() * all < diffuse) return {{leave(s), cosineDirection(s.normal, unitSquare(random))}, r.diffuse * (all / diffuse), true};
-        return {{leave(s), mirrorDirection(s.normal, view, s.roughness, random)}, r.mirror * (all / mirror), false};
+        if (all <= 0.0f) return {{}, vec3(0.0f), true, 0.0f};
+        if (random.unit() * all < diffuse)
+            return {{leave(s), cosineDirection(s.normal, unitSquare(random))}, r.diffuse * (all / diffuse), true, 0.0f};
+        return {{leave(s), mirrorDirection(s.normal, view, s.roughness, random)}, r.mirror * (all / mirror), false, 1.0f - r.lobe};
     }
 
     /// Radiance along a ray of light's. Without the air: it does not light a closed room.
-    vec3 incoming(Ray ray, bool diffuse, Random& random) const {
+    vec3 incoming(const Next& first, Random& random) const {
         vec3 sum(0.0f), weight(1.0f);
+        Ray ray = first.ray;
+        bool diffuse = first.diffuse;
+        float glow = first.glow;
         for (int bounce = 0;; ++bounce) {
             ray.tMax = m_settings.reach;
             const Surface s = m_scene.closest(ray);
@@ -223,7 +277,7 @@ private:
             if (bounce == m_settings.bounces) return sum;
             const dvec3 view = -ray.direction;
             const Response response = responseOf(s, vec3(view));
-            if (!diffuse || !s.hasLight) sum += weight * s.albedo * s.emission;
+            sum += weight * s.albedo * s.emission * (s.hasLight ? glow : 1.0f);
             sum += weight * direct(s, response, vec3(view), random);
             const Next n = next(s, response, view, random);
             weight *= n.weight;
@@ -233,7 +287,7 @@ private:
                 weight /= survival;
             }
             if (brightest(weight) <= 0.0f) return sum;
-            ray = n.ray, diffuse = n.diffuse;
+            ray = n.ray, diffuse = n.diffuse, glow = n.glow;
         }
     }
 
@@ -243,7 +297,8 @@ private:
         if (!pane.any && !s.hit) return vec3(0.0f);
         Surface at = s;
         if (pane.any) at.position = pane.position, at.normal = pane.normal, at.roughness = 0.0f;
-        return incoming({leave(at), mirrorDirection(at.normal, -ray.direction, at.roughness, random)}, false, random);
+        const float glow = 1.0f - glm::smoothstep(0.1f, 0.25f, at.roughness);
+        return incoming({{leave(at), mirrorDirection(at.normal, -ray.direction, at.roughness, random)}, vec3(1.0f), false, glow}, random);
     }
 
     vec3 whole(const Ray& ray, const Surface& s, Random& random) const {
@@ -258,7 +313,7 @@ private:
         const Response response = responseOf(s, -direction);
         vec3 color = s.albedo * s.emission + direct(s, response, -direction, random);
         const Next n = next(s, response, -ray.direction, random);
-        if (brightest(n.weight) > 0.0f) color += n.weight * incoming(n.ray, n.diffuse, random);
+        if (brightest(n.weight) > 0.0f) color += n.weight * incoming(n, random);
         return pane.tint * glm::mix(color, hazeRadiance(m_air, direction), hazeAmount(m_air, float(s.t)));
     }
 

@@ -15,7 +15,7 @@
 namespace rubble::reference {
 namespace {
 
-constexpr uint64_t kTracerVersion = 2;  // raise it when the same settings give another picture
+constexpr uint64_t kTracerVersion = 3;  // raise it when the same settings give another picture
 constexpr const char* kNames[6] = {"R", "G", "B", "variance.R", "variance.G", "variance.B"};
 
 /// Slices over the picture's channels. The first row in memory is the lowest: strides go backwards from the last.

@@ -23,11 +23,6 @@ glm::vec3 mixedSrgb(glm::vec3 own, const PaintColorsRef& colors, uint8_t paint) 
     return glm::mix(own, glm::vec3(over[0], over[1], over[2]) / 255.0f, float(paintSteps(paint)) / 16.0f);
 }
 
-glm::vec3 linear(glm::vec3 srgb) {
-    const auto channel = [](float c) { return c < 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); };
-    return {channel(srgb.x), channel(srgb.y), channel(srgb.z)};
-}
-
 /// As transmittance() in shaders/passes/glass.frag.
 glm::vec3 tintOf(const PaletteEntry& e) {
     const glm::vec3 color = glm::pow(glm::vec3(e.red, e.green, e.blue) / 255.0f, glm::vec3(2.2f));
@@ -51,6 +46,11 @@ void add(uint64_t& hash, glm::dvec3 v) {
 }
 
 }  // namespace
+
+glm::vec3 linear(glm::vec3 srgb) {
+    const auto channel = [](float c) { return c < 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); };
+    return {channel(srgb.x), channel(srgb.y), channel(srgb.z)};
+}
 
 Scene::Scene(const FrameSnapshot& snapshot) : m_lights(snapshot.lights), m_environment(snapshot.environment) {
     assert(snapshot.replacesAll);
@@ -76,7 +76,9 @@ Scene::Scene(const FrameSnapshot& snapshot) : m_lights(snapshot.lights), m_envir
     add(m_hash, {e.sunAngle, e.fogDistance, 0.0});
     for (const SnapshotLight& light : m_lights) {
         add(m_hash, light.position), add(m_hash, glm::dvec3(light.direction)), add(m_hash, glm::dvec3(light.color));
-        add(m_hash, {light.radius, light.reach, light.coneInner}), add(m_hash, {light.coneOuter, double(light.kind), 0.0});
+        add(m_hash, {light.radius, light.reach, light.coneInner}), add(m_hash, {light.coneOuter, double(light.kind), double(light.twoSided)});
+        add(m_hash, glm::dvec3(light.right)), add(m_hash, {light.width, light.height, double(light.picture.width)});
+        for (const uint32_t texel : light.picture.texels) m_hash = hashValue(texel, m_hash);
     }
     m_nodes.push_back({});
     build(0, 0, int(m_shapes.size()));

@@ -31,6 +31,9 @@ struct Panes {
     glm::vec3 tint{1.0f};
 };
 
+/// Of a colour as it is displayed, channels in [0, 1].
+glm::vec3 linear(glm::vec3 srgb);
+
 /// What a FrameSnapshot shows, for rays on the CPU: through the voxels of each shape where it really stands, not through the
 /// shadow volume. Bodies and lights only: no ropes, water or particles. May be read by many threads.
 class Scene {

@@ -33,7 +33,10 @@ FrameSnapshot townSnapshot() {
 std::vector<SceneView> tuningViews(bool withTown) {
     std::vector<SceneView> views{{"street front", streetScene().snapshot(), streetCamera(0).view({0, 0}, 0)},
                                  {"street room", streetScene().snapshot(), streetCamera(2).view({0, 0}, 0)}};
-    if (withTown) views.push_back({"town corner", townSnapshot(), lookingAt({9.0, 4.2, 43.0}, {20.5, 3.2, 36.0}, 0.9f)});
+    if (!withTown) return views;
+    const FrameSnapshot town = townSnapshot();
+    views.push_back({"town corner", town, lookingAt({9.0, 4.2, 43.0}, {20.5, 3.2, 36.0}, 0.9f)});
+    views.push_back({"town roofs", town, lookingAt({52, 15, 14}, {28, 1, 34}, 0.8f)});
     return views;
 }
 

@@ -33,8 +33,10 @@ GlContext& context() {
 
 }  // namespace
 
-LightBench::LightBench(const FrameSnapshot& snapshot, const View& view, glm::ivec2 size, const RenderSettings& settings) : m_view(view) {
-    auto made = Renderer::create(context().loader(), RUBBLE_SOURCE_DIR "/shaders", settings);
+LightBench::LightBench(const FrameSnapshot& snapshot, const View& view, glm::ivec2 size, const RenderSettings& settings,
+                       const std::string& shaderFolder)
+    : m_view(view) {
+    auto made = Renderer::create(context().loader(), shaderFolder, settings);
     if (!made) fmt::print("{}\n", made.error()), std::exit(1);
     m_renderer = std::move(*made);
     m_renderer->apply(FrameSnapshot(snapshot));

@@ -12,7 +12,8 @@ namespace rubble::tradeoff {
 class LightBench {
 public:
     /// Keeps the snapshot; everything is drawn at this size.
-    LightBench(const FrameSnapshot& snapshot, const View& view, glm::ivec2 size, const RenderSettings& settings);
+    LightBench(const FrameSnapshot& snapshot, const View& view, glm::ivec2 size, const RenderSettings& settings,
+               const std::string& shaderFolder = RUBBLE_SOURCE_DIR "/shaders");
 
     /// Draws `frames` pictures of the still view.
     void draw(int frames = 1);

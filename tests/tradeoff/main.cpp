@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "runtime/core/log.h"
 #include "tests/tradeoff/destruction.h"
@@ -22,9 +23,16 @@ std::vector<Row> rowsOf(const std::string& subject) {
         return {{"T4", debrisTradeoff},    {"T5", connectivityTradeoff}, {"T12", featureTradeoff},      {"T13-load", loadMap},
                 {"T13-pieces", piecesMap}, {"T13-split", splitMap},      {"T13-fragments", fragmentMap}};
     if (subject == "light")
-        return {
-            {"T6", shadowCellTradeoff},         {"T7", walkTradeoff}, {"T8", rayTradeoff}, {"T9", denoiserTradeoff}, {"T10-gbuffer", gbufferTradeoff},
-            {"T12-light", lightFeatureTradeoff}};
+        return {{"T6", shadowCellTradeoff},
+                {"T7", walkTradeoff},
+                {"T8", rayTradeoff},
+                {"T9", denoiserTradeoff},
+                {"T10-gbuffer", gbufferTradeoff},
+                {"T12-light", lightFeatureTradeoff},
+                {"T12-light-rules", lightRuleTradeoff},
+                {"T13-lamp", lampMap},
+                {"T13-seen", seenMap},
+                {"T13-penumbra", penumbraMap}};
     std::vector<Row> rows{{"T1", contactTradeoff},
                           {"T1-penetration", penetrationTradeoff},
                           {"T2", rotationTradeoff},
@@ -44,6 +52,15 @@ Table made(const Row& row, const Options& options, bool& written) {
     fmt::print("{}({:.1f} s)\n\n", markdown(table), std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     std::fflush(stdout);
     return table;
+}
+
+/// The document's parts: physics first, then light. Each subject publishes its own and keeps the other's.
+std::string envelopeWith(const std::string& subject, const std::string& path, const std::string& part) {
+    std::ifstream file(path);
+    const std::string before{std::istreambuf_iterator<char>(file), {}};
+    const size_t light = before.find("\n# The light\n");
+    if (subject == "light") return before.substr(0, light) + part;
+    return part + (light == std::string::npos ? "" : before.substr(light));
 }
 
 bool writeText(const std::string& path, const std::string& text) {
@@ -67,7 +84,7 @@ int main(int argc, char** argv) {
     app.add_option("--only", only, "the table of this name, or those whose names begin so, as T12");
     app.add_option("--repeats", options.repeats, "runs of each measurement")->capture_default_str()->check(CLI::PositiveNumber);
     app.add_option("--seed", options.seed)->capture_default_str();
-    app.add_flag("--publish", publish, "physics: write OPERATING_ENVELOPE.md");
+    app.add_flag("--publish", publish, "physics or light: write its part of OPERATING_ENVELOPE.md");
     app.add_option("--feature-scene", scene)->group("");  // this program under valgrind
     CLI11_PARSE(app, argc, argv);
     rubble::setLogSink([](void*, rubble::LogLevel, std::string_view) {}, nullptr);  // what is pushed until it fails has much to say
@@ -86,10 +103,13 @@ int main(int argc, char** argv) {
         const Table table = made(row, options, written);
         report += markdown(table);
         holds &= !table.failed;
-        if (!table.envelope.empty()) maps.push_back(table);
+        if (!table.envelope.empty() || subject == "light") maps.push_back(table);
     }
     written &= writeText(options.out + "/" + subject + ".md", report);
-    if (publish) written &= writeText(RUBBLE_SOURCE_DIR "/OPERATING_ENVELOPE.md", operatingEnvelope(options, maps));
+    if (publish) {
+        const std::string path = RUBBLE_SOURCE_DIR "/OPERATING_ENVELOPE.md";
+        written &= writeText(path, envelopeWith(subject, path, subject == "light" ? lightEnvelope(options, maps) : operatingEnvelope(options, maps)));
+    }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print("{}\n{:.0f} s; tables and plots are in {}\n", stamp(options), seconds, options.out);
     if (!holds) fmt::print("Some tables FAILED: see their bottom lines.\n");
