@@ -226,6 +226,7 @@ void Renderer::Impl::draw(const View& view, float alpha) {
         each.cut = false;
     }
     drawSmallerIfRefused(view);
+    scene.endFrame();
     figures.textureBytes =
         targets.bytes() + pictures.bytes() + scene.bytes() + gbuffer.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
     figures.waitingBytes = scene.bodies().waitingBytes();

@@ -2,16 +2,27 @@
 
 #include "render/passes/depth_limit.h"
 #include "render/passes/gbuffer_pass.h"
+#include "render/scene/scene.h"
 
 namespace rubble {
 namespace {
 
-constexpr int kTile = 4;  // pixels: passes/light_change.frag
+constexpr double kBrickMetres = 1.6;  // of the shadow volume
+constexpr int kTile = 4;              // pixels: passes/light_change.frag
 
 }  // namespace
 
 AccumulatePass::AccumulatePass(ShaderLibrary& shaders)
     : m_change(shaders.load("passes/light_change.frag")), m_program(shaders.load("passes/accumulate.frag", kFarVertexShader)) {}
+
+void AccumulatePass::setChangedPlaces(const Scene& scene) const {
+    std::vector<glm::vec4> corners;
+    for (const ChangedPlaces::Box& box : scene.changedPlaces().boxes())
+        for (const glm::ivec3& corner : {box.low, box.high})
+            corners.emplace_back(glm::vec3(glm::dvec3(corner) * kBrickMetres - scene.origin()), 0.0f);
+    m_change.set("uChangedPlaces", int(corners.size()));
+    if (!corners.empty()) m_change.set("uChanged[0]", std::span<const glm::vec4>(corners));
+}
 
 const Texture& AccumulatePass::findChanges(const FrameContext& frame, const History& light, const History& surface) const {
     const History pulse = frame.targets.history("lightPulse", GL_RGBA16F, kTile);
@@ -24,6 +35,8 @@ const Texture& AccumulatePass::findChanges(const FrameContext& frame, const Hist
     m_change.set("uLastSurface", surface.previous);
     m_change.set("uLastPulse", pulse.previous);
     m_change.set("uLastValid", int(light.valid && surface.valid && pulse.valid));
+    m_change.set("uDepth", frame.targets.at("depth"));
+    setChangedPlaces(frame.scene);
     frame.drawFullscreen();
     return trusted;
 }

@@ -46,6 +46,7 @@ void Scene::applyNow(FrameSnapshot& snapshot) {
     glassChanged |= touchesGlass(snapshot);  // what comes
     m_glassChanges += uint64_t(glassChanged);
     m_shadow.apply(snapshot.shadow, snapshot.shadowReplacesAll);
+    if (!snapshot.shadowReplacesAll) m_changedPlaces.add(snapshot.shadow);
     if (snapshot.watersChanged) m_waters = std::move(snapshot.waters);
     if (snapshot.replacesAll) m_ripples.clear();
     if (snapshot.ripplesChanged) m_ripples = std::move(snapshot.ripples);

@@ -6,6 +6,7 @@
 #include "render/gl/program.h"
 #include "render/scene/bodies.h"
 #include "render/scene/body_grid.h"
+#include "render/scene/changed_places.h"
 #include "render/scene/shadow_mirror.h"
 #include "render/scene/smoke_shadow.h"
 #include "runtime/frame/frame_snapshot.h"
@@ -41,6 +42,9 @@ public:
     const ShadowMirror& shadow() const { return m_shadow; }
     /// Its directory's first sector, counted from the render origin.
     glm::ivec3 shadowSectorLow() const;
+    /// Where what casts shadows has changed since endFrame().
+    const ChangedPlaces& changedPlaces() const { return m_changedPlaces; }
+    void endFrame() { m_changedPlaces.clear(); }
     /// Any shape with a palette entry of opacity < 255.
     bool hasGlass() const { return m_bodies.hasGlass(); }
     /// How often shapes with glass have changed or moved, or the sun has.
@@ -69,6 +73,7 @@ private:
     uint64_t m_uploadBudget = ~uint64_t(0);
     bool m_sendAll = false;  ///< a level was loaded
     ShadowMirror m_shadow;
+    ChangedPlaces m_changedPlaces;
     SmokeShadow m_smoke;
     std::vector<SnapshotLight> m_lights;
     std::vector<SnapshotParticle> m_particles;

@@ -9,6 +9,9 @@ uniform sampler2D uLastLight;     // accumulated
 uniform sampler2D uLastSurface;   // z frames accumulated
 uniform sampler2D uLastPulse;
 uniform bool uLastValid;
+uniform sampler2D uDepth;
+uniform int uChangedPlaces;  // corners of boxes, low and high by turns, where what casts shadows has changed since the last picture
+uniform vec4 uChanged[16];   // of these, world
 
 const float kPulse = 4.0;  // pictures that the short memory holds
 
@@ -16,6 +19,17 @@ layout(location = 0) out vec4 pulse;    // of the last few pictures: mean lumina
 layout(location = 1) out vec4 trusted;  // x: 1 where memory holds, 0 where it must be forgotten
 
 float trust(float difference, float deviation) { return 1.0 - smoothstep(2.0, 4.0, abs(difference) / deviation); }
+
+const float kBeside = 1.2;  // metres from what changed within which all is forgotten
+const float kAround = 4.0;  // beyond which only what is seen to differ is
+
+/// What may be trusted of the memory of a place when something near it has changed.
+float trustNear(vec3 position) {
+    float nearest = kAround;
+    for (int i = 0; i < uChangedPlaces; i += 2)
+        nearest = min(nearest, length(max(max(uChanged[i].xyz - position, position - uChanged[i + 1].xyz), vec3(0.0))));
+    return max(nearest - kBeside, 0.0) / (kAround - kBeside);
+}
 
 void main() {
     ivec2 tile = ivec2(gl_FragCoord.xy) * 4, high = ivec2(frame.targetSize.xy) - 1;
@@ -44,5 +58,7 @@ void main() {
     float share = (1.0 / pictures + 1.0 / frames) / 16.0;
     float sunVariance = max(then.a * (1.0 - then.a), pulse.z * (1.0 - pulse.z)) + 0.02;
     trusted.x = min(trust(pulse.x - thenLum, sqrt(pulse.y * share) + 0.03 * pulse.x + 1e-4), trust(pulse.z - then.a, sqrt(sunVariance * share)));
+    ivec2 middle = min(tile + 2, high);
+    trusted.x = min(trusted.x, trustNear(worldFromDepth((vec2(middle) + 0.5) * frame.targetSize.zw, texelFetch(uDepth, middle, 0).r)));
     if (trusted.x < 0.5) pulse = vec4(now, 1.0);  // what is new is all that counts from here on
 }

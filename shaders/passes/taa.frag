@@ -11,17 +11,23 @@ uniform sampler2D uDepth;
 uniform sampler2D uMotion;
 uniform bool uGlass;
 uniform sampler2D uGlassSurface;
+uniform sampler2D uSurface;    // z frames accumulated (lib/surface_history.glsl)
 
+const float kCompression = 0.125;
+const float kLongPast = 10.0;  // frames
+const float kLoose = 2.5;  // times the box that holds memory, where nothing has moved or changed for long: thin lines live on between samples
 const float kSkyDepth = 65000.0;
 const float kNewShare = 0.1;
+const float kMostNewShare = 0.5;  // where memory is short
 const float kNewShareInAir = 0.5;  // where particles cover all: they have no motion to follow
 const float kSharpness = 2.3;      // of the gaussian around a pixel, in pixels of the picture
 
 in vec2 uv;
 out vec4 resolved;
 
-vec3 compress(vec3 c) { return c / (1.0 + luminance(c)); }
-vec3 expand(vec3 c) { return c / max(1.0 - luminance(c), 1e-3); }
+// Only what is far brighter than white counts much less: edges stay as wide as they are.
+vec3 compress(vec3 c) { return c / (1.0 + kCompression * luminance(c)); }
+vec3 expand(vec3 c) { return c / max(1.0 - kCompression * luminance(c), 1e-3); }
 
 /// Nine taps of Catmull-Rom in five bilinear fetches: the corners are dropped (Jimenez 2016).
 vec3 historyAt(vec2 place) {
@@ -102,11 +108,13 @@ void main() {
     vec3 mean = sum / 9.0;
     vec3 deviation = sqrt(max(squares / 9.0 - mean * mean, vec3(0.0)));
     vec3 boxLow = max(low, mean - 1.25 * deviation), boxHigh = min(top, mean + 1.25 * deviation);
-    vec3 middle = 0.5 * (boxLow + boxHigh), extent = 0.5 * (boxHigh - boxLow) + 1e-4;
+    float frames = depth < kSkyDepth ? texelFetch(uSurface, nearest, 0).z : kLongPast;
+    bool rests = frames >= kLongPast && seenThrough == 1.0 && length(motion * frame.targetSize.xy) < 0.05;
+    vec3 middle = 0.5 * (boxLow + boxHigh), extent = 0.5 * (boxHigh - boxLow) * (rests ? kLoose : 1.0) + 1e-4;
     vec3 offset = history - middle;
     vec3 ratio = abs(offset / extent);
     float outside = max(ratio.x, max(ratio.y, ratio.z));
     if (outside > 1.0) history = middle + offset / outside;
     float near = enlarged > 1.0 ? exp(-0.5 * sharpness * dot(away, away)) : 1.0;
-    resolved.rgb = expand(fromYCoCg(mix(history, now, near * mix(kNewShareInAir, kNewShare, seenThrough))));
+    resolved.rgb = expand(fromYCoCg(mix(history, now, near * mix(kNewShareInAir, clamp(1.0 / frames, kNewShare, kMostNewShare), seenThrough))));
 }

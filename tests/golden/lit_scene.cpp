@@ -1,8 +1,6 @@
 #include "tests/golden/lit_scene.h"
 
-#include <array>
 #include <cmath>
-#include <map>
 
 namespace rubble {
 namespace {
@@ -104,8 +102,15 @@ void LitScene::fillShadow(FrameSnapshot& snapshot) const {
                     bricks[{x >> 4, y >> 4, z >> 4}][size_t(word.x + word.y * 4 + word.z * 16)] |= uint64_t(1) << (bit.x + bit.y * 4 + bit.z * 16);
                 }
     }
-    snapshot.shadowReplacesAll = true;
-    for (const auto& [key, cells] : bricks) snapshot.shadow.push_back({{key[0], key[1], key[2]}, makeShadowBrick(cells)});
+    snapshot.shadowReplacesAll = snapshot.replacesAll;
+    for (const auto& [key, cells] : bricks) {
+        const auto last = m_shadow.find(key);
+        if (snapshot.replacesAll || last == m_shadow.end() || last->second != cells)
+            snapshot.shadow.push_back({{key[0], key[1], key[2]}, makeShadowBrick(cells)});
+    }
+    for (const auto& [key, cells] : m_shadow)
+        if (!snapshot.replacesAll && !bricks.count(key)) snapshot.shadow.push_back({{key[0], key[1], key[2]}, nullptr});
+    m_shadow = std::move(bricks);
 }
 
 }  // namespace rubble

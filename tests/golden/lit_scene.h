@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <functional>
+#include <map>
 #include <string>
 
 #include "runtime/frame/frame_snapshot.h"
@@ -23,7 +25,7 @@ public:
 
     /// Everything, as for a level that was just loaded.
     FrameSnapshot snapshot() const;
-    /// Poses that changed since the last call of either, and the whole shadow volume again.
+    /// Poses that changed since the last call of either, and the bricks of the shadow volume that differ.
     FrameSnapshot step();
 
 private:
@@ -38,6 +40,7 @@ private:
     PaletteRef m_palette;
     std::vector<Shape> m_shapes;
     std::vector<SnapshotLight> m_lights;
+    mutable std::map<std::array<int, 3>, ShadowWords> m_shadow;  ///< as it was last given away
     mutable uint64_t m_version = 1;
 };
 

@@ -180,6 +180,8 @@ TEST_F(EstimatorTest, LocalLightsAreUnbiased) {
     LitScene scene = yard(palette(186, 255, 0));
     scene.addLight({LightKind::Sphere, {-0.9, 0.55, 0.7}, {0, -1, 0}, {4, 3, 2}, 0.2f, 30.0f, 0.6f, 1.1f});
     scene.addLight({LightKind::Cone, {1.2, 2.2, 1.2}, {0, -1, 0}, {3, 4, 5}, 0.15f, 30.0f, 0.5f, 0.9f});
+    // The brightest, which is asked first, sends nothing to what is seen.
+    scene.addLight({LightKind::Cone, {0.2, 2.0, 1.0}, {0, 1, 0}, {90, 90, 90}, 0.15f, 30.0f, 0.5f, 0.9f});
     RenderSettings settings = bare();
     settings.localLights = true;
     start(scene, kSize, settings);
@@ -242,7 +244,7 @@ TEST_F(EstimatorTest, ALampInAMirrorShinesOnce) {
         for (size_t p = 0; p < same.size(); ++p)
             if (same[p] && normal.pixels[p].y > 0.9f && normal.pixels[p].w == 0.0f)
                 sum += drawn.mean.pixels[p].y, sumTruth += picture.mean.pixels[p].y;
-        EXPECT_NEAR(sum / sumTruth, 1.0, 0.05) << "roughness " << int(roughness) << " of 255";
+        EXPECT_NEAR(sum / sumTruth, 1.0, 0.08) << "roughness " << int(roughness) << " of 255";
     }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/golden/lit_scene.h"
+#include "tests/reference/path_tracer.h"
 #include "tests/tradeoff/light.h"
 #include "tests/tradeoff/light_bench.h"
 
