@@ -12,13 +12,13 @@ constexpr glm::ivec2 kSize(192, 108);
 constexpr int kFrames = 16;
 
 struct Setting {
-    int rays, divisor;
-    float length;
+    int rays;
+    float scale, length;  // of each side; metres
     Noise noise;
     const char* axis;
     std::string text() const {
-        return fmt::format("{} ray{} of {:g} m, {} noise, 1/{} size", rays, rays > 1 ? "s" : "", length, noise == Noise::Blue ? "blue" : "white",
-                           divisor);
+        return fmt::format("{} ray{} of {:g} m, {} noise, scale {:g}", rays, rays > 1 ? "s" : "", length, noise == Noise::Blue ? "blue" : "white",
+                           scale);
     }
 };
 
@@ -31,36 +31,31 @@ std::vector<Setting> settingsOf(const Options& options) {
         for (const float length : lengths)
             if (length != 24) all.push_back({1, 1, length, Noise::Blue, "length"});
         all.push_back({1, 1, 24, Noise::White, "noise"});
-        for (const int rays : {1, 4}) all.push_back({rays, 2, 24, Noise::Blue, "resolution"});
+        for (const float scale : {0.75f, 0.5f})
+            for (const int rays : {1, 4}) all.push_back({rays, scale, 24, Noise::Blue, "resolution"});
         return all;
     }
-    for (const int divisor : {1, 2})
+    for (const float scale : {1.0f, 0.75f, 0.5f})
         for (const int rays : {1, 2, 4, 8})
             for (const float length : lengths)
                 for (const Noise noise : {Noise::Blue, Noise::White})
-                    all.push_back({rays, divisor, length, noise, divisor == 1 ? "full size" : "half size"});
+                    all.push_back({rays, scale, length, noise, scale == 1.0f ? "whole" : scale == 0.75f ? "three quarters" : "half"});
     return all;
-}
-
-/// Each pixel again for each of those it stands for.
-FloatImage enlarged(const FloatImage& image, glm::ivec2 size) {
-    FloatImage out(size);
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) out.at(x, y) = image.at(x * image.size.x / size.x, y * image.size.y / size.y);
-    return out;
 }
 
 }  // namespace
 
 Table rayTradeoff(const Options& options) {
     Table table{"T8",
-                "sky rays a pixel, their length, their noise and the picture's size, against the converged truth",
-                {"sky rays", "length m", "noise", "size", "processor ms a picture", "FLIP after 1 picture", "FLIP after 16", "relMSE after 16",
+                "sky rays a pixel, their length, their noise and the resolution scale, against the converged truth",
+                {"sky rays", "length m", "noise", "scale", "processor ms a picture", "FLIP after 1 picture", "FLIP after 16", "relMSE after 16",
                  "relMSE x ms"},
                 {}};
     table.note =
         "The street in the evening, 192x108, software GL. FLIP and relMSE of the anti-aliased picture; relMSE x ms: error at equal time, the less "
-        "the better. What does not fall with the rays is the shortcuts' bias: light that bounces off what no picture shows, half a voxel of shadow.";
+        "the better. What does not fall with the rays is the shortcuts' bias: light that bounces off what no picture shows, half a voxel of shadow. "
+        "Scale: of each side, what is traced; the temporal "
+        "pass brings it to the whole.";
     const Judged street = streetTruth(options, kSize);
     std::vector<Series> series;
     std::vector<std::pair<double, double>> cloud;
@@ -70,13 +65,14 @@ Table rayTradeoff(const Options& options) {
     std::vector<std::unique_ptr<LightBench>> benches;
     std::vector<Difference> first;
     const float exposure = street.scene.snapshot.environment.exposure;
-    const auto differenceTo = [&](const LightBench& bench) { return differenceOf(street.truth, enlarged(bench.read("resolved"), kSize), exposure); };
+    const auto differenceTo = [&](const LightBench& bench) { return differenceOf(street.truth, bench.read("resolved"), exposure); };
     for (const Setting& setting : all) {
         RenderSettings settings = reference::comparedSettings();
         settings.skyRays = settings.sunRays = setting.rays;
         settings.skyDistance = setting.length;
         settings.noise = setting.noise;
-        benches.push_back(std::make_unique<LightBench>(street.scene.snapshot, street.scene.view, kSize / setting.divisor, settings));
+        settings.resolutionScale = setting.scale;
+        benches.push_back(std::make_unique<LightBench>(street.scene.snapshot, street.scene.view, kSize, settings));
         benches.back()->draw();
         first.push_back(differenceTo(*benches.back()));
         benches.back()->forgetTimes();
@@ -88,16 +84,16 @@ Table rayTradeoff(const Options& options) {
         const Difference later = differenceTo(*benches[i]);
         const double ms = benches[i]->ms();
         table.add({std::to_string(setting.rays), fmt::format("{:g}", setting.length), setting.noise == Noise::Blue ? "blue" : "white",
-                   fmt::format("1/{}", setting.divisor), fmt::format("{:.1f}", ms), fmt::format("{:.4f}", first[i].flip),
+                   fmt::format("{:g}", setting.scale), fmt::format("{:.1f}", ms), fmt::format("{:.4f}", first[i].flip),
                    fmt::format("{:.4f}", later.flip), fmt::format("{:.5f}", later.relative), fmt::format("{:.3f}", later.relative * ms)});
         if (series.empty() || series.back().name != setting.axis) series.push_back({setting.axis, {}});
         series.back().points.emplace_back(ms, later.flip);
         series.back().isCloud = options.full;
         cloud.emplace_back(ms, later.flip);
-        if (setting.rays == 1 && setting.divisor == 1 && setting.length == 24 && setting.noise == Noise::Blue) oneRay = later.flip;
+        if (setting.rays == 1 && setting.scale == 1.0f && setting.length == 24 && setting.noise == Noise::Blue) oneRay = later.flip;
         if (later.relative * ms < best) best = later.relative * ms, bestAtEqualTime = setting.text();
     }
-    series.push_back(frontOf("front", cloud));
+    series.insert(series.begin(), frontOf("front", cloud));
     table.bottomLine =
         fmt::format("Balanced (1 ray of 24 m, blue noise) comes to a FLIP of {:.4f}; the least error at equal time has {}.", oneRay, bestAtEqualTime);
     writePlot(options, "T8", "Rays: FLIP after 16 pictures, by what a picture takes", "processor ms a picture", "FLIP", series);

@@ -60,7 +60,7 @@ struct Unused {
 };
 Unused unusedCost() {
     auto matte = std::make_shared<Palette>(*streetPalette());
-    for (PaletteEntry& e : *matte) e.reflectivity = e.metallic = 0, e.roughness = 255, e.emission = 0.0f;
+    for (PaletteEntry& e : *matte) e.reflectivity = e.metallic = 0, e.roughness = e.opacity = 255, e.emission = 0.0f;
     LitScene plain(matte);
     plain.add({80, 2, 80}, {{-4, -0.2, -4}}, [](glm::ivec3) { return uint8_t(1); });
     Camera camera;
