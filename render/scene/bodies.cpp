@@ -5,8 +5,6 @@
 #include <glm/common.hpp>
 #include <utility>
 
-#include "render/scene/detail_maps.h"
-
 namespace rubble {
 namespace {
 
@@ -171,7 +169,7 @@ uint32_t Bodies::acquirePalette(const PaletteRef& palette) {
         to[0] = uint32_t(e.red) | uint32_t(e.green) << 8 | uint32_t(e.blue) << 16 | uint32_t(e.opacity) << 24;
         to[1] = uint32_t(e.roughness) | uint32_t(e.metallic) << 8 | uint32_t(e.reflectivity) << 16 | uint32_t(e.material) << 24;
         to[2] = std::bit_cast<uint32_t>(e.emission);
-        to[3] = e.material ? DetailMaps::mapOf(e.material) : 0;
+        to[3] = m_detailMaps[e.material];
         use.detail |= to[3] != 0;
     }
     m_detailPalettes += int(use.detail);

@@ -4,6 +4,7 @@
 
 #include "render/gl/program.h"
 #include "render/scene/brick_atlas.h"
+#include "render/scene/detail_maps.h"
 #include "render/scene/mirrored_buffer.h"
 #include "runtime/frame/frame_snapshot.h"
 
@@ -30,6 +31,8 @@ public:
         glm::ivec4 sizeInNodes{0}, low{0}, high{0};
     };
 
+    /// Names by index, of palettes that come from now on; none: of the default table.
+    void setMaterials(std::span<const std::string> names) { m_detailMaps = DetailMaps::mapsOf(names); }
     void create(const SnapshotShape& shape);
     void destroy(ShapeHandle shape);
     void clear();
@@ -118,6 +121,7 @@ private:
     MirroredBuffer<PackedPalette> m_palettes{GL_RGBA32UI, "palettes"};
     Ranges m_nodeRanges;
     Slots m_tableSlots, m_paletteSlots;
+    std::array<uint8_t, 256> m_detailMaps = DetailMaps::mapsOf({});  ///< of materials
     std::unordered_map<const Palette*, PaletteUse> m_paletteUses;
     std::vector<std::unique_ptr<Shape>> m_shapes;  ///< by the handle's slot
     std::vector<Instance> m_instances;

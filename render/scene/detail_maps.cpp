@@ -59,14 +59,18 @@ std::array<uint8_t, 4> texelOf(const Grain& grain, int map, int x, int y) {
 
 }  // namespace
 
-uint8_t DetailMaps::mapOf(uint8_t material) {
-    static const std::array<uint8_t, 256> maps = [] {
-        std::array<uint8_t, 256> all{};
-        for (size_t i = 0; i < std::size(kGrains); ++i)
-            if (const uint8_t found = defaultMaterials().find(kGrains[i].material)) all[found] = uint8_t(i + 1);
-        return all;
-    }();
-    return maps[material];
+std::array<uint8_t, 256> DetailMaps::mapsOf(std::span<const std::string> materials) {
+    if (materials.empty()) {
+        std::vector<std::string> names;
+        for (const Material& each : defaultMaterials().materials) names.push_back(each.name);
+        return mapsOf(names);
+    }
+    std::array<uint8_t, 256> maps{};
+    for (size_t i = 0; i < std::min(materials.size(), maps.size()); ++i) {
+        const auto grain = std::find_if(std::begin(kGrains), std::end(kGrains), [&](const Grain& each) { return materials[i] == each.material; });
+        if (grain != std::end(kGrains)) maps[i] = uint8_t(grain - std::begin(kGrains) + 1);
+    }
+    return maps;
 }
 
 int DetailMaps::count() {

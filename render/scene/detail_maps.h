@@ -1,5 +1,8 @@
 #pragma once
+#include <array>
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "render/gl/texture.h"
@@ -14,8 +17,8 @@ public:
     static constexpr int kSide = 32;
     static constexpr float kMostTilt = 0.3f;  ///< tangent of the angle
 
-    /// Number of a material's map in the default material table, from 1 on; 0 = it has none.
-    static uint8_t mapOf(uint8_t material);
+    /// Numbers of materials' maps, from 1 on, by their names; 0 = it has none. Without names: for the default material table.
+    static std::array<uint8_t, 256> mapsOf(std::span<const std::string> materials);
     /// All maps, RGBA, rows from the first map on. Always the same.
     static std::vector<uint8_t> make();
     static int count();

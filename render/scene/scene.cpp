@@ -37,7 +37,10 @@ void Scene::applyHeld() {
 
 void Scene::applyNow(FrameSnapshot& snapshot) {
     bool glassChanged = snapshot.environmentChanged || touchesGlass(snapshot);  // what goes
-    if (snapshot.replacesAll) m_bodies.clear();
+    if (snapshot.replacesAll) {
+        m_bodies.clear();
+        m_bodies.setMaterials(snapshot.materials);
+    }
     for (ShapeHandle shape : snapshot.destroyed) m_bodies.destroy(shape);
     for (const SnapshotShape& shape : snapshot.created) m_bodies.create(shape);
     for (const BrickChange& change : snapshot.bricks) m_bodies.setBrick(change);

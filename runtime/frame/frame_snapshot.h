@@ -100,6 +100,7 @@ struct FrameSnapshot {
     uint64_t version = 0;
     uint64_t newestStep = 0;             ///< newestStep - version = age of what is drawn, in steps
     bool replacesAll = false;            ///< a level was loaded: forget everything before
+    std::vector<std::string> materials;  ///< names by index, if replacesAll; none: those of the default table
     std::vector<ShapeHandle> destroyed;  ///< applied first
     std::vector<SnapshotShape> created;
     std::vector<BrickChange> bricks;

@@ -90,6 +90,8 @@ void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> m
     FrameSnapshot out;
     out.version = out.newestStep = changes.step;
     out.replacesAll = out.shadowReplacesAll = changes.levelReplaced;
+    if (changes.levelReplaced)
+        for (const Material& material : world.materials().materials) out.materials.push_back(material.name);
     addCreated(changes, world, out);
     addChanged(changes, world, out);
     addPoses(moved, world, out);

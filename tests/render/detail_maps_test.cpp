@@ -30,11 +30,21 @@ TEST(DetailMaps, LeaveTheMeanOfAColourAsItIsAndAreNeverFlat) {
 
 TEST(DetailMaps, AreThereForMaterialsWithGrainAlone) {
     const MaterialTable& materials = defaultMaterials();
-    EXPECT_NE(DetailMaps::mapOf(materials.find("brick")), 0);
-    EXPECT_NE(DetailMaps::mapOf(materials.find("wood")), DetailMaps::mapOf(materials.find("brick")));
-    EXPECT_EQ(DetailMaps::mapOf(materials.find("glass")), 0);
-    EXPECT_EQ(DetailMaps::mapOf(materials.find("plastic")), 0);
-    EXPECT_EQ(DetailMaps::mapOf(0), 0);
+    const auto maps = DetailMaps::mapsOf({});
+    EXPECT_NE(maps[materials.find("brick")], 0);
+    EXPECT_NE(maps[materials.find("wood")], maps[materials.find("brick")]);
+    EXPECT_EQ(maps[materials.find("glass")], 0);
+    EXPECT_EQ(maps[materials.find("plastic")], 0);
+    EXPECT_EQ(maps[0], 0);
+}
+
+TEST(DetailMaps, FollowTheNamesOfALevelsOwnMaterials) {
+    const auto usual = DetailMaps::mapsOf({});
+    const auto own = DetailMaps::mapsOf(std::vector<std::string>{"", "glass", "brick", "cheese"});
+    EXPECT_EQ(own[1], 0);
+    EXPECT_EQ(own[2], usual[defaultMaterials().find("brick")]);
+    EXPECT_EQ(own[3], 0);
+    EXPECT_EQ(own[200], 0);
 }
 
 }  // namespace

@@ -80,6 +80,8 @@ TEST(Snapshots, TheFirstHoldsTheWholeLevel) {
     EXPECT_EQ(first->created.size(), 3u);
     EXPECT_EQ(first->poses.size(), 3u) << "world poses of what was created";
     EXPECT_EQ(first->lights.size(), 1u);
+    ASSERT_EQ(first->materials.size(), loop.world.materials().materials.size());
+    EXPECT_EQ(first->materials[1], loop.world.materials()[1].name);
     EXPECT_EQ(first->created[0].bricks.size(), 3u * 5 * 1);
     EXPECT_FALSE(loop.snapshots.take());
 }
