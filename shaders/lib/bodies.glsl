@@ -1,7 +1,7 @@
 // The bodies' buffers (filled by render/scene/bodies.cpp) and what one texel of each means.
 uniform usamplerBuffer uNodes;         // a node of 4x4x4 bricks: 64-bit mask of its bricks, number of its table
 uniform usamplerBuffer uTables;        // 64 texels a table: slot << 8 | mask of the brick's occupied 4x4x4 words
-uniform usamplerBuffer uBrickWords;   // 8 texels a brick: 64-bit words of 4x4x4 cells
+uniform usamplerBuffer uBrickWords;    // 8 texels a brick: 64-bit words of 4x4x4 cells
 uniform usamplerBuffer uBrickIndices;  // 128 texels a brick: 512 palette indices, four a texel
 uniform samplerBuffer uPlacements;     // 4 texels an instance: rotation, position and voxel size, and both as they were last frame
 uniform usamplerBuffer uLayouts;       // 4 texels an instance: first node, palette, flags; size in nodes; low cell; high cell

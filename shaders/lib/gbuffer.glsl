@@ -32,7 +32,6 @@ struct Surface {
 /// From the whole number that lib/detail.glsl makes of it.
 vec2 tiltOf(float code) { return code < 0.5 ? vec2(0.0) : vec2(mod(code - 1.0, 11.0), floor((code - 0.5) / 11.0)) / 5.0 - 1.0; }
 
-
 Surface readSurface(ivec2 pixel) {
     Surface s;
     s.depth = texelFetch(uDepth, pixel, 0).r;

@@ -27,6 +27,12 @@ protected:
         image.rgb = target->readRgb();
         return image;
     }
+    /// A target as numbers. A name that no pass has drawn fails the test; the image is empty then.
+    FloatImage read(const char* name) const {
+        auto image = renderer->readTarget(name);
+        EXPECT_TRUE(image) << image.error();
+        return image ? std::move(*image) : FloatImage();
+    }
     std::unique_ptr<Renderer> renderer;
     std::unique_ptr<Offscreen> target;
 };

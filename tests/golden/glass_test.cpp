@@ -39,11 +39,6 @@ glm::vec3 throughPane(int pane) {
 
 class GlassTest : public Drawing {
 protected:
-    FloatImage read(const char* name) const {
-        auto image = renderer->readTarget(name);
-        EXPECT_TRUE(image) << image.error();
-        return *image;
-    }
     static Camera camera() {
         Camera camera;
         camera.position = {0, 0, 4};

@@ -30,11 +30,6 @@ Camera lookingAt(glm::dvec3 from, glm::dvec3 at) {
 
 class WeatherTest : public Drawing {
 protected:
-    FloatImage read(const char* name) const {
-        auto image = renderer->readTarget(name);
-        EXPECT_TRUE(image) << image.error();
-        return *image;
-    }
     bool ran(std::string_view pass) const {
         const auto& all = renderer->figures().passMs;
         return std::any_of(all.begin(), all.end(), [&](const auto& each) { return each.first == pass; });

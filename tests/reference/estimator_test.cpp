@@ -67,11 +67,6 @@ protected:
         settings.skyDistance = 1000.0f;
         return settings;
     }
-    FloatImage read(const char* name) {
-        auto image = renderer->readTarget(name);
-        EXPECT_TRUE(image) << image.error();
-        return std::move(*image);
-    }
     Drawn drawMany(const Camera& camera, const char* name, int pictures, int rays = 1) {
         Drawn drawn{FloatImage(target->size()), FloatImage(target->size()), FloatImage(target->size()), double(pictures), rays};
         std::vector<glm::dvec4> sum(drawn.mean.pixels.size()), squares(sum.size());
@@ -176,22 +171,30 @@ TEST_F(EstimatorTest, SkyIsUnbiased) {
     expectSameMeans(drawn, picture, comparable(truth, yardCamera()));
 }
 
-TEST_F(EstimatorTest, LocalLightsAreUnbiased) {
+/// The lamps of a scene, one ray a pixel, against the truth.
+class LampEstimatorTest : public EstimatorTest {
+protected:
+    void expectUnbiased(const LitScene& scene) {
+        RenderSettings settings = bare();
+        settings.localLights = true;
+        start(scene, kSize, settings);
+        const Drawn drawn = drawMany(yardCamera(), "light", 256);
+        const Scene truth(scene.snapshot());
+        const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::LocalLights, .samples = 1024});
+        expectSameMeans(drawn, picture, comparable(truth, yardCamera()));
+    }
+};
+
+TEST_F(LampEstimatorTest, LocalLightsAreUnbiased) {
     LitScene scene = yard(palette(186, 255, 0));
     scene.addLight({LightKind::Sphere, {-0.9, 0.55, 0.7}, {0, -1, 0}, {4, 3, 2}, 0.2f, 30.0f, 0.6f, 1.1f});
     scene.addLight({LightKind::Cone, {1.2, 2.2, 1.2}, {0, -1, 0}, {3, 4, 5}, 0.15f, 30.0f, 0.5f, 0.9f});
     // The brightest, which is asked first, sends nothing to what is seen.
     scene.addLight({LightKind::Cone, {0.2, 2.0, 1.0}, {0, 1, 0}, {90, 90, 90}, 0.15f, 30.0f, 0.5f, 0.9f});
-    RenderSettings settings = bare();
-    settings.localLights = true;
-    start(scene, kSize, settings);
-    const Drawn drawn = drawMany(yardCamera(), "light", 256);
-    const Scene truth(scene.snapshot());
-    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::LocalLights, .samples = 1024});
-    expectSameMeans(drawn, picture, comparable(truth, yardCamera()));
+    expectUnbiased(scene);
 }
 
-TEST_F(EstimatorTest, WideLightsAreUnbiased) {
+TEST_F(LampEstimatorTest, WideLightsAreUnbiased) {
     for (const LightKind kind : {LightKind::Capsule, LightKind::Area, LightKind::Screen}) {
         LitScene scene = yard(palette(186, 255, 0));
         SnapshotLight light{kind, {-0.7, 1.05, 0.8}, glm::normalize(glm::vec3(0.3f, -1.0f, -0.2f)), {4, 3, 2}, 0.08f, 30.0f, 0.6f, 1.1f};
@@ -201,14 +204,8 @@ TEST_F(EstimatorTest, WideLightsAreUnbiased) {
         if (kind == LightKind::Screen) light.picture = {3, {0xff8020, 0x2040ff, 0x00ff00, 0x101010, 0xffffff, 0x808080}};
         scene.addLight(light);
         scene.addLight({LightKind::Sphere, {1.6, 0.7, 1.0}, {0, -1, 0}, {1, 2, 3}, 0.1f, 30.0f, 0.6f, 1.1f});
-        RenderSettings settings = bare();
-        settings.localLights = true;
-        start(scene, kSize, settings);
-        const Drawn drawn = drawMany(yardCamera(), "light", 256);
-        const Scene truth(scene.snapshot());
-        const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::LocalLights, .samples = 1024});
         SCOPED_TRACE(int(kind));
-        expectSameMeans(drawn, picture, comparable(truth, yardCamera()));
+        expectUnbiased(scene);
     }
 }
 
