@@ -32,6 +32,7 @@ programOf() { echo "$root/build/determinism/$1-$2/bin/hash_scene"; }
 build() {
     local folder=$root/build/determinism/$1-$2 c=gcc
     [[ $1 == clang++ ]] && c=clang
+    echo "building with $1 -$2" >&2
     cmake -G Ninja -S "$root" -B "$folder" -DCMAKE_BUILD_TYPE=Determinism -DCMAKE_CXX_COMPILER="$1" -DCMAKE_C_COMPILER="$c" \
         -DCMAKE_CXX_FLAGS="-$2" -DCMAKE_C_FLAGS="-$2" -DRUBBLE_BENCHMARKS=OFF >/dev/null
     cmake --build "$folder" --target hash_scene >/dev/null
@@ -44,6 +45,7 @@ check() {
         [[ $cxx ]] || continue
         options=(--scene "$1" --steps "$2" --threads "$threads" --way "$way")
         [[ $renderer == on ]] && options+=(--renderer)
+        echo "$1: $cxx -$opt ${options[*]}" >&2
         hashes=$("$(programOf "$cxx" "$opt")" "${options[@]}" 2>/dev/null) || {
             echo "$1: failed: $cxx -$opt ${options[*]}"
             return 1
