@@ -16,14 +16,14 @@ uint64_t fillLayer(uint64_t seeds, uint64_t open) {
         grown &= open;
         grown |= grown << 8 | grown >> 8;
         grown &= open;
-        if (grown == seeds) return seeds;
+        if (grown == seeds || grown == open) return grown;
         seeds = grown;
     }
 }
 
-/// All cells of `open` that the seeds reach: sweeps up and down until nothing grows.
+/// All cells of `open` that the seeds reach: sweeps up and down until nothing grows, or nothing is left to grow into.
 void fillBrick(BrickBits& seeds, const BrickBits& open) {
-    for (bool hasGrown = true; hasGrown;) {
+    for (bool hasGrown = true; hasGrown && seeds != open;) {
         hasGrown = false;
         const auto visit = [&](size_t z) {
             uint64_t from = seeds[z];
@@ -35,6 +35,7 @@ void fillBrick(BrickBits& seeds, const BrickBits& open) {
             hasGrown = true;
         };
         for (size_t z = 0; z < 8; ++z) visit(z);
+        if (seeds == open) return;
         for (size_t z = 8; z-- > 0;) visit(z);
     }
 }
