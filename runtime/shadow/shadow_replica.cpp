@@ -209,10 +209,7 @@ void ShadowReplica::leaveAll(Shape& shape) {
 
 void ShadowReplica::touch(const Shape& shape, PlaceEntry& entry) {
     Place& place = entry.second;
-    if (!shape.moving) {
-        place.rest.reset();
-        place.restChanged = true;
-    }
+    if (!shape.moving) place.restIsKnown = false;
     if (place.touched) return;
     place.touched = true;
     m_touched.push_back(&entry);
@@ -228,34 +225,25 @@ void ShadowReplica::touchVoxels(Shape& shape, glm::ivec3 voxelBrick) {
     });
 }
 
-ShadowWords ShadowReplica::restingCells(const Place& place, glm::ivec3 brick) const {
+ShadowBrickRef ShadowReplica::makeResting(const Place& place, glm::ivec3 brick) const {
+    if (place.resting.empty()) return nullptr;
     CellRows rows{};
     for (const uint32_t slot : place.resting) {
         const Shape& shape = *m_shapes[slot];
         rasterize(shape.casting(), shape.lattice, shape.bounds, brick, rows);
     }
-    return packRows(rows);
+    const ShadowWords cells = packRows(rows);
+    return place.published && !place.passing && sameCells(*place.published, cells) ? place.published : makeShadowBrick(cells);
 }
 
-ShadowWords ShadowReplica::cellsOf(Place& place, glm::ivec3 brick) const {
-    if (place.moving.empty()) {
-        place.rest.reset();
-        return restingCells(place, brick);
-    }
+/// The cells of all shapes, those that rest as they are known.
+ShadowWords ShadowReplica::cellsOf(const Place& place, glm::ivec3 brick) const {
     ShadowWords cells{};
+    if (place.rest)
+        for (int i = 0; i < 64; ++i) cells[size_t(i)] = place.rest->cells(i);
     const auto add = [&](const ShadowWords& others) {
         for (size_t i = 0; i < cells.size(); ++i) cells[i] |= others[i];
     };
-    if (!place.resting.empty()) {
-        if (!place.rest) {
-            place.rest = std::make_unique<ShadowWords>();
-            if (place.passing || place.restChanged)
-                *place.rest = restingCells(place, brick);
-            else if (place.published)
-                for (int i = 0; i < 64; ++i) (*place.rest)[size_t(i)] = place.published->cells(i);
-        }
-        cells = *place.rest;
-    }
     for (const uint32_t slot : place.moving) {
         const Shape& shape = *m_shapes[slot];
         if (const ShadowWords* words = shape.raster.find(brick)) {
@@ -269,16 +257,21 @@ ShadowWords ShadowReplica::cellsOf(Place& place, glm::ivec3 brick) const {
     return cells;
 }
 
+/// What a brick is to hold now; the published one where that is the same.
+ShadowBrickRef ShadowReplica::contentOf(Place& place, glm::ivec3 brick) const {
+    if (!place.restIsKnown) place.rest = makeResting(place, brick);
+    place.restIsKnown = true;
+    if (place.moving.empty()) return place.rest;  // its boxes are better ones, too
+    const ShadowWords cells = cellsOf(place, brick);
+    return place.published && sameCells(*place.published, cells) ? place.published : makeShadowBrick(cells, true);
+}
+
 void ShadowReplica::remake(PlaceEntry& entry, ShadowPatches& out) {
     auto& [brick, place] = entry;
-    const ShadowWords cells = cellsOf(place, brick);
-    const bool passing = !place.moving.empty(), stopped = place.passing && !passing;  // then its boxes can be better ones
-    if (!passing) place.restChanged = false;
-    place.passing = passing;
-    if (place.published && !stopped && sameCells(*place.published, cells)) return;
-    ShadowBrickRef made = makeShadowBrick(cells, passing);
-    if (!made && !place.published) return;
-    place.published = std::move(made);
+    ShadowBrickRef content = contentOf(place, brick);
+    place.passing = !place.moving.empty();
+    if (content == place.published) return;
+    place.published = std::move(content);
     out.patches.push_back({brick, place.published});
 }
 

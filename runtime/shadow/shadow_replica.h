@@ -31,9 +31,9 @@ private:
     /// One brick of the volume, and who is in it.
     struct Place {
         std::vector<uint32_t> resting, moving;  ///< slots of shapes
-        std::unique_ptr<ShadowWords> rest;      ///< the resting shapes' cells, kept while others move through
-        bool restChanged = false;               ///< since it was published without any that move
         ShadowBrickRef published;
+        ShadowBrickRef rest;       ///< of the resting shapes alone, kept while others move through
+        bool restIsKnown = false;  ///< false: `rest` is not of the shapes as they are
         bool passing = false;  ///< how it was published
         bool touched = false;
     };
@@ -74,8 +74,9 @@ private:
     void touch(const Shape& shape, PlaceEntry& entry);
     void touchVoxels(Shape& shape, glm::ivec3 voxelBrick);
     void rasterizeMoving(Shape& shape);
-    ShadowWords cellsOf(Place& place, glm::ivec3 brick) const;
-    ShadowWords restingCells(const Place& place, glm::ivec3 brick) const;
+    ShadowBrickRef makeResting(const Place& place, glm::ivec3 brick) const;
+    ShadowWords cellsOf(const Place& place, glm::ivec3 brick) const;
+    ShadowBrickRef contentOf(Place& place, glm::ivec3 brick) const;
     void remake(PlaceEntry& entry, ShadowPatches& out);
 
     std::vector<std::unique_ptr<Shape>> m_shapes;  ///< by slot
