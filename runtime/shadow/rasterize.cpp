@@ -97,16 +97,13 @@ void rasterizeBox(const VoxelGrid& grid, Source source, const ShadowLattice& lat
     const RowClip clip({glm::ivec3(0), grid.size()}, lattice, count.x);
     FixedPoint plane = lattice.sample(box.low);
     for (int z = 0; z < count.z; ++z, plane = plane + lattice.step[2]) {
-        const auto [yLow, yHigh] = clip.rows(toDoubles(plane), count.y);
-        FixedPoint first = plane + lattice.step[1] * yLow;
-        for (int y = yLow; y < yHigh; ++y, first = first + lattice.step[1]) {
-            const auto [low, high] = clip(toDoubles(first));
-            if (low >= high) continue;
+        clip.forEachRow(toDoubles(plane), count.y, [&](int y, RowClip::Interval in) {
+            const FixedPoint first = plane + lattice.step[1] * y;
             if (samples == 1)
-                row(y, z, sampleRow(source, first, step, low, high));
+                row(y, z, sampleRow(source, first, step, in.low, in.high));
             else
-                row(y / samples, z / samples, sampleFineRow(source, first, step, low, high, samples));
-        }
+                row(y / samples, z / samples, sampleFineRow(source, first, step, in.low, in.high, samples));
+        });
     }
 }
 

@@ -14,12 +14,14 @@ namespace rubble {
 class RowClip {
 public:
     using Exact = std::array<double, 3>;
+    static constexpr int kBatch = 32;  ///< rows at a time
     RowClip(const CellBox& box, const ShadowLattice& lattice, int count) : m_end(count - 0.5) {
         const FixedPoint& step = lattice.step[0];
         for (size_t k = 0; k < 3; ++k) {
             m_low[k] = double(int64_t(box.low[int(k)]) << 32);
             m_high[k] = double(int64_t(box.high[int(k)]) << 32);
             m_step[k] = double(step[k]);
+            m_rowStep[k] = double(lattice.step[1][k]);
             m_enter[k] = step[k] < 0 ? m_high[k] : m_low[k];
             m_leave[k] = step[k] < 0 ? m_low[k] : m_high[k];
             m_inverse[k] = step[k] ? 1.0 / m_step[k] : 1e100;  // from outside it never enters
@@ -29,15 +31,35 @@ public:
     struct Interval {
         int low, high;
     };
-    /// The samples of [0, count) that lie inside, of the row whose first sample is given.
-    Interval operator()(const Exact& first) const {
+    /// The samples of [0, count) that lie inside, of `rows` rows (kBatch at most) from row `row` on of the plane whose first sample
+    /// is given.
+    void intervals(const Exact& plane, int row, int rows, Interval* out) const {
         constexpr double kDoubt = 1e-6;  // more than the estimate errs; where that matters the exact place decides
-        const double from = std::max(std::max(enters(first, 0), 0.0), std::max(enters(first, 1), enters(first, 2)));
-        const double to = std::min(std::min(leaves(first, 0), m_end), std::min(leaves(first, 1), leaves(first, 2)));
-        if (!(from <= to + kDoubt)) return {0, 0};
-        const Interval estimate{int(from + (1.0 - kDoubt)), int(to + (1.0 + kDoubt))};
-        if (estimate.low >= from + kDoubt && estimate.high <= to + (1.0 - kDoubt)) return estimate;
-        return trim(estimate, first);
+        std::array<double, kBatch> from, to;
+        for (int i = 0; i < rows; ++i) {  // without a branch: for several rows at once
+            const Exact first = rowAt(plane, row + i);
+            from[size_t(i)] = std::max(std::max(enters(first, 0), 0.0), std::max(enters(first, 1), enters(first, 2)));
+            to[size_t(i)] = std::min(std::min(leaves(first, 0), m_end), std::min(leaves(first, 1), leaves(first, 2)));
+        }
+        for (int i = 0; i < rows; ++i) {
+            const double low = from[size_t(i)], high = to[size_t(i)];
+            out[i] = {0, 0};
+            if (!(low <= high + kDoubt)) continue;
+            out[i] = {int(low + (1.0 - kDoubt)), int(high + (1.0 + kDoubt))};
+            if (out[i].low < low + kDoubt || out[i].high > high + (1.0 - kDoubt)) out[i] = trim(out[i], rowAt(plane, row + i));
+        }
+    }
+    /// f(row, interval) for all rows of [0, count) that have samples inside.
+    template <class F>
+    void forEachRow(const Exact& plane, int count, F&& f) const {
+        const auto [low, high] = rows(plane, count);
+        std::array<Interval, kBatch> batch;
+        for (int row = low; row < high; row += kBatch) {
+            const int some = std::min(kBatch, high - row);
+            intervals(plane, row, some, batch.data());
+            for (int i = 0; i < some; ++i)
+                if (batch[size_t(i)].low < batch[size_t(i)].high) f(row + i, batch[size_t(i)]);
+        }
     }
     /// All rows of [0, count) that have samples inside, and perhaps a few more, of the plane whose first sample is given: a row
     /// enters by each face before it leaves by any other, and both move steadily from row to row.
@@ -75,6 +97,9 @@ private:
                 m_slope[m_slopes++] = {uint8_t(i), uint8_t(j), 1.0 / slope};
             }
     }
+    Exact rowAt(const Exact& plane, int row) const {
+        return {plane[0] + row * m_rowStep[0], plane[1] + row * m_rowStep[1], plane[2] + row * m_rowStep[2]};
+    }
     double enters(const Exact& first, size_t k) const { return (m_enter[k] - first[k]) * m_inverse[k]; }
     double leaves(const Exact& first, size_t k) const { return (m_leave[k] - first[k]) * m_inverse[k]; }
     Interval trim(Interval row, const Exact& first) const {
@@ -90,7 +115,7 @@ private:
         }
         return inside;
     }
-    Exact m_low, m_high, m_step, m_enter, m_leave, m_inverse;
+    Exact m_low, m_high, m_step, m_rowStep, m_enter, m_leave, m_inverse;
     double m_end;
     std::array<Slope, 12> m_slope;
     size_t m_slopes = 0;

@@ -34,7 +34,7 @@ private:
         ShadowBrickRef published;
         ShadowBrickRef rest;       ///< of the resting shapes alone, kept while others move through
         bool restIsKnown = false;  ///< false: `rest` is not of the shapes as they are
-        bool passing = false;  ///< how it was published
+        bool passing = false;      ///< how it was published
         bool touched = false;
     };
     struct PlaceHash {

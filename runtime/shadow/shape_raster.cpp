@@ -84,28 +84,36 @@ public:
           m_height(source.height()),
           m_samples(lattice.samples),
           m_step(lattice.step[0]),
+          m_rowStep(lattice.step[1]),
           m_used(source.used(), lattice, count),
           m_core(source.core(), lattice, count),
-          m_hasCore(!source.core().empty()),
-          m_isBox(source.core() == source.used()) {}
-    /// All rows of a plane that can set cells.
-    RowClip::Interval rows(const FixedPoint& plane, int count) const { return m_used.rows(toDoubles(plane), count); }
-    /// Bit i / samples is set for every sample i that lies in a solid voxel.
-    uint64_t cells(const FixedPoint& first) const {
-        const RowClip::Exact at = toDoubles(first);
-        const auto [low, high] = m_used(at);
-        if (low >= high) return 0;
-        if (m_samples > 1) return sampleFine(first, low, high);
-        if (m_isBox) return bitsOf(low, high);
-        const auto [coreLow, coreHigh] = m_hasCore ? m_core(at) : RowClip::Interval{0, 0};
-        if (coreLow >= coreHigh) return sample(first, low, high);
-        uint64_t bits = bitsOf(coreLow, coreHigh);
-        if (low < coreLow) bits |= sample(first, low, coreLow);
-        if (coreHigh < high) bits |= sample(first, coreHigh, high);
-        return bits;
+          m_isBox(m_samples == 1 && source.core() == source.used()),
+          m_hasCore(m_samples == 1 && !m_isBox && !source.core().empty()) {}
+    /// row(y, bits) for all rows of a plane that set cells; bit i / samples of `bits` is set for every sample i in a solid voxel.
+    template <class Row>
+    void forEachRow(const FixedPoint& plane, int count, Row&& row) const {
+        const RowClip::Exact at = toDoubles(plane);
+        const auto [yLow, yHigh] = m_used.rows(at, count);
+        std::array<RowClip::Interval, RowClip::kBatch> used, core{};
+        for (int y = yLow; y < yHigh; y += RowClip::kBatch) {
+            const int some = std::min(RowClip::kBatch, yHigh - y);
+            m_used.intervals(at, y, some, used.data());
+            if (m_hasCore) m_core.intervals(at, y, some, core.data());
+            for (size_t i = 0; i < size_t(some); ++i)
+                if (used[i].low < used[i].high)
+                    row(y + int(i), m_isBox ? bitsOf(used[i].low, used[i].high) : cells(plane + m_rowStep * (y + int(i)), used[i], core[i]));
+        }
     }
 
 private:
+    uint64_t cells(const FixedPoint& first, RowClip::Interval used, RowClip::Interval core) const {
+        if (m_samples > 1) return sampleFine(first, used.low, used.high);
+        if (core.low >= core.high) return sample(first, used.low, used.high);
+        uint64_t bits = bitsOf(core.low, core.high);
+        if (used.low < core.low) bits |= sample(first, used.low, core.low);
+        if (core.high < used.high) bits |= sample(first, core.high, used.high);
+        return bits;
+    }
     uint64_t solid(int64_t x, int64_t y, int64_t z) const { return m_rows[(y >> 32) + (z >> 32) * m_height] >> (x >> 32) & 1; }
     uint64_t sample(const FixedPoint& first, int low, int high) const {
         uint64_t bits = 0;
@@ -129,9 +137,9 @@ private:
     const uint64_t* m_rows;
     const int64_t m_height;
     const int m_samples;
-    const FixedPoint m_step;
+    const FixedPoint m_step, m_rowStep;
     const RowClip m_used, m_core;
-    const bool m_hasCore, m_isBox;
+    const bool m_isBox, m_hasCore;
 };
 
 }  // namespace
@@ -223,10 +231,7 @@ bool ShapeRaster::make(const RasterSource& source, const ShadowLattice& lattice,
     for (int z = 0, zCell = low.z; zCell < low.z + size.z; ++zCell) {
         for (const int end = z + lattice.samples; z < end; ++z, plane = plane + lattice.step[2]) {
             uint64_t* rows = &slab.layers[size_t(zCell & 3)][size_t(low.y - yBase)];
-            const auto [yLow, yHigh] = sampler.rows(plane, count.y);
-            FixedPoint first = plane + lattice.step[1] * yLow;
-            for (int y = yLow; y < yHigh; ++y, first = first + lattice.step[1])
-                rows[lattice.samples == 1 ? y : y / lattice.samples] |= sampler.cells(first) << inWord;
+            sampler.forEachRow(plane, count.y, [&](int y, uint64_t bits) { rows[lattice.samples == 1 ? y : y / lattice.samples] |= bits << inWord; });
         }
         if ((zCell & 3) != 3 && zCell + 1 < low.z + size.z) continue;
         std::array<uint64_t, 20> words;
