@@ -11,6 +11,8 @@ constexpr float kHit = 1.0f, kFast = 20.0f;     ///< m/s
 constexpr float kSlope = 0.3f;                  ///< how far up a normal points where one body lies on the other
 constexpr float kJolt = 4.0f;                   ///< m/s that the impulses of the last step may give a body before they count as out of balance
 constexpr int kBalanceRounds = 4;               ///< in which those that were held by what is out of balance follow
+constexpr size_t kBlock = 64;                   ///< bodies or pairs that a thread takes at once
+constexpr size_t kWorthIt = 4;                  ///< blocks from which on threads are asked
 constexpr double kStiffer = 4.0;                ///< times as stiff, in hertz, are contacts of what bears
 
 /// Two directions across the normal.
@@ -33,7 +35,11 @@ struct ContactSolver::Moving {
           massB(B.inverseMass),
           inertiaA(A.inverseInertia),
           inertiaB(B.inverseInertia) {}
-    void store(SolverState& A, SolverState& B) const { A.v = vec3(vA), A.w = vec3(wA), B.v = vec3(vB), B.w = vec3(wB); }
+    /// The world is not written to: several threads read it.
+    void store(SolverState& A, SolverState& B) const {
+        if (massA != 0.0f) A.v = vec3(vA), A.w = vec3(wA);
+        if (massB != 0.0f) B.v = vec3(vB), B.w = vec3(wB);
+    }
 
     float speedAlong(const Constraint& c) const {
         const Four parts = c.normal * (vA - vB) + c.leverA * wA - c.leverB * wB;
@@ -61,6 +67,29 @@ struct ContactSolver::Moving {
     FourColumns inertiaA, inertiaB;
 };
 
+/// How two bodies have moved since the step began.
+struct ContactSolver::Moved {
+    Moved(const SolverState& A, const SolverState& B) : way(four(A.moved - B.moved)), turnedA(A.turned), turnedB(B.turned) {}
+    Four way;
+    FourColumns turnedA, turnedB;
+};
+
+template <class F>
+void ContactSolver::forEach(size_t count, F&& f) const {
+    const auto runBlock = [&](size_t block) {
+        for (size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) f(i);
+    };
+    if (m_parallelFor && count >= kWorthIt * kBlock) return (*m_parallelFor)((count + kBlock - 1) / kBlock, runBlock);
+    for (size_t i = 0; i < count; ++i) f(i);
+}
+
+template <class F>
+void ContactSolver::forRanges(F&& f) {
+    m_strips.run(m_parallelFor, [&](size_t from, size_t to) {
+        for (size_t i = from; i < to; ++i) f(m_ranges[i]);
+    });
+}
+
 ContactSolver::Softness ContactSolver::soften(double hertz, double dampingRatio, double seconds) {
     const double omega = 2.0 * 3.14159265358979 * hertz;
     const double a1 = 2.0 * dampingRatio + seconds * omega, a2 = seconds * omega * a1, a3 = 1.0 / (1.0 + a2);
@@ -69,7 +98,7 @@ ContactSolver::Softness ContactSolver::soften(double hertz, double dampingRatio,
 
 /// Two that meet so fast that one could turn its way past the few points which touch it: their cores, spheres as wide as their
 /// smallest sides, may not pass the plane that they meet at, however they tumble.
-void ContactSolver::addCore(const Range& range, const Constraint& fastest) {
+void ContactSolver::addCore(Range& range, const Constraint& fastest) {
     const SolverState &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
     Constraint core = fastest;
     if (range.a) core.separation += std::max(0.0f, -dot(core.rA, core.normal) - A.reach);
@@ -79,7 +108,7 @@ void ContactSolver::addCore(const Range& range, const Constraint& fastest) {
     core.friction = core.restitution = 0.0f;
     core.normalImpulse = core.tangentImpulse1 = core.tangentImpulse2 = 0.0f;
     core.isCore = true;
-    m_constraints.push_back(core);
+    m_constraints[range.to++] = core;
 }
 
 void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf,
@@ -93,58 +122,60 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
         state.reach = float(bodies[i].reach);
         state.inverseInertia = glm::mat3(worldInverseInertia(bodies[i]));
     }
-    m_constraints.clear();
+    m_strips.layOut(bodies, bodyOf);
     m_ranges.clear();
-    for (size_t m = 0; m < manifolds.size(); ++m) {
+    size_t count = 0;
+    for (const uint32_t m : m_strips.order()) {
         const auto [a, b] = bodyOf[m];
-        const SolverState &A = m_states[size_t(a)], &B = m_states[size_t(b)];
         m_states[size_t(a)].touches = m_states[size_t(b)].touches = true;
-        const glm::vec3 originA = glm::vec3(manifolds[m]->origin - bodies[size_t(a)].position);
-        const glm::vec3 originB = glm::vec3(manifolds[m]->origin - bodies[size_t(b)].position);
-        Range& range = m_ranges.emplace_back();
-        range.a = a, range.b = b;
-        range.from = m_constraints.size();
-        range.to = range.from + manifolds[m]->all().size();
-        size_t fastest = range.from;
-        for (ManifoldPoint& point : manifolds[m]->all()) {
-            Constraint& c = m_constraints.emplace_back();
-            const glm::vec3 half = point.normal * (0.5f * point.separation);  // far apart before a fast hit: where each is touched
-            const glm::vec3 rA = a ? originA + point.position + half : glm::vec3(0.0f), rB = b ? originB + point.position - half : glm::vec3(0.0f);
-            glm::vec3 tangent1, tangent2;
-            tangentsOf(point.normal, tangent1, tangent2);
-            const auto massAlong = [&](const glm::vec3& d) {
-                const glm::vec3 xa = glm::cross(rA, d), xb = glm::cross(rB, d);
-                const float k = A.inverseMass + B.inverseMass + glm::dot(xa, A.inverseInertia * xa) + glm::dot(xb, B.inverseInertia * xb);
-                return k > 0.0f ? 1.0f / k : 0.0f;
-            };
-            c.normal = four(point.normal), c.tangent1 = four(tangent1), c.tangent2 = four(tangent2);
-            c.rA = four(rA), c.rB = four(rB);
-            c.leverA = cross(c.rA, c.normal), c.leverB = cross(c.rB, c.normal);
-            c.spinA = four(A.inverseInertia * vec3(c.leverA)), c.spinB = four(B.inverseInertia * vec3(c.leverB));
-            c.normalMass = massAlong(point.normal);
-            c.tangentMass1 = massAlong(tangent1);
-            c.tangentMass2 = massAlong(tangent2);
-            c.separation = point.separation;
-            c.friction = point.friction;
-            c.restitution = point.restitution;
-            c.approach = Moving(A, B).speedAlong(c);
-            c.normalImpulse = point.normalImpulse;
-            c.tangentImpulse1 = glm::dot(point.frictionImpulse, tangent1);
-            c.tangentImpulse2 = glm::dot(point.frictionImpulse, tangent2);
-            c.total = c.most = c.bounceImpulse = 0.0f;
-            c.isStiff = c.isCore = false;
-            c.isStatic = A.inverseMass == 0.0f || B.inverseMass == 0.0f;
-            c.point = &point;
-            if (c.approach < m_constraints[fastest].approach) fastest = m_constraints.size() - 1;
-        }
-        const float speed = -m_constraints[fastest].approach;
-        range.passes = speed > kFast ? kFastPasses : speed > kHit ? kHitPasses : 1;
-        const float thin = std::min(a ? A.reach : 1e9f, b ? B.reach : 1e9f);
-        if (speed * seconds > thin) {
-            addCore(range, Constraint(m_constraints[fastest]));
-            ++range.to;
-        }
+        m_ranges.push_back({a, b, count, count + manifolds[m]->all().size(), 1, manifolds[m]});
+        count = m_ranges.back().to + 1;  // there may be a core
     }
+    m_constraints.resize(count);
+    forEach(m_ranges.size(), [&](size_t i) { prepareRange(m_ranges[i], bodies, seconds); });
+}
+
+void ContactSolver::prepareRange(Range& range, std::span<const SolverBody> bodies, float seconds) {
+    const int a = range.a, b = range.b;
+    const SolverState &A = m_states[size_t(a)], &B = m_states[size_t(b)];
+    const glm::vec3 originA = glm::vec3(range.manifold->origin - bodies[size_t(a)].position);
+    const glm::vec3 originB = glm::vec3(range.manifold->origin - bodies[size_t(b)].position);
+    size_t fastest = range.from, at = range.from;
+    for (ManifoldPoint& point : range.points()) {
+        Constraint& c = m_constraints[at++];
+        const glm::vec3 half = point.normal * (0.5f * point.separation);  // far apart before a fast hit: where each is touched
+        const glm::vec3 rA = a ? originA + point.position + half : glm::vec3(0.0f), rB = b ? originB + point.position - half : glm::vec3(0.0f);
+        glm::vec3 tangent1, tangent2;
+        tangentsOf(point.normal, tangent1, tangent2);
+        const auto massAlong = [&](const glm::vec3& d) {
+            const glm::vec3 xa = glm::cross(rA, d), xb = glm::cross(rB, d);
+            const float k = A.inverseMass + B.inverseMass + glm::dot(xa, A.inverseInertia * xa) + glm::dot(xb, B.inverseInertia * xb);
+            return k > 0.0f ? 1.0f / k : 0.0f;
+        };
+        c.normal = four(point.normal), c.tangent1 = four(tangent1), c.tangent2 = four(tangent2);
+        c.rA = four(rA), c.rB = four(rB);
+        c.leverA = cross(c.rA, c.normal), c.leverB = cross(c.rB, c.normal);
+        c.spinA = four(A.inverseInertia * vec3(c.leverA)), c.spinB = four(B.inverseInertia * vec3(c.leverB));
+        c.normalMass = massAlong(point.normal);
+        c.tangentMass1 = massAlong(tangent1);
+        c.tangentMass2 = massAlong(tangent2);
+        c.separation = point.separation;
+        c.friction = point.friction;
+        c.restitution = point.restitution;
+        c.approach = Moving(A, B).speedAlong(c);
+        c.normalImpulse = point.normalImpulse;
+        c.tangentImpulse1 = glm::dot(point.frictionImpulse, tangent1);
+        c.tangentImpulse2 = glm::dot(point.frictionImpulse, tangent2);
+        c.total = c.most = c.bounceImpulse = 0.0f;
+        c.isStiff = c.isCore = false;
+        c.isStatic = A.inverseMass == 0.0f || B.inverseMass == 0.0f;
+        c.point = &point;
+        if (c.approach < m_constraints[fastest].approach) fastest = at - 1;
+    }
+    const float speed = -m_constraints[fastest].approach;
+    range.passes = speed > kFast ? kFastPasses : speed > kHit ? kHitPasses : 1;
+    const float thin = std::min(a ? A.reach : 1e9f, b ? B.reach : 1e9f);
+    if (speed * seconds > thin) addCore(range, m_constraints[fastest]);
 }
 
 /// Bodies that something much heavier lies on, and those that these lie on in turn: as stiff as their own weight asks for, and
@@ -216,22 +247,21 @@ void ContactSolver::dropUnbalanced(std::span<const SolverBody> bodies) {
     }
 }
 
-void ContactSolver::warmStart() {
-    for (const Range& range : m_ranges) {
-        SolverState &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
-        Moving bodies(A, B);
-        for (size_t i = range.from; i < range.to; ++i) {
-            const Constraint& c = m_constraints[i];
-            bodies.push(c, c.normalImpulse);
-            bodies.rub(c, c.tangentImpulse1, c.tangentImpulse2);
-        }
-        bodies.store(A, B);
+/// Starts a substep with the impulses of the one before, which are counted.
+void ContactSolver::warmStart(const Range& range, bool isFirst) {
+    SolverState &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
+    Moving bodies(A, B);
+    for (size_t i = range.from; i < range.to; ++i) {
+        Constraint& c = m_constraints[i];
+        if (!isFirst) c.total += c.normalImpulse;
+        bodies.push(c, c.normalImpulse);
+        bodies.rub(c, c.tangentImpulse1, c.tangentImpulse2);
     }
+    bodies.store(A, B);
 }
 
-ContactSolver::Push ContactSolver::pushOf(const Constraint& c, const SolverState& A, const SolverState& B, float inverseSeconds,
-                                          bool pushApart) const {
-    const Four moved = four(A.moved - B.moved) + FourColumns(A.turned) * c.rA - FourColumns(B.turned) * c.rB;
+ContactSolver::Push ContactSolver::pushOf(const Constraint& c, const Moved& moving, float inverseSeconds, bool pushApart) const {
+    const Four moved = moving.way + moving.turnedA * c.rA - moving.turnedB * c.rB;
     const float s = c.separation + dot(moved, c.normal);
     if (s > 0.0f) return {s * inverseSeconds};
     if (!pushApart) return {};
@@ -280,11 +310,12 @@ void ContactSolver::solveFriction(Constraint& c, Moving& bodies) {
 void ContactSolver::solveRange(const Range& range, float inverseSeconds, bool pushApart) {
     SolverState &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
     const std::span<Constraint> points(m_constraints.data() + range.from, range.to - range.from);
+    const Moved moved(A, B);
     std::array<Push, kMaxManifoldPoints + 1> pushes;  // a core may be one more
     for (size_t i = 0; i < points.size(); ++i) {
         Constraint& c = points[i];
-        pushes[i] = pushOf(c, A, B, inverseSeconds, pushApart);
-        if (A.inertiaTurns || B.inertiaTurns) turnInertia(c, A, B);
+        pushes[i] = pushOf(c, moved, inverseSeconds, pushApart);
+        if (!pushApart && (A.inertiaTurns || B.inertiaTurns)) turnInertia(c, A, B);  // just after they have turned
     }
     Moving bodies(A, B);
     for (int pass = 0; pass < range.passes; ++pass)
@@ -294,7 +325,7 @@ void ContactSolver::solveRange(const Range& range, float inverseSeconds, bool pu
 }
 
 void ContactSolver::solveContacts(float inverseSeconds, bool pushApart) {
-    for (const Range& range : m_ranges) solveRange(range, inverseSeconds, pushApart);
+    forRanges([&](const Range& range) { solveRange(range, inverseSeconds, pushApart); });
     if (m_bearing.empty()) return;
     for (int pass = 0; pass < m_heavyPasses; ++pass)
         for (const size_t i : m_bearing) solveRange(m_ranges[i], inverseSeconds, pushApart);
@@ -323,7 +354,6 @@ void ContactSolver::bounce(float threshold) {
                 bodies.push(c, c.bounceImpulse - old);
             }
         bodies.store(A, B);
-        for (Constraint& c : points) c.total += c.bounceImpulse;
     }
 }
 
@@ -336,6 +366,7 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     m_stiff = soften(kStiffer * hertz, settings.dampingRatio, h);
     m_pushSpeed = float(settings.pushSpeed);
     m_slop = float(settings.slop);
+    m_parallelFor = settings.parallelFor;
     prepare(bodies, manifolds, bodyOf, float(settings.seconds));
     m_joints.begin(joints, m_states);
     dropUnbalanced(bodies);
@@ -349,12 +380,11 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     for (int substep = 0; substep < settings.substeps; ++substep) {
         for (size_t i = 1; i < bodies.size(); ++i) m_states[i].v += fall;
         if (!m_joints.empty()) m_joints.prepare(bodies, m_states, h);
-        warmStart();
+        forRanges([&](const Range& range) { warmStart(range, substep == 0); });
         solvePasses(bodies, settings.iterations, h, true);
         move(bodies, gravity, h);
         solvePasses(bodies, settings.iterations, h, false);
         if (!m_joints.empty()) m_joints.note(settings.seconds);
-        for (Constraint& c : m_constraints) c.total += c.normalImpulse;
     }
     bounce(float(settings.bounceSpeed));
     for (size_t i = 1; i < bodies.size(); ++i)
@@ -362,32 +392,39 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     store();
 }
 
-/// Integrates positions. Bodies without contacts stay in doubles: nothing is rounded in free flight.
 void ContactSolver::move(std::span<SolverBody> bodies, glm::dvec3 gravity, double h) {
-    for (size_t i = 1; i < bodies.size(); ++i) {
-        SolverBody& body = bodies[i];
-        SolverState& state = m_states[i];
-        if (state.touches) {
-            body.velocity = state.v;
-            body.angularVelocity = state.w;
-        } else
-            body.velocity += gravity * h;
-        const glm::dvec3 way = body.velocity * h;
-        body.position += way;
-        rotateBody(body, h);
-        if (!state.touches) continue;
-        state.moved += glm::vec3(way);
-        state.turned = glm::mat3(glm::mat3_cast(body.rotation * glm::conjugate(m_start[i])) - glm::dmat3(1.0));
-        if (body.conserves) {
-            state.w = glm::vec3(body.angularVelocity);
-            state.inverseInertia = glm::mat3(worldInverseInertia(body));
-            state.inertiaTurns = true;
-        }
+    forEach(bodies.size() - 1, [&](size_t i) { moveBody(bodies[i + 1], m_states[i + 1], m_start[i + 1], gravity, h); });
+}
+
+/// Integrates its position. Bodies without contacts stay in doubles: nothing is rounded in free flight.
+void ContactSolver::moveBody(SolverBody& body, SolverState& state, const glm::dquat& start, glm::dvec3 gravity, double h) {
+    if (state.touches) {
+        body.velocity = state.v;
+        body.angularVelocity = state.w;
+    } else
+        body.velocity += gravity * h;
+    const glm::dvec3 way = body.velocity * h;
+    body.position += way;
+    rotateBody(body, h);
+    if (!state.touches) return;
+    state.moved += glm::vec3(way);
+    state.turned = glm::mat3(glm::mat3_cast(body.rotation * glm::conjugate(start)) - glm::dmat3(1.0));
+    if (body.conserves) {
+        state.w = glm::vec3(body.angularVelocity);
+        state.inverseInertia = glm::mat3(worldInverseInertia(body));
+        state.inertiaTurns = true;
     }
 }
 
 void ContactSolver::store() {
-    for (const Constraint& c : m_constraints) {
+    forEach(m_ranges.size(), [&](size_t i) { store(m_ranges[i]); });
+}
+
+void ContactSolver::store(const Range& range) {
+    for (size_t i = range.from; i < range.to; ++i) {
+        Constraint& c = m_constraints[i];
+        c.total += c.normalImpulse;
+        c.total += c.bounceImpulse;
         if (c.isCore) {
             c.point->totalImpulse += c.total;
             continue;

@@ -6,6 +6,7 @@
 #include "physics/joint_solver.h"
 #include "physics/manifold.h"
 #include "physics/solver_state.h"
+#include "physics/solver_strips.h"
 
 namespace rubble {
 
@@ -15,11 +16,12 @@ struct SolverSettings {
     double seconds = 1.0 / 60.0;  ///< of all substeps together
     double contactHertz = 90.0;   ///< stiffness of contacts, at most a quarter of the rate of substeps
     double dampingRatio = 5.0;
-    double heavyRatio = 30.0;  ///< of masses above which a light body that bears a heavy one gets stiffer contacts
-    int heavyPasses = 8;       ///< over the contacts of such bodies, more than over others; 0: none is stiffer
-    double pushSpeed = 1.5;    ///< m/s at which overlaps are pushed apart
-    double slop = 0.0002;      ///< metres that contacts may overlap, so that they last
-    double bounceSpeed = 1.0;  ///< m/s of approach below which nothing bounces
+    double heavyRatio = 30.0;                  ///< of masses above which a light body that bears a heavy one gets stiffer contacts
+    int heavyPasses = 8;                       ///< over the contacts of such bodies, more than over others; 0: none is stiffer
+    double pushSpeed = 1.5;                    ///< m/s at which overlaps are pushed apart
+    double slop = 0.0002;                      ///< metres that contacts may overlap, so that they last
+    double bounceSpeed = 1.0;                  ///< m/s of approach below which nothing bounces
+    const ParallelFor* parallelFor = nullptr;  ///< none: one thread; results do not depend on it
 };
 
 /// Contacts between bodies, solved in substeps: soft constraints pushed apart and relaxed, positions followed within the
@@ -35,12 +37,18 @@ public:
 private:
     void prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf, float seconds);
     void dropUnbalanced(std::span<const SolverBody> bodies);
-    void warmStart();
     void solvePasses(std::span<const SolverBody> bodies, int passes, double seconds, bool pushApart);
     void solveContacts(float inverseSeconds, bool pushApart);
     void move(std::span<SolverBody> bodies, glm::dvec3 gravity, double seconds);
+    void moveBody(SolverBody& body, SolverState& state, const glm::dquat& start, glm::dvec3 gravity, double seconds);
     void bounce(float threshold);
     void store();
+    /// Calls f(i) for each i below count, in blocks that may run side by side.
+    template <class F>
+    void forEach(size_t count, F&& f) const;
+    /// Calls f(range) for all ranges, those that share no body side by side.
+    template <class F>
+    void forRanges(F&& f);
 
     struct Softness {
         float biasRate = 0.0f, massScale = 1.0f, impulseScale = 0.0f;
@@ -60,6 +68,7 @@ private:
     };
     /// What two bodies do while their contacts are solved.
     struct Moving;
+    struct Moved;
     /// What pushes a contact apart, or lets it close.
     struct Push {
         float bias = 0.0f, massScale = 1.0f, impulseScale = 0.0f;
@@ -69,6 +78,8 @@ private:
         int a, b;  ///< in m_states
         size_t from, to;
         int passes;
+        Manifold* manifold;
+        std::span<ManifoldPoint> points() const { return manifold->all(); }
     };
     /// What the impulses of the last step would do to a body, all together.
     struct Jolt {
@@ -76,16 +87,21 @@ private:
         bool isTooHard = false;
     };
     void findBearers(glm::vec3 up, float ratio);
+    void prepareRange(Range& range, std::span<const SolverBody> bodies, float seconds);
+    void warmStart(const Range& range, bool isFirst);
+    void store(const Range& range);
     void solveRange(const Range& range, float inverseSeconds, bool pushApart);
-    void addCore(const Range& range, const Constraint& fastest);
-    Push pushOf(const Constraint& c, const SolverState& A, const SolverState& B, float inverseSeconds, bool pushApart) const;
+    void addCore(Range& range, const Constraint& fastest);
+    Push pushOf(const Constraint& c, const Moved& moved, float inverseSeconds, bool pushApart) const;
     static void turnInertia(Constraint& c, const SolverState& A, const SolverState& B);
     static void solveNormal(Constraint& c, const Push& push, Moving& bodies);
     static void solveFriction(Constraint& c, Moving& bodies);
 
     std::vector<SolverState> m_states;
     JointSolver m_joints;
-    std::vector<Range> m_ranges;
+    SolverStrips m_strips;
+    const ParallelFor* m_parallelFor = nullptr;
+    std::vector<Range> m_ranges;  ///< in the order of m_strips
     std::vector<Constraint> m_constraints;
     std::vector<Jolt> m_jolts;
     std::vector<size_t> m_bearing;    ///< ranges of bodies that bear

@@ -16,6 +16,16 @@ inline Four load(const float* from) {
     std::memcpy(&four, from, sizeof four);
     return four;
 }
+/// Four bytes as numbers.
+inline FourInts load(const std::array<uint8_t, 4>& from) {
+    using FourBytes = uint8_t __attribute__((vector_size(4)));
+    FourBytes bytes;
+    std::memcpy(&bytes, from.data(), sizeof bytes);
+    return __builtin_convertvector(bytes, FourInts);
+}
+inline Four floats(FourInts v) {
+    return __builtin_convertvector(v, Four);
+}
 inline Four four(float value) {
     return Four{value, value, value, value};
 }

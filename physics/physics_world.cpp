@@ -108,7 +108,8 @@ void PhysicsWorld::Impl::solve() {
                   .seconds = settings.stepSeconds,
                   .contactHertz = settings.contactHertz,
                   .heavyRatio = settings.heavyRatio,
-                  .heavyPasses = settings.heavyPasses},
+                  .heavyPasses = settings.heavyPasses,
+                  .parallelFor = settings.parallelFor ? &settings.parallelFor : nullptr},
                  activeJoints);
     for (const uint32_t slot : awake) {
         dynamics[slot]->motion = bodies[size_t(bodyNumber[slot])];

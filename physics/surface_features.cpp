@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <glm/gtc/type_precision.hpp>
 #include <span>
 
@@ -35,30 +34,31 @@ struct Feature {
     uint8_t kind;
 };
 
+glm::ivec3 halfCellsOf(uint8_t kind) {
+    return glm::ivec3(featureKinds()[kind].place * 2.0f);
+}
+
 void addCluster(FeatureList& list, size_t number, std::span<const Feature> features) {
     if (number % 4 == 0) {
         FeatureList::ClusterFour& none = list.clusters.emplace_back();
-        for (int axis = 0; axis < 3; ++axis) none.low[size_t(axis)].fill(std::nanf("")), none.high[size_t(axis)].fill(std::nanf(""));
+        for (size_t axis = 0; axis < 3; ++axis) none.low[axis].fill(255), none.high[axis].fill(0);
         none.from.fill(0), none.to.fill(0);
     }
     FeatureList::ClusterFour& clusters = list.clusters.back();
     const size_t lane = number % 4;
-    glm::vec3 low(1e9f), high(-1e9f);
+    glm::ivec3 low(255), high(0);
     clusters.from[lane] = uint32_t(list.fours.size());
     for (size_t i = 0; i < features.size(); ++i) {
-        if (i % 4 == 0) {
-            FeatureList::Four& none = list.fours.emplace_back();
-            none.x.fill(std::nanf("")), none.y.fill(std::nanf("")), none.z.fill(std::nanf(""));
-        }
-        const glm::vec3 p = glm::vec3(features[i].cell) + featureKinds()[features[i].kind].place;
+        if (i % 4 == 0) list.fours.emplace_back().kind.fill(FeatureList::kNoFeature);
+        const glm::ivec3 p = glm::ivec3(features[i].cell) * 2 + halfCellsOf(features[i].kind);
         FeatureList::Four& four = list.fours.back();
-        four.x[i % 4] = p.x, four.y[i % 4] = p.y, four.z[i % 4] = p.z;
-        four.cell[i % 4] = {features[i].cell.x, features[i].cell.y, features[i].cell.z};
+        four.x[i % 4] = uint8_t(p.x), four.y[i % 4] = uint8_t(p.y), four.z[i % 4] = uint8_t(p.z);
         four.kind[i % 4] = features[i].kind;
         low = glm::min(low, p), high = glm::max(high, p);
     }
     clusters.to[lane] = uint32_t(list.fours.size());
-    for (int axis = 0; axis < 3; ++axis) clusters.low[size_t(axis)][lane] = low[axis], clusters.high[size_t(axis)][lane] = high[axis];
+    for (int axis = 0; axis < 3; ++axis)
+        clusters.low[size_t(axis)][lane] = uint8_t(low[axis]), clusters.high[size_t(axis)][lane] = uint8_t(high[axis]);
 }
 
 /// The features of rows [z, z + kCluster), by clusters.
@@ -104,6 +104,10 @@ const std::array<FeatureKind, kFeatureKinds>& featureKinds() {
         return all;
     }();
     return kinds;
+}
+
+glm::ivec3 FeatureList::cellOf(const Four& four, size_t i) {
+    return (glm::ivec3(four.x[i], four.y[i], four.z[i]) - halfCellsOf(four.kind[i])) / 2;
 }
 
 FeatureList findFeatures(const SolidRows& rows) {

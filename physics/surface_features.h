@@ -22,18 +22,20 @@ struct FeatureKind {
 };
 const std::array<FeatureKind, kFeatureKinds>& featureKinds();
 
-/// Features of a region, from its low corner, in clusters of 4 x 4 x 4 cells. What is gone through lies side by side, four
-/// at a time; fours are filled up with NaN.
+/// Features of a region of at most 120 cells a side, from its low corner, in clusters of 4 x 4 x 4 cells. What is gone through
+/// lies side by side, four at a time and packed: landing pieces are bound by how much of it must be fetched.
 struct FeatureList {
-    struct alignas(64) Four {
-        std::array<float, 4> x, y, z;                ///< where they are, in cells
-        std::array<std::array<uint8_t, 3>, 4> cell;  ///< that they belong to
-        std::array<uint8_t, 4> kind;
+    struct Four {
+        std::array<uint8_t, 4> x, y, z;  ///< where they are, in half cells
+        std::array<uint8_t, 4> kind;     ///< kNoFeature: filled up
     };
     struct ClusterFour {
-        std::array<std::array<float, 4>, 3> low, high;  ///< bounds of the features, in cells, by axis
-        std::array<uint32_t, 4> from, to;               ///< in `fours`
+        std::array<std::array<uint8_t, 4>, 3> low, high;  ///< bounds of the features, in half cells, by axis; of none low > high
+        std::array<uint32_t, 4> from, to;                 ///< in `fours`
     };
+    static constexpr uint8_t kNoFeature = 255;
+    /// The cell that a feature of a four belongs to.
+    static glm::ivec3 cellOf(const Four& four, size_t i);
     std::vector<Four> fours;
     std::vector<ClusterFour> clusters;
     size_t count = 0;

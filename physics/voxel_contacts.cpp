@@ -174,7 +174,7 @@ private:
             Four nearest = four(0.0f);
             FourBools inside = {-1, -1, -1, -1};
             for (size_t axis = 0; axis < 3; ++axis) {
-                const Four low = load(clusters.low[axis].data()), high = load(clusters.high[axis].data());
+                const Four low = floats(load(clusters.low[axis])) * four(0.5f), high = floats(load(clusters.high[axis])) * four(0.5f);
                 nearest += (rises[axis] ? low : high) * four(m_direction[int(axis)]);
                 inside &= (low <= four(to[int(axis)] + kRounding)) & (high >= four(from[int(axis)] - kRounding));
             }
@@ -184,23 +184,24 @@ private:
                 if (!inside[k]) continue;
                 const glm::vec3 low(clusters.low[0][k], clusters.low[1][k], clusters.low[2][k]);
                 const glm::vec3 high(clusters.high[0][k], clusters.high[1][k], clusters.high[2][k]);
-                if (mayReach(low + glm::vec3(corner), high + glm::vec3(corner)))
+                if (mayReach(low * 0.5f + glm::vec3(corner), high * 0.5f + glm::vec3(corner)))
                     probeCluster({features.fours.data() + clusters.from[k], features.fours.data() + clusters.to[k]}, corner, base, limit, out);
             }
         }
     }
 
     void probeCluster(std::span<const FeatureList::Four> fours, Cell corner, const glm::vec3& base, float limit, std::vector<ContactPoint>& out) {
-        Four origin[3], axes[3][3], from[3], to[3], along[3];  // what the loop reads, in registers
+        Four origin[3], axes[3][3], from[3], to[3], along[3];  // what the loop reads, in registers; places are in half cells
         for (int axis = 0; axis < 3; ++axis) {
             origin[axis] = four(base[axis]), from[axis] = four(m_low[axis]), to[axis] = four(m_high[axis]);
-            along[axis] = four(m_direction[axis]);
-            for (int k = 0; k < 3; ++k) axes[k][axis] = four(m_axes[k][axis]);
+            along[axis] = four(m_direction[axis] * 0.5f);
+            for (int k = 0; k < 3; ++k) axes[k][axis] = four(m_axes[k][axis] * 0.5f);
         }
         for (const FeatureList::Four& features : fours) {
-            const Four x = load(features.x.data()), y = load(features.y.data()), z = load(features.z.data());
+            const Four x = floats(load(features.x)), y = floats(load(features.y)), z = floats(load(features.z));
             FourBools inside = along[0] * x + along[1] * y + along[2] * z <= four(limit);
             if (!any(inside)) continue;
+            inside &= load(features.kind) < kFeatureKinds;
             Four p[3];
             for (int axis = 0; axis < 3; ++axis) {
                 p[axis] = origin[axis] + axes[0][axis] * x + axes[1][axis] * y + axes[2][axis] * z;
@@ -211,9 +212,7 @@ private:
                 if (!inside[k]) continue;
                 const uint8_t kind = features.kind[k];
                 const Four point = {p[0][k], p[1][k], p[2][k], 0.0f};
-                if (!mayMeet(point, kind)) continue;
-                const Cell own(features.cell[k][0], features.cell[k][1], features.cell[k][2]);
-                test(probeOf(kind, vec3(point)), kind, corner + own, out);
+                if (mayMeet(point, kind)) test(probeOf(kind, vec3(point)), kind, corner + FeatureList::cellOf(features, k), out);
             }
         }
     }

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "physics/solver_strips.h"
 #include "tests/physics/baseline/pile_support.h"
 #include "tests/physics/baseline/voronoi_pit.h"
 #include "tests/physics/physics_scene.h"
@@ -64,15 +65,16 @@ TEST(Pile, TheCheckKnowsWhatFloats) {
 }
 
 /// The state of all bodies after every step.
-std::vector<double> trace(const PhysicsSettings& settings) {
-    PitScene scene(40, 4, settings);
+std::vector<double> trace(const PhysicsSettings& settings, int pieces = 40, int steps = 120, int* pairs = nullptr) {
+    PitScene scene(pieces, 4, settings);
     std::vector<double> all;
-    for (int i = 0; i < 120; ++i) {
+    for (int i = 0; i < steps; ++i) {
         scene.physics.step();
         for (const BodyPose& p : scene.physics.poses())
             all.insert(all.end(), {p.pose.position.x, p.pose.position.y, p.pose.position.z, p.pose.rotation.w, p.velocity.x, p.velocity.y});
         scene.world.setPoses(scene.physics.poses());
     }
+    if (pairs) *pairs = scene.physics.figures().pairs;
     return all;
 }
 
@@ -84,6 +86,18 @@ TEST(Pile, TheSameOnAnyNumberOfThreads) {
         settings.parallelFor = [&](size_t count, const std::function<void(size_t)>& f) { pool.run(count, f); };
         EXPECT_EQ(trace(settings), one) << threads;
     }
+}
+
+/// So many touch that the solver goes through them in strips.
+TEST(Pile, TheSameInAnyOrderInStrips) {
+    int pairs = 0;
+    const std::vector<double> one = trace({}, 200, 100, &pairs);
+    ASSERT_GE(size_t(pairs), 2 * SolverStrips::kPairsAStrip);
+    PhysicsSettings settings;
+    settings.parallelFor = [](size_t count, const std::function<void(size_t)>& f) {  // as threads might take them
+        for (size_t i = count; i-- > 0;) f(i);
+    };
+    EXPECT_EQ(trace(settings, 200, 100), one);
 }
 
 /// A cut while it falls changes a body in place: it moves on as one that is made anew from the World does.

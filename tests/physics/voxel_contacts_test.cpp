@@ -72,8 +72,10 @@ TEST(VoxelContacts, FeaturesAreTheConvexCornersAndEdges) {
         std::vector<std::array<int, 4>> found, expected;
         const FeatureList& list = part.whole()->features;
         for (const FeatureList::Four& four : list.fours)
-            for (size_t k = 0; k < 4; ++k)
-                if (four.x[k] == four.x[k]) found.push_back({four.cell[k][0], four.cell[k][1], four.cell[k][2], four.kind[k]});
+            for (size_t k = 0; k < 4 && four.kind[k] != FeatureList::kNoFeature; ++k) {
+                const glm::ivec3 cell = FeatureList::cellOf(four, k);
+                found.push_back({cell.x, cell.y, cell.z, four.kind[k]});
+            }
         const CellBox box = part.bounds();
         for (int z = box.low.z; z < box.high.z; ++z)
             for (int y = box.low.y; y < box.high.y; ++y)
