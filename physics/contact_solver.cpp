@@ -133,6 +133,21 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
     }
     m_constraints.resize(count);
     forEach(m_ranges.size(), [&](size_t i) { prepareRange(m_ranges[i], bodies, seconds); });
+    addCoresOfHit();
+}
+
+/// What a fast one hits is knocked against the world within the step, and may turn its way past it as well.
+void ContactSolver::addCoresOfHit() {
+    bool any = false;
+    for (const Range& range : m_ranges)
+        if (range.hasCore()) m_states[size_t(range.a)].isHit = m_states[size_t(range.b)].isHit = any = true;
+    if (!any) return;
+    for (Range& range : m_ranges) {
+        if ((range.a && range.b) || !m_states[size_t(range.a + range.b)].isHit || range.hasCore()) continue;
+        const auto from = m_constraints.begin() + std::ptrdiff_t(range.from), to = m_constraints.begin() + std::ptrdiff_t(range.to);
+        const Constraint fastest = *std::min_element(from, to, [](const Constraint& c, const Constraint& d) { return c.approach < d.approach; });
+        addCore(range, fastest);
+    }
 }
 
 void ContactSolver::prepareRange(Range& range, std::span<const SolverBody> bodies, float seconds) {
@@ -159,7 +174,7 @@ void ContactSolver::prepareRange(Range& range, std::span<const SolverBody> bodie
         c.normalMass = massAlong(point.normal);
         c.tangentMass1 = massAlong(tangent1);
         c.tangentMass2 = massAlong(tangent2);
-        c.separation = point.separation;
+        c.separation = pushedSeparation(*range.manifold, point, m_up);
         c.friction = point.friction;
         c.restitution = point.restitution;
         c.approach = Moving(A, B).speedAlong(c);
@@ -367,13 +382,14 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     m_pushSpeed = float(settings.pushSpeed);
     m_slop = float(settings.slop);
     m_parallelFor = settings.parallelFor;
+    const double weight = glm::length(gravity);
+    m_up = weight > 0.0 ? glm::vec3(gravity / -weight) : glm::vec3(0.0f);
     prepare(bodies, manifolds, bodyOf, float(settings.seconds));
     m_joints.begin(joints, m_states);
     dropUnbalanced(bodies);
     m_heavyPasses = settings.heavyPasses;
     m_bearing.clear();
-    const double weight = glm::length(gravity);
-    if (settings.heavyPasses > 0 && weight > 0.0) findBearers(glm::vec3(gravity / -weight), float(settings.heavyRatio));
+    if (settings.heavyPasses > 0 && weight > 0.0) findBearers(m_up, float(settings.heavyRatio));
     m_start.resize(bodies.size());
     for (size_t i = 0; i < bodies.size(); ++i) m_start[i] = bodies[i].rotation;
     const glm::vec3 fall = glm::vec3(gravity * h);

@@ -80,6 +80,7 @@ private:
         int passes;
         Manifold* manifold;
         std::span<ManifoldPoint> points() const { return manifold->all(); }
+        bool hasCore() const { return to - from > points().size(); }
     };
     /// What the impulses of the last step would do to a body, all together.
     struct Jolt {
@@ -92,6 +93,7 @@ private:
     void store(const Range& range);
     void solveRange(const Range& range, float inverseSeconds, bool pushApart);
     void addCore(Range& range, const Constraint& fastest);
+    void addCoresOfHit();
     Push pushOf(const Constraint& c, const Moved& moved, float inverseSeconds, bool pushApart) const;
     static void turnInertia(Constraint& c, const SolverState& A, const SolverState& B);
     static void solveNormal(Constraint& c, const Push& push, Moving& bodies);
@@ -107,6 +109,7 @@ private:
     std::vector<size_t> m_bearing;    ///< ranges of bodies that bear
     std::vector<glm::dquat> m_start;  ///< rotations at the start of the step
     Softness m_soft, m_softStatic, m_stiff;
+    glm::vec3 m_up{0.0f};  ///< zero: nothing weighs
     int m_heavyPasses = 0;
     float m_pushSpeed = 0.0f, m_slop = 0.0f;
 };

@@ -16,15 +16,16 @@ glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point) {
 
 }  // namespace
 
-double approachSpeed(const Manifold& manifold, double seconds) {
+glm::dvec3 approachVelocity(const Manifold& manifold, double seconds) {
     double fastest = 0.0;
+    glm::dvec3 away(0.0);
     for (const ManifoldPoint& point : manifold.all()) {
-        const glm::dvec3 position = manifold.origin + glm::dvec3(point.position);
+        const glm::dvec3 position = manifold.origin + glm::dvec3(point.position), normal(point.normal);
         const glm::dvec3 relative = velocityAt(*manifold.objects.first, position) - velocityAt(*manifold.objects.second, position);
-        const double speed = -glm::dot(relative, glm::dvec3(point.normal));
-        if (speed * seconds > double(point.separation)) fastest = std::max(fastest, speed);
+        const double speed = -glm::dot(relative, normal);
+        if (speed * seconds > double(point.separation) && speed > fastest) fastest = speed, away = normal * speed;
     }
-    return fastest;
+    return away;
 }
 
 void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double threshold, const std::vector<BodyHandle>& handles,

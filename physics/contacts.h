@@ -7,8 +7,12 @@
 
 namespace rubble {
 
-/// Largest speed, m/s, at which two bodies near each other along a normal of points that they reach within the step.
-double approachSpeed(const Manifold& manifold, double seconds);
+/// The fastest, m/s, that the first nears the second along a normal of points that they reach within the step: away from the
+/// second. Zero: they reach none.
+glm::dvec3 approachVelocity(const Manifold& manifold, double seconds);
+inline double approachSpeed(const Manifold& manifold, double seconds) {
+    return glm::length(approachVelocity(manifold, seconds));
+}
 
 /// The hits of a step: contacts that were approached faster than minSpeed and took more than `threshold` N s, added up for
 /// each pair of bodies, in the order of pairs. handles: by body slot.

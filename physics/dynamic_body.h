@@ -55,6 +55,7 @@ public:
     Settling settling;
     double slowSeconds = 0.0;               ///< how long it has been slow: the longer, the more drift counts as calm
     bool freshlyAwake = true;               ///< has not moved noticeably since it woke
+    glm::dvec3 knock{0.0};                  ///< m/s that fast hits may add within this step
     std::vector<uint32_t> sleepersTouched;  ///< slots of sleeping bodies that it has touched since it last moved noticeably
     bool touching = false;                  ///< had a contact in the last step
     bool afloat = false;                    ///< was in water in the last step

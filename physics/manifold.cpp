@@ -10,6 +10,7 @@ constexpr float kSameDirection = 0.8f;  ///< cosine between normals that count a
 constexpr int kPointsADirection = 4;
 constexpr float kInLine = 0.02f;      ///< distance from a line, in lengths of it, below which a point adds nothing to its ends
 constexpr float kKeptDepth = 0.001f;  ///< metres deeper that it counts as
+constexpr float kEmbedded = 0.02f;    ///< metres inside the static world from which on that is no error of stepping
 constexpr float kKept = 2.0f;         ///< a point that was kept in the last step counts as this much farther out: choices do not flicker
 
 bool wasKept(const Manifold* before, uint64_t feature) {
@@ -71,6 +72,17 @@ void inherit(const Manifold& before, Manifold& now) {
 }
 
 }  // namespace
+
+void embed(Manifold& manifold, float before) {
+    float deepest = 0.0f;
+    for (const ManifoldPoint& point : manifold.all()) deepest = std::max(deepest, -point.separation);
+    manifold.embedded = deepest > kEmbedded ? std::min(deepest, before) : 0.0f;
+}
+
+float pushedSeparation(const Manifold& manifold, const ManifoldPoint& point, const glm::vec3& up) {
+    const bool isLifted = point.separation < -kEmbedded && glm::dot(point.normal, up) > 0.0f;
+    return isLifted ? std::min(point.separation + manifold.embedded, 0.0f) : point.separation;
+}
 
 void reduceContacts(std::vector<ContactPoint>& contacts, const Manifold* before, Manifold& out) {
     out.count = 0;

@@ -29,12 +29,20 @@ struct Manifold {
     uint32_t first = 0, second = 0;  ///< numbers of the collision objects
     std::pair<CollisionObject*, CollisionObject*> objects;
     glm::dvec3 origin{0.0};  ///< of the first's frame, world: where positions count from
+    float embedded = 0.0f;   ///< metres that the first may be inside the second, which stands still: see embed()
     int count = 0;
     std::array<ManifoldPoint, kMaxManifoldPoints> points;
 
     std::span<ManifoldPoint> all() { return {points.data(), size_t(count)}; }
     std::span<const ManifoldPoint> all() const { return {points.data(), size_t(count)}; }
 };
+
+/// What was deep inside the static world when the two were first looked at (the foot of a tree that came loose) is held where
+/// it is, not lifted out: nothing pays for the height that would give a heavy body. What of it has come out does not get in
+/// again. before: what was allowed in the last step; infinite if the two are new to each other.
+void embed(Manifold& manifold, float before);
+/// As the solver sees a point's separation: what may stay inside touches. up: against gravity; zero: nothing is lifted.
+float pushedSeparation(const Manifold& manifold, const ManifoldPoint& point, const glm::vec3& up);
 
 /// Keeps at most kMaxManifoldPoints of the contacts, whose order it changes, and gives those that `before` (may be null)
 /// had too their impulses back.

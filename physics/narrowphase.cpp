@@ -8,7 +8,8 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kBatch = 32;     ///< pairs
+constexpr size_t kBatch = 32;  ///< pairs
+constexpr float kUnlimited = 1e9f;
 constexpr double kReused = 0.05;  ///< margins that two may move against each other before their contacts are found anew
 
 template <class T>
@@ -22,7 +23,7 @@ bool isListedBefore(const Manifold* a, const Manifold* b) {
 Motion motionOf(const CollisionObject& object) {
     Motion motion{.pose = object.pose, .lattices = object.lattices(), .radius = object.radius};
     if (!object.dynamic || object.dynamic->asleep()) return motion;
-    motion.velocity = object.dynamic->motion.velocity;
+    motion.velocity = object.dynamic->motion.velocity + object.dynamic->knock;
     motion.angularVelocity = object.dynamic->motion.angularVelocity;
     return motion;
 }
@@ -67,6 +68,8 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
     const bool inherits = before && !first->isNew && !second->isNew;
     reduceContacts(batch.contacts, inherits ? before->manifold : nullptr, manifold);
     anchor(manifold, first->pose, second->pose);
+    manifold.embedded = 0.0f;
+    if (!second->dynamic) embed(manifold, !before ? kUnlimited : before->manifold ? before->manifold->embedded : 0.0f);
 }
 
 void Narrowphase::collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch, std::span<Pair> out) const {
@@ -98,6 +101,30 @@ void Narrowphase::collide(std::span<const ObjectPair> pairs, const NarrowphaseSe
     for (size_t i = firstBatch; i < set.usedBatches; ++i)
         for (size_t m = 0; m < set.batches[i]->used; ++m) set.list.push_back(&set.batches[i]->manifolds[m]);
     if (!firstBatch) return;
+    std::sort(set.list.begin(), set.list.end(), isListedBefore);
+    std::sort(set.pairs.begin(), set.pairs.end(), isBefore<Pair>);
+}
+
+void Narrowphase::collideAgain(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings) {
+    Set& set = m_sets[m_now];
+    if (set.batches.size() == set.usedBatches) set.batches.push_back(std::make_unique<Batch>());
+    Batch& batch = *set.batches[set.usedBatches++];
+    batch.used = 0;
+    if (batch.manifolds.size() < pairs.size()) batch.manifolds.resize(pairs.size());
+    const size_t known = set.pairs.size();
+    for (const ObjectPair& objects : pairs) {
+        Pair pair;
+        pair.first = objects.first->number, pair.second = objects.second->number;
+        const auto end = set.pairs.begin() + std::ptrdiff_t(known), at = std::lower_bound(set.pairs.begin(), end, pair, isBefore<Pair>);
+        const bool isKnown = at != end && !isBefore(pair, *at);
+        if (isKnown && at->manifold) continue;
+        collidePair(objects, settings, isKnown ? &*at : nullptr, batch, pair);
+        if (isKnown)
+            *at = pair;
+        else
+            set.pairs.push_back(pair);
+    }
+    for (size_t m = 0; m < batch.used; ++m) set.list.push_back(&batch.manifolds[m]);
     std::sort(set.list.begin(), set.list.end(), isListedBefore);
     std::sort(set.pairs.begin(), set.pairs.end(), isBefore<Pair>);
 }

@@ -17,6 +17,8 @@ public:
     void begin();
     /// Adds the manifolds of these sorted pairs that touch.
     void collide(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, const ParallelFor& parallelFor);
+    /// The same for pairs of which some may have been looked at in this step: those without contacts are looked at again.
+    void collideAgain(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings);
     /// Of this step, sorted by first and second, valid until the next begin().
     std::span<Manifold* const> manifolds() const { return m_sets[m_now].list; }
 

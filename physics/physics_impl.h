@@ -51,6 +51,7 @@ struct PhysicsWorld::Impl {
     void applyWater();
     void moveCharacters();
     void findContacts();
+    void findKnocked(const NarrowphaseSettings& narrow);
     bool wakeHit();
     void noteContacts();
     void solve();

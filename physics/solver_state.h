@@ -25,6 +25,7 @@ struct SolverState {
     bool touches = false, bears = false;
     bool inertiaTurns = false;  ///< within the step
     bool isJointed = false;
+    bool isHit = false;  ///< so fast that its core counts
 };
 
 /// One substep of a body's rotation. Bodies that conserve hold their angular momentum (see rotation.cpp for how); the others

@@ -29,6 +29,30 @@ TEST(OverlapRecovery, CubesComeApartSlowly) {
     }
 }
 
+/// A tree of 25 tonnes whose foot stands in the ground, as it comes loose: it stays where it is, and is not lifted out.
+/// Pulled out, it lies on the ground like anything.
+TEST(OverlapRecovery, WhatStandsInTheGroundIsNotLiftedOut) {
+    PhysicsScene scene;
+    scene.add(blockGrid({200, 20, 200}, 7), {-10, -2, -10}, true);
+    scene.add(blockGrid({20, 60, 20}, 7), {-1.0, -0.5, -1.0}, false);
+    scene.load();
+    const double height = scene.center(1).y, mass = scene.world.bodyMass(scene.handle(1)).mass;
+    double highest = height;
+    for (int i = 0; i < 240; ++i) {
+        scene.step();
+        highest = std::max(highest, scene.center(1).y);
+    }
+    EXPECT_LT(highest, height + 0.002);
+    EXPECT_GT(scene.center(1).y, height - 0.01);
+    EXPECT_TRUE(scene.body(1).asleep);
+
+    FrameChanges pull;
+    pull.impulses.push_back({scene.handle(1), scene.center(1), glm::dvec3(0.0, 6.0 * mass, 0.0)});
+    scene.physics.apply(pull, scene.world);
+    scene.seconds(5.0);
+    EXPECT_GT(scene.center(1).y, height + 0.49);
+}
+
 /// What stops a very fast body is in the impact, also where its core stops it.
 TEST(Impact, OfAFastBodyIsItsChangeOfMomentum) {
     PhysicsScene scene;

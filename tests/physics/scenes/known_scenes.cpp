@@ -209,6 +209,45 @@ Shots shoot(const PhysicsSettings& settings, int count, uint64_t seed, double fa
     return shots;
 }
 
+Shots shootPairs(const PhysicsSettings& settings, int count, uint64_t seed, double fastest, double late) {
+    Random random(seed);
+    Shots shots;
+    const auto uniform = [&](double low, double high) { return low + (high - low) * (double(random.below(1u << 30)) / double(1u << 30)); };
+    const VoxelGrid wall = blockGrid({64, 1, 64}, 7);
+    for (; shots.fired < count; ++shots.fired) {
+        PhysicsScene scene(sleepless(settings));
+        scene.level.environment.gravity = {0, 0, 0};
+        scene.add(wall, {-3.2, -0.05, -3.2}, true);
+        const double soon = uniform(0.02, 0.06);
+        for (const int i : {0, 1}) {
+            const double speed = uniform(10.0, fastest), lean = uniform(0.0, 1.3), heading = uniform(0.0, 6.28);
+            const glm::dvec3 from(std::sin(lean) * std::cos(heading), std::cos(lean), std::sin(lean) * std::sin(heading));
+            const int size = 1 + int(random.below(4));
+            const double x = uniform(-1, 1), y = uniform(-1, 1), z = uniform(-1, 1);
+            const glm::dquat turn = glm::normalize(glm::dquat(uniform(-1, 1), x, y, z));
+            const glm::dvec3 start = from * std::max(speed * (soon + (i ? uniform(0.0, late) : 0.0)), 0.5 / from.y);
+            LevelBody& shot = scene.add(blockGrid(glm::ivec3(size), 7), start - turn * glm::dvec3(0.05 * size), false, turn);
+            shot.velocity = from * -speed;
+            const double wx = uniform(-30, 30), wy = uniform(-30, 30), wz = uniform(-30, 30);
+            shot.angularVelocity = {wx, wy, wz};
+        }
+        scene.load();
+        bool through = false;
+        for (int step = 0; step < 10; ++step) {
+            const std::array<glm::dvec3, 2> before{scene.center(1), scene.center(2)};
+            scene.step();
+            for (const int i : {0, 1}) {
+                const glm::dvec3 a = before[size_t(i)], b = scene.center(i + 1);
+                if (!(a.y > 0.0 && b.y <= 0.0)) continue;
+                const glm::dvec3 at = a + (b - a) * (a.y / (a.y - b.y));
+                through = through || std::max(std::abs(at.x), std::abs(at.z)) < 2.8;  // not round its edge
+            }
+        }
+        shots.through += through;
+    }
+    return shots;
+}
+
 SeamRide rideOverSeams(const PhysicsSettings& settings, int voxels, int shapes) {
     PhysicsScene scene(sleepless(settings));
     const uint8_t entry = setMaterial(scene, 7, 0.0f, 0.0f);

@@ -59,6 +59,9 @@ struct Shots {
     int fired = 0, through = 0;
 };
 Shots shoot(const PhysicsSettings& settings, int count, uint64_t seed, double fastest, double slowest = 1.0, int thickness = 1);
+/// The same two at a time, aimed to meet at the wall at one moment, from other sides and at other speeds: how many pairs sent
+/// one of them through. late: the most, in seconds, that the second comes later.
+Shots shootPairs(const PhysicsSettings& settings, int count, uint64_t seed, double fastest, double late = 0.002);
 
 /// A block without friction that slides over `voxels` cells at 5 m/s; shapes: into how many flush shapes the floor is cut.
 struct SeamRide {
