@@ -1,5 +1,7 @@
 // Whatever the camera looks at and from wherever, no target holds a NaN or an infinity. RUBBLE_LONG=1: 10,000 views.
+#include <cstdio>
 #include <cstdlib>
+#include <ctime>
 
 #include "render/gl/offscreen.h"
 #include "runtime/core/random.h"
@@ -13,6 +15,7 @@ namespace {
 
 constexpr glm::ivec2 kSize(160, 90);
 constexpr int kViewsAWorld = 250;  // then the rubble is cleared away
+constexpr int kViewsALine = 50;    // of what a long run says while it runs
 
 int viewsOfEach() {
     return std::getenv("RUBBLE_LONG") ? 3334 : 12;
@@ -79,6 +82,11 @@ TEST_P(AnyView, LeavesOnlyNumbers) {
         ASSERT_EQ(bad, "") << kWeathers[GetParam()].name << ", view " << i << " from " << view.position.x << ", " << view.position.y << ", "
                            << view.position.z << ", turned " << view.rotation.w << ' ' << view.rotation.x << ' ' << view.rotation.y << ' '
                            << view.rotation.z << ", fov " << view.verticalFov;
+        if (const int views = i + 1; std::getenv("RUBBLE_LONG") && views % kViewsALine == 0) {
+            std::printf("%s: %d of %d views, %.0f s of processor time\n", kWeathers[GetParam()].name, views, viewsOfEach(),
+                        double(std::clock()) / CLOCKS_PER_SEC);
+            std::fflush(stdout);
+        }
     }
 }
 
