@@ -46,14 +46,13 @@ vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel) {
     vec3 lamps = vec3(0.0);
     float smoothness = 1.0 - smoothstep(0.35, 0.6, s.roughness);
     if (uLocalLights) {
-        // Lamps shine back in their highlights, not with the rest of the light a second time. Rough surfaces show no more of them than
-        // of that rest, which is filtered.
+        // Lamps shine back in their highlights, not with the rest of the light a second time.
         ivec2 high = ivec2(frame.targetSize.xy) - 1;
         vec4 specular = 0.36 * texelFetch(uSpecular, pixel, 0);
         for (int i = 0; i < 4; ++i)
             specular += 0.16 * texelFetch(uSpecular, clamp(pixel + ivec2((i & 1) * 2 - 1, (i >> 1) * 2 - 1), ivec2(0), high), 0);
-        lamps = specular.rgb * smoothness;
-        mirrored *= 1.0 - smoothness * clamp(specular.a / max(luminance(light.rgb), 1e-4), 0.0, 1.0);
+        lamps = specular.rgb;
+        mirrored *= 1.0 - clamp(specular.a / max(luminance(light.rgb), 1e-4), 0.0, 1.0);
     }
     // Behind a pane the ray is the pane's.
     if (uReflections && !(uGlass && texelFetch(uGlassSurface, pixel, 0).w > 0.0)) {

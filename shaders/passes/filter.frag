@@ -1,6 +1,7 @@
 // One step of an edge-stopping a-trous filter on light (Dammertz et al. 2010; variance guidance after Schied et al. 2017):
 // five taps, at a stride along the rows and columns or along the diagonals by turns, each weighted by plane distance and by how far its light differs from the centre's in standard
-// deviations; only taps of the same orientation count, which for voxels is the same number. A constant stays itself.
+// deviations; only taps of the same orientation count, which for voxels is the same number. What one pixel takes of its neighbour the
+// neighbour takes of it: light is moved, none is lost. A constant stays itself.
 #include "lib/frame.glsl"
 #include "lib/color.glsl"
 #include "lib/surface_history.glsl"
@@ -75,16 +76,15 @@ void main() {
     float spatial = max(squares / total - lum * lum, 0.0);
     float skyDeviation = sqrt(mix(spatial, temporal / total, clamp((centre.z - 3.0) / 6.0, 0.0, 1.0)));
     float sunDeviation = sqrt(max(sun * (1.0 - sun), 1e-6) / max(uSunRays * centre.z, 1.0));
-    float skyScale = 1.0 / (4.0 * skyDeviation + 0.05 * lum + 1e-4);
+    // In shares of the pair's mean, so that both see the same difference.
+    float skyShare = 2.0 * skyDeviation / max(lum, 1e-5) + 0.025;
     // The sun's noise lies in narrow penumbras: wide steps would only soften shadows.
     float sunScale = uStride > 1 ? 1e4 : 1.0 / (1.5 * sunDeviation + 0.004);
 
-    vec4 sum = vec4(0.0);
-    vec2 totals = vec2(0.0);
-    for (int i = 0; i < kTaps; ++i) {
-        vec2 w = weights[i] * vec2(bell((lums[i] - ownLum) * skyScale), bell((lights[i].a - own.a) * sunScale));
-        sum += lights[i] * w.xxxy;
-        totals += w;
+    filtered = own;
+    for (int i = 1; i < kTaps; ++i) {
+        float sky = bell((lums[i] - ownLum) / (skyShare * (lums[i] + ownLum) + 1e-4));
+        float w = weights[i] / (kOwnWeight + float(kTaps - 1));
+        filtered += (lights[i] - own) * vec2(w * sky, w * bell((lights[i].a - own.a) * sunScale)).xxxy;
     }
-    filtered = sum / totals.xxxy;
 }

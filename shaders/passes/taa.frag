@@ -13,8 +13,8 @@ uniform bool uGlass;
 uniform sampler2D uGlassSurface;
 uniform sampler2D uSurface;    // z frames accumulated (lib/surface_history.glsl)
 
-const float kCompression = 0.125;
-const float kLongPast = 10.0;  // frames
+const float kCompression = 0.04;
+const float kLongPast = 6.0;  // frames
 const float kLoose = 2.5;  // times the box that holds memory, where nothing has moved or changed for long: thin lines live on between samples
 const float kSkyDepth = 65000.0;
 const float kNewShare = 0.1;
@@ -72,7 +72,7 @@ void main() {
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec3 sum = vec3(0.0), squares = vec3(0.0), now = vec3(0.0), low = vec3(1e9), top = vec3(-1e9);
     float depth = 1e9, seenThrough = 1.0;
-    float mostSeenThrough = 0.0;
+    float mostSeenThrough = 0.0, frames = 0.0;
     ivec2 nearest = pixel, paned = pixel;
     for (int i = 0; i < 9; ++i) {
         ivec2 offset = ivec2(i % 3, i / 3) - 1;
@@ -88,9 +88,11 @@ void main() {
         top = max(top, c);
         now += c * (across[i % 3] * up[i / 3]);
         if (i % 2 == 1) continue;  // corners and middle are enough to find an edge in front
-        float d = texelFetch(uDepth, p, 0).r;
-        if (d < depth) {
-            depth = d;
+        vec4 surface = texelFetch(uSurface, p, 0);
+        // What changes is wider than a pixel: one that alone has no past shows what the others miss.
+        frames = max(frames, surface.z);
+        if (surface.x < depth) {
+            depth = surface.x;
             nearest = p;
         }
     }
@@ -108,7 +110,7 @@ void main() {
     vec3 mean = sum / 9.0;
     vec3 deviation = sqrt(max(squares / 9.0 - mean * mean, vec3(0.0)));
     vec3 boxLow = max(low, mean - 1.25 * deviation), boxHigh = min(top, mean + 1.25 * deviation);
-    float frames = depth < kSkyDepth ? texelFetch(uSurface, nearest, 0).z : kLongPast;
+    if (depth >= kSkyDepth) frames = kLongPast;
     bool rests = frames >= kLongPast && seenThrough == 1.0 && length(motion * frame.targetSize.xy) < 0.05;
     vec3 middle = 0.5 * (boxLow + boxHigh), extent = 0.5 * (boxHigh - boxLow) * (rests ? kLoose : 1.0) + 1e-4;
     vec3 offset = history - middle;
