@@ -317,6 +317,24 @@ void fields(A& a, Is<DriveEdit> auto& edit) {
     a("brake", edit.brake);
 }
 template <class A>
+void fields(A& a, Is<SetEnvironmentEdit> auto& edit) {
+    a("environment", edit.environment);
+}
+template <class A>
+void fields(A& a, Is<SetLightEdit> auto& edit) {
+    a("light", edit.light);
+    a("local", edit.local);
+    a("color", edit.color);
+    a("radius", edit.radius);
+    a("reach", edit.reach);
+    a("cone_inner", edit.coneInner);
+    a("cone_outer", edit.coneOuter);
+    a("width", edit.width);
+    a("height", edit.height);
+    a("two_sided", edit.twoSided);
+    a("enabled", edit.enabled);
+}
+template <class A>
 void fields(A& a, Is<DetachJointEdit> auto& edit) {
     a("joint", edit.joint);
     a("shape", edit.shape);

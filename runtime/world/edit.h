@@ -11,6 +11,7 @@
 #include "runtime/destruction/brush.h"
 #include "runtime/world/character.h"
 #include "runtime/world/joint_edits.h"
+#include "runtime/world/light_edits.h"
 #include "runtime/world/paint_settings.h"
 #include "runtime/world/shape_edits.h"
 #include "runtime/world/trigger.h"
@@ -156,10 +157,11 @@ struct PlaceCharacterEdit {
     glm::dvec3 position{0.0}, velocity{0.0};  ///< of the feet
 };
 
-using Edit = std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit,
-                          BreakEdit, SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit, StrikeEdit, SetCollisionEdit, AddWaterEdit,
-                          RemoveWaterEdit, AddTriggerEdit, RemoveTriggerEdit, AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit,
-                          PlaceCharacterEdit, AddJointEdit, RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit>;
+using Edit =
+    std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit, BreakEdit,
+                 SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit, StrikeEdit, SetCollisionEdit, AddWaterEdit, RemoveWaterEdit,
+                 AddTriggerEdit, RemoveTriggerEdit, AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit, PlaceCharacterEdit, AddJointEdit,
+                 RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit, SetEnvironmentEdit, SetLightEdit>;
 using Edits = std::vector<Edit>;
 
 /// Where a host leaves edits for the next step. [main-thread]

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "runtime/core/log.h"
+#include "runtime/core/number_range.h"
 #include "runtime/core/random.h"
 #include "runtime/destruction/spray.h"
 #include "runtime/world/edit_step.h"
@@ -15,9 +16,7 @@ constexpr int kReachEvery = 5;         // updates between two looks for other sh
 constexpr double kReach = 1.1;         // metres to other shapes
 constexpr double kRadiated = 0.12;     // share of what a fire emits that reaches them
 
-bool isFinite(glm::dvec3 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+constexpr double kFarthest = 1e30;  // metres: of what is a number at all
 
 /// f(brick) for the bricks of a grid that are there and may be within reach of a point, in cells.
 template <class F>
@@ -36,7 +35,7 @@ glm::dvec3 brickMiddle(glm::ivec3 brick) {
 }  // namespace
 
 void EditStep::apply(const HeatEdit& edit) {
-    if (!isFinite(edit.position) || !(edit.radius > 0.0 && edit.radius < 1e6) || !(edit.joules >= 0.0 && edit.joules < 1e15))
+    if (!isWithin(edit.position, kFarthest) || !(edit.radius > 0.0 && edit.radius < 1e6) || !(edit.joules >= 0.0 && edit.joules < 1e15))
         return logWarning("HeatEdit: expected finite numbers, a radius above zero and joules of zero or more; nothing was heated");
     if (!m_world.m_settings.fire.enabled) return;
     if (edit.shape && !m_world.m_shapes.find(edit.shape)) return logWarning("HeatEdit: the handle of its shape is stale; nothing was heated");
@@ -99,7 +98,7 @@ void EditStep::lightBrick(ShapeHandle handle, HotBrick& hot) {
 }
 
 void EditStep::apply(const ExtinguishEdit& edit) {
-    if (!isFinite(edit.position) || !(edit.radius > 0.0 && edit.radius < 1e6) || !(edit.wetSeconds >= 0.0 && edit.wetSeconds <= 6000.0))
+    if (!isWithin(edit.position, kFarthest) || !(edit.radius > 0.0 && edit.radius < 1e6) || !(edit.wetSeconds >= 0.0 && edit.wetSeconds <= 6000.0))
         return logWarning("ExtinguishEdit: expected finite numbers, a radius above zero and 0 to 6000 seconds; nothing was put out");
     const uint32_t wet = uint32_t(edit.wetSeconds * kHeatUpdates);
     FireState& fire = m_world.m_fire;
@@ -115,7 +114,8 @@ void EditStep::apply(const ExtinguishEdit& edit) {
 }
 
 void EditStep::apply(const RemoveFiresEdit& edit) {
-    if (!isFinite(edit.low) || !isFinite(edit.high)) return logWarning("RemoveFiresEdit: expected finite numbers; nothing was put out");
+    if (!isWithin(edit.low, kFarthest) || !isWithin(edit.high, kFarthest))
+        return logWarning("RemoveFiresEdit: expected finite numbers; nothing was put out");
     for (HeatField& field : m_world.m_fire.fields)
         for (HotBrick& hot : field.bricks) {
             if (!hot.burningFor || !m_world.m_shapes.find(field.shape)) continue;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "runtime/core/log.h"
+#include "runtime/core/number_range.h"
 #include "runtime/world/edit_step.h"
 
 namespace rubble {
@@ -23,10 +24,6 @@ double nearestOnRope(const Joint& rope, glm::dvec3 place) {
         best = double(i) + along;
     }
     return best;
-}
-
-bool isFinite(const glm::dvec3& v) {
-    return glm::length(v) < 1e12;
 }
 
 }  // namespace
@@ -76,7 +73,7 @@ void EditStep::apply(const DetachJointEdit& edit) {
 void EditStep::apply(const GrabEdit& edit) {
     const Body* body = m_world.m_bodies.find(edit.body);
     if (!body || body->isStatic) return logWarning("GrabEdit: its handle is stale, or names a static body; nothing was grabbed");
-    if (!isFinite(edit.point) || !isFinite(edit.target)) return logWarning("GrabEdit: a place is no finite number; nothing was grabbed");
+    if (!isWithin(edit.point, 1e12) || !isWithin(edit.target, 1e12)) return logWarning("GrabEdit: a place is no finite number; nothing was grabbed");
     for (const JointHandle handle : copyOf(m_world.m_jointList.grabs())) {
         Joint& grab = m_world.m_joints.at(handle);
         if (grab.hand != edit.hand + 1) continue;

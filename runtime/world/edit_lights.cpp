@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "runtime/core/log.h"
+#include "runtime/core/number_range.h"
 #include "runtime/core/random.h"
 #include "runtime/world/edit_step.h"
 
@@ -54,7 +56,58 @@ PaletteRef darkened(const Palette& palette, uint32_t group) {
     return out;
 }
 
+bool isSane(const Environment& e) {
+    constexpr double kMost = 1e6;
+    for (const glm::vec3& color : {e.sunColor, e.skyColor, e.horizonColor, e.groundColor, e.fogColor, e.fogTint})
+        if (!isWithin(color, 0.0, kMost)) return false;
+    return isWithin(e.sunDirection, -kMost, kMost) && isWithin(glm::length(e.sunDirection), 1e-6, 2.0 * kMost) && isWithin(e.sunAngle, 0.0, 1.5) &&
+           isWithin(e.fogDistance, 1e-3, 1e9) && isWithin(e.fogDensity, 0.0, kMost) && isWithin(e.fogBase, -kMost, kMost) &&
+           isWithin(e.fogHeight, 1e-3, kMost) && isWithin(e.fogForward, -0.9, 0.9) && isWithin(e.clouds, 0.0, 1.0) && isWithin(e.stars, 0.0, kMost) &&
+           isWithin(e.exposure, 0.0, kMost) && isWithin(e.wetness, 0.0, 1.0) && isWithin(e.gravity, -1e3, 1e3);
+}
+
+bool isSane(const SetLightEdit& light) {
+    const glm::dquat& q = light.local.rotation;
+    return isWithin(light.local.position, 1e9) && isWithin(glm::dot(q, q), 0.999, 1.001) && isWithin(light.color, 0.0, 1e6) &&
+           isWithin(light.radius, 0.0, 1e3) && isWithin(light.reach, 0.0, 1e5) && isWithin(light.coneInner, 0.0, 3.15) &&
+           isWithin(light.coneOuter, 0.0, 3.15) && isWithin(light.width, 0.0, 1e3) && isWithin(light.height, 0.0, 1e3);
+}
+
 }  // namespace
+
+SetLightEdit::SetLightEdit(LightHandle handle, const Light& now)
+    : light(handle),
+      local(now.local),
+      color(now.color),
+      radius(now.radius),
+      reach(now.reach),
+      coneInner(now.coneInner),
+      coneOuter(now.coneOuter),
+      width(now.width),
+      height(now.height),
+      twoSided(now.twoSided),
+      enabled(now.enabled) {}
+
+void EditStep::apply(const SetEnvironmentEdit& edit) {
+    if (!isSane(edit.environment))
+        return logWarning("SetEnvironmentEdit: expected a direction of the sun and finite numbers, of colours 0 or more; nothing was changed");
+    m_world.setEnvironment(edit.environment);
+}
+
+void EditStep::apply(const SetLightEdit& edit) {
+    Light* light = m_world.m_lights.find(edit.light);
+    if (!light) return logWarning("SetLightEdit: the handle of its light is stale; nothing was changed");
+    if (!isSane(edit)) return logWarning("SetLightEdit: expected a rotation of length 1 and finite numbers of 0 or more; nothing was changed");
+    const LightGroup* group = m_world.m_groups.find(light->group);
+    light->local = edit.local;
+    light->color = edit.color;
+    light->radius = edit.radius, light->reach = edit.reach;
+    light->coneInner = edit.coneInner, light->coneOuter = edit.coneOuter;
+    light->width = edit.width, light->height = edit.height;
+    light->twoSided = edit.twoSided;
+    light->enabled = edit.enabled && !(group && group->out);
+    m_changes.lights.push_back(edit.light);
+}
 
 /// A light goes with the piece that has the voxel nearest to it; the parent first, then the children in order.
 void EditStep::moveLights(const ShapeSplit& split) {

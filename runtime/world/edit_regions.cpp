@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "runtime/core/log.h"
+#include "runtime/core/number_range.h"
 #include "runtime/world/edit_step.h"
 
 namespace rubble {
@@ -9,30 +10,25 @@ namespace {
 
 constexpr uint32_t kWetSeconds = 20;  ///< that what was under water stays wet
 
-bool isSane(double value, double low, double high) {
-    return value >= low && value <= high;  // false for a NaN
-}
-
-bool isSane(glm::dvec3 v) {
-    return isSane(v.x, -1e9, 1e9) && isSane(v.y, -1e9, 1e9) && isSane(v.z, -1e9, 1e9);
-}
+constexpr double kFarthest = 1e9;  // metres
 
 bool isSane(const GroundArea& area) {
-    return area.size() >= 3 && std::all_of(area.begin(), area.end(), [](const GroundPoint& p) { return isSane({p.x, 0.0, p.z}); });
+    return area.size() >= 3 && std::all_of(area.begin(), area.end(), [](const GroundPoint& p) { return isWithin({p.x, 0.0, p.z}, kFarthest); });
 }
 
 bool isSane(const Water& water) {
-    return isSane(water.outline) && isSane(water.surface, -1e9, 1e9) && isSane(water.depth, 1e-6, 1e6) && isSane(water.density, 0.0, 1e6) &&
-           isSane(water.linearDrag, 0.0, 1e6) && isSane(water.angularDrag, 0.0, 1e6) && isSane(water.flow);
+    return isSane(water.outline) && isWithin(water.surface, -kFarthest, kFarthest) && isWithin(water.depth, 1e-6, 1e6) &&
+           isWithin(water.density, 0.0, 1e6) && isWithin(water.linearDrag, 0.0, 1e6) && isWithin(water.angularDrag, 0.0, 1e6) &&
+           isWithin(water.flow, kFarthest);
 }
 
 bool isSane(const Trigger& trigger) {
     const glm::dquat& q = trigger.pose.rotation;
-    if (!isSane(trigger.pose.position) || !isSane(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 0.999, 1.001)) return false;
-    if (trigger.kind == TriggerKind::Sphere) return isSane(trigger.radius, 1e-6, 1e6);
-    if (trigger.kind == TriggerKind::Polygon) return isSane(trigger.outline) && isSane(trigger.height, 1e-6, 1e6);
+    if (!isWithin(trigger.pose.position, kFarthest) || !isWithin(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 0.999, 1.001)) return false;
+    if (trigger.kind == TriggerKind::Sphere) return isWithin(trigger.radius, 1e-6, 1e6);
+    if (trigger.kind == TriggerKind::Polygon) return isSane(trigger.outline) && isWithin(trigger.height, 1e-6, 1e6);
     const glm::dvec3& h = trigger.halfSize;
-    return isSane(h.x, 1e-6, 1e6) && isSane(h.y, 1e-6, 1e6) && isSane(h.z, 1e-6, 1e6);
+    return isWithin(h.x, 1e-6, 1e6) && isWithin(h.y, 1e-6, 1e6) && isWithin(h.z, 1e-6, 1e6);
 }
 
 }  // namespace

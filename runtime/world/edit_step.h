@@ -117,6 +117,8 @@ private:
     void strikePiece(ShapeHandle shape, const LoadBlow& blow);
 
     // edit_lights.cpp
+    void apply(const SetEnvironmentEdit& edit);
+    void apply(const SetLightEdit& edit);
     void moveLights(const ShapeSplit& split);
     void putOutLightsOf(ShapeHandle shape);
     void updateLightGroups();

@@ -3,19 +3,12 @@
 #include <cmath>
 
 #include "runtime/core/hash.h"
+#include "runtime/core/number_range.h"
 
 namespace rubble {
 namespace {
 
 constexpr double kMost = 1e12;  ///< of any number of a joint
-
-bool isFinite(const glm::dvec3& v) {
-    return std::abs(v.x) < kMost && std::abs(v.y) < kMost && std::abs(v.z) < kMost;
-}
-
-bool isWithin(double value, double low, double high) {
-    return value >= low && value <= high;
-}
 
 uint64_t hashPose(const Pose& pose, uint64_t seed) {
     return hashBytes(&pose.rotation, sizeof pose.rotation, hashBytes(&pose.position, sizeof pose.position, seed));
@@ -27,7 +20,7 @@ std::string jointError(const Joint& joint) {
     for (const JointEnd& end : joint.ends) {
         const glm::dquat& q = end.frame.rotation;
         const double length2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-        if (!isFinite(end.frame.position)) return "the place of an end is no finite number";
+        if (!isWithin(end.frame.position, kMost)) return "the place of an end is no finite number";
         if (!isWithin(length2, 0.998, 1.002)) return "the rotation of an end is not of length 1";
         if (!isWithin(end.radius, 0.0, 100.0)) return "the radius of an end is not from 0 to 100 m";
     }
@@ -42,7 +35,7 @@ std::string jointError(const Joint& joint) {
     if (!joint.points.empty() && joint.points.size() != joint.rope.points) return "a rope has as many points as it says";
     if (!isWithin(joint.rope.radius, 1e-4, 10.0) || !isWithin(joint.rope.massPerMetre, 1e-4, 1e6)) return "a rope has a radius and a mass";
     for (const RopePoint& point : joint.points)
-        if (!isFinite(point.position) || !isFinite(point.velocity)) return "a point of a rope is no finite number";
+        if (!isWithin(point.position, kMost) || !isWithin(point.velocity, kMost)) return "a point of a rope is no finite number";
     return "";
 }
 

@@ -172,7 +172,6 @@ public:
     const MaterialTable& materials() const { return m_materials; }
     const Environment& environment() const { return m_environment; }
     const std::vector<std::pair<std::string, Pose>>& locations() const { return m_locations; }
-    void setEnvironment(const Environment& environment);
 
     /// Grid corner -> world.
     Pose shapeToWorld(ShapeHandle shape) const;
@@ -211,6 +210,7 @@ private:
     friend class WorldMirror;
     bool runHistory(const Edits& edits, FrameChanges& changes);
     void clear();
+    void setEnvironment(const Environment& environment);
     /// Brings the index of places up to date: to be called when a shape is made, resized or moved, and when it goes.
     void placeShape(ShapeHandle shape);
     void forgetShape(ShapeHandle shape) { m_places.remove(shape.slot()); }
@@ -219,13 +219,13 @@ private:
     bool debrisWaits() const;
     /// Begins the load analysis of every standing shape anew, or ends it if it is off.
     void listLoads();
-    /// Whether wire leads from the group's supply to a voxel of it.
     /// Finds the voxels that hold a joint and the points of a rope; what is missing, or nothing.
     std::string fitJoint(Joint& joint) const;
     JointHandle addJoint(Joint joint);
     void listJoints();
     bool isWinding() const;  ///< a winch turns
     void journalJoints(const WorldDelta& before, FrameChanges& changes);
+    /// Whether wire leads from the group's supply to a voxel of it.
     bool isSupplied(LightGroupHandle handle, const LightGroup& group) const;
     void connectSupplies();
     void addImpactDamage(const Impact& impact, BodyHandle body, Edits& out) const;

@@ -4,6 +4,7 @@
 #include "render/gl/framebuffer.h"
 #include "runtime/frame/snapshots.h"
 #include "runtime/shadow/shadow_worker.h"
+#include "samples/scenes/town.h"
 #include "tests/render/gbuffer_fixture.h"
 
 namespace rubble {
@@ -110,6 +111,26 @@ TEST_F(ShadowLightTest, ClosedRoomIsDarkInside) {
             EXPECT_EQ(count.lit, 0) << "of " << count.facing << ", turned by " << turn;
         }
     }
+}
+
+/// The reference keeps a byte for 2x2x2 cells of the whole box, and two smaller copies of that.
+TEST_F(ShadowLightTest, TheTownTakesAQuarterOfADenseVolume) {
+    FrameSnapshot town = firstSnapshot(makeTown(1));
+    glm::ivec3 low(1 << 20), high(-(1 << 20));
+    for (const ShadowPatch& patch : town.shadow) {
+        if (!patch.content) continue;
+        low = glm::min(low, patch.brick);
+        high = glm::max(high, patch.brick + 1);
+    }
+    const glm::dvec3 bytes = glm::dvec3(high - low) * double(kShadowBrickCells) / 2.0;
+    const double dense = bytes.x * bytes.y * bytes.z * (1.0 + 1.0 / 8.0 + 1.0 / 64.0);
+    Scene scene;
+    scene.apply(std::move(town));
+    View view;
+    view.size = {64, 36};
+    draw(scene, view);
+    EXPECT_LT(double(scene.shadow().bytes()), 0.25 * dense);
+    EXPECT_GT(double(scene.shadow().bytes()), 0.05 * dense) << "has it been sent at all?";
 }
 
 }  // namespace

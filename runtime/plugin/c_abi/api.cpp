@@ -6,6 +6,7 @@
 #include "runtime/plugin/c_abi/edits.h"
 #include "runtime/plugin/c_abi/guard.h"
 #include "runtime/plugin/c_abi/joints.h"
+#include "runtime/plugin/c_abi/lights.h"
 #include "runtime/plugin/c_abi/queries.h"
 #include "runtime/plugin/c_abi/reads.h"
 #include "runtime/plugin/c_abi/regions.h"
@@ -461,6 +462,12 @@ constexpr rubble_api kApi = {
     overlapShapes,
     closestPoint,
     drive,
+    environment,
+    setEnvironment,
+    followSun,
+    lights,
+    lightState,
+    setLight,
 };
 
 }  // namespace

@@ -62,4 +62,21 @@ rubble_result pushEdit(const char* function, rubble_world world, const HostEdit*
     });
 }
 
+/// Refuses a handle that names nothing in a SlotMap of a World.
+template <class Map, class Handle>
+void demandThere(const Map& map, Handle handle, const char* name) {
+    if (!map.find(handle)) throw Refusal{RUBBLE_ERROR_STALE, std::string(name) + (handle ? " is stale" : " is 0")};
+}
+
+/// The handles in a SlotMap of a World, in the order of their slots.
+template <class Map>
+rubble_result listAll(const char* function, rubble_world world, uint64_t* out, uint32_t capacity, uint32_t* count, const Map& (World::*all)() const) {
+    return guarded(function, [&] {
+        const auto hosted = Registry::instance().world(world);
+        RowWriter<uint64_t> rows(out, capacity, count);
+        (hosted->loop.world().*all)().forEach([&](auto handle, const auto&) { rows.add([&] { return handle.bits; }); });
+        rows.finish();
+    });
+}
+
 }  // namespace rubble::abi

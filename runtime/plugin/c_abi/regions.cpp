@@ -23,11 +23,6 @@ uint8_t readBits(uint32_t bits, uint8_t ifZero, const char* name) {
     return bits == 0 ? ifZero : uint8_t(bits & 255);
 }
 
-template <class Map, class Handle>
-void demandThere(const Map& map, Handle handle, const char* name) {
-    if (!map.find(handle)) throw Refusal{RUBBLE_ERROR_STALE, std::string(name) + (handle ? " is stale" : " is 0")};
-}
-
 SetCollisionEdit toEdit(const World& world, const rubble_collision& given) {
     SetCollisionEdit edit{readHandle<HandleType::Shape>(given.shape, "shape"), readBits(given.layer, 1, "layer"), readBits(given.mask, 255, "mask")};
     demandThere(world.shapes(), edit.shape, "shape");
@@ -104,16 +99,6 @@ rubble_result removeOne(const char* function, rubble_world world, uint64_t bits,
         const auto handle = readHandle<kType>(bits, name);
         demandThere((hosted->loop.world().*all)(), handle, name);
         hosted->loop.edits().push(EditType{handle});
-    });
-}
-
-template <class Map>
-rubble_result listAll(const char* function, rubble_world world, uint64_t* out, uint32_t capacity, uint32_t* count, const Map& (World::*all)() const) {
-    return guarded(function, [&] {
-        const auto hosted = Registry::instance().world(world);
-        RowWriter<uint64_t> rows(out, capacity, count);
-        (hosted->loop.world().*all)().forEach([&](auto handle, const auto&) { rows.add([&] { return handle.bits; }); });
-        rows.finish();
     });
 }
 

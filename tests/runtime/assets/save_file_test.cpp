@@ -41,7 +41,8 @@ World brokenWorld(uint8_t id = 1) {
 }
 
 SavedGame gameOf(const World& world) {
-    return {world.state(), {sphereCarve({1.0, 2.0, 3.0}, 0.5), ExplodeEdit{}, SettingsEdit{world.settings()}}};
+    return {world.state(),
+            {sphereCarve({1.0, 2.0, 3.0}, 0.5), ExplodeEdit{}, SettingsEdit{world.settings()}, SetEnvironmentEdit{world.environment()}}};
 }
 
 TEST(SaveFile, RoundTripKeepsStateSlotsAndPendingEdits) {
@@ -49,7 +50,8 @@ TEST(SaveFile, RoundTripKeepsStateSlotsAndPendingEdits) {
     const std::vector<uint8_t> bytes = gameToBytes(gameOf(world));
     Result<SavedGame> game = gameFromBytes(bytes, "test", 7);
     ASSERT_TRUE(game) << game.error();
-    EXPECT_EQ(game->pending.size(), 3u);
+    ASSERT_EQ(game->pending.size(), 4u);
+    EXPECT_EQ(std::get<SetEnvironmentEdit>(game->pending[3]).environment, world.environment());
     EXPECT_EQ(std::get<CarveEdit>(game->pending[0]).position, glm::dvec3(1.0, 2.0, 3.0));
     World back(7);
     back.setState(game->world);
@@ -94,6 +96,7 @@ TEST(SaveFile, ASettingThatTheFileForgetsIsNoticed) {
     EXPECT_EQ(sizeof(Environment), 136u);
     EXPECT_EQ(sizeof(PaintEdit), 80u);
     EXPECT_EQ(sizeof(CarveEdit), 160u);
+    EXPECT_EQ(sizeof(SetLightEdit), 112u);
 }
 
 TEST(SaveFile, FilesOfOtherKindsAreRefused) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/runtime/world/worlds.h"
 
 namespace rubble {
@@ -178,6 +180,64 @@ TEST(LightEdits, ASupplyThatLeadsNowhereIsNone) {
     world.load(level);
     EXPECT_TRUE(world.applyEdits({test::sphereCarve({1.2, 2.05, 0.6}, 0.2)}).groupsOut.empty());
     EXPECT_TRUE(anyGlow(world));
+}
+
+LightHandle firstHandle(const World& world) {
+    LightHandle first;
+    world.lights().forEach([&](LightHandle handle, const Light&) { first = handle; });
+    return first;
+}
+
+TEST(LightEdits, ALightIsSetAndTheJournalNamesIt) {
+    World world;
+    world.load(lampPost());
+    SetLightEdit edit(firstHandle(world), firstLight(world));
+    edit.color = {1.0f, 0.5f, 0.25f};
+    edit.local.position.y = 2.0;
+    edit.enabled = false;
+    const FrameChanges changes = world.applyEdits({edit});
+    EXPECT_EQ(changes.lights, std::vector<LightHandle>{edit.light});
+    EXPECT_EQ(firstLight(world).color, edit.color);
+    EXPECT_EQ(firstLight(world).local.position.y, 2.0);
+    EXPECT_FALSE(firstLight(world).enabled);
+    EXPECT_EQ(firstLight(world).name, "bulb");
+}
+
+TEST(LightEdits, ALightOfADeadGroupStaysDark) {
+    World world;
+    world.load(lampPost());
+    const CarveEdit half{.kind = BrushKind::Box, .position = {0.4, 3.85, 0.4}, .halfSize = {1.0, 0.16, 1.0}};
+    ASSERT_EQ(world.applyEdits({half}).groupsOut.size(), 1u);
+    SetLightEdit edit(firstHandle(world), firstLight(world));
+    edit.enabled = true;
+    world.applyEdits({edit});
+    EXPECT_FALSE(firstLight(world).enabled);
+}
+
+TEST(LightEdits, WhatIsNoLightOrWeatherChangesNothing) {
+    World world;
+    world.load(lampPost());
+    const Environment before = world.environment();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    SetLightEdit light(firstHandle(world), firstLight(world));
+    light.color.g = nan;
+    SetEnvironmentEdit sky{world.environment()}, still{world.environment()};
+    sky.environment.fogForward = 1.0f;
+    still.environment.sunDirection = glm::vec3(0.0f);
+    EXPECT_TRUE(world.applyEdits({light, SetLightEdit({}, firstLight(world)), sky, still}).lights.empty());
+    EXPECT_EQ(firstLight(world).color, glm::vec3(1.0f));
+    EXPECT_EQ(world.environment(), before);
+}
+
+TEST(LightEdits, TheWeatherIsAnEditLikeAnyOther) {
+    World world;
+    world.load(lampPost());
+    SetEnvironmentEdit edit{world.environment()};
+    edit.environment.wetness = 0.5f;
+    edit.environment.sunDirection = {0.0f, 3.0f, 0.0f};
+    world.applyEdits({edit});
+    EXPECT_EQ(world.environment().wetness, 0.5f);
+    EXPECT_EQ(world.environment().sunDirection, glm::vec3(0.0f, 1.0f, 0.0f));
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ typedef uint64_t rubble_renderer;
 typedef uint64_t rubble_body;        /* a rigid body: a frame that shapes are fixed to */
 typedef uint64_t rubble_shape;       /* a grid of voxels on a body */
 typedef uint64_t rubble_joint;       /* holds two shapes together, or one to the world */
+typedef uint64_t rubble_light;       /* what shines, on a shape or in the world */
 typedef uint64_t rubble_light_group; /* lights that go out together */
 typedef uint64_t rubble_water;       /* a body of water */
 typedef uint64_t rubble_trigger;     /* a region that reports who enters and leaves it */
@@ -502,6 +503,55 @@ typedef struct rubble_touch {
     uint32_t reserved;
 } rubble_touch;
 
+/* ---- sky, sun, air and lights ---- */
+
+/* Every field counts, zeros too: read environment(), change what is to change, set it. Colours are linear. */
+typedef struct rubble_environment {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double sun_direction[3]; /* towards the sun, any length */
+    double sun_color[3];     /* irradiance on a face turned to it */
+    double sun_angle;        /* angular radius */
+    double sky_color[3];     /* radiance overhead */
+    double horizon_color[3];
+    double ground_color[3]; /* light from below the horizon */
+    double fog_color[3];
+    double fog_distance; /* metres at which the haze takes half */
+    double fog_density;  /* of fog that lights throw shafts into: share of light it takes in a metre at fog_base; 0: none, and nothing is paid */
+    double fog_base;     /* height */
+    double fog_height;   /* metres over fog_base at which it is 1/e as thick */
+    double fog_forward;  /* how much it scatters forward, -0.9 to 0.9 */
+    double fog_tint[3];
+    double clouds; /* 0: a clear sky, 1: overcast */
+    double stars;
+    double exposure;
+    double wetness;    /* 0 dry, 0.5 dark and smooth, 1 with puddles */
+    double gravity[3]; /* m/s2 */
+} rubble_environment;
+
+enum { RUBBLE_LIGHT_SPHERE = 0, RUBBLE_LIGHT_CONE = 1, RUBBLE_LIGHT_CAPSULE = 2, RUBBLE_LIGHT_AREA = 3, RUBBLE_LIGHT_SCREEN = 4 };
+enum { RUBBLE_LIGHT_ENABLED = 1, RUBBLE_LIGHT_TWO_SIDED = 2 };
+
+/* A light as it is, and as it is to be: every field counts, but kind, shape and group are only told. */
+typedef struct rubble_light_state {
+    uint32_t struct_size;
+    uint32_t kind; /* RUBBLE_LIGHT_SPHERE... */
+    rubble_light light;
+    rubble_shape shape;       /* whose frame position and rotation are in; 0: the world's */
+    rubble_light_group group; /* while it is out its lights stay dark */
+    uint32_t flags;           /* RUBBLE_LIGHT_ENABLED... */
+    uint32_t reserved;
+    double position[3]; /* cones, areas and screens look along -z */
+    double rotation[4];
+    double color[3];   /* linear radiant intensity */
+    double radius;     /* of the glowing ball */
+    double reach;      /* metres beyond which it lights nothing */
+    double cone_inner; /* half angles */
+    double cone_outer;
+    double width; /* of capsules, areas and screens, along x */
+    double height;
+} rubble_light_state;
+
 /* ---- renderer ---- */
 
 typedef struct rubble_renderer_settings {
@@ -649,6 +699,17 @@ typedef struct rubble_api {
 
     /* [main-thread] A command for the next step. */
     rubble_result (*drive)(rubble_world world, const rubble_drive* edit);
+
+    /* [main-thread] Sky, sun, air, exposure and gravity; set_environment is a command for the next step. */
+    rubble_result (*environment)(rubble_world world, rubble_environment* out);
+    rubble_result (*set_environment)(rubble_world world, const rubble_environment* environment);
+    /* [any-thread] Sets the colours of sun, sky, haze and ground light, and the stars, in a struct that is filled in: from where the
+     * sun stands (below the horizon: twilight, then night) and its clouds. */
+    rubble_result (*follow_sun)(rubble_environment* environment, const double to_sun[3]);
+    /* [main-thread] All lights, with capacity and count as in body_states(); one of them; a command for the next step. */
+    rubble_result (*lights)(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*light_state)(rubble_world world, rubble_light light, rubble_light_state* out);
+    rubble_result (*set_light)(rubble_world world, const rubble_light_state* light);
 } rubble_api;
 
 /* [any-thread] The one export: the plugin's table for this version of the interface, or RUBBLE_ERROR_VERSION and null. */

@@ -1,0 +1,18 @@
+#pragma once
+#include <glm/vec3.hpp>
+
+namespace rubble {
+
+/// Whether low <= value <= high; false for a NaN.
+inline bool isWithin(double value, double low, double high) {
+    return value >= low && value <= high;
+}
+/// The same for each of a vector's numbers.
+inline bool isWithin(const glm::dvec3& v, double low, double high) {
+    return isWithin(v.x, low, high) && isWithin(v.y, low, high) && isWithin(v.z, low, high);
+}
+inline bool isWithin(const glm::dvec3& v, double most) {
+    return isWithin(v, -most, most);
+}
+
+}  // namespace rubble

@@ -1,0 +1,161 @@
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "tests/abi/abi_fixture.h"
+
+namespace rubble {
+namespace {
+
+TEST_F(Abi, WrongVersionsAreRefused) {
+    const rubble_api* table = api();
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(rubble_get_api(RUBBLE_VERSION + 1, &table), RUBBLE_ERROR_VERSION);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("version 2 asked for"), std::string::npos);
+    EXPECT_EQ(table, nullptr);
+    EXPECT_EQ(rubble_get_api(RUBBLE_VERSION, nullptr), RUBBLE_ERROR_NULL);
+    EXPECT_EQ(api()->struct_size, sizeof(rubble_api));
+    EXPECT_EQ(api()->version, RUBBLE_VERSION);
+}
+
+TEST_F(Abi, NullPointersAreRefused) {
+    const double axis[3] = {1, 0, 0};
+    auto hit = sized<rubble_hit>();
+    rubble_renderer renderer = 1;
+    expectRefused(api()->world_create(nullptr, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->load_level(m_world, nullptr, nullptr), RUBBLE_ERROR_NULL, "path");
+    expectRefused(api()->carve(m_world, nullptr), RUBBLE_ERROR_NULL, "carve");
+    expectRefused(api()->explode(m_world, nullptr), RUBBLE_ERROR_NULL, "explode");
+    expectRefused(api()->paint(m_world, nullptr), RUBBLE_ERROR_NULL, "paint");
+    expectRefused(api()->push(m_world, nullptr), RUBBLE_ERROR_NULL, "push");
+    expectRefused(api()->events(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->body_states(m_world, nullptr, 0, nullptr), RUBBLE_ERROR_NULL, "count");
+    uint32_t count = 0;
+    expectRefused(api()->body_states(m_world, nullptr, 5, &count), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->body_state(m_world, bodies(m_world)[0].body, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->shape_states(m_world, 0, nullptr, 5, &count), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->raycast(m_world, nullptr, axis, 1, &hit), RUBBLE_ERROR_NULL, "origin");
+    expectRefused(api()->raycast(m_world, axis, nullptr, 1, &hit), RUBBLE_ERROR_NULL, "direction");
+    expectRefused(api()->raycast(m_world, axis, axis, 1, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->state_hash(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->ledger(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->figures(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->renderer_create(m_world, nullptr, &renderer), RUBBLE_ERROR_NULL, "settings");
+    EXPECT_EQ(renderer, 0u);
+}
+
+TEST_F(Abi, WrongStructSizesAreRefused) {
+    auto explosion = blow();
+    for (const uint32_t size : {0u, 4u, uint32_t(sizeof explosion) - 1, 1u << 30}) {
+        explosion.struct_size = size;
+        expectRefused(api()->explode(m_world, &explosion), RUBBLE_ERROR_STRUCT_SIZE, "struct_size");
+    }
+    auto ledger = sized<rubble_ledger>();
+    ledger.struct_size = 8;
+    expectRefused(api()->ledger(m_world, &ledger), RUBBLE_ERROR_STRUCT_SIZE, "struct_size");
+}
+
+TEST_F(Abi, ANewerHostMayGrowAStructAsLongAsItAsksForNothingNew) {
+    struct Grown {
+        rubble_explosion known;
+        uint64_t added;
+    } grown = {blow(), 0};
+    grown.known.struct_size = sizeof grown;
+    EXPECT_EQ(api()->explode(m_world, &grown.known), RUBBLE_OK) << api()->last_error();
+    grown.added = 1;
+    expectRefused(api()->explode(m_world, &grown.known), RUBBLE_ERROR_STRUCT_SIZE, "does not know");
+}
+
+TEST_F(Abi, StaleHandlesAreReported) {
+    const rubble_world gone = makeWorld();
+    const rubble_body itsBody = bodies(gone)[0].body;
+    rubble_body_state state = {};
+    expectRefused(api()->body_state(m_world, itsBody, &state), RUBBLE_ERROR_STALE, "body");  // of another world
+    EXPECT_EQ(api()->world_destroy(gone), RUBBLE_OK);
+    expectRefused(api()->world_destroy(gone), RUBBLE_ERROR_STALE, "world");
+    expectRefused(api()->step(gone), RUBBLE_ERROR_STALE, "world");
+    expectRefused(api()->step(0), RUBBLE_ERROR_STALE, "world");
+    expectRefused(api()->step(~0ull), RUBBLE_ERROR_STALE, "world");
+    expectRefused(api()->step(itsBody), RUBBLE_ERROR_STALE, "type");
+    expectRefused(api()->body_state(m_world, m_world, &state), RUBBLE_ERROR_STALE, "type");
+    auto explosion = blow();
+    expectRefused(api()->explode(gone, &explosion), RUBBLE_ERROR_STALE, "world");
+    auto impulse = sized<rubble_impulse>();
+    expectRefused(api()->push(m_world, &impulse), RUBBLE_ERROR_STALE, "body");
+    auto carve = sized<rubble_carve>();
+    carve.radii[0] = 1.0;
+    carve.shape = bodies(m_world)[0].body;
+    expectRefused(api()->carve(m_world, &carve), RUBBLE_ERROR_STALE, "type");
+    expectRefused(api()->renderer_destroy(0), RUBBLE_ERROR_STALE, "renderer");
+
+    const rubble_world next = makeWorld();  // in the slot of the one that is gone
+    EXPECT_NE(next, gone);
+    expectRefused(api()->step(gone), RUBBLE_ERROR_STALE, "world");
+    EXPECT_EQ(api()->world_destroy(next), RUBBLE_OK);
+}
+
+TEST_F(Abi, ABodyThatALevelReplacedIsStale) {
+    const rubble_body body = bodies(m_world)[0].body;
+    ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK);
+    rubble_body_state state = {};
+    expectRefused(api()->body_state(m_world, body, &state), RUBBLE_ERROR_STALE, "body");
+}
+
+TEST_F(Abi, NumbersThatAreNoneAreRefused) {
+    auto explosion = blow();
+    explosion.position[1] = std::numeric_limits<double>::quiet_NaN();
+    expectRefused(api()->explode(m_world, &explosion), RUBBLE_ERROR_ARGUMENT, "position[1]");
+    explosion = blow();
+    explosion.size = 1e9;
+    expectRefused(api()->explode(m_world, &explosion), RUBBLE_ERROR_ARGUMENT, "size");
+    auto carve = sized<rubble_carve>();
+    expectRefused(api()->carve(m_world, &carve), RUBBLE_ERROR_ARGUMENT, "radii");
+    carve.radii[0] = 0.5, carve.radii[1] = 1.0;
+    expectRefused(api()->carve(m_world, &carve), RUBBLE_ERROR_ARGUMENT, "radii");
+    carve.brush = 7;
+    expectRefused(api()->carve(m_world, &carve), RUBBLE_ERROR_ARGUMENT, "brush");
+    const double origin[3] = {0, 0, 0}, nowhere[3] = {0, 0, 0};
+    auto hit = sized<rubble_hit>();
+    expectRefused(api()->raycast(m_world, origin, nowhere, 1, &hit), RUBBLE_ERROR_ARGUMENT, "direction");
+    auto settings = sized<rubble_world_settings>();
+    settings.flags = 1u << 31;
+    rubble_world world = 0;
+    expectRefused(api()->world_create(&settings, &world), RUBBLE_ERROR_ARGUMENT, "flags");
+}
+
+TEST_F(Abi, AShortArrayGetsWhatFits) {
+    const rubble_explosion explosion = blow();
+    ASSERT_EQ(api()->explode(m_world, &explosion), RUBBLE_OK);
+    ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
+    ASSERT_GE(bodies(m_world).size(), 2u);
+    rubble_body_state rows[2] = {};
+    uint32_t count = 0;
+    expectRefused(api()->body_states(m_world, rows, 1, &count), RUBBLE_ERROR_CAPACITY, "holds 1");
+    EXPECT_EQ(count, bodies(m_world).size());
+    EXPECT_NE(rows[0].body, 0u);
+    EXPECT_EQ(rows[1].body, 0u);
+}
+
+TEST_F(Abi, ABadFileLeavesTheWorldAsItWas) {
+    uint64_t before = 0, after = 1;
+    ASSERT_EQ(api()->state_hash(m_world, &before), RUBBLE_OK);
+    expectRefused(api()->load_level(m_world, "no/such/file.rubble", nullptr), RUBBLE_ERROR_FILE, "no/such/file.rubble");
+    expectRefused(api()->load_level(m_world, RUBBLE_LIBRARY, nullptr), RUBBLE_ERROR_FILE, "librubble");
+    ASSERT_EQ(api()->state_hash(m_world, &after), RUBBLE_OK);
+    EXPECT_EQ(before, after);
+}
+
+TEST_F(Abi, ARendererNeedsTheHostsGl) {
+    rubble_world world = 0;
+    ASSERT_EQ(api()->world_create(nullptr, &world), RUBBLE_OK);
+    auto settings = sized<rubble_renderer_settings>();
+    rubble_renderer renderer = 0;
+    settings.shader_folder = RUBBLE_SOURCE_DIR "/shaders";
+    expectRefused(api()->renderer_create(world, &settings, &renderer), RUBBLE_ERROR_GL, "gl_get_proc_address");
+    settings.preset = "shiny";
+    expectRefused(api()->renderer_create(world, &settings, &renderer), RUBBLE_ERROR_ARGUMENT, "shiny");
+    EXPECT_EQ(api()->world_destroy(world), RUBBLE_OK);
+}
+
+}  // namespace
+}  // namespace rubble
