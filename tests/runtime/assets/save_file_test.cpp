@@ -96,7 +96,7 @@ TEST(SaveFile, ASettingThatTheFileForgetsIsNoticed) {
     EXPECT_EQ(sizeof(Environment), 136u);
     EXPECT_EQ(sizeof(PaintEdit), 80u);
     EXPECT_EQ(sizeof(CarveEdit), 160u);
-    EXPECT_EQ(sizeof(SetLightEdit), 112u);
+    EXPECT_EQ(sizeof(SetLightEdit), 104u);
 }
 
 TEST(SaveFile, FilesOfOtherKindsAreRefused) {
