@@ -14,7 +14,6 @@ void TaaPass::draw(const FrameContext& frame) const {
     m_program.set("uColor", frame.targets.at("radiance"));
     m_program.set("uHistory", resolved.previous);
     m_program.set("uHistoryValid", int(frame.settings.temporal && resolved.valid));
-    m_program.set("uDepth", frame.targets.at("depth"));
     m_program.set("uSurface", frame.targets.at("surface"));
     m_program.set("uMotion", frame.targets.at("motion"));
     m_program.set("uGlass", int(frame.scene.hasGlass()));

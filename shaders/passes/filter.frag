@@ -1,7 +1,7 @@
 // One step of an edge-stopping a-trous filter on light (Dammertz et al. 2010; variance guidance after Schied et al. 2017):
 // five taps, at a stride along the rows and columns or along the diagonals by turns, each weighted by plane distance and by how far its light differs from the centre's in standard
 // deviations; only taps of the same orientation count, which for voxels is the same number. What one pixel takes of its neighbour the
-// neighbour takes of it: light is moved, none is lost. A constant stays itself.
+// neighbour takes of it, as far as both see the same deviation: light is moved, and hardly any is lost. A constant stays itself.
 #include "lib/frame.glsl"
 #include "lib/color.glsl"
 #include "lib/surface_history.glsl"

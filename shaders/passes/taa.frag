@@ -7,11 +7,10 @@
 uniform sampler2D uColor;  // a: share of the surface that shows through particles
 uniform sampler2D uHistory;
 uniform bool uHistoryValid;
-uniform sampler2D uDepth;
 uniform sampler2D uMotion;
 uniform bool uGlass;
 uniform sampler2D uGlassSurface;
-uniform sampler2D uSurface;    // z frames accumulated (lib/surface_history.glsl)
+uniform sampler2D uSurface;    // x depth, z frames accumulated (lib/surface_history.glsl)
 
 const float kCompression = 0.04;
 const float kLongPast = 6.0;  // frames

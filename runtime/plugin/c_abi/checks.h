@@ -7,6 +7,7 @@
 #include <string>
 
 #include "runtime/core/handle.h"
+#include "runtime/core/number_range.h"
 #include "runtime/plugin/include/rubble/rubble.h"
 
 namespace rubble::abi {
@@ -60,13 +61,15 @@ inline glm::dvec3 readVector(const double (&values)[3], const char* name) {
     return {values[0], values[1], values[2]};
 }
 
-/// In [low, high]; a value of 0 stands for `ifZero`.
+/// In [low, high]; 0 is a number like any other.
+inline double readLiteral(double value, double low, double high, const std::string& name) {
+    if (isWithin(value, low, high)) return value;
+    throw Refusal{RUBBLE_ERROR_ARGUMENT, name + " is " + std::to_string(value) + ", expected " + std::to_string(low) + " to " + std::to_string(high)};
+}
+
+/// The same, but a value of 0 stands for `ifZero`.
 inline double readNumber(double value, double low, double high, double ifZero, const char* name) {
-    if (value == 0.0) return ifZero;
-    if (!(value >= low && value <= high))
-        throw Refusal{RUBBLE_ERROR_ARGUMENT,
-                      std::string(name) + " is " + std::to_string(value) + ", expected " + std::to_string(low) + " to " + std::to_string(high)};
-    return value;
+    return value == 0.0 ? ifZero : readLiteral(value, low, high, name);
 }
 
 /// x, y, z, w; all zero is no rotation.

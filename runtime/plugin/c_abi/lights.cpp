@@ -1,6 +1,5 @@
 #include "runtime/plugin/c_abi/lights.h"
 
-#include "runtime/core/number_range.h"
 #include "runtime/plugin/c_abi/guard.h"
 #include "runtime/world/sky_model.h"
 
@@ -59,21 +58,15 @@ constexpr Vector<SetLightEdit, rubble_light_state> kLightVectors[] = {
     {"color", &SetLightEdit::color, &rubble_light_state::color, 0.0, kMost},
 };
 
-/// Zero is a number like any other here.
-float readLiteral(double value, double low, double high, const std::string& name) {
-    if (isWithin(value, low, high)) return float(value);
-    throw Refusal{RUBBLE_ERROR_ARGUMENT, name + " is " + std::to_string(value) + ", expected " + std::to_string(low) + " to " + std::to_string(high)};
-}
-
 template <class Inside, class Outside>
 void read(const Number<Inside, Outside>& number, const Outside& from, Inside& to) {
-    to.*number.inside = readLiteral(from.*number.outside, number.low, number.high, number.name);
+    to.*number.inside = float(readLiteral(from.*number.outside, number.low, number.high, number.name));
 }
 template <class Inside, class Outside>
 void read(const Vector<Inside, Outside>& vector, const Outside& from, Inside& to) {
     for (int i = 0; i < 3; ++i)
         (to.*vector.inside)[i] =
-            readLiteral((from.*vector.outside)[i], vector.low, vector.high, std::string(vector.name) + "[" + std::to_string(i) + "]");
+            float(readLiteral((from.*vector.outside)[i], vector.low, vector.high, std::string(vector.name) + "[" + std::to_string(i) + "]"));
 }
 template <class Inside, class Outside>
 void write(const Number<Inside, Outside>& number, const Inside& from, Outside& to) {
