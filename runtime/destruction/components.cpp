@@ -3,46 +3,40 @@
 #include <algorithm>
 
 #include "runtime/core/union_find.h"
-#include "runtime/destruction/run_sets.h"
+#include "runtime/destruction/sizes_by_runs.h"
 
 namespace rubble {
 namespace {
 
-/// The nodes of a grid, and their parts numbered one after the other.
+/// The nodes of a grid, their parts numbered one after the other, and which of these hang together.
 struct GridNodes {
     std::vector<glm::ivec3> positions;
     std::vector<const BrickNode*> nodes;
     std::vector<uint32_t> firstPart;  ///< by node; one more at the end
-    std::vector<uint32_t> places;     ///< by position: a node's number plus one
+    UnionFind<> sets;                 ///< of parts
 
-    explicit GridNodes(const VoxelGrid& grid) : firstPart(1), places(size_t(grid.sizeInNodes().x) * grid.sizeInNodes().y * grid.sizeInNodes().z) {
+    explicit GridNodes(const VoxelGrid& grid) : firstPart(1) {
+        const glm::ivec3 size = grid.sizeInNodes();
+        const auto place = [&](glm::ivec3 node) { return (size_t(node.z) * size.y + node.y) * size.x + node.x; };
+        std::vector<uint32_t> numbers(size_t(size.x) * size.y * size.z);  // by place
         grid.forEachNode([&](glm::ivec3 position, const BrickNode& node) {
+            const uint32_t first = firstPart.back();
+            numbers[place(position)] = uint32_t(nodes.size());
             positions.push_back(position);
             nodes.push_back(&node);
-            firstPart.push_back(firstPart.back() + nodeParts(node).count);
-            places[place(grid, position)] = uint32_t(nodes.size());
+            firstPart.push_back(first + nodeParts(node).count);
+            sets.grow(firstPart.back());
+            for (const size_t face : {0, 2, 4}) {  // where a node came before
+                const glm::ivec3 neighbor = position + kFaceSteps[face];
+                if (const BrickNode* other = grid.nodeAt(neighbor))
+                    forEachContact(node, *other, face, [&](uint16_t a, uint16_t b) {
+                        sets.unite(first + a, firstPart[numbers[place(neighbor)]] + b);
+                        return true;
+                    });
+            }
         });
     }
-    static size_t place(const VoxelGrid& grid, glm::ivec3 position) {
-        return (size_t(position.z) * grid.sizeInNodes().y + position.y) * grid.sizeInNodes().x + position.x;
-    }
 };
-
-UnionFind<> joinParts(const VoxelGrid& grid, const GridNodes& all) {
-    UnionFind<> sets(all.firstPart.back());
-    for (uint32_t n = 0; n < all.nodes.size(); ++n)
-        for (size_t face = 1; face < 6; face += 2) {
-            const glm::ivec3 position = all.positions[n] + kFaceSteps[face];
-            const BrickNode* other = grid.nodeAt(position);
-            if (!other) continue;
-            const uint32_t firstOther = all.firstPart[all.places[GridNodes::place(grid, position)] - 1];
-            forEachContact(*all.nodes[n], *other, face, [&](uint16_t a, uint16_t b) {
-                sets.unite(all.firstPart[n] + a, firstOther + b);
-                return true;
-            });
-        }
-    return sets;
-}
 
 glm::ivec3 lowestCell(glm::ivec3 brick, const BrickBits& voxels) {
     int z = 0;
@@ -53,7 +47,7 @@ glm::ivec3 lowestCell(glm::ivec3 brick, const BrickBits& voxels) {
 
 /// Whether bricks hold so many parts that parts are no short cut; by a look at some of them.
 bool isNoise(const VoxelGrid& grid) {
-    constexpr size_t kEvery = 61, kMany = 12;
+    constexpr size_t kEvery = 251, kMany = 12;
     size_t bricks = 0, looked = 0, parts = 0;
     std::vector<BrickPart> scratch;
     grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
@@ -62,31 +56,6 @@ bool isNoise(const VoxelGrid& grid) {
         parts += brickParts(*brick, scratch).size();
     });
     return parts > kMany * looked;
-}
-
-/// componentSizes() without parts: the bricks' bits, eight planes at a time, as rows across the grid.
-std::vector<uint64_t> sizesByRuns(const VoxelGrid& grid) {
-    const glm::ivec3 bricks = grid.sizeInBricks();
-    RunSets sets(bricks * kBrickSize);
-    const size_t rows = size_t(bricks.y) * kBrickSize, words = sets.wordsARow();
-    std::vector<uint64_t> bits(kBrickSize * rows * words);
-    glm::ivec3 brick(0);
-    for (; brick.z < bricks.z; ++brick.z) {
-        std::fill(bits.begin(), bits.end(), 0);
-        for (brick.y = 0; brick.y < bricks.y; ++brick.y)
-            for (brick.x = 0; brick.x < bricks.x; ++brick.x) {
-                const Brick* content = grid.brickAt(brick);
-                if (!content) continue;
-                for (size_t row = 0; row < 64; ++row) {
-                    const size_t place = (row / 8 * rows + size_t(brick.y) * 8 + row % 8) * words + size_t(brick.x) / 8;
-                    bits[place] |= (content->occupancy[row / 8] >> 8 * (row % 8) & 0xff) << 8 * (brick.x % 8);
-                }
-            }
-        for (size_t row = 0; row < kBrickSize * rows; ++row) sets.add(std::span(bits).subspan(row * words, words));
-    }
-    std::vector<uint64_t> voxels;
-    sets.number(voxels);
-    return voxels;
 }
 
 }  // namespace
@@ -143,8 +112,8 @@ glm::ivec3 findLowest(const Component& component, const VoxelGrid& grid) {
 }
 
 std::vector<Component> findComponents(const VoxelGrid& grid) {
-    const GridNodes all(grid);
-    UnionFind<> sets = joinParts(grid, all);
+    GridNodes all(grid);
+    UnionFind<>& sets = all.sets;
     size_t count = 0;
     for (uint32_t i = 0; i < sets.size(); ++i) count += sets.root(i) == i;
     std::vector<Component> out(count);
@@ -163,8 +132,8 @@ std::vector<Component> findComponents(const VoxelGrid& grid) {
 
 std::vector<uint64_t> componentSizes(const VoxelGrid& grid) {
     if (isNoise(grid)) return sizesByRuns(grid);
-    const GridNodes all(grid);
-    UnionFind<> sets = joinParts(grid, all);
+    GridNodes all(grid);
+    UnionFind<>& sets = all.sets;
     std::vector<uint64_t> out;
     std::vector<uint32_t> numbers(sets.size());
     for (uint32_t n = 0; n < all.nodes.size(); ++n)

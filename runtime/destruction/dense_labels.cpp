@@ -17,28 +17,34 @@ void readRow(std::span<const uint8_t> cells, std::vector<uint64_t>& out) {
     for (size_t x = 64 * whole; x < cells.size(); ++x) out[whole] |= uint64_t(cells[x] != 0) << (x & 63);
 }
 
+/// Fills a run, and up to three cells after it with 0, without asking which are which: see fillRun().
+void writeRun(uint32_t* out, uint32_t length, uint32_t value) {
+    constexpr uint64_t kNone = 0, kOne = 0xffffffff, kTwo = ~0ull;
+    static constexpr uint64_t kMasks[5][2] = {{kNone, kNone}, {kOne, kNone}, {kTwo, kNone}, {kTwo, kOne}, {kTwo, kTwo}};
+    for (; length > 4; length -= 4, out += 4) fillRun(out, 0, 4, value);
+    const uint64_t two = value * 0x0000000100000001ull, four[2] = {two & kMasks[length][0], two & kMasks[length][1]};
+    std::memcpy(out, four, sizeof four);
+}
+
 }  // namespace
 
 std::vector<uint64_t> labelDense(glm::ivec3 size, std::span<const uint8_t> cells, std::span<uint32_t> labels) {
     const size_t rows = size_t(size.y) * size_t(size.z), length = size_t(size.x);
     assert(cells.size() == rows * length && labels.size() == cells.size());
-    RunSets sets(size);
-    std::vector<uint64_t> bits(sets.wordsARow()), voxels;
+    RunSets sets(size, true);
+    std::vector<uint64_t> bits(sets.wordsARow());
     for (size_t row = 0; row < rows; ++row) {
         readRow(cells.subspan(row * length, length), bits);
         sets.add(bits);
     }
-    const std::vector<uint32_t> numbers = sets.number(voxels);
-    size_t run = 0;
+    const std::vector<uint64_t> voxels = sets.number();
+    auto component = sets.runs().begin();
+    std::vector<uint32_t> out(length + kFillSlack);
     for (size_t row = 0; row < rows; ++row) {
-        uint32_t *out = labels.data() + row * length, x = 0;
+        std::fill(out.begin(), out.end(), 0);
         readRow(cells.subspan(row * length, length), bits);
-        forEachRun(bits, [&](uint32_t begin, uint32_t end) {
-            fillRun(out, x, begin, 0);
-            fillRun(out, begin, end, numbers[run++] + 1);
-            x = end;
-        });
-        std::fill(out + x, out + length, 0u);
+        forEachRun(bits, [&](uint32_t begin, uint32_t end) { writeRun(out.data() + begin, end - begin, *component++ + 1); });
+        std::memcpy(labels.data() + row * length, out.data(), length * sizeof(uint32_t));
     }
     return voxels;
 }

@@ -27,35 +27,44 @@ void forEachRun(std::span<const uint64_t> row, F&& f) {
     if (begin != kNone) f(begin, uint32_t(64 * row.size()));
 }
 
-/// Fills out[begin, end), two at a time: most runs are short, and some very long.
+/// How far fillRun() may write beyond its end.
+inline constexpr size_t kFillSlack = 4;
+/// Fills out[begin, end), four at a time and at least once: most runs are short, and a store costs less than a question.
 inline void fillRun(uint32_t* out, uint32_t begin, uint32_t end, uint32_t value) {
-    const uint64_t two = value * 0x0000000100000001ull;
-    for (; begin + 2 <= end; begin += 2) std::memcpy(out + begin, &two, 8);
-    if (begin < end) out[begin] = value;
+    const uint64_t two = value * 0x0000000100000001ull, four[2] = {two, two};
+    do {
+        std::memcpy(out + begin, four, 16);
+        begin += 4;
+    } while (begin < end);
 }
 
-/// 6-connected components of cells that come as rows of bits along x: of runs, united where they touch one of the row before or
-/// of the plane below (He, Chao & Suzuki 2008, in three dimensions). Keeps two planes, and twelve bytes a run.
+/// 6-connected components of cells that come as rows of bits along x. A run takes the label of one that it touches in the row
+/// before or in the plane below, or else a new one; labels that meet are united (He, Chao & Suzuki 2008, in three dimensions).
+/// Keeps two planes, twelve bytes a label, and four bytes a run if they are asked for.
 class RunSets {
 public:
-    explicit RunSets(glm::ivec3 size);
+    RunSets(glm::ivec3 size, bool keepsRuns);
     size_t wordsARow() const { return m_words; }
     /// The next row, by y, then z.
     void add(std::span<const uint64_t> row);
-    /// After all rows: the number of each run's component, by run, components ordered by their first cell; adds up the voxels
-    /// of each.
-    std::vector<uint32_t> number(std::vector<uint64_t>& voxels);
+    /// Once, after all rows: the voxels of each component, components ordered by their first cell.
+    std::vector<uint64_t> number();
+    /// After that, if runs are kept: the number of each run's component.
+    std::span<const uint32_t> runs() const { return std::span(m_labelOf).first(m_runs); }
 
 private:
-    void unite(size_t row, size_t other);
+    void makeRoom();
 
     size_t m_length, m_rowsAPlane, m_words;
-    size_t m_rows = 0;              ///< that have come
-    size_t m_components = 0;        ///< of them, so far
-    std::vector<uint64_t> m_bits;   ///< of two planes, in turns
-    std::vector<uint32_t> m_runs;   ///< the same: which run a solid cell belongs to
-    std::vector<uint32_t> m_sizes;  ///< by run
-    UnionFind<> m_sets;
+    bool m_keepsRuns;
+    size_t m_rows = 0;                ///< that have come
+    uint32_t m_labels = 0;            ///< given
+    size_t m_runs = 0;                ///< that have come
+    std::vector<uint64_t> m_bits;     ///< of two planes, in turns
+    std::vector<uint32_t> m_cells;    ///< the same: the label of a solid cell
+    std::vector<uint64_t> m_sizes;    ///< by label, with room for a row of new ones
+    UnionFind<> m_sets;               ///< the same
+    std::vector<uint32_t> m_labelOf;  ///< by run, with room for a row of them
 };
 
 }  // namespace rubble

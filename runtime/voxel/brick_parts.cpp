@@ -21,23 +21,33 @@ uint64_t fillLayer(uint64_t seeds, uint64_t open) {
     }
 }
 
-/// All cells of `open` that the seeds reach: sweeps up and down until nothing grows, or nothing is left to grow into.
+/// All cells of `open` that the seeds reach: sweeps up and down until one finds nothing to grow, or nothing is left to grow into.
 void fillBrick(BrickBits& seeds, const BrickBits& open) {
-    for (bool hasGrown = true; hasGrown && seeds != open;) {
-        hasGrown = false;
-        const auto visit = [&](size_t z) {
-            uint64_t from = seeds[z];
-            if (z > 0) from |= seeds[z - 1];
-            if (z < 7) from |= seeds[z + 1];
-            from &= open[z];
-            if (from == seeds[z]) return;
-            seeds[z] = fillLayer(from, open[z]);
-            hasGrown = true;
-        };
-        for (size_t z = 0; z < 8; ++z) visit(z);
-        if (seeds == open) return;
-        for (size_t z = 8; z-- > 0;) visit(z);
+    const auto grow = [&](size_t z) {
+        uint64_t from = seeds[z];
+        if (z > 0) from |= seeds[z - 1];
+        if (z < 7) from |= seeds[z + 1];
+        from &= open[z];
+        if (from == seeds[z]) return false;
+        seeds[z] = fillLayer(from, open[z]);
+        return true;
+    };
+    for (bool isUp = true;; isUp = !isUp) {
+        bool hasGrown = false;
+        uint64_t left = 0;
+        for (size_t i = 0; i < 8; ++i) {
+            const size_t z = isUp ? i : 7 - i;
+            hasGrown |= grow(z);
+            left |= seeds[z] ^ open[z];
+        }
+        if (!hasGrown || !left) return;
     }
+}
+
+/// The run along x that begins with the lowest cell of a layer.
+uint64_t lowestRun(uint64_t layer) {
+    const uint64_t first = layer & -layer, row = 0xffull << (std::countr_zero(layer) & ~7);
+    return layer & ~(layer + first) & row;
 }
 
 /// Column x = 0 of a layer as eight bits.
@@ -70,7 +80,7 @@ void findBrickParts(const BrickBits& occupancy, std::vector<BrickPart>& out) {
     for (size_t z = 0; z < 8; ++z)
         while (left[z]) {
             BrickPart& part = out.emplace_back();
-            part.voxels[z] = fillLayer(left[z] & -left[z], left[z]);
+            part.voxels[z] = fillLayer(lowestRun(left[z]), left[z]);
             fillBrick(part.voxels, left);
             findFaces(part);
             for (size_t i = z; i < 8; ++i) left[i] &= ~part.voxels[i];

@@ -54,6 +54,11 @@ void uniteAcross(const BrickNode& node, size_t face, PartsOfBricks& bricks, cons
 
 std::unique_ptr<const NodeParts> findNodeParts(const BrickNode& node) {
     auto out = std::make_unique<NodeParts>();
+    forEachChild(node.mask & ~node.full, [&](int child) {  // bricks lie all over the memory: have them fetched side by side
+        const Brick* brick = node.bricks[size_t(child)].get();
+        __builtin_prefetch(&brick->occupancy);
+        __builtin_prefetch(&brick->knownParts);
+    });
     PartsOfBricks bricks(node);
     auto detail = std::make_unique<NodeParts::Detail>();
     for (int child = 0; child < 64; ++child)
@@ -93,9 +98,8 @@ std::span<const BrickPart> PartsOfBricks::operator[](int child) {
     if (m_known & bit) return place;
     m_known |= bit;
     if (m_node.full & bit) return place = fullBrick();
-    std::vector<BrickPart> scratch;
-    place = brickParts(*m_node.bricks[size_t(child)], scratch);
-    if (place.data() == scratch.data()) place = m_kept.emplace_back(std::move(scratch));
+    place = brickParts(*m_node.bricks[size_t(child)], m_scratch);
+    if (place.data() == m_scratch.data()) place = m_kept.emplace_back(std::move(m_scratch));
     return place;
 }
 

@@ -37,6 +37,7 @@ private:
     const BrickNode& m_node;
     BrickMask m_known = 0;
     std::array<std::span<const BrickPart>, 64> m_parts;
+    std::vector<BrickPart> m_scratch;
     std::vector<std::vector<BrickPart>> m_kept;  ///< of the bricks that keep none themselves
 };
 

@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
 
 namespace rubble::tradeoff {
 namespace {
@@ -31,6 +35,16 @@ double countIn(const std::string& text) {
     return digits.empty() ? 0.0 : std::stod(digits);
 }
 
+std::filesystem::path fileOf(const char* tool) {
+    return std::filesystem::temp_directory_path() / fmt::format("rubble_{}_{}", tool, getpid());
+}
+
+/// "rubble::EditStep::burn" out of "... rubble::EditStep::burn() ..."; empty if no function of ours is named.
+std::string functionIn(const std::string& text) {
+    const size_t name = text.find("rubble::"), end = text.find('(', name);
+    return name == std::string::npos || end == std::string::npos ? "" : text.substr(name, end - name);
+}
+
 }  // namespace
 
 double instructionsOf(const std::string& scene) {
@@ -45,18 +59,35 @@ double instructionsOf(const std::string& scene) {
 }
 
 std::map<std::string, double> instructionsByFunction(const std::string& scene) {
-    const std::string out = (std::filesystem::temp_directory_path() / fmt::format("rubble_callgrind_{}", getpid())).string();
+    const std::string out = fileOf("callgrind").string();
     std::map<std::string, double> counts;
     const std::string count =
         fmt::format("valgrind --tool=callgrind --callgrind-out-file='{}' '{}' physics --feature-scene '{}' 2>&1", out, self(), scene);
     forEachLine(count, [](const std::string&) {});
-    forEachLine(fmt::format("callgrind_annotate --inclusive=yes --threshold=100 '{}' 2>/dev/null", out), [&](std::string line) {
-        // "1,234 ( 0.01%)  ???:rubble::EditStep::burn() [/path/of/the/program]"
-        const size_t name = line.find("rubble::"), end = line.find(')', name);
-        if (name == std::string::npos || end == std::string::npos) return;
-        counts.emplace(line.substr(name, line.find('(', name) - name), countIn(line));
+    // "1,234 ( 0.01%)  ???:rubble::EditStep::burn() [/path/of/the/program]"
+    forEachLine(fmt::format("callgrind_annotate --inclusive=yes --threshold=100 '{}' 2>/dev/null", out), [&](const std::string& line) {
+        if (const std::string function = functionIn(line); !function.empty()) counts.emplace(function, countIn(line));
     });
     std::filesystem::remove(out);
+    return counts;
+}
+
+std::map<std::string, double> bytesByFunction(const std::string& scene) {
+    const std::filesystem::path out = fileOf("dhat");
+    const std::string count =
+        fmt::format("valgrind --tool=dhat --num-callers=60 --dhat-out-file='{}' '{}' physics --feature-scene '{}' 2>&1", out.string(), self(), scene);
+    forEachLine(count, [](const std::string&) {});
+    std::map<std::string, double> counts;
+    const nlohmann::json all = nlohmann::json::parse(std::ifstream(out), nullptr, false);
+    std::filesystem::remove(out);
+    if (!all.is_object()) return counts;
+    const std::vector<std::string> frames = all.value("ftbl", std::vector<std::string>());
+    for (const nlohmann::json& place : all.value("pps", nlohmann::json::array())) {
+        std::set<std::string> functions;
+        for (const size_t frame : place.value("fs", std::vector<size_t>()))
+            if (frame < frames.size()) functions.insert(functionIn(frames[frame]));
+        for (const std::string& function : functions) counts[function] += place.value("tb", 0.0);
+    }
     return counts;
 }
 

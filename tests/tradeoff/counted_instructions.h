@@ -9,5 +9,7 @@ namespace rubble::tradeoff {
 double instructionsOf(const std::string& scene);
 /// The same by function, with all that each calls, named as in "rubble::EditStep::burn()"; empty without valgrind.
 std::map<std::string, double> instructionsByFunction(const std::string& scene);
+/// Bytes of memory that such a run asked for, by each function that asked or had others ask, named as above.
+std::map<std::string, double> bytesByFunction(const std::string& scene);
 
 }  // namespace rubble::tradeoff
