@@ -8,6 +8,7 @@ namespace {
 
 constexpr int kHitPasses = 2, kFastPasses = 8;  ///< over the normals of two bodies that meet; over others one
 constexpr float kHit = 1.0f, kFast = 20.0f;     ///< m/s
+constexpr float kSameFace = 0.9f;               ///< cosine between normals of one face
 constexpr float kSlope = 0.3f;                  ///< how far up a normal points where one body lies on the other
 constexpr float kJolt = 4.0f;                   ///< m/s that the impulses of the last step may give a body before they count as out of balance
 constexpr int kBalanceRounds = 4;               ///< in which those that were held by what is out of balance follow
@@ -101,8 +102,14 @@ ContactSolver::Softness ContactSolver::soften(double hertz, double dampingRatio,
 void ContactSolver::addCore(Range& range, const Constraint& fastest) {
     const SolverState &A = m_states[size_t(range.a)], &B = m_states[size_t(range.b)];
     Constraint core = fastest;
-    if (range.a) core.separation += std::max(0.0f, -dot(core.rA, core.normal) - A.reach);
-    if (range.b) core.separation += std::max(0.0f, dot(core.rB, core.normal) - B.reach);
+    core.separation = 1e9f;  // of the point that leaves the cores least: the fastest may be one that a spin brings round from above
+    for (size_t i = range.from; i < range.to; ++i) {
+        const Constraint& c = m_constraints[i];
+        if (dot(c.normal, core.normal) < kSameFace) continue;
+        const float overA = range.a ? std::max(0.0f, -dot(c.rA, c.normal) - A.reach) : 0.0f;
+        const float overB = range.b ? std::max(0.0f, dot(c.rB, c.normal) - B.reach) : 0.0f;
+        core.separation = std::min(core.separation, c.separation + overA + overB);
+    }
     core.rA = core.rB = core.leverA = core.leverB = core.spinA = core.spinB = four(0.0f);
     core.normalMass = 1.0f / (A.inverseMass + B.inverseMass);
     core.friction = core.restitution = 0.0f;
@@ -156,6 +163,7 @@ void ContactSolver::prepareRange(Range& range, std::span<const SolverBody> bodie
     const glm::vec3 originA = glm::vec3(range.manifold->origin - bodies[size_t(a)].position);
     const glm::vec3 originB = glm::vec3(range.manifold->origin - bodies[size_t(b)].position);
     size_t fastest = range.from, at = range.from;
+    float nearing = 0.0f;  // m/s, of a point or of all of the two: a spinning body may come while the points that touch go
     for (ManifoldPoint& point : range.points()) {
         Constraint& c = m_constraints[at++];
         const glm::vec3 half = point.normal * (0.5f * point.separation);  // far apart before a fast hit: where each is touched
@@ -186,11 +194,12 @@ void ContactSolver::prepareRange(Range& range, std::span<const SolverBody> bodie
         c.isStatic = A.inverseMass == 0.0f || B.inverseMass == 0.0f;
         c.point = &point;
         if (c.approach < m_constraints[fastest].approach) fastest = at - 1;
+        nearing = std::max({nearing, -c.approach, -glm::dot(A.v - B.v, point.normal)});
     }
     const float speed = -m_constraints[fastest].approach;
     range.passes = speed > kFast ? kFastPasses : speed > kHit ? kHitPasses : 1;
     const float thin = std::min(a ? A.reach : 1e9f, b ? B.reach : 1e9f);
-    if (speed * seconds > thin) addCore(range, m_constraints[fastest]);
+    if (nearing * seconds > thin) addCore(range, m_constraints[fastest]);
 }
 
 /// Bodies that something much heavier lies on, and those that these lie on in turn: as stiff as their own weight asks for, and

@@ -9,6 +9,7 @@
 #include "physics/contact_solver.h"
 #include "physics/contacts.h"
 #include "physics/dynamic_body.h"
+#include "physics/energy_bound.h"
 #include "physics/joints.h"
 #include "physics/narrowphase.h"
 #include "physics/physics_world.h"
@@ -78,6 +79,7 @@ struct PhysicsWorld::Impl {
     WaterBodies waters;
     Narrowphase narrowphase;
     ContactSolver solver;
+    EnergyBound energy;
     glm::dvec3 gravity{0.0};
     std::vector<std::unique_ptr<DynamicBody>> dynamics;     ///< by body slot
     std::vector<std::unique_ptr<CollisionObject>> statics;  ///< by shape slot

@@ -134,6 +134,7 @@ void PhysicsWorld::Impl::solve() {
     for (const Manifold* manifold : narrowphase.manifolds())
         bodyOf.emplace_back(numberOf(*manifold->objects.first), numberOf(*manifold->objects.second));
     gatherJoints();
+    energy.note(bodies);
     solver.solve(bodies, narrowphase.manifolds(), bodyOf, gravity,
                  {.substeps = settings.substeps,
                   .iterations = settings.iterations,
@@ -143,6 +144,7 @@ void PhysicsWorld::Impl::solve() {
                   .heavyPasses = settings.heavyPasses,
                   .parallelFor = settings.parallelFor ? &settings.parallelFor : nullptr},
                  activeJoints);
+    energy.hold(bodies, bodyOf, activeJoints, gravity);
     for (const uint32_t slot : awake) {
         dynamics[slot]->motion = bodies[size_t(bodyNumber[slot])];
         dynamics[slot]->place();
