@@ -46,6 +46,7 @@ void removeFromNode(VoxelGrid& grid, glm::ivec3 position, std::span<const BrickS
         });
         gone += brickMoments(brick, share.voxels, childPosition(child), densities);
         out.bricks.push_back(share.brick);
+        out.cells = joined(out.cells, voxelBounds(share.brick, share.voxels));
         BrickBits keep;
         for (size_t z = 0; z < 8; ++z) keep[z] = ~share.voxels[z];
         changed.set(child, maskBrick(brick, keep));

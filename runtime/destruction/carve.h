@@ -16,6 +16,7 @@ struct Carved {
     std::vector<glm::ivec3> bricks;       ///< that changed; a brick may occur once a carve
     std::array<uint64_t, 256> removed{};  ///< voxels by palette entry
     uint64_t voxels = 0;
+    CellBox cells;        ///< that held what was removed
     MassMoments moments;  ///< of what was removed
 };
 

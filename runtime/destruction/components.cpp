@@ -60,6 +60,25 @@ bool isNoise(const VoxelGrid& grid) {
 
 }  // namespace
 
+CellBox voxelBounds(glm::ivec3 brick, const BrickBits& voxels) {
+    uint64_t layers = 0;
+    glm::ivec3 low(0, 0, 8), high(0);
+    for (int z = 0; z < 8; ++z) {
+        if (!voxels[size_t(z)]) continue;
+        layers |= voxels[size_t(z)];
+        low.z = std::min(low.z, z);
+        high.z = z + 1;
+    }
+    uint64_t row = layers | layers >> 32;
+    row |= row >> 16;
+    row = (row | row >> 8) & 0xff;
+    low.x = std::countr_zero(row);
+    high.x = 64 - std::countl_zero(row);
+    low.y = std::countr_zero(layers) / 8;
+    high.y = (63 - std::countl_zero(layers)) / 8 + 1;
+    return {brick * kBrickSize + low, brick * kBrickSize + high};
+}
+
 bool outranks(const Component& a, const Component& b) {
     return a.voxels != b.voxels ? a.voxels > b.voxels : cellBefore(a.lowest, b.lowest);
 }

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/voxel/cell_box.h"
 #include "runtime/voxel/mass_properties.h"
 #include "runtime/voxel/node_parts.h"
 #include "runtime/voxel/voxel_grid.h"
@@ -28,6 +29,9 @@ struct Component {
     uint64_t voxels = 0;
     glm::ivec3 lowest{0};  ///< the cell that comes first by z, then y, then x
 };
+
+/// The smallest box of cells that holds these voxels of a brick, which are some.
+CellBox voxelBounds(glm::ivec3 brick, const BrickBits& voxels);
 
 /// Whether cell a comes before cell b, by z, then y, then x.
 inline bool cellBefore(glm::ivec3 a, glm::ivec3 b) {

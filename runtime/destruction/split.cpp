@@ -7,26 +7,6 @@
 namespace rubble {
 namespace {
 
-/// The cells of a brick that hold these voxels, high end excluded.
-CellBox voxelBounds(glm::ivec3 brick, const BrickBits& voxels) {
-    uint64_t layers = 0;
-    glm::ivec3 low(0, 0, 8), high(0);
-    for (int z = 0; z < 8; ++z) {
-        if (!voxels[size_t(z)]) continue;
-        layers |= voxels[size_t(z)];
-        low.z = std::min(low.z, z);
-        high.z = z + 1;
-    }
-    uint64_t row = layers | layers >> 32;
-    row |= row >> 16;
-    row = (row | row >> 8) & 0xff;
-    low.x = std::countr_zero(row);
-    high.x = 64 - std::countl_zero(row);
-    low.y = std::countr_zero(layers) / 8;
-    high.y = (63 - std::countl_zero(layers)) / 8 + 1;
-    return {brick * kBrickSize + low, brick * kBrickSize + high};
-}
-
 /// The cells that hold the component; only bricks that can widen the box are looked into.
 CellBox componentBounds(const VoxelGrid& grid, const Component& component) {
     CellBox bounds{component.lowest, component.lowest + 1};
@@ -35,8 +15,7 @@ CellBox componentBounds(const VoxelGrid& grid, const Component& component) {
     };
     const auto widen = [&](glm::ivec3 brick, const BrickBits& voxels) {
         if (isInside(brick * kBrickSize, kBrickSize)) return;
-        const CellBox box = voxelBounds(brick, voxels);
-        bounds = {glm::min(bounds.low, box.low), glm::max(bounds.high, box.high)};
+        bounds = joined(bounds, voxelBounds(brick, voxels));
     };
     for (const BrickShare& share : component.shares) widen(share.brick, share.voxels);
     for (const NodeShare& share : component.nodes) {

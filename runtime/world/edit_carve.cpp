@@ -32,8 +32,9 @@ void EditStep::takeCarved(ShapeHandle handle, const Carved& carved) {
     Shape& shape = m_world.m_shapes.at(handle);
     shape.moments -= carved.moments;
     countRemoved(handle, carved);
-    BrickSet& bricks = touched(handle).carved;
-    for (const glm::ivec3 brick : carved.bricks) bricks.insert(brick);
+    Touched& each = touched(handle);
+    each.lost = joined(each.lost, carved.cells);
+    for (const glm::ivec3 brick : carved.bricks) each.carved.insert(brick);
 }
 
 void EditStep::countRemoved(ShapeHandle handle, const Carved& carved) {

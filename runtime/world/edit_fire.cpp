@@ -218,7 +218,9 @@ void EditStep::consume(ShapeHandle handle, const std::vector<BrickShare>& cells)
         shape.moments -= brickMoments(*brick, share.voxels, share.brick, densities);
         shape.grid.setBrick(share.brick, maskBrick(*brick, keep));
         countRemoved(handle, removed, {brickInWorld(handle, share.brick), 4.0 * shape.voxelSize, velocity});
-        touched(handle).carved.insert(share.brick);
+        Touched& each = touched(handle);
+        each.carved.insert(share.brick);
+        each.lost = joined(each.lost, voxelBounds(share.brick, share.voxels));
     }
 }
 

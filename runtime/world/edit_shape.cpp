@@ -112,7 +112,9 @@ void EditStep::apply(const SplitShapeEdit& edit) {
     const Body& body = m_world.m_bodies.at(shape->body);
     for (const Component& component : components) {
         const MassMoments moments = componentMoments(shape->grid, component, densities);
-        touched(edit.shape).carved.insert(component);
+        Touched& each = touched(edit.shape);
+        each.carved.insert(component);
+        each.lost = {glm::ivec3(0), shape->grid.size()};
         shape->moments -= moments;
         if (edit.removeResidual && component.voxels < edit.residualVoxels) {
             dropPiece(edit.shape, component);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/destruction/stays_whole.h"
 #include "runtime/world/edit_step.h"
 
 namespace rubble {
@@ -32,6 +33,7 @@ void EditStep::splitShapes() {
     for (auto& [slot, each] : m_touched) {
         if (each.carved.empty() && !each.lostVoxels) continue;
         auto known = std::find_if(line.begin(), line.end(), [shape = each.shape](const PendingSplit& pending) { return pending.shape == shape; });
+        if (known == line.end() && isWhole(each)) continue;
         if (known == line.end()) known = line.insert(line.end(), {each.shape, {}, {}});
         known->cut.insert(each.carved);
         known->search.reset();
@@ -41,6 +43,15 @@ void EditStep::splitShapes() {
     size_t done = 0;
     while (done < line.size() && searchOn(line[done], budget)) ++done;
     line.erase(line.begin(), line.begin() + ptrdiff_t(done));
+}
+
+/// Whether a cut shape is known at a glance to be in one piece still.
+bool EditStep::isWhole(const Touched& each) const {
+    const Shape* shape = m_world.m_shapes.find(each.shape);
+    if (!shape || !shape->nothingLoose || each.lostVoxels || shape->grid.empty()) return false;
+    const bool isAnchored = m_world.m_bodies.at(shape->body).isStatic;
+    if (!isAnchored && shape->grid.voxelCount() < m_world.m_settings.minPieceVoxels) return false;
+    return staysWhole(shape->grid, each.lost, isAnchored ? std::span<const CellBox>(shape->anchors) : std::span<const CellBox>());
 }
 
 /// True if there is nothing left to do for the shape: it has been split, or is gone.

@@ -34,6 +34,7 @@ private:
     struct Touched {
         ShapeHandle shape;
         BrickSet carved;
+        CellBox lost;  ///< the cells that lost voxels, if nothing but `carved` did
         BrickSet painted;
         std::vector<BrokenOff> fragments;  ///< out of the grid already; bodies of their own after the edits
         bool lostVoxels = false;           ///< and is in a new frame of cells: look at all of it
@@ -79,6 +80,7 @@ private:
     // edit_split.cpp
     void splitShapes();
     void releaseFragments();
+    bool isWhole(const Touched& each) const;
     bool searchOn(PendingSplit& pending, size_t& budget);
     void splitShape(ShapeHandle parent, const Loose& loose);
     void dropPiece(ShapeHandle parent, const Component& component);

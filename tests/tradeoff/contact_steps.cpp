@@ -97,10 +97,11 @@ std::vector<Setting> settingsOf(bool full) {
     return all;
 }
 
-/// Better in nothing, worse in something, and dearer.
+/// Better in nothing, worse in something, and dearer; by what steps as often at least, since a game sees each step.
 bool isBeaten(const Point& point, const Point& by) {
     const Errors &a = point.errors, &b = by.errors;
-    return by.cost() * (1.0 + kNear) < point.cost() && b.overlap <= a.overlap * (1.0 + kNear) && b.tower >= a.tower && b.ratio >= a.ratio &&
+    return by.setting.settings.stepSeconds <= 1.001 * point.setting.settings.stepSeconds && by.cost() * (1.0 + kNear) < point.cost() &&
+           b.overlap <= a.overlap * (1.0 + kNear) && b.tower >= a.tower && b.ratio >= a.ratio &&
            b.incline <= std::max(a.incline * (1.0 + kNear), 1e-3);
 }
 

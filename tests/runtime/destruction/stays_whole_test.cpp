@@ -11,9 +11,14 @@
 namespace rubble {
 namespace {
 
-BrickSet carved(VoxelGrid& grid, const Brush& brush) {
+Carved cut(VoxelGrid& grid, const Brush& brush) {
     Carved out;
     carve(grid, brush, test::fiveEntries(), test::fiveMaterials(), out);
+    return out;
+}
+
+BrickSet carved(VoxelGrid& grid, const Brush& brush) {
+    const Carved out = cut(grid, brush);
     BrickSet bricks;
     for (const glm::ivec3 brick : out.bricks) bricks.insert(brick);
     return bricks;
@@ -32,6 +37,17 @@ TEST(StaysWhole, AHoleInAWallTakesNothingApart) {
     EXPECT_TRUE(staysWhole(grid, carved(grid, sphereBrush({37, 44, 3}, {6, 6, 6}))));
 }
 
+TEST(StaysWhole, AGlanceAtTheCellsIsEnoughForAHole) {
+    VoxelGrid grid = wall();
+    const Carved hole = cut(grid, sphereBrush({37, 44, 3}, {6, 6, 6}));
+    EXPECT_EQ(hole.cells, (CellBox{{31, 38, 0}, {43, 50, 6}}));
+    EXPECT_TRUE(staysWhole(grid, hole.cells, {}));
+    const std::array<CellBox, 1> beside{{{{0, 0, 0}, {31, 80, 6}}}}, inside{{{{0, 0, 0}, {32, 80, 6}}}};
+    EXPECT_TRUE(staysWhole(grid, hole.cells, beside));
+    EXPECT_FALSE(staysWhole(grid, hole.cells, inside));
+    EXPECT_FALSE(staysWhole(grid, cut(grid, boxBrush({40, 40, 3}, {34, 34, 9}, {1, 0, 0, 0}, Hardness::Hard)).cells, {}));
+}
+
 TEST(StaysWhole, SeesNoWayRoundThatIsFarAway) {
     VoxelGrid ring = wall();
     carved(ring, boxBrush({40, 40, 3}, {34, 34, 9}, {1, 0, 0, 0}, Hardness::Hard));
@@ -41,7 +57,7 @@ TEST(StaysWhole, SeesNoWayRoundThatIsFarAway) {
 
 TEST(StaysWhole, IsNeverWrongOnSponges) {
     Random random(4);
-    int whole = 0, apart = 0;
+    int whole = 0, glances = 0, apart = 0;
     for (int i = 0; i < 300; ++i) {
         VoxelGrid grid(glm::ivec3(48));
         GridWriter writer(grid);
@@ -53,12 +69,18 @@ TEST(StaysWhole, IsNeverWrongOnSponges) {
         std::sort(parts.begin(), parts.end(), outranks);
         for (size_t p = 1; p < parts.size(); ++p) takePiece(grid, parts[p]);
         const double x = 48.0 * random.unit(), y = 48.0 * random.unit(), z = 48.0 * random.unit(), radius = 1.0 + 7.0 * random.unit();
-        const bool isWhole = staysWhole(grid, carved(grid, sphereBrush({x, y, z}, {radius, radius, radius})));
+        const Carved gone = cut(grid, sphereBrush({x, y, z}, {radius, radius, radius}));
+        BrickSet bricks;
+        for (const glm::ivec3 brick : gone.bricks) bricks.insert(brick);
+        const bool isWhole = staysWhole(grid, bricks), atAGlance = staysWhole(grid, gone.cells, {});
         const size_t count = componentSizes(grid).size();
         ASSERT_TRUE(!isWhole || count <= 1);
+        ASSERT_TRUE(!atAGlance || count <= 1);
+        glances += atAGlance;
         whole += isWhole, apart += count > 1;
     }
     EXPECT_GT(whole, 30);
+    EXPECT_GT(glances, 30);
     EXPECT_GT(apart, 30);
 }
 
