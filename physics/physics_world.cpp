@@ -12,6 +12,13 @@ constexpr double kUneven = 1.1;    ///< ratio of a body's moments of inertia abo
 constexpr double kSpinning = 0.3;  ///< rad/s
 constexpr double kHardHit = 2.0;   ///< times what two that stay together share: they part as fast as they met
 
+/// Whether one of two is so fast that it may knock the other by more than half its thickness in a step: a first look.
+bool mayKnock(const DynamicBody& a, const DynamicBody& b, double seconds) {
+    const double fastest = glm::length(a.motion.velocity - b.motion.velocity) + glm::length(a.motion.angularVelocity) * a.object.radius +
+                           glm::length(b.motion.angularVelocity) * b.object.radius;
+    return kHardHit * fastest * seconds > std::min(a.reach(), b.reach());
+}
+
 }  // namespace
 
 PhysicsSettings fastPhysics() {
@@ -93,7 +100,7 @@ void PhysicsWorld::Impl::findKnocked(const NarrowphaseSettings& narrow) {
     moving.clear();
     for (const Manifold* manifold : narrowphase.manifolds()) {
         DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
-        if (!a || !b || a->asleep() || b->asleep()) continue;
+        if (!a || !b || a->asleep() || b->asleep() || !mayKnock(*a, *b, settings.stepSeconds)) continue;
         const glm::dvec3 away = approachVelocity(*manifold, settings.stepSeconds);
         const double all = a->mass().mass + b->mass().mass;
         const glm::dvec3 knockA = away * (kHardHit * b->mass().mass / all), knockB = away * (-kHardHit * a->mass().mass / all);

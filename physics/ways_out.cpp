@@ -104,11 +104,14 @@ Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float marg
 }
 
 Face firstFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm::vec3& way, const Probe& probe) {
+    bool wasInside = occupancy.solid(cell);
     for (CellSteps walk(cell, p, way);;) {
         const int axis = walk.axis();
         if (!(walk.next[axis] <= 1.0f)) return {};
         walk.cross(axis);
-        if (!occupancy.solid(walk.cell)) continue;
+        const bool isInside = occupancy.solid(walk.cell), enters = isInside && !wasInside;
+        wasInside = isInside;
+        if (!enters) continue;
         const float sign = float(-walk.step[axis]);
         if (!probe.accepts(axis, sign)) return {};
         const float plane = float(sign > 0 ? walk.cell[axis] + 1 : walk.cell[axis]);

@@ -50,7 +50,7 @@ Face wayOut(Occupancy& occupancy, Cell cell, const glm::vec3& p, const Probe& pr
 float depthIn(Occupancy& occupancy, Cell cell, const glm::vec3& p);
 /// The closest face within the margin of a point outside the solid.
 Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float margin, const Probe& probe);
-/// The first face that a point meets on its way.
+/// The first face through which a point on its way comes into the solid: seams inside of it are none.
 Face firstFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm::vec3& way, const Probe& probe);
 /// The stretch of an edge that is in the solid, in shares of its length from its middle. False: it is outside, or inside as
 /// a whole.
