@@ -12,11 +12,14 @@ constexpr double kUneven = 1.1;    ///< ratio of a body's moments of inertia abo
 constexpr double kSpinning = 0.3;  ///< rad/s
 constexpr double kHardHit = 2.0;   ///< times what two that stay together share: they part as fast as they met
 
-/// Whether one of two is so fast that it may knock the other by more than half its thickness in a step: a first look.
-bool mayKnock(const DynamicBody& a, const DynamicBody& b, double seconds) {
-    const double fastest = glm::length(a.motion.velocity - b.motion.velocity) + glm::length(a.motion.angularVelocity) * a.object.radius +
-                           glm::length(b.motion.angularVelocity) * b.object.radius;
-    return kHardHit * fastest * seconds > std::min(a.reach(), b.reach());
+/// How fast something of a body is at most, squared and no more than doubled, m2/s2.
+double speedSquares(const DynamicBody& body) {
+    const glm::dvec3 &v = body.motion.velocity, &w = body.motion.angularVelocity;
+    return 2.0 * (glm::dot(v, v) + glm::dot(w, w) * body.object.radius * body.object.radius);
+}
+/// Whether bodies whose squares add up to this may knock one by more than half its thickness in a step: a first look, without roots.
+bool mayKnock(double squares, double thin, double seconds) {
+    return 2.0 * kHardHit * kHardHit * squares * seconds * seconds > thin * thin;
 }
 
 }  // namespace
@@ -97,10 +100,18 @@ void PhysicsWorld::Impl::findContacts() {
 /// What a fast one hits may be far by the end of the step, where it did not look for contacts: it is swept once more, as it
 /// would fly on from a hit that takes nothing, against what does not move.
 void PhysicsWorld::Impl::findKnocked(const NarrowphaseSettings& narrow) {
+    double fastest = 0.0, thinnest = 1e9;
+    for (const uint32_t slot : awake) {
+        fastest = std::max(fastest, speedSquares(*dynamics[slot]));
+        thinnest = std::min(thinnest, dynamics[slot]->reach());
+    }
+    if (!mayKnock(2.0 * fastest, thinnest, settings.stepSeconds)) return;
     moving.clear();
     for (const Manifold* manifold : narrowphase.manifolds()) {
         DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
-        if (!a || !b || a->asleep() || b->asleep() || !mayKnock(*a, *b, settings.stepSeconds)) continue;
+        if (!a || !b || a->asleep() || b->asleep() ||
+            !mayKnock(speedSquares(*a) + speedSquares(*b), std::min(a->reach(), b->reach()), settings.stepSeconds))
+            continue;
         const glm::dvec3 away = approachVelocity(*manifold, settings.stepSeconds);
         const double all = a->mass().mass + b->mass().mass;
         const glm::dvec3 knockA = away * (kHardHit * b->mass().mass / all), knockB = away * (-kHardHit * a->mass().mass / all);
