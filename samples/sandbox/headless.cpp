@@ -1,5 +1,6 @@
 #include "samples/sandbox/headless.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -107,7 +108,7 @@ public:
         m_pictures = m_alone ? std::min(options.pictures, steps) : steps / m_stepsAPicture;
     }
     int pictures() const { return m_pictures; }
-    int columns() const { return m_alone && m_pictures % 3 != 0 ? 2 : 3; }
+    int columns() const { return std::clamp(m_pictures, 1, m_alone && m_pictures % 3 != 0 ? 2 : 3); }
     bool alone() const { return m_alone; }
 
     /// Number of the picture that shows the world after `step` steps; -1 if there is none.
