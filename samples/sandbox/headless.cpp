@@ -1,8 +1,8 @@
 #include "samples/sandbox/headless.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
