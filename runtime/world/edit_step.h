@@ -34,7 +34,7 @@ private:
     struct Touched {
         ShapeHandle shape;
         BrickSet carved;
-        CellBox lost;  ///< the cells that lost voxels, if nothing but `carved` did
+        CellBox lost;  ///< cells that held all voxels that went
         BrickSet painted;
         std::vector<BrokenOff> fragments;  ///< out of the grid already; bodies of their own after the edits
         bool lostVoxels = false;           ///< and is in a new frame of cells: look at all of it

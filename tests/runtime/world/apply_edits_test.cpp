@@ -95,6 +95,29 @@ TEST(ApplyEdits, AFreeShapeKeepsItsLargestPiece) {
     EXPECT_TRUE(changes.rehomed.empty());
 }
 
+/// Cuts of one step are judged together, small and close by as they are; so are they over steps.
+TEST(ApplyEdits, TwoCutsThatLeaveItWholeAloneTakeItApartTogether) {
+    VoxelGrid bar({60, 6, 6});
+    {
+        GridWriter writer(bar);
+        for (int i = 0; i < 60 * 6 * 6; ++i) writer.set({i % 60, i / 60 % 6, i / 360}, 1);
+    }
+    const auto half = [](double y) {
+        CarveEdit cut{.kind = BrushKind::Box, .position = {2.55, y, 0.3}, .halfSize = {0.06, 0.16, 0.4}};
+        return cut;
+    };
+    for (const bool isOneStep : {true, false}) {
+        World world;
+        world.load(oneShapeLevel(bar, false));
+        world.applyEdits({});
+        EXPECT_TRUE(world.applyEdits({sphereCarve({5.0, 0.3, 0.3}, 0.1)}).splits.empty());  // a first cut looks at all of it
+        if (!isOneStep) EXPECT_TRUE(world.applyEdits({half(0.15)}).splits.empty());
+        const FrameChanges changes = isOneStep ? world.applyEdits({half(0.15), half(0.45)}) : world.applyEdits({half(0.45)});
+        ASSERT_EQ(changes.splits.size(), 1u);
+        EXPECT_EQ(world.shapes().size(), 2u);
+    }
+}
+
 TEST(ApplyEdits, AStaticShapeWithoutItsAnchorsComesLoose) {
     World world;
     world.load(oneShapeLevel(mast(), true));
