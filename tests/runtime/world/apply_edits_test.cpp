@@ -111,7 +111,9 @@ TEST(ApplyEdits, TwoCutsThatLeaveItWholeAloneTakeItApartTogether) {
         world.load(oneShapeLevel(bar, false));
         world.applyEdits({});
         EXPECT_TRUE(world.applyEdits({sphereCarve({5.0, 0.3, 0.3}, 0.1)}).splits.empty());  // a first cut looks at all of it
-        if (!isOneStep) EXPECT_TRUE(world.applyEdits({half(0.15)}).splits.empty());
+        if (!isOneStep) {
+            EXPECT_TRUE(world.applyEdits({half(0.15)}).splits.empty());
+        }
         const FrameChanges changes = isOneStep ? world.applyEdits({half(0.15), half(0.45)}) : world.applyEdits({half(0.45)});
         ASSERT_EQ(changes.splits.size(), 1u);
         EXPECT_EQ(world.shapes().size(), 2u);
