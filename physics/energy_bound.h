@@ -11,7 +11,8 @@ namespace rubble {
 
 /// Contacts may take energy and hand it on, but give none: bodies that hang together by contacts, some of them with the world,
 /// end a step with no more energy, weight included, than they began it with. What a solver adds anyway, where a cut has left
-/// bodies inside what stands, is taken from those that gained, in the shares in which they did. Not held: what joints drive,
+/// bodies inside what stands, is taken from the speeds of those that gained, in the shares in which they did; height that is left
+/// then stays. Not held: what joints drive,
 /// and what touches no world, whose momentum would suffer.
 class EnergyBound {
 public:

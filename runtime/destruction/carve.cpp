@@ -45,8 +45,7 @@ void removeFromNode(VoxelGrid& grid, glm::ivec3 position, std::span<const BrickS
             out.voxels += count;
         });
         gone += brickMoments(brick, share.voxels, childPosition(child), densities);
-        out.bricks.push_back(share.brick);
-        out.cells = joined(out.cells, voxelBounds(share.brick, share.voxels));
+        out.addBrick(share);
         BrickBits keep;
         for (size_t z = 0; z < 8; ++z) keep[z] = ~share.voxels[z];
         changed.set(child, maskBrick(brick, keep));

@@ -18,6 +18,12 @@ struct Carved {
     uint64_t voxels = 0;
     CellBox cells;        ///< that held what was removed
     MassMoments moments;  ///< of what was removed
+
+    /// Notes a brick and where in it voxels went.
+    void addBrick(const BrickShare& gone) {
+        bricks.push_back(gone.brick);
+        cells = joined(cells, voxelBounds(gone.brick, gone.voxels));
+    }
 };
 
 /// Empties the cells that the brush touches, each class of hardness within its own radius; unbreakable and unphysical

@@ -313,7 +313,7 @@ void Breaker::takeOut() {
         BrickBits keep;
         for (size_t z = 0; z < 8; ++z) keep[z] = brick->occupancy[z] & ~share.voxels[z];
         m_grid.setBrick(share.brick, maskBrick(*brick, keep));
-        m_out.dust.bricks.push_back(share.brick);
+        m_out.dust.addBrick(share);
     }
 }
 

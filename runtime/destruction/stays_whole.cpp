@@ -75,6 +75,7 @@ void joinAlong(const Surroundings& near, size_t axis, UnionFind<uint16_t>& sets)
 }  // namespace
 
 bool staysWhole(const VoxelGrid& grid, const CellBox& lost, std::span<const CellBox> anchors) {
+    if (lost.empty()) return false;
     const CellBox box{glm::max(lost.low - 1, 0), glm::min(lost.high + 1, grid.size())};
     for (const CellBox& anchor : anchors)
         if (glm::all(glm::lessThan(anchor.low, lost.high)) && glm::all(glm::lessThan(lost.low, anchor.high))) return false;

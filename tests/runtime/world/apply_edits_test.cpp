@@ -120,6 +120,23 @@ TEST(ApplyEdits, TwoCutsThatLeaveItWholeAloneTakeItApartTogether) {
     }
 }
 
+/// What is broken out as fragments is looked at for what it held, as what is carved.
+TEST(ApplyEdits, WhatABlowBreaksInTwoComesApart) {
+    VoxelGrid bar({60, 6, 6});
+    {
+        GridWriter writer(bar);
+        for (int i = 0; i < 60 * 6 * 6; ++i) writer.set({i % 60, i / 60 % 6, i / 360}, 1);
+    }
+    World world;
+    world.load(oneShapeLevel(bar, false));
+    world.applyEdits({sphereCarve({5.0, 0.3, 0.3}, 0.1)});  // a first cut looks at all of it
+    BreakEdit blow{.position = {3.0, 0.3, 0.3}};
+    blow.radii.fill(0.5);
+    world.applyEdits({blow});
+    EXPECT_GT(world.shapes().size(), 2u);
+    world.shapes().forEach([](ShapeHandle, const Shape& shape) { EXPECT_EQ(test::floodFill(test::PlainGrid(shape.grid)).size(), 1u); });
+}
+
 TEST(ApplyEdits, AStaticShapeWithoutItsAnchorsComesLoose) {
     World world;
     world.load(oneShapeLevel(mast(), true));
