@@ -29,7 +29,7 @@ struct FrameContext {
     const Texture& blueNoise;  ///< 64x64, R8, repeats
     RenderFigures& figures;
     VertexArray& emptyVertexArray;
-    const LightGrid* lightGrid = nullptr;  ///< null: the scene has no local lights
+    const LightGrid* lightGrid = nullptr;  ///< null: the scene has had no local lights yet
 
     /// Draws one triangle over the framebuffer that is bound, with the program that is in use. State: no depth test, no blending.
     void drawFullscreen() const {

@@ -182,7 +182,7 @@ void Renderer::Impl::fillBlock(const View& view, glm::ivec2 traced) {
 }
 
 const LightGrid* Renderer::Impl::sortLights() {
-    if (scene.lights().empty()) return nullptr;
+    if (scene.lights().empty() && !lightGrid) return nullptr;
     if (!lightGrid) lightGrid.emplace();
     figures.uploadBytes += lightGrid->update(scene.lights(), block, scene.origin());
     return &*lightGrid;

@@ -36,7 +36,7 @@ void FogPass::drawLight(const FrameContext& frame) const {
     m_light.set("uLast", light.previous);
     m_light.set("uLastValid", int(frame.settings.temporal && light.valid));
     m_light.set("uSunUp", int(frame.settings.sun && frame.block.sunDirection.y > 0.0f));
-    m_light.set("uLongest", float(lights ? std::min(kLongest, frame.lightGrid->framesSinceChange() + 1) : kLongest));
+    m_light.set("uLongest", float(frame.lightGrid ? std::min(kLongest, frame.lightGrid->framesSinceChange() + 1) : kLongest));
     frame.drawFullscreen();
 }
 

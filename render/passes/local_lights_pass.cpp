@@ -22,7 +22,7 @@ LocalLightsPass::LocalLightsPass(ShaderLibrary& shaders) : m_program(shaders.loa
 }
 
 bool LocalLightsPass::needed(const FrameContext& frame) {
-    return frame.settings.localLights && frame.lightGrid;
+    return frame.settings.localLights && frame.lightGrid && frame.lightGrid->hasLights();
 }
 
 void LocalLightsPass::draw(const FrameContext& frame) const {

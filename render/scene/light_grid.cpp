@@ -189,10 +189,20 @@ uint64_t LightGrid::upload() {
     return sent;
 }
 
+void LightGrid::noteChange(std::span<const SnapshotLight> lights) {
+    const auto isSame = [](const SnapshotLight& light, LightHandle last) { return light.light == last; };
+    if (std::equal(lights.begin(), lights.end(), m_last.begin(), m_last.end(), isSame)) {
+        m_framesSinceChange = std::min(m_framesSinceChange + 1, 1000);
+        return;
+    }
+    m_framesSinceChange = 0;
+    m_last.clear();
+    for (const SnapshotLight& light : lights) m_last.push_back(light.light);
+}
+
 uint64_t LightGrid::update(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin) {
     m_size = glm::ivec3(glm::ivec2(glm::ceil(glm::vec2(block.targetSize) / float(kTilePixels))), kSlices);
-    m_framesSinceChange = lights.size() == m_lastCount ? std::min(m_framesSinceChange + 1, 1000) : 0;
-    m_lastCount = lights.size();
+    noteChange(lights);
     listReaches(lights, block, origin);
     m_list.clear();
     if (m_reaches.empty()) return 0;

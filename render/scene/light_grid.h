@@ -17,7 +17,9 @@ public:
     uint64_t update(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin);
     /// Sets the uniforms of lib/local_lights.glsl. The program must be in use.
     void bind(const Program& program) const;
-    /// Any light reaches into the view.
+    /// There is a light, seen or not.
+    bool hasLights() const { return !m_last.empty(); }
+    /// No light reaches into the view.
     bool empty() const { return m_list.empty(); }
     /// Numbers, in what update() was given, of the lights listed for a pixel at a depth along the view axis.
     std::vector<int> lightsAt(glm::ivec2 pixel, float depth) const;
@@ -34,6 +36,7 @@ private:
         glm::vec4 sphere;
         glm::ivec3 low, high;
     };
+    void noteChange(std::span<const SnapshotLight> lights);
     void listReaches(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin);
     bool touches(const Reach& reach, glm::ivec3 cell, const FrameBlock& block) const;
     void fillCells(const FrameBlock& block);
@@ -41,7 +44,7 @@ private:
     void fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 origin);
     uint64_t upload();
 
-    size_t m_lastCount = 0;
+    std::vector<LightHandle> m_last;  ///< that update() was given
     int m_framesSinceChange = 0;
     glm::ivec3 m_size{0};             ///< tiles across and up, slices
     std::vector<Reach> m_reaches;     ///< strongest light first

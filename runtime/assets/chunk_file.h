@@ -14,7 +14,7 @@ namespace rubble {
 // and stored bytes, so that no flipped bit passes. A reader skips chunks of kinds that it does not know.
 
 inline constexpr std::array<char, 8> kFileMagic = {'R', 'U', 'B', 'B', 'L', 'E', '\r', '\n'};
-inline constexpr uint32_t kFileVersion = 4;
+inline constexpr uint32_t kFileVersion = 5;
 inline constexpr uint64_t kMaxFileBytes = uint64_t(8) << 30;
 inline constexpr size_t kGridChunkBytes = 8u << 20;  ///< a GRID chunk is closed once it holds this much
 

@@ -87,9 +87,13 @@ public:
                 fail("a depth above 0, a density and drags of 0 or more", fmt::format("{} m, {} kg/m3", value.depth, value.density));
         }
         if constexpr (std::is_same_v<T, LightPicture>)
-            if (value.width > kMostPictureSide || value.height() > kMostPictureSide || value.texels.size() != size_t(value.width) * value.height())
+            if (!value.isWhole())
                 fail(fmt::format("a picture of at most {} x {} texels", kMostPictureSide, kMostPictureSide),
                      fmt::format("{} texels in rows of {}", value.texels.size(), value.width));
+        if constexpr (std::is_same_v<T, LevelLight>)
+            if (const std::string error = lightError(value.light); !error.empty()) fail("a light that can be", error);
+        if constexpr (std::is_same_v<T, Environment>)
+            if (const std::string error = environmentError(value); !error.empty()) fail("weather that can be", error);
         if constexpr (std::is_same_v<T, Trigger>)
             if (value.kind == TriggerKind::Polygon && value.outline.size() < 3)
                 fail("an outline of 3 points or more", fmt::format("{}", value.outline.size()));

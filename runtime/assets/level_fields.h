@@ -109,23 +109,28 @@ void fields(A& a, Is<LightPicture> auto& picture) {
     a("width", picture.width);
     a("texels", picture.texels);
 }
+/// Of a light, with what names its shape and its group: names in a level, handles in a save.
+template <class A>
+void lightFields(A& a, Is<Light> auto& light, auto& shape, auto& group) {
+    a("name", light.name);
+    a("kind", light.kind);
+    a("shape", shape);
+    a("group", group);
+    a("local", light.local);
+    a("color", light.color);
+    a("radius", light.radius);
+    a("reach", light.reach);
+    a("cone_inner", light.coneInner);
+    a("cone_outer", light.coneOuter);
+    a("width", light.width);
+    a("height", light.height);
+    a("two_sided", light.twoSided);
+    a("picture", light.picture);
+    a("enabled", light.enabled);
+}
 template <class A>
 void fields(A& a, Is<LevelLight> auto& light) {
-    a("name", light.light.name);
-    a("kind", light.light.kind);
-    a("shape", light.shapeName);
-    a("group", light.groupName);
-    a("local", light.light.local);
-    a("color", light.light.color);
-    a("radius", light.light.radius);
-    a("reach", light.light.reach);
-    a("cone_inner", light.light.coneInner);
-    a("cone_outer", light.light.coneOuter);
-    a("width", light.light.width);
-    a("height", light.light.height);
-    a("two_sided", light.light.twoSided);
-    a("picture", light.light.picture);
-    a("enabled", light.light.enabled);
+    lightFields(a, light.light, light.shapeName, light.groupName);
 }
 template <class A>
 void fields(A& a, Is<LightGroup> auto& group) {

@@ -63,21 +63,7 @@ void fields(A& a, Is<Shape> auto& shape) {
 }
 template <class A>
 void fields(A& a, Is<Light> auto& light) {
-    a("name", light.name);
-    a("kind", light.kind);
-    a("shape", light.shape);
-    a("local", light.local);
-    a("color", light.color);
-    a("radius", light.radius);
-    a("reach", light.reach);
-    a("cone_inner", light.coneInner);
-    a("cone_outer", light.coneOuter);
-    a("width", light.width);
-    a("height", light.height);
-    a("two_sided", light.twoSided);
-    a("picture", light.picture);
-    a("group", light.group);
-    a("enabled", light.enabled);
+    lightFields(a, light, light.shape, light.group);
 }
 
 template <class A>
@@ -321,18 +307,17 @@ void fields(A& a, Is<SetEnvironmentEdit> auto& edit) {
     a("environment", edit.environment);
 }
 template <class A>
+void fields(A& a, Is<AddLightEdit> auto& edit) {
+    a("light", edit.light);
+}
+template <class A>
 void fields(A& a, Is<SetLightEdit> auto& edit) {
     a("light", edit.light);
-    a("local", edit.local);
-    a("color", edit.color);
-    a("radius", edit.radius);
-    a("reach", edit.reach);
-    a("cone_inner", edit.coneInner);
-    a("cone_outer", edit.coneOuter);
-    a("width", edit.width);
-    a("height", edit.height);
-    a("two_sided", edit.twoSided);
-    a("enabled", edit.enabled);
+    a("values", edit.values);
+}
+template <class A>
+void fields(A& a, Is<RemoveLightEdit> auto& edit) {
+    a("light", edit.light);
 }
 template <class A>
 void fields(A& a, Is<DetachJointEdit> auto& edit) {

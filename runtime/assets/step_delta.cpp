@@ -105,9 +105,13 @@ public:
         readValues(delta.triggers);
         readValues(delta.characters);
         readValues(delta.joints);
+        bool hasEnvironment = false;
+        m_in.get(hasEnvironment);
+        if (hasEnvironment) m_in.get(delta.environment.emplace());
         for (uint32_t i = m_reader.readCount(5, "shapes"); i-- > 0 && !m_reader.failed();) readShape(delta);
         m_in.get(delta.freeBodies);
         m_in.get(delta.freeShapes);
+        m_in.get(delta.freeLights);
         m_in.get(delta.freeWaters);
         m_in.get(delta.freeTriggers);
         m_in.get(delta.freeCharacters);
@@ -187,7 +191,7 @@ private:
     const World& m_world;
 };
 
-/// Whether every shape will be on one body that knows it: what a World asserts.
+/// Whether every shape will be on one body that knows it, which a World asserts, and what shines has numbers that can be.
 bool fits(const WorldDelta& delta, const World& world) {
     const auto shapeAfter = [&](ShapeHandle handle) {
         const auto found = delta.shapes.find(handle.slot());
@@ -203,7 +207,8 @@ bool fits(const WorldDelta& delta, const World& world) {
         const Body* body = bodyAfter(shape.body);
         return body && std::count(body->shapes.begin(), body->shapes.end(), handle) == 1;
     };
-    bool good = true;
+    bool good = !delta.environment || environmentError(*delta.environment).empty();
+    for (const auto& [slot, value] : delta.lights) good = good && (!value.first || lightError(*value.second).empty());
     for (const auto& [slot, value] : delta.joints) {
         if (!value.first) continue;
         for (const JointEnd& end : value.second->ends) good = good && (!end.shape || shapeAfter(end.shape));
@@ -250,10 +255,13 @@ std::vector<uint8_t> stepToBytes(const WorldDelta& before, const FrameChanges& c
     putValues(out, before.triggers, after.triggers());
     putValues(out, before.characters, after.characters());
     putValues(out, before.joints, after.joints());
+    out.put(before.environment.has_value());
+    if (before.environment) out.put(after.environment());
     out.put(uint32_t(before.shapes.size()));
     for (const auto& [slot, was] : before.shapes) putShape(out, delta, slot, before, changes, after);
     out.put(after.bodies().freeSlots());
     out.put(after.shapes().freeSlots());
+    out.put(after.lights().freeSlots());
     out.put(after.waters().freeSlots());
     out.put(after.triggers().freeSlots());
     out.put(after.characters().freeSlots());
@@ -269,7 +277,7 @@ Result<FrameChanges> applyStep(std::span<const uint8_t> bytes, const std::string
     for (PaletteRef& palette : palettesFromBytes(in)) palettes.push_back(std::move(palette));
     WorldDelta delta = StepReader(in, palettes, world).read();
     if (!in.failed() && in.remaining() > 0) in.fail("the end of the step", fmt::format("{} more bytes", in.remaining()));
-    if (!in.failed() && !fits(delta, world)) in.fail("shapes and bodies that name each other", "others");
+    if (!in.failed() && !fits(delta, world)) in.fail("shapes and bodies that name each other, and lights and weather within their ranges", "others");
     if (in.failed()) return Error{name + ": " + in.error()};
     return world.applyDelta(std::move(delta));
 }

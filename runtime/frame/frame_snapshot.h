@@ -52,6 +52,7 @@ struct SnapshotLight {
     float width = 0.0f, height = 0.0f;  ///< metres
     bool twoSided = false;
     LightPicture picture = {};  ///< of a screen
+    LightHandle light = {};     ///< empty: of a fire
 };
 
 /// A burning brick, as flames and smoke are drawn.

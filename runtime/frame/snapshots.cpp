@@ -189,7 +189,7 @@ void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose>
     if (!listChanged && (m_lightBodies.empty() || std::none_of(moved.begin(), moved.end(), carries))) return;
     out.lightsChanged = true;
     m_lightBodies.clear();
-    world.lights().forEach([&](LightHandle, const Light& light) {
+    world.lights().forEach([&](LightHandle handle, const Light& light) {
         if (const Shape* shape = world.shapes().find(light.shape)) m_lightBodies.push_back(shape->body);
         const LightGroup* group = world.lightGroups().find(light.group);
         if (!light.enabled || (group && (group->out || group->dark))) return;
@@ -197,7 +197,7 @@ void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose>
         const glm::vec3 direction(pose.rotation * glm::dvec3(0.0, 0.0, -1.0));
         const glm::vec3 right(pose.rotation * glm::dvec3(1.0, 0.0, 0.0));
         out.lights.push_back({light.kind, pose.position, direction, light.color, light.radius, light.reach, light.coneInner, light.coneOuter, right,
-                              light.width, light.height, light.twoSided, light.picture});
+                              light.width, light.height, light.twoSided, light.picture, handle});
     });
     std::sort(m_lightBodies.begin(), m_lightBodies.end());
     addFires(changes, world, out);

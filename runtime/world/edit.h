@@ -157,11 +157,11 @@ struct PlaceCharacterEdit {
     glm::dvec3 position{0.0}, velocity{0.0};  ///< of the feet
 };
 
-using Edit =
-    std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit, BreakEdit,
-                 SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit, StrikeEdit, SetCollisionEdit, AddWaterEdit, RemoveWaterEdit,
-                 AddTriggerEdit, RemoveTriggerEdit, AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit, PlaceCharacterEdit, AddJointEdit,
-                 RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit, SetEnvironmentEdit, SetLightEdit>;
+using Edit = std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit,
+                          BreakEdit, SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit, StrikeEdit, SetCollisionEdit, AddWaterEdit,
+                          RemoveWaterEdit, AddTriggerEdit, RemoveTriggerEdit, AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit,
+                          PlaceCharacterEdit, AddJointEdit, RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit,
+                          SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit>;
 using Edits = std::vector<Edit>;
 
 /// Where a host leaves edits for the next step. [main-thread]

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "runtime/core/log.h"
-#include "runtime/core/number_range.h"
 #include "runtime/core/random.h"
 #include "runtime/world/edit_step.h"
 
@@ -56,57 +55,54 @@ PaletteRef darkened(const Palette& palette, uint32_t group) {
     return out;
 }
 
-bool isSane(const Environment& e) {
-    constexpr double kMost = 1e6;
-    for (const glm::vec3& color : {e.sunColor, e.skyColor, e.horizonColor, e.groundColor, e.fogColor, e.fogTint})
-        if (!isWithin(color, 0.0, kMost)) return false;
-    return isWithin(e.sunDirection, -kMost, kMost) && isWithin(glm::length(e.sunDirection), 1e-6, 2.0 * kMost) && isWithin(e.sunAngle, 0.0, 1.5) &&
-           isWithin(e.fogDistance, 1e-3, 1e9) && isWithin(e.fogDensity, 0.0, kMost) && isWithin(e.fogBase, -kMost, kMost) &&
-           isWithin(e.fogHeight, 1e-3, kMost) && isWithin(e.fogForward, -0.9, 0.9) && isWithin(e.clouds, 0.0, 1.0) && isWithin(e.stars, 0.0, kMost) &&
-           isWithin(e.exposure, 0.0, kMost) && isWithin(e.wetness, 0.0, 1.0) && isWithin(e.gravity, -1e3, 1e3);
-}
-
-bool isSane(const SetLightEdit& light) {
-    const glm::dquat& q = light.local.rotation;
-    return isWithin(light.local.position, 1e9) && isWithin(glm::dot(q, q), 0.999, 1.001) && isWithin(light.color, 0.0, 1e6) &&
-           isWithin(light.radius, 0.0, 1e3) && isWithin(light.reach, 0.0, 1e5) && isWithin(light.coneInner, 0.0, 3.15) &&
-           isWithin(light.coneOuter, 0.0, 3.15) && isWithin(light.width, 0.0, 1e3) && isWithin(light.height, 0.0, 1e3);
-}
-
 }  // namespace
 
-SetLightEdit::SetLightEdit(LightHandle handle, const Light& now)
-    : light(handle),
-      local(now.local),
-      color(now.color),
-      radius(now.radius),
-      reach(now.reach),
-      coneInner(now.coneInner),
-      coneOuter(now.coneOuter),
-      width(now.width),
-      height(now.height),
-      twoSided(now.twoSided),
-      enabled(now.enabled) {}
-
 void EditStep::apply(const SetEnvironmentEdit& edit) {
-    if (!isSane(edit.environment))
-        return logWarning("SetEnvironmentEdit: expected a direction of the sun and finite numbers, of colours 0 or more; nothing was changed");
+    if (const std::string error = environmentError(edit.environment); !error.empty())
+        return logWarning("SetEnvironmentEdit: " + error + "; nothing was changed");
+    const Environment before = m_world.environment();
     m_world.setEnvironment(edit.environment);
+    m_changes.environmentChanged |= before != m_world.environment();
+}
+
+void EditStep::apply(const AddLightEdit& edit) {
+    LightHandle& added = m_changes.lightsAdded.emplace_back();
+    const std::optional<Light> light = checkedLight(edit.light, "AddLightEdit");
+    if (!light) return;
+    if (m_world.m_lights.size() >= kMostLights)
+        return logWarning("AddLightEdit: expected less than " + std::to_string(kMostLights) + " lights (kMostLights), found " +
+                          std::to_string(m_world.m_lights.size()) + "; nothing was changed");
+    added = m_world.m_lights.insert(*light);
+    m_changes.lights.push_back(added);
 }
 
 void EditStep::apply(const SetLightEdit& edit) {
     Light* light = m_world.m_lights.find(edit.light);
     if (!light) return logWarning("SetLightEdit: the handle of its light is stale; nothing was changed");
-    if (!isSane(edit)) return logWarning("SetLightEdit: expected a rotation of length 1 and finite numbers of 0 or more; nothing was changed");
-    const LightGroup* group = m_world.m_groups.find(light->group);
-    light->local = edit.local;
-    light->color = edit.color;
-    light->radius = edit.radius, light->reach = edit.reach;
-    light->coneInner = edit.coneInner, light->coneOuter = edit.coneOuter;
-    light->width = edit.width, light->height = edit.height;
-    light->twoSided = edit.twoSided;
-    light->enabled = edit.enabled && !(group && group->out);
+    std::optional<Light> values = checkedLight(edit.values, "SetLightEdit");
+    if (!values) return;
+    *light = std::move(*values);
     m_changes.lights.push_back(edit.light);
+}
+
+void EditStep::apply(const RemoveLightEdit& edit) {
+    if (!m_world.m_lights.erase(edit.light)) return logWarning("RemoveLightEdit: the handle of its light is stale; nothing was removed");
+    m_changes.lights.push_back(edit.light);
+}
+
+/// As it will be in the World; none, and a warning, if it cannot be there.
+std::optional<Light> EditStep::checkedLight(const Light& wanted, const char* edit) const {
+    const LightGroup* group = m_world.m_groups.find(wanted.group);
+    std::string error = lightError(wanted);
+    if (wanted.shape && !m_world.m_shapes.find(wanted.shape)) error = "the handle of its shape is stale";
+    if (wanted.group && !group) error = "the handle of its light group is stale";
+    if (!error.empty()) {
+        logWarning(std::string(edit) + ": " + error + "; nothing was changed");
+        return {};
+    }
+    Light light = wanted;
+    light.enabled = wanted.enabled && !(group && group->out);
+    return light;
 }
 
 /// A light goes with the piece that has the voxel nearest to it; the parent first, then the children in order.

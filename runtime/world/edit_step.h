@@ -120,7 +120,10 @@ private:
 
     // edit_lights.cpp
     void apply(const SetEnvironmentEdit& edit);
+    void apply(const AddLightEdit& edit);
     void apply(const SetLightEdit& edit);
+    void apply(const RemoveLightEdit& edit);
+    std::optional<Light> checkedLight(const Light& wanted, const char* edit) const;
     void moveLights(const ShapeSplit& split);
     void putOutLightsOf(ShapeHandle shape);
     void updateLightGroups();

@@ -112,7 +112,7 @@ struct FrameChanges {
     std::vector<ShapeHandle> palettes;   ///< shapes whose palette or colours of paint changed
     std::vector<ShapeHandle> rehomed;    ///< shapes that lost their last anchor: now on a new body of their own, in bodiesCreated
     std::vector<RemovedVoxels> removed;  ///< a record for each edit, shape and entry
-    std::vector<LightHandle> lights;     ///< lights created, moved to another shape or body, or switched
+    std::vector<LightHandle> lights;     ///< lights created, changed, moved to another shape or body, switched or removed
     std::vector<LightGroupHandle> groupsOut;
     std::vector<ImpulseApplied> impulses;
     std::vector<DustCloud> dust;           ///< all that is in `removed`, with its place
@@ -139,12 +139,14 @@ struct FrameChanges {
     std::vector<JointMoved> jointsMoved;      ///< to another shape, in a split or merge
     std::vector<JointBroken> jointsBroken;
     std::vector<JointHandle> jointsChanged;  ///< motor, place of an end or length: read it from the World
+    std::vector<LightHandle> lightsAdded;    ///< one for each AddLightEdit, in order; an empty handle: it was refused
+    bool environmentChanged = false;         ///< read it from the World
 
     bool empty() const {
-        return !levelReplaced && bodiesCreated.empty() && bodiesDestroyed.empty() && shapesCreated.empty() && shapesDestroyed.empty() &&
-               bricks.empty() && palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() && settled.empty() && revived.empty() &&
-               groups.empty() && placed.empty() && !firesChanged && filters.empty() && waters.empty() && triggers.empty() && characters.empty() &&
-               jointsMade.empty() && jointsMoved.empty() && jointsBroken.empty() && jointsChanged.empty();
+        return !levelReplaced && !environmentChanged && bodiesCreated.empty() && bodiesDestroyed.empty() && shapesCreated.empty() &&
+               shapesDestroyed.empty() && bricks.empty() && palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() &&
+               settled.empty() && revived.empty() && groups.empty() && placed.empty() && !firesChanged && filters.empty() && waters.empty() &&
+               triggers.empty() && characters.empty() && jointsMade.empty() && jointsMoved.empty() && jointsBroken.empty() && jointsChanged.empty();
     }
 };
 

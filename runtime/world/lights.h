@@ -19,15 +19,19 @@ namespace rubble {
 /// What a ray would meet within max(radius, 0.12) metres of the light does not count: a light sits among its own glowing voxels.
 enum class LightKind : uint8_t { Sphere, Cone, Capsule, Area, Screen };
 
+inline constexpr uint32_t kMostPictureSide = 64;  ///< texels
+inline constexpr size_t kMostLights = 1u << 16;   ///< that edits fill a World up to; a level may bring more
+
 /// What a screen shows: rows from the top, as seen by who looks at it.
 struct LightPicture {
     uint32_t width = 0;
     std::vector<uint32_t> texels;  ///< sRGB 0xRRGGBB
 
     uint32_t height() const { return width ? uint32_t(texels.size()) / width : 0; }
+    /// Whole rows, and no side above kMostPictureSide.
+    bool isWhole() const { return width <= kMostPictureSide && height() <= kMostPictureSide && texels.size() == size_t(width) * height(); }
     friend bool operator==(const LightPicture&, const LightPicture&) = default;
 };
-inline constexpr uint32_t kMostPictureSide = 64;  ///< texels
 
 /// A light that rides on a shape. Cones, areas and screens look along -z of `local`.
 struct Light {
@@ -46,7 +50,11 @@ struct Light {
     LightPicture picture;    ///< of a screen; none: white
     LightGroupHandle group;  ///< that puts it out; empty: none
     bool enabled = true;
+
+    uint64_t hash() const;
 };
+/// Which number of a light is out of its range, with what was expected and found; empty: none. Handles are not looked at.
+std::string lightError(const Light& light);
 
 /// Emissive voxels that live and die together with their lights. Voxels belong to a group by their palette entry. A group
 /// with a supply also dies when no path of wire (voxels of the material "wire") leads from there to one of its voxels.
@@ -85,7 +93,10 @@ struct Environment {
     float wetness = 0.0f;  ///< of what lies open to the sky: 0 dry, 0.5 dark and smooth, 1 with puddles
     glm::vec3 gravity{0.0f, -9.81f, 0.0f};
 
+    uint64_t hash() const;
     friend bool operator==(const Environment&, const Environment&) = default;
 };
+/// The same as lightError(). A sun's direction may have any length but 0.
+std::string environmentError(const Environment& environment);
 
 }  // namespace rubble

@@ -21,6 +21,7 @@ void addMissing(WorldDelta& into, WorldDelta from) {
     addMissing(into.triggers, std::move(from.triggers));
     addMissing(into.characters, std::move(from.characters));
     addMissing(into.joints, std::move(from.joints));
+    if (!into.environment) into.environment = from.environment;
 }
 
 /// For each slot of `slots`: its value in `first`, else in `second`.
@@ -66,6 +67,8 @@ WorldDelta UndoHistory::swapIn(World& world, WorldDelta entry, FrameChanges& cha
     out.triggers = pick(slots.triggers, drift.triggers, was.triggers);
     out.characters = pick(slots.characters, drift.characters, was.characters);
     out.joints = pick(slots.joints, drift.joints, was.joints);
+    out.environment.reset();
+    if (slots.environment) out.environment = drift.environment ? drift.environment : was.environment;
     m_open = m_mirror.emptyDelta();
     m_isDrift = true;
     return out;

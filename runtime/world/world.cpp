@@ -251,11 +251,15 @@ Level World::toLevel() const {
     return level;
 }
 
-void World::setEnvironment(const Environment& environment) {
-    if (m_load && environment.gravity != m_environment.gravity) m_load->restartAll();
-    m_environment = environment;
+void World::setEnvironment(Environment environment) {
     const float length = glm::length(environment.sunDirection);
-    m_environment.sunDirection = length > 0.0f ? environment.sunDirection / length : glm::vec3(0.0f, 1.0f, 0.0f);
+    environment.sunDirection = length > 0.0f ? environment.sunDirection / length : glm::vec3(0.0f, 1.0f, 0.0f);
+    putEnvironment(environment);
+}
+
+Environment World::putEnvironment(const Environment& environment) {
+    if (m_load && environment.gravity != m_environment.gravity) m_load->restartAll();
+    return std::exchange(m_environment, environment);
 }
 
 void World::setPoses(std::span<const BodyPose> poses) {
@@ -427,12 +431,6 @@ uint64_t World::resolvedHash() const {
         hasher.add(uint64_t(shape.collisionLayer) << 8 | shape.collisionMask);
         if (shape.paintColors) hasher.add(hashBytes(shape.paintColors.get(), sizeof(PaintColors)));
     });
-    m_lights.forEach([&](LightHandle handle, const Light& light) {
-        hasher.add(handle.slot());
-        hasher.add(uint64_t(bool(light.shape)) << 32 | light.shape.slot());
-        hasher.add(light.local);
-        hasher.add(uint64_t(light.enabled));
-    });
     m_groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
         hasher.add(handle.slot());
         hasher.add(group.removedVoxels << 1 | uint64_t(group.out));
@@ -444,9 +442,11 @@ uint64_t World::resolvedHash() const {
             hasher.add(value.hash());
         });
     };
+    addAll(m_lights);
     addAll(m_waters);
     addAll(m_triggers);
     addAll(m_characters);
+    hasher.add(m_environment.hash());
     m_joints.forEach([&](JointHandle handle, const Joint& joint) { hasher.state = hashJoint(joint, hashValue(handle.slot(), hasher.state)); });
     return hasher.state;
 }

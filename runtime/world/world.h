@@ -196,7 +196,7 @@ public:
     const FireState& fire() const { return m_fire; }
     void setFire(FireState fire) { m_fire = std::move(fire); }
     uint64_t step() const { return m_step; }
-    /// Of everything that matters to what happens next: voxels, palettes, bodies, velocities, lights, groups, heat, in slot order.
+    /// Of everything that matters to what happens next: voxels, palettes, bodies, velocities, lights, groups, weather, heat, in slot order.
     /// The number of the world and the generations of its slots do not matter to that.
     uint64_t hash() const;
     /// The same without the number of the step, heat, and analyses that go on over steps: what a recording's outcome
@@ -210,7 +210,10 @@ private:
     friend class WorldMirror;
     bool runHistory(const Edits& edits, FrameChanges& changes);
     void clear();
-    void setEnvironment(const Environment& environment);
+    /// Makes the sun's direction one of length 1.
+    void setEnvironment(Environment environment);
+    /// As it is; returns what was there.
+    Environment putEnvironment(const Environment& environment);
     /// Brings the index of places up to date: to be called when a shape is made, resized or moved, and when it goes.
     void placeShape(ShapeHandle shape);
     void forgetShape(ShapeHandle shape) { m_places.remove(shape.slot()); }

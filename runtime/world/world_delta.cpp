@@ -70,8 +70,13 @@ WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
     before.removed = std::exchange(m_removed, target.removed);
     before.fire = std::exchange(m_fire, std::move(target.fire));
     changes.firesChanged = before.fire.isActive() || m_fire.isActive();
+    if (target.environment) {
+        before.environment = putEnvironment(*target.environment);
+        changes.environmentChanged = true;
+    }
     before.freeBodies = m_bodies.freeSlots();
     before.freeShapes = m_shapes.freeSlots();
+    before.freeLights = m_lights.freeSlots();
     before.freeWaters = m_waters.freeSlots();
     before.freeTriggers = m_triggers.freeSlots();
     before.freeCharacters = m_characters.freeSlots();
@@ -87,6 +92,7 @@ WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
     m_joints.setFreeSlots(target.freeJoints);
     m_bodies.setFreeSlots(target.freeBodies);
     m_shapes.setFreeSlots(target.freeShapes);
+    m_lights.setFreeSlots(target.freeLights);
     m_waters.setFreeSlots(target.freeWaters);
     m_triggers.setFreeSlots(target.freeTriggers);
     m_characters.setFreeSlots(target.freeCharacters);
@@ -110,8 +116,7 @@ WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
         journalShape(was.first, was.second, is, m_shapes.find(is), changes);
     }
     journalJoints(before, changes);
-    for (const auto& [slot, was] : before.lights)
-        if (const LightHandle is = m_lights.handleAt(slot)) changes.lights.push_back(is);
+    journalSlots(before.lights, m_lights, changes.lights);
     for (const auto& [slot, was] : before.groups) {
         const LightGroupHandle is = m_groups.handleAt(slot);
         if (!is) continue;

@@ -25,11 +25,12 @@ struct WorldDelta {
     uint64_t imported = 0, removed = 0;
     FireState fire;
     SlotValues<JointHandle, Joint> joints;
-    std::vector<uint32_t> freeBodies, freeShapes, freeWaters, freeTriggers, freeCharacters, freeJoints;  ///< slots that are used next
+    std::optional<Environment> environment;                                                                          ///< none: it has not changed
+    std::vector<uint32_t> freeBodies, freeShapes, freeLights, freeWaters, freeTriggers, freeCharacters, freeJoints;  ///< slots that are used next
 
     bool empty() const {
         return bodies.empty() && shapes.empty() && lights.empty() && groups.empty() && waters.empty() && triggers.empty() && characters.empty() &&
-               joints.empty();
+               joints.empty() && !environment;
     }
 };
 

@@ -1,5 +1,7 @@
 #include "runtime/world/world_mirror.h"
 
+#include <utility>
+
 namespace rubble {
 namespace {
 
@@ -34,6 +36,7 @@ WorldMirror::WorldMirror(const World& world)
     : m_last(world.state()),
       m_freeBodies(world.bodies().freeSlots()),
       m_freeShapes(world.shapes().freeSlots()),
+      m_freeLights(world.lights().freeSlots()),
       m_freeWaters(world.waters().freeSlots()),
       m_freeTriggers(world.triggers().freeSlots()),
       m_freeCharacters(world.characters().freeSlots()),
@@ -46,6 +49,7 @@ WorldDelta WorldMirror::emptyDelta() const {
     delta.fire = m_last.fire;
     delta.freeBodies = m_freeBodies;
     delta.freeShapes = m_freeShapes;
+    delta.freeLights = m_freeLights;
     delta.freeWaters = m_freeWaters;
     delta.freeTriggers = m_freeTriggers;
     delta.freeCharacters = m_freeCharacters;
@@ -76,11 +80,13 @@ WorldDelta WorldMirror::update(const World& world, const FrameChanges& changes) 
         for (const JointHandle handle : *list) joint(handle);
     for (const JointMoved& moved : changes.jointsMoved) joint(moved.joint);
     for (const JointBroken& broken : changes.jointsBroken) joint(broken.joint);
+    if (changes.environmentChanged) before.environment = std::exchange(m_last.environment, world.environment());
     m_last.imported = world.m_imported;
     m_last.removed = world.m_removed;
     if (world.m_fire.isActive() || m_last.fire.isActive()) m_last.fire = world.m_fire;
     m_freeBodies = world.bodies().freeSlots();
     m_freeShapes = world.shapes().freeSlots();
+    m_freeLights = world.lights().freeSlots();
     m_freeWaters = world.waters().freeSlots();
     m_freeTriggers = world.triggers().freeSlots();
     m_freeCharacters = world.characters().freeSlots();

@@ -26,7 +26,7 @@ public:
 
 private:
     WorldState m_last;
-    std::vector<uint32_t> m_freeBodies, m_freeShapes, m_freeWaters, m_freeTriggers, m_freeCharacters, m_freeJoints;
+    std::vector<uint32_t> m_freeBodies, m_freeShapes, m_freeLights, m_freeWaters, m_freeTriggers, m_freeCharacters, m_freeJoints;
 };
 
 }  // namespace rubble

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rubble/rubble.h>
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <vector>
@@ -86,6 +87,61 @@ TEST_F(AbiRenderer, DrawsTheLevel) {
     EXPECT_EQ(m_api->renderer_draw(renderer, &view), RUBBLE_ERROR_STALE) << "the world is gone";
     EXPECT_EQ(m_api->renderer_destroy(renderer), RUBBLE_OK);
     EXPECT_EQ(m_api->renderer_draw(renderer, &view), RUBBLE_ERROR_STALE);
+}
+
+TEST_F(AbiRenderer, ALampThatIsAddedShowsAndOneThatIsRemovedLeavesTheDark) {
+    const std::string level = writeTestLevel();
+    ASSERT_EQ(m_api->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << m_api->last_error();
+    std::filesystem::remove(level);
+    ASSERT_EQ(m_api->step(m_world), RUBBLE_OK);
+    auto night = sized<rubble_environment>();
+    night.sun_direction[1] = -1.0;
+    night.fog_distance = night.fog_height = night.exposure = 1.0;
+    ASSERT_EQ(m_api->set_environment(m_world, &night), RUBBLE_OK) << m_api->last_error();
+    rubble_light lamp = 0;
+    uint32_t count = 0;
+    ASSERT_EQ(m_api->lights(m_world, &lamp, 1, &count), RUBBLE_OK);
+    ASSERT_EQ(m_api->remove_light(m_world, lamp), RUBBLE_OK) << m_api->last_error();
+
+    const rubble_renderer_settings given = settings();
+    rubble_renderer renderer = 0;
+    ASSERT_EQ(m_api->renderer_create(m_world, &given, &renderer), RUBBLE_OK) << m_api->last_error();
+    ASSERT_EQ(m_api->renderer_show_pass(renderer, "light"), RUBBLE_OK);
+    const Offscreen target({kWidth, kHeight});
+    auto view = sized<rubble_view>();
+    view.framebuffer = target.framebuffer();
+    view.width = kWidth, view.height = kHeight;
+    view.position[0] = view.position[2] = 0.85, view.position[1] = 3.0;
+    view.rotation[0] = -std::sqrt(0.5), view.rotation[3] = std::sqrt(0.5);  // straight down
+    /// Radiance in the middle of the picture, as passes/show.frag maps it.
+    const auto lightAfter = [&](int pictures) {
+        EXPECT_EQ(m_api->step(m_world), RUBBLE_OK);
+        for (int i = 0; i < pictures; ++i) EXPECT_EQ(m_api->renderer_draw(renderer, &view), RUBBLE_OK) << m_api->last_error();
+        const std::vector<uint8_t> picture = target.readRgb();
+        double sum = 0.0;
+        for (int y = 12; y < 24; ++y)
+            for (int x = 26; x < 38; ++x) sum += picture[size_t(3 * (x + y * kWidth))];
+        const double mapped = std::pow(sum / (12 * 12 * 255), 2.2);
+        return mapped / (1.0 - mapped);
+    };
+    EXPECT_LT(lightAfter(20), 1e-4) << "the table is in the dark";
+    auto torch = sized<rubble_light_state>();
+    torch.flags = RUBBLE_LIGHT_ENABLED;
+    torch.position[0] = torch.position[2] = 0.85, torch.position[1] = 2.0;
+    torch.color[0] = torch.color[1] = torch.color[2] = 10.0;
+    torch.radius = 0.02, torch.reach = 50.0;
+    for (int times = 0; times < 2; ++times) {
+        ASSERT_EQ(m_api->add_light(m_world, &torch), RUBBLE_OK) << m_api->last_error();
+        const double first = lightAfter(1), settled = lightAfter(20);
+        EXPECT_NEAR(settled, 10.0 / 3.14159, 0.5) << "intensity by the square of a metre, of a white surface";
+        EXPECT_GT(first, 0.9 * settled) << "there with the first picture";
+        ASSERT_EQ(m_api->lights(m_world, &lamp, 1, &count), RUBBLE_OK);
+        ASSERT_EQ(m_api->remove_light(m_world, lamp), RUBBLE_OK) << m_api->last_error();
+        EXPECT_LT(lightAfter(1), 0.05 * settled);
+        EXPECT_LT(lightAfter(1), 0.01 * settled) << "gone in two pictures";
+        EXPECT_LT(lightAfter(20), 1e-4 * settled);
+    }
+    EXPECT_EQ(m_api->renderer_destroy(renderer), RUBBLE_OK);
 }
 
 TEST_F(AbiRenderer, SaysWhichShaderFolderIsMissing) {

@@ -226,26 +226,59 @@ TEST_F(LocalLightsTest, SmoothFloorsShineBack) {
     EXPECT_GT(smooth, 5.0f * rough);
 }
 
-TEST_F(LocalLightsTest, ALampThatGoesOutTakesItsHighlightWithIt) {
-    const SnapshotLight faint = lightAt(LightKind::Sphere, {3, 2, -3}, 0.05f);
-    LitScene both = floorScene(90), one = floorScene(90);
-    both.addLight(lightAt(LightKind::Sphere, {0, 2, -2}, 20.0f));
-    both.addLight(faint);
-    one.addLight(faint);
-    Drawing::start(both, kSize);
-    Camera camera;
-    camera.position = {0, 2, 2};
-    camera.lookAt({0, 0, 0});
-    const auto brightest = [&](int frames) {
-        draw(camera, frames);
-        const auto specular = renderer->readTarget("specular");
+/// What the host changes between two pictures of a floor with a history: from one set of lights to another.
+class LightChangeTest : public LocalLightsTest {
+protected:
+    void SetUp() override {
+        LocalLightsTest::SetUp();
+        m_camera.position = {0, 2, 2};
+        m_camera.lookAt({0, 0, 0});
+    }
+    static SnapshotLight named(uint32_t slot, glm::dvec3 place, float intensity) {
+        SnapshotLight light = lightAt(LightKind::Sphere, place, intensity);
+        light.light = LightHandle::make(1, 1, slot);
+        return light;
+    }
+    LitScene sceneOf(std::initializer_list<SnapshotLight> lights) const {
+        LitScene scene = floorScene(90);
+        scene.environment.fogDensity = m_fog;
+        for (const SnapshotLight& light : lights) scene.addLight(light);
+        return scene;
+    }
+    /// Brightest pixel of a target after so many pictures.
+    float brightest(const char* name, int pictures) {
+        draw(m_camera, pictures);
         float best = 0.0f;
-        for (const glm::vec4& pixel : specular->pixels) best = std::max(best, pixel.g);
+        for (const glm::vec4& pixel : read(name).pixels) best = std::max(best, pixel.g);
         return best;
-    };
-    const float before = brightest(24);
-    renderer->apply(one.step());
-    EXPECT_LT(brightest(1), 0.1f * before);
+    }
+    /// How much of a target's brightest pixel is left so many pictures after the change.
+    float leftOf(const char* name, LitScene before, LitScene after, int pictures) {
+        Drawing::start(before, kSize);
+        const float lit = brightest(name, 24);
+        EXPECT_GT(lit, 0.01f);
+        renderer->apply(after.step());
+        return brightest(name, pictures) / lit;
+    }
+    Camera m_camera;
+    float m_fog = 0.0f;
+};
+
+TEST_F(LightChangeTest, ALampThatGoesOutTakesItsHighlightWithIt) {
+    const SnapshotLight lamp = named(0, {0, 2, -2}, 20.0f), faint = named(1, {3, 2, -3}, 0.05f), other = named(2, {3, 2, -3}, 0.05f);
+    EXPECT_LT(leftOf("specular", sceneOf({lamp, faint}), sceneOf({faint}), 1), 0.1f);
+    EXPECT_LT(leftOf("specular", sceneOf({lamp, faint}), sceneOf({other, faint}), 1), 0.1f) << "another one came in its place";
+}
+
+TEST_F(LightChangeTest, TheFloorUnderALampThatIsGoneIsDark) {
+    const SnapshotLight lamp = named(0, {0, 1, 0}, 20.0f), faint = named(1, {3, 2, -3}, 0.05f);
+    EXPECT_LT(leftOf("lighting", sceneOf({lamp}), sceneOf({}), 1), 0.02f);
+    EXPECT_LT(leftOf("lighting", sceneOf({lamp, faint}), sceneOf({faint}), 1), 0.05f);
+}
+
+TEST_F(LightChangeTest, FogForgetsTheLastLamp) {
+    m_fog = 0.2f;
+    EXPECT_LT(leftOf("fogLight", sceneOf({named(0, {0, 1, 0}, 20.0f)}), sceneOf({}), 1), 0.02f);
 }
 
 TEST_F(LocalLightsTest, WithoutLightsAndFogNeitherIsPaidFor) {

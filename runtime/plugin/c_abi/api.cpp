@@ -468,6 +468,9 @@ constexpr rubble_api kApi = {
     lights,
     lightState,
     setLight,
+    addLight,
+    removeLight,
+    addedLights,
 };
 
 }  // namespace

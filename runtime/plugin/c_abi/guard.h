@@ -68,6 +68,17 @@ void demandThere(const Map& map, Handle handle, const char* name) {
     if (!map.find(handle)) throw Refusal{RUBBLE_ERROR_STALE, std::string(name) + (handle ? " is stale" : " is 0")};
 }
 
+/// A command for the next step that removes what a handle names in a SlotMap of a World.
+template <class EditType, HandleType kType, class Map>
+rubble_result removeOne(const char* function, rubble_world world, uint64_t bits, const char* name, const Map& (World::*all)() const) {
+    return guarded(function, [&] {
+        const auto hosted = Registry::instance().world(world);
+        const auto handle = readHandle<kType>(bits, name);
+        demandThere((hosted->loop.world().*all)(), handle, name);
+        hosted->loop.edits().push(EditType{handle});
+    });
+}
+
 /// The handles in a SlotMap of a World, in the order of their slots.
 template <class Map>
 rubble_result listAll(const char* function, rubble_world world, uint64_t* out, uint32_t capacity, uint32_t* count, const Map& (World::*all)() const) {

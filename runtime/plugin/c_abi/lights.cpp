@@ -1,72 +1,58 @@
 #include "runtime/plugin/c_abi/lights.h"
 
+#include <algorithm>
+
 #include "runtime/plugin/c_abi/guard.h"
 #include "runtime/world/sky_model.h"
 
 namespace rubble::abi {
 namespace {
 
-/// Where a number of one struct is in the other, and what it may be.
+/// Where a number, or three, of one struct is in the other.
 template <class Inside, class Outside>
 struct Number {
-    const char* name;
     float Inside::*inside;
     double Outside::*outside;
-    double low, high;
 };
 template <class Inside, class Outside>
 struct Vector {
-    const char* name;
     glm::vec3 Inside::*inside;
     double (Outside::*outside)[3];
-    double low, high;
 };
-
-constexpr double kMost = 1e6;
 
 constexpr Number<Environment, rubble_environment> kEnvironmentNumbers[] = {
-    {"sun_angle", &Environment::sunAngle, &rubble_environment::sun_angle, 0.0, 1.5},
-    {"fog_distance", &Environment::fogDistance, &rubble_environment::fog_distance, 1e-3, 1e9},
-    {"fog_density", &Environment::fogDensity, &rubble_environment::fog_density, 0.0, kMost},
-    {"fog_base", &Environment::fogBase, &rubble_environment::fog_base, -kMost, kMost},
-    {"fog_height", &Environment::fogHeight, &rubble_environment::fog_height, 1e-3, kMost},
-    {"fog_forward", &Environment::fogForward, &rubble_environment::fog_forward, -0.9, 0.9},
-    {"clouds", &Environment::clouds, &rubble_environment::clouds, 0.0, 1.0},
-    {"stars", &Environment::stars, &rubble_environment::stars, 0.0, kMost},
-    {"exposure", &Environment::exposure, &rubble_environment::exposure, 0.0, kMost},
-    {"wetness", &Environment::wetness, &rubble_environment::wetness, 0.0, 1.0},
+    {&Environment::sunAngle, &rubble_environment::sun_angle},     {&Environment::fogDistance, &rubble_environment::fog_distance},
+    {&Environment::fogDensity, &rubble_environment::fog_density}, {&Environment::fogBase, &rubble_environment::fog_base},
+    {&Environment::fogHeight, &rubble_environment::fog_height},   {&Environment::fogForward, &rubble_environment::fog_forward},
+    {&Environment::clouds, &rubble_environment::clouds},          {&Environment::stars, &rubble_environment::stars},
+    {&Environment::exposure, &rubble_environment::exposure},      {&Environment::wetness, &rubble_environment::wetness},
 };
 constexpr Vector<Environment, rubble_environment> kEnvironmentVectors[] = {
-    {"sun_direction", &Environment::sunDirection, &rubble_environment::sun_direction, -kMost, kMost},
-    {"sun_color", &Environment::sunColor, &rubble_environment::sun_color, 0.0, kMost},
-    {"sky_color", &Environment::skyColor, &rubble_environment::sky_color, 0.0, kMost},
-    {"horizon_color", &Environment::horizonColor, &rubble_environment::horizon_color, 0.0, kMost},
-    {"ground_color", &Environment::groundColor, &rubble_environment::ground_color, 0.0, kMost},
-    {"fog_color", &Environment::fogColor, &rubble_environment::fog_color, 0.0, kMost},
-    {"fog_tint", &Environment::fogTint, &rubble_environment::fog_tint, 0.0, kMost},
-    {"gravity", &Environment::gravity, &rubble_environment::gravity, -1e3, 1e3},
+    {&Environment::sunDirection, &rubble_environment::sun_direction}, {&Environment::sunColor, &rubble_environment::sun_color},
+    {&Environment::skyColor, &rubble_environment::sky_color},         {&Environment::horizonColor, &rubble_environment::horizon_color},
+    {&Environment::groundColor, &rubble_environment::ground_color},   {&Environment::fogColor, &rubble_environment::fog_color},
+    {&Environment::fogTint, &rubble_environment::fog_tint},           {&Environment::gravity, &rubble_environment::gravity},
 };
-constexpr Number<SetLightEdit, rubble_light_state> kLightNumbers[] = {
-    {"radius", &SetLightEdit::radius, &rubble_light_state::radius, 0.0, 1e3},
-    {"reach", &SetLightEdit::reach, &rubble_light_state::reach, 0.0, 1e5},
-    {"cone_inner", &SetLightEdit::coneInner, &rubble_light_state::cone_inner, 0.0, 3.15},
-    {"cone_outer", &SetLightEdit::coneOuter, &rubble_light_state::cone_outer, 0.0, 3.15},
-    {"width", &SetLightEdit::width, &rubble_light_state::width, 0.0, 1e3},
-    {"height", &SetLightEdit::height, &rubble_light_state::height, 0.0, 1e3},
+constexpr Number<Light, rubble_light_state> kLightNumbers[] = {
+    {&Light::radius, &rubble_light_state::radius},        {&Light::reach, &rubble_light_state::reach},
+    {&Light::coneInner, &rubble_light_state::cone_inner}, {&Light::coneOuter, &rubble_light_state::cone_outer},
+    {&Light::width, &rubble_light_state::width},          {&Light::height, &rubble_light_state::height},
 };
-constexpr Vector<SetLightEdit, rubble_light_state> kLightVectors[] = {
-    {"color", &SetLightEdit::color, &rubble_light_state::color, 0.0, kMost},
+constexpr Vector<Light, rubble_light_state> kLightVectors[] = {
+    {&Light::color, &rubble_light_state::color},
 };
 
+/// What a float cannot hold becomes one that no range has.
+float toFloat(double value) {
+    return float(std::clamp(value, -1e30, 1e30));
+}
 template <class Inside, class Outside>
 void read(const Number<Inside, Outside>& number, const Outside& from, Inside& to) {
-    to.*number.inside = float(readLiteral(from.*number.outside, number.low, number.high, number.name));
+    to.*number.inside = toFloat(from.*number.outside);
 }
 template <class Inside, class Outside>
 void read(const Vector<Inside, Outside>& vector, const Outside& from, Inside& to) {
-    for (int i = 0; i < 3; ++i)
-        (to.*vector.inside)[i] =
-            float(readLiteral((from.*vector.outside)[i], vector.low, vector.high, std::string(vector.name) + "[" + std::to_string(i) + "]"));
+    for (int i = 0; i < 3; ++i) (to.*vector.inside)[i] = toFloat((from.*vector.outside)[i]);
 }
 template <class Inside, class Outside>
 void write(const Number<Inside, Outside>& number, const Inside& from, Outside& to) {
@@ -77,11 +63,15 @@ void write(const Vector<Inside, Outside>& vector, const Inside& from, Outside& t
     writeVector(to.*vector.outside, glm::dvec3(from.*vector.inside));
 }
 
+void demandNone(const std::string& error) {
+    if (!error.empty()) throw Refusal{RUBBLE_ERROR_ARGUMENT, error};
+}
+
 Environment readEnvironment(const rubble_environment& given) {
     Environment out;
     for (const auto& number : kEnvironmentNumbers) read(number, given, out);
     for (const auto& vector : kEnvironmentVectors) read(vector, given, out);
-    if (!(glm::length(out.sunDirection) > 1e-6f)) throw Refusal{RUBBLE_ERROR_ARGUMENT, "sun_direction is zero"};
+    demandNone(environmentError(out));
     return out;
 }
 
@@ -100,9 +90,8 @@ const Light& lightOf(const World& world, rubble_light bits) {
 
 rubble_light_state toHost(LightHandle handle, const Light& from) {
     rubble_light_state out = {};
-    const SetLightEdit now(handle, from);
-    for (const auto& number : kLightNumbers) write(number, now, out);
-    for (const auto& vector : kLightVectors) write(vector, now, out);
+    for (const auto& number : kLightNumbers) write(number, from, out);
+    for (const auto& vector : kLightVectors) write(vector, from, out);
     out.light = handle.bits;
     out.kind = uint32_t(from.kind);
     out.flags = (from.enabled ? RUBBLE_LIGHT_ENABLED : 0) | (from.twoSided ? RUBBLE_LIGHT_TWO_SIDED : 0);
@@ -113,15 +102,27 @@ rubble_light_state toHost(LightHandle handle, const Light& from) {
     return out;
 }
 
-SetLightEdit toEdit(const World& world, const rubble_light_state& given) {
+/// Its handle must name something, or be 0.
+template <HandleType kType, class Map>
+Handle<kType> readOptional(const Map& map, uint64_t bits, const char* name) {
+    const Handle<kType> handle = readHandle<kType>(bits, name);
+    if (handle) demandThere(map, handle, name);
+    return handle;
+}
+
+/// `light`: what the host cannot say stays as it is there.
+Light readLight(const World& world, const rubble_light_state& given, Light light) {
     if (given.flags & ~uint32_t(RUBBLE_LIGHT_ENABLED | RUBBLE_LIGHT_TWO_SIDED)) throw Refusal{RUBBLE_ERROR_ARGUMENT, "flags has unknown bits"};
-    SetLightEdit edit(LightHandle{given.light}, lightOf(world, given.light));
-    for (const auto& number : kLightNumbers) read(number, given, edit);
-    for (const auto& vector : kLightVectors) read(vector, given, edit);
-    edit.local = {readVector(given.position, "position"), readRotation(given.rotation, "rotation")};
-    edit.enabled = given.flags & RUBBLE_LIGHT_ENABLED;
-    edit.twoSided = given.flags & RUBBLE_LIGHT_TWO_SIDED;
-    return edit;
+    for (const auto& number : kLightNumbers) read(number, given, light);
+    for (const auto& vector : kLightVectors) read(vector, given, light);
+    light.kind = LightKind(std::min(given.kind, 255u));
+    light.shape = readOptional<HandleType::Shape>(world.shapes(), given.shape, "shape");
+    light.group = readOptional<HandleType::LightGroup>(world.lightGroups(), given.group, "group");
+    light.local = {readVector(given.position, "position"), readRotation(given.rotation, "rotation")};
+    light.enabled = given.flags & RUBBLE_LIGHT_ENABLED;
+    light.twoSided = given.flags & RUBBLE_LIGHT_TWO_SIDED;
+    demandNone(lightError(light));
+    return light;
 }
 
 }  // namespace
@@ -157,7 +158,27 @@ rubble_result lightState(rubble_world world, rubble_light light, rubble_light_st
 }
 
 rubble_result setLight(rubble_world world, const rubble_light_state* light) {
-    return pushEdit("set_light", world, light, [](const World& in, const rubble_light_state& given) { return toEdit(in, given); });
+    return pushEdit("set_light", world, light, [](const World& in, const rubble_light_state& given) {
+        return SetLightEdit{LightHandle{given.light}, readLight(in, given, lightOf(in, given.light))};
+    });
+}
+
+rubble_result addLight(rubble_world world, const rubble_light_state* light) {
+    return pushEdit("add_light", world, light,
+                    [](const World& in, const rubble_light_state& given) { return AddLightEdit{readLight(in, given, {})}; });
+}
+
+rubble_result removeLight(rubble_world world, rubble_light light) {
+    return removeOne<RemoveLightEdit, HandleType::Light>("remove_light", world, light, "light", &World::lights);
+}
+
+rubble_result addedLights(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count) {
+    return guarded("added_lights", [&] {
+        const auto hosted = Registry::instance().world(world);
+        RowWriter<rubble_light> rows(out, capacity, count);
+        for (const LightHandle light : hosted->loop.changes().lightsAdded) rows.add([&] { return light.bits; });
+        rows.finish();
+    });
 }
 
 }  // namespace rubble::abi

@@ -10,5 +10,8 @@ rubble_result followSun(rubble_environment* environment, const double* toSun);
 rubble_result lights(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
 rubble_result lightState(rubble_world world, rubble_light light, rubble_light_state* out);
 rubble_result setLight(rubble_world world, const rubble_light_state* light);
+rubble_result addLight(rubble_world world, const rubble_light_state* light);
+rubble_result removeLight(rubble_world world, rubble_light light);
+rubble_result addedLights(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
 
 }  // namespace rubble::abi

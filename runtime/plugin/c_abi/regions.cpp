@@ -92,16 +92,6 @@ PlaceCharacterEdit toEdit(const World& world, const rubble_character_place& give
 
 constexpr auto kToEdit = [](const World& world, const auto& given) { return toEdit(world, given); };
 
-template <class EditType, HandleType kType, class Map>
-rubble_result removeOne(const char* function, rubble_world world, uint64_t bits, const char* name, const Map& (World::*all)() const) {
-    return guarded(function, [&] {
-        const auto hosted = Registry::instance().world(world);
-        const auto handle = readHandle<kType>(bits, name);
-        demandThere((hosted->loop.world().*all)(), handle, name);
-        hosted->loop.edits().push(EditType{handle});
-    });
-}
-
 }  // namespace
 
 rubble_result setCollision(rubble_world world, const rubble_collision* edit) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 
@@ -40,9 +41,29 @@ World brokenWorld(uint8_t id = 1) {
     return world;
 }
 
+/// A light of which every field is set.
+Light screen(const World& world) {
+    return {"screen",
+            LightKind::Screen,
+            firstShape(world),
+            {{1.0, 2.0, 3.0}, {0.0, 1.0, 0.0, 0.0}},
+            {0.5f, 1.5f, 2.5f},
+            0.2f,
+            7.0f,
+            0.3f,
+            0.7f,
+            0.9f,
+            0.6f,
+            true,
+            {2, {0x112233, 0x445566}},
+            world.lightGroups().handleAt(0),
+            false};
+}
+
 SavedGame gameOf(const World& world) {
     return {world.state(),
-            {sphereCarve({1.0, 2.0, 3.0}, 0.5), ExplodeEdit{}, SettingsEdit{world.settings()}, SetEnvironmentEdit{world.environment()}}};
+            {sphereCarve({1.0, 2.0, 3.0}, 0.5), ExplodeEdit{}, SettingsEdit{world.settings()}, SetEnvironmentEdit{world.environment()},
+             AddLightEdit{screen(world)}, SetLightEdit{world.lights().handleAt(0), screen(world)}, RemoveLightEdit{world.lights().handleAt(0)}}};
 }
 
 TEST(SaveFile, RoundTripKeepsStateSlotsAndPendingEdits) {
@@ -50,7 +71,13 @@ TEST(SaveFile, RoundTripKeepsStateSlotsAndPendingEdits) {
     const std::vector<uint8_t> bytes = gameToBytes(gameOf(world));
     Result<SavedGame> game = gameFromBytes(bytes, "test", 7);
     ASSERT_TRUE(game) << game.error();
-    ASSERT_EQ(game->pending.size(), 4u);
+    ASSERT_EQ(game->pending.size(), 7u);
+    const Light &added = std::get<AddLightEdit>(game->pending[4]).light, &set = std::get<SetLightEdit>(game->pending[5]).values;
+    EXPECT_EQ(added.hash(), screen(world).hash());
+    EXPECT_EQ(set.hash(), screen(world).hash());
+    EXPECT_EQ(set.name, "screen");
+    EXPECT_EQ(set.group.world(), 7u) << "handles are those of the world that reads";
+    EXPECT_EQ(std::get<RemoveLightEdit>(game->pending[6]).light, std::get<SetLightEdit>(game->pending[5]).light);
     EXPECT_EQ(std::get<SetEnvironmentEdit>(game->pending[3]).environment, world.environment());
     EXPECT_EQ(std::get<CarveEdit>(game->pending[0]).position, glm::dvec3(1.0, 2.0, 3.0));
     World back(7);
@@ -96,7 +123,8 @@ TEST(SaveFile, ASettingThatTheFileForgetsIsNoticed) {
     EXPECT_EQ(sizeof(Environment), 136u);
     EXPECT_EQ(sizeof(PaintEdit), 80u);
     EXPECT_EQ(sizeof(CarveEdit), 160u);
-    EXPECT_EQ(sizeof(SetLightEdit), 104u);
+    EXPECT_EQ(sizeof(AddLightEdit), sizeof(Light));
+    EXPECT_EQ(sizeof(SetLightEdit), sizeof(LightHandle) + sizeof(Light));
 }
 
 TEST(SaveFile, FilesOfOtherKindsAreRefused) {
@@ -140,6 +168,14 @@ TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
         if (random.below(2))
             edits.push_back(PaintEdit{.position = {y, x, z}, .radius = 0.8, .mode = random.below(2) ? PaintMode::Layer : PaintMode::Blend});
         if (random.below(3) == 0) edits.push_back(ExplodeEdit{.position = {y, x, z}, .size = 1.5});
+        Light light = screen(host);
+        light.local.position.x = x;
+        if (random.below(2)) edits.push_back(AddLightEdit{light});
+        const LightHandle any = host.lights().handleAt(random.below(uint32_t(host.lights().slotCount())));
+        if (any && random.below(2)) edits.push_back(random.below(2) ? Edit(RemoveLightEdit{any}) : Edit(SetLightEdit{any, light}));
+        Environment weather = host.environment();
+        weather.clouds = float(random.unit());
+        if (random.below(3) == 0) edits.push_back(SetEnvironmentEdit{weather});
         return edits;
     };
     for (int i = 0; i < 10; ++i) step(randomEdits());
@@ -168,6 +204,9 @@ TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
         [&](ShapeHandle, const Shape& shape) { EXPECT_EQ(shape.moments, gridMoments(shape.grid, *shape.palette, joiner.materials())); });
     EXPECT_TRUE(joiner.ledger().balances());
     EXPECT_GT(joiner.shapes().size(), 5u);
+    EXPECT_EQ(joiner.environment(), host.environment());
+    EXPECT_GT(joiner.lights().size(), 3u);
+    EXPECT_EQ(joiner.lights().freeSlots(), host.lights().freeSlots());
     RecordProperty("bytes_a_step", int(bytes / 30));
 }
 
@@ -199,6 +238,37 @@ TEST(StepDelta, DamagedStepsAreRefusedAndChangeNothing) {
         }
     }
     EXPECT_GT(refused, 3);
+}
+
+TEST(StepDelta, ALightOrWeatherThatCannotBeIsRefused) {
+    World host = brokenWorld();
+    const World start = host;
+    Light light = screen(host);
+    light.reach = 777.0f;
+    Environment weather = host.environment();
+    weather.fogHeight = 555.0f;
+    for (const auto& [edit, number] : {std::pair{Edit(AddLightEdit{light}), 777.0f}, std::pair{Edit(SetEnvironmentEdit{weather}), 555.0f}}) {
+        host = start;
+        WorldMirror mirror(host);
+        PaletteList list;
+        const FrameChanges changes = host.applyEdits({edit});
+        std::vector<uint8_t> bytes = stepToBytes(mirror.update(host, changes), changes, host, list);
+        World world = start;
+        std::vector<PaletteRef> palettes;
+        ASSERT_TRUE(applyStep(bytes, "t", world, palettes));
+        EXPECT_EQ(world.hash(), host.hash());
+        std::array<uint8_t, 4> was{}, none{};
+        const float negative = -1.0f;
+        std::memcpy(was.data(), &number, 4), std::memcpy(none.data(), &negative, 4);
+        const auto place = std::search(bytes.begin(), bytes.end(), was.begin(), was.end());
+        ASSERT_NE(place, bytes.end());
+        std::copy(none.begin(), none.end(), place);
+        world = start;
+        const Result<FrameChanges> applied = applyStep(bytes, "t", world, palettes);
+        ASSERT_FALSE(applied);
+        EXPECT_NE(applied.error().find("lights and weather within their ranges"), std::string::npos) << applied.error();
+        EXPECT_EQ(world.hash(), start.hash());
+    }
 }
 
 }  // namespace

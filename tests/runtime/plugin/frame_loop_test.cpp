@@ -36,6 +36,20 @@ Edits script(int step) {
     return {};
 }
 
+/// Lamps that are built and taken down, and weather.
+Edits lightScript(const World& world, int step) {
+    Environment weather = world.environment();
+    weather.wetness = 0.01f * float(step);
+    weather.gravity.y = -9.0f;
+    Light lamp{.local = {{0.1 * step, 2.0, 0.0}}};
+    if (step == 8 || step == 35) return {AddLightEdit{lamp}, AddLightEdit{{.shape = firstShape(world), .local = lamp.local}}, AddLightEdit{}};
+    if (step == 20 || step == 70) return {RemoveLightEdit{world.lights().handleAt(2)}, RemoveLightEdit{world.lights().handleAt(0)}};
+    if (step == 40) return {SetLightEdit{world.lights().handleAt(1), lamp}, SetEnvironmentEdit{weather}};
+    if (step == 46) return {AddLightEdit{lamp}, SetEnvironmentEdit{weather}};  // between a mark and its undo
+    if (step == 80) return {AddLightEdit{lamp}};
+    return {};
+}
+
 TEST(FrameLoop, GoingOnAfterASaveEqualsLoadingIt) {
     FrameLoop loop(quiet());
     loop.load(tower());
@@ -43,9 +57,11 @@ TEST(FrameLoop, GoingOnAfterASaveEqualsLoadingIt) {
     for (int step = 0; step < 100; ++step) {
         if (step == 25) saved = loop.save();
         loop.edits().push(script(step));
+        loop.edits().push(lightScript(loop.world(), step));
         loop.step();
     }
     ASSERT_GT(loop.world().bodies().size(), 3u);
+    ASSERT_EQ(loop.world().lights().size(), 4u);
     // Into a new world, and into one with a past.
     FrameLoop fresh(quiet());
     for (FrameLoop* other : {&fresh, &loop}) {
@@ -55,6 +71,7 @@ TEST(FrameLoop, GoingOnAfterASaveEqualsLoadingIt) {
         other->load(std::move(*read));
         for (int step = 25; step < 100; ++step) {
             other->edits().push(script(step));
+            other->edits().push(lightScript(other->world(), step));
             other->step();
         }
         EXPECT_EQ(other->world().hash(), expected);
@@ -77,6 +94,7 @@ TEST(FrameLoop, ARecordingReplaysToTheSameHashes) {
         if (step == 50) loop.edits().push(Edits{HistoryEdit{HistoryAction::Undo}});
         if (step == 55) loop.edits().push(Edits{HistoryEdit{HistoryAction::Redo}});
         loop.edits().push(script(step));
+        loop.edits().push(lightScript(loop.world(), step));
         loop.step();
     }
     ASSERT_TRUE(loop.stopRecording());

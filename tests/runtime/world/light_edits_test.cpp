@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
+#include <string>
 
 #include "tests/runtime/world/worlds.h"
 
@@ -188,56 +190,186 @@ LightHandle firstHandle(const World& world) {
     return first;
 }
 
+/// One on the post, above its head.
+Light torch(const World& world) {
+    return {.name = "torch", .shape = test::firstShape(world), .local = {{0.4, 3.9, 0.4}}, .color = {9.0f, 5.0f, 2.0f}};
+}
+
+/// What the log says while a step is done.
+std::string warningOf(World& world, const Edits& edits) {
+    testing::internal::CaptureStderr();
+    world.applyEdits(edits);
+    return testing::internal::GetCapturedStderr();
+}
+
+const CarveEdit kHalfTheHead{.kind = BrushKind::Box, .position = {0.4, 3.85, 0.4}, .halfSize = {1.0, 0.16, 1.0}};
+
 TEST(LightEdits, ALightIsSetAndTheJournalNamesIt) {
     World world;
     world.load(lampPost());
-    SetLightEdit edit(firstHandle(world), firstLight(world));
-    edit.color = {1.0f, 0.5f, 0.25f};
-    edit.local.position.y = 2.0;
-    edit.enabled = false;
+    SetLightEdit edit{firstHandle(world), firstLight(world)};
+    edit.values.color = {1.0f, 0.5f, 0.25f};
+    edit.values.local.position.y = 2.0;
+    edit.values.enabled = false;
     const FrameChanges changes = world.applyEdits({edit});
     EXPECT_EQ(changes.lights, std::vector<LightHandle>{edit.light});
-    EXPECT_EQ(firstLight(world).color, edit.color);
+    EXPECT_EQ(firstLight(world).color, edit.values.color);
     EXPECT_EQ(firstLight(world).local.position.y, 2.0);
     EXPECT_FALSE(firstLight(world).enabled);
     EXPECT_EQ(firstLight(world).name, "bulb");
 }
 
+TEST(LightEdits, ALightIsAddedOnAShapeAndFallsWithIt) {
+    World world;
+    world.load(lampPost());
+    const FrameChanges added = world.applyEdits({AddLightEdit{torch(world)}, AddLightEdit{{.local = {{0.4, 3.9, 0.4}}}}});
+    ASSERT_EQ(added.lightsAdded.size(), 2u);
+    EXPECT_EQ(added.lights, added.lightsAdded);
+    EXPECT_EQ(world.lights().size(), 3u);
+    const LightHandle riding = added.lightsAdded[0], free = added.lightsAdded[1];
+    EXPECT_EQ(world.lights().at(riding).color, torch(world).color);
+    const FrameChanges cut = world.applyEdits({test::sphereCarve({0.4, 1.5, 0.4}, 0.4)});
+    ASSERT_EQ(cut.splits.size(), 1u);
+    EXPECT_EQ(world.lights().at(riding).shape, cut.splits[0].children[0]);
+    EXPECT_FALSE(world.lights().at(free).shape);
+    world.setPoses(std::vector<BodyPose>{{world.shapes().at(cut.splits[0].children[0]).body, {{0.0, -1.0, 0.0}}}});
+    EXPECT_EQ(world.lightToWorld(world.lights().at(free)).position.y, 3.9);
+    EXPECT_LT(world.lightToWorld(world.lights().at(riding)).position.y, 3.9);
+}
+
+TEST(LightEdits, ARemovedLightIsGoneAndItsHandleNeverNamesAnother) {
+    World world;
+    world.load(lampPost());
+    const LightHandle bulb = firstHandle(world);
+    EXPECT_EQ(world.applyEdits({RemoveLightEdit{bulb}}).lights, std::vector<LightHandle>{bulb});
+    EXPECT_EQ(world.lights().size(), 0u);
+    EXPECT_NE(warningOf(world, {RemoveLightEdit{bulb}}).find("RemoveLightEdit: the handle of its light is stale"), std::string::npos);
+    const LightHandle next = world.applyEdits({AddLightEdit{torch(world)}}).lightsAdded.at(0);
+    EXPECT_EQ(next.slot(), bulb.slot());
+    EXPECT_FALSE(world.lights().find(bulb));
+    EXPECT_TRUE(world.applyEdits({RemoveLightEdit{bulb}, SetLightEdit{bulb, torch(world)}}).lights.empty());
+    EXPECT_EQ(world.lights().at(next).name, "torch");
+}
+
+TEST(LightEdits, AGroupOutlivesItsLight) {
+    World world;
+    world.load(lampPost());
+    world.applyEdits({RemoveLightEdit{firstHandle(world)}});
+    const FrameChanges changes = world.applyEdits({kHalfTheHead});
+    EXPECT_EQ(changes.groupsOut.size(), 1u);
+    EXPECT_TRUE(changes.lights.empty());
+    EXPECT_FALSE(anyGlow(world));
+}
+
 TEST(LightEdits, ALightOfADeadGroupStaysDark) {
     World world;
     world.load(lampPost());
-    const CarveEdit half{.kind = BrushKind::Box, .position = {0.4, 3.85, 0.4}, .halfSize = {1.0, 0.16, 1.0}};
-    ASSERT_EQ(world.applyEdits({half}).groupsOut.size(), 1u);
-    SetLightEdit edit(firstHandle(world), firstLight(world));
-    edit.enabled = true;
-    world.applyEdits({edit});
-    EXPECT_FALSE(firstLight(world).enabled);
+    ASSERT_EQ(world.applyEdits({kHalfTheHead}).groupsOut.size(), 1u);
+    Light lit = firstLight(world);
+    lit.enabled = true;
+    const FrameChanges changes = world.applyEdits({SetLightEdit{firstHandle(world), lit}, AddLightEdit{lit}});
+    for (const LightHandle light : changes.lights) EXPECT_FALSE(world.lights().at(light).enabled);
+    EXPECT_EQ(changes.lights.size(), 2u);
+    lit.group = {};
+    world.applyEdits({SetLightEdit{firstHandle(world), lit}});
+    EXPECT_TRUE(firstLight(world).enabled) << "it left the group";
 }
 
-TEST(LightEdits, WhatIsNoLightOrWeatherChangesNothing) {
+TEST(LightEdits, WhatIsNoLightIsRefusedWithAReason) {
+    World world;
+    world.load(lampPost());
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const auto expectRefused = [&](void (*spoil)(Light&, float), const char* reason) {
+        Light light = torch(world);
+        spoil(light, nan);
+        world.applyEdits({});
+        const uint64_t before = world.resolvedHash();
+        for (const Edits& edits : {Edits{AddLightEdit{light}}, Edits{SetLightEdit{firstHandle(world), light}}}) {
+            const std::string warning = warningOf(world, edits);
+            EXPECT_NE(warning.find(reason), std::string::npos) << warning;
+            EXPECT_NE(warning.find("nothing was changed"), std::string::npos) << warning;
+            EXPECT_EQ(world.resolvedHash(), before) << reason;
+        }
+    };
+    expectRefused([](Light& l, float none) { l.color.g = none; }, "color[1] is nan, expected 0 to 1e+06");
+    expectRefused([](Light& l, float) { l.radius = -1.0f; }, "radius is -1, expected 0 to 1000");
+    expectRefused([](Light& l, float) { l.reach = std::numeric_limits<float>::infinity(); }, "reach is inf");
+    expectRefused([](Light& l, float) { l.coneOuter = 4.0f; }, "cone_outer is 4");
+    expectRefused([](Light& l, float none) { l.local.position.x = double(none); }, "position[0] is nan");
+    expectRefused([](Light& l, float) { l.local.rotation = {2.0, 0.0, 0.0, 0.0}; }, "length of its rotation is 4");
+    expectRefused([](Light& l, float) { l.kind = LightKind(77); }, "kind is 77, expected 0 to 4");
+    expectRefused([](Light& l, float) { l.picture = {3, {1, 2}}; }, "2 texels in rows of 3");
+    expectRefused([](Light& l, float) { l.picture = {65, std::vector<uint32_t>(65)}; }, "65 texels in rows of 65");
+    expectRefused([](Light& l, float) { l.shape = ShapeHandle::make(l.shape.world(), 9, l.shape.slot()); }, "shape is stale");
+    expectRefused([](Light& l, float) { l.shape = ShapeHandle::make(77, 1, 0); }, "shape is stale");
+    expectRefused([](Light& l, float) { l.group = LightGroupHandle::make(1, 1, 40); }, "light group is stale");
+    Light bad = torch(world);
+    bad.color.r = nan;
+    const FrameChanges changes = world.applyEdits({AddLightEdit{bad}, AddLightEdit{torch(world)}});
+    ASSERT_EQ(changes.lightsAdded.size(), 2u) << "one for each edit";
+    EXPECT_FALSE(changes.lightsAdded[0]);
+    EXPECT_TRUE(world.lights().find(changes.lightsAdded[1]));
+}
+
+TEST(LightEdits, AWorldHasRoomForSoManyLights) {
+    World world;
+    world.load(lampPost());
+    const Edits some(4096, AddLightEdit{});
+    for (size_t i = 0; i < kMostLights / some.size(); ++i) world.applyEdits(some);
+    EXPECT_EQ(world.lights().size(), kMostLights);
+    EXPECT_NE(warningOf(world, {AddLightEdit{}}).find("expected less than 65536 lights (kMostLights), found 65536"), std::string::npos);
+    EXPECT_TRUE(world.applyEdits({RemoveLightEdit{firstHandle(world)}, AddLightEdit{torch(world)}}).lightsAdded.at(0));
+    EXPECT_EQ(world.lights().size(), kMostLights);
+}
+
+TEST(LightEdits, AllThatALightIsCountsInTheHash) {
+    World world;
+    world.load(lampPost());
+    std::set<uint64_t> seen = {world.resolvedHash()};
+    const auto differs = [&](auto&& change) {
+        World other = world;
+        Light light = firstLight(world);
+        change(light);
+        other.applyEdits({SetLightEdit{firstHandle(world), light}});
+        EXPECT_TRUE(seen.insert(other.resolvedHash()).second) << "change " << seen.size();
+    };
+    differs([](Light& l) { l.kind = LightKind::Screen; });
+    differs([](Light& l) { l.shape = {}; });
+    differs([](Light& l) { l.group = {}; });
+    differs([](Light& l) { l.local.position.z = 0.5; });
+    differs([](Light& l) { l.local.rotation = {0.0, 1.0, 0.0, 0.0}; });
+    differs([](Light& l) { l.color.b = 0.5f; });
+    for (float Light::*number : {&Light::radius, &Light::reach, &Light::coneInner, &Light::coneOuter, &Light::width, &Light::height})
+        differs([&](Light& l) { l.*number += 0.25f; });
+    differs([](Light& l) { l.twoSided = true; });
+    differs([](Light& l) { l.picture = {1, {0xff00ffu}}; });
+    differs([](Light& l) { l.enabled = false; });
+}
+
+TEST(LightEdits, WhatIsNoWeatherChangesNothing) {
     World world;
     world.load(lampPost());
     const Environment before = world.environment();
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    SetLightEdit light(firstHandle(world), firstLight(world));
-    light.color.g = nan;
-    SetEnvironmentEdit sky{world.environment()}, still{world.environment()};
+    SetEnvironmentEdit sky{before}, still{before};
     sky.environment.fogForward = 1.0f;
     still.environment.sunDirection = glm::vec3(0.0f);
-    EXPECT_TRUE(world.applyEdits({light, SetLightEdit({}, firstLight(world)), sky, still}).lights.empty());
-    EXPECT_EQ(firstLight(world).color, glm::vec3(1.0f));
+    EXPECT_NE(warningOf(world, {sky}).find("fog_forward is 1, expected -0.9 to 0.9"), std::string::npos);
+    EXPECT_NE(warningOf(world, {still}).find("sun_direction is zero"), std::string::npos);
     EXPECT_EQ(world.environment(), before);
+    EXPECT_FALSE(world.applyEdits({SetEnvironmentEdit{before}}).environmentChanged) << "it is as it was";
 }
 
 TEST(LightEdits, TheWeatherIsAnEditLikeAnyOther) {
     World world;
     world.load(lampPost());
+    const uint64_t before = world.resolvedHash();
     SetEnvironmentEdit edit{world.environment()};
     edit.environment.wetness = 0.5f;
     edit.environment.sunDirection = {0.0f, 3.0f, 0.0f};
-    world.applyEdits({edit});
+    EXPECT_TRUE(world.applyEdits({edit}).environmentChanged);
     EXPECT_EQ(world.environment().wetness, 0.5f);
     EXPECT_EQ(world.environment().sunDirection, glm::vec3(0.0f, 1.0f, 0.0f));
+    EXPECT_NE(world.resolvedHash(), before);
 }
 
 }  // namespace

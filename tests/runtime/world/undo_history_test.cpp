@@ -63,8 +63,29 @@ void move(World& world, double metres) {
     world.setPoses(poses);
 }
 
-Edits randomEdits(Random& random) {
+LightHandle anyLight(const World& world, Random& random) {
+    return world.lights().handleAt(random.below(uint32_t(world.lights().slotCount())));
+}
+
+/// Lights that come, change and go, and weather.
+void addRandomLights(const World& world, Random& random, Edits& edits) {
+    const auto anyHeight = [&] { return Pose{{0.1, random.unit() * 3.0, 0.1}}; };
+    if (random.below(2)) edits.push_back(AddLightEdit{{.shape = random.below(2) ? firstShape(world) : ShapeHandle{}, .local = anyHeight()}});
+    if (const LightHandle light = anyLight(world, random); light && random.below(3) == 0) {
+        Light changed = world.lights().at(light);
+        changed.color.r += 1.0f;
+        edits.push_back(SetLightEdit{light, changed});
+    }
+    if (const LightHandle light = anyLight(world, random); light && random.below(3) == 0) edits.push_back(RemoveLightEdit{light});
+    if (random.below(3)) return;
+    Environment weather = world.environment();
+    weather.wetness = float(random.unit());
+    edits.push_back(SetEnvironmentEdit{weather});
+}
+
+Edits randomEdits(const World& world, Random& random) {
     Edits edits;
+    addRandomLights(world, random, edits);
     for (uint32_t i = random.below(3); i-- > 0;) {
         const double x = random.unit() * 7.0, y = random.unit() * 5.0;
         const uint32_t kind = random.below(4);
@@ -112,12 +133,12 @@ TEST(UndoHistory, GoesBackToEveryMarkAndForthAgain) {
         std::vector<uint64_t> atMark, atEnd;
         for (int action = 0; action < 12; ++action) {
             atMark.push_back(world.resolvedHash());
-            Edits edits = randomEdits(random);
+            Edits edits = randomEdits(world, random);
             edits.insert(edits.begin(), kMark);
             edits.push_back(sphereCarve({0.4 * action, 1.0 + random.unit(), 0.3}, 0.4));
             step(edits);
             settle(0.01);
-            step(randomEdits(random));
+            step(randomEdits(world, random));
             settle(0.01);
             atEnd.push_back(world.resolvedHash());
         }
@@ -148,6 +169,66 @@ TEST(UndoHistory, TheSameEditsAfterUndoGiveTheSameSlots) {
     world.applyEdits({kUndo});
     world.applyEdits(cut);
     EXPECT_EQ(world.voxelHash(), once);
+}
+
+TEST(UndoHistory, LightsAndWeatherGoBackAndForth) {
+    World world = smallWorld();
+    world.applyEdits({});
+    const LightHandle bulb = world.lights().handleAt(0);
+    Light dim = world.lights().at(bulb);
+    dim.color *= 0.25f;
+    Environment rain = world.environment();
+    rain.wetness = 1.0f;
+    rain.gravity = {0.0f, -1.6f, 0.0f};
+    rain.sunDirection = {0.3f, 0.2f, -0.7f};
+    std::vector<uint64_t> hashes = {world.resolvedHash()};
+    const std::vector<Edits> changes = {{SetEnvironmentEdit{rain}}, {SetLightEdit{bulb, dim}}, {AddLightEdit{dim}}, {RemoveLightEdit{bulb}}};
+    for (const Edits& each : changes) {  // a mark after each: none rides on what another one has changed
+        Edits edits = each;
+        edits.insert(edits.begin(), kMark);
+        world.applyEdits(edits);
+        hashes.push_back(world.resolvedHash());
+        ASSERT_NE(hashes.back(), hashes[hashes.size() - 2]);
+    }
+    const Environment wet = world.environment();
+    ASSERT_EQ(wet.wetness, 1.0f);
+    for (size_t i = changes.size(); i-- > 0;) {
+        const FrameChanges back = world.applyEdits({kUndo});
+        EXPECT_EQ(world.resolvedHash(), hashes[i]) << "undo of " << i;
+        EXPECT_EQ(back.environmentChanged, i == 0);
+        EXPECT_TRUE(i == 0 || !back.lights.empty());
+    }
+    EXPECT_EQ(world.environment().wetness, 0.0f);
+    EXPECT_TRUE(world.lights().find(bulb));
+    for (size_t i = 0; i < changes.size(); ++i) {
+        world.applyEdits({kRedo});
+        EXPECT_EQ(world.resolvedHash(), hashes[i + 1]) << "redo of " << i;
+    }
+    EXPECT_EQ(world.environment(), wet);
+    EXPECT_FALSE(world.lights().find(bulb));
+}
+
+TEST(UndoHistory, WeatherThatFollowsAnUndoGoesBackToo) {
+    World world = smallWorld();
+    Environment rain = world.environment(), storm = rain;
+    rain.wetness = 0.25f, storm.wetness = 0.75f;
+    world.applyEdits({kMark, SetEnvironmentEdit{rain}});
+    world.applyEdits({kUndo, SetEnvironmentEdit{storm}});  // in the same step
+    EXPECT_EQ(world.environment(), storm);
+    world.applyEdits({kRedo});
+    EXPECT_EQ(world.environment(), rain);
+    world.applyEdits({kUndo});
+    EXPECT_EQ(world.environment().wetness, 0.0f);
+}
+
+TEST(UndoHistory, LightsTakeTheSameSlotsAfterARedo) {
+    World world = smallWorld();
+    const std::vector<LightHandle> two = world.applyEdits({AddLightEdit{}, AddLightEdit{}}).lightsAdded;
+    world.applyEdits({kMark, RemoveLightEdit{two[1]}, RemoveLightEdit{two[0]}});
+    World plain = world;
+    world.applyEdits({kUndo});
+    world.applyEdits({kRedo});
+    EXPECT_EQ(world.applyEdits({AddLightEdit{}}).lightsAdded[0].slot(), plain.applyEdits({AddLightEdit{}}).lightsAdded[0].slot());
 }
 
 TEST(UndoHistory, NewChangesEndTheRedo) {

@@ -532,11 +532,12 @@ typedef struct rubble_environment {
 enum { RUBBLE_LIGHT_SPHERE = 0, RUBBLE_LIGHT_CONE = 1, RUBBLE_LIGHT_CAPSULE = 2, RUBBLE_LIGHT_AREA = 3, RUBBLE_LIGHT_SCREEN = 4 };
 enum { RUBBLE_LIGHT_ENABLED = 1, RUBBLE_LIGHT_TWO_SIDED = 2 };
 
-/* A light as it is, and as it is to be: every field counts, but kind, shape and group are only told. */
+/* A light as it is, and as it is to be: every field counts, zeros too. set_light() keeps the picture of a screen; one that is added is
+ * white. Refused: colours above 1e6, radius, width and height above 1e3 m, reach above 1e5 m, half angles above 3.15, and less than 0. */
 typedef struct rubble_light_state {
     uint32_t struct_size;
-    uint32_t kind; /* RUBBLE_LIGHT_SPHERE... */
-    rubble_light light;
+    uint32_t kind;            /* RUBBLE_LIGHT_SPHERE... */
+    rubble_light light;       /* not read by add_light() */
     rubble_shape shape;       /* whose frame position and rotation are in; 0: the world's */
     rubble_light_group group; /* while it is out its lights stay dark */
     uint32_t flags;           /* RUBBLE_LIGHT_ENABLED... */
@@ -710,6 +711,13 @@ typedef struct rubble_api {
     rubble_result (*lights)(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
     rubble_result (*light_state)(rubble_world world, rubble_light light, rubble_light_state* out);
     rubble_result (*set_light)(rubble_world world, const rubble_light_state* light);
+    /* [main-thread] Commands for the next step. A light on a shape moves with it, and stays where it was, dark, when the shape is gone.
+     * None is added to a world that has 65,536. */
+    rubble_result (*add_light)(rubble_world world, const rubble_light_state* light);
+    rubble_result (*remove_light)(rubble_world world, rubble_light light);
+    /* [main-thread] The lights that the last step made, one for each add_light() in the order of the calls, with capacity and count
+     * as in body_states(); 0 for one that the step refused. */
+    rubble_result (*added_lights)(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
 } rubble_api;
 
 /* [any-thread] The one export: the plugin's table for this version of the interface, or RUBBLE_ERROR_VERSION and null. */
