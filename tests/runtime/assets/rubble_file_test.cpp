@@ -125,6 +125,10 @@ TEST(RubbleFile, SenselessLevelsAreNotWritten) {
     EXPECT_NE(error([](Level& l) { l.bodies[0].shapes[1].voxelSize = 0; }).find("voxel size"), std::string::npos);
     EXPECT_NE(error([](Level& l) { l.bodies[0].shapes[1].strength = -1.0f; }).find("strength"), std::string::npos);
     EXPECT_NE(error([](Level& l) { l.lights[0].light.name = "\xff"; }).find("lights[0].name: expected text in UTF-8"), std::string::npos);
+    EXPECT_NE(error([](Level& l) { l.lights[0].light.reach = -1.0f; }).find("lights[0]: expected a light that can be, found reach is -1"),
+              std::string::npos);
+    EXPECT_NE(error([](Level& l) { l.environment.clouds = 2.0f; }).find("environment: expected weather that can be, found clouds is 2"),
+              std::string::npos);
     EXPECT_NE(error([](Level& l) { l.lightGroups.pop_back(); }).find("light group"), std::string::npos);
     EXPECT_NE(error([](Level& l) { l.bodies[0].pose.rotation = glm::dquat(2, 0, 0, 0); }).find("rotation"), std::string::npos);
     EXPECT_FALSE(fs::exists(path));

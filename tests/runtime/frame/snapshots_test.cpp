@@ -117,6 +117,24 @@ TEST(Snapshots, LightsFollowTheirBody) {
     EXPECT_EQ(moved->lights.at(0).position.y, 8.0);
 }
 
+TEST(Snapshots, LightsComeAndGoWithTheStepOfTheirEdit) {
+    Loop loop;
+    loop.step();
+    loop.snapshots.take();
+    loop.step({AddLightEdit{{.local = {{0.0, 5.0, 0.0}}}}, AddLightEdit{{.enabled = false}}});
+    const auto come = loop.snapshots.take();
+    ASSERT_TRUE(come && come->lightsChanged);
+    ASSERT_EQ(come->lights.size(), 2u);
+    const LightHandle added = loop.changes.lightsAdded.at(0);
+    EXPECT_EQ(come->lights[1].light, added);
+    EXPECT_EQ(come->lights[1].position.y, 5.0);
+    loop.step({RemoveLightEdit{added}});
+    const auto gone = loop.snapshots.take();
+    ASSERT_TRUE(gone && gone->lightsChanged);
+    ASSERT_EQ(gone->lights.size(), 1u);
+    EXPECT_NE(gone->lights[0].light, added);
+}
+
 TEST(Snapshots, APieceStartsWhereItsParentWas) {
     Loop loop;
     loop.step();

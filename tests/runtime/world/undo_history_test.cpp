@@ -221,14 +221,21 @@ TEST(UndoHistory, WeatherThatFollowsAnUndoGoesBackToo) {
     EXPECT_EQ(world.environment().wetness, 0.0f);
 }
 
-TEST(UndoHistory, LightsTakeTheSameSlotsAfterARedo) {
-    World world = smallWorld();
-    const std::vector<LightHandle> two = world.applyEdits({AddLightEdit{}, AddLightEdit{}}).lightsAdded;
-    world.applyEdits({kMark, RemoveLightEdit{two[1]}, RemoveLightEdit{two[0]}});
-    World plain = world;
-    world.applyEdits({kUndo});
-    world.applyEdits({kRedo});
-    EXPECT_EQ(world.applyEdits({AddLightEdit{}}).lightsAdded[0].slot(), plain.applyEdits({AddLightEdit{}}).lightsAdded[0].slot());
+TEST(UndoHistory, LightsTakeTheSameSlotsAfterUndoAndRedo) {
+    const auto nextSlot = [](World world) { return world.applyEdits({AddLightEdit{}}).lightsAdded.at(0).slot(); };
+    for (const size_t first : {0u, 1u}) {
+        World world = smallWorld();
+        const std::vector<LightHandle> two = world.applyEdits({AddLightEdit{}, AddLightEdit{}}).lightsAdded;
+        const Edits removal = {RemoveLightEdit{two[first]}, RemoveLightEdit{two[1 - first]}};
+        world.applyEdits({kMark, removal[0], removal[1]});
+        const uint32_t next = nextSlot(world);
+        world.applyEdits({kUndo});
+        world.applyEdits({kRedo});
+        EXPECT_EQ(nextSlot(world), next);
+        world.applyEdits({kMark, AddLightEdit{}, AddLightEdit{}});
+        world.applyEdits({kUndo});
+        EXPECT_EQ(nextSlot(world), next);
+    }
 }
 
 TEST(UndoHistory, NewChangesEndTheRedo) {
