@@ -24,8 +24,8 @@ struct WorldDelta {
     SlotValues<CharacterHandle, Character> characters;
     uint64_t imported = 0, removed = 0;
     FireState fire;
+    std::optional<Environment> environment;  ///< none: it has not changed
     SlotValues<JointHandle, Joint> joints;
-    std::optional<Environment> environment;                                                                          ///< none: it has not changed
     std::vector<uint32_t> freeBodies, freeShapes, freeLights, freeWaters, freeTriggers, freeCharacters, freeJoints;  ///< slots that are used next
 
     bool empty() const {

@@ -44,8 +44,8 @@ int run(int argc, char** argv) {
     CLI::App app{
         "Rubble sandbox: a town corner to take apart.\n"
         "With a display: WASD and mouse fly, Space/Shift up and down, 1 hammer, 2 explosive, 3 spray can, left click uses it, G held grabs (with a "
-        "click on letting go: throws), F fly or walk (Space jumps, Shift crouches), R "
-        "resets, P next pass, Esc leaves.",
+        "click on letting go: throws), F fly or walk (Space jumps, Shift crouches), T torch, "
+        "R resets, P next pass, Esc leaves.",
         "sandbox"};
     app.add_option("--model", options.model, "put this .vox, .vdb or .rubble on the street and demolish it")->check(CLI::ExistingFile);
     app.add_option("--level", options.level, "open this level instead of the town")->check(CLI::ExistingFile);

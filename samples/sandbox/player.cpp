@@ -10,11 +10,15 @@ constexpr double kFlySpeed = 8.0, kFastFactor = 3.0;  // m/s
 constexpr double kEyeFollows = 14.0;                  // 1/s: steps and crouching are no jolts
 constexpr double kSteepest = 1.5;                     // radians of pitch
 constexpr const char* kName = "player";
+constexpr const char* kTorchName = "player's torch";
+constexpr glm::dvec3 kHand(0.25, -0.3, -0.2);  // of the eyes' frame, metres
 
-CharacterHandle findPlayer(const World& world) {
-    CharacterHandle found;
-    world.characters().forEach([&](CharacterHandle handle, const Character& character) {
-        if (!found && character.name == kName) found = handle;
+/// The first of this name; an empty handle if there is none.
+template <class Handle, class T>
+Handle findNamed(const SlotMap<Handle, T>& all, const char* name) {
+    Handle found;
+    all.forEach([&](Handle handle, const T& each) {
+        if (!found && each.name == name) found = handle;
     });
     return found;
 }
@@ -34,12 +38,27 @@ Edits Player::move(const PlayerInput& input, const World& world, double seconds)
     m_isComing = false;
     const glm::dvec3 step = m_camera.rotation() * glm::dvec3(input.right, 0, -input.forward) + glm::dvec3(0.0, input.up, 0.0);
     m_camera.position += step * (kFlySpeed * (input.fast ? kFastFactor : 1.0) * seconds);
-    const CharacterHandle left = findPlayer(world);
+    const CharacterHandle left = findNamed(world.characters(), kName);
     return left ? Edits{RemoveCharacterEdit{left}} : Edits{};
 }
 
+Edits Player::carryTorch(const World& world) const {
+    const LightHandle handle = findNamed(world.lights(), kTorchName);
+    if (!m_hasTorch) return handle ? Edits{RemoveLightEdit{handle}} : Edits{};
+    const Light torch{.name = kTorchName,
+                      .kind = LightKind::Cone,
+                      .local = {m_camera.position + m_camera.rotation() * kHand, m_camera.rotation()},
+                      .color = {30.0f, 27.0f, 22.0f},
+                      .radius = 0.03f,
+                      .reach = 30.0f,
+                      .coneInner = 0.15f,
+                      .coneOuter = 0.45f};
+    if (!handle) return {AddLightEdit{torch}};
+    return world.lights().at(handle).hash() == torch.hash() ? Edits{} : Edits{SetLightEdit{handle, torch}};
+}
+
 Edits Player::walk(const PlayerInput& input, const World& world, double seconds) {
-    const CharacterHandle handle = findPlayer(world);
+    const CharacterHandle handle = findNamed(world.characters(), kName);
     const Character* character = world.characters().find(handle);
     if (!character) {
         if (std::exchange(m_isComing, true)) return {};

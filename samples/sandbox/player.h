@@ -18,6 +18,9 @@ public:
     /// Turns and flies the camera, or puts it where the character is. Returns what is to be done to the character.
     Edits move(const PlayerInput& input, const World& world, double seconds);
     void toggleWalk() { m_walks = !m_walks; }
+    void toggleTorch() { m_hasTorch = !m_hasTorch; }
+    /// Makes, carries or removes the torch: once before each step.
+    Edits carryTorch(const World& world) const;
     bool walks() const { return m_walks; }
     const Camera& camera() const { return m_camera; }
 
@@ -26,7 +29,7 @@ private:
     void follow(const Character& character, double seconds);
 
     Camera m_camera;
-    bool m_walks = false;
+    bool m_walks = false, m_hasTorch = false;
     bool m_isComing = false;  ///< the character has been asked for
 };
 

@@ -70,6 +70,7 @@ private:
 
     void step() {
         if (!m_options.scene.empty()) m_loop.edits().push(m_stage.script(m_step++));
+        m_loop.edits().push(m_player.carryTorch(m_loop.world()));
         m_loop.step();
     }
 
@@ -89,6 +90,7 @@ private:
                 m_window.setTitle(std::string("Rubble sandbox: ") + kToolNames[i]);
             }
         if (m_window.pressed(GLFW_KEY_F)) m_player.toggleWalk();
+        if (m_window.pressed(GLFW_KEY_T)) m_player.toggleTorch();
         if (m_window.pressed(GLFW_KEY_R)) reset();
         if (m_window.pressed(GLFW_KEY_P)) {
             m_pass = (m_pass + 1) % m_passes.size();

@@ -1,6 +1,7 @@
 // Local lights and fog against closed forms, read as numbers before any filter.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "tests/golden/drawing.h"
 
@@ -274,6 +275,25 @@ TEST_F(LightChangeTest, TheFloorUnderALampThatIsGoneIsDark) {
     const SnapshotLight lamp = named(0, {0, 1, 0}, 20.0f), faint = named(1, {3, 2, -3}, 0.05f);
     EXPECT_LT(leftOf("lighting", sceneOf({lamp}), sceneOf({}), 1), 0.02f);
     EXPECT_LT(leftOf("lighting", sceneOf({lamp, faint}), sceneOf({faint}), 1), 0.05f);
+}
+
+/// Glare, bloom and what the temporal pass remembers included.
+TEST_F(LightChangeTest, APictureWithoutItsLampIsBlackAndWithANewOneLit) {
+    const SnapshotLight lamp = named(0, {0, 1, -1}, 20.0f), next = named(1, {0, 1, -1}, 20.0f);
+    for (const float fog : {0.0f, 0.2f}) {
+        m_fog = fog;
+        const auto meanAfter = [&](int pictures) {
+            const Image image = draw(m_camera, pictures);
+            return std::accumulate(image.rgb.begin(), image.rgb.end(), 0.0) / double(image.rgb.size());
+        };
+        Drawing::start(sceneOf({lamp}), kSize);
+        const double lit = meanAfter(24);
+        EXPECT_GT(lit, 50.0);
+        renderer->apply(sceneOf({}).step());
+        EXPECT_LT(meanAfter(1), 0.01 * lit);
+        renderer->apply(sceneOf({next}).step());
+        EXPECT_NEAR(meanAfter(1), lit, 0.1 * lit);
+    }
 }
 
 TEST_F(LightChangeTest, FogForgetsTheLastLamp) {

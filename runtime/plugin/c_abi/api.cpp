@@ -362,11 +362,7 @@ rubble_result addJoint(rubble_world world, const rubble_joint_settings* settings
     return pushEdit("add_joint", world, settings, kToEdit);
 }
 rubble_result removeJoint(rubble_world world, rubble_joint joint) {
-    return guarded("remove_joint", [&] {
-        const auto hosted = Registry::instance().world(world);
-        jointOf(hosted->loop.world(), joint);
-        hosted->loop.edits().push(RemoveJointEdit{JointHandle{joint}});
-    });
+    return removeOne<RemoveJointEdit, HandleType::Joint>("remove_joint", world, joint, "joint", &World::joints);
 }
 rubble_result setJointMotor(rubble_world world, const rubble_joint_motor* motor) {
     return pushEdit("set_joint_motor", world, motor, kToEdit);

@@ -54,6 +54,11 @@ void writeTo(T* out, T values) {
     *out = values;
 }
 
+/// Refuses what lightError(), jointError() and their like have found.
+inline void demandNone(const std::string& error) {
+    if (!error.empty()) throw Refusal{RUBBLE_ERROR_ARGUMENT, error};
+}
+
 inline glm::dvec3 readVector(const double (&values)[3], const char* name) {
     for (int i = 0; i < 3; ++i)
         if (!std::isfinite(values[i]) || std::abs(values[i]) > 1e9)

@@ -46,7 +46,7 @@ AddJointEdit toEdit(const World& world, const rubble_joint_settings& given) {
     joint.wheel = {readSize(given.drive_torque, "drive_torque"), readNumber(given.top_spin, 0.0, 1e4, joint.wheel.topSpin, "top_spin"),
                    readSize(given.brake_torque, "brake_torque"), readNumber(given.steer_angle, 0.0, 1.5, 0.0, "steer_angle"),
                    readNumber(given.steer_rate, 0.0, 100.0, joint.wheel.steerRate, "steer_rate")};
-    if (const std::string error = jointError(joint); !error.empty()) throw Refusal{RUBBLE_ERROR_ARGUMENT, error};
+    demandNone(jointError(joint));
     return {joint};
 }
 

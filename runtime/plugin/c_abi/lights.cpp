@@ -63,10 +63,6 @@ void write(const Vector<Inside, Outside>& vector, const Inside& from, Outside& t
     writeVector(to.*vector.outside, glm::dvec3(from.*vector.inside));
 }
 
-void demandNone(const std::string& error) {
-    if (!error.empty()) throw Refusal{RUBBLE_ERROR_ARGUMENT, error};
-}
-
 Environment readEnvironment(const rubble_environment& given) {
     Environment out;
     for (const auto& number : kEnvironmentNumbers) read(number, given, out);
