@@ -10,6 +10,7 @@ namespace rubble {
 
 class Scene;
 class LightGrid;
+class FullscreenChoice;
 
 /// The uniforms that every pass sees (lib/frame.glsl).
 struct FrameBlock {
@@ -30,6 +31,7 @@ struct FrameContext {
     RenderFigures& figures;
     VertexArray& emptyVertexArray;
     const LightGrid* lightGrid = nullptr;  ///< null: the scene has no local lights
+    FullscreenChoice* choice = nullptr;    ///< of what draws full-screen programs; null: fragments
 
     /// Draws one triangle over the framebuffer that is bound, with the program that is in use. State: no depth test, no blending.
     void drawFullscreen() const {

@@ -45,6 +45,15 @@ GlStateGuard::GlStateGuard() {
         glGetIntegerv(GL_SAMPLER_BINDING, &m_sampler[size_t(i)]);
         glBindSampler(GLuint(i), 0);
     }
+    for (GLuint i = 0; i < kImages && hasCompute(); ++i) {
+        Image& image = m_images[i];
+        glGetIntegeri_v(GL_IMAGE_BINDING_NAME, i, &image.name);
+        glGetIntegeri_v(GL_IMAGE_BINDING_LEVEL, i, &image.level);
+        glGetIntegeri_v(GL_IMAGE_BINDING_LAYERED, i, &image.layered);
+        glGetIntegeri_v(GL_IMAGE_BINDING_LAYER, i, &image.layer);
+        glGetIntegeri_v(GL_IMAGE_BINDING_ACCESS, i, &image.access);
+        glGetIntegeri_v(GL_IMAGE_BINDING_FORMAT, i, &image.format);
+    }
     for (size_t i = 0; i < kSwitches.size(); ++i) {
         m_switches[i] = glIsEnabled(kSwitches[i]);
         glDisable(kSwitches[i]);
@@ -61,6 +70,11 @@ GlStateGuard::~GlStateGuard() {
         glBindTexture(GL_TEXTURE_2D, GLuint(m_texture2D[size_t(i)]));
         glBindTexture(GL_TEXTURE_BUFFER, GLuint(m_textureBuffer[size_t(i)]));
         glBindSampler(GLuint(i), GLuint(m_sampler[size_t(i)]));
+    }
+    for (GLuint i = 0; i < kImages && hasCompute(); ++i) {
+        const Image& image = m_images[i];
+        glBindImageTexture(i, GLuint(image.name), image.level, image.layered ? GL_TRUE : GL_FALSE, image.layer, GLenum(image.access),
+                           GLenum(image.format));
     }
     glActiveTexture(GLenum(m_activeTexture));
     glColorMask(m_colorMask[0], m_colorMask[1], m_colorMask[2], m_colorMask[3]);
