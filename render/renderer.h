@@ -62,6 +62,8 @@ struct RenderSettings {
     uint64_t uploadBudget = 4 << 20;  ///< bytes of changed bricks sent a frame; a level that is loaded is sent at once
     bool processorTime = false;       ///< figures' times are of this process's threads, all together: for benchmarks on a busy machine
     static RenderSettings preset(std::string_view name);
+    /// "fragment", "compute" or "fastest"; Auto for any other text.
+    static Fullscreen fullscreenNamed(std::string_view name);
 };
 
 struct RenderFigures {

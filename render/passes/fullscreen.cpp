@@ -85,7 +85,7 @@ void FullscreenDraw::dispatch() const {
     }
     // Before: nothing is overwritten that an earlier pass still reads. After: whoever comes next sees it.
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    glDispatchCompute(GLuint(size.x + kGroupSide - 1) / kGroupSide, GLuint(size.y + kGroupSide - 1) / kGroupSide, 1);
+    glDispatchCompute(GLuint(size.x + kGroupWidth - 1) / kGroupWidth, GLuint(size.y + kGroupHeight - 1) / kGroupHeight, 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 

@@ -69,7 +69,6 @@ std::string merged(Merge merge, const std::string& now, const std::string& image
 }
 
 std::string computeMain(const Parts& parts, const FullscreenKind& kind) {
-    const std::string side = std::to_string(kGroupSide);
     std::string images, stores;
     for (size_t i = 0; i < parts.outputs.size(); ++i) {
         const Merge merge = kind.mergeOf(i);
@@ -77,7 +76,8 @@ std::string computeMain(const Parts& parts, const FullscreenKind& kind) {
         images += "layout(binding = " + number + (merge == Merge::Replace ? ") writeonly" : ", rgba16f)") + " uniform image2D " + image + ";\n";
         stores += "    imageStore(" + image + ", pixel, " + merged(merge, parts.outputs[i], image) + ");\n";
     }
-    std::string text = "layout(local_size_x = " + side + ", local_size_y = " + side + ") in;\n" + images +
+    std::string text = "layout(local_size_x = " + std::to_string(kGroupWidth) + ", local_size_y = " + std::to_string(kGroupHeight) + ") in;\n" +
+                       images +
                        "uniform ivec2 uTargetSize;\nuniform vec2 uTexelSize;\nuniform sampler2D uDepthLimit;\n"
                        "void main() {\n"
                        "    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);\n"

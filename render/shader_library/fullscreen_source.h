@@ -27,7 +27,7 @@ struct FullscreenKind {
 };
 
 /// Pixels across and up that a compute program works on together.
-inline constexpr int kGroupSide = 8;
+inline constexpr int kGroupWidth = 8, kGroupHeight = 8;  // wider is no faster
 
 /// One text, two programs. A shader of passes/ writes its `out vec4`s, reads `uv` and gl_FragCoord, and may discard in main(). This
 /// puts around it what either program needs, with the same number for `uv` in both. Lines keep their places, for explain().

@@ -111,5 +111,27 @@ TEST_F(StateGuardTest, PutsBackWhatAHostHadSet) {
     glDeleteBuffers(1, &buffer);
 }
 
+TEST_F(StateGuardTest, PutsBackTheImagesThatComputeProgramsStoreInto) {
+    if (!hasCompute()) GTEST_SKIP() << "no GL 4.3";
+    const Texture first(GL_RGBA32F, {4, 4}), second(GL_R32F, {4, 4}), ours(GL_RGBA16F, {4, 4});
+    glBindImageTexture(0, first.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+    glBindImageTexture(1, second.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
+    {
+        const GlStateGuard guard;
+        for (const GLuint unit : {0u, 1u}) glBindImageTexture(unit, ours.name(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA16F);
+    }
+    const auto get = [](GLenum name, GLuint unit) {
+        GLint value = -1;
+        glGetIntegeri_v(name, unit, &value);
+        return value;
+    };
+    EXPECT_EQ(get(GL_IMAGE_BINDING_NAME, 0), GLint(first.name()));
+    EXPECT_EQ(get(GL_IMAGE_BINDING_ACCESS, 0), GL_READ_WRITE);
+    EXPECT_EQ(get(GL_IMAGE_BINDING_FORMAT, 0), GL_RGBA32F);
+    EXPECT_EQ(get(GL_IMAGE_BINDING_NAME, 1), GLint(second.name()));
+    EXPECT_EQ(get(GL_IMAGE_BINDING_FORMAT, 1), GL_R32F);
+    for (const GLuint unit : {0u, 1u}) glBindImageTexture(unit, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R8);
+}
+
 }  // namespace
 }  // namespace rubble
