@@ -33,7 +33,8 @@ struct FrameContext {
     const LightGrid* lightGrid = nullptr;  ///< null: the scene has no local lights
     FullscreenChoice* choice = nullptr;    ///< of what draws full-screen programs; null: fragments
 
-    /// Draws one triangle over the framebuffer that is bound, with the program that is in use. State: no depth test, no blending.
+    /// Draws one triangle over the framebuffer that is bound, with the plain program that is in use; for those that compute may draw too
+    /// see render/passes/fullscreen.h. State: no depth test, no blending.
     void drawFullscreen() const {
         glBindVertexArray(emptyVertexArray.get());
         glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -1,5 +1,6 @@
 #include "render/gl/program.h"
 
+#include <cassert>
 #include <glm/gtc/type_ptr.hpp>
 
 namespace rubble {
@@ -95,6 +96,7 @@ void Program::listUniforms() {
         }
         m_uniforms.push_back({text, location, unit});
     }
+    assert(units < kTextureUnits && "a program with more samplers than there are units for them");
     const GLuint block = glGetUniformBlockIndex(name(), "FrameBlock");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(name(), block, 0);
     glUseProgram(0);

@@ -38,7 +38,7 @@ GlStateGuard::GlStateGuard() {
     glGetIntegerv(GL_VIEWPORT, m_viewport);
     glGetBooleanv(GL_DEPTH_WRITEMASK, &m_depthMask);
     glGetBooleanv(GL_COLOR_WRITEMASK, m_colorMask);
-    for (int i = 0; i < kUnits; ++i) {
+    for (int i = 0; i < kTextureUnits; ++i) {
         glActiveTexture(GLenum(GL_TEXTURE0 + i));
         glGetIntegerv(GL_TEXTURE_BINDING_2D, &m_texture2D[size_t(i)]);
         glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &m_textureBuffer[size_t(i)]);
@@ -65,7 +65,7 @@ GlStateGuard::GlStateGuard() {
 
 GlStateGuard::~GlStateGuard() {
     for (size_t i = 0; i < kSwitches.size(); ++i) setSwitch(kSwitches[i], m_switches[i]);
-    for (int i = 0; i < kUnits; ++i) {
+    for (int i = 0; i < kTextureUnits; ++i) {
         glActiveTexture(GLenum(GL_TEXTURE0 + i));
         glBindTexture(GL_TEXTURE_2D, GLuint(m_texture2D[size_t(i)]));
         glBindTexture(GL_TEXTURE_BUFFER, GLuint(m_textureBuffer[size_t(i)]));

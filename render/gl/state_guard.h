@@ -14,7 +14,6 @@ public:
     GlStateGuard& operator=(const GlStateGuard&) = delete;
 
 private:
-    static constexpr int kUnits = 16;
     static constexpr int kImages = 2;  ///< units that compute programs store into
     struct Image {
         GLint name, level, layered, layer, access, format;
@@ -27,7 +26,7 @@ private:
     GLint m_blend[6];
     GLint m_viewport[4];
     GLboolean m_depthMask, m_colorMask[4];
-    std::array<GLint, kUnits> m_texture2D, m_textureBuffer, m_sampler;
+    std::array<GLint, kTextureUnits> m_texture2D, m_textureBuffer, m_sampler;
     std::array<GLboolean, kSwitches.size()> m_switches;
     std::array<Image, kImages> m_images;  ///< where hasCompute()
 };

@@ -113,13 +113,11 @@ protected:
                 if (!first) continue;
                 ASSERT_EQ(first->size, second->size);
                 const Apart found = apart(*first, *second);
-                if (isSoftwareGl()) {
-                    EXPECT_LE(found.most, granted) << name << " in frame " << frame << ": " << found.numbers << " numbers differ";
-                    if (granted == 0.0f) EXPECT_EQ(found.numbers, 0) << name << " in frame " << frame;
-                } else {
-                    // Compilers for GPUs may fuse and order the same sums in two ways: a ray that is rounded may miss a corner.
-                    EXPECT_LE(found.clearly, int(first->pixels.size() * 4 / 50)) << name << " in frame " << frame;
-                }
+                // Compilers for GPUs may fuse and order the same sums in two ways: a ray that is rounded may miss a corner.
+                const bool isSame = !isSoftwareGl()  ? found.clearly <= int(first->pixels.size() * 4 / 50)
+                                    : granted > 0.0f ? found.most <= granted
+                                                     : found.numbers == 0;
+                EXPECT_TRUE(isSame) << name << " in frame " << frame << ": " << found.numbers << " numbers differ, by up to " << found.most;
                 ++compared;
             }
             EXPECT_GE(compared, frame ? 17 : 15);
@@ -161,7 +159,7 @@ TEST_F(FullscreenTest, ComputeLeavesWhatIsNotDrawn) {
         camera.lookAt(to);
         for (Renderer* each : {fragment.get(), compute.get()}) each->draw(camera.view(kSize, target.framebuffer()), 1.0f);
         for (const char* name : {"light", "accumulated", "surface", "lighting", "radiance", "final"})
-            if (isSoftwareGl()) EXPECT_EQ(apart(*fragment->readTarget(name), *compute->readTarget(name)).numbers, 0) << name;
+            EXPECT_TRUE(!isSoftwareGl() || apart(*fragment->readTarget(name), *compute->readTarget(name)).numbers == 0) << name;
     }
 }
 
@@ -185,7 +183,7 @@ TEST_F(FullscreenTest, FragmentsAloneHoldNothingForCompute) {
     EXPECT_TRUE(fragment->figures().computePasses.empty());
     EXPECT_GE(compute->figures().computePrograms, int(kPasses.size()));
     EXPECT_EQ(fragment->figures().textureBytes, compute->figures().textureBytes);
-    if (isSoftwareGl()) EXPECT_EQ(automatic->figures().computePrograms, 0) << "compute is slower here: see DECISIONS.md";
+    EXPECT_EQ(automatic->figures().computePrograms > 0, !isSoftwareGl()) << "compute is slower on software renderers: see DECISIONS.md";
 }
 
 TEST_F(FullscreenTest, ReloadedShadersAreTheSameToo) {
@@ -246,8 +244,8 @@ TEST_F(FullscreenTest, TheFastestIsMeasuredWhileThePictureIsTheSame) {
     std::vector<std::string> chosen;
     for (int frame = 0; frame < 3; ++frame) {
         draw(*fastest, kSize, frame);
-        if (frame) EXPECT_EQ(byCompute(*fastest), chosen);
-        chosen = byCompute(*fastest);
+        if (frame == 0) chosen = byCompute(*fastest);
+        EXPECT_EQ(byCompute(*fastest), chosen);
     }
     EXPECT_EQ(said("drawn by what was faster"), 1);
     for (const std::string& pass : kPasses) EXPECT_EQ(said(pass + " by "), 1) << pass;

@@ -73,7 +73,7 @@ TEST_F(StateGuardTest, PutsBackWhatAHostHadSet) {
     GLuint texture, buffer;
     glGenTextures(1, &texture);
     glGenBuffers(1, &buffer);
-    glActiveTexture(GL_TEXTURE3);
+    glActiveTexture(GL_TEXTURE20);
     glBindTexture(GL_TEXTURE_2D, texture);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     glEnable(GL_BLEND);
@@ -84,7 +84,7 @@ TEST_F(StateGuardTest, PutsBackWhatAHostHadSet) {
     {
         const GlStateGuard guard;
         EXPECT_FALSE(glIsEnabled(GL_BLEND)) << "passes start from a known state";
-        glActiveTexture(GL_TEXTURE3);
+        glActiveTexture(GL_TEXTURE20);
         glBindTexture(GL_TEXTURE_2D, 0);
         glBindBuffer(GL_ARRAY_BUFFER, 0);
         glBlendFunc(GL_ZERO, GL_SRC_COLOR);
@@ -97,7 +97,7 @@ TEST_F(StateGuardTest, PutsBackWhatAHostHadSet) {
         glGetIntegerv(name, value);
         return value[0];
     };
-    EXPECT_EQ(get(GL_ACTIVE_TEXTURE), GL_TEXTURE3);
+    EXPECT_EQ(get(GL_ACTIVE_TEXTURE), GL_TEXTURE20);
     EXPECT_EQ(get(GL_TEXTURE_BINDING_2D), GLint(texture));
     EXPECT_EQ(get(GL_ARRAY_BUFFER_BINDING), GLint(buffer));
     EXPECT_TRUE(glIsEnabled(GL_BLEND));
