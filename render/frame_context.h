@@ -10,6 +10,7 @@ namespace rubble {
 
 class Scene;
 class LightGrid;
+class FullscreenChoice;
 
 /// The uniforms that every pass sees (lib/frame.glsl).
 struct FrameBlock {
@@ -30,8 +31,10 @@ struct FrameContext {
     RenderFigures& figures;
     VertexArray& emptyVertexArray;
     const LightGrid* lightGrid = nullptr;  ///< null: the scene has had no local lights yet
+    FullscreenChoice* choice = nullptr;    ///< of what draws full-screen programs; null: fragments
 
-    /// Draws one triangle over the framebuffer that is bound, with the program that is in use. State: no depth test, no blending.
+    /// Draws one triangle over the framebuffer that is bound, with the plain program that is in use; for those that compute may draw too
+    /// see render/passes/fullscreen.h. State: no depth test, no blending.
     void drawFullscreen() const {
         glBindVertexArray(emptyVertexArray.get());
         glDrawArrays(GL_TRIANGLES, 0, 3);

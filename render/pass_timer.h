@@ -12,6 +12,8 @@ class PassTimer {
 public:
     /// processorTime: on a software renderer, the milliseconds that all threads of this process worked, not those on the wall.
     PassTimer(bool software, bool processorTime) : m_software(software), m_processorTime(processorTime) {}
+    /// True if a pass's time is known when it ends; else it comes with the next frame.
+    bool isImmediate() const { return m_software; }
     /// Collects the frame before and starts a new one. `out` gets the times in the order drawn.
     void beginFrame(std::vector<std::pair<const char*, double>>& out);
     void begin(const char* name);

@@ -6,6 +6,7 @@
 
 #include "render/frame_camera.h"
 #include "render/frame_context.h"
+#include "render/fullscreen_choice.h"
 #include "render/gl/state_guard.h"
 #include "render/pass_timer.h"
 #include "render/passes/accumulate_pass.h"
@@ -53,10 +54,29 @@ constexpr Shown kShown[] = {
     {"radiance", "radiance", Linear}, {"resolved", "resolved", Linear},  {"bloom", "bloom0", Linear},
 };
 
+/// What a context can do, and what is worth while on it: on llvmpipe passes take 0.97 to 3.4 times as long by compute, the whole frame 1.24 to
+/// 1.34 times, so software renderers do not even build it.
+Fullscreen possible(Fullscreen wanted) {
+    if (wanted == Fullscreen::Auto) return hasCompute() && !isSoftwareGl() ? Fullscreen::Fastest : Fullscreen::Fragment;
+    if (wanted == Fullscreen::Fragment || hasCompute()) return wanted;
+    logWarning("RenderSettings::fullscreen: compute programs need GL 4.3 or newer, found older: fragments draw");
+    return Fullscreen::Fragment;
+}
+
+ShaderLibrary::Fullscreen builtFor(Fullscreen drawn) {
+    if (drawn == Fullscreen::Fastest) return ShaderLibrary::Fullscreen::Both;
+    return drawn == Fullscreen::Compute ? ShaderLibrary::Fullscreen::Compute : ShaderLibrary::Fullscreen::Fragment;
+}
+
+FullscreenChoice choiceFor(Fullscreen drawn) {
+    if (drawn == Fullscreen::Fastest) return FullscreenChoice::fastest();
+    return FullscreenChoice(drawn == Fullscreen::Compute ? FullscreenBy::Compute : FullscreenBy::Fragment);
+}
+
 }  // namespace
 
 struct Renderer::Impl {
-    Impl(const std::string& shaderFolder, const RenderSettings& given) : settings(given), shaders(shaderFolder) {
+    Impl(const std::string& shaderFolder, const RenderSettings& given) : settings(given), shaders(shaderFolder, builtFor(fullscreen)) {
         scene.setUploadBudget(given.uploadBudget);
         blueNoise = Texture(GL_R8, glm::ivec2(kBlueNoiseSize), Filter::Nearest, Wrap::Repeat);
         blueNoise.upload(makeBlueNoise().data());
@@ -107,9 +127,12 @@ struct Renderer::Impl {
     template <class F>
     void run(const char* name, F&& draw) {
         timer.begin(name);
+        choice.beginPass(name);
         draw();
         timer.end(figures.passMs);
+        if (choice.hasComputed()) figures.computePasses.push_back(name);
     }
+    void beginTimes();
     void draw(const View& view, float alpha);
     void drawOnce(const View& view);
     void drawSmallerIfRefused(const View& view);
@@ -120,7 +143,9 @@ struct Renderer::Impl {
     const LightGrid* sortLights();
 
     RenderSettings settings;
+    Fullscreen fullscreen = possible(settings.fullscreen);
     ShaderLibrary shaders;
+    FullscreenChoice choice = choiceFor(fullscreen);
     Scene scene;
     TargetPool targets, pictures;  ///< as in FrameContext
     FrameCamera camera;
@@ -229,6 +254,7 @@ void Renderer::Impl::draw(const View& view, float alpha) {
     scene.endFrame();
     figures.textureBytes =
         targets.bytes() + pictures.bytes() + scene.bytes() + gbuffer.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
+    figures.computePrograms = shaders.computePrograms();
     figures.waitingBytes = scene.bodies().waitingBytes();
     figures.shapes = scene.bodies().shapes();
     figures.bricks = scene.bodies().bricks();
@@ -267,17 +293,26 @@ glm::ivec2 tracedSize(glm::ivec2 view, float scale) {
     return glm::max(glm::ivec2(glm::round(glm::vec2(view) * scale)), glm::ivec2(1));
 }
 
+/// Starts the times of a frame; those of the last one are told to the choice among fragments and compute.
+void Renderer::Impl::beginTimes() {
+    if (timer.isImmediate()) choice.addTimes(figures.passMs);
+    timer.beginFrame(figures.passMs);
+    if (!timer.isImmediate()) choice.addTimes(figures.passMs);
+    if (const std::string news = choice.takeNews(); !news.empty()) logInfo("full-screen passes are drawn by what was faster: " + news);
+}
+
 void Renderer::Impl::drawOnce(const View& wanted) {
     View view = wanted;
     view.size = glm::max(wanted.size >> halvings, glm::ivec2(1));
-    timer.beginFrame(figures.passMs);
+    beginTimes();
     figures.drawCalls = figures.bodyDraws = 0;
+    figures.computePasses.clear();
     const glm::ivec2 traced = tracedSize(view.size, settings.resolutionScale);
     targets.beginFrame(traced, view.cut);
     pictures.beginFrame(view.size, view.cut);
     fillBlock(view, traced);
     uploadBlock();
-    const FrameContext frame{block, settings, scene, targets, pictures, blueNoise, figures, emptyVertexArray, sortLights()};
+    const FrameContext frame{block, settings, scene, targets, pictures, blueNoise, figures, emptyVertexArray, sortLights(), &choice};
     drawPasses(frame);
     const Texture* target = find(shown->target);
     run("show", [&] { show.draw(frame, target ? *target : blueNoise, shown->mode, wanted, dot()); });
@@ -296,6 +331,11 @@ RenderSettings RenderSettings::preset(std::string_view name) {
         settings.filterPasses = 5;
     }
     return settings;
+}
+
+Fullscreen RenderSettings::fullscreenNamed(std::string_view name) {
+    if (name == "fastest") return Fullscreen::Fastest;
+    return name == "compute" ? Fullscreen::Compute : name == "fragment" ? Fullscreen::Fragment : Fullscreen::Auto;
 }
 
 Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader, const std::string& shaderFolder, const RenderSettings& settings) {

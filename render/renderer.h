@@ -29,6 +29,15 @@ struct View {
 /// How the rays of a pixel are spread. White noise has no order over pixels or time: what estimators are tested with.
 enum class Noise { Blue, White };
 
+/// What draws the passes that cover the whole view: the same picture either way. Compute needs GL 4.3; without it fragments draw, with a
+/// warning where compute was asked for by name.
+enum class Fullscreen {
+    Auto,      ///< Fastest on a GPU, Fragment on a software renderer
+    Fragment,  ///< triangles
+    Compute,   ///< compute programs
+    Fastest,   ///< each pass draws its first pictures both ways by turns and stays with what was faster
+};
+
 /// Quality against speed. Presets "fast", "balanced", "accurate".
 struct RenderSettings {
     int skyRays = 1;  ///< cosine-weighted rays a pixel
@@ -47,11 +56,14 @@ struct RenderSettings {
     Noise noise = Noise::Blue;  ///< of light's rays
     bool bevel = true;          ///< rounds the edges of near voxels in light
     bool refraction = true;     ///< panes shift what is behind them
-    bool detail = true;         ///< grain, joints and pores on the faces of near voxels, by material
+    Fullscreen fullscreen = Fullscreen::Auto;
+    bool detail = true;  ///< grain, joints and pores on the faces of near voxels, by material
     float bloom = 0.04f;
     uint64_t uploadBudget = 4 << 20;  ///< bytes of changed bricks sent a frame; a level that is loaded is sent at once
     bool processorTime = false;       ///< figures' times are of this process's threads, all together: for benchmarks on a busy machine
     static RenderSettings preset(std::string_view name);
+    /// "fragment", "compute" or "fastest"; Auto for any other text.
+    static Fullscreen fullscreenNamed(std::string_view name);
 };
 
 struct RenderFigures {
@@ -63,6 +75,8 @@ struct RenderFigures {
     int shapes = 0;
     int bricks = 0;
     std::vector<std::pair<const char*, double>> passMs;  ///< in the order drawn; with GL_TIME_ELAPSED where it is honest, else after glFinish
+    std::vector<const char*> computePasses;              ///< of these passes, the ones that draw full-screen programs by compute
+    int computePrograms = 0;                             ///< held now
 };
 
 /// The deferred ray-traced renderer: a list of passes. [render-thread] All calls with the same GL context current.

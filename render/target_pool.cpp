@@ -72,7 +72,7 @@ const Texture& TargetPool::at(std::string_view name) const {
     return *found;
 }
 
-const Framebuffer& TargetPool::framebuffer(std::initializer_list<const Texture*> colors, const Texture* depth) {
+const Framebuffer& TargetPool::framebuffer(const std::vector<const Texture*>& colors, const Texture* depth) {
     std::vector<GLuint> key{depth ? depth->name() : 0};
     for (const Texture* color : colors) key.push_back(color->name());
     const auto found = m_framebuffers.find(key);

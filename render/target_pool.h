@@ -34,7 +34,7 @@ public:
     const Texture& at(std::string_view name) const;
 
     /// Framebuffers are made once for each combination.
-    const Framebuffer& framebuffer(std::initializer_list<const Texture*> colors, const Texture* depth = nullptr);
+    const Framebuffer& framebuffer(const std::vector<const Texture*>& colors, const Texture* depth = nullptr);
 
     uint64_t bytes() const;
     /// The GL would not make a target or a combination of them since the last clear(): what was drawn is worth nothing.

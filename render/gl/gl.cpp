@@ -9,6 +9,7 @@ namespace {
 
 using ResetStatus = GLenum(GLAD_API_PTR*)();
 ResetStatus g_resetStatus = nullptr;
+bool g_hasCompute = false;
 
 bool offers(std::string_view extension) {
     GLint count = 0;
@@ -38,9 +39,15 @@ Result<Done> loadGl(void* (*loader)(const char* name)) {
     GLint major = 0, minor = 0;
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
-    const char* name = resetStatusName(GLAD_MAKE_VERSION(major, minor));
+    const int context = GLAD_MAKE_VERSION(major, minor);  // `version` is the newest that glad knows of
+    g_hasCompute = context >= GLAD_MAKE_VERSION(4, 3) && glDispatchCompute && glBindImageTexture && glMemoryBarrier;
+    const char* name = resetStatusName(context);
     g_resetStatus = name ? reinterpret_cast<ResetStatus>(loader(name)) : nullptr;
     return Done{};
+}
+
+bool hasCompute() {
+    return g_hasCompute;
 }
 
 bool isContextLost() {

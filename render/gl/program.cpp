@@ -1,5 +1,6 @@
 #include "render/gl/program.h"
 
+#include <cassert>
 #include <glm/gtc/type_ptr.hpp>
 
 namespace rubble {
@@ -47,11 +48,20 @@ Program::Program(const std::string& vertexSource, const std::string& fragmentSou
         glDeleteShader(vertex);
         return;
     }
+    link({vertex, fragment}, log);
+}
+
+Program::Program(const std::string& computeSource, std::string& log) {
+    if (const GLuint shader = compile(GL_COMPUTE_SHADER, computeSource, log)) link({shader}, log);
+}
+
+/// Takes the shaders over.
+void Program::link(std::initializer_list<GLuint> shaders, std::string& log) {
     auto program = GlName<ProgramKind>::make();
-    glAttachShader(program.get(), vertex);
-    glAttachShader(program.get(), fragment);
-    glDeleteShader(vertex);
-    glDeleteShader(fragment);
+    for (const GLuint shader : shaders) {
+        glAttachShader(program.get(), shader);
+        glDeleteShader(shader);
+    }
     glLinkProgram(program.get());
     GLint done = 0, length = 0;
     glGetProgramiv(program.get(), GL_LINK_STATUS, &done);
@@ -86,6 +96,7 @@ void Program::listUniforms() {
         }
         m_uniforms.push_back({text, location, unit});
     }
+    assert(units < kTextureUnits && "a program with more samplers than there are units for them");
     const GLuint block = glGetUniformBlockIndex(name(), "FrameBlock");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(name(), block, 0);
     glUseProgram(0);

@@ -3,6 +3,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,8 @@ public:
     Program() = default;
     /// Vertex and fragment source as the GL gets them. On failure `log` holds the GL's words and the program is empty.
     Program(const std::string& vertexSource, const std::string& fragmentSource, std::string& log, bool& vertexFailed);
+    /// A compute program, where hasCompute().
+    Program(const std::string& computeSource, std::string& log);
 
     explicit operator bool() const { return bool(m_name); }
     GLuint name() const { return m_name.get(); }
@@ -47,6 +50,7 @@ private:
     };
     const Uniform* find(std::string_view name) const;
     void bind(std::string_view sampler, GLenum target, GLuint texture) const;
+    void link(std::initializer_list<GLuint> shaders, std::string& log);
     void listUniforms();
 
     GlName<ProgramKind> m_name;

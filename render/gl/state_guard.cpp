@@ -38,12 +38,21 @@ GlStateGuard::GlStateGuard() {
     glGetIntegerv(GL_VIEWPORT, m_viewport);
     glGetBooleanv(GL_DEPTH_WRITEMASK, &m_depthMask);
     glGetBooleanv(GL_COLOR_WRITEMASK, m_colorMask);
-    for (int i = 0; i < kUnits; ++i) {
+    for (int i = 0; i < kTextureUnits; ++i) {
         glActiveTexture(GLenum(GL_TEXTURE0 + i));
         glGetIntegerv(GL_TEXTURE_BINDING_2D, &m_texture2D[size_t(i)]);
         glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &m_textureBuffer[size_t(i)]);
         glGetIntegerv(GL_SAMPLER_BINDING, &m_sampler[size_t(i)]);
         glBindSampler(GLuint(i), 0);
+    }
+    for (GLuint i = 0; i < kImages && hasCompute(); ++i) {
+        Image& image = m_images[i];
+        glGetIntegeri_v(GL_IMAGE_BINDING_NAME, i, &image.name);
+        glGetIntegeri_v(GL_IMAGE_BINDING_LEVEL, i, &image.level);
+        glGetIntegeri_v(GL_IMAGE_BINDING_LAYERED, i, &image.layered);
+        glGetIntegeri_v(GL_IMAGE_BINDING_LAYER, i, &image.layer);
+        glGetIntegeri_v(GL_IMAGE_BINDING_ACCESS, i, &image.access);
+        glGetIntegeri_v(GL_IMAGE_BINDING_FORMAT, i, &image.format);
     }
     for (size_t i = 0; i < kSwitches.size(); ++i) {
         m_switches[i] = glIsEnabled(kSwitches[i]);
@@ -56,11 +65,16 @@ GlStateGuard::GlStateGuard() {
 
 GlStateGuard::~GlStateGuard() {
     for (size_t i = 0; i < kSwitches.size(); ++i) setSwitch(kSwitches[i], m_switches[i]);
-    for (int i = 0; i < kUnits; ++i) {
+    for (int i = 0; i < kTextureUnits; ++i) {
         glActiveTexture(GLenum(GL_TEXTURE0 + i));
         glBindTexture(GL_TEXTURE_2D, GLuint(m_texture2D[size_t(i)]));
         glBindTexture(GL_TEXTURE_BUFFER, GLuint(m_textureBuffer[size_t(i)]));
         glBindSampler(GLuint(i), GLuint(m_sampler[size_t(i)]));
+    }
+    for (GLuint i = 0; i < kImages && hasCompute(); ++i) {
+        const Image& image = m_images[i];
+        glBindImageTexture(i, GLuint(image.name), image.level, image.layered ? GL_TRUE : GL_FALSE, image.layer, GLenum(image.access),
+                           GLenum(image.format));
     }
     glActiveTexture(GLenum(m_activeTexture));
     glColorMask(m_colorMask[0], m_colorMask[1], m_colorMask[2], m_colorMask[3]);

@@ -10,7 +10,7 @@ namespace {
 /// Binds for making and filling, on the last unit that GlStateGuard restores: the units of a program that is being set up
 /// keep what they hold.
 void bindAside(GLenum target, GLuint texture) {
-    glActiveTexture(GL_TEXTURE15);
+    glActiveTexture(GLenum(GL_TEXTURE0 + kTextureUnits - 1));
     glBindTexture(target, texture);
 }
 

@@ -1,6 +1,6 @@
 #include "render/passes/accumulate_pass.h"
 
-#include "render/passes/depth_limit.h"
+#include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/scene.h"
 
@@ -10,34 +10,34 @@ namespace {
 constexpr double kBrickMetres = 1.6;  // of the shadow volume
 constexpr int kTile = 4;              // pixels: passes/light_change.frag
 
-}  // namespace
-
-AccumulatePass::AccumulatePass(ShaderLibrary& shaders)
-    : m_change(shaders.load("passes/light_change.frag")), m_program(shaders.load("passes/accumulate.frag", kFarVertexShader)) {}
-
-void AccumulatePass::setChangedPlaces(const Scene& scene) const {
+/// Where what casts shadows has changed, for passes/light_change.frag.
+void setChangedPlaces(const Program& program, const Scene& scene) {
     std::vector<glm::vec4> corners;
     for (const ChangedPlaces::Box& box : scene.changedPlaces().boxes())
         for (const glm::ivec3& corner : {box.low, box.high})
             corners.emplace_back(glm::vec3(glm::dvec3(corner) * kBrickMetres - scene.origin()), 0.0f);
-    m_change.set("uChangedPlaces", int(corners.size()));
-    if (!corners.empty()) m_change.set("uChanged[0]", std::span<const glm::vec4>(corners));
+    program.set("uChangedPlaces", int(corners.size()));
+    if (!corners.empty()) program.set("uChanged[0]", std::span<const glm::vec4>(corners));
 }
+
+}  // namespace
+
+AccumulatePass::AccumulatePass(ShaderLibrary& shaders)
+    : m_change(shaders.loadFullscreen("passes/light_change.frag")), m_program(shaders.loadFullscreen("passes/accumulate.frag", {.limited = true})) {}
 
 const Texture& AccumulatePass::findChanges(const FrameContext& frame, const History& light, const History& surface) const {
     const History pulse = frame.targets.history("lightPulse", GL_RGBA16F, kTile);
     const Texture& trusted = frame.targets.target("lightTrusted", GL_RG8, kTile, Filter::Linear);
-    frame.targets.framebuffer({&pulse.current, &trusted}).begin();
-    m_change.use();
-    m_change.set("uLight", frame.targets.at("light"));
-    m_change.set("uMotion", frame.targets.at("motion"));
-    m_change.set("uLastLight", light.previous);
-    m_change.set("uLastSurface", surface.previous);
-    m_change.set("uLastPulse", pulse.previous);
-    m_change.set("uLastValid", int(light.valid && surface.valid && pulse.valid));
-    m_change.set("uDepth", frame.targets.at("depth"));
-    setChangedPlaces(frame.scene);
-    frame.drawFullscreen();
+    drawFullscreen(frame, m_change, {frame.targets, {&pulse.current, &trusted}}, [&](const Program& program) {
+        program.set("uLight", frame.targets.at("light"));
+        program.set("uMotion", frame.targets.at("motion"));
+        program.set("uLastLight", light.previous);
+        program.set("uLastSurface", surface.previous);
+        program.set("uLastPulse", pulse.previous);
+        program.set("uLastValid", int(light.valid && surface.valid && pulse.valid));
+        program.set("uDepth", frame.targets.at("depth"));
+        setChangedPlaces(program, frame.scene);
+    });
     return trusted;
 }
 
@@ -48,21 +48,18 @@ void AccumulatePass::draw(const FrameContext& frame) const {
     const bool remembers = frame.settings.temporal && light.valid && surface.valid;
     const bool forgets = remembers && frame.settings.forgetsChanges;
     const Texture& trusted = forgets ? findChanges(frame, light, surface) : frame.blueNoise;  // else not looked at
-    frame.targets.framebuffer({&light.current, &surface.current}, &frame.targets.at("depthBuffer")).begin();
-    const float none[4] = {0, 0, 0, 0}, sky[4] = {GBufferPass::kSkyDepth, -1, 0, 0};
-    glClearBufferfv(GL_COLOR, 0, none);
-    glClearBufferfv(GL_COLOR, 1, sky);
-    const DepthLimit limit(DepthLimit::To::Surfaces);
-    m_program.use();
-    GBufferPass::bind(m_program, frame.targets);
-    m_program.set("uLight", frame.targets.at("light"));
-    m_program.set("uLastLight", light.previous);
-    m_program.set("uLastSurface", surface.previous);
-    m_program.set("uTrusted", trusted);
-    m_program.set("uForgets", int(forgets));
-    m_program.set("uLastValid", int(remembers));
-    m_program.set("uLongest", float(frame.settings.historyFrames));
-    frame.drawFullscreen();
+    const glm::vec4 none(0.0f), sky(GBufferPass::kSkyDepth, -1, 0, 0);
+    const FullscreenTargets into{frame.targets, {&light.current, &surface.current}, &frame.targets.at("depthBuffer"), {none, sky}};
+    drawFullscreen(frame, m_program, into, [&](const Program& program) {
+        GBufferPass::bind(program, frame.targets);
+        program.set("uLight", frame.targets.at("light"));
+        program.set("uLastLight", light.previous);
+        program.set("uLastSurface", surface.previous);
+        program.set("uTrusted", trusted);
+        program.set("uForgets", int(forgets));
+        program.set("uLastValid", int(remembers));
+        program.set("uLongest", float(frame.settings.historyFrames));
+    });
 }
 
 }  // namespace rubble

@@ -13,10 +13,8 @@ private:
     /// Compares "light" with memory in tiles of 4x4 pixels: returns what of it may be trusted.
     const Texture& findChanges(const FrameContext& frame, const History& light, const History& surface) const;
 
-    void setChangedPlaces(const Scene& scene) const;
-
-    const Program& m_change;
-    const Program& m_program;
+    FullscreenProgram& m_change;
+    FullscreenProgram& m_program;
 };
 
 }  // namespace rubble

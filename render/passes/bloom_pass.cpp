@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "render/passes/fullscreen.h"
+
 namespace rubble {
 namespace {
 
@@ -15,32 +17,27 @@ glm::vec2 texel(const Texture& texture) {
 
 }  // namespace
 
-BloomPass::BloomPass(ShaderLibrary& shaders) : m_down(shaders.load("passes/bloom_down.frag")), m_up(shaders.load("passes/bloom_up.frag")) {}
+BloomPass::BloomPass(ShaderLibrary& shaders)
+    : m_down(shaders.loadFullscreen("passes/bloom_down.frag")), m_up(shaders.loadFullscreen("passes/bloom_up.frag", {.merge = {Merge::Add}})) {}
 
 void BloomPass::draw(const FrameContext& frame) const {
     if (!m_down || !m_up) return;
     std::array<const Texture*, kLevels.size()> levels;
     for (size_t i = 0; i < kLevels.size(); ++i) levels[i] = &frame.pictures.target(kLevels[i], GL_RGBA16F, 2 << i, Filter::Linear);
     const Texture* source = &frame.pictures.at("resolved");
-    m_down.use();
     for (size_t i = 0; i < kLevels.size(); ++i) {
-        frame.pictures.framebuffer({levels[i]}).begin();
-        m_down.set("uSource", *source);
-        m_down.set("uTexel", texel(*source));
-        m_down.set("uThreshold", i == 0 ? kThreshold / std::max(frame.block.exposure.x, 1e-3f) : 0.0f);
-        frame.drawFullscreen();
+        drawFullscreen(frame, m_down, {frame.pictures, {levels[i]}}, [&](const Program& program) {
+            program.set("uSource", *source);
+            program.set("uTexel", texel(*source));
+            program.set("uThreshold", i == 0 ? kThreshold / std::max(frame.block.exposure.x, 1e-3f) : 0.0f);
+        });
         source = levels[i];
     }
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
-    m_up.use();
-    for (size_t i = kLevels.size() - 1; i > 0; --i) {
-        frame.pictures.framebuffer({levels[i - 1]}).begin();
-        m_up.set("uSource", *levels[i]);
-        m_up.set("uTexel", texel(*levels[i]));
-        frame.drawFullscreen();
-    }
-    glDisable(GL_BLEND);
+    for (size_t i = kLevels.size() - 1; i > 0; --i)
+        drawFullscreen(frame, m_up, {frame.pictures, {levels[i - 1]}}, [&](const Program& program) {
+            program.set("uSource", *levels[i]);
+            program.set("uTexel", texel(*levels[i]));
+        });
 }
 
 }  // namespace rubble

@@ -10,8 +10,8 @@ public:
     void draw(const FrameContext& frame) const;
 
 private:
-    const Program& m_down;
-    const Program& m_up;
+    FullscreenProgram& m_down;
+    FullscreenProgram& m_up;
 };
 
 }  // namespace rubble

@@ -1,6 +1,7 @@
 #include "render/passes/composite_pass.h"
 
 #include "render/passes/depth_limit.h"
+#include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/passes/glass_shadow_pass.h"
 #include "render/passes/local_lights_pass.h"
@@ -22,7 +23,7 @@ void bindReflections(const Program& program, const FrameContext& frame) {
 
 }  // namespace
 
-CompositePass::CompositePass(ShaderLibrary& shaders) : m_surfaces(shaders.load("passes/composite.frag", kFarVertexShader)) {
+CompositePass::CompositePass(ShaderLibrary& shaders) : m_surfaces(shaders.loadFullscreen("passes/composite.frag", {.limited = true})) {
     m_backgrounds[BackgroundTiles::Sky] = &shaders.load("passes/background_sky.frag", "passes/tiles.vert");
     m_backgrounds[BackgroundTiles::Fields] = &shaders.load("passes/background_fields.frag", "passes/tiles.vert");
     m_backgrounds[BackgroundTiles::Both] = &shaders.load("passes/background.frag", "passes/tiles.vert");
@@ -30,21 +31,19 @@ CompositePass::CompositePass(ShaderLibrary& shaders) : m_surfaces(shaders.load("
 
 void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glassShadow) {
     if (!m_surfaces) return;
-    frame.targets.framebuffer({&frame.targets.history("radiance", GL_RGBA16F).current}, &frame.targets.at("depthBuffer")).begin();
-    {
-        const DepthLimit limit(DepthLimit::To::Surfaces);
-        m_surfaces.use();
-        GBufferPass::bind(m_surfaces, frame.targets);
-        bindReflections(m_surfaces, frame);
-        m_surfaces.set("uLight", frame.targets.at("lighting"));
-        m_surfaces.set("uLocalLights", int(LocalLightsPass::needed(frame)));
-        if (LocalLightsPass::needed(frame)) m_surfaces.set("uSpecular", frame.targets.at("specular"));
-        m_surfaces.set("uBevel", int(frame.settings.bevel));
-        m_surfaces.set("uDetail", int(GBufferPass::hasDetail(frame)));
-        m_surfaces.set("uGlassShadow", 0);
-        if (glassShadow) glassShadow->bind(m_surfaces);
-        frame.drawFullscreen();
-    }
+    const FullscreenTargets into{frame.targets, {&frame.targets.history("radiance", GL_RGBA16F).current}, &frame.targets.at("depthBuffer")};
+    drawFullscreen(frame, m_surfaces, into, [&](const Program& program) {
+        GBufferPass::bind(program, frame.targets);
+        bindReflections(program, frame);
+        program.set("uLight", frame.targets.at("lighting"));
+        program.set("uLocalLights", int(LocalLightsPass::needed(frame)));
+        if (LocalLightsPass::needed(frame)) program.set("uSpecular", frame.targets.at("specular"));
+        program.set("uBevel", int(frame.settings.bevel));
+        program.set("uDetail", int(GBufferPass::hasDetail(frame)));
+        program.set("uGlassShadow", 0);
+        if (glassShadow) glassShadow->bind(program);
+    });
+    frame.targets.framebuffer(into.colors, into.depth).begin();
     drawBackground(frame);
 }
 

@@ -17,7 +17,7 @@ public:
 private:
     void drawBackground(const FrameContext& frame);
 
-    const Program& m_surfaces;
+    FullscreenProgram& m_surfaces;
     std::array<const Program*, BackgroundTiles::kBands> m_backgrounds;
     BackgroundTiles m_tiles;
 };

@@ -3,9 +3,7 @@
 
 namespace rubble {
 
-inline constexpr const char* kFarVertexShader = "lib/fullscreen_far.vert";
-
-/// While it lives, triangles of kFarVertexShader touch only the pixels that show a surface, or only those of the sky. The
+/// While it lives, triangles at the far plane touch only the pixels that show a surface, or only those of the sky. The
 /// framebuffer must have the G-buffer's depth buffer. Much cheaper than a branch where branches do not skip work.
 class DepthLimit {
 public:

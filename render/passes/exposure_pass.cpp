@@ -1,5 +1,7 @@
 #include "render/passes/exposure_pass.h"
 
+#include "render/passes/fullscreen.h"
+
 namespace rubble {
 namespace {
 
@@ -7,17 +9,16 @@ constexpr int kOneTexel = 1 << 20;  // a divisor that leaves one texel of any vi
 
 }  // namespace
 
-ExposurePass::ExposurePass(ShaderLibrary& shaders) : m_program(shaders.load("passes/exposure.frag")) {}
+ExposurePass::ExposurePass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("passes/exposure.frag")) {}
 
 void ExposurePass::draw(const FrameContext& frame) const {
     if (!m_program) return;
     const History exposure = frame.pictures.history("exposure", GL_R32F, kOneTexel, Filter::Nearest);
-    frame.pictures.framebuffer({&exposure.current}).begin();
-    m_program.use();
-    m_program.set("uColor", frame.pictures.at("resolved"));
-    m_program.set("uLast", exposure.previous);
-    m_program.set("uLastValid", int(exposure.valid));
-    frame.drawFullscreen();
+    drawFullscreen(frame, m_program, {frame.pictures, {&exposure.current}}, [&](const Program& program) {
+        program.set("uColor", frame.pictures.at("resolved"));
+        program.set("uLast", exposure.previous);
+        program.set("uLastValid", int(exposure.valid));
+    });
 }
 
 }  // namespace rubble

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/passes/fullscreen.h"
 #include "render/passes/local_lights_pass.h"
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
@@ -15,7 +16,9 @@ constexpr int kLongest = 12;  // frames that are averaged: as many as a wall tha
 }  // namespace
 
 FogPass::FogPass(ShaderLibrary& shaders)
-    : m_light(shaders.load("passes/fog_light.frag")), m_filter(shaders.load("passes/fog_filter.frag")), m_over(shaders.load("passes/fog.frag")) {
+    : m_light(shaders.loadFullscreen("passes/fog_light.frag")),
+      m_filter(shaders.loadFullscreen("passes/fog_filter.frag")),
+      m_over(shaders.loadFullscreen("passes/fog.frag", {.merge = {Merge::Over}})) {
     if (!m_light || !m_filter || !m_over) logError("fog is not drawn: " + shaders.errors().back());
 }
 
@@ -25,39 +28,33 @@ bool FogPass::needed(const FrameContext& frame) {
 
 void FogPass::drawLight(const FrameContext& frame) const {
     const History light = frame.targets.history("fogLight", GL_RGBA16F, 2);
-    frame.targets.framebuffer({&light.current}).begin();
-    m_light.use();
-    frame.scene.bindShadow(m_light);
     const bool lights = LocalLightsPass::needed(frame) && !frame.lightGrid->empty();
-    if (lights) frame.lightGrid->bind(m_light);
-    m_light.set("uLocalLights", int(lights));
-    m_light.set("uDepth", frame.targets.at("depth"));
-    m_light.set("uBlueNoise", frame.blueNoise);
-    m_light.set("uLast", light.previous);
-    m_light.set("uLastValid", int(frame.settings.temporal && light.valid));
-    m_light.set("uSunUp", int(frame.settings.sun && frame.block.sunDirection.y > 0.0f));
-    m_light.set("uLongest", float(frame.lightGrid ? std::min(kLongest, frame.lightGrid->framesSinceChange() + 1) : kLongest));
-    frame.drawFullscreen();
+    drawFullscreen(frame, m_light, {frame.targets, {&light.current}}, [&](const Program& program) {
+        frame.scene.bindShadow(program);
+        if (lights) frame.lightGrid->bind(program);
+        program.set("uLocalLights", int(lights));
+        program.set("uDepth", frame.targets.at("depth"));
+        program.set("uBlueNoise", frame.blueNoise);
+        program.set("uLast", light.previous);
+        program.set("uLastValid", int(frame.settings.temporal && light.valid));
+        program.set("uSunUp", int(frame.settings.sun && frame.block.sunDirection.y > 0.0f));
+        program.set("uLongest", float(frame.lightGrid ? std::min(kLongest, frame.lightGrid->framesSinceChange() + 1) : kLongest));
+    });
 }
 
 void FogPass::drawFiltered(const FrameContext& frame) const {
-    frame.targets.framebuffer({&frame.targets.target("fog", GL_RGBA16F, 2, Filter::Linear)}).begin();
-    m_filter.use();
-    m_filter.set("uLight", frame.targets.at("fogLight"));
-    m_filter.set("uDepth", frame.targets.at("depth"));
-    frame.drawFullscreen();
+    const Texture& fog = frame.targets.target("fog", GL_RGBA16F, 2, Filter::Linear);
+    drawFullscreen(frame, m_filter, {frame.targets, {&fog}}, [&](const Program& program) {
+        program.set("uLight", frame.targets.at("fogLight"));
+        program.set("uDepth", frame.targets.at("depth"));
+    });
 }
 
 void FogPass::drawOver(const FrameContext& frame) const {
-    frame.targets.framebuffer({&frame.targets.at("radiance")}).begin();
-    m_over.use();
-    m_over.set("uLight", frame.targets.at("fog"));
-    m_over.set("uDepth", frame.targets.at("depth"));
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_SRC_ALPHA);
-    frame.drawFullscreen();
-    glDisable(GL_BLEND);
+    drawFullscreen(frame, m_over, {frame.targets, {&frame.targets.at("radiance")}}, [&](const Program& program) {
+        program.set("uLight", frame.targets.at("fog"));
+        program.set("uDepth", frame.targets.at("depth"));
+    });
 }
 
 void FogPass::draw(const FrameContext& frame) const {

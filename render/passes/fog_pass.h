@@ -16,9 +16,9 @@ private:
     void drawFiltered(const FrameContext& frame) const;
     void drawOver(const FrameContext& frame) const;
 
-    const Program& m_light;
-    const Program& m_filter;
-    const Program& m_over;
+    FullscreenProgram& m_light;
+    FullscreenProgram& m_filter;
+    FullscreenProgram& m_over;
 };
 
 }  // namespace rubble

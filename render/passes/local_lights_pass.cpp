@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/passes/depth_limit.h"
+#include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
@@ -17,7 +17,9 @@ constexpr int kLongest = 16;  // frames that highlights are averaged over
 
 }  // namespace
 
-LocalLightsPass::LocalLightsPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/local_lights.frag", "passes/local_lights.vert")) {
+LocalLightsPass::LocalLightsPass(ShaderLibrary& shaders)
+    : m_program(
+          shaders.loadFullscreen("passes/local_lights.frag", {.limited = true, .merge = {Merge::Add}, .vertexFile = "passes/local_lights.vert"})) {
     if (!m_program) logError("local lights are not drawn: " + shaders.errors().back());
 }
 
@@ -28,28 +30,25 @@ bool LocalLightsPass::needed(const FrameContext& frame) {
 void LocalLightsPass::draw(const FrameContext& frame) const {
     const History specular = frame.targets.history("specular", GL_RGBA16F);
     const History surface = frame.targets.history("surface", GL_RGBA32F);
-    frame.targets.framebuffer({&frame.targets.target("light", GL_RGBA16F), &specular.current}, &frame.targets.at("depthBuffer")).begin();
+    frame.targets.framebuffer({&specular.current}).begin();
     const float none[4] = {0, 0, 0, 0};
-    glClearBufferfv(GL_COLOR, 1, none);
+    glClearBufferfv(GL_COLOR, 0, none);
     if (!m_program || frame.lightGrid->empty()) return;
-    const DepthLimit limit(DepthLimit::To::Surfaces);
-    m_program.use();
-    GBufferPass::bind(m_program, frame.targets);
-    frame.scene.bindShadow(m_program);
-    frame.lightGrid->bind(m_program);
-    m_program.set("uBlueNoise", frame.blueNoise);
-    m_program.set("uLastSpecular", specular.previous);
-    m_program.set("uLastSurface", surface.previous);
-    m_program.set("uLastValid", int(frame.settings.temporal && specular.valid && surface.valid));
-    m_program.set("uLongest", float(std::min(kLongest, frame.lightGrid->framesSinceChange() + 1)));
-    m_program.set("uFaintest", kFaintest / frame.block.exposure.x);
-    glEnablei(GL_BLEND, 0);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ONE);
-    glBindVertexArray(frame.emptyVertexArray.get());
-    glDrawArraysInstanced(GL_TRIANGLES, 0, 6, frame.lightGrid->tiles());
-    ++frame.figures.drawCalls;
-    glDisablei(GL_BLEND, 0);
+    const FullscreenTargets into{.pool = frame.targets,
+                                 .colors = {&frame.targets.target("light", GL_RGBA16F), &specular.current},
+                                 .depth = &frame.targets.at("depthBuffer"),
+                                 .tiles = frame.lightGrid->tiles()};
+    drawFullscreen(frame, m_program, into, [&](const Program& program) {
+        GBufferPass::bind(program, frame.targets);
+        frame.scene.bindShadow(program);
+        frame.lightGrid->bind(program);
+        program.set("uBlueNoise", frame.blueNoise);
+        program.set("uLastSpecular", specular.previous);
+        program.set("uLastSurface", surface.previous);
+        program.set("uLastValid", int(frame.settings.temporal && specular.valid && surface.valid));
+        program.set("uLongest", float(std::min(kLongest, frame.lightGrid->framesSinceChange() + 1)));
+        program.set("uFaintest", kFaintest / frame.block.exposure.x);
+    });
 }
 
 }  // namespace rubble

@@ -13,7 +13,7 @@ public:
     static bool needed(const FrameContext& frame);
 
 private:
-    const Program& m_program;
+    FullscreenProgram& m_program;
 };
 
 }  // namespace rubble

@@ -1,7 +1,7 @@
 #include "render/passes/reflections_pass.h"
 
 #include "render/passes/bounce.h"
-#include "render/passes/depth_limit.h"
+#include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/scene.h"
 
@@ -20,7 +20,7 @@ void bindMirror(const Program& program, const FrameContext& frame) {
 }  // namespace
 
 ReflectionsPass::ReflectionsPass(ShaderLibrary& shaders)
-    : m_mask(shaders.load("passes/reflection_mask.frag")), m_program(shaders.load("passes/reflections.frag", kFarVertexShader)) {}
+    : m_mask(shaders.load("passes/reflection_mask.frag")), m_program(shaders.loadFullscreen("passes/reflections.frag", {.limited = true})) {}
 
 bool ReflectionsPass::needed(const FrameContext& frame) {
     return frame.settings.reflections && (frame.scene.hasMirrors() || frame.scene.hasGlass() || frame.scene.environment().wetness > 0.0f);
@@ -29,28 +29,25 @@ bool ReflectionsPass::needed(const FrameContext& frame) {
 void ReflectionsPass::draw(const FrameContext& frame) const {
     if (!m_mask || !m_program) return;
     const Texture& mask = frame.targets.target("mirrorDepth", GL_DEPTH_COMPONENT32F);
-    frame.targets.framebuffer({&frame.targets.target("reflection", GL_RGBA16F)}, &mask).begin();
-    const float none[4] = {0, 0, 0, 0}, farthest = 1.0f;
-    glClearBufferfv(GL_COLOR, 0, none);
+    frame.targets.framebuffer({}, &mask).begin();
+    const float farthest = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &farthest);
-
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);  // the triangle lies at one half: marked pixels come nearer than the far plane
     m_mask.use();
     bindMirror(m_mask, frame);
     frame.drawFullscreen();
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDisable(GL_DEPTH_TEST);
 
-    const DepthLimit limit(DepthLimit::To::Surfaces);
-    m_program.use();
-    bindMirror(m_program, frame);
-    frame.scene.bindShadow(m_program);
-    frame.scene.bindVoxelsAt(m_program);
-    bindBounce(m_program, frame);
-    m_program.set("uLight", frame.targets.at("lighting"));
-    m_program.set("uBlueNoise", frame.blueNoise);
-    frame.drawFullscreen();
+    const FullscreenTargets into{frame.targets, {&frame.targets.target("reflection", GL_RGBA16F)}, &mask, {glm::vec4(0.0f)}};
+    drawFullscreen(frame, m_program, into, [&](const Program& program) {
+        bindMirror(program, frame);
+        frame.scene.bindShadow(program);
+        frame.scene.bindVoxelsAt(program);
+        bindBounce(program, frame);
+        program.set("uLight", frame.targets.at("lighting"));
+        program.set("uBlueNoise", frame.blueNoise);
+    });
 }
 
 }  // namespace rubble

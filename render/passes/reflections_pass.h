@@ -13,7 +13,7 @@ public:
 
 private:
     const Program& m_mask;
-    const Program& m_program;
+    FullscreenProgram& m_program;
 };
 
 }  // namespace rubble

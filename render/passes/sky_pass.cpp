@@ -1,29 +1,26 @@
 #include "render/passes/sky_pass.h"
 
 #include "render/passes/bounce.h"
-#include "render/passes/depth_limit.h"
+#include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/scene.h"
 
 namespace rubble {
 
-SkyPass::SkyPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/sky.frag", kFarVertexShader)) {}
+SkyPass::SkyPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("passes/sky.frag", {.limited = true, .merge = {Merge::Color}})) {}
 
 void SkyPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
-    frame.targets.framebuffer({&frame.targets.target("light", GL_RGBA16F)}, &frame.targets.at("depthBuffer")).begin();
-    const DepthLimit limit(DepthLimit::To::Surfaces);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-    m_program.use();
-    GBufferPass::bind(m_program, frame.targets);
-    frame.scene.bindShadow(m_program);
-    bindBounce(m_program, frame);
-    m_program.set("uBlueNoise", frame.blueNoise);
-    m_program.set("uLastLight", frame.targets.history("accumulated", GL_RGBA16F).previous);
-    m_program.set("uRays", frame.settings.skyRays);
-    m_program.set("uReach", frame.settings.skyDistance);
-    frame.drawFullscreen();
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    TargetPool& targets = frame.targets;
+    drawFullscreen(frame, m_program, {targets, {&targets.target("light", GL_RGBA16F)}, &targets.at("depthBuffer")}, [&](const Program& program) {
+        GBufferPass::bind(program, targets);
+        frame.scene.bindShadow(program);
+        bindBounce(program, frame);
+        program.set("uBlueNoise", frame.blueNoise);
+        program.set("uLastLight", targets.history("accumulated", GL_RGBA16F).previous);
+        program.set("uRays", frame.settings.skyRays);
+        program.set("uReach", frame.settings.skyDistance);
+    });
 }
 
 }  // namespace rubble

@@ -1,24 +1,24 @@
 #include "render/passes/taa_pass.h"
 
+#include "render/passes/fullscreen.h"
 #include "render/scene/scene.h"
 
 namespace rubble {
 
-TaaPass::TaaPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/taa.frag")) {}
+TaaPass::TaaPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("passes/taa.frag")) {}
 
 void TaaPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
     const History resolved = frame.pictures.history("resolved", GL_RGBA16F, 1, Filter::Linear);
-    frame.pictures.framebuffer({&resolved.current}).begin();
-    m_program.use();
-    m_program.set("uColor", frame.targets.at("radiance"));
-    m_program.set("uHistory", resolved.previous);
-    m_program.set("uHistoryValid", int(frame.settings.temporal && resolved.valid));
-    m_program.set("uSurface", frame.targets.at("surface"));
-    m_program.set("uMotion", frame.targets.at("motion"));
-    m_program.set("uGlass", int(frame.scene.hasGlass()));
-    if (frame.scene.hasGlass()) m_program.set("uGlassSurface", frame.targets.at("glassSurface"));
-    frame.drawFullscreen();
+    drawFullscreen(frame, m_program, {frame.pictures, {&resolved.current}}, [&](const Program& program) {
+        program.set("uColor", frame.targets.at("radiance"));
+        program.set("uHistory", resolved.previous);
+        program.set("uHistoryValid", int(frame.settings.temporal && resolved.valid));
+        program.set("uSurface", frame.targets.at("surface"));
+        program.set("uMotion", frame.targets.at("motion"));
+        program.set("uGlass", int(frame.scene.hasGlass()));
+        if (frame.scene.hasGlass()) program.set("uGlassSurface", frame.targets.at("glassSurface"));
+    });
 }
 
 }  // namespace rubble

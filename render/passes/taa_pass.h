@@ -10,7 +10,7 @@ public:
     void draw(const FrameContext& frame) const;
 
 private:
-    const Program& m_program;
+    FullscreenProgram& m_program;
 };
 
 }  // namespace rubble

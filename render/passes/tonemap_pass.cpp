@@ -1,21 +1,22 @@
 #include "render/passes/tonemap_pass.h"
 
+#include "render/passes/fullscreen.h"
+
 namespace rubble {
 
-TonemapPass::TonemapPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/tonemap.frag")) {}
+TonemapPass::TonemapPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("passes/tonemap.frag")) {}
 
 void TonemapPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
-    frame.pictures.framebuffer({&frame.pictures.target("final", GL_RGBA8)}).begin();
-    m_program.use();
-    m_program.set("uColor", frame.pictures.at("resolved"));
-    m_program.set("uExposure", frame.pictures.at("exposure"));
-    m_program.set("uBlueNoise", frame.blueNoise);
-    m_program.set("uBloomShare", frame.settings.bloom);
-    if (frame.settings.bloom > 0.0f) m_program.set("uBloom", frame.pictures.at("bloom0"));
-    // TAA softens; without it the picture is as sharp as it gets.
-    m_program.set("uSharpen", frame.settings.temporal ? 0.35f : 0.0f);
-    frame.drawFullscreen();
+    drawFullscreen(frame, m_program, {frame.pictures, {&frame.pictures.target("final", GL_RGBA8)}}, [&](const Program& program) {
+        program.set("uColor", frame.pictures.at("resolved"));
+        program.set("uExposure", frame.pictures.at("exposure"));
+        program.set("uBlueNoise", frame.blueNoise);
+        program.set("uBloomShare", frame.settings.bloom);
+        if (frame.settings.bloom > 0.0f) program.set("uBloom", frame.pictures.at("bloom0"));
+        // TAA softens; without it the picture is as sharp as it gets.
+        program.set("uSharpen", frame.settings.temporal ? 0.35f : 0.0f);
+    });
 }
 
 }  // namespace rubble

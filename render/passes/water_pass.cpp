@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "render/passes/bounce.h"
+#include "render/passes/fullscreen.h"
 #include "render/scene/scene.h"
 #include "runtime/core/log.h"
 
@@ -17,14 +18,8 @@ constexpr size_t kMostRipples = 64;
 constexpr float kRingSpeed = 0.9f;                                                      // m/s
 constexpr std::array kOutlines = {"uOutline0", "uOutline1", "uOutline2", "uOutline3"};  // 8 corners each
 
-}  // namespace
-
-WaterPass::WaterPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/water.frag", "lib/fullscreen.vert")) {
-    if (!m_program) logError("water is not drawn: " + shaders.errors().back());
-}
-
-void WaterPass::setWater(const FrameContext& frame, const Water& water) const {
-    const glm::dvec3 origin = frame.scene.origin();
+void setWater(const Program& program, const Scene& scene, const Water& water) {
+    const glm::dvec3 origin = scene.origin();
     std::array<glm::mat4, kOutlines.size()> corners{};
     const size_t count = std::min(water.outline.size(), kMostCorners);
     for (size_t i = 0; i < count; ++i) {
@@ -32,28 +27,34 @@ void WaterPass::setWater(const FrameContext& frame, const Water& water) const {
         (i % 2 ? pair.z : pair.x) = float(water.outline[i].x - origin.x);
         (i % 2 ? pair.w : pair.y) = float(water.outline[i].z - origin.z);
     }
-    for (size_t i = 0; i < kOutlines.size(); ++i) m_program.set(kOutlines[i], corners[i]);
-    m_program.set("uCorners", int(count));
-    m_program.set("uSurface", float(water.surface - origin.y));
-    m_program.set("uColor", water.color);
-    m_program.set("uClarity", water.clarity);
-    m_program.set("uWaves", glm::vec4(water.waves.height, water.waves.length, water.waves.speed, water.waves.direction));
-    m_program.set("uSeconds", float(frame.scene.seconds()));
+    for (size_t i = 0; i < kOutlines.size(); ++i) program.set(kOutlines[i], corners[i]);
+    program.set("uCorners", int(count));
+    program.set("uSurface", float(water.surface - origin.y));
+    program.set("uColor", water.color);
+    program.set("uClarity", water.clarity);
+    program.set("uWaves", glm::vec4(water.waves.height, water.waves.length, water.waves.speed, water.waves.direction));
+    program.set("uSeconds", float(scene.seconds()));
 }
 
 /// The rings on this water, as the shader reads them: where the crest is and how high it still stands.
-void WaterPass::setRipples(const FrameContext& frame, const Water& water) const {
-    const glm::dvec3 origin = frame.scene.origin();
+void setRipples(const Program& program, const Scene& scene, const Water& water) {
+    const glm::dvec3 origin = scene.origin();
     std::array<glm::vec4, kMostRipples> rings;
     int count = 0;
-    for (const SnapshotRipple& ripple : frame.scene.ripples()) {
+    for (const SnapshotRipple& ripple : scene.ripples()) {
         if (ripple.surface != water.surface || size_t(count) == kMostRipples) continue;
         const float radius = ripple.radius + kRingSpeed * ripple.age;
         const float fade = std::exp(-1.2f * ripple.age) * std::min(ripple.age * 8.0f, 1.0f) * std::sqrt((ripple.radius + 0.3f) / (radius + 0.3f));
         rings[size_t(count++)] = {float(ripple.place.x - origin.x), float(ripple.place.y - origin.z), radius, ripple.strength * fade};
     }
-    m_program.set("uRippleCount", count);
-    if (count > 0) m_program.set("uRipples[0]", std::span<const glm::vec4>(rings.data(), size_t(count)));
+    program.set("uRippleCount", count);
+    if (count > 0) program.set("uRipples[0]", std::span<const glm::vec4>(rings.data(), size_t(count)));
+}
+
+}  // namespace
+
+WaterPass::WaterPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("passes/water.frag")) {
+    if (!m_program) logError("water is not drawn: " + shaders.errors().back());
 }
 
 void WaterPass::draw(const FrameContext& frame) const {
@@ -61,17 +62,16 @@ void WaterPass::draw(const FrameContext& frame) const {
     const Texture& picture = frame.targets.at("radiance");
     for (const Water& water : frame.scene.waters()) {
         const Texture& behind = frame.targets.copy(picture, "behindWater");
-        frame.targets.framebuffer({&picture}).begin();
-        m_program.use();
-        m_program.set("uDepth", frame.targets.at("depth"));
-        m_program.set("uBehind", behind);
-        m_program.set("uBlueNoise", frame.blueNoise);
-        frame.scene.bindShadow(m_program);
-        frame.scene.bindVoxelsAt(m_program);
-        bindBounce(m_program, frame);
-        setWater(frame, water);
-        setRipples(frame, water);
-        frame.drawFullscreen();
+        drawFullscreen(frame, m_program, {frame.targets, {&picture}}, [&](const Program& program) {
+            program.set("uDepth", frame.targets.at("depth"));
+            program.set("uBehind", behind);
+            program.set("uBlueNoise", frame.blueNoise);
+            frame.scene.bindShadow(program);
+            frame.scene.bindVoxelsAt(program);
+            bindBounce(program, frame);
+            setWater(program, frame.scene, water);
+            setRipples(program, frame.scene, water);
+        });
     }
 }
 

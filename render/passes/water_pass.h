@@ -3,8 +3,6 @@
 
 namespace rubble {
 
-struct Water;
-
 /// Draws the surfaces of waters over "radiance": what is below is bent by the waves and tinted by the way through the water, what is
 /// around is mirrored by rays, foam lies where the water ends. Seen from above only; of an outline the first 32 corners count.
 class WaterPass {
@@ -13,10 +11,7 @@ public:
     void draw(const FrameContext& frame) const;
 
 private:
-    void setWater(const FrameContext& frame, const Water& water) const;
-    void setRipples(const FrameContext& frame, const Water& water) const;
-
-    const Program& m_program;
+    FullscreenProgram& m_program;
 };
 
 }  // namespace rubble

@@ -1,6 +1,6 @@
 #include "render/passes/wetness_pass.h"
 
-#include "render/passes/depth_limit.h"
+#include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/scene.h"
 #include "runtime/core/log.h"
@@ -12,28 +12,25 @@ constexpr float kRoofReach = 60.0f;  // metres
 
 }  // namespace
 
-WetnessPass::WetnessPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/wetness.frag", kFarVertexShader)) {
+WetnessPass::WetnessPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("passes/wetness.frag", {.limited = true})) {
     if (!m_program) logError("nothing gets wet: " + shaders.errors().back());
 }
 
 void WetnessPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
-    const TargetPool& targets = frame.targets;
-    // The depth of the G-buffer limits the draw, and what it writes it does not read: roughness comes from a copy.
-    const Texture& before = frame.targets.copy(targets.at("material"), "dryMaterial");
-    frame.targets.framebuffer({&targets.at("albedo"), &targets.at("material")}, &targets.at("depthBuffer")).begin();
-    const DepthLimit limit(DepthLimit::To::Surfaces);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);  // alpha: palette index and motion, which stay
-    m_program.use();
-    GBufferPass::bind(m_program, targets);
-    m_program.set("uMaterial", before);
-    frame.scene.bindShadow(m_program);
-    m_program.set("uBlueNoise", frame.blueNoise);
-    m_program.set("uReach", kRoofReach);
-    frame.drawFullscreen();
-    glDisable(GL_BLEND);
+    TargetPool& targets = frame.targets;
+    // What it writes it does not read: that comes from copies.
+    const Texture &albedo = targets.at("albedo"), &material = targets.at("material");
+    const Texture &dryAlbedo = targets.copy(albedo, "dryAlbedo"), &dryMaterial = targets.copy(material, "dryMaterial");
+    const FullscreenTargets into{targets, {&albedo, &material}, &targets.at("depthBuffer")};
+    drawFullscreen(frame, m_program, into, [&](const Program& program) {
+        GBufferPass::bind(program, targets);
+        program.set("uAlbedo", dryAlbedo);
+        program.set("uMaterial", dryMaterial);
+        frame.scene.bindShadow(program);
+        program.set("uBlueNoise", frame.blueNoise);
+        program.set("uReach", kRoofReach);
+    });
 }
 
 }  // namespace rubble

@@ -3,7 +3,7 @@
 
 namespace rubble {
 
-/// Makes what lies open to the sky wet: blends over the G-buffer's albedo and material, so that light and reflections need to know
+/// Makes what lies open to the sky wet: draws over the G-buffer's albedo and material, so that light and reflections need to know
 /// nothing of it. Made for the first level with Environment::wetness > 0.
 class WetnessPass {
 public:
@@ -11,7 +11,7 @@ public:
     void draw(const FrameContext& frame) const;
 
 private:
-    const Program& m_program;
+    FullscreenProgram& m_program;
 };
 
 }  // namespace rubble

@@ -1,67 +1,58 @@
 #include "render/shader_library/shader_library.h"
 
-#include <algorithm>
-
-#include "render/shader_library/shader_source.h"
+#include "runtime/core/log.h"
 
 namespace rubble {
 
 const Program& ShaderLibrary::load(const std::string& fragmentFile, const std::string& vertexFile) {
-    for (const auto& entry : m_entries)
-        if (entry->fragmentFile == fragmentFile && entry->vertexFile == vertexFile) return entry->program;
-    auto entry = std::make_unique<Entry>(Entry{vertexFile, fragmentFile, {vertexFile, fragmentFile}, {}, {}});
-    build(*entry);
-    m_entries.push_back(std::move(entry));
-    return m_entries.back()->program;
+    for (const auto& built : m_programs)
+        if (built->isOf(fragmentFile, vertexFile)) return built->program();
+    m_programs.push_back(std::make_unique<BuiltProgram>(fragmentFile, vertexFile));
+    m_programs.back()->build(m_folder);
+    return m_programs.back()->program();
 }
 
-bool ShaderLibrary::build(Entry& entry) {
-    entry.newest = newestOf(entry.files);
-    const auto vertex = readShader(m_folder, entry.vertexFile);
-    const auto fragment = readShader(m_folder, entry.fragmentFile);
-    if (!vertex || !fragment) {
-        entry.error = vertex ? fragment.error() : vertex.error();
-        return false;
+FullscreenProgram& ShaderLibrary::loadFullscreen(const std::string& file, const FullscreenKind& kind) {
+    for (const auto& program : m_fullscreenPrograms)
+        if (program->file() == file) return *program;
+    auto program = std::make_unique<FullscreenProgram>(file, kind);
+    if (m_fullscreen != Fullscreen::Compute) program->make(FullscreenBy::Fragment).build(m_folder);
+    if (m_fullscreen != Fullscreen::Fragment && !program->make(FullscreenBy::Compute).build(m_folder) && m_fullscreen == Fullscreen::Both) {
+        logWarning("fragments draw what does not build as a compute program: " + program->built(FullscreenBy::Compute)->error());
+        program->release(FullscreenBy::Compute);
     }
-    entry.files = vertex->files;
-    entry.files.insert(entry.files.end(), fragment->files.begin(), fragment->files.end());
-    entry.newest = newestOf(entry.files);
-    std::string log;
-    bool vertexFailed = false;
-    Program program(vertex->text, fragment->text, log, vertexFailed);
-    if (!program) {
-        entry.error = (vertexFailed ? *vertex : *fragment).explain(log);
-        return false;
-    }
-    entry.error.clear();
-    entry.program = std::move(program);
-    return true;
+    m_fullscreenPrograms.push_back(std::move(program));
+    return *m_fullscreenPrograms.back();
+}
+
+template <class F>
+void ShaderLibrary::forEach(F&& visit) const {
+    for (const auto& built : m_programs) visit(*built);
+    for (const auto& program : m_fullscreenPrograms)
+        for (const FullscreenBy by : {FullscreenBy::Fragment, FullscreenBy::Compute})
+            if (auto& built = program->built(by)) visit(*built);
 }
 
 bool ShaderLibrary::reloadChanged() {
     bool any = false;
-    for (const auto& entry : m_entries) {
-        if (newestOf(entry->files) <= entry->newest) continue;
-        any |= build(*entry);
-    }
+    forEach([&](BuiltProgram& built) {
+        if (built.hasChanged(m_folder)) any |= built.build(m_folder);
+    });
     return any;
 }
 
 std::vector<std::string> ShaderLibrary::errors() const {
     std::vector<std::string> all;
-    for (const auto& entry : m_entries)
-        if (!entry->error.empty()) all.push_back(entry->error);
+    forEach([&](const BuiltProgram& built) {
+        if (!built.error().empty()) all.push_back(built.error());
+    });
     return all;
 }
 
-std::filesystem::file_time_type ShaderLibrary::newestOf(const std::vector<std::string>& files) const {
-    auto newest = std::filesystem::file_time_type::min();
-    for (const std::string& file : files) {
-        std::error_code missing;
-        const auto time = std::filesystem::last_write_time(m_folder / file, missing);
-        if (!missing) newest = std::max(newest, time);
-    }
-    return newest;
+int ShaderLibrary::computePrograms() const {
+    int count = 0;
+    for (const auto& program : m_fullscreenPrograms) count += program->has(FullscreenBy::Compute);
+    return count;
 }
 
 }  // namespace rubble

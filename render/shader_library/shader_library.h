@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/gl/program.h"
+#include "render/shader_library/fullscreen_program.h"
 
 namespace rubble {
 
@@ -12,28 +12,33 @@ namespace rubble {
 /// and its error, with file and line, is in errors(). [render-thread]
 class ShaderLibrary {
 public:
-    explicit ShaderLibrary(std::filesystem::path folder) : m_folder(std::move(folder)) {}
+    /// What shaders that cover their targets are built as.
+    enum class Fullscreen {
+        Fragment,
+        Compute,
+        Both,  ///< a compute program that does not build is none: the fragment program draws
+    };
+    explicit ShaderLibrary(std::filesystem::path folder, Fullscreen fullscreen = Fullscreen::Fragment)
+        : m_folder(std::move(folder)), m_fullscreen(fullscreen) {}
 
     /// Files under the shader folder. The reference stays valid; a reload puts a new program into it.
     const Program& load(const std::string& fragmentFile, const std::string& vertexFile = "lib/fullscreen.vert");
+    /// A shader that covers its targets. The reference stays valid.
+    FullscreenProgram& loadFullscreen(const std::string& file, const FullscreenKind& kind = {});
     /// Rebuilds what uses a file that changed on disk; on an error the last good program stays. True if any was rebuilt.
     bool reloadChanged();
     /// Of the programs whose files do not build as they are now, with file and line.
     std::vector<std::string> errors() const;
+    int computePrograms() const;
 
 private:
-    struct Entry {
-        std::string vertexFile, fragmentFile;
-        std::vector<std::string> files;
-        std::filesystem::file_time_type newest;
-        Program program;
-        std::string error = {};
-    };
-    bool build(Entry& entry);
-    std::filesystem::file_time_type newestOf(const std::vector<std::string>& files) const;
+    template <class F>
+    void forEach(F&& visit) const;
 
     std::filesystem::path m_folder;
-    std::vector<std::unique_ptr<Entry>> m_entries;
+    Fullscreen m_fullscreen;
+    std::vector<std::unique_ptr<BuiltProgram>> m_programs;
+    std::vector<std::unique_ptr<FullscreenProgram>> m_fullscreenPrograms;
 };
 
 }  // namespace rubble

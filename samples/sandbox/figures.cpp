@@ -1,6 +1,7 @@
 #include "samples/sandbox/figures.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
@@ -56,6 +57,8 @@ void Figures::addPicture(const FrameLoop& loop, const Renderer& renderer) {
     series("bytes uploaded").push_back(double(figures.uploadBytes));
     series("texture bytes").push_back(double(figures.textureBytes));
     series("shapes drawn from").push_back(figures.shapes);
+    series("compute programs held").push_back(figures.computePrograms);
+    m_computePasses.assign(figures.computePasses.begin(), figures.computePasses.end());
 }
 
 std::string Figures::table() const {
@@ -66,6 +69,7 @@ std::string Figures::table() const {
         out += fmt::format(fmt::runtime(line), s.name, q.p50, q.p95, q.p99, q.max);
     }
     for (const auto& [name, value] : m_single) out += fmt::format("{:<28}{:>14.3f}\n", name, value);
+    out += fmt::format("passes drawn by compute: {}\n", m_computePasses.empty() ? "none" : fmt::format("{}", fmt::join(m_computePasses, ", ")));
     out += fmt::format("voxels removed {}, painted {}; splits {}, pieces {}; light groups out {}\n", m_removed, m_painted, m_splits, m_pieces,
                        m_groupsOut);
     out += fmt::format("ledger: imported {} = standing {} + in pieces {} + removed {}: {}\n", m_ledger.imported, m_ledger.standing, m_ledger.inPieces,
@@ -81,6 +85,7 @@ bool Figures::writeJson(const std::string& path) const {
         json["series"][s.name] = {{"p50", q.p50}, {"p95", q.p95}, {"p99", q.p99}, {"max", q.max}, {"values", s.values}};
     }
     for (const auto& [name, value] : m_single) json["run"][name] = value;
+    json["compute_passes"] = m_computePasses;
     json["voxels_removed"] = m_removed;
     json["voxels_painted"] = m_painted;
     json["splits"] = m_splits;

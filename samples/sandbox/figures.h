@@ -32,6 +32,7 @@ private:
     std::vector<Series> m_series;  ///< in the order first seen
     std::map<std::string, double> m_single;
     std::vector<uint64_t> m_hashes;
+    std::vector<std::string> m_computePasses;  ///< of the last picture
     uint64_t m_removed = 0, m_splits = 0, m_pieces = 0, m_painted = 0, m_groupsOut = 0;
     Ledger m_ledger;
 };

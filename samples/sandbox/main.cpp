@@ -63,6 +63,9 @@ int run(int argc, char** argv) {
     app.add_option("--preset", options.preset, "fast, balanced or accurate")
         ->capture_default_str()
         ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
+    app.add_option("--fullscreen", options.fullscreen, "what draws full-screen passes: fragment, compute, fastest (measured) or auto")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"auto", "fragment", "compute", "fastest"}));
     app.add_option("--seed", options.seed, "of everything random")->capture_default_str();
     app.add_option("--pass", options.pass, "show this target of the renderer (an unknown name lists them)")->capture_default_str();
     app.add_flag("--headless", options.headless, "no window even where there is a display");

@@ -17,6 +17,7 @@ struct SandboxOptions {
     int fps = 30;          ///< pictures a second of game time; must divide 60
     double seconds = 0.0;  ///< of game time; 0: as long as the scene says, or ten
     std::string preset = "balanced";
+    std::string fullscreen = "auto";  ///< what draws full-screen passes: auto, fragment, compute or fastest
     uint64_t seed = 1;
     std::string pass = "final";  ///< which target of the renderer is the picture
     bool headless = false;       ///< no window even where there is a display

@@ -168,7 +168,9 @@ int runWindow(const SandboxOptions& options) {
     if (!stage) return logError(stage.error()), 1;
     auto window = Window::create({options.width, options.height}, "Rubble sandbox");
     if (!window) return logError(window.error()), 1;
-    auto renderer = Renderer::create((*window)->loader(), options.shaders, RenderSettings::preset(options.preset));
+    RenderSettings settings = RenderSettings::preset(options.preset);
+    settings.fullscreen = RenderSettings::fullscreenNamed(options.fullscreen);
+    auto renderer = Renderer::create((*window)->loader(), options.shaders, settings);
     if (!renderer) return logError(renderer.error()), 1;
     Game game(options, **window, std::move(*stage), std::move(*renderer));
     for (int frames = 1; game.frame(); ++frames) {

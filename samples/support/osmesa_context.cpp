@@ -5,19 +5,22 @@
 namespace rubble {
 
 Result<std::unique_ptr<GlContext>> OsMesaContext::create() {
-    const int attributes[] = {OSMESA_FORMAT,
-                              OSMESA_RGBA,
-                              OSMESA_DEPTH_BITS,
-                              24,
-                              OSMESA_PROFILE,
-                              OSMESA_CORE_PROFILE,
-                              OSMESA_CONTEXT_MAJOR_VERSION,
-                              3,
-                              OSMESA_CONTEXT_MINOR_VERSION,
-                              3,
-                              0};
     auto result = std::make_unique<OsMesaContext>();
-    result->m_context = OSMesaCreateContextAttribs(attributes, nullptr);
+    for (const GlVersion wanted : kWantedGl) {
+        const int attributes[] = {OSMESA_FORMAT,
+                                  OSMESA_RGBA,
+                                  OSMESA_DEPTH_BITS,
+                                  24,
+                                  OSMESA_PROFILE,
+                                  OSMESA_CORE_PROFILE,
+                                  OSMESA_CONTEXT_MAJOR_VERSION,
+                                  wanted.major,
+                                  OSMESA_CONTEXT_MINOR_VERSION,
+                                  wanted.minor,
+                                  0};
+        result->m_context = OSMesaCreateContextAttribs(attributes, nullptr);
+        if (result->m_context) break;
+    }
     if (!result->m_context) return Error{"OSMesa: no OpenGL 3.3 core context (Debian package libosmesa6)"};
     constexpr int kSide = 16;
     result->m_pixels.resize(kSide * kSide * 4);

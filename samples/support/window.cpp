@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "samples/support/gl_context.h"
+
 namespace rubble {
 
 Result<std::unique_ptr<Window>> Window::create(glm::ivec2 size, const std::string& title) {
@@ -15,10 +17,14 @@ Result<std::unique_ptr<Window>> Window::create(glm::ivec2 size, const std::strin
         return Error{std::string(what) + ": " + (reason ? reason : "no reason given") + " (try --headless)"};
     };
     if (!glfwInit()) return failure("cannot open a display");
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    GLFWwindow* window = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+    GLFWwindow* window = nullptr;
+    for (const GlVersion wanted : kWantedGl) {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, wanted.major);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, wanted.minor);
+        window = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+        if (window) break;
+    }
     if (!window) return failure("cannot open a window with OpenGL 3.3 core");
     glfwMakeContextCurrent(window);
     glfwSwapInterval(1);

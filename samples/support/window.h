@@ -10,7 +10,7 @@ struct GLFWwindow;
 
 namespace rubble {
 
-/// A window with a GL 3.3 core context, current on the thread that made it. Keys by GLFW's names.
+/// A window with a GL core context, current on the thread that made it. Keys by GLFW's names.
 class Window {
 public:
     static Result<std::unique_ptr<Window>> create(glm::ivec2 size, const std::string& title);

@@ -47,6 +47,7 @@ vec4 overTime(vec4 now, vec3 position) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
+    if (lightsAt(pixel, -1.0).y == 0) discard;  // local_lights.vert leaves these tiles out; compute has none
     Surface s = readSurface(pixel);
     vec3 position = worldFromDepth(uv, s.depth);
     int chosen;

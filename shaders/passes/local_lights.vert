@@ -3,12 +3,10 @@
 #include "lib/sampling.glsl"
 #include "lib/local_lights.glsl"
 
-out vec2 uv;
-
 void main() {
     const vec2 kCorners[6] = vec2[6](vec2(0, 0), vec2(1, 0), vec2(1, 1), vec2(0, 0), vec2(1, 1), vec2(0, 1));
     vec2 tile = vec2(gl_InstanceID % uLightGrid.x, gl_InstanceID / uLightGrid.x);
     bool reached = lightsAt(ivec2(tile) * kTilePixels, -1.0).y > 0;
-    uv = (tile + (reached ? kCorners[gl_VertexID] : vec2(0.0))) * float(kTilePixels) * frame.targetSize.zw;
-    gl_Position = vec4(uv * 2.0 - 1.0, 1.0, 1.0);
+    vec2 corner = (tile + (reached ? kCorners[gl_VertexID] : vec2(0.0))) * float(kTilePixels) * frame.targetSize.zw;
+    gl_Position = vec4(corner * 2.0 - 1.0, 1.0, 1.0);
 }

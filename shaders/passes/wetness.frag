@@ -1,4 +1,4 @@
-// Rain on what lies open to the sky, blended over the G-buffer: a film that darkens and smooths what is rough, and puddles on
+// Rain on what lies open to the sky, over the G-buffer: a film that darkens and smooths what is rough, and puddles on
 // level ground. A ray upward tells what is under a roof.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
@@ -9,8 +9,8 @@
 uniform float uReach;  // metres: a roof higher than that keeps nothing dry
 
 in vec2 uv;
-layout(location = 0) out vec4 outAlbedo;    // a: how far the colour goes to rgb
-layout(location = 1) out vec4 outMaterial;  // roughness, metallic, reflectivity; a: how far they go there
+layout(location = 0) out vec4 outAlbedo;
+layout(location = 1) out vec4 outMaterial;
 
 const float kRainAngle = 0.12;         // radians that drops fall aslant
 const float kPuddleMetres = 2.2;       // across, about
@@ -38,7 +38,10 @@ void main() {
     float film = smoothstep(0.0, 0.6, wetness) * mix(0.35, 1.0, max(up, 0.0));
     float puddle = up > 0.9 ? smoothstep(0.0, 0.05, puddleDepth(place, wetness)) : 0.0;
     float porous = smoothstep(0.25, 0.7, s.roughness) * (1.0 - s.metallic);
-    outAlbedo = vec4(vec3(0.0), porous * (0.28 * film + 0.10 * puddle));
+    // The alphas, palette index and motion, stay.
+    vec4 albedo = texelFetch(uAlbedo, pixel, 0), material = texelFetch(uMaterial, pixel, 0);
+    outAlbedo = vec4(albedo.rgb * (1.0 - porous * (0.28 * film + 0.10 * puddle)), albedo.a);
     float damp = film * smoothstep(0.3, 0.9, up);
-    outMaterial = vec4(mix(0.34, 0.02, puddle), s.metallic, mix(0.035, 0.05, puddle), max(puddle, 0.75 * damp));
+    vec3 wet = vec3(mix(0.34, 0.02, puddle), s.metallic, mix(0.035, 0.05, puddle));
+    outMaterial = vec4(mix(material.rgb, wet, max(puddle, 0.75 * damp)), material.a);
 }

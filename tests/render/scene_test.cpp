@@ -73,7 +73,7 @@ TEST_F(StateGuardTest, PutsBackWhatAHostHadSet) {
     GLuint texture, buffer;
     glGenTextures(1, &texture);
     glGenBuffers(1, &buffer);
-    glActiveTexture(GL_TEXTURE3);
+    glActiveTexture(GL_TEXTURE20);
     glBindTexture(GL_TEXTURE_2D, texture);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     glEnable(GL_BLEND);
@@ -84,7 +84,7 @@ TEST_F(StateGuardTest, PutsBackWhatAHostHadSet) {
     {
         const GlStateGuard guard;
         EXPECT_FALSE(glIsEnabled(GL_BLEND)) << "passes start from a known state";
-        glActiveTexture(GL_TEXTURE3);
+        glActiveTexture(GL_TEXTURE20);
         glBindTexture(GL_TEXTURE_2D, 0);
         glBindBuffer(GL_ARRAY_BUFFER, 0);
         glBlendFunc(GL_ZERO, GL_SRC_COLOR);
@@ -97,7 +97,7 @@ TEST_F(StateGuardTest, PutsBackWhatAHostHadSet) {
         glGetIntegerv(name, value);
         return value[0];
     };
-    EXPECT_EQ(get(GL_ACTIVE_TEXTURE), GL_TEXTURE3);
+    EXPECT_EQ(get(GL_ACTIVE_TEXTURE), GL_TEXTURE20);
     EXPECT_EQ(get(GL_TEXTURE_BINDING_2D), GLint(texture));
     EXPECT_EQ(get(GL_ARRAY_BUFFER_BINDING), GLint(buffer));
     EXPECT_TRUE(glIsEnabled(GL_BLEND));
@@ -109,6 +109,28 @@ TEST_F(StateGuardTest, PutsBackWhatAHostHadSet) {
     glDepthMask(GL_TRUE);
     glDeleteTextures(1, &texture);
     glDeleteBuffers(1, &buffer);
+}
+
+TEST_F(StateGuardTest, PutsBackTheImagesThatComputeProgramsStoreInto) {
+    if (!hasCompute()) GTEST_SKIP() << "no GL 4.3";
+    const Texture first(GL_RGBA32F, {4, 4}), second(GL_R32F, {4, 4}), ours(GL_RGBA16F, {4, 4});
+    glBindImageTexture(0, first.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+    glBindImageTexture(1, second.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
+    {
+        const GlStateGuard guard;
+        for (const GLuint unit : {0u, 1u}) glBindImageTexture(unit, ours.name(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA16F);
+    }
+    const auto get = [](GLenum name, GLuint unit) {
+        GLint value = -1;
+        glGetIntegeri_v(name, unit, &value);
+        return value;
+    };
+    EXPECT_EQ(get(GL_IMAGE_BINDING_NAME, 0), GLint(first.name()));
+    EXPECT_EQ(get(GL_IMAGE_BINDING_ACCESS, 0), GL_READ_WRITE);
+    EXPECT_EQ(get(GL_IMAGE_BINDING_FORMAT, 0), GL_RGBA32F);
+    EXPECT_EQ(get(GL_IMAGE_BINDING_NAME, 1), GLint(second.name()));
+    EXPECT_EQ(get(GL_IMAGE_BINDING_FORMAT, 1), GL_R32F);
+    for (const GLuint unit : {0u, 1u}) glBindImageTexture(unit, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R8);
 }
 
 }  // namespace

@@ -71,6 +71,68 @@ TEST_F(ShaderLibraryTest, ReloadKeepsTheLastGoodProgram) {
     EXPECT_TRUE(shaders.errors().empty());
 }
 
+/// Both programs of a shader that covers its targets, each in a library of its own.
+class FullscreenLibraryTest : public ShaderLibraryTest {
+protected:
+    void SetUp() override {
+        ShaderLibraryTest::SetUp();
+        if (!hasCompute()) GTEST_SKIP() << "no GL 4.3";
+        write("lib/fullscreen_far.vert", "void main() { gl_Position = vec4(0.0); }\n");
+    }
+    static constexpr ShaderLibrary::Fullscreen kEach[] = {ShaderLibrary::Fullscreen::Fragment, ShaderLibrary::Fullscreen::Compute};
+};
+
+TEST_F(FullscreenLibraryTest, ErrorsNameTheFileAndLineInBothPrograms) {
+    write("lib/broken.glsl", "// one\n// two\nfloat three() { return nothing; }\n");
+    write("a.frag", "#include \"lib/broken.glsl\"\nin vec2 uv;\nout vec4 color;\nvoid main() { color = vec4(three()); }\n");
+    write("b.frag", "in vec2 uv;\n  layout(location = 0)  out  vec4 color ;  // rgb\n\nvoid main() {\n    color = uv;\n}\n");
+    for (const auto each : kEach) {
+        ShaderLibrary shaders(folder, each);
+        EXPECT_FALSE(shaders.loadFullscreen("a.frag"));
+        EXPECT_FALSE(shaders.loadFullscreen("b.frag"));
+        ASSERT_EQ(shaders.errors().size(), 2u);
+        EXPECT_NE(shaders.errors()[0].find("lib/broken.glsl:3"), std::string::npos) << shaders.errors()[0];
+        EXPECT_NE(shaders.errors()[1].find("b.frag:5"), std::string::npos) << shaders.errors()[1];
+    }
+}
+
+TEST_F(FullscreenLibraryTest, BuildsWhatIsAskedForAndNothingElse) {
+    write("a.frag", "out vec4 color;\nvoid main() { if (gl_FragCoord.x < 3.0) discard; color = vec4(1.0); }\n");
+    for (const auto each : kEach) {
+        ShaderLibrary shaders(folder, each);
+        const FullscreenProgram& program = shaders.loadFullscreen("a.frag");
+        EXPECT_TRUE(shaders.errors().empty()) << shaders.errors()[0];
+        const bool compute = each == ShaderLibrary::Fullscreen::Compute;
+        EXPECT_EQ(program.has(FullscreenBy::Fragment), !compute);
+        EXPECT_EQ(program.has(FullscreenBy::Compute), compute);
+        EXPECT_EQ(shaders.computePrograms(), int(compute));
+        EXPECT_EQ(&shaders.loadFullscreen("a.frag"), &program) << "built once";
+    }
+}
+
+TEST_F(FullscreenLibraryTest, WhatOnlyFragmentsCanDoIsDrawnByThem) {
+    write("a.frag", "in vec2 uv;\nout vec4 color;\nvoid main() { color = vec4(dFdx(uv), uv); }\n");
+    ShaderLibrary shaders(folder, ShaderLibrary::Fullscreen::Both);
+    FullscreenProgram& program = shaders.loadFullscreen("a.frag");
+    EXPECT_TRUE(program.has(FullscreenBy::Fragment));
+    EXPECT_FALSE(program.has(FullscreenBy::Compute));
+    EXPECT_TRUE(shaders.errors().empty()) << "there is something to draw with";
+}
+
+TEST_F(FullscreenLibraryTest, AReleasedProgramIsNotBuiltAgain) {
+    write("a.frag", "out vec4 color;\nvoid main() { color = vec4(1.0); }\n");
+    ShaderLibrary shaders(folder, ShaderLibrary::Fullscreen::Both);
+    FullscreenProgram& program = shaders.loadFullscreen("a.frag");
+    EXPECT_EQ(shaders.computePrograms(), 1);
+    program.release(FullscreenBy::Compute);
+    EXPECT_EQ(shaders.computePrograms(), 0);
+    write("a.frag", "out vec4 color;\nvoid main() { color = vec4(0.5); }\n");
+    std::filesystem::last_write_time(folder / "a.frag", std::filesystem::file_time_type::clock::now() + std::chrono::seconds(10));
+    EXPECT_TRUE(shaders.reloadChanged());
+    EXPECT_EQ(shaders.computePrograms(), 0);
+    EXPECT_TRUE(program.has(FullscreenBy::Fragment));
+}
+
 TEST_F(ShaderLibraryTest, FrameBlockLiesInTheShaderAsInMemory) {
     write("a.frag", "");
     ShaderLibrary shaders(shaderFolder());

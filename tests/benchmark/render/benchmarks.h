@@ -14,6 +14,7 @@ struct Options {
     bool processorTime = false;  ///< of all threads, instead of the wall's
     std::string shaders = RUBBLE_SOURCE_DIR "/shaders";
     std::string preset = "balanced";  ///< of the renderer, where a whole frame is measured
+    std::string fullscreen = "auto";  ///< what draws full-screen passes, where a whole frame is measured; "both": side by side
     std::string picture;              ///< folder for PNGs of what was measured; empty: none
 };
 

@@ -26,6 +26,9 @@ int main(int argc, char** argv) {
     app.add_option("--preset", options.preset, "frame: fast, balanced or accurate")
         ->capture_default_str()
         ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
+    app.add_option("--fullscreen", options.fullscreen, "frame: what draws full-screen passes; both: fragment and compute side by side")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"auto", "fragment", "compute", "fastest", "both"}));
     app.add_option("--shaders", options.shaders, "folder of the shaders")->capture_default_str();
     app.add_option("--pictures", options.picture, "folder for pictures of what was measured");
     CLI11_PARSE(app, argc, argv);

@@ -1,0 +1,58 @@
+#include "render/fullscreen_choice.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace rubble {
+
+FullscreenChoice FullscreenChoice::fastest() {
+    FullscreenChoice choice(FullscreenBy::Fragment);
+    choice.m_measures = true;
+    return choice;
+}
+
+void FullscreenChoice::beginPass(const char* name) {
+    m_now = nullptr;
+    m_hasComputed = false;
+    if (!m_measures) return;
+    m_now = &m_passes[name];
+    if (!m_now->isDecided) m_now->by = m_now->frames++ % 2 ? FullscreenBy::Compute : FullscreenBy::Fragment;
+}
+
+double FullscreenChoice::median(std::vector<double> values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+void FullscreenChoice::addTimes(const Times& passMs) {
+    if (!m_measures) return;
+    for (const auto& [name, ms] : passMs) {
+        const auto found = m_passes.find(std::string_view(name));
+        if (found == m_passes.end() || found->second.isDecided || !found->second.isUsed) continue;
+        Pass& pass = found->second;
+        std::vector<double>& fragment = pass.ms[size_t(FullscreenBy::Fragment)];
+        std::vector<double>& compute = pass.ms[size_t(FullscreenBy::Compute)];
+        pass.ms[size_t(pass.by)].push_back(ms);
+        if (fragment.size() < kSkipped + kTimed || compute.size() < kSkipped + kTimed) continue;
+        for (auto* times : {&fragment, &compute}) *times = {median({times->begin() + kSkipped, times->end()})};
+        pass.by = compute[0] < fragment[0] ? FullscreenBy::Compute : FullscreenBy::Fragment;
+        pass.isDecided = pass.isNews = true;
+    }
+}
+
+std::string FullscreenChoice::takeNews() {
+    const auto isMeasured = [](const auto& each) { return each.second.isUsed && !each.second.isDecided; };
+    if (std::any_of(m_passes.begin(), m_passes.end(), isMeasured)) return {};
+    std::ostringstream news;
+    for (auto& [name, pass] : m_passes) {
+        if (!std::exchange(pass.isNews, false)) continue;
+        const bool byCompute = pass.by == FullscreenBy::Compute;
+        news << (news.tellp() > 0 ? ", " : "") << name << (byCompute ? " by compute (" : " by fragments (") << std::fixed << std::setprecision(3)
+             << pass.ms[size_t(pass.by)][0] << " ms, the other way " << pass.ms[byCompute ? 0 : 1][0] << ")";
+    }
+    return news.str();
+}
+
+}  // namespace rubble

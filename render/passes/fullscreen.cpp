@@ -1,0 +1,92 @@
+#include "render/passes/fullscreen.h"
+
+#include <cassert>
+#include <glm/gtc/type_ptr.hpp>
+#include <optional>
+
+#include "render/fullscreen_choice.h"
+#include "render/passes/depth_limit.h"
+
+namespace rubble {
+namespace {
+
+constexpr FullscreenBy otherThan(FullscreenBy by) {
+    return by == FullscreenBy::Fragment ? FullscreenBy::Compute : FullscreenBy::Fragment;
+}
+
+/// By what this draws; what is not needed any more is freed.
+FullscreenBy chooseFor(const FrameContext& frame, FullscreenProgram& program) {
+    const FullscreenBy wanted = frame.choice ? frame.choice->by() : FullscreenBy::Fragment;
+    if (!program.has(wanted)) return otherThan(wanted);
+    if (frame.choice && frame.choice->isDecided()) program.release(otherThan(wanted));
+    return wanted;
+}
+
+/// While it lives, fixed function merges what fragments write with what the targets hold.
+class MergeState {
+public:
+    explicit MergeState(const FullscreenKind& kind) : m_targets(GLuint(kind.merge.size())) {
+        glBlendEquation(GL_FUNC_ADD);
+        for (GLuint i = 0; i < m_targets; ++i) set(i, kind.merge[i]);
+    }
+    ~MergeState() {
+        for (GLuint i = 0; i < m_targets; ++i) glDisablei(GL_BLEND, i);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    }
+    MergeState(const MergeState&) = delete;
+    MergeState& operator=(const MergeState&) = delete;
+
+private:
+    static void set(GLuint target, Merge merge) {
+        if (merge == Merge::Color) glColorMaski(target, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+        if (merge == Merge::Alpha) glColorMaski(target, GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+        if (merge == Merge::Add) glBlendFunc(GL_ONE, GL_ONE);
+        if (merge == Merge::Over) glBlendFunc(GL_ONE, GL_SRC_ALPHA);
+        if (merge == Merge::Add || merge == Merge::Over) glEnablei(GL_BLEND, target);
+    }
+    GLuint m_targets;
+};
+
+}  // namespace
+
+FullscreenDraw::FullscreenDraw(const FrameContext& frame, FullscreenProgram& program, const FullscreenTargets& into)
+    : m_frame(frame), m_into(into), m_by(chooseFor(frame, program)), m_program(program) {
+    assert(program.kind().limited == (into.depth != nullptr) && "a limited program needs a depth buffer, the others have none");
+    if (m_by == FullscreenBy::Fragment || !into.clear.empty()) into.pool.framebuffer(into.colors, into.depth).begin();
+    for (size_t i = 0; i < into.clear.size(); ++i) glClearBufferfv(GL_COLOR, GLint(i), glm::value_ptr(into.clear[i]));
+    this->program().use();
+    this->program().set("uTexelSize", 1.0f / glm::vec2(into.colors[0]->size()));
+}
+
+void FullscreenDraw::run() const {
+    m_by == FullscreenBy::Fragment ? rasterize() : dispatch();
+    ++m_frame.figures.drawCalls;
+    if (m_frame.choice) m_frame.choice->noteDraw(m_by);
+}
+
+void FullscreenDraw::rasterize() const {
+    std::optional<DepthLimit> limit;
+    if (m_into.depth) limit.emplace(DepthLimit::To::Surfaces);
+    const MergeState merge(m_program.kind());
+    glBindVertexArray(m_frame.emptyVertexArray.get());
+    m_into.tiles ? glDrawArraysInstanced(GL_TRIANGLES, 0, 6, m_into.tiles) : glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void FullscreenDraw::dispatch() const {
+    const glm::ivec2 size = m_into.colors[0]->size();
+    if (m_into.depth) program().set("uDepthLimit", *m_into.depth);
+    program().set("uTargetSize", size);
+    for (size_t i = 0; i < m_into.colors.size(); ++i) {
+        const Texture& target = *m_into.colors[i];
+        const Merge merge = m_program.kind().mergeOf(i);
+        assert((merge == Merge::Replace || target.internalFormat() == GL_RGBA16F) && "see Merge");
+        glBindImageTexture(GLuint(i), target.name(), 0, GL_FALSE, 0, merge == Merge::Replace ? GL_WRITE_ONLY : GL_READ_WRITE,
+                           target.internalFormat());
+    }
+    // Before: nothing is overwritten that an earlier pass still reads. After: whoever comes next sees it.
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    glDispatchCompute(GLuint(size.x + kGroupWidth - 1) / kGroupWidth, GLuint(size.y + kGroupHeight - 1) / kGroupHeight, 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
+}  // namespace rubble

@@ -1,0 +1,258 @@
+// Full-screen passes by fragments and by compute programs: the same numbers in every target.
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "render/fullscreen_choice.h"
+#include "runtime/core/log.h"
+#include "tests/golden/drawing.h"
+#include "tests/support/temp_folder.h"
+
+namespace rubble {
+namespace {
+
+constexpr glm::ivec2 kSize(96, 64);
+
+/// In the order drawn: the first that differs names the pass.
+constexpr const char* kTargets[] = {"albedo",      "material", "light",    "specular",   "lightPulse", "lightTrusted",
+                                    "accumulated", "surface",  "lighting", "reflection", "radiance",   "fogLight",
+                                    "fog",         "resolved", "bloom0",   "exposure",   "final"};
+const std::vector<std::string> kPasses = {"wetness",   "sun", "sky", "local lights", "accumulate", "filter", "reflections",
+                                          "composite", "fog", "taa", "bloom",        "exposure",   "tonemap"};
+
+/// Sun and sky, lamps, wet ground, panes, mirrors, fog.
+LitScene everything() {
+    LitScene scene = streetScene();
+    scene.environment.wetness = 0.8f;
+    scene.environment.fogDensity = 0.02f;
+    scene.addLight({LightKind::Sphere, {-1.0, 2.0, -3.0}, {0, -1, 0}, {4.0f, 9.0f, 14.0f}, 0.1f, 6.0f, 0.0f, 0.0f});
+    return scene;
+}
+
+FrameSnapshot withWater(const LitScene& scene) {
+    FrameSnapshot snapshot = scene.snapshot();
+    Water water;
+    water.outline = {{0.5, -8.0}, {6.0, -8.0}, {6.0, -4.5}, {0.5, -4.5}};
+    water.surface = 0.15;
+    snapshot.waters = {water};
+    snapshot.watersChanged = true;
+    return snapshot;
+}
+
+/// How far two targets lie apart, and in how many numbers.
+struct Apart {
+    int numbers = 0, clearly = 0;  ///< clearly: by more than rounding
+    float most = 0.0f;
+};
+
+Apart apart(const FloatImage& a, const FloatImage& b) {
+    Apart found;
+    for (size_t i = 0; i < a.pixels.size(); ++i)
+        for (int c = 0; c < 4; ++c) {
+            if (std::memcmp(&a.pixels[i][c], &b.pixels[i][c], sizeof(float)) == 0) continue;
+            ++found.numbers;
+            const float difference = std::abs(a.pixels[i][c] - b.pixels[i][c]);
+            found.most = std::max(found.most, difference);
+            found.clearly += difference > 0.01f + 0.01f * std::abs(a.pixels[i][c]);
+        }
+    return found;
+}
+
+GLint g_minor = 3;
+void versionFourPoint(GLenum name, GLint* value) {
+    if (name == GL_MAJOR_VERSION)
+        *value = 4;
+    else if (name == GL_MINOR_VERSION)
+        *value = g_minor;
+    else
+        reinterpret_cast<PFNGLGETINTEGERVPROC>(testContext().loader()("glGetIntegerv"))(name, value);
+}
+void* loaderOfAnotherVersion(const char* name) {
+    return std::strcmp(name, "glGetIntegerv") == 0 ? reinterpret_cast<void*>(&versionFourPoint) : testContext().loader()(name);
+}
+
+class FullscreenTest : public GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        if (!hasCompute()) GTEST_SKIP() << "no GL 4.3";
+        setLogSink([](void* lines, LogLevel, std::string_view text) { static_cast<std::vector<std::string>*>(lines)->emplace_back(text); }, &m_lines);
+    }
+    void TearDown() override {
+        setLogSink(nullptr, nullptr);
+        GlTest::TearDown();
+    }
+    auto said(std::string_view text) const {
+        return std::count_if(m_lines.begin(), m_lines.end(), [&](const std::string& line) { return line.find(text) != std::string::npos; });
+    }
+    std::unique_ptr<Renderer> make(Fullscreen fullscreen, FrameSnapshot snapshot, RenderSettings settings = {}, GlLoader loader = nullptr) {
+        settings.fullscreen = fullscreen;
+        auto made = Renderer::create(loader ? loader : testContext().loader(), m_shaders, settings);
+        if (!made) {
+            ADD_FAILURE() << made.error();
+            return nullptr;
+        }
+        made.value()->apply(std::move(snapshot));
+        return std::move(made).value();
+    }
+    static void draw(Renderer& renderer, glm::ivec2 size, int frame = 0) {
+        const Offscreen target(size);
+        Camera camera = streetCamera(0);
+        camera.position.x += 0.02 * frame;
+        renderer.draw(camera.view(size, target.framebuffer()), 1.0f);
+    }
+    /// Draws the same pictures with both and compares every target after each.
+    static void expectSame(Renderer& a, Renderer& b, glm::ivec2 size, int frames, float granted = 0.0f) {
+        for (int frame = 0; frame < frames; ++frame) {
+            for (Renderer* each : {&a, &b}) draw(*each, size, frame);
+            int compared = 0;
+            for (const char* name : kTargets) {
+                const auto first = a.readTarget(name), second = b.readTarget(name);
+                ASSERT_EQ(bool(first), bool(second)) << name;
+                if (!first) continue;
+                ASSERT_EQ(first->size, second->size);
+                const Apart found = apart(*first, *second);
+                // Compilers for GPUs may fuse and order the same sums in two ways: a ray that is rounded may miss a corner.
+                const bool isSame = !isSoftwareGl()  ? found.clearly <= int(first->pixels.size() * 4 / 50)
+                                    : granted > 0.0f ? found.most <= granted
+                                                     : found.numbers == 0;
+                EXPECT_TRUE(isSame) << name << " in frame " << frame << ": " << found.numbers << " numbers differ, by up to " << found.most;
+                ++compared;
+            }
+            EXPECT_GE(compared, frame ? 17 : 15);
+        }
+    }
+    static std::vector<std::string> byCompute(const Renderer& renderer) {
+        return {renderer.figures().computePasses.begin(), renderer.figures().computePasses.end()};
+    }
+    std::string m_shaders = shaderFolder();
+    std::vector<std::string> m_lines;
+};
+
+TEST_F(FullscreenTest, ComputeDrawsWhatFragmentsDrawInAnySize) {
+    const auto fragment = make(Fullscreen::Fragment, everything().snapshot()), compute = make(Fullscreen::Compute, everything().snapshot());
+    for (const glm::ivec2 size : {kSize, glm::ivec2(61, 37), glm::ivec2(1, 3), glm::ivec2(128, 40)}) expectSame(*fragment, *compute, size, 4);
+    EXPECT_EQ(byCompute(*compute), kPasses);
+}
+
+TEST_F(FullscreenTest, ComputeDrawsWhatFragmentsDrawWhereLessIsTracedThanShown) {
+    RenderSettings settings;
+    settings.resolutionScale = 0.75f;
+    const auto fragment = make(Fullscreen::Fragment, everything().snapshot(), settings);
+    const auto compute = make(Fullscreen::Compute, everything().snapshot(), settings);
+    expectSame(*fragment, *compute, {61, 37}, 4);
+    EXPECT_EQ(compute->readTarget("light")->size, glm::ivec2(46, 28));
+}
+
+TEST_F(FullscreenTest, ComputeLeavesWhatIsNotDrawn) {
+    // Dry, by night, without lamps and panes: what most passes leave alone, and a view of nothing but sky.
+    LitScene scene = streetScene();
+    scene.environment.sunDirection = {0.1f, -0.5f, 0.2f};
+    RenderSettings settings;
+    settings.localLights = settings.reflections = false;
+    settings.filterPasses = 0;
+    const auto fragment = make(Fullscreen::Fragment, scene.snapshot(), settings), compute = make(Fullscreen::Compute, scene.snapshot(), settings);
+    const Offscreen target(kSize);
+    Camera camera = streetCamera(3);
+    for (const glm::dvec3 to : {glm::dvec3(0, 0.5, 0), glm::dvec3(-11, 90, -10)}) {
+        camera.lookAt(to);
+        for (Renderer* each : {fragment.get(), compute.get()}) each->draw(camera.view(kSize, target.framebuffer()), 1.0f);
+        for (const char* name : {"light", "accumulated", "surface", "lighting", "radiance", "final"})
+            EXPECT_TRUE(!isSoftwareGl() || apart(*fragment->readTarget(name), *compute->readTarget(name)).numbers == 0) << name;
+    }
+}
+
+/// Waves are sums of sines of sums of products, which a GL may fuse as it likes: llvmpipe does not do the same in both programs, and their
+/// slopes differ in the last bit. Now and then it rounds another way in a target of 16 bits: 2^-12 of numbers about 0.5.
+TEST_F(FullscreenTest, WaterIsTheSameButForTheLastBit) {
+    const auto fragment = make(Fullscreen::Fragment, withWater(everything())), compute = make(Fullscreen::Compute, withWater(everything()));
+    expectSame(*fragment, *compute, kSize, 3, 0.005f);
+    const auto passes = byCompute(*compute);
+    EXPECT_NE(std::find(passes.begin(), passes.end(), "water"), passes.end());
+    const auto dry = make(Fullscreen::Fragment, everything().snapshot());
+    draw(*dry, kSize, 2);
+    EXPECT_GT(apart(*dry->readTarget("radiance"), *fragment->readTarget("radiance")).numbers, 100) << "there is no water";
+}
+
+TEST_F(FullscreenTest, FragmentsAloneHoldNothingForCompute) {
+    const auto fragment = make(Fullscreen::Fragment, everything().snapshot()), automatic = make(Fullscreen::Auto, everything().snapshot());
+    const auto compute = make(Fullscreen::Compute, everything().snapshot());
+    for (Renderer* each : {fragment.get(), automatic.get(), compute.get()}) draw(*each, kSize);
+    EXPECT_EQ(fragment->figures().computePrograms, 0);
+    EXPECT_TRUE(fragment->figures().computePasses.empty());
+    EXPECT_GE(compute->figures().computePrograms, int(kPasses.size()));
+    EXPECT_EQ(fragment->figures().textureBytes, compute->figures().textureBytes);
+    EXPECT_EQ(automatic->figures().computePrograms > 0, !isSoftwareGl()) << "compute is slower on software renderers: see DECISIONS.md";
+}
+
+TEST_F(FullscreenTest, ReloadedShadersAreTheSameToo) {
+    const TempFolder folder;
+    std::filesystem::copy(shaderFolder(), folder.path(), std::filesystem::copy_options::recursive);
+    m_shaders = folder.path().string();
+    const auto fragment = make(Fullscreen::Fragment, everything().snapshot()), compute = make(Fullscreen::Compute, everything().snapshot());
+    expectSame(*fragment, *compute, kSize, 2);
+    const auto before = compute->readTarget("light");
+    const auto file = folder.path() / "passes/sky.frag";
+    const auto write = [&](const std::string& old, const std::string& now, int seconds) {
+        std::ifstream in(file);
+        std::string text((std::istreambuf_iterator<char>(in)), {});
+        text.replace(text.find(old), old.size(), now);
+        std::ofstream(file) << text;
+        std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now() + std::chrono::seconds(seconds));
+    };
+    write("light.rgb /= float(uRays);", "light.rgb /= float(uRays) * oops;", 10);
+    for (Renderer* each : {fragment.get(), compute.get()}) {
+        EXPECT_FALSE(each->reloadShaders());
+        ASSERT_EQ(each->shaderErrors().size(), 1u);
+        EXPECT_NE(each->shaderErrors()[0].find("passes/sky.frag:34"), std::string::npos) << each->shaderErrors()[0];
+    }
+    expectSame(*fragment, *compute, kSize, 2);
+    write("* oops;", "* 2.0;", 20);
+    for (Renderer* each : {fragment.get(), compute.get()}) EXPECT_TRUE(each->reloadShaders());
+    expectSame(*fragment, *compute, kSize, 2);
+    EXPECT_GT(apart(*before, *compute->readTarget("light")).most, 0.05f) << "the new shader does not draw";
+}
+
+TEST_F(FullscreenTest, AContextBelowFourPointThreeDrawsByFragmentsAndSaysSo) {
+    g_minor = 2;
+    auto renderer = make(Fullscreen::Compute, everything().snapshot(), {}, loaderOfAnotherVersion);
+    EXPECT_EQ(said("compute programs need GL 4.3"), 1);
+    draw(*renderer, kSize);
+    EXPECT_EQ(renderer->figures().computePrograms, 0);
+    EXPECT_TRUE(byCompute(*renderer).empty());
+    for (const Fullscreen quiet : {Fullscreen::Auto, Fullscreen::Fragment}) make(quiet, everything().snapshot(), {}, loaderOfAnotherVersion);
+    EXPECT_EQ(said("compute programs need GL 4.3"), 1) << "nobody has asked for it";
+    renderer.reset();
+    g_minor = 3;
+    renderer = make(Fullscreen::Compute, everything().snapshot(), {}, loaderOfAnotherVersion);
+    draw(*renderer, kSize);
+    EXPECT_EQ(byCompute(*renderer), kPasses) << "4.3 is enough";
+    renderer.reset();
+    ASSERT_TRUE(loadGl(testContext().loader()));
+}
+
+TEST_F(FullscreenTest, TheFastestIsMeasuredWhileThePictureIsTheSame) {
+    const auto fragment = make(Fullscreen::Fragment, everything().snapshot()), fastest = make(Fullscreen::Fastest, everything().snapshot());
+    constexpr int kFrames = 2 * (FullscreenChoice::kSkipped + FullscreenChoice::kTimed);
+    expectSame(*fragment, *fastest, kSize, 2);
+    EXPECT_EQ(byCompute(*fastest), kPasses) << "every other frame is by compute";
+    const int atFirst = fastest->figures().computePrograms;
+    for (int frame = 2; frame < kFrames; ++frame) draw(*fastest, kSize, frame);
+    EXPECT_EQ(fastest->figures().computePrograms, atFirst);
+    EXPECT_EQ(said("drawn by what was faster"), 0);
+    std::vector<std::string> chosen;
+    for (int frame = 0; frame < 3; ++frame) {
+        draw(*fastest, kSize, frame);
+        if (frame == 0) chosen = byCompute(*fastest);
+        EXPECT_EQ(byCompute(*fastest), chosen);
+    }
+    EXPECT_EQ(said("drawn by what was faster"), 1);
+    for (const std::string& pass : kPasses) EXPECT_EQ(said(pass + " by "), 1) << pass;
+    if (!isSoftwareGl()) return;
+    EXPECT_LT(chosen.size(), kPasses.size()) << "llvmpipe is no faster at everything by compute";
+    EXPECT_LT(fastest->figures().computePrograms, atFirst) << "what lost is kept";
+}
+
+}  // namespace
+}  // namespace rubble
