@@ -1,6 +1,9 @@
-// What a ray sees where it meets the world: the lit colour if the last picture shows that place, else an estimate.
-// Needs lib/frame, gbuffer, sky, shadow_trace.
+// What a ray sees where it meets the world: the lit colour if the last picture shows that place, else its voxel's own colour in the
+// light of sun and sky. Needs lib/frame, gbuffer, sky, shadow_trace, brdf.
 #include "lib/surface_history.glsl"
+#include "lib/voxel_walk.glsl"
+#include "lib/paint.glsl"
+#include "lib/voxel_at.glsl"
 uniform sampler2D uLastRadiance;  // last frame's picture before post-processing
 uniform sampler2D uLastSurface;   // lib/surface_history.glsl
 uniform bool uLastValid;
@@ -8,7 +11,8 @@ uniform bool uSunUp;
 uniform bool uBounce;
 
 const float kEdge = 0.15;         // of the picture's half width and height: how far the trust in it takes to grow
-const float kBounceAlbedo = 0.3;  // of what no picture shows: the mean of the town
+const float kUnknownAlbedo = 0.3;  // where no voxel is found
+const float kMostOpener = 1.4;     // x 0.9 x an albedo is below 1: what a dark room guesses of its own light never grows
 const float kShadowCellMetres = 0.1;
 
 /// The cell face that a ray has come through at a point on the shadow volume's cells.
@@ -42,22 +46,44 @@ vec4 radianceOnScreen(vec3 hitWorld, vec3 normal, float glow) {
     return vec4(clamp(radiance / (1.0 - haze), vec3(0.0), vec3(3.0)) * counted, clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0));
 }
 
-/// Mean radiance on a face that no picture shows: the sun's, and as much of the rest as there is where the ray started. That is right
-/// in the long run inside a room, where it sums up all bounces, and zero in a closed one.
-vec3 unseenLight(vec3 hitWorld, vec3 normal, vec3 lightHere) {
-    vec3 light = 0.9 * lightHere;
-    float facing = dot(normal, frame.sunDirection.xyz);
-    float t;
-    if (uSunUp && facing > 0.0 && !shadowTrace(shadowOrigin(hitWorld, normal), frame.sunDirection.xyz, 64.0, t))
-        light += frame.sunColor.rgb * (facing / 3.14159265);
-    return light;
+/// Where a ray started: the mean radiance there.
+struct Here {
+    vec3 light, normal;
+};
+
+/// How much light a face gets under an open sky, by where it looks: all from above, a little from below.
+float openLight(vec3 normal) { return 0.15 + 0.85 * (0.5 + 0.5 * normal.y); }
+
+/// What the sun sends to a face, divided by pi.
+vec3 sunOn(vec3 place, vec3 normal) {
+    float facing = dot(normal, frame.sunDirection.xyz), t;
+    if (!uSunUp || facing <= 0.0 || shadowTrace(shadowOrigin(place, normal), frame.sunDirection.xyz, 64.0, t)) return vec3(0.0);
+    return frame.sunColor.rgb * (facing / 3.14159265);
 }
 
-/// What a ray of rough light meets. lightHere: mean radiance where it started.
-vec3 bounceRadiance(vec3 hitWorld, vec3 direction, vec3 lightHere) {
+/// Radiance of a face that no picture shows: what its voxel gives back of the sun's light, and of as much of the rest as there is where the
+/// ray started, if both are as open; and its own light. That is right in the long run inside a room, where it sums up all bounces, and
+/// zero in a closed one. glow: as above.
+vec3 unseenRadiance(vec3 hitWorld, vec3 normal, vec3 direction, Here here, float glow) {
+    vec3 rest = 0.9 * min(openLight(normal) / openLight(here.normal), kMostOpener) * here.light, sun = sunOn(hitWorld, normal);
+    // The cell that was met has its middle in the voxel. What moves is drawn between two steps and may be a little farther on.
+    vec3 middle = (floor((hitWorld - normal * (0.5 * kShadowCellMetres)) / kShadowCellMetres) + 0.5) * kShadowCellMetres;
+    Entry entry;
+    bool found = voxelAt(middle, entry);
+    if (!found) found = voxelAt(middle + direction * kShadowCellMetres, entry);
+    if (!found) return kUnknownAlbedo * (rest + sun);
+    vec3 albedo = srgbToLinear(entry.color), f0 = mix(vec3(entry.reflectivity), albedo, entry.metallic);
+    vec3 own = min(albedo * entry.emission, vec3(3.0)) * (frame.counters.z > 0 ? glow : 1.0);
+    vec3 toSun = frame.sunDirection.xyz, shine = fresnel(f0, dot(-direction, normalize(toSun - direction)));
+    shine *= specularLobe(normal, -direction, toSun, entry.roughness) * 3.14159265;
+    return albedo * (1.0 - entry.metallic) * (1.0 - f0) * (rest + sun) + f0 * rest + min(shine * sun, vec3(3.0)) + own;
+}
+
+/// What a ray meets.
+vec3 radianceAt(vec3 hitWorld, vec3 direction, Here here, float glow) {
     if (!uBounce) return vec3(0.0);
     vec3 normal = faceNormal(hitWorld, direction);
-    vec4 seen = radianceOnScreen(hitWorld, normal, 0.0);
-    if (seen.a > 0.0) return seen.rgb;
-    return unseenLight(hitWorld, normal, lightHere) * kBounceAlbedo;
+    vec4 seen = radianceOnScreen(hitWorld, normal, glow);
+    if (seen.a == 1.0) return seen.rgb;
+    return mix(unseenRadiance(hitWorld, normal, direction, here, glow), seen.rgb, seen.a);
 }

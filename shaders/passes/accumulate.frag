@@ -2,6 +2,8 @@
 // seen, and where the light has changed (light_change.frag): the change shows at once, the filter hides the noise.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
+#include "lib/noise.glsl"
+#include "lib/half.glsl"
 #include "lib/color.glsl"
 #include "lib/surface_history.glsl"
 
@@ -69,7 +71,7 @@ void main() {
     if (past.weight == 0.0) return;
     float trusted = uForgets ? texture(uTrusted, uv).x : 1.0;
     float frames = min(min(past.frames, trusted * uLongest) + 1.0, uLongest);
-    accumulated = mix(past.light, now, 1.0 / frames);
+    accumulated = roundedToHalf(mix(past.light, now, 1.0 / frames), pixel, 0);
     surface.z = frames;
     surface.w = s.emission > 0.0 ? -1.0 : mix(past.squared, lum * lum, 1.0 / frames);
 }

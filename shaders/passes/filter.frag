@@ -4,6 +4,8 @@
 // neighbour takes of it, as far as both see the same deviation: light is moved, and hardly any is lost. A constant stays itself.
 #include "lib/frame.glsl"
 #include "lib/color.glsl"
+#include "lib/noise.glsl"
+#include "lib/half.glsl"
 #include "lib/surface_history.glsl"
 
 uniform sampler2D uLight;
@@ -87,4 +89,5 @@ void main() {
         float w = weights[i] / (kOwnWeight + float(kTaps - 1));
         filtered += (lights[i] - own) * vec2(w * sky, w * bell((lights[i].a - own.a) * sunScale)).xxxy;
     }
+    filtered = roundedToHalf(filtered, pixel, uStride);
 }

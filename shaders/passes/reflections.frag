@@ -7,7 +7,6 @@
 #include "lib/brdf.glsl"
 #include "lib/sky.glsl"
 #include "lib/bounce.glsl"
-#include "lib/mirrored_place.glsl"
 #include "lib/mirror.glsl"
 
 uniform sampler2D uLight;
@@ -18,9 +17,9 @@ out vec4 reflection;
 const float kReach = 40.0;
 
 /// Radiance of a mirror ray. The sun's disc is left to the specular lobe, which has no noise.
-vec3 mirrored(vec3 origin, vec3 direction, vec3 lightHere, float glow) {
+vec3 mirrored(vec3 origin, vec3 direction, Here here, float glow) {
     float t;
-    if (shadowTrace(origin, direction, kReach, t)) return mirroredRadiance(origin + direction * t, direction, lightHere, glow);
+    if (shadowTrace(origin, direction, kReach, t)) return radianceAt(origin + direction * t, direction, here, glow);
     vec3 sky = direction.y > 0.0 ? withHills(withClouds(skyRadiance(direction), direction), direction) : skyRadiance(direction);
     return sky;
 }
@@ -35,6 +34,6 @@ void main() {
     }
     vec3 direction = reflect(-m.view, halfVector);
     direction += m.normal * max(0.0, 0.02 - dot(direction, m.normal));
-    vec3 lightHere = texelFetch(uLight, pixel, 0).rgb;
-    reflection = vec4(mirrored(shadowOrigin(m.position, m.normal), normalize(direction), lightHere, 1.0 - lampsByLobe(m.roughness)), 1.0);
+    Here here = Here(texelFetch(uLight, pixel, 0).rgb, m.normal);
+    reflection = vec4(mirrored(shadowOrigin(m.position, m.normal), normalize(direction), here, 1.0 - lampsByLobe(m.roughness)), 1.0);
 }

@@ -4,6 +4,7 @@
 #include "lib/noise.glsl"
 #include "lib/sampling.glsl"
 #include "lib/shadow_trace.glsl"
+#include "lib/brdf.glsl"
 #include "lib/sky.glsl"
 #include "lib/bounce.glsl"
 
@@ -22,12 +23,12 @@ void main() {
     vec3 origin = shadowOrigin(worldFromDepth(uv, s.depth), s.normal);
     vec2 lastUv = uv - texelFetch(uMotion, pixel, 0).rg;
     bool known = uLastValid && lastUv == clamp(lastUv, vec2(0.0), vec2(0.999));
-    vec3 lightHere = known ? texelFetch(uLastLight, ivec2(lastUv * frame.targetSize.xy), 0).rgb : vec3(0.0);
+    Here here = Here(known ? texelFetch(uLastLight, ivec2(lastUv * frame.targetSize.xy), 0).rgb : vec3(0.0), s.normal);
     for (int i = 0; i < uRays; ++i) {
         vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, frame.counters.x * uRays + i));
         float t;
         if (shadowTrace(origin, direction, uReach, t))
-            light.rgb += bounceRadiance(origin + direction * t, direction, lightHere);
+            light.rgb += radianceAt(origin + direction * t, direction, here, 0.0);
         else
             light.rgb += skyRadiance(direction);
     }

@@ -1,22 +1,30 @@
 // Temporal anti-aliasing: the jittered picture mixed into its own history, which is fetched sharply (Catmull-Rom) and
 // clipped to the colours around the pixel (Karis 2014; Salvi 2016). Radiance is compressed meanwhile, so that bright points do not flicker.
+// Where nothing moves, what a pixel has shown from one jittered place to the next widens the clip: details finer than a pixel average out.
 // Where fewer pixels are traced than shown, each sample counts most for the pixel that it lies in (Karis 2014, "Temporal upsampling").
 #include "lib/frame.glsl"
 #include "lib/color.glsl"
+#include "lib/noise.glsl"
+#include "lib/half.glsl"
 
 uniform sampler2D uColor;  // a: share of the surface that shows through particles
-uniform sampler2D uHistory;
+uniform sampler2D uHistory;  // a: how far samples stray from the mean where nothing moves, in compressed luminance
 uniform bool uHistoryValid;
 uniform sampler2D uMotion;
 uniform bool uGlass;
 uniform sampler2D uGlassSurface;
+uniform sampler2D uTrusted;    // x: 0 where the light has just changed (light_change.frag)
+uniform bool uForgets;
 uniform sampler2D uSurface;    // x depth, z frames accumulated (lib/surface_history.glsl)
 
 const float kCompression = 0.04;
 const float kLongPast = 6.0;  // frames
+const float kStrays = 3.0;  // times that, which memory may leave the colours around it
+const float kDetail = 0.04;  // of the luminance: what strays by more shows details finer than a pixel
 const float kLoose = 2.5;  // times the box that holds memory, where nothing has moved or changed for long: thin lines live on between samples
 const float kSkyDepth = 65000.0;
 const float kNewShare = 0.1;
+const float kRamp = 1.6;  // above 1 the first pictures, which know less of the light, count less than the later ones
 const float kMostNewShare = 0.5;  // where memory is short
 const float kNewShareInAir = 0.5;  // where particles cover all: they have no motion to follow
 const float kSharpness = 2.3;      // of the gaussian around a pixel, in pixels of the picture
@@ -98,7 +106,7 @@ void main() {
     // Panes are never wholly seen through: where that changes may be the edge of one.
     float pane = uGlass ? texelFetch(uGlassSurface, paned, 0).w : 0.0;
     bool onPanesEdge = pane > 0.0 && pane < depth && mostSeenThrough > 0.99;
-    resolved = vec4(expand(fromYCoCg(now)), 1.0);
+    resolved = vec4(expand(fromYCoCg(now)), 0.0);
     // The motion of the nearest surface around, so that edges move with what is in front; the sky's by the camera alone. A pane moves
     // with what is behind it, but its edge with itself.
     vec2 motion = motionOf(onPanesEdge ? (vec2(paned) + 0.5) * frame.targetSize.zw : uv, onPanesEdge ? pane : 4000.0);
@@ -110,12 +118,20 @@ void main() {
     vec3 deviation = sqrt(max(squares / 9.0 - mean * mean, vec3(0.0)));
     vec3 boxLow = max(low, mean - 1.25 * deviation), boxHigh = min(top, mean + 1.25 * deviation);
     if (depth >= kSkyDepth) frames = kLongPast;
-    bool rests = frames >= kLongPast && seenThrough == 1.0 && length(motion * frame.targetSize.xy) < 0.05;
-    vec3 middle = 0.5 * (boxLow + boxHigh), extent = 0.5 * (boxHigh - boxLow) * (rests ? kLoose : 1.0) + 1e-4;
+    bool rests = seenThrough == 1.0 && length(motion * frame.targetSize.xy) < 0.05;
+    float trusted = !rests ? 0.0 : uForgets ? texture(uTrusted, uv).x : 1.0;
+    float strays = trusted * texelFetch(uHistory, ivec2(before * frame.pictureSize.xy), 0).a;
+    bool isSettled = rests && frames >= kLongPast;
+    vec3 middle = 0.5 * (boxLow + boxHigh), extent = 0.5 * (boxHigh - boxLow) * (isSettled ? kLoose : 1.0) + kStrays * strays + 1e-4;
     vec3 offset = history - middle;
     vec3 ratio = abs(offset / extent);
     float outside = max(ratio.x, max(ratio.y, ratio.z));
     if (outside > 1.0) history = middle + offset / outside;
+    resolved.a = trusted * mix(strays, abs(now.x - history.x), kNewShare);
+    // Details finer than a pixel have no past as surfaces, but as pictures.
+    if (strays > kDetail * history.x) frames = max(frames, float(min(frame.counters.x, 64)));
+    float share = clamp(kRamp / (frames + kRamp - 1.0), kNewShare, kMostNewShare);
     float near = enlarged > 1.0 ? exp(-0.5 * sharpness * dot(away, away)) : 1.0;
-    resolved.rgb = expand(fromYCoCg(mix(history, now, near * mix(kNewShareInAir, clamp(1.0 / frames, kNewShare, kMostNewShare), seenThrough))));
+    resolved.rgb = expand(fromYCoCg(mix(history, now, near * mix(kNewShareInAir, share, seenThrough))));
+    resolved = roundedToHalf(resolved, ivec2(gl_FragCoord.xy), 0);
 }

@@ -6,7 +6,6 @@
 #include "lib/sky.glsl"
 #include "lib/shadow_trace.glsl"
 #include "lib/bounce.glsl"
-#include "lib/mirrored_place.glsl"
 
 uniform sampler2D uBehind;   // the picture without this water
 uniform mat4 uOutline0, uOutline1, uOutline2, uOutline3;  // corners x, z, x, z ...
@@ -98,7 +97,7 @@ vec3 mirroredIn(vec3 place, vec3 normal, vec3 direction, float share) {
     if (share < kWeakestMirror) return skyRadiance(mirror);
     float t;
     vec3 origin = place + vec3(0.0, 0.01, 0.0);
-    if (shadowTrace(origin, mirror, kMirrorReach, t)) return mirroredRadiance(origin + mirror * t, mirror, 0.4 * skyRadiance(vec3(0, 1, 0)), 1.0);
+    if (shadowTrace(origin, mirror, kMirrorReach, t)) return radianceAt(origin + mirror * t, mirror, Here(0.4 * skyRadiance(vec3(0, 1, 0)), vec3(0, 1, 0)), 1.0);
     return withHills(withClouds(skyRadiance(mirror), mirror), mirror);
 }
 
