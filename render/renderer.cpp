@@ -323,6 +323,7 @@ RenderSettings RenderSettings::preset(std::string_view name) {
     if (name == "fast") {
         settings.resolutionScale = 0.75f;
         settings.skyDistance = 12.0f;
+        settings.skyExactFor = 1.6f;
         settings.filterPasses = 2;
     }
     if (name == "accurate") {

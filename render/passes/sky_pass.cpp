@@ -21,6 +21,7 @@ void SkyPass::draw(const FrameContext& frame) const {
         program.set("uLastLight", targets.history("accumulated", GL_RGBA16F).previous);
         program.set("uRays", frame.settings.skyRays);
         program.set("uReach", frame.settings.skyDistance);
+        program.set("uExactFor", frame.settings.skyExactFor);
     });
 }
 

@@ -4,19 +4,22 @@
 uniform usamplerBuffer uShadowDirectory;  // a texel a brick. Empty: x eight cubes (EmptyCubes). Else: x 16 x slot, yz which words hold anything
 uniform usamplerBuffer uShadowTexels;     // 64 texels a slot (ShadowBrick): the cells of a word, or its empty boxes
 
-const float kShadowCell = 0.1;  // metres
+const float kShadowCell = 0.1;       // metres
+const float kShadowCellsAMetre = 10.0;
 
 // All fetches go through here: WebGL2 has no buffer textures and will read 2D ones.
 uvec4 fetchShadowDirectory(int i) { return texelFetch(uShadowDirectory, i); }
 uvec2 fetchShadowTexel(int i) { return texelFetch(uShadowTexels, i).rg; }
 
 // A point of the world (from the render origin) in the directory's cells.
-vec3 shadowCells(vec3 positionWorld) { return positionWorld / kShadowCell - vec3(frame.shadowSectorLow.xyz * 64); }
+vec3 shadowCells(vec3 positionWorld) { return positionWorld * kShadowCellsAMetre - vec3(frame.shadowSectorLow.xyz * 64); }
 
 // True if the ray from originWorld (metres, from the render origin) meets an occupied cell within tMax metres along the unit
 // vector `direction`; t is where. An origin in an occupied cell is a hit at 0: see shadowOrigin().
-bool shadowTrace(vec3 originWorld, vec3 direction, float tMax, out float t) {
+// Beyond exactFor metres a word of 4^3 cells that holds anything stops it: no light where there is none, some shadow too much.
+bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exactFor, out float t) {
     t = tMax;
+    exactFor *= kShadowCellsAMetre;
     ivec3 bricks = frame.shadowSectorCount.xyz * 4;
     // All axes are turned so that the ray goes up: cell c of a turned axis is cell (size - 1 - c) of the volume.
     ivec3 down = ivec3(lessThan(direction, vec3(0.0)));
@@ -27,7 +30,7 @@ bool shadowTrace(vec3 originWorld, vec3 direction, float tMax, out float t) {
     vec3 inverse = 1.0 / along;
     vec3 enter = -origin * inverse, leave = (size - origin) * inverse;
     float here = max(max(enter.x, enter.y), max(enter.z, 0.0));
-    float end = min(min(leave.x, leave.y), min(leave.z, tMax / kShadowCell));
+    float end = min(min(leave.x, leave.y), min(leave.z, tMax * kShadowCellsAMetre));
     if (!(here < end)) return false;  // a NaN too
     ivec3 cell = clamp(ivec3(origin + along * here), ivec3(0), bricks * 16 - 1);
 
@@ -47,7 +50,7 @@ bool shadowTrace(vec3 originWorld, vec3 direction, float tMax, out float t) {
         uvec2 texel = fetchShadowTexel(emptyBrick ? 0 : int(entry.x >> 4) * 64 + word);
         int inWord = ((cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4) ^ turned;
         uint eight = (inWord < 32 ? texel.x : texel.y) >> uint(inWord & 10);  // the 2x2x2 cells that hold this one, and others
-        if (!emptyWord && (eight >> uint(inWord & 21) & 1u) != 0u) {
+        if (!emptyWord && ((eight >> uint(inWord & 21) & 1u) != 0u || here > exactFor)) {
             t = here * kShadowCell;
             return true;
         }
@@ -66,6 +69,9 @@ bool shadowTrace(vec3 originWorld, vec3 direction, float tMax, out float t) {
     }
     return false;
 }
+
+/// The exact one.
+bool shadowTrace(vec3 originWorld, vec3 direction, float tMax, out float t) { return shadowTraceCoarse(originWorld, direction, tMax, 1.0e30, t); }
 
 // THE rule for leaving one's own surface. A body sets the cells whose centres lie in it. A face along the grid therefore ends in
 // the cells at the boundary nearest to it: the ray starts there, exactly. The cells of a turned body reach up to half a cell's

@@ -9,7 +9,8 @@
 #include "lib/bounce.glsl"
 
 uniform int uRays;
-uniform float uReach;  // metres
+uniform float uReach;     // metres
+uniform float uExactFor;  // metres
 uniform sampler2D uLastLight;
 
 in vec2 uv;
@@ -27,7 +28,7 @@ void main() {
     for (int i = 0; i < uRays; ++i) {
         vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, frame.counters.x * uRays + i));
         float t;
-        if (shadowTrace(origin, direction, uReach, t))
+        if (shadowTraceCoarse(origin, direction, uReach, uExactFor, t))
             light.rgb += radianceAt(origin + direction * t, direction, here, 0.0);
         else
             light.rgb += skyRadiance(direction);

@@ -27,7 +27,12 @@ protected:
             scene.apply(std::move(snapshot));
         }
     }
-    std::vector<bool> trace(const std::vector<MetreRay>& rays) {
+    static constexpr float kExactFor = 1.6f;
+    struct Found {
+        bool exact, coarse;
+        float t, coarseT;
+    };
+    std::vector<Found> trace(const std::vector<MetreRay>& rays) {
         const glm::ivec2 size(int(rays.size()), 1);
         Texture origins(GL_RGBA32F, size), directions(GL_RGBA32F, size), hits(GL_RGBA32F, size);
         std::vector<glm::vec4> o, d;
@@ -48,9 +53,10 @@ protected:
         scene.bindShadow(program);
         program.set("uOrigins", origins);
         program.set("uDirections", directions);
+        program.set("uExactFor", kExactFor);
         context(scene).drawFullscreen();
-        std::vector<bool> out;
-        for (const glm::vec4& hit : read(hits)) out.push_back(hit.y > 0.5f);
+        std::vector<Found> out;
+        for (const glm::vec4& hit : read(hits)) out.push_back({hit.y > 0.5f, hit.z > 0.5f, hit.x, hit.w});
         return out;
     }
     /// The ray's answer in doubles does not change when it moves by a hair.
@@ -70,13 +76,19 @@ protected:
             if (i % 11 == 0) direction = {0.0, i % 2 ? 1.0 : -1.0, 0.0};
             rays.push_back({glm::vec3(at), glm::vec3(glm::normalize(direction)), float(1.0 + 20.0 * double(random.unit()))});
         }
-        const std::vector<bool> found = trace(rays);
-        int wrong = 0, hits = 0;
+        const std::vector<Found> found = trace(rays);
+        int wrong = 0, hits = 0, coarse = 0, coarseWrong = 0;
         for (size_t i = 0; i < rays.size(); ++i) {
             const bool expected = volume.occluded(glm::dvec3(rays[i].origin), glm::dvec3(rays[i].direction), double(rays[i].reach));
             hits += expected;
-            wrong += found[i] != expected && isSure(rays[i], expected);
+            wrong += found[i].exact != expected && isSure(rays[i], expected);
+            coarse += found[i].coarse;
+            // The coarse one stops wherever the exact one does or before, and only far away before.
+            coarseWrong += found[i].exact && (!found[i].coarse || found[i].coarseT > found[i].t);
+            coarseWrong += found[i].coarse && found[i].coarseT < kExactFor && (!found[i].exact || found[i].coarseT != found[i].t);
         }
+        EXPECT_EQ(coarseWrong, 0) << when;
+        EXPECT_GE(coarse, hits) << when;
         EXPECT_EQ(wrong, 0) << when << ", of " << kRays;
         EXPECT_GT(hits, kRays / 20) << when;
         EXPECT_LT(hits, kRays * 19 / 20) << when;

@@ -70,6 +70,15 @@ void print(const std::string& title, const Walks& walks, const std::vector<std::
     }
 }
 
+/// The same times without what the bench takes itself, and what is left of the exact walk's if it made no step.
+void printNet(const std::vector<std::string>& names, const std::vector<Total>& totals, const Total& setUp, const Total& noWalk) {
+    const auto net = [&](const Total& t) { return t.milliseconds - noWalk.milliseconds; };
+    fmt::print("  without the bench's own {:.1f} ms:", noWalk.milliseconds);
+    for (size_t k = 1; k < names.size(); ++k)
+        fmt::print(" exact/{} {:.2f} ({:.2f} before its first step),", names[k], net(totals[0]) / net(totals[k]), net(setUp) / net(totals[k]));
+    fmt::print("\n");
+}
+
 const std::vector<std::string> kExactOnly(Walks::names().begin(), Walks::names().begin() + 1);
 
 /// The scene's rays in what became of it, and what they would cost if all that moves had come to rest where it is.
@@ -94,7 +103,9 @@ void run(const RayScene& scene, int repeats, int edits) {
     Walks walks(scene.bits, scene.patches);
     const glm::ivec3 n = scene.bits.cells();
     const std::vector<Total> rest = measure(walks, scene.bits, glm::ivec3(0), sets, Walks::names(), repeats);
+    const std::vector<Total> bounds = measure(walks, scene.bits, glm::ivec3(0), sets, Walks::bounds(), repeats);
     print(fmt::format("{}, {} x {} x {} cells", scene.name, n.x, n.y, n.z), walks, Walks::names(), rest);
+    printNet(Walks::names(), rest, bounds[0], bounds[1]);
     if (!edits) return;
     Demolition demolition(scene, 300);
     for (int i = 0; i < edits; ++i) demolition.step(1, false);

@@ -15,7 +15,11 @@ namespace rubble::rays {
 namespace {
 
 constexpr int kLevels = 3;
-const std::string kExact = "exact";
+const std::string kExact = "exact", kCoarseFar = "coarse_far", kSetUp = "set_up", kNoWalk = "no_walk";
+
+bool isOurs(const std::string& walk) {
+    return walk == kExact || walk == kCoarseFar || walk == kSetUp;
+}
 
 /// Volumes of the reference's walks: a byte holds 2x2x2 cells of its level.
 std::vector<uint8_t> packLevel(const WorldBits& bits, int level, glm::ivec3& texels) {
@@ -99,19 +103,25 @@ void useNoGlThreads() {
 }
 
 const std::vector<std::string>& Walks::names() {
-    static const std::vector<std::string> list = {kExact, "super_sparse_3d", "super_sparse_buffer", "sparse_3d", "sparse_buffer"};
+    static const std::vector<std::string> list = {kExact, "super_sparse_3d", "super_sparse_buffer", "sparse_3d", "sparse_buffer", kCoarseFar};
+    return list;
+}
+
+const std::vector<std::string>& Walks::bounds() {
+    static const std::vector<std::string> list = {kSetUp, kNoWalk};
     return list;
 }
 
 Walks::Walks(const WorldBits& bits, const std::vector<ShadowPatch>& patches)
     : m_volumes(std::make_unique<Volumes>(bits)), m_low(bits.low), m_cells(bits.cells()) {
-    for (const std::string& name : names()) m_programs.emplace(name, makeProgram(name));
+    for (const auto* list : {&names(), &bounds()})
+        for (const std::string& name : *list) m_programs.emplace(name, makeProgram(name));
     apply(patches);
 }
 Walks::~Walks() = default;
 
 uint64_t Walks::bytes(const std::string& walk) const {
-    return walk == kExact ? m_scene.shadow().bytes() : m_volumes->bytes;
+    return isOurs(walk) ? m_scene.shadow().bytes() : m_volumes->bytes;
 }
 
 void Walks::apply(std::vector<ShadowPatch> patches) {
@@ -126,7 +136,7 @@ void Walks::bind(const std::string& walk, const Program& program) {
     program.set("uOrigins", m_volumes->origins);
     program.set("uDirections", m_volumes->directions);
     program.set("uLow", m_low);
-    if (walk == kExact) {
+    if (isOurs(walk)) {
         FrameBlock block{};
         block.shadowSectorLow = glm::ivec4(m_scene.shadowSectorLow(), 1);
         block.shadowSectorCount = glm::ivec4(m_scene.shadow().sectorCount(), 0);

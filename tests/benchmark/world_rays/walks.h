@@ -29,6 +29,8 @@ public:
     Walks& operator=(const Walks&) = delete;
 
     static const std::vector<std::string>& names();  ///< the exact one first
+    /// What no walk can do without: the exact one's way to its first step; the bench's own work.
+    static const std::vector<std::string>& bounds();
     uint64_t bytes(const std::string& walk) const;
     /// Brings the exact walk's structure up to date; the others' stay as they were.
     void apply(std::vector<ShadowPatch> patches);
