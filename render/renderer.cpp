@@ -324,6 +324,7 @@ RenderSettings RenderSettings::preset(std::string_view name) {
         settings.resolutionScale = 0.75f;
         settings.skyDistance = 12.0f;
         settings.skyExactFor = 1.6f;
+        settings.bounceColors = false;
         settings.filterPasses = 2;
     }
     if (name == "accurate") {

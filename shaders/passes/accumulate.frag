@@ -71,7 +71,9 @@ void main() {
     if (past.weight == 0.0) return;
     float trusted = uForgets ? texture(uTrusted, uv).x : 1.0;
     float frames = min(min(past.frames, trusted * uLongest) + 1.0, uLongest);
-    accumulated = roundedToHalf(mix(past.light, now, 1.0 / frames), pixel, 0);
+    // The first pictures know less of bounced light and count less.
+    float share = min((1.0 + 1.0 / frames) / frames, 1.0);
+    accumulated = roundedToHalf(mix(past.light, now, share), pixel, 0);
     surface.z = frames;
-    surface.w = s.emission > 0.0 ? -1.0 : mix(past.squared, lum * lum, 1.0 / frames);
+    surface.w = s.emission > 0.0 ? -1.0 : mix(past.squared, lum * lum, share);
 }

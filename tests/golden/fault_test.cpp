@@ -31,7 +31,7 @@ constexpr Fault kFaults[] = {
     {"no haze", "lib/sky.glsl", "return 1.0 - exp2(-ratio * sqrt(ratio))", "return 0.0"},
     {"exposure off by a tenth", "passes/tonemap.frag", "c * 0.5", "c * 0.55"},
     {"the filter crosses edges", "passes/filter.frag", "there.y == centre.y ? max(0.0, 1.0 - abs(height) * planeScale) : 0.0", "1.0"},
-    {"history counts for nothing", "passes/accumulate.frag", "mix(past.light, now, 1.0 / frames)", "now"},
+    {"history counts for nothing", "passes/accumulate.frag", "mix(past.light, now, share)", "now"},
     {"empty blocks are too large", "lib/cell_walk.glsl", "return 2;", "return 4;"},
     {"palette indices from the wrong row", "lib/voxel_walk.glsl", "(c.x >> 2) + c.y * 2", "(c.x >> 2) + c.y * 4"},
     {"mirrors look inward", "passes/reflections.frag", "reflect(-m.view", "reflect(m.view"},
