@@ -1,5 +1,6 @@
 #include "render/gl/program.h"
 
+#include <algorithm>
 #include <cassert>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -100,6 +101,10 @@ void Program::listUniforms() {
     const GLuint block = glGetUniformBlockIndex(name(), "FrameBlock");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(name(), block, 0);
     glUseProgram(0);
+}
+
+int Program::samplers() const {
+    return int(std::count_if(m_uniforms.begin(), m_uniforms.end(), [](const Uniform& u) { return u.unit >= 0; }));
 }
 
 const Program::Uniform* Program::find(std::string_view name) const {

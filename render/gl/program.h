@@ -27,6 +27,8 @@ public:
     GLuint name() const { return m_name.get(); }
     void use() const { glUseProgram(name()); }
 
+    int samplers() const;  ///< texture units that it takes
+
     // The program must be in use.
     void set(std::string_view uniform, int value) const;
     void set(std::string_view uniform, float value) const;

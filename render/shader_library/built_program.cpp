@@ -12,10 +12,10 @@ BuiltProgram::BuiltProgram(std::string fragmentFile, FullscreenKind kind, Fullsc
     m_by = by;
 }
 
-bool BuiltProgram::build(const std::filesystem::path& folder) {
+bool BuiltProgram::build(const std::filesystem::path& folder, const std::string& defines) {
     m_newest = newest(folder);
     const auto vertex = m_vertexFile.empty() ? Result<ShaderSource>(ShaderSource()) : readShader(folder, m_vertexFile);
-    const auto read = readShader(folder, m_fragmentFile);
+    const auto read = readShader(folder, m_fragmentFile, defines);
     if (!vertex || !read) {
         m_error = vertex ? read.error() : vertex.error();
         return false;

@@ -17,8 +17,8 @@ public:
     /// Of a shader that covers its targets.
     BuiltProgram(std::string fragmentFile, FullscreenKind kind, FullscreenBy by);
 
-    /// From what the files hold now. False on an error; the last good program stays.
-    bool build(const std::filesystem::path& folder);
+    /// From what the files hold now. False on an error; the last good program stays. defines: see readShader().
+    bool build(const std::filesystem::path& folder, const std::string& defines = {});
     bool hasChanged(const std::filesystem::path& folder) const { return newest(folder) > m_newest; }
     bool isOf(const std::string& fragmentFile, const std::string& vertexFile) const {
         return !m_by && m_fragmentFile == fragmentFile && m_vertexFile == vertexFile;

@@ -18,8 +18,8 @@ public:
         Compute,
         Both,  ///< a compute program that does not build is none: the fragment program draws
     };
-    explicit ShaderLibrary(std::filesystem::path folder, Fullscreen fullscreen = Fullscreen::Fragment)
-        : m_folder(std::move(folder)), m_fullscreen(fullscreen) {}
+    /// textureUnits: that a program may use, 0: what the GL has. Below kTextureUnits shaders do without what asks for many (FEW_TEXTURE_UNITS).
+    explicit ShaderLibrary(std::filesystem::path folder, Fullscreen fullscreen = Fullscreen::Fragment, int textureUnits = 0);
 
     /// Files under the shader folder. The reference stays valid; a reload puts a new program into it.
     const Program& load(const std::string& fragmentFile, const std::string& vertexFile = "lib/fullscreen.vert");
@@ -37,6 +37,7 @@ private:
 
     std::filesystem::path m_folder;
     Fullscreen m_fullscreen;
+    std::string m_defines;
     std::vector<std::unique_ptr<BuiltProgram>> m_programs;
     std::vector<std::unique_ptr<FullscreenProgram>> m_fullscreenPrograms;
 };

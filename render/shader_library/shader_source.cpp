@@ -10,7 +10,6 @@ namespace rubble {
 namespace {
 
 constexpr const char* kPrefix = "#version 330 core\nprecision highp float;\nprecision highp int;\n";
-constexpr int kPrefixLines = 3;
 
 std::optional<std::string> includedFile(const std::string& line) {
     static const std::regex pattern(R"(^\s*#\s*include\s*"([^"]+)\".*)");
@@ -60,10 +59,10 @@ std::string ShaderSource::explain(const std::string& log) const {
     return out;
 }
 
-Result<ShaderSource> readShader(const std::filesystem::path& folder, const std::string& file) {
+Result<ShaderSource> readShader(const std::filesystem::path& folder, const std::string& file, const std::string& defines) {
     ShaderSource source;
-    source.text = kPrefix;
-    source.lines.assign(kPrefixLines, {-1, 0});
+    source.text = kPrefix + defines;
+    source.lines.assign(size_t(std::count(source.text.begin(), source.text.end(), '\n')), {-1, 0});
     if (std::string error = append(folder, file, "", source); !error.empty()) return Error{error};
     return source;
 }

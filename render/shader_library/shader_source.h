@@ -23,6 +23,7 @@ struct ShaderSource {
 };
 
 /// Reads `file` under `folder`; `#include "x"` is looked for under folder too and put in once. Puts `#version 330 core` first.
-Result<ShaderSource> readShader(const std::filesystem::path& folder, const std::string& file);
+/// defines: lines of preprocessor that come before the file.
+Result<ShaderSource> readShader(const std::filesystem::path& folder, const std::string& file, const std::string& defines = {});
 
 }  // namespace rubble

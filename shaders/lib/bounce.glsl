@@ -66,6 +66,9 @@ vec3 sunOn(vec3 place, vec3 normal) {
 /// zero in a closed one. glow: as above.
 vec3 unseenRadiance(vec3 hitWorld, vec3 normal, vec3 direction, Here here, float glow) {
     vec3 rest = 0.9 * min(openLight(normal) / openLight(here.normal), kMostOpener) * here.light, sun = sunOn(hitWorld, normal);
+#ifdef FEW_TEXTURE_UNITS
+    return kUnknownAlbedo * (rest + sun);  // a voxel takes twelve samplers to look up
+#else
     // The cell that was met has its middle in the voxel. What moves is drawn between two steps and may be a little farther on.
     vec3 middle = (floor((hitWorld - normal * (0.5 * kShadowCellMetres)) / kShadowCellMetres) + 0.5) * kShadowCellMetres;
     Entry entry;
@@ -77,6 +80,7 @@ vec3 unseenRadiance(vec3 hitWorld, vec3 normal, vec3 direction, Here here, float
     vec3 toSun = frame.sunDirection.xyz, shine = fresnel(f0, dot(-direction, normalize(toSun - direction)));
     shine *= specularLobe(normal, -direction, toSun, entry.roughness) * 3.14159265;
     return albedo * (1.0 - entry.metallic) * (1.0 - f0) * (rest + sun) + f0 * rest + min(shine * sun, vec3(3.0)) + own;
+#endif
 }
 
 /// What a ray meets.

@@ -159,5 +159,17 @@ TEST_F(ShaderLibraryTest, FrameBlockLiesInTheShaderAsInMemory) {
     }
 }
 
+/// 16 units are all that GL 3.3 promises a stage.
+TEST_F(ShaderLibraryTest, WhereUnitsAreFewRaysDoWithoutVoxels) {
+    for (const char* file : {"passes/sky.frag", "passes/reflections.frag"}) {
+        ShaderLibrary all(shaderFolder()), few(shaderFolder(), ShaderLibrary::Fullscreen::Fragment, 16);
+        const FullscreenKind kind{.limited = true};
+        EXPECT_GT(all.loadFullscreen(file, kind).program(FullscreenBy::Fragment).samplers(), 16) << file;
+        const Program& lean = few.loadFullscreen(file, kind).program(FullscreenBy::Fragment);
+        ASSERT_TRUE(lean) << file;
+        EXPECT_LE(lean.samplers(), 16) << file;
+    }
+}
+
 }  // namespace
 }  // namespace rubble
