@@ -4,6 +4,7 @@
 
 #include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
+#include "render/passes/reflections_pass.h"
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
 #include "runtime/core/log.h"
@@ -47,6 +48,7 @@ void LocalLightsPass::draw(const FrameContext& frame) const {
         program.set("uLastSurface", surface.previous);
         program.set("uLastValid", int(frame.settings.temporal && specular.valid && surface.valid));
         program.set("uLongest", float(std::min(kLongest, frame.lightGrid->framesSinceChange() + 1)));
+        program.set("uReflections", int(ReflectionsPass::needed(frame)));
         program.set("uFaintest", kFaintest / frame.block.exposure.x);
     });
 }

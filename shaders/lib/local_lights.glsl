@@ -95,51 +95,68 @@ void offer(inout Choice choice, int light, float weight, float stands) {
     choice.weight = taken ? weight : choice.weight;
 }
 
-struct LightSample {
-    vec3 direction;      // unit vector to a point of the light
-    float range;         // metres to it
-    float own;           // of these, the last ones are the light's own
-    vec3 arriving;       // irradiance / pi through a face that looks to it
-};
-
 vec3 pictureAt(LocalLight light, vec2 place) {
     if (light.picture.y == 0) return vec3(1.0);
     ivec2 texel = clamp(ivec2((0.5 - 0.5 * place) * vec2(light.picture.yz)), ivec2(0), light.picture.yz - 1);
     return texelFetch(uLightPictures, light.picture.x + texel.x + texel.y * light.picture.y).rgb;
 }
 
-/// A ball's points by the solid angle that each takes: its light arrives as exactly as its shadow.
-LightSample sampleBall(LocalLight light, vec3 position, vec3 u) {
-    if (light.kind == kCapsule) light.place += light.right * (light.halfSize.x * (2.0 * u.z - 1.0));
-    vec3 toPlace = light.place - position;
-    float range2 = max(dot(toPlace, toPlace), 1e-6), range = sqrt(range2), radius2 = light.radius * light.radius;
-    float sine2 = min(radius2 / range2, 1.0);
-    float open = sine2 / (1.0 + sqrt(1.0 - sine2));   // 1 - cosine of the edge: the solid angle / 2 pi
-    float fall = u.y * open, turned2 = fall * (2.0 - fall);
-    float angle = 2.0 * kPi * u.x;
-    vec3 local = vec3(sqrt(turned2) * vec2(cos(angle), sin(angle)), 1.0 - fall);
-    float distanceMetres = max(range * local.z - sqrt(max(radius2 - range2 * turned2, 0.0)), 0.0);
-    float edge = coneEdge(light, -dot(toPlace, light.axis) / range);
-    vec3 arriving = light.color * (2.0 * open / radius2 * edge * lightWindow(distanceMetres, light.reach) / kPi);
-    return LightSample(basisAround(toPlace / range) * local, distanceMetres, max(light.radius, 0.12), arriving);
+/// From a position to a light, to a random one of a capsule's balls.
+vec3 toLight(LocalLight light, vec3 position, float u) {
+    return light.place + light.right * (light.kind == kCapsule ? light.halfSize.x * (2.0 * u - 1.0) : 0.0) - position;
 }
 
-LightSample sampleArea(LocalLight light, vec3 position, vec3 u) {
-    vec2 place = 2.0 * u.xy - 1.0;
-    vec3 up = cross(light.right, light.axis);
-    vec3 toPoint = light.place + light.right * (place.x * light.halfSize.x) + up * (place.y * light.halfSize.y) - position;
-    float range2 = max(dot(toPoint, toPoint), 1e-4), range = sqrt(range2);
-    vec3 direction = toPoint / range;
-    float cosine = -dot(direction, light.axis);
-    cosine = light.twoSided ? abs(cosine) : max(cosine, 0.0);
+/// 1 - cosine of the angle that a ball takes from its middle to its edge: its solid angle / 2 pi.
+float openingOf(float radius, float range2) {
+    float sine2 = min(radius * radius / range2, 1.0);
+    return sine2 / (1.0 + sqrt(1.0 - sine2));
+}
+
+/// To a random point of a light: of a ball by the solid angle that each takes, so that its light arrives as exactly as its shadow; of a
+/// rectangle by area.
+vec3 directionTo(LocalLight light, vec3 toPlace, vec2 u) {
+    float range2 = max(dot(toPlace, toPlace), 1e-6);
+    float fall = u.y * openingOf(light.radius, range2), angle = 2.0 * kPi * u.x;
+    vec3 local = vec3(sqrt(fall * (2.0 - fall)) * vec2(cos(angle), sin(angle)), 1.0 - fall);
+    vec3 ball = basisAround(toPlace * inversesqrt(range2)) * local;
+    vec2 place = (2.0 * u - 1.0) * light.halfSize;
+    vec3 area = normalize(toPlace + light.right * place.x + cross(light.right, light.axis) * place.y);
+    return light.kind >= kArea ? area : ball;
+}
+
+/// What a light sends to a position along a direction.
+struct LightSample {
+    float range;     // metres to its point
+    float own;       // of these, the last ones are the light's own
+    vec3 radiance;
+    float density;   // of directionTo(), by solid angle
+};
+
+/// met: the direction is known to meet it, but for rounding.
+LightSample ballAlong(LocalLight light, vec3 toPlace, vec3 direction, bool met) {
+    float along = dot(direction, toPlace), range2 = max(dot(toPlace, toPlace), 1e-6), radius2 = light.radius * light.radius;
+    vec3 aside = toPlace - direction * along;
+    float chord2 = radius2 - dot(aside, aside), range = max(along - sqrt(max(chord2, 0.0)), 0.0);
+    float edge = coneEdge(light, -dot(toPlace, light.axis) * inversesqrt(range2));
+    float shows = met || (chord2 >= 0.0 && along > 0.0) ? edge * lightWindow(range, light.reach) / (kPi * radius2) : 0.0;
+    return LightSample(range, max(light.radius, 0.12), light.color * shows, 1.0 / (2.0 * kPi * openingOf(light.radius, range2)));
+}
+
+LightSample areaAlong(LocalLight light, vec3 toPlace, vec3 direction, bool met) {
+    float turned = -dot(direction, light.axis), cosine = max(light.twoSided ? abs(turned) : turned, 1e-5);
+    float range = -dot(toPlace, light.axis) / (turned < 0.0 ? -cosine : cosine);
+    vec3 onFace = direction * range - toPlace;
+    vec2 halfSize = max(light.halfSize, vec2(1e-3));
+    vec2 place = vec2(dot(onFace, light.right), dot(onFace, cross(light.right, light.axis))) / halfSize;
+    float area = 4.0 * halfSize.x * halfSize.y;
+    bool shows = cosine > 1e-5 && range > 0.0 && (met || max(abs(place.x), abs(place.y)) <= 1.0);
     vec3 color = light.kind == kScreen ? light.color * pictureAt(light, place) : light.color;
-    vec3 arriving = color * (cosine / range2 * lightWindow(range, light.reach) / kPi);
-    return LightSample(direction, range, max(light.radius, 0.12) / max(cosine, 0.1), arriving);
+    return LightSample(range, max(light.radius, 0.12) / max(cosine, 0.1), shows ? color * (lightWindow(range, light.reach) / area) : vec3(0.0),
+                       max(range * range, 1e-4) / (cosine * area));
 }
 
-/// u: three random numbers.
-LightSample sampleLight(LocalLight light, vec3 position, vec3 u) {
-    LightSample ball = sampleBall(light, position, u);
-    LightSample area = sampleArea(light, position, u);
+LightSample lightAlong(LocalLight light, vec3 toPlace, vec3 direction, bool met) {
+    LightSample ball = ballAlong(light, toPlace, direction, met);
+    LightSample area = areaAlong(light, toPlace, direction, met);
     return light.kind >= kArea ? area : ball;
 }

@@ -35,17 +35,12 @@ vec3 coneDirection(vec3 axis, float angle, vec2 u) {
     return normalize(basisAround(axis) * vec3(sqrt(drop * (2.0 - drop)) * vec2(cos(turn), sin(turn)), 1.0 - drop));
 }
 
-/// A half vector seen from v in proportion to what a GGX surface shows of it (Heitz 2018, "Sampling the GGX distribution of
-/// visible normals"). All in the surface's frame, z up.
+/// A half vector seen from v in proportion to what a GGX surface shows of it (Heitz 2018), by a spherical cap (Dupuy and Benyoub 2023,
+/// "Sampling Visible GGX Normals with Spherical Caps"). All in the surface's frame, z up.
 vec3 visibleHalfVector(vec3 v, float alpha, vec2 u) {
     vec3 stretched = normalize(vec3(alpha * v.xy, v.z));
-    mat3 frame = basisAround(stretched);
-    vec2 d = discPoint(u);
-    float s = 0.5 * (1.0 + stretched.z);
-    // The disc's lower half is what the surface hides; the basis must have its second axis upward for that.
-    vec3 t1 = normalize(abs(stretched.z) < 0.9999 ? cross(vec3(0, 0, 1), stretched) : frame[0]);
-    vec3 t2 = cross(stretched, t1);
-    d.y = mix(sqrt(max(0.0, 1.0 - d.x * d.x)), d.y, s);
-    vec3 h = d.x * t1 + d.y * t2 + sqrt(max(0.0, 1.0 - dot(d, d))) * stretched;
+    float z = (1.0 - u.y) * (1.0 + stretched.z) - stretched.z;
+    float angle = 2.0 * kPi * u.x;
+    vec3 h = stretched + vec3(sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(angle), sin(angle)), z);
     return normalize(vec3(alpha * h.xy, max(1e-4, h.z)));
 }

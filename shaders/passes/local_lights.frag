@@ -13,11 +13,14 @@ uniform sampler2D uLastSpecular;
 uniform sampler2D uLastSurface;   // x linear depth, z frames accumulated
 uniform bool uLastValid;
 uniform float uLongest;           // frames
+uniform bool uReflections;        // mirror rays are sent too
 uniform float uFaintest;          // radiance of a white surface below which rays are sent only now and then
 
 in vec2 uv;
 layout(location = 0) out vec4 light;
 layout(location = 1) out vec4 specular;  // rgb radiance, a luminance of the light that came in
+
+const float kBrightest = 1000.0;  // of a highlight's sample: a last guard
 
 /// One of the lights near a pixel, and by what its sample is to be multiplied: 0 for none.
 float chooseLight(ivec2 pixel, float depth, vec3 position, vec3 normal, vec2 random, out int light) {
@@ -32,6 +35,19 @@ float chooseLight(ivec2 pixel, float depth, vec3 position, vec3 normal, vec2 ran
     // Faint light is looked for now and then, and counts for more.
     float chance = min(choice.total / (kPi * uFaintest), 1.0);
     return choice.random < chance && choice.total > 0.0 ? choice.total / (choice.weight * chance) : 0.0;
+}
+
+/// How often a direction of the lobe is asked instead of a point of the lamp: by how much of the highlight is shown against the diffuse
+/// light, which loses samples by it. Never where the lobe hardly changes over the lamp.
+float lobeShare(LocalLight lamp, vec3 toPlace, Surface s, vec3 view, vec3 f0) {
+    float extent = lamp.kind >= kArea ? lamp.extent : lamp.radius;
+    float opening = openingOf(extent, max(dot(toPlace, toPlace), 1e-6));
+    // Where the lobe is densest: to the point nearest to the mirrored ray (Karis 2013, "Real Shading in Unreal Engine 4").
+    vec3 mirrored = reflect(-view, s.normal), aside = mirrored * max(dot(toPlace, mirrored), 1e-3) - toPlace;
+    vec3 nearest = normalize(toPlace + aside * min(extent * inversesqrt(max(dot(aside, aside), 1e-12)), 1.0));
+    float denser = lobeDensity(s.normal, view, nearest, s.roughness) * 2.0 * kPi * opening;  // than samples of the lamp
+    float highlight = luminance(fresnel(f0, dot(view, s.normal))) * (1.0 - 2.0 / max(denser, 2.0)) * (uReflections ? lampsByLobe(s.roughness) : 1.0);
+    return min(highlight / (highlight + opening), 0.75);  // a surface that scatters half gives the lamp's radiance times `opening`
 }
 
 /// This frame's highlight, averaged with those of the same place in the frames before.
@@ -52,20 +68,27 @@ void main() {
     vec3 position = worldFromDepth(uv, s.depth);
     int chosen;
     float share = chooseLight(pixel, s.depth, position, s.normal, blueNoise(pixel, 2, frame.counters.x), chosen);
-    LightSample point = sampleLight(readLight(chosen), position, vec3(blueNoise(pixel, 3, frame.counters.x), blueNoise(pixel, 4, frame.counters.x).x));
-    float facing = max(dot(point.direction, s.normal), 0.0);
-    vec3 arriving = point.arriving * (facing * share);
+    LocalLight lamp = readLight(chosen);
+    vec2 random = blueNoise(pixel, 3, frame.counters.x), more = blueNoise(pixel, 4, frame.counters.x);
+    vec3 view = normalize(frame.cameraPosition.xyz - position), toPlace = toLight(lamp, position, more.x);
+    vec3 f0 = mix(vec3(s.reflectivity), s.albedo, s.metallic);
+    float lobes = lobeShare(lamp, toPlace, s, view, f0);
+    bool byLobe = more.y < lobes;
+    mat3 basis = basisAround(s.normal);
+    vec3 mirrored = reflect(-view, basis * visibleHalfVector(view * basis, lobeAlpha(s.roughness), random));
+    vec3 direction = byLobe ? mirrored : directionTo(lamp, toPlace, random);
+    LightSample point = lightAlong(lamp, toPlace, direction, !byLobe);
+    float density = mix(point.density, lobeDensity(s.normal, view, direction, s.roughness), lobes);
+    vec3 arriving = point.radiance * (max(dot(direction, s.normal), 0.0) * share / (kPi * density));
     bool dark = luminance(arriving) <= 0.0;
-    vec3 origin = shadowOrigin(position, s.normal), way = position + point.direction * point.range - origin;
+    vec3 origin = shadowOrigin(position, s.normal), way = position + direction * point.range - origin;
     float wayLength = max(length(way), 1e-4), t;
     light = specular = vec4(0.0);
     // Where nothing would arrive the ray has no length.
     if (!shadowTrace(origin, way / wayLength, dark ? -1.0 : max(wayLength - point.own, 0.0), t) && !dark) {
         light.rgb = arriving;
-        vec3 view = normalize(frame.cameraPosition.xyz - position);
-        vec3 f0 = mix(vec3(s.reflectivity), s.albedo, s.metallic);
-        vec3 mirrored = fresnel(f0, dot(view, normalize(view + point.direction))) * specularLobe(s.normal, view, point.direction, s.roughness);
-        specular = vec4(min(mirrored * arriving * kPi, vec3(12.0)), luminance(arriving));
+        vec3 mirroredShare = fresnel(f0, dot(view, normalize(view + direction))) * specularLobe(s.normal, view, direction, s.roughness);
+        specular = vec4(min(mirroredShare * arriving * kPi, vec3(kBrightest)), luminance(arriving));
     }
     specular = overTime(specular, position);
 }

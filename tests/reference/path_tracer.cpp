@@ -41,15 +41,30 @@ vec3 fresnelRough(vec3 f0, float cosine, float roughness) {
     return f0 + (glm::max(vec3(smooth * smooth), f0) - f0) * power5(cosine);
 }
 
+float alphaOf(float roughness) {
+    return std::max(roughness * roughness, 0.003f);
+}
+
+/// The GGX distribution of facets' normals (Walter et al. 2007).
+float facets(vec3 n, vec3 v, vec3 l, float a2) {
+    const float nh = std::clamp(glm::dot(n, glm::normalize(v + l)), 0.0f, 1.0f);
+    const float d = nh * nh * (a2 - 1.0f) + 1.0f;
+    return a2 / (float(kPi) * d * d);
+}
+
 /// specularLobe() of shaders/lib/brdf.glsl.
 float specularLobe(vec3 n, vec3 v, vec3 l, float roughness) {
-    const float alpha = std::max(roughness * roughness, 0.003f), a2 = alpha * alpha;
-    const vec3 h = glm::normalize(v + l);
-    const float nh = std::clamp(glm::dot(n, h), 0.0f, 1.0f);
+    const float alpha = alphaOf(roughness), a2 = alpha * alpha;
     const float nl = std::clamp(glm::dot(n, l), 1e-4f, 1.0f), nv = std::clamp(glm::dot(n, v), 1e-4f, 1.0f);
-    const float d = nh * nh * (a2 - 1.0f) + 1.0f;
     const float masking = nl * std::sqrt(nv * nv * (1.0f - a2) + a2) + nv * std::sqrt(nl * nl * (1.0f - a2) + a2);
-    return a2 / (float(kPi) * d * d) * 0.5f / std::max(masking, 1e-5f);
+    return facets(n, v, l, a2) * 0.5f / std::max(masking, 1e-5f);
+}
+
+/// Density of directions that visibleNormal() mirrors v to: D G1 / (4 n.v) (Heitz 2018), with Smith's G1.
+float visibleDensity(vec3 n, vec3 v, vec3 l, float roughness) {
+    const float alpha = alphaOf(roughness), a2 = alpha * alpha;
+    const float nv = std::clamp(glm::dot(n, v), 1e-4f, 1.0f);
+    return facets(n, v, l, a2) * 0.5f / (nv + std::sqrt(nv * nv * (1.0f - a2) + a2));
 }
 
 /// How much a surface gives of each kind of light that reaches it: surfaceRadiance() of shaders/passes/composite.frag.
@@ -111,12 +126,18 @@ private:
     static dvec3 leave(const Surface& s) { return s.position + s.normal * kLeave; }
     dvec3 sunRay(Random& random) const { return coneDirection(m_sun, std::cos(double(m_air.sunAngle)), unitSquare(random)); }
 
-    /// Irradiance / pi from one of the lights, chosen by how much each would give if nothing stood between.
-    vec3 localLights(const Surface& s, Random& random, dvec3* direction = nullptr) const {
+    /// One of the lights, and by what its light is to be multiplied.
+    struct Chosen {
+        const SnapshotLight* light = nullptr;
+        float weight = 0.0f;
+        dvec3 toPlace;  ///< from where the surface is left; of a capsule, to one of its balls
+    };
+    /// By how much each would give if nothing stood between.
+    Chosen chooseLight(const Surface& s, Random& random) const {
         const auto& lights = m_scene.lights();
         float sum = 0.0f;
         for (const SnapshotLight& light : lights) sum += unoccluded(light, s);
-        if (sum <= 0.0f) return vec3(0.0f);
+        if (sum <= 0.0f) return {};
         float left = random.unit() * sum;
         size_t chosen = 0;
         for (size_t i = 0; i < lights.size(); ++i) {
@@ -126,7 +147,19 @@ private:
             left -= own;
             if (left < 0.0f) break;
         }
-        return fromLight(lights[chosen], s, random, direction) * (sum / unoccluded(lights[chosen], s));
+        const SnapshotLight& light = lights[chosen];
+        dvec3 toPlace = light.position - leave(s);
+        if (light.kind == LightKind::Capsule) toPlace += dvec3(light.right) * (light.width * (double(random.unit()) - 0.5));
+        return {&light, sum / unoccluded(light, s), toPlace};
+    }
+
+    /// Irradiance / pi.
+    vec3 localLights(const Surface& s, Random& random) const {
+        const Chosen chosen = chooseLight(s, random);
+        if (!chosen.light) return vec3(0.0f);
+        const dvec3 direction = directionTo(chosen, random);
+        const Sent sent = sentAlong(chosen, s, direction);
+        return sent.density > 0.0 ? sent.radiance * float(glm::dot(direction, s.normal) / (sent.density * kPi)) : vec3(0.0f);
     }
 
     /// What of a light's reach is left at a distance.
@@ -162,46 +195,66 @@ private:
         return float(facing / square) * brightest(light.color) * windowOf(light, std::max(range - extent, 0.0)) * coneEdge(light, toCentre);
     }
 
-    vec3 fromLight(const SnapshotLight& light, const Surface& s, Random& random, dvec3* toLight) const {
-        if (isFlat(light)) return fromRectangle(light, s, random, toLight);
-        dvec3 place = light.position;
-        if (light.kind == LightKind::Capsule) place += dvec3(light.right) * (light.width * (double(random.unit()) - 0.5));
-        return fromBall(light, place, s, random, toLight);
-    }
-
     /// Share of the light that gets from where a surface is left to within what a light's own voxels may fill.
     vec3 seen(const Surface& s, dvec3 direction, double clear) const {
         return clear > 0.0 ? m_scene.transmittance({leave(s), direction, clear}) : vec3(1.0f);
     }
 
-    /// A ball of even radiance color / (pi radius^2), sampled over the directions in which it is seen.
-    vec3 fromBall(const SnapshotLight& light, dvec3 place, const Surface& s, Random& random, dvec3* toLight) const {
-        const dvec3 toCentre = place - leave(s);
-        const double range = std::max(glm::length(toCentre), double(light.radius) * 1.001), radius = light.radius;
-        const double sine = radius / range, cosine = std::sqrt(1.0 - sine * sine);
-        const dvec3 direction = coneDirection(toCentre / range, cosine, unitSquare(random));
-        if (toLight) *toLight = direction;
-        const double facing = glm::dot(direction, s.normal);
-        if (facing <= 0.0) return vec3(0.0f);
-        const double along = glm::dot(direction, toCentre), chord = radius * radius - (range * range - along * along);
-        const double near = std::max(along - std::sqrt(std::max(chord, 0.0)), 0.0);
-        // 1 - cos without cancelling, as sin^2 / (1 + cos).
-        const double solidAngle = 2.0 * kPi * sine * sine / (1.0 + cosine);
-        return seen(s, direction, near - std::max(kBulb, radius)) * light.color * float(solidAngle * facing / (kPi * kPi * radius * radius)) *
-               windowOf(light, near) * coneEdge(light, toCentre);
+    /// To a point of a light: of a ball evenly over the directions in which it is seen, of a rectangle evenly over its face.
+    static dvec3 directionTo(const Chosen& chosen, Random& random) {
+        const SnapshotLight& light = *chosen.light;
+        const glm::dvec2 u = unitSquare(random);
+        if (!isFlat(light)) {
+            const double range = glm::length(chosen.toPlace), sine = sineOf(light, range);
+            return coneDirection(chosen.toPlace / range, std::sqrt(1.0 - sine * sine), u);
+        }
+        const dvec3 right(light.right), up = glm::cross(right, dvec3(light.direction));
+        return glm::normalize(chosen.toPlace + right * ((u.x - 0.5) * light.width) + up * ((u.y - 0.5) * light.height));
     }
 
-    /// A rectangle of radiance color / its area, times its picture, sampled evenly over its face.
-    vec3 fromRectangle(const SnapshotLight& light, const Surface& s, Random& random, dvec3* toLight) const {
-        const glm::dvec2 u = unitSquare(random);
+    /// Of the angle at which a ball is seen; never from inside.
+    static double sineOf(const SnapshotLight& light, double range) { return std::min(light.radius / range, 1.0 / 1.001); }
+
+    /// What a chosen light sends to a surface along a direction.
+    struct Sent {
+        vec3 radiance{0.0f};   ///< times the light's weight
+        double density = 0.0;  ///< of directionTo(), by solid angle; 0: nothing comes from there
+    };
+    Sent sentAlong(const Chosen& chosen, const Surface& s, dvec3 direction) const {
+        if (glm::dot(direction, s.normal) <= 0.0) return {};
+        Sent sent = isFlat(*chosen.light) ? fromRectangle(chosen, s, direction) : fromBall(chosen, s, direction);
+        sent.radiance *= chosen.weight;
+        return sent;
+    }
+
+    /// A ball of even radiance color / (pi radius^2).
+    Sent fromBall(const Chosen& chosen, const Surface& s, dvec3 direction) const {
+        const SnapshotLight& light = *chosen.light;
+        const double radius = light.radius, sine = sineOf(light, glm::length(chosen.toPlace)), range = radius / sine;
+        const dvec3 axis = glm::normalize(chosen.toPlace), aside = glm::cross(direction, axis);
+        const double off = glm::dot(aside, aside), cosine = glm::dot(direction, axis);
+        if (cosine <= 0.0 || off > sine * sine) return {};
+        const double near = std::max(range * cosine - std::sqrt(radius * radius - range * range * off), 0.0);
+        // 1 - cos without cancelling, as sin^2 / (1 + cos).
+        const double solidAngle = 2.0 * kPi * sine * sine / (1.0 + std::sqrt(1.0 - sine * sine));
+        return {seen(s, direction, near - std::max(kBulb, radius)) * light.color * float(1.0 / (kPi * radius * radius)) * windowOf(light, near) *
+                    coneEdge(light, chosen.toPlace),
+                1.0 / solidAngle};
+    }
+
+    /// A rectangle of radiance color / its area, times its picture.
+    Sent fromRectangle(const Chosen& chosen, const Surface& s, dvec3 direction) const {
+        const SnapshotLight& light = *chosen.light;
         const dvec3 right(light.right), axis(light.direction), up = glm::cross(right, axis);
-        const dvec3 toPoint = light.position + right * ((u.x - 0.5) * light.width) + up * ((u.y - 0.5) * light.height) - leave(s);
-        const double range = glm::length(toPoint), turned = -glm::dot(toPoint, axis) / range;
-        const double cosine = light.twoSided ? std::abs(turned) : std::max(turned, 0.0), facing = glm::dot(toPoint, s.normal) / range;
-        if (toLight) *toLight = toPoint / range;
-        if (cosine <= 0.0 || facing <= 0.0) return vec3(0.0f);
-        const vec3 through = seen(s, toPoint / range, range - std::max(kBulb, double(light.radius)) / std::max(cosine, 0.1));
-        return through * light.color * pictureAt(light, u) * float(cosine * facing / (range * range * kPi)) * windowOf(light, range);
+        const double turned = -glm::dot(direction, axis), cosine = light.twoSided ? std::abs(turned) : turned;
+        const double range = -glm::dot(chosen.toPlace, axis) / turned;
+        if (!(cosine > 0.0 && range > 0.0)) return {};
+        const dvec3 onFace = direction * range - chosen.toPlace;
+        const glm::dvec2 u = glm::dvec2(glm::dot(onFace, right) / light.width, glm::dot(onFace, up) / light.height) + 0.5;
+        if (std::min(u.x, u.y) < 0.0 || std::max(u.x, u.y) >= 1.0) return {};
+        const double area = double(light.width) * light.height;
+        const vec3 through = seen(s, direction, range - std::max(kBulb, double(light.radius)) / std::max(cosine, 0.1));
+        return {through * light.color * pictureAt(light, u) * float(1.0 / area) * windowOf(light, range), range * range / (cosine * area)};
     }
 
     /// u: along `right` and up. Who looks at a screen has its right on the left.
@@ -227,13 +280,29 @@ private:
                 sum += glm::min(sun * fresnel(r.f0, glm::dot(view, half)) * specularLobe(vec3(s.normal), view, toSun, s.roughness), vec3(30.0f));
             }
         }
-        if (m_scene.lights().empty()) return sum;
-        dvec3 l;
-        const vec3 lamp = localLights(s, random, &l);
-        if (brightest(lamp) <= 0.0f) return sum;
-        const vec3 highlight =
-            fresnel(r.f0, glm::dot(view, glm::normalize(view + vec3(l)))) * specularLobe(vec3(s.normal), view, vec3(l), s.roughness);
-        return sum + r.matte * lamp + glm::min(highlight * lamp * float(kPi), vec3(30.0f)) * r.lobe;
+        const Chosen chosen = chooseLight(s, random);
+        if (!chosen.light) return sum;
+        // The highlight by a sample of the light and one of the lobe, each weighed by the densities of both (the balance heuristic:
+        // Veach & Guibas 1995).
+        const bool byLobe = r.lobe > 0.0f && m_settings.lobeSamples;
+        const auto lobeDensity = [&](vec3 l) { return byLobe ? visibleDensity(vec3(s.normal), view, l, s.roughness) : 0.0f; };
+        const auto highlight = [&](vec3 l) {
+            return r.lobe * fresnel(r.f0, glm::dot(view, glm::normalize(view + l))) * specularLobe(vec3(s.normal), view, l, s.roughness);
+        };
+        const dvec3 toLight = directionTo(chosen, random);
+        if (const Sent sent = sentAlong(chosen, s, toLight); sent.density > 0.0) {
+            const vec3 l(toLight), irradiance = sent.radiance * float(glm::dot(toLight, s.normal));
+            sum += irradiance * (r.matte / float(kPi * sent.density) + highlight(l) / (float(sent.density) + lobeDensity(l)));
+        }
+        if (!byLobe) return sum;
+        const glm::dmat3 basis = basisAround(s.normal);
+        const dvec3 v(view), half = basis * visibleNormal(v * basis, alphaOf(s.roughness), unitSquare(random));
+        const dvec3 mirrored = 2.0 * glm::dot(v, half) * half - v;
+        if (const Sent sent = sentAlong(chosen, s, mirrored); sent.density > 0.0) {
+            const vec3 l(mirrored), irradiance = sent.radiance * float(glm::dot(mirrored, s.normal));
+            sum += irradiance * highlight(l) / (float(sent.density) + lobeDensity(l));
+        }
+        return sum;
     }
 
     /// A mirror ray of a surface.

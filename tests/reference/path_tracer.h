@@ -23,6 +23,7 @@ struct Settings {
     int bounces = 32;           ///< surfaces that light may come from before it reaches the one that is seen; 0: what rays hit is black
     double reach = 1e30;        ///< metres: sky and mirror rays that get that far see the sky
     bool filterPixels = false;  ///< over the pixel and its neighbours, as the temporal anti-aliasing does; else its centre
+    bool lobeSamples = true;    ///< for highlights of lamps; without, the same mean with more noise
     uint64_t seed = 1;
 };
 

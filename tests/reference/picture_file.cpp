@@ -15,7 +15,7 @@
 namespace rubble::reference {
 namespace {
 
-constexpr uint64_t kTracerVersion = 3;  // raise it when the same settings give another picture
+constexpr uint64_t kTracerVersion = 4;  // raise it when the same settings give another picture
 constexpr const char* kNames[6] = {"R", "G", "B", "variance.R", "variance.G", "variance.B"};
 
 /// Slices over the picture's channels. The first row in memory is the lowest: strides go backwards from the last.
@@ -33,9 +33,9 @@ Imf::FrameBuffer slicesOf(Picture& picture) {
 uint64_t keyOf(const Scene& scene, const View& view, const Settings& s) {
     uint64_t key = hashValue(kTracerVersion, scene.hash());
     const double numbers[] = {
-        view.position.x,   view.position.y,  view.position.z,        view.rotation.w,     view.rotation.x,     view.rotation.y,
-        view.rotation.z,   view.verticalFov, double(view.size.x),    double(view.size.y), double(int(s.term)), double(s.samples),
-        double(s.bounces), s.reach,          double(s.filterPixels), double(s.seed)};
+        view.position.x,   view.position.y,  view.position.z,        view.rotation.w,       view.rotation.x,     view.rotation.y,
+        view.rotation.z,   view.verticalFov, double(view.size.x),    double(view.size.y),   double(int(s.term)), double(s.samples),
+        double(s.bounces), s.reach,          double(s.filterPixels), double(s.lobeSamples), double(s.seed)};
     for (const double number : numbers) key = hashValue(number, key);
     return key;
 }
