@@ -56,7 +56,7 @@ struct RenderSettings {
     int warmUpFrames = 0;        ///< drawn unseen before the first picture and after each cut: clean stills
     bool sun = true, sky = true, localLights = true, reflections = true, fog = true, glare = true;
     bool bounce = true;         ///< what sky and mirror rays hit shines back; off: it is black
-    bool bounceColors = true;   ///< what sky rays hit has its voxel's colour where no picture shows it; off: one for all, at half the rays' cost
+    bool bounceColors = true;   ///< what sky rays hit unseen has its voxel's colour and lamps' light; off: one colour for all, at half the cost
     Noise noise = Noise::Blue;  ///< of light's rays
     bool bevel = true;          ///< rounds the edges of near voxels in light
     bool refraction = true;     ///< panes shift what is behind them

@@ -1,14 +1,23 @@
 #include "render/passes/bounce.h"
 
+#include "render/passes/local_lights_pass.h"
+#include "render/scene/light_grid.h"
+#include "render/scene/scene.h"
+
 namespace rubble {
 
-void bindBounce(const Program& program, const FrameContext& frame) {
+void bindBounce(const Program& program, const FrameContext& frame, bool detailed) {
     const History radiance = frame.targets.history("radiance", GL_RGBA16F);
     const History surface = frame.targets.history("surface", GL_RGBA32F);
     program.set("uLastRadiance", radiance.previous);
     program.set("uLastSurface", surface.previous);
     program.set("uLastValid", int(radiance.valid && surface.valid));
     program.set("uBounce", int(frame.settings.bounce));
+    const bool lamps = detailed && LocalLightsPass::needed(frame) && !frame.lightGrid->empty();
+    program.set("uLamps", int(lamps));
+    if (lamps) frame.lightGrid->bind(program);
+    program.set("uBodyLevels", 0);  // no voxels to look up
+    if (detailed) frame.scene.bindVoxelsAt(program);
     program.set("uSunUp", int(frame.block.sunDirection.y > 0.0f));
 }
 

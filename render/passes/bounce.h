@@ -3,7 +3,8 @@
 
 namespace rubble {
 
-/// Sets the samplers of lib/bounce.glsl. The program must be in use.
-void bindBounce(const Program& program, const FrameContext& frame);
+/// Sets the samplers of lib/bounce.glsl. The program must be in use. detailed: places that no picture shows have their voxels' colours and
+/// are lit by lamps.
+void bindBounce(const Program& program, const FrameContext& frame, bool detailed = true);
 
 }  // namespace rubble

@@ -43,7 +43,6 @@ void ReflectionsPass::draw(const FrameContext& frame) const {
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         bindMirror(program, frame);
         frame.scene.bindShadow(program);
-        frame.scene.bindVoxelsAt(program);
         bindBounce(program, frame);
         program.set("uLight", frame.targets.at("lighting"));
         program.set("uBlueNoise", frame.blueNoise);

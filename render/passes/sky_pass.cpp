@@ -15,9 +15,7 @@ void SkyPass::draw(const FrameContext& frame) const {
     drawFullscreen(frame, m_program, {targets, {&targets.target("light", GL_RGBA16F)}, &targets.at("depthBuffer")}, [&](const Program& program) {
         GBufferPass::bind(program, targets);
         frame.scene.bindShadow(program);
-        program.set("uBodyLevels", 0);  // no voxels to look up
-        if (frame.settings.bounceColors) frame.scene.bindVoxelsAt(program);
-        bindBounce(program, frame);
+        bindBounce(program, frame, frame.settings.bounceColors);
         program.set("uBlueNoise", frame.blueNoise);
         program.set("uLastLight", targets.history("accumulated", GL_RGBA16F).previous);
         program.set("uRays", frame.settings.skyRays);

@@ -67,7 +67,6 @@ void WaterPass::draw(const FrameContext& frame) const {
             program.set("uBehind", behind);
             program.set("uBlueNoise", frame.blueNoise);
             frame.scene.bindShadow(program);
-            frame.scene.bindVoxelsAt(program);
             bindBounce(program, frame);
             setWater(program, frame.scene, water);
             setRipples(program, frame.scene, water);

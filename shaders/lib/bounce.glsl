@@ -1,6 +1,8 @@
 // What a ray sees where it meets the world: the lit colour if the last picture shows that place, else its voxel's own colour in the
-// light of sun and sky. Needs lib/frame, gbuffer, sky, shadow_trace, brdf.
+// light of sun and sky. Needs lib/frame, gbuffer, sky, shadow_trace, sampling, brdf.
 #include "lib/surface_history.glsl"
+#include "lib/color.glsl"
+#include "lib/local_lights.glsl"
 #include "lib/voxel_walk.glsl"
 #include "lib/paint.glsl"
 #include "lib/voxel_at.glsl"
@@ -9,9 +11,11 @@ uniform sampler2D uLastSurface;   // lib/surface_history.glsl
 uniform bool uLastValid;
 uniform bool uSunUp;
 uniform bool uBounce;
+uniform bool uLamps;  // shine where no picture shows it
 
 const float kEdge = 0.15;         // of the picture's half width and height: how far the trust in it takes to grow
 const float kUnknownAlbedo = 0.3;  // where no voxel is found
+const float kBrightestLamp = 6.0;  // close to a lamp few rays would speckle
 const float kMostOpener = 1.4;     // x 0.9 x an albedo is below 1: what a dark room guesses of its own light never grows
 const float kShadowCellMetres = 0.1;
 
@@ -46,9 +50,11 @@ vec4 radianceOnScreen(vec3 hitWorld, vec3 normal, float glow) {
     return vec4(clamp(radiance / (1.0 - haze), vec3(0.0), vec3(3.0)) * counted, clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0));
 }
 
-/// Where a ray started: the mean radiance there.
+/// Where a ray started: the mean radiance there, the lights that may reach it (lightsAt()), and random numbers for one of these.
 struct Here {
     vec3 light, normal;
+    ivec2 lamps;
+    vec3 random;
 };
 
 /// How much light a face gets under an open sky, by where it looks: all from above, a little from below.
@@ -61,6 +67,22 @@ vec3 sunOn(vec3 place, vec3 normal) {
     return frame.sunColor.rgb * (facing / 3.14159265);
 }
 
+#ifndef FEW_TEXTURE_UNITS
+/// What one of the lights sends to a face, divided by pi and by how often it is drawn.
+vec3 lampOn(vec3 place, vec3 normal, Here here) {
+    Choice choice = chooseLight(here.lamps, place, normal, here.random.xy);
+    if (choice.total <= 0.0) return vec3(0.0);
+    LocalLight lamp = readLight(max(choice.light, 0));
+    vec3 toPlace = toLight(lamp, place, here.random.z), direction = directionTo(lamp, toPlace, fract(here.random.yz + here.random.x));
+    LightSample point = lightAlong(lamp, toPlace, direction, true);
+    vec3 arriving = point.radiance * (max(dot(direction, normal), 0.0) / (kPi * point.density) * choice.total / choice.weight);
+    vec3 origin = shadowOrigin(place, normal), way = place + direction * point.range - origin;
+    float wayLength = max(length(way), 1e-4), t;
+    bool dark = luminance(arriving) <= 0.0 || shadowTrace(origin, way / wayLength, max(wayLength - point.own, 0.0), t);
+    return dark ? vec3(0.0) : min(arriving, vec3(kBrightestLamp));
+}
+#endif
+
 /// Radiance of a face that no picture shows: what its voxel gives back of the sun's light, and of as much of the rest as there is where the
 /// ray started, if both are as open; and its own light. That is right in the long run inside a room, where it sums up all bounces, and
 /// zero in a closed one. glow: as above.
@@ -71,6 +93,7 @@ vec3 unseenRadiance(vec3 hitWorld, vec3 normal, vec3 direction, Here here, float
 #else
     // The cell that was met has its middle in the voxel. What moves is drawn between two steps and may be a little farther on.
     vec3 middle = (floor((hitWorld - normal * (0.5 * kShadowCellMetres)) / kShadowCellMetres) + 0.5) * kShadowCellMetres;
+    if (uLamps) rest += lampOn(hitWorld, normal, here);
     Entry entry;
     bool found = voxelAt(middle, entry);
     if (!found) found = voxelAt(middle + direction * kShadowCellMetres, entry);

@@ -95,6 +95,17 @@ void offer(inout Choice choice, int light, float weight, float stands) {
     choice.weight = taken ? weight : choice.weight;
 }
 
+/// One of a list, as lightsAt() gives it.
+Choice chooseLight(ivec2 cell, vec3 position, vec3 normal, vec2 random) {
+    int looked = lightsLooked(cell.y);
+    Choice choice = Choice(-1, 1.0, 0.0, random.x);
+    for (int i = 0; i < looked; ++i) {
+        vec2 next = lightLooked(cell, i, random.y);
+        offer(choice, int(next.x), roughIrradiance(int(next.x), position, normal), next.y);
+    }
+    return choice;
+}
+
 vec3 pictureAt(LocalLight light, vec2 place) {
     if (light.picture.y == 0) return vec3(1.0);
     ivec2 texel = clamp(ivec2((0.5 - 0.5 * place) * vec2(light.picture.yz)), ivec2(0), light.picture.yz - 1);

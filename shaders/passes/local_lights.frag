@@ -23,14 +23,8 @@ layout(location = 1) out vec4 specular;  // rgb radiance, a luminance of the lig
 const float kBrightest = 1000.0;  // of a highlight's sample: a last guard
 
 /// One of the lights near a pixel, and by what its sample is to be multiplied: 0 for none.
-float chooseLight(ivec2 pixel, float depth, vec3 position, vec3 normal, vec2 random, out int light) {
-    ivec2 cell = lightsAt(pixel, depth);
-    int looked = lightsLooked(cell.y);
-    Choice choice = Choice(-1, 1.0, 0.0, random.x);
-    for (int i = 0; i < looked; ++i) {
-        vec2 next = lightLooked(cell, i, random.y);
-        offer(choice, int(next.x), roughIrradiance(int(next.x), position, normal), next.y);
-    }
+float drawLight(ivec2 cell, vec3 position, vec3 normal, vec2 random, out int light) {
+    Choice choice = chooseLight(cell, position, normal, random);
     light = max(choice.light, 0);
     // Faint light is looked for now and then, and counts for more.
     float chance = min(choice.total / (kPi * uFaintest), 1.0);
@@ -67,7 +61,7 @@ void main() {
     Surface s = readSurface(pixel);
     vec3 position = worldFromDepth(uv, s.depth);
     int chosen;
-    float share = chooseLight(pixel, s.depth, position, s.normal, blueNoise(pixel, 2, frame.counters.x), chosen);
+    float share = drawLight(lightsAt(pixel, s.depth), position, s.normal, blueNoise(pixel, 2, frame.counters.x), chosen);
     LocalLight lamp = readLight(chosen);
     vec2 random = blueNoise(pixel, 3, frame.counters.x), more = blueNoise(pixel, 4, frame.counters.x);
     vec3 view = normalize(frame.cameraPosition.xyz - position), toPlace = toLight(lamp, position, more.x);

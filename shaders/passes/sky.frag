@@ -24,9 +24,10 @@ void main() {
     vec3 origin = shadowOrigin(worldFromDepth(uv, s.depth), s.normal);
     vec2 lastUv = uv - texelFetch(uMotion, pixel, 0).rg;
     bool known = uLastValid && lastUv == clamp(lastUv, vec2(0.0), vec2(0.999));
-    Here here = Here(known ? texelFetch(uLastLight, ivec2(lastUv * frame.targetSize.xy), 0).rgb : vec3(0.0), s.normal);
+    Here here = Here(known ? texelFetch(uLastLight, ivec2(lastUv * frame.targetSize.xy), 0).rgb : vec3(0.0), s.normal, uLamps ? lightsAt(pixel, s.depth) : ivec2(0), vec3(0.0));
     for (int i = 0; i < uRays; ++i) {
         vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, frame.counters.x * uRays + i));
+        here.random = vec3(blueNoise(pixel, 5, frame.counters.x * uRays + i), blueNoise(pixel, 6, frame.counters.x * uRays + i).x);
         float t;
         if (shadowTraceCoarse(origin, direction, uReach, uExactFor, t))
             light.rgb += radianceAt(origin + direction * t, direction, here, 0.0);
