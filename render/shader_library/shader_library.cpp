@@ -24,7 +24,8 @@ FullscreenProgram& ShaderLibrary::loadFullscreen(const std::string& file, const 
         if (program->file() == file) return *program;
     auto program = std::make_unique<FullscreenProgram>(file, kind);
     if (m_fullscreen != Fullscreen::Compute) program->make(FullscreenBy::Fragment).build(m_folder, m_defines);
-    if (m_fullscreen != Fullscreen::Fragment && !program->make(FullscreenBy::Compute).build(m_folder, m_defines) && m_fullscreen == Fullscreen::Both) {
+    if (m_fullscreen != Fullscreen::Fragment && !program->make(FullscreenBy::Compute).build(m_folder, m_defines) &&
+        m_fullscreen == Fullscreen::Both) {
         logWarning("fragments draw what does not build as a compute program: " + program->built(FullscreenBy::Compute)->error());
         program->release(FullscreenBy::Compute);
     }
