@@ -78,6 +78,7 @@ FullscreenChoice choiceFor(Fullscreen drawn) {
 struct Renderer::Impl {
     Impl(const std::string& shaderFolder, const RenderSettings& given) : settings(given), shaders(shaderFolder, builtFor(fullscreen)) {
         scene.setUploadBudget(given.uploadBudget);
+        scene.setBounceColors(given.sky && given.bounce && given.bounceColors);
         blueNoise = Texture(GL_R8, glm::ivec2(kBlueNoiseSize), Filter::Nearest, Wrap::Repeat);
         blueNoise.upload(makeBlueNoise().data());
     }

@@ -87,7 +87,7 @@ uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld) {
 }
 
 uint64_t Scene::updateGrid() {
-    if (!hasMirrors() && !hasGlass() && m_environment.wetness <= 0.0f && m_waters.empty()) {
+    if (!m_bounceColors && !hasMirrors() && !hasGlass() && m_environment.wetness <= 0.0f && m_waters.empty()) {
         m_grid.reset();
         return 0;
     }

@@ -50,6 +50,8 @@ public:
     /// How often shapes with glass have changed or moved, or the sun has.
     uint64_t glassChanges() const { return m_glassChanges; }
     /// Any shape with a palette entry smooth enough to mirror.
+    /// Voxels can be looked up for bounced light, not only for mirrors: see bindVoxelsAt().
+    void setBounceColors(bool wanted) { m_bounceColors = wanted; }
     bool hasMirrors() const { return m_bodies.hasMirrors(); }
     /// World position that the GPU's coordinates are relative to: a corner of the shadow volume's sectors.
     glm::dvec3 origin() const { return m_origin; }
@@ -68,8 +70,9 @@ private:
     uint64_t updateGrid();
 
     Bodies m_bodies;
-    std::optional<BodyGrid> m_grid;  ///< while anything mirrors
-    std::deque<Held> m_held;         ///< oldest first
+    std::optional<BodyGrid> m_grid;  ///< while anything mirrors, or bounced light has colours
+    bool m_bounceColors = false;
+    std::deque<Held> m_held;  ///< oldest first
     uint64_t m_uploadBudget = ~uint64_t(0);
     bool m_sendAll = false;  ///< a level was loaded
     ShadowMirror m_shadow;

@@ -1,5 +1,5 @@
 // What a ray sees where it meets the world: the lit colour if the last picture shows that place, else its voxel's own colour in the
-// light of sun and sky. Needs lib/frame, gbuffer, sky, shadow_trace, sampling, brdf.
+// light of sun, sky and lamps. Needs lib/frame, gbuffer, sky, shadow_trace, sampling, brdf.
 #include "lib/surface_history.glsl"
 #include "lib/color.glsl"
 #include "lib/local_lights.glsl"
@@ -14,9 +14,10 @@ uniform bool uBounce;
 uniform bool uLamps;  // shine where no picture shows it
 
 const float kEdge = 0.15;         // of the picture's half width and height: how far the trust in it takes to grow
-const float kUnknownAlbedo = 0.3;  // where no voxel is found
+const float kUnknownAlbedo = 0.3; // where no voxel is found
 const float kBrightestLamp = 6.0;  // close to a lamp few rays would speckle
-const float kMostOpener = 1.4;     // x 0.9 x an albedo is below 1: what a dark room guesses of its own light never grows
+const float kMostOpener = 1.4;
+const float kMostGuessed = 0.95;   // of the light where the ray started: what a white room guesses of its own light never grows
 const float kShadowCellMetres = 0.1;
 
 /// The cell face that a ray has come through at a point on the shadow volume's cells.
@@ -64,7 +65,7 @@ float openLight(vec3 normal) { return 0.15 + 0.85 * (0.5 + 0.5 * normal.y); }
 vec3 sunOn(vec3 place, vec3 normal) {
     float facing = dot(normal, frame.sunDirection.xyz), t;
     if (!uSunUp || facing <= 0.0 || shadowTrace(shadowOrigin(place, normal), frame.sunDirection.xyz, 64.0, t)) return vec3(0.0);
-    return frame.sunColor.rgb * (facing / 3.14159265);
+    return frame.sunColor.rgb * (facing / kPi);
 }
 
 #ifndef FEW_TEXTURE_UNITS
@@ -87,22 +88,24 @@ vec3 lampOn(vec3 place, vec3 normal, Here here) {
 /// ray started, if both are as open; and its own light. That is right in the long run inside a room, where it sums up all bounces, and
 /// zero in a closed one. glow: as above.
 vec3 unseenRadiance(vec3 hitWorld, vec3 normal, vec3 direction, Here here, float glow) {
-    vec3 rest = 0.9 * min(openLight(normal) / openLight(here.normal), kMostOpener) * here.light, sun = sunOn(hitWorld, normal);
+    float asOpen = 0.9 * min(openLight(normal) / openLight(here.normal), kMostOpener);
+    vec3 sun = sunOn(hitWorld, normal);
 #ifdef FEW_TEXTURE_UNITS
-    return kUnknownAlbedo * (rest + sun);  // a voxel takes twelve samplers to look up
+    return kUnknownAlbedo * (asOpen * here.light + sun);  // a voxel takes twelve samplers to look up
 #else
+    vec3 lamp = uLamps ? lampOn(hitWorld, normal, here) : vec3(0.0);
     // The cell that was met has its middle in the voxel. What moves is drawn between two steps and may be a little farther on.
     vec3 middle = (floor((hitWorld - normal * (0.5 * kShadowCellMetres)) / kShadowCellMetres) + 0.5) * kShadowCellMetres;
-    if (uLamps) rest += lampOn(hitWorld, normal, here);
     Entry entry;
     bool found = voxelAt(middle, entry);
     if (!found) found = voxelAt(middle + direction * kShadowCellMetres, entry);
-    if (!found) return kUnknownAlbedo * (rest + sun);
+    if (!found) return kUnknownAlbedo * (asOpen * here.light + sun + lamp);
     vec3 albedo = srgbToLinear(entry.color), f0 = mix(vec3(entry.reflectivity), albedo, entry.metallic);
     vec3 own = min(albedo * entry.emission, vec3(3.0)) * (frame.counters.z > 0 ? glow : 1.0);
     vec3 toSun = frame.sunDirection.xyz, shine = fresnel(f0, dot(-direction, normalize(toSun - direction)));
-    shine *= specularLobe(normal, -direction, toSun, entry.roughness) * 3.14159265;
-    return albedo * (1.0 - entry.metallic) * (1.0 - f0) * (rest + sun) + f0 * rest + min(shine * sun, vec3(3.0)) + own;
+    shine *= specularLobe(normal, -direction, toSun, entry.roughness) * kPi;
+    vec3 matte = albedo * (1.0 - entry.metallic) * (1.0 - f0), given = matte + f0;
+    return min(given * asOpen, vec3(kMostGuessed)) * here.light + given * lamp + matte * sun + min(shine * sun, vec3(3.0)) + own;
 #endif
 }
 

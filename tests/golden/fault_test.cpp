@@ -35,7 +35,7 @@ constexpr Fault kFaults[] = {
     {"empty blocks are too large", "lib/cell_walk.glsl", "return 2;", "return 4;"},
     {"palette indices from the wrong row", "lib/voxel_walk.glsl", "(c.x >> 2) + c.y * 2", "(c.x >> 2) + c.y * 4"},
     {"mirrors look inward", "passes/reflections.frag", "reflect(-m.view", "reflect(m.view"},
-    {"what rays hit shines too much", "lib/bounce.glsl", "return albedo * (1.0 - entry.metallic)", "return 5.0 * albedo * (1.0 - entry.metallic)"},
+    {"what rays hit shines too much", "lib/bounce.glsl", "vec3 matte = albedo", "vec3 matte = 5.0 * albedo"},
     {"the eye does not adapt", "passes/exposure.frag", "kStrength = 0.45", "kStrength = 0.0"},
     {"highlights forty times too weak", "lib/brdf.glsl", "distribution * 0.5", "distribution * 0.0125"},
     {"edges are not smoothed", "passes/taa.frag", "across[i % 3] * up[i / 3]", "(i == 4 ? 1.0 : 0.0)"},

@@ -146,5 +146,33 @@ TEST_F(LightTest, AWallThatOpensIsSeenInTwelveFrames) {
     EXPECT_NEAR(skyThirty, skySettled, 0.02 * (skySettled - skyBefore)) << "a ghost";
 }
 
+/// Of a white room only the ceiling is seen: what its rays meet is guessed by the light of the ceiling itself.
+TEST_F(LightTest, AWhiteRoomsGuessOfItsOwnLightEnds) {
+    auto white = std::make_shared<Palette>(*plain());
+    (*white)[1].red = (*white)[1].green = (*white)[1].blue = 255;
+    LitScene room(white);
+    Environment& air = room.environment;
+    air.sunColor = air.skyColor = air.horizonColor = air.groundColor = air.fogColor = glm::vec3(0.0f);
+    room.add({60, 40, 60}, {{-3, 0, -3}, kLevel}, [](glm::ivec3 c) {
+        const bool inside = c.x > 0 && c.y > 0 && c.z > 0 && c.x < 59 && c.y < 39 && c.z < 59;
+        return uint8_t(inside ? 0 : 1);
+    });
+    room.addLight({LightKind::Sphere, {0, 2, 0}, {0, -1, 0}, {0.1f, 0.1f, 0.1f}, 0.1f, 100.0f, 0.6f, 1.1f});
+    RenderSettings settings;
+    settings.historyFrames = 4;
+    start(room, kSmall, settings);
+    const Camera up = lookingAt({0, 2.5, 0}, {0.01, 3.9, 0});
+    const auto brightness = [&](int pictures) {
+        draw(up, pictures);
+        double sum = 0.0;
+        const FloatImage light = read("lighting");
+        for (const glm::vec4& pixel : light.pixels) sum += double(pixel.g) / double(light.pixels.size());
+        return sum;
+    };
+    const double first = brightness(1);
+    EXPECT_GT(first, 1e-3);
+    EXPECT_LT(brightness(300), 25.0 * first) << "20 times is the sum of all bounces that each lose a twentieth";
+}
+
 }  // namespace
 }  // namespace rubble

@@ -112,6 +112,7 @@ TEST_F(MirrorTest, WithoutMirrorsNothingIsKeptForThem) {
         scene.add({60, 40, 2}, {{-3, -0.5, -2.2}, {1, 0, 0, 0}}, steel);
         RenderSettings settings;
         settings.reflections = false;  // no targets either way
+        settings.bounceColors = false;
         start(scene, kSize, settings);
         draw(camera(), 2);
         return renderer->figures().textureBytes;
