@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/shader_library/flat_uniforms.h"
+
 namespace rubble {
 BuiltProgram::BuiltProgram(std::string fragmentFile, std::string vertexFile)
     : m_fragmentFile(std::move(fragmentFile)), m_vertexFile(std::move(vertexFile)), m_files{m_vertexFile, m_fragmentFile} {}
@@ -12,23 +14,24 @@ BuiltProgram::BuiltProgram(std::string fragmentFile, FullscreenKind kind, Fullsc
     m_by = by;
 }
 
-bool BuiltProgram::build(const std::filesystem::path& folder, const std::string& defines) {
+bool BuiltProgram::build(const std::filesystem::path& folder, const ShaderBuild& how) {
     m_newest = newest(folder);
     const auto vertex = m_vertexFile.empty() ? Result<ShaderSource>(ShaderSource()) : readShader(folder, m_vertexFile);
-    const auto read = readShader(folder, m_fragmentFile, defines);
+    const auto read = readShader(folder, m_fragmentFile, how.defines);
     if (!vertex || !read) {
         m_error = vertex ? read.error() : vertex.error();
         return false;
     }
-    const ShaderSource main = m_by ? asFullscreen(*read, m_kind, *m_by) : *read;
+    ShaderSource main = m_by ? asFullscreen(*read, m_kind, *m_by) : *read, place = *vertex;
+    if (m_by == FullscreenBy::Fragment && how.flatUniforms) passUniformsFlat(place, main);
     m_files = vertex->files;
     m_files.insert(m_files.end(), main.files.begin(), main.files.end());
     m_newest = newest(folder);
     std::string log;
     bool vertexFailed = false;
-    Program program = m_vertexFile.empty() ? Program(main.text, log) : Program(vertex->text, main.text, log, vertexFailed);
+    Program program = m_vertexFile.empty() ? Program(main.text, log) : Program(place.text, main.text, log, vertexFailed);
     if (!program) {
-        m_error = (vertexFailed ? *vertex : main).explain(log);
+        m_error = (vertexFailed ? place : main).explain(log);
         return false;
     }
     m_error.clear();

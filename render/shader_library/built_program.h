@@ -9,6 +9,12 @@
 
 namespace rubble {
 
+/// How a GL wants its shaders.
+struct ShaderBuild {
+    std::string defines;        ///< see readShader()
+    bool flatUniforms = false;  ///< full-screen fragment programs: see passUniformsFlat()
+};
+
 /// A program, the files that it is built from, and what is wrong with them as they are now.
 class BuiltProgram {
 public:
@@ -17,8 +23,8 @@ public:
     /// Of a shader that covers its targets.
     BuiltProgram(std::string fragmentFile, FullscreenKind kind, FullscreenBy by);
 
-    /// From what the files hold now. False on an error; the last good program stays. defines: see readShader().
-    bool build(const std::filesystem::path& folder, const std::string& defines = {});
+    /// From what the files hold now. False on an error; the last good program stays.
+    bool build(const std::filesystem::path& folder, const ShaderBuild& how = {});
     bool hasChanged(const std::filesystem::path& folder) const { return newest(folder) > m_newest; }
     bool isOf(const std::string& fragmentFile, const std::string& vertexFile) const {
         return !m_by && m_fragmentFile == fragmentFile && m_vertexFile == vertexFile;

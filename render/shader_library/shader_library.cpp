@@ -6,16 +6,16 @@
 namespace rubble {
 
 ShaderLibrary::ShaderLibrary(std::filesystem::path folder, Fullscreen fullscreen, int textureUnits)
-    : m_folder(std::move(folder)), m_fullscreen(fullscreen) {
+    : m_folder(std::move(folder)), m_fullscreen(fullscreen), m_build{.flatUniforms = isSoftwareGl()} {
     if (!textureUnits) glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &textureUnits);
-    if (textureUnits < kTextureUnits) m_defines = "#define FEW_TEXTURE_UNITS\n";
+    if (textureUnits < kTextureUnits) m_build.defines = "#define FEW_TEXTURE_UNITS\n";
 }
 
 const Program& ShaderLibrary::load(const std::string& fragmentFile, const std::string& vertexFile) {
     for (const auto& built : m_programs)
         if (built->isOf(fragmentFile, vertexFile)) return built->program();
     m_programs.push_back(std::make_unique<BuiltProgram>(fragmentFile, vertexFile));
-    m_programs.back()->build(m_folder, m_defines);
+    m_programs.back()->build(m_folder, m_build);
     return m_programs.back()->program();
 }
 
@@ -23,9 +23,8 @@ FullscreenProgram& ShaderLibrary::loadFullscreen(const std::string& file, const 
     for (const auto& program : m_fullscreenPrograms)
         if (program->file() == file) return *program;
     auto program = std::make_unique<FullscreenProgram>(file, kind);
-    if (m_fullscreen != Fullscreen::Compute) program->make(FullscreenBy::Fragment).build(m_folder, m_defines);
-    if (m_fullscreen != Fullscreen::Fragment && !program->make(FullscreenBy::Compute).build(m_folder, m_defines) &&
-        m_fullscreen == Fullscreen::Both) {
+    if (m_fullscreen != Fullscreen::Compute) program->make(FullscreenBy::Fragment).build(m_folder, m_build);
+    if (m_fullscreen != Fullscreen::Fragment && !program->make(FullscreenBy::Compute).build(m_folder, m_build) && m_fullscreen == Fullscreen::Both) {
         logWarning("fragments draw what does not build as a compute program: " + program->built(FullscreenBy::Compute)->error());
         program->release(FullscreenBy::Compute);
     }
@@ -44,7 +43,7 @@ void ShaderLibrary::forEach(F&& visit) const {
 bool ShaderLibrary::reloadChanged() {
     bool any = false;
     forEach([&](BuiltProgram& built) {
-        if (built.hasChanged(m_folder)) any |= built.build(m_folder, m_defines);
+        if (built.hasChanged(m_folder)) any |= built.build(m_folder, m_build);
     });
     return any;
 }

@@ -37,7 +37,7 @@ private:
 
     std::filesystem::path m_folder;
     Fullscreen m_fullscreen;
-    std::string m_defines;
+    ShaderBuild m_build;
     std::vector<std::unique_ptr<BuiltProgram>> m_programs;
     std::vector<std::unique_ptr<FullscreenProgram>> m_fullscreenPrograms;
 };

@@ -9,7 +9,7 @@
 
 #include "render/gl/framebuffer.h"
 #include "render/gl/gl.h"
-#include "render/shader_library/shader_source.h"
+#include "render/shader_library/flat_uniforms.h"
 
 namespace rubble::rays {
 namespace {
@@ -37,21 +37,22 @@ std::vector<uint8_t> packLevel(const WorldBits& bits, int level, glm::ivec3& tex
     return out;
 }
 
-std::string textOf(const std::filesystem::path& folder, const std::string& file) {
-    auto source = readShader(folder, file);
+ShaderSource sourceOf(const std::string& file) {
+    auto source = readShader(RUBBLE_SOURCE_DIR "/shaders", file);
     if (!source) {
         fmt::print(stderr, "{}\n", source.error());
         std::abort();
     }
-    return source.value().text;
+    return std::move(source.value());
 }
 
 Program makeProgram(const std::string& walk) {
-    std::string fragment = textOf(RUBBLE_SOURCE_DIR "/shaders", "../tests/benchmark/world_rays/shaders/" + walk + ".frag");
-    fragment.insert(fragment.find('\n') + 1, "precision highp usampler3D;\n");
+    ShaderSource vertex = sourceOf("lib/fullscreen.vert"), fragment = sourceOf("../tests/benchmark/world_rays/shaders/" + walk + ".frag");
+    fragment.text.insert(fragment.text.find('\n') + 1, "precision highp usampler3D;\n");
+    passUniformsFlat(vertex, fragment);  // as the frame does on this GL
     std::string log;
     bool vertexFailed = false;
-    Program program(textOf(RUBBLE_SOURCE_DIR "/shaders", "lib/fullscreen.vert"), fragment, log, vertexFailed);
+    Program program(vertex.text, fragment.text, log, vertexFailed);
     if (!program) {
         fmt::print(stderr, "{}: {}\n", walk, log);
         std::abort();
@@ -135,7 +136,6 @@ void Walks::bind(const std::string& walk, const Program& program) {
     program.use();
     program.set("uOrigins", m_volumes->origins);
     program.set("uDirections", m_volumes->directions);
-    program.set("uLow", m_low);
     if (isOurs(walk)) {
         FrameBlock block{};
         block.shadowSectorLow = glm::ivec4(m_scene.shadowSectorLow(), 1);
@@ -160,7 +160,7 @@ void Walks::bind(const std::string& walk, const Program& program) {
 Answers Walks::trace(const std::string& walk, const RaySet& set) {
     std::vector<glm::vec4> origins, directions;
     for (const Ray& ray : set.rays) {
-        origins.emplace_back(ray.origin, ray.reach);
+        origins.emplace_back(ray.origin + (isOurs(walk) ? glm::vec3(m_low) : glm::vec3(0)), ray.reach);
         directions.emplace_back(ray.direction, 0.0f);
     }
     m_volumes->origins.upload(origins.data());

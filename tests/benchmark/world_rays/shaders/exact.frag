@@ -1,9 +1,8 @@
 // The frame's own walk.
 #include "lib/frame.glsl"
 #include "lib/shadow_trace.glsl"
-uniform ivec3 uLow;  // cell of the world that the rays call 0
 bool traceCells(vec3 origin, vec3 direction, float tMax) {
     float t;
-    return shadowTrace((origin + vec3(uLow)) * kShadowCell, direction, tMax * kShadowCell, t);
+    return shadowTrace(origin * kShadowCell, direction, tMax * kShadowCell, t);
 }
 #include "../tests/benchmark/world_rays/shaders/trace.glsl"

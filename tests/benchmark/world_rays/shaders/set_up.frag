@@ -1,9 +1,8 @@
 // What the frame's own walk does before its first step: the least that a ray can take.
 #include "lib/frame.glsl"
 #include "lib/shadow_trace.glsl"
-uniform ivec3 uLow;  // cell of the world that the rays call 0
 bool traceCells(vec3 origin, vec3 direction, float tMax) {
     float t;
-    return shadowTrace((origin + vec3(uLow)) * kShadowCell, direction, tMax * 1.0e-9, t);
+    return shadowTrace(origin * kShadowCell, direction, tMax * 1.0e-9, t);
 }
 #include "../tests/benchmark/world_rays/shaders/trace.glsl"
