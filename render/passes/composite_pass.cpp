@@ -37,7 +37,10 @@ void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glass
         bindReflections(program, frame);
         program.set("uLight", frame.targets.at("lighting"));
         program.set("uLocalLights", int(LocalLightsPass::needed(frame)));
-        if (LocalLightsPass::needed(frame)) program.set("uSpecular", frame.targets.at("specular"));
+        if (LocalLightsPass::needed(frame)) {
+            program.set("uSpecular", frame.targets.at("specular"));
+            program.set("uSurface", frame.targets.history("surface", GL_RGBA32F).current);
+        }
         program.set("uBevel", int(frame.settings.bevel));
         program.set("uDetail", int(GBufferPass::hasDetail(frame)));
         program.set("uGlassShadow", 0);

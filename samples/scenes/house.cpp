@@ -70,8 +70,8 @@ void drawGables(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s)
 }
 
 void drawShell(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s) {
-    canvas.box({frame.low.x - 1, 0, frame.low.z - 1}, {frame.high.x + 1, kFooting, frame.high.z + 1}, s.concrete);
-    canvas.box({frame.low.x, kFooting, frame.low.z}, {frame.high.x, kFloor0, frame.high.z}, s.concrete);
+    canvas.box({frame.low.x - 1, 0, frame.low.z - 1}, {frame.high.x + 1, kFooting - 1, frame.high.z + 1}, s.concrete);  // below the lawn
+    canvas.box({frame.low.x, kFooting - 1, frame.low.z}, {frame.high.x, kFloor0, frame.high.z}, s.concrete);
     for (const WallFrame* wall : {&frame.walls.left, &frame.walls.right, &frame.walls.back, &frame.walls.front})
         drawWall(canvas, *wall, kFloor0, kRoofBase + 2, s.walls);
     const ivec3 low(frame.low.x + 3, 0, frame.low.z + 3), high(frame.high.x - 3, 0, frame.high.z - 3);

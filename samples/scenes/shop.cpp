@@ -40,8 +40,8 @@ struct ShopSwatches {
 };
 
 void drawShell(Canvas& c, const WallFrames& walls, const ShopSwatches& s) {
-    c.box({kX0 - 1, 0, kZ0 - 1}, {kX1 + 1, kFooting, kZ1 + 1}, s.concrete);
-    c.box({kX0, kFooting, kZ0}, {kX1, kFloor, kZ1}, s.concrete);
+    c.box({kX0 - 1, 0, kZ0 - 1}, {kX1 + 1, kFooting - 1, kZ1 + 1}, s.concrete);  // below the pavement
+    c.box({kX0, kFooting - 1, kZ0}, {kX1, kFloor, kZ1}, s.concrete);
     for (const WallFrame* wall : {&walls.left, &walls.right, &walls.back, &walls.front}) drawWall(c, *wall, kFloor, kRoof + 6, s.walls);
     c.fill({kX0 + 3, kFloor, kZ0 + 3}, {kX1 - 3, kFloor + 1, kZ1 - 3},
            [&](ivec3 cell) { return PaintBox::pick((cell.x / 5 + cell.z / 5) % 2 ? s.tile : s.tileDark, cell); });

@@ -15,7 +15,7 @@ uniform bool uLamps;  // shine where no picture shows it
 
 const float kEdge = 0.15;         // of the picture's half width and height: how far the trust in it takes to grow
 const float kUnknownAlbedo = 0.3; // where no voxel is found
-const float kBrightestLamp = 6.0;  // close to a lamp few rays would speckle
+const float kBrightestLamp = 20.0;  // close to a lamp few rays would speckle
 const float kMostOpener = 1.4;
 const float kMostGuessed = 0.95;   // of the light where the ray started: what a white room guesses of its own light never grows
 const float kShadowCellMetres = 0.1;

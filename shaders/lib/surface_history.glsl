@@ -1,5 +1,14 @@
 // The target `surface`: what light accumulation remembers of each pixel, and what the filters compare.
 //   x linear depth (65000: sky) · y normal, packed (-1: sky) · z frames accumulated · w mean of the squared luminance of `light` (-1: glows)
+// Needs lib/frame.
+
+/// How far apart the depths of one surface may lie in pixels beside each other, metres.
+float depthTolerance(vec3 position, vec3 normal, float depth) {
+    float slant = max(0.08, abs(dot(normal, normalize(position - frame.cameraPosition.xyz))));
+    float pixelMetres = 2.0 * frame.cameraUp.w * frame.targetSize.w * depth;
+    return 0.03 + 2.0 * pixelMetres / slant;
+}
+
 /// A unit vector as a whole number below 2^24, which float holds exactly: octahedral, 12 bits an axis.
 float packNormal(vec3 n) {
     vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));

@@ -32,9 +32,7 @@ Past readPast(Surface s, float packed_, vec3 position) {
     vec2 lastUv = uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg;
     if (!uLastValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return past;
     float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
-    float slant = max(0.08, abs(dot(s.normal, normalize(position - frame.cameraPosition.xyz))));
-    float pixelMetres = 2.0 * frame.cameraUp.w * frame.targetSize.w * s.depth;
-    float tolerance = 0.03 + 2.0 * pixelMetres / slant + s.moving * 0.5;
+    float tolerance = depthTolerance(position, s.normal, s.depth) + s.moving * 0.5;
     vec2 corner = lastUv * frame.targetSize.xy - 0.5;
     ivec2 base = ivec2(floor(corner));
     vec2 f = corner - vec2(base);

@@ -7,12 +7,15 @@
 #include "lib/sky.glsl"
 #include "lib/color.glsl"
 #include "lib/glass_shadow.glsl"
+#include "lib/surface_history.glsl"
 
 uniform sampler2D uLight;        // rgb mean radiance from sky and lamps, a share of the sun
 uniform bool uBevel;
 uniform bool uDetail;
 uniform bool uLocalLights;
 uniform sampler2D uSpecular;     // rgb highlights of local lights, a luminance of their part of the light
+
+uniform sampler2D uSurface;      // lib/surface_history.glsl
 
 uniform bool uReflections;
 uniform sampler2D uReflection;
@@ -27,6 +30,22 @@ const float kMostTilt = 0.3;  // as in render/scene/detail_maps.h
 vec3 grained(vec3 normal, vec2 tilt) {
     vec3 across = normalize(abs(normal.y) > 0.9 ? cross(normal, vec3(0, 0, 1)) : cross(vec3(0, 1, 0), normal));
     return normalize(normal + (across * tilt.x + cross(normal, across) * tilt.y) * kMostTilt);
+}
+
+/// Highlights of lamps at a pixel and around it, on the same face.
+vec4 highlightsAround(Surface s, ivec2 pixel) {
+    vec2 here = texelFetch(uSurface, pixel, 0).xy;
+    float tolerance = depthTolerance(worldFromDepth(uv, s.depth), s.normal, s.depth);
+    vec4 sum = 0.36 * texelFetch(uSpecular, pixel, 0);
+    float weights = 0.36;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 p = clamp(pixel + ivec2((i & 1) * 2 - 1, (i >> 1) * 2 - 1), ivec2(0), ivec2(frame.targetSize.xy) - 1);
+        vec2 there = texelFetch(uSurface, p, 0).xy;
+        float weight = there.y == here.y && abs(there.x - here.x) <= tolerance ? 0.16 : 0.0;
+        sum += weight * texelFetch(uSpecular, p, 0);
+        weights += weight;
+    }
+    return sum / weights;
 }
 
 vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel) {
@@ -47,12 +66,11 @@ vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel) {
     float smoothness = 1.0 - smoothstep(0.35, 0.6, s.roughness);
     if (uLocalLights) {
         // Lamps shine back in their highlights, not with the rest of the light a second time.
-        ivec2 high = ivec2(frame.targetSize.xy) - 1;
-        vec4 specular = 0.36 * texelFetch(uSpecular, pixel, 0);
-        for (int i = 0; i < 4; ++i)
-            specular += 0.16 * texelFetch(uSpecular, clamp(pixel + ivec2((i & 1) * 2 - 1, (i >> 1) * 2 - 1), ivec2(0), high), 0);
+        vec4 specular = highlightsAround(s, pixel);
         lamps = specular.rgb;
-        mirrored *= 1.0 - clamp(specular.a / max(luminance(light.rgb), 1e-4), 0.0, 1.0);
+        // Of the colour that their highlights have.
+        vec3 tint = specular.rgb / max(f0, vec3(0.01));
+        mirrored = max(mirrored - tint * (specular.a / max(luminance(tint), 1e-4)), vec3(0.0));
     }
     // Behind a pane the ray is the pane's.
     if (uReflections && !(uGlass && texelFetch(uGlassSurface, pixel, 0).w > 0.0)) {

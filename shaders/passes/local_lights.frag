@@ -5,6 +5,7 @@
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 #include "lib/sampling.glsl"
+#include "lib/surface_history.glsl"
 #include "lib/shadow_trace.glsl"
 #include "lib/brdf.glsl"
 #include "lib/local_lights.glsl"
@@ -45,13 +46,14 @@ float lobeShare(LocalLight lamp, vec3 toPlace, Surface s, vec3 view, vec3 f0) {
 }
 
 /// This frame's highlight, averaged with those of the same place in the frames before.
-vec4 overTime(vec4 now, vec3 position) {
+vec4 overTime(vec4 now, vec3 position, Surface s) {
     vec2 lastUv = uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg;
     if (!uLastValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return now;
     ivec2 last = ivec2(lastUv * frame.targetSize.xy);
     vec4 surface = texelFetch(uLastSurface, last, 0);
     float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
-    if (abs(surface.x - expected) > 0.05 + 0.03 * expected) return now;
+    float tolerance = depthTolerance(position, s.normal, s.depth) + s.moving * 0.5;
+    if (abs(surface.x - expected) > tolerance || dot(unpackNormal(surface.y), s.normal) < 0.9) return now;
     return mix(texelFetch(uLastSpecular, last, 0), now, 1.0 / clamp(surface.z + 1.0, 1.0, max(uLongest, 1.0)));
 }
 
@@ -84,5 +86,5 @@ void main() {
         vec3 mirroredShare = fresnel(f0, dot(view, normalize(view + direction))) * specularLobe(s.normal, view, direction, s.roughness);
         specular = vec4(min(mirroredShare * arriving * kPi, vec3(kBrightest)), luminance(arriving));
     }
-    specular = overTime(specular, position);
+    specular = overTime(specular, position, s);
 }

@@ -10,40 +10,92 @@ constexpr glm::ivec2 kSize(48, 32);
 
 class FloorUnderALamp : public Drawing {
 protected:
-    static LitScene scene(uint8_t roughness, float radius) {
+    struct Floor {
+        uint8_t gray = 120, roughness = 255, reflectivity = 20;
+        glm::vec3 sky = glm::vec3(0.0f), lamp = glm::vec3(4.0f);
+        float radius = 0.05f;
+    };
+    static LitScene scene(const Floor& floor) {
         auto palette = std::make_shared<Palette>();
         PaletteEntry& e = (*palette)[1];
-        e.red = e.green = e.blue = 120;
-        e.roughness = roughness, e.reflectivity = 20, e.material = 1;
+        e.red = e.green = e.blue = floor.gray;
+        e.roughness = floor.roughness, e.reflectivity = floor.reflectivity, e.material = 1;
         LitScene made(palette);
         Environment& air = made.environment;
-        air.sunColor = air.skyColor = air.horizonColor = air.groundColor = air.fogColor = glm::vec3(0.0f);
+        air.sunColor = air.groundColor = air.fogColor = glm::vec3(0.0f);
+        air.skyColor = air.horizonColor = floor.sky;
         air.fogDistance = 1e6f;
         made.add({60, 1, 60}, {{-3, -0.1, -3}}, [](glm::ivec3) { return uint8_t(1); });
-        made.addLight({LightKind::Sphere, {0.3, 1.2, -1.0}, {0, -1, 0}, {4, 4, 4}, radius, 100.0f, 0.6f, 1.1f});
+        made.addLight({LightKind::Sphere, {0.3, 1.2, -1.0}, {0, -1, 0}, floor.lamp, floor.radius, 100.0f, 0.6f, 1.1f});
         return made;
     }
     /// Mean radiance of the floor, drawn over true.
-    double ratio(uint8_t roughness, float radius) {
-        const LitScene floor = scene(roughness, radius);
+    glm::dvec3 ratio(const Floor& floor, glm::dvec3 eye = {0.0, 1.6, 2.2}) {
+        const LitScene made = scene(floor);
         Camera camera;
-        camera.position = {0.0, 1.6, 2.2};
+        camera.position = eye;
         camera.lookAt({0, 0, -0.6});
-        start(floor, kSize, comparedSettings());
-        draw(camera, 24);
+        start(made, kSize, comparedSettings());
+        draw(camera, 64);
         const FloatImage drawn = read("resolved"), depth = read("depth");
-        const FloatImage truth = render(Scene(floor.snapshot()), camera.view(kSize, 0), {.samples = 128, .filterPixels = true}).mean;
-        double sum = 0.0, sumTruth = 0.0;
+        const FloatImage truth = render(Scene(made.snapshot()), camera.view(kSize, 0), {.samples = 128, .filterPixels = true}).mean;
+        glm::dvec3 sum(0.0), sumTruth(0.0);
         for (size_t p = 0; p < truth.pixels.size(); ++p)
-            if (depth.pixels[p].x < 1e3f) sum += drawn.pixels[p].y, sumTruth += truth.pixels[p].y;
+            if (depth.pixels[p].x < 1e3f) sum += glm::dvec3(drawn.pixels[p]), sumTruth += glm::dvec3(truth.pixels[p]);
         return sum / sumTruth;
     }
 };
 
 TEST_F(FloorUnderALamp, IsAsBrightAsTheTruth) {
-    EXPECT_NEAR(ratio(10, 0.05f), 1.0, 0.01) << "smooth";
-    EXPECT_NEAR(ratio(80, 0.8f), 1.0, 0.01) << "half smooth, a wide lamp";
-    EXPECT_NEAR(ratio(255, 0.05f), 1.0, 0.01) << "rough";
+    EXPECT_NEAR(ratio({.roughness = 10}).y, 1.0, 0.01) << "smooth";
+    EXPECT_NEAR(ratio({.roughness = 80, .radius = 0.8f}).y, 1.0, 0.01) << "half smooth, a wide lamp";
+    EXPECT_NEAR(ratio({.roughness = 255}).y, 1.0, 0.01) << "rough";
+}
+
+/// A dark floor mirrors as much as it scatters: what it mirrors is the sky, as lamps have highlights of their own.
+TEST_F(FloorUnderALamp, MirrorsTheSkyAndNotTheLampsColor) {
+    const glm::dvec3 found =
+        ratio({.gray = 60, .roughness = 200, .reflectivity = 128, .sky = {0.15f, 0.2f, 0.3f}, .lamp = {4.0f, 2.4f, 1.0f}, .radius = 0.3f}, {0.0, 0.7, 2.8});
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], 1.0, 0.02) << c;
+}
+
+/// A steel post of one voxel close to a lamp, before a dark wall far away: the wall does not shine beside it.
+class PostByALamp : public Drawing {
+protected:
+    FloatImage picture(uint8_t metallic) {
+        auto palette = std::make_shared<Palette>();
+        PaletteEntry &wall = (*palette)[1], &steel = (*palette)[2];
+        wall.red = wall.green = wall.blue = 40;
+        wall.roughness = 255, wall.material = 1;
+        steel.red = steel.green = steel.blue = metallic ? 200 : 0;
+        steel.roughness = 110, steel.metallic = metallic, steel.material = 1;
+        LitScene made(palette);
+        Environment& air = made.environment;
+        air.sunColor = air.skyColor = air.horizonColor = air.groundColor = air.fogColor = glm::vec3(0.0f);
+        air.fogDistance = 1e6f;
+        made.add({200, 100, 1}, {{-10, -5, -8}}, [](glm::ivec3) { return uint8_t(1); });
+        made.add({1, 30, 1}, {{-0.05, -1.5, 0}}, [](glm::ivec3) { return uint8_t(2); });
+        made.addLight({LightKind::Sphere, {0.5, 0.4, 0.8}, {0, -1, 0}, {6, 6, 6}, 0.1f, 100.0f, 0.6f, 1.1f});
+        Camera camera;
+        camera.position = {0.0, 0.0, 4.0};
+        camera.lookAt({0, 0, 0});
+        RenderSettings settings = comparedSettings();
+        settings.bounce = settings.reflections = false;
+        start(made, kSize, settings);
+        draw(camera, 40);
+        return read("radiance");
+    }
+};
+
+TEST_F(PostByALamp, KeepsItsHighlightToItself) {
+    const FloatImage shining = picture(255), black = picture(0), depth = read("depth");
+    double brightest = 0.0, onPost = 0.0;
+    for (size_t p = 0; p < depth.pixels.size(); ++p) {
+        const double more = double(shining.pixels[p].y - black.pixels[p].y);
+        (depth.pixels[p].x > 6.0f ? brightest : onPost) = std::max(depth.pixels[p].x > 6.0f ? brightest : onPost, more);
+    }
+    EXPECT_GT(onPost, 0.1);
+    EXPECT_LT(brightest, 0.01 * onPost);
 }
 
 }  // namespace

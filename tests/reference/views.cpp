@@ -37,14 +37,17 @@ std::vector<SceneView> tuningViews(bool withTown) {
     const FrameSnapshot town = townSnapshot();
     views.push_back({"town corner", town, lookingAt({9.0, 4.2, 43.0}, {20.5, 3.2, 36.0}, 0.9f)});
     views.push_back({"town roofs", town, lookingAt({52, 15, 14}, {28, 1, 34}, 0.8f)});
+    views.push_back({"street above", streetScene().snapshot(), streetCamera(3).view({0, 0}, 0)});
+    views.push_back({"town street", town, lookingAt({13.0, 1.7, 58.0}, {25.0, 3.0, 36.0}, 0.9f)});
+    views.push_back({"town from the air", town, lookingAt({6, 16, 60}, {28, 1, 34}, 0.8f)});
     return views;
 }
 
 std::vector<SceneView> judgingViews() {
     const FrameSnapshot town = townSnapshot();
-    return {{"street above", streetScene().snapshot(), streetCamera(3).view({0, 0}, 0)},
-            {"town street", town, lookingAt({13.0, 1.7, 58.0}, {25.0, 3.0, 36.0}, 0.9f)},
-            {"town from the air", town, lookingAt({6, 16, 60}, {28, 1, 34}, 0.8f)}};
+    return {{"town shop", town, lookingAt({46.0, 1.7, 56.0}, {39.0, 2.6, 34.0}, 0.9f)},
+            {"town crossing", town, lookingAt({3, 6, 60}, {32.0, 1.5, 46.0}, 0.9f)},
+            {"town garden", town, lookingAt({12, 6, 20}, {24, 2, 33}, 0.8f)}};
 }
 
 RenderSettings comparedSettings() {

@@ -23,6 +23,7 @@ int benchFrame(const Options& options, GlContext& context);
 bool benchWalk(const Options& options);
 bool benchBodies(const Options& options);
 void benchCity(const Options& options, const FrameSnapshot& town);
+int benchCityFrames(const Options& options, GlContext& context);
 int benchPrimary(const Options& options);
 
 double median(std::vector<double> values);

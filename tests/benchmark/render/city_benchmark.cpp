@@ -1,9 +1,11 @@
-// The town again and again, as shapes that share their bricks: what primary visibility costs at equal pixels from 1e7 to 2e9 voxels.
+// The town again and again, as shapes that share their bricks: what a picture costs at equal pixels from 1e7 to 2e9 voxels.
 #include <fmt/format.h>
 
 #include <bit>
 #include <map>
 
+#include "render/gl/offscreen.h"
+#include "render/renderer.h"
 #include "tests/benchmark/render/gbuffer_rig.h"
 #include "tests/benchmark/render/town_views.h"
 
@@ -11,8 +13,10 @@ namespace rubble::bench {
 namespace {
 
 constexpr double kTown = 64.0;  // metres
+constexpr int kSides[] = {1, 4, 16};
+constexpr int kWarmUp = 20;  // pictures, until memory of light is long
 
-/// The shapes of one town, moved by whole towns, under handles of their own.
+/// The shapes, shadows and lights of one town, moved by whole towns, under handles of their own.
 void addTown(FrameSnapshot& to, const FrameSnapshot& town, glm::ivec2 place, uint32_t firstSlot) {
     const glm::dvec3 offset(place.x * kTown, 0.0, place.y * kTown);
     std::map<uint32_t, ShapeHandle> renamed;
@@ -29,6 +33,22 @@ void addTown(FrameSnapshot& to, const FrameSnapshot& town, glm::ivec2 place, uin
         pose.current.position += offset;
         to.poses.push_back(pose);
     }
+    const glm::ivec3 bricks(glm::round(offset / (double(kShadowCell) * kShadowBrickCells)));
+    for (const ShadowPatch& patch : town.shadow) to.shadow.push_back({patch.brick + bricks, patch.content});
+    for (SnapshotLight light : town.lights) {
+        light.position += offset;
+        to.lights.push_back(light);
+    }
+}
+
+FrameSnapshot cityOf(const FrameSnapshot& town, int side) {
+    FrameSnapshot city;
+    city.replacesAll = city.shadowReplacesAll = city.lightsChanged = city.environmentChanged = true;
+    city.environment = town.environment;
+    city.materials = town.materials;
+    const uint32_t shapes = uint32_t(town.created.size());
+    for (int i = 0; i < side * side; ++i) addTown(city, town, glm::ivec2(i % side, i / side) - side / 2, uint32_t(i) * shapes);
+    return city;
 }
 
 uint64_t voxelsOf(const FrameSnapshot& town) {
@@ -44,12 +64,8 @@ uint64_t voxelsOf(const FrameSnapshot& town) {
 void benchCity(const Options& options, const FrameSnapshot& town) {
     fmt::print("\nthe town in a city of towns, the same views: milliseconds of processors' time\n");
     std::vector<double> first;
-    for (const int side : {1, 4, 16}) {
-        FrameSnapshot city;
-        city.replacesAll = true;
-        const uint32_t shapes = uint32_t(town.created.size());
-        for (int i = 0; i < side * side; ++i) addTown(city, town, glm::ivec2(i % side, i / side) - side / 2, uint32_t(i) * shapes);
-        GBufferRig rig(options.shaders, std::move(city));
+    for (const int side : kSides) {
+        GBufferRig rig(options.shaders, cityOf(town, side));
         fmt::print("  {:.2g} voxels, {} shapes:", double(voxelsOf(town)) * side * side, rig.scene.bodies().shapes());
         size_t i = 0;
         for (const Place& place : placesInTown()) {
@@ -65,6 +81,51 @@ void benchCity(const Options& options, const FrameSnapshot& town) {
         }
         fmt::print("   {:.0f} MB on the GPU\n", double(rig.scene.bodies().bytes()) * 1e-6);
     }
+}
+
+/// Share of the pixels that show a surface: what lies beyond the town is fields in a town, and towns in a city.
+double surfaces(const Renderer& renderer) {
+    const FloatImage depth = renderer.readTarget("depth").value();
+    return double(std::count_if(depth.pixels.begin(), depth.pixels.end(), [](glm::vec4 p) { return p.x < 65000.0f; })) / double(depth.pixels.size());
+}
+
+int benchCityFrames(const Options& options, GlContext& context) {
+    const FrameSnapshot town = townWithShadow();
+    const Offscreen target(options.size);
+    std::vector<Place> places = placesInTown();
+    places.push_back({"from above", scenes::lookAt({32.0, 40.0, 46.0}, {32.0, 0.0, 34.0}), 0.70f});  // as much surface in each world
+    std::map<std::string, double> first;  // milliseconds by place and pass
+    for (const int side : kSides) {
+        auto renderer = Renderer::create(context.loader(), options.shaders, RenderSettings::preset(options.preset));
+        if (!renderer) {
+            fmt::print(stderr, "{}\n", renderer.error());
+            return 1;
+        }
+        (*renderer)->apply(cityOf(town, side));
+        fmt::print("\n{:.2g} voxels, {} lights: the whole frame, milliseconds of processors' time\n", double(voxelsOf(town)) * side * side,
+                   town.lights.size() * size_t(side) * size_t(side));
+        for (const Place& place : places) {
+            const View view = place.view(options.size, target.framebuffer());
+            std::map<std::string, std::vector<double>> all;
+            for (int i = -kWarmUp; i < options.frames; ++i) {
+                const double before = processMs();
+                (*renderer)->draw(view, 1.0f);
+                glFinish();
+                if (i < 0) continue;
+                all[" frame"].push_back(processMs() - before);
+                for (const auto& [pass, ms] : (*renderer)->figures().passMs) all[pass].push_back(ms);
+            }
+            for (const auto& [pass, ms] : all) {
+                const double now = median(ms), then = first.emplace(place.name + pass, now).first->second;
+                if (pass == " frame")
+                    fmt::print("  {:<10}{:8.1f}  {:.2f}x, {:.0f} % of the pixels are surfaces;", place.name, now, now / then, 100.0 * surfaces(**renderer));
+                else if (std::abs(now - then) > 0.02 * first.at(place.name + std::string(" frame")))
+                    fmt::print("  {} {:.1f} -> {:.1f} ms", pass, then, now);
+            }
+            fmt::print("\n");
+        }
+    }
+    return 0;
 }
 
 }  // namespace rubble::bench

@@ -1,4 +1,4 @@
-// ./rubble bench frame|primary: what a picture costs, pass by pass and against other ways to draw it.
+// ./rubble bench frame|city|primary: what a picture costs, pass by pass, in ever larger worlds, and against other ways to draw it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
     bench::Options options;
     std::string subject, gl = "osmesa", size = "640x360";
     CLI::App app{"What a picture costs", "bench_render"};
-    app.add_option("subject", subject, "frame or primary")->required()->check(CLI::IsMember({"frame", "primary"}));
+    app.add_option("subject", subject, "frame, city or primary")->required()->check(CLI::IsMember({"frame", "city", "primary"}));
     app.add_option("--frames", options.frames, "measured")->capture_default_str()->check(CLI::PositiveNumber);
     app.add_option("--size", size, "WIDTHxHEIGHT")->capture_default_str();
     app.add_option("--gl", gl, "osmesa, egl or auto")->capture_default_str();
@@ -46,5 +46,6 @@ int main(int argc, char** argv) {
         return 1;
     }
     fmt::print("{}, {}x{}\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)), options.size.x, options.size.y);
-    return subject == "frame" ? bench::benchFrame(options, *context.value()) : bench::benchPrimary(options);
+    if (subject == "frame") return bench::benchFrame(options, *context.value());
+    return subject == "city" ? bench::benchCityFrames(options, *context.value()) : bench::benchPrimary(options);
 }
