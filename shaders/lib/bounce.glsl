@@ -15,7 +15,8 @@ uniform bool uLamps;  // shine where no picture shows it
 
 const float kEdge = 0.15;         // of the picture's half width and height: how far the trust in it takes to grow
 const float kUnknownAlbedo = 0.3; // where no voxel is found
-const float kBrightestLamp = 20.0;  // close to a lamp few rays would speckle
+// Close to a lamp few rays would speckle: as bright, or as many times as bright as where the ray started, where more of it is no surprise.
+const float kBrightestLamp = 6.0, kBrighterLamp = 150.0;
 const float kMostOpener = 1.4;
 const float kMostGuessed = 0.95;   // of the light where the ray started: what a white room guesses of its own light never grows
 const float kShadowCellMetres = 0.1;
@@ -80,7 +81,7 @@ vec3 lampOn(vec3 place, vec3 normal, Here here) {
     vec3 origin = shadowOrigin(place, normal), way = place + direction * point.range - origin;
     float wayLength = max(length(way), 1e-4), t;
     bool dark = luminance(arriving) <= 0.0 || shadowTrace(origin, way / wayLength, max(wayLength - point.own, 0.0), t);
-    return dark ? vec3(0.0) : min(arriving, vec3(kBrightestLamp));
+    return dark ? vec3(0.0) : min(arriving, vec3(max(kBrightestLamp, kBrighterLamp * luminance(here.light))));
 }
 #endif
 
