@@ -14,7 +14,18 @@ namespace {
 
 constexpr float kFaintest = 0.01f;  // radiance of a white surface at exposure 1: fainter light gets fewer rays
 
-constexpr int kLongest = 16;  // frames that highlights are averaged over
+constexpr int kLongest = LightGrid::kLongestChange;  // frames that highlights are averaged over
+
+/// Where lights have come or gone out.
+void setChanges(const Program& program, const FrameContext& frame) {
+    std::vector<glm::vec4> changes;
+    for (const LightGrid::Change& change : frame.lightGrid->changes()) {
+        changes.emplace_back(glm::vec3(change.place - frame.scene.origin()), change.reach);
+        changes.emplace_back(float(change.frames + 1));
+    }
+    program.set("uChanges", int(changes.size()));
+    if (!changes.empty()) program.set("uChange[0]", std::span<const glm::vec4>(changes));
+}
 
 }  // namespace
 
@@ -47,7 +58,8 @@ void LocalLightsPass::draw(const FrameContext& frame) const {
         program.set("uLastSpecular", specular.previous);
         program.set("uLastSurface", surface.previous);
         program.set("uLastValid", int(frame.settings.temporal && specular.valid && surface.valid));
-        program.set("uLongest", float(std::min(kLongest, frame.lightGrid->framesSinceChange() + 1)));
+        program.set("uLongest", float(kLongest));
+        setChanges(program, frame);
         program.set("uReflections", int(ReflectionsPass::needed(frame)));
         program.set("uFaintest", kFaintest / frame.block.exposure.x);
     });

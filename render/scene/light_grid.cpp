@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -189,15 +191,42 @@ uint64_t LightGrid::upload() {
     return sent;
 }
 
+/// Those that are not among the lights now. Fires have no names: if there are fewer or more of them, all may be others.
+std::vector<LightGrid::Last> LightGrid::goneFrom(const std::vector<Last>& before, const std::vector<Last>& now) {
+    const auto isFire = [](const Last& each) { return each.light == LightHandle(); };
+    const bool firesChanged = std::count_if(before.begin(), before.end(), isFire) != std::count_if(now.begin(), now.end(), isFire);
+    std::vector<uint64_t> there;
+    for (const Last& each : now) there.push_back(each.light.bits);
+    std::sort(there.begin(), there.end());
+    std::vector<Last> gone;
+    for (const Last& each : before)
+        if (isFire(each) ? firesChanged : !std::binary_search(there.begin(), there.end(), each.light.bits)) gone.push_back(each);
+    return gone;
+}
+
+void LightGrid::addChange(const Last& changed) {
+    if (m_changes.size() < kMostChanges)
+        m_changes.push_back({changed.place, changed.reach, 0});
+    else
+        m_changes.back() = {changed.place, std::numeric_limits<float>::infinity(), 0};
+}
+
 void LightGrid::noteChange(std::span<const SnapshotLight> lights) {
-    const auto isSame = [](const SnapshotLight& light, LightHandle last) { return light.light == last; };
+    for (Change& change : m_changes) ++change.frames;
+    std::erase_if(m_changes, [](const Change& change) { return change.frames >= kLongestChange; });
+    const auto lastOf = [](const SnapshotLight& light) { return Last{light.light, light.position, light.reach}; };
+    m_framesSinceChange = std::min(m_framesSinceChange + 1, 1000);
+    const auto isSame = [](const SnapshotLight& light, const Last& last) { return light.light == last.light; };
     if (std::equal(lights.begin(), lights.end(), m_last.begin(), m_last.end(), isSame)) {
-        m_framesSinceChange = std::min(m_framesSinceChange + 1, 1000);
+        std::transform(lights.begin(), lights.end(), m_last.begin(), lastOf);
         return;
     }
     m_framesSinceChange = 0;
-    m_last.clear();
-    for (const SnapshotLight& light : lights) m_last.push_back(light.light);
+    std::vector<Last> now;
+    std::transform(lights.begin(), lights.end(), std::back_inserter(now), lastOf);
+    for (const Last& gone : goneFrom(m_last, now)) addChange(gone);
+    for (const Last& come : goneFrom(now, m_last)) addChange(come);
+    m_last = std::move(now);
 }
 
 uint64_t LightGrid::update(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin) {

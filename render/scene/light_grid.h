@@ -24,8 +24,17 @@ public:
     /// Numbers, in what update() was given, of the lights listed for a pixel at a depth along the view axis.
     std::vector<int> lightsAt(glm::ivec2 pixel, float depth) const;
     int lights() const { return int(m_reaches.size()); }
-    /// Since one came or went out: what histories of light may reach back to.
+    /// Since one came or went out: what histories of all light may reach back to.
     int framesSinceChange() const { return m_framesSinceChange; }
+    /// A light that came or went out, by where it reaches: what histories of places there may reach back to.
+    struct Change {
+        glm::dvec3 place;  ///< world
+        float reach;       ///< metres
+        int frames;        ///< since then
+    };
+    static constexpr size_t kMostChanges = 16;  ///< passes/local_lights.frag; of more the last reaches everywhere
+    static constexpr int kLongestChange = 16;   ///< frames until one is forgotten
+    const std::vector<Change>& changes() const { return m_changes; }
     int tiles() const { return m_size.x * m_size.y; }
     uint64_t bytes() const { return m_lightsTexture.bytes() + m_cellsTexture.bytes() + m_listTexture.bytes() + m_picturesTexture.bytes(); }
 
@@ -44,7 +53,16 @@ private:
     void fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 origin);
     uint64_t upload();
 
-    std::vector<LightHandle> m_last;  ///< that update() was given
+    struct Last {
+        LightHandle light;  ///< empty: of a fire
+        glm::dvec3 place;
+        float reach;
+    };
+    static std::vector<Last> goneFrom(const std::vector<Last>& before, const std::vector<Last>& now);
+    void addChange(const Last& changed);
+
+    std::vector<Last> m_last;  ///< that update() was given
+    std::vector<Change> m_changes;
     int m_framesSinceChange = 0;
     glm::ivec3 m_size{0};             ///< tiles across and up, slices
     std::vector<Reach> m_reaches;     ///< strongest light first

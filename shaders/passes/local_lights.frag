@@ -14,6 +14,8 @@ uniform sampler2D uLastSpecular;
 uniform sampler2D uLastSurface;   // x linear depth, z frames accumulated
 uniform bool uLastValid;
 uniform float uLongest;           // frames
+uniform int uChanges;
+uniform vec4 uChange[32];         // by turns: xyz where a light has come or gone out, w how far it reaches; x frames that are remembered there
 uniform bool uReflections;        // mirror rays are sent too
 uniform float uFaintest;          // radiance of a white surface below which rays are sent only now and then
 
@@ -45,6 +47,14 @@ float lobeShare(LocalLight lamp, vec3 toPlace, Surface s, vec3 view, vec3 f0) {
     return min(highlight / (highlight + opening), 0.75);  // a surface that scatters half gives the lamp's radiance times `opening`
 }
 
+/// Frames that highlights of a place are averaged over.
+float longestAt(vec3 position) {
+    float longest = uLongest;
+    for (int i = 0; i < uChanges; i += 2)
+        if (distance(position, uChange[i].xyz) < uChange[i].w) longest = min(longest, uChange[i + 1].x);
+    return longest;
+}
+
 /// This frame's highlight, averaged with those of the same place in the frames before.
 vec4 overTime(vec4 now, vec3 position, Surface s) {
     vec2 lastUv = uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg;
@@ -54,7 +64,7 @@ vec4 overTime(vec4 now, vec3 position, Surface s) {
     float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
     float tolerance = depthTolerance(position, s.normal, s.depth) + s.moving * 0.5;
     if (abs(surface.x - expected) > tolerance || dot(unpackNormal(surface.y), s.normal) < 0.9) return now;
-    return mix(texelFetch(uLastSpecular, last, 0), now, 1.0 / clamp(surface.z + 1.0, 1.0, max(uLongest, 1.0)));
+    return mix(texelFetch(uLastSpecular, last, 0), now, 1.0 / clamp(surface.z + 1.0, 1.0, longestAt(position)));
 }
 
 void main() {

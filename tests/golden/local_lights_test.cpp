@@ -271,6 +271,29 @@ TEST_F(LightChangeTest, ALampThatGoesOutTakesItsHighlightWithIt) {
     EXPECT_LT(leftOf("specular", sceneOf({lamp, faint}), sceneOf({other, faint}), 1), 0.1f) << "another one came in its place";
 }
 
+/// Noise of a highlight that is averaged over 16 pictures, in the picture in which a lamp far away goes out: as before.
+TEST_F(LightChangeTest, ALampThatGoesOutLeavesTheHighlightsOfOthers) {
+    const auto reaching = [](SnapshotLight light) {
+        light.reach = 2.0f;
+        return light;
+    };
+    const SnapshotLight here = reaching(named(0, {0, 1.2, -0.5}, 20.0f)), away = reaching(named(1, {30, 1, -30}, 20.0f));
+    const auto changeBy = [&](int pictures) {
+        const FloatImage before = read("specular");
+        draw(m_camera, pictures);
+        const FloatImage after = read("specular");
+        double sum = 0.0, all = 0.0;
+        for (size_t p = 0; p < before.pixels.size(); ++p)
+            sum += std::abs(double(after.pixels[p].g - before.pixels[p].g)), all += double(before.pixels[p].g);
+        return sum / all;
+    };
+    Drawing::start(sceneOf({here, away}), kSize);
+    draw(m_camera, 24);
+    const double usual = changeBy(1);
+    renderer->apply(sceneOf({here}).step());
+    EXPECT_LT(changeBy(1), 1.5 * usual);
+}
+
 TEST_F(LightChangeTest, TheFloorUnderALampThatIsGoneIsDark) {
     const SnapshotLight lamp = named(0, {0, 1, 0}, 20.0f), faint = named(1, {3, 2, -3}, 0.05f);
     EXPECT_LT(leftOf("lighting", sceneOf({lamp}), sceneOf({}), 1), 0.02f);

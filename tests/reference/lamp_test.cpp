@@ -54,8 +54,8 @@ TEST_F(FloorUnderALamp, IsAsBrightAsTheTruth) {
 
 /// A dark floor mirrors as much as it scatters: what it mirrors is the sky, as lamps have highlights of their own.
 TEST_F(FloorUnderALamp, MirrorsTheSkyAndNotTheLampsColor) {
-    const glm::dvec3 found =
-        ratio({.gray = 60, .roughness = 200, .reflectivity = 128, .sky = {0.15f, 0.2f, 0.3f}, .lamp = {4.0f, 2.4f, 1.0f}, .radius = 0.3f}, {0.0, 0.7, 2.8});
+    const glm::dvec3 found = ratio(
+        {.gray = 60, .roughness = 200, .reflectivity = 128, .sky = {0.15f, 0.2f, 0.3f}, .lamp = {4.0f, 2.4f, 1.0f}, .radius = 0.3f}, {0.0, 0.7, 2.8});
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], 1.0, 0.02) << c;
 }
 

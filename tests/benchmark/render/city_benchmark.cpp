@@ -94,7 +94,7 @@ int benchCityFrames(const Options& options, GlContext& context) {
     const Offscreen target(options.size);
     std::vector<Place> places = placesInTown();
     places.push_back({"from above", scenes::lookAt({32.0, 40.0, 46.0}, {32.0, 0.0, 34.0}), 0.70f});  // as much surface in each world
-    std::map<std::string, double> first;  // milliseconds by place and pass
+    std::map<std::string, double> first;                                                             // milliseconds by place and pass
     for (const int side : kSides) {
         auto renderer = Renderer::create(context.loader(), options.shaders, RenderSettings::preset(options.preset));
         if (!renderer) {
@@ -118,7 +118,8 @@ int benchCityFrames(const Options& options, GlContext& context) {
             for (const auto& [pass, ms] : all) {
                 const double now = median(ms), then = first.emplace(place.name + pass, now).first->second;
                 if (pass == " frame")
-                    fmt::print("  {:<10}{:8.1f}  {:.2f}x, {:.0f} % of the pixels are surfaces;", place.name, now, now / then, 100.0 * surfaces(**renderer));
+                    fmt::print("  {:<10}{:8.1f}  {:.2f}x, {:.0f} % of the pixels are surfaces;", place.name, now, now / then,
+                               100.0 * surfaces(**renderer));
                 else if (std::abs(now - then) > 0.02 * first.at(place.name + std::string(" frame")))
                     fmt::print("  {} {:.1f} -> {:.1f} ms", pass, then, now);
             }
