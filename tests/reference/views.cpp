@@ -1,10 +1,9 @@
 #include "tests/reference/views.h"
 
-#include "runtime/frame/snapshots.h"
-#include "runtime/shadow/shadow_worker.h"
 #include "samples/scenes/town.h"
 #include "samples/support/camera.h"
 #include "tests/golden/lit_scene.h"
+#include "tests/support/level_snapshot.h"
 
 namespace rubble::reference {
 namespace {
@@ -20,14 +19,7 @@ View lookingAt(glm::dvec3 from, glm::dvec3 at, float verticalFov) {
 }  // namespace
 
 FrameSnapshot townSnapshot() {
-    World world;
-    world.load(makeTown(1));
-    const FrameChanges changes = world.applyEdits({});
-    ShadowWorker worker(ShadowWorker::Mode::Inline);
-    worker.submit(changes, {}, world);
-    Snapshots snapshots;
-    snapshots.publish(changes, {}, world, worker.takePatches());
-    return std::move(*snapshots.take());
+    return levelSnapshot(makeTown(1));
 }
 
 std::vector<SceneView> tuningViews(bool withTown) {

@@ -8,6 +8,7 @@
 #include "render/renderer.h"
 #include "tests/benchmark/render/gbuffer_rig.h"
 #include "tests/benchmark/render/town_views.h"
+#include "tests/support/level_snapshot.h"
 
 namespace rubble::bench {
 namespace {
@@ -90,7 +91,7 @@ double surfaces(const Renderer& renderer) {
 }
 
 int benchCityFrames(const Options& options, GlContext& context) {
-    const FrameSnapshot town = townWithShadow();
+    const FrameSnapshot town = levelSnapshot(makeTown(1));
     const Offscreen target(options.size);
     std::vector<Place> places = placesInTown();
     places.push_back({"from above", scenes::lookAt({32.0, 40.0, 46.0}, {32.0, 0.0, 34.0}), 0.70f});  // as much surface in each world

@@ -41,16 +41,4 @@ inline std::unique_ptr<FrameLoop> playTown() {
     return loop;
 }
 
-/// The town as it is when it was just loaded, with its shadow volume.
-inline FrameSnapshot townWithShadow() {
-    World world;
-    world.load(makeTown(1));
-    const FrameChanges changes = world.applyEdits({});
-    ShadowWorker worker(ShadowWorker::Mode::Inline);
-    worker.submit(changes, {}, world);
-    Snapshots snapshots;
-    snapshots.publish(changes, {}, world, worker.takePatches());
-    return std::move(*snapshots.take());
-}
-
 }  // namespace rubble::bench
