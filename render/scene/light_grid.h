@@ -33,7 +33,7 @@ public:
         int frames;        ///< since then
     };
     static constexpr size_t kMostChanges = 16;  ///< passes/local_lights.frag; of more the last reaches everywhere
-    static constexpr int kLongestChange = 16;   ///< frames until one is forgotten
+    static constexpr int kLongestChange = 32;   ///< frames until one is forgotten
     const std::vector<Change>& changes() const { return m_changes; }
     int tiles() const { return m_size.x * m_size.y; }
     uint64_t bytes() const { return m_lightsTexture.bytes() + m_cellsTexture.bytes() + m_listTexture.bytes() + m_picturesTexture.bytes(); }

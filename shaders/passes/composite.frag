@@ -32,20 +32,21 @@ vec3 grained(vec3 normal, vec2 tilt) {
     return normalize(normal + (across * tilt.x + cross(normal, across) * tilt.y) * kMostTilt);
 }
 
-/// Highlights of lamps at a pixel and around it, on the same face.
+/// Highlights of lamps at a pixel and around it, on the same face. Blue noise is all in the finest grain, which these weights take out.
 vec4 highlightsAround(Surface s, ivec2 pixel) {
     vec2 here = texelFetch(uSurface, pixel, 0).xy;
     float tolerance = depthTolerance(worldFromDepth(uv, s.depth), s.normal, s.depth);
-    vec4 sum = 0.36 * texelFetch(uSpecular, pixel, 0);
-    float weights = 0.36;
-    for (int i = 0; i < 4; ++i) {
-        ivec2 p = clamp(pixel + ivec2((i & 1) * 2 - 1, (i >> 1) * 2 - 1), ivec2(0), ivec2(frame.targetSize.xy) - 1);
+    vec4 sum = vec4(0.0);
+    float weights = 0.0;
+    for (int i = 0; i < 9; ++i) {
+        ivec2 beside = ivec2(i % 3, i / 3) - 1;
+        ivec2 p = clamp(pixel + beside, ivec2(0), ivec2(frame.targetSize.xy) - 1);
         vec2 there = texelFetch(uSurface, p, 0).xy;
-        float weight = there.y == here.y && abs(there.x - here.x) <= tolerance ? 0.16 : 0.0;
+        float weight = there.y == here.y && abs(there.x - here.x) <= tolerance ? float((2 - abs(beside.x)) * (2 - abs(beside.y))) : 0.0;
         sum += weight * texelFetch(uSpecular, p, 0);
         weights += weight;
     }
-    return sum / weights;
+    return sum / max(weights, 1.0);
 }
 
 vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel) {

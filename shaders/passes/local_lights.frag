@@ -23,6 +23,7 @@ in vec2 uv;
 layout(location = 0) out vec4 light;
 layout(location = 1) out vec4 specular;  // rgb radiance, a luminance of the light that came in
 
+const float kLongestInMotion = 16.0;  // frames
 const float kBrightest = 1000.0;  // of a highlight's sample: a last guard
 
 /// One of the lights near a pixel, and by what its sample is to be multiplied: 0 for none.
@@ -57,14 +58,16 @@ float longestAt(vec3 position) {
 
 /// This frame's highlight, averaged with those of the same place in the frames before.
 vec4 overTime(vec4 now, vec3 position, Surface s) {
-    vec2 lastUv = uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg;
+    vec2 motion = texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg, lastUv = uv - motion;
     if (!uLastValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return now;
     ivec2 last = ivec2(lastUv * frame.targetSize.xy);
     vec4 surface = texelFetch(uLastSurface, last, 0);
     float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
     float tolerance = depthTolerance(position, s.normal, s.depth) + s.moving * 0.5;
     if (abs(surface.x - expected) > tolerance || dot(unpackNormal(surface.y), s.normal) < 0.9) return now;
-    return mix(texelFetch(uLastSpecular, last, 0), now, 1.0 / clamp(surface.z + 1.0, 1.0, longestAt(position)));
+    // A highlight moves over its surface as soon as the eye does.
+    float longest = length(motion * frame.targetSize.xy) < 0.05 ? longestAt(position) : min(longestAt(position), kLongestInMotion);
+    return mix(texelFetch(uLastSpecular, last, 0), now, 1.0 / clamp(surface.z + 1.0, 1.0, longest));
 }
 
 void main() {
