@@ -46,12 +46,25 @@ struct Shown {
 };
 using enum ShowPass::Mode;
 constexpr Shown kShown[] = {
-    {"final", "final", Color},        {"albedo", "albedo", Color},       {"normal", "normal", Signed},
-    {"emission", "normal", Alpha},    {"material", "material", Color},   {"motion", "motion", Motion},
-    {"depth", "depth", Distance},     {"glassTint", "glassTint", Color}, {"glassSurface", "glassSurface", Signed},
-    {"sunRaw", "light", Alpha},       {"skyRaw", "light", Linear},       {"sun", "lighting", Alpha},
-    {"light", "lighting", Linear},    {"history", "surface", History},   {"reflection", "reflection", Linear},
-    {"radiance", "radiance", Linear}, {"resolved", "resolved", Linear},  {"bloom", "bloom0", Linear},
+    {"final", "final", Color},
+    {"albedo", "albedo", Color},
+    {"normal", "normal", Signed},
+    {"emission", "normal", Alpha},
+    {"material", "material", Color},
+    {"motion", "motion", Motion},
+    {"depth", "depth", Distance},
+    {"glassTint", "glassTint", Color},
+    {"glassSurface", "glassSurface", Signed},
+    {"sunRaw", "light", Alpha},
+    {"skyRaw", "light", Linear},
+    {"nearness", "nearness", Color},
+    {"sun", "lighting", Alpha},
+    {"light", "lighting", Linear},
+    {"history", "surface", History},
+    {"reflection", "reflection", Linear},
+    {"radiance", "radiance", Linear},
+    {"resolved", "resolved", Linear},
+    {"bloom", "bloom0", Linear},
 };
 
 /// What a context can do, and what is worth while on it: on llvmpipe passes take 0.97 to 3.4 times as long by compute, the whole frame 1.24 to

@@ -53,6 +53,8 @@ void AccumulatePass::draw(const FrameContext& frame) const {
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         GBufferPass::bind(program, frame.targets);
         program.set("uLight", frame.targets.at("light"));
+        program.set("uSky", int(frame.settings.sky));
+        if (frame.settings.sky) program.set("uNearness", frame.targets.at("nearness"));
         program.set("uLastLight", light.previous);
         program.set("uLastSurface", surface.previous);
         program.set("uTrusted", trusted);

@@ -12,7 +12,8 @@ SkyPass::SkyPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("pas
 void SkyPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
     TargetPool& targets = frame.targets;
-    drawFullscreen(frame, m_program, {targets, {&targets.target("light", GL_RGBA16F)}, &targets.at("depthBuffer")}, [&](const Program& program) {
+    const FullscreenTargets into{targets, {&targets.target("light", GL_RGBA16F), &targets.target("nearness", GL_R8)}, &targets.at("depthBuffer")};
+    drawFullscreen(frame, m_program, into, [&](const Program& program) {
         GBufferPass::bind(program, targets);
         frame.scene.bindShadow(program);
         bindBounce(program, frame, frame.settings.bounceColors);

@@ -3,7 +3,7 @@
 
 namespace rubble {
 
-/// Writes the colour of "light": mean radiance from the sky and from what hides it.
+/// Writes the colour of "light": mean radiance from the sky and from what hides it; and "nearness", how near that is.
 class SkyPass {
 public:
     explicit SkyPass(ShaderLibrary& shaders);

@@ -8,6 +8,8 @@
 #include "lib/surface_history.glsl"
 
 uniform sampler2D uLight;
+uniform sampler2D uNearness;
+uniform bool uSky;  // there is that
 uniform sampler2D uLastLight;
 uniform sampler2D uLastSurface;
 uniform sampler2D uTrusted;
@@ -19,16 +21,19 @@ in vec2 uv;
 layout(location = 0) out vec4 accumulated;
 layout(location = 1) out vec4 surface;
 
+const float kNearest = 0.99;  // what fits behind the point
+
 struct Past {
     vec4 light;
     float frames;
     float squared;
+    float nearness;
     float weight;
 };
 
 /// The four pixels around the place in the last frame, those of the same surface only.
 Past readPast(Surface s, float packed_, vec3 position) {
-    Past past = Past(vec4(0.0), 0.0, 0.0, 0.0);
+    Past past = Past(vec4(0.0), 0.0, 0.0, 0.0, 0.0);
     vec2 lastUv = uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg;
     if (!uLastValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return past;
     float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
@@ -44,7 +49,8 @@ Past readPast(Surface s, float packed_, vec3 position) {
         vec4 there = texelFetch(uLastSurface, p, 0);
         if (abs(there.x - expected) > tolerance || (there.y != packed_ && dot(unpackNormal(there.y), s.normal) < 0.9)) continue;
         past.light += w * texelFetch(uLastLight, p, 0);
-        past.frames += w * there.z;
+        past.frames += w * floor(there.z);
+        past.nearness += w * fract(there.z);
         past.squared += w * max(there.w, 0.0);
         past.weight += w;
     }
@@ -54,6 +60,7 @@ Past readPast(Surface s, float packed_, vec3 position) {
     }
     past.light /= past.weight;
     past.frames /= past.weight;
+    past.nearness /= past.weight;
     past.squared /= past.weight;
     return past;
 }
@@ -64,7 +71,8 @@ void main() {
     vec4 now = texelFetch(uLight, pixel, 0);
     float lum = luminance(now.rgb);
     accumulated = now;
-    surface = vec4(s.depth, packNormal(s.normal), 1.0, s.emission > 0.0 ? -1.0 : lum * lum);
+    float nearness = uSky ? min(texelFetch(uNearness, pixel, 0).x, kNearest) : 0.0;
+    surface = vec4(s.depth, packNormal(s.normal), 1.0 + nearness, s.emission > 0.0 ? -1.0 : lum * lum);
     Past past = readPast(s, surface.y, worldFromDepth(uv, s.depth));
     if (past.weight == 0.0) return;
     float trusted = uForgets ? texture(uTrusted, uv).x : 1.0;
@@ -72,6 +80,6 @@ void main() {
     // The first pictures know less of bounced light and count less.
     float share = min((1.0 + 1.0 / frames) / frames, 1.0);
     accumulated = roundedToHalf(mix(past.light, now, share), pixel, 0);
-    surface.z = frames;
+    surface.z = floor(frames + 0.01) + min(mix(past.nearness, nearness, share), kNearest);
     surface.w = s.emission > 0.0 ? -1.0 : mix(past.squared, lum * lum, share);
 }

@@ -21,6 +21,7 @@ const int kTaps = 5;  // the first is the pixel itself
 const float kOwnWeight = 1.5;
 const float kLongPast = 12.0;  // frames
 const float kQuiet = 0.10;     // deviation of what is accumulated, as a share of it
+const float kNearnessStrays = 0.2;  // one sample of it
 
 /// 1 for no difference, 0 from twice the scale on: a bell without an exponential.
 float bell(float x) {
@@ -32,6 +33,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec4 centre = texelFetch(uSurface, pixel, 0);
+    float nearness = fract(centre.z), nearnessScale = 1.0 / (2.0 * kNearnessStrays * inversesqrt(floor(centre.z)) + 0.03);
     vec4 own = texelFetch(uLight, pixel, 0);
     // Wide steps are for places without a past, or that are noisy in spite of it: they cost detail that time keeps.
     float ownSquared = luminance(own.rgb) * luminance(own.rgb);
@@ -50,6 +52,7 @@ void main() {
     vec4 lights[kTaps];
     float lums[kTaps];
     float weights[kTaps];
+    float nears[kTaps];
     float sun = 0.0, total = 0.0, lum = 0.0, squares = 0.0, temporal = 0.0;
     for (int i = 0; i < kTaps; ++i) {
         ivec2 offset = ivec2(i == 1 ? 1 : i == 2 ? -1 : 0, i == 3 ? 1 : i == 4 ? -1 : 0);
@@ -59,6 +62,7 @@ void main() {
         vec2 away = vec2(p - pixel);
         float height = (facing + facingX * away.x + facingY * away.y) * there.x - facing * centre.x;
         float w = i == 0 ? kOwnWeight : there.y == centre.y ? max(0.0, 1.0 - abs(height) * planeScale) : 0.0;
+        nears[i] = bell((fract(there.z) - nearness) * nearnessScale);
         vec4 light = i == 0 ? own : texelFetch(uLight, p, 0);
         float l = luminance(light.rgb);
         weights[i] = w;
@@ -87,6 +91,7 @@ void main() {
     for (int i = 1; i < kTaps; ++i) {
         float sky = bell((lums[i] - ownLum) / (skyShare * (lums[i] + ownLum) + 1e-4));
         float w = weights[i] / (kOwnWeight + float(kTaps - 1));
+        sky *= nears[i];
         filtered += (lights[i] - own) * vec2(w * sky, w * bell((lights[i].a - own.a) * sunScale)).xxxy;
     }
     filtered = roundedToHalf(filtered, pixel, uStride);

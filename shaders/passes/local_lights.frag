@@ -67,7 +67,7 @@ vec4 overTime(vec4 now, vec3 position, Surface s) {
     if (abs(surface.x - expected) > tolerance || dot(unpackNormal(surface.y), s.normal) < 0.9) return now;
     // A highlight moves over its surface as soon as the eye does.
     float longest = length(motion * frame.targetSize.xy) < 0.05 ? longestAt(position) : min(longestAt(position), kLongestInMotion);
-    return mix(texelFetch(uLastSpecular, last, 0), now, 1.0 / clamp(surface.z + 1.0, 1.0, longest));
+    return mix(texelFetch(uLastSpecular, last, 0), now, 1.0 / clamp(floor(surface.z) + 1.0, 1.0, longest));
 }
 
 void main() {

@@ -1,4 +1,4 @@
-// Mean radiance from the sky and from what hides it, over the cosine-weighted hemisphere, in the colour of `light`.
+// Mean radiance from the sky and from what hides it, over the cosine-weighted hemisphere, in the colour of `light`; how near that is, in `nearness`.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
@@ -14,12 +14,15 @@ uniform float uExactFor;  // metres
 uniform sampler2D uLastLight;
 
 in vec2 uv;
-out vec4 light;
+layout(location = 0) out vec4 light;
+layout(location = 1) out vec4 nearness;  // x: 1 where rays meet something at once, 0 where nothing
+
+const float kNear = 1.0;  // metres at which it is a half
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = readSurface(pixel);
-    light = vec4(0.0);
+    light = nearness = vec4(0.0);
     if (s.sky) return;
     vec3 origin = shadowOrigin(worldFromDepth(uv, s.depth), s.normal);
     vec2 lastUv = uv - texelFetch(uMotion, pixel, 0).rg;
@@ -29,10 +32,13 @@ void main() {
         vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, frame.counters.x * uRays + i));
         here.random = vec3(blueNoise(pixel, 5, frame.counters.x * uRays + i), blueNoise(pixel, 6, frame.counters.x * uRays + i).x);
         float t;
-        if (shadowTraceCoarse(origin, direction, uReach, uExactFor, t))
+        if (shadowTraceCoarse(origin, direction, uReach, uExactFor, t)) {
             light.rgb += radianceAt(origin + direction * t, direction, here, 0.0);
-        else
+            nearness.x += kNear / (kNear + t);
+        } else {
             light.rgb += skyRadiance(direction);
+        }
     }
     light.rgb /= float(uRays);
+    nearness.x /= float(uRays);
 }

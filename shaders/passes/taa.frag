@@ -97,7 +97,7 @@ void main() {
         if (i % 2 == 1) continue;  // corners and middle are enough to find an edge in front
         vec4 surface = texelFetch(uSurface, p, 0);
         // What changes is wider than a pixel: one that alone has no past shows what the others miss.
-        frames = max(frames, surface.z);
+        frames = max(frames, floor(surface.z));
         if (surface.x < depth) {
             depth = surface.x;
             nearest = p;

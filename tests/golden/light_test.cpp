@@ -174,5 +174,33 @@ TEST_F(LightTest, AWhiteRoomsGuessOfItsOwnLightEnds) {
     EXPECT_LT(brightness(300), 25.0 * first) << "20 times is the sum of all bounces that each lose a twentieth";
 }
 
+/// A floor under a plate that lets light in from its sides only: the filter may not carry light into the dark.
+TEST_F(LightTest, WhatIsUnderAPlateStaysDark) {
+    LitScene scene(plain());
+    scene.environment.sunColor = glm::vec3(0.0f);
+    scene.environment.skyColor = scene.environment.horizonColor = glm::vec3(1.0f);
+    scene.environment.groundColor = glm::vec3(0.0f);
+    scene.add({120, 2, 120}, {{-6, -0.2, -6}, kLevel}, solid);
+    scene.add({30, 1, 30}, {{-1.5, 0.2, -1.5}, kLevel}, solid);
+    const Camera camera = lookingAt({0.0, 0.13, 6.0}, {0.0, 0.1, 0.0});
+    const auto mean = [&](int passes) {
+        RenderSettings settings;
+        settings.bounce = false, settings.filterPasses = passes;
+        start(scene, {192, 128}, settings);
+        draw(camera, 32);
+        const FloatImage light = read("lighting"), depth = read("depth"), normal = read("normal");
+        double sum = 0.0;
+        int count = 0;
+        for (size_t p = 0; p < light.pixels.size(); ++p)
+            if (normal.pixels[p].y > 0.9f && depth.pixels[p].x > 4.7f && depth.pixels[p].x < 6.0f && std::abs(float(p % 192) - 96.0f) < 24.0f)
+                sum += double(light.pixels[p].y), ++count;
+        EXPECT_GT(count, 40);
+        return sum / count;
+    };
+    const double raw = mean(0), filtered = mean(4);
+    EXPECT_LT(raw, 0.25) << "it is dark there";
+    EXPECT_NEAR(filtered / raw, 1.0, 0.05);
+}
+
 }  // namespace
 }  // namespace rubble
