@@ -18,6 +18,7 @@ const float kUnknownAlbedo = 0.3; // where no voxel is found
 // Close to a lamp few rays would speckle: as bright, or as many times as bright as where the ray started, where more of it is no surprise.
 const float kBrightestLamp = 6.0, kBrighterLamp = 150.0;
 const float kMostOpener = 1.4;
+const vec2 kIndoors = vec2(0.1, 0.3);  // nearness from which light comes from all around as well as from above
 const float kMostGuessed = 0.95;   // of the light where the ray started: what a white room guesses of its own light never grows
 const float kShadowCellMetres = 0.1;
 
@@ -57,6 +58,7 @@ struct Here {
     vec3 light, normal;
     ivec2 lamps;
     vec3 random;
+    float nearness;  // of what surrounds it (sky.frag): 0 in the open
 };
 
 /// How much light a face gets under an open sky, by where it looks: all from above, a little from below.
@@ -89,7 +91,8 @@ vec3 lampOn(vec3 place, vec3 normal, Here here) {
 /// ray started, if both are as open; and its own light. That is right in the long run inside a room, where it sums up all bounces, and
 /// zero in a closed one. glow: as above.
 vec3 unseenRadiance(vec3 hitWorld, vec3 normal, vec3 direction, Here here, float glow) {
-    float asOpen = 0.9 * min(openLight(normal) / openLight(here.normal), kMostOpener);
+    float opener = min(openLight(normal) / openLight(here.normal), kMostOpener);
+    float asOpen = mix(0.9 * opener, 0.95, smoothstep(kIndoors.x, kIndoors.y, here.nearness));
     vec3 sun = sunOn(hitWorld, normal);
 #ifdef FEW_TEXTURE_UNITS
     return kUnknownAlbedo * (asOpen * here.light + sun);  // a voxel takes twelve samplers to look up
