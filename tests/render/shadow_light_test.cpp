@@ -2,10 +2,9 @@
 #include <cmath>
 
 #include "render/gl/framebuffer.h"
-#include "runtime/frame/snapshots.h"
-#include "runtime/shadow/shadow_worker.h"
 #include "samples/scenes/town.h"
 #include "tests/render/gbuffer_fixture.h"
+#include "tests/support/level_snapshot.h"
 
 namespace rubble {
 namespace {
@@ -35,19 +34,6 @@ protected:
         }
         return count;
     }
-    /// A world's first snapshot, with its shadow volume.
-    static FrameSnapshot firstSnapshot(const Level& level) {
-        World world;
-        world.load(level);
-        const FrameChanges changes = world.applyEdits({});
-        ShadowWorker worker(ShadowWorker::Mode::Inline);
-        worker.submit(changes, {}, world);
-        Snapshots snapshots;
-        snapshots.publish(changes, {}, world, worker.takePatches());
-        auto snapshot = snapshots.take();
-        EXPECT_TRUE(snapshot);
-        return std::move(*snapshot);
-    }
     static LevelBody bodyOf(VoxelGrid grid, const Pose& pose) {
         LevelBody body;
         body.pose = pose;
@@ -74,7 +60,7 @@ TEST_F(ShadowLightTest, LoneCubeIsLitInSixteenRotations) {
         Level level;
         level.bodies.push_back(bodyOf(cube, {center - rotation * glm::dvec3(0.5), rotation}));
         Scene scene;
-        scene.apply(firstSnapshot(level));
+        scene.apply(levelSnapshot(level));
         View view;
         view.size = {240, 180};
         view.position = glm::dvec3(toSun) * 2.5 + glm::dvec3(0.6, 2.8, 0.2);
@@ -100,7 +86,7 @@ TEST_F(ShadowLightTest, ClosedRoomIsDarkInside) {
         Level level;
         level.bodies.push_back(bodyOf(room, {glm::dvec3(0.03, 0.21, 0.07), rotation}));
         Scene scene;
-        scene.apply(firstSnapshot(level));
+        scene.apply(levelSnapshot(level));
         for (int side = 0; side < 4; ++side) {
             View view;
             view.size = {160, 120};
@@ -115,7 +101,7 @@ TEST_F(ShadowLightTest, ClosedRoomIsDarkInside) {
 
 /// The reference keeps a byte for 2x2x2 cells of the whole box, and two smaller copies of that.
 TEST_F(ShadowLightTest, TheTownTakesAQuarterOfADenseVolume) {
-    FrameSnapshot town = firstSnapshot(makeTown(1));
+    FrameSnapshot town = levelSnapshot(makeTown(1));
     glm::ivec3 low(1 << 20), high(-(1 << 20));
     for (const ShadowPatch& patch : town.shadow) {
         if (!patch.content) continue;
