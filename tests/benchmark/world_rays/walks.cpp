@@ -148,7 +148,8 @@ void Walks::bind(const std::string& walk, const Program& program) {
     program.set("uCells", m_cells);
     if (walk.ends_with("buffer")) {
         program.set("uVolume", m_volumes->buffer);
-        glUniform4iv(glGetUniformLocation(program.name(), "uLevels"), kLevels, &m_volumes->levels[0].x);
+        for (int level = 0; level < kLevels; ++level)
+            glUniform4iv(glGetUniformLocation(program.name(), fmt::format("uLevel{}", level).c_str()), 1, &m_volumes->levels[size_t(level)].x);
         return;
     }
     constexpr int kUnit = 8;  // beyond those of the two ray textures
