@@ -271,7 +271,7 @@ TEST_F(LightChangeTest, ALampThatGoesOutTakesItsHighlightWithIt) {
     EXPECT_LT(leftOf("specular", sceneOf({lamp, faint}), sceneOf({other, faint}), 1), 0.1f) << "another one came in its place";
 }
 
-/// Noise of a highlight that is averaged over 16 pictures, in the picture in which a lamp far away goes out: as before.
+/// Noise of a highlight that is averaged over many pictures, in the picture in which a lamp far away goes out: as before.
 TEST_F(LightChangeTest, ALampThatGoesOutLeavesTheHighlightsOfOthers) {
     const auto reaching = [](SnapshotLight light) {
         light.reach = 2.0f;

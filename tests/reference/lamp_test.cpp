@@ -89,13 +89,14 @@ protected:
 
 TEST_F(PostByALamp, KeepsItsHighlightToItself) {
     const FloatImage shining = picture(255), black = picture(0), depth = read("depth");
-    double brightest = 0.0, onPost = 0.0;
+    double onWall = 0.0, onPost = 0.0;
     for (size_t p = 0; p < depth.pixels.size(); ++p) {
         const double more = double(shining.pixels[p].y - black.pixels[p].y);
-        (depth.pixels[p].x > 6.0f ? brightest : onPost) = std::max(depth.pixels[p].x > 6.0f ? brightest : onPost, more);
+        double& most = depth.pixels[p].x > 6.0f ? onWall : onPost;
+        most = std::max(most, more);
     }
     EXPECT_GT(onPost, 0.1);
-    EXPECT_LT(brightest, 0.01 * onPost);
+    EXPECT_LT(onWall, 0.01 * onPost);
 }
 
 }  // namespace

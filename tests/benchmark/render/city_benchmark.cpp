@@ -1,6 +1,7 @@
 // The town again and again, as shapes that share their bricks: what a picture costs at equal pixels from 1e7 to 2e9 voxels.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <map>
 
@@ -87,7 +88,8 @@ void benchCity(const Options& options, const FrameSnapshot& town) {
 /// Share of the pixels that show a surface: what lies beyond the town is fields in a town, and towns in a city.
 double surfaces(const Renderer& renderer) {
     const FloatImage depth = renderer.readTarget("depth").value();
-    return double(std::count_if(depth.pixels.begin(), depth.pixels.end(), [](glm::vec4 p) { return p.x < 65000.0f; })) / double(depth.pixels.size());
+    return double(std::count_if(depth.pixels.begin(), depth.pixels.end(), [](glm::vec4 p) { return p.x < GBufferPass::kSkyDepth; })) /
+           double(depth.pixels.size());
 }
 
 int benchCityFrames(const Options& options, GlContext& context) {

@@ -70,12 +70,12 @@ void print(const std::string& title, const Walks& walks, const std::vector<std::
     }
 }
 
-/// The same times without what the bench takes itself, and what is left of the exact walk's if it made no step.
+/// The same times without what the bench takes itself, and what is left of the exact walk's if it made one step.
 void printNet(const std::vector<std::string>& names, const std::vector<Total>& totals, const Total& setUp, const Total& noWalk) {
     const auto net = [&](const Total& t) { return t.milliseconds - noWalk.milliseconds; };
     fmt::print("  without the bench's own {:.1f} ms:", noWalk.milliseconds);
     for (size_t k = 1; k < names.size(); ++k)
-        fmt::print(" exact/{} {:.2f} ({:.2f} before its first step),", names[k], net(totals[0]) / net(totals[k]), net(setUp) / net(totals[k]));
+        fmt::print(" exact/{} {:.2f} ({:.2f} if it made one step),", names[k], net(totals[0]) / net(totals[k]), net(setUp) / net(totals[k]));
     fmt::print("\n");
 }
 

@@ -1,4 +1,4 @@
-// What the frame's own walk does before its first step: the least that a ray can take.
+// What the frame's own walk takes to set up and make one step: the least that a ray can take.
 #include "lib/frame.glsl"
 #include "lib/shadow_trace.glsl"
 bool traceCells(vec3 origin, vec3 direction, float tMax) {
