@@ -13,7 +13,8 @@ namespace rubble {
 
 bool SandboxOptions::wantsWindow() const {
     if (headless || noRender) return false;
-    return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY");
+    const auto isSet = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
+    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY");
 }
 
 namespace {
