@@ -9,14 +9,12 @@ namespace {
 constexpr float kNear = 0.05f, kFar = 2000.0f;
 constexpr float kJitterPeriod = 16.0f;  // where a pixel of the picture is one that is traced; else longer, to reach every part of it
 
-/// Van der Corput's radical inverse: with bases 2 and 3 the Halton sequence.
-float radicalInverse(int base, int index) {
-    float result = 0.0f, digit = 1.0f;
-    for (; index > 0; index /= base) {
-        digit /= float(base);
-        result += digit * float(index % base);
-    }
-    return result;
+/// Sobol's first two dimensions: of each aligned power of two of points, every row and every column holds one.
+glm::vec2 sobolPoint(uint32_t index) {
+    uint32_t x = 0, y = 0;
+    for (uint32_t inX = 1u << 31, inY = 1u << 31; index; index >>= 1, inX >>= 1, inY ^= inY >> 1)
+        if (index & 1) x ^= inX, y ^= inY;
+    return glm::vec2(x >> 8, y >> 8) / float(1 << 24);
 }
 
 glm::mat4 projection(const View& view, glm::vec2 jitterUv) {
@@ -33,8 +31,8 @@ void FrameCamera::begin(const View& view, glm::ivec2 traced, bool jittered, glm:
     const bool cut = view.cut || m_frame == 0 || traced != m_lastSize || originWorld != m_lastOrigin;
     if (view.cut) m_frame = 0;  // the same noise after each cut: a still picture does not depend on what came before
     const glm::vec2 size(traced), picture(view.size);
-    const int index = m_frame % int(kJitterPeriod * picture.x * picture.y / (size.x * size.y)) + 1;
-    const glm::vec2 jitter = jittered ? (glm::vec2(radicalInverse(2, index), radicalInverse(3, index)) - 0.5f) / size : glm::vec2(0.0f);
+    const int period = int(kJitterPeriod * picture.x * picture.y / (size.x * size.y));
+    const glm::vec2 jitter = jittered ? (sobolPoint(uint32_t(m_frame % period)) + 0.5f / float(period) - 0.5f) / size : glm::vec2(0.0f);
 
     const glm::vec3 position(view.position - originWorld);
     const glm::mat3 axes = glm::mat3_cast(glm::quat(view.rotation));

@@ -339,12 +339,14 @@ RenderSettings RenderSettings::preset(std::string_view name) {
         settings.skyDistance = 12.0f;
         settings.skyExactFor = 1.6f;
         settings.bounceColors = false;
+        settings.bounces = 1;
         settings.filterPasses = 2;
     }
     if (name == "accurate") {
         settings.skyRays = 8;
         settings.sunRays = 4;
         settings.filterPasses = 5;
+        settings.bounces = 3;
     }
     return settings;
 }

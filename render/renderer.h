@@ -42,7 +42,7 @@ enum class Fullscreen {
 struct RenderSettings {
     int skyRays = 1;  ///< cosine-weighted rays a pixel
     int sunRays = 1;
-    float skyDistance = 24.0f;  ///< metres
+    float skyDistance = 64.0f;  ///< metres
     /// Metres from where sky rays start beyond which a block of 4^3 voxels with anything in it stops them: a tenth less to trace, no false
     /// light, some false shadow. All other rays are exact, whatever the preset.
     float skyExactFor = 1e30f;
@@ -56,6 +56,7 @@ struct RenderSettings {
     int warmUpFrames = 0;        ///< drawn unseen before the first picture and after each cut: clean stills
     bool sun = true, sky = true, localLights = true, reflections = true, fog = true, glare = true;
     bool bounce = true;         ///< what sky and mirror rays hit shines back; off: it is black
+    int bounces = 2;            ///< of a sky ray off faces that the last picture does not show, 1 or more; after the last one the light is guessed
     bool bounceColors = true;   ///< what sky rays hit unseen has its voxel's colour and lamps' light; off: one colour for all, at half the cost
     Noise noise = Noise::Blue;  ///< of light's rays
     bool bevel = true;          ///< rounds the edges of near voxels in light

@@ -31,7 +31,8 @@ CompositePass::CompositePass(ShaderLibrary& shaders) : m_surfaces(shaders.loadFu
 
 void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glassShadow) {
     if (!m_surfaces) return;
-    const FullscreenTargets into{frame.targets, {&frame.targets.history("radiance", GL_RGBA16F).current}, &frame.targets.at("depthBuffer")};
+    const Texture& radiance = frame.targets.history("radiance", GL_RGBA16F).current;
+    const FullscreenTargets into{frame.targets, {&radiance, &frame.targets.history("matte", GL_R8).current}, &frame.targets.at("depthBuffer")};
     drawFullscreen(frame, m_surfaces, into, [&](const Program& program) {
         GBufferPass::bind(program, frame.targets);
         bindReflections(program, frame);
@@ -46,7 +47,7 @@ void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glass
         program.set("uGlassShadow", 0);
         if (glassShadow) glassShadow->bind(program);
     });
-    frame.targets.framebuffer(into.colors, into.depth).begin();
+    frame.targets.framebuffer({&radiance}, into.depth).begin();
     drawBackground(frame);
 }
 

@@ -43,7 +43,7 @@ void ReflectionsPass::draw(const FrameContext& frame) const {
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         bindMirror(program, frame);
         frame.scene.bindShadow(program);
-        bindBounce(program, frame);
+        bindBounce(program, frame, BounceRays::Mirrored);
         program.set("uLight", frame.targets.at("lighting"));
         program.set("uBlueNoise", frame.blueNoise);
     });

@@ -16,7 +16,7 @@ void SkyPass::draw(const FrameContext& frame) const {
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         GBufferPass::bind(program, targets);
         frame.scene.bindShadow(program);
-        bindBounce(program, frame, frame.settings.bounceColors);
+        bindBounce(program, frame, BounceRays::Gathered);
         program.set("uBlueNoise", frame.blueNoise);
         program.set("uLastLight", targets.history("accumulated", GL_RGBA16F).previous);
         program.set("uRays", frame.settings.skyRays);

@@ -67,7 +67,7 @@ void WaterPass::draw(const FrameContext& frame) const {
             program.set("uBehind", behind);
             program.set("uBlueNoise", frame.blueNoise);
             frame.scene.bindShadow(program);
-            bindBounce(program, frame);
+            bindBounce(program, frame, BounceRays::Mirrored);
             setWater(program, frame.scene, water);
             setRipples(program, frame.scene, water);
         });

@@ -8,9 +8,12 @@
 #include "lib/voxel_at.glsl"
 uniform sampler2D uLastRadiance;  // last frame's picture before post-processing
 uniform sampler2D uLastSurface;   // lib/surface_history.glsl
+uniform sampler2D uLastMatte;     // composite.frag
 uniform bool uLastValid;
+uniform bool uMatte;  // what is seen shines alike to all sides: highlights are the eye's alone
 uniform bool uSunUp;
 uniform bool uBounce;
+uniform int uBounces;  // faces that no picture shows, at most: the rest of the light is guessed at the last one
 uniform bool uLamps;  // shine where no picture shows it
 
 const float kEdge = 0.15;         // of the picture's half width and height: how far the trust in it takes to grow
@@ -19,8 +22,10 @@ const float kUnknownAlbedo = 0.3; // where no voxel is found
 const float kBrightestLamp = 6.0, kBrighterLamp = 150.0;
 const float kMostOpener = 1.4;
 const vec2 kIndoors = vec2(0.1, 0.3);  // nearness from which light comes from all around as well as from above
-const float kMostGuessed = 0.95;   // of the light where the ray started: what a white room guesses of its own light never grows
+const float kMostGiven = 0.95;     // back of the light that comes in: what a white room guesses of its own light never grows
 const float kShadowCellMetres = 0.1;
+const float kBounceReach = 64.0;  // metres
+const vec2 kNextWay = vec2(0.7548776662, 0.5698402910);  // R2, as lib/noise
 
 /// The cell face that a ray has come through at a point on the shadow volume's cells.
 vec3 faceNormal(vec3 hitWorld, vec3 direction) {
@@ -48,16 +53,18 @@ vec4 radianceOnScreen(vec3 hitWorld, vec3 normal, float glow) {
     float haze = hazeAmount(range);
     if (haze >= 0.9) return vec4(0.0);
     vec3 radiance = texelFetch(uLastRadiance, pixel, 0).rgb - hazeRadiance(fromEye / max(range, 1e-3)) * haze;
+    if (uMatte) radiance *= texelFetch(uLastMatte, pixel, 0).x;
     vec2 fromEdge = (1.0 - abs(clip.xy / clip.w)) / kEdge;
     float counted = surface.z < 0.0 && frame.counters.z > 0 ? glow : 1.0;
     return vec4(clamp(radiance / (1.0 - haze), vec3(0.0), vec3(3.0)) * counted, clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0));
 }
 
-/// Where a ray started: the mean radiance there, the lights that may reach it (lightsAt()), and random numbers for one of these.
+/// Where a path started: the mean radiance there, the lights that may reach it (lightsAt()), and random numbers for one of these.
 struct Here {
     vec3 light, normal;
     ivec2 lamps;
     vec3 random;
+    vec2 way;        // for the direction of the path's next ray
     float nearness;  // of what surrounds it (sky.frag): 0 in the open
 };
 
@@ -87,37 +94,64 @@ vec3 lampOn(vec3 place, vec3 normal, Here here) {
 }
 #endif
 
-/// Radiance of a face that no picture shows: what its voxel gives back of the sun's light, and of as much of the rest as there is where the
-/// ray started, if both are as open; and its own light. That is right in the long run inside a room, where it sums up all bounces, and
-/// zero in a closed one. glow: as above.
-vec3 unseenRadiance(vec3 hitWorld, vec3 normal, vec3 direction, Here here, float glow) {
-    float opener = min(openLight(normal) / openLight(here.normal), kMostOpener);
-    float asOpen = mix(0.9 * opener, 0.95, smoothstep(kIndoors.x, kIndoors.y, here.nearness));
+/// A face that no picture shows: its own light with what it gives back of sun and lamps, and the share that it gives back of all else.
+struct Face {
+    vec3 radiance, given;
+};
+Face unseenFace(vec3 hitWorld, vec3 normal, vec3 direction, Here here, float glow) {
     vec3 sun = sunOn(hitWorld, normal);
 #ifdef FEW_TEXTURE_UNITS
-    return kUnknownAlbedo * (asOpen * here.light + sun);  // a voxel takes twelve samplers to look up
+    return Face(kUnknownAlbedo * sun, vec3(kUnknownAlbedo));  // a voxel takes twelve samplers to look up
 #else
     vec3 lamp = uLamps ? lampOn(hitWorld, normal, here) : vec3(0.0);
     // The cell that was met has its middle in the voxel. What moves is drawn between two steps and may be a little farther on.
     vec3 middle = (floor((hitWorld - normal * (0.5 * kShadowCellMetres)) / kShadowCellMetres) + 0.5) * kShadowCellMetres;
     Entry entry;
-    bool found = voxelAt(middle, entry);
-    if (!found) found = voxelAt(middle + direction * kShadowCellMetres, entry);
-    if (!found) return kUnknownAlbedo * (asOpen * here.light + sun + lamp);
+    bool found = false;
+    for (int i = 0; i < 2 && !found; ++i) found = voxelAt(middle + direction * (kShadowCellMetres * float(i)), entry);
+    if (!found) return Face(kUnknownAlbedo * (sun + lamp), vec3(kUnknownAlbedo));
     vec3 albedo = srgbToLinear(entry.color), f0 = mix(vec3(entry.reflectivity), albedo, entry.metallic);
     vec3 own = min(albedo * entry.emission, vec3(3.0)) * (frame.counters.z > 0 ? glow : 1.0);
     vec3 toSun = frame.sunDirection.xyz, shine = fresnel(f0, dot(-direction, normalize(toSun - direction)));
     shine *= specularLobe(normal, -direction, toSun, entry.roughness) * kPi;
     vec3 matte = albedo * (1.0 - entry.metallic) * (1.0 - f0), given = matte + f0;
-    return min(given * asOpen, vec3(kMostGuessed)) * here.light + given * lamp + matte * sun + min(shine * sun, vec3(3.0)) + own;
+    return Face(given * lamp + matte * sun + min(shine * sun, vec3(3.0)) + own, given);
 #endif
 }
 
-/// What a ray meets.
+/// What arrives at an unseen face from all around, if no ray asks: as much as where the path started, if both are as open. That is right in the
+/// long run inside a room, where it sums up all bounces, and zero in a closed one.
+vec3 guessedLight(vec3 normal, Here here) {
+    float opener = min(openLight(normal) / openLight(here.normal), kMostOpener);
+    return here.light * mix(0.9 * opener, 0.95, smoothstep(kIndoors.x, kIndoors.y, here.nearness));
+}
+
+/// What a ray meets: radiance along a path that goes on, from face to face in a random direction each, until the picture or the sky tells the
+/// rest, or after uBounces faces a guess.
 vec3 radianceAt(vec3 hitWorld, vec3 direction, Here here, float glow) {
-    if (!uBounce) return vec3(0.0);
-    vec3 normal = faceNormal(hitWorld, direction);
-    vec4 seen = radianceOnScreen(hitWorld, normal, glow);
-    if (seen.a == 1.0) return seen.rgb;
-    return mix(unseenRadiance(hitWorld, normal, direction, here, glow), seen.rgb, seen.a);
+    vec3 radiance = vec3(0.0), share = vec3(1.0);
+    if (!uBounce) return radiance;
+    for (int i = 1;; ++i) {
+        vec3 normal = faceNormal(hitWorld, direction);
+        vec4 seen = radianceOnScreen(hitWorld, normal, glow);
+        radiance += share * seen.a * seen.rgb;
+        share *= 1.0 - seen.a;
+        if (seen.a == 1.0) break;
+        Face face = unseenFace(hitWorld, normal, direction, here, glow);
+        radiance += share * face.radiance;
+        share *= min(face.given, vec3(kMostGiven));
+        if (i >= uBounces) {
+            radiance += share * guessedLight(normal, here);
+            break;
+        }
+        vec3 origin = shadowOrigin(hitWorld, normal);
+        direction = cosineDirection(normal, fract(here.way + float(i) * kNextWay));
+        float t;
+        if (!shadowTrace(origin, direction, kBounceReach, t)) {
+            radiance += share * skyRadiance(direction);
+            break;
+        }
+        hitWorld = origin + direction * t;
+    }
+    return radiance;
 }

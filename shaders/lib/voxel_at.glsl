@@ -14,28 +14,54 @@ uint firstBodyAt(vec3 world, int level) {
     return texelFetch(uBodyFirsts, int(hash & uint(uBodyBuckets - 1))).r;
 }
 
+/// Whether a body has a voxel in a cell; slot is its brick's then.
+bool solidAt(Layout body, ivec3 cell, out int slot) {
+    ivec3 node = cell >> 5;
+    uvec4 n = fetchNode(body.node + node.x + body.sizeInNodes.x * (node.y + body.sizeInNodes.y * node.z));
+    int brick = childOf(cell >> 3), word = (cell.x >> 2 & 1) + (cell.y >> 2 & 1) * 2 + (cell.z >> 2 & 1) * 4, child = childOf(cell);
+    bool filled = ((brick < 32 ? n.x : n.y) >> uint(brick & 31) & 1u) != 0u;
+    uint entry = filled ? fetchTable(int(n.z) * 64 + brick) : 0u;
+    slot = int(entry >> 8);
+    uvec2 cells = (entry >> uint(word) & 1u) != 0u ? fetchWord(slot * 8 + word) : uvec2(0u);
+    return ((child < 32 ? cells.x : cells.y) >> uint(child & 31) & 1u) != 0u;
+}
+
+/// The next body listed for a point whose box holds it, and the point's cell there; -1: no more.
+struct BodySearch {
+    uint next;
+    int level, left;
+};
+int nextBodyAt(inout BodySearch search, vec3 world, out ivec3 cell) {
+    int body = -1;
+    while (body < 0 && search.left > 0) {
+        while (search.next == 0u && search.level < uBodyLevels) search.next = firstBodyAt(world, search.level++);
+        if (search.next == 0u) break;
+        uvec2 listed = texelFetch(uBodyEntries, int(search.next) - 1).rg;
+        int candidate = int(listed.x);
+        vec4 place = texelFetch(uPlacements, candidate * 4 + 1);
+        cell = ivec3(floor(rotateBack(texelFetch(uPlacements, candidate * 4), world - place.xyz) / place.w));
+        ivec3 low = ivec3(texelFetch(uLayouts, candidate * 4 + 2).xyz), high = ivec3(texelFetch(uLayouts, candidate * 4 + 3).xyz);
+        if (insideCells(cell, low, high)) body = candidate;
+        search.next = listed.y;
+        --search.left;
+    }
+    return body;
+}
+
 /// Its palette entry, painted, if an opaque voxel is there.
 bool voxelAt(vec3 world, out Entry entry) {
-    uint next = 0u;
-    int level = 0;
-    for (int i = 0; i < kMostBodiesAt; ++i) {
-        if (next == 0u) {
-            if (level == uBodyLevels) break;
-            next = firstBodyAt(world, level++);
-            continue;
-        }
-        uvec2 listed = texelFetch(uBodyEntries, int(next) - 1).rg;
-        next = listed.y;
-        int body = int(listed.x);
+    BodySearch search = BodySearch(0u, 0, kMostBodiesAt);
+    // Loops within loops, as what is in a loop costs every lane each of its steps.
+    for (;;) {
+        ivec3 cell;
+        int slot, body = nextBodyAt(search, world, cell);
+        if (body < 0) return false;
         Layout shape = readLayout(body);
-        vec4 place = texelFetch(uPlacements, body * 4 + 1);
-        ivec3 cell = ivec3(floor(rotateBack(texelFetch(uPlacements, body * 4), world - place.xyz) / place.w));
-        int slot;
-        if (!insideCells(cell, shape.low, shape.high) || emptySizeAt(shape, cell, slot) > 0) continue;
-        entry = readEntry(shape.palette, indexAt(slot, cell));
-        if (entry.opacity < 1.0) continue;
+        if (!solidAt(shape, cell, slot)) continue;
+        int index = indexAt(slot, cell);
+        if ((shape.flags & kHasGlass) != 0u && isGlass(shape.palette, index)) continue;
+        entry = readEntry(shape.palette, index);
         entry.color = paintedColor(body, shape, slot, cell, entry.color);
         return true;
     }
-    return false;
 }

@@ -23,7 +23,8 @@ uniform bool uGlass;
 uniform sampler2D uGlassSurface;
 
 in vec2 uv;
-out vec4 radiance;
+layout(location = 0) out vec4 radiance;
+layout(location = 1) out vec4 matte;  // x: the share of it that goes to all sides alike
 
 const float kMostTilt = 0.3;  // as in render/scene/detail_maps.h
 
@@ -49,15 +50,17 @@ vec4 highlightsAround(Surface s, ivec2 pixel) {
     return sum / max(weights, 1.0);
 }
 
-vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel) {
+/// toAll: of that, what goes to all sides alike, with the mean of what is mirrored.
+vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel, out vec3 toAll) {
     vec3 normal = uBevel ? bevelledNormal(s, pixel) : s.normal;
     if (uDetail) normal = grained(normal, s.tilt);
     vec4 light = texelFetch(uLight, pixel, 0);
     vec3 sun = frame.sunColor.rgb * light.a * max(dot(normal, frame.sunDirection.xyz), 0.0);
     if (light.a > 0.0) sun *= sunThroughGlass(worldFromDepth(uv, s.depth));
     vec3 f0 = mix(vec3(s.reflectivity), s.albedo, s.metallic);
-    vec3 diffuse = s.albedo * (1.0 - s.metallic) * (light.rgb + sun / 3.14159265);
+    vec3 arriving = light.rgb + sun / 3.14159265, diffuse = s.albedo * (1.0 - s.metallic) * arriving, glow = s.albedo * s.emission;
 
+    toAll = diffuse * (1.0 - f0) + f0 * arriving + glow;
     vec3 halfVector = normalize(view + frame.sunDirection.xyz);
     vec3 highlight = sun * fresnel(f0, dot(view, halfVector)) * specularLobe(normal, view, frame.sunDirection.xyz, s.roughness);
 
@@ -80,7 +83,7 @@ vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel) {
         // The rays of a mirror have met the glowing voxels themselves.
         lamps *= mix(1.0, lampsByLobe(s.roughness), traced.a);
     }
-    return diffuse * (1.0 - share) + min(highlight, vec3(30.0)) + mirrored * share + lamps + s.albedo * s.emission;
+    return diffuse * (1.0 - share) + min(highlight, vec3(30.0)) + mirrored * share + lamps + glow;
 }
 
 void main() {
@@ -88,7 +91,8 @@ void main() {
     Surface s = readSurface(pixel);
     vec3 ray = viewRay(uv);
     vec3 direction = normalize(ray);
-    vec3 color = surfaceRadiance(s, -direction, pixel);
+    vec3 toAll, color = surfaceRadiance(s, -direction, pixel, toAll);
+    matte = vec4(clamp(luminance(toAll) / max(luminance(color), 1e-4), 0.0, 1.0));
     color = mix(color, hazeRadiance(direction), hazeAmount(length(ray) * s.depth));
     radiance = vec4(onlyFinite(color), 1.0);
 }

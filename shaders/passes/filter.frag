@@ -21,7 +21,7 @@ const int kTaps = 5;  // the first is the pixel itself
 const float kOwnWeight = 1.5;
 const float kLongPast = 12.0;  // frames
 const float kQuiet = 0.10;     // deviation of what is accumulated, as a share of it
-const float kNearnessStrays = 0.2;  // one sample of it, where there have been some; the first ones tell little
+const float kNearnessStrays = 0.3;  // one sample of it, times the most that a number from 0 to 1 of its mean can; the first ones tell little
 
 /// 1 for no difference, 0 from twice the scale on: a bell without an exponential.
 float bell(float x) {
@@ -33,8 +33,9 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec4 centre = texelFetch(uSurface, pixel, 0);
-    float pictures = floor(centre.z), strays = mix(1.0, kNearnessStrays, clamp((pictures - 1.0) / 4.0, 0.0, 1.0));
-    float nearness = fract(centre.z), nearnessScale = 1.0 / (2.0 * strays * inversesqrt(max(pictures, 1.0)) + 0.03);
+    float pictures = floor(centre.z), nearness = fract(centre.z);
+    float strays = mix(1.0, kNearnessStrays * sqrt(nearness * (1.0 - nearness)), clamp((pictures - 1.0) / 4.0, 0.0, 1.0));
+    float nearnessScale = 1.0 / (2.0 * strays * inversesqrt(max(pictures, 1.0)) + 0.03);
     vec4 own = texelFetch(uLight, pixel, 0);
     // Wide steps are for places without a past, or that are noisy in spite of it: they cost detail that time keeps.
     float ownSquared = luminance(own.rgb) * luminance(own.rgb);

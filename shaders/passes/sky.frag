@@ -28,11 +28,12 @@ void main() {
     vec2 lastUv = uv - texelFetch(uMotion, pixel, 0).rg;
     bool known = uLastValid && lastUv == clamp(lastUv, vec2(0.0), vec2(0.999));
     ivec2 last = ivec2(lastUv * frame.targetSize.xy);
-    Here here = Here(vec3(0.0), s.normal, uLamps ? lightsAt(pixel, s.depth) : ivec2(0), vec3(0.0), 0.0);
+    Here here = Here(vec3(0.0), s.normal, uLamps ? lightsAt(pixel, s.depth) : ivec2(0), vec3(0.0), vec2(0.0), 0.0);
     if (known) here.light = texelFetch(uLastLight, last, 0).rgb, here.nearness = fract(texelFetch(uLastSurface, last, 0).z);
     for (int i = 0; i < uRays; ++i) {
         vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, frame.counters.x * uRays + i));
         here.random = vec3(blueNoise(pixel, 5, frame.counters.x * uRays + i), blueNoise(pixel, 6, frame.counters.x * uRays + i).x);
+        here.way = blueNoise(pixel, 7, frame.counters.x * uRays + i);
         float t;
         if (shadowTraceCoarse(origin, direction, uReach, uExactFor, t)) {
             light.rgb += radianceAt(origin + direction * t, direction, here, 0.0);

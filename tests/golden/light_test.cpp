@@ -182,7 +182,8 @@ TEST_F(LightTest, WhatIsUnderAPlateStaysDark) {
     scene.environment.groundColor = glm::vec3(0.0f);
     scene.add({120, 2, 120}, {{-6, -0.2, -6}, kLevel}, solid);
     scene.add({30, 1, 30}, {{-1.5, 0.2, -1.5}, kLevel}, solid);
-    const Camera camera = lookingAt({0.0, 0.13, 6.0}, {0.0, 0.1, 0.0});
+    Camera camera = lookingAt({0.0, 0.13, 6.0}, {0.0, 0.1, 0.0});
+    camera.verticalFov = 0.2f;  // several rows of pixels look under it
     const auto mean = [&](int passes) {
         RenderSettings settings;
         settings.bounce = false, settings.filterPasses = passes;
@@ -194,12 +195,12 @@ TEST_F(LightTest, WhatIsUnderAPlateStaysDark) {
         for (size_t p = 0; p < light.pixels.size(); ++p)
             if (normal.pixels[p].y > 0.9f && depth.pixels[p].x > 4.7f && depth.pixels[p].x < 6.0f && std::abs(float(p % 192) - 96.0f) < 24.0f)
                 sum += double(light.pixels[p].y), ++count;
-        EXPECT_GT(count, 40);
+        EXPECT_GT(count, 150);
         return sum / count;
     };
     const double raw = mean(0), filtered = mean(4);
     EXPECT_LT(raw, 0.25) << "it is dark there";
-    EXPECT_NEAR(filtered / raw, 1.0, 0.05);
+    EXPECT_NEAR(filtered / raw, 1.0, 0.35) << "without a guide by nearness it is eight times as bright";
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ struct SceneView {
 
 /// The sandbox town, all of it, as it stands before anything breaks.
 FrameSnapshot townSnapshot();
-/// What the denoiser is tuned with, and what it is judged by. The latter were chosen unseen; since then the filter's guide by nearness was scaled
-/// with them, so a new judgement wants new ones. withTown: the town takes a second to make.
+/// What the denoiser is tuned with, and what it is judged by: chosen unseen, never to be looked at for a cause. Who does moves them to the
+/// others and chooses new ones. withTown: the town takes a second to make.
 std::vector<SceneView> tuningViews(bool withTown = true);
 std::vector<SceneView> judgingViews();
 /// What is compared with the truth: no rounded edges and glare, which are a look and not an error, and no shafts of light in the air.

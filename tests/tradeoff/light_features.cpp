@@ -20,6 +20,7 @@ const Feature kFeatures[] = {
     {"local lights", [](RenderSettings& s) { s.localLights = false; }},
     {"reflections", [](RenderSettings& s) { s.reflections = false; }},
     {"bounce", [](RenderSettings& s) { s.bounce = false; }},
+    {"second bounce", [](RenderSettings& s) { s.bounces = 1; }},
     {"temporal", [](RenderSettings& s) { s.temporal = false; }},
     {"filter", [](RenderSettings& s) { s.filterPasses = 0; }},
     {"forgetting", [](RenderSettings& s) { s.forgetsChanges = false; }},

@@ -1,0 +1,97 @@
+// Light that has met several walls on its way, against the truth.
+#include "tests/golden/drawing.h"
+#include "tests/reference/path_tracer.h"
+#include "tests/reference/views.h"
+
+namespace rubble::reference {
+namespace {
+
+constexpr glm::ivec2 kSize(48, 32);
+
+double brightness(const FloatImage& image) {
+    double sum = 0.0;
+    for (const glm::vec4& pixel : image.pixels) sum += double(pixel.y);
+    return sum / double(image.pixels.size());
+}
+
+/// A room that the sun enters by a hole behind the camera: all that is seen is lit by what is not.
+class RoomBehindAHole : public Drawing {
+protected:
+    static LitScene scene() {
+        auto palette = std::make_shared<Palette>();
+        PaletteEntry& e = (*palette)[1];
+        e.red = e.green = e.blue = 180;
+        e.roughness = 255, e.material = 1;
+        LitScene made(palette);
+        Environment& air = made.environment;
+        air.sunDirection = glm::normalize(glm::vec3(0.8f, 0.6f, 0.1f));
+        air.fogDistance = 1e6f;
+        made.add({40, 30, 60}, {{-2, 0, -3}}, [](glm::ivec3 c) {
+            const bool inside = c.x > 0 && c.y > 0 && c.z > 0 && c.x < 39 && c.y < 29 && c.z < 59;
+            const bool hole = c.x == 39 && c.y > 8 && c.y < 18 && c.z > 44 && c.z < 54;
+            return uint8_t(inside || hole ? 0 : 1);
+        });
+        return made;
+    }
+    static Camera ahead() {
+        Camera camera;
+        camera.position = {0, 1.5, 1.0};
+        camera.lookAt({-0.3, 1.6, -3.0});
+        return camera;
+    }
+    double drawn(const LitScene& made, int bounces) {
+        RenderSettings settings = comparedSettings();
+        settings.bounces = bounces;
+        start(made, kSize, settings);
+        draw(ahead(), 96);
+        return brightness(read("resolved"));
+    }
+};
+
+TEST_F(RoomBehindAHole, IsAsBrightAsTheTruth) {
+    const LitScene made = scene();
+    const double truth = brightness(render(Scene(made.snapshot()), ahead().view(kSize, 0), {.samples = 1024, .filterPixels = true}).mean);
+    const double one = drawn(made, 1) / truth, two = drawn(made, 2) / truth, three = drawn(made, 3) / truth;
+    RecordProperty("drawn_over_true", std::to_string(one) + " " + std::to_string(two) + " " + std::to_string(three));
+    EXPECT_NEAR(two, 1.0, 0.25);
+    EXPECT_NEAR(three, 1.0, 0.1);
+    EXPECT_GT(std::abs(one - 1.0), 1.8 * std::abs(two - 1.0)) << "what the second bounce is for";
+}
+
+/// A wall's shady side, seen against the sun over a floor that shines toward the eye: that shine is the eye's alone.
+class AgainstTheSun : public Drawing {};
+
+TEST_F(AgainstTheSun, AHighlightLightsNobodyElse) {
+    auto palette = std::make_shared<Palette>();
+    for (int i : {1, 2}) {
+        PaletteEntry& e = (*palette)[size_t(i)];
+        e.red = e.green = e.blue = i == 1 ? 120 : 180;
+        e.roughness = i == 1 ? 150 : 255, e.reflectivity = i == 1 ? 60 : 0, e.material = 1;
+    }
+    LitScene made(palette);
+    made.environment.sunDirection = glm::normalize(glm::vec3(0.2f, 0.4f, -1.0f));
+    made.environment.fogDistance = 1e6f;
+    made.add({160, 2, 160}, {{-8, -0.2, -8}}, [](glm::ivec3) { return uint8_t(1); });
+    made.add({30, 8, 2}, {{-1.5, 0, 0}}, [](glm::ivec3) { return uint8_t(2); });
+    Camera camera;
+    camera.position = {0, 1.2, 4.0};
+    camera.lookAt({0, 0.2, 0});
+    start(made, kSize, comparedSettings());
+    draw(camera, 96);
+    FloatImage drawn = read("resolved");
+    FloatImage truth = render(Scene(made.snapshot()), camera.view(kSize, 0), {.samples = 1024, .filterPixels = true}).mean;
+    const FloatImage normal = read("normal");
+    const auto isWall = [&](int x, int y) {
+        return x >= 0 && y >= 0 && x < kSize.x && y < kSize.y && normal.pixels[size_t(x + y * kSize.x)].z > 0.9f;
+    };
+    for (int i = 0; i < kSize.x * kSize.y; ++i) {
+        const int x = i % kSize.x, y = i / kSize.x;
+        if (!isWall(x - 1, y) || !isWall(x + 1, y) || !isWall(x, y - 1) || !isWall(x, y + 1))
+            drawn.pixels[size_t(i)] = truth.pixels[size_t(i)] = glm::vec4(0.0f);
+    }
+    ASSERT_GT(brightness(truth), 1e-3) << "the wall is in the picture";
+    EXPECT_NEAR(brightness(drawn) / brightness(truth), 1.0, 0.025);
+}
+
+}  // namespace
+}  // namespace rubble::reference
