@@ -119,11 +119,11 @@ Face unseenFace(vec3 hitWorld, vec3 normal, vec3 direction, Here here, float glo
 #endif
 }
 
-/// What arrives at an unseen face from all around, if no ray asks: as much as where the path started, if both are as open. That is right in the
-/// long run inside a room, where it sums up all bounces, and zero in a closed one.
-vec3 guessedLight(vec3 normal, Here here) {
+/// What arrives at an unseen face from all around, if no ray asks, as a share of the light where the path started: as much, if both are as
+/// open. That is right in the long run inside a room, where it sums up all bounces, and zero in a closed one.
+float guessedShare(vec3 normal, Here here) {
     float opener = min(openLight(normal) / openLight(here.normal), kMostOpener);
-    return here.light * mix(0.9 * opener, 0.95, smoothstep(kIndoors.x, kIndoors.y, here.nearness));
+    return mix(0.9 * opener, 0.95, smoothstep(kIndoors.x, kIndoors.y, here.nearness));
 }
 
 /// What a ray meets: radiance along a path that goes on, from face to face in a random direction each, until the picture or the sky tells the
@@ -141,7 +141,7 @@ vec3 radianceAt(vec3 hitWorld, vec3 direction, Here here, float glow) {
         radiance += share * face.radiance;
         share *= min(face.given, vec3(kMostGiven));
         if (i >= uBounces) {
-            radiance += share * guessedLight(normal, here);
+            radiance += min(share * guessedShare(normal, here), vec3(kMostGiven)) * here.light;
             break;
         }
         vec3 origin = shadowOrigin(hitWorld, normal);

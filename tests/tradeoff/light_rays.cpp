@@ -10,6 +10,7 @@ namespace {
 
 constexpr glm::ivec2 kSize(192, 108);
 constexpr int kFrames = 16;
+const float kBalancedLength = RenderSettings{}.skyDistance;
 
 struct Setting {
     int rays;
@@ -24,15 +25,15 @@ struct Setting {
 
 /// Along each axis from the middle; every combination with --full.
 std::vector<Setting> settingsOf(const Options& options) {
-    const float lengths[] = {6, 12, 24, 200};
+    const float lengths[] = {6, 12, 24, kBalancedLength, 200};
     std::vector<Setting> all;
     if (!options.full) {
-        for (const int rays : {1, 2, 4, 8}) all.push_back({rays, 1, 24, Noise::Blue, "rays"});
+        for (const int rays : {1, 2, 4, 8}) all.push_back({rays, 1, kBalancedLength, Noise::Blue, "rays"});
         for (const float length : lengths)
-            if (length != 24) all.push_back({1, 1, length, Noise::Blue, "length"});
-        all.push_back({1, 1, 24, Noise::White, "noise"});
+            if (length != kBalancedLength) all.push_back({1, 1, length, Noise::Blue, "length"});
+        all.push_back({1, 1, kBalancedLength, Noise::White, "noise"});
         for (const float scale : {0.75f, 0.5f})
-            for (const int rays : {1, 4}) all.push_back({rays, scale, 24, Noise::Blue, "resolution"});
+            for (const int rays : {1, 4}) all.push_back({rays, scale, kBalancedLength, Noise::Blue, "resolution"});
         return all;
     }
     for (const float scale : {1.0f, 0.75f, 0.5f})
@@ -90,12 +91,12 @@ Table rayTradeoff(const Options& options) {
         series.back().points.emplace_back(ms, later.flip);
         series.back().isCloud = options.full;
         cloud.emplace_back(ms, later.flip);
-        if (setting.rays == 1 && setting.scale == 1.0f && setting.length == 24 && setting.noise == Noise::Blue) oneRay = later.flip;
+        if (setting.rays == 1 && setting.scale == 1.0f && setting.length == kBalancedLength && setting.noise == Noise::Blue) oneRay = later.flip;
         if (later.relative * ms < best) best = later.relative * ms, bestAtEqualTime = setting.text();
     }
     series.insert(series.begin(), frontOf("front", cloud));
-    table.bottomLine =
-        fmt::format("Balanced (1 ray of 24 m, blue noise) comes to a FLIP of {:.4f}; the least error at equal time has {}.", oneRay, bestAtEqualTime);
+    table.bottomLine = fmt::format("Balanced (1 ray of {:g} m, blue noise) comes to a FLIP of {:.4f}; the least error at equal time has {}.",
+                                   kBalancedLength, oneRay, bestAtEqualTime);
     writePlot(options, "T8", "Rays: FLIP after 16 pictures, by what a picture takes", "processor ms a picture", "FLIP", series);
     return table;
 }
