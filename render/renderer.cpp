@@ -216,8 +216,7 @@ void Renderer::Impl::fillBlock(const View& view, glm::ivec2 traced) {
     block.fogTint = glm::vec4(e.fogTint, 0.0f);
     block.skyCover = glm::vec4(e.clouds, e.stars, 0.0f, 0.0f);
     block.exposure = glm::vec4(e.exposure);
-    block.shadowSectorLow = glm::ivec4(scene.shadowSectorLow(), scene.shadow().sectorCount().x > 0);
-    block.shadowSectorCount = glm::ivec4(scene.shadow().sectorCount(), 0);
+    scene.describeShadow(block);
 }
 
 const LightGrid* Renderer::Impl::sortLights() {

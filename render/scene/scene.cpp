@@ -4,6 +4,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/frame_context.h"
+
 namespace rubble {
 namespace {
 
@@ -107,8 +109,11 @@ void Scene::bindVoxelsAt(const Program& program) const {
     if (m_grid) m_grid->bind(program);
 }
 
-glm::ivec3 Scene::shadowSectorLow() const {
-    return m_shadow.sectorLow() - glm::ivec3(glm::round(m_origin / kSector));
+void Scene::describeShadow(FrameBlock& block) const {
+    block.shadowSectorLow = glm::ivec4(m_shadow.sectorLow() - glm::ivec3(glm::round(m_origin / kSector)), m_shadow.sectorCount().x > 0);
+    block.shadowSectorCount = glm::ivec4(m_shadow.sectorCount(), 0);
+    block.shadowLow = glm::vec4(m_shadow.occupiedLow(), 0.0f);
+    block.shadowHigh = glm::vec4(m_shadow.occupiedHigh(), 0.0f);
 }
 
 }  // namespace rubble

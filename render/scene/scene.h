@@ -13,6 +13,8 @@
 
 namespace rubble {
 
+struct FrameBlock;
+
 /// The renderer's mirror of the world, fed by snapshots: bodies, shadow volume, lights and environment. [render-thread]
 class Scene {
 public:
@@ -40,8 +42,8 @@ public:
     /// Sets the uniforms of lib/smoke_shadow.glsl. The program must be in use.
     void bindSmoke(const Program& program) const { m_smoke.bind(program); }
     const ShadowMirror& shadow() const { return m_shadow; }
-    /// Its directory's first sector, counted from the render origin.
-    glm::ivec3 shadowSectorLow() const;
+    /// Its place and extent, for lib/shadow_trace.glsl.
+    void describeShadow(FrameBlock& block) const;
     /// Where what casts shadows has changed since endFrame().
     const ChangedPlaces& changedPlaces() const { return m_changedPlaces; }
     void endFrame() { m_changedPlaces.clear(); }

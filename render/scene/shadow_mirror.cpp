@@ -22,7 +22,7 @@ bool ShadowMirror::holds(glm::ivec3 brick) const {
 
 void ShadowMirror::apply(const std::vector<ShadowPatch>& patches, bool replacesAll) {
     if (replacesAll) {
-        m_low = m_count = glm::ivec3(0);
+        m_low = m_count = m_occupiedLow = m_occupiedHigh = glm::ivec3(0);
         m_cubes.reset(glm::ivec3(0));
         m_directory.resize(0);
         m_slots = {};
@@ -92,10 +92,29 @@ void ShadowMirror::put(const ShadowPatch& patch) {
         m_directory.change(index) = Entry(~0u, 0, 0, 0);  // until the cubes are known
         return;
     }
+    widenOccupied(patch);
     const uint32_t slot = isEmpty(old) ? m_slots.take() : old.x >> 4;
     m_waiting.push_back({slot, patch.content});
     const Entry entry(slot << 4, uint32_t(patch.content->occupied), uint32_t(patch.content->occupied >> 32), 0);
     if (entry != old) m_directory.change(index) = entry;
+}
+
+/// By the layers of the brick's words that hold anything.
+void ShadowMirror::widenOccupied(const ShadowPatch& patch) {
+    constexpr uint64_t kLayer[] = {0x1111111111111111, 0x000f000f000f000f, 0x000000000000ffff};
+    glm::ivec3 low = patch.brick * kBrickWords, high = low + kBrickWords;
+    const bool isNew = m_occupiedLow == m_occupiedHigh;
+    if (!isNew && glm::all(glm::lessThanEqual(m_occupiedLow, low)) && glm::all(glm::greaterThanEqual(m_occupiedHigh, high))) return;
+    const auto holds = [&](int axis, int layer) { return (patch.content->occupied & kLayer[axis] << (layer << (2 * axis))) != 0; };
+    for (int axis = 0; axis < 3; ++axis) {
+        int first = 0, last = kBrickWords - 1;
+        while (first < last && !holds(axis, first)) ++first;
+        while (last > first && !holds(axis, last)) --last;
+        high[axis] = low[axis] + last + 1;
+        low[axis] += first;
+    }
+    m_occupiedLow = isNew ? low : glm::min(m_occupiedLow, low);
+    m_occupiedHigh = isNew ? high : glm::max(m_occupiedHigh, high);
 }
 
 void ShadowMirror::updateCubes() {

@@ -27,19 +27,25 @@ public:
     /// The directory's box, in sectors of the world.
     glm::ivec3 sectorLow() const { return m_low; }
     glm::ivec3 sectorCount() const { return m_count; }
+    /// The box that holds all cells that are occupied or have been, in cells from the directory's low corner: rays end where they leave it.
+    glm::ivec3 occupiedLow() const { return m_occupiedLow * kWordCells - m_low * kSectorBricks * kShadowBrickCells; }
+    glm::ivec3 occupiedHigh() const { return m_occupiedHigh * kWordCells - m_low * kSectorBricks * kShadowBrickCells; }
     uint64_t bytes() const { return m_directory.texture().bytes() + m_texels.bytes(); }
 
 private:
+    static constexpr int kWordCells = 4, kBrickWords = kShadowBrickCells / kWordCells;
     using Entry = glm::uvec4;
     static bool isEmpty(const Entry& entry) { return (entry.x & 15) != 0; }
     void growTo(const std::vector<ShadowPatch>& patches);
     void put(const ShadowPatch& patch);
+    void widenOccupied(const ShadowPatch& patch);
     void updateCubes();
     uint64_t uploadTexels();
     bool holds(glm::ivec3 brick) const;
     glm::ivec3 bricks() const { return m_count * kSectorBricks; }
 
-    glm::ivec3 m_low{0}, m_count{0};  ///< sectors
+    glm::ivec3 m_low{0}, m_count{0};                 ///< sectors
+    glm::ivec3 m_occupiedLow{0}, m_occupiedHigh{0};  ///< words of the world
     EmptyCubes m_cubes;
     MirroredBuffer<Entry> m_directory{GL_RGBA32UI, "shadow directory"};
     BufferTexture m_texels{GL_RG32UI};

@@ -33,14 +33,16 @@ bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exact
     vec3 origin = shadowCells(originWorld);
     origin = mix(origin, size - origin, isDown);
     vec3 inverse = 1.0 / along;
-    vec3 enter = -origin * inverse, leave = (size - origin) * inverse;
+    vec3 low = mix(frame.shadowLow.xyz, size - frame.shadowHigh.xyz, isDown);
+    vec3 high = mix(frame.shadowHigh.xyz, size - frame.shadowLow.xyz, isDown);
+    vec3 enter = (low - origin) * inverse, leave = (high - origin) * inverse;
     float here = max(max(enter.x, enter.y), max(enter.z, 0.0));
     float end = tMax * kShadowCellsAMetre;
     end = leave.x < end ? leave.x : end;
     end = leave.y < end ? leave.y : end;
     end = leave.z < end ? leave.z : end;
     if (!(here < end)) return false;  // a NaN too
-    ivec3 cell = clamp(ivec3(origin + along * here), ivec3(0), bricks * 16 - 1);
+    ivec3 cell = clamp(ivec3(origin + along * here), ivec3(low), ivec3(high) - 1);
 
     ivec3 pitch = ivec3(1, bricks.x, bricks.x * bricks.y);
     ivec3 farthest = pitch * (bricks - 1);

@@ -25,3 +25,5 @@ vec4 skyCover;                // x clouds: 0.5 some, 1 overcast; y brightness of
 vec4 exposure;                // x of the level
 ivec4 shadowSectorLow;        // xyz first sector of the shadow volume's directory (from the render origin); w 1 if there is a volume
 ivec4 shadowSectorCount;      // xyz sectors of the directory
+vec4 shadowLow;               // xyz low corner of the box that holds all occupied cells, in cells from the directory's
+vec4 shadowHigh;              // xyz its high corner

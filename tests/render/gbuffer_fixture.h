@@ -24,8 +24,7 @@ protected:
         uploaded = scene.beginFrame(alpha, view.position);
         targets.beginFrame(view.size, view.cut);
         camera.begin(view, view.size, jittered, scene.origin(), block);
-        block.shadowSectorLow = glm::ivec4(scene.shadowSectorLow(), 1);
-        block.shadowSectorCount = glm::ivec4(scene.shadow().sectorCount(), 0);
+        scene.describeShadow(block);
         glBindBuffer(GL_UNIFORM_BUFFER, blockBuffer.get());
         glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, blockBuffer.get());

@@ -147,7 +147,7 @@ TEST_F(ShaderLibraryTest, FrameBlockLiesInTheShaderAsInMemory) {
         {"FrameBlock.viewProjection", offsetof(FrameBlock, viewProjection)},
         {"FrameBlock.cameraForward", offsetof(FrameBlock, cameraForward)},
         {"FrameBlock.counters", offsetof(FrameBlock, counters)},
-        {"FrameBlock.shadowSectorCount", offsetof(FrameBlock, shadowSectorCount)},
+        {"FrameBlock.shadowHigh", offsetof(FrameBlock, shadowHigh)},
     };
     for (const auto& [name, offset] : members) {
         GLuint index = GL_INVALID_INDEX;

@@ -138,8 +138,7 @@ void Walks::bind(const std::string& walk, const Program& program) {
     program.set("uDirections", m_volumes->directions);
     if (isOurs(walk)) {
         FrameBlock block{};
-        block.shadowSectorLow = glm::ivec4(m_scene.shadowSectorLow(), 1);
-        block.shadowSectorCount = glm::ivec4(m_scene.shadow().sectorCount(), 0);
+        m_scene.describeShadow(block);
         glBindBuffer(GL_UNIFORM_BUFFER, m_volumes->block.get());
         glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, m_volumes->block.get());
