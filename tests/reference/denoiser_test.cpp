@@ -36,7 +36,7 @@ protected:
 TEST_F(DenoiserTest, OneRayAPixelComesNearTheTruth) {
     if (!std::getenv("RUBBLE_LONG")) GTEST_SKIP() << "minutes; set RUBBLE_LONG=1";
     for (SceneView& each : judgingViews()) {
-        const double difference = flipOf(each, {640, 360}, 512);
+        const double difference = flipOf(each, {640, 360}, 1024);
         printf("%s: FLIP %.4f\n", each.name.c_str(), difference);
         EXPECT_LE(difference, 0.035) << each.name;
     }
