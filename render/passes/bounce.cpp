@@ -22,6 +22,7 @@ void bindBounce(const Program& program, const FrameContext& frame, BounceRays ra
     program.set("uLastValid", int(radiance.valid && surface.valid));
     program.set("uBounce", int(frame.settings.bounce));
     program.set("uBounces", gathered ? std::clamp(frame.settings.bounces, 1, kMostBounces) : 1);
+    program.set("uReach", frame.settings.skyDistance);
     program.set("uLastMatte", frame.targets.history("matte", GL_R8).previous);
     program.set("uMatte", int(gathered));
     const bool lamps = detailed && LocalLightsPass::needed(frame) && !frame.lightGrid->empty();

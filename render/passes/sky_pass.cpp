@@ -20,7 +20,6 @@ void SkyPass::draw(const FrameContext& frame) const {
         program.set("uBlueNoise", frame.blueNoise);
         program.set("uLastLight", targets.history("accumulated", GL_RGBA16F).previous);
         program.set("uRays", frame.settings.skyRays);
-        program.set("uReach", frame.settings.skyDistance);
         program.set("uExactFor", frame.settings.skyExactFor);
     });
 }

@@ -14,6 +14,7 @@ uniform bool uMatte;  // what is seen shines alike to all sides: highlights are 
 uniform bool uSunUp;
 uniform bool uBounce;
 uniform int uBounces;  // faces that no picture shows, at most: the rest of the light is guessed at the last one
+uniform float uReach;  // metres that rays see which go on
 uniform bool uLamps;  // shine where no picture shows it
 
 const float kEdge = 0.15;         // of the picture's half width and height: how far the trust in it takes to grow
@@ -24,7 +25,6 @@ const float kMostOpener = 1.4;
 const vec2 kIndoors = vec2(0.1, 0.3);  // nearness from which light comes from all around as well as from above
 const float kMostGiven = 0.95;     // back of the light that comes in: what a white room guesses of its own light never grows
 const float kShadowCellMetres = 0.1;
-const float kBounceReach = 64.0;  // metres
 const vec2 kNextWay = vec2(0.7548776662, 0.5698402910);  // R2, as lib/noise
 
 /// The cell face that a ray has come through at a point on the shadow volume's cells.
@@ -67,6 +67,8 @@ struct Here {
     vec2 way;        // for the direction of the path's next ray
     float nearness;  // of what surrounds it (sky.frag): 0 in the open
 };
+
+Here startingAt(vec3 light, vec3 normal, ivec2 lamps) { return Here(light, normal, lamps, vec3(0.0), vec2(0.0), 0.0); }
 
 /// How much light a face gets under an open sky, by where it looks: all from above, a little from below.
 float openLight(vec3 normal) { return 0.15 + 0.85 * (0.5 + 0.5 * normal.y); }
@@ -147,7 +149,7 @@ vec3 radianceAt(vec3 hitWorld, vec3 direction, Here here, float glow) {
         vec3 origin = shadowOrigin(hitWorld, normal);
         direction = cosineDirection(normal, fract(here.way + float(i) * kNextWay));
         float t;
-        if (!shadowTrace(origin, direction, kBounceReach, t)) {
+        if (!shadowTrace(origin, direction, uReach, t)) {
             radiance += share * skyRadiance(direction);
             break;
         }

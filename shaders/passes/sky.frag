@@ -9,7 +9,6 @@
 #include "lib/bounce.glsl"
 
 uniform int uRays;
-uniform float uReach;     // metres
 uniform float uExactFor;  // metres
 uniform sampler2D uLastLight;
 
@@ -28,7 +27,7 @@ void main() {
     vec2 lastUv = uv - texelFetch(uMotion, pixel, 0).rg;
     bool known = uLastValid && lastUv == clamp(lastUv, vec2(0.0), vec2(0.999));
     ivec2 last = ivec2(lastUv * frame.targetSize.xy);
-    Here here = Here(vec3(0.0), s.normal, uLamps ? lightsAt(pixel, s.depth) : ivec2(0), vec3(0.0), vec2(0.0), 0.0);
+    Here here = startingAt(vec3(0.0), s.normal, uLamps ? lightsAt(pixel, s.depth) : ivec2(0));
     if (known) here.light = texelFetch(uLastLight, last, 0).rgb, here.nearness = fract(texelFetch(uLastSurface, last, 0).z);
     for (int i = 0; i < uRays; ++i) {
         vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, frame.counters.x * uRays + i));

@@ -98,7 +98,7 @@ vec3 mirroredIn(vec3 place, vec3 normal, vec3 direction, float share) {
     if (share < kWeakestMirror) return skyRadiance(mirror);
     float t;
     vec3 origin = place + vec3(0.0, 0.01, 0.0);
-    if (shadowTrace(origin, mirror, kMirrorReach, t)) return radianceAt(origin + mirror * t, mirror, Here(0.4 * skyRadiance(vec3(0, 1, 0)), vec3(0, 1, 0), ivec2(0), vec3(0.0), vec2(0.0), 0.0), 1.0);
+    if (shadowTrace(origin, mirror, kMirrorReach, t)) return radianceAt(origin + mirror * t, mirror, startingAt(0.4 * skyRadiance(vec3(0, 1, 0)), vec3(0, 1, 0), ivec2(0)), 1.0);
     return withHills(withClouds(skyRadiance(mirror), mirror), mirror);
 }
 

@@ -1,5 +1,6 @@
 // Light that has met several walls on its way, against the truth.
 #include "tests/golden/drawing.h"
+#include "tests/reference/brightness.h"
 #include "tests/reference/path_tracer.h"
 #include "tests/reference/views.h"
 
@@ -7,12 +8,6 @@ namespace rubble::reference {
 namespace {
 
 constexpr glm::ivec2 kSize(48, 32);
-
-double brightness(const FloatImage& image) {
-    double sum = 0.0;
-    for (const glm::vec4& pixel : image.pixels) sum += double(pixel.y);
-    return sum / double(image.pixels.size());
-}
 
 /// A room that the sun enters by a hole behind the camera: all that is seen is lit by what is not.
 class RoomBehindAHole : public Drawing {
@@ -39,19 +34,20 @@ protected:
         camera.lookAt({-0.3, 1.6, -3.0});
         return camera;
     }
-    double drawn(const LitScene& made, int bounces) {
+    /// Mean radiance of all that is seen, over the truth's.
+    double ratio(const LitScene& made, const FloatImage& truth, int bounces) {
         RenderSettings settings = comparedSettings();
         settings.bounces = bounces;
         start(made, kSize, settings);
         draw(ahead(), 96);
-        return brightness(read("resolved"));
+        return brightnessOverTrue(read("resolved"), truth, [](size_t) { return true; }).y;
     }
 };
 
 TEST_F(RoomBehindAHole, IsAsBrightAsTheTruth) {
     const LitScene made = scene();
-    const double truth = brightness(render(Scene(made.snapshot()), ahead().view(kSize, 0), {.samples = 1024, .filterPixels = true}).mean);
-    const double one = drawn(made, 1) / truth, two = drawn(made, 2) / truth, three = drawn(made, 3) / truth;
+    const FloatImage truth = render(Scene(made.snapshot()), ahead().view(kSize, 0), {.samples = 1024, .filterPixels = true}).mean;
+    const double one = ratio(made, truth, 1), two = ratio(made, truth, 2), three = ratio(made, truth, 3);
     RecordProperty("drawn_over_true", std::to_string(one) + " " + std::to_string(two) + " " + std::to_string(three));
     EXPECT_NEAR(two, 1.0, 0.25);
     EXPECT_NEAR(three, 1.0, 0.1);
@@ -83,15 +79,7 @@ protected:
         draw(camera, 96);
         const FloatImage drawn = read("resolved"), normal = read("normal");
         const FloatImage truth = render(Scene(made.snapshot()), camera.view(kSize, 0), {.samples = 1024, .filterPixels = true}).mean;
-        const auto isWall = [&](int x, int y) { return normal.pixels[size_t(x + y * kSize.x)].z > 0.9f; };
-        double sum = 0.0, sumTruth = 0.0;
-        for (int y = 1; y + 1 < kSize.y; ++y)
-            for (int x = 1; x + 1 < kSize.x; ++x) {
-                if (!isWall(x - 1, y) || !isWall(x + 1, y) || !isWall(x, y - 1) || !isWall(x, y + 1)) continue;
-                sum += double(drawn.pixels[size_t(x + y * kSize.x)].y), sumTruth += double(truth.pixels[size_t(x + y * kSize.x)].y);
-            }
-        EXPECT_GT(sumTruth, 1.0) << "the wall is in the picture";
-        return sum / sumTruth;
+        return brightnessOverTrue(drawn, truth, [&](size_t p) { return normal.pixels[p].z > 0.9f; }).y;
     }
 };
 

@@ -1,5 +1,6 @@
 // A floor under one lamp, as the whole renderer shows it, against the truth: its diffuse light and its highlight.
 #include "tests/golden/drawing.h"
+#include "tests/reference/brightness.h"
 #include "tests/reference/path_tracer.h"
 #include "tests/reference/views.h"
 
@@ -46,17 +47,7 @@ protected:
             for (size_t p = 0; p < drawn.pixels.size(); ++p) drawn.pixels[p] += picture.pixels[p] / float(kJitterPeriod);
         }
         const FloatImage truth = render(Scene(made.snapshot()), camera.view(kSize, 0), {.samples = 512, .filterPixels = true}).mean;
-        // Away from the floor's edges: which of their pixels lie on it is up to the last picture's jitter.
-        const auto isFloor = [&](int x, int y) { return depth.pixels[size_t(y * kSize.x + x)].x < 1e3f; };
-        glm::dvec3 sum(0.0), sumTruth(0.0);
-        for (int y = 1; y + 1 < kSize.y; ++y)
-            for (int x = 1; x + 1 < kSize.x; ++x) {
-                bool inside = true;
-                for (int i = 0; i < 9; ++i) inside = inside && isFloor(x + i % 3 - 1, y + i / 3 - 1);
-                const auto p = size_t(y * kSize.x + x);
-                if (inside) sum += glm::dvec3(drawn.pixels[p]), sumTruth += glm::dvec3(truth.pixels[p]);
-            }
-        return sum / sumTruth;
+        return brightnessOverTrue(drawn, truth, [&](size_t p) { return depth.pixels[p].x < 1e3f; });
     }
 };
 
