@@ -1,0 +1,23 @@
+/* A host outside Rubble's tree: makes a world, steps it, and finds the shaders and rubble-vdb that were installed. */
+#include <rubble/rubble.h>
+#include <stdio.h>
+
+int main(void) {
+    const rubble_api* api;
+    rubble_world world;
+    uint64_t hash;
+    FILE* shader = fopen(SHADERS "/passes/gbuffer.frag", "r");
+    FILE* tool = fopen(VDB_TOOL, "rb");
+    if (!shader) return fprintf(stderr, "no shaders in %s\n", SHADERS), 1;
+    if (!tool) return fprintf(stderr, "no rubble-vdb at %s\n", VDB_TOOL), 1;
+    fclose(shader);
+    fclose(tool);
+    if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) return fprintf(stderr, "another version\n"), 1;
+    if (api->world_create(NULL, &world) != RUBBLE_OK || api->step(world) != RUBBLE_OK ||
+        api->state_hash(world, &hash) != RUBBLE_OK)
+        return fprintf(stderr, "%s\n", api->last_error()), 1;
+    /* rubble-vdb runs: it says that this file is missing, not that it could not be started. */
+    if (api->load_level(world, "missing.vdb", VDB_TOOL) != RUBBLE_ERROR_FILE) return fprintf(stderr, "no error for a missing file\n"), 1;
+    printf("consumer: %s\n", api->last_error());
+    return api->world_destroy(world) == RUBBLE_OK ? 0 : 1;
+}
