@@ -4,16 +4,16 @@
 #include <utility>
 #include <vector>
 
-#include "physics/broadphase.h"
-#include "physics/character.h"
-#include "physics/contact_solver.h"
-#include "physics/contacts.h"
-#include "physics/dynamic_body.h"
-#include "physics/energy_bound.h"
-#include "physics/joints.h"
-#include "physics/narrowphase.h"
+#include "physics/collision/broadphase.h"
+#include "physics/character/character.h"
+#include "physics/solver/contact_solver.h"
+#include "physics/collision/impacts.h"
+#include "physics/bodies/dynamic_body.h"
+#include "physics/solver/energy_bound.h"
+#include "physics/joints/joint_table.h"
+#include "physics/collision/narrowphase.h"
 #include "physics/physics_world.h"
-#include "physics/water.h"
+#include "physics/water/water.h"
 
 namespace rubble {
 
@@ -52,31 +52,31 @@ struct PhysicsWorld::Impl {
     void applyWater();
     void moveCharacters();
     void findContacts();
-    void findKnocked(const NarrowphaseSettings& narrow);
+    void sweepSecondary(const NarrowphaseSettings& narrow);
     bool wakeHit();
-    void noteContacts();
+    void recordContacts();
     void solve();
     void quarantineBroken();
     /// Whether it is too far away, which is counted.
-    bool isBeyond(const DynamicBody& body);
+    bool isOutOfRange(const DynamicBody& body);
     void clamp(DynamicBody& body);
-    void warnOf(const ExcessCounts& before);
-    void settle();
-    void disturb();
-    void report();
+    void warnOfLimits(const LimitCounts& before);
+    void putToSleep();
+    void wakeTouched();
+    void reportPoses();
 
     void applyJoints(const FrameChanges& changes, const World& world);
-    void forgetJoint(uint32_t slot);
-    void readJoint(const World& world, JointHandle handle);
+    void destroyJoint(uint32_t slot);
+    void createJoint(const World& world, JointHandle handle);
     void wakeJointed();
     void gatherJoints();
     void breakJoints();
-    void settleJointed();
+    void putJointedToSleep();
     void moveRopes();
 
     PhysicsSettings settings;
     Broadphase broadphase;
-    WaterBodies waters;
+    WaterVolumes waters;
     Narrowphase narrowphase;
     ContactSolver solver;
     EnergyBound energy;
@@ -101,7 +101,7 @@ struct PhysicsWorld::Impl {
     std::vector<RopeMotion> ropeMotions;
     std::vector<BodyPose> poses;
     std::vector<Impact> impacts;
-    ExcessCounts clamped{};
+    LimitCounts clamped{};
     std::vector<std::pair<CharacterHandle, Character>> characters;  ///< by slot
     std::vector<CharacterPush> pushes;
     std::vector<CharacterMove> characterMoves;

@@ -17,8 +17,8 @@ double speedSquares(const DynamicBody& body) {
     const glm::dvec3 &v = body.motion.velocity, &w = body.motion.angularVelocity;
     return 2.0 * (glm::dot(v, v) + glm::dot(w, w) * body.object.radius * body.object.radius);
 }
-/// Whether bodies whose squares add up to this may knock one by more than half its thickness in a step: a first look, without roots.
-bool mayKnock(double squares, double thin, double seconds) {
+/// Whether bodies whose squares add up to this may secondaryVelocity one by more than half its thickness in a step: a first look, without roots.
+bool needsSecondarySweep(double squares, double thin, double seconds) {
     return 2.0 * kHardHit * kHardHit * squares * seconds * seconds > thin * thin;
 }
 
@@ -27,7 +27,7 @@ bool mayKnock(double squares, double thin, double seconds) {
 PhysicsSettings fastPhysics() {
     PhysicsSettings settings;
     settings.substeps = 3;
-    settings.heavyRatio = 10.0;
+    settings.loadBearingRatio = 10.0;
     settings.rotation = RotationRule::Never;
     return settings;
 }
@@ -47,15 +47,15 @@ PhysicsSettings accuratePhysics() {
 }
 
 void PhysicsWorld::Impl::applyWater() {
-    for (const uint32_t slot : awake) dynamics[slot]->afloat = !waters.empty() && waters.act(*dynamics[slot], gravity, settings.stepSeconds);
+    for (const uint32_t slot : awake) dynamics[slot]->inWater = !waters.empty() && waters.act(*dynamics[slot], gravity, settings.stepSeconds);
 }
 
 void PhysicsWorld::Impl::moveCharacters() {
     for (auto& [handle, character] : characters) {
         const Character before = character;
         CharacterSurroundings around{.waters = waters.empty() ? nullptr : &waters, .gravity = gravity, .seconds = settings.stepSeconds};
-        const double reach = characterReach(character, settings.stepSeconds);
-        broadphase.find(before.position - reach, before.position + glm::dvec3(0.0, character.height, 0.0) + reach, around.objects);
+        const double minHalfExtent = characterQueryRadius(character, settings.stepSeconds);
+        broadphase.find(before.position - minHalfExtent, before.position + glm::dvec3(0.0, character.height, 0.0) + minHalfExtent, around.objects);
         std::sort(around.objects.begin(), around.objects.end(),
                   [](const CollisionObject* a, const CollisionObject* b) { return a->number < b->number; });
         pushes.clear();
@@ -74,7 +74,7 @@ void PhysicsWorld::Impl::moveCharacters() {
 /// Contacts of what moves, with what it hits and wakes.
 void PhysicsWorld::Impl::findContacts() {
     const NarrowphaseSettings narrow{
-        .margin = settings.contactMargin, .seconds = settings.stepSeconds, .sweepBeyond = settings.continuous ? settings.sweepBeyond : 1e300};
+        .margin = settings.contactMargin, .seconds = settings.stepSeconds, .sweepThreshold = settings.continuous ? settings.sweepThreshold : 1e300};
     narrowphase.begin();
     for (const uint32_t slot : awake) dynamics[slot]->known = false;
     for (bool more = true; more; more = wakeHit()) {
@@ -82,7 +82,7 @@ void PhysicsWorld::Impl::findContacts() {
         for (const uint32_t slot : awake) {
             DynamicBody& body = *dynamics[slot];
             if (body.known) continue;
-            body.place();
+            body.setPose();
             broadphase.move(body.object, body.motion.velocity * settings.stepSeconds,
                             settings.contactMargin + body.object.radius * glm::length(body.motion.angularVelocity) * settings.stepSeconds);
             moving.push_back(&body.object);
@@ -90,49 +90,49 @@ void PhysicsWorld::Impl::findContacts() {
         pairs.clear();
         broadphase.findPairs(
             moving, [](const CollisionObject& o) { return o.dynamic->known; }, pairs);
-        if (!joints.empty()) joints.dropApart(pairs);
+        if (!joints.empty()) joints.removeNonColliding(pairs);
         for (CollisionObject* object : moving) object->dynamic->known = true;
         narrowphase.collide(pairs, narrow, settings.parallelFor ? settings.parallelFor : ParallelFor(serialFor));
     }
-    if (settings.continuous) findKnocked(narrow);
+    if (settings.continuous) sweepSecondary(narrow);
 }
 
 /// What a fast one hits may be far by the end of the step, where it did not look for contacts: it is swept once more, as it
 /// would fly on from a hit that takes nothing, against what does not move.
-void PhysicsWorld::Impl::findKnocked(const NarrowphaseSettings& narrow) {
+void PhysicsWorld::Impl::sweepSecondary(const NarrowphaseSettings& narrow) {
     double fastest = 0.0, thinnest = 1e9;
     for (const uint32_t slot : awake) {
         fastest = std::max(fastest, speedSquares(*dynamics[slot]));
-        thinnest = std::min(thinnest, dynamics[slot]->reach());
+        thinnest = std::min(thinnest, dynamics[slot]->minHalfExtent());
     }
-    if (!mayKnock(2.0 * fastest, thinnest, settings.stepSeconds)) return;
+    if (!needsSecondarySweep(2.0 * fastest, thinnest, settings.stepSeconds)) return;
     moving.clear();
     for (const Manifold* manifold : narrowphase.manifolds()) {
         DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
         if (!a || !b || a->asleep() || b->asleep() ||
-            !mayKnock(speedSquares(*a) + speedSquares(*b), std::min(a->reach(), b->reach()), settings.stepSeconds))
+            !needsSecondarySweep(speedSquares(*a) + speedSquares(*b), std::min(a->minHalfExtent(), b->minHalfExtent()), settings.stepSeconds))
             continue;
         const glm::dvec3 away = approachVelocity(*manifold, settings.stepSeconds);
         const double all = a->mass().mass + b->mass().mass;
-        const glm::dvec3 knockA = away * (kHardHit * b->mass().mass / all), knockB = away * (-kHardHit * a->mass().mass / all);
-        for (const auto& [body, knock] : {std::pair(a, knockA), std::pair(b, knockB)}) {
-            if (glm::length(knock) * settings.stepSeconds <= body->reach()) continue;
-            if (body->knock == glm::dvec3(0.0)) moving.push_back(&body->object);
-            body->knock += knock;
+        const glm::dvec3 secondaryA = away * (kHardHit * b->mass().mass / all), secondaryB = away * (-kHardHit * a->mass().mass / all);
+        for (const auto& [body, secondaryVelocity] : {std::pair(a, secondaryA), std::pair(b, secondaryB)}) {
+            if (glm::length(secondaryVelocity) * settings.stepSeconds <= body->minHalfExtent()) continue;
+            if (body->secondaryVelocity == glm::dvec3(0.0)) moving.push_back(&body->object);
+            body->secondaryVelocity += secondaryVelocity;
         }
     }
     if (moving.empty()) return;
     for (CollisionObject* object : moving) {
         const SolverBody& motion = object->dynamic->motion;
-        broadphase.move(*object, (motion.velocity + object->dynamic->knock) * settings.stepSeconds,
+        broadphase.move(*object, (motion.velocity + object->dynamic->secondaryVelocity) * settings.stepSeconds,
                         settings.contactMargin + object->radius * glm::length(motion.angularVelocity) * settings.stepSeconds);
     }
     pairs.clear();
     broadphase.findPairs(
         moving, [](const CollisionObject&) { return true; }, pairs);
-    if (!joints.empty()) joints.dropApart(pairs);
+    if (!joints.empty()) joints.removeNonColliding(pairs);
     narrowphase.collideAgain(pairs, narrow);
-    for (CollisionObject* object : moving) object->dynamic->knock = glm::dvec3(0.0);
+    for (CollisionObject* object : moving) object->dynamic->secondaryVelocity = glm::dvec3(0.0);
 }
 
 void PhysicsWorld::Impl::solve() {
@@ -143,7 +143,7 @@ void PhysicsWorld::Impl::solve() {
         SolverBody& body = dynamics[slot]->motion;
         const glm::dvec3& i = body.inertia;
         const double unevenness = std::max({i.x, i.y, i.z}) / std::min({i.x, i.y, i.z});
-        body.conserves = settings.rotation == RotationRule::Always ||
+        body.conservesMomentum = settings.rotation == RotationRule::Always ||
                          (settings.rotation == RotationRule::WhereNeeded && unevenness > kUneven && glm::length(body.angularVelocity) > kSpinning);
         bodies.push_back(body);
     }
@@ -158,43 +158,43 @@ void PhysicsWorld::Impl::solve() {
                   .iterations = settings.iterations,
                   .seconds = settings.stepSeconds,
                   .contactHertz = settings.contactHertz,
-                  .heavyRatio = settings.heavyRatio,
-                  .heavyPasses = settings.heavyPasses,
+                  .loadBearingRatio = settings.loadBearingRatio,
+                  .loadBearingPasses = settings.loadBearingPasses,
                   .parallelFor = settings.parallelFor ? &settings.parallelFor : nullptr},
                  activeJoints);
     energy.hold(bodies, bodyOf, activeJoints, gravity);
     for (const uint32_t slot : awake) {
         dynamics[slot]->motion = bodies[size_t(bodyNumber[slot])];
-        dynamics[slot]->place();
+        dynamics[slot]->setPose();
     }
 }
 
-bool PhysicsWorld::Impl::isBeyond(const DynamicBody& body) {
-    if (!body.isFartherThan(envelope::kFarthest, broadphase.origin())) return false;
-    const ExcessCounts before = clamped;
-    ++clamped[size_t(Excess::Place)];
-    warnOf(before);
+bool PhysicsWorld::Impl::isOutOfRange(const DynamicBody& body) {
+    if (!body.isFartherThan(limits::kMaxDistance, broadphase.origin())) return false;
+    const LimitCounts before = clamped;
+    ++clamped[size_t(LimitKind::Distance)];
+    warnOfLimits(before);
     return true;
 }
 
 void PhysicsWorld::Impl::clamp(DynamicBody& body) {
-    const ExcessCounts before = clamped;
-    if (body.clamp(clamped)) warnOf(before);
+    const LimitCounts before = clamped;
+    if (body.clamp(clamped)) warnOfLimits(before);
 }
 
 /// Of what was never beyond the envelope before.
-void PhysicsWorld::Impl::warnOf(const ExcessCounts& before) {
+void PhysicsWorld::Impl::warnOfLimits(const LimitCounts& before) {
     static constexpr const char* kWhat[] = {"faster than 5,000 m/s is clamped to that", "spinning faster than 1,000 rad/s is clamped to that",
                                             "a mass below 1e-9 or above 1e12 kg is clamped to that",
                                             "what gets farther than 1,000 km from the middle of the level stays there"};
     for (size_t i = 0; i < clamped.size(); ++i)
-        if (before[i] == 0 && clamped[i] > 0) logWarning(fmt::format("physics: {}; PhysicsFigures count how often", kWhat[i]));
+        if (before[i] == 0 && clamped[i] > 0) logWarning(fmt::format("physics: {}; PhysicsStats count how often", kWhat[i]));
 }
 
 void PhysicsWorld::Impl::quarantineBroken() {
     for (const uint32_t slot : awake) {
         DynamicBody& body = *dynamics[slot];
-        if (body.finite() && !isBeyond(body)) {
+        if (body.finite() && !isOutOfRange(body)) {
             clamp(body);
             continue;
         }
@@ -209,7 +209,7 @@ void PhysicsWorld::Impl::quarantineBroken() {
     for (const uint32_t slot : ended) leaveAwake(*dynamics[slot]);
 }
 
-void PhysicsWorld::Impl::report() {
+void PhysicsWorld::Impl::reportPoses() {
     std::sort(ended.begin(), ended.end());
     auto next = ended.begin();
     const auto add = [&](uint32_t slot) {
@@ -227,20 +227,20 @@ void PhysicsWorld::Impl::report() {
 PhysicsWorld::PhysicsWorld(const PhysicsSettings& settings) : m_impl(std::make_unique<Impl>(settings)) {}
 PhysicsWorld::~PhysicsWorld() = default;
 
-void PhysicsWorld::apply(const FrameChanges& changes, const World& world, bool anew) {
-    anew = anew || changes.levelReplaced;
-    if (anew) {  // not cleared: trees remember
-        const ExcessCounts clamped = m_impl->clamped;
+void PhysicsWorld::apply(const FrameChanges& changes, const World& world, bool rebuild) {
+    rebuild = rebuild || changes.levelReplaced;
+    if (rebuild) {  // not cleared: trees remember
+        const LimitCounts clamped = m_impl->clamped;
         m_impl = std::make_unique<Impl>(PhysicsSettings(m_impl->settings));
         m_impl->clamped = clamped;
     }
     Impl& impl = *m_impl;
     impl.awakeDebrisLimit = 0;  // what World says is awake comes first; the others wait for the step
-    if (anew)
+    if (rebuild)
         impl.loadAll(world);
     else
         impl.setGravity(world);
-    if (!anew && !changes.empty()) {
+    if (!rebuild && !changes.empty()) {
         impl.forget(changes);
         impl.refreshStatic(changes, world);
         impl.refreshDynamic(changes, world);
@@ -248,7 +248,7 @@ void PhysicsWorld::apply(const FrameChanges& changes, const World& world, bool a
         impl.refreshWaters(changes, world);
         impl.refreshCharacters(changes, world);
     }
-    if (!anew) impl.applyJoints(changes, world);
+    if (!rebuild) impl.applyJoints(changes, world);
     impl.applyImpulses(changes);
     for (const BodyHandle handle : changes.settled)
         if (DynamicBody* body = impl.dynamicAt(handle.slot()); body && body->handle() == handle) body->settled = body->asleep();
@@ -267,17 +267,17 @@ void PhysicsWorld::step() {
     if (!impl.awake.empty()) {
         impl.applyWater();
         impl.findContacts();
-        impl.noteContacts();
+        impl.recordContacts();
         impl.solve();
         impl.breakJoints();
         impl.quarantineBroken();
-        impl.settle();
-        impl.disturb();
+        impl.putToSleep();
+        impl.wakeTouched();
         findImpacts(impl.narrowphase.manifolds(), impl.settings.impactSpeed, impl.settings.impactThreshold, impl.handles, impl.impacts);
     }
     impl.moveRopes();
     impl.moveCharacters();
-    impl.report();
+    impl.reportPoses();
 }
 
 std::span<const BodyPose> PhysicsWorld::poses() const {
@@ -298,13 +298,13 @@ std::span<const RopeMotion> PhysicsWorld::ropes() const {
     return m_impl->ropeMotions;
 }
 
-PhysicsFigures PhysicsWorld::figures() const {
-    PhysicsFigures figures;
-    figures.clamped = m_impl->clamped;
-    figures.awake = int(m_impl->awake.size());
-    for (const auto& body : m_impl->dynamics) figures.bodies += body != nullptr;
-    for (const Manifold* manifold : m_impl->narrowphase.manifolds()) figures.pairs += manifold->count > 0, figures.contacts += manifold->count;
-    return figures;
+PhysicsStats PhysicsWorld::stats() const {
+    PhysicsStats stats;
+    stats.clamped = m_impl->clamped;
+    stats.awake = int(m_impl->awake.size());
+    for (const auto& body : m_impl->dynamics) stats.bodies += body != nullptr;
+    for (const Manifold* manifold : m_impl->narrowphase.manifolds()) stats.pairs += manifold->count > 0, stats.contacts += manifold->count;
+    return stats;
 }
 
 }  // namespace rubble

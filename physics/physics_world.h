@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/envelope.h"
+#include "physics/bodies/limits.h"
 #include "runtime/core/parallel_for.h"
 #include "runtime/world/frame_changes.h"
 #include "runtime/world/world.h"
@@ -19,15 +19,15 @@ struct PhysicsSettings {
     int iterations = 1;               ///< over the contacts in each half of a substep
     double stepSeconds = 1.0 / 60.0;  ///< of a step; the frame loop counts on this, measurements take others
     double contactHertz = 90.0;       ///< stiffness of contacts; at most a quarter of the rate of substeps counts
-    double heavyRatio = 30.0;         ///< how many times as heavy what lies on a body must be for its contacts to be stiffer
-    int heavyPasses = 8;              ///< over such contacts, more than over others; 0: none is stiffer
+    double loadBearingRatio = 30.0;         ///< how many times as heavy what lies on a body must be for its contacts to be stiffer
+    int loadBearingPasses = 8;              ///< over such contacts, more than over others; 0: none is stiffer
     double contactMargin = 0.02;      ///< metres apart at which bodies count as touching
     bool continuous = true;           ///< what is fast is swept
-    double sweepBeyond = 0.02;        ///< metres that something must move in a step for that
+    double sweepThreshold = 0.02;        ///< metres that something must move in a step for that
     RotationRule rotation = RotationRule::WhereNeeded;
     double sleepVelocity = 0.02;         ///< m/s of drift, averaged over sleepTime, below which a touching body falls asleep
     double sleepAngularVelocity = 0.04;  ///< rad/s
-    double sleepTime = 0.5;              ///< s of calm before it does
+    double sleepTime = 0.5;              ///< s of restTime before it does
     double slowDamping = 0.01;      ///< share of the speeds of a touching body below 0.3 m/s lost a step, and again for each second of being so slow
     double impactThreshold = 50.0;  ///< N s below which a contact is not reported
     double impactSpeed = 0.5;       ///< m/s of approach below which it counts as resting and is not reported
@@ -44,14 +44,14 @@ PhysicsSettings fastPhysics();
 PhysicsSettings balancedPhysics();
 PhysicsSettings accuratePhysics();
 
-struct PhysicsFigures {
+struct PhysicsStats {
     int bodies = 0, awake = 0;
     int pairs = 0, contacts = 0;  ///< of bodies that touch, and their points, in the last step
-    ExcessCounts clamped{};       ///< how often what was beyond the envelope, by kind, since the beginning
+    LimitCounts clamped{};       ///< how often what was beyond the envelope, by kind, since the beginning
 };
 
-/// Rigid bodies made of voxels: who moves, who touches whom, who rests. Positions are double; what is near is compared in
-/// floats about each pair, and broadphase about an origin chosen when a level is loaded. [main-thread]
+/// Rigid bodies made of voxels: who moves, who isConstrained whom, who rests. Positions are double; what is near is compared in
+/// toFloat4 about each pair, and broadphase about an origin chosen when a level is loaded. [main-thread]
 class PhysicsWorld {
 public:
     explicit PhysicsWorld(const PhysicsSettings& settings = {});
@@ -60,9 +60,9 @@ public:
     PhysicsWorld& operator=(const PhysicsWorld&) = delete;
 
     /// Creates, destroys and re-shapes bodies as the journal says, then applies its impulses; a piece starts with its parent's motion (v + w x r, w),
-    /// which World has already set. anew: everything is made from the World in slot order, as after levelReplaced: nothing of the past counts any
+    /// which World has already set. rebuild: everything is made from the World in slot order, as after levelReplaced: nothing of the past counts any
     /// more.
-    void apply(const FrameChanges& changes, const World& world, bool anew = false);
+    void apply(const FrameChanges& changes, const World& world, bool rebuild = false);
     /// settings.stepSeconds further.
     void step();
     /// Bodies that moved, fell asleep or woke in the last step, in slot order; valid until the next step().
@@ -76,7 +76,7 @@ public:
     std::span<const JointHandle> jointBreaks() const;
     /// Where the ropes are that moved in the last step, in slot order; valid until the next.
     std::span<const RopeMotion> ropes() const;
-    PhysicsFigures figures() const;
+    PhysicsStats stats() const;
 
 private:
     struct Impl;

@@ -5,13 +5,13 @@
 namespace rubble {
 namespace {
 
-constexpr double kDisturbed = 0.02;       ///< metres a body moves before what touches it is woken
-constexpr double kDisturbedAngle = 0.04;  ///< radians
+constexpr double kWakeDistance = 0.02;       ///< metres a body moves before what isConstrained it is woken
+constexpr double kWakeAngle = 0.04;  ///< radians
 constexpr double kTouchDistance = 0.02;   ///< metres between bounds that count as touching
-constexpr double kSlow = 0.3;             ///< m/s: a touching body slower than this is on its way to rest
-constexpr double kMostPatience = 4.0;     ///< times the drift of the settings that is calm after seconds of being slow
+constexpr double kSlowSpeed = 0.3;             ///< m/s: a touching body slower than this is on its displacement to rest
+constexpr double kMaxPatience = 4.0;     ///< times the drift of the settings that is restTime after seconds of being slow
 constexpr double kWakeSpeed = 0.15;       ///< m/s that a hit must give a sleeping body to wake it
-constexpr double kReviveSpeed = 0.6;      ///< the same for a settled one
+constexpr double kSettledWakeSpeed = 0.6;      ///< the same for a settled one
 
 }  // namespace
 
@@ -72,15 +72,15 @@ bool PhysicsWorld::Impl::wakeHit() {
         const DynamicBody& hitter = a->asleep() ? *b : *a;
         if (sleeper.quarantined() || !mayWake(sleeper)) continue;
         const double share = hitter.mass().mass / (hitter.mass().mass + sleeper.mass().mass);
-        if (approachSpeed(*manifold, settings.stepSeconds) * share <= (sleeper.settled ? kReviveSpeed : kWakeSpeed)) continue;
+        if (approachSpeed(*manifold, settings.stepSeconds) * share <= (sleeper.settled ? kSettledWakeSpeed : kWakeSpeed)) continue;
         wake(sleeper);
         any = true;
     }
     return any;
 }
 
-/// Notes who touches anything, and which sleepers.
-void PhysicsWorld::Impl::noteContacts() {
+/// Notes who isConstrained anything, and which sleepers.
+void PhysicsWorld::Impl::recordContacts() {
     for (const uint32_t slot : awake) dynamics[slot]->touching = false;
     for (const Manifold* manifold : narrowphase.manifolds()) {
         manifold->objects.first->isNew = manifold->objects.second->isNew = false;
@@ -94,42 +94,42 @@ void PhysicsWorld::Impl::noteContacts() {
     }
 }
 
-/// Puts the calm to sleep.
-void PhysicsWorld::Impl::settle() {
+/// Puts the restTime to sleep.
+void PhysicsWorld::Impl::putToSleep() {
     const bool weightless = gravity == glm::dvec3(0.0);
     for (const uint32_t slot : awake) {
         DynamicBody& body = *dynamics[slot];
         SolverBody& motion = body.motion;
-        const double speed = std::max(glm::length(motion.velocity), glm::length(motion.angularVelocity) * body.reach());
-        body.slowSeconds = body.touching && speed < kSlow ? body.slowSeconds + settings.stepSeconds : 0.0;
-        const double patience = std::min(1.0 + body.slowSeconds, kMostPatience);
+        const double speed = std::max(glm::length(motion.velocity), glm::length(motion.angularVelocity) * body.minHalfExtent());
+        body.slowSeconds = body.touching && speed < kSlowSpeed ? body.slowSeconds + settings.stepSeconds : 0.0;
+        const double patience = std::min(1.0 + body.slowSeconds, kMaxPatience);
         if (body.slowSeconds > 0.0) {
             const double kept = 1.0 - settings.slowDamping * patience;
             motion.velocity *= kept;
             motion.angularVelocity *= kept;
         }
         const double allowed = settings.sleepTime * patience;
-        const double calm =
-            body.settling.calm(body.pose(), settings.sleepVelocity * allowed, settings.sleepAngularVelocity * allowed, settings.stepSeconds);
+        const double restTime =
+            body.sleepTimer.restTime(body.pose(), settings.sleepVelocity * allowed, settings.sleepAngularVelocity * allowed, settings.stepSeconds);
         const bool isJointed = !joints.of(slot).empty();
-        body.wantsSleep = calm >= settings.sleepTime && (body.touching || body.afloat || weightless || isJointed);
+        body.wantsSleep = restTime >= settings.sleepTime && (body.touching || body.inWater || weightless || isJointed);
         if (!body.wantsSleep || isJointed) continue;
         sleep(body);
         ended.push_back(slot);
     }
-    if (!activeJoints.empty()) settleJointed();
+    if (!activeJoints.empty()) putJointedToSleep();
     for (const uint32_t slot : ended) leaveAwake(*dynamics[slot]);
 }
 
 /// What moved wakes what it touched; the first time after it woke, all that its bounds touch: there are no contacts between
 /// sleepers. Those woken join `awake` at their place, so the walk finds its own again.
-void PhysicsWorld::Impl::disturb() {
+void PhysicsWorld::Impl::wakeTouched() {
     for (size_t i = 0; i < awake.size(); ++i) {
         const uint32_t slot = awake[i];
         DynamicBody& body = *dynamics[slot];
-        if (!body.settling.disturbed(body.pose(), kDisturbed, kDisturbedAngle)) continue;
-        if (body.freshlyAwake) wakeTouching(body.object.low, body.object.high);
-        body.freshlyAwake = false;
+        if (!body.sleepTimer.hasMoved(body.pose(), kWakeDistance, kWakeAngle)) continue;
+        if (body.newlyAwake) wakeTouching(body.object.low, body.object.high);
+        body.newlyAwake = false;
         std::sort(body.sleepersTouched.begin(), body.sleepersTouched.end());
         for (const uint32_t touched : body.sleepersTouched)
             if (DynamicBody* sleeper = dynamicAt(touched); sleeper && !sleeper->settled) wakeOrWait(*sleeper);

@@ -126,7 +126,7 @@ void oneAwake(benchmark::State& state) {
         loop.step(i++ % 60 ? Edits{} : Edits{ImpulseEdit{last, center, {0, 250, 0}}});
     }
     state.counters["physics_us"] = 1e3 * loop.physicsMs / double(state.iterations());
-    state.counters["awake"] = loop.physics.figures().awake;
+    state.counters["awake"] = loop.physics.stats().awake;
 }
 BENCHMARK(oneAwake)->Name("destruction/debris/oneAwake")->Unit(benchmark::kMicrosecond);
 
@@ -204,7 +204,7 @@ void tenThousandPieces(benchmark::State& state) {
             worstEditsMs = std::max(worstEditsMs, loop.editsMs - before);
             pieces += changes.bodiesCreated.size();
             for (const DustCloud& cloud : changes.dust) dusty += cloud.count;
-            mostAwake = std::max({mostAwake, loop.world.debris().awakeCount(), size_t(loop.physics.figures().awake)});
+            mostAwake = std::max({mostAwake, loop.world.debris().awakeCount(), size_t(loop.physics.stats().awake)});
             stepsOver += loop.world.debris().awakeCount() > loop.world.settings().debris.awakeBodies;
             const Ledger ledger = loop.world.ledger();
             balances = balances && ledger.balances() && ledger.removed == dusty;

@@ -119,7 +119,7 @@ void voronoiPieces(benchmark::State& state) {
     reportPile(state, "bullet2", twoMs, level, posesOf(two, level));
     state.counters["times_faster_than_1"] = median(oneMs) / median(oursMs);
     state.counters["times_faster_than_2"] = median(twoMs) / median(oursMs);
-    state.counters["contacts"] = ours.physics.figures().contacts;
+    state.counters["contacts"] = ours.physics.stats().contacts;
     state.counters["boxes"] = double(one.boxes());
 }
 BENCHMARK(voronoiPieces)
@@ -179,8 +179,8 @@ void awakeAmongSleepers(benchmark::State& state) {
         state.SetIterationTime(median(ms) * 1e-3);
     }
     state.counters["p99_ms"] = percentile(ms, 99);
-    state.counters["bodies"] = pile.physics.figures().bodies;
-    state.counters["awake"] = pile.physics.figures().awake;
+    state.counters["bodies"] = pile.physics.stats().bodies;
+    state.counters["awake"] = pile.physics.stats().awake;
 }
 BENCHMARK(awakeAmongSleepers)
     ->Name("physics/awakeAmongSleepers")
@@ -201,7 +201,7 @@ void sleepers(benchmark::State& state) {
         ++steps;
     }
     state.counters["allocations"] = double(allocationCount() - before) / double(steps);
-    state.counters["awake"] = pile.physics.figures().awake;
+    state.counters["awake"] = pile.physics.stats().awake;
 }
 BENCHMARK(sleepers)->Name("physics/sleepers")->Arg(10'000)->Unit(benchmark::kMicrosecond);
 
@@ -240,10 +240,10 @@ void settlingPile(benchmark::State& state) {
     Pile pile(voronoiPit(pieces, 1, int(state.range(1))), {});
     double slept = 0.0, landed = 0.0;
     const auto settle = [&] {
-        for (int i = 0; i < 2400 && pile.physics.figures().awake; ++i) {
+        for (int i = 0; i < 2400 && pile.physics.stats().awake; ++i) {
             pile.step();
             const double now = double(i + 1) / 60.0;
-            if (pile.physics.figures().awake * 100 > pieces) slept = now;
+            if (pile.physics.stats().awake * 100 > pieces) slept = now;
             for (const BodyPose& moved : pile.physics.poses())
                 if (glm::length(moved.velocity) > 3.0) landed = now;
         }
@@ -252,7 +252,7 @@ void settlingPile(benchmark::State& state) {
         settle();
         state.counters["landed_s"] = landed;
         state.counters["asleep_99_after_s"] = slept - landed;
-        state.counters["awake"] = pile.physics.figures().awake;
+        state.counters["awake"] = pile.physics.stats().awake;
         state.counters["floating"] = double(findUnsupported(pile.world).size());
 
         const double middle = 0.5 * double(state.range(1));

@@ -1,4 +1,4 @@
-#include "physics/character.h"
+#include "physics/character/character.h"
 
 #include <gtest/gtest.h>
 
@@ -55,8 +55,8 @@ TEST(Character, WalksOnTheGroundAtItsSpeedAndStops) {
     EXPECT_TRUE(scene.me().grounded);
     EXPECT_TRUE(scene.me().ground == scene.handle(0));
     EXPECT_NEAR(scene.me().position.y, 0.0, 0.02);
-    const glm::dvec3 way = scene.go({2.0, 0.0, 0.0}, 1.0);
-    EXPECT_NEAR(way.x, 2.0, 0.01);
+    const glm::dvec3 distance = scene.go({2.0, 0.0, 0.0}, 1.0);
+    EXPECT_NEAR(distance.x, 2.0, 0.01);
     EXPECT_NEAR(scene.go({0.0, 0.0, 30.0}, 1.0).z, 4.0, 0.05) << "not faster than it can";
     EXPECT_NEAR(glm::length(scene.go({}, 1.0)), 0.0, 1e-6);
 }
@@ -67,9 +67,9 @@ TEST(Character, SlidesAlongAWall) {
     scene.add(blockGrid({2, 30, 100}, 7), {1.0, 0.0, -5.0}, true);
     scene.load();
     scene.walk(10);
-    const glm::dvec3 way = scene.go({2.0, 0.0, 2.0}, 1.5);
+    const glm::dvec3 distance = scene.go({2.0, 0.0, 2.0}, 1.5);
     EXPECT_NEAR(scene.me().position.x, 0.7, 0.02);
-    EXPECT_NEAR(way.z, 3.0, 0.1);
+    EXPECT_NEAR(distance.z, 3.0, 0.1);
     EXPECT_FALSE(scene.isInside());
 }
 
@@ -160,7 +160,7 @@ TEST(Character, JumpsAsHighAsItsSpeedAndFalls) {
     EXPECT_NEAR(scene.me().position.y, 0.0, 0.02);
 }
 
-TEST(Character, CrouchesUnderThingsAndStandsUpOnlyWhereThereIsRoom) {
+TEST(Character, CrouchesUnderThingsAndStandsUpOnlyWhereThereIsSpace) {
     Walk scene;
     scene.addFloor();
     scene.add(blockGrid({20, 5, 40}, 7), {1.0, 1.3, -2.0}, true);
@@ -307,9 +307,9 @@ TEST(Character, IsTheSameAfterASave) {
     scene.walk(100);
     Walk other;
     other.world.setState(scene.world.state());
-    FrameChanges anew;
-    anew.levelReplaced = true;
-    other.physics.apply(anew, other.world);
+    FrameChanges rebuild;
+    rebuild.levelReplaced = true;
+    other.physics.apply(rebuild, other.world);
     scene.physics.apply({}, scene.world, true);
     for (Walk* each : {&scene, &other}) {
         each->wish({-1.0, 0.0, 2.0}, true);

@@ -1,4 +1,4 @@
-#include "physics/contact_solver.h"
+#include "physics/solver/contact_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ SolverBody body(double mass, glm::dvec3 inertia) {
     SolverBody body;
     body.inverseMass = 1.0 / mass;
     body.inertia = inertia;
-    body.reach = 0.05;
+    body.minHalfExtent = 0.05;
     return body;
 }
 
@@ -26,7 +26,7 @@ ManifoldPoint contact(glm::vec3 position, glm::vec3 normal) {
     return point;
 }
 
-TEST(ContactSolver, WhatSeventeenTonnesPressedOnDoesNotFlyOffWhenItsSupportGoes) {
+TEST(ContactSolver, NoWarmStartWhenTheSupportOfASqueezedBodyIsGone) {
     std::vector<SolverBody> bodies = {{}, body(17e3, glm::dvec3(2e4)), body(1.5, glm::dvec3(0.01))};
     Manifold manifold;  // the chip first; what held it from the other side is gone since the last step
     for (const float y : {-0.05f, 0.05f}) {
@@ -44,7 +44,7 @@ TEST(ContactSolver, WhatSeventeenTonnesPressedOnDoesNotFlyOffWhenItsSupportGoes)
     EXPECT_LT(glm::length(bodies[2].angularVelocity), 5.0);
 }
 
-TEST(ContactSolver, WhatBearsItsLoadGoesOnFromTheLastStep) {
+TEST(ContactSolver, ALoadedContactWarmStarts) {
     std::vector<SolverBody> bodies = {{}, body(1.5, glm::dvec3(0.01))};
     const double weight = 1.5 * 10.0 * SolverSettings{}.seconds / SolverSettings{}.substeps;
     Manifold manifold;
@@ -78,7 +78,7 @@ TEST(ContactSolver, ARodThatTurnsUnderItsContactsGainsNoEnergy) {
     for (const double spin : {30.0, 90.0, 200.0}) {
         std::vector<SolverBody> bodies = {{}, body(2.0, {0.0283, 0.0283, 0.0013})};
         SolverBody& rod = bodies[1];
-        rod.conserves = true;
+        rod.conservesMomentum = true;
         rod.angularVelocity = {5.0, spin, 0.0};
         rod.velocity = {0, -3, 0};
         Manifold manifold;

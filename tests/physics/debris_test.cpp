@@ -44,7 +44,7 @@ TEST(DebrisPhysics, TheBudgetOfMovingPiecesHoldsAtEveryStep) {
         revived += changes.revived.size();
         const DebrisList& debris = scene.world.debris();
         ASSERT_LE(debris.awakeCount(), 40u) << i;
-        ASSERT_LE(scene.physics.figures().awake, 40) << i;
+        ASSERT_LE(scene.physics.stats().awake, 40) << i;
         ASSERT_LE(debris.count(), 120u) << i;
         ASSERT_LE(debris.voxels(), 4000u) << i;
         ASSERT_TRUE(scene.world.ledger().balances()) << i;
@@ -54,8 +54,8 @@ TEST(DebrisPhysics, TheBudgetOfMovingPiecesHoldsAtEveryStep) {
 
 /// Lets a step or more pass until nothing moves.
 void rest(DebrisScene& scene) {
-    for (int i = 0; i < 900 && scene.physics.figures().awake; ++i) scene.stepWith();
-    ASSERT_EQ(scene.physics.figures().awake, 0);
+    for (int i = 0; i < 900 && scene.physics.stats().awake; ++i) scene.stepWith();
+    ASSERT_EQ(scene.physics.stats().awake, 0);
 }
 
 TEST(DebrisPhysics, PiecesSettleAndAHitOrTheLossOfTheirGroundRevivesThem) {

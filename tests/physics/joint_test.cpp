@@ -3,7 +3,7 @@
 #include <atomic>
 #include <thread>
 
-#include "physics/angles.h"
+#include "physics/math/angles.h"
 #include "tests/physics/scenes/joint_scenes.h"
 
 namespace rubble {
@@ -18,13 +18,13 @@ TEST(Angles, AgreeWithTheLibrary) {
     for (int i = -1000; i <= 1000; ++i) {
         const double angle = kPi * i / 1000.0;
         double cosine, sine;
-        cosineSine(angle, cosine, sine);
+        deterministicCosSin(angle, cosine, sine);
         worstSine = std::max({worstSine, std::abs(cosine - std::cos(angle)), std::abs(sine - std::sin(angle))});
-        if (std::abs(i) < 1000) worst = std::max(worst, std::abs(arcTangent(3.0 * std::sin(angle), 3.0 * std::cos(angle)) - angle));
+        if (std::abs(i) < 1000) worst = std::max(worst, std::abs(deterministicAtan2(3.0 * std::sin(angle), 3.0 * std::cos(angle)) - angle));
     }
     EXPECT_LT(worst, 1e-12);
     EXPECT_LT(worstSine, 1e-11);
-    EXPECT_EQ(arcTangent(0.0, 0.0), 0.0);
+    EXPECT_EQ(deterministicAtan2(0.0, 0.0), 0.0);
 }
 
 TEST(Joint, PendulumSwingsAtThePeriodOfItsMomentAndAmplitude) {
@@ -112,14 +112,14 @@ TEST(Joint, ARebuildFromTheWorldGoesOnTheSame) {
     first.load();
     first.seconds(1.0);
     World copy = first.world;
-    PhysicsWorld anew;
-    anew.apply({}, copy, true);
+    PhysicsWorld rebuilt;
+    rebuilt.apply({}, copy, true);
     first.physics.apply({}, first.world, true);
     for (int i = 0; i < 60; ++i) {
         first.step();
-        anew.step();
-        copy.setPoses(anew.poses());
-        copy.setRopes(anew.ropes());
+        rebuilt.step();
+        copy.setPoses(rebuilt.poses());
+        copy.setRopes(rebuilt.ropes());
         ASSERT_EQ(copy.hash(), first.world.hash()) << i;
     }
 }

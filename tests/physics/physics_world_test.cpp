@@ -87,7 +87,7 @@ TEST(PhysicsWorld, CubeComesToRestOnTheFloor) {
     scene.seconds(4.0);
     EXPECT_NEAR(scene.center(1).y, 0.25, 0.005);
     EXPECT_TRUE(scene.body(1).asleep);
-    EXPECT_EQ(scene.physics.figures().awake, 0);
+    EXPECT_EQ(scene.physics.stats().awake, 0);
 }
 
 TEST(PhysicsWorld, SingleVoxelComesToRest) {
@@ -110,7 +110,7 @@ TEST(PhysicsWorld, TowerOfFiveStands) {
         EXPECT_NEAR(scene.center(1 + i).y, 0.25 + 0.5 * i, 0.02);
         EXPECT_NEAR(scene.center(1 + i).x, 0.25, 0.02);
     }
-    EXPECT_EQ(scene.physics.figures().awake, 0);
+    EXPECT_EQ(scene.physics.stats().awake, 0);
 }
 
 /// Metres that a block slides in a second on a plane of friction 0.6 (the geometric mean of equal materials).
@@ -145,13 +145,13 @@ TEST(PhysicsWorld, LevelBodiesSleepUntilHit) {
     LevelBody& ball = scene.add(blockGrid({3, 3, 3}, kMasonry), {-2, 0.1, 0.1}, false);
     ball.velocity = {8, 0, 0};
     scene.load(false);
-    EXPECT_EQ(scene.physics.figures().awake, 1);
+    EXPECT_EQ(scene.physics.stats().awake, 1);
     scene.step(5);
     EXPECT_LT(glm::length(scene.center(1) - glm::dvec3(0.25)), 1e-6);
     scene.seconds(0.5);
     EXPECT_GT(scene.center(1).x, 0.3);  // and it took the ball's momentum, not that of a wall
     scene.seconds(8.0);
-    EXPECT_EQ(scene.physics.figures().awake, 0);
+    EXPECT_EQ(scene.physics.stats().awake, 0);
 }
 
 TEST(PhysicsWorld, ImpactIsReportedWithItsImpulse) {
@@ -186,7 +186,7 @@ TEST(PhysicsWorld, CarvedWallWakesWhatItHeldUp) {
     scene.add(blockGrid({4, 4, 4}, kMasonry), {1.8, 4.0, -0.1}, false);
     scene.load(false);
     scene.step(30);
-    ASSERT_EQ(scene.physics.figures().awake, 0);
+    ASSERT_EQ(scene.physics.stats().awake, 0);
     ASSERT_TRUE(scene.physics.poses().empty());
 
     FrameChanges changes;
@@ -200,7 +200,7 @@ TEST(PhysicsWorld, CarvedWallWakesWhatItHeldUp) {
     changes.carved = {wallShape};
     scene.replaceWorld();
     scene.physics.apply(changes, scene.world);
-    EXPECT_EQ(scene.physics.figures().awake, 1);
+    EXPECT_EQ(scene.physics.stats().awake, 1);
     scene.step();
     ASSERT_EQ(scene.physics.poses().size(), 1u);
     scene.seconds(5.0);
@@ -251,7 +251,7 @@ TEST(PhysicsWorld, PieceInheritsTheMotionThatWorldGivesIt) {
     EXPECT_LT(glm::length(scene.center(0) - (leftCenter + velocityAt(leftCenter) * h)), 1e-3);
     EXPECT_LT(glm::length(scene.center(1) - (rightCenter + velocityAt(rightCenter) * h)), 1e-3);
     EXPECT_NEAR(scene.body(1).angularVelocity.z, 2.0, 0.02);
-    EXPECT_EQ(scene.physics.figures().bodies, 2);
+    EXPECT_EQ(scene.physics.stats().bodies, 2);
 }
 
 TEST(PhysicsWorld, EditsOfWorldMakePiecesThatFall) {
@@ -266,7 +266,7 @@ TEST(PhysicsWorld, EditsOfWorldMakePiecesThatFall) {
     const FrameChanges changes = scene.world.applyEdits({cut});
     ASSERT_EQ(changes.bodiesCreated.size(), 1u);
     scene.physics.apply(changes, scene.world);
-    EXPECT_EQ(scene.physics.figures().awake, 1);
+    EXPECT_EQ(scene.physics.stats().awake, 1);
     const BodyHandle piece = changes.bodiesCreated[0];
     const double start = scene.world.bodies().at(piece).pose.position.y;
     scene.seconds(0.25);
@@ -293,7 +293,7 @@ TEST(PhysicsWorld, PileFallsAsleepAndStays) {
     fillPile(scene, {0, 0, 0});
     scene.load();
     scene.seconds(10.0);
-    const PhysicsFigures figures = scene.physics.figures();
+    const PhysicsStats figures = scene.physics.stats();
     EXPECT_EQ(figures.bodies, 200);
     EXPECT_LE(figures.awake, 10);
     for (int i = 1; i <= 200; ++i) {
@@ -335,7 +335,7 @@ TEST(PhysicsWorld, StepInWhichNothingHappensAllocatesNothing) {
     for (int i = 0; i < 5; ++i) scene.add(blockGrid({5, 5, 5}, kMasonry), {1.1 * i, 0.2, 0}, false);
     scene.load();
     scene.seconds(4.0);
-    ASSERT_EQ(scene.physics.figures().awake, 0);
+    ASSERT_EQ(scene.physics.stats().awake, 0);
     const FrameChanges nothing;
     const size_t before = allocationCount();
     for (int i = 0; i < 10; ++i) {
@@ -364,7 +364,7 @@ TEST(PhysicsWorld, FarFromTheOriginIsAsGood) {
     scene.load();
     scene.seconds(5.0);
     for (int i = 0; i < 5; ++i) EXPECT_NEAR(scene.center(1 + i).y, 30 + 0.25 + 0.5 * i, 0.02);
-    EXPECT_EQ(scene.physics.figures().awake, 0);
+    EXPECT_EQ(scene.physics.stats().awake, 0);
 }
 
 TEST(PhysicsWorld, NotANumberIsQuarantinedAndOthersDoNotNotice) {

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "physics/solver_strips.h"
+#include "physics/solver/constraint_coloring.h"
 #include "tests/physics/baseline/pile_support.h"
 #include "tests/physics/baseline/voronoi_pit.h"
 #include "tests/physics/physics_scene.h"
@@ -23,7 +23,7 @@ struct PitScene : PhysicsScene {
         load();
         world.applyEdits({});  // the level itself: already there
     }
-    int awake() const { return physics.figures().awake; }
+    int awake() const { return physics.stats().awake; }
 };
 
 TEST(Pile, SleepsSoonAndNothingFloatsBeforeOrAfterItsFloorGoes) {
@@ -74,7 +74,7 @@ std::vector<double> trace(const PhysicsSettings& settings, int pieces = 40, int 
             all.insert(all.end(), {p.pose.position.x, p.pose.position.y, p.pose.position.z, p.pose.rotation.w, p.velocity.x, p.velocity.y});
         scene.world.setPoses(scene.physics.poses());
     }
-    if (pairs) *pairs = scene.physics.figures().pairs;
+    if (pairs) *pairs = scene.physics.stats().pairs;
     return all;
 }
 
@@ -89,10 +89,10 @@ TEST(Pile, TheSameOnAnyNumberOfThreads) {
 }
 
 /// So many touch that the solver goes through them in strips.
-TEST(Pile, TheSameInAnyOrderInStrips) {
+TEST(Pile, TheSameInAnyOrderWhenColored) {
     int pairs = 0;
     const std::vector<double> one = trace({}, 200, 100, &pairs);
-    ASSERT_GE(size_t(pairs), 2 * SolverStrips::kPairsAStrip);
+    ASSERT_GE(size_t(pairs), 2 * ConstraintColoring::kPairsPerStrip);
     PhysicsSettings settings;
     settings.parallelFor = [](size_t count, const std::function<void(size_t)>& f) {  // as threads might take them
         for (size_t i = count; i-- > 0;) f(i);
@@ -100,9 +100,9 @@ TEST(Pile, TheSameInAnyOrderInStrips) {
     EXPECT_EQ(trace(settings, 200, 100), one);
 }
 
-/// A cut while it falls changes a body in place: it moves on as one that is made anew from the World does.
-TEST(Pile, ACutBodyIsAsIfMadeAnew) {
-    const auto fall = [](bool anew) {
+/// A cut while it falls changes a body in place: it moves on as one that is made rebuild from the World does.
+TEST(Pile, ACutBodyMovesLikeARebuiltOne) {
+    const auto fall = [](bool rebuild) {
         PhysicsScene scene;
         scene.addFloor();
         VoxelGrid block = blockGrid({40, 40, 40}, 7);
@@ -119,7 +119,7 @@ TEST(Pile, ACutBodyIsAsIfMadeAnew) {
                 edits.push_back(CarveEdit{.kind = BrushKind::Sphere, .position = at, .radii = {0.7, 0.7, 0.7}, .shape = shape});
             }
             FrameChanges changes = scene.world.applyEdits(edits);
-            if (anew && !edits.empty()) changes.shapesCreated.push_back(shape);
+            if (rebuild && !edits.empty()) changes.shapesCreated.push_back(shape);
             scene.physics.apply(changes, scene.world);
             scene.step();
             const Body& body = scene.body(1);

@@ -20,13 +20,13 @@ TEST(Sliding, AccelerationIsCoulombsOnEveryHeading) {
 TEST(Sliding, SticksATenthOfADegreeBelowAndSlidesAsFarAbove) {
     for (int heading = 0; heading < 12; ++heading) {
         const double turn = heading * 0.5236 + 0.05;
-        EXPECT_LT(slideDown({}, kCritical - 0.1, turn, kFriction, 2.0).way, 1e-4) << heading;
-        EXPECT_GT(slideDown({}, kCritical + 0.1, turn, kFriction, 2.0).way, 5e-3) << heading;
+        EXPECT_LT(slideDown({}, kCritical - 0.1, turn, kFriction, 2.0).distance, 1e-4) << heading;
+        EXPECT_GT(slideDown({}, kCritical + 0.1, turn, kFriction, 2.0).distance, 5e-3) << heading;
     }
     // Undamped, also so close to the threshold it is Coulomb's law that decides how far.
     const double angle = glm::radians(kCritical + 0.1);
     const double expected = 9.81 * (std::sin(angle) - kFriction * std::cos(angle)) * 1.5;  // the second second
-    EXPECT_NEAR(slideDown(accuratePhysics(), kCritical + 0.1, 0.05, kFriction, 2.0).way, expected, 0.05 * expected);
+    EXPECT_NEAR(slideDown(accuratePhysics(), kCritical + 0.1, 0.05, kFriction, 2.0).distance, expected, 0.05 * expected);
 }
 
 TEST(Sliding, SeamsAreNoBumps) {

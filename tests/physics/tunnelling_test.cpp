@@ -22,7 +22,7 @@ TEST(Tunnelling, SeamsInsideTheWallAreNoFaces) {
 }
 
 /// What another knocks into the wall within the step meets it. One in 10,000 gets a corner through and follows it: not mended.
-TEST(Tunnelling, TwoThatMeetAtTheWallDoNotKnockEachOtherThrough) {
+TEST(Tunnelling, TwoThatMeetAtTheWallDoNotPushEachOtherThrough) {
     const bool isLong = std::getenv("RUBBLE_LONG") != nullptr;
     for (const double late : {0.0, 0.002, 0.01}) {
         const known::Shots shots = known::shootPairs({}, isLong ? 10000 : 700, 1, 300.0, late);
@@ -32,7 +32,7 @@ TEST(Tunnelling, TwoThatMeetAtTheWallDoNotKnockEachOtherThrough) {
 
 /// The one of 50,000 shots that once went through: its first hit sets it rolling, so that its points no longer near the wall
 /// when the whole of it does.
-TEST(Tunnelling, WhatRollsDoesNotTurnItsWayThrough) {
+TEST(Tunnelling, ARollingBodyDoesNotTurnThroughAWall) {
     PhysicsSettings settings;
     settings.sleepTime = 1e9;
     PhysicsScene scene(settings);

@@ -1,10 +1,10 @@
-#include "physics/voxel_contacts.h"
+#include "physics/collision/voxel_contacts.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "physics/broadphase.h"
+#include "physics/collision/broadphase.h"
 #include "runtime/core/random.h"
 #include "tests/physics/baseline/voronoi_pit.h"
 
@@ -28,7 +28,7 @@ void put(CollisionObject& object, const LevelBody& body, const MaterialTable& ma
     shape.voxelSize = body.shapes[0].voxelSize;
     object.collider.parts.push_back(std::make_unique<VoxelPart>(shape, Pose{}, materials));
     object.radius = object.collider.radius();
-    object.place(at);
+    object.setPose(at);
 }
 
 /// All solid cells' corners of a part.
@@ -42,7 +42,7 @@ std::vector<glm::vec3> cornersOf(const VoxelPart& part) {
     return corners;
 }
 
-TEST(VoxelContacts, HullReachesAsFarAsTheVoxels) {
+TEST(VoxelContacts, HullAndVoxelsHaveTheSameExtent) {
     const Level level = voronoiPit(30);
     Random random(7);
     for (size_t i = 1; i < level.bodies.size(); ++i) {
@@ -53,11 +53,11 @@ TEST(VoxelContacts, HullReachesAsFarAsTheVoxels) {
         ASSERT_LT(part.hull().size() * 20, corners.size());
         for (int k = 0; k < 50; ++k) {
             const glm::vec3 direction = glm::vec3(anyVector(random, 1.0));
-            float highest = -1e9f;
-            for (const glm::vec3& c : corners) highest = std::max(highest, c.x * direction.x + c.y * direction.y + c.z * direction.z);
-            ASSERT_EQ(part.hull().highest(direction), highest);
-            const glm::vec3 far = part.hull().farthest(direction);
-            ASSERT_EQ(far.x * direction.x + far.y * direction.y + far.z * direction.z, highest);
+            float support = -1e9f;
+            for (const glm::vec3& c : corners) support = std::max(support, c.x * direction.x + c.y * direction.y + c.z * direction.z);
+            ASSERT_EQ(part.hull().support(direction), support);
+            const glm::vec3 far = part.hull().supportPoint(direction);
+            ASSERT_EQ(far.x * direction.x + far.y * direction.y + far.z * direction.z, support);
         }
     }
 }
@@ -71,10 +71,10 @@ TEST(VoxelContacts, FeaturesAreTheConvexCornersAndEdges) {
         const VoxelPart& part = *object.collider.parts[0];
         std::vector<std::array<int, 4>> found, expected;
         const FeatureList& list = part.whole()->features;
-        for (const FeatureList::Four& four : list.fours)
-            for (size_t k = 0; k < 4 && four.kind[k] != FeatureList::kNoFeature; ++k) {
-                const glm::ivec3 cell = FeatureList::cellOf(four, k);
-                found.push_back({cell.x, cell.y, cell.z, four.kind[k]});
+        for (const FeatureList::Pack& pack : list.packs)
+            for (size_t k = 0; k < 4 && pack.kind[k] != FeatureList::kNoFeature; ++k) {
+                const glm::ivec3 cell = FeatureList::cellOf(pack, k);
+                found.push_back({cell.x, cell.y, cell.z, pack.kind[k]});
             }
         const CellBox box = part.bounds();
         for (int z = box.low.z; z < box.high.z; ++z)
@@ -97,7 +97,7 @@ TEST(VoxelContacts, FeaturesAreTheConvexCornersAndEdges) {
 }
 
 /// What is stuck is pushed the way that its other contacts push it, or not at all. Such a push alone does not rub.
-TEST(VoxelContacts, APushOutOfWhatIsStuckFightsNoOtherContacts) {
+TEST(VoxelContacts, TheStuckContactOpposesNoOtherContact) {
     const Level level = voronoiPit(40);
     Random random(5);
     int pushes = 0;
@@ -108,7 +108,7 @@ TEST(VoxelContacts, APushOutOfWhatIsStuckFightsNoOtherContacts) {
         put(b, level.bodies[1 + size_t(round * 7 % 40)], level.materials, {{}, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
         std::vector<ContactPoint> found;
         glm::vec3 axis(0.0f);
-        findContacts(a.collider, {a.pose, a.lattices()}, b.collider, {b.pose, b.lattices()}, {}, axis, found);
+        findContacts(a.collider, {a.pose, a.cellTransforms()}, b.collider, {b.pose, b.cellTransforms()}, {}, axis, found);
         if (found.size() < 2 || found.back().friction != 0.0f) continue;
         ++pushes;
         glm::vec3 others(0.0f);
@@ -119,7 +119,7 @@ TEST(VoxelContacts, APushOutOfWhatIsStuckFightsNoOtherContacts) {
 }
 
 /// Whatever direction the search for a gap begins with, what it leaves out could not touch.
-TEST(VoxelContacts, DoNotDependOnTheAxisThatTheyBeginWith) {
+TEST(VoxelContacts, DoNotDependOnTheInitialSeparatingAxis) {
     const Level level = voronoiPit(40);
     Random random(3);
     size_t touching = 0;
@@ -132,9 +132,9 @@ TEST(VoxelContacts, DoNotDependOnTheAxisThatTheyBeginWith) {
             againstPit ? level.bodies[0].pose : Pose{{0.2, 0.1, 0}, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
         const double speed = std::array{0.0, 1.0, 30.0}[size_t(round % 3)];
         const auto motionOf = [&](const CollisionObject& object) {
-            return Motion{object.pose, object.lattices(), anyVector(random, speed), anyVector(random, speed), object.radius};
+            return Motion{object.pose, object.cellTransforms(), anyVector(random, speed), anyVector(random, speed), object.radius};
         };
-        const Motion motionA = motionOf(a), motionB = againstPit ? Motion{b.pose, b.lattices()} : motionOf(b);
+        const Motion motionA = motionOf(a), motionB = againstPit ? Motion{b.pose, b.cellTransforms()} : motionOf(b);
         std::vector<ContactPoint> first, again;
         for (int k = 0; k < 8; ++k) {
             glm::vec3 axis = k ? glm::normalize(glm::vec3(anyVector(random, 1.0))) : glm::vec3(0.0f);

@@ -1,4 +1,4 @@
-#include "physics/water.h"
+#include "physics/water/water.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ TEST(Water, ATurnedCubeUnderWaterIsLiftedByAllOfItsVolume) {
         const float c = random.unit();
         const float h = random.unit();
         const glm::dmat3 axes = glm::mat3_cast(glm::normalize(glm::dquat(a, b - 0.5, c - 0.5, 0.3)));
-        const Lattice lattice{axes * 0.1, {0.2, -0.7 + h, 0.1}};
+        const CellTransform lattice{axes * 0.1, {0.2, -0.7 + h, 0.1}};
         Submersion sum;
         addSubmersion(part, lattice, {}, scene.world.waters().at(scene.world.waters().handleAt(0)), sum);
         double volume = 0.0;  // by points, 4 x 4 x 4 a voxel

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "physics/voxel_collider.h"
+#include "physics/shapes/voxel_collider.h"
 #include "tests/physics/baseline/box_merge.h"
 #include "tests/physics/baseline/bullet_compounds.h"
 #include "tests/physics/baseline/overlap.h"
@@ -94,7 +94,7 @@ public:
     void afterStep() {
         if (m_scene) m_scene->world.setPoses(m_scene->physics.poses());
     }
-    int pairs() const { return m_scene ? m_scene->physics.figures().pairs : m_bullet->pairs(); }
+    int pairs() const { return m_scene ? m_scene->physics.stats().pairs : m_bullet->pairs(); }
     std::vector<Pose> poses() const {
         std::vector<Pose> all;
         for (const size_t i : m_bodies) all.push_back(m_bullet->pose(i));

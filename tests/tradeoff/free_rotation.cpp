@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/contact_solver.h"
+#include "physics/solver/contact_solver.h"
 #include "tests/physics/baseline/bullet_spin.h"
 #include "tests/physics/scenes/known_scenes.h"
 #include "tests/tradeoff/physics.h"
@@ -21,10 +21,10 @@ struct Method {
     SpinStep (*make)(glm::dvec3 inertia, int substeps);
 };
 
-SpinStep ours(glm::dvec3 inertia, int substeps, bool conserves) {
+SpinStep ours(glm::dvec3 inertia, int substeps, bool conservesMomentum) {
     SolverBody body;
     body.inertia = inertia;
-    body.conserves = conserves;
+    body.conservesMomentum = conservesMomentum;
     return [body, substeps](glm::dquat& rotation, glm::dvec3& w) mutable {
         body.rotation = rotation;
         body.angularVelocity = rotation * w;

@@ -31,10 +31,10 @@ const std::vector<State>& states() {
         {"conserving rotation", "always", [](S& s) { s.rotation = RotationRule::Always; }},
         {"continuous collision", "off", [](S& s) { s.continuous = false; }},
         {"continuous collision", "by rule", [](S&) {}},
-        {"continuous collision", "always", [](S& s) { s.sweepBeyond = -1.0; }},
-        {"heavy passes", "off", [](S& s) { s.heavyPasses = 0; }},
+        {"continuous collision", "always", [](S& s) { s.sweepThreshold = -1.0; }},
+        {"heavy passes", "off", [](S& s) { s.loadBearingPasses = 0; }},
         {"heavy passes", "by rule", [](S&) {}},
-        {"heavy passes", "always", [](S& s) { s.heavyRatio = 0.0; }},
+        {"heavy passes", "always", [](S& s) { s.loadBearingRatio = 0.0; }},
         {"sleep", "off", [](S& s) { s.sleepTime = 1e9; }},
         {"sleep", "by rule", [](S&) {}},
     };

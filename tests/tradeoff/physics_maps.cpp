@@ -88,7 +88,7 @@ Judged lookAtDistance(double km, size_t row, bool) {
 Judged lookAtIncline(double degrees, double friction) {
     const double angle = glm::radians(degrees), expected = 9.81 * (std::sin(angle) - friction * std::cos(angle));
     const Slide slide = slideDown({}, degrees, 0.57, friction, 2.0);
-    if (expected <= 0.0) return judge(slide.way, 1e-3, 1e-2, fmt::format("sticks\n{:.2g} mm", slide.way * 1e3));
+    if (expected <= 0.0) return judge(slide.distance, 1e-3, 1e-2, fmt::format("sticks\n{:.2g} mm", slide.distance * 1e3));
     const double off = std::abs(slide.acceleration / expected - 1.0);
     return judge(off, 0.01, 0.05, fmt::format("slides\n{:.2g} %", off * 100.0));
 }

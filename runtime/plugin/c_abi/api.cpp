@@ -181,7 +181,7 @@ rubble_result figures(rubble_world world, rubble_figures* out) {
     return guarded("figures", [&] {
         const auto hosted = Registry::instance().world(world);
         FrameLoop& loop = hosted->loop;
-        const PhysicsFigures physics = loop.physics().figures();
+        const PhysicsStats physics = loop.physics().stats();
         const StageTimes& times = loop.times();
         rubble_figures rows = {};
         rows.bodies = uint32_t(physics.bodies);

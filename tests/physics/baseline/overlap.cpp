@@ -36,9 +36,9 @@ std::vector<glm::ivec3> surfaceCells(const VoxelGrid& grid) {
     return cells;
 }
 
-/// Whether any cell within `reach` of a point is solid.
-bool anySolid(const VoxelGrid& grid, const glm::dvec3& p, double reach) {
-    const glm::ivec3 low = glm::max(glm::ivec3(glm::floor(p - reach)), 0), high = glm::min(glm::ivec3(glm::floor(p + reach)), grid.size() - 1);
+/// Whether any cell within `radius` of a point is solid.
+bool anySolid(const VoxelGrid& grid, const glm::dvec3& p, double radius) {
+    const glm::ivec3 low = glm::max(glm::ivec3(glm::floor(p - radius)), 0), high = glm::min(glm::ivec3(glm::floor(p + radius)), grid.size() - 1);
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
             for (int x = low.x; x <= high.x; ++x)
@@ -51,10 +51,10 @@ double depthAt(const VoxelGrid& grid, const glm::dvec3& p) {
     const glm::ivec3 cell(glm::floor(p));
     if (!grid.at(cell)) return 0.0;
     double best = 1e9;
-    for (int reach = 1; best > 1e8; ++reach)  // all cells nearer than `reach` are in the box
-        for (int z = -reach; z <= reach; ++z)
-            for (int y = -reach; y <= reach; ++y)
-                for (int x = -reach; x <= reach; ++x) {
+    for (int radius = 1; best > 1e8; ++radius)  // all cells nearer than `radius` are in the box
+        for (int z = -radius; z <= radius; ++z)
+            for (int y = -radius; y <= radius; ++y)
+                for (int x = -radius; x <= radius; ++x) {
                     const glm::ivec3 next = cell + glm::ivec3(x, y, z);
                     if (grid.at(next)) continue;
                     const glm::dvec3 d = glm::max(glm::max(glm::dvec3(next) - p, p - glm::dvec3(next + 1)), 0.0);

@@ -35,7 +35,7 @@ struct Item {
     BodyHandle handle;
     bool isStatic = false, held = false;
     glm::dvec3 center{0.0};
-    double reach = 1.0;
+    double radius = 1.0;
     std::vector<std::pair<size_t, Wrench>> pushes;  ///< by which other body
     std::vector<size_t> touched;
 };
@@ -66,17 +66,17 @@ std::vector<glm::dvec3> edgePoints(const VoxelGrid& grid, double size) {
     return points;
 }
 
-/// Where a point (in cells) within `reach` cells of the solid is pushed to; false if it is farther.
-bool wayOut(const VoxelGrid& grid, const glm::dvec3& p, double reach, glm::dvec3& out) {
-    const glm::ivec3 own(glm::floor(p)), low(glm::floor(p - reach)), high(glm::floor(p + reach));
+/// Where a point (in cells) within `radius` cells of the solid is pushed to; false if it is farther.
+bool nearestExit(const VoxelGrid& grid, const glm::dvec3& p, double radius, glm::dvec3& out) {
+    const glm::ivec3 own(glm::floor(p)), low(glm::floor(p - radius)), high(glm::floor(p + radius));
     double nearest = 1e9;
     if (grid.at(own)) {
         for (int i = 0; i < 6; ++i) {
             glm::ivec3 d(0);
             d[i / 2] = i % 2 * 2 - 1;
             if (grid.at(own + d)) continue;
-            const double way = d[i / 2] > 0 ? double(own[i / 2] + 1) - p[i / 2] : p[i / 2] - double(own[i / 2]);
-            if (way < nearest) nearest = way, out = glm::dvec3(d);
+            const double distance = d[i / 2] > 0 ? double(own[i / 2] + 1) - p[i / 2] : p[i / 2] - double(own[i / 2]);
+            if (distance < nearest) nearest = distance, out = glm::dvec3(d);
         }
         return nearest < 1e8;
     }
@@ -85,10 +85,10 @@ bool wayOut(const VoxelGrid& grid, const glm::dvec3& p, double reach, glm::dvec3
             for (int x = low.x; x <= high.x; ++x) {
                 if (!grid.at({x, y, z})) continue;
                 const glm::dvec3 cell(x, y, z), d = p - glm::clamp(p, cell, cell + 1.0);
-                const double way = glm::length(d);
-                if (way < nearest) nearest = way, out = way > 1e-9 ? d / way : glm::dvec3(0.0);
+                const double distance = glm::length(d);
+                if (distance < nearest) nearest = distance, out = distance > 1e-9 ? d / distance : glm::dvec3(0.0);
             }
-    return nearest <= reach && out != glm::dvec3(0.0);
+    return nearest <= radius && out != glm::dvec3(0.0);
 }
 
 /// Adds what `from`'s points feel of `into`: four forces about each normal, on both bodies.
@@ -99,7 +99,7 @@ void touch(const Part& from, const Part& into, std::vector<Item>& items) {
         const glm::dvec3 at = from.pose.transformPoint(point);
         if (glm::any(glm::lessThan(at, into.low - kNear)) || glm::any(glm::greaterThan(at, into.high + kNear))) continue;
         glm::dvec3 normal;
-        if (!wayOut(*into.grid, into.pose.inversePoint(at) / into.size, kNear / into.size, normal)) continue;
+        if (!nearestExit(*into.grid, into.pose.inversePoint(at) / into.size, kNear / into.size, normal)) continue;
         any = true;
         normal = into.pose.rotation * normal;
         const glm::dvec3 across = glm::normalize(std::abs(normal.x) > 0.5 ? glm::dvec3(normal.y, -normal.x, 0) : glm::dvec3(0, normal.z, -normal.y));
@@ -107,7 +107,7 @@ void touch(const Part& from, const Part& into, std::vector<Item>& items) {
         for (const glm::dvec3& side : {across, -across, other, -other}) {
             const glm::dvec3 force = normal + side;
             const auto wrench = [&](const Item& item, const glm::dvec3& f) {
-                const glm::dvec3 torque = glm::cross(at - item.center, f) / item.reach;
+                const glm::dvec3 torque = glm::cross(at - item.center, f) / item.radius;
                 return Wrench{f.x, f.y, f.z, torque.x, torque.y, torque.z};
             };
             if (!a.isStatic) a.pushes.emplace_back(into.body, wrench(a, force));
@@ -179,7 +179,7 @@ std::vector<BodyHandle> findUnsupported(const World& world) {
         Item item{.handle = handle, .isStatic = body.isStatic, .held = true};
         if (!body.isStatic) item.center = body.pose.transformPoint(world.bodyMass(handle).center);
         for (Part& part : partsOf(world, body, items.size())) {
-            item.reach = std::max(0.1, 0.25 * glm::length(part.high - part.low));
+            item.radius = std::max(0.1, 0.25 * glm::length(part.high - part.low));
             parts.push_back(std::move(part));
         }
         items.push_back(std::move(item));

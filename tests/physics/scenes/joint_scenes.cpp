@@ -226,10 +226,10 @@ Pulley hangOver(const PhysicsSettings& settings) {
     rope.joint.rope.points = 25;
     rope.joint.rope.length = 5.2;
     for (int i = 0; i < 25; ++i) {  // up, over the beam, and down
-        const double way = 5.2 * i / 24.0;
-        const glm::dvec3 place = way < 2.9   ? glm::dvec3(-0.35 + 0.15 * way / 2.9, 2.4 + way, 0.0)
-                                 : way < 3.4 ? glm::dvec3(-0.2 + (way - 2.9), 5.3, 0.0)
-                                             : glm::dvec3(0.3, 5.3 - (way - 3.4), 0.0);
+        const double along = 5.2 * i / 24.0;
+        const glm::dvec3 place = along < 2.9   ? glm::dvec3(-0.35 + 0.15 * along / 2.9, 2.4 + along, 0.0)
+                                 : along < 3.4 ? glm::dvec3(-0.2 + (along - 2.9), 5.3, 0.0)
+                                             : glm::dvec3(0.3, 5.3 - (along - 3.4), 0.0);
         rope.joint.points.push_back({place});
     }
     scene.load();

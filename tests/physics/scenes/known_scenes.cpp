@@ -138,7 +138,7 @@ Tower stack(const PhysicsSettings& settings, int cubes, double seconds) {
         tower.aside = std::max({tower.aside, std::abs(c.x - 0.25), std::abs(c.z - 0.25)});
         tower.fastest = std::max(tower.fastest, double(glm::length(scene.body(i).velocity)));
     }
-    tower.awake = scene.physics.figures().awake;
+    tower.awake = scene.physics.stats().awake;
     return tower;
 }
 

@@ -24,7 +24,7 @@ struct FreeSpin {
 FreeSpin spinFreely(const PhysicsSettings& settings, VoxelGrid grid, glm::dvec3 angularVelocity, double seconds);
 /// The T-handle of the space station, in voxels.
 VoxelGrid tHandle();
-/// The same of any way to turn a body: `step` takes rotation and angular velocity (both in principal axes) 1/60 s further.
+/// The same of any distance to turn a body: `step` takes rotation and angular velocity (both in principal axes) 1/60 s further.
 using SpinStep = std::function<void(glm::dquat& rotation, glm::dvec3& angularVelocityInBody)>;
 FreeSpin spinBy(const SpinStep& step, glm::dvec3 inertia, glm::dvec3 angularVelocityInBody, double seconds);
 /// The same by Runge and Kutta's method in double, `substeps` of 1/60 s, of a body of these moments (principal axes).
@@ -33,14 +33,14 @@ FreeSpin spinReference(glm::dvec3 inertia, glm::dvec3 angularVelocityInBody, dou
 
 /// A block on a plane of friction 0.6, tilted by `degrees`, its side turned by `heading` radians about the plane's normal.
 struct Slide {
-    double way = 0.0;           ///< metres within the last second of `seconds`
+    double distance = 0.0;           ///< metres within the last second of `seconds`
     double acceleration = 0.0;  ///< m/s2, over the second half
 };
 Slide slideDown(const PhysicsSettings& settings, double degrees, double heading, double friction, double seconds);
 
 /// A tower of cubes of half a metre. Of the tower after `seconds`:
 struct Tower {
-    double lower = 0.0;    ///< how much lower its top is than if nothing gave way, metres
+    double lower = 0.0;    ///< how much lower its top is than if nothing gave distance, metres
     double aside = 0.0;    ///< farthest that any cube is from the axis, metres
     double fastest = 0.0;  ///< m/s
     int awake = 0;

@@ -147,7 +147,7 @@ TEST(FrameLoop, UndoBringsTheTowerBackWhileItFalls) {
     EXPECT_EQ(loop.world().voxelHash(), voxels);
     for (int step = 0; step < 20; ++step) loop.step();
     EXPECT_EQ(loop.world().voxelHash(), voxels);
-    EXPECT_EQ(loop.physics().figures().bodies, 0);
+    EXPECT_EQ(loop.physics().stats().bodies, 0);
 }
 
 TEST(FrameLoop, ARecordingThatCannotBeWrittenIsAnError) {

@@ -1,0 +1,143 @@
+#include "physics/bodies/dynamic_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+bool finiteBelow(glm::dvec3 v, double limit) {
+    return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.z) < limit;
+}
+
+/// False if it is shorter than `most` already.
+bool shorten(glm::dvec3& v, double most) {
+    const double length2 = glm::dot(v, v);
+    if (length2 <= most * most * (1.0 + 1e-9)) return false;  // what has been shortened is not too long
+    v *= most / std::sqrt(length2);
+    return true;
+}
+
+Pose inverse(const Pose& pose) {
+    const glm::dquat rotation = glm::conjugate(pose.rotation);
+    return {-(rotation * pose.position), rotation};
+}
+
+}  // namespace
+
+DynamicBody::DynamicBody(const World& world, BodyHandle handle) : m_handle(handle), m_shapes(world.bodies().at(handle).shapes) {
+    for (const ShapeHandle shape : m_shapes)
+        object.collider.parts.push_back(std::make_unique<VoxelPart>(world.shapes().at(shape), Pose{}, world.materials()));
+    object.body = object.number = handle.slot();
+    object.dynamic = this;
+    takeState(world);
+}
+
+void DynamicBody::takeState(const World& world) {
+    const Body& body = world.bodies().at(m_handle);
+    m_mass = world.bodyMass(m_handle);
+    if (!(m_mass.mass > 0.0)) {  // nothing but weightless materials: it must weigh something to be moved
+        m_mass = MassProperties{};
+        m_mass.mass = 1.0;
+        m_mass.principalInertia = glm::dvec3(1.0);
+    }
+    const double weight = std::clamp(m_mass.mass, limits::kMinMass, limits::kMaxMass);
+    m_hasOddMass = weight != m_mass.mass;
+    m_mass.principalInertia *= weight / m_mass.mass;
+    m_mass.mass = weight;
+    m_state = {m_handle, body.pose, body.velocity, body.angularVelocity, body.asleep};
+    const Pose centerInBody{m_mass.center, m_mass.principalAxes};
+    m_bodyInCenter = inverse(centerInBody);
+
+    const Pose center = body.pose * centerInBody;
+    motion = {};
+    motion.position = center.position;
+    motion.rotation = center.rotation;
+    motion.velocity = body.velocity;
+    motion.angularVelocity = body.angularVelocity;
+    motion.inertia = m_mass.principalInertia;
+    motion.inverseMass = 1.0 / m_mass.mass;
+
+    for (size_t i = 0; i < m_shapes.size(); ++i) object.collider.parts[i]->setFrame(m_bodyInCenter * world.shapes().at(m_shapes[i]).local);
+    object.radius = object.collider.radius();
+    setPose();
+    glm::dvec3 low, high;
+    object.collider.bounds(low, high);
+    m_minHalfExtent = 0.5 * std::min({high.x - low.x, high.y - low.y, high.z - low.z});
+    motion.minHalfExtent = m_minHalfExtent;
+}
+
+bool DynamicBody::updateShape(const World& world, const FrameChanges& changes) {
+    if (m_quarantined || world.bodies().at(m_handle).shapes != m_shapes) return false;
+    for (size_t i = 0; i < m_shapes.size(); ++i)
+        if (world.shapes().at(m_shapes[i]).grid.size() != object.collider.parts[i]->grid().size()) return false;
+    std::vector<glm::ivec3> bricks;
+    for (size_t i = 0; i < m_shapes.size(); ++i) {
+        if (std::find(changes.carved.begin(), changes.carved.end(), m_shapes[i]) == changes.carved.end()) continue;
+        changedBricks(changes, m_shapes[i], bricks);
+        object.collider.parts[i]->update(world.shapes().at(m_shapes[i]), bricks, world.materials());
+    }
+    takeState(world);
+    object.isNew = true;
+    slowSeconds = 0.0;
+    touching = false;
+    setAsleep(false);
+    return true;
+}
+
+void DynamicBody::setFilter(ShapeHandle shape, CollisionFilter filter) {
+    for (size_t i = 0; i < m_shapes.size(); ++i)
+        if (m_shapes[i] == shape) object.collider.parts[i]->setFilter(filter);
+}
+
+void DynamicBody::setAsleep(bool asleep) {
+    m_asleep = asleep;
+    sleepersTouched.clear();
+    newlyAwake = true;
+    settled = settled && asleep;
+    if (!asleep) return sleepTimer.restart(pose());
+    motion.velocity = motion.angularVelocity = glm::dvec3(0.0);
+}
+
+bool DynamicBody::finite() const {
+    const glm::dquat& q = motion.rotation;
+    return finiteBelow(motion.position, 1e300) && finiteBelow(motion.velocity, limits::kInvalidSpeed) &&
+           finiteBelow(motion.angularVelocity, limits::kInvalidSpeed) && finiteBelow({q.x, q.y, q.z}, 2.0) && std::abs(q.w) < 2.0;
+}
+
+bool DynamicBody::isFartherThan(double distance, glm::dvec3 origin) const {
+    return !finiteBelow(motion.position - origin, distance);
+}
+
+bool DynamicBody::clamp(LimitCounts& counts) {
+    const bool speed = shorten(motion.velocity, limits::kMaxSpeed), spin = shorten(motion.angularVelocity, limits::kMaxAngularSpeed);
+    counts[size_t(LimitKind::Speed)] += speed;
+    counts[size_t(LimitKind::Spin)] += spin;
+    const bool mass = std::exchange(m_hasOddMass, false);
+    counts[size_t(LimitKind::Mass)] += mass;
+    return speed || spin || mass;
+}
+
+void DynamicBody::restore() {
+    const Pose center = m_state.pose * inverse(m_bodyInCenter);
+    motion.position = center.position;
+    motion.rotation = center.rotation;
+    motion.velocity = motion.angularVelocity = glm::dvec3(0.0);
+    setPose();
+}
+
+bool DynamicBody::refresh() {
+    const BodyPose now{m_handle, bodyPose(), motion.velocity, motion.angularVelocity, m_asleep};
+    const bool differs = !(now.pose == m_state.pose && now.velocity == m_state.velocity && now.angularVelocity == m_state.angularVelocity &&
+                           now.asleep == m_state.asleep);
+    m_state = now;
+    return differs;
+}
+
+void DynamicBody::applyImpulse(glm::dvec3 impulse, glm::dvec3 position) {
+    motion.velocity += impulse * motion.inverseMass;
+    motion.angularVelocity += worldInverseInertia(motion) * glm::cross(position - motion.position, impulse);
+}
+
+}  // namespace rubble

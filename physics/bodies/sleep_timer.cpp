@@ -1,0 +1,35 @@
+#include "physics/bodies/sleep_timer.h"
+
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+/// Of rotations a few hundredths of a radian apart: the chord between unit quaternions is 2 sin(angle / 4).
+bool within(const Pose& a, const Pose& b, double radius, double angle) {
+    const glm::dvec3 displacement = a.position - b.position;
+    if (glm::dot(displacement, displacement) > radius * radius) return false;
+    const double cosine = std::abs(glm::dot(a.rotation, b.rotation));
+    return 2.0 - 2.0 * cosine <= 0.25 * angle * angle;
+}
+
+}  // namespace
+
+void SleepTimer::restart(const Pose& now) {
+    m_restPose = m_movedPose = now;
+    m_restTime = 0.0;
+}
+
+double SleepTimer::restTime(const Pose& now, double radius, double angle, double seconds) {
+    if (within(now, m_restPose, radius, angle)) return m_restTime += seconds;
+    m_restPose = now;
+    return m_restTime = 0.0;
+}
+
+bool SleepTimer::hasMoved(const Pose& now, double radius, double angle) {
+    if (within(now, m_movedPose, radius, angle)) return false;
+    m_movedPose = now;
+    return true;
+}
+
+}  // namespace rubble

@@ -1,0 +1,145 @@
+#include "physics/collision/depenetration.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rubble {
+namespace {
+
+constexpr float kMaxDetour = 0.15f;  ///< cells by which a displacement out may be longer than one that a feature does not accept
+constexpr int kMaxDepth = 4;       ///< cells below a surface that a displacement out is looked for
+
+/// A point in a notch: its cell has no exposed face, but a cell over an edge or a corner is empty. Of the planes that meet
+/// there it is behind all: the one that it is deepest behind, of the closest such cell.
+Face nearestExitFaceOfNotch(Occupancy& occupancy, Cell cell, const glm::vec3& p, const FeatureQuery& query) {
+    Face best;
+    float closest = 1e9f;
+    for (int i = 0; i < 27; ++i) {
+        const Cell d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        if (d.x * d.x + d.y * d.y + d.z * d.z < 2) continue;
+        float distance = 0.0f, deepest = -1.0f;
+        int axis = -1;
+        for (int k = 0; k < 3; ++k) {
+            if (!d[k]) continue;
+            const float displacement = distanceToSide(cell, p, k, d[k]);
+            distance += displacement * displacement;
+            if (displacement > deepest && query.accepts(k, float(d[k]))) deepest = displacement, axis = k;
+        }
+        if (axis < 0 || distance >= closest || occupancy.solid(cell + d)) continue;
+        closest = distance;
+        best = {axis, float(d[axis]), -deepest, cell};
+    }
+    return best;
+}
+
+/// Amanatides and Woo's walk through the cells on a displacement: `next` is where, in shares of the displacement, it leaves the cell by each axis.
+struct CellWalk {
+    Cell cell, step;
+    glm::vec3 next, delta;
+
+    CellWalk(Cell from, const glm::vec3& p, const glm::vec3& displacement) : cell(from) {
+        for (int axis = 0; axis < 3; ++axis) {
+            step[axis] = displacement[axis] > 0 ? 1 : -1;
+            delta[axis] = displacement[axis] != 0.0f ? std::abs(1.0f / displacement[axis]) : 1e30f;
+            next[axis] = displacement[axis] != 0.0f ? distanceToSide(cell, p, axis, step[axis]) * delta[axis] : 1e30f;
+        }
+    }
+    int axis() const { return next.x < next.y ? (next.x < next.z ? 0 : 2) : (next.y < next.z ? 1 : 2); }
+    void cross(int side) {
+        cell[side] += step[side];
+        next[side] += delta[side];
+    }
+};
+
+}  // namespace
+
+Face nearestExitFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const FeatureQuery& query) {
+    Face best;
+    best.separation = -1e9f;
+    float shortestExit = -1e9f;  // of all faces, whatever the feature accepts
+    for (int crossed = 0; crossed < kMaxDepth; ++crossed) {
+        for (int axis = 0; axis < 3; ++axis)
+            for (const int sign : {-1, 1}) {
+                const float separation = -distanceToSide(cell, p, axis, sign) - float(crossed);
+                if (separation <= best.separation) continue;
+                Cell owner = cell;
+                owner[axis] += sign * crossed;
+                Cell next = owner;
+                next[axis] += sign;
+                if (occupancy.solid(next)) continue;
+                shortestExit = std::max(shortestExit, separation);
+                if (query.accepts(axis, float(sign))) best = {axis, float(sign), separation, owner};
+            }
+        if (shortestExit > best.separation + kMaxDetour) return {};
+        if (best.axis < 0 && crossed == 0) best = nearestExitFaceOfNotch(occupancy, cell, p, query);
+        if (best.axis >= 0) return best;
+        best.separation = -1e9f;
+    }
+    return best;
+}
+
+float depthBelowSurface(Occupancy& occupancy, Cell cell, const glm::vec3& p) {
+    float depth = 1.5f;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int sign : {-1, 1}) {
+            Cell next = cell;
+            next[axis] += sign;
+            if (!occupancy.solid(next)) depth = std::min(depth, distanceToSide(cell, p, axis, sign));
+        }
+    return depth;
+}
+
+Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float margin, const FeatureQuery& query) {
+    Face best;
+    best.separation = margin;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int sign : {-1, 1}) {
+            const float away = sign > 0 ? p[axis] - float(cell[axis]) : float(cell[axis] + 1) - p[axis];
+            if (away >= best.separation || !query.accepts(axis, float(sign))) continue;
+            Cell below = cell;
+            below[axis] -= sign;
+            if (occupancy.solid(below)) best = {axis, float(sign), away, below};
+        }
+    return best;
+}
+
+Face sweepToFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm::vec3& displacement, const FeatureQuery& query) {
+    bool wasInside = occupancy.solid(cell);
+    for (CellWalk walk(cell, p, displacement);;) {
+        const int axis = walk.axis();
+        if (!(walk.next[axis] <= 1.0f)) return {};
+        walk.cross(axis);
+        const bool isInside = occupancy.solid(walk.cell), enters = isInside && !wasInside;
+        wasInside = isInside;
+        if (!enters) continue;
+        const float sign = float(-walk.step[axis]);
+        if (!query.accepts(axis, sign)) return {};
+        const float plane = float(sign > 0 ? walk.cell[axis] + 1 : walk.cell[axis]);
+        return {axis, sign, (p[axis] - plane) * sign, walk.cell};
+    }
+}
+
+bool findSolidInterval(Occupancy& occupancy, const FeatureQuery& query, float& from, float& to) {
+    const glm::vec3 displacement = query.along * query.length, start = query.point - displacement * 0.5f;
+    CellWalk walk(cellOf(start), start, displacement);
+    bool inside = occupancy.solid(walk.cell), any = inside, all = inside;
+    from = 0.0f, to = 1.0f;
+    for (;;) {
+        const int axis = walk.axis();
+        const float t = walk.next[axis];
+        if (!(t < 1.0f)) break;
+        walk.cross(axis);
+        const bool now = occupancy.solid(walk.cell);
+        all = all && now;
+        if (now == inside) continue;
+        if (now && !any) from = t;
+        if (!now) {
+            to = t;
+            break;  // the first stretch is enough
+        }
+        inside = any = true;
+    }
+    from -= 0.5f, to -= 0.5f;
+    return any && !all;
+}
+}  // namespace rubble

@@ -1,0 +1,65 @@
+#include "physics/collision/impacts.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "physics/bodies/dynamic_body.h"
+
+namespace rubble {
+namespace {
+
+glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point) {
+    if (!object.dynamic || object.dynamic->asleep()) return glm::dvec3(0.0);
+    const SolverBody& motion = object.dynamic->motion;
+    return motion.velocity + glm::cross(motion.angularVelocity, point - motion.position);
+}
+
+}  // namespace
+
+glm::dvec3 approachVelocity(const Manifold& manifold, double seconds) {
+    double fastest = 0.0;
+    glm::dvec3 away(0.0);
+    for (const ManifoldPoint& point : manifold.all()) {
+        const glm::dvec3 position = manifold.origin + glm::dvec3(point.position), normal(point.normal);
+        const glm::dvec3 relative = velocityAt(*manifold.objects.first, position) - velocityAt(*manifold.objects.second, position);
+        const double speed = -glm::dot(relative, normal);
+        if (speed * seconds > double(point.separation) && speed > fastest) fastest = speed, away = normal * speed;
+    }
+    return away;
+}
+
+void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double threshold, const std::vector<BodyHandle>& handles,
+                 std::vector<Impact>& out) {
+    struct Hit {
+        uint32_t body, other;         ///< slots; body > other unless other is static
+        glm::dvec3 position, normal;  ///< weighted by impulse
+        double impulse, speed;
+    };
+    std::vector<Hit> hits;
+    for (const Manifold* manifold : manifolds) {
+        double approach = 0.0, total = 0.0;
+        glm::dvec3 position(0.0), normal(0.0);
+        for (const ManifoldPoint& point : manifold->all()) {
+            if (!(point.totalImpulse > 0.0f)) continue;
+            approach = std::max(approach, double(point.approach));
+            total += double(point.totalImpulse);
+            position += (manifold->origin + glm::dvec3(point.position)) * double(point.totalImpulse);
+            normal += glm::dvec3(point.normal) * double(point.totalImpulse);
+        }
+        if (!(approach > minSpeed)) continue;
+        hits.push_back({manifold->objects.first->body, manifold->objects.second->body, position, normal, total, approach});
+    }
+    std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return std::tie(a.body, a.other) < std::tie(b.body, b.other); });
+    for (size_t i = 0; i < hits.size();) {  // several shapes of one static body are one hit
+        Hit sum = hits[i++];
+        for (; i < hits.size() && hits[i].body == sum.body && hits[i].other == sum.other; ++i)
+            sum.position += hits[i].position, sum.normal += hits[i].normal, sum.impulse += hits[i].impulse,
+                sum.speed = std::max(sum.speed, hits[i].speed);
+        if (sum.impulse < threshold) continue;
+        const double length = glm::length(sum.normal);
+        out.push_back({handles[sum.body], handles[sum.other], sum.position / sum.impulse,
+                       length > 0.0 ? sum.normal / length : glm::dvec3(0.0, 1.0, 0.0), sum.impulse, sum.speed});
+    }
+}
+
+}  // namespace rubble

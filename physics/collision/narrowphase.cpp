@@ -1,0 +1,132 @@
+#include "physics/collision/narrowphase.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "physics/bodies/dynamic_body.h"
+
+namespace rubble {
+namespace {
+
+constexpr size_t kPairsPerBatch = 32;  ///< pairs
+constexpr float kUnlimited = 1e9f;
+constexpr double kMaxCachedMotion = 0.05;  ///< margins that two may move against each other before their contacts are found anew
+
+template <class T>
+bool isBefore(const T& a, const T& b) {
+    return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+}
+bool isListedBefore(const Manifold* a, const Manifold* b) {
+    return isBefore(*a, *b);
+}
+
+Motion motionOf(const CollisionObject& object) {
+    Motion motion{.pose = object.pose, .cellTransforms = object.cellTransforms(), .radius = object.radius};
+    if (!object.dynamic || object.dynamic->asleep()) return motion;
+    motion.velocity = object.dynamic->motion.velocity + object.dynamic->secondaryVelocity;
+    motion.angularVelocity = object.dynamic->motion.angularVelocity;
+    return motion;
+}
+
+}  // namespace
+
+void Narrowphase::begin() {
+    m_now ^= 1;
+    Set& set = m_sets[m_now];
+    set.list.clear();
+    set.pairs.clear();
+    set.usedBatches = 0;
+}
+
+void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettings& settings, const Pair* before, Batch& batch, Pair& pair) {
+    const auto [first, second] = objects;
+    const Motion firstMotion = motionOf(*first), secondMotion = motionOf(*second);
+    const bool isKnown = before && before->firstVersion == first->version && before->secondVersion == second->version;
+    const bool isSlow = maxRelativeDisplacement(firstMotion, secondMotion, settings.seconds) <= settings.margin;
+    const RelativePose place = relativePose(first->pose, second->pose);
+    const auto makeManifold = [&]() -> Manifold& {
+        Manifold& manifold = batch.manifolds[batch.used++];
+        pair.manifold = &manifold;
+        return manifold;
+    };
+    if (isKnown && isSlow && before->isCacheable && maxPointDisplacement(before->place, place, first->radius) < kMaxCachedMotion * settings.margin) {
+        pair = *before;
+        if (before->manifold) updateCachedContacts(makeManifold() = *before->manifold, before->place, place, first->pose, second->pose);
+        return;
+    }
+    pair = {first->number, second->number, first->version, second->version};
+    if (before) pair.axis = before->axis;
+    batch.contacts.clear();
+    pair.isCacheable = findContacts(first->collider, firstMotion, second->collider, secondMotion, settings, pair.axis, batch.contacts) && isSlow;
+    pair.place = place;
+    if (batch.contacts.empty()) return;
+    Manifold& manifold = makeManifold();
+    manifold.first = first->number;
+    manifold.second = second->number;
+    manifold.origin = first->pose.position;
+    manifold.objects = {first, second};
+    const bool inherits = before && !first->isNew && !second->isNew;
+    reduceContacts(batch.contacts, inherits ? before->manifold : nullptr, manifold);
+    cacheContacts(manifold, first->pose, second->pose);
+    manifold.allowedPenetration = 0.0f;
+    if (!second->dynamic) updateAllowedPenetration(manifold, !before ? kUnlimited : before->manifold ? before->manifold->allowedPenetration : 0.0f);
+}
+
+void Narrowphase::collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch, std::span<Pair> out) const {
+    const std::vector<Pair>& known = m_sets[m_now ^ 1].pairs;
+    batch.used = 0;
+    if (batch.manifolds.size() < pairs.size()) batch.manifolds.resize(pairs.size());
+    auto next = known.end();
+    for (size_t i = 0; i < pairs.size(); ++i) {
+        Pair& pair = out[i];
+        pair.first = pairs[i].first->number, pair.second = pairs[i].second->number;
+        if (i == 0) next = std::lower_bound(known.begin(), known.end(), pair, isBefore<Pair>);
+        while (next != known.end() && isBefore(*next, pair)) ++next;
+        const bool isKnown = next != known.end() && !isBefore(pair, *next);
+        collidePair(pairs[i], settings, isKnown ? &*next : nullptr, batch, pair);
+    }
+}
+
+void Narrowphase::collide(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, const ParallelFor& parallelFor) {
+    Set& set = m_sets[m_now];
+    const size_t batches = (pairs.size() + kPairsPerBatch - 1) / kPairsPerBatch, firstBatch = set.usedBatches;
+    set.usedBatches += batches;
+    while (set.batches.size() < set.usedBatches) set.batches.push_back(std::make_unique<Batch>());
+    const size_t firstPair = set.pairs.size();
+    set.pairs.resize(firstPair + pairs.size());
+    parallelFor(batches, [&](size_t i) {
+        const size_t from = i * kPairsPerBatch, count = std::min(kPairsPerBatch, pairs.size() - from);
+        collideBatch(pairs.subspan(from, count), settings, *set.batches[firstBatch + i], std::span(set.pairs).subspan(firstPair + from, count));
+    });
+    for (size_t i = firstBatch; i < set.usedBatches; ++i)
+        for (size_t m = 0; m < set.batches[i]->used; ++m) set.list.push_back(&set.batches[i]->manifolds[m]);
+    if (!firstBatch) return;
+    std::sort(set.list.begin(), set.list.end(), isListedBefore);
+    std::sort(set.pairs.begin(), set.pairs.end(), isBefore<Pair>);
+}
+
+void Narrowphase::collideAgain(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings) {
+    Set& set = m_sets[m_now];
+    if (set.batches.size() == set.usedBatches) set.batches.push_back(std::make_unique<Batch>());
+    Batch& batch = *set.batches[set.usedBatches++];
+    batch.used = 0;
+    if (batch.manifolds.size() < pairs.size()) batch.manifolds.resize(pairs.size());
+    const size_t known = set.pairs.size();
+    for (const ObjectPair& objects : pairs) {
+        Pair pair;
+        pair.first = objects.first->number, pair.second = objects.second->number;
+        const auto end = set.pairs.begin() + std::ptrdiff_t(known), at = std::lower_bound(set.pairs.begin(), end, pair, isBefore<Pair>);
+        const bool isKnown = at != end && !isBefore(pair, *at);
+        if (isKnown && at->manifold) continue;
+        collidePair(objects, settings, isKnown ? &*at : nullptr, batch, pair);
+        if (isKnown)
+            *at = pair;
+        else
+            set.pairs.push_back(pair);
+    }
+    for (size_t m = 0; m < batch.used; ++m) set.list.push_back(&batch.manifolds[m]);
+    std::sort(set.list.begin(), set.list.end(), isListedBefore);
+    std::sort(set.pairs.begin(), set.pairs.end(), isBefore<Pair>);
+}
+
+}  // namespace rubble

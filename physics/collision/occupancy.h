@@ -1,0 +1,65 @@
+#pragma once
+#include <algorithm>
+#include <glm/common.hpp>
+
+#include "physics/shapes/voxel_collider.h"
+
+namespace rubble {
+
+using Cell = glm::ivec3;
+
+/// Rounds down; without SSE 4.1, std::floor is a call.
+inline int floorOf(float v) {
+    const int i = int(v);
+    return i - (float(i) > v);
+}
+inline Cell cellOf(const glm::vec3& p) {
+    return {floorOf(p.x), floorOf(p.y), floorOf(p.z)};
+}
+
+/// Which cells of a part are solid; remembers the last brick of a large one.
+class Occupancy {
+public:
+    explicit Occupancy(const VoxelPart& part) : m_part(part), m_grid(part.grid()), m_whole(part.whole() ? &part.whole()->rows : nullptr) {}
+
+    /// False if no cell of a box, both ends included, is solid; in a large part, large boxes are not looked at closely.
+    bool mayContainSolid(Int4 low, Int4 high) { return m_whole ? m_whole->any(low, high) : mayContainSolidNear(low, high); }
+    /// False if no brick that a box of cells reaches into holds anything; large boxes are not looked at closely.
+    bool mayContainBrick(Int4 from, Int4 to) const {
+        if (m_whole) return m_whole->any(from, to);
+        Cell low(from[0], from[1], from[2]), high(to[0], to[1], to[2]);
+        low = glm::max(low, Cell(0)) >> 3, high = glm::min(high, m_grid.size() - 1) >> 3;
+        if (std::max({high.x - low.x, high.y - low.y, high.z - low.z}) > 3) return true;
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y)
+                for (int x = low.x; x <= high.x; ++x)
+                    if (m_grid.brickAt({x, y, z})) return true;
+        return false;
+    }
+    bool solid(Cell c) {
+        if (m_whole) return m_whole->solid(c);
+        if (!m_grid.contains(c)) return false;
+        const Cell brick = c >> 3;
+        if (brick != m_at) m_at = brick, m_brick = m_grid.brickAt(brick);
+        return m_brick && m_brick->solid(voxelIndex(c & 7));
+    }
+
+private:
+    bool mayContainSolidNear(Int4 from, Int4 to) {
+        const Cell low(from[0], from[1], from[2]), high(to[0], to[1], to[2]);
+        const Cell brick = glm::clamp(low, Cell(0), m_grid.size() - 1) >> 3, last = brick * kBrickSize + kBrickSize + SolidRows::kPadding - 1;
+        if (glm::any(glm::greaterThan(low, last)) || glm::any(glm::lessThan(high, last - (kBrickSize + 2 * SolidRows::kPadding - 1)))) return false;
+        if (glm::any(glm::greaterThan(high, last))) return true;
+        if (brick != m_nearAt) m_nearAt = brick, m_near = &m_part.rows(brick);
+        return m_near->any(from, to);
+    }
+
+    const VoxelPart& m_part;
+    const VoxelGrid& m_grid;
+    const SolidRows* m_whole;
+    Cell m_at{-1}, m_nearAt{-1};
+    const Brick* m_brick = nullptr;
+    const SolidRows* m_near = nullptr;
+};
+
+}  // namespace rubble

@@ -1,0 +1,70 @@
+#include "physics/solver/constraint_coloring.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace rubble {
+namespace {
+
+constexpr uint32_t kColors = 4;
+
+/// The axis along which these are the farthest from their middle.
+int widestAxis(std::span<const SolverBody> bodies, std::span<const std::pair<double, uint32_t>> touching) {
+    glm::dvec3 sum(0.0), spread(0.0);
+    for (const auto& [place, body] : touching) sum += bodies[body].position;
+    const glm::dvec3 middle = sum / double(touching.size());
+    for (const auto& [place, body] : touching) spread += glm::abs(bodies[body].position - middle);
+    return spread.x >= spread.z ? (spread.x >= spread.y ? 0 : 1) : (spread.z >= spread.y ? 2 : 1);
+}
+
+}  // namespace
+
+void ConstraintColoring::assignStrips(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> pairs, size_t strips) {
+    m_strip.assign(bodies.size(), 0);
+    for (const auto& [a, b] : pairs) m_strip[size_t(a)] = m_strip[size_t(b)] = 1;
+    m_sortedBodies.clear();
+    for (size_t i = 1; i < bodies.size(); ++i)
+        if (m_strip[i]) m_sortedBodies.emplace_back(0.0, uint32_t(i));
+    if (m_sortedBodies.empty()) return;
+    const int axis = widestAxis(bodies, m_sortedBodies);
+    for (auto& [place, body] : m_sortedBodies) place = bodies[body].position[axis];
+    std::sort(m_sortedBodies.begin(), m_sortedBodies.end());
+    for (size_t i = 0; i < m_sortedBodies.size(); ++i) m_strip[m_sortedBodies[i].second] = uint32_t(i * strips / m_sortedBodies.size());
+}
+
+void ConstraintColoring::build(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> pairs) {
+    m_order.resize(pairs.size());
+    std::iota(m_order.begin(), m_order.end(), 0u);
+    m_colors.resize(kColors);
+    for (std::vector<Task>& stage : m_colors) stage.clear();
+    const size_t strips = std::min(pairs.size() / kPairsPerStrip, kMaxStrips);
+    if (strips < 2) {
+        if (!pairs.empty()) m_colors[0].push_back({0, pairs.size()});
+        return;
+    }
+    assignStrips(bodies, pairs, strips);
+    m_key.clear();
+    for (const auto& [a, b] : pairs) {
+        const uint32_t s = m_strip[size_t(a ? a : b)], t = m_strip[size_t(b ? b : a)], low = std::min(s, t), apart = std::max(s, t) - low;
+        m_key.push_back(apart == 0 ? low : apart == 1 ? (1 + low % 2) * kMaxStrips + low : (kColors - 1) * kMaxStrips);
+    }
+    std::sort(m_order.begin(), m_order.end(), [&](uint32_t p, uint32_t q) { return m_key[p] != m_key[q] ? m_key[p] < m_key[q] : p < q; });
+    for (size_t from = 0, to = 0; from < m_order.size(); from = to) {
+        const uint32_t key = m_key[m_order[from]];
+        while (to < m_order.size() && m_key[m_order[to]] == key) ++to;
+        m_colors[key / kMaxStrips].push_back({from, to});
+    }
+}
+
+void ConstraintColoring::run(const ParallelFor* parallelFor, const std::function<void(size_t, size_t)>& body) const {
+    for (const std::vector<Task>& stage : m_colors) {
+        const auto runTask = [&stage, &body](size_t i) { body(stage[i].from, stage[i].to); };
+        if (parallelFor && stage.size() > 1)
+            (*parallelFor)(stage.size(), runTask);
+        else
+            serialFor(stage.size(), runTask);
+    }
+}
+
+}  // namespace rubble
