@@ -99,7 +99,7 @@ private:
         forEachPart([&](CollisionObject& object, size_t i, const VoxelPart& part) {
             const CellTransform& cells = object.cellTransforms()[i];
             const double size = part.voxelSize();
-            const CellTouch touch =
+            const CellContact touch =
                 castShape(part.grid(), capsule(object, i, from, m_c.tall(), m_c.radius), glm::transpose(cells.axes) * displacement / (size * size), best.t);
             if (!touch.hit || (best.hit && touch.t >= best.t)) return;
             best = {true, touch.t, toWorld(cells, size, touch.normal), object.pose.position + cells.corner + cells.axes * touch.point, &object};
@@ -108,7 +108,7 @@ private:
         return best;
     }
     /// Whether the point touched is on an exposed face that one can stand on: seams and edges of voxels are no slopes.
-    void findFace(const VoxelPart& part, const CellTransform& cells, const CellTouch& touch, SweepHit& out) const {
+    void findFace(const VoxelPart& part, const CellTransform& cells, const CellContact& touch, SweepHit& out) const {
         for (int face = 0; face < 6; ++face) {
             const int axis = face >> 1, sign = face & 1 ? 1 : -1;
             glm::ivec3 outward(0);
@@ -233,7 +233,7 @@ private:
             forEachPart([&](CollisionObject& object, size_t part, const VoxelPart& solid) {
                 const CellTransform& cells = object.cellTransforms()[part];
                 const double size = solid.voxelSize(), wide = m_c.radius + 0.5 * kSkin;
-                const CellTouch touch = findDeepest(solid.grid(), capsule(object, part, m_c.position, m_c.tall(), wide));
+                const CellContact touch = findDeepest(solid.grid(), capsule(object, part, m_c.position, m_c.tall(), wide));
                 const double here = touch.hit ? wide - touch.t * size : 0.0;
                 const bool outranks = object.dynamic == nullptr && worst.object && worst.object->dynamic;
                 if (here <= 1e-6 || (worst.hit && here <= depth && !outranks) || (worst.object && !worst.object->dynamic && object.dynamic)) return;

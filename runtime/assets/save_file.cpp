@@ -18,7 +18,7 @@ void putSlots(ByteOut& out, const SlotMap<Handle, T>& map) {
     out.put(uint32_t(map.slots().size()));
     for (const auto& slot : map.slots()) {
         out.put(slot.generation);
-        out.put(slot.newest);
+        out.put(slot.lastGeneration);
         out.put(slot.value.has_value());
         if (slot.value) out.put(*slot.value);
     }
@@ -30,7 +30,7 @@ void getSlots(ByteReader& reader, ByteIn& in, uint8_t world, SlotMap<Handle, T>&
     std::vector<typename SlotMap<Handle, T>::Slot> slots(reader.readCount(9, "slots"));
     for (auto& slot : slots) {
         in.get(slot.generation);
-        in.get(slot.newest);
+        in.get(slot.lastGeneration);
         bool isTaken = false;
         in.get(isTaken);
         if (isTaken) in.get(slot.value.emplace());

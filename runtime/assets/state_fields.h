@@ -91,14 +91,14 @@ void fields(A& a, Is<DebrisSettings> auto& settings) {
     a("fragments_a_break", settings.fragmentsABreak);
 }
 template <class A>
-void fields(A& a, Is<LoadSettings> auto& settings) {
+void fields(A& a, Is<StressSettings> auto& settings) {
     a("on", settings.on);
     a("strength_scale", settings.strengthScale);
     a("work_a_step", settings.workAStep);
     a("cracks_a_step", settings.cracksAStep);
     a("contact_time", settings.contactTime);
-    a("least_blow", settings.leastBlow);
-    a("smallest_struck", settings.smallestStruck);
+    a("least_blow", settings.minImpulse);
+    a("smallest_struck", settings.minStruckVoxels);
     a("largest_shape", settings.largestShape);
 }
 template <class A>
@@ -128,7 +128,7 @@ void fields(A& a, Is<WorldSettings> auto& settings) {
     a("impacts_a_step", settings.impactsAStep);
     a("undo_marks", settings.undoMarks);
     a("debris", settings.debris);
-    a("load", settings.load);
+    a("load", settings.stress);
     a("paint", settings.paint);
     a("fire", settings.fire);
     a("split", settings.split);

@@ -11,8 +11,8 @@ inline bool isWithin(double value, double low, double high) {
 inline bool isWithin(const glm::dvec3& v, double low, double high) {
     return isWithin(v.x, low, high) && isWithin(v.y, low, high) && isWithin(v.z, low, high);
 }
-inline bool isWithin(const glm::dvec3& v, double most) {
-    return isWithin(v, -most, most);
+inline bool isWithin(const glm::dvec3& v, double limit) {
+    return isWithin(v, -limit, limit);
 }
 
 }  // namespace rubble

@@ -16,7 +16,7 @@ public:
     struct Slot {
         std::optional<T> value;
         uint32_t generation = 1;  ///< of the value; of an empty slot: of its next one
-        uint32_t newest = 1;      ///< no later value gets a generation below: an old handle never names a new object
+        uint32_t lastGeneration = 1;      ///< no later value gets a generation below: an old handle never names a new object
     };
 
     explicit SlotMap(uint8_t world = 0) : m_world(world) {}
@@ -45,7 +45,7 @@ public:
         if (!find(handle)) return false;
         Slot& slot = m_slots[handle.slot()];
         slot.value.reset();
-        slot.generation = ++slot.newest;
+        slot.generation = ++slot.lastGeneration;
         m_free.push_back(handle.slot());
         --m_size;
         return true;
@@ -55,7 +55,7 @@ public:
     void clear() {
         m_free.clear();
         for (size_t i = m_slots.size(); i-- > 0;) {
-            if (m_slots[i].value) m_slots[i].generation = ++m_slots[i].newest;
+            if (m_slots[i].value) m_slots[i].generation = ++m_slots[i].lastGeneration;
             m_slots[i].value.reset();
             m_free.push_back(uint32_t(i));
         }
@@ -73,7 +73,7 @@ public:
         m_free.erase(std::find(m_free.rbegin(), m_free.rend(), slot).base() - 1);
         m_slots[slot].value = std::move(value);
         m_slots[slot].generation = handle.generation();
-        m_slots[slot].newest = std::max(m_slots[slot].newest, handle.generation());
+        m_slots[slot].lastGeneration = std::max(m_slots[slot].lastGeneration, handle.generation());
         ++m_size;
         return *m_slots[slot].value;
     }

@@ -24,8 +24,8 @@ public:
         while (m_parent[i] != i) i = m_parent[i] = m_parent[m_parent[i]];
         return i;
     }
-    /// A member of the set of i that is lower than i; i itself if it is the lowest.
-    Index lower(Index i) const { return m_parent[i]; }
+    /// A member of the set of i that is parent than i; i itself if it is the lowest.
+    Index parent(Index i) const { return m_parent[i]; }
     /// False if they were one set already.
     bool unite(Index a, Index b) {
         a = root(a), b = root(b);

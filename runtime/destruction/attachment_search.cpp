@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "runtime/destruction/stays_whole.h"
+#include "runtime/destruction/local_connectivity.h"
 
 namespace rubble {
 namespace {
@@ -33,7 +33,7 @@ bool holds(glm::ivec3 brick, const BrickBits& voxels, std::span<const CellBox> a
     return false;
 }
 
-bool partHolds(const BrickNode& node, glm::ivec3 position, uint32_t part, std::span<const CellBox> anchors) {
+bool partTouches(const BrickNode& node, glm::ivec3 position, uint32_t part, std::span<const CellBox> anchors) {
     if (!nodeMeets(position, anchors)) return false;
     const NodeParts& parts = nodeParts(node);
     std::vector<BrickPart> scratch;
@@ -59,9 +59,9 @@ int anchorDistance(glm::ivec3 node, std::span<const CellBox> anchors) {
     return nearest;
 }
 
-/// The bricks of a node that share a face with one of `bricks`, which lie in the neighbour beyond `face` of it.
+/// The bricks of a node that subset a face with one of `bricks`, which lie in the neighbour beyond `face` of it.
 BrickMask facingBricks(BrickMask bricks, size_t face) {
-    const int shift = kFacingBit[face];
+    const int shift = kNeighborShift[face];
     return shift > 0 ? (bricks & kFaceBricks[face ^ 1]) >> shift : (bricks & kFaceBricks[face ^ 1]) << -shift;
 }
 
@@ -75,14 +75,14 @@ BrickMask stepped(BrickMask bricks, size_t face) {
 }  // namespace
 
 bool touchesAnchor(const VoxelGrid& grid, const Component& component, std::span<const CellBox> anchors) {
-    for (const BrickShare& share : component.shares)
-        if (holds(share.brick, share.voxels, anchors)) return true;
-    for (const NodeShare& share : component.nodes) {
-        if (!nodeMeets(share.node, anchors)) continue;
-        const BrickNode& node = *grid.nodeAt(share.node);
-        for (BrickMask left = share.bricks; left; left &= left - 1) {
+    for (const BrickSubset& subset : component.subsets)
+        if (holds(subset.brick, subset.voxels, anchors)) return true;
+    for (const NodeSubset& subset : component.nodes) {
+        if (!nodeMeets(subset.node, anchors)) continue;
+        const BrickNode& node = *grid.nodeAt(subset.node);
+        for (BrickMask left = subset.bricks; left; left &= left - 1) {
             const int child = std::countr_zero(left);
-            if (holds(share.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy, anchors)) return true;
+            if (holds(subset.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy, anchors)) return true;
         }
     }
     return false;
@@ -95,21 +95,21 @@ AttachmentSearch::AttachmentSearch(const VoxelGrid& grid, std::span<const CellBo
     carved.forEachNode([&](glm::ivec3 node, BrickMask bricks) {
         nodes.insert(node, bricks);
         for (size_t face = 0; face < 6; ++face)
-            if (bricks & kFaceBricks[face]) nodes.insert(node + kFaceSteps[face], 0);
-        if (m_anchorsTouched || !nodeMeets(node, view.anchors)) return;
+            if (bricks & kFaceBricks[face]) nodes.insert(node + kFaceOffsets[face], 0);
+        if (m_anchorsCarved || !nodeMeets(node, view.anchors)) return;
         forEachChild(bricks, [&](int child) {
-            m_anchorsTouched = m_anchorsTouched || holds(node * kNodeBricks + childPosition(child), kEveryCell, view.anchors);
+            m_anchorsCarved = m_anchorsCarved || holds(node * kNodeBricks + childPosition(child), kEveryCell, view.anchors);
         });
     });
-    if (!m_anchorsTouched && staysWhole(grid, carved)) return;
+    if (!m_anchorsCarved && isLocallyConnected(grid, carved)) return;
     nodes.forEachNode([&](glm::ivec3 node, BrickMask bricks) { seed(view, node, bricks, carved); });
-    // What already meets among the seeds is one set before anything grows.
-    const uint32_t seeds = uint32_t(m_parts.size());
-    for (uint32_t part = 0; part < seeds; ++part)
+    // What already meets among the seedParts is one set before anything grows.
+    const uint32_t seedParts = uint32_t(m_parts.size());
+    for (uint32_t part = 0; part < seedParts; ++part)
         for (size_t face = 1; face < 6; face += 2)
             if (m_parts[part].set != kNone) visitNeighbour(view, part, face, true);
     for (uint32_t set = 0; set < m_sets.size(); ++set)
-        if (root(set) == set) finishOrKeep(set);
+        if (root(set) == set) updateSetState(set);
 }
 
 /// Starts a set for each part of the node that may have touched what was removed.
@@ -126,7 +126,7 @@ void AttachmentSearch::seed(const View& view, glm::ivec3 position, BrickMask car
     std::array<BrickMask, 6> beside;  // bricks with a carved one beyond this face
     BrickMask near = carved;
     for (size_t face = 0; face < 6; ++face) {
-        beside[face] = stepped(carved, face ^ 1) | facingBricks(all.at(position + kFaceSteps[face]), face);
+        beside[face] = stepped(carved, face ^ 1) | facingBricks(all.at(position + kFaceOffsets[face]), face);
         near |= beside[face];
     }
     near &= node.mask;
@@ -168,7 +168,7 @@ void AttachmentSearch::addPart(const View& view, uint32_t set, uint32_t index) {
     const BrickNode& node = *view.grid.nodeAt(part.node);
     part.set = set;
     into.voxels += nodeParts(node).voxels[part.component];
-    into.isAnchored = into.isAnchored || partHolds(node, part.node, part.component, view.anchors);
+    into.isAnchored = into.isAnchored || partTouches(node, part.node, part.component, view.anchors);
     m_anchorFound = m_anchorFound || into.isAnchored;
     into.parts.push_back(index);
     into.frontier.push_back({anchorDistance(part.node, view.anchors), index});
@@ -195,7 +195,7 @@ void AttachmentSearch::join(uint32_t a, uint32_t b) {
 /// Joins a part with what it touches beyond a face; `onlyKnown`: leaves alone what no set has yet.
 void AttachmentSearch::visitNeighbour(const View& view, uint32_t index, size_t face, bool onlyKnown) {
     const Part part = m_parts[index];
-    const glm::ivec3 position = part.node + kFaceSteps[face];
+    const glm::ivec3 position = part.node + kFaceOffsets[face];
     if (onlyKnown && !m_nodes.contains(uint32_t(position.x) | uint32_t(position.y) << 10 | uint32_t(position.z) << 20)) return;
     const std::optional<uint32_t> first = firstPartOf(view, position);
     if (!first) return;
@@ -223,7 +223,7 @@ bool AttachmentSearch::isOpen(uint32_t set) const {
 }
 
 /// Lists a set as open, or counts it if it can grow no further: then nothing will ever join it.
-void AttachmentSearch::finishOrKeep(uint32_t index) {
+void AttachmentSearch::updateSetState(uint32_t index) {
     Set& set = m_sets[index];
     if (isOpen(index)) return m_open.push_back(index);
     if (set.parent != index || set.isAnchored || set.isFinished) return;
@@ -233,17 +233,17 @@ void AttachmentSearch::finishOrKeep(uint32_t index) {
 }
 
 /// Whether the one set that may still grow can only be what stays.
-bool AttachmentSearch::isSettled(const View& view) const {
+bool AttachmentSearch::isDecided(const View& view) const {
     if (m_open.empty()) return true;
     if (m_open.size() > 1) return false;
     // Everything that was cut hung on an anchor; if no anchor was cut and no other set has it, the last one does.
-    if (m_isAnchored) return !m_anchorsTouched && !m_anchorFound;
+    if (m_isAnchored) return !m_anchorsCarved && !m_anchorFound;
     return view.grid.voxelCount() - m_finishedVoxels > m_largestFinished;
 }
 
 bool AttachmentSearch::run(const VoxelGrid& grid, std::span<const CellBox> anchors, size_t& budget) {
     const View view{grid, m_isAnchored ? anchors : std::span<const CellBox>{}};
-    while (!isSettled(view)) {
+    while (!isDecided(view)) {
         for (; m_turn < m_open.size(); ++m_turn) {
             if (budget == 0) return false;
             if (!isOpen(m_open[m_turn])) continue;
@@ -253,7 +253,7 @@ bool AttachmentSearch::run(const VoxelGrid& grid, std::span<const CellBox> ancho
         m_turn = 0;
         std::vector<uint32_t> round;
         std::swap(round, m_open);
-        for (const uint32_t set : round) finishOrKeep(set);
+        for (const uint32_t set : round) updateSetState(set);
     }
     return true;
 }

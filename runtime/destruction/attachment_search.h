@@ -23,10 +23,10 @@ public:
     /// Grows until each set is done or is known to be what all the others came off; false if `budget` parts were not enough.
     /// Takes from the budget what was used.
     bool run(const VoxelGrid& grid, std::span<const CellBox> anchors, size_t& budget);
-    /// Parts seen so far.
-    size_t seen() const { return m_parts.size(); }
+    /// Parts visitedParts so far.
+    size_t visitedParts() const { return m_parts.size(); }
     /// Whether a set stopped before it could grow no further: it is what stays.
-    bool hasOpen() const { return !m_open.empty(); }
+    bool hasUnfinished() const { return !m_open.empty(); }
     /// The sets that could grow no further and hold no anchor, ordered by their lowest cell.
     std::vector<Component> finished(const VoxelGrid& grid);
 
@@ -63,8 +63,8 @@ private:
     void grow(const View& view, uint32_t set);
     void visitNeighbour(const View& view, uint32_t part, size_t face, bool onlyKnown);
     bool isOpen(uint32_t set) const;
-    void finishOrKeep(uint32_t set);
-    bool isSettled(const View& view) const;
+    void updateSetState(uint32_t set);
+    bool isDecided(const View& view) const;
 
     std::unordered_map<uint32_t, uint32_t> m_nodes;  ///< a node's first part; looked up, never iterated
     std::vector<Part> m_parts;
@@ -73,7 +73,7 @@ private:
     size_t m_turn = 0;             ///< whose turn in m_open it is
     uint64_t m_finishedVoxels = 0, m_largestFinished = 0;
     bool m_isAnchored = false;      ///< whether anchors decide what stays
-    bool m_anchorsTouched = false;  ///< by the cut
+    bool m_anchorsCarved = false;  ///< by the cut
     bool m_anchorFound = false;
 };
 

@@ -6,7 +6,7 @@
 namespace rubble {
 namespace {
 
-constexpr int kSmallestStep = 8;   ///< bytes of a channel: bounds how many entries a blend can use
+constexpr int kMinStep = 8;   ///< bytes of a channel: bounds how many entries a blend can use
 constexpr int kNearColor = 3;      ///< channels this close count as the same blend
 constexpr int kPaintReserve = 24;  ///< entries kept for the paint itself
 
@@ -25,9 +25,9 @@ bool differsInColorOnly(const PaletteEntry& a, const PaletteEntry& b) {
 }
 
 uint8_t stepped(int from, int to, int strength) {
-    const int way = to - from;
-    const int step = std::max(std::abs(way) * strength / 255, std::min(std::abs(way), kSmallestStep));
-    return uint8_t(way < 0 ? from - step : from + step);
+    const int difference = to - from;
+    const int step = std::max(std::abs(difference) * strength / 255, std::min(std::abs(difference), kMinStep));
+    return uint8_t(difference < 0 ? from - step : from + step);
 }
 
 bool isFree(const PaletteEntry& entry) {

@@ -15,8 +15,8 @@ public:
         for (const auto& [key, mask] : other.m_nodes) m_nodes[key] |= mask;
     }
     void insert(const Component& component) {
-        for (const NodeShare& share : component.nodes) insert(share.node, share.bricks);
-        for (const BrickShare& share : component.shares) insert(share.brick);
+        for (const NodeSubset& subset : component.nodes) insert(subset.node, subset.bricks);
+        for (const BrickSubset& subset : component.subsets) insert(subset.brick);
     }
     bool empty() const { return m_nodes.empty(); }
     void clear() { m_nodes.clear(); }

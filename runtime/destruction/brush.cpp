@@ -25,7 +25,7 @@ std::array<int64_t, 3> quantiseRadii(std::array<double, 3> radii) {
     std::array<int64_t, 3> out{};
     for (size_t c = 0; c < 3; ++c) {
         const int64_t steps = std::isnan(radii[c]) ? 0 : quantise(radii[c]);
-        out[c] = std::min(steps > 0 ? steps : kBrushNothing, c ? out[c - 1] : kBrushLimit);
+        out[c] = std::min(steps > 0 ? steps : kBrushEmptyRadius, c ? out[c - 1] : kBrushLimit);
     }
     return out;
 }
@@ -119,8 +119,8 @@ BrickBits sphereBits(const Brush& brush, const Point& first, int64_t radius) {
 BrickBits capsuleBits(const Brush& brush, const Point& first, int64_t radius) {
     // The cell centres lie within sqrt(3) * 3.5 cells of the brick's middle, and a convex brush that holds the eight
     // outermost ones holds them all.
-    constexpr int64_t kBrickReach = 1552, kMiddle = kLast * kBrushUnit / 2;
-    if (!inCapsule(brush, {first[0] + kMiddle, first[1] + kMiddle, first[2] + kMiddle}, radius + kBrickReach)) return kNoCell;
+    constexpr int64_t kBrickCircumradius = 1552, kMiddle = kLast * kBrushUnit / 2;
+    if (!inCapsule(brush, {first[0] + kMiddle, first[1] + kMiddle, first[2] + kMiddle}, radius + kBrickCircumradius)) return kNoCell;
     const auto isTouched = [&](int64_t x, int64_t y, int64_t z) {
         return inCapsule(brush, {first[0] + x * kBrushUnit, first[1] + y * kBrushUnit, first[2] + z * kBrushUnit}, radius);
     };
@@ -143,7 +143,7 @@ Brush sphereBrush(glm::dvec3 center, std::array<double, 3> radii) {
 
 Brush capsuleBrush(glm::dvec3 from, glm::dvec3 to, std::array<double, 3> radii) {
     Brush brush;
-    brush.radii.fill(kBrushNothing);
+    brush.radii.fill(kBrushEmptyRadius);
     if (!isNumber(from) || !isNumber(to)) return brush;
     brush.a = quantise(from);
     brush.b = quantise(to);
@@ -154,7 +154,7 @@ Brush capsuleBrush(glm::dvec3 from, glm::dvec3 to, std::array<double, 3> radii) 
 
 Brush boxBrush(glm::dvec3 center, glm::dvec3 halfSize, glm::dquat rotation, Hardness limit) {
     Brush brush{.kind = BrushKind::Box};
-    brush.radii.fill(kBrushNothing);
+    brush.radii.fill(kBrushEmptyRadius);
     const bool isTurned = !std::isnan(rotation.w + rotation.x + rotation.y + rotation.z);
     if (!isNumber(center) || !isNumber(halfSize) || !isTurned) return brush;
     brush.a = quantise(center);
@@ -181,27 +181,27 @@ bool brushContains(const Brush& brush, std::array<int64_t, 3> point, int64_t rad
 
 CellBox brushBricks(const Brush& brush, glm::ivec3 sizeInBricks) {
     const int64_t radius = *std::max_element(brush.radii.begin(), brush.radii.end());
-    if (radius <= kBrushNothing) return {};
+    if (radius <= kBrushEmptyRadius) return {};
     CellBox box;
     for (size_t j = 0; j < 3; ++j) {
         int64_t low = std::min(brush.a[j], brush.b[j]) - radius, high = std::max(brush.a[j], brush.b[j]) + radius;
         if (brush.kind == BrushKind::Sphere) low = brush.a[j] - radius, high = brush.a[j] + radius;
         if (brush.kind == BrushKind::Box) {
-            int64_t reach = 0;
-            for (size_t i = 0; i < 3; ++i) reach += std::abs(int64_t(brush.axes[3 * i + j])) * (brush.b[i] + radius);
-            reach = reach / 65536 + 3;  // the rounded axes may be short of a unit
-            low = brush.a[j] - reach, high = brush.a[j] + reach;
+            int64_t halfExtent = 0;
+            for (size_t i = 0; i < 3; ++i) halfExtent += std::abs(int64_t(brush.axes[3 * i + j])) * (brush.b[i] + radius);
+            halfExtent = halfExtent / 65536 + 3;  // the rounded axes may be short of a unit
+            low = brush.a[j] - halfExtent, high = brush.a[j] + halfExtent;
         }
-        constexpr int64_t kStepsABrick = kBrushUnit * kBrickSize;
+        constexpr int64_t kUnitsPerBrick = kBrushUnit * kBrickSize;
         const int64_t last = sizeInBricks[int(j)];
-        box.low[int(j)] = int(std::clamp<int64_t>(low < 0 ? 0 : low / kStepsABrick, 0, last));
-        box.high[int(j)] = int(std::clamp<int64_t>(high < 0 ? 0 : high / kStepsABrick + 1, 0, last));
+        box.low[int(j)] = int(std::clamp<int64_t>(low < 0 ? 0 : low / kUnitsPerBrick, 0, last));
+        box.high[int(j)] = int(std::clamp<int64_t>(high < 0 ? 0 : high / kUnitsPerBrick + 1, 0, last));
     }
     return box;
 }
 
 BrickBits brushBits(const Brush& brush, glm::ivec3 brick, int64_t radius) {
-    if (radius <= kBrushNothing || (radius <= 0 && brush.kind != BrushKind::Box)) return {};
+    if (radius <= kBrushEmptyRadius || (radius <= 0 && brush.kind != BrushKind::Box)) return {};
     const glm::ivec3 cell = brick * kBrickSize;
     const Point first = {cell.x * kBrushUnit + kBrushUnit / 2, cell.y * kBrushUnit + kBrushUnit / 2, cell.z * kBrushUnit + kBrushUnit / 2};
     if (brush.kind == BrushKind::Box) return boxBits(brush, first, radius);

@@ -26,7 +26,7 @@ struct Brush {
 
 inline constexpr int64_t kBrushUnit = 256;                  ///< steps of a cell
 inline constexpr int64_t kBrushLimit = kBrushUnit << 18;    ///< coordinates and radii are clamped to +- this
-inline constexpr int64_t kBrushNothing = -4 * kBrushLimit;  ///< a radius that touches no cell
+inline constexpr int64_t kBrushEmptyRadius = -4 * kBrushLimit;  ///< a radius that touches no cell
 
 /// From positions and radii in cells (soft, medium, hard). The only places where a brush is rounded; a NaN touches nothing,
 /// a radius of zero or less touches nothing of its class, and a harder class never gets more than a softer one.

@@ -29,38 +29,38 @@ BrickBits bitsToRemove(const Brick& brick, const std::array<BrickBits, 3>& touch
 }
 
 /// Empties cells of bricks of one node, and keeps its moments (see nodeMoments()) if they are known: what is left is the difference.
-void removeFromNode(VoxelGrid& grid, glm::ivec3 position, std::span<const BrickShare> cells, const Densities& densities, Carved& out) {
+void removeFromNode(VoxelGrid& grid, glm::ivec3 position, std::span<const BrickSubset> cells, const Densities& densities, CarveResult& out) {
     NodeRef node = grid.takeNode(position);
-    const NodeMoments* known = node->knownMoments.find();
+    const NodeMoments* known = node->cachedMoments.find();
     std::unique_ptr<NodeMoments> left;
     if (known && known->densities == densities.hash) left = std::make_unique<NodeMoments>(*known);
     BrickNode& changed = node.own();
     MassMoments gone;
-    for (const BrickShare& share : cells) {
-        const int child = childIndex(share.brick);
+    for (const BrickSubset& subset : cells) {
+        const int child = childIndex(subset.brick);
         const Brick& brick = *changed.bricks[size_t(child)];
-        forEachEntry(brick, share.voxels, [&](uint8_t entry, size_t, uint64_t bits) {
+        forEachEntry(brick, subset.voxels, [&](uint8_t entry, size_t, uint64_t bits) {
             const uint64_t count = uint64_t(std::popcount(bits));
             out.removed[entry] += count;
             out.voxels += count;
         });
-        gone += brickMoments(brick, share.voxels, childPosition(child), densities);
-        out.addBrick(share);
+        gone += brickMoments(brick, subset.voxels, childPosition(child), densities);
+        out.addBrick(subset);
         BrickBits keep;
-        for (size_t z = 0; z < 8; ++z) keep[z] = ~share.voxels[z];
+        for (size_t z = 0; z < 8; ++z) keep[z] = ~subset.voxels[z];
         changed.set(child, maskBrick(brick, keep));
     }
     out.moments += gone.shifted(position * kNodeSize);
     if (left) {
         left->sums -= gone;
-        changed.knownMoments.keep(std::move(left));
+        changed.cachedMoments.keep(std::move(left));
     }
     if (changed.mask) grid.putNode(position, std::move(node));
 }
 
 /// The cells of a node's bricks that the brush takes.
 void findCells(const BrickNode& node, glm::ivec3 position, const CellBox& range, const Brush& brush, const EntryClasses& classes,
-               std::vector<BrickShare>& out) {
+               std::vector<BrickSubset>& out) {
     forEachChild(node.mask, [&](int child) {
         const glm::ivec3 brick = position * kNodeBricks + childPosition(child);
         if (glm::any(glm::lessThan(brick, range.low)) || glm::any(glm::greaterThanEqual(brick, range.high))) return;
@@ -74,13 +74,13 @@ void findCells(const BrickNode& node, glm::ivec3 position, const CellBox& range,
 
 }  // namespace
 
-void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials, Carved& out, Tool tool) {
+void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials, CarveResult& out, Tool tool) {
     const CellBox range = brushBricks(brush, grid.sizeInBricks());
     if (range.empty()) return;
     const EntryClasses classes = entryClasses(palette, materials, tool);
     const Densities densities(palette, materials);
     const glm::ivec3 last = (range.high - 1) >> 2;
-    std::vector<BrickShare> cells;
+    std::vector<BrickSubset> cells;
     for (glm::ivec3 node = range.low >> 2; node.z <= last.z; ++node.z)
         for (node.y = range.low.y >> 2; node.y <= last.y; ++node.y)
             for (node.x = range.low.x >> 2; node.x <= last.x; ++node.x) {
@@ -92,10 +92,10 @@ void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const Ma
             }
 }
 
-void removeCells(VoxelGrid& grid, const BrickShare& cells, const Densities& densities, Carved& out) {
+void removeCells(VoxelGrid& grid, const BrickSubset& cells, const Densities& densities, CarveResult& out) {
     const Brick* brick = grid.brickAt(cells.brick);
     if (!brick) return;
-    BrickShare gone{cells.brick, cells.voxels};
+    BrickSubset gone{cells.brick, cells.voxels};
     for (size_t z = 0; z < 8; ++z) gone.voxels[z] &= brick->occupancy[z];
     if (gone.voxels != BrickBits{}) removeFromNode(grid, cells.brick >> 2, {&gone, 1}, densities, out);
 }

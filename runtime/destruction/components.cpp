@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "runtime/core/union_find.h"
-#include "runtime/destruction/sizes_by_runs.h"
+#include "runtime/destruction/run_label_sizes.h"
 
 namespace rubble {
 namespace {
@@ -27,7 +27,7 @@ struct GridNodes {
             firstPart.push_back(first + nodeParts(node).count);
             sets.grow(firstPart.back());
             for (const size_t face : {0, 2, 4}) {  // where a node came before
-                const glm::ivec3 neighbor = position + kFaceSteps[face];
+                const glm::ivec3 neighbor = position + kFaceOffsets[face];
                 if (const BrickNode* other = grid.nodeAt(neighbor))
                     forEachContact(node, *other, face, [&](uint16_t a, uint16_t b) {
                         sets.unite(first + a, firstPart[numbers[place(neighbor)]] + b);
@@ -46,16 +46,16 @@ glm::ivec3 lowestCell(glm::ivec3 brick, const BrickBits& voxels) {
 }
 
 /// Whether bricks hold so many parts that parts are no short cut; by a look at some of them.
-bool isNoise(const VoxelGrid& grid) {
-    constexpr size_t kEvery = 251, kMany = 12;
-    size_t bricks = 0, looked = 0, parts = 0;
+bool hasManyParts(const VoxelGrid& grid) {
+    constexpr size_t kSampleStride = 251, kMaxMeanParts = 12;
+    size_t bricks = 0, sampled = 0, parts = 0;
     std::vector<BrickPart> scratch;
     grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
-        if (bricks++ % kEvery) return;
-        ++looked;
+        if (bricks++ % kSampleStride) return;
+        ++sampled;
         parts += brickParts(*brick, scratch).size();
     });
-    return parts > kMany * looked;
+    return parts > kMaxMeanParts * sampled;
 }
 
 }  // namespace
@@ -109,8 +109,8 @@ void addNode(glm::ivec3 position, const BrickNode& node, std::span<Component* co
         for (size_t i = first; i < end; ++i) {
             Component* component = owner(i);
             if (!component) continue;
-            if (component->shares.empty() || component->shares.back().brick != brick) component->shares.push_back({brick, {}});
-            for (size_t z = 0; z < 8; ++z) component->shares.back().voxels[z] |= cells[i - first].voxels[z];
+            if (component->subsets.empty() || component->subsets.back().brick != brick) component->subsets.push_back({brick, {}});
+            for (size_t z = 0; z < 8; ++z) component->subsets.back().voxels[z] |= cells[i - first].voxels[z];
         }
     });
 }
@@ -121,11 +121,11 @@ glm::ivec3 findLowest(const Component& component, const VoxelGrid& grid) {
         if (cellBefore(best, brick * kBrickSize)) return;
         if (const glm::ivec3 cell = lowestCell(brick, voxels); cellBefore(cell, best)) best = cell;
     };
-    for (const BrickShare& share : component.shares) look(share.brick, share.voxels);
-    for (const NodeShare& share : component.nodes) {
-        if (cellBefore(best, share.node * kNodeSize)) continue;
-        const BrickNode& node = *grid.nodeAt(share.node);
-        forEachChild(share.bricks, [&](int child) { look(share.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy); });
+    for (const BrickSubset& subset : component.subsets) look(subset.brick, subset.voxels);
+    for (const NodeSubset& subset : component.nodes) {
+        if (cellBefore(best, subset.node * kNodeSize)) continue;
+        const BrickNode& node = *grid.nodeAt(subset.node);
+        forEachChild(subset.bricks, [&](int child) { look(subset.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy); });
     }
     return best;
 }
@@ -150,7 +150,7 @@ std::vector<Component> findComponents(const VoxelGrid& grid) {
 }
 
 std::vector<uint64_t> componentSizes(const VoxelGrid& grid) {
-    if (isNoise(grid)) return sizesByRuns(grid);
+    if (hasManyParts(grid)) return componentSizesByRuns(grid);
     GridNodes all(grid);
     UnionFind<>& sets = all.sets;
     std::vector<uint64_t> out;
@@ -171,18 +171,18 @@ std::vector<uint64_t> componentSizes(const VoxelGrid& grid) {
 
 MassMoments componentMoments(const VoxelGrid& grid, const Component& component, const Densities& densities) {
     MassMoments sum;
-    for (const NodeShare& share : component.nodes) {
-        const BrickNode& node = *grid.nodeAt(share.node);
-        if (share.bricks == node.mask) {
-            sum += nodeMoments(node, share.node, densities);
+    for (const NodeSubset& subset : component.nodes) {
+        const BrickNode& node = *grid.nodeAt(subset.node);
+        if (subset.bricks == node.mask) {
+            sum += nodeMoments(node, subset.node, densities);
             continue;
         }
-        forEachChild(share.bricks, [&](int child) {
+        forEachChild(subset.bricks, [&](int child) {
             const Brick& brick = *node.bricks[size_t(child)];
-            sum += brickMoments(brick, brick.occupancy, share.node * kNodeBricks + childPosition(child), densities);
+            sum += brickMoments(brick, brick.occupancy, subset.node * kNodeBricks + childPosition(child), densities);
         });
     }
-    for (const BrickShare& share : component.shares) sum += brickMoments(*grid.brickAt(share.brick), share.voxels, share.brick, densities);
+    for (const BrickSubset& subset : component.subsets) sum += brickMoments(*grid.brickAt(subset.brick), subset.voxels, subset.brick, densities);
     return sum;
 }
 

@@ -11,21 +11,21 @@
 namespace rubble {
 
 /// Bricks of one directory node that belong to a component with all that they hold.
-struct NodeShare {
+struct NodeSubset {
     glm::ivec3 node;
     BrickMask bricks = 0;
 };
 
-/// A component's share of a brick that others have voxels in, too.
-struct BrickShare {
+/// A component's subset of a brick that others have voxels in, too.
+struct BrickSubset {
     glm::ivec3 brick;
     BrickBits voxels;
 };
 
 /// A 6-connected set of voxels of one grid.
 struct Component {
-    std::vector<NodeShare> nodes;    ///< each node once at most
-    std::vector<BrickShare> shares;  ///< each brick once at most, and none that is in `nodes`
+    std::vector<NodeSubset> nodes;    ///< each node once at most
+    std::vector<BrickSubset> subsets;  ///< each brick once at most, and none that is in `nodes`
     uint64_t voxels = 0;
     glm::ivec3 lowest{0};  ///< the cell that comes first by z, then y, then x
 };
@@ -43,29 +43,29 @@ bool outranks(const Component& a, const Component& b);
 /// Adds a node's voxels to the components that its parts (see NodeParts) belong to; null for those of no interest.
 /// Once a node and component; leaves `lowest` alone.
 void addNode(glm::ivec3 position, const BrickNode& node, std::span<Component* const> componentOfPart);
-/// The component's lowest cell, from its shares.
+/// The component's lowest cell, from its subsets.
 glm::ivec3 findLowest(const Component& component, const VoxelGrid& grid);
 
 /// All components of a grid, ordered by their lowest cell. Components inside bricks, of these inside nodes, then a union-find
 /// over the faces between nodes (Tarjan 1975, path halving).
 std::vector<Component> findComponents(const VoxelGrid& grid);
 
-/// The voxels of each component alone, in an order that depends on nothing but the grid: the labelling without shares.
+/// The voxels of each component alone, in an order that depends on nothing but the grid: the labelling without subsets.
 std::vector<uint64_t> componentSizes(const VoxelGrid& grid);
 
 MassMoments componentMoments(const VoxelGrid& grid, const Component& component, const Densities& densities);
 
 /// Calls f(ivec3 brick, const Brick&, const BrickBits& voxels) for every brick that holds some of the component.
 template <class F>
-void forEachShare(const VoxelGrid& grid, const Component& component, F&& f) {
-    for (const NodeShare& share : component.nodes) {
-        const BrickNode& node = *grid.nodeAt(share.node);
-        forEachChild(share.bricks, [&](int child) {
+void forEachSubset(const VoxelGrid& grid, const Component& component, F&& f) {
+    for (const NodeSubset& subset : component.nodes) {
+        const BrickNode& node = *grid.nodeAt(subset.node);
+        forEachChild(subset.bricks, [&](int child) {
             const Brick& brick = *node.bricks[size_t(child)];
-            f(share.node * kNodeBricks + childPosition(child), brick, brick.occupancy);
+            f(subset.node * kNodeBricks + childPosition(child), brick, brick.occupancy);
         });
     }
-    for (const BrickShare& share : component.shares) f(share.brick, *grid.brickAt(share.brick), share.voxels);
+    for (const BrickSubset& subset : component.subsets) f(subset.brick, *grid.brickAt(subset.brick), subset.voxels);
 }
 
 }  // namespace rubble

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "runtime/core/byte_bits.h"
-#include "runtime/destruction/run_sets.h"
+#include "runtime/destruction/run_labels.h"
 
 namespace rubble {
 namespace {
@@ -31,15 +31,15 @@ void writeRun(uint32_t* out, uint32_t length, uint32_t value) {
 std::vector<uint64_t> labelDense(glm::ivec3 size, std::span<const uint8_t> cells, std::span<uint32_t> labels) {
     const size_t rows = size_t(size.y) * size_t(size.z), length = size_t(size.x);
     assert(cells.size() == rows * length && labels.size() == cells.size());
-    RunSets sets(size, true);
-    std::vector<uint64_t> bits(sets.wordsARow());
+    RunLabels sets(size, true);
+    std::vector<uint64_t> bits(sets.wordsPerRow());
     for (size_t row = 0; row < rows; ++row) {
         readRow(cells.subspan(row * length, length), bits);
         sets.add(bits);
     }
-    const std::vector<uint64_t> voxels = sets.number();
+    const std::vector<uint64_t> voxels = sets.countComponents();
     auto component = sets.runs().begin();
-    std::vector<uint32_t> out(length + kFillSlack);
+    std::vector<uint32_t> out(length + kFillPadding);
     for (size_t row = 0; row < rows; ++row) {
         std::fill(out.begin(), out.end(), 0);
         readRow(cells.subspan(row * length, length), bits);

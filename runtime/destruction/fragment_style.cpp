@@ -11,7 +11,7 @@ namespace {
 using enum FragmentPattern;
 
 constexpr auto kStyles = std::to_array<FragmentStyle>({
-    //  name        pattern size grain rough dust reach pane  toughness
+    //  name        pattern size grain rough dust breakRadius pane  toughness
     {"none", None, 300, 1, 0, 0, 0, false, 1e9},
     {"chunk", Cells, 450, 1, 90, 128, 255, false, 1.0},
     {"bond", Bond, 300, 1, 40, 120, 255, false, 0.8},

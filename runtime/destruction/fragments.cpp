@@ -16,13 +16,13 @@ namespace {
 using Point = std::array<int64_t, 3>;
 
 constexpr size_t kNoGroup = 255;
-constexpr int kGrainReach = 64;  ///< cells that are looked at along each axis to find the grain
+constexpr int kMaxGrainCells = 64;  ///< cells that are looked at along each axis to find the grain
 
 /// Voxels of one material: they break alike, and never together with others.
 struct Group {
     const FragmentStyle* style = nullptr;
     uint8_t material = 0;
-    int64_t reach2 = 0, dust2 = 0;  ///< squared radii, in 1/256 of a cell
+    int64_t breakRadius2 = 0, dust2 = 0;  ///< squared radii, in 1/256 of a cell
     Point size{};                   ///< of a fragment along each axis, in 1/256 of a cell
     uint64_t voxels = 0;            ///< in the zone
     glm::ivec3 nearest{0};          ///< cell of the zone nearest to the hit
@@ -36,21 +36,21 @@ int64_t floorDivide(int64_t a, int64_t b) {
     return a / b - (a % b < 0);
 }
 
-class Breaker {
+class Fracturer {
 public:
-    Breaker(VoxelGrid& grid, const Brush& sphere, const Palette& palette, const MaterialTable& materials, const BreakPlan& plan)
+    Fracturer(VoxelGrid& grid, const Brush& sphere, const Palette& palette, const MaterialTable& materials, const FracturePlan& plan)
         : m_grid(grid), m_sphere(sphere), m_palette(palette), m_materials(materials), m_densities(palette, materials), m_plan(plan) {
         m_groupOf.fill(kNoGroup);
     }
 
-    Broken run() {
+    FractureResult run() {
         makeGroups();
         collectZone();
         for (size_t g = 0; g < m_groups.size(); ++g)
             if (m_groups[g].style->wholePane && m_groups[g].voxels) growPane(g);
         chooseSizes();
-        for (const BrickShare& share : m_zone) shareOut(share);
-        takeOut();
+        for (const BrickSubset& subset : m_zone) assignClusters(subset);
+        removeZone();
         return std::move(m_out);
     }
 
@@ -58,21 +58,21 @@ private:
     struct Cluster {
         size_t group;
         uint64_t voxels = 0;
-        std::vector<BrickShare> shares;
+        std::vector<BrickSubset> subsets;
     };
 
     void makeGroups();
     void collectZone();
     void growPane(size_t group);
     void chooseSizes();
-    void shareOut(const BrickShare& share);
-    void takeOut();
+    void assignClusters(const BrickSubset& subset);
+    void removeZone();
     void addFragment(const Cluster& cluster);
     void addPiece(Piece&& piece, const Group& group);
     void addDust(const Brick& brick, const BrickBits& bits, glm::ivec3 position);
     /// Too small to be a fragment, or one too many.
-    bool isCrumb(uint64_t voxels, const Group& group) const {
-        return voxels * 16 < group.fragmentVoxels() || voxels < m_plan.fewestVoxels || m_out.fragments.size() >= m_plan.mostFragments;
+    bool isTooSmall(uint64_t voxels, const Group& group) const {
+        return voxels * 16 < group.fragmentVoxels() || voxels < m_plan.minVoxels || m_out.fragments.size() >= m_plan.maxFragments;
     }
     int grainOf(const Group& group) const;
     uint64_t labelOf(size_t group, glm::ivec3 cell, bool isNear) const;
@@ -92,16 +92,16 @@ private:
     const Palette& m_palette;
     const MaterialTable& m_materials;
     const Densities m_densities;
-    const BreakPlan& m_plan;
+    const FracturePlan& m_plan;
     std::array<uint8_t, 256> m_groupOf{};  ///< by palette entry
     std::vector<Group> m_groups;
-    std::vector<BrickShare> m_zone;                      ///< what breaks, each brick once, by cellBefore
+    std::vector<BrickSubset> m_zone;                      ///< what breaks, each brick once, by cellBefore
     std::vector<Cluster> m_clusters;                     ///< in the order of their first voxel
     std::unordered_map<uint64_t, uint32_t> m_clusterOf;  ///< by label; looked up, never iterated
-    Broken m_out;
+    FractureResult m_out;
 };
 
-void Breaker::makeGroups() {
+void Fracturer::makeGroups() {
     std::array<uint8_t, 256> groupOfMaterial;
     groupOfMaterial.fill(kNoGroup);
     for (size_t i = 1; i < 256; ++i) {
@@ -116,58 +116,58 @@ void Breaker::makeGroups() {
             Group& group = m_groups.emplace_back();
             group.style = &style;
             group.material = material;
-            const int64_t reach = radius * style.reach / 255, dust = radius * style.dust / 255;
-            group.reach2 = reach * reach;
+            const int64_t breakRadius = radius * style.breakRadius / 255, dust = radius * style.dust / 255;
+            group.breakRadius2 = breakRadius * breakRadius;
             group.dust2 = dust * dust;
         }
         m_groupOf[i] = groupOfMaterial[material];
     }
 }
 
-void Breaker::collectZone() {
+void Fracturer::collectZone() {
     const CellBox range = brushBricks(m_sphere, m_grid.sizeInBricks());
     for (int z = range.low.z; z < range.high.z; ++z)
         for (int y = range.low.y; y < range.high.y; ++y)
             for (int x = range.low.x; x < range.high.x; ++x) {
-                BrickShare share{{x, y, z}, {}};
-                const Brick* brick = m_grid.brickAt(share.brick);
+                BrickSubset subset{{x, y, z}, {}};
+                const Brick* brick = m_grid.brickAt(subset.brick);
                 if (!brick) continue;
                 forEachVoxel(brick->occupancy, [&](int i) {
                     const size_t g = m_groupOf[brick->at(i)];
                     if (g == kNoGroup) return;
                     Group& group = m_groups[g];
-                    const glm::ivec3 cell = share.brick * kBrickSize + voxelInBrick(i);
+                    const glm::ivec3 cell = subset.brick * kBrickSize + voxelInBrick(i);
                     const int64_t away2 = distance2(cell);
-                    if (away2 > group.reach2) return;
-                    share.voxels[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
+                    if (away2 > group.breakRadius2) return;
+                    subset.voxels[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
                     ++group.voxels;
                     if (away2 < group.nearest2) group.nearest2 = away2, group.nearest = cell;
                 });
-                if (share.voxels != BrickBits{}) m_zone.push_back(share);
+                if (subset.voxels != BrickBits{}) m_zone.push_back(subset);
             }
 }
 
-void Breaker::growPane(size_t g) {
+void Fracturer::growPane(size_t g) {
     const auto isOfPane = [&](uint8_t entry) { return m_groupOf[entry] == g; };
     m_groups[g].voxels = 0;
-    for (const BrickShare& share : findPane(m_grid, m_groups[g].nearest, isOfPane, m_plan.largestPane)) {
-        for (const uint64_t layer : share.voxels) m_groups[g].voxels += uint64_t(std::popcount(layer));
-        auto known = std::find_if(m_zone.begin(), m_zone.end(), [&](const BrickShare& other) { return other.brick == share.brick; });
-        if (known == m_zone.end()) known = m_zone.insert(known, {share.brick, {}});
-        for (size_t z = 0; z < 8; ++z) known->voxels[z] |= share.voxels[z];
+    for (const BrickSubset& subset : findPane(m_grid, m_groups[g].nearest, isOfPane, m_plan.largestPane)) {
+        for (const uint64_t layer : subset.voxels) m_groups[g].voxels += uint64_t(std::popcount(layer));
+        auto known = std::find_if(m_zone.begin(), m_zone.end(), [&](const BrickSubset& other) { return other.brick == subset.brick; });
+        if (known == m_zone.end()) known = m_zone.insert(known, {subset.brick, {}});
+        for (size_t z = 0; z < 8; ++z) known->voxels[z] |= subset.voxels[z];
     }
-    std::sort(m_zone.begin(), m_zone.end(), [](const BrickShare& a, const BrickShare& b) { return cellBefore(a.brick, b.brick); });
+    std::sort(m_zone.begin(), m_zone.end(), [](const BrickSubset& a, const BrickSubset& b) { return cellBefore(a.brick, b.brick); });
 }
 
 /// The axis along which the material goes on farthest from the hit.
-int Breaker::grainOf(const Group& group) const {
+int Fracturer::grainOf(const Group& group) const {
     int longest = 0, grain = 0;
     for (int a = 0; a < 3; ++a) {
         int length = 0;
-        for (const int way : {-1, 1})
-            for (int i = 1; i <= kGrainReach; ++i) {
+        for (const int direction : {-1, 1})
+            for (int i = 1; i <= kMaxGrainCells; ++i) {
                 glm::ivec3 cell = group.nearest;
-                cell[a] += way * i;
+                cell[a] += direction * i;
                 if (m_palette[m_grid.at(cell)].material != group.material) break;
                 ++length;
             }
@@ -176,9 +176,9 @@ int Breaker::grainOf(const Group& group) const {
     return grain;
 }
 
-void Breaker::chooseSizes() {
+void Fracturer::chooseSizes() {
     for (Group& group : m_groups) {
-        group.size.fill(std::max<int64_t>(m_plan.metre * group.style->size / 1000, kBrushUnit));
+        group.size.fill(std::max<int64_t>(m_plan.unitsPerMetre * group.style->size / 1000, kBrushUnit));
         if (group.style->elongation > 1 && group.voxels) group.size[size_t(grainOf(group))] *= group.style->elongation;
     }
     const auto expected = [&] {
@@ -186,20 +186,20 @@ void Breaker::chooseSizes() {
         for (const Group& group : m_groups) sum += group.voxels / group.fragmentVoxels();
         return sum;
     };
-    while (expected() > m_plan.mostFragments)
+    while (expected() > m_plan.maxFragments)
         for (Group& group : m_groups)
             for (int64_t& size : group.size) size = size * 5 / 4;
 }
 
-uint64_t Breaker::labelOf(size_t g, glm::ivec3 cell, bool isNear) const {
+uint64_t Fracturer::labelOf(size_t g, glm::ivec3 cell, bool isNear) const {
     const Group& group = m_groups[g];
     const FragmentStyle& style = *group.style;
-    const uint32_t stray = hashCell(cell.x, cell.y, cell.z, m_plan.seed ^ 0x7f4a7c15u);
+    const uint32_t jitter = hashCell(cell.x, cell.y, cell.z, m_plan.seed ^ 0x7f4a7c15u);
     std::array<int32_t, 3> place{};  // in 1/256 of a fragment
     for (size_t a = 0; a < 3; ++a) {
         const int64_t size = isNear ? std::max<int64_t>(group.size[a] / 2, kBrushUnit) : group.size[a];
         const int64_t point = int64_t(cell[int(a)]) * kBrushUnit + kBrushUnit / 2;
-        place[a] = int32_t(floorDivide(point * 256, size)) + (int32_t(stray >> 8 * a & 255) - 128) * style.roughness / 255;
+        place[a] = int32_t(floorDivide(point * 256, size)) + (int32_t(jitter >> 8 * a & 255) - 128) * style.roughness / 255;
     }
     glm::ivec3 best(0);
     if (style.pattern == FragmentPattern::Bond) {
@@ -208,15 +208,15 @@ uint64_t Breaker::labelOf(size_t g, glm::ivec3 cell, bool isNear) const {
     } else {
         int64_t best2 = INT64_MAX;
         for (int corner = 0; corner < 8; ++corner) {
-            const glm::ivec3 seat(((place[0] - 128) >> 8) + (corner & 1), ((place[1] - 128) >> 8) + (corner >> 1 & 1),
+            const glm::ivec3 site(((place[0] - 128) >> 8) + (corner & 1), ((place[1] - 128) >> 8) + (corner >> 1 & 1),
                                   ((place[2] - 128) >> 8) + (corner >> 2));
-            const uint32_t shift = hashCell(seat.x, seat.y, seat.z, m_plan.seed + uint32_t(isNear));
+            const uint32_t shift = hashCell(site.x, site.y, site.z, m_plan.seed + uint32_t(isNear));
             int64_t away2 = 0;
             for (int a = 0; a < 3; ++a) {
-                const int64_t seed = seat[a] * 256 + 128 + int32_t((shift >> 8 * a & 255) * 3 / 4) - 96;
+                const int64_t seed = site[a] * 256 + 128 + int32_t((shift >> 8 * a & 255) * 3 / 4) - 96;
                 away2 += (place[size_t(a)] - seed) * (place[size_t(a)] - seed);
             }
-            if (away2 < best2) best2 = away2, best = seat;
+            if (away2 < best2) best2 = away2, best = site;
         }
     }
     const auto bits = [](int v) { return uint64_t(uint32_t(v) & 0x3ffffu); };
@@ -224,7 +224,7 @@ uint64_t Breaker::labelOf(size_t g, glm::ivec3 cell, bool isNear) const {
 }
 
 /// Next to another fragment of its pane: were they to touch, they would stand wedged in the frame.
-bool Breaker::isOnCrack(size_t g, glm::ivec3 cell, bool isNear, uint64_t label) const {
+bool Fracturer::isOnCrack(size_t g, glm::ivec3 cell, bool isNear, uint64_t label) const {
     for (int a = 0; a < 3; ++a) {
         glm::ivec3 next = cell;
         ++next[a];
@@ -234,23 +234,23 @@ bool Breaker::isOnCrack(size_t g, glm::ivec3 cell, bool isNear, uint64_t label) 
     return false;
 }
 
-/// Dust or a fragment for each voxel of a brick's share of the zone.
-void Breaker::shareOut(const BrickShare& share) {
-    const Brick& brick = *m_grid.brickAt(share.brick);
+/// Dust or a fragment for each voxel of a brick's subset of the zone.
+void Fracturer::assignClusters(const BrickSubset& subset) {
+    const Brick& brick = *m_grid.brickAt(subset.brick);
     BrickBits dust{};
     uint64_t lastLabel = ~uint64_t(0);
     uint32_t cluster = 0;
-    forEachVoxel(share.voxels, [&](int i) {
+    forEachVoxel(subset.voxels, [&](int i) {
         const size_t g = m_groupOf[brick.at(i)];
         const Group& group = m_groups[g];
-        const glm::ivec3 cell = share.brick * kBrickSize + voxelInBrick(i);
+        const glm::ivec3 cell = subset.brick * kBrickSize + voxelInBrick(i);
         const int64_t away2 = distance2(cell);
         const uint64_t bit = uint64_t(1) << (i & 63);
         if (away2 <= group.dust2) {
             dust[size_t(i >> 6)] |= bit;
             return;
         }
-        const bool isNear = away2 * 4 < group.reach2;
+        const bool isNear = away2 * 4 < group.breakRadius2;
         const uint64_t label = labelOf(g, cell, isNear);
         if (group.style->wholePane && isOnCrack(g, cell, isNear, label)) {
             dust[size_t(i >> 6)] |= bit;
@@ -262,26 +262,26 @@ void Breaker::shareOut(const BrickShare& share) {
             lastLabel = label;
         }
         Cluster& into = m_clusters[cluster];
-        if (into.shares.empty() || into.shares.back().brick != share.brick) into.shares.push_back({share.brick, {}});
-        into.shares.back().voxels[size_t(i >> 6)] |= bit;
+        if (into.subsets.empty() || into.subsets.back().brick != subset.brick) into.subsets.push_back({subset.brick, {}});
+        into.subsets.back().voxels[size_t(i >> 6)] |= bit;
         ++into.voxels;
     });
-    addDust(brick, dust, share.brick);
+    addDust(brick, dust, subset.brick);
 }
 
-void Breaker::addDust(const Brick& brick, const BrickBits& bits, glm::ivec3 position) {
+void Fracturer::addDust(const Brick& brick, const BrickBits& bits, glm::ivec3 position) {
     if (bits == BrickBits{}) return;
     forEachVoxel(bits, [&](int i) { ++m_out.dust.removed[brick.at(i)], ++m_out.dust.voxels; });
     m_out.dust.moments += brickMoments(brick, bits, position, m_densities);
 }
 
-void Breaker::addFragment(const Cluster& cluster) {
+void Fracturer::addFragment(const Cluster& cluster) {
     const Group& group = m_groups[cluster.group];
-    if (isCrumb(cluster.voxels, group)) {
-        for (const BrickShare& share : cluster.shares) addDust(*m_grid.brickAt(share.brick), share.voxels, share.brick);
+    if (isTooSmall(cluster.voxels, group)) {
+        for (const BrickSubset& subset : cluster.subsets) addDust(*m_grid.brickAt(subset.brick), subset.voxels, subset.brick);
         return;
     }
-    Piece packed = packPiece(m_grid, cluster.shares);
+    Piece packed = packPiece(m_grid, cluster.subsets);
     const std::vector<Component> parts = findComponents(packed.grid);
     if (parts.size() == 1) return addPiece(std::move(packed), group);
     for (const Component& part : parts) {
@@ -291,12 +291,12 @@ void Breaker::addFragment(const Cluster& cluster) {
     }
 }
 
-void Breaker::addPiece(Piece&& piece, const Group& group) {
+void Fracturer::addPiece(Piece&& piece, const Group& group) {
     MassMoments moments;
     piece.grid.forEachBrick(
         [&](glm::ivec3 position, const BrickRef& brick) { moments += brickMoments(*brick, brick->occupancy, position, m_densities); });
     moments = moments.shifted(piece.offset);
-    if (!isCrumb(piece.grid.voxelCount(), group)) {
+    if (!isTooSmall(piece.grid.voxelCount(), group)) {
         m_out.fragments.push_back({std::move(piece), moments});
         return;
     }
@@ -306,22 +306,22 @@ void Breaker::addPiece(Piece&& piece, const Group& group) {
     m_out.dust.moments += moments;
 }
 
-void Breaker::takeOut() {
+void Fracturer::removeZone() {
     for (const Cluster& cluster : m_clusters) addFragment(cluster);
-    for (const BrickShare& share : m_zone) {
-        const BrickRef brick = m_grid.shareBrick(share.brick);
+    for (const BrickSubset& subset : m_zone) {
+        const BrickRef brick = m_grid.shareBrick(subset.brick);
         BrickBits keep;
-        for (size_t z = 0; z < 8; ++z) keep[z] = brick->occupancy[z] & ~share.voxels[z];
-        m_grid.setBrick(share.brick, maskBrick(*brick, keep));
-        m_out.dust.addBrick(share);
+        for (size_t z = 0; z < 8; ++z) keep[z] = brick->occupancy[z] & ~subset.voxels[z];
+        m_grid.setBrick(subset.brick, maskBrick(*brick, keep));
+        m_out.dust.addBrick(subset);
     }
 }
 
 }  // namespace
 
-Broken breakUp(VoxelGrid& grid, const Brush& sphere, const Palette& palette, const MaterialTable& materials, const BreakPlan& plan) {
+FractureResult fracture(VoxelGrid& grid, const Brush& sphere, const Palette& palette, const MaterialTable& materials, const FracturePlan& plan) {
     assert(sphere.kind == BrushKind::Sphere);
-    return Breaker(grid, sphere, palette, materials, plan).run();
+    return Fracturer(grid, sphere, palette, materials, plan).run();
 }
 
 }  // namespace rubble

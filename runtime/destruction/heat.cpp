@@ -12,13 +12,13 @@ namespace {
 constexpr double kSkin = 0.0008;                                // metres of a surface that follow the heat at once
 constexpr double kFlux = 400e3;                                 // W/m2 of burning surface; real fires give 100 to 300, and nobody waits for those
 constexpr int kCoolingShift = 9;                                // 1/512 an update: a time constant of 51 s
-constexpr int kForgetBelow = 2;                                 // K above ambient
-constexpr int kRampUpdates = 20;                                // until a fire is at its strongest
+constexpr int kNegligibleKelvin = 2;                                 // K above ambient
+constexpr int kGrowthUpdates = 20;                                // until a fire is at its strongest
 constexpr int kCharEvery = 4;                                   // updates
 constexpr int kCharShare = 160;                                 // of 255 voxels in a round
-constexpr int kSmallestFront = 8;                               // voxels that always burn away together: the last ones do not take for ever
-constexpr int kFlameReach = 3;                                  // bricks that flames bridge upwards
-constexpr int kUp = 72, kUpAside = 14, kAside = 24, kDown = 8;  // shares of what is emitted, of 256; the rest is smoke
+constexpr int kMinFrontVoxels = 8;                               // voxels that always burn away together: the last ones do not take for ever
+constexpr int kMaxFlameBricks = 3;                                  // bricks that flames bridge upwards
+constexpr int kShareUp = 72, kShareUpAside = 14, kShareAside = 24, kShareDown = 8;  // shares of what is emitted, of 256; the rest is smoke
 constexpr int kSteelWeakens = 380, kSteelIsSoft = 900;          // K above ambient: EN 1993-1-2, table 3.1, between its ends
 
 int32_t whole(double value) {
@@ -39,9 +39,9 @@ HeatTable makeHeatTable(const Palette& palette, const MaterialTable& materials, 
         EntryHeat& entry = table[i];
         entry.capacity = std::max(1, whole(double(material.heatCapacity) * material.density * face * kSkin * 1000.0));
         if (!burns(material)) continue;
-        entry.ignition = std::max(1, whole(double(material.ignitionTemperature)) - kAmbient);
-        entry.burnRate = std::max(1, whole(kWholeVoxel / std::max(0.1, double(material.burnTime) * burnTime * kHeatUpdates)));
-        entry.power = whole(kFlux * face * 1000.0 / kHeatUpdates);
+        entry.ignition = std::max(1, whole(double(material.ignitionTemperature)) - kAmbientKelvin);
+        entry.burnRate = std::max(1, whole(kWholeVoxel / std::max(0.1, double(material.burnTime) * burnTime * kHeatUpdatesPerSecond)));
+        entry.power = whole(kFlux * face * 1000.0 / kHeatUpdatesPerSecond);
     }
     return table;
 }
@@ -61,7 +61,7 @@ HeatSkin heatSkin(const VoxelGrid& grid, glm::ivec3 position, const HeatTable& t
         skin.burnable[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
         ++front;
     });
-    if (front > 0 && front < kSmallestFront) skin.burnRate = skin.burnRate * kSmallestFront / front;
+    if (front > 0 && front < kMinFrontVoxels) skin.burnRate = skin.burnRate * kMinFrontVoxels / front;
     return skin;
 }
 
@@ -75,7 +75,7 @@ HeatOutcome updateHeat(HotBrick& brick, const HeatSkin& skin) {
     if (!brick.burningFor) {
         brick.heat -= brick.heat >> kCoolingShift;
         out.wantsToBurn = skin.ignition > 0 && brick.heat >= skin.capacity * skin.ignition;
-        out.isOver = !out.wantsToBurn && brick.heat < skin.capacity * kForgetBelow;
+        out.isOver = !out.wantsToBurn && brick.heat < skin.capacity * kNegligibleKelvin;
         return out;
     }
     if (!skin.ignition) {
@@ -84,7 +84,7 @@ HeatOutcome updateHeat(HotBrick& brick, const HeatSkin& skin) {
         return out;
     }
     brick.burningFor = uint16_t(std::min(65535, brick.burningFor + 1));
-    out.emitted = skin.power * std::min<int>(brick.burningFor, kRampUpdates) / kRampUpdates;
+    out.emitted = skin.power * std::min<int>(brick.burningFor, kGrowthUpdates) / kGrowthUpdates;
     out.chars = brick.charred < kCharRounds && brick.burningFor % kCharEvery == 0;
     brick.charred = uint8_t(brick.charred + out.chars);
     if (brick.charred < kCharRounds / 2) return out;  // what burns away is black before
@@ -94,7 +94,7 @@ HeatOutcome updateHeat(HotBrick& brick, const HeatSkin& skin) {
     return out;
 }
 
-void light(HotBrick& brick) {
+void ignite(HotBrick& brick) {
     brick.burningFor = std::max<uint16_t>(brick.burningFor, 1);
 }
 
@@ -119,7 +119,7 @@ BrickBits consumedCells(const VoxelGrid& grid, glm::ivec3 brick, const HeatSkin&
     forEachVoxel(skin.burnable, [&](int i) {
         const glm::ivec3 cell = brick * kBrickSize + voxelInBrick(i);
         uint32_t covered = 0;
-        for (const glm::ivec3 step : kFaceSteps) covered += grid.at(cell + step) != 0;
+        for (const glm::ivec3 step : kFaceOffsets) covered += grid.at(cell + step) != 0;
         order.emplace_back(covered * 350 + (hashCell(cell.x, cell.y, cell.z) & 1023), i);
     });
     const size_t taken = std::min(order.size(), size_t(count));
@@ -135,16 +135,16 @@ void spreadHeat(const VoxelGrid& grid, glm::ivec3 brick, int64_t emitted, std::v
         out.push_back({to, emitted * share / 256});
         return true;
     };
-    for (int up = 1; up <= kFlameReach && !give(brick + glm::ivec3(0, up, 0), kUp / up); ++up) {
+    for (int up = 1; up <= kMaxFlameBricks && !give(brick + glm::ivec3(0, up, 0), kShareUp / up); ++up) {
     }
-    give(brick - glm::ivec3(0, 1, 0), kDown);
+    give(brick - glm::ivec3(0, 1, 0), kShareDown);
     for (const glm::ivec3 aside : {glm::ivec3(-1, 0, 0), glm::ivec3(1, 0, 0), glm::ivec3(0, 0, -1), glm::ivec3(0, 0, 1)}) {
-        give(brick + aside, kAside);
-        give(brick + aside + glm::ivec3(0, 1, 0), kUpAside);
+        give(brick + aside, kShareAside);
+        give(brick + aside + glm::ivec3(0, 1, 0), kShareUpAside);
     }
 }
 
-int strengthLeft(const HotBrick& brick, const HeatSkin& skin) {
+int remainingStrength(const HotBrick& brick, const HeatSkin& skin) {
     int left = 256 - brick.charred * 160 / kCharRounds;
     if (skin.capacity > 0 && skin.ignition == 0) {
         const int hot = int(std::min<int64_t>(brick.heat / skin.capacity, kSteelIsSoft));

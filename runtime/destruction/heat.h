@@ -10,8 +10,8 @@
 namespace rubble {
 
 inline constexpr int kHeatInterval = 6;                  ///< steps between two updates of a brick
-inline constexpr int kHeatUpdates = 60 / kHeatInterval;  ///< updates a second
-inline constexpr int kAmbient = 293;                     ///< K
+inline constexpr int kHeatUpdatesPerSecond = 60 / kHeatInterval;  ///< updates a second
+inline constexpr int kAmbientKelvin = 293;                     ///< K
 inline constexpr int kCharRounds = 16;                   ///< from unburnt to black
 inline constexpr int kWholeVoxel = 65536;                ///< of HotBrick::burned
 
@@ -21,7 +21,7 @@ struct HotBrick {
     int64_t heat = 0;         ///< mJ above ambient, in the skin of its exposed voxels
     uint32_t burned = 0;      ///< of the next voxel that burns away, in 1/65536
     uint16_t burningFor = 0;  ///< updates since it was lit, up to 65535; 0: does not burn
-    uint16_t wet = 0;         ///< updates for which nothing can light it
+    uint16_t wet = 0;         ///< updates for which nothing can ignite it
     uint8_t charred = 0;      ///< rounds of charring done, of kCharRounds
 
     friend bool operator==(const HotBrick&, const HotBrick&) = default;
@@ -58,7 +58,7 @@ struct HeatOutcome {
     bool isOver = false;  ///< neither hot nor burning nor wet any more
 };
 HeatOutcome updateHeat(HotBrick& brick, const HeatSkin& skin);
-void light(HotBrick& brick);
+void ignite(HotBrick& brick);
 /// Puts it out, if it burns, and keeps it from burning for some updates.
 void extinguish(HotBrick& brick, uint32_t wetUpdates);
 
@@ -75,6 +75,6 @@ struct HeatDeposit {
 void spreadHeat(const VoxelGrid& grid, glm::ivec3 brick, int64_t emitted, std::vector<HeatDeposit>& out);
 
 /// How much of its strength a brick has left, of 256: char weakens wood, heat weakens steel.
-int strengthLeft(const HotBrick& brick, const HeatSkin& skin);
+int remainingStrength(const HotBrick& brick, const HeatSkin& skin);
 
 }  // namespace rubble

@@ -6,14 +6,14 @@
 
 namespace rubble {
 
-Piece packPiece(const VoxelGrid& grid, std::span<const BrickShare> shares) {
-    assert(!shares.empty());
+Piece packPiece(const VoxelGrid& grid, std::span<const BrickSubset> subsets) {
+    assert(!subsets.empty());
     glm::ivec3 low(kMaxGridSize), high(0);
     bool isPainted = false;
-    for (const BrickShare& share : shares) {
-        isPainted = isPainted || grid.brickAt(share.brick)->paint;
-        forEachVoxel(share.voxels, [&](int i) {
-            const glm::ivec3 cell = share.brick * kBrickSize + voxelInBrick(i);
+    for (const BrickSubset& subset : subsets) {
+        isPainted = isPainted || grid.brickAt(subset.brick)->paint;
+        forEachVoxel(subset.voxels, [&](int i) {
+            const glm::ivec3 cell = subset.brick * kBrickSize + voxelInBrick(i);
             low = glm::min(low, cell);
             high = glm::max(high, cell + 1);
         });
@@ -22,10 +22,10 @@ Piece packPiece(const VoxelGrid& grid, std::span<const BrickShare> shares) {
     const glm::ivec3 bricks = piece.grid.sizeInBricks();
     const size_t count = size_t(bricks.x) * bricks.y * bricks.z;
     std::vector<BrickIndices> indices(count), paint(isPainted ? count : 0);
-    for (const BrickShare& share : shares) {
-        const Brick& from = *grid.brickAt(share.brick);
-        const glm::ivec3 shift = share.brick * kBrickSize - low;
-        forEachVoxel(share.voxels, [&](int i) {
+    for (const BrickSubset& subset : subsets) {
+        const Brick& from = *grid.brickAt(subset.brick);
+        const glm::ivec3 shift = subset.brick * kBrickSize - low;
+        forEachVoxel(subset.voxels, [&](int i) {
             const glm::ivec3 cell = voxelInBrick(i) + shift, brick = cell >> 3;
             const size_t at = (size_t(brick.z) * bricks.y + brick.y) * bricks.x + brick.x;
             const size_t voxel = size_t(voxelIndex(cell & 7));

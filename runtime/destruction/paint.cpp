@@ -9,20 +9,20 @@ namespace {
 constexpr uint32_t kSecondNoise = 0x51ed270bu;  ///< a pattern that has nothing to do with the first
 
 /// What of a spray reaches one voxel.
-struct Drop {
+struct SpraySample {
     int strength;  ///< 0..255, less toward the rim
-    int rim;       ///< see rimShare()
+    int rim;       ///< see rimFraction()
     glm::ivec3 cell;
     int axis;
 };
 
 /// Whether the spray touches a cell at all: always in the middle, at the rim with the given probability.
-bool isTouched(const Drop& drop, const Paint& paint) {
-    return surfaceNoise(drop.cell, drop.axis, paint.seed) < 255 - (255 - paint.probability) * drop.rim / 255;
+bool isTouched(const SpraySample& sample, const Paint& paint) {
+    return surfaceNoise(sample.cell, sample.axis, paint.seed) < 255 - (255 - paint.probability) * sample.rim / 255;
 }
 
 /// What a brush covers: the exposed voxels within it.
-struct Sprayed {
+struct SprayedVoxels {
     const Brush& brush;
     const Paint& paint;
 
@@ -32,47 +32,47 @@ struct Sprayed {
         for (int z = range.low.z; z < range.high.z; ++z)
             for (int y = range.low.y; y < range.high.y; ++y)
                 for (int x = range.low.x; x < range.high.x; ++x)
-                    if (const Brick* brick = grid.brickAt({x, y, z})) f(BrickShare{{x, y, z}, brushBits(brush, {x, y, z}, brush.radii[0])}, *brick);
+                    if (const Brick* brick = grid.brickAt({x, y, z})) f(BrickSubset{{x, y, z}, brushBits(brush, {x, y, z}, brush.radii[0])}, *brick);
     }
     template <class F>
-    void forEachDrop(const VoxelGrid& grid, const BrickShare& share, const Brick& brick, F&& f) const {
-        const ExposedBits exposed = exposedBits(grid, share.brick, brick);
+    void forEachSample(const VoxelGrid& grid, const BrickSubset& subset, const Brick& brick, F&& f) const {
+        const ExposedBits exposed = exposedBits(grid, subset.brick, brick);
         const BrickBits visible = exposed.all();
-        BrickBits cells = share.voxels;
+        BrickBits cells = subset.voxels;
         for (size_t i = 0; i < 8; ++i) cells[i] &= visible[i];
         forEachVoxel(cells, [&](int i) {
-            const glm::ivec3 cell = share.brick * kBrickSize + voxelInBrick(i);
-            const int rim = rimShare(brush, cell);
-            const Drop drop{paint.strength * (255 - (255 - paint.falloff) * rim / 255) / 255, rim, cell, exposed.axis(i)};
-            if (isTouched(drop, paint)) f(i, drop);
+            const glm::ivec3 cell = subset.brick * kBrickSize + voxelInBrick(i);
+            const int rim = rimFraction(brush, cell);
+            const SpraySample sample{paint.strength * (255 - (255 - paint.falloff) * rim / 255) / 255, rim, cell, exposed.axis(i)};
+            if (isTouched(sample, paint)) f(i, sample);
         });
     }
 };
 
 /// The voxels that a caller names.
-struct Named {
-    std::span<const BrickShare> cells;
+struct ListedVoxels {
+    std::span<const BrickSubset> cells;
     const Paint& paint;
 
     template <class F>
     void forEachBrick(const VoxelGrid& grid, F&& f) const {
-        for (const BrickShare& share : cells)
-            if (const Brick* brick = grid.brickAt(share.brick)) f(share, *brick);
+        for (const BrickSubset& subset : cells)
+            if (const Brick* brick = grid.brickAt(subset.brick)) f(subset, *brick);
     }
     template <class F>
-    void forEachDrop(const VoxelGrid&, const BrickShare& share, const Brick& brick, F&& f) const {
-        BrickBits solid = share.voxels;
+    void forEachSample(const VoxelGrid&, const BrickSubset& subset, const Brick& brick, F&& f) const {
+        BrickBits solid = subset.voxels;
         for (size_t i = 0; i < 8; ++i) solid[i] &= brick.occupancy[i];
-        forEachVoxel(solid, [&](int i) { f(i, Drop{paint.strength, 0, share.brick * kBrickSize + voxelInBrick(i), 2}); });
+        forEachVoxel(solid, [&](int i) { f(i, SpraySample{paint.strength, 0, subset.brick * kBrickSize + voxelInBrick(i), 2}); });
     }
 };
 
-/// Repaints every brick by repaint(share, brick), which returns null for one that does not change.
+/// Repaints every brick by repaint(subset, brick), which returns null for one that does not change.
 template <class Area, class F>
-void forEachBrickOf(VoxelGrid& grid, const Area& area, Painted& out, F&& repaint) {
+void forEachBrickOf(VoxelGrid& grid, const Area& area, PaintResult& out, F&& repaint) {
     std::vector<std::pair<glm::ivec3, BrickRef>> repainted;
-    area.forEachBrick(grid, [&](const BrickShare& share, const Brick& brick) {
-        if (BrickRef after = repaint(share, brick)) repainted.emplace_back(share.brick, std::move(after));
+    area.forEachBrick(grid, [&](const BrickSubset& subset, const Brick& brick) {
+        if (BrickRef after = repaint(subset, brick)) repainted.emplace_back(subset.brick, std::move(after));
     });
     for (auto& [position, brick] : repainted) {
         grid.setBrick(position, std::move(brick));
@@ -81,12 +81,12 @@ void forEachBrickOf(VoxelGrid& grid, const Area& area, Painted& out, F&& repaint
 }
 
 /// The paint byte after one step of `color`.
-uint8_t layered(uint8_t before, int color, const Drop& drop, uint32_t seed) {
-    const int noise = surfaceNoise(drop.cell, drop.axis, seed ^ kSecondNoise);
+uint8_t paintedByte(uint8_t before, int color, const SpraySample& sample, uint32_t seed) {
+    const int noise = surfaceNoise(sample.cell, sample.axis, seed ^ kSecondNoise);
     const int steps = paintSteps(before);
-    const int way = (kPaintSteps - steps) * drop.strength;  // in 255ths of a step, dithered to whole ones
-    const int added = std::min(kPaintSteps - steps, std::max(1, (way + noise) / 255));
-    const bool keepsColor = steps > 0 && paintColor(before) != color && noise >= std::max(drop.strength, 255 / kPaintSteps);
+    const int amount = (kPaintSteps - steps) * sample.strength;  // in 255ths of a step, dithered to whole ones
+    const int added = std::min(kPaintSteps - steps, std::max(1, (amount + noise) / 255));
+    const bool keepsColor = steps > 0 && paintColor(before) != color && noise >= std::max(sample.strength, 255 / kPaintSteps);
     return paintByte(keepsColor ? paintColor(before) : color, steps + added);
 }
 
@@ -111,17 +111,17 @@ int findColor(PaintColors& colors, Srgb color, uint64_t& merges) {
 }
 
 template <class Area>
-Painted blendPalette(VoxelGrid& grid, const PaletteRef& palette, const Area& area) {
-    Painted out;
+PaintResult blendPalette(VoxelGrid& grid, const PaletteRef& palette, const Area& area) {
+    PaintResult out;
     const Paint& paint = area.paint;
     if (paint.strength == 0) return out;
     BlendPalette blend(grid, *palette, paint);
-    forEachBrickOf(grid, area, out, [&](const BrickShare& share, const Brick& brick) -> BrickRef {
+    forEachBrickOf(grid, area, out, [&](const BrickSubset& subset, const Brick& brick) -> BrickRef {
         BrickIndices indices;
         expandBrick(&brick, indices);
         uint64_t changed = 0;
-        area.forEachDrop(grid, share, brick, [&](int i, const Drop& drop) {
-            if (surfaceNoise(drop.cell, drop.axis, paint.seed ^ kSecondNoise) * paint.strength >= drop.strength * 255) return;
+        area.forEachSample(grid, subset, brick, [&](int i, const SpraySample& sample) {
+            if (surfaceNoise(sample.cell, sample.axis, paint.seed ^ kSecondNoise) * paint.strength >= sample.strength * 255) return;
             const uint8_t next = blend.blended(indices[size_t(i)]);
             changed += next != indices[size_t(i)];
             indices[size_t(i)] = next;
@@ -135,21 +135,21 @@ Painted blendPalette(VoxelGrid& grid, const PaletteRef& palette, const Area& are
 }
 
 template <class Area>
-Painted coverLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Area& area) {
-    Painted out;
+PaintResult coverLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Area& area) {
+    PaintResult out;
     const Paint& paint = area.paint;
     if (paint.strength == 0) return out;
     PaintColors table = colors ? *colors : PaintColors{};
     const uint8_t colorsBefore = table.count;
     uint64_t merges = 0;
     const int color = findColor(table, paint.color, merges);
-    forEachBrickOf(grid, area, out, [&](const BrickShare& share, const Brick& brick) -> BrickRef {
+    forEachBrickOf(grid, area, out, [&](const BrickSubset& subset, const Brick& brick) -> BrickRef {
         BrickIndices layer{};
         if (brick.paint) layer = *brick.paint;
         uint64_t changed = 0;
-        area.forEachDrop(grid, share, brick, [&](int i, const Drop& drop) {
-            if (drop.strength == 0) return;
-            const uint8_t next = layered(layer[size_t(i)], color, drop, paint.seed);
+        area.forEachSample(grid, subset, brick, [&](int i, const SpraySample& sample) {
+            if (sample.strength == 0) return;
+            const uint8_t next = paintedByte(layer[size_t(i)], color, sample, paint.seed);
             changed += next != layer[size_t(i)];
             layer[size_t(i)] = next;
         });
@@ -167,17 +167,17 @@ Painted coverLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Area& ar
 
 }  // namespace
 
-Painted paintPalette(VoxelGrid& grid, const PaletteRef& palette, const Brush& brush, const Paint& paint) {
-    return brush.radii[0] > 0 ? blendPalette(grid, palette, Sprayed{brush, paint}) : Painted{};
+PaintResult paintPalette(VoxelGrid& grid, const PaletteRef& palette, const Brush& brush, const Paint& paint) {
+    return brush.radii[0] > 0 ? blendPalette(grid, palette, SprayedVoxels{brush, paint}) : PaintResult{};
 }
-Painted paintPalette(VoxelGrid& grid, const PaletteRef& palette, std::span<const BrickShare> cells, const Paint& paint) {
-    return blendPalette(grid, palette, Named{cells, paint});
+PaintResult paintPalette(VoxelGrid& grid, const PaletteRef& palette, std::span<const BrickSubset> cells, const Paint& paint) {
+    return blendPalette(grid, palette, ListedVoxels{cells, paint});
 }
-Painted paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Brush& brush, const Paint& paint) {
-    return brush.radii[0] > 0 ? coverLayer(grid, colors, Sprayed{brush, paint}) : Painted{};
+PaintResult paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Brush& brush, const Paint& paint) {
+    return brush.radii[0] > 0 ? coverLayer(grid, colors, SprayedVoxels{brush, paint}) : PaintResult{};
 }
-Painted paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, std::span<const BrickShare> cells, const Paint& paint) {
-    return coverLayer(grid, colors, Named{cells, paint});
+PaintResult paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, std::span<const BrickSubset> cells, const Paint& paint) {
+    return coverLayer(grid, colors, ListedVoxels{cells, paint});
 }
 
 Srgb paintOver(Srgb base, Srgb paint, int steps) {

@@ -21,7 +21,7 @@ struct Paint {
     uint8_t falloff = 255;  ///< share of the strength that is left at the rim, of 255
 };
 
-struct Painted {
+struct PaintResult {
     std::vector<glm::ivec3> bricks;  ///< that changed, each once
     PaletteRef palette;              ///< the shape's new palette; null if it needs none
     PaintColorsRef colors;           ///< the shape's new colours of its paint layer; null if it needs none
@@ -34,16 +34,16 @@ struct Painted {
 /// that differs in colour only, else a free one (unused entries are freed when none is left), else the nearest that is
 /// closer to the paint. The last entries go to the paint itself, so that a full palette still reaches it.
 /// Falloff thins the spray: every voxel that is touched takes the whole step.
-Painted paintPalette(VoxelGrid& grid, const PaletteRef& palette, const Brush& brush, const Paint& paint);
+PaintResult paintPalette(VoxelGrid& grid, const PaletteRef& palette, const Brush& brush, const Paint& paint);
 
 /// The same in the paint layer beside the palette, in sixteenths of the way, whatever the palette holds. A voxel with another
 /// paint's colour changes to this one with a chance of the step's size, so that areas of voxels blend. `colors` may be null;
 /// where all 15 are taken by others, the nearest stands in.
-Painted paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Brush& brush, const Paint& paint);
+PaintResult paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Brush& brush, const Paint& paint);
 
 /// One step at full strength on these voxels alone, exposed or not: charring. Paint's probability and falloff do nothing.
-Painted paintPalette(VoxelGrid& grid, const PaletteRef& palette, std::span<const BrickShare> cells, const Paint& paint);
-Painted paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, std::span<const BrickShare> cells, const Paint& paint);
+PaintResult paintPalette(VoxelGrid& grid, const PaletteRef& palette, std::span<const BrickSubset> cells, const Paint& paint);
+PaintResult paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, std::span<const BrickSubset> cells, const Paint& paint);
 
 /// An sRGB colour with some of the paint layer's sixteenths of another over it; shaders/lib/paint.glsl does the same.
 Srgb paintOver(Srgb base, Srgb paint, int steps);

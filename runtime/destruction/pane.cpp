@@ -21,7 +21,7 @@ BrickBits grownOnce(const BrickBits& bits, const BrickBits& within) {
     return out;
 }
 
-/// The cells of the neighbour across a face that these cells touch. face: as kFaceSteps.
+/// The cells of the neighbour across a face that these cells touch. face: as kFaceOffsets.
 BrickBits across(const BrickBits& bits, size_t face) {
     BrickBits out{};
     for (size_t z = 0; z < 8; ++z) switch (face) {
@@ -47,33 +47,33 @@ BrickBits across(const BrickBits& bits, size_t face) {
 
 }  // namespace
 
-std::vector<BrickShare> findPane(const VoxelGrid& grid, glm::ivec3 cell, const std::function<bool(uint8_t)>& isOfPane, uint64_t limit) {
+std::vector<BrickSubset> findPane(const VoxelGrid& grid, glm::ivec3 cell, const std::function<bool(uint8_t)>& isOfPane, uint64_t limit) {
     struct Seen {
         BrickBits pane{};  ///< voxels of the kind
-        size_t share = 0;
+        size_t subset = 0;
     };
-    std::vector<BrickShare> out;
+    std::vector<BrickSubset> out;
     std::map<std::tuple<int, int, int>, Seen> seen;
-    std::deque<BrickShare> open;  ///< cells to grow from
+    std::deque<BrickSubset> open;  ///< cells to grow from
     uint64_t count = 0;
     const int start = voxelIndex(cell & 7);
     open.push_back({cell >> 3, {}});
     open.back().voxels[size_t(start >> 6)] = uint64_t(1) << (start & 63);
     while (!open.empty() && count < limit) {
-        const BrickShare from = open.front();
+        const BrickSubset from = open.front();
         open.pop_front();
         const Brick* brick = grid.brickAt(from.brick);
         if (!brick) continue;
         const auto [place, isNew] = seen.try_emplace({from.brick.x, from.brick.y, from.brick.z});
         Seen& known = place->second;
         if (isNew) {
-            known.share = out.size();
+            known.subset = out.size();
             out.push_back({from.brick, {}});
             forEachVoxel(brick->occupancy, [&](int i) {
                 if (isOfPane(brick->at(i))) known.pane[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
             });
         }
-        BrickBits& taken = out[known.share].voxels;
+        BrickBits& taken = out[known.subset].voxels;
         BrickBits grown = taken;
         for (size_t z = 0; z < 8; ++z) grown[z] |= from.voxels[z] & known.pane[z];
         if (grown == taken) continue;
@@ -81,9 +81,9 @@ std::vector<BrickShare> findPane(const VoxelGrid& grid, glm::ivec3 cell, const s
         for (size_t z = 0; z < 8; ++z) count += uint64_t(std::popcount(grown[z] & ~taken[z]));
         taken = grown;
         for (size_t face = 0; face < 6; ++face)
-            if (const BrickBits seeds = across(grown, face); seeds != BrickBits{}) open.push_back({from.brick + kFaceSteps[face], seeds});
+            if (const BrickBits seeds = across(grown, face); seeds != BrickBits{}) open.push_back({from.brick + kFaceOffsets[face], seeds});
     }
-    std::erase_if(out, [](const BrickShare& share) { return share.voxels == BrickBits{}; });
+    std::erase_if(out, [](const BrickSubset& subset) { return subset.voxels == BrickBits{}; });
     return out;
 }
 

@@ -17,18 +17,18 @@ CellBox componentBounds(const VoxelGrid& grid, const Component& component) {
         if (isInside(brick * kBrickSize, kBrickSize)) return;
         bounds = joined(bounds, voxelBounds(brick, voxels));
     };
-    for (const BrickShare& share : component.shares) widen(share.brick, share.voxels);
-    for (const NodeShare& share : component.nodes) {
-        if (isInside(share.node * kNodeSize, kNodeSize)) continue;
-        const BrickNode& node = *grid.nodeAt(share.node);
-        forEachChild(share.bricks, [&](int child) { widen(share.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy); });
+    for (const BrickSubset& subset : component.subsets) widen(subset.brick, subset.voxels);
+    for (const NodeSubset& subset : component.nodes) {
+        if (isInside(subset.node * kNodeSize, kNodeSize)) continue;
+        const BrickNode& node = *grid.nodeAt(subset.node);
+        forEachChild(subset.bricks, [&](int child) { widen(subset.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy); });
     }
     return bounds;
 }
 
 bool hasWholeNode(const VoxelGrid& grid, const Component& component) {
-    for (const NodeShare& share : component.nodes)
-        if (std::popcount(share.bricks) > 1 && grid.nodeAt(share.node)->mask == share.bricks) return true;
+    for (const NodeSubset& subset : component.nodes)
+        if (std::popcount(subset.bricks) > 1 && grid.nodeAt(subset.node)->mask == subset.bricks) return true;
     return false;
 }
 
@@ -42,23 +42,23 @@ Piece takePiece(VoxelGrid& grid, const Component& component) {
     piece.offset = bounds.low / unit * unit;
     piece.grid = VoxelGrid(bounds.high - piece.offset);
     const glm::ivec3 offsetBricks = piece.offset / kBrickSize;
-    for (const NodeShare& share : component.nodes) {
-        if (unit == kNodeSize && grid.nodeAt(share.node)->mask == share.bricks) {
-            piece.grid.putNode(share.node - piece.offset / kNodeSize, grid.takeNode(share.node));
+    for (const NodeSubset& subset : component.nodes) {
+        if (unit == kNodeSize && grid.nodeAt(subset.node)->mask == subset.bricks) {
+            piece.grid.putNode(subset.node - piece.offset / kNodeSize, grid.takeNode(subset.node));
             continue;
         }
-        forEachChild(share.bricks, [&](int child) {
-            const glm::ivec3 brick = share.node * kNodeBricks + childPosition(child);
+        forEachChild(subset.bricks, [&](int child) {
+            const glm::ivec3 brick = subset.node * kNodeBricks + childPosition(child);
             piece.grid.setBrick(brick - offsetBricks, grid.shareBrick(brick));
             grid.setBrick(brick, nullptr);
         });
     }
-    for (const BrickShare& share : component.shares) {
-        const BrickRef brick = grid.shareBrick(share.brick);
+    for (const BrickSubset& subset : component.subsets) {
+        const BrickRef brick = grid.shareBrick(subset.brick);
         BrickBits rest;
-        for (size_t z = 0; z < 8; ++z) rest[z] = brick->occupancy[z] & ~share.voxels[z];
-        grid.setBrick(share.brick, maskBrick(*brick, rest));
-        piece.grid.setBrick(share.brick - offsetBricks, maskBrick(*brick, share.voxels));
+        for (size_t z = 0; z < 8; ++z) rest[z] = brick->occupancy[z] & ~subset.voxels[z];
+        grid.setBrick(subset.brick, maskBrick(*brick, rest));
+        piece.grid.setBrick(subset.brick - offsetBricks, maskBrick(*brick, subset.voxels));
     }
     return piece;
 }

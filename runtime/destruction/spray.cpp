@@ -52,7 +52,7 @@ int surfaceNoise(glm::ivec3 cell, int axis, uint32_t seed) {
     return int(tile[size_t((v & (kTile - 1)) * kTile + (u & (kTile - 1)))]) * 255 / 256;
 }
 
-int rimShare(const Brush& brush, glm::ivec3 cell) {
+int rimFraction(const Brush& brush, glm::ivec3 cell) {
     if (brush.kind == BrushKind::Box || brush.radii[0] <= 0) return 0;
     using Wide = __int128;
     int64_t along = 0, length2 = 0, fromA2 = 0, fromB2 = 0;

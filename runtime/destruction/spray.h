@@ -21,6 +21,6 @@ int surfaceNoise(glm::ivec3 cell, int axis, uint32_t seed);
 
 /// How far a cell's centre is from the middle of a sphere or from the axis of a capsule: the square of it, in 255ths of the
 /// square of the brush's first radius. 0 in a box.
-int rimShare(const Brush& brush, glm::ivec3 cell);
+int rimFraction(const Brush& brush, glm::ivec3 cell);
 
 }  // namespace rubble

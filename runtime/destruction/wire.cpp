@@ -28,7 +28,7 @@ private:
 
 }  // namespace
 
-bool wireReaches(const VoxelGrid& grid, glm::ivec3 from, const EntrySet& wire, const EntrySet& goal) {
+bool isWireConnected(const VoxelGrid& grid, glm::ivec3 from, const EntrySet& wire, const EntrySet& goal) {
     const uint8_t first = grid.at(from);
     if (first && goal[first]) return true;
     if (!first || !wire[first]) return false;
@@ -38,7 +38,7 @@ bool wireReaches(const VoxelGrid& grid, glm::ivec3 from, const EntrySet& wire, c
     while (!open.empty()) {
         const glm::ivec3 cell = open.back();
         open.pop_back();
-        for (const glm::ivec3 step : kFaceSteps) {
+        for (const glm::ivec3 step : kFaceOffsets) {
             const uint8_t entry = grid.at(cell + step);
             if (entry && goal[entry]) return true;
             if (entry && wire[entry] && seen.add(cell + step)) open.push_back(cell + step);

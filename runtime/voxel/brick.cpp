@@ -89,7 +89,7 @@ BrickRef maskBrick(const Brick& brick, const std::array<uint64_t, 8>& keep) {
 }
 
 uint64_t hashBrick(const Brick& brick) {
-    uint64_t hash = brick.knownHash.load(std::memory_order_relaxed);
+    uint64_t hash = brick.cachedHash.load(std::memory_order_relaxed);
     if (hash) return hash;
     if (brick.indices) {
         hash = hashBytes(brick.indices->data(), kBrickVoxels);
@@ -99,7 +99,7 @@ uint64_t hashBrick(const Brick& brick) {
         hash = hashBytes(indices.data(), kBrickVoxels);
     }
     if (brick.paint) hash = hashBytes(brick.paint->data(), brick.paint->size(), hash);
-    brick.knownHash.store(hash, std::memory_order_relaxed);
+    brick.cachedHash.store(hash, std::memory_order_relaxed);
     return hash;
 }
 

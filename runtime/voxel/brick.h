@@ -41,20 +41,20 @@ struct Brick {
     std::unique_ptr<BrickIndices> paint;    ///< the paint layer (see paint_colors.h); null if no voxel is painted
     uint8_t uniform = 0;
     // What follows from the voxels, worked out when first asked for. Bricks are shared by threads, and so is this.
-    mutable std::atomic<uint16_t> knownCount = 0;
-    mutable std::atomic<uint64_t> knownHash = 0;      ///< see hashBrick()
-    mutable Lazy<std::vector<BrickPart>> knownParts;  ///< see brickParts()
+    mutable std::atomic<uint16_t> cachedCount = 0;
+    mutable std::atomic<uint64_t> cachedHash = 0;      ///< see hashBrick()
+    mutable Lazy<std::vector<BrickPart>> cachedParts;  ///< see brickParts()
 
     bool solid(int index) const { return occupancy[index >> 6] >> (index & 63) & 1; }
     uint8_t at(int index) const { return !solid(index) ? uint8_t(0) : indices ? (*indices)[index] : uniform; }
     uint8_t at(glm::ivec3 inBrick) const { return at(voxelIndex(inBrick)); }
     uint8_t paintAt(int index) const { return paint ? (*paint)[index] : uint8_t(0); }
     int count() const {
-        const int known = knownCount.load(std::memory_order_relaxed);
+        const int known = cachedCount.load(std::memory_order_relaxed);
         if (known) return known;
         int sum = 0;
         for (uint64_t word : occupancy) sum += std::popcount(word);
-        knownCount.store(uint16_t(sum), std::memory_order_relaxed);
+        cachedCount.store(uint16_t(sum), std::memory_order_relaxed);
         return sum;
     }
     bool full() const { return count() == kBrickVoxels; }

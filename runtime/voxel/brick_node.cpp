@@ -11,8 +11,8 @@ BrickNode::BrickNode(const BrickNode& other) : mask(other.mask), full(other.full
 BrickNode::~BrickNode() = default;
 
 void BrickNode::set(int child, BrickRef value) {
-    knownParts.forget();
-    knownMoments.forget();
+    cachedParts.forget();
+    cachedMoments.forget();
     const BrickMask bit = BrickMask(1) << child;
     BrickRef& place = bricks[size_t(child)];
     if (place) {

@@ -47,8 +47,8 @@ struct BrickNode {
     void set(int child, BrickRef value);
 
     // What follows from the bricks, worked out when first asked for.
-    mutable Lazy<NodeParts> knownParts;      ///< see nodeParts()
-    mutable Lazy<NodeMoments> knownMoments;  ///< see nodeMoments()
+    mutable Lazy<NodeParts> cachedParts;      ///< see nodeParts()
+    mutable Lazy<NodeMoments> cachedMoments;  ///< see nodeMoments()
 
 private:
     friend class NodeRef;

@@ -3,7 +3,7 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kPartsKept = 16;  ///< 112 bytes each: noise would cost far more than its voxels
+constexpr size_t kMaxCachedParts = 16;  ///< 112 bytes each: noise would cost far more than its voxels
 
 constexpr uint64_t kFirstColumn = 0x0101010101010101ull;  ///< x = 0 in every row of a word
 constexpr uint64_t kLastColumn = kFirstColumn << 7;
@@ -94,11 +94,11 @@ std::span<const BrickPart> brickParts(const Brick& brick, std::vector<BrickPart>
         return out;
     }();
     if (brick.full()) return kFullBrick;
-    if (const auto* known = brick.knownParts.find()) return *known;
+    if (const auto* known = brick.cachedParts.find()) return *known;
     scratch.clear();
     findBrickParts(brick.occupancy, scratch);
-    if (scratch.size() > kPartsKept) return scratch;
-    return brick.knownParts.keep(std::make_unique<const std::vector<BrickPart>>(scratch.begin(), scratch.end()));
+    if (scratch.size() > kMaxCachedParts) return scratch;
+    return brick.cachedParts.keep(std::make_unique<const std::vector<BrickPart>>(scratch.begin(), scratch.end()));
 }
 
 }  // namespace rubble

@@ -9,9 +9,9 @@
 namespace rubble {
 namespace {
 
-constexpr double kTouching = 1e-9;  ///< cells
-constexpr double kFarthest = 1e7;   ///< cells from the grid: beyond, nothing is looked for
-constexpr int kMostSteps = 64;      ///< of Newton's method; it needs three or four, except at a graze
+constexpr double kContactTolerance = 1e-9;  ///< cells
+constexpr double kMaxCoordinate = 1e7;   ///< cells from the grid: beyond, nothing is looked for
+constexpr int kMaxNewtonSteps = 64;      ///< of Newton's method; it needs three or four, except at a graze
 
 struct Span {
     double enter, leave;
@@ -89,7 +89,7 @@ void forEachBrickIn(const VoxelGrid& grid, glm::dvec3 low, glm::dvec3 high, F&& 
 /// of each (Gottschalk, Lin & Manocha 1996). Exact for boxes that move without turning.
 struct BoxAxes {
     std::array<glm::dvec3, 15> axes;
-    std::array<double, 15> shapeReach;
+    std::array<double, 15> shapeRadius;
     int count = 0;
 
     explicit BoxAxes(const CellShape& box) {
@@ -104,23 +104,23 @@ struct BoxAxes {
         if (!(length > 1e-9)) return;
         axis /= length;
         axes[size_t(count)] = axis;
-        shapeReach[size_t(count)] = 0.0;
-        for (const glm::dvec3& half : box.halfAxes) shapeReach[size_t(count)] += std::abs(glm::dot(axis, half));
+        shapeRadius[size_t(count)] = 0.0;
+        for (const glm::dvec3& half : box.halfAxes) shapeRadius[size_t(count)] += std::abs(glm::dot(axis, half));
         ++count;
     }
-    double reach(int i, double cubeHalf) const {
+    double halfExtent(int i, double cubeHalf) const {
         const glm::dvec3& axis = axes[size_t(i)];
-        return shapeReach[size_t(i)] + cubeHalf * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));
+        return shapeRadius[size_t(i)] + cubeHalf * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));
     }
     bool overlaps(glm::dvec3 fromCube, double cubeHalf) const {
         for (int i = 0; i < count; ++i)
-            if (std::abs(glm::dot(axes[size_t(i)], fromCube)) > reach(i, cubeHalf)) return false;
+            if (std::abs(glm::dot(axes[size_t(i)], fromCube)) > halfExtent(i, cubeHalf)) return false;
         return true;
     }
     /// When the box, `fromCube` away, touches a cube; the axis they are apart on until then.
     Span touch(glm::dvec3 fromCube, glm::dvec3 direction, Span span, glm::dvec3& normal) const {
         for (int i = 0; i < count; ++i) {
-            const double from = glm::dot(axes[size_t(i)], fromCube), speed = glm::dot(axes[size_t(i)], direction), most = reach(i, 0.5);
+            const double from = glm::dot(axes[size_t(i)], fromCube), speed = glm::dot(axes[size_t(i)], direction), most = halfExtent(i, 0.5);
             if (std::abs(speed) < 1e-15) {
                 if (std::abs(from) > most) return {1.0, 0.0};
                 continue;
@@ -138,24 +138,24 @@ struct BoxAxes {
 };
 
 /// One cast through one grid.
-class Cast {
+class ShapeCast {
 public:
-    Cast(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 direction, double tMax, EntryFilter accepted)
-        : m_grid(grid), m_shape(shape), m_middle(shape.middle()), m_reach(shape.reach()), m_direction(direction), m_accepted(accepted) {
+    ShapeCast(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 direction, double tMax, EntryFilter accepted)
+        : m_grid(grid), m_shape(shape), m_middle(shape.middle()), m_halfExtent(shape.halfExtent()), m_direction(direction), m_accepted(accepted) {
         m_best.t = tMax;
         if (shape.isBox) m_axes.emplace(shape);
     }
 
-    /// A stretch of the way after the other, each as long as a directory node: a brick's turn comes where the shape's bounds
+    /// A interval of the way after the other, each as long as a directory node: a brick's turn comes where the shape's bounds
     /// first meet it.
-    CellTouch run() {
-        const Span way = spanInBox(m_middle, m_direction, -m_reach, glm::dvec3(m_grid.size()) + m_reach, {0.0, m_best.t});
+    CellContact run() {
+        const Span way = spanInBox(m_middle, m_direction, -m_halfExtent, glm::dvec3(m_grid.size()) + m_halfExtent, {0.0, m_best.t});
         if (way.empty()) return {};
         const double speed = glm::length(m_direction);
-        const double stretch = speed > 0.0 ? kNodeSize / speed : 1.0;
-        for (double from = way.enter;; from += stretch) {
-            visitStretch({from, std::min(from + stretch, way.leave)}, from == way.enter);
-            if (!(from + stretch < std::min(way.leave, m_best.t))) break;
+        const double interval = speed > 0.0 ? kNodeSize / speed : 1.0;
+        for (double from = way.enter;; from += interval) {
+            visitInterval({from, std::min(from + interval, way.leave)}, from == way.enter);
+            if (!(from + interval < std::min(way.leave, m_best.t))) break;
         }
         if (!m_best.hit) return {};
         if (m_best.normal == glm::dvec3(0.0)) m_best.normal = speed > 0.0 ? -m_direction / speed : glm::dvec3(0.0, 1.0, 0.0);
@@ -163,39 +163,39 @@ public:
     }
 
 private:
-    struct Waiting {
+    struct BrickCandidate {
         double enter, leave;
         glm::ivec3 position;
         const Brick* brick;
     };
 
-    void visitStretch(Span stretch, bool isFirst) {
-        const glm::dvec3 from = m_middle + m_direction * stretch.enter, to = m_middle + m_direction * stretch.leave;
-        m_waiting.clear();
-        forEachBrickIn(m_grid, glm::min(from, to) - m_reach, glm::max(from, to) + m_reach, [&](glm::ivec3 position, const Brick& brick) {
+    void visitInterval(Span interval, bool isFirst) {
+        const glm::dvec3 from = m_middle + m_direction * interval.enter, to = m_middle + m_direction * interval.leave;
+        m_candidates.clear();
+        forEachBrickIn(m_grid, glm::min(from, to) - m_halfExtent, glm::max(from, to) + m_halfExtent, [&](glm::ivec3 position, const Brick& brick) {
             const glm::dvec3 low(position * kBrickSize);
-            const Span span = spanInBox(m_middle, m_direction, low - m_reach, low + 8.0 + m_reach, {0.0, m_best.t});
-            if (span.empty() || span.enter > stretch.leave || (span.enter <= stretch.enter && !isFirst)) return;
-            m_waiting.push_back({span.enter, span.leave, position, &brick});
+            const Span span = spanInBox(m_middle, m_direction, low - m_halfExtent, low + 8.0 + m_halfExtent, {0.0, m_best.t});
+            if (span.empty() || span.enter > interval.leave || (span.enter <= interval.enter && !isFirst)) return;
+            m_candidates.push_back({span.enter, span.leave, position, &brick});
         });
-        std::stable_sort(m_waiting.begin(), m_waiting.end(), [](const Waiting& a, const Waiting& b) { return a.enter < b.enter; });
-        for (const Waiting& each : m_waiting) {
+        std::stable_sort(m_candidates.begin(), m_candidates.end(), [](const BrickCandidate& a, const BrickCandidate& b) { return a.enter < b.enter; });
+        for (const BrickCandidate& each : m_candidates) {
             if (each.enter > m_best.t) break;
             visitBrick(each);
         }
     }
 
-    void visitBrick(const Waiting& each) {
+    void visitBrick(const BrickCandidate& each) {
         BrickBits bits = acceptedVoxels(*each.brick, m_accepted);
         if (each.enter > 0.0) bits = outerVoxels(bits);
         const glm::dvec3 from = m_middle + m_direction * each.enter, to = m_middle + m_direction * std::min(each.leave, m_best.t);
-        clip(bits, each.position, glm::min(from, to) - m_reach - 1e-6, glm::max(from, to) + m_reach + 1e-6);
+        clip(bits, each.position, glm::min(from, to) - m_halfExtent - 1e-6, glm::max(from, to) + m_halfExtent + 1e-6);
         forEachVoxel(bits, [&](int i) { visitCell(each.position * kBrickSize + voxelInBrick(i)); });
     }
 
     void visitCell(glm::ivec3 cell) {
         const glm::dvec3 low(cell);
-        const Span span = spanInBox(m_middle, m_direction, low - m_reach, low + 1.0 + m_reach, {0.0, m_best.t});
+        const Span span = spanInBox(m_middle, m_direction, low - m_halfExtent, low + 1.0 + m_halfExtent, {0.0, m_best.t});
         if (span.empty() || (m_best.hit && span.enter >= m_best.t)) return;
         if (m_axes) {
             glm::dvec3 normal(0.0);
@@ -204,20 +204,20 @@ private:
                 m_best = {true, cell, touch.enter, glm::clamp(m_middle + m_direction * touch.enter, low, low + 1.0), normal};
             return;
         }
-        touchRound(cell, span.enter);
+        castRound(cell, span.enter);
     }
 
     /// The distance to a convex set is a convex function along the way, so Newton's method comes to its first zero from before.
-    void touchRound(glm::ivec3 cell, double t) {
+    void castRound(glm::ivec3 cell, double t) {
         const glm::dvec3 low(cell);
-        for (int i = 0; i < kMostSteps; ++i) {
+        for (int i = 0; i < kMaxNewtonSteps; ++i) {
             const glm::dvec3 moved = m_direction * t;
             const SegmentToBox near = closestToBox(m_shape.a + moved, m_shape.b + moved, low, low + 1.0);
             const double gap = near.distance - m_shape.radius;
             const glm::dvec3 normal = near.distance > 0.0 ? (near.onSegment - near.onBox) / near.distance : glm::dvec3(0.0);
             const double approach = -glm::dot(normal, m_direction);
-            if (gap <= kTouching) {
-                if (gap >= -kTouching && near.distance > 0.0 && !(approach > 1e-12)) return;
+            if (gap <= kContactTolerance) {
+                if (gap >= -kContactTolerance && near.distance > 0.0 && !(approach > 1e-12)) return;
                 m_best = {true, cell, t, near.onBox, normal};
                 return;
             }
@@ -229,26 +229,26 @@ private:
 
     const VoxelGrid& m_grid;
     const CellShape& m_shape;
-    glm::dvec3 m_middle, m_reach, m_direction;
+    glm::dvec3 m_middle, m_halfExtent, m_direction;
     EntryFilter m_accepted;
     std::optional<BoxAxes> m_axes;
-    CellTouch m_best;
-    std::vector<Waiting> m_waiting;
+    CellContact m_best;
+    std::vector<BrickCandidate> m_candidates;
 };
 
 bool isNear(glm::dvec3 v) {
-    return std::abs(v.x) < kFarthest && std::abs(v.y) < kFarthest && std::abs(v.z) < kFarthest;
+    return std::abs(v.x) < kMaxCoordinate && std::abs(v.y) < kMaxCoordinate && std::abs(v.z) < kMaxCoordinate;
 }
 
 bool isNear(const CellShape& shape) {
-    bool near = isNear(shape.a) && isNear(shape.reach());
+    bool near = isNear(shape.a) && isNear(shape.halfExtent());
     if (!shape.isBox) near = near && isNear(shape.b) && shape.radius >= 0.0;
     return near;
 }
 
 }  // namespace
 
-glm::dvec3 CellShape::reach() const {
+glm::dvec3 CellShape::halfExtent() const {
     if (!isBox) return glm::abs(b - a) * 0.5 + radius;
     return glm::abs(halfAxes[0]) + glm::abs(halfAxes[1]) + glm::abs(halfAxes[2]);
 }
@@ -284,14 +284,14 @@ SegmentToBox closestToBox(glm::dvec3 a, glm::dvec3 b, glm::dvec3 low, glm::dvec3
     return {onSegment, onBox, glm::length(onSegment - onBox)};
 }
 
-CellTouch castShape(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 direction, double tMax, EntryFilter accepted) {
+CellContact castShape(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 direction, double tMax, EntryFilter accepted) {
     if (!isNear(shape) || !isNear(direction) || !(tMax >= 0.0) || grid.empty()) return {};
-    return Cast(grid, shape, direction, tMax, accepted).run();
+    return ShapeCast(grid, shape, direction, tMax, accepted).run();
 }
 
 std::optional<glm::ivec3> findOverlap(const VoxelGrid& grid, const CellShape& shape, EntryFilter accepted) {
     if (!isNear(shape) || grid.empty()) return {};
-    const glm::dvec3 middle = shape.middle(), reach = shape.reach();
+    const glm::dvec3 middle = shape.middle(), halfExtent = shape.halfExtent();
     std::optional<BoxAxes> axes;
     if (shape.isBox) axes.emplace(shape);
     const auto meets = [&](glm::dvec3 low, double size) {
@@ -299,10 +299,10 @@ std::optional<glm::ivec3> findOverlap(const VoxelGrid& grid, const CellShape& sh
         return closestToBox(shape.a, shape.b, low, low + size).distance <= shape.radius;
     };
     std::optional<glm::ivec3> found;
-    forEachBrickIn(grid, middle - reach, middle + reach, [&](glm::ivec3 position, const Brick& brick) {
+    forEachBrickIn(grid, middle - halfExtent, middle + halfExtent, [&](glm::ivec3 position, const Brick& brick) {
         if (found || !meets(glm::dvec3(position * kBrickSize), kBrickSize)) return;
         BrickBits bits = acceptedVoxels(brick, accepted);
-        clip(bits, position, middle - reach - 1.0, middle + reach);
+        clip(bits, position, middle - halfExtent - 1.0, middle + halfExtent);
         forEachVoxel(bits, [&](int i) {
             const glm::ivec3 cell = position * kBrickSize + voxelInBrick(i);
             if (!found && meets(glm::dvec3(cell), 1.0)) found = cell;
@@ -311,16 +311,16 @@ std::optional<glm::ivec3> findOverlap(const VoxelGrid& grid, const CellShape& sh
     return found;
 }
 
-CellTouch findDeepest(const VoxelGrid& grid, const CellShape& round) {
-    CellTouch best;
+CellContact findDeepest(const VoxelGrid& grid, const CellShape& round) {
+    CellContact best;
     if (!isNear(round) || grid.empty()) return best;
-    const glm::dvec3 middle = round.middle(), reach = round.reach();
+    const glm::dvec3 middle = round.middle(), halfExtent = round.halfExtent();
     best.t = round.radius;
-    forEachBrickIn(grid, middle - reach, middle + reach, [&](glm::ivec3 position, const Brick& brick) {
+    forEachBrickIn(grid, middle - halfExtent, middle + halfExtent, [&](glm::ivec3 position, const Brick& brick) {
         const glm::dvec3 base(position * kBrickSize);
         if (closestToBox(round.a, round.b, base, base + 8.0).distance > best.t) return;
         BrickBits bits = brick.occupancy;
-        clip(bits, position, middle - reach - 1.0, middle + reach);
+        clip(bits, position, middle - halfExtent - 1.0, middle + halfExtent);
         forEachVoxel(bits, [&](int i) {
             const glm::ivec3 cell = position * kBrickSize + voxelInBrick(i);
             const SegmentToBox near = closestToBox(round.a, round.b, glm::dvec3(cell), glm::dvec3(cell) + 1.0);
@@ -332,24 +332,24 @@ CellTouch findDeepest(const VoxelGrid& grid, const CellShape& round) {
     return best;
 }
 
-ClosestVoxel findClosest(const VoxelGrid& grid, glm::dvec3 point, double reach, EntryFilter accepted) {
+ClosestVoxel findClosest(const VoxelGrid& grid, glm::dvec3 point, double halfExtent, EntryFilter accepted) {
     ClosestVoxel best;
-    if (!isNear(point) || !(reach >= 0.0) || grid.empty()) return best;
-    reach = std::min(reach, kFarthest);
-    best.distance = reach;
-    struct Waiting {
+    if (!isNear(point) || !(halfExtent >= 0.0) || grid.empty()) return best;
+    halfExtent = std::min(halfExtent, kMaxCoordinate);
+    best.distance = halfExtent;
+    struct BrickCandidate {
         double distance;
         glm::ivec3 position;
         const Brick* brick;
     };
     const auto distanceTo = [&](glm::dvec3 low, double size) { return glm::length(point - glm::clamp(point, low, low + size)); };
-    std::vector<Waiting> waiting;
-    forEachBrickIn(grid, point - reach, point + reach, [&](glm::ivec3 position, const Brick& brick) {
+    std::vector<BrickCandidate> candidates;
+    forEachBrickIn(grid, point - halfExtent, point + halfExtent, [&](glm::ivec3 position, const Brick& brick) {
         const double distance = distanceTo(glm::dvec3(position * kBrickSize), kBrickSize);
-        if (distance <= reach) waiting.push_back({distance, position, &brick});
+        if (distance <= halfExtent) candidates.push_back({distance, position, &brick});
     });
-    std::stable_sort(waiting.begin(), waiting.end(), [](const Waiting& a, const Waiting& b) { return a.distance < b.distance; });
-    for (const Waiting& each : waiting) {
+    std::stable_sort(candidates.begin(), candidates.end(), [](const BrickCandidate& a, const BrickCandidate& b) { return a.distance < b.distance; });
+    for (const BrickCandidate& each : candidates) {
         if (each.distance > best.distance || (best.found && each.distance == best.distance)) break;
         forEachVoxel(acceptedVoxels(*each.brick, accepted), [&](int i) {
             const glm::ivec3 cell = each.position * kBrickSize + voxelInBrick(i);

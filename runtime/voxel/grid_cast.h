@@ -17,10 +17,10 @@ struct CellShape {
 
     glm::dvec3 middle() const { return isBox ? a : (a + b) * 0.5; }
     /// Half the size of its bounds.
-    glm::dvec3 reach() const;
+    glm::dvec3 halfExtent() const;
 };
 
-struct CellTouch {
+struct CellContact {
     bool hit = false;
     glm::ivec3 cell{0};
     double t = 0.0;          ///< 0: it touches where it starts
@@ -35,23 +35,23 @@ using EntryFilter = const std::array<bool, 256>*;
 /// lengths) up to tMax. Voxels are closed unit cubes; the time is exact to about 1e-9 cells of distance. Costs the bricks
 /// near the way until it is blocked. What it just touches and moves
 /// along or away from does not stop it. A NaN anywhere gives no hit.
-CellTouch castShape(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 direction, double tMax, EntryFilter accepted = nullptr);
+CellContact castShape(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 direction, double tMax, EntryFilter accepted = nullptr);
 
 /// A solid voxel that the shape overlaps or touches: the first by brick, then by cell.
 std::optional<glm::ivec3> findOverlap(const VoxelGrid& grid, const CellShape& shape, EntryFilter accepted = nullptr);
 
 /// Where a round shape is deepest in a solid voxel, or closest to one that it touches: the least distance between segment
 /// and voxel, as `t`. The normal is zero where the segment itself is inside.
-CellTouch findDeepest(const VoxelGrid& grid, const CellShape& round);
+CellContact findDeepest(const VoxelGrid& grid, const CellShape& round);
 
-/// The point of a solid voxel that is closest to a point, if any is within `reach` cells.
+/// The point of a solid voxel that is closest to a point, if any is within `halfExtent` cells.
 struct ClosestVoxel {
     bool found = false;
     glm::ivec3 cell{0};
     glm::dvec3 point{0.0};
     double distance = 0.0;  ///< cells; 0 inside a voxel
 };
-ClosestVoxel findClosest(const VoxelGrid& grid, glm::dvec3 point, double reach, EntryFilter accepted = nullptr);
+ClosestVoxel findClosest(const VoxelGrid& grid, glm::dvec3 point, double halfExtent, EntryFilter accepted = nullptr);
 
 /// Where a segment comes closest to a box: the points, and their distance, 0 if they meet.
 struct SegmentToBox {

@@ -123,14 +123,14 @@ MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 bri
 
 MassMoments nodeMoments(const BrickNode& node, glm::ivec3 nodePosition, const Densities& densities) {
     const glm::ivec3 offset = nodePosition * kNodeSize;
-    if (const NodeMoments* known = node.knownMoments.find(); known && known->densities == densities.hash) return known->sums.shifted(offset);
+    if (const NodeMoments* known = node.cachedMoments.find(); known && known->densities == densities.hash) return known->sums.shifted(offset);
     auto found = std::make_unique<NodeMoments>(NodeMoments{densities.hash, {}});
     forEachChild(node.mask, [&](int child) {
         const Brick& brick = *node.bricks[size_t(child)];
         found->sums += brickMoments(brick, brick.occupancy, childPosition(child), densities);
     });
     const MassMoments sums = found->sums;
-    node.knownMoments.keep(std::move(found));
+    node.cachedMoments.keep(std::move(found));
     return sums.shifted(offset);
 }
 

@@ -39,7 +39,7 @@ void uniteFull(const BrickNode& node, const std::array<uint16_t, 65>& firstPart,
     }
 }
 
-void uniteAcross(const BrickNode& node, size_t face, PartsOfBricks& bricks, const std::array<uint16_t, 65>& firstPart, PartSets& sets) {
+void uniteAcross(const BrickNode& node, size_t face, BrickPartCache& bricks, const std::array<uint16_t, 65>& firstPart, PartSets& sets) {
     const int step = face == 1 ? 1 : face == 3 ? 4 : 16;
     BrickMask pairs = node.mask & ~kFaceBricks[face] & node.mask >> step;
     pairs &= ~(node.full & node.full >> step);  // known already
@@ -57,9 +57,9 @@ std::unique_ptr<const NodeParts> findNodeParts(const BrickNode& node) {
     forEachChild(node.mask & ~node.full, [&](int child) {  // bricks lie all over the memory: have them fetched side by side
         const Brick* brick = node.bricks[size_t(child)].get();
         __builtin_prefetch(&brick->occupancy);
-        __builtin_prefetch(&brick->knownParts);
+        __builtin_prefetch(&brick->cachedParts);
     });
-    PartsOfBricks bricks(node);
+    BrickPartCache bricks(node);
     auto detail = std::make_unique<NodeParts::Detail>();
     for (int child = 0; child < 64; ++child)
         detail->firstPart[size_t(child) + 1] = uint16_t(detail->firstPart[size_t(child)] + (node.mask >> child & 1 ? bricks[child].size() : 0));
@@ -92,7 +92,7 @@ std::unique_ptr<const NodeParts> findNodeParts(const BrickNode& node) {
 
 }  // namespace
 
-std::span<const BrickPart> PartsOfBricks::operator[](int child) {
+std::span<const BrickPart> BrickPartCache::operator[](int child) {
     auto& place = m_parts[size_t(child)];
     const BrickMask bit = BrickMask(1) << child;
     if (m_known & bit) return place;
@@ -104,13 +104,13 @@ std::span<const BrickPart> PartsOfBricks::operator[](int child) {
 }
 
 const NodeParts& nodeParts(const BrickNode& node) {
-    if (const NodeParts* known = node.knownParts.find()) return *known;
+    if (const NodeParts* known = node.cachedParts.find()) return *known;
     if (node.full == kAllBricks) {  // the commonest of all
         auto out = std::make_unique<NodeParts>();
         out->count = 1, out->voxels = {node.voxels};
-        return node.knownParts.keep(std::move(out));
+        return node.cachedParts.keep(std::move(out));
     }
-    return node.knownParts.keep(findNodeParts(node));
+    return node.cachedParts.keep(findNodeParts(node));
 }
 
 }  // namespace rubble

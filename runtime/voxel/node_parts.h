@@ -28,9 +28,9 @@ struct NodeParts {
 const NodeParts& nodeParts(const BrickNode& node);
 
 /// The parts of a node's bricks, for as long as this lives.
-class PartsOfBricks {
+class BrickPartCache {
 public:
-    explicit PartsOfBricks(const BrickNode& node) : m_node(node) {}
+    explicit BrickPartCache(const BrickNode& node) : m_node(node) {}
     std::span<const BrickPart> operator[](int child);
 
 private:
@@ -41,18 +41,18 @@ private:
     std::vector<std::vector<BrickPart>> m_kept;  ///< of the bricks that keep none themselves
 };
 
-/// The bricks of a node that lie on one of its faces (see kFaceSteps).
+/// The bricks of a node that lie on one of its faces (see kFaceOffsets).
 inline constexpr std::array<BrickMask, 6> kFaceBricks = {0x1111111111111111ull, 0x8888888888888888ull, 0x000f000f000f000full,
                                                          0xf000f000f000f000ull, 0x000000000000ffffull, 0xffff000000000000ull};
 /// How far a brick's bit moves to the facing brick of the neighbour there: childIndex goes from one side to the other.
-inline constexpr std::array<int, 6> kFacingBit = {3, -3, 12, -12, 48, -48};
+inline constexpr std::array<int, 6> kNeighborShift = {3, -3, 12, -12, 48, -48};
 
 /// Calls f(componentOfA, componentOfB) for components that touch through a face of `a`; the same pair may come again.
 /// f returns whether it wants more.
 template <class F>
 void forEachContact(const BrickNode& a, const BrickNode& b, size_t face, F&& f) {
     const NodeParts &inA = nodeParts(a), &inB = nodeParts(b);
-    const int shift = kFacingBit[face];
+    const int shift = kNeighborShift[face];
     const auto facing = [&](BrickMask mask) { return shift > 0 ? mask >> shift : mask << -shift; };
     const BrickMask both = a.mask & kFaceBricks[face] & facing(b.mask);
     const bool isOnePair = inA.count == 1 && inB.count == 1;

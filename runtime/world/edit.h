@@ -65,7 +65,7 @@ struct PaintEdit {
     ShapeHandle shape;                    ///< empty: all
 };
 
-/// A blow to a shape as a whole, while LoadSettings are on: it breaks where it is weakest, not only where it is hit. What stands
+/// A blow to a shape as a whole, while StressSettings are on: it breaks where it is weakest, not only where it is hit. What stands
 /// carries the blow to its anchors, what flies carries it to its own mass.
 struct StrikeEdit {
     ShapeHandle shape;

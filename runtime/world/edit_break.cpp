@@ -22,11 +22,11 @@ void EditStep::breakShape(ShapeHandle handle, const BreakEdit& edit) {
     if (brushBricks(brush, shape.grid.sizeInBricks()).empty()) return;
     rememberMotion(shape.body);
     const WorldSettings& settings = m_world.m_settings;
-    BreakPlan plan{.tool = edit.tool, .seed = edit.seed};
-    plan.metre = std::max<int64_t>(int64_t(double(kBrushUnit) / double(shape.voxelSize) + 0.5), 1);
-    plan.mostFragments = settings.debris.fragmentsABreak;
-    plan.fewestVoxels = settings.minPieceVoxels;
-    Broken broken = breakUp(shape.grid, brush, *shape.palette, m_world.m_materials, plan);
+    FracturePlan plan{.tool = edit.tool, .seed = edit.seed};
+    plan.unitsPerMetre = std::max<int64_t>(int64_t(double(kBrushUnit) / double(shape.voxelSize) + 0.5), 1);
+    plan.maxFragments = settings.debris.fragmentsABreak;
+    plan.minVoxels = settings.minPieceVoxels;
+    FractureResult broken = fracture(shape.grid, brush, *shape.palette, m_world.m_materials, plan);
     if (broken.dust.bricks.empty()) return;
     takeCarved(handle, broken.dust);
     for (Fragment& fragment : broken.fragments) {

@@ -23,12 +23,12 @@ void EditStep::carveShape(ShapeHandle handle, const CarveEdit& edit) {
     const Brush brush = resolveBrush(edit, m_world.shapeToWorld(handle), shape.voxelSize);
     if (brushBricks(brush, shape.grid.sizeInBricks()).empty()) return;
     rememberMotion(shape.body);
-    Carved carved;
+    CarveResult carved;
     carve(shape.grid, brush, *shape.palette, m_world.m_materials, carved, edit.tool);
     if (carved.voxels) takeCarved(handle, carved);
 }
 
-void EditStep::takeCarved(ShapeHandle handle, const Carved& carved) {
+void EditStep::takeCarved(ShapeHandle handle, const CarveResult& carved) {
     Shape& shape = m_world.m_shapes.at(handle);
     shape.moments -= carved.moments;
     countRemoved(handle, carved);
@@ -37,7 +37,7 @@ void EditStep::takeCarved(ShapeHandle handle, const Carved& carved) {
     for (const glm::ivec3 brick : carved.bricks) each.carved.insert(brick);
 }
 
-void EditStep::countRemoved(ShapeHandle handle, const Carved& carved) {
+void EditStep::countRemoved(ShapeHandle handle, const CarveResult& carved) {
     if (carved.voxels == 0) return;
     const Shape& shape = m_world.m_shapes.at(handle);
     const glm::dvec3 center = m_world.shapeToWorld(handle).transformPoint(massProperties(carved.moments, shape.voxelSize).center);

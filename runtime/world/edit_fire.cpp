@@ -92,7 +92,7 @@ void EditStep::lightBrick(ShapeHandle handle, HotBrick& hot) {
             logWarning("fire: " + std::to_string(limit) + " bricks burn, more do not; raise FireSettings::maxFires");
         return;
     }
-    light(hot);
+    ignite(hot);
     ++fire.burning;
     m_changes.firesLit.push_back({handle, hot.brick, brickInWorld(handle, hot.brick)});
 }
@@ -100,7 +100,7 @@ void EditStep::lightBrick(ShapeHandle handle, HotBrick& hot) {
 void EditStep::apply(const ExtinguishEdit& edit) {
     if (!isWithin(edit.position, kFarthest) || !(edit.radius > 0.0 && edit.radius < 1e6) || !(edit.wetSeconds >= 0.0 && edit.wetSeconds <= 6000.0))
         return logWarning("ExtinguishEdit: expected finite numbers, a radius above zero and 0 to 6000 seconds; nothing was put out");
-    const uint32_t wet = uint32_t(edit.wetSeconds * kHeatUpdates);
+    const uint32_t wet = uint32_t(edit.wetSeconds * kHeatUpdatesPerSecond);
     FireState& fire = m_world.m_fire;
     if (wet == 0 && !fire.isActive()) return;
     for (const ShapeHandle handle : m_world.shapesNear(edit.position, edit.radius)) {
@@ -162,7 +162,7 @@ void EditStep::burn() {
 
 void EditStep::burnShape(HeatField& field) {
     const ShapeHandle handle = field.shape;
-    std::vector<BrickShare> charred, consumed;
+    std::vector<BrickSubset> charred, consumed;
     std::erase_if(field.bricks, [&](HotBrick& hot) {
         const uint32_t turn = hashCell(hot.brick.x, hot.brick.y, hot.brick.z);
         if ((m_changes.step + turn) % kHeatInterval != 0) return false;
@@ -173,7 +173,7 @@ void EditStep::burnShape(HeatField& field) {
         if (outcome.wentOut) m_changes.firesOut.push_back({handle, hot.brick, brickInWorld(handle, hot.brick)});
         if (outcome.chars) charred.push_back({hot.brick, charredCells(skin, hot.brick, hot.charred)});
         if (outcome.consumed) consumed.push_back({hot.brick, consumedCells(shape.grid, hot.brick, skin, outcome.consumed)});
-        if (m_world.m_load) weaken(handle, hot.brick, strengthLeft(hot, skin));
+        if (m_world.m_load) weaken(handle, hot.brick, remainingStrength(hot, skin));
         if (outcome.emitted) emit(handle, hot, outcome.emitted);
         return outcome.isOver || !shape.grid.brickAt(hot.brick);
     });
@@ -204,23 +204,23 @@ void EditStep::emit(ShapeHandle handle, const HotBrick& hot, int64_t emitted) {
     }
 }
 
-void EditStep::consume(ShapeHandle handle, const std::vector<BrickShare>& cells) {
+void EditStep::consume(ShapeHandle handle, const std::vector<BrickSubset>& cells) {
     Shape& shape = m_world.m_shapes.at(handle);
     rememberMotion(shape.body);
     const Densities densities(*shape.palette, m_world.m_materials);
     const glm::vec3 velocity(m_world.m_bodies.at(shape.body).velocity);
-    for (const BrickShare& share : cells) {
-        const BrickRef brick = shape.grid.shareBrick(share.brick);
+    for (const BrickSubset& subset : cells) {
+        const BrickRef brick = shape.grid.shareBrick(subset.brick);
         std::array<uint64_t, 256> removed{};
         BrickBits keep;
-        for (size_t i = 0; i < 8; ++i) keep[i] = brick->occupancy[i] & ~share.voxels[i];
-        forEachVoxel(share.voxels, [&](int i) { ++removed[brick->at(i)]; });
-        shape.moments -= brickMoments(*brick, share.voxels, share.brick, densities);
-        shape.grid.setBrick(share.brick, maskBrick(*brick, keep));
-        countRemoved(handle, removed, {brickInWorld(handle, share.brick), 4.0 * shape.voxelSize, velocity});
+        for (size_t i = 0; i < 8; ++i) keep[i] = brick->occupancy[i] & ~subset.voxels[i];
+        forEachVoxel(subset.voxels, [&](int i) { ++removed[brick->at(i)]; });
+        shape.moments -= brickMoments(*brick, subset.voxels, subset.brick, densities);
+        shape.grid.setBrick(subset.brick, maskBrick(*brick, keep));
+        countRemoved(handle, removed, {brickInWorld(handle, subset.brick), 4.0 * shape.voxelSize, velocity});
         Touched& each = touched(handle);
-        each.carved.insert(share.brick);
-        each.lost = joined(each.lost, voxelBounds(share.brick, share.voxels));
+        each.carved.insert(subset.brick);
+        each.lost = joined(each.lost, voxelBounds(subset.brick, subset.voxels));
     }
 }
 

@@ -10,16 +10,16 @@ namespace rubble {
 void EditStep::openCracks() {
     for (const ShapeHandle handle : m_world.m_load->busy()) {
         WorldLoad::Entry& entry = *m_world.m_load->find(handle);
-        for (const LoadCrack& crack : std::exchange(entry.cracks, {}))
+        for (const StressCrack& crack : std::exchange(entry.cracks, {}))
             if (m_world.m_shapes.find(handle)) openCrack(handle, entry.entries, crack);
     }
 }
 
-void EditStep::openCrack(ShapeHandle handle, const LoadEntries& entries, const LoadCrack& crack) {
+void EditStep::openCrack(ShapeHandle handle, const StrengthTable& entries, const StressCrack& crack) {
     Shape& shape = m_world.m_shapes.at(handle);
     const Densities densities(*shape.palette, m_world.m_materials);
-    Carved carved;
-    for (const BrickShare& share : crackCells(shape.grid, shape.anchors, entries, crack.section)) removeCells(shape.grid, share, densities, carved);
+    CarveResult carved;
+    for (const BrickSubset& subset : crackCells(shape.grid, shape.anchors, entries, crack.section)) removeCells(shape.grid, subset, densities, carved);
     if (carved.voxels == 0) return;
     glm::dvec3 normal(0.0);
     normal[crack.section.axis] = 1.0;
@@ -32,23 +32,23 @@ void EditStep::openCrack(ShapeHandle handle, const LoadEntries& entries, const L
 
 /// Tells the analyses what changed and lets them work.
 void EditStep::weighShapes() {
-    WorldLoad& load = *m_world.m_load;
-    for (const ShapeHandle handle : m_changes.shapesDestroyed) load.remove(handle);
-    for (const ShapeHandle handle : m_changes.rehomed) load.remove(handle);
+    WorldLoad& stress = *m_world.m_load;
+    for (const ShapeHandle handle : m_changes.shapesDestroyed) stress.remove(handle);
+    for (const ShapeHandle handle : m_changes.rehomed) stress.remove(handle);
     for (const ShapeHandle handle : m_changes.shapesCreated)
         if (m_world.m_shapes.find(handle)) m_world.listLoad(handle);
     for (const auto& [slot, each] : m_touched)
-        if (WorldLoad::Entry* entry = load.find(each.shape); entry && !each.carved.empty()) {
+        if (WorldLoad::Entry* entry = stress.find(each.shape); entry && !each.carved.empty()) {
             std::vector<glm::ivec3> bricks;
             each.carved.forEach([&](glm::ivec3 brick) { bricks.push_back(brick); });
-            entry->analysis.touch(bricks);
-            load.wake(each.shape);
+            entry->analysis.markChanged(bricks);
+            stress.wake(each.shape);
         }
-    int64_t work = m_world.m_settings.load.workAStep;
-    for (const ShapeHandle handle : load.busy()) {
+    int64_t work = m_world.m_settings.stress.workAStep;
+    for (const ShapeHandle handle : stress.busy()) {
         if (work <= 0) break;
-        weighShape(*load.find(handle), work);
-        load.served(handle);
+        weighShape(*stress.find(handle), work);
+        stress.served(handle);
     }
 }
 
@@ -73,14 +73,14 @@ void EditStep::weighShape(WorldLoad::Entry& entry, int64_t& work) {
     const Shape& shape = m_world.m_shapes.at(entry.shape);
     if (entry.palette != shape.palette) {
         entry.palette = shape.palette;
-        entry.entries = loadEntries(*shape.palette, m_world.m_materials);
+        entry.entries = makeStrengthTable(*shape.palette, m_world.m_materials);
     }
-    const LoadSettings& settings = m_world.m_settings.load;
+    const StressSettings& settings = m_world.m_settings.stress;
     const glm::dvec3 gravity = glm::conjugate(m_world.shapeToWorld(entry.shape).rotation) * glm::dvec3(m_world.m_environment.gravity);
-    const LoadedShape loaded{shape.grid, shape.anchors, entry.entries, gravity, shape.voxelSize, settings.strengthScale * shape.strength, entry.weak};
-    entry.analysis.run(loaded, work, settings.cracksAStep, entry.cracks);
+    const StressedShape stressed{shape.grid, shape.anchors, entry.entries, gravity, shape.voxelSize, settings.strengthScale * shape.strength, entry.weak};
+    entry.analysis.run(stressed, work, settings.cracksAStep, entry.cracks);
     if (!entry.analysis.isIdle()) return;
-    if (!entry.analysis.hasConverged()) logWarning("load: the forces in a shape could not be found; it bears whatever comes");
+    if (!entry.analysis.hasConverged()) logWarning("stress: the forces in a shape could not be found; it bears whatever comes");
     if (entry.cracks.empty()) m_world.m_load->sleep(entry.shape);
 }
 

@@ -30,14 +30,14 @@ void EditStep::paintShape(ShapeHandle handle, const PaintEdit& edit, const Carve
          mode == PaintMode::Layer ? paintLayer(shape.grid, shape.paintColors, brush, paint) : paintPalette(shape.grid, shape.palette, brush, paint));
 }
 
-void EditStep::paintCells(ShapeHandle handle, std::span<const BrickShare> cells, const Paint& paint) {
+void EditStep::paintCells(ShapeHandle handle, std::span<const BrickSubset> cells, const Paint& paint) {
     Shape& shape = m_world.m_shapes.at(handle);
     keep(handle, m_world.m_settings.paint.mode == PaintMode::Layer ? paintLayer(shape.grid, shape.paintColors, cells, paint)
                                                                    : paintPalette(shape.grid, shape.palette, cells, paint));
 }
 
 /// Takes over what painting has changed besides the bricks, and into the journal.
-void EditStep::keep(ShapeHandle handle, const Painted& painted) {
+void EditStep::keep(ShapeHandle handle, const PaintResult& painted) {
     Shape& shape = m_world.m_shapes.at(handle);
     m_changes.paintedVoxels += painted.voxels;
     m_changes.paintMerges += painted.merges;

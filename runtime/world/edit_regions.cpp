@@ -60,7 +60,7 @@ void EditStep::quench() {
             if (!m_world.m_shapes.find(field.shape)) continue;
             const glm::dvec3 at = brickInWorld(field.shape, hot.brick);
             m_world.m_waters.forEach([&](WaterHandle, const Water& water) {
-                if (water.holds(at)) putOut(field.shape, hot, kWetSeconds * kHeatUpdates);
+                if (water.holds(at)) putOut(field.shape, hot, kWetSeconds * kHeatUpdatesPerSecond);
             });
         }
 }

@@ -43,7 +43,7 @@ bool touch(const VoxelGrid& into, const VoxelGrid& shape, glm::ivec3 offset) {
         const glm::ivec3 low = position * kBrickSize + offset;
         if (found || glm::any(glm::greaterThan(low, into.size())) || glm::any(glm::lessThan(low + kBrickSize, glm::ivec3(0)))) return;
         forEachVoxel(brick->occupancy, [&](int i) {
-            for (const glm::ivec3 step : kFaceSteps) found = found || into.at(low + voxelInBrick(i) + step) != 0;
+            for (const glm::ivec3 step : kFaceOffsets) found = found || into.at(low + voxelInBrick(i) + step) != 0;
         });
     });
     return found;

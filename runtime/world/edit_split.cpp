@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/destruction/stays_whole.h"
+#include "runtime/destruction/local_connectivity.h"
 #include "runtime/world/edit_step.h"
 
 namespace rubble {
@@ -51,7 +51,7 @@ bool EditStep::isWhole(const Touched& each) const {
     if (!shape || !shape->nothingLoose || each.lostVoxels || shape->grid.empty()) return false;
     const bool isAnchored = m_world.m_bodies.at(shape->body).isStatic;
     if (!isAnchored && shape->grid.voxelCount() < m_world.m_settings.minPieceVoxels) return false;
-    return staysWhole(shape->grid, each.lost, isAnchored ? std::span<const CellBox>(shape->anchors) : std::span<const CellBox>());
+    return isLocallyConnected(shape->grid, each.lost, isAnchored ? std::span<const CellBox>(shape->anchors) : std::span<const CellBox>());
 }
 
 /// True if there is nothing left to do for the shape: it has been split, or is gone.
@@ -64,7 +64,7 @@ bool EditStep::searchOn(PendingSplit& pending, size_t& budget) {
         rememberMotion(shape->body);
         shape->nothingLoose = true;
         budget -= std::min(budget, shape->grid.brickCount() / 64 + 1);
-        splitShape(pending.shape, findLoose(shape->grid, shape->anchors, isAnchored));
+        splitShape(pending.shape, findDetached(shape->grid, shape->anchors, isAnchored));
         return true;
     }
     if (!pending.search) pending.search.emplace(shape->grid, shape->anchors, isAnchored, pending.cut);
@@ -73,11 +73,11 @@ bool EditStep::searchOn(PendingSplit& pending, size_t& budget) {
         return false;
     }
     rememberMotion(shape->body);
-    splitShape(pending.shape, looseFrom(*pending.search, shape->grid, isAnchored));
+    splitShape(pending.shape, detachedFrom(*pending.search, shape->grid, isAnchored));
     return true;
 }
 
-void EditStep::splitShape(ShapeHandle parent, const Loose& loose) {
+void EditStep::splitShape(ShapeHandle parent, const Detached& loose) {
     const uint64_t smallest = m_world.m_settings.minPieceVoxels;
     Shape* shape = &m_world.m_shapes.at(parent);
     const bool isAnchored = m_world.m_bodies.at(shape->body).isStatic;
@@ -97,7 +97,7 @@ void EditStep::splitShape(ShapeHandle parent, const Loose& loose) {
         split.children.push_back(createChild(parent, std::move(piece), moments, split.motions.emplace_back()));
         shape = &m_world.m_shapes.at(parent);  // the new shape may have moved the others
     }
-    const bool isFree = loose.isAdrift || !isAnchored;
+    const bool isFree = loose.isUnanchored || !isAnchored;
     if (isFree && shape->grid.voxelCount() < smallest)
         for (const Component& rest : findComponents(shape->grid)) {
             touched(parent).carved.insert(rest);
@@ -111,7 +111,7 @@ void EditStep::splitShape(ShapeHandle parent, const Loose& loose) {
     }
     if (shape->grid.empty())
         destroyShape(parent);
-    else if (loose.isAdrift && shape->moments.weight > 0)
+    else if (loose.isUnanchored && shape->moments.weight > 0)
         rehome(parent);
     if (!split.children.empty()) m_changes.splits.push_back(std::move(split));
 }
@@ -119,7 +119,7 @@ void EditStep::splitShape(ShapeHandle parent, const Loose& loose) {
 void EditStep::dropPiece(ShapeHandle parent, const Component& component) {
     Shape& shape = m_world.m_shapes.at(parent);
     std::array<uint64_t, 256> removed{};
-    forEachShare(shape.grid, component,
+    forEachSubset(shape.grid, component,
                  [&](glm::ivec3, const Brick& brick, const BrickBits& voxels) { forEachVoxel(voxels, [&](int i) { ++removed[brick.at(i)]; }); });
     const Densities densities(*shape.palette, m_world.m_materials);
     const MassProperties mass = massProperties(componentMoments(shape.grid, component, densities), shape.voxelSize);

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "runtime/destruction/attachment.h"
+#include "runtime/destruction/detachment.h"
 #include "runtime/destruction/carve.h"
 #include "runtime/destruction/fragments.h"
 #include "runtime/destruction/paint.h"
@@ -55,14 +55,14 @@ private:
     void apply(const CarveEdit& edit);
     void carveShape(ShapeHandle handle, const CarveEdit& edit);
     /// Books what a shape has just lost.
-    void takeCarved(ShapeHandle handle, const Carved& carved);
+    void takeCarved(ShapeHandle handle, const CarveResult& carved);
     /// Where removed voxels were.
     struct Place {
         glm::dvec3 position;
         double radius;
         glm::vec3 velocity;
     };
-    void countRemoved(ShapeHandle handle, const Carved& carved);
+    void countRemoved(ShapeHandle handle, const CarveResult& carved);
     void countRemoved(ShapeHandle handle, const std::array<uint64_t, 256>& removed, const Place& place);
 
     // edit_break.cpp
@@ -74,15 +74,15 @@ private:
     // edit_paint.cpp
     void apply(const PaintEdit& edit);
     void paintShape(ShapeHandle handle, const PaintEdit& edit, const CarveEdit& area);
-    void paintCells(ShapeHandle handle, std::span<const BrickShare> cells, const Paint& paint);
-    void keep(ShapeHandle handle, const Painted& painted);
+    void paintCells(ShapeHandle handle, std::span<const BrickSubset> cells, const Paint& paint);
+    void keep(ShapeHandle handle, const PaintResult& painted);
 
     // edit_split.cpp
     void splitShapes();
     void releaseFragments();
     bool isWhole(const Touched& each) const;
     bool searchOn(PendingSplit& pending, size_t& budget);
-    void splitShape(ShapeHandle parent, const Loose& loose);
+    void splitShape(ShapeHandle parent, const Detached& loose);
     void dropPiece(ShapeHandle parent, const Component& component);
     ShapeHandle createChild(ShapeHandle parent, Piece piece, const MassMoments& moments, PieceMotion& started);
     void rehome(ShapeHandle shape);
@@ -108,7 +108,7 @@ private:
 
     // edit_load.cpp
     void openCracks();
-    void openCrack(ShapeHandle shape, const LoadEntries& entries, const LoadCrack& crack);
+    void openCrack(ShapeHandle shape, const StrengthTable& entries, const StressCrack& crack);
     void weighShapes();
     void weighShape(WorldLoad::Entry& entry, int64_t& work);
     /// Fire has left this much of a brick's strength, of 256.
@@ -116,7 +116,7 @@ private:
 
     // edit_strike.cpp
     void apply(const StrikeEdit& edit);
-    void strikePiece(ShapeHandle shape, const LoadBlow& blow);
+    void strikePiece(ShapeHandle shape, const ImpactForce& impact);
 
     // edit_lights.cpp
     void apply(const SetEnvironmentEdit& edit);
@@ -149,7 +149,7 @@ private:
     void burn();
     void burnShape(HeatField& field);
     void emit(ShapeHandle shape, const HotBrick& hot, int64_t emitted);
-    void consume(ShapeHandle shape, const std::vector<BrickShare>& cells);
+    void consume(ShapeHandle shape, const std::vector<BrickSubset>& cells);
     void moveHeat();
     void splitHeat(const ShapeSplit& split);
 
@@ -206,7 +206,7 @@ private:
     std::map<uint32_t, Touched> m_touched;  ///< by slot
     std::map<uint32_t, Motion> m_motions;   ///< by slot
     std::vector<Push> m_pushes;             ///< wait until the pieces exist
-    std::set<uint32_t> m_struck;            ///< slots of pieces that a blow was tried on
+    std::set<uint32_t> m_struck;            ///< slots of pieces that a impact was tried on
     std::set<uint32_t> m_cutWires;          ///< slots of shapes that lost wire, or pieces
     std::vector<uint64_t> m_groupRemoved;   ///< voxels, by slot of the group
     std::vector<Deposit> m_deposits;        ///< heat on its way, for the end of the fires' turn

@@ -5,13 +5,13 @@
 
 #include "runtime/core/log.h"
 #include "runtime/core/random.h"
-#include "runtime/destruction/load_flight.h"
+#include "runtime/destruction/free_body_fracture.h"
 #include "runtime/world/edit_step.h"
 
 namespace rubble {
 namespace {
 
-constexpr int kFarthest = 8;    ///< cells from the place of a blow to what takes it: what was there may just have been crushed
+constexpr int kFarthest = 8;    ///< cells from the place of a impact to what takes it: what was there may just have been crushed
 constexpr double kMost = 1e12;  ///< metres, N s
 
 bool isSane(glm::dvec3 v) {
@@ -44,35 +44,35 @@ void EditStep::apply(const StrikeEdit& edit) {
     const Shape* shape = m_world.m_shapes.find(edit.shape);
     if (!shape) return logWarning("StrikeEdit: the handle of its shape is stale; nothing was struck");
     if (!isSane(edit.position) || !isSane(edit.impulse)) return logWarning("StrikeEdit: expected numbers below 1e12; nothing was struck");
-    const LoadSettings& settings = m_world.m_settings.load;
+    const StressSettings& settings = m_world.m_settings.stress;
     if (!m_world.m_load || !shape->bearsLoad || !(settings.contactTime > 0.0)) return;
     const Pose pose = m_world.shapeToWorld(edit.shape);
     const std::optional<glm::ivec3> cell = cellAt(shape->grid, pose.inversePoint(edit.position) / double(shape->voxelSize));
     if (!cell) return;
-    const LoadBlow blow{*cell, glm::conjugate(pose.rotation) * edit.impulse / settings.contactTime};
-    if (!m_world.m_bodies.at(shape->body).isStatic) return strikePiece(edit.shape, blow);
+    const ImpactForce impact{*cell, glm::conjugate(pose.rotation) * edit.impulse / settings.contactTime};
+    if (!m_world.m_bodies.at(shape->body).isStatic) return strikePiece(edit.shape, impact);
     WorldLoad::Entry* entry = m_world.m_load->find(edit.shape);
     if (!entry) return;
-    // The scale of strengths stands for more weight, not for weaker materials: a blow is measured against what they are.
-    entry->analysis.strike({blow.cell, blow.force * settings.strengthScale});
+    // The scale of strengths stands for more weight, not for weaker materials: a impact is measured against what they are.
+    entry->analysis.applyImpact({impact.cell, impact.force * settings.strengthScale});
     m_world.m_load->wake(edit.shape);
 }
 
-/// A piece breaks at once: how it takes up the blow depends on nothing but itself.
-void EditStep::strikePiece(ShapeHandle handle, const LoadBlow& blow) {
+/// A piece breaks at once: how it takes up the impact depends on nothing but itself.
+void EditStep::strikePiece(ShapeHandle handle, const ImpactForce& impact) {
     const Shape& shape = m_world.m_shapes.at(handle);
-    const LoadSettings& settings = m_world.m_settings.load;
-    if (shape.grid.voxelCount() < settings.smallestStruck || shape.grid.brickCount() > settings.largestShape) return;
+    const StressSettings& settings = m_world.m_settings.stress;
+    if (shape.grid.voxelCount() < settings.minStruckVoxels || shape.grid.brickCount() > settings.largestShape) return;
     if (m_world.m_bodies.at(shape.body).shapes.size() != 1 || !m_struck.insert(handle.slot()).second) return;
-    const LoadEntries entries = loadEntries(*shape.palette, m_world.m_materials);
-    const LoadedShape body{shape.grid, {}, entries, glm::dvec3(0.0), shape.voxelSize, shape.strength};
+    const StrengthTable entries = makeStrengthTable(*shape.palette, m_world.m_materials);
+    const StressedShape body{shape.grid, {}, entries, glm::dvec3(0.0), shape.voxelSize, shape.strength};
     const uint32_t seed = hashCell(int(m_changes.step), int(handle.slot()), 0);
-    const std::vector<BodyPlane> planes = breakingPlanes(body, blow, seed);
+    const std::vector<FracturePlane> planes = findFracturePlanes(body, impact, seed);
     if (planes.empty()) return;
     rememberMotion(shape.body);
-    for (const BodyPlane& plane : planes)
-        for (const Section& section : sectionsOf(shape.grid, entries, plane.axis, plane.plane))
-            openCrack(handle, entries, {section, plane.share, plane.cause});
+    for (const FracturePlane& plane : planes)
+        for (const Section& section : sectionsInPlane(shape.grid, entries, plane.axis, plane.plane))
+            openCrack(handle, entries, {section, plane.utilization, plane.cause});
 }
 
 }  // namespace rubble

@@ -142,12 +142,12 @@ std::vector<FireLight> fireLights(const std::vector<Fire>& fires, uint64_t step,
     return out;
 }
 
-double World::strengthLeft(ShapeHandle handle, glm::ivec3 brick) const {
+double World::remainingStrength(ShapeHandle handle, glm::ivec3 brick) const {
     const HotBrick* hot = m_fire.find(handle, brick);
     if (!hot) return 1.0;
     const Shape& shape = m_shapes.at(handle);
     const HeatTable table = makeHeatTable(*shape.palette, m_materials, double(shape.voxelSize), double(m_settings.fire.burnTime));
-    return rubble::strengthLeft(*hot, heatSkin(shape.grid, brick, table)) / 256.0;
+    return rubble::remainingStrength(*hot, heatSkin(shape.grid, brick, table)) / 256.0;
 }
 
 }  // namespace rubble

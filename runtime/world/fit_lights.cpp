@@ -32,16 +32,16 @@ VoxelGrid onlyEntry(const VoxelGrid& grid, size_t entry) {
 /// Faces between voxels of the set and others, each a square of a cell.
 uint64_t surface(const VoxelGrid& only, const Component& voxels) {
     uint64_t open = 0;
-    forEachShare(only, voxels, [&](glm::ivec3 position, const Brick&, const BrickBits& bits) {
+    forEachSubset(only, voxels, [&](glm::ivec3 position, const Brick&, const BrickBits& bits) {
         forEachVoxel(bits, [&](int i) {
-            for (const glm::ivec3 step : kFaceSteps) open += only.at(position * kBrickSize + voxelInBrick(i) + step) == 0;
+            for (const glm::ivec3 step : kFaceOffsets) open += only.at(position * kBrickSize + voxelInBrick(i) + step) == 0;
         });
     });
     return open;
 }
 
 void recolour(VoxelGrid& grid, const VoxelGrid& only, const Component& voxels, uint8_t entry) {
-    forEachShare(only, voxels, [&](glm::ivec3 position, const Brick&, const BrickBits& bits) {
+    forEachSubset(only, voxels, [&](glm::ivec3 position, const Brick&, const BrickBits& bits) {
         const BrickRef brick = grid.shareBrick(position);
         BrickIndices indices;
         expandBrick(brick.get(), indices);
@@ -84,7 +84,7 @@ void fitShape(Level& level, LevelShape& shape) {
 
 Light fitLight(const LevelShape& shape, const VoxelGrid& only, const Component& voxels, const PaletteEntry& entry) {
     MassMoments moments;
-    forEachShare(only, voxels, [&](glm::ivec3 brick, const Brick&, const BrickBits& bits) {
+    forEachSubset(only, voxels, [&](glm::ivec3 brick, const Brick&, const BrickBits& bits) {
         forEachVoxel(bits, [&](int i) { moments.add(brick * kBrickSize + voxelInBrick(i), 1); });
     });
     const MassProperties mass = massProperties(moments, shape.voxelSize);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "runtime/core/handle.h"
-#include "runtime/destruction/load_section.h"
+#include "runtime/destruction/cross_section.h"
 #include "runtime/voxel/brick.h"
 #include "runtime/voxel/palette.h"
 #include "runtime/world/joint.h"
@@ -72,7 +72,7 @@ struct CrackOpened {
     glm::dvec3 position;  ///< world, metres
     glm::dvec3 normal;    ///< of the section, world
     uint8_t material;
-    LoadFailure cause;
+    FailureMode cause;
     uint64_t voxels;  ///< that it took
 };
 

@@ -52,12 +52,12 @@ void World::addImpactDamage(const Impact& impact, BodyHandle body, Edits& out) c
 /// What an impact loads beyond the place that it hits. It comes after what it breaks there.
 void World::addStrike(const Impact& impact, BodyHandle body, Edits& out) const {
     const Body* struck = m_bodies.find(body);
-    if (!m_load || !struck || !(impact.impulse >= m_settings.load.leastBlow)) return;
+    if (!m_load || !struck || !(impact.impulse >= m_settings.stress.minImpulse)) return;
     if (!struck->isStatic && struck->shapes.size() != 1) return;
     for (const ShapeHandle handle : shapesNear(impact.position, 0.3)) {
         const Shape& shape = m_shapes.at(handle);
         if (shape.body != body || !shape.bearsLoad) continue;
-        if (!struck->isStatic && shape.grid.voxelCount() < m_settings.load.smallestStruck) continue;
+        if (!struck->isStatic && shape.grid.voxelCount() < m_settings.stress.minStruckVoxels) continue;
         const uint8_t material = materialAt(shape, shapeToWorld(handle).inversePoint(impact.position) / double(shape.voxelSize));
         if (!material || (struck->isStatic && m_materials[material].hardness > Hardness::Hard)) continue;  // what falls on rock loads nothing
         out.push_back(StrikeEdit{handle, impact.position, impact.normal * (body == impact.body ? impact.impulse : -impact.impulse)});

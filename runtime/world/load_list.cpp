@@ -5,7 +5,7 @@ namespace rubble {
 
 void World::listLoads() {
     m_load.reset();
-    if (!m_settings.load.on) return;
+    if (!m_settings.stress.on) return;
     m_load.emplace();
     m_shapes.forEach([&](ShapeHandle handle, const Shape&) { listLoad(handle); });
 }
@@ -13,19 +13,19 @@ void World::listLoads() {
 void World::listLoad(ShapeHandle handle) {
     const Shape& shape = m_shapes.at(handle);
     if (!shape.bearsLoad || !m_bodies.at(shape.body).isStatic) return;
-    if (shape.grid.brickCount() > m_settings.load.largestShape) {
-        logWarning("load: shape \"" + shape.name + "\" has " + std::to_string(shape.grid.brickCount()) +
-                   " bricks and bears whatever comes; LoadSettings::largestShape is " + std::to_string(m_settings.load.largestShape));
+    if (shape.grid.brickCount() > m_settings.stress.largestShape) {
+        logWarning("stress: shape \"" + shape.name + "\" has " + std::to_string(shape.grid.brickCount()) +
+                   " bricks and bears whatever comes; StressSettings::largestShape is " + std::to_string(m_settings.stress.largestShape));
         return;
     }
     std::vector<glm::ivec3> bricks;
     shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef&) { bricks.push_back(brick); });
     WorldLoad::Entry& entry = m_load->add(handle);
-    entry.analysis.touch(bricks);
+    entry.analysis.markChanged(bricks);
     for (const HeatField& field : m_fire.fields) {
         if (field.shape != handle) continue;
         for (const HotBrick& hot : field.bricks)  // cf. EditStep::weaken()
-            entry.weak.push_back({hot.brick, (int(256.0 * strengthLeft(handle, hot.brick)) + 15) / 16 * 16});
+            entry.weak.push_back({hot.brick, (int(256.0 * remainingStrength(handle, hot.brick)) + 15) / 16 * 16});
     }
 }
 

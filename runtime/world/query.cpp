@@ -121,7 +121,7 @@ WorldHit castShapeWith(const World& world, const CastQuery& cast, ShapeFilter& f
     const auto visit = [&](ShapeHandle handle, const Shape& shape) {
         const Pose pose = world.shapeToWorld(handle);
         const double size = shape.voxelSize;
-        const CellTouch touch = castShape(shape.grid, cast.shape.inCells(pose, size), glm::conjugate(pose.rotation) * direction, best.distance / size,
+        const CellContact touch = castShape(shape.grid, cast.shape.inCells(pose, size), glm::conjugate(pose.rotation) * direction, best.distance / size,
                                           filter.entries(shape));
         if (!touch.hit || !isBetter(touch.t * size, handle.slot(), best)) return;
         best = {true,       touch.t * size,           pose.transformPoint(touch.point * size), pose.rotation * touch.normal, handle,

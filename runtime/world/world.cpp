@@ -187,7 +187,7 @@ bool World::isSupplied(LightGroupHandle handle, const LightGroup& group) const {
         wire[i] = m_wire && (*shape->palette)[i].material == m_wire;
         goal[i] = (*shape->palette)[i].lightGroup == handle.slot() + 1;
     }
-    return wireReaches(shape->grid, group.supplyCell, wire, goal);
+    return isWireConnected(shape->grid, group.supplyCell, wire, goal);
 }
 
 void World::countGroupVoxels() {
@@ -305,7 +305,7 @@ void World::listDebris(BodyHandle handle) {
 }
 
 void World::setSettings(const WorldSettings& settings) {
-    const bool isOtherLoad = !(settings.load == m_settings.load);
+    const bool isOtherLoad = !(settings.stress == m_settings.stress);
     m_settings = settings;
     if (isOtherLoad) listLoads();
     m_bodies.forEach([&](BodyHandle handle, const Body&) { listDebris(handle); });  // what counts as debris may be another now
@@ -384,7 +384,7 @@ uint64_t World::hash() const {
     if (m_fire.isActive()) hash = hashValue(m_fire.hash(), hash);
     for (const JointHandle rope : m_jointList.ropes()) hash = hashRopePoints(m_joints.at(rope), hash);
     for (const PendingSplit& pending : m_pendingSplits) {
-        hash = hashValue(pending.shape.slot(), hashValue(pending.search ? pending.search->seen() : 0, hash));
+        hash = hashValue(pending.shape.slot(), hashValue(pending.search ? pending.search->visitedParts() : 0, hash));
         pending.cut.forEachNode([&](glm::ivec3 node, BrickMask bricks) {
             hash = hashValue(uint64_t(node.x) | uint64_t(node.y) << 20 | uint64_t(node.z) << 40, hash);
             hash = hashValue(bricks, hash);

@@ -38,7 +38,7 @@ struct Shape {
     std::vector<std::string> tags;
     bool isPiece = false;        ///< came off something
     bool nothingLoose = false;   ///< known since its last split: a cut need only look around itself
-    bool bearsLoad = true;       ///< false: left out of the load analysis
+    bool bearsLoad = true;       ///< false: left out of the stress analysis
     float strength = 1.0f;       ///< multiple of its materials' strengths
     uint8_t collisionLayer = 1;  ///< bits; two shapes touch if each one's layer is in the other's mask
     uint8_t collisionMask = 255;
@@ -145,10 +145,10 @@ public:
     const WorldSettings& settings() const { return m_settings; }
     void setSettings(const WorldSettings& settings);
 
-    /// Forgets what is only kept to save work, and begins it anew: load analyses. A save does that in the running game too, so
+    /// Forgets what is only kept to save work, and begins it anew: stress analyses. A save does that in the running game too, so
     /// that it goes on like one that was loaded.
     void resetCaches();
-    /// The load analyses; null while LoadSettings are off.
+    /// The stress analyses; null while StressSettings are off.
     const WorldLoad* load() const { return m_load ? &*m_load : nullptr; }
 
     const SlotMap<BodyHandle, Body>& bodies() const { return m_bodies; }
@@ -191,7 +191,7 @@ public:
     std::vector<Fire> fires() const;
     std::optional<Fire> closestFire(glm::dvec3 position, double maxDistance) const;
     /// Share of its strength that char and heat have left to a brick.
-    double strengthLeft(ShapeHandle shape, glm::ivec3 brick) const;
+    double remainingStrength(ShapeHandle shape, glm::ivec3 brick) const;
     /// All heat as plain data, for files and undo; the shapes of what is put back must be there.
     const FireState& fire() const { return m_fire; }
     void setFire(FireState fire) { m_fire = std::move(fire); }
@@ -220,7 +220,7 @@ private:
     /// Brings the list of debris up to date with a body, which may be gone or no debris.
     void listDebris(BodyHandle body);
     bool debrisWaits() const;
-    /// Begins the load analysis of every standing shape anew, or ends it if it is off.
+    /// Begins the stress analysis of every standing shape anew, or ends it if it is off.
     void listLoads();
     /// Finds the voxels that hold a joint and the points of a rope; what is missing, or nothing.
     std::string fitJoint(Joint& joint) const;
@@ -265,7 +265,7 @@ private:
     uint64_t m_imported = 0, m_removed = 0;
     std::vector<PendingSplit> m_pendingSplits;
     std::vector<UndoHistory> m_undo;  ///< one, or none if nothing is to be remembered
-    std::optional<WorldLoad> m_load;  ///< none: LoadSettings are off
+    std::optional<WorldLoad> m_load;  ///< none: StressSettings are off
     std::string m_name;
 };
 

@@ -3,21 +3,21 @@
 #include <set>
 
 #include "runtime/core/handle.h"
-#include "runtime/destruction/load_analysis.h"
+#include "runtime/destruction/stress_analysis.h"
 
 namespace rubble {
 
-/// The load analyses of a world's standing shapes, and the cracks that wait for the next step. There is none in a world
-/// whose LoadSettings are off. What it holds decides what breaks when, so it is part of World::hash(); saving drops it, in
+/// The stress analyses of a world's standing shapes, and the cracks that wait for the next step. There is none in a world
+/// whose StressSettings are off. What it holds decides what breaks when, so it is part of World::hash(); saving drops it, in
 /// the running game too (World::resetCaches()).
 class WorldLoad {
 public:
     struct Entry {
         ShapeHandle shape;
-        LoadAnalysis analysis;
+        StressAnalysis analysis;
         PaletteRef palette;  ///< that `entries` were made from
-        LoadEntries entries;
-        std::vector<LoadCrack> cracks;
+        StrengthTable entries;
+        std::vector<StressCrack> cracks;
         std::vector<WeakBrick> weak;  ///< by cellBefore()
     };
 

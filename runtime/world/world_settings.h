@@ -4,7 +4,7 @@
 
 #include "runtime/world/debris_settings.h"
 #include "runtime/world/fire_settings.h"
-#include "runtime/world/load_settings.h"
+#include "runtime/world/stress_settings.h"
 #include "runtime/world/paint_settings.h"
 #include "runtime/world/split_settings.h"
 
@@ -22,7 +22,7 @@ struct WorldSettings {
     DebrisSettings debris;
     PaintSettings paint;
     FireSettings fire;
-    LoadSettings load;
+    StressSettings stress;
     SplitSettings split;
 };
 

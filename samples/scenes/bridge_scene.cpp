@@ -134,7 +134,7 @@ Pose bridgeCamera(double seconds) {
 Scene bridgeScene() {
     Scene scene{"bridge", "a bridge that loses a pillar", bridgeLevel, bridgeScript, bridgeCamera};
     scene.steps = 300;
-    scene.settings.load.on = true;
+    scene.settings.stress.on = true;
     return scene;
 }
 

@@ -141,7 +141,7 @@ Scene craneScene() {
     scene.steps = 720;
     scene.settings.impactRadius = 0.5;
     scene.settings.impactRadiusLimit = 2.0;
-    scene.settings.load.on = true;
+    scene.settings.stress.on = true;
     return scene;
 }
 

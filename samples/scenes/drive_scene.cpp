@@ -101,7 +101,7 @@ Scene driveScene() {
     scene.settings.impactThreshold = 8000.0;  // what a tyre rolls over breaks nothing, fifteen tonnes in a wall do
     scene.settings.impactRadius = 0.4;
     scene.settings.impactRadiusLimit = 1.4;
-    scene.settings.load.on = true;
+    scene.settings.stress.on = true;
     return scene;
 }
 

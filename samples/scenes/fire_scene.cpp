@@ -177,7 +177,7 @@ Scene fireScene() {
     // Eighteen seconds for what takes an hour.
     scene.settings.fire.spread = 5.0f;
     scene.settings.fire.burnTime = 0.14f;
-    scene.settings.load.on = true;
+    scene.settings.stress.on = true;
     return scene;
 }
 

@@ -190,8 +190,8 @@ Scene towerScene() {
     Scene scene{"tower", "a tower of nine storeys, felled at its foot", towerLevel, towerScript, towerCamera};
     scene.verticalFov = 0.86f;
     scene.steps = 480;
-    scene.settings.load.on = true;
-    scene.settings.load.contactTime = 0.0015;  // brittle: it shall break where it lands
+    scene.settings.stress.on = true;
+    scene.settings.stress.contactTime = 0.0015;  // brittle: it shall break where it lands
     return scene;
 }
 

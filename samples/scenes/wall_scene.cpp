@@ -143,7 +143,7 @@ Scene wallScene() {
     scene.steps = 400;
     scene.settings.paint.mode = PaintMode::Layer;
     scene.settings.impactRadiusLimit = 1.0;
-    scene.settings.load.on = true;
+    scene.settings.stress.on = true;
 
     return scene;
 }

@@ -81,7 +81,7 @@ Level makeStressLevel(uint64_t seed) {
 
 WorldSettings stressSettings() {
     WorldSettings settings;
-    settings.load.on = true;
+    settings.stress.on = true;
     settings.debris.awakeBodies = 40;
     settings.debris.bodies = 250;
     return settings;

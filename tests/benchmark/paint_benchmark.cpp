@@ -46,7 +46,7 @@ void sprays(benchmark::State& state, bool byLayer) {
             const glm::dvec3 at(double(i * 37 % 256), double(i * 53 % 128), 16.0);
             const Brush brush = sphereBrush(at, {8, 8, 8});
             const Paint paint{.color = {uint8_t(32 * (i % 8)), 40, 200}, .strength = 100, .probability = 60, .seed = i};
-            const Painted painted = byLayer ? paintLayer(grid, colors, brush, paint) : paintPalette(grid, entriesNow, brush, paint);
+            const PaintResult painted = byLayer ? paintLayer(grid, colors, brush, paint) : paintPalette(grid, entriesNow, brush, paint);
             if (painted.palette) entriesNow = painted.palette;
             if (painted.colors) colors = painted.colors;
             voxels += painted.voxels;

@@ -9,10 +9,10 @@
 
 #include "runtime/assets/assets.h"
 #include "runtime/core/random.h"
-#include "runtime/destruction/attachment.h"
+#include "runtime/destruction/detachment.h"
 #include "runtime/destruction/carve.h"
 #include "runtime/destruction/split.h"
-#include "runtime/destruction/stays_whole.h"
+#include "runtime/destruction/local_connectivity.h"
 #include "runtime/world/resolve_brush.h"
 #include "runtime/world/world.h"
 #include "tests/benchmark/destruction_scenes.h"
@@ -48,7 +48,7 @@ struct Held {
     double referenceMs = 0.0;  ///< of relabelling all of it: the median of five
 
     Held(VoxelGrid whole, const CellBox& anchor) : grid(std::move(whole)), anchors{anchor} {
-        for (const Component& loose : findLoose(grid, anchors, true).pieces) takePiece(grid, loose);
+        for (const Component& loose : findDetached(grid, anchors, true).pieces) takePiece(grid, loose);
         const bench::DenseGrid dense(grid);
         std::vector<double> times;
         for (int i = 0; i < 5; ++i) {
@@ -92,14 +92,14 @@ double msToLabel(const VoxelGrid& grid, const std::vector<glm::ivec3>& bricks) {
 Timed carveAndSplit(const Held& held, const Brush& brush) {
     VoxelGrid grid = held.grid;
     auto start = Clock::now();
-    Carved carved;
+    CarveResult carved;
     carve(grid, brush, stone(), defaultMaterials(), carved);
     const double carveMs = msSince(start), labelMs = msToLabel(grid, carved.bricks);
     start = Clock::now();
-    if (staysWhole(grid, carved.cells, held.anchors)) return {carveMs, labelMs, msSince(start), 0};
+    if (isLocallyConnected(grid, carved.cells, held.anchors)) return {carveMs, labelMs, msSince(start), 0};
     BrickSet bricks;
     for (const glm::ivec3 brick : carved.bricks) bricks.insert(brick);
-    const Loose loose = findLooseNear(grid, held.anchors, true, bricks);
+    const Detached loose = findDetachedNear(grid, held.anchors, true, bricks);
     const auto found = Clock::now();
     for (const Component& component : loose.pieces) benchmark::DoNotOptimize(takePiece(grid, component));
     return {carveMs, labelMs + msSince(found), msSince(start), loose.pieces.size()};
@@ -214,7 +214,7 @@ void cutInTwo(benchmark::State& state, bench::Solid solid, bool isCold) {
         world.shapes().forEach([&](ShapeHandle each, const Shape&) { handle = each; });
         VoxelGrid grid = world.shapes().at(handle).grid;
         auto start = Clock::now();
-        Carved carved;
+        CarveResult carved;
         carve(grid, resolveBrush(cut, world.shapeToWorld(handle), world.shapes().at(handle).voxelSize), stone(), defaultMaterials(), carved);
         carves.push_back(msSince(start));
         grid = {};

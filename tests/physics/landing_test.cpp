@@ -12,7 +12,7 @@ struct Felled {
         const glm::dquat lean = glm::angleAxis(-0.35, glm::dvec3(0, 0, 1));
         scene.add(blockGrid({12, 60, 12}, 7), {0.0, 0.45, 0.0}, false, lean);
         WorldSettings settings;
-        settings.load.on = loadIsOn;
+        settings.stress.on = loadIsOn;
         settings.impactThreshold = 1e12;  // only as a whole, not where it is hit
         scene.world.setSettings(settings);
         scene.load();
@@ -48,7 +48,7 @@ TEST(Landing, AFelledTowerBreaksIntoPieces) {
     EXPECT_LT(tower.scene.world.ledger().removed, 60u * 144u / 4u);
 }
 
-TEST(Landing, WithoutLoadItStaysWhole) {
+TEST(Landing, WithoutStressAnalysisItStaysWhole) {
     Felled tower(false);
     tower.run(4.0);
     EXPECT_EQ(tower.bodies(), 1u);

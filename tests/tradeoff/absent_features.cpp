@@ -27,7 +27,7 @@ const std::vector<Stages>& stages() {
         {"characters", {"PhysicsWorld::Impl::moveCharacters", "PhysicsWorld::Impl::refreshCharacters", "World::setCharacters"}},
         {"triggers", {"EditStep::updateTriggers"}},
         {"layers", {"PhysicsWorld::Impl::refreshFilters"}},
-        {"load", {"EditStep::openCracks", "EditStep::weighShapes"}},
+        {"stress", {"EditStep::openCracks", "EditStep::weighShapes"}},
         {"fire and heat", {"EditStep::burn", "EditStep::moveHeat"}},
         {"light groups", {"EditStep::updateLightGroups"}},
         {"debris budget", {"EditStep::limitDebris"}},

@@ -4,7 +4,7 @@
 
 #include "runtime/core/profile.h"
 #include "runtime/core/random.h"
-#include "runtime/destruction/attachment.h"
+#include "runtime/destruction/detachment.h"
 #include "runtime/world/world.h"
 #include "samples/scenes/canvas.h"
 #include "samples/scenes/placement.h"
@@ -92,7 +92,7 @@ Run cutUp(int size, size_t partsAStep, int cuts, uint64_t seed, bool watched) {
             const Shape* shape = standing();
             run.stillLoose = 0;
             if (shape)
-                for (const Component& loose : findLoose(shape->grid, shape->anchors, true).pieces) run.stillLoose += loose.voxels;
+                for (const Component& loose : findDetached(shape->grid, shape->anchors, true).pieces) run.stillLoose += loose.voxels;
             hanging = run.stillLoose ? hanging + 1 : 0;
             run.mostFrames = std::max(run.mostFrames, hanging);
         }

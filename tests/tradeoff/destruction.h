@@ -14,6 +14,6 @@ Table featureTradeoff(const Options& options);
 Table piecesMap(const Options& options);
 Table splitMap(const Options& options);
 Table fragmentMap(const Options& options);
-Table loadMap(const Options& options);
+Table stressMap(const Options& options);
 
 }  // namespace rubble::tradeoff

@@ -79,8 +79,8 @@ Run simulate(const Level& level, const Variant& variant, uint64_t seed) {
     loopSettings.shadowVolume = false;
     loopSettings.particles.most = 0;
     WorldSettings settings;
-    settings.load.on = true;
-    settings.load.strengthScale = 0.7;
+    settings.stress.on = true;
+    settings.stress.strengthScale = 0.7;
     settings.paint.mode = PaintMode::Layer;
     settings.debris.awakeBodies = 60;
     settings.debris.bodies = 150;
@@ -124,9 +124,9 @@ std::vector<Variant> variants() {
     using L = FrameLoopSettings;
     const auto noBudget = [](W& w, L&) { w.debris.awakeBodies = w.debris.bodies = kUnlimited, w.debris.voxels = w.debris.largestPiece = UINT64_MAX; };
     return {
-        {"load", "off", [](W& w, L&) { w.load.on = false; }},
-        {"load", "by rule"},
-        {"load", "always", [](W& w, L&) { w.load.workAStep = int64_t(1) << 40; }},
+        {"stress", "off", [](W& w, L&) { w.stress.on = false; }},
+        {"stress", "by rule"},
+        {"stress", "always", [](W& w, L&) { w.stress.workAStep = int64_t(1) << 40; }},
         {"fire", "off", [](W& w, L&) { w.fire.enabled = false; }},
         {"fire", "by rule"},
         {"fire", "always", [](W& w, L&) { w.fire.maxFires = w.fire.maxHot = 1 << 20, w.fire.spread = 4.0f; }},
@@ -148,7 +148,7 @@ std::vector<Variant> variants() {
 }
 
 constexpr const char* kMeaning =
-    "load, always: no limit of work a step; fire, always: no limit of fires, four times the spread; paint, always: all surfaces carry a layer "
+    "stress, always: no limit of work a step; fire, always: no limit of fires, four times the spread; paint, always: all surfaces carry a layer "
     "beforehand; fragments, off: blasts carve, always: no limit, and every touch breaks; debris budget, by rule: 60 awake and 150 in all, always: "
     "nothing is kept; particles, always: no limit";
 

@@ -20,7 +20,7 @@ using Row = std::pair<std::string, std::function<Table(const Options&)>>;
 
 std::vector<Row> rowsOf(const std::string& subject) {
     if (subject == "destruction")
-        return {{"T4", debrisTradeoff},    {"T5", connectivityTradeoff}, {"T12", featureTradeoff},      {"T13-load", loadMap},
+        return {{"T4", debrisTradeoff},    {"T5", connectivityTradeoff}, {"T12", featureTradeoff},      {"T13-stress", stressMap},
                 {"T13-pieces", piecesMap}, {"T13-split", splitMap},      {"T13-fragments", fragmentMap}};
     if (subject == "light")
         return {{"T6", shadowCellTradeoff},

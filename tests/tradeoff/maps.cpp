@@ -225,9 +225,9 @@ Table fragmentMap(const Options& options) {
     return table;
 }
 
-Table loadMap(const Options& options) {
+Table stressMap(const Options& options) {
     constexpr int kDepth = 4;
-    Table table{"T13-load",
+    Table table{"T13-stress",
                 "a concrete cantilever 4 cells deep: strength against span; does it stand, and should it by beam theory?",
                 {"strength scale", "span cells", "stress over strength by beam theory", "stands", "steps until it broke", "worst step us", "outcome"},
                 {}};
@@ -241,8 +241,8 @@ Table loadMap(const Options& options) {
         for (const int span : spans) {
             World world;
             WorldSettings settings;
-            settings.load.on = true;
-            settings.load.strengthScale = scale;
+            settings.stress.on = true;
+            settings.stress.strengthScale = scale;
             world.setSettings(settings);
             world.load(cantilever(kDepth, span));
             std::vector<double> us;
@@ -268,7 +268,7 @@ Table loadMap(const Options& options) {
     table.bottomLine = fmt::format(
         "{} points do what beam theory says (otherwise, but within 10 % of its limit: {}; against it: {}); the slowest step takes {:.1f} ms.",
         countOf(cells, Outcome::Stable), countOf(cells, Outcome::Degraded), countOf(cells, Outcome::Failed), slowest / 1000.0);
-    writeMap(options, "T13-load", "A cantilever: what it does, and stress over strength by beam theory", "span, cells of 0.1 m",
+    writeMap(options, "T13-stress", "A cantilever: what it does, and stress over strength by beam theory", "span, cells of 0.1 m",
              "strength, of the real one", cells, {"as theory says", "within 10 % of it", "against it", nullptr});
     return table;
 }

@@ -116,8 +116,8 @@ TEST(SaveFile, ASettingThatTheFileForgetsIsNoticed) {
     // A new setting changes the size: add it to state_fields.h, then here.
     EXPECT_EQ(sizeof(DebrisSettings), 32u);
     EXPECT_EQ(sizeof(FireSettings), 24u);
-    EXPECT_EQ(sizeof(LoadSettings), 56u);
-    EXPECT_EQ(sizeof(WorldSettings), 56 + sizeof(DebrisSettings) + sizeof(LoadSettings) + sizeof(FireSettings) + sizeof(SplitSettings) + 8u);
+    EXPECT_EQ(sizeof(StressSettings), 56u);
+    EXPECT_EQ(sizeof(WorldSettings), 56 + sizeof(DebrisSettings) + sizeof(StressSettings) + sizeof(FireSettings) + sizeof(SplitSettings) + 8u);
     EXPECT_EQ(sizeof(Joint), 480u);
     EXPECT_EQ(sizeof(Light), 192u);
     EXPECT_EQ(sizeof(Environment), 136u);

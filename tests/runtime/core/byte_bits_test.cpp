@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-TEST(ByteBits, SayWhichBytesAreWhat) {
+TEST(ByteBits, FindEqualAndNonZeroBytes) {
     Random random(1);
     for (int i = 0; i < 2000; ++i) {
         std::array<uint8_t, 64> bytes;

@@ -27,7 +27,7 @@ TEST(SlotMap, StaleHandlesAreReportedNeverFollowed) {
     EXPECT_EQ(map.find(BodyHandle::make(4, second.generation(), second.slot())), nullptr) << "another world's handle";
 }
 
-TEST(SlotMap, ClearedItGivesSlotsLikeANewOneAndOldHandlesAreStale) {
+TEST(SlotMap, AfterClearSlotsStartOverAndOldHandlesAreStale) {
     SlotMap<BodyHandle, int> used(1), fresh(1);
     const BodyHandle first = used.insert(1), second = used.insert(2), third = used.insert(3);
     used.erase(second);

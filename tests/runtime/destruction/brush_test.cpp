@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/runtime/destruction/oracle.h"
+#include "tests/runtime/destruction/reference_algorithms.h"
 
 namespace rubble {
 namespace {
@@ -102,7 +102,7 @@ TEST(Brush, BricksHoldExactlyTheCellsWhoseCentresAreInside) {
 TEST(Brush, RadiiAreOrderedAndNothingMeansNothing) {
     const Brush sphere = sphereBrush({4.5, 4.5, 4.5}, {2.0, 5.0, 0.0});
     EXPECT_EQ(sphere.radii[1], sphere.radii[0]);
-    EXPECT_EQ(sphere.radii[2], kBrushNothing);
+    EXPECT_EQ(sphere.radii[2], kBrushEmptyRadius);
     EXPECT_EQ(brushBits(sphere, {0, 0, 0}, sphere.radii[2]), BrickBits{});
     const double nan = std::nan("");
     EXPECT_TRUE(brushBricks(sphereBrush({nan, 0, 0}, {1, 1, 1}), {9, 9, 9}).empty());

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/runtime/destruction/oracle.h"
+#include "tests/runtime/destruction/reference_algorithms.h"
 
 namespace rubble {
 namespace {
@@ -24,7 +24,7 @@ TEST(Carve, RemovesEachClassWithinItsOwnRadius) {
     const VoxelGrid before = mixedGrid({40, 33, 29}, 5);
     VoxelGrid grid = before;
     const Brush brush = sphereBrush({19.3, 15.8, 14.1}, {11.0, 7.5, 3.2});
-    Carved carved;
+    CarveResult carved;
     carve(grid, brush, palette, materials, carved);
     const test::PlainGrid was(before), now(grid);
     std::array<uint64_t, 256> removed{};
@@ -49,7 +49,7 @@ TEST(Carve, MomentsOfWhatIsLeftAndWhatWasRemovedAddUp) {
     VoxelGrid grid = mixedGrid({70, 20, 45}, 6);
     const MassMoments all = gridMoments(grid, palette, materials);
     Random random(2);
-    Carved carved;
+    CarveResult carved;
     for (int i = 0; i < 40; ++i) {
         const double x = 70.0 * random.unit(), y = 20.0 * random.unit(), z = 45.0 * random.unit();
         carve(grid, capsuleBrush({x, y, z}, {y, z, x}, {4, 3, 2}), palette, materials, carved);
@@ -67,7 +67,7 @@ TEST(Carve, WhatIsKnownOfNodesIsWhatAFreshGridSays) {
     gridMoments(grid, palette, materials);  // from now on known
     Random random(3);
     for (int i = 0; i < 30; ++i) {
-        Carved carved;
+        CarveResult carved;
         const double x = 70.0 * random.unit(), y = 40.0 * random.unit(), z = 45.0 * random.unit();
         carve(grid, boxBrush({x, y, z}, {z / 9, x / 9, y / 9}, {1, 0, 0, 0}, Hardness::Medium), palette, materials, carved);
         VoxelGrid fresh(grid.size());
@@ -86,7 +86,7 @@ TEST(Carve, WhatIsKnownOfNodesIsWhatAFreshGridSays) {
 TEST(Carve, ListsExactlyTheBricksThatChanged) {
     const VoxelGrid before = mixedGrid({64, 64, 64}, 7);
     VoxelGrid grid = before;
-    Carved carved;
+    CarveResult carved;
     carve(grid, boxBrush({30, 30, 30}, {9, 9, 9}, glm::normalize(glm::dquat(1, 0.3, 0.2, 0.1)), Hardness::Medium), test::fiveEntries(),
           test::fiveMaterials(), carved);
     EXPECT_EQ(carved.removed[3], 0u);

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "runtime/destruction/pane.h"
-#include "tests/runtime/destruction/oracle.h"
+#include "tests/runtime/destruction/reference_algorithms.h"
 
 namespace rubble {
 namespace {
@@ -27,13 +27,13 @@ Brush ball(glm::dvec3 center, double radius) {
     return sphereBrush(center, {radius, radius, radius});
 }
 
-Broken breakIt(VoxelGrid& grid, const Brush& brush, const BreakPlan& plan = {}) {
-    return breakUp(grid, brush, materialEntries(), defaultMaterials(), plan);
+FractureResult fractureGrid(VoxelGrid& grid, const Brush& brush, const FracturePlan& plan = {}) {
+    return fracture(grid, brush, materialEntries(), defaultMaterials(), plan);
 }
 
-uint64_t fragmentVoxels(const Broken& broken) {
+uint64_t fragmentVoxels(const FractureResult& result) {
     uint64_t sum = 0;
-    for (const Fragment& fragment : broken.fragments) sum += fragment.piece.grid.voxelCount();
+    for (const Fragment& fragment : result.fragments) sum += fragment.piece.grid.voxelCount();
     return sum;
 }
 
@@ -52,13 +52,13 @@ TEST(Fragments, EveryVoxelIsInTheRestOrInOneFragmentOrDust) {
     }
     const test::PlainGrid before(grid);
     const MassMoments all = gridMoments(grid, materialEntries(), defaultMaterials());
-    const Broken broken = breakIt(grid, ball({20, 20, 20}, 19.5));
-    EXPECT_GT(broken.fragments.size(), 20u);
-    EXPECT_GT(broken.dust.voxels, 0u);
+    const FractureResult result = fractureGrid(grid, ball({20, 20, 20}, 19.5));
+    EXPECT_GT(result.fragments.size(), 20u);
+    EXPECT_GT(result.dust.voxels, 0u);
     test::PlainGrid after(grid);
     MassMoments sum = gridMoments(grid, materialEntries(), defaultMaterials());
-    sum += broken.dust.moments;
-    for (const Fragment& fragment : broken.fragments) {
+    sum += result.dust.moments;
+    for (const Fragment& fragment : result.fragments) {
         EXPECT_EQ(fragment.moments, gridMoments(fragment.piece.grid, materialEntries(), defaultMaterials()).shifted(fragment.piece.offset));
         sum += fragment.moments;
         const test::PlainGrid piece(fragment.piece.grid);
@@ -79,18 +79,18 @@ TEST(Fragments, EveryVoxelIsInTheRestOrInOneFragmentOrDust) {
             EXPECT_EQ(after.cells[i], 4) << "rock does not break";
         }
     }
-    EXPECT_EQ(missing, broken.dust.voxels);
-    EXPECT_EQ(std::accumulate(broken.dust.removed.begin(), broken.dust.removed.end(), uint64_t(0)), broken.dust.voxels);
+    EXPECT_EQ(missing, result.dust.voxels);
+    EXPECT_EQ(std::accumulate(result.dust.removed.begin(), result.dust.removed.end(), uint64_t(0)), result.dust.voxels);
 }
 
 TEST(Fragments, OneSeedOneResultAnotherSeedAnother) {
     const auto outcome = [](uint32_t seed) {
         VoxelGrid grid = test::solidGrid({32, 32, 32}, entryOf("concrete"));
-        BreakPlan plan;
+        FracturePlan plan;
         plan.seed = seed;
-        const Broken broken = breakIt(grid, ball({16, 30, 16}, 12.3), plan);
+        const FractureResult result = fractureGrid(grid, ball({16, 30, 16}, 12.3), plan);
         uint64_t hash = grid.contentHash();
-        for (const Fragment& fragment : broken.fragments) hash = hash * 31 + fragment.piece.grid.contentHash() + uint64_t(fragment.piece.offset.x);
+        for (const Fragment& fragment : result.fragments) hash = hash * 31 + fragment.piece.grid.contentHash() + uint64_t(fragment.piece.offset.x);
         return hash;
     };
     EXPECT_EQ(outcome(5), outcome(5));
@@ -98,14 +98,14 @@ TEST(Fragments, OneSeedOneResultAnotherSeedAnother) {
 }
 
 TEST(Fragments, ToolsObeyTheTable) {
-    BreakPlan plan;
+    FracturePlan plan;
     for (const auto& [tool, breaks] : {std::pair(Tool::Sledge, false), {Tool::Torch, true}, {Tool::Gun, true}, {Tool::Any, true}}) {
         VoxelGrid grid = test::solidGrid({16, 16, 16}, entryOf("metal"));
         plan.tool = tool;
-        EXPECT_EQ(breakIt(grid, ball({8, 8, 8}, 6), plan).dust.bricks.empty(), !breaks) << int(tool);
+        EXPECT_EQ(fractureGrid(grid, ball({8, 8, 8}, 6), plan).dust.bricks.empty(), !breaks) << int(tool);
     }
     VoxelGrid hard = test::solidGrid({16, 16, 16}, entryOf("hard masonry"));
-    Carved carved;
+    CarveResult carved;
     carve(hard, ball({8, 8, 8}, 6), materialEntries(), defaultMaterials(), carved, Tool::Gun);
     EXPECT_EQ(carved.voxels, 0u);
     carve(hard, ball({8, 8, 8}, 6), materialEntries(), defaultMaterials(), carved, Tool::Explosive);
@@ -128,17 +128,17 @@ VoxelGrid window() {
 TEST(Fragments, GlassGoesByThePane) {
     VoxelGrid grid = window();
     const uint64_t before = grid.voxelCount();
-    const Broken broken = breakIt(grid, ball({10, 10, 1.5}, 2.0));
+    const FractureResult result = fractureGrid(grid, ball({10, 10, 1.5}, 2.0));
     EXPECT_EQ(before - grid.voxelCount(), 21u * 20) << "all of the left pane and nothing else";
     EXPECT_EQ(grid.at({11, 3, 1}), 0);
     EXPECT_EQ(grid.at({30, 3, 1}), entryOf("glass"));
-    EXPECT_GT(broken.fragments.size(), 8u);
-    EXPECT_LT(broken.dust.voxels, 21u * 20 / 2);
+    EXPECT_GT(result.fragments.size(), 8u);
+    EXPECT_LT(result.dust.voxels, 21u * 20 / 2);
     // Nothing wedges: between any two fragments there is a gap.
     std::map<std::array<int, 3>, size_t> fragmentAt;
     const auto key = [](glm::ivec3 cell) { return std::array<int, 3>{cell.x, cell.y, cell.z}; };
-    for (size_t i = 0; i < broken.fragments.size(); ++i) {
-        const Piece& piece = broken.fragments[i].piece;
+    for (size_t i = 0; i < result.fragments.size(); ++i) {
+        const Piece& piece = result.fragments[i].piece;
         piece.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
             forEachVoxel(content->occupancy, [&](int v) { fragmentAt[key(piece.offset + brick * 8 + voxelInBrick(v))] = i; });
         });
@@ -159,9 +159,9 @@ TEST(Fragments, APaneIsFoundAsAFloodFillFindsIt) {
     for (const std::vector<size_t>& set : test::floodFill(plain)) {
         const glm::ivec3 start = plain.cell(set[set.size() / 2]);
         std::vector<size_t> found;
-        for (const BrickShare& share : findPane(
+        for (const BrickSubset& subset : findPane(
                  grid, start, [](uint8_t entry) { return entry == 2; }, 1u << 30))
-            forEachVoxel(share.voxels, [&](int i) { found.push_back(plain.index(share.brick * 8 + voxelInBrick(i))); });
+            forEachVoxel(subset.voxels, [&](int i) { found.push_back(plain.index(subset.brick * 8 + voxelInBrick(i))); });
         std::sort(found.begin(), found.end());
         EXPECT_EQ(found, set);
     }
@@ -172,27 +172,27 @@ TEST(Fragments, WoodSplintersAlongItsLongestAxis) {
         glm::ivec3 size(6);
         size[axis] = 90;
         VoxelGrid grid = test::solidGrid(size, entryOf("wood"));
-        const Broken broken = breakIt(grid, ball(glm::dvec3(size) * 0.5, 15));
-        ASSERT_GT(broken.fragments.size(), 5u);
+        const FractureResult result = fractureGrid(grid, ball(glm::dvec3(size) * 0.5, 15));
+        ASSERT_GT(result.fragments.size(), 5u);
         int longAlong = 0;
-        for (const Fragment& fragment : broken.fragments) {
+        for (const Fragment& fragment : result.fragments) {
             const glm::ivec3 e = extent(fragment);
             longAlong += e[axis] > 2 * std::max(e[(axis + 1) % 3], e[(axis + 2) % 3]);
         }
-        EXPECT_GT(longAlong * 2, int(broken.fragments.size())) << axis;
+        EXPECT_GT(longAlong * 2, int(result.fragments.size())) << axis;
     }
 }
 
 TEST(Fragments, TheirNumberIsBoundedAndMetalGivesAwayLittle) {
     VoxelGrid grid = test::solidGrid({64, 64, 64}, entryOf("concrete"));
-    BreakPlan plan;
-    plan.mostFragments = 40;
-    const Broken few = breakIt(grid, ball({32, 32, 32}, 28), plan);
+    FracturePlan plan;
+    plan.maxFragments = 40;
+    const FractureResult few = fractureGrid(grid, ball({32, 32, 32}, 28), plan);
     EXPECT_LE(few.fragments.size(), 40u);
     EXPECT_GT(few.fragments.size(), 15u);
     VoxelGrid metal = test::solidGrid({64, 64, 64}, entryOf("metal")), brick = test::solidGrid({64, 64, 64}, entryOf("brick"));
-    breakIt(metal, ball({32, 32, 32}, 20));
-    breakIt(brick, ball({32, 32, 32}, 20));
+    fractureGrid(metal, ball({32, 32, 32}, 20));
+    fractureGrid(brick, ball({32, 32, 32}, 20));
     EXPECT_GT(metal.voxelCount() - brick.voxelCount(), 20000u);
 }
 
@@ -203,7 +203,7 @@ TEST(Fragments, CarryTheirPaint) {
     VoxelGrid grid({16, 16, 16});
     for (int i = 0; i < 8; ++i) grid.setBrick({i & 1, i >> 1 & 1, i >> 2}, makeBrick(indices, &paint));
     const VoxelGrid before = grid;
-    for (const Fragment& fragment : breakIt(grid, ball({8, 8, 8}, 7)).fragments)
+    for (const Fragment& fragment : fractureGrid(grid, ball({8, 8, 8}, 7)).fragments)
         fragment.piece.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
             forEachVoxel(brick->occupancy, [&](int i) {
                 const glm::ivec3 cell = position * 8 + voxelInBrick(i) + fragment.piece.offset;
@@ -214,9 +214,9 @@ TEST(Fragments, CarryTheirPaint) {
 
 TEST(Fragments, NothingInReachNothingDone) {
     VoxelGrid grid = test::solidGrid({16, 16, 16}, entryOf("concrete"));
-    EXPECT_TRUE(breakIt(grid, ball({80, 8, 8}, 6)).dust.bricks.empty());
-    EXPECT_TRUE(breakIt(grid, ball({8, std::nan(""), 8}, 6)).dust.bricks.empty());
-    EXPECT_EQ(fragmentVoxels(breakIt(grid, ball({8, 8, 8}, -1))), 0u);
+    EXPECT_TRUE(fractureGrid(grid, ball({80, 8, 8}, 6)).dust.bricks.empty());
+    EXPECT_TRUE(fractureGrid(grid, ball({8, std::nan(""), 8}, 6)).dust.bricks.empty());
+    EXPECT_EQ(fragmentVoxels(fractureGrid(grid, ball({8, 8, 8}, -1))), 0u);
     EXPECT_EQ(grid.voxelCount(), 4096u);
 }
 

@@ -5,7 +5,7 @@
 
 #include "runtime/destruction/paint.h"
 #include "runtime/destruction/split.h"
-#include "tests/runtime/destruction/oracle.h"
+#include "tests/runtime/destruction/reference_algorithms.h"
 
 namespace rubble {
 namespace {
@@ -40,7 +40,7 @@ TEST(PaintLayer, AllEntriesTakeFifteenColoursInSixteenSteps) {
         for (int s = 1; s <= kPaintSteps; ++s) {  // a spot of a few voxels for every colour and number of steps
             const glm::dvec3 spot(4 * c - 1.5, 4 * s - 2.5, 7.5);
             const Paint paint{.color = {uint8_t(16 * c), uint8_t(255 - 16 * c), 77}, .strength = uint8_t(255 * s / 16), .seed = uint32_t(c)};
-            const Painted painted = paintLayer(grid, colors, sphereBrush(spot, {1.6, 1.6, 1.6}), paint);
+            const PaintResult painted = paintLayer(grid, colors, sphereBrush(spot, {1.6, 1.6, 1.6}), paint);
             if (painted.colors) colors = painted.colors;
             EXPECT_EQ(painted.merges, 0u);
             EXPECT_GT(painted.voxels, 0u);
@@ -53,7 +53,7 @@ TEST(PaintLayer, AllEntriesTakeFifteenColoursInSixteenSteps) {
     const test::PlainGrid after(grid);
     EXPECT_EQ(before.cells, after.cells) << "paint beside the palette leaves every entry as it was";
 
-    const Painted more = paintLayer(grid, colors, sphereBrush({30, 30, 7.5}, {3, 3, 3}), {.color = {1, 250, 80}, .strength = 255});
+    const PaintResult more = paintLayer(grid, colors, sphereBrush({30, 30, 7.5}, {3, 3, 3}), {.color = {1, 250, 80}, .strength = 255});
     EXPECT_EQ(more.colors, nullptr);
     EXPECT_EQ(more.merges, 1u) << "a sixteenth colour takes the nearest, and says so";
     EXPECT_EQ(paintAt(grid, {30, 30, 7}), paintByte(1, 16));
@@ -72,8 +72,8 @@ TEST(PaintLayer, BothModesLookAlike) {
         VoxelGrid byPalette = wall, byLayer = wall;
         const Paint paint{.color = {200, 30, 60}, .strength = uint8_t((255 * step + 8) / 16), .seed = 5};
         PaletteRef palette = std::make_shared<const Palette>(entries);
-        const Painted a = paintPalette(byPalette, palette, brush, paint);
-        const Painted b = paintLayer(byLayer, nullptr, brush, paint);
+        const PaintResult a = paintPalette(byPalette, palette, brush, paint);
+        const PaintResult b = paintLayer(byLayer, nullptr, brush, paint);
         EXPECT_EQ(a.merges, 0u);
         EXPECT_EQ(a.voxels, b.voxels) << "the same voxels are touched";
         if (a.palette) palette = a.palette;
@@ -91,7 +91,7 @@ TEST(PaintLayer, BothModesLookAlike) {
 
 TEST(PaintLayer, FalloffWeakensAndTheEdgeIsBlue) {
     VoxelGrid grid = test::solidGrid({64, 64, 8});
-    const Painted painted = paintLayer(grid, nullptr, sphereBrush({32, 32, 7.5}, {28, 28, 28}), {.color = {9, 9, 9}, .strength = 128, .falloff = 0});
+    const PaintResult painted = paintLayer(grid, nullptr, sphereBrush({32, 32, 7.5}, {28, 28, 28}), {.color = {9, 9, 9}, .strength = 128, .falloff = 0});
     ASSERT_TRUE(painted.colors);
     double byRing[4] = {}, count[4] = {};
     for (int y = 0; y < 64; ++y)
@@ -139,7 +139,7 @@ TEST(PaintLayer, OnePaintCoversAnother) {
     const Brush brush = sphereBrush({16, 16, 7.5}, {9, 9, 9});
     PaintColorsRef colors = paintLayer(grid, nullptr, brush, {.color = {255, 0, 0}, .strength = 255}).colors;
     for (uint32_t seed = 0; seed < 60; ++seed) {
-        const Painted painted = paintLayer(grid, colors, brush, {.color = {0, 0, 255}, .strength = 64, .seed = seed});
+        const PaintResult painted = paintLayer(grid, colors, brush, {.color = {0, 0, 255}, .strength = 64, .seed = seed});
         if (painted.colors) colors = painted.colors;
         if (seed != 0) continue;
         int blue = 0, all = 0;
@@ -159,7 +159,7 @@ TEST(PaintLayer, GoesWithPiecesAndCosts512BytesAPaintedBrick) {
             if ((i & 63) < 20 || (i & 63) > 27) writer.set({i & 63, i >> 6 & 15, i >> 10}, 1);
     }
     const size_t plain = grid.memoryBytes();
-    const Painted painted = paintLayer(grid, nullptr, sphereBrush({30, 8, 16}, {14, 14, 14}), {.color = {1, 2, 3}, .strength = 200});
+    const PaintResult painted = paintLayer(grid, nullptr, sphereBrush({30, 8, 16}, {14, 14, 14}), {.color = {1, 2, 3}, .strength = 200});
     EXPECT_EQ(grid.memoryBytes(), plain + 512 * painted.bricks.size());
     const VoxelGrid whole = grid;
     const std::vector<Component> parts = findComponents(grid);

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "tests/runtime/destruction/oracle.h"
+#include "tests/runtime/destruction/reference_algorithms.h"
 
 namespace rubble {
 namespace {
@@ -22,7 +22,7 @@ PaletteRef shared(const Palette& palette) {
 }
 
 bool isExposed(const test::PlainGrid& grid, glm::ivec3 cell) {
-    for (const glm::ivec3 step : kFaceSteps)
+    for (const glm::ivec3 step : kFaceOffsets)
         if (!grid.contains(cell + step) || !grid.cells[grid.index(cell + step)]) return true;
     return false;
 }
@@ -57,7 +57,7 @@ TEST(Paint, ReachesThePaintAndLeavesEverythingElse) {
         uint64_t voxels = 1, merges = 0;
         for (int step = 0; voxels > 0; ++step) {
             ASSERT_LT(step, 64) << "it never gets there";
-            const Painted painted = paintPalette(scene.grid, palette, sphere, {{250, 20, 30}, 64, 255, 0});
+            const PaintResult painted = paintPalette(scene.grid, palette, sphere, {{250, 20, 30}, 64, 255, 0});
             if (painted.palette) palette = painted.palette;
             voxels = painted.voxels;
             merges += painted.merges;
@@ -83,7 +83,7 @@ TEST(Paint, ReachesThePaintAndLeavesEverythingElse) {
 TEST(Paint, AFullPaletteIsReportedAndStaysValid) {
     Crowded scene(255);
     const test::PlainGrid before(scene.grid);
-    const Painted painted = paintPalette(scene.grid, shared(scene.palette), sphereBrush({31, 16, 16}, {9, 9, 9}), {{250, 20, 30}, 64, 255, 0});
+    const PaintResult painted = paintPalette(scene.grid, shared(scene.palette), sphereBrush({31, 16, 16}, {9, 9, 9}), {{250, 20, 30}, 64, 255, 0});
     EXPECT_GT(painted.merges, 0u);
     EXPECT_EQ(painted.palette, nullptr);
     const test::PlainGrid after(scene.grid);
@@ -95,7 +95,7 @@ TEST(Paint, UnusedEntriesAreFreedForIt) {
     // 255 entries, as every .vox file has, of which the grid uses one.
     Crowded scene(255);
     VoxelGrid grid = test::solidGrid({16, 16, 16}, 9);
-    const Painted painted = paintPalette(grid, shared(scene.palette), sphereBrush({16, 8, 8}, {5, 5, 5}), {{1, 2, 3}, 64, 255, 0});
+    const PaintResult painted = paintPalette(grid, shared(scene.palette), sphereBrush({16, 8, 8}, {5, 5, 5}), {{1, 2, 3}, 64, 255, 0});
     ASSERT_NE(painted.palette, nullptr);
     EXPECT_EQ(painted.merges, 0u);
     EXPECT_EQ((*painted.palette)[9], scene.palette[9]);
@@ -103,7 +103,7 @@ TEST(Paint, UnusedEntriesAreFreedForIt) {
 
 TEST(Paint, ProbabilityThinsTheRimOnly) {
     VoxelGrid grid = test::solidGrid({64, 64, 8});
-    const Painted painted = paintPalette(grid, shared(test::fiveEntries()), sphereBrush({32, 32, 4}, {24, 24, 24}), {{9, 9, 9}, 255, 30, 7});
+    const PaintResult painted = paintPalette(grid, shared(test::fiveEntries()), sphereBrush({32, 32, 4}, {24, 24, 24}), {{9, 9, 9}, 255, 30, 7});
     ASSERT_TRUE(painted.palette);
     int middle = 0, middleAll = 0, rim = 0, rimAll = 0;
     for (int y = 0; y < 64; ++y)

@@ -60,7 +60,7 @@ public:
         const CarveEdit edit = randomCut(handle, shape);
         const MassProperties whole = m_world.bodyMass(shape.body);
         VoxelGrid grid = shape.grid;
-        Carved carved;
+        CarveResult carved;
         carve(grid, resolveBrush(edit, m_world.shapeToWorld(handle), shape.voxelSize), *shape.palette, m_world.materials(), carved);
         const MassMoments expected = gridMoments(grid, *shape.palette, m_world.materials());
         const FrameChanges changes = m_world.applyEdits({edit});

@@ -106,7 +106,7 @@ TEST(Fire, CharsBeforeItEats) {
         });
         EXPECT_GT(mode == PaintMode::Layer ? painted : dark, 50);
         EXPECT_EQ(mode == PaintMode::Layer ? dark : painted, 0);
-        EXPECT_LT(world.strengthLeft(test::firstShape(world), {0, 0, 0}), 0.9) << "char is weak";
+        EXPECT_LT(world.remainingStrength(test::firstShape(world), {0, 0, 0}), 0.9) << "char is weak";
     }
 }
 

@@ -46,8 +46,8 @@ struct Outcome {
 
 inline WorldSettings loadOn(double strengthScale) {
     WorldSettings settings;
-    settings.load.on = true;
-    settings.load.strengthScale = strengthScale;
+    settings.stress.on = true;
+    settings.stress.strengthScale = strengthScale;
     return settings;
 }
 

@@ -41,7 +41,7 @@ TEST(LoadStructures, SimplySupportedBeamBreaksInTheMiddle) {
             const auto cracks = cracksUnder(overload, world, beam, kConcretePull * 0.75 * l * l / d / kConcreteTension);
             if (cracks.empty()) continue;
             EXPECT_NEAR(cracks[0].position.x, 1.1 + l / 2.0, 0.25);
-            EXPECT_EQ(cracks[0].cause, LoadFailure::Tension);
+            EXPECT_EQ(cracks[0].cause, FailureMode::Tension);
         }
 }
 
@@ -55,7 +55,7 @@ TEST(LoadStructures, ColumnIsCrushedAtItsFoot) {
             const auto cracks = cracksUnder(overload, world, column, kConcretePull * height * 0.1 / kConcretePressure);
             if (cracks.empty()) continue;
             EXPECT_NEAR(cracks[0].position.y, 0.4, 1e-6);
-            EXPECT_EQ(cracks[0].cause, LoadFailure::Compression);
+            EXPECT_EQ(cracks[0].cause, FailureMode::Compression);
         }
 }
 
@@ -79,7 +79,7 @@ TEST(LoadStructures, PortalFrameBreaksWhereItsMomentIsLargest) {
                 World world;
                 const auto cracks = cracksUnder(overload, world, frame, std::max({middle, end, columnTop}) / kConcreteTension);
                 if (cracks.empty()) continue;
-                EXPECT_EQ(cracks[0].cause, LoadFailure::Tension);
+                EXPECT_EQ(cracks[0].cause, FailureMode::Tension);
                 const double away = std::fabs(cracks[0].position.x - 0.1 * (low + width / 2));
                 if (middle > 1.15 * std::max(end, columnTop)) {
                     EXPECT_LE(away, 0.4) << depth << " " << rise;
@@ -106,7 +106,7 @@ TEST(LoadStructures, NeckUnderAHeavyHeadBreaksAndWhatIsBelowStands) {
                 const auto cracks = cracksUnder(overload, world, hourglass, head / area / kConcretePressure);
                 if (cracks.empty()) continue;
                 EXPECT_NEAR(cracks[0].position.y, 0.1 * (waist.y + 1), 0.11);
-                EXPECT_EQ(cracks[0].cause, LoadFailure::Compression);
+                EXPECT_EQ(cracks[0].cause, FailureMode::Compression);
                 // All that is gone or came off is the neck and the head.
                 const Ledger ledger = world.ledger();
                 EXPECT_GE(ledger.standing, uint64_t(below * width * width - neck * neck));

@@ -33,8 +33,8 @@ double shareAtWall(int length, int depth, double voxelSize, double strengthScale
 
 WorldSettings loadOn(double strengthScale) {
     WorldSettings settings;
-    settings.load.on = true;
-    settings.load.strengthScale = strengthScale;
+    settings.stress.on = true;
+    settings.stress.strengthScale = strengthScale;
     return settings;
 }
 
@@ -56,7 +56,7 @@ TEST(Load, CantileverSnapsAtTheWall) {
             EXPECT_EQ(cracks.empty(), overload < 1.0);
             if (!cracks.empty()) {
                 EXPECT_NEAR(cracks[0].position.x, 4 * voxelSize, 1e-6);
-                EXPECT_EQ(cracks[0].cause, LoadFailure::Tension);
+                EXPECT_EQ(cracks[0].cause, FailureMode::Tension);
             }
             EXPECT_TRUE(world.ledger().balances());
         }

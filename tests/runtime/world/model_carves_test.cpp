@@ -129,10 +129,10 @@ private:
         return edit;
     }
 
-    static Carved carvedCopy(const World& before, const CarveEdit& edit, ShapeHandle handle, VoxelGrid& grid) {
+    static CarveResult carvedCopy(const World& before, const CarveEdit& edit, ShapeHandle handle, VoxelGrid& grid) {
         const Shape& shape = before.shapes().at(handle);
         grid = shape.grid;
-        Carved carved;
+        CarveResult carved;
         carve(grid, resolveBrush(edit, before.shapeToWorld(handle), shape.voxelSize), *shape.palette, before.materials(), carved);
         return carved;
     }
@@ -140,7 +140,7 @@ private:
     void checkShape(const World& before, const CarveEdit& edit, ShapeHandle handle, const FrameChanges& changes) {
         const Shape& was = before.shapes().at(handle);
         VoxelGrid grid;
-        const Carved carved = carvedCopy(before, edit, handle, grid);
+        const CarveResult carved = carvedCopy(before, edit, handle, grid);
         ASSERT_GT(carved.voxels, 0u);
         const test::PlainGrid plain(grid);
         const CellSets expected = expectedPieces(plain, was, before.bodies().at(was.body).isStatic);

@@ -64,7 +64,7 @@ TEST(Momentum, TheSplitConservesWhatTheCarveLeft) {
         const Rigid whole = rigidOf(before, world.bodyMass(bodyHandle));
         VoxelGrid grid = world.shapes().at(shape).grid;
         const Palette palette = *world.shapes().at(shape).palette;
-        Carved carved;
+        CarveResult carved;
         carve(grid, resolveBrush(cut, pose, world.shapes().at(shape).voxelSize), palette, world.materials(), carved);
         Rigid expected = rigidOf(before, massProperties(gridMoments(grid, palette, world.materials()), world.shapes().at(shape).voxelSize));
         expected.velocity = whole.velocity + glm::cross(whole.angularVelocity, expected.center - whole.center);

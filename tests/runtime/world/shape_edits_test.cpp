@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "runtime/destruction/attachment.h"
+#include "runtime/destruction/detachment.h"
 #include "tests/runtime/world/worlds.h"
 
 namespace rubble {
@@ -171,7 +171,7 @@ TEST(SlicedSplits, LoseNothingAndEndWhereImmediateOnesDo) {
         if (shape.isPiece) {
             EXPECT_EQ(findComponents(shape.grid).size(), 1u);
         } else {
-            EXPECT_TRUE(findLoose(shape.grid, shape.anchors, true).pieces.empty()) << "a loose piece was forgotten";
+            EXPECT_TRUE(findDetached(shape.grid, shape.anchors, true).pieces.empty()) << "a loose piece was forgotten";
         }
     });
 }

@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-constexpr double kContact = LoadSettings{}.contactTime;
+constexpr double kContact = StressSettings{}.contactTime;
 
 /// A square column on its foot, its corner at (8, 0, 8).
 Structure column(int side, int height) {
@@ -121,7 +121,7 @@ struct Collision {
         ball.shapes[0].palette = level.bodies[0].shapes[0].palette;
         level.bodies.push_back(std::move(ball));
         WorldSettings settings;
-        settings.load.on = loadIsOn;
+        settings.stress.on = loadIsOn;
         world.setSettings(settings);
         world.load(level);
         BodyHandle bodies[2];
@@ -174,10 +174,10 @@ TEST(Strike, BadNumbersAreRefused) {
     EXPECT_FALSE(out.isBroken());
     // A blow beyond all numbers breaks nothing, and the next one is looked at as ever.
     WorldSettings settings = world.settings();
-    settings.load.contactTime = 1e-300;
+    settings.stress.contactTime = 1e-300;
     world.setSettings(settings);
     for (int i = 0; i < 10; ++i) step(world, out, {StrikeEdit{shape, {1.0, 1.0, 1.0}, {1e9, 0.0, 0.0}}});
-    settings.load.contactTime = kContact;
+    settings.stress.contactTime = kContact;
     world.setSettings(settings);
     for (int i = 0; i < 30; ++i) step(world, out);
     EXPECT_FALSE(out.isBroken());

@@ -1,6 +1,6 @@
 #pragma once
 #include "runtime/world/world.h"
-#include "tests/runtime/destruction/oracle.h"
+#include "tests/runtime/destruction/reference_algorithms.h"
 
 namespace rubble::test {
 

@@ -1,0 +1,233 @@
+#include "runtime/destruction/free_body_fracture.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <climits>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "runtime/core/random.h"
+
+namespace rubble {
+namespace {
+
+constexpr int kMinBeamCells = 12;       ///< cells: along shorter axes a body does not bend
+constexpr int kMaxParts = 6;       ///< of one impact
+constexpr double kMinAspect = 0.8;  ///< length of a part over its width where it broke: shorter ones are left whole
+
+/// Weight and its moments about the grid's corner. Exact below 2^53.
+struct MassSum {
+    double weight = 0.0;
+    glm::dvec3 first{0.0};
+    glm::dvec3 square{0.0}, mixed{0.0};  ///< xx yy zz; yz zx xy
+
+    void add(double density, glm::dvec3 at) {
+        weight += density;
+        first += density * at;
+        square += density * at * at;
+        mixed += density * glm::dvec3(at.y * at.z, at.z * at.x, at.x * at.y);
+    }
+    MassSum& operator+=(const MassSum& other) {
+        weight += other.weight, first += other.first, square += other.square, mixed += other.mixed;
+        return *this;
+    }
+    glm::dvec3 center() const { return first / weight; }
+    /// About its centre.
+    glm::dmat3 inertia() const {
+        const glm::dvec3 c = center();
+        const glm::dvec3 s = square - weight * c * c;
+        const glm::dvec3 m = mixed - weight * glm::dvec3(c.y * c.z, c.z * c.x, c.x * c.y);
+        const glm::dvec3 own = glm::dvec3(s.y + s.z, s.x + s.z, s.x + s.y) + weight / 6.0;  // a voxel has some by itself
+        return {own.x, -m.z, -m.y, -m.z, own.y, -m.x, -m.y, -m.x, own.z};
+    }
+};
+
+/// Near its end, a body is no beam: it spalls where it is hit, which is not looked at here.
+int shortestPart(double width) {
+    return std::max(kMinBeamCells / 2, int(kMinAspect * width));
+}
+
+double widthOf(const std::vector<Section>& sections) {
+    glm::ivec3 low(INT_MAX), high(INT_MIN);
+    for (const Section& section : sections)
+        for (uint64_t left = section.cells; left; left &= left - 1) {
+            const glm::ivec3 cell = section.cellBelow(std::countr_zero(left));
+            low = glm::min(low, cell), high = glm::max(high, cell + 1);
+        }
+    const glm::dvec3 size(high - low);  // one cell along its normal
+    return std::sqrt(size.x * size.y * size.z);
+}
+
+/// How the whole takes up a impact.
+struct Acceleration {
+    glm::dvec3 center{0.0}, linear{0.0}, angular{0.0};
+    glm::dvec3 at(glm::dvec3 point) const { return linear + glm::cross(angular, point - center); }
+};
+
+/// solidAt(brick): its cells that carry.
+template <class F>
+std::vector<Section> sectionsThrough(glm::ivec3 size, int axis, int plane, F&& solidAt) {
+    std::vector<Section> out;
+    glm::ivec3 low(0), high = size, above(0);
+    low[axis] = (plane - 1) / kBrickSize, high[axis] = low[axis] + 1;
+    const int inBrick = plane - low[axis] * kBrickSize;
+    above[axis] = inBrick == kBrickSize;
+    for (int z = low.z; z < high.z; ++z)
+        for (int y = low.y; y < high.y; ++y)
+            for (int x = low.x; x < high.x; ++x) {
+                const glm::ivec3 brick(x, y, z);
+                const uint64_t below = brickLayer(solidAt(brick), axis, inBrick - 1);
+                const bool hasAbove = brick[axis] + above[axis] < size[axis];
+                const uint64_t cells = below && hasAbove ? below & brickLayer(solidAt(brick + above), axis, inBrick & 7) : 0;
+                if (cells) out.push_back({brick, axis, inBrick, cells});
+            }
+    return out;
+}
+
+class FreeBody {
+public:
+    FreeBody(const StressedShape& body, const ImpactForce& impact)
+        : m_body(body), m_point(glm::dvec3(impact.cell) + 0.5), m_force(impact.force / (body.voxelSize * body.voxelSize * body.voxelSize)) {
+        sumLayers();
+    }
+
+    std::vector<FracturePlane> planes(int axis) const {
+        const int length = m_body.grid.size()[axis];
+        std::vector<FracturePlane> out;
+        if (!hasMass() || !bendsAlong(axis)) return out;
+        MassSum above;
+        for (int plane = length - 1; plane > 0; --plane) {
+            above += m_layers[size_t(axis)][size_t(plane)];
+            if (above.weight <= 0.0 || above.weight >= m_all.weight) continue;
+            out.push_back(evaluatePlane(axis, plane, above));
+        }
+        std::reverse(out.begin(), out.end());
+        for (FracturePlane& each : out)
+            if (std::min(each.plane + 1 - out.front().plane, out.back().plane + 1 - each.plane) < shortestPart(each.width)) each.utilization = 0.0;
+        return out;
+    }
+
+private:
+    bool hasMass() const { return m_all.weight > 0.0; }
+    /// Along its shorter axes a body is no beam.
+    bool bendsAlong(int axis) const {
+        const glm::ivec3 size = m_body.grid.size();
+        return size[axis] >= kMinBeamCells && 2 * size[axis] >= std::max({size.x, size.y, size.z});
+    }
+    size_t placeOf(glm::ivec3 brick) const {
+        const glm::ivec3 size = m_body.grid.sizeInBricks();
+        return (size_t(brick.z) * size_t(size.y) + size_t(brick.y)) * size_t(size.x) + size_t(brick.x);
+    }
+
+    void sumLayers() {
+        for (int axis = 0; axis < 3; ++axis)
+            if (bendsAlong(axis)) m_layers[size_t(axis)].resize(size_t(m_body.grid.size()[axis]));
+        const glm::ivec3 size = m_body.grid.sizeInBricks();
+        m_solidIndex.resize(size_t(size.x) * size_t(size.y) * size_t(size.z));
+        m_solid.emplace_back();
+        m_body.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+            m_solidIndex[placeOf(position)] = uint32_t(m_solid.size());
+            m_solid.push_back(solidCells(*brick, m_body.entries));
+            forEachVoxel(brick->occupancy, [&](int i) {
+                const glm::ivec3 cell = position * kBrickSize + voxelInBrick(i);
+                MassSum voxel;
+                voxel.add(m_body.entries[brick->at(i)].density, glm::dvec3(cell) + 0.5);
+                for (int axis = 0; axis < 3; ++axis)
+                    if (!m_layers[size_t(axis)].empty()) m_layers[size_t(axis)][size_t(cell[axis])] += voxel;
+                m_all += voxel;
+            });
+        });
+        if (!hasMass()) return;
+        m_acceleration.center = m_all.center();
+        m_acceleration.linear = m_force / m_all.weight;
+        m_acceleration.angular = glm::inverse(m_all.inertia()) * glm::cross(m_point - m_acceleration.center, m_force);
+    }
+
+    FracturePlane evaluatePlane(int axis, int plane, const MassSum& above) const {
+        FracturePlane out{axis, plane};
+        const std::vector<Section> sections =
+            sectionsThrough(m_body.grid.sizeInBricks(), axis, plane, [&](glm::ivec3 brick) { return m_solid[m_solidIndex[placeOf(brick)]]; });
+        if (sections.empty()) return out;
+        const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
+        const auto shapeSeenFrom = [&](const Section& from) {
+            std::vector<SectionTile> tiles;
+            for (const Section& each : sections) tiles.push_back({each.cells, each.brick[u] - from.brick[u], each.brick[v] - from.brick[v]});
+            return sectionShape(from, tiles);
+        };
+        const SectionShape shape = shapeSeenFrom(sections.front());
+        out.width = widthOf(sections);
+        const glm::dvec3 center = above.center();
+        SectionForce load{-above.weight * m_acceleration.at(center), glm::dvec3(0.0)};
+        load.moment = glm::cross(center - shape.centroid, load.force) - above.inertia() * m_acceleration.angular;
+        if (m_point[axis] > plane) {
+            load.force += m_force;
+            load.moment += glm::cross(m_point - shape.centroid, m_force);
+        }
+        bool canAnyBreak = false;
+        for (const Section& section : sections) {
+            bool canBreak = false;
+            SectionStrength strength = sectionStrength(m_body.grid, m_body.entries, section, canBreak);
+            canAnyBreak = canAnyBreak || canBreak;
+            const double scale = m_body.strengthScale / m_body.voxelSize;
+            strength = {strength.tensile * scale, strength.compressive * scale, strength.shear * scale};
+            const SectionUtilization sectionResult = sectionUtilization(section, shape, load, strength);
+            if (sectionResult.utilization > out.utilization) out.utilization = sectionResult.utilization, out.cause = sectionResult.cause;
+        }
+        if (!canAnyBreak) out.utilization = 0.0;
+        return out;
+    }
+
+    const StressedShape& m_body;
+    glm::dvec3 m_point, m_force;
+    std::array<std::vector<MassSum>, 3> m_layers;
+    std::vector<uint32_t> m_solidIndex;  ///< by place of the brick: which of these are its cells that carry
+    std::vector<BrickBits> m_solid;   ///< the first: none
+    MassSum m_all;
+    Acceleration m_acceleration;
+};
+
+}  // namespace
+
+std::vector<Section> sectionsInPlane(const VoxelGrid& grid, const StrengthTable& entries, int axis, int plane) {
+    return sectionsThrough(grid.sizeInBricks(), axis, plane, [&](glm::ivec3 at) {
+        const Brick* brick = grid.brickAt(at);
+        return brick ? solidCells(*brick, entries) : BrickBits{};
+    });
+}
+
+std::vector<FracturePlane> findFracturePlanes(const StressedShape& body, const ImpactForce& impact, uint32_t seed) {
+    const FreeBody freeBody(body, impact);
+    std::vector<FracturePlane> planes;
+    FracturePlane worst{0, 0, 1.0};
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<FracturePlane> each = freeBody.planes(axis);
+        const auto largest = std::max_element(each.begin(), each.end(), [](const FracturePlane& a, const FracturePlane& b) { return a.utilization < b.utilization; });
+        if (largest == each.end() || !(largest->utilization > worst.utilization)) continue;
+        worst = *largest;
+        planes = std::move(each);
+    }
+    if (planes.empty()) return {};
+    const int first = planes.front().plane, length = planes.back().plane + 1 - first;
+    const int shortest = shortestPart(worst.width);
+    const int parts =
+        std::clamp(std::min(int(std::sqrt(std::min(worst.utilization, double(kMaxParts * kMaxParts)))) + 1, length / shortest), 2, kMaxParts);
+    std::vector<FracturePlane> out{worst};
+    for (int i = 1; i < parts && int(out.size()) + 1 < parts; ++i) {
+        const int jitter = length / parts / 3;
+        const int at = first + length * i / parts + int(hashCell(i, worst.plane, length, seed) % uint32_t(2 * jitter + 1)) - jitter;
+        const auto plane = std::find_if(planes.begin(), planes.end(), [&](const FracturePlane& each) { return each.plane >= at; });
+        if (plane == planes.end() || !(plane->utilization * parts > 1.0)) continue;
+        const bool isApart = std::all_of(out.begin(), out.end(), [&](const FracturePlane& each) {
+            return std::abs(each.plane - plane->plane) >= std::max(shortest, length / parts / 2);
+        });
+        if (isApart) out.push_back(*plane);
+    }
+    std::sort(out.begin(), out.end(), [](const FracturePlane& a, const FracturePlane& b) { return a.plane < b.plane; });
+    return out;
+}
+
+}  // namespace rubble

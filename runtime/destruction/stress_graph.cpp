@@ -1,0 +1,240 @@
+#include "runtime/destruction/stress_graph.h"
+
+#include <algorithm>
+#include <bit>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace rubble {
+namespace {
+
+constexpr double kMaxNeckRatio = 0.6;  ///< of the smaller cross-section beside it: below that, a neck is a bond of its own
+
+uint32_t brickKey(glm::ivec3 brick) {
+    static_assert(kMaxGridSize / kBrickSize <= 1024, "ten bits an axis");
+    return uint32_t(brick.x) | uint32_t(brick.y) << 10 | uint32_t(brick.z) << 20;
+}
+
+struct Neck {
+    int axis = 0, plane = 0;
+    double ratio = 1.0;
+};
+
+/// The plane that leaves smallest of the cross-sections on both of its sides.
+Neck narrowest(const BrickBits& cells) {
+    Neck best;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::array<uint64_t, 8> layers;
+        std::array<int, 8> widestBelow, widestAbove;
+        for (int k = 0; k < 8; ++k) layers[size_t(k)] = brickLayer(cells, axis, k);
+        for (size_t k = 0, widest = 0; k < 8; ++k) widestBelow[k] = int(widest = std::max(widest, size_t(std::popcount(layers[k]))));
+        for (size_t k = 8, widest = 0; k-- > 0;) widestAbove[k] = int(widest = std::max(widest, size_t(std::popcount(layers[k]))));
+        int first = 0, last = 0;
+        double smallest = 1.0;
+        for (size_t k = 1; k < 8; ++k) {
+            const int beside = std::min(widestBelow[k - 1], widestAbove[k]);
+            if (!beside) continue;
+            const double ratio = double(std::popcount(layers[k - 1] & layers[k])) / beside;
+            if (ratio < smallest) smallest = ratio, first = int(k);
+            if (ratio == smallest) last = int(k);
+        }
+        if (smallest < best.ratio) best = {axis, (first + last) / 2, smallest};
+    }
+    return best;
+}
+
+}  // namespace
+
+StrengthTable makeStrengthTable(const Palette& palette, const MaterialTable& materials) {
+    StrengthTable out;
+    for (size_t i = 1; i < 256; ++i) {
+        const Material& material = materials[palette[i].material];
+        out[i] = {double(material.density),
+                  material.tensileStrength,
+                  material.compressiveStrength,
+                  material.shearStrength,
+                  material.hardness != Hardness::Unphysical,
+                  material.hardness < Hardness::Unbreakable};
+    }
+    return out;
+}
+
+BrickBits solidCells(const Brick& brick, const StrengthTable& entries) {
+    if (!brick.indices) return entries[brick.uniform].isSolid ? brick.occupancy : BrickBits{};
+    BrickBits out = brick.occupancy;
+    forEachVoxel(brick.occupancy, [&](int i) {
+        if (!entries[(*brick.indices)[size_t(i)]].isSolid) out[size_t(i >> 6)] &= ~(uint64_t(1) << (i & 63));
+    });
+    return out;
+}
+
+BrickBits anchoredCells(glm::ivec3 brick, std::span<const CellBox> anchors) {
+    BrickBits out{};
+    const glm::ivec3 base = brick * kBrickSize;
+    for (const CellBox& anchor : anchors) {
+        const glm::ivec3 low = glm::max(anchor.low - base, 0), high = glm::min(anchor.high - base, kBrickSize);
+        if (low.x >= high.x || low.y >= high.y || low.z >= high.z) continue;
+        const uint64_t row = (uint64_t(1) << high.x) - (uint64_t(1) << low.x);
+        for (int y = low.y; y < high.y; ++y)
+            for (int z = low.z; z < high.z; ++z) out[size_t(z)] |= row << 8 * y;
+    }
+    return out;
+}
+
+void splitAtNecks(const BrickBits& cells, std::vector<BrickBits>& out) {
+    const Neck neck = narrowest(cells);
+    if (neck.ratio > kMaxNeckRatio) {
+        out.push_back(cells);
+        return;
+    }
+    const BrickBits above = bitsFrom(cells, neck.axis, neck.plane);
+    BrickBits below;
+    for (size_t z = 0; z < 8; ++z) below[z] = cells[z] & ~above[z];
+    std::vector<BrickPart> parts;
+    findBrickParts(below, parts);
+    findBrickParts(above, parts);
+    for (const BrickPart& part : parts) splitAtNecks(part.voxels, out);
+}
+
+SectionStrength sectionStrength(const VoxelGrid& grid, const StrengthTable& entries, const Section& section, bool& canBreak) {
+    glm::ivec3 step(0);
+    step[section.axis] = 1;
+    const Brick* low = grid.brickAt(section.brick);
+    const Brick* high = section.plane < 8 ? low : grid.brickAt(section.brick + step);
+    SectionStrength sum;
+    canBreak = false;
+    if (!low || !high) return {};  // one of them is waiting to be made anew
+    int faces = 0;
+    const auto add = [&](const EntryStrength& a, const EntryStrength& b, int count) {
+        canBreak = canBreak || a.canBreak || b.canBreak;
+        sum.tensile += count * std::min(a.tensile, b.tensile);
+        sum.compressive += count * std::min(a.compressive, b.compressive);
+        sum.shear += count * std::min(a.shear, b.shear);
+        faces += count;
+    };
+    if (!low->indices && !high->indices)
+        add(entries[low->uniform], entries[high->uniform], std::popcount(section.cells));
+    else
+        for (uint64_t left = section.cells; left; left &= left - 1) {
+            const glm::ivec3 cell = section.cellBelow(std::countr_zero(left));
+            add(entries[low->at(cell & 7)], entries[high->at((cell + step) & 7)], 1);
+        }
+    return {sum.tensile / faces, sum.compressive / faces, sum.shear / faces};
+}
+
+const std::vector<uint32_t>* StressGraph::nodesOf(glm::ivec3 brick) const {
+    if (brick.x < 0 || brick.y < 0 || brick.z < 0) return nullptr;
+    const auto found = m_bricks.find(brickKey(brick));
+    return found == m_bricks.end() ? nullptr : &found->second;
+}
+
+void StressGraph::removeNode(uint32_t index) {
+    StressNode& node = m_nodes[index];
+    for (const uint32_t bond : node.bonds) {
+        const uint32_t other = m_bonds[bond].below == index ? m_bonds[bond].above : m_bonds[bond].below;
+        std::erase(m_nodes[other].bonds, bond);
+        m_bonds[bond].isUsed = false;
+        m_freeBonds.push_back(bond);
+    }
+    node.bonds.clear();
+    node.isUsed = false;
+    m_freeNodes.push_back(index);
+}
+
+void StressGraph::addNode(const Brick& content, const StrengthTable& entries, glm::ivec3 brick, const BrickBits& cells, bool isFixed) {
+    uint32_t index = uint32_t(m_nodes.size());
+    if (m_freeNodes.empty())
+        m_nodes.emplace_back();
+    else
+        index = m_freeNodes.back(), m_freeNodes.pop_back();
+    StressNode& node = m_nodes[index];
+    node.brick = brick, node.cells = cells, node.isFixed = isFixed, node.isUsed = true;
+    node.translation = node.rotation = glm::dvec3(0.0);
+    int64_t count = 0, weight = 0;
+    glm::i64vec3 sum(0), weighted(0);
+    forEachVoxel(cells, [&](int i) {
+        const int64_t density = int64_t(entries[content.at(i)].density);
+        const glm::i64vec3 twice(2 * voxelInBrick(i) + 1);
+        ++count, weight += density, sum += twice, weighted += density * twice;
+    });
+    const glm::dvec3 base(brick * kBrickSize);
+    node.center = base + glm::dvec3(sum) / double(2 * count);
+    node.massCenter = weight ? base + glm::dvec3(weighted) / double(2 * weight) : node.center;
+    node.weight = double(weight);
+    m_bricks[brickKey(brick)].push_back(index);
+}
+
+void StressGraph::connect(const VoxelGrid& grid, const StrengthTable& entries, uint32_t below, uint32_t above, int axis, int plane) {
+    const uint64_t cells = brickLayer(m_nodes[below].cells, axis, plane - 1) & brickLayer(m_nodes[above].cells, axis, plane & 7);
+    if (!cells) return;
+    uint32_t index = uint32_t(m_bonds.size());
+    if (m_freeBonds.empty())
+        m_bonds.emplace_back();
+    else
+        index = m_freeBonds.back(), m_freeBonds.pop_back();
+    StressBond& bond = m_bonds[index];
+    bond.below = below, bond.above = above, bond.isUsed = true;
+    bond.section = {m_nodes[below].brick, axis, plane, cells};
+    bond.shape = sectionShape(bond.section);
+    bond.strength = sectionStrength(grid, entries, bond.section, bond.canBreak);
+    // What is fixed gives way nowhere: there, the bond begins at the section.
+    const double from = m_nodes[below].isFixed ? bond.shape.centroid[axis] : m_nodes[below].center[axis];
+    const double to = m_nodes[above].isFixed ? bond.shape.centroid[axis] : m_nodes[above].center[axis];
+    bond.length = std::max(0.5, to - from);
+    m_nodes[below].bonds.push_back(index);
+    m_nodes[above].bonds.push_back(index);
+}
+
+void StressGraph::connectInside(const VoxelGrid& grid, const StrengthTable& entries, uint32_t a, uint32_t b) {
+    if (m_nodes[a].isFixed && m_nodes[b].isFixed) return;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int plane = 1; plane < 8; ++plane) {
+            connect(grid, entries, a, b, axis, plane);
+            connect(grid, entries, b, a, axis, plane);
+        }
+}
+
+void StressGraph::setBrick(const VoxelGrid& grid, std::span<const CellBox> anchors, const StrengthTable& entries, glm::ivec3 brick) {
+    std::vector<StressNode> old;
+    if (const auto found = m_bricks.find(brickKey(brick)); found != m_bricks.end()) {
+        for (const uint32_t node : found->second) old.push_back(m_nodes[node]), removeNode(node);
+        m_bricks.erase(found);
+    }
+    const Brick* content = grid.brickAt(brick);
+    if (!content) return;
+    const BrickBits solid = solidCells(*content, entries), anchored = anchoredCells(brick, anchors);
+    BrickBits fixed, free;
+    bool hasFixed = false;
+    for (size_t z = 0; z < 8; ++z) fixed[z] = solid[z] & anchored[z], free[z] = solid[z] & ~anchored[z], hasFixed = hasFixed || fixed[z];
+    std::vector<BrickPart> parts;
+    findBrickParts(free, parts);
+    std::vector<BrickBits> bodies;
+    for (const BrickPart& part : parts) splitAtNecks(part.voxels, bodies);
+    for (const BrickBits& cells : bodies) addNode(*content, entries, brick, cells, false);
+    if (hasFixed) addNode(*content, entries, brick, fixed, true);
+    const std::vector<uint32_t>* own = nodesOf(brick);
+    if (!own) return;
+    for (size_t i = 0; i < own->size(); ++i)
+        for (size_t j = i + 1; j < own->size(); ++j) connectInside(grid, entries, (*own)[i], (*own)[j]);
+    for (size_t face = 0; face < 6; ++face)
+        if (const std::vector<uint32_t>* others = nodesOf(brick + kFaceOffsets[face]))
+            for (const uint32_t mine : *own)
+                for (const uint32_t other : *others) {
+                    if (m_nodes[mine].isFixed && m_nodes[other].isFixed) continue;
+                    connect(grid, entries, face & 1 ? mine : other, face & 1 ? other : mine, int(face / 2), 8);
+                }
+    for (const uint32_t index : *own) {
+        StressNode& node = m_nodes[index];
+        int mostShared = 0;
+        for (const StressNode& from : old) {
+            int shared = 0;
+            for (size_t z = 0; z < 8; ++z) shared += std::popcount(from.cells[z] & node.cells[z]);
+            if (shared <= mostShared || node.isFixed) continue;
+            mostShared = shared;
+            node.translation = from.translation + glm::cross(from.rotation, node.center - from.center);
+            node.rotation = from.rotation;
+        }
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,86 @@
+#include "runtime/destruction/stressed_sections.h"
+
+#include <array>
+#include <bit>
+#include <glm/geometric.hpp>
+
+namespace rubble {
+namespace {
+
+constexpr uint32_t kNone = ~0u;
+constexpr uint64_t kFirstColumn = 0x0101010101010101ull;
+
+uint64_t planeKey(glm::ivec3 brick, int axis, int plane) {
+    return uint64_t(brick.x & 0x3ff) | uint64_t(brick.y & 0x3ff) << 10 | uint64_t(brick.z & 0x3ff) << 20 | uint64_t(axis) << 30 |
+           uint64_t(plane) << 32;
+}
+
+/// Whether cells of a touch cells of b, which lies (u, v) bricks further on.
+bool touches(uint64_t a, uint64_t b, int u, int v) {
+    if (u * u + v * v > 1) return false;
+    if (u) return u > 0 ? (a >> 7 & b & kFirstColumn) != 0 : (b >> 7 & a & kFirstColumn) != 0;
+    if (v) return v > 0 ? (a >> 56 & b & 0xff) != 0 : (b >> 56 & a & 0xff) != 0;
+    const uint64_t spread = (a << 1 & ~kFirstColumn) | (a >> 1 & ~(kFirstColumn << 7)) | a << 8 | a >> 8;
+    return (spread & b) != 0;
+}
+
+struct Member {
+    uint32_t stressed;
+    int u, v;  ///< of its brick, from the middle one
+    bool isIn = false;
+};
+
+}  // namespace
+
+void StressedSections::clear() {
+    m_sections.clear();
+    m_next.clear();
+    m_inPlane.clear();
+}
+
+double StressedSections::add(const Section& section, const SectionShape& shape, const SectionForce& load, const SectionStrength& strength, bool canBreak) {
+    const glm::dvec3 arm = shape.centroid - glm::dvec3(section.brick * kBrickSize);
+    const auto [place, isNew] = m_inPlane.try_emplace(planeKey(section.brick, section.axis, section.plane), kNone);
+    m_next.push_back(place->second);
+    place->second = uint32_t(m_sections.size());
+    m_sections.push_back(
+        {section, {load.force, load.moment + glm::cross(arm, load.force)}, strength, canBreak, sectionUtilization(section, shape, load, strength).utilization});
+    return m_sections.back().ownUtilization;
+}
+
+SectionUtilization StressedSections::windowUtilization(size_t index) const {
+    const StressedSection& middle = m_sections[index];
+    const int axis = middle.section.axis, axisU = axis == 0 ? 1 : 0, axisV = axis == 2 ? 1 : 2;
+    std::vector<Member> members;
+    for (int v = -kWindowRadius; v <= kWindowRadius; ++v)
+        for (int u = -kWindowRadius; u <= kWindowRadius; ++u) {
+            glm::ivec3 brick = middle.section.brick;
+            brick[axisU] += u, brick[axisV] += v;
+            const auto found = m_inPlane.find(planeKey(brick, axis, middle.section.plane));
+            for (uint32_t stressed = found == m_inPlane.end() ? kNone : found->second; stressed != kNone; stressed = m_next[stressed])
+                members.push_back({stressed, u, v, stressed == index});
+        }
+    for (bool hasGrown = true; hasGrown;) {
+        hasGrown = false;
+        for (Member& next : members) {
+            for (const Member& in : members)
+                if (!next.isIn && in.isIn && touches(m_sections[in.stressed].section.cells, m_sections[next.stressed].section.cells, next.u - in.u, next.v - in.v))
+                    next.isIn = hasGrown = true;
+        }
+    }
+    std::vector<SectionTile> tiles;
+    SectionForce load;
+    for (const Member& member : members) {
+        if (!member.isIn) continue;
+        const StressedSection& stressed = m_sections[member.stressed];
+        tiles.push_back({stressed.section.cells, member.u, member.v});
+        const glm::dvec3 arm((stressed.section.brick - middle.section.brick) * kBrickSize);
+        load.force += stressed.load.force;
+        load.moment += stressed.load.moment + glm::cross(arm, stressed.load.force);
+    }
+    const SectionShape shape = sectionShape(middle.section, tiles);
+    load.moment -= glm::cross(shape.centroid - glm::dvec3(middle.section.brick * kBrickSize), load.force);
+    return sectionUtilization(middle.section, shape, load, middle.strength);
+}
+
+}  // namespace rubble
