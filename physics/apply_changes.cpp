@@ -138,7 +138,7 @@ void PhysicsWorld::Impl::refreshDynamic(const FrameChanges& changes, const World
     };
     std::vector<Touched> touched;
     for (const BodyHandle handle : changes.bodiesCreated) touched.push_back({handle, false});
-    for (const BodyHandle handle : changes.placed) touched.push_back({handle, false});
+    for (const BodyHandle handle : changes.teleported) touched.push_back({handle, false});
     const auto addOwner = [&](ShapeHandle handle, bool onlyCarved) {
         if (const Shape* shape = world.shapes().find(handle)) touched.push_back({shape->body, onlyCarved});
     };
@@ -167,7 +167,7 @@ void PhysicsWorld::Impl::refreshDynamic(const FrameChanges& changes, const World
         }
         for (const ShapeHandle shape : body->shapes)  // a static body that came loose
             destroyStatic(shape.slot());
-        const bool isPlaced = std::find(changes.placed.begin(), changes.placed.end(), handle) != changes.placed.end();
+        const bool isPlaced = std::find(changes.teleported.begin(), changes.teleported.end(), handle) != changes.teleported.end();
         createDynamic(world, handle, body->asleep && (!known || isPlaced));
     }
 }

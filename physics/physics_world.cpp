@@ -27,7 +27,7 @@ bool needsSecondarySweep(double squares, double thin, double seconds) {
 PhysicsSettings fastPhysics() {
     PhysicsSettings settings;
     settings.substeps = 3;
-    settings.stressBearingRatio = 10.0;
+    settings.loadBearingRatio = 10.0;
     settings.rotation = RotationRule::Never;
     return settings;
 }
@@ -158,8 +158,8 @@ void PhysicsWorld::Impl::solve() {
                   .iterations = settings.iterations,
                   .seconds = settings.stepSeconds,
                   .contactHertz = settings.contactHertz,
-                  .loadBearingRatio = settings.stressBearingRatio,
-                  .loadBearingPasses = settings.stressBearingPasses,
+                  .loadBearingRatio = settings.loadBearingRatio,
+                  .loadBearingPasses = settings.loadBearingPasses,
                   .parallelFor = settings.parallelFor ? &settings.parallelFor : nullptr},
                  activeJoints);
     energy.hold(bodies, bodyOf, activeJoints, gravity);

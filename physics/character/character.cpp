@@ -55,7 +55,7 @@ public:
         if (m_c.grounded) moveWithGround(ground);
         depenetrate();
         crouch();
-        const Water* water = m_around.waters ? m_around.waters->at(m_c.position + kUp * (kChest * m_c.tall())) : nullptr;
+        const Water* water = m_around.waters ? m_around.waters->at(m_c.position + kUp * (kChest * m_c.currentHeight())) : nullptr;
         m_c.swimming = water != nullptr;
         if (m_c.swimming)
             swim(*water);
@@ -100,7 +100,7 @@ private:
             const CellTransform& cells = object.cellTransforms()[i];
             const double size = part.voxelSize();
             const CellContact touch =
-                castShape(part.grid(), capsule(object, i, from, m_c.tall(), m_c.radius), glm::transpose(cells.axes) * displacement / (size * size), best.t);
+                castShape(part.grid(), capsule(object, i, from, m_c.currentHeight(), m_c.radius), glm::transpose(cells.axes) * displacement / (size * size), best.t);
             if (!touch.hit || (best.hit && touch.t >= best.t)) return;
             best = {true, touch.t, toWorld(cells, size, touch.normal), object.pose.position + cells.corner + cells.axes * touch.point, &object};
             findFace(part, cells, touch, best);
@@ -233,7 +233,7 @@ private:
             forEachPart([&](CollisionObject& object, size_t part, const VoxelPart& solid) {
                 const CellTransform& cells = object.cellTransforms()[part];
                 const double size = solid.voxelSize(), wide = m_c.radius + 0.5 * kSkin;
-                const CellContact touch = findDeepest(solid.grid(), capsule(object, part, m_c.position, m_c.tall(), wide));
+                const CellContact touch = findDeepest(solid.grid(), capsule(object, part, m_c.position, m_c.currentHeight(), wide));
                 const double here = touch.hit ? wide - touch.t * size : 0.0;
                 const bool outranks = object.dynamic == nullptr && worst.object && worst.object->dynamic;
                 if (here <= 1e-6 || (worst.hit && here <= depth && !outranks) || (worst.object && !worst.object->dynamic && object.dynamic)) return;
@@ -264,7 +264,7 @@ private:
     bool isFreeOfStatic(glm::dvec3 feet) const {
         bool free = true;
         forEachPart([&](CollisionObject& object, size_t i, const VoxelPart& part) {
-            free = free && (object.dynamic || !findOverlap(part.grid(), capsule(object, i, feet, m_c.tall(), m_c.radius)));
+            free = free && (object.dynamic || !findOverlap(part.grid(), capsule(object, i, feet, m_c.currentHeight(), m_c.radius)));
         });
         return free;
     }
@@ -293,7 +293,7 @@ private:
     void swim(const Water& water) {
         const glm::dvec3 wish = limited(m_c.wish, m_c.swimSpeed) + water.flow;
         m_c.velocity += (wish - m_c.velocity) * std::min(1.0, kSwimControl * m_around.seconds);
-        const bool headIsOut = m_c.position.y + 1.2 * m_c.tall() > water.surface;
+        const bool headIsOut = m_c.position.y + 1.2 * m_c.currentHeight() > water.surface;
         if (m_c.wantsJump && headIsOut) m_c.velocity.y = m_c.jumpSpeed;
         m_c.grounded = false;
     }

@@ -100,7 +100,7 @@ void PhysicsWorld::Impl::applyJoints(const FrameChanges& changes, const World& w
             for (const BodyHandle body : proxy->bodies)
                 if (DynamicBody* dynamic = body ? dynamicAt(body.slot()) : nullptr) wake(*dynamic);
     };
-    for (const JointHandle handle : changes.jointsMade) read(handle);
+    for (const JointHandle handle : changes.jointsCreated) read(handle);
     for (const JointMoved& moved : changes.jointsMoved) read(moved.joint);
     for (const JointHandle handle : changes.jointsChanged) read(handle);
     if (!changes.carved.empty() || !changes.shapesDestroyed.empty())
@@ -136,7 +136,7 @@ void PhysicsWorld::Impl::gatherJoints() {
     for (const uint32_t slot : slots) {
         JointProxy& proxy = *joints.at(slot);
         JointConstraint& c = proxy.constraint;
-        bool isHeld = !proxy.joint.ends[0].isLoose && !proxy.joint.ends[1].isLoose;
+        bool isHeld = !proxy.joint.ends[0].isFree && !proxy.joint.ends[1].isFree;
         for (size_t i = 0; i < 2; ++i) {
             c.bodies[i] = 0;
             c.frames[i] = proxy.frames[i];
@@ -199,7 +199,7 @@ void PhysicsWorld::Impl::moveRopes() {
         for (size_t i = 0; i < 2; ++i) {
             const DynamicBody* body = proxy.bodies[i] ? dynamicAt(proxy.bodies[i].slot()) : nullptr;
             isCarried = isCarried || (body && !body->asleep());
-            if (proxy.joint.ends[i].isLoose) continue;
+            if (proxy.joint.ends[i].isFree) continue;
             const Pose end = body ? body->pose() * body->bodyInCenter() * proxy.frames[i] : proxy.frames[i];
             step.ends[i] = end.position;
         }

@@ -21,7 +21,7 @@ struct JointProxy {
     JointConstraint constraint;                           ///< with the impulses of the last step
 
     /// A motor that is to turn does not let anything sleep.
-    bool isMotorDriven() const { return joint.motor.mode == MotorMode::Speed && joint.motor.target != 0.0 && joint.motor.mostForce > 0.0; }
+    bool isMotorDriven() const { return joint.motor.mode == MotorMode::Speed && joint.motor.target != 0.0 && joint.motor.maxForce > 0.0; }
 
     static constexpr uint32_t kNothing = ~0u;
 };

@@ -396,9 +396,9 @@ void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* cons
     prepare(bodies, manifolds, bodyOf, float(settings.seconds));
     m_joints.begin(joints, m_states);
     rejectWarmStart(bodies);
-    m_loadBearingPasses = settings.stressBearingPasses;
+    m_loadBearingPasses = settings.loadBearingPasses;
     m_loadBearingPairs.clear();
-    if (settings.stressBearingPasses > 0 && weight > 0.0) findLoadBearing(m_up, float(settings.stressBearingRatio));
+    if (settings.loadBearingPasses > 0 && weight > 0.0) findLoadBearing(m_up, float(settings.loadBearingRatio));
     m_start.resize(bodies.size());
     for (size_t i = 0; i < bodies.size(); ++i) m_start[i] = bodies[i].rotation;
     const glm::vec3 fall = glm::vec3(gravity * h);

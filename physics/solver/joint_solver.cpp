@@ -69,7 +69,7 @@ void JointSolver::begin(std::span<JointConstraint* const> joints, std::span<Solv
     for (JointConstraint* c : joints) {
         Entry& e = m_joints.emplace_back();
         e.c = c;
-        e.isInSystem = c->joint->kind != JointKind::Rope && c->joint->mostForce == 0.0 && (c->joint->spring.hertz == 0.0 || hasFreeAxisSpring(*c->joint));
+        e.isInSystem = c->joint->kind != JointKind::Rope && c->joint->maxForce == 0.0 && (c->joint->spring.hertz == 0.0 || hasFreeAxisSpring(*c->joint));
         c->force = c->torque = glm::dvec3(0.0);
         for (const int body : c->bodies) states[size_t(body)].isConstrained = states[size_t(body)].isJointed = true;
     }
@@ -261,12 +261,12 @@ void JointSolver::solveFreeAxis(Entry& e, SolverState& A, SolverState& B, bool u
         double away = e.freeAxis.value - (goesToPlace ? joint.motor.target : 0.0);
         constexpr double kPi = 3.14159265358979323846;
         if (joint.kind == JointKind::Hinge) away = away > kPi ? away - 2.0 * kPi : away < -kPi ? away + 2.0 * kPi : away;
-        const double most = goesToPlace && joint.motor.mostForce > 0.0 ? joint.motor.mostForce * m_seconds : 1e30;
+        const double most = goesToPlace && joint.motor.maxForce > 0.0 ? joint.motor.maxForce * m_seconds : 1e30;
         const double speed = rowVelocity(e.freeAxis.row, A, B) + e.spring.biasRate * away;
         add(e.freeAxis.row, c.spring, -e.freeAxis.mass * e.spring.massScale * speed - e.spring.impulseScale * c.spring, -most, most);
     }
     if (joint.motor.mode == MotorMode::Speed) {
-        const double most = joint.motor.mostForce * m_seconds;
+        const double most = joint.motor.maxForce * m_seconds;
         add(e.motorAxis.row, c.motor, -e.motorAxis.mass * (rowVelocity(e.motorAxis.row, A, B) - joint.motor.target), -most, most);
     }
     if (joint.friction > 0.0 && !e.hasBallFriction) {
@@ -313,8 +313,8 @@ void JointSolver::solveLockedAxes(Entry& e, SolverState& A, SolverState& B, bool
     solveBlock(e, x);
     std::array<double, 6> sum = c.lockedImpulse;
     for (size_t i = 0; i < size_t(e.rows); ++i) sum[i] += useBias ? e.soft.massScale * x[i] - e.soft.impulseScale * c.lockedImpulse[i] : x[i];
-    if (c.joint->mostForce > 0.0 && e.rows >= 3) {
-        const glm::dvec3 pull = shortened({sum[0], sum[1], sum[2]}, c.joint->mostForce * m_seconds);
+    if (c.joint->maxForce > 0.0 && e.rows >= 3) {
+        const glm::dvec3 pull = shortened({sum[0], sum[1], sum[2]}, c.joint->maxForce * m_seconds);
         sum[0] = pull.x, sum[1] = pull.y, sum[2] = pull.z;
     }
     for (size_t i = 0; i < size_t(e.rows); ++i) push(e.row[i], A, B, sum[i] - c.lockedImpulse[i]);

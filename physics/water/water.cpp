@@ -118,16 +118,16 @@ std::optional<WorldBox> WaterVolumes::set(uint32_t slot, const Water* water) {
     m_tree.remove(slot);
     if (!water) return touched;
     m_waters[slot] = *water;
-    m_tree.place(slot, water->bounds());
-    return touched ? touched->with(water->bounds()) : water->bounds();
+    m_tree.update(slot, water->bounds());
+    return touched ? touched->merged(water->bounds()) : water->bounds();
 }
 
 const Water* WaterVolumes::at(glm::dvec3 point) const {
     const WorldBox here{point, point};
     uint32_t found = ~0u;
-    m_tree.find([&](const WorldBox& box) { return box.meets(here); },
+    m_tree.find([&](const WorldBox& box) { return box.overlaps(here); },
                   [&](uint32_t slot) {
-                      if (slot < found && m_waters[slot]->holds(point)) found = slot;
+                      if (slot < found && m_waters[slot]->contains(point)) found = slot;
                   });
     return found == ~0u ? nullptr : &*m_waters[found];
 }
@@ -135,7 +135,7 @@ const Water* WaterVolumes::at(glm::dvec3 point) const {
 bool WaterVolumes::act(DynamicBody& body, glm::dvec3 gravity, double seconds) const {
     std::vector<uint32_t> near;
     const WorldBox bounds{body.object.low, body.object.high};
-    m_tree.find([&](const WorldBox& box) { return box.meets(bounds); }, [&](uint32_t slot) { near.push_back(slot); });
+    m_tree.find([&](const WorldBox& box) { return box.overlaps(bounds); }, [&](uint32_t slot) { near.push_back(slot); });
     std::sort(near.begin(), near.end());
     bool isWet = false;
     for (const uint32_t slot : near) {

@@ -152,7 +152,7 @@ void LightGrid::fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 ori
         // Without a cone its edge lies beyond all directions.
         const float outer = cone ? std::cos(light.coneOuter) : -3.0f, inner = cone ? std::cos(light.coneInner) : -2.0f;
         const int shape = light.kind == LightKind::Screen ? 3 : light.kind == LightKind::Area ? 2 : light.kind == LightKind::Capsule ? 1 : 0;
-        const bool picture = shape == 3 && light.picture.height() > 0;
+        const bool picture = shape == 3 && light.image.height() > 0;
         // About how it falls off from its axis: cosine times the first, plus the second, clamped to 0 and 1.
         const float scale = 1.0f / std::max(inner - outer, 1e-3f);
         const bool facesOneWay = shape >= 2 && !light.twoSided;
@@ -163,10 +163,10 @@ void LightGrid::fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 ori
         m_texels.emplace_back(light.color, float(shape));
         m_texels.emplace_back(light.direction, outer);
         m_texels.emplace_back(light.right, 0.5f * light.width);
-        m_texels.emplace_back(scale, float(m_pictures.size()), picture ? float(light.picture.width + (light.picture.height() << 8)) : 0.0f,
+        m_texels.emplace_back(scale, float(m_pictures.size()), picture ? float(light.image.width + (light.image.height() << 8)) : 0.0f,
                               float(light.twoSided));
         if (!picture) continue;
-        for (const uint32_t texel : light.picture.texels)
+        for (const uint32_t texel : light.image.texels)
             m_pictures.emplace_back(srgbToLinear(uint8_t(texel >> 16)), srgbToLinear(uint8_t(texel >> 8)), srgbToLinear(uint8_t(texel)), 1.0f);
     }
 }

@@ -86,9 +86,9 @@ public:
             if (!(value.depth > 0.0 && value.density >= 0.0 && value.linearDrag >= 0.0 && value.angularDrag >= 0.0))
                 fail("a depth above 0, a density and drags of 0 or more", fmt::format("{} m, {} kg/m3", value.depth, value.density));
         }
-        if constexpr (std::is_same_v<T, LightPicture>)
+        if constexpr (std::is_same_v<T, LightImage>)
             if (!value.isWhole())
-                fail(fmt::format("a picture of at most {} x {} texels", kMostPictureSide, kMostPictureSide),
+                fail(fmt::format("a picture of at most {} x {} texels", kMaxLightImageSide, kMaxLightImageSide),
                      fmt::format("{} texels in rows of {}", value.texels.size(), value.width));
         if constexpr (std::is_same_v<T, LevelLight>)
             if (const std::string error = lightError(value.light); !error.empty()) fail("a light that can be", error);

@@ -90,7 +90,7 @@ void fields(A& a, Is<LevelShape> auto& shape) {
     a("hidden", shape.hidden);
     a("paint_colors", shape.paintColors);
     a("strength", shape.strength);
-    a("bears_load", shape.bearsLoad);
+    a("bears_load", shape.loadBearing);
     a("collision_layer", shape.collisionLayer);
     a("collision_mask", shape.collisionMask);
 }
@@ -105,7 +105,7 @@ void fields(A& a, Is<LevelBody> auto& body) {
     a("tags", body.tags);
 }
 template <class A>
-void fields(A& a, Is<LightPicture> auto& picture) {
+void fields(A& a, Is<LightImage> auto& picture) {
     a("width", picture.width);
     a("texels", picture.texels);
 }
@@ -125,7 +125,7 @@ void lightFields(A& a, Is<Light> auto& light, auto& shape, auto& group) {
     a("width", light.width);
     a("height", light.height);
     a("two_sided", light.twoSided);
-    a("picture", light.picture);
+    a("picture", light.image);
     a("enabled", light.enabled);
 }
 template <class A>
@@ -142,7 +142,7 @@ void fields(A& a, Is<LightGroup> auto& group) {
     a("supply_shape", group.supplyShape);
     a("supply_cell", group.supplyCell);
     a("flicker_steps", group.flickerSteps);
-    a("dying_since", group.dyingSince);
+    a("dying_since", group.failingSince);
     a("dark", group.dark);
     if constexpr (requires { A::kIsBinary; }) a("supply", group.supply);
 }
@@ -238,7 +238,7 @@ void fields(A& a, Is<JointEnd> auto& end) {
     a("frame", end.frame);
     a("cell", end.cell);
     a("radius", end.radius);
-    a("loose", end.isLoose);
+    a("loose", end.isFree);
 }
 template <class A>
 void fields(A& a, Is<JointLimits> auto& limits) {
@@ -250,7 +250,7 @@ template <class A>
 void fields(A& a, Is<JointMotor> auto& motor) {
     a("mode", motor.mode);
     a("target", motor.target);
-    a("most_force", motor.mostForce);
+    a("most_force", motor.maxForce);
 }
 template <class A>
 void fields(A& a, Is<JointSpring> auto& spring) {
@@ -294,7 +294,7 @@ void fields(A& a, Is<Joint> auto& joint) {
     a("motor", joint.motor);
     a("spring", joint.spring);
     a("friction", joint.friction);
-    a("most_force", joint.mostForce);
+    a("most_force", joint.maxForce);
     a("break_force", joint.breakForce);
     a("break_torque", joint.breakTorque);
     a("steer", joint.steer);

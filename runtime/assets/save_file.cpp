@@ -54,7 +54,7 @@ std::vector<uint8_t> stateToBytes(const SavedGame& game, PaletteList& palettes) 
     putSlots(out, world.waters);
     putSlots(out, world.triggers);
     putSlots(out, world.characters);
-    out.put(world.revived);
+    out.put(world.unsettled);
     out.put(world.materials.materials);
     out.put(world.environment);
     out.put(world.settings);
@@ -78,14 +78,14 @@ SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& pale
     getSlots(reader, in, number, world.waters);
     getSlots(reader, in, number, world.triggers);
     getSlots(reader, in, number, world.characters);
-    in.get(world.revived);
+    in.get(world.unsettled);
     in.get(world.materials.materials);
     in.get(world.environment);
     in.get(world.settings);
     in.get(world.locations);
     in.get(world.fire.fields);
     getSlots(reader, in, number, world.joints);
-    world.fire.tidy();
+    world.fire.compact();
     in.get(game.pending);
     return game;
 }

@@ -40,7 +40,7 @@ void fields(A& a, Is<Body> auto& body) {
     a("tags", body.tags);
     a("settled", body.settled);
     a("broken", body.broken);
-    a("born", body.born);
+    a("born", body.createdStep);
     a("resting_since", body.restingSince);
 }
 template <class A>
@@ -55,8 +55,8 @@ void fields(A& a, Is<Shape> auto& shape) {
     a("anchors", shape.anchors);
     a("tags", shape.tags);
     a("piece", shape.isPiece);
-    a("nothing_loose", shape.nothingLoose);
-    a("bears_load", shape.bearsLoad);
+    a("nothing_loose", shape.knownConnected);
+    a("bears_load", shape.loadBearing);
     a("strength", shape.strength);
     a("collision_layer", shape.collisionLayer);
     a("collision_mask", shape.collisionMask);
@@ -88,14 +88,14 @@ void fields(A& a, Is<DebrisSettings> auto& settings) {
     a("voxels", settings.voxels);
     a("largest_piece", settings.largestPiece);
     a("settle_steps", settings.settleSteps);
-    a("fragments_a_break", settings.fragmentsABreak);
+    a("fragments_a_break", settings.fragmentsPerBreak);
 }
 template <class A>
 void fields(A& a, Is<StressSettings> auto& settings) {
     a("on", settings.on);
     a("strength_scale", settings.strengthScale);
-    a("work_a_step", settings.workAStep);
-    a("cracks_a_step", settings.cracksAStep);
+    a("work_a_step", settings.workPerStep);
+    a("cracks_a_step", settings.cracksPerStep);
     a("contact_time", settings.contactTime);
     a("least_blow", settings.minImpulse);
     a("smallest_struck", settings.minStruckVoxels);
@@ -103,7 +103,7 @@ void fields(A& a, Is<StressSettings> auto& settings) {
 }
 template <class A>
 void fields(A& a, Is<SplitSettings> auto& settings) {
-    a("parts_a_step", settings.partsAStep);
+    a("parts_a_step", settings.partsPerStep);
 }
 template <class A>
 void fields(A& a, Is<PaintSettings> auto& settings) {
@@ -125,7 +125,7 @@ void fields(A& a, Is<WorldSettings> auto& settings) {
     a("impact_speed", settings.impactSpeed);
     a("impact_radius", settings.impactRadius);
     a("impact_radius_limit", settings.impactRadiusLimit);
-    a("impacts_a_step", settings.impactsAStep);
+    a("impacts_a_step", settings.impactsPerStep);
     a("undo_marks", settings.undoMarks);
     a("debris", settings.debris);
     a("load", settings.stress);
@@ -175,7 +175,7 @@ void fields(A& a, Is<PaintEdit> auto& edit) {
     a("shape", edit.shape);
 }
 template <class A>
-void fields(A& a, Is<StrikeEdit> auto& edit) {
+void fields(A& a, Is<ImpactLoadEdit> auto& edit) {
     a("shape", edit.shape);
     a("position", edit.position);
     a("impulse", edit.impulse);
@@ -329,7 +329,7 @@ void fields(A& a, Is<GrabEdit> auto& edit) {
     a("body", edit.body);
     a("point", edit.point);
     a("target", edit.target);
-    a("most_force", edit.mostForce);
+    a("most_force", edit.maxForce);
     a("hertz", edit.hertz);
     a("hand", edit.hand);
 }

@@ -51,7 +51,7 @@ struct SnapshotLight {
     glm::vec3 right{1, 0, 0};           ///< unit vector along `width`
     float width = 0.0f, height = 0.0f;  ///< metres
     bool twoSided = false;
-    LightPicture picture = {};  ///< of a screen
+    LightImage image = {};  ///< of a screen
     LightHandle light = {};     ///< empty: of a fire
 };
 

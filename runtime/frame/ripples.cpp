@@ -17,7 +17,7 @@ WorldBox boundsOf(const Shape& shape, const Pose& pose) {
     const glm::dvec3 size = glm::dvec3(shape.grid.size()) * double(shape.voxelSize);
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 point = pose.transformPoint(size * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2));
-        box = box.with({point, point});
+        box = box.merged({point, point});
     }
     return box;
 }
@@ -37,7 +37,7 @@ void Ripples::step(std::span<const BodyPose> moved, const World& world) {
         }
         world.characters().forEach([&](CharacterHandle handle, const Character& c) {
             const glm::dvec3 low = c.position - glm::dvec3(c.radius, 0, c.radius);
-            disturb(water, {low, low + glm::dvec3(2 * c.radius, c.tall(), 2 * c.radius)}, c.velocity, handle.bits);
+            disturb(water, {low, low + glm::dvec3(2 * c.radius, c.currentHeight(), 2 * c.radius)}, c.velocity, handle.bits);
         });
     });
 }

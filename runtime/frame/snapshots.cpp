@@ -100,7 +100,7 @@ void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> m
     if (changes.levelReplaced) m_ripples.clear();
     addRipples(moved, world, out);
     if (changes.levelReplaced) m_ropes.clear();
-    if (!m_ropes.empty() || !world.jointList().ropes().empty()) addRopes(world, out);
+    if (!m_ropes.empty() || !world.jointIndex().ropes().empty()) addRopes(world, out);
     if (changes.levelReplaced || !changes.waters.empty()) {
         out.watersChanged = true;
         world.waters().forEach([&](WaterHandle, const Water& water) { out.waters.push_back(water); });
@@ -197,7 +197,7 @@ void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose>
         const glm::vec3 direction(pose.rotation * glm::dvec3(0.0, 0.0, -1.0));
         const glm::vec3 right(pose.rotation * glm::dvec3(1.0, 0.0, 0.0));
         out.lights.push_back({light.kind, pose.position, direction, light.color, light.radius, light.reach, light.coneInner, light.coneOuter, right,
-                              light.width, light.height, light.twoSided, light.picture, handle});
+                              light.width, light.height, light.twoSided, light.image, handle});
     });
     std::sort(m_lightBodies.begin(), m_lightBodies.end());
     addFires(changes, world, out);
@@ -206,8 +206,8 @@ void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose>
 /// All ropes, if one has moved, come or gone, or moved in the step before.
 void Snapshots::addRopes(const World& world, FrameSnapshot& out) {
     std::vector<SnapshotRope> ropes;
-    bool changed = world.jointList().ropes().size() != m_ropes.size();
-    for (const JointHandle handle : world.jointList().ropes()) {
+    bool changed = world.jointIndex().ropes().size() != m_ropes.size();
+    for (const JointHandle handle : world.jointIndex().ropes()) {
         const Joint& joint = world.joints().at(handle);
         SnapshotRope& rope = ropes.emplace_back();
         rope.rope = handle;

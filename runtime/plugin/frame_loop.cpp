@@ -87,7 +87,7 @@ void FrameLoop::stepWith(Edits hostEdits) {
     {
         const ScopedTimer timer(m_times[Stage::Impacts]);
         m_pending = m_world.damageFrom(m_physics.impacts());  // lands next step: no stage runs twice
-        addBreakThrough(m_world, m_physics.impacts(), m_pending);
+        addBreakThroughImpulses(m_world, m_physics.impacts(), m_pending);
         for (const JointHandle joint : m_physics.jointBreaks()) m_pending.emplace_back(RemoveJointEdit{joint, JointBreak::Force});
     }
     {
@@ -102,9 +102,9 @@ void FrameLoop::stepWith(Edits hostEdits) {
 
 std::span<const BodyPose> FrameLoop::moved() {
     const std::span<const BodyPose> poses = m_physics.poses();
-    if (m_changes.placed.empty()) return poses;
+    if (m_changes.teleported.empty()) return poses;
     m_moved.assign(poses.begin(), poses.end());
-    for (const BodyHandle handle : m_changes.placed)
+    for (const BodyHandle handle : m_changes.teleported)
         if (const Body* body = m_world.bodies().find(handle))
             m_moved.push_back({handle, body->pose, body->velocity, body->angularVelocity, body->asleep});
     return m_moved;

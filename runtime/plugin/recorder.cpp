@@ -4,14 +4,14 @@ namespace rubble {
 
 void Recorder::edited(const Edits& hostEdits, const FrameChanges& changes, const World& world, bool savedBefore) {
     m_step = {.step = changes.step, .savedBefore = savedBefore, .edits = hostEdits};
-    m_step.delta = stepToBytes(m_mirror.update(world, changes), changes, world, m_palettes);
+    m_step.delta = stepToBytes(m_baseline.update(world, changes), changes, world, m_palettes);
 }
 
 void Recorder::moved(std::span<const BodyPose> poses, std::span<const CharacterMove> characters, const World& world) {
     SlotValues<BodyHandle, Body> unused;
-    m_mirror.move(world, poses, unused);
+    m_baseline.move(world, poses, unused);
     SlotValues<CharacterHandle, Character> unusedToo;
-    m_mirror.move(world, characters, unusedToo);
+    m_baseline.move(world, characters, unusedToo);
     m_step.poses.assign(poses.begin(), poses.end());
     m_step.characters.assign(characters.begin(), characters.end());
     m_step.hash = world.hash();

@@ -1,6 +1,6 @@
 #pragma once
 #include "runtime/assets/recording_file.h"
-#include "runtime/world/world_mirror.h"
+#include "runtime/world/world_baseline.h"
 
 namespace rubble {
 
@@ -9,7 +9,7 @@ namespace rubble {
 class Recorder {
 public:
     /// The World must be the one that `writer` was opened with.
-    Recorder(RecordingWriter writer, const World& world) : m_writer(std::move(writer)), m_mirror(world) {}
+    Recorder(RecordingWriter writer, const World& world) : m_writer(std::move(writer)), m_baseline(world) {}
 
     /// After applyEdits(). savedBefore: physics is made anew in this step.
     void edited(const Edits& hostEdits, const FrameChanges& changes, const World& world, bool savedBefore);
@@ -19,7 +19,7 @@ public:
 
 private:
     RecordingWriter m_writer;
-    WorldMirror m_mirror;
+    WorldBaseline m_baseline;
     PaletteList m_palettes;
     RecordedStep m_step;
 };

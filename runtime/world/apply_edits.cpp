@@ -16,65 +16,65 @@ FrameChanges World::applyEdits(const Edits& edits) {
         m_undo.clear();
     else if (m_undo.empty())
         m_undo.emplace_back(*this);
-    const bool goesBack = runHistory(edits, changes);
-    if (goesBack) listLoads();
-    const bool isBusy = debrisWaits() || m_dyingGroups || m_fire.isActive() || (m_load && m_load->isBusy()) || !m_movedBodies.empty() ||
-                        !m_pendingSplits.empty() || isWinding();
+    const bool isUndoOrRedo = runHistory(edits, changes);
+    if (isUndoOrRedo) restartStress();
+    const bool isBusy = hasDebrisWork() || m_flickeringGroups || m_fire.isActive() || (m_stress && m_stress->isBusy()) || !m_movedBodies.empty() ||
+                        !m_pendingSplits.empty() || hasActiveWinch();
     if (!edits.empty() || isBusy) EditStep(*this, changes).run(edits);
-    for (UndoHistory& undo : m_undo) undo.note(*this, changes, goesBack);
+    for (UndoHistory& undo : m_undo) undo.recordStep(*this, changes, isUndoOrRedo);
     return changes;
 }
 
 /// Marks, undo and redo, before all other edits of the step. True if the World went back or forth in time.
 bool World::runHistory(const Edits& edits, FrameChanges& changes) {
-    bool goesBack = false;
+    bool isUndoOrRedo = false;
     for (const Edit& edit : edits) {
         const auto* history = std::get_if<HistoryEdit>(&edit);
         if (!history) continue;
         if (m_undo.empty())
             logWarning("HistoryEdit: nothing is remembered; set WorldSettings::undoMarks");
-        else if (goesBack)
+        else if (isUndoOrRedo)
             logWarning("HistoryEdit: one undo or redo a step; this one is left out");
         else if (history->action == HistoryAction::Mark)
             m_undo[0].mark(m_settings.undoMarks);
         else
-            goesBack = history->action == HistoryAction::Undo ? m_undo[0].undo(*this, changes) : m_undo[0].redo(*this, changes);
-        if (goesBack && m_settings.split.partsAStep) forgetSearches(changes);
+            isUndoOrRedo = history->action == HistoryAction::Undo ? m_undo[0].undo(*this, changes) : m_undo[0].redo(*this, changes);
+        if (isUndoOrRedo && m_settings.split.partsPerStep) resetSearches(changes);
     }
-    return goesBack;
+    return isUndoOrRedo;
 }
 
 /// What shapes look like now has nothing to do with what waiting searches have seen; a piece may hang that was waited for.
-void World::forgetSearches(const FrameChanges& changes) {
+void World::resetSearches(const FrameChanges& changes) {
     for (PendingSplit& pending : m_pendingSplits) pending.search.reset();
     for (const auto* list : {&changes.carved, &changes.shapesCreated})
         for (const ShapeHandle handle : *list)
-            if (Shape* shape = m_shapes.find(handle)) shape->nothingLoose = false;
+            if (Shape* shape = m_shapes.find(handle)) shape->knownConnected = false;
 }
 
 void World::resetCaches() {
-    listLoads();
+    restartStress();
     for (const PendingSplit& pending : m_pendingSplits)
-        if (Shape* shape = m_shapes.find(pending.shape)) shape->nothingLoose = false;
+        if (Shape* shape = m_shapes.find(pending.shape)) shape->knownConnected = false;
     m_pendingSplits.clear();
 }
 
-EditStep::EditStep(World& world, FrameChanges& changes) : m_world(world), m_changes(changes), m_groupRemoved(world.m_groups.slotCount()) {}
+EditStep::EditStep(World& world, FrameChanges& changes) : m_world(world), m_changes(changes), m_removedByGroup(world.m_groups.slotCount()) {}
 
 void EditStep::run(const Edits& edits) {
-    m_changes.revived = std::exchange(m_world.m_revived, {});
-    if (m_world.m_load) openCracks();
+    m_changes.unsettled = std::exchange(m_world.m_revived, {});
+    if (m_world.m_stress) openCracks();
     for (const Edit& edit : edits) std::visit([&](const auto& each) { apply(each); }, edit);
-    windRopes();
-    burn();
+    updateWinches();
+    updateFires();
     splitShapes();
-    checkJoints();
-    settleMotions();
-    for (const Push& each : m_pushes) std::visit([&](const auto& edit) { push(edit); }, each);
-    limitDebris();
-    moveHeat();
+    releaseUnheldJoints();
+    updateVelocities();
+    for (const DeferredImpulse& each : m_deferredImpulses) std::visit([&](const auto& edit) { applyImpulse(edit); }, each);
+    enforceDebrisBudgets();
+    redistributeHeat();
     updateLightGroups();
-    if (m_world.m_load) weighShapes();
+    if (m_world.m_stress) runStressAnalysis();
     listChangedBricks();
     if (m_world.m_triggers.size()) updateTriggers();
 }
@@ -83,8 +83,8 @@ void EditStep::apply(const SettingsEdit& edit) {
     m_world.setSettings(edit.settings);
 }
 
-EditStep::Touched& EditStep::touched(ShapeHandle shape) {
-    Touched& out = m_touched[shape.slot()];
+EditStep::ShapeEditState& EditStep::editState(ShapeHandle shape) {
+    ShapeEditState& out = m_editStates[shape.slot()];
     out.shape = shape;
     return out;
 }
@@ -92,7 +92,7 @@ EditStep::Touched& EditStep::touched(ShapeHandle shape) {
 void EditStep::listChangedBricks() {
     std::erase_if(m_changes.palettes, [&](ShapeHandle shape) { return !m_world.m_shapes.find(shape); });
     size_t count = m_changes.bricks.size();
-    for (auto& [slot, each] : m_touched) {
+    for (auto& [slot, each] : m_editStates) {
         const Shape* shape = m_world.m_shapes.find(each.shape);
         if (!shape) continue;
         if (!each.carved.empty()) {
@@ -103,7 +103,7 @@ void EditStep::listChangedBricks() {
         each.carved.forEachNode([&](glm::ivec3, BrickMask bricks) { count += size_t(std::popcount(bricks)); });
     }
     m_changes.bricks.reserve(count);
-    for (const auto& [slot, each] : m_touched) {
+    for (const auto& [slot, each] : m_editStates) {
         const Shape* shape = m_world.m_shapes.find(each.shape);
         if (!shape) continue;
         each.carved.forEach([&, handle = each.shape](glm::ivec3 brick) {

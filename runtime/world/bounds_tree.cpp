@@ -13,10 +13,10 @@ bool isNumber(const WorldBox& box) {
 
 }  // namespace
 
-void BoundsTree::place(uint32_t item, const WorldBox& box) {
+void BoundsTree::update(uint32_t item, const WorldBox& box) {
     if (m_leafOf.size() <= item) m_leafOf.resize(item + 1, kNone);
     uint32_t leaf = m_leafOf[item];
-    if (leaf != kNone && m_nodes[leaf].box.holds(box)) return;
+    if (leaf != kNone && m_nodes[leaf].box.contains(box)) return;
     if (!isNumber(box)) return remove(item);
     if (leaf == kNone)
         leaf = m_leafOf[item] = allocate();
@@ -60,10 +60,10 @@ uint32_t BoundsTree::bestSibling(const WorldBox& box) const {
     uint32_t at = m_root;
     while (!m_nodes[at].isLeaf()) {
         const Node& node = m_nodes[at];
-        const double joined = node.box.with(box).area();
+        const double joined = node.box.merged(box).area();
         const double inherited = joined - node.box.area();
         const auto cost = [&](uint32_t child) {
-            const double area = m_nodes[child].box.with(box).area();
+            const double area = m_nodes[child].box.merged(box).area();
             return inherited + (m_nodes[child].isLeaf() ? area : area - m_nodes[child].box.area());
         };
         const double left = cost(node.left), right = cost(node.right);
@@ -111,7 +111,7 @@ void BoundsTree::replaceChild(uint32_t parent, uint32_t old, uint32_t by) {
 void BoundsTree::refit(uint32_t node) {
     for (; node != kNone; node = m_nodes[node].parent) {
         Node& each = m_nodes[node];
-        each.box = m_nodes[each.left].box.with(m_nodes[each.right].box);
+        each.box = m_nodes[each.left].box.merged(m_nodes[each.right].box);
         rotate(node);
     }
 }
@@ -121,7 +121,7 @@ void BoundsTree::trySwap(uint32_t child, uint32_t& sibling, double& best, std::p
     if (node.isLeaf()) return;
     const double now = node.box.area();
     const auto consider = [&](uint32_t& goes, uint32_t stays) {
-        const double saved = now - m_nodes[stays].box.with(m_nodes[sibling].box).area();
+        const double saved = now - m_nodes[stays].box.merged(m_nodes[sibling].box).area();
         if (saved > best) best = saved, swap = {&goes, &sibling};
     };
     consider(node.left, node.right);
@@ -139,7 +139,7 @@ void BoundsTree::rotate(uint32_t at) {
     std::swap(*swap.first, *swap.second);
     m_nodes[*swap.first].parent = below;
     m_nodes[*swap.second].parent = at;
-    m_nodes[below].box = m_nodes[m_nodes[below].left].box.with(m_nodes[m_nodes[below].right].box);
+    m_nodes[below].box = m_nodes[m_nodes[below].left].box.merged(m_nodes[m_nodes[below].right].box);
 }
 
 }  // namespace rubble

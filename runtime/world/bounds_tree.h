@@ -11,13 +11,13 @@ namespace rubble {
 struct WorldBox {
     glm::dvec3 low{0.0}, high{0.0};
 
-    bool meets(const WorldBox& o) const {
+    bool overlaps(const WorldBox& o) const {
         return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y && low.z <= o.high.z && o.low.z <= high.z;
     }
-    bool holds(const WorldBox& o) const {
+    bool contains(const WorldBox& o) const {
         return low.x <= o.low.x && low.y <= o.low.y && low.z <= o.low.z && o.high.x <= high.x && o.high.y <= high.y && o.high.z <= high.z;
     }
-    WorldBox with(const WorldBox& o) const { return {glm::min(low, o.low), glm::max(high, o.high)}; }
+    WorldBox merged(const WorldBox& o) const { return {glm::min(low, o.low), glm::max(high, o.high)}; }
     double area() const {
         const glm::dvec3 d = high - low;
         return d.x * d.y + d.y * d.z + d.z * d.x;
@@ -30,7 +30,7 @@ struct WorldBox {
 class BoundsTree {
 public:
     /// Inserts the item, or moves it. A box with a NaN is nowhere.
-    void place(uint32_t item, const WorldBox& box);
+    void update(uint32_t item, const WorldBox& box);
     void remove(uint32_t item);
     void clear() { *this = {}; }
 

@@ -37,7 +37,7 @@ struct Character {
     BodyHandle ground;  ///< what it stands on, also what is static; empty in the air and in a level
 
     uint64_t hash() const;
-    double tall() const { return crouched ? crouchedHeight : height; }
+    double currentHeight() const { return crouched ? crouchedHeight : height; }
     friend bool operator==(const Character&, const Character&) = default;
 };
 

@@ -11,7 +11,7 @@ struct DebrisSettings {
     uint32_t bodies = 10'000;        ///< pieces in all
     uint64_t voxels = 4'000'000;     ///< in all pieces together
     uint64_t largestPiece = 20'000;  ///< voxels; what is larger is no debris: not counted, never turned to dust
-    uint32_t fragmentsABreak = 300;  ///< that one break makes of one shape: beyond, they are larger
+    uint32_t fragmentsPerBreak = 300;  ///< that one break makes of one shape: beyond, they are larger
     uint32_t settleSteps = 120;      ///< a piece that has slept that many steps settles: a touch no longer wakes it
 
     friend bool operator==(const DebrisSettings&, const DebrisSettings&) = default;

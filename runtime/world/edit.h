@@ -56,7 +56,7 @@ struct PaintEdit {
     double radius = 0.5;                      ///< metres
     std::array<uint8_t, 3> color{255, 0, 0};  ///< sRGB
     uint8_t strength = 64;                    ///< share of the way to the paint in one step, of 255
-    uint8_t probability = 255;                ///< share of voxels touched at the rim, of 255; the centre is always touched
+    uint8_t probability = 255;                ///< share of voxels editState at the rim, of 255; the centre is always editState
     uint32_t seed = 0;
     uint8_t falloff = 255;                ///< share of the strength that is left at the rim, of 255
     PaintMode mode = PaintMode::Default;  ///< blend or layer
@@ -67,7 +67,7 @@ struct PaintEdit {
 
 /// A blow to a shape as a whole, while StressSettings are on: it breaks where it is weakest, not only where it is hit. What stands
 /// carries the blow to its anchors, what flies carries it to its own mass.
-struct StrikeEdit {
+struct ImpactLoadEdit {
     ShapeHandle shape;
     glm::dvec3 position{0.0};
     glm::dvec3 impulse{0.0};  ///< N s, on the shape
@@ -95,7 +95,7 @@ struct HeatEdit {
     glm::dvec3 position{0.0};
     double radius = 0.5;  ///< metres
     double joules = 0.0;  ///< in all; a square metre of wood wants about 200 kJ
-    bool ignite = false;  ///< lights what can burn at once
+    bool ignite = false;  ///< lights what can updateFires at once
     ShapeHandle shape;    ///< empty: all
 };
 /// A fire at a place, if something there burns.
@@ -158,7 +158,7 @@ struct PlaceCharacterEdit {
 };
 
 using Edit = std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit,
-                          BreakEdit, SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit, StrikeEdit, SetCollisionEdit, AddWaterEdit,
+                          BreakEdit, SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit, ImpactLoadEdit, SetCollisionEdit, AddWaterEdit,
                           RemoveWaterEdit, AddTriggerEdit, RemoveTriggerEdit, AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit,
                           PlaceCharacterEdit, AddJointEdit, RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit,
                           SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit>;

@@ -12,16 +12,16 @@ namespace {
 
 constexpr Srgb kChar = {22, 19, 17};
 constexpr uint8_t kCharStrength = 44;  // of 255 in a round
-constexpr int kReachEvery = 5;         // updates between two looks for other shapes near a fire
-constexpr double kReach = 1.1;         // metres to other shapes
-constexpr double kRadiated = 0.12;     // share of what a fire emits that reaches them
+constexpr int kRadiationInterval = 5;         // updates between two looks for other shapes near a fire
+constexpr double kRadiationRadius = 1.1;         // metres to other shapes
+constexpr double kRadiatedShare = 0.12;     // share of what a fire emits that reaches them
 
-constexpr double kFarthest = 1e30;  // metres: of what is a number at all
+constexpr double kMaxCoordinate = 1e30;  // metres: of what is a number at all
 
-/// f(brick) for the bricks of a grid that are there and may be within reach of a point, in cells.
+/// f(brick) for the bricks of a grid that are there and may be within radiusCells of a point, in cells.
 template <class F>
-void forEachBrickNear(const VoxelGrid& grid, glm::dvec3 point, double reach, F&& f) {
-    const CellBox range = brushBricks(sphereBrush(point, {reach, reach, reach}), grid.sizeInBricks());
+void forEachBrickNear(const VoxelGrid& grid, glm::dvec3 point, double radiusCells, F&& f) {
+    const CellBox range = brushBricks(sphereBrush(point, {radiusCells, radiusCells, radiusCells}), grid.sizeInBricks());
     for (int z = range.low.z; z < range.high.z; ++z)
         for (int y = range.low.y; y < range.high.y; ++y)
             for (int x = range.low.x; x < range.high.x; ++x)
@@ -35,7 +35,7 @@ glm::dvec3 brickMiddle(glm::ivec3 brick) {
 }  // namespace
 
 void EditStep::apply(const HeatEdit& edit) {
-    if (!isWithin(edit.position, kFarthest) || !(edit.radius > 0.0 && edit.radius < 1e6) || !(edit.joules >= 0.0 && edit.joules < 1e15))
+    if (!isWithin(edit.position, kMaxCoordinate) || !(edit.radius > 0.0 && edit.radius < 1e6) || !(edit.joules >= 0.0 && edit.joules < 1e15))
         return logWarning("HeatEdit: expected finite numbers, a radius above zero and joules of zero or more; nothing was heated");
     if (!m_world.m_settings.fire.enabled) return;
     if (edit.shape && !m_world.m_shapes.find(edit.shape)) return logWarning("HeatEdit: the handle of its shape is stale; nothing was heated");
@@ -50,9 +50,9 @@ void EditStep::apply(const HeatEdit& edit) {
     for (const ShapeHandle handle : shapes) {
         const Shape& shape = m_world.m_shapes.at(handle);
         const glm::dvec3 center = m_world.shapeToWorld(handle).inversePoint(edit.position) / double(shape.voxelSize);
-        const double reach = edit.radius / shape.voxelSize;
-        const Brush brush = sphereBrush(center, {reach, reach, reach});
-        forEachBrickNear(shape.grid, center, reach, [&](glm::ivec3 brick) {
+        const double radiusCells = edit.radius / shape.voxelSize;
+        const Brush brush = sphereBrush(center, {radiusCells, radiusCells, radiusCells});
+        forEachBrickNear(shape.grid, center, radiusCells, [&](glm::ivec3 brick) {
             BrickBits cells = brushBits(brush, brick, brush.radii[0]);
             const BrickBits exposed = exposedBits(shape.grid, brick, *shape.grid.brickAt(brick)).all();
             int64_t count = 0;
@@ -62,18 +62,18 @@ void EditStep::apply(const HeatEdit& edit) {
         });
     }
     for (const Target& target : targets) {
-        HotBrick* hot = heat({target.shape, target.brick, int64_t(edit.joules * 1000.0) / sum * target.cells});
-        if (hot && edit.ignite) lightBrick(target.shape, *hot);
+        HotBrick* hot = depositHeat({target.shape, target.brick, int64_t(edit.joules * 1000.0) / sum * target.cells});
+        if (hot && edit.ignite) igniteBrick(target.shape, *hot);
     }
 }
 
 /// Nothing that is wet gets hot. Null if there is no room for one more.
-HotBrick* EditStep::heat(const Deposit& deposit) {
+HotBrick* EditStep::depositHeat(const Deposit& deposit) {
     const FireSettings& settings = m_world.m_settings.fire;
     HotBrick* hot = m_world.m_fire.findOrAdd(deposit.shape, deposit.brick, settings.maxHot);
     if (!hot) {
         ++m_changes.heatLost;
-        if (!std::exchange(m_world.m_fire.hasSaidFull, true))
+        if (!std::exchange(m_world.m_fire.hasLoggedFull, true))
             logWarning("fire: " + std::to_string(settings.maxHot) + " bricks are hot, more do not get hot; raise FireSettings::maxHot");
         return nullptr;
     }
@@ -81,15 +81,15 @@ HotBrick* EditStep::heat(const Deposit& deposit) {
     return hot;
 }
 
-void EditStep::lightBrick(ShapeHandle handle, HotBrick& hot) {
+void EditStep::igniteBrick(ShapeHandle handle, HotBrick& hot) {
     FireState& fire = m_world.m_fire;
     const uint32_t limit = m_world.m_settings.fire.maxFires;
     const Shape& shape = m_world.m_shapes.at(handle);
     if (hot.burningFor || hot.wet || !heatSkin(shape.grid, hot.brick, heatTable(handle)).ignition) return;
     if (fire.burning >= limit) {
         ++m_changes.firesRefused;
-        if (!std::exchange(fire.hasSaidFull, true))
-            logWarning("fire: " + std::to_string(limit) + " bricks burn, more do not; raise FireSettings::maxFires");
+        if (!std::exchange(fire.hasLoggedFull, true))
+            logWarning("fire: " + std::to_string(limit) + " bricks updateFires, more do not; raise FireSettings::maxFires");
         return;
     }
     ignite(hot);
@@ -98,7 +98,7 @@ void EditStep::lightBrick(ShapeHandle handle, HotBrick& hot) {
 }
 
 void EditStep::apply(const ExtinguishEdit& edit) {
-    if (!isWithin(edit.position, kFarthest) || !(edit.radius > 0.0 && edit.radius < 1e6) || !(edit.wetSeconds >= 0.0 && edit.wetSeconds <= 6000.0))
+    if (!isWithin(edit.position, kMaxCoordinate) || !(edit.radius > 0.0 && edit.radius < 1e6) || !(edit.wetSeconds >= 0.0 && edit.wetSeconds <= 6000.0))
         return logWarning("ExtinguishEdit: expected finite numbers, a radius above zero and 0 to 6000 seconds; nothing was put out");
     const uint32_t wet = uint32_t(edit.wetSeconds * kHeatUpdatesPerSecond);
     FireState& fire = m_world.m_fire;
@@ -108,23 +108,23 @@ void EditStep::apply(const ExtinguishEdit& edit) {
         const glm::dvec3 center = m_world.shapeToWorld(handle).inversePoint(edit.position) / double(shape.voxelSize);
         forEachBrickNear(shape.grid, center, edit.radius / shape.voxelSize, [&](glm::ivec3 brick) {
             HotBrick* hot = wet ? fire.findOrAdd(handle, brick, m_world.m_settings.fire.maxHot) : fire.find(handle, brick);
-            if (hot) putOut(handle, *hot, wet);
+            if (hot) extinguishBrick(handle, *hot, wet);
         });
     }
 }
 
 void EditStep::apply(const RemoveFiresEdit& edit) {
-    if (!isWithin(edit.low, kFarthest) || !isWithin(edit.high, kFarthest))
+    if (!isWithin(edit.low, kMaxCoordinate) || !isWithin(edit.high, kMaxCoordinate))
         return logWarning("RemoveFiresEdit: expected finite numbers; nothing was put out");
     for (HeatField& field : m_world.m_fire.fields)
         for (HotBrick& hot : field.bricks) {
             if (!hot.burningFor || !m_world.m_shapes.find(field.shape)) continue;
             const glm::dvec3 at = brickInWorld(field.shape, hot.brick);
-            if (glm::all(glm::lessThanEqual(edit.low, at)) && glm::all(glm::lessThanEqual(at, edit.high))) putOut(field.shape, hot, 0);
+            if (glm::all(glm::lessThanEqual(edit.low, at)) && glm::all(glm::lessThanEqual(at, edit.high))) extinguishBrick(field.shape, hot, 0);
         }
 }
 
-void EditStep::putOut(ShapeHandle shape, HotBrick& hot, uint32_t wet) {
+void EditStep::extinguishBrick(ShapeHandle shape, HotBrick& hot, uint32_t wet) {
     if (hot.burningFor) m_changes.firesOut.push_back({shape, hot.brick, brickInWorld(shape, hot.brick)});
     extinguish(hot, wet);
 }
@@ -145,22 +145,22 @@ const HeatTable& EditStep::heatTable(ShapeHandle handle) {
 }
 
 /// One step of all that is hot: a sixth of the bricks is updated, each brick every kHeatInterval steps.
-void EditStep::burn() {
+void EditStep::updateFires() {
     FireState& fire = m_world.m_fire;
     if (!fire.isActive()) return;
     m_changes.firesChanged = fire.burning > 0 || !m_changes.firesOut.empty();
     if (!m_world.m_settings.fire.enabled)
         for (HeatField& field : fire.fields)
-            for (HotBrick& hot : field.bricks) putOut(field.shape, hot, 0);
-    if (m_world.m_waters.size()) quench();
-    fire.tidy();
-    for (HeatField& field : fire.fields) burnShape(field);
-    for (const Deposit& deposit : m_deposits) heat(deposit);
+            for (HotBrick& hot : field.bricks) extinguishBrick(field.shape, hot, 0);
+    if (m_world.m_waters.size()) extinguishUnderWater();
+    fire.compact();
+    for (HeatField& field : fire.fields) updateHeatField(field);
+    for (const Deposit& deposit : m_deposits) depositHeat(deposit);
     m_deposits.clear();
-    fire.tidy();
+    fire.compact();
 }
 
-void EditStep::burnShape(HeatField& field) {
+void EditStep::updateHeatField(HeatField& field) {
     const ShapeHandle handle = field.shape;
     std::vector<BrickSubset> charred, consumed;
     std::erase_if(field.bricks, [&](HotBrick& hot) {
@@ -169,44 +169,44 @@ void EditStep::burnShape(HeatField& field) {
         const Shape& shape = m_world.m_shapes.at(handle);
         const HeatSkin skin = heatSkin(shape.grid, hot.brick, heatTable(handle));
         const HeatOutcome outcome = updateHeat(hot, skin);
-        if (outcome.wantsToBurn) lightBrick(handle, hot);
+        if (outcome.wantsToBurn) igniteBrick(handle, hot);
         if (outcome.wentOut) m_changes.firesOut.push_back({handle, hot.brick, brickInWorld(handle, hot.brick)});
         if (outcome.chars) charred.push_back({hot.brick, charredCells(skin, hot.brick, hot.charred)});
         if (outcome.consumed) consumed.push_back({hot.brick, consumedCells(shape.grid, hot.brick, skin, outcome.consumed)});
-        if (m_world.m_load) weaken(handle, hot.brick, remainingStrength(hot, skin));
-        if (outcome.emitted) emit(handle, hot, outcome.emitted);
+        if (m_world.m_stress) weaken(handle, hot.brick, remainingStrength(hot, skin));
+        if (outcome.emitted) emitHeat(handle, hot, outcome.emitted);
         return outcome.isOver || !shape.grid.brickAt(hot.brick);
     });
     m_changes.firesChanged |= !m_changes.firesLit.empty() || !m_changes.firesOut.empty();
     if (!charred.empty()) paintCells(handle, charred, {.color = kChar, .strength = kCharStrength, .seed = uint32_t(m_changes.step)});
-    if (!consumed.empty()) consume(handle, consumed);
+    if (!consumed.empty()) removeBurnedCells(handle, consumed);
 }
 
 /// To the bricks around in the same shape, and now and then to those of other shapes.
-void EditStep::emit(ShapeHandle handle, const HotBrick& hot, int64_t emitted) {
+void EditStep::emitHeat(ShapeHandle handle, const HotBrick& hot, int64_t emitted) {
     emitted = int64_t(double(emitted) * std::clamp(double(m_world.m_settings.fire.spread), 0.0, 100.0));
     m_near.clear();
     spreadHeat(m_world.m_shapes.at(handle).grid, hot.brick, emitted, m_near);
     for (const HeatDeposit& each : m_near) m_deposits.push_back({handle, each.brick, each.heat});
-    if (hot.burningFor % kReachEvery) return;
+    if (hot.burningFor % kRadiationInterval) return;
     const glm::dvec3 from = brickInWorld(handle, hot.brick);
-    for (const ShapeHandle other : m_world.shapesNear(from + glm::dvec3(0.0, 0.3, 0.0), kReach)) {
+    for (const ShapeHandle other : m_world.shapesNear(from + glm::dvec3(0.0, 0.3, 0.0), kRadiationRadius)) {
         if (other == handle) continue;
         const Shape& shape = m_world.m_shapes.at(other);
         const Pose pose = m_world.shapeToWorld(other);
         const glm::dvec3 center = pose.inversePoint(from) / double(shape.voxelSize);
-        forEachBrickNear(shape.grid, center, kReach / shape.voxelSize, [&](glm::ivec3 brick) {
+        forEachBrickNear(shape.grid, center, kRadiationRadius / shape.voxelSize, [&](glm::ivec3 brick) {
             const glm::dvec3 away = pose.transformPoint(brickMiddle(brick) * double(shape.voxelSize)) - from;
-            const double distance2 = glm::dot(away, away) / (kReach * kReach);
-            const double upwards = std::clamp(0.5 + away.y / (2.0 * kReach), 0.1, 1.0);
-            m_deposits.push_back({other, brick, int64_t(double(emitted) * kReachEvery * kRadiated * upwards / (1.0 + 4.0 * distance2))});
+            const double distance2 = glm::dot(away, away) / (kRadiationRadius * kRadiationRadius);
+            const double upwards = std::clamp(0.5 + away.y / (2.0 * kRadiationRadius), 0.1, 1.0);
+            m_deposits.push_back({other, brick, int64_t(double(emitted) * kRadiationInterval * kRadiatedShare * upwards / (1.0 + 4.0 * distance2))});
         });
     }
 }
 
-void EditStep::consume(ShapeHandle handle, const std::vector<BrickSubset>& cells) {
+void EditStep::removeBurnedCells(ShapeHandle handle, const std::vector<BrickSubset>& cells) {
     Shape& shape = m_world.m_shapes.at(handle);
-    rememberMotion(shape.body);
+    recordMotion(shape.body);
     const Densities densities(*shape.palette, m_world.m_materials);
     const glm::vec3 velocity(m_world.m_bodies.at(shape.body).velocity);
     for (const BrickSubset& subset : cells) {
@@ -217,19 +217,19 @@ void EditStep::consume(ShapeHandle handle, const std::vector<BrickSubset>& cells
         forEachVoxel(subset.voxels, [&](int i) { ++removed[brick->at(i)]; });
         shape.moments -= brickMoments(*brick, subset.voxels, subset.brick, densities);
         shape.grid.setBrick(subset.brick, maskBrick(*brick, keep));
-        countRemoved(handle, removed, {brickInWorld(handle, subset.brick), 4.0 * shape.voxelSize, velocity});
-        Touched& each = touched(handle);
+        recordRemoved(handle, removed, {brickInWorld(handle, subset.brick), 4.0 * shape.voxelSize, velocity});
+        ShapeEditState& each = editState(handle);
         each.carved.insert(subset.brick);
         each.lost = joined(each.lost, voxelBounds(subset.brick, subset.voxels));
     }
 }
 
-void EditStep::moveHeat() {
+void EditStep::redistributeHeat() {
     FireState& fire = m_world.m_fire;
     if (!fire.isActive()) return;
     for (const ShapeSplit& split : m_changes.splits) splitHeat(split);
     std::erase_if(fire.fields, [&](const HeatField& field) { return !m_world.m_shapes.find(field.shape); });
-    fire.tidy();
+    fire.compact();
 }
 
 /// What was hot of a shape that came apart goes with its voxels.

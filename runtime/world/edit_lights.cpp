@@ -12,34 +12,34 @@ namespace rubble {
 namespace {
 
 /// Squared distance in cells from a point to the centre of the node's nearest voxel, if that is less than `best`.
-double nearestInNode2(glm::ivec3 position, const BrickNode& node, glm::dvec3 point, double best) {
+double nearestInNodeSquared(glm::ivec3 position, const BrickNode& node, glm::dvec3 point, double best) {
     forEachChild(node.mask, [&](int child) {
         const glm::dvec3 low = glm::dvec3((position * kNodeBricks + childPosition(child)) * kBrickSize), high = low + double(kBrickSize);
         const glm::dvec3 toBox = point - glm::clamp(point, low, high);
         if (glm::dot(toBox, toBox) >= best) return;
         forEachVoxel(node.bricks[size_t(child)]->occupancy, [&](int i) {
-            const glm::dvec3 away = point - (low + glm::dvec3(voxelInBrick(i)) + 0.5);
-            best = std::min(best, glm::dot(away, away));
+            const glm::dvec3 offset = point - (low + glm::dvec3(voxelInBrick(i)) + 0.5);
+            best = std::min(best, glm::dot(offset, offset));
         });
     });
     return best;
 }
 
 /// The same for a grid: shells of nodes around the point, until none can hold a nearer voxel.
-double nearestVoxel2(const VoxelGrid& grid, glm::dvec3 point) {
+double nearestVoxelSquared(const VoxelGrid& grid, glm::dvec3 point) {
     double best = std::numeric_limits<double>::infinity();
     const glm::ivec3 size = grid.sizeInNodes();
     const glm::ivec3 middle = glm::ivec3(glm::clamp(point / double(kNodeSize), glm::dvec3(0.0), glm::dvec3(size - 1)));
     const int last = std::max({size.x, size.y, size.z});
     for (int r = 0; r < last; ++r) {
-        const double reach = double(std::max(r - 1, 0)) * kNodeSize;
-        if (reach * reach >= best) break;
+        const double minDistance = double(std::max(r - 1, 0)) * kNodeSize;
+        if (minDistance * minDistance >= best) break;
         const glm::ivec3 low = glm::max(middle - r, 0), high = glm::min(middle + r, size - 1);
         for (int z = low.z; z <= high.z; ++z)
             for (int y = low.y; y <= high.y; ++y) {
                 const bool isSide = std::abs(z - middle.z) == r || std::abs(y - middle.y) == r;
                 for (int x = isSide ? low.x : middle.x - r; x <= high.x; x += isSide || r == 0 ? 1 : 2 * r)
-                    if (const BrickNode* node = x < 0 ? nullptr : grid.nodeAt({x, y, z})) best = nearestInNode2({x, y, z}, *node, point, best);
+                    if (const BrickNode* node = x < 0 ? nullptr : grid.nodeAt({x, y, z})) best = nearestInNodeSquared({x, y, z}, *node, point, best);
             }
     }
     return best;
@@ -69,8 +69,8 @@ void EditStep::apply(const AddLightEdit& edit) {
     LightHandle& added = m_changes.lightsAdded.emplace_back();
     const std::optional<Light> light = checkedLight(edit.light, "AddLightEdit");
     if (!light) return;
-    if (m_world.m_lights.size() >= kMostLights)
-        return logWarning("AddLightEdit: expected less than " + std::to_string(kMostLights) + " lights (kMostLights), found " +
+    if (m_world.m_lights.size() >= kMaxLights)
+        return logWarning("AddLightEdit: expected less than " + std::to_string(kMaxLights) + " lights (kMaxLights), found " +
                           std::to_string(m_world.m_lights.size()) + "; nothing was changed");
     added = m_world.m_lights.insert(*light);
     m_changes.lights.push_back(added);
@@ -111,11 +111,11 @@ void EditStep::moveLights(const ShapeSplit& split) {
     m_world.m_lights.forEach([&](LightHandle handle, Light& light) {
         if (light.shape != split.parent) return;
         const glm::dvec3 pointCells = light.local.position / double(parent.voxelSize);
-        double best = nearestVoxel2(parent.grid, pointCells);
+        double best = nearestVoxelSquared(parent.grid, pointCells);
         const size_t kParent = split.children.size();
         size_t host = kParent;
         for (size_t i = 0; i < split.children.size(); ++i) {
-            const double distance = nearestVoxel2(m_world.m_shapes.at(split.children[i]).grid, pointCells - glm::dvec3(split.parentOffset[i]));
+            const double distance = nearestVoxelSquared(m_world.m_shapes.at(split.children[i]).grid, pointCells - glm::dvec3(split.parentOffset[i]));
             if (distance < best) best = distance, host = i;
         }
         if (host == kParent) return;
@@ -126,7 +126,7 @@ void EditStep::moveLights(const ShapeSplit& split) {
 }
 
 /// Lights whose shape is gone hang where they were, dark.
-void EditStep::putOutLightsOf(ShapeHandle shape) {
+void EditStep::turnOffLightsOf(ShapeHandle shape) {
     m_world.m_lights.forEach([&](LightHandle handle, Light& light) {
         if (light.shape != shape) return;
         light.local = m_world.lightToWorld(light);
@@ -138,30 +138,30 @@ void EditStep::putOutLightsOf(ShapeHandle shape) {
 
 void EditStep::updateLightGroups() {
     m_world.m_groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
-        const uint64_t removed = handle.slot() < m_groupRemoved.size() ? m_groupRemoved[handle.slot()] : 0;
+        const uint64_t removed = handle.slot() < m_removedByGroup.size() ? m_removedByGroup[handle.slot()] : 0;
         group.removedVoxels += removed;
         if (removed) m_changes.groups.push_back(handle);
         if (group.out) return;
         const bool isBroken = removed && double(group.removedVoxels) >= double(group.threshold) * double(group.initialVoxels);
-        if (!group.dyingSince && (isBroken || isCutOff(handle, group))) {
-            group.dyingSince = m_changes.step;
-            ++m_world.m_dyingGroups;
+        if (!group.failingSince && (isBroken || lostPower(handle, group))) {
+            group.failingSince = m_changes.step;
+            ++m_world.m_flickeringGroups;
         }
-        if (group.dyingSince && m_changes.step >= group.dyingSince + group.flickerSteps)
-            putOut(handle, group);
-        else if (group.dyingSince)
-            flicker(handle, group);
+        if (group.failingSince && m_changes.step >= group.failingSince + group.flickerSteps)
+            turnOff(handle, group);
+        else if (group.failingSince)
+            updateFlicker(handle, group);
     });
 }
 
 /// Looks only if the supply's shape has lost wire or a piece in this step.
-bool EditStep::isCutOff(LightGroupHandle handle, const LightGroup& group) const {
-    return group.supply && m_cutWires.contains(group.supply.slot()) && !m_world.isSupplied(handle, group);
+bool EditStep::lostPower(LightGroupHandle handle, const LightGroup& group) const {
+    return group.supply && m_cutWires.contains(group.supply.slot()) && !m_world.isPowered(handle, group);
 }
 
-void EditStep::putOut(LightGroupHandle handle, LightGroup& group) {
-    --m_world.m_dyingGroups;
-    group.dyingSince = 0;
+void EditStep::turnOff(LightGroupHandle handle, LightGroup& group) {
+    --m_world.m_flickeringGroups;
+    group.failingSince = 0;
     group.dark = false;
     group.out = true;
     m_changes.groups.push_back(handle);
@@ -169,7 +169,7 @@ void EditStep::putOut(LightGroupHandle handle, LightGroup& group) {
     darkenGroup(handle);
 }
 
-void EditStep::flicker(LightGroupHandle handle, LightGroup& group) {
+void EditStep::updateFlicker(LightGroupHandle handle, LightGroup& group) {
     constexpr uint64_t kSteps = 3;  ///< that a state lasts
     const bool isDark = hashCell(int(handle.slot()), int(m_changes.step / kSteps), 0) & 1;
     m_changes.groups.push_back(handle);

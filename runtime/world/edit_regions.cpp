@@ -10,21 +10,21 @@ namespace {
 
 constexpr uint32_t kWetSeconds = 20;  ///< that what was under water stays wet
 
-constexpr double kFarthest = 1e9;  // metres
+constexpr double kMaxCoordinate = 1e9;  // metres
 
-bool isSane(const GroundArea& area) {
-    return area.size() >= 3 && std::all_of(area.begin(), area.end(), [](const GroundPoint& p) { return isWithin({p.x, 0.0, p.z}, kFarthest); });
+bool isSane(const GroundPolygon& area) {
+    return area.size() >= 3 && std::all_of(area.begin(), area.end(), [](const GroundPoint& p) { return isWithin({p.x, 0.0, p.z}, kMaxCoordinate); });
 }
 
 bool isSane(const Water& water) {
-    return isSane(water.outline) && isWithin(water.surface, -kFarthest, kFarthest) && isWithin(water.depth, 1e-6, 1e6) &&
+    return isSane(water.outline) && isWithin(water.surface, -kMaxCoordinate, kMaxCoordinate) && isWithin(water.depth, 1e-6, 1e6) &&
            isWithin(water.density, 0.0, 1e6) && isWithin(water.linearDrag, 0.0, 1e6) && isWithin(water.angularDrag, 0.0, 1e6) &&
-           isWithin(water.flow, kFarthest);
+           isWithin(water.flow, kMaxCoordinate);
 }
 
 bool isSane(const Trigger& trigger) {
     const glm::dquat& q = trigger.pose.rotation;
-    if (!isWithin(trigger.pose.position, kFarthest) || !isWithin(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 0.999, 1.001)) return false;
+    if (!isWithin(trigger.pose.position, kMaxCoordinate) || !isWithin(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 0.999, 1.001)) return false;
     if (trigger.kind == TriggerKind::Sphere) return isWithin(trigger.radius, 1e-6, 1e6);
     if (trigger.kind == TriggerKind::Polygon) return isSane(trigger.outline) && isWithin(trigger.height, 1e-6, 1e6);
     const glm::dvec3& h = trigger.halfSize;
@@ -54,13 +54,13 @@ void EditStep::apply(const RemoveWaterEdit& edit) {
 }
 
 /// What is under water goes out and gets wet.
-void EditStep::quench() {
+void EditStep::extinguishUnderWater() {
     for (HeatField& field : m_world.m_fire.fields)
         for (HotBrick& hot : field.bricks) {
             if (!m_world.m_shapes.find(field.shape)) continue;
             const glm::dvec3 at = brickInWorld(field.shape, hot.brick);
             m_world.m_waters.forEach([&](WaterHandle, const Water& water) {
-                if (water.holds(at)) putOut(field.shape, hot, kWetSeconds * kHeatUpdatesPerSecond);
+                if (water.contains(at)) extinguishBrick(field.shape, hot, kWetSeconds * kHeatUpdatesPerSecond);
             });
         }
 }
@@ -70,13 +70,13 @@ void EditStep::apply(const AddTriggerEdit& edit) {
     Trigger trigger = edit.trigger;
     trigger.inside.clear();
     const TriggerHandle handle = m_world.m_triggers.insert(std::move(trigger));
-    m_world.m_triggerPlaces.place(handle.slot(), edit.trigger.bounds());
+    m_world.m_triggerBounds.update(handle.slot(), edit.trigger.bounds());
     m_changes.triggers.push_back(handle);
 }
 
 void EditStep::apply(const RemoveTriggerEdit& edit) {
     if (!m_world.m_triggers.erase(edit.trigger)) return logWarning("RemoveTriggerEdit: the handle of its trigger is stale; nothing was removed");
-    m_world.m_triggerPlaces.remove(edit.trigger.slot());
+    m_world.m_triggerBounds.remove(edit.trigger.slot());
     m_changes.triggers.push_back(edit.trigger);
 }
 

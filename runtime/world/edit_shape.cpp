@@ -17,7 +17,7 @@ std::array<uint64_t, 256> countEntries(const VoxelGrid& grid) {
 }
 
 /// Boxes of cells in a frame that begins at cell `low` of theirs and has this size.
-std::vector<CellBox> movedBoxes(const std::vector<CellBox>& boxes, glm::ivec3 low, glm::ivec3 size) {
+std::vector<CellBox> translatedBoxes(const std::vector<CellBox>& boxes, glm::ivec3 low, glm::ivec3 size) {
     std::vector<CellBox> out;
     for (const CellBox& box : boxes) {
         const CellBox moved{glm::max(box.low - low, 0), glm::min(box.high - low, size)};
@@ -27,7 +27,7 @@ std::vector<CellBox> movedBoxes(const std::vector<CellBox>& boxes, glm::ivec3 lo
 }
 
 /// The cell of `into` where cell 0 of `shape` lies; nothing if their lattices do not match.
-std::optional<glm::ivec3> offsetIn(const Shape& into, const Shape& shape) {
+std::optional<glm::ivec3> cellOffsetIn(const Shape& into, const Shape& shape) {
     if (into.body != shape.body || into.voxelSize != shape.voxelSize) return std::nullopt;
     if (std::fabs(glm::dot(into.local.rotation, shape.local.rotation)) < 1.0 - 1e-9) return std::nullopt;
     const glm::dvec3 cells = into.local.inversePoint(shape.local.position) / double(into.voxelSize);
@@ -97,7 +97,7 @@ Shape* EditStep::shapeToEdit(ShapeHandle handle, const char* edit) {
 void EditStep::apply(const SplitShapeEdit& edit) {
     Shape* shape = shapeToEdit(edit.shape, "SplitShapeEdit");
     if (!shape) return;
-    rememberMotion(shape->body);
+    recordMotion(shape->body);
     std::vector<Component> components = findComponents(shape->grid);
     const auto keeps = [&](const Component& a, const Component& b) {
         const bool holdsA = touchesAnchor(shape->grid, a, shape->anchors), holdsB = touchesAnchor(shape->grid, b, shape->anchors);
@@ -112,51 +112,51 @@ void EditStep::apply(const SplitShapeEdit& edit) {
     const Body& body = m_world.m_bodies.at(shape->body);
     for (const Component& component : components) {
         const MassMoments moments = componentMoments(shape->grid, component, densities);
-        Touched& each = touched(edit.shape);
+        ShapeEditState& each = editState(edit.shape);
         each.carved.insert(component);
         each.lost = {glm::ivec3(0), shape->grid.size()};
         shape->moments -= moments;
         if (edit.removeResidual && component.voxels < edit.residualVoxels) {
-            dropPiece(edit.shape, component);
+            discardPiece(edit.shape, component);
             continue;
         }
         Piece piece = takePiece(shape->grid, component);
         const MassProperties mass = massProperties(moments, shape->voxelSize);
         split.motions.push_back({m_world.shapeToWorld(edit.shape).transformPoint(mass.center), body.velocity, body.angularVelocity, mass.mass});
         split.parentOffset.push_back(piece.offset);
-        split.children.push_back(createSibling(edit.shape, std::move(piece), moments));
+        split.children.push_back(createSplitShape(edit.shape, std::move(piece), moments));
         shape = &m_world.m_shapes.at(edit.shape);  // the new shape may have moved the others
     }
-    shape->nothingLoose = true;
+    shape->knownConnected = true;
     if (split.children.empty()) return;
     moveLights(split);
     moveJoints(split);
     m_changes.splits.push_back(std::move(split));
 }
 
-ShapeHandle EditStep::createSibling(ShapeHandle handle, Piece piece, const MassMoments& moments) {
+ShapeHandle EditStep::createSplitShape(ShapeHandle handle, Piece piece, const MassMoments& moments) {
     const Shape& from = m_world.m_shapes.at(handle);
     Shape shape = from;
     shape.local = from.local * Pose{glm::dvec3(piece.offset) * double(from.voxelSize)};
-    shape.anchors = movedBoxes(from.anchors, piece.offset, piece.grid.size());
+    shape.anchors = translatedBoxes(from.anchors, piece.offset, piece.grid.size());
     shape.grid = std::move(piece.grid);
     shape.moments = moments.shifted(-piece.offset);
-    shape.nothingLoose = true;
+    shape.knownConnected = true;
     const BodyHandle body = shape.body;
     const ShapeHandle sibling = m_world.m_shapes.insert(std::move(shape));
     m_world.m_bodies.at(body).shapes.push_back(sibling);
-    m_world.placeShape(sibling);
-    m_world.listDebris(body);
+    m_world.updateShapeBounds(sibling);
+    m_world.updateDebris(body);
     m_changes.shapesCreated.push_back(sibling);
     return sibling;
 }
 
-ShapeHandle EditStep::findMatch(ShapeHandle handle) const {
+ShapeHandle EditStep::findMergeTarget(ShapeHandle handle) const {
     const Shape& shape = m_world.m_shapes.at(handle);
     for (const ShapeHandle other : m_world.m_bodies.at(shape.body).shapes) {
         if (other == handle) continue;
         const Shape& into = m_world.m_shapes.at(other);
-        if (const auto offset = offsetIn(into, shape); offset && touch(into.grid, shape.grid, *offset)) return other;
+        if (const auto offset = cellOffsetIn(into, shape); offset && touch(into.grid, shape.grid, *offset)) return other;
     }
     return {};
 }
@@ -164,9 +164,9 @@ ShapeHandle EditStep::findMatch(ShapeHandle handle) const {
 void EditStep::apply(const MergeShapeEdit& edit) {
     Shape* from = shapeToEdit(edit.shape, "MergeShapeEdit");
     if (!from) return;
-    const ShapeHandle target = edit.into ? edit.into : findMatch(edit.shape);
+    const ShapeHandle target = edit.into ? edit.into : findMergeTarget(edit.shape);
     Shape* into = target == edit.shape ? nullptr : m_world.m_shapes.find(target);
-    const std::optional<glm::ivec3> offset = into ? offsetIn(*into, *from) : std::nullopt;
+    const std::optional<glm::ivec3> offset = into ? cellOffsetIn(*into, *from) : std::nullopt;
     if (!offset || !touch(into->grid, from->grid, *offset)) return logWarning("MergeShapeEdit: no shape that matches and touches; nothing was done");
     const CellBox box{glm::min(*offset, glm::ivec3(0)), glm::max(*offset + from->grid.size(), into->grid.size())};
     auto palette = std::make_shared<Palette>(*into->palette);
@@ -205,8 +205,8 @@ void EditStep::apply(const MergeShapeEdit& edit) {
     for (const JointHandle joint : std::vector<JointHandle>(held.begin(), held.end()))
         for (size_t end = 0; end < 2; ++end)
             if (m_world.m_joints.at(joint).ends[end].shape == edit.shape) moveJointEnd(joint, end, target, -at);
-    countRemoved(edit.shape, lost, {m_world.shapeToWorld(edit.shape).transformPoint({}), 0.0, {}});
-    m_touched.erase(edit.shape.slot());
+    recordRemoved(edit.shape, lost, {m_world.shapeToWorld(edit.shape).transformPoint({}), 0.0, {}});
+    m_editStates.erase(edit.shape.slot());
     destroyShape(edit.shape);
 }
 
@@ -228,37 +228,37 @@ bool EditStep::reframe(ShapeHandle handle, const CellBox& box) {
         return false;
     }
     if (box == CellBox{glm::ivec3(0), shape.grid.size()}) return true;
-    rememberMotion(shape.body);
+    recordMotion(shape.body);
     std::array<uint64_t, 256> removed = countEntries(shape.grid);
     shape.grid = cropped(shape.grid, box);
     const std::array<uint64_t, 256> kept = countEntries(shape.grid);
     bool isLess = false;
     for (size_t i = 0; i < 256; ++i) removed[i] -= kept[i], isLess = isLess || removed[i];
     shape.local = shape.local * Pose{glm::dvec3(box.low) * double(shape.voxelSize)};
-    shape.anchors = movedBoxes(shape.anchors, box.low, shape.grid.size());
+    shape.anchors = translatedBoxes(shape.anchors, box.low, shape.grid.size());
     shape.moments = gridMoments(shape.grid, *shape.palette, m_world.m_materials);
-    shape.nothingLoose = shape.nothingLoose && !isLess;
+    shape.knownConnected = shape.knownConnected && !isLess;
     m_world.m_lights.forEach([&](LightHandle light, Light& rider) {
         if (rider.shape != handle) return;
         rider.local.position -= glm::dvec3(box.low) * double(shape.voxelSize);
         m_changes.lights.push_back(light);
     });
     reframeJoints(handle, box.low);
-    if (isLess) countRemoved(handle, removed, {m_world.shapeToWorld(handle).transformPoint({}), 0.0, {}});
+    if (isLess) recordRemoved(handle, removed, {m_world.shapeToWorld(handle).transformPoint({}), 0.0, {}});
     for (PendingSplit& pending : m_world.m_pendingSplits)  // its cut was in the old cells
-        if (pending.shape == handle) pending.cut.clear(), pending.search.reset(), shape.nothingLoose = false;
+        if (pending.shape == handle) pending.cut.clear(), pending.search.reset(), shape.knownConnected = false;
     std::erase_if(m_world.m_fire.fields, [&](const HeatField& field) { return field.shape == handle; });
-    m_world.m_fire.tidy();
+    m_world.m_fire.compact();
     if (shape.grid.empty()) {
-        m_touched.erase(handle.slot());
+        m_editStates.erase(handle.slot());
         destroyShape(handle);
         return false;
     }
-    Touched& each = touched(handle);
+    ShapeEditState& each = editState(handle);
     const bool lostVoxels = isLess || each.lostVoxels || !each.carved.empty();
-    if (lostVoxels) shape.nothingLoose = false;
+    if (lostVoxels) shape.knownConnected = false;
     each = {.shape = handle, .lostVoxels = lostVoxels};
-    m_world.placeShape(handle);
+    m_world.updateShapeBounds(handle);
     m_changes.shapesDestroyed.push_back(handle);
     m_changes.shapesCreated.push_back(handle);
     return true;

@@ -8,12 +8,12 @@ namespace rubble {
 
 /// What broke out of shapes becomes pieces at once: it is in no grid any more.
 void EditStep::releaseFragments() {
-    for (auto& [slot, broken] : m_touched) {
+    for (auto& [slot, broken] : m_editStates) {
         if (broken.fragments.empty()) continue;
         ShapeSplit split{.parent = broken.shape};
         for (auto& [fragment, palette, paintColors] : broken.fragments) {
             split.parentOffset.push_back(fragment.piece.offset);
-            split.children.push_back(createChild(broken.shape, std::move(fragment.piece), fragment.moments, split.motions.emplace_back()));
+            split.children.push_back(createPiece(broken.shape, std::move(fragment.piece), fragment.moments, split.motions.emplace_back()));
             Shape& child = m_world.m_shapes.at(split.children.back());
             child.palette = std::move(palette);
             child.paintColors = std::move(paintColors);
@@ -30,39 +30,39 @@ void EditStep::releaseFragments() {
 void EditStep::splitShapes() {
     releaseFragments();
     std::vector<PendingSplit>& line = m_world.m_pendingSplits;
-    for (auto& [slot, each] : m_touched) {
+    for (auto& [slot, each] : m_editStates) {
         if (each.carved.empty() && !each.lostVoxels) continue;
         auto known = std::find_if(line.begin(), line.end(), [shape = each.shape](const PendingSplit& pending) { return pending.shape == shape; });
-        if (known == line.end() && isWhole(each)) continue;
+        if (known == line.end() && isStillConnected(each)) continue;
         if (known == line.end()) known = line.insert(line.end(), {each.shape, {}, {}});
         known->cut.insert(each.carved);
         known->search.reset();
     }
-    size_t budget = m_world.m_settings.split.partsAStep;
+    size_t budget = m_world.m_settings.split.partsPerStep;
     if (budget == 0) budget = SIZE_MAX;
     size_t done = 0;
-    while (done < line.size() && searchOn(line[done], budget)) ++done;
+    while (done < line.size() && continueSearch(line[done], budget)) ++done;
     line.erase(line.begin(), line.begin() + ptrdiff_t(done));
 }
 
 /// Whether a cut shape is known at a glance to be in one piece still.
-bool EditStep::isWhole(const Touched& each) const {
+bool EditStep::isStillConnected(const ShapeEditState& each) const {
     const Shape* shape = m_world.m_shapes.find(each.shape);
-    if (!shape || !shape->nothingLoose || each.lostVoxels || shape->grid.empty()) return false;
+    if (!shape || !shape->knownConnected || each.lostVoxels || shape->grid.empty()) return false;
     const bool isAnchored = m_world.m_bodies.at(shape->body).isStatic;
     if (!isAnchored && shape->grid.voxelCount() < m_world.m_settings.minPieceVoxels) return false;
     return isLocallyConnected(shape->grid, each.lost, isAnchored ? std::span<const CellBox>(shape->anchors) : std::span<const CellBox>());
 }
 
 /// True if there is nothing left to do for the shape: it has been split, or is gone.
-bool EditStep::searchOn(PendingSplit& pending, size_t& budget) {
+bool EditStep::continueSearch(PendingSplit& pending, size_t& budget) {
     Shape* shape = m_world.m_shapes.find(pending.shape);
     if (!shape) return true;
     if (budget == 0) return false;
     const bool isAnchored = m_world.m_bodies.at(shape->body).isStatic;
-    if (!shape->nothingLoose) {  // a shape's first cut looks at all of it, at once
-        rememberMotion(shape->body);
-        shape->nothingLoose = true;
+    if (!shape->knownConnected) {  // a shape's first cut looks at all of it, at once
+        recordMotion(shape->body);
+        shape->knownConnected = true;
         budget -= std::min(budget, shape->grid.brickCount() / 64 + 1);
         splitShape(pending.shape, findDetached(shape->grid, shape->anchors, isAnchored));
         return true;
@@ -72,7 +72,7 @@ bool EditStep::searchOn(PendingSplit& pending, size_t& budget) {
         budget = 0;
         return false;
     }
-    rememberMotion(shape->body);
+    recordMotion(shape->body);
     splitShape(pending.shape, detachedFrom(*pending.search, shape->grid, isAnchored));
     return true;
 }
@@ -85,24 +85,24 @@ void EditStep::splitShape(ShapeHandle parent, const Detached& loose) {
     ShapeSplit split{.parent = parent};
     for (const Component& component : loose.pieces) {
         const MassMoments moments = componentMoments(shape->grid, component, densities);
-        if (moments.weight == 0) continue;  // unphysical voxels are not touched: they stay where they are
-        touched(parent).carved.insert(component);
+        if (moments.weight == 0) continue;  // unphysical voxels are not editState: they stay where they are
+        editState(parent).carved.insert(component);
         shape->moments -= moments;
         if (component.voxels < smallest) {
-            dropPiece(parent, component);
+            discardPiece(parent, component);
             continue;
         }
         Piece piece = takePiece(shape->grid, component);
         split.parentOffset.push_back(piece.offset);
-        split.children.push_back(createChild(parent, std::move(piece), moments, split.motions.emplace_back()));
+        split.children.push_back(createPiece(parent, std::move(piece), moments, split.motions.emplace_back()));
         shape = &m_world.m_shapes.at(parent);  // the new shape may have moved the others
     }
     const bool isFree = loose.isUnanchored || !isAnchored;
     if (isFree && shape->grid.voxelCount() < smallest)
         for (const Component& rest : findComponents(shape->grid)) {
-            touched(parent).carved.insert(rest);
+            editState(parent).carved.insert(rest);
             shape->moments -= componentMoments(shape->grid, rest, densities);
-            dropPiece(parent, rest);
+            discardPiece(parent, rest);
         }
     if (!split.children.empty()) {
         m_cutWires.insert(parent.slot());
@@ -112,11 +112,11 @@ void EditStep::splitShape(ShapeHandle parent, const Detached& loose) {
     if (shape->grid.empty())
         destroyShape(parent);
     else if (loose.isUnanchored && shape->moments.weight > 0)
-        rehome(parent);
+        detachToNewBody(parent);
     if (!split.children.empty()) m_changes.splits.push_back(std::move(split));
 }
 
-void EditStep::dropPiece(ShapeHandle parent, const Component& component) {
+void EditStep::discardPiece(ShapeHandle parent, const Component& component) {
     Shape& shape = m_world.m_shapes.at(parent);
     std::array<uint64_t, 256> removed{};
     forEachSubset(shape.grid, component,
@@ -125,16 +125,16 @@ void EditStep::dropPiece(ShapeHandle parent, const Component& component) {
     const MassProperties mass = massProperties(componentMoments(shape.grid, component, densities), shape.voxelSize);
     takePiece(shape.grid, component);
     const double radius = 0.5 * shape.voxelSize * std::cbrt(double(component.voxels));
-    countRemoved(parent, removed, {m_world.shapeToWorld(parent).transformPoint(mass.center), radius, m_world.m_bodies.at(shape.body).velocity});
+    recordRemoved(parent, removed, {m_world.shapeToWorld(parent).transformPoint(mass.center), radius, m_world.m_bodies.at(shape.body).velocity});
 }
 
-ShapeHandle EditStep::createChild(ShapeHandle parentHandle, Piece piece, const MassMoments& moments, PieceMotion& started) {
+ShapeHandle EditStep::createPiece(ShapeHandle parentHandle, Piece piece, const MassMoments& moments, PieceMotion& started) {
     const Shape& parent = m_world.m_shapes.at(parentHandle);
     const Body& from = m_world.m_bodies.at(parent.body);
     Body body{.name = parent.name};
     body.isStatic = false;
     body.pose = m_world.shapeToWorld(parentHandle) * Pose{glm::dvec3(piece.offset) * double(parent.voxelSize)};
-    body.born = m_changes.step;
+    body.createdStep = m_changes.step;
     const MassProperties mass = massProperties(moments.shifted(-piece.offset), parent.voxelSize);
     started = {.center = body.pose.transformPoint(mass.center), .mass = mass.mass};
     if (!from.isStatic) {
@@ -148,29 +148,29 @@ ShapeHandle EditStep::createChild(ShapeHandle parentHandle, Piece piece, const M
     shape.paintColors = parent.paintColors;
     shape.moments = moments.shifted(-piece.offset);
     shape.tags = parent.tags;
-    shape.bearsLoad = parent.bearsLoad;
+    shape.loadBearing = parent.loadBearing;
     shape.strength = parent.strength;
     shape.collisionLayer = parent.collisionLayer;
     shape.collisionMask = parent.collisionMask;
     shape.isPiece = true;
-    shape.nothingLoose = true;
+    shape.knownConnected = true;
     const BodyHandle bodyHandle = m_world.m_bodies.insert(std::move(body));
     shape.body = bodyHandle;
     const ShapeHandle handle = m_world.m_shapes.insert(std::move(shape));
     m_world.m_bodies.at(bodyHandle).shapes.push_back(handle);
-    m_world.placeShape(handle);
-    m_world.listDebris(bodyHandle);
+    m_world.updateShapeBounds(handle);
+    m_world.updateDebris(bodyHandle);
     m_changes.bodiesCreated.push_back(bodyHandle);
     m_changes.shapesCreated.push_back(handle);
     return handle;
 }
 
-void EditStep::rehome(ShapeHandle handle) {
+void EditStep::detachToNewBody(ShapeHandle handle) {
     Body body{.name = m_world.m_shapes.at(handle).name};
     body.isStatic = false;
     body.pose = m_world.shapeToWorld(handle);
     body.shapes = {handle};
-    body.born = m_changes.step;
+    body.createdStep = m_changes.step;
     const BodyHandle newBody = m_world.m_bodies.insert(std::move(body));
     Shape& shape = m_world.m_shapes.at(handle);
     const BodyHandle oldBody = shape.body;
@@ -185,7 +185,7 @@ void EditStep::rehome(ShapeHandle handle) {
     shape.anchors.clear();
     shape.isPiece = true;
     m_changes.bodiesCreated.push_back(newBody);
-    m_changes.rehomed.push_back(handle);
+    m_changes.unanchored.push_back(handle);
     for (const JointHandle joint : m_world.jointsOf(handle)) m_changes.jointsChanged.push_back(joint);
     m_world.m_lights.forEach([&](LightHandle light, const Light& rider) {
         if (rider.shape == handle) m_changes.lights.push_back(light);
@@ -193,21 +193,21 @@ void EditStep::rehome(ShapeHandle handle) {
 }
 
 void EditStep::destroyShape(ShapeHandle handle) {
-    putOutLightsOf(handle);
-    loseJoints(handle);
+    turnOffLightsOf(handle);
+    releaseJointsOf(handle);
     const BodyHandle body = m_world.m_shapes.at(handle).body;
-    m_world.forgetShape(handle);
+    m_world.removeShapeBounds(handle);
     m_world.m_shapes.erase(handle);
     m_changes.shapesDestroyed.push_back(handle);
     std::vector<ShapeHandle>& left = m_world.m_bodies.at(body).shapes;
     std::erase(left, handle);
     if (!left.empty()) return;
     m_world.m_bodies.erase(body);
-    m_world.listDebris(body);
+    m_world.updateDebris(body);
     m_changes.bodiesDestroyed.push_back(body);
 }
 
-void EditStep::rememberMotion(BodyHandle handle) {
+void EditStep::recordMotion(BodyHandle handle) {
     const Body& body = m_world.m_bodies.at(handle);
     if (body.isStatic || m_motions.contains(handle.slot())) return;
     const glm::dvec3 center = body.pose.transformPoint(m_world.bodyMass(handle).center);
@@ -215,7 +215,7 @@ void EditStep::rememberMotion(BodyHandle handle) {
 }
 
 /// What is left of a body keeps moving as it did: its centre of mass is another one now, and has that point's velocity.
-void EditStep::settleMotions() {
+void EditStep::updateVelocities() {
     for (const auto& [slot, motion] : m_motions) {
         Body* body = m_world.m_bodies.find(motion.body);
         if (!body) continue;

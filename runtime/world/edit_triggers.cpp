@@ -9,31 +9,31 @@ namespace rubble {
 namespace {
 
 /// Of the grids of a body's shapes.
-WorldBox roughBounds(const World& world, const Body& body) {
+WorldBox gridBounds(const World& world, const Body& body) {
     WorldBox bounds{glm::dvec3(1e300), glm::dvec3(-1e300)};
     for (const ShapeHandle handle : body.shapes) {
         const Shape& shape = world.shapes().at(handle);
         const Pose pose = world.shapeToWorld(handle);
         const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
-        bounds = bounds.with(
+        bounds = bounds.merged(
             QueryShape{.kind = QueryShapeKind::Box, .position = pose.transformPoint(half), .halfSize = half, .rotation = pose.rotation}.bounds());
     }
     return bounds;
 }
 
 /// Whether a voxel of a body has its middle above a polygon, within its height.
-bool holdsMiddle(const World& world, const Body& body, const Trigger& trigger) {
+bool containsVoxelCenter(const World& world, const Body& body, const Trigger& trigger) {
     const WorldBox bounds = trigger.bounds();
     for (const ShapeHandle handle : body.shapes) {
         const Shape& shape = world.shapes().at(handle);
         if (!(shape.collisionLayer & trigger.layers)) continue;
         const Pose pose = world.shapeToWorld(handle);
         const glm::dmat3 axes = glm::mat3_cast(pose.rotation) * double(shape.voxelSize);
-        const glm::dvec3 reach = (glm::abs(axes[0]) + glm::abs(axes[1]) + glm::abs(axes[2])) * (0.5 * kBrickSize);
+        const glm::dvec3 halfExtent = (glm::abs(axes[0]) + glm::abs(axes[1]) + glm::abs(axes[2])) * (0.5 * kBrickSize);
         bool found = false;
         shape.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
             const glm::dvec3 middle = pose.position + axes * (glm::dvec3(position * kBrickSize) + 0.5 * kBrickSize);
-            if (found || !WorldBox{middle - reach, middle + reach}.meets(bounds)) return;
+            if (found || !WorldBox{middle - halfExtent, middle + halfExtent}.overlaps(bounds)) return;
             forEachVoxel(brick->occupancy, [&](int i) {
                 if (found) return;
                 const glm::dvec3 at = pose.position + axes * (glm::dvec3(position * kBrickSize + voxelInBrick(i)) + 0.5) - trigger.pose.position;
@@ -48,7 +48,7 @@ bool holdsMiddle(const World& world, const Body& body, const Trigger& trigger) {
 bool isInside(const World& world, BodyHandle handle, const Trigger& trigger) {
     const Body* body = world.bodies().find(handle);
     if (!body || body->isStatic) return false;
-    if (trigger.kind == TriggerKind::Polygon) return holdsMiddle(world, *body, trigger);
+    if (trigger.kind == TriggerKind::Polygon) return containsVoxelCenter(world, *body, trigger);
     const QueryShape region{.kind = trigger.kind == TriggerKind::Sphere ? QueryShapeKind::Sphere : QueryShapeKind::Box,
                             .position = trigger.pose.position,
                             .radius = trigger.radius,
@@ -64,18 +64,18 @@ bool bySlot(Handle a, Handle b) {
 
 }  // namespace
 
-void EditStep::placeTriggers(World& world) {
+void EditStep::initTriggers(World& world) {
     if (!world.m_triggers.size()) return;
-    world.m_triggers.forEach([&](TriggerHandle handle, const Trigger& trigger) { world.m_triggerPlaces.place(handle.slot(), trigger.bounds()); });
+    world.m_triggers.forEach([&](TriggerHandle handle, const Trigger& trigger) { world.m_triggerBounds.update(handle.slot(), trigger.bounds()); });
     world.m_bodies.forEach([&](BodyHandle handle, const Body& body) {
         if (!body.isStatic) world.m_movedBodies.push_back(handle);
     });
 }
 
-/// Bodies that physics has moved or this step has touched, by slot.
-std::vector<BodyHandle> EditStep::bodiesToWatch() {
+/// Bodies that physics has moved or this step has editState, by slot.
+std::vector<BodyHandle> EditStep::movedBodies() {
     std::vector<BodyHandle> bodies = std::exchange(m_world.m_movedBodies, {});
-    for (const auto* list : {&m_changes.bodiesCreated, &m_changes.bodiesDestroyed, &m_changes.placed})
+    for (const auto* list : {&m_changes.bodiesCreated, &m_changes.bodiesDestroyed, &m_changes.teleported})
         bodies.insert(bodies.end(), list->begin(), list->end());
     for (const auto* list : {&m_changes.carved, &m_changes.shapesCreated, &m_changes.filters})
         for (const ShapeHandle handle : *list)
@@ -88,13 +88,13 @@ std::vector<BodyHandle> EditStep::bodiesToWatch() {
 /// Who has come into which trigger, and who has left: bodies that moved against triggers near them and triggers that they
 /// were in, and everything near a trigger that is new.
 void EditStep::updateTriggers() {
-    const std::vector<BodyHandle> moved = bodiesToWatch();
+    const std::vector<BodyHandle> moved = movedBodies();
     std::set<std::pair<TriggerHandle, BodyHandle>> pairs;  // all of one world: ordered by slot but for generations
     for (const BodyHandle handle : moved) {
         const Body* body = m_world.m_bodies.find(handle);
         if (!body || body->isStatic) continue;
-        const WorldBox bounds = roughBounds(m_world, *body);
-        m_world.m_triggerPlaces.find([&](const WorldBox& box) { return box.meets(bounds); },
+        const WorldBox bounds = gridBounds(m_world, *body);
+        m_world.m_triggerBounds.find([&](const WorldBox& box) { return box.overlaps(bounds); },
                                      [&](uint32_t slot) { pairs.emplace(m_world.m_triggers.handleAt(slot), handle); });
     }
     m_world.m_triggers.forEach([&](TriggerHandle handle, const Trigger& trigger) {

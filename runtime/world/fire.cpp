@@ -10,20 +10,20 @@
 namespace rubble {
 namespace {
 
-constexpr double kGroup = 1.6;    // metres: fires in the same cube of this size share a light
+constexpr double kLightCellSize = 1.6;    // metres: fires in the same cube of this size share a light
 constexpr int kFlickerSteps = 5;  // between two of the values that a flicker runs through
 constexpr float kFlickerDepth = 0.35f;
 
-auto fieldOf(std::vector<HeatField>& fields, ShapeHandle shape) {
+auto findField(std::vector<HeatField>& fields, ShapeHandle shape) {
     return std::lower_bound(fields.begin(), fields.end(), shape.slot(),
                             [](const HeatField& field, uint32_t slot) { return field.shape.slot() < slot; });
 }
-auto placeOf(std::vector<HotBrick>& bricks, glm::ivec3 brick) {
+auto findBrick(std::vector<HotBrick>& bricks, glm::ivec3 brick) {
     return std::lower_bound(bricks.begin(), bricks.end(), brick, [](const HotBrick& hot, glm::ivec3 at) { return cellBefore(hot.brick, at); });
 }
 
 /// The mean of a brick's solid cells, in the shape's cells, and their number.
-std::pair<glm::dvec3, int> middleOf(const Brick& brick, glm::ivec3 position) {
+std::pair<glm::dvec3, int> brickCentroid(const Brick& brick, glm::ivec3 position) {
     glm::ivec3 sum(0);
     int count = 0;
     forEachVoxel(brick.occupancy, [&](int i) { sum += voxelInBrick(i), ++count; });
@@ -41,9 +41,9 @@ float flicker(uint32_t seed, uint64_t step) {
 }  // namespace
 
 HotBrick* FireState::find(ShapeHandle shape, glm::ivec3 brick) {
-    const auto field = fieldOf(fields, shape);
+    const auto field = findField(fields, shape);
     if (field == fields.end() || field->shape != shape) return nullptr;
-    const auto place = placeOf(field->bricks, brick);
+    const auto place = findBrick(field->bricks, brick);
     return place != field->bricks.end() && place->brick == brick ? &*place : nullptr;
 }
 const HotBrick* FireState::find(ShapeHandle shape, glm::ivec3 brick) const {
@@ -53,14 +53,14 @@ const HotBrick* FireState::find(ShapeHandle shape, glm::ivec3 brick) const {
 HotBrick* FireState::findOrAdd(ShapeHandle shape, glm::ivec3 brick, uint32_t limit) {
     if (HotBrick* found = find(shape, brick)) return found;
     if (hotBricks >= limit) return nullptr;
-    auto field = fieldOf(fields, shape);
+    auto field = findField(fields, shape);
     if (field == fields.end() || field->shape.slot() != shape.slot()) field = fields.insert(field, {shape, {}});
     if (field->shape != shape) *field = {shape, {}};  // of a shape that is gone
     ++hotBricks;
-    return &*field->bricks.insert(placeOf(field->bricks, brick), HotBrick{.brick = brick});
+    return &*field->bricks.insert(findBrick(field->bricks, brick), HotBrick{.brick = brick});
 }
 
-void FireState::tidy() {
+void FireState::compact() {
     std::erase_if(fields, [](const HeatField& field) { return field.bricks.empty(); });
     hotBricks = burning = 0;
     for (const HeatField& field : fields) {
@@ -91,11 +91,11 @@ std::vector<Fire> World::fires() const {
         for (const HotBrick& hot : field.bricks) {
             const Brick* brick = hot.burningFor ? shape->grid.brickAt(hot.brick) : nullptr;
             if (!brick) continue;
-            const auto [middle, count] = middleOf(*brick, hot.brick);
+            const auto [centroid, count] = brickCentroid(*brick, hot.brick);
             const float ramp = std::min(1.0f, float(hot.burningFor) / 20.0f), fuel = std::min(1.0f, float(count) / 64.0f);
             const uint32_t seed = hashCell(hot.brick.x, hot.brick.y, hot.brick.z, field.shape.slot());
             out.push_back(
-                {field.shape, hot.brick, pose.transformPoint(middle * double(shape->voxelSize)), 4.0 * shape->voxelSize, ramp * fuel, seed});
+                {field.shape, hot.brick, pose.transformPoint(centroid * double(shape->voxelSize)), 4.0 * shape->voxelSize, ramp * fuel, seed});
         }
     }
     return out;
@@ -124,7 +124,7 @@ std::vector<FireLight> fireLights(const std::vector<Fire>& fires, uint64_t step,
     };
     std::vector<Group> groups;
     for (const Fire& fire : fires) {
-        const glm::dvec3 cube = glm::floor(fire.position / kGroup);
+        const glm::dvec3 cube = glm::floor(fire.position / kLightCellSize);
         auto group = std::lower_bound(groups.begin(), groups.end(), cube, before);
         if (group == groups.end() || group->cube != cube) group = groups.insert(group, {cube});
         group->sum += fire.position * double(fire.intensity);

@@ -18,7 +18,7 @@ struct FireState {
     std::vector<HeatField> fields;  ///< by slot of the shape; none is empty
     uint32_t hotBricks = 0;         ///< bricks in all fields
     uint32_t burning = 0;           ///< of them
-    bool hasSaidFull = false;       ///< a limit has been logged once
+    bool hasLoggedFull = false;       ///< a limit has been logged once
 
     bool isActive() const { return !fields.empty(); }
     const HotBrick* find(ShapeHandle shape, glm::ivec3 brick) const;
@@ -26,7 +26,7 @@ struct FireState {
     /// The brick's state, a new one if it has none; nullptr if there is none and `limit` bricks are hot already.
     HotBrick* findOrAdd(ShapeHandle shape, glm::ivec3 brick, uint32_t limit);
     /// Drops empty fields and counts anew.
-    void tidy();
+    void compact();
     uint64_t hash() const;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRodRatio = 2.5;    ///< longest to middle side of what counts as a rod
 constexpr double kPlateRatio = 2.5;  ///< middle to thinnest side of what counts as a plate
-constexpr double kFaintest = 0.02;   ///< irradiance at which a light's reach ends
+constexpr double kMinIrradiance = 0.02;   ///< irradiance at which a light's reach ends
 constexpr double kPi = 3.14159265358979323846;
 
 /// The grid with the voxels of one entry alone.
@@ -30,14 +30,14 @@ VoxelGrid onlyEntry(const VoxelGrid& grid, size_t entry) {
 }
 
 /// Faces between voxels of the set and others, each a square of a cell.
-uint64_t surface(const VoxelGrid& only, const Component& voxels) {
-    uint64_t open = 0;
+uint64_t countFaces(const VoxelGrid& only, const Component& voxels) {
+    uint64_t faces = 0;
     forEachSubset(only, voxels, [&](glm::ivec3 position, const Brick&, const BrickBits& bits) {
         forEachVoxel(bits, [&](int i) {
-            for (const glm::ivec3 step : kFaceOffsets) open += only.at(position * kBrickSize + voxelInBrick(i) + step) == 0;
+            for (const glm::ivec3 step : kFaceOffsets) faces += only.at(position * kBrickSize + voxelInBrick(i) + step) == 0;
         });
     });
-    return open;
+    return faces;
 }
 
 void recolour(VoxelGrid& grid, const VoxelGrid& only, const Component& voxels, uint8_t entry) {
@@ -104,11 +104,11 @@ Light fitLight(const LevelShape& shape, const VoxelGrid& only, const Component& 
         light.kind = LightKind::Capsule;
     else if (breadth > kPlateRatio * thickness)
         light.kind = LightKind::Area, light.twoSided = true;
-    // A convex body shows a quarter of its surface on average (Cauchy).
-    const double shown = 0.25 * double(surface(only, voxels)) * double(shape.voxelSize) * double(shape.voxelSize);
-    light.radius = float(std::sqrt(shown / kPi));
+    // A convex body shows a quarter of its countFaces on average (Cauchy).
+    const double projectedArea = 0.25 * double(countFaces(only, voxels)) * double(shape.voxelSize) * double(shape.voxelSize);
+    light.radius = float(std::sqrt(projectedArea / kPi));
     const glm::vec3 color(srgbToLinear(entry.red), srgbToLinear(entry.green), srgbToLinear(entry.blue));
-    light.color = color * (entry.emission * float(shown));
+    light.color = color * (entry.emission * float(projectedArea));
     if (light.kind == LightKind::Capsule) {
         light.radius = float(std::sqrt(breadth * thickness / kPi));
         light.width = std::max(float(length) - 2.0f * light.radius, 0.0f);
@@ -119,7 +119,7 @@ Light fitLight(const LevelShape& shape, const VoxelGrid& only, const Component& 
         light.color *= 2.0f;                            // straight ahead it shows twice its mean over all directions
     }
     const double brightest = std::max({light.color.x, light.color.y, light.color.z});
-    light.reach = float(std::clamp(std::sqrt(brightest / kFaintest), 1.0, 15.0));
+    light.reach = float(std::clamp(std::sqrt(brightest / kMinIrradiance), 1.0, 15.0));
     return light;
 }
 

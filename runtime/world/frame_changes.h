@@ -110,7 +110,7 @@ struct FrameChanges {
     std::vector<BrickChange> bricks;     ///< carved or painted, each brick once, of shapes that were there before
     std::vector<ShapeHandle> carved;     ///< shapes whose occupancy (so mass and collider) changed, each once
     std::vector<ShapeHandle> palettes;   ///< shapes whose palette or colours of paint changed
-    std::vector<ShapeHandle> rehomed;    ///< shapes that lost their last anchor: now on a new body of their own, in bodiesCreated
+    std::vector<ShapeHandle> unanchored;    ///< shapes that lost their last anchor: now on a new body of their own, in bodiesCreated
     std::vector<RemovedVoxels> removed;  ///< a record for each edit, shape and entry
     std::vector<LightHandle> lights;     ///< lights created, changed, moved to another shape or body, switched or removed
     std::vector<LightGroupHandle> groupsOut;
@@ -119,15 +119,15 @@ struct FrameChanges {
     std::vector<Blast> blasts;             ///< charges that went off, in order
     std::vector<BodyHandle> broken;        ///< bodies that lost voxels for the first time
     std::vector<BodyHandle> settled;       ///< pieces that have come to rest for good
-    std::vector<BodyHandle> revived;       ///< settled pieces that something has woken
+    std::vector<BodyHandle> unsettled;       ///< settled pieces that something has woken
     std::vector<LightGroupHandle> groups;  ///< light groups that lost voxels, went out or came back
-    std::vector<BodyHandle> placed;        ///< bodies that were put somewhere or given another motion: undo and replay
+    std::vector<BodyHandle> teleported;        ///< bodies that were put somewhere or given another motion: undo and replay
     uint64_t paintedVoxels = 0;
     uint64_t paintMerges = 0;  ///< colours that found no free entry and took the nearest
     std::vector<FireEvent> firesLit;
     std::vector<FireEvent> firesOut;          ///< a shape that is destroyed takes its fires along without a word
     bool firesChanged = false;                ///< something burns, or did until this step
-    uint64_t firesRefused = 0;                ///< bricks hot enough to burn, beyond FireSettings::maxFires
+    uint64_t firesRefused = 0;                ///< bricks hot enough to updateFires, beyond FireSettings::maxFires
     uint64_t heatLost = 0;                    ///< deposits of heat beyond FireSettings::maxHot
     std::vector<CrackOpened> cracks;          ///< their voxels are in `removed` too
     std::vector<ShapeHandle> filters;         ///< shapes with another collision layer or mask
@@ -135,7 +135,7 @@ struct FrameChanges {
     std::vector<TriggerHandle> triggers;      ///< created, removed, or holding other bodies
     std::vector<CharacterHandle> characters;  ///< created, removed, placed, or wishing something else
     std::vector<TriggerEvent> triggerEvents;  ///< by trigger, then body, in slot order
-    std::vector<JointHandle> jointsMade;      ///< by edits, and the second parts of ropes that were cut
+    std::vector<JointHandle> jointsCreated;      ///< by edits, and the second parts of ropes that were cut
     std::vector<JointMoved> jointsMoved;      ///< to another shape, in a split or merge
     std::vector<JointBroken> jointsBroken;
     std::vector<JointHandle> jointsChanged;  ///< motor, place of an end or length: read it from the World
@@ -145,8 +145,8 @@ struct FrameChanges {
     bool empty() const {
         return !levelReplaced && !environmentChanged && bodiesCreated.empty() && bodiesDestroyed.empty() && shapesCreated.empty() &&
                shapesDestroyed.empty() && bricks.empty() && palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() &&
-               settled.empty() && revived.empty() && groups.empty() && placed.empty() && !firesChanged && filters.empty() && waters.empty() &&
-               triggers.empty() && characters.empty() && jointsMade.empty() && jointsMoved.empty() && jointsBroken.empty() && jointsChanged.empty();
+               settled.empty() && unsettled.empty() && groups.empty() && teleported.empty() && !firesChanged && filters.empty() && waters.empty() &&
+               triggers.empty() && characters.empty() && jointsCreated.empty() && jointsMoved.empty() && jointsBroken.empty() && jointsChanged.empty();
     }
 };
 

@@ -22,9 +22,9 @@ uint8_t materialAt(const Shape& shape, glm::dvec3 pointCells) {
             for (int x = -kContactCells; x <= kContactCells; ++x) {
                 const glm::ivec3 cell = middle + glm::ivec3(x, y, z);
                 const uint8_t entry = shape.grid.at(cell);
-                const glm::dvec3 away = glm::dvec3(cell) + 0.5 - pointCells;
-                if (!entry || !(glm::dot(away, away) < nearest2)) continue;
-                nearest2 = glm::dot(away, away);
+                const glm::dvec3 offset = glm::dvec3(cell) + 0.5 - pointCells;
+                if (!entry || !(glm::dot(offset, offset) < nearest2)) continue;
+                nearest2 = glm::dot(offset, offset);
                 found = (*shape.palette)[entry].material;
             }
     return found;
@@ -50,17 +50,17 @@ void World::addImpactDamage(const Impact& impact, BodyHandle body, Edits& out) c
 }
 
 /// What an impact loads beyond the place that it hits. It comes after what it breaks there.
-void World::addStrike(const Impact& impact, BodyHandle body, Edits& out) const {
+void World::addImpactLoad(const Impact& impact, BodyHandle body, Edits& out) const {
     const Body* struck = m_bodies.find(body);
-    if (!m_load || !struck || !(impact.impulse >= m_settings.stress.minImpulse)) return;
+    if (!m_stress || !struck || !(impact.impulse >= m_settings.stress.minImpulse)) return;
     if (!struck->isStatic && struck->shapes.size() != 1) return;
     for (const ShapeHandle handle : shapesNear(impact.position, 0.3)) {
         const Shape& shape = m_shapes.at(handle);
-        if (shape.body != body || !shape.bearsLoad) continue;
+        if (shape.body != body || !shape.loadBearing) continue;
         if (!struck->isStatic && shape.grid.voxelCount() < m_settings.stress.minStruckVoxels) continue;
         const uint8_t material = materialAt(shape, shapeToWorld(handle).inversePoint(impact.position) / double(shape.voxelSize));
         if (!material || (struck->isStatic && m_materials[material].hardness > Hardness::Hard)) continue;  // what falls on rock loads nothing
-        out.push_back(StrikeEdit{handle, impact.position, impact.normal * (body == impact.body ? impact.impulse : -impact.impulse)});
+        out.push_back(ImpactLoadEdit{handle, impact.position, impact.normal * (body == impact.body ? impact.impulse : -impact.impulse)});
         return;
     }
 }
@@ -81,9 +81,9 @@ Edits World::damageFrom(std::span<const Impact> impacts) const {
         const size_t before = edits.size();
         addImpactDamage(*impact, impact->body, edits);
         addImpactDamage(*impact, impact->other, edits);
-        addStrike(*impact, impact->body, edits);
-        addStrike(*impact, impact->other, edits);
-        if (edits.size() > before && ++broken == m_settings.impactsAStep) break;
+        addImpactLoad(*impact, impact->body, edits);
+        addImpactLoad(*impact, impact->other, edits);
+        if (edits.size() > before && ++broken == m_settings.impactsPerStep) break;
     }
     return edits;
 }

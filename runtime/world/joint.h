@@ -28,7 +28,7 @@ struct JointEnd {
     Pose frame;            ///< in the shape's space, whose origin is the corner of its grid; metres
     glm::ivec3 cell{-1};   ///< of the voxel that holds it; negative: the nearest one is looked for when the joint is made
     double radius = 0.2;   ///< metres from the frame's origin within which that voxel must be
-    bool isLoose = false;  ///< of a rope: nothing holds this end
+    bool isFree = false;  ///< of a rope: nothing holds this end
 };
 
 /// Of the free motion: a hinge's angle, at most pi either way, a prismatic joint's or a wheel's travel in metres; of a ball or cone joint,
@@ -45,7 +45,7 @@ enum class MotorMode : uint8_t { Off, Speed, Position };
 struct JointMotor {
     MotorMode mode = MotorMode::Off;
     double target = 0.0;     ///< rad/s or m/s; or radians or metres
-    double mostForce = 0.0;  ///< N m or N that it has; a winch has any
+    double maxForce = 0.0;  ///< N m or N that it has; a winch has any
 };
 
 /// Of a hinge, prismatic joint or wheel: pulls the free motion to 0. Of the others: lets what they hold give.
@@ -88,7 +88,7 @@ struct Joint {
     JointMotor motor;
     JointSpring spring;
     double friction = 0.0;                       ///< N m, of a prismatic joint N, that holds against the free motion: a wheel's brake
-    double mostForce = 0.0;                      ///< N that it pulls with, and no more; 0: any
+    double maxForce = 0.0;                      ///< N that it pulls with, and no more; 0: any
     double breakForce = 0.0, breakTorque = 0.0;  ///< N and N m over a step at which it breaks; 0: never
     double steer = 0.0;                          ///< of a wheel: radians about y
     WheelSettings wheel;

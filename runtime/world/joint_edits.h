@@ -9,7 +9,7 @@ class World;
 /// joint's.
 Joint jointAt(const World& world, JointKind kind, ShapeHandle first, ShapeHandle second, const Pose& frame);
 
-/// Makes a joint; FrameChanges::jointsMade names it. Refused, with a line in the log, where an end has no voxel to hold on to.
+/// Makes a joint; FrameChanges::jointsCreated names it. Refused, with a line in the log, where an end has no voxel to hold on to.
 struct AddJointEdit {
     Joint joint;
 };
@@ -50,7 +50,7 @@ struct GrabEdit {
     BodyHandle body;
     glm::dvec3 point{0.0};   ///< world; where it is taken hold of, counts when it is
     glm::dvec3 target{0.0};  ///< world
-    double mostForce = 1000.0;
+    double maxForce = 1000.0;
     double hertz = 4.0;
     uint32_t hand = 0;
 };

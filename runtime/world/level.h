@@ -29,7 +29,7 @@ struct LevelShape {
     bool hidden = false;
     PaintColorsRef paintColors;  ///< null: no voxel has a paint layer
     float strength = 1.0f;       ///< multiple of its materials' strengths
-    bool bearsLoad = true;       ///< false: it never breaks under its load
+    bool loadBearing = true;       ///< false: it never breaks under its load
     uint8_t collisionLayer = 1;  ///< bits; two shapes touch if each one's layer is in the other's mask
     uint8_t collisionMask = 255;
 };

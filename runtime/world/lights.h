@@ -19,18 +19,18 @@ namespace rubble {
 /// What a ray would meet within max(radius, 0.12) metres of the light does not count: a light sits among its own glowing voxels.
 enum class LightKind : uint8_t { Sphere, Cone, Capsule, Area, Screen };
 
-inline constexpr uint32_t kMostPictureSide = 64;  ///< texels
-inline constexpr size_t kMostLights = 1u << 16;   ///< that edits fill a World up to; a level may bring more
+inline constexpr uint32_t kMaxLightImageSide = 64;  ///< texels
+inline constexpr size_t kMaxLights = 1u << 16;   ///< that edits fill a World up to; a level may bring more
 
 /// What a screen shows: rows from the top, as seen by who looks at it.
-struct LightPicture {
+struct LightImage {
     uint32_t width = 0;
     std::vector<uint32_t> texels;  ///< sRGB 0xRRGGBB
 
     uint32_t height() const { return width ? uint32_t(texels.size()) / width : 0; }
-    /// Whole rows, and no side above kMostPictureSide.
-    bool isWhole() const { return width <= kMostPictureSide && height() <= kMostPictureSide && texels.size() == size_t(width) * height(); }
-    friend bool operator==(const LightPicture&, const LightPicture&) = default;
+    /// Whole rows, and no side above kMaxLightImageSide.
+    bool isWhole() const { return width <= kMaxLightImageSide && height() <= kMaxLightImageSide && texels.size() == size_t(width) * height(); }
+    friend bool operator==(const LightImage&, const LightImage&) = default;
 };
 
 /// A light that rides on a shape. Cones, areas and screens look along -z of `local`.
@@ -47,7 +47,7 @@ struct Light {
     float width = 0.0f;      ///< metres along x of `local`
     float height = 0.0f;     ///< along y
     bool twoSided = false;   ///< an area shines along +z too
-    LightPicture picture;    ///< of a screen; none: white
+    LightImage image;    ///< of a screen; none: white
     LightGroupHandle group;  ///< that puts it out; empty: none
     bool enabled = true;
 
@@ -67,7 +67,7 @@ struct LightGroup {
     std::string supplyShape;    ///< "" = needs none
     glm::ivec3 supplyCell{0};   ///< of that shape: where the wire begins
     uint32_t flickerSteps = 0;  ///< how long it flickers before it is out
-    uint64_t dyingSince = 0;    ///< step; 0: it is not
+    uint64_t failingSince = 0;    ///< step; 0: it is not
     bool dark = false;          ///< in this moment of its flickering
     ShapeHandle supply;         ///< a World's handle of supplyShape; empty: needs none, or was never connected
 };

@@ -11,10 +11,10 @@ namespace {
 constexpr size_t kBatch = 64;  ///< queries
 
 /// Whether a ray (unit direction) meets a box within a distance (slabs: Kay & Kajiya 1986).
-bool crosses(const WorldBox& box, glm::dvec3 reach, glm::dvec3 origin, glm::dvec3 direction, double distance) {
+bool intersects(const WorldBox& box, glm::dvec3 halfExtent, glm::dvec3 origin, glm::dvec3 direction, double distance) {
     double enter = 0.0, leave = distance;
     for (int a = 0; a < 3; ++a) {
-        const double lowest = box.low[a] - reach[a], highest = box.high[a] + reach[a];
+        const double lowest = box.low[a] - halfExtent[a], highest = box.high[a] + halfExtent[a];
         if (direction[a] == 0.0) {
             if (origin[a] < lowest || origin[a] > highest) return false;
             continue;
@@ -30,7 +30,7 @@ bool crosses(const WorldBox& box, glm::dvec3 reach, glm::dvec3 origin, glm::dvec
 class ShapeFilter {
 public:
     ShapeFilter(const World& world, const QueryFilter& filter)
-        : m_world(world), m_filter(filter), m_looksAtEntries(filter.rejectTransparent || filter.rejectUnphysical) {}
+        : m_world(world), m_filter(filter), m_filtersEntries(filter.rejectTransparent || filter.rejectUnphysical) {}
 
     bool accepts(ShapeHandle handle, const Shape& shape) const {
         if (!(shape.collisionLayer & m_filter.layers)) return false;
@@ -42,13 +42,13 @@ public:
     }
     /// Entries of the shape's palette that count; null: all.
     EntryFilter entries(const Shape& shape) {
-        if (!m_looksAtEntries) return nullptr;
+        if (!m_filtersEntries) return nullptr;
         if (m_palette == shape.palette.get()) return m_all ? nullptr : &m_entries;
         m_palette = shape.palette.get();
         for (size_t i = 0; i < 256; ++i) {
             const PaletteEntry& entry = (*m_palette)[i];
-            const bool isGhost = m_world.materials()[entry.material].hardness == Hardness::Unphysical;
-            m_entries[i] = !(m_filter.rejectTransparent && entry.opacity < 255) && !(m_filter.rejectUnphysical && isGhost);
+            const bool isUnphysical = m_world.materials()[entry.material].hardness == Hardness::Unphysical;
+            m_entries[i] = !(m_filter.rejectTransparent && entry.opacity < 255) && !(m_filter.rejectUnphysical && isUnphysical);
         }
         m_all = std::all_of(m_entries.begin(), m_entries.end(), [](bool accepted) { return accepted; });
         return m_all ? nullptr : &m_entries;
@@ -61,7 +61,7 @@ private:
     }
     const World& m_world;
     const QueryFilter& m_filter;
-    bool m_looksAtEntries, m_all = true;
+    bool m_filtersEntries, m_all = true;
     const Palette* m_palette = nullptr;
     std::array<bool, 256> m_entries{};
 };
@@ -69,7 +69,7 @@ private:
 /// f(handle, shape) for the accepted shapes whose bounds, a little widened, satisfy isNear(box); in no order.
 template <class IsNear, class F>
 void forEachShape(const World& world, const ShapeFilter& filter, IsNear&& isNear, F&& f) {
-    world.places().find(isNear, [&](uint32_t slot) {
+    world.shapeBounds().find(isNear, [&](uint32_t slot) {
         const ShapeHandle handle = world.shapes().handleAt(slot);
         const Shape& shape = world.shapes().at(handle);
         if (filter.accepts(handle, shape)) f(handle, shape);
@@ -106,7 +106,7 @@ WorldHit castRayWith(const World& world, const RayQuery& ray, ShapeFilter& filte
                 shape.grid.at(hit.cell)};
     };
     forEachShape(
-        world, filter, [&](const WorldBox& box) { return crosses(box, glm::dvec3(0.0), ray.origin, direction, best.distance); }, visit);
+        world, filter, [&](const WorldBox& box) { return intersects(box, glm::dvec3(0.0), ray.origin, direction, best.distance); }, visit);
     return best;
 }
 
@@ -117,7 +117,7 @@ WorldHit castShapeWith(const World& world, const CastQuery& cast, ShapeFilter& f
     const glm::dvec3 direction = length > 0.0 ? cast.direction / length : glm::dvec3(0.0);
     best.distance = cast.maxDistance;
     const WorldBox bounds = cast.shape.bounds();
-    const glm::dvec3 middle = (bounds.low + bounds.high) * 0.5, reach = (bounds.high - bounds.low) * 0.5;
+    const glm::dvec3 middle = (bounds.low + bounds.high) * 0.5, halfExtent = (bounds.high - bounds.low) * 0.5;
     const auto visit = [&](ShapeHandle handle, const Shape& shape) {
         const Pose pose = world.shapeToWorld(handle);
         const double size = shape.voxelSize;
@@ -128,7 +128,7 @@ WorldHit castShapeWith(const World& world, const CastQuery& cast, ShapeFilter& f
                 touch.cell, shape.grid.at(touch.cell)};
     };
     forEachShape(
-        world, filter, [&](const WorldBox& box) { return crosses(box, reach, middle, direction, best.distance); }, visit);
+        world, filter, [&](const WorldBox& box) { return intersects(box, halfExtent, middle, direction, best.distance); }, visit);
     return best;
 }
 
@@ -142,7 +142,7 @@ void inBatches(std::span<const Query> queries, std::span<WorldHit> out, const Pa
 }
 
 template <class Handle>
-void tidy(std::vector<Handle>& list) {
+void sortUnique(std::vector<Handle>& list) {
     std::sort(list.begin(), list.end(), [](Handle a, Handle b) { return a.slot() < b.slot(); });
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
@@ -150,7 +150,7 @@ void tidy(std::vector<Handle>& list) {
 std::vector<BodyHandle> bodiesOf(const World& world, const std::vector<ShapeHandle>& shapes) {
     std::vector<BodyHandle> bodies;
     for (const ShapeHandle shape : shapes) bodies.push_back(world.shapes().at(shape).body);
-    tidy(bodies);
+    sortUnique(bodies);
     return bodies;
 }
 
@@ -174,8 +174,8 @@ WorldBox QueryShape::bounds() const {
     if (kind == QueryShapeKind::Sphere) return {position - radius, position + radius};
     if (kind == QueryShapeKind::Capsule) return {glm::min(position, end) - radius, glm::max(position, end) + radius};
     const glm::dmat3 axes = glm::mat3_cast(rotation);
-    const glm::dvec3 reach = glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
-    return {position - reach, position + reach};
+    const glm::dvec3 halfExtent = glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
+    return {position - halfExtent, position + halfExtent};
 }
 
 CellShape QueryShape::inCells(const Pose& gridToWorld, double voxelSize) const {
@@ -227,12 +227,12 @@ std::vector<ShapeHandle> overlappingShapes(const World& world, const QueryShape&
     const WorldBox bounds = region.bounds();
     std::vector<ShapeHandle> out;
     forEachShape(
-        world, shapes, [&](const WorldBox& box) { return box.meets(bounds); },
+        world, shapes, [&](const WorldBox& box) { return box.overlaps(bounds); },
         [&](ShapeHandle handle, const Shape& shape) {
             const CellShape cells = region.inCells(world.shapeToWorld(handle), shape.voxelSize);
             if (findOverlap(shape.grid, cells, shapes.entries(shape))) out.push_back(handle);
         });
-    tidy(out);
+    sortUnique(out);
     return out;
 }
 
@@ -254,14 +254,14 @@ std::vector<ShapeHandle> shapesInBox(const World& world, const WorldBox& box, co
     const ShapeFilter shapes(world, filter);
     std::vector<ShapeHandle> out;
     forEachShape(
-        world, shapes, [&](const WorldBox& bounds) { return bounds.meets(box); },
+        world, shapes, [&](const WorldBox& bounds) { return bounds.overlaps(box); },
         [&](ShapeHandle handle, const Shape& shape) {
             const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
             const Pose pose = world.shapeToWorld(handle);
             const QueryShape all{.kind = QueryShapeKind::Box, .position = pose.transformPoint(half), .halfSize = half, .rotation = pose.rotation};
-            if (all.bounds().meets(box)) out.push_back(handle);
+            if (all.bounds().overlaps(box)) out.push_back(handle);
         });
-    tidy(out);
+    sortUnique(out);
     return out;
 }
 
@@ -301,7 +301,7 @@ WorldBox bodyBounds(const World& world, BodyHandle body) {
                              .position = pose.transformPoint(glm::dvec3(cells.low + cells.high) * half),
                              .halfSize = glm::dvec3(cells.high - cells.low) * half,
                              .rotation = pose.rotation};
-        bounds = bounds.with(box.bounds());
+        bounds = bounds.merged(box.bounds());
     }
     return bounds;
 }

@@ -19,7 +19,7 @@ struct QueryFilter {
     uint8_t layers = 255;  ///< only shapes with a collision layer in this mask
     bool includeStatic = true, includeDynamic = true;
     bool rejectTransparent = false;  ///< passes through voxels of entries that are not opaque, such as glass
-    bool rejectUnphysical = false;   ///< passes through what is seen but not touched
+    bool rejectUnphysical = false;   ///< passes through what is seen but not editState
     std::vector<BodyHandle> rejectedBodies;
     std::vector<ShapeHandle> rejectedShapes;
 };

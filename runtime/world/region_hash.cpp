@@ -13,7 +13,7 @@ void add(uint64_t& hash, const T& value) {
     hash = hashBytes(&value, sizeof value, hash);
 }
 
-void addArea(uint64_t& hash, const GroundArea& area) {
+void addArea(uint64_t& hash, const GroundPolygon& area) {
     hash = hashBytes(area.data(), area.size() * sizeof(GroundPoint), hashValue(area.size(), hash));
 }
 
@@ -41,8 +41,8 @@ WorldBox Trigger::bounds() const {
     if (kind == TriggerKind::Sphere) return {pose.position - radius, pose.position + radius};
     if (kind == TriggerKind::Box) {
         const glm::dmat3 axes = glm::mat3_cast(pose.rotation);
-        const glm::dvec3 reach = glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
-        return {pose.position - reach, pose.position + reach};
+        const glm::dvec3 halfExtent = glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
+        return {pose.position - halfExtent, pose.position + halfExtent};
     }
     WorldBox box{{1e30, 0.0, 1e30}, {-1e30, height, -1e30}};
     for (const GroundPoint& p : outline) {

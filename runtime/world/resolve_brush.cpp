@@ -17,15 +17,15 @@ Brush resolveBrush(const CarveEdit& edit, const Pose& shapeToWorld, double voxel
     return capsuleBrush(toCells(edit.position), toCells(edit.end), radii);
 }
 
-EditReach editReach(const CarveEdit& edit) {
-    EditReach reach{edit.position, *std::max_element(edit.radii.begin(), edit.radii.end())};
-    if (edit.kind == BrushKind::Box) reach.radius = glm::length(edit.halfSize);
+BoundingSphere boundingSphere(const CarveEdit& edit) {
+    BoundingSphere sphere{edit.position, *std::max_element(edit.radii.begin(), edit.radii.end())};
+    if (edit.kind == BrushKind::Box) sphere.radius = glm::length(edit.halfSize);
     if (edit.kind == BrushKind::Capsule) {
-        reach.center = (edit.position + edit.end) * 0.5;
-        reach.radius += glm::length(edit.end - edit.position) * 0.5;
+        sphere.center = (edit.position + edit.end) * 0.5;
+        sphere.radius += glm::length(edit.end - edit.position) * 0.5;
     }
-    const bool isNumber = !std::isnan(reach.center.x + reach.center.y + reach.center.z + reach.radius);
-    return isNumber ? reach : EditReach{glm::dvec3(0.0), -1.0};
+    const bool isNumber = !std::isnan(sphere.center.x + sphere.center.y + sphere.center.z + sphere.radius);
+    return isNumber ? sphere : BoundingSphere{glm::dvec3(0.0), -1.0};
 }
 
 }  // namespace rubble

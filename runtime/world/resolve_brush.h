@@ -9,10 +9,10 @@ namespace rubble {
 Brush resolveBrush(const CarveEdit& edit, const Pose& shapeToWorld, double voxelSize);
 
 /// A sphere in the world that holds everything the edit can touch. A NaN in the edit gives a radius of -1.
-struct EditReach {
+struct BoundingSphere {
     glm::dvec3 center;
     double radius;
 };
-EditReach editReach(const CarveEdit& edit);
+BoundingSphere boundingSphere(const CarveEdit& edit);
 
 }  // namespace rubble

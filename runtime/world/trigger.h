@@ -6,7 +6,7 @@
 #include "runtime/core/handle.h"
 #include "runtime/core/pose.h"
 #include "runtime/world/bounds_tree.h"
-#include "runtime/world/ground_area.h"
+#include "runtime/world/ground_polygon.h"
 
 namespace rubble {
 
@@ -19,7 +19,7 @@ struct Trigger {
     Pose pose;                 ///< world; sphere and box: of their middle; polygon: its origin, which does not turn it
     double radius = 1.0;       ///< sphere, metres
     glm::dvec3 halfSize{1.0};  ///< box, metres
-    GroundArea outline;        ///< polygon: from the pose's position
+    GroundPolygon outline;        ///< polygon: from the pose's position
     double height = 1.0;       ///< polygon: upward from the pose's position, metres
     uint8_t layers = 255;      ///< only shapes with a collision layer in this mask count
     std::vector<std::string> tags;

@@ -26,7 +26,7 @@ void addMissing(WorldDelta& into, WorldDelta from) {
 
 /// For each slot of `slots`: its value in `first`, else in `second`.
 template <class Handle, class T>
-SlotValues<Handle, T> pick(const SlotValues<Handle, T>& slots, const SlotValues<Handle, T>& first, SlotValues<Handle, T>& second) {
+SlotValues<Handle, T> selectSlots(const SlotValues<Handle, T>& slots, const SlotValues<Handle, T>& first, SlotValues<Handle, T>& second) {
     SlotValues<Handle, T> out;
     for (const auto& [slot, value] : slots) {
         const auto found = first.find(slot);
@@ -37,49 +37,49 @@ SlotValues<Handle, T> pick(const SlotValues<Handle, T>& slots, const SlotValues<
 
 }  // namespace
 
-UndoHistory::UndoHistory(const World& world) : m_mirror(world), m_open(m_mirror.emptyDelta()) {}
+UndoHistory::UndoHistory(const World& world) : m_baseline(world), m_current(m_baseline.emptyDelta()) {}
 
 void UndoHistory::mark(size_t limit) {
-    if (m_isDrift) {  // what moved since the undo belongs to the mark before it
-        if (!m_marks.empty()) addMissing(m_marks.back(), std::move(m_open));
-        m_isDrift = false;
+    if (m_onlyMotionSinceUndo) {  // what moved since the undo belongs to the mark before it
+        if (!m_marks.empty()) addMissing(m_marks.back(), std::move(m_current));
+        m_onlyMotionSinceUndo = false;
         m_redo.clear();
-    } else if (!m_open.empty()) {
-        m_marks.push_back(std::move(m_open));
+    } else if (!m_current.empty()) {
+        m_marks.push_back(std::move(m_current));
     }
-    m_open = m_mirror.emptyDelta();
+    m_current = m_baseline.emptyDelta();
     while (m_marks.size() + 1 > limit && !m_marks.empty()) m_marks.pop_front();
 }
 
 /// Puts the entry's objects into the World, and what moved since back; returns those of its slots as they were before that.
-WorldDelta UndoHistory::swapIn(World& world, WorldDelta entry, FrameChanges& changes) {
+WorldDelta UndoHistory::swapEntry(World& world, WorldDelta entry, FrameChanges& changes) {
     const WorldDelta slots = entry;
-    const WorldDelta drift = m_isDrift ? std::move(m_open) : WorldDelta{};
+    const WorldDelta drift = m_onlyMotionSinceUndo ? std::move(m_current) : WorldDelta{};
     addMissing(entry, drift);
-    WorldDelta was = world.exchange(std::move(entry), changes);
-    m_mirror.update(world, changes);
-    WorldDelta out = m_isDrift ? drift : was;
-    out.bodies = pick(slots.bodies, drift.bodies, was.bodies);
-    out.shapes = pick(slots.shapes, drift.shapes, was.shapes);
-    out.lights = pick(slots.lights, drift.lights, was.lights);
-    out.groups = pick(slots.groups, drift.groups, was.groups);
-    out.waters = pick(slots.waters, drift.waters, was.waters);
-    out.triggers = pick(slots.triggers, drift.triggers, was.triggers);
-    out.characters = pick(slots.characters, drift.characters, was.characters);
-    out.joints = pick(slots.joints, drift.joints, was.joints);
+    WorldDelta was = world.swap(std::move(entry), changes);
+    m_baseline.update(world, changes);
+    WorldDelta out = m_onlyMotionSinceUndo ? drift : was;
+    out.bodies = selectSlots(slots.bodies, drift.bodies, was.bodies);
+    out.shapes = selectSlots(slots.shapes, drift.shapes, was.shapes);
+    out.lights = selectSlots(slots.lights, drift.lights, was.lights);
+    out.groups = selectSlots(slots.groups, drift.groups, was.groups);
+    out.waters = selectSlots(slots.waters, drift.waters, was.waters);
+    out.triggers = selectSlots(slots.triggers, drift.triggers, was.triggers);
+    out.characters = selectSlots(slots.characters, drift.characters, was.characters);
+    out.joints = selectSlots(slots.joints, drift.joints, was.joints);
     out.environment.reset();
     if (slots.environment) out.environment = drift.environment ? drift.environment : was.environment;
-    m_open = m_mirror.emptyDelta();
-    m_isDrift = true;
+    m_current = m_baseline.emptyDelta();
+    m_onlyMotionSinceUndo = true;
     return out;
 }
 
 bool UndoHistory::undo(World& world, FrameChanges& changes) {
-    if (!m_isDrift && !m_open.empty()) m_marks.push_back(std::move(m_open)), m_open = m_mirror.emptyDelta();
+    if (!m_onlyMotionSinceUndo && !m_current.empty()) m_marks.push_back(std::move(m_current)), m_current = m_baseline.emptyDelta();
     if (m_marks.empty()) return false;
     WorldDelta entry = std::move(m_marks.back());
     m_marks.pop_back();
-    m_redo.push_back(swapIn(world, std::move(entry), changes));
+    m_redo.push_back(swapEntry(world, std::move(entry), changes));
     return true;
 }
 
@@ -87,28 +87,28 @@ bool UndoHistory::redo(World& world, FrameChanges& changes) {
     if (m_redo.empty()) return false;
     WorldDelta entry = std::move(m_redo.back());
     m_redo.pop_back();
-    m_marks.push_back(swapIn(world, std::move(entry), changes));
+    m_marks.push_back(swapEntry(world, std::move(entry), changes));
     return true;
 }
 
-void UndoHistory::note(const World& world, const FrameChanges& changes, bool wentBack) {
+void UndoHistory::recordStep(const World& world, const FrameChanges& changes, bool wasUndoOrRedo) {
     if (changes.empty()) return;
-    addMissing(m_open, m_mirror.update(world, changes));
-    if (wentBack) return;
-    m_isDrift = false;
+    addMissing(m_current, m_baseline.update(world, changes));
+    if (wasUndoOrRedo) return;
+    m_onlyMotionSinceUndo = false;
     m_redo.clear();
 }
 
-void UndoHistory::noteMoved(const World& world, std::span<const RopeMotion> ropes) {
-    m_mirror.move(world, ropes, m_open.joints);
+void UndoHistory::recordMoves(const World& world, std::span<const RopeMotion> ropes) {
+    m_baseline.move(world, ropes, m_current.joints);
 }
 
-void UndoHistory::noteMoved(const World& world, std::span<const BodyPose> poses) {
-    m_mirror.move(world, poses, m_open.bodies);
+void UndoHistory::recordMoves(const World& world, std::span<const BodyPose> poses) {
+    m_baseline.move(world, poses, m_current.bodies);
 }
 
-void UndoHistory::noteMoved(const World& world, std::span<const CharacterMove> moves) {
-    m_mirror.move(world, moves, m_open.characters);
+void UndoHistory::recordMoves(const World& world, std::span<const CharacterMove> moves) {
+    m_baseline.move(world, moves, m_current.characters);
 }
 
 }  // namespace rubble

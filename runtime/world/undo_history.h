@@ -3,11 +3,11 @@
 #include <span>
 #include <vector>
 
-#include "runtime/world/world_mirror.h"
+#include "runtime/world/world_baseline.h"
 
 namespace rubble {
 
-/// Exact undo and redo. Marks divide time; each keeps what was touched after it as it was at the mark, so undo costs what
+/// Exact undo and redo. Marks divide time; each keeps what was editState after it as it was at the mark, so undo costs what
 /// changed. It takes back everything since the mark, what physics moved too: the World has the resolvedHash() that it had
 /// there. Redo brings back the moment of the undo, unless something changed since.
 class UndoHistory {
@@ -21,19 +21,19 @@ public:
     bool redo(World& world, FrameChanges& changes);
 
     /// A step has made these changes. If it went back or forth itself, they do not end the redo.
-    void note(const World& world, const FrameChanges& changes, bool wentBack);
+    void recordStep(const World& world, const FrameChanges& changes, bool wasUndoOrRedo);
     /// World::setPoses() has moved these.
-    void noteMoved(const World& world, std::span<const RopeMotion> ropes);
-    void noteMoved(const World& world, std::span<const BodyPose> poses);
-    void noteMoved(const World& world, std::span<const CharacterMove> moves);
+    void recordMoves(const World& world, std::span<const RopeMotion> ropes);
+    void recordMoves(const World& world, std::span<const BodyPose> poses);
+    void recordMoves(const World& world, std::span<const CharacterMove> moves);
 
 private:
-    WorldDelta swapIn(World& world, WorldDelta entry, FrameChanges& changes);
+    WorldDelta swapEntry(World& world, WorldDelta entry, FrameChanges& changes);
 
-    WorldMirror m_mirror;
-    std::deque<WorldDelta> m_marks;  ///< what was touched between each mark and the next, as it was at the mark
-    WorldDelta m_open;               ///< the same since the last of them, or, drifting, since the last undo or redo
-    bool m_isDrift = false;          ///< nothing but motion since an undo or redo
+    WorldBaseline m_baseline;
+    std::deque<WorldDelta> m_marks;  ///< what was editState between each mark and the next, as it was at the mark
+    WorldDelta m_current;               ///< the same since the last of them, or, drifting, since the last undo or redo
+    bool m_onlyMotionSinceUndo = false;          ///< nothing but motion since an undo or redo
     std::vector<WorldDelta> m_redo;  ///< what was undone, as it was at the undo; the last comes back first
 };
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "runtime/world/bounds_tree.h"
-#include "runtime/world/ground_area.h"
+#include "runtime/world/ground_polygon.h"
 
 namespace rubble {
 
@@ -21,7 +21,7 @@ struct WaterWaves {
 /// A body of water under a level surface: what is in it floats or sinks, and fires go out. World space, metres.
 struct Water {
     std::string name;
-    GroundArea outline;
+    GroundPolygon outline;
     double surface = 0.0;                ///< height
     double depth = 1.0;                  ///< below the surface
     double density = 1000.0;             ///< kg/m3
@@ -32,7 +32,7 @@ struct Water {
     float clarity = 3.0f;                ///< metres
     WaterWaves waves;
 
-    bool holds(glm::dvec3 point) const { return point.y <= surface && point.y >= surface - depth && contains(outline, point.x, point.z); }
+    bool contains(glm::dvec3 point) const { return point.y <= surface && point.y >= surface - depth && rubble::contains(outline, point.x, point.z); }
     /// Of all that decides what happens.
     uint64_t hash() const;
     WorldBox bounds() const {

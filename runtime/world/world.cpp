@@ -44,9 +44,9 @@ struct Hasher {
 WorldBox boundsOf(const Shape& shape, const Pose& pose) {
     const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
     const glm::dmat3 axes = glm::mat3_cast(pose.rotation);
-    const glm::dvec3 reach = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z;
+    const glm::dvec3 halfExtent = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z;
     const glm::dvec3 middle = pose.transformPoint(half);
-    return {middle - reach, middle + reach};
+    return {middle - halfExtent, middle + halfExtent};
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ World& World::operator=(const World&) = default;
 World& World::operator=(World&&) noexcept = default;
 
 void World::clear() {
-    m_load.reset();
+    m_stress.reset();
     m_bodies.clear();
     m_shapes.clear();
     m_lights.clear();
@@ -69,16 +69,16 @@ void World::clear() {
     m_triggers.clear();
     m_characters.clear();
     m_joints.clear();
-    m_jointList.clear();
+    m_jointIndex.clear();
     m_fire = {};
-    m_places.clear();
-    m_triggerPlaces.clear();
+    m_shapeBounds.clear();
+    m_triggerBounds.clear();
     m_movedBodies.clear();
     m_debris.clear();
     m_revived.clear();
     m_pendingSplits.clear();
     m_step = m_imported = m_removed = 0;
-    m_dyingGroups = 0;
+    m_flickeringGroups = 0;
     m_undo.clear();
     m_levelReplaced = true;
 }
@@ -110,7 +110,7 @@ void World::load(const Level& level) {
             Shape shape{from.name,        bodyHandle, from.local,   from.voxelSize, from.grid, from.palette,
                         from.paintColors, {},         from.anchors, from.tags,      false};
             shape.strength = from.strength;
-            shape.bearsLoad = from.bearsLoad;
+            shape.loadBearing = from.loadBearing;
             shape.collisionLayer = from.collisionLayer;
             shape.collisionMask = from.collisionMask;
             if (!shape.palette) shape.palette = std::make_shared<const Palette>();
@@ -119,7 +119,7 @@ void World::load(const Level& level) {
             m_imported += shape.grid.voxelCount();
             const ShapeHandle handle = m_shapes.insert(std::move(shape));
             m_bodies.at(bodyHandle).shapes.push_back(handle);
-            placeShape(handle);
+            updateShapeBounds(handle);
             byName.emplace(from.name, handle);
         }
     }
@@ -128,7 +128,7 @@ void World::load(const Level& level) {
         const auto shape = byName.find(group.supplyShape);
         group.supply = group.supplyShape.empty() || shape == byName.end() ? ShapeHandle{} : shape->second;
     });
-    connectSupplies();
+    connectPowerSupplies();
     for (const LevelLight& source : level.lights) {
         Light light = source.light;
         const auto shape = byName.find(source.shapeName);
@@ -159,27 +159,27 @@ void World::load(const Level& level) {
             else
                 joint.ends[i].shape = shape->second;
         }
-        if (error.empty()) error = fitJoint(joint);
+        if (error.empty()) error = resolveJoint(joint);
         if (error.empty())
             addJoint(std::move(joint));
         else
             logWarning("joint '" + source.joint.name + "': " + error + ": it is left out");
     }
-    EditStep::placeTriggers(*this);
-    listLoads();
+    EditStep::initTriggers(*this);
+    restartStress();
 }
 
 /// A supply that leads nowhere from the start is none.
-void World::connectSupplies() {
+void World::connectPowerSupplies() {
     m_groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
         if (!group.supply && group.supplyShape.empty()) return;
-        if (!group.out && isSupplied(handle, group)) return;
+        if (!group.out && isPowered(handle, group)) return;
         if (!group.out) logWarning("light group '" + group.name + "': no wire leads from its supply to its voxels: it needs none");
         group.supply = {};
     });
 }
 
-bool World::isSupplied(LightGroupHandle handle, const LightGroup& group) const {
+bool World::isPowered(LightGroupHandle handle, const LightGroup& group) const {
     const Shape* shape = m_shapes.find(group.supply);
     if (!shape) return false;
     EntrySet wire{}, goal{};
@@ -220,7 +220,7 @@ Level World::toLevel() const {
         for (const ShapeHandle handle : body.shapes) {
             const Shape& shape = m_shapes.at(handle);
             out.shapes.push_back({shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors, shape.tags, false,
-                                  shape.paintColors, shape.strength, shape.bearsLoad, shape.collisionLayer, shape.collisionMask});
+                                  shape.paintColors, shape.strength, shape.loadBearing, shape.collisionLayer, shape.collisionMask});
             shapeNames[handle.slot()] = shape.name;
         }
         level.bodies.push_back(std::move(out));
@@ -254,11 +254,11 @@ Level World::toLevel() const {
 void World::setEnvironment(Environment environment) {
     const float length = glm::length(environment.sunDirection);
     environment.sunDirection = length > 0.0f ? environment.sunDirection / length : glm::vec3(0.0f, 1.0f, 0.0f);
-    putEnvironment(environment);
+    swapEnvironment(environment);
 }
 
-Environment World::putEnvironment(const Environment& environment) {
-    if (m_load && environment.gravity != m_environment.gravity) m_load->restartAll();
+Environment World::swapEnvironment(const Environment& environment) {
+    if (m_stress && environment.gravity != m_environment.gravity) m_stress->restartAll();
     return std::exchange(m_environment, environment);
 }
 
@@ -270,16 +270,16 @@ void World::setPoses(std::span<const BodyPose> poses) {
             body->velocity = pose.velocity;
             body->angularVelocity = pose.angularVelocity;
             body->asleep = pose.asleep;
-            for (const ShapeHandle shape : body->shapes) placeShape(shape);
+            for (const ShapeHandle shape : body->shapes) updateShapeBounds(shape);
             if (!turns) continue;
             body->restingSince = pose.asleep ? m_step : 0;
             if (body->settled) m_revived.push_back(pose.body);
             body->settled = false;
-            listDebris(pose.body);
+            updateDebris(pose.body);
         }
     if (m_triggers.size())
         for (const BodyPose& pose : poses) m_movedBodies.push_back(pose.body);
-    for (UndoHistory& undo : m_undo) undo.noteMoved(*this, poses);
+    for (UndoHistory& undo : m_undo) undo.recordMoves(*this, poses);
 }
 
 void World::setCharacters(std::span<const CharacterMove> moves) {
@@ -293,46 +293,46 @@ void World::setCharacters(std::span<const CharacterMove> moves) {
             character->ground = move.ground;
             character->wantsJump = false;
         }
-    for (UndoHistory& undo : m_undo) undo.noteMoved(*this, moves);
+    for (UndoHistory& undo : m_undo) undo.recordMoves(*this, moves);
 }
 
-void World::listDebris(BodyHandle handle) {
+void World::updateDebris(BodyHandle handle) {
     const Body* body = m_bodies.find(handle);
     const Shape* shape = body && !body->isStatic && body->shapes.size() == 1 ? m_shapes.find(body->shapes[0]) : nullptr;
     if (!shape || !shape->isPiece || shape->grid.voxelCount() > m_settings.debris.largestPiece) return m_debris.remove(handle.slot());
-    const Rest rest = body->settled ? Rest::Settled : body->asleep ? Rest::Asleep : Rest::Awake;
-    m_debris.set({handle, rest, shape->grid.voxelCount(), body->born, body->restingSince});
+    const RestState rest = body->settled ? RestState::Settled : body->asleep ? RestState::Asleep : RestState::Awake;
+    m_debris.set({handle, rest, shape->grid.voxelCount(), body->createdStep, body->restingSince});
 }
 
 void World::setSettings(const WorldSettings& settings) {
-    const bool isOtherLoad = !(settings.stress == m_settings.stress);
+    const bool stressChanged = !(settings.stress == m_settings.stress);
     m_settings = settings;
-    if (isOtherLoad) listLoads();
-    m_bodies.forEach([&](BodyHandle handle, const Body&) { listDebris(handle); });  // what counts as debris may be another now
+    if (stressChanged) restartStress();
+    m_bodies.forEach([&](BodyHandle handle, const Body&) { updateDebris(handle); });  // what counts as debris may be another now
 }
 
 /// Whether a step without edits has something to say or to do about debris.
-bool World::debrisWaits() const {
+bool World::hasDebrisWork() const {
     const DebrisSettings& limits = m_settings.debris;
     return !m_revived.empty() || m_debris.awakeCount() > limits.awakeBodies || m_debris.count() > limits.bodies ||
            m_debris.voxels() > limits.voxels || (m_step >= limits.settleSteps && m_debris.asleepSince(m_step - limits.settleSteps));
 }
 
-void World::placeShape(ShapeHandle handle) {
-    m_places.place(handle.slot(), boundsOf(m_shapes.at(handle), shapeToWorld(handle)));
+void World::updateShapeBounds(ShapeHandle handle) {
+    m_shapeBounds.update(handle.slot(), boundsOf(m_shapes.at(handle), shapeToWorld(handle)));
 }
 
 /// The tree's margins depend on how a shape came to where it is, so what it finds is looked at again: nothing that happens
 /// next may depend on that.
-std::vector<ShapeHandle> World::shapesNear(glm::dvec3 point, double reach) const {
+std::vector<ShapeHandle> World::shapesNear(glm::dvec3 point, double radius) const {
     std::vector<ShapeHandle> out;
-    if (!(reach >= 0.0)) return out;
-    const WorldBox around{point - reach, point + reach};
+    if (!(radius >= 0.0)) return out;
+    const WorldBox around{point - radius, point + radius};
     const auto visit = [&](uint32_t slot) {
         const ShapeHandle handle = m_shapes.handleAt(slot);
-        if (boundsOf(m_shapes.at(handle), shapeToWorld(handle)).meets(around)) out.push_back(handle);
+        if (boundsOf(m_shapes.at(handle), shapeToWorld(handle)).overlaps(around)) out.push_back(handle);
     };
-    m_places.find([&](const WorldBox& box) { return box.meets(around); }, visit);
+    m_shapeBounds.find([&](const WorldBox& box) { return box.overlaps(around); }, visit);
     std::sort(out.begin(), out.end(), [](ShapeHandle a, ShapeHandle b) { return a.slot() < b.slot(); });
     return out;
 }
@@ -373,8 +373,8 @@ MassProperties World::bodyMass(BodyHandle handle) const {
     return sum;
 }
 
-Ledger World::ledger() const {
-    Ledger ledger{m_imported, 0, 0, m_removed};
+VoxelAccounting World::voxelAccounting() const {
+    VoxelAccounting ledger{m_imported, 0, 0, m_removed};
     m_shapes.forEach([&](ShapeHandle, const Shape& shape) { (shape.isPiece ? ledger.inPieces : ledger.standing) += shape.grid.voxelCount(); });
     return ledger;
 }
@@ -382,7 +382,7 @@ Ledger World::ledger() const {
 uint64_t World::hash() const {
     uint64_t hash = hashValue(m_step, resolvedHash());
     if (m_fire.isActive()) hash = hashValue(m_fire.hash(), hash);
-    for (const JointHandle rope : m_jointList.ropes()) hash = hashRopePoints(m_joints.at(rope), hash);
+    for (const JointHandle rope : m_jointIndex.ropes()) hash = hashRopePoints(m_joints.at(rope), hash);
     for (const PendingSplit& pending : m_pendingSplits) {
         hash = hashValue(pending.shape.slot(), hashValue(pending.search ? pending.search->visitedParts() : 0, hash));
         pending.cut.forEachNode([&](glm::ivec3 node, BrickMask bricks) {
@@ -390,7 +390,7 @@ uint64_t World::hash() const {
             hash = hashValue(bricks, hash);
         });
     }
-    return m_load ? hashValue(m_load->hash(), hash) : hash;
+    return m_stress ? hashValue(m_stress->hash(), hash) : hash;
 }
 
 uint64_t World::voxelHash() const {
@@ -413,7 +413,7 @@ uint64_t World::resolvedHash() const {
         hasher.add(body.velocity);
         hasher.add(body.angularVelocity);
         hasher.add(uint64_t(body.settled) << 2 | uint64_t(body.isStatic) << 1 | uint64_t(body.asleep));
-        hasher.add(body.born);
+        hasher.add(body.createdStep);
         hasher.add(body.restingSince);
     });
     const Palette* lastPalette = nullptr;
@@ -434,7 +434,7 @@ uint64_t World::resolvedHash() const {
     m_groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
         hasher.add(handle.slot());
         hasher.add(group.removedVoxels << 1 | uint64_t(group.out));
-        hasher.add(group.dyingSince << 1 | uint64_t(group.dark));
+        hasher.add(group.failingSince << 1 | uint64_t(group.dark));
     });
     const auto addAll = [&](const auto& map) {
         map.forEach([&](auto handle, const auto& value) {

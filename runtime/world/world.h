@@ -11,15 +11,15 @@
 #include "runtime/voxel/mass_properties.h"
 #include "runtime/voxel/voxel_grid.h"
 #include "runtime/world/bounds_tree.h"
-#include "runtime/world/debris_list.h"
+#include "runtime/world/debris_queue.h"
 #include "runtime/world/edit.h"
 #include "runtime/world/fire.h"
 #include "runtime/world/frame_changes.h"
 #include "runtime/world/joint.h"
-#include "runtime/world/joint_list.h"
+#include "runtime/world/joint_index.h"
 #include "runtime/world/level.h"
 #include "runtime/world/pending_split.h"
-#include "runtime/world/world_load.h"
+#include "runtime/world/world_stress.h"
 #include "runtime/world/world_settings.h"
 
 namespace rubble {
@@ -37,8 +37,8 @@ struct Shape {
     std::vector<CellBox> anchors;  ///< cells that hold a static shape to the world
     std::vector<std::string> tags;
     bool isPiece = false;        ///< came off something
-    bool nothingLoose = false;   ///< known since its last split: a cut need only look around itself
-    bool bearsLoad = true;       ///< false: left out of the stress analysis
+    bool knownConnected = false;   ///< known since its last split: a cut need only look around itself
+    bool loadBearing = true;       ///< false: left out of the stress analysis
     float strength = 1.0f;       ///< multiple of its materials' strengths
     uint8_t collisionLayer = 1;  ///< bits; two shapes touch if each one's layer is in the other's mask
     uint8_t collisionMask = 255;
@@ -56,7 +56,7 @@ struct Body {
     std::vector<std::string> tags;
     bool settled = false;       ///< asleep for so long that only what breaks or moves near it wakes it
     bool broken = false;        ///< has lost voxels
-    uint64_t born = 0;          ///< step; 0: came with the level
+    uint64_t createdStep = 0;          ///< step; 0: came with the level
     uint64_t restingSince = 0;  ///< step at which it fell asleep; kept while asleep only
 };
 
@@ -96,7 +96,7 @@ struct WorldHit {
 };
 
 /// Where every voxel of the level is now. imported = standing + inPieces + removed, always.
-struct Ledger {
+struct VoxelAccounting {
     uint64_t imported = 0, standing = 0, inPieces = 0, removed = 0;
     bool balances() const { return imported == standing + inPieces + removed; }
 };
@@ -133,7 +133,7 @@ public:
     WorldState state() const;
     void setState(WorldState state);
     /// Puts these objects in their slots, journals it and returns what was there.
-    WorldDelta exchange(WorldDelta target, FrameChanges& changes);
+    WorldDelta swap(WorldDelta target, FrameChanges& changes);
     /// A step whose outcome is known, instead of applyEdits(): nothing is decided here. Null: nothing happened in it.
     FrameChanges applyDelta(std::optional<WorldDelta> delta);
 
@@ -149,7 +149,7 @@ public:
     /// that it goes on like one that was loaded.
     void resetCaches();
     /// The stress analyses; null while StressSettings are off.
-    const WorldLoad* load() const { return m_load ? &*m_load : nullptr; }
+    const WorldStress* stress() const { return m_stress ? &*m_stress : nullptr; }
 
     const SlotMap<BodyHandle, Body>& bodies() const { return m_bodies; }
     const SlotMap<ShapeHandle, Shape>& shapes() const { return m_shapes; }
@@ -159,12 +159,12 @@ public:
     const SlotMap<TriggerHandle, Trigger>& triggers() const { return m_triggers; }
     const SlotMap<CharacterHandle, Character>& characters() const { return m_characters; }
     /// Bounds of the shapes, by slot, to be looked through by queries.
-    const BoundsTree& places() const { return m_places; }
+    const BoundsTree& shapeBounds() const { return m_shapeBounds; }
     const SlotMap<JointHandle, Joint>& joints() const { return m_joints; }
     /// Those that hold on to a shape, in slot order.
-    std::span<const JointHandle> jointsOf(ShapeHandle shape) const { return m_jointList.of(shape); }
+    std::span<const JointHandle> jointsOf(ShapeHandle shape) const { return m_jointIndex.of(shape); }
     /// Ropes, and grabs, in slot order.
-    const JointList& jointList() const { return m_jointList; }
+    const JointIndex& jointIndex() const { return m_jointIndex; }
     /// Whether joints lead from a body to one that is static, or to the world.
     bool isJointedToStatic(BodyHandle body) const;
     /// An end of a joint -> world.
@@ -179,14 +179,14 @@ public:
     Pose lightToWorld(const Light& light) const;
     /// Mass of all shapes of a body in the body's frame.
     MassProperties bodyMass(BodyHandle body) const;
-    /// Shapes whose bounds are within `reach` metres of a point, and perhaps a few more nearby, in slot order. Costs what is
+    /// Shapes whose bounds are within `radius` metres of a point, and perhaps a few more nearby, in slot order. Costs what is
     /// found, not what exists.
-    std::vector<ShapeHandle> shapesNear(glm::dvec3 point, double reach) const;
+    std::vector<ShapeHandle> shapesNear(glm::dvec3 point, double radius) const;
     /// First voxel that a world ray touches, up to maxDistance metres; direction need not be normalised.
     WorldHit raycast(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const;
-    Ledger ledger() const;
+    VoxelAccounting voxelAccounting() const;
     /// The pieces under the budgets of DebrisSettings.
-    const DebrisList& debris() const { return m_debris; }
+    const DebrisQueue& debris() const { return m_debris; }
     /// What burns, in slot order; for events see FrameChanges. Costs what is hot.
     std::vector<Fire> fires() const;
     std::optional<Fire> closestFire(glm::dvec3 position, double maxDistance) const;
@@ -207,34 +207,34 @@ public:
 
 private:
     friend class EditStep;
-    friend class WorldMirror;
+    friend class WorldBaseline;
     bool runHistory(const Edits& edits, FrameChanges& changes);
     void clear();
     /// Makes the sun's direction one of length 1.
     void setEnvironment(Environment environment);
     /// As it is; returns what was there.
-    Environment putEnvironment(const Environment& environment);
+    Environment swapEnvironment(const Environment& environment);
     /// Brings the index of places up to date: to be called when a shape is made, resized or moved, and when it goes.
-    void placeShape(ShapeHandle shape);
-    void forgetShape(ShapeHandle shape) { m_places.remove(shape.slot()); }
+    void updateShapeBounds(ShapeHandle shape);
+    void removeShapeBounds(ShapeHandle shape) { m_shapeBounds.remove(shape.slot()); }
     /// Brings the list of debris up to date with a body, which may be gone or no debris.
-    void listDebris(BodyHandle body);
-    bool debrisWaits() const;
+    void updateDebris(BodyHandle body);
+    bool hasDebrisWork() const;
     /// Begins the stress analysis of every standing shape anew, or ends it if it is off.
-    void listLoads();
+    void restartStress();
     /// Finds the voxels that hold a joint and the points of a rope; what is missing, or nothing.
-    std::string fitJoint(Joint& joint) const;
+    std::string resolveJoint(Joint& joint) const;
     JointHandle addJoint(Joint joint);
-    void listJoints();
-    bool isWinding() const;  ///< a winch turns
+    void rebuildJointIndex();
+    bool hasActiveWinch() const;  ///< a winch turns
     void journalJoints(const WorldDelta& before, FrameChanges& changes);
     /// Whether wire leads from the group's supply to a voxel of it.
-    bool isSupplied(LightGroupHandle handle, const LightGroup& group) const;
-    void connectSupplies();
+    bool isPowered(LightGroupHandle handle, const LightGroup& group) const;
+    void connectPowerSupplies();
     void addImpactDamage(const Impact& impact, BodyHandle body, Edits& out) const;
-    void addStrike(const Impact& impact, BodyHandle body, Edits& out) const;
-    void listLoad(ShapeHandle shape);
-    void forgetSearches(const FrameChanges& changes);
+    void addImpactLoad(const Impact& impact, BodyHandle body, Edits& out) const;
+    void addStress(ShapeHandle shape);
+    void resetSearches(const FrameChanges& changes);
     /// Fills in initialVoxels of groups that do not bring it.
     void countGroupVoxels();
 
@@ -248,12 +248,12 @@ private:
     SlotMap<WaterHandle, Water> m_waters;
     SlotMap<TriggerHandle, Trigger> m_triggers;
     SlotMap<CharacterHandle, Character> m_characters;
-    BoundsTree m_places;                    ///< of shapes, by slot
-    BoundsTree m_triggerPlaces;             ///< by slot
+    BoundsTree m_shapeBounds;                    ///< of shapes, by slot
+    BoundsTree m_triggerBounds;             ///< by slot
     std::vector<BodyHandle> m_movedBodies;  ///< since triggers were last looked at; empty if there are none
     SlotMap<JointHandle, Joint> m_joints;
-    JointList m_jointList;
-    DebrisList m_debris;
+    JointIndex m_jointIndex;
+    DebrisQueue m_debris;
     std::vector<BodyHandle> m_revived;  ///< settled bodies that physics has woken since the last step
     MaterialTable m_materials = defaultMaterials();
     FireState m_fire;
@@ -261,11 +261,11 @@ private:
     WorldSettings m_settings;
     std::vector<std::pair<std::string, Pose>> m_locations;
     uint8_t m_wire = 0;          ///< the material of wire; 0: none
-    uint32_t m_dyingGroups = 0;  ///< that flicker
+    uint32_t m_flickeringGroups = 0;  ///< that flicker
     uint64_t m_imported = 0, m_removed = 0;
     std::vector<PendingSplit> m_pendingSplits;
     std::vector<UndoHistory> m_undo;  ///< one, or none if nothing is to be remembered
-    std::optional<WorldLoad> m_load;  ///< none: StressSettings are off
+    std::optional<WorldStress> m_stress;  ///< none: StressSettings are off
     std::string m_name;
 };
 

@@ -7,7 +7,7 @@ namespace {
 
 /// Puts what `target` says into the slots; returns what was there.
 template <class Map, class Handle, class T>
-SlotValues<Handle, T> exchangeSlots(Map& map, SlotValues<Handle, T>&& target) {
+SlotValues<Handle, T> swapSlots(Map& map, SlotValues<Handle, T>&& target) {
     SlotValues<Handle, T> before;
     for (const auto& [slot, wanted] : target) {
         const Handle there = map.handleAt(slot);
@@ -64,14 +64,14 @@ void journalShape(ShapeHandle was, const std::optional<Shape>& before, ShapeHand
 
 }  // namespace
 
-WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
+WorldDelta World::swap(WorldDelta target, FrameChanges& changes) {
     WorldDelta before;
     before.imported = std::exchange(m_imported, target.imported);
     before.removed = std::exchange(m_removed, target.removed);
     before.fire = std::exchange(m_fire, std::move(target.fire));
     changes.firesChanged = before.fire.isActive() || m_fire.isActive();
     if (target.environment) {
-        before.environment = putEnvironment(*target.environment);
+        before.environment = swapEnvironment(*target.environment);
         changes.environmentChanged = true;
     }
     before.freeBodies = m_bodies.freeSlots();
@@ -80,15 +80,15 @@ WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
     before.freeWaters = m_waters.freeSlots();
     before.freeTriggers = m_triggers.freeSlots();
     before.freeCharacters = m_characters.freeSlots();
-    before.bodies = exchangeSlots(m_bodies, std::move(target.bodies));
-    before.shapes = exchangeSlots(m_shapes, std::move(target.shapes));
-    before.lights = exchangeSlots(m_lights, std::move(target.lights));
-    before.groups = exchangeSlots(m_groups, std::move(target.groups));
-    before.waters = exchangeSlots(m_waters, std::move(target.waters));
-    before.triggers = exchangeSlots(m_triggers, std::move(target.triggers));
-    before.characters = exchangeSlots(m_characters, std::move(target.characters));
+    before.bodies = swapSlots(m_bodies, std::move(target.bodies));
+    before.shapes = swapSlots(m_shapes, std::move(target.shapes));
+    before.lights = swapSlots(m_lights, std::move(target.lights));
+    before.groups = swapSlots(m_groups, std::move(target.groups));
+    before.waters = swapSlots(m_waters, std::move(target.waters));
+    before.triggers = swapSlots(m_triggers, std::move(target.triggers));
+    before.characters = swapSlots(m_characters, std::move(target.characters));
     before.freeJoints = m_joints.freeSlots();
-    before.joints = exchangeSlots(m_joints, std::move(target.joints));
+    before.joints = swapSlots(m_joints, std::move(target.joints));
     m_joints.setFreeSlots(target.freeJoints);
     m_bodies.setFreeSlots(target.freeBodies);
     m_shapes.setFreeSlots(target.freeShapes);
@@ -98,18 +98,18 @@ WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
     m_characters.setFreeSlots(target.freeCharacters);
 
     for (const auto& [slot, was] : before.shapes) {
-        if (was.first && was.first != m_shapes.handleAt(slot)) forgetShape(was.first);
-        if (m_shapes.handleAt(slot)) placeShape(m_shapes.handleAt(slot));
+        if (was.first && was.first != m_shapes.handleAt(slot)) removeShapeBounds(was.first);
+        if (m_shapes.handleAt(slot)) updateShapeBounds(m_shapes.handleAt(slot));
     }
     for (const auto& [slot, was] : before.bodies) {
         const BodyHandle is = m_bodies.handleAt(slot);
         if (was.first && was.first != is) changes.bodiesDestroyed.push_back(was.first);
         if (is && was.first != is) changes.bodiesCreated.push_back(is);
-        if (is && was.first == is && !sameMotion(*was.second, m_bodies.at(is))) changes.placed.push_back(is);
-        listDebris(was.first);
+        if (is && was.first == is && !sameMotion(*was.second, m_bodies.at(is))) changes.teleported.push_back(is);
+        updateDebris(was.first);
         if (!is) continue;
-        listDebris(is);
-        for (const ShapeHandle shape : m_bodies.at(is).shapes) placeShape(shape);
+        updateDebris(is);
+        for (const ShapeHandle shape : m_bodies.at(is).shapes) updateShapeBounds(shape);
     }
     for (const auto& [slot, was] : before.shapes) {
         const ShapeHandle is = m_shapes.handleAt(slot);
@@ -121,13 +121,13 @@ WorldDelta World::exchange(WorldDelta target, FrameChanges& changes) {
         const LightGroupHandle is = m_groups.handleAt(slot);
         if (!is) continue;
         changes.groups.push_back(is);
-        m_dyingGroups += uint32_t(m_groups.at(is).dyingSince != 0) - uint32_t(was.second && was.second->dyingSince != 0);
+        m_flickeringGroups += uint32_t(m_groups.at(is).failingSince != 0) - uint32_t(was.second && was.second->failingSince != 0);
         if (m_groups.at(is).out && !(was.second && was.second->out)) changes.groupsOut.push_back(is);
     }
     journalSlots(before.waters, m_waters, changes.waters);
     for (const auto& [slot, was] : before.triggers) {
-        m_triggerPlaces.remove(slot);
-        if (const TriggerHandle is = m_triggers.handleAt(slot)) m_triggerPlaces.place(slot, m_triggers.at(is).bounds());
+        m_triggerBounds.remove(slot);
+        if (const TriggerHandle is = m_triggers.handleAt(slot)) m_triggerBounds.update(slot, m_triggers.at(is).bounds());
     }
     journalSlots(before.triggers, m_triggers, changes.triggers);
     journalSlots(before.characters, m_characters, changes.characters);
@@ -138,8 +138,8 @@ FrameChanges World::applyDelta(std::optional<WorldDelta> delta) {
     FrameChanges changes;
     changes.step = ++m_step;
     changes.levelReplaced = std::exchange(m_levelReplaced, false);
-    changes.revived = std::exchange(m_revived, {});
-    if (delta) exchange(std::move(*delta), changes);
+    changes.unsettled = std::exchange(m_revived, {});
+    if (delta) swap(std::move(*delta), changes);
     return changes;
 }
 

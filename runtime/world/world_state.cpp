@@ -22,10 +22,10 @@ void World::setState(WorldState state) {
     m_shapes = std::move(state.shapes);
     m_lights = std::move(state.lights);
     m_groups = std::move(state.groups);
-    m_revived = std::move(state.revived);
+    m_revived = std::move(state.unsettled);
     m_materials = std::move(state.materials);
     m_wire = m_materials.find("wire");
-    m_groups.forEach([&](LightGroupHandle, const LightGroup& group) { m_dyingGroups += group.dyingSince != 0; });
+    m_groups.forEach([&](LightGroupHandle, const LightGroup& group) { m_flickeringGroups += group.failingSince != 0; });
     m_environment = state.environment;
     m_locations = std::move(state.locations);
     m_fire = std::move(state.fire);
@@ -33,11 +33,11 @@ void World::setState(WorldState state) {
     m_triggers = std::move(state.triggers);
     m_characters = std::move(state.characters);
     m_joints = std::move(state.joints);
-    listJoints();
+    rebuildJointIndex();
     setSettings(state.settings);
-    m_shapes.forEach([&](ShapeHandle handle, const Shape&) { placeShape(handle); });
-    EditStep::placeTriggers(*this);
-    listLoads();
+    m_shapes.forEach([&](ShapeHandle handle, const Shape&) { updateShapeBounds(handle); });
+    EditStep::initTriggers(*this);
+    restartStress();
 }
 
 }  // namespace rubble

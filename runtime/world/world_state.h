@@ -17,7 +17,7 @@ struct WorldState {
     SlotMap<ShapeHandle, Shape> shapes;
     SlotMap<LightHandle, Light> lights;
     SlotMap<LightGroupHandle, LightGroup> groups;
-    std::vector<BodyHandle> revived;  ///< settled bodies that have woken since the last step
+    std::vector<BodyHandle> unsettled;  ///< settled bodies that have woken since the last step
     MaterialTable materials;
     Environment environment;
     WorldSettings settings;

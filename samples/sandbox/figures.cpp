@@ -44,7 +44,7 @@ void Figures::addStep(FrameLoop& loop, uint64_t allocations) {
     m_painted += changes.paintedVoxels;
     m_groupsOut += changes.groupsOut.size();
     m_hashes.push_back(loop.world().hash());
-    m_ledger = loop.world().ledger();
+    m_ledger = loop.world().voxelAccounting();
 }
 
 void Figures::addPicture(const FrameLoop& loop, const Renderer& renderer) {

@@ -34,7 +34,7 @@ private:
     std::vector<uint64_t> m_hashes;
     std::vector<std::string> m_computePasses;  ///< of the last picture
     uint64_t m_removed = 0, m_splits = 0, m_pieces = 0, m_painted = 0, m_groupsOut = 0;
-    Ledger m_ledger;
+    VoxelAccounting m_ledger;
 };
 
 /// Allocations by operator new in this process so far.

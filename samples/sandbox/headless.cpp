@@ -206,7 +206,7 @@ int runHeadless(const SandboxOptions& options) {
     std::ofstream(out / "figures.txt") << table;
     std::fputs(table.c_str(), stdout);
     std::printf("pictures and figures are in %s\n", fs::absolute(out).string().c_str());
-    return loop.world().ledger().balances() ? 0 : 1;
+    return loop.world().voxelAccounting().balances() ? 0 : 1;
 }
 
 }  // namespace rubble

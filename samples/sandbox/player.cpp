@@ -75,7 +75,7 @@ Edits Player::walk(const PlayerInput& input, const World& world, double seconds)
 }
 
 void Player::follow(const Character& character, double seconds) {
-    const glm::dvec3 eye = character.position + glm::dvec3(0.0, character.tall() - kBelowCrown, 0.0);
+    const glm::dvec3 eye = character.position + glm::dvec3(0.0, character.currentHeight() - kBelowCrown, 0.0);
     const double y = m_camera.position.y + (eye.y - m_camera.position.y) * std::min(1.0, kEyeFollows * seconds);
     m_camera.position = {eye.x, std::clamp(y, eye.y - 0.6, eye.y + 0.6), eye.z};
 }

@@ -119,7 +119,7 @@ private:
             m_heldAt = hit.distance;
         }
         if (const Body* body = m_loop.world().bodies().find(m_held); body && !body->isStatic)
-            m_loop.edits().push(GrabEdit{.body = m_held, .point = eye + ahead * m_heldAt, .target = eye + ahead * m_heldAt, .mostForce = kGrabForce});
+            m_loop.edits().push(GrabEdit{.body = m_held, .point = eye + ahead * m_heldAt, .target = eye + ahead * m_heldAt, .maxForce = kGrabForce});
     }
 
     /// What is saved in an editor is seen a moment later.

@@ -33,7 +33,7 @@ LevelShape makeMast() {
     c.box({0, kTall - 2, 0}, {kMastSide, kTall, kMastSide}, steel);
     c.box({3, kTall, 3}, {8, kTall + 6, 8}, c.mix(kDarkSteel));
     LevelShape mast = c.finish("mast");
-    mast.bearsLoad = false;
+    mast.loadBearing = false;
     return mast;
 }
 

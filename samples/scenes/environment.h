@@ -36,7 +36,7 @@ inline Environment dusk() {
 inline Environment noon() {
     Environment air;
     air.clouds = 0.42f;
-    followSun(air, {-0.38f, 0.86f, 0.34f});
+    applySkyModel(air, {-0.38f, 0.86f, 0.34f});
     air.exposure = 0.75f;
     air.fogDistance = 260.0f;
     return air;
@@ -46,7 +46,7 @@ inline Environment noon() {
 inline Environment sunset() {
     Environment air;
     air.clouds = 0.46f;
-    followSun(air, {-0.70f, 0.062f, -0.66f});
+    applySkyModel(air, {-0.70f, 0.062f, -0.66f});
     air.exposure = 1.7f;
     air.fogDistance = 130.0f;
     air.fogDensity = 0.006f;
@@ -58,7 +58,7 @@ inline Environment sunset() {
 inline Environment night() {
     Environment air;
     air.clouds = 0.40f;
-    followSun(air, {-0.8f, -0.5f, 0.2f});
+    applySkyModel(air, {-0.8f, -0.5f, 0.2f});
     air.exposure = 2.6f;
     air.fogDistance = 200.0f;
     air.fogDensity = 0.007f;
@@ -70,7 +70,7 @@ inline Environment night() {
 inline Environment rain() {
     Environment air;
     air.clouds = 1.0f;
-    followSun(air, {-0.6f, 0.45f, 0.3f});
+    applySkyModel(air, {-0.6f, 0.45f, 0.3f});
     air.wetness = 1.0f;
     air.exposure = 1.1f;
     air.fogDistance = 95.0f;

@@ -34,7 +34,7 @@ ivec3 addStreetLamp(Level& level, const std::string& name, ivec3 cell, bool alon
     const ivec3 size = c.size();
     const ivec3 corner = cell - (alongX ? ivec3(size.x - 3, kBase, 2) : ivec3(2, kBase, 2));
     LevelShape lamp = c.finish(name);
-    lamp.bearsLoad = false;  // hollow posts of one voxel: thinner than a stress analysis can tell
+    lamp.loadBearing = false;  // hollow posts of one voxel: thinner than a stress analysis can tell
     addStatic(level, std::move(lamp), corner);
     addLight(level, name, group, LightKind::Cone, head, kWarmLight * 240.0f, 15.0f, 0.18f);
     return corner + ivec3(head);

@@ -34,8 +34,8 @@ uint32_t pictureColor(int x, int y) {
     return dx * dx + dy * dy <= 2 ? 0xfff2b0 : kSky[y];
 }
 
-LightPicture sunsetPicture() {
-    LightPicture picture{16, {}};
+LightImage sunsetPicture() {
+    LightImage picture{16, {}};
     for (int y = 0; y < 9; ++y)
         for (int x = 0; x < 16; ++x) picture.texels.push_back(pictureColor(x, y));
     return picture;
@@ -105,7 +105,7 @@ void addScreen(Level& level, Canvas& c) {
     Light& light = addTurned(level, group, LightKind::Screen, glm::dvec3(kScreen) + glm::dvec3(16, 9, 3.1), glm::vec3(15.0f), 9.0f, 0.1f, kForward);
     light.width = 3.2f;
     light.height = 1.8f;
-    light.picture = sunsetPicture();
+    light.image = sunsetPicture();
 }
 
 /// Lines that a shock has left: each wanders upward and forks, wider here and there.

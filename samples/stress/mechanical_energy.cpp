@@ -22,7 +22,7 @@ void MechanicalEnergy::beginAnew(const World& world) {
 
 void MechanicalEnergy::see(const World& world, const FrameChanges& changes) {
     const bool isQuiet = !changes.levelReplaced && changes.bodiesCreated.empty() && changes.bodiesDestroyed.empty() && changes.carved.empty() &&
-                         changes.impulses.empty() && changes.placed.empty() && changes.shapesCreated.empty() && changes.shapesDestroyed.empty();
+                         changes.impulses.empty() && changes.teleported.empty() && changes.shapesCreated.empty() && changes.shapesDestroyed.empty();
     if (!isQuiet || !m_isKnown) return beginAnew(world);
     double change = 0.0;
     for (Part& part : m_parts) {

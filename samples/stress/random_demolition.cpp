@@ -99,7 +99,7 @@ Edits randomEdits(const World& world, Random& random) {
         case 2:
         case 3: {
             const double force = 1e3 + 1e5 * double(random.unit());
-            return {StrikeEdit{shape, place, randomDirection(random) * force}};
+            return {ImpactLoadEdit{shape, place, randomDirection(random) * force}};
         }
         case 4:
             return {BreakEdit{.position = place, .radii = {radius, radius * 0.7, radius * 0.4}, .seed = random.next()}};

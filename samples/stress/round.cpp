@@ -47,7 +47,7 @@ double processorMs() {
 /// "" if all is well, else what is wrong.
 std::string whatIsWrong(const World& world) {
     std::string wrong;
-    if (!world.ledger().balances()) wrong = "the ledger does not balance";
+    if (!world.voxelAccounting().balances()) wrong = "the ledger does not balance";
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
         const double sum = body.pose.position.x + body.pose.position.y + body.pose.position.z + glm::length(body.velocity) +
                            glm::length(body.angularVelocity) + body.pose.rotation.w;

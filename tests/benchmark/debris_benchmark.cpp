@@ -109,7 +109,7 @@ void quietStep(benchmark::State& state) {
     const size_t before = allocationCount();
     for (auto _ : state) loop.step();
     state.counters["allocations"] = double(allocationCount() - before);
-    const Ledger ledger = loop.world.ledger();
+    const VoxelAccounting ledger = loop.world.voxelAccounting();
     state.counters["voxels"] = double(ledger.standing + ledger.inPieces);
 }
 BENCHMARK(quietStep)->Name("destruction/debris/quietStep")->Unit(benchmark::kMicrosecond);
@@ -141,7 +141,7 @@ Level cubeLevel() {
 void blastAndCuts(benchmark::State& state) {
     World fresh;
     WorldSettings settings;
-    settings.debris.fragmentsABreak = 4000;
+    settings.debris.fragmentsPerBreak = 4000;
     settings.debris.awakeBodies = 5000;
     fresh.setSettings(settings);
     fresh.load(cubeLevel());
@@ -168,7 +168,7 @@ void blastAndCuts(benchmark::State& state) {
         }
         state.SetIterationTime(editsMs * 1e-3);
         pieces = changes.bodiesCreated.size();
-        balances = balances && world.ledger().balances() && world.ledger().imported == 512000;
+        balances = balances && world.voxelAccounting().balances() && world.voxelAccounting().imported == 512000;
         const ScopedTimer timer(bodiesMs);
         physics.apply(changes, world);
     }
@@ -206,14 +206,14 @@ void tenThousandPieces(benchmark::State& state) {
             for (const DustCloud& cloud : changes.dust) dusty += cloud.count;
             mostAwake = std::max({mostAwake, loop.world.debris().awakeCount(), size_t(loop.physics.stats().awake)});
             stepsOver += loop.world.debris().awakeCount() > loop.world.settings().debris.awakeBodies;
-            const Ledger ledger = loop.world.ledger();
+            const VoxelAccounting ledger = loop.world.voxelAccounting();
             balances = balances && ledger.balances() && ledger.removed == dusty;
         }
         state.counters["pieces"] = double(pieces);
         state.counters["most_awake"] = double(mostAwake);
         state.counters["steps_over_budget"] = double(stepsOver);
         state.counters["ledger_exact"] = balances;
-        state.counters["dust_share"] = double(dusty) / double(loop.world.ledger().imported - loop.world.ledger().standing);
+        state.counters["dust_share"] = double(dusty) / double(loop.world.voxelAccounting().imported - loop.world.voxelAccounting().standing);
         state.counters["edits_ms_worst"] = worstEditsMs;
         state.counters["edits_ms"] = loop.editsMs / 300.0;
         state.counters["bodies_ms"] = loop.bodiesMs / 300.0;

@@ -53,7 +53,7 @@ void towerStep(benchmark::State& state) {
         world.applyEdits({});
         times.push_back(threadMs() - start);
         state.SetIterationTime(times.back() * 1e-3);
-        if (world.load()->isBusy()) continue;
+        if (world.stress()->isBusy()) continue;
         CarveEdit hole{.position = glm::dvec3(offset + 4 + cuts % 9 * 4, offset + 8 + cuts / 9 * 6, offset + 2) * 0.1};
         hole.radii = {0.15, 0.15, 0.15};
         const double cutStart = threadMs();
@@ -66,11 +66,11 @@ void towerStep(benchmark::State& state) {
     state.counters["max_ms"] = times.back();
     state.counters["p99_ms"] = times[times.size() * 99 / 100];
     state.counters["steps_a_cut"] = cuts ? double(times.size()) / cuts : 0.0;
-    state.counters["voxels"] = double(world.ledger().standing);
+    state.counters["voxels"] = double(world.voxelAccounting().standing);
 }
 
 /// The same tower in the air, hit too softly to break: what it takes to know.
-void strikePiece(benchmark::State& state) {
+void fracturePiece(benchmark::State& state) {
     WorldSettings settings;
     settings.stress.on = true;
     World world;
@@ -78,11 +78,11 @@ void strikePiece(benchmark::State& state) {
     world.load(tower(0, false));
     ShapeHandle shape;
     world.shapes().forEach([&](ShapeHandle handle, const Shape&) { shape = handle; });
-    for (auto _ : state) world.applyEdits({StrikeEdit{shape, {2.0, 16.0, 0.05}, {0.0, 0.0, 1000.0}}});
-    state.counters["voxels"] = double(world.ledger().standing + world.ledger().inPieces);
+    for (auto _ : state) world.applyEdits({ImpactLoadEdit{shape, {2.0, 16.0, 0.05}, {0.0, 0.0, 1000.0}}});
+    state.counters["voxels"] = double(world.voxelAccounting().standing + world.voxelAccounting().inPieces);
 }
 
-BENCHMARK(strikePiece)->Name("destruction/stress/strike_piece")->Unit(benchmark::kMillisecond);
+BENCHMARK(fracturePiece)->Name("destruction/stress/strike_piece")->Unit(benchmark::kMillisecond);
 BENCHMARK(towerStep)->Name("destruction/stress/tower_step")->Arg(0)->Arg(3)->Iterations(1500)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -146,7 +146,7 @@ TEST_F(LocalLightsTest, ScreenShinesInItsPicturesColors) {
     SnapshotLight light = lightAt(LightKind::Screen, {0, 1, 0}, 6.0f);
     light.width = 4.0f;
     light.height = 1.0f;
-    light.picture = {2, {0xff0000, 0x0000ff}};
+    light.image = {2, {0xff0000, 0x0000ff}};
     LitScene scene = floorScene();
     scene.addLight(light);
     start(scene);

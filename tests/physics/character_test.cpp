@@ -40,7 +40,7 @@ struct Walk : PhysicsScene {
         const Character& c = me();
         const QueryShape capsule{.kind = QueryShapeKind::Capsule,
                                  .position = c.position + glm::dvec3(0, c.radius, 0),
-                                 .end = c.position + glm::dvec3(0, c.tall() - c.radius, 0),
+                                 .end = c.position + glm::dvec3(0, c.currentHeight() - c.radius, 0),
                                  .radius = c.radius - 1e-6};
         return !overlappingShapes(world, capsule, {.includeDynamic = false}).empty();
     }

@@ -34,20 +34,20 @@ TEST(DebrisPhysics, TheBudgetOfMovingPiecesHoldsAtEveryStep) {
     scene.setDebris({.awakeBodies = 40, .bodies = 120, .voxels = 4000});
     scene.load(false);
     Random random(8);
-    size_t pieces = 0, revived = 0;
+    size_t pieces = 0, unsettled = 0;
     for (int i = 0; i < 120; ++i) {
         BreakEdit hit{.position = {random.unit() * 10.0 - 5.0, 0.0, 0.2}, .seed = uint32_t(i)};
         hit.position.y = 0.5 + random.unit() * 5.0;
         hit.radii.fill(0.8);
         const FrameChanges changes = scene.stepWith(i % 3 ? Edits{} : Edits{hit});
         pieces += changes.bodiesCreated.size();
-        revived += changes.revived.size();
-        const DebrisList& debris = scene.world.debris();
+        unsettled += changes.unsettled.size();
+        const DebrisQueue& debris = scene.world.debris();
         ASSERT_LE(debris.awakeCount(), 40u) << i;
         ASSERT_LE(scene.physics.stats().awake, 40) << i;
         ASSERT_LE(debris.count(), 120u) << i;
         ASSERT_LE(debris.voxels(), 4000u) << i;
-        ASSERT_TRUE(scene.world.ledger().balances()) << i;
+        ASSERT_TRUE(scene.world.voxelAccounting().balances()) << i;
     }
     EXPECT_GT(pieces, 300u);
 }
@@ -79,7 +79,7 @@ TEST(DebrisPhysics, PiecesSettleAndAHitOrTheLossOfTheirGroundRevivesThem) {
     EXPECT_EQ(allocationCount(), before);
 
     const glm::dvec3 center = scene.world.bodies().at(beams[0]).pose.transformPoint(scene.world.bodyMass(beams[0]).center);
-    EXPECT_EQ(scene.stepWith({ImpulseEdit{beams[0], center, {0, 900, 0}}}).revived, std::vector{beams[0]});
+    EXPECT_EQ(scene.stepWith({ImpulseEdit{beams[0], center, {0, 900, 0}}}).unsettled, std::vector{beams[0]});
     EXPECT_FALSE(settled(0));
     EXPECT_TRUE(settled(1));
     // What it rests on goes: the top of the wall below the second beam.

@@ -26,7 +26,7 @@ struct Felled {
             scene.physics.apply(changes, scene.world);
             scene.step();
             edits = scene.world.damageFrom(scene.physics.impacts());
-            ASSERT_TRUE(scene.world.ledger().balances()) << i;
+            ASSERT_TRUE(scene.world.voxelAccounting().balances()) << i;
         }
     }
     size_t bodies() const {
@@ -43,9 +43,9 @@ TEST(Landing, AFelledTowerBreaksIntoPieces) {
     Felled tower(true);
     tower.run(4.0);
     EXPECT_GE(tower.bodies(), 3u);
-    EXPECT_GT(tower.scene.world.ledger().inPieces + tower.scene.world.ledger().removed, 0u);
+    EXPECT_GT(tower.scene.world.voxelAccounting().inPieces + tower.scene.world.voxelAccounting().removed, 0u);
     // What stays in pieces is most of it: cracks take little.
-    EXPECT_LT(tower.scene.world.ledger().removed, 60u * 144u / 4u);
+    EXPECT_LT(tower.scene.world.voxelAccounting().removed, 60u * 144u / 4u);
 }
 
 TEST(Landing, WithoutStressAnalysisItStaysWhole) {

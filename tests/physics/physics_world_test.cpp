@@ -273,7 +273,7 @@ TEST(PhysicsWorld, EditsOfWorldMakePiecesThatFall) {
     EXPECT_NEAR(scene.world.bodies().at(piece).pose.position.y, start - 9.81 * 0.25 * 0.25 / 2, 0.02);
     scene.seconds(8.0);
     EXPECT_TRUE(scene.world.bodies().at(piece).asleep);
-    EXPECT_TRUE(scene.world.ledger().balances());
+    EXPECT_TRUE(scene.world.voxelAccounting().balances());
 }
 
 /// 200 random lumps dropped in a heap.

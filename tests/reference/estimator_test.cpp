@@ -201,7 +201,7 @@ TEST_F(LampEstimatorTest, WideLightsAreUnbiased) {
         light.right = glm::normalize(glm::cross(light.direction, glm::vec3(0, 0, 1)));
         light.width = 1.4f, light.height = 0.5f;
         light.twoSided = kind == LightKind::Area;
-        if (kind == LightKind::Screen) light.picture = {3, {0xff8020, 0x2040ff, 0x00ff00, 0x101010, 0xffffff, 0x808080}};
+        if (kind == LightKind::Screen) light.image = {3, {0xff8020, 0x2040ff, 0x00ff00, 0x101010, 0xffffff, 0x808080}};
         scene.addLight(light);
         scene.addLight({LightKind::Sphere, {1.6, 0.7, 1.0}, {0, -1, 0}, {1, 2, 3}, 0.1f, 30.0f, 0.6f, 1.1f});
         SCOPED_TRACE(int(kind));
@@ -221,7 +221,7 @@ TEST(PathTracerHighlights, BothKindsOfSamplesHaveOneMean) {
         light.right = glm::normalize(glm::cross(light.direction, glm::vec3(0.3f, 1, 0)));
         light.width = 1.2f, light.height = 0.5f;
         if (kind == LightKind::Area) light.direction = -light.direction, light.twoSided = true;
-        if (kind == LightKind::Screen) light.picture = {3, {0xff8020, 0x2040ff, 0x00ff00, 0x101010, 0xffffff, 0x808080}};
+        if (kind == LightKind::Screen) light.image = {3, {0xff8020, 0x2040ff, 0x00ff00, 0x101010, 0xffffff, 0x808080}};
         scene.addLight(light);
         const Scene truth(scene.snapshot());
         Camera camera;

@@ -259,7 +259,7 @@ private:
 
     /// u: along `right` and up. Who looks at a screen has its right on the left.
     static vec3 pictureAt(const SnapshotLight& light, glm::dvec2 u) {
-        const LightPicture& picture = light.picture;
+        const LightImage& picture = light.image;
         if (light.kind != LightKind::Screen || picture.texels.empty()) return vec3(1.0f);
         const uint32_t column = std::min(uint32_t((1.0 - u.x) * picture.width), picture.width - 1);
         const uint32_t row = std::min(uint32_t((1.0 - u.y) * picture.height()), picture.height() - 1);

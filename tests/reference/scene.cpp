@@ -77,8 +77,8 @@ Scene::Scene(const FrameSnapshot& snapshot) : m_lights(snapshot.lights), m_envir
     for (const SnapshotLight& light : m_lights) {
         add(m_hash, light.position), add(m_hash, glm::dvec3(light.direction)), add(m_hash, glm::dvec3(light.color));
         add(m_hash, {light.radius, light.reach, light.coneInner}), add(m_hash, {light.coneOuter, double(light.kind), double(light.twoSided)});
-        add(m_hash, glm::dvec3(light.right)), add(m_hash, {light.width, light.height, double(light.picture.width)});
-        for (const uint32_t texel : light.picture.texels) m_hash = hashValue(texel, m_hash);
+        add(m_hash, glm::dvec3(light.right)), add(m_hash, {light.width, light.height, double(light.image.width)});
+        for (const uint32_t texel : light.image.texels) m_hash = hashValue(texel, m_hash);
     }
     m_nodes.push_back({});
     build(0, 0, int(m_shapes.size()));

@@ -62,10 +62,10 @@ struct Run {
 };
 
 /// watched: after every step all components are looked at for what hangs, which takes far longer than the step.
-Run cutUp(int size, size_t partsAStep, int cuts, uint64_t seed, bool watched) {
+Run cutUp(int size, size_t partsPerStep, int cuts, uint64_t seed, bool watched) {
     World world;
     WorldSettings settings;
-    settings.split.partsAStep = partsAStep;
+    settings.split.partsPerStep = partsPerStep;
     world.setSettings(settings);
     world.load(holedBlock(size));
     world.applyEdits({CarveEdit{.radii = {0.1, 0.1, 0.1}}});  // a shape's first cut looks at all of it

@@ -126,7 +126,7 @@ std::vector<Variant> variants() {
     return {
         {"stress", "off", [](W& w, L&) { w.stress.on = false; }},
         {"stress", "by rule"},
-        {"stress", "always", [](W& w, L&) { w.stress.workAStep = int64_t(1) << 40; }},
+        {"stress", "always", [](W& w, L&) { w.stress.workPerStep = int64_t(1) << 40; }},
         {"fire", "off", [](W& w, L&) { w.fire.enabled = false; }},
         {"fire", "by rule"},
         {"fire", "always", [](W& w, L&) { w.fire.maxFires = w.fire.maxHot = 1 << 20, w.fire.spread = 4.0f; }},
@@ -137,7 +137,7 @@ std::vector<Variant> variants() {
         {.feature = "fragments", .state = "off", .fragments = false},
         {"fragments", "by rule"},
         {"fragments", "always",
-         [](W& w, L&) { w.debris.fragmentsABreak = 100'000, w.impactThreshold = 1.0, w.impactSpeed = 0.0, w.impactsAStep = 64; }},
+         [](W& w, L&) { w.debris.fragmentsPerBreak = 100'000, w.impactThreshold = 1.0, w.impactSpeed = 0.0, w.impactsPerStep = 64; }},
         {"debris budget", "off", noBudget},
         {"debris budget", "by rule"},
         {"debris budget", "always", [](W& w, L&) { w.debris.awakeBodies = w.debris.bodies = 0; }},

@@ -167,7 +167,7 @@ rubble_result stateHash(rubble_world world, uint64_t* out) {
 
 rubble_result ledger(rubble_world world, rubble_ledger* out) {
     return guarded("ledger", [&] {
-        const Ledger all = Registry::instance().world(world)->loop.world().ledger();
+        const VoxelAccounting all = Registry::instance().world(world)->loop.world().voxelAccounting();
         rubble_ledger rows = {};
         rows.imported = all.imported;
         rows.standing = all.standing;
@@ -460,7 +460,7 @@ constexpr rubble_api kApi = {
     drive,
     environment,
     setEnvironment,
-    followSun,
+    applySkyModel,
     lights,
     lightState,
     setLight,

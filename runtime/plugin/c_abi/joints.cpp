@@ -69,7 +69,7 @@ GrabEdit toEdit(const World& world, const rubble_grab& given) {
     if (!world.bodies().find(edit.body)) throw Refusal{RUBBLE_ERROR_STALE, "body is stale"};
     edit.point = readVector(given.point, "point");
     edit.target = readVector(given.target, "target");
-    edit.mostForce = readNumber(given.force, 0.0, 1e9, edit.mostForce, "force");
+    edit.maxForce = readNumber(given.force, 0.0, 1e9, edit.maxForce, "force");
     edit.hertz = readNumber(given.hertz, 0.1, 60.0, edit.hertz, "hertz");
     edit.hand = given.hand;
     return edit;

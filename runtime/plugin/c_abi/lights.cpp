@@ -132,12 +132,12 @@ rubble_result setEnvironment(rubble_world world, const rubble_environment* envir
                     [](const World&, const rubble_environment& given) { return SetEnvironmentEdit{readEnvironment(given)}; });
 }
 
-rubble_result followSun(rubble_environment* environment, const double* toSun) {
+rubble_result applySkyModel(rubble_environment* environment, const double* toSun) {
     return guarded("follow_sun", [&] {
         Environment now = readEnvironment(readable(environment, "environment"));
         const glm::dvec3 direction = readVector(reinterpret_cast<const double(&)[3]>(required(toSun, "to_sun")), "to_sun");
         if (!(glm::length(direction) > 1e-6)) throw Refusal{RUBBLE_ERROR_ARGUMENT, "to_sun is zero"};
-        rubble::followSun(now, glm::vec3(direction));
+        rubble::applySkyModel(now, glm::vec3(direction));
         writeTo(environment, toHost(now));
     });
 }

@@ -30,7 +30,7 @@ void EventRows::fill(const FrameChanges& changes) {
     copyBits(changes.groupsOut, m_groupsOut);
     copyBits(changes.broken, m_broken);
     copyBits(changes.settled, m_settled);
-    copyBits(changes.revived, m_revived);
+    copyBits(changes.unsettled, m_revived);
     m_dust.clear();
     for (const DustCloud& cloud : changes.dust) {
         rubble_dust row = {.radius = cloud.radius, .count = cloud.count, .material = cloud.material};

@@ -5,10 +5,10 @@
 namespace rubble::abi {
 namespace {
 
-GroundArea readOutline(const double* outline, uint32_t count) {
+GroundPolygon readOutline(const double* outline, uint32_t count) {
     if (count < 3 || count > 10000) throw Refusal{RUBBLE_ERROR_ARGUMENT, "outline_count is " + std::to_string(count) + ", expected 3 to 10000"};
     required(outline, "outline");
-    GroundArea area;
+    GroundPolygon area;
     for (uint32_t i = 0; i < count; ++i) {
         const double corner[3] = {outline[2 * i], 0.0, outline[2 * i + 1]};
         const glm::dvec3 read = readVector(corner, "outline");

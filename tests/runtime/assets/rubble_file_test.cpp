@@ -44,7 +44,7 @@ TEST(RubbleFile, TheHashSeesEveryField) {
         [](Level& l) { l.bodies[1].shapes[0].hidden = false; },
         [](Level& l) { l.bodies[0].shapes[1].voxelSize = 0.1f; },
         [](Level& l) { l.bodies[0].shapes[1].strength = 1.0f; },
-        [](Level& l) { l.bodies[0].shapes[1].bearsLoad = true; },
+        [](Level& l) { l.bodies[0].shapes[1].loadBearing = true; },
         [](Level& l) { l.bodies[0].shapes[1].collisionMask = 13; },
         [](Level& l) { l.waters[0].outline[1].z = 0.5; },
         [](Level& l) { l.waters[0].waves.speed = 2.0f; },

@@ -64,7 +64,7 @@ inline Level sampleLevel() {
     lamp.palette = glowing;
     lamp.tags = {"light"};
     lamp.strength = 0.75f;
-    lamp.bearsLoad = false;
+    lamp.loadBearing = false;
     lamp.collisionLayer = 4;
     lamp.collisionMask = 12;
     house.shapes.push_back(lamp);
@@ -100,7 +100,7 @@ inline Level sampleLevel() {
     light.light.width = 1.6f;
     light.light.height = 0.9f;
     light.light.twoSided = true;
-    light.light.picture = {2, {0xff0000, 0x123456, 0, 0xffffff}};
+    light.light.image = {2, {0xff0000, 0x123456, 0, 0xffffff}};
     level.lights.push_back(light);
 
     level.waters.push_back({.name = "pond",
@@ -136,7 +136,7 @@ inline Level sampleLevel() {
     level.characters.push_back(player);
     LevelJoint rope{{.name = "line", .kind = JointKind::Rope}, {"walls.north", ""}};
     rope.joint.ends[0].frame = {{0.1, 0.2, 0.3}, glm::angleAxis(0.4, glm::dvec3(0, 0, 1))};
-    rope.joint.ends[1] = {.frame = {{3.0, 4.0, 5.0}}, .cell = {1, 2, 3}, .radius = 0.7, .isLoose = true};
+    rope.joint.ends[1] = {.frame = {{3.0, 4.0, 5.0}}, .cell = {1, 2, 3}, .radius = 0.7, .isFree = true};
     rope.joint.limits = {true, -0.5, 0.75};
     rope.joint.motor = {MotorMode::Position, 1.5, 200.0};
     rope.joint.spring = {3.0, 0.5};

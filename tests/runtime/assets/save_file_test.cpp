@@ -8,7 +8,7 @@
 
 #include "runtime/assets/assets.h"
 #include "runtime/assets/recording_file.h"
-#include "runtime/world/world_mirror.h"
+#include "runtime/world/world_baseline.h"
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/temp_folder.h"
 
@@ -85,7 +85,7 @@ TEST(SaveFile, RoundTripKeepsStateSlotsAndPendingEdits) {
     EXPECT_EQ(back.hash(), world.hash());
     EXPECT_EQ(back.settings().debris.bodies, 77u);
     EXPECT_EQ(back.shapes().freeSlots(), world.shapes().freeSlots());
-    EXPECT_TRUE(back.ledger().balances());
+    EXPECT_TRUE(back.voxelAccounting().balances());
     world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
         const Shape* other = back.shapes().find(ShapeHandle::make(7, handle.generation(), handle.slot()));
         ASSERT_TRUE(other);
@@ -144,18 +144,18 @@ TEST(SaveFile, FilesOfOtherKindsAreRefused) {
 TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
     World host = brokenWorld();
     PaletteList list;
-    WorldMirror mirror(host);
+    WorldBaseline baseline(host);
     std::vector<RecordedStep> log;
     const auto step = [&](const Edits& edits) {
         const FrameChanges changes = host.applyEdits(edits);
         RecordedStep record{.step = changes.step};
-        record.delta = stepToBytes(mirror.update(host, changes), changes, host, list);
+        record.delta = stepToBytes(baseline.update(host, changes), changes, host, list);
         host.bodies().forEach([&](BodyHandle handle, const Body& body) {
             if (!body.isStatic) record.poses.push_back({handle, {body.pose.position + glm::dvec3(0.01)}, body.velocity, body.angularVelocity, false});
         });
         host.setPoses(record.poses);
         SlotValues<BodyHandle, Body> unused;
-        mirror.move(host, record.poses, unused);
+        baseline.move(host, record.poses, unused);
         record.hash = host.hash();
         record.voxelHash = host.voxelHash();
         record.resolvedHash = host.resolvedHash();
@@ -206,7 +206,7 @@ TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
     }
     joiner.shapes().forEach(
         [&](ShapeHandle, const Shape& shape) { EXPECT_EQ(shape.moments, gridMoments(shape.grid, *shape.palette, joiner.materials())); });
-    EXPECT_TRUE(joiner.ledger().balances());
+    EXPECT_TRUE(joiner.voxelAccounting().balances());
     EXPECT_GT(joiner.shapes().size(), 5u);
     EXPECT_EQ(joiner.environment(), host.environment());
     ASSERT_GT(joiner.lights().size(), 3u);
@@ -217,10 +217,10 @@ TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
 TEST(StepDelta, DamagedStepsAreRefusedAndChangeNothing) {
     World host = brokenWorld();
     const World start = host;
-    WorldMirror mirror(host);
+    WorldBaseline baseline(host);
     PaletteList list;
     const FrameChanges changes = host.applyEdits({sphereCarve({0.2, 2.0, 0.2}, 0.7), PaintEdit{.position = {0.2, 1.0, 0.2}, .radius = 1.0}});
-    std::vector<uint8_t> bytes = stepToBytes(mirror.update(host, changes), changes, host, list);
+    std::vector<uint8_t> bytes = stepToBytes(baseline.update(host, changes), changes, host, list);
     Random random(5);
     int refused = 0;
     for (size_t length = 1; length < bytes.size(); length += 97) {
@@ -253,10 +253,10 @@ TEST(StepDelta, ALightOrWeatherThatCannotBeIsRefused) {
     weather.fogHeight = 555.0f;
     for (const auto& [edit, number] : {std::pair{Edit(AddLightEdit{light}), 777.0f}, std::pair{Edit(SetEnvironmentEdit{weather}), 555.0f}}) {
         host = start;
-        WorldMirror mirror(host);
+        WorldBaseline baseline(host);
         PaletteList list;
         const FrameChanges changes = host.applyEdits({edit});
-        std::vector<uint8_t> bytes = stepToBytes(mirror.update(host, changes), changes, host, list);
+        std::vector<uint8_t> bytes = stepToBytes(baseline.update(host, changes), changes, host, list);
         World world = start;
         std::vector<PaletteRef> palettes;
         ASSERT_TRUE(applyStep(bytes, "t", world, palettes));

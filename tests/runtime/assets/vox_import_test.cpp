@@ -140,7 +140,7 @@ TEST(VoxImport, LayersHiddenFlagsNamesAndFrames) {
     World world;  // what is hidden is kept in files, but is no part of the world
     world.load(level);
     EXPECT_EQ(world.bodies().size(), 2u);
-    EXPECT_EQ(world.ledger().imported, 2u);
+    EXPECT_EQ(world.voxelAccounting().imported, 2u);
 }
 
 TEST(VoxImport, OneBodyHoldsAllObjects) {

@@ -30,7 +30,7 @@ protected:
         for (const ShapeHandle shape : world.bodies().at(cube({}).body).shapes) {
             const glm::dvec3 low = world.shapeToWorld(shape).position;
             const Shape& s = world.shapes().at(shape);
-            box = box.with({low, low + glm::dvec3(s.grid.size()) * double(s.voxelSize)});
+            box = box.merged({low, low + glm::dvec3(s.grid.size()) * double(s.voxelSize)});
         }
         return box;
     }

@@ -37,7 +37,7 @@ TEST(ApplyEdits, AStepWithoutEditsAllocatesNothing) {
     EXPECT_EQ(world.step(), 2u);
 }
 
-TEST(ApplyEdits, WhatIsCutOffBecomesABody) {
+TEST(ApplyEdits, DetachedPiecesBecomeBodies) {
     World world;
     world.load(oneShapeLevel(mast(), true, {{10.0, 0.0, -3.0}}));
     const ShapeHandle parent = test::firstShape(world);
@@ -60,10 +60,10 @@ TEST(ApplyEdits, WhatIsCutOffBecomesABody) {
     uint64_t removed = 0;
     for (const RemovedVoxels& each : changes.removed) removed += each.count;
     EXPECT_EQ(before, world.shapes().at(parent).grid.voxelCount() + piece.grid.voxelCount() + removed);
-    const Ledger ledger = world.ledger();
-    EXPECT_TRUE(ledger.balances());
-    EXPECT_EQ(ledger.inPieces, piece.grid.voxelCount());
-    EXPECT_EQ(ledger.removed, removed);
+    const VoxelAccounting accounting = world.voxelAccounting();
+    EXPECT_TRUE(accounting.balances());
+    EXPECT_EQ(accounting.inPieces, piece.grid.voxelCount());
+    EXPECT_EQ(accounting.removed, removed);
 }
 
 TEST(ApplyEdits, TheJournalHoldsEveryChangedBrickOnce) {
@@ -92,11 +92,11 @@ TEST(ApplyEdits, AFreeShapeKeepsItsLargestPiece) {
     const FrameChanges changes = world.applyEdits({sphereCarve({0.8, 2.0, 0.8}, 0.4)});
     ASSERT_EQ(changes.splits.size(), 1u);
     EXPECT_GT(world.shapes().at(parent).grid.voxelCount(), world.shapes().at(changes.splits[0].children[0]).grid.voxelCount());
-    EXPECT_TRUE(changes.rehomed.empty());
+    EXPECT_TRUE(changes.unanchored.empty());
 }
 
 /// Cuts of one step are judged together, small and close by as they are; so are they over steps.
-TEST(ApplyEdits, TwoCutsThatLeaveItWholeAloneTakeItApartTogether) {
+TEST(ApplyEdits, TwoHalfCutsSplitTogether) {
     VoxelGrid bar({60, 6, 6});
     {
         GridWriter writer(bar);
@@ -121,7 +121,7 @@ TEST(ApplyEdits, TwoCutsThatLeaveItWholeAloneTakeItApartTogether) {
 }
 
 /// What is broken out as fragments is looked at for what it held, as what is carved.
-TEST(ApplyEdits, WhatABlowBreaksInTwoComesApart) {
+TEST(ApplyEdits, ABreakThatDividesAShapeSplitsIt) {
     VoxelGrid bar({60, 6, 6});
     {
         GridWriter writer(bar);
@@ -137,26 +137,26 @@ TEST(ApplyEdits, WhatABlowBreaksInTwoComesApart) {
     world.shapes().forEach([](ShapeHandle, const Shape& shape) { EXPECT_EQ(test::floodFill(test::PlainGrid(shape.grid)).size(), 1u); });
 }
 
-TEST(ApplyEdits, AStaticShapeWithoutItsAnchorsComesLoose) {
+TEST(ApplyEdits, AStaticShapeWithoutAnchorsIsDetached) {
     World world;
     world.load(oneShapeLevel(mast(), true));
     const ShapeHandle shape = test::firstShape(world);
     const BodyHandle oldBody = world.shapes().at(shape).body;
     CarveEdit foot{.kind = BrushKind::Box, .position = {0.8, 0.3, 0.8}, .halfSize = {2.0, 0.3, 2.0}};
     const FrameChanges changes = world.applyEdits({foot});
-    EXPECT_EQ(changes.rehomed, std::vector{shape});
+    EXPECT_EQ(changes.unanchored, std::vector{shape});
     EXPECT_EQ(changes.bodiesDestroyed, std::vector{oldBody});
     ASSERT_EQ(changes.bodiesCreated.size(), 1u);
     EXPECT_EQ(world.shapes().at(shape).body, changes.bodiesCreated[0]);
     EXPECT_FALSE(world.bodies().at(changes.bodiesCreated[0]).isStatic);
-    EXPECT_TRUE(world.ledger().balances());
-    EXPECT_EQ(world.ledger().standing, 0u);
+    EXPECT_TRUE(world.voxelAccounting().balances());
+    EXPECT_EQ(world.voxelAccounting().standing, 0u);
 }
 
-TEST(ApplyEdits, WhatIsCarvedAwayWhollyIsDestroyed) {
+TEST(ApplyEdits, AShapeCarvedAwayWhollyIsDestroyed) {
     World world;
     Level level = oneShapeLevel(mast(), false);
-    level.lights.push_back({.light = {.name = "lamp", .local = {{0.5, 0.5, 0.5}}}, .shapeName = "shape"});
+    level.lights.push_back({.light = {.name = "light", .local = {{0.5, 0.5, 0.5}}}, .shapeName = "shape"});
     world.load(level);
     const ShapeHandle shape = test::firstShape(world);
     const FrameChanges changes = world.applyEdits({sphereCarve({0.8, 2.0, 0.8}, 20.0)});
@@ -166,10 +166,10 @@ TEST(ApplyEdits, WhatIsCarvedAwayWhollyIsDestroyed) {
     EXPECT_TRUE(changes.bricks.empty());
     EXPECT_EQ(changes.lights.size(), 1u);
     world.lights().forEach([&](LightHandle, const Light& light) { EXPECT_FALSE(light.enabled); });
-    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_TRUE(world.voxelAccounting().balances());
 }
 
-TEST(ApplyEdits, SmallPiecesVanishIfTheSettingSaysSo) {
+TEST(ApplyEdits, PiecesBelowMinPieceVoxelsAreRemoved) {
     World world;
     world.setSettings({.minPieceVoxels = 100000});
     world.load(oneShapeLevel(mast(), true));
@@ -177,10 +177,10 @@ TEST(ApplyEdits, SmallPiecesVanishIfTheSettingSaysSo) {
     const FrameChanges changes = world.applyEdits({sphereCarve({0.8, 2.0, 0.8}, 0.4)});
     EXPECT_TRUE(changes.splits.empty());
     EXPECT_EQ(world.shapes().size(), 1u);
-    const Ledger ledger = world.ledger();
-    EXPECT_TRUE(ledger.balances());
-    EXPECT_EQ(ledger.inPieces, 0u);
-    EXPECT_GT(ledger.removed, 350u);  // the mast above the cut went too
+    const VoxelAccounting accounting = world.voxelAccounting();
+    EXPECT_TRUE(accounting.balances());
+    EXPECT_EQ(accounting.inPieces, 0u);
+    EXPECT_GT(accounting.removed, 350u);  // the mast above the cut went too
 }
 
 TEST(ApplyEdits, StaleHandlesChangeNothing) {
@@ -194,19 +194,19 @@ TEST(ApplyEdits, StaleHandlesChangeNothing) {
     EXPECT_TRUE(world.applyEdits({carve, ImpulseEdit{body, {}, {1, 0, 0}}}).empty());
 }
 
-TEST(ApplyEdits, NumbersThatAreNoneChangeNothing) {
+TEST(ApplyEdits, NotANumberChangesNothing) {
     World world;
     world.load(oneShapeLevel(mast(), true));
     world.applyEdits({});
     const double nan = std::nan("");
-    const uint64_t voxels = world.ledger().standing;
+    const uint64_t voxels = world.voxelAccounting().standing;
     CarveEdit box{.kind = BrushKind::Box, .position = {0.8, nan, 0.8}, .halfSize = {1, 1, 1}};
     world.applyEdits({sphereCarve({nan, 0, 0}, 1.0), sphereCarve({0.8, 2.0, 0.8}, nan), box, PaintEdit{.position = {nan, 0, 0}},
                       ExplodeEdit{{nan, 0, 0}, 1.0}, sphereCarve({1e300, 0, 0}, 1.0)});
-    EXPECT_EQ(world.ledger().standing, voxels);
+    EXPECT_EQ(world.voxelAccounting().standing, voxels);
 }
 
-TEST(ApplyEdits, AnExplosionPushesWhatItBrokeOffAndSootsTheRest) {
+TEST(ApplyEdits, ExplosionsPushFragmentsAndPaintSoot) {
     World world;
     world.load(oneShapeLevel(mast(), true));
     const FrameChanges changes = world.applyEdits({ExplodeEdit{{0.8, 2.0, 0.8}, 0.9}});
@@ -218,7 +218,7 @@ TEST(ApplyEdits, AnExplosionPushesWhatItBrokeOffAndSootsTheRest) {
         const glm::dvec3 center = body.pose.transformPoint(world.bodyMass(each.body).center);
         EXPECT_GT(glm::dot(each.impulse, center - glm::dvec3(0.8, 2.0, 0.8)), 0.0);
     }
-    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_TRUE(world.voxelAccounting().balances());
     EXPECT_GT(changes.paintedVoxels, 0u);
 }
 
@@ -236,7 +236,7 @@ TEST(ApplyEdits, TheSameEditsGiveTheSameHash) {
                 world.applyEdits({CarveEdit{.kind = BrushKind::Capsule, .position = {x, y, z}, .end = {z, x, y}, .radii = {0.2, 0.2, 0.2}}});
             hashes.push_back(world.hash());
         }
-        EXPECT_TRUE(world.ledger().balances());
+        EXPECT_TRUE(world.voxelAccounting().balances());
         EXPECT_GT(world.shapes().size(), 3u);
         return hashes;
     };

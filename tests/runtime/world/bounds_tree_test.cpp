@@ -23,12 +23,12 @@ WorldBox randomBox(Random& random, double spread) {
 
 std::vector<uint32_t> found(const BoundsTree& tree, const WorldBox& around) {
     std::vector<uint32_t> out;
-    tree.find([&](const WorldBox& box) { return box.meets(around); }, [&](uint32_t item) { out.push_back(item); });
+    tree.find([&](const WorldBox& box) { return box.overlaps(around); }, [&](uint32_t item) { out.push_back(item); });
     std::sort(out.begin(), out.end());
     return out;
 }
 
-TEST(BoundsTree, FindsWhatComparingAllBoxesFinds) {
+TEST(BoundsTree, FindsTheSameAsBruteForce) {
     Random random(7);
     BoundsTree tree;
     std::map<uint32_t, WorldBox> boxes;
@@ -38,7 +38,7 @@ TEST(BoundsTree, FindsWhatComparingAllBoxesFinds) {
             tree.remove(item);
             boxes.erase(item);
         } else {
-            tree.place(item, boxes[item] = randomBox(random, 60.0));
+            tree.update(item, boxes[item] = randomBox(random, 60.0));
         }
         if (i % 20) continue;
         const WorldBox around = randomBox(random, 60.0);
@@ -46,28 +46,28 @@ TEST(BoundsTree, FindsWhatComparingAllBoxesFinds) {
         EXPECT_TRUE(std::adjacent_find(near.begin(), near.end()) == near.end()) << "each once";
         for (const auto& [number, box] : boxes) {
             const bool isFound = std::binary_search(near.begin(), near.end(), number);
-            EXPECT_TRUE(isFound || !box.meets(around)) << number;
+            EXPECT_TRUE(isFound || !box.overlaps(around)) << number;
             const WorldBox wide{around.low - 2.0, around.high + 2.0};
-            EXPECT_TRUE(!isFound || box.meets(wide)) << number << " is far away";
+            EXPECT_TRUE(!isFound || box.overlaps(wide)) << number << " is far away";
         }
         for (const uint32_t each : near) EXPECT_TRUE(boxes.contains(each));
     }
 }
 
-TEST(BoundsTree, StaysShallowWhenBoxesComeInOrder) {
+TEST(BoundsTree, StaysShallowForSortedInsertions) {
     BoundsTree tree;
-    for (uint32_t i = 0; i < 4096; ++i) tree.place(i, {glm::dvec3(i, 0, 0), glm::dvec3(i + 0.9, 1, 1)});
+    for (uint32_t i = 0; i < 4096; ++i) tree.update(i, {glm::dvec3(i, 0, 0), glm::dvec3(i + 0.9, 1, 1)});
     EXPECT_LT(tree.depth(), 4 * 12);
 }
 
-TEST(BoundsTree, WhatIsNoNumberIsNowhere) {
+TEST(BoundsTree, NotANumberIsNotStored) {
     BoundsTree tree;
-    tree.place(3, {glm::dvec3(0), glm::dvec3(1)});
-    tree.place(3, {glm::dvec3(std::nan("")), glm::dvec3(1)});
+    tree.update(3, {glm::dvec3(0), glm::dvec3(1)});
+    tree.update(3, {glm::dvec3(std::nan("")), glm::dvec3(1)});
     tree.remove(9);
     const double all = std::numeric_limits<double>::infinity();
     EXPECT_TRUE(found(tree, {glm::dvec3(-all), glm::dvec3(all)}).empty());
-    tree.place(3, {glm::dvec3(0), glm::dvec3(1)});
+    tree.update(3, {glm::dvec3(0), glm::dvec3(1)});
     EXPECT_EQ(found(tree, {glm::dvec3(-all), glm::dvec3(all)}), std::vector<uint32_t>{3});
 }
 

@@ -26,14 +26,14 @@ struct Throw {
     }
     Edits damage(Impact impact) const {
         Edits edits = world.damageFrom({&impact, 1});
-        addBreakThrough(world, {&impact, 1}, edits);
+        addBreakThroughImpulses(world, {&impact, 1}, edits);
         return edits;
     }
     World world;
     BodyHandle block, wall;
 };
 
-TEST(BreakThrough, APaneStopsOnlyWhatItCanBear) {
+TEST(BreakThrough, APaneTakesOnlyItsBreakingImpulse) {
     const Throw thrown("glass");
     // Physics may list the two bodies either way round; its normal is the way in which it pushed the first.
     for (const bool blockFirst : {true, false}) {
@@ -48,7 +48,7 @@ TEST(BreakThrough, APaneStopsOnlyWhatItCanBear) {
     }
 }
 
-TEST(BreakThrough, AWallStopsWhatItsHoleTakesAndAThickOneAll) {
+TEST(BreakThrough, AThinWallTakesPartOfTheMomentumAThickOneAll) {
     const auto given = [](const Throw& thrown, double impulse, double speed = 1000.0) {
         const Edits edits = thrown.damage({thrown.block, thrown.wall, {1, 1, 0.1}, {0, 0, 1}, impulse, speed});
         EXPECT_TRUE(std::holds_alternative<BreakEdit>(edits.front()));

@@ -64,7 +64,7 @@ public:
         carve(grid, resolveBrush(edit, m_world.shapeToWorld(handle), shape.voxelSize), *shape.palette, m_world.materials(), carved);
         const MassMoments expected = gridMoments(grid, *shape.palette, m_world.materials());
         const FrameChanges changes = m_world.applyEdits({edit});
-        ASSERT_TRUE(m_world.ledger().balances());
+        ASSERT_TRUE(m_world.voxelAccounting().balances());
 
         const MassProperties rest = massProperties(expected, shape.voxelSize);
         const Pose pose = body.pose * shape.local;
@@ -118,7 +118,7 @@ private:
     size_t m_splits = 0;
 };
 
-TEST(Conservation, ARandomCutLosesNothingButWhatItCarves) {
+TEST(Conservation, RandomCutsLoseOnlyCarvedVoxels) {
     const int cuts = std::getenv("RUBBLE_LONG") ? 100000 : 3000;
     size_t splits = 0;
     for (int done = 0, seed = 1; done < cuts; ++seed) {
@@ -133,7 +133,7 @@ TEST(Conservation, ARandomCutLosesNothingButWhatItCarves) {
     EXPECT_GT(splits, size_t(cuts) / 4);
 }
 
-TEST(Conservation, AThousandCutsInARowDownToSingleVoxels) {
+TEST(Conservation, AThousandCutsDownToSingleVoxels) {
     RandomCuts scene(7);
     int cuts = 0;
     for (; cuts < 1000 && !scene.isEmpty(); ++cuts) {

@@ -74,7 +74,7 @@ void expectNoStaleHandles(const World& world, const FrameChanges& changes) {
     }
 }
 
-TEST(Debris, PiecesBeyondTheBudgetOfBodiesAreDustFromTheFirstStepOn) {
+TEST(Debris, PiecesOverTheBodyBudgetBecomeDustAtOnce) {
     DebrisWorld world(withBudgets(1000, 100, 1000000));
     const FrameChanges changes = world.applyEdits({cutColumns(0, kPillars)});
     EXPECT_EQ(world.debris().count(), 100u);
@@ -83,18 +83,18 @@ TEST(Debris, PiecesBeyondTheBudgetOfBodiesAreDustFromTheFirstStepOn) {
     expectNoStaleHandles(world, changes);
     EXPECT_EQ(dustOf(changes), removedOf(changes));
     EXPECT_EQ(removedOf(changes), 144u * 4 + 44u * 20);
-    EXPECT_TRUE(world.ledger().balances());
-    EXPECT_EQ(world.ledger().inPieces, 100u * 20);
+    EXPECT_TRUE(world.voxelAccounting().balances());
+    EXPECT_EQ(world.voxelAccounting().inPieces, 100u * 20);
 }
 
 TEST(Debris, BudgetOfVoxels) {
     DebrisWorld world(withBudgets(1000, 1000, 1999));
     world.applyEdits({cutColumns(0, kPillars)});
     EXPECT_EQ(world.debris().voxels(), 99u * 20);
-    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_TRUE(world.voxelAccounting().balances());
 }
 
-TEST(Debris, SmallSettledAndOldPiecesGiveWayFirst) {
+TEST(Debris, SmallSettledAndOldPiecesAreRemovedFirst) {
     DebrisWorld world(withBudgets(1000, 1000, 1000000), true);
     const std::vector<BodyHandle> large = world.applyEdits({cutColumns(0, 1)}).bodiesCreated;    // 20 voxels each
     const std::vector<BodyHandle> small = world.applyEdits({cutColumns(1, 2)}).bodiesCreated;    // 12 voxels each
@@ -113,10 +113,10 @@ TEST(Debris, SmallSettledAndOldPiecesGiveWayFirst) {
     EXPECT_EQ(shrinkTo(34), std::vector{large[3]}) << "settled";
     EXPECT_EQ(shrinkTo(33), std::vector{younger[0]}) << "asleep";
     EXPECT_EQ(shrinkTo(32), std::vector{small[0]}) << "small, and the oldest such";
-    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_TRUE(world.voxelAccounting().balances());
 }
 
-TEST(Debris, AwakePiecesOfABudgetOfTheirOwn) {
+TEST(Debris, AwakePiecesHaveTheirOwnBudget) {
     DebrisWorld world(withBudgets(50, 1000, 1000000));
     world.applyEdits({cutColumns(0, 4)});
     EXPECT_EQ(world.debris().awakeCount(), 48u);
@@ -137,10 +137,10 @@ TEST(Debris, AwakePiecesOfABudgetOfTheirOwn) {
     EXPECT_LE(world.debris().awakeCount(), 50u);
     for (const ImpulseApplied& impulse : blast.impulses) EXPECT_TRUE(world.bodies().find(impulse.body));
     expectNoStaleHandles(world, blast);
-    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_TRUE(world.voxelAccounting().balances());
 }
 
-TEST(Debris, SettlesAfterItsTimeAndSaysSoAndWhenItIsRevived) {
+TEST(Debris, SettlesAfterItsTimeAndReportsIt) {
     DebrisWorld world(withBudgets(1000, 1000, 1000000));
     const std::vector<BodyHandle> pieces = world.applyEdits({cutColumns(0, 1)}).bodiesCreated;
     world.sleep({pieces[0], pieces[7]});
@@ -153,12 +153,12 @@ TEST(Debris, SettlesAfterItsTimeAndSaysSoAndWhenItIsRevived) {
     EXPECT_TRUE(world.applyEdits({}).empty());
     world.sleep({pieces[7]}, false);  // physics has woken it
     EXPECT_FALSE(world.bodies().at(pieces[7]).settled);
-    EXPECT_EQ(world.applyEdits({}).revived, std::vector{pieces[7]});
-    EXPECT_EQ(world.applyEdits({ImpulseEdit{pieces[0], {}, {0, 1, 0}}}).revived, std::vector{pieces[0]});
+    EXPECT_EQ(world.applyEdits({}).unsettled, std::vector{pieces[7]});
+    EXPECT_EQ(world.applyEdits({ImpulseEdit{pieces[0], {}, {0, 1, 0}}}).unsettled, std::vector{pieces[0]});
     EXPECT_FALSE(world.bodies().at(pieces[0]).asleep);
 }
 
-TEST(Debris, LargePiecesAndBodiesOfTheLevelAreNone) {
+TEST(Debris, LargePiecesAndLevelBodiesAreNotDebris) {
     WorldSettings settings = withBudgets(0, 0, 0);
     settings.debris.largestPiece = 19;
     DebrisWorld world(settings);
@@ -167,7 +167,7 @@ TEST(Debris, LargePiecesAndBodiesOfTheLevelAreNone) {
     EXPECT_EQ(world.debris().count(), 0u);
 }
 
-TEST(Debris, EveryStepBalancesWhileThingsBreakAndVanish) {
+TEST(Debris, VoxelAccountingBalancesEveryStep) {
     DebrisWorld world(withBudgets(40, 60, 900));
     Random random(5);
     uint64_t removed = 0;
@@ -179,16 +179,16 @@ TEST(Debris, EveryStepBalancesWhileThingsBreakAndVanish) {
         EXPECT_LE(world.debris().awakeCount(), 40u);
         EXPECT_LE(world.debris().count(), 60u);
         EXPECT_LE(world.debris().voxels(), 900u);
-        EXPECT_EQ(world.ledger().removed, removed);
-        EXPECT_TRUE(world.ledger().balances());
-        EXPECT_EQ(world.ledger().inPieces, world.debris().voxels());
+        EXPECT_EQ(world.voxelAccounting().removed, removed);
+        EXPECT_TRUE(world.voxelAccounting().balances());
+        EXPECT_EQ(world.voxelAccounting().inPieces, world.debris().voxels());
         expectNoStaleHandles(world, changes);
         if (i % 7 == 0 && !changes.bodiesCreated.empty()) world.sleep({changes.bodiesCreated[0]});
     }
     EXPECT_GT(removed, 1000u);
 }
 
-TEST(Debris, BrokenIsSaidOnce) {
+TEST(Debris, BrokenIsReportedOnce) {
     DebrisWorld world(withBudgets(1000, 1000, 1000000));
     BodyHandle ground;
     world.bodies().forEach([&](BodyHandle handle, const Body&) { ground = handle; });
@@ -196,7 +196,7 @@ TEST(Debris, BrokenIsSaidOnce) {
     EXPECT_TRUE(world.applyEdits({cutColumns(1, 2)}).broken.empty());
 }
 
-TEST(Debris, SplitsSayHowTheirPiecesSetOut) {
+TEST(Debris, SplitsReportInitialMotions) {
     DebrisWorld world(withBudgets(1000, 1000, 1000000));
     const FrameChanges changes = world.applyEdits({cutColumns(0, 1)});
     ASSERT_EQ(changes.splits.size(), 1u);

@@ -47,13 +47,13 @@ struct Cart {
     }
 };
 
-TEST(Drive, EachWheelDoesWhatItCan) {
+TEST(Drive, WheelsFollowTheirSettings) {
     Cart cart;
     cart.drive(0.5, 0.0, 0.0);
     EXPECT_EQ(cart.wheel(0).motor.mode, MotorMode::Off);
     EXPECT_EQ(cart.wheel(1).motor.mode, MotorMode::Speed);
     EXPECT_EQ(cart.wheel(1).motor.target, 40.0);
-    EXPECT_EQ(cart.wheel(1).motor.mostForce, 100.0);
+    EXPECT_EQ(cart.wheel(1).motor.maxForce, 100.0);
     cart.drive(-1.0, 0.0, 0.0);
     EXPECT_EQ(cart.wheel(1).motor.target, -20.0);
     cart.drive(0.0, 0.0, 1.0);
@@ -61,7 +61,7 @@ TEST(Drive, EachWheelDoesWhatItCan) {
     for (uint32_t i = 0; i < 2; ++i) EXPECT_NEAR(cart.wheel(i).friction, 500.0, 10.0);
 }
 
-TEST(Drive, SteersAtItsRateAndOnlyWhatSteers) {
+TEST(Drive, OnlySteeredWheelsSteerAtTheirRate) {
     Cart cart;
     int steps = 0;
     for (; cart.wheel(1).steer < 0.5 - 1e-9 && steps < 100; ++steps) cart.drive(0.0, 1.0, 0.0);
@@ -72,7 +72,7 @@ TEST(Drive, SteersAtItsRateAndOnlyWhatSteers) {
     EXPECT_EQ(cart.drive(0.0, 1.0, 0.0), 0u) << "nothing changes, nothing wakes";
 }
 
-TEST(Drive, WhatBrokeOffTakesItsWheelsAlong) {
+TEST(Drive, DetachedPartsKeepTheirWheels) {
     Cart cart;
     const FrameChanges cut = cart.world.applyEdits({sphereCarve(cart.world.bodies().at(cart.body).pose.transformPoint({1.0, 0.1, 0.2}), 0.35)});
     ASSERT_EQ(cut.splits.size(), 1u);
@@ -87,7 +87,7 @@ TEST(Drive, WhatBrokeOffTakesItsWheelsAlong) {
     EXPECT_EQ(cart.wheel(1).motor.mode, MotorMode::Speed);
 }
 
-TEST(Drive, NonsenseIsRefused) {
+TEST(Drive, InvalidInputIsRefused) {
     Cart cart;
     EXPECT_EQ(cart.drive(2.0, 0.0, 0.0), 0u);
     EXPECT_EQ(cart.drive(0.0, NAN, 0.0), 0u);

@@ -33,7 +33,7 @@ VoxelGrid wall(glm::ivec3 size, uint8_t entry = kWood) {
 
 /// Runs steps without edits; what happened in all of them.
 struct Happened {
-    uint64_t lit = 0, out = 0, removed = 0, refused = 0, most = 0;
+    uint64_t lit = 0, out = 0, removed = 0, refused = 0, maxSteps = 0;
 };
 Happened run(World& world, int steps, const Edits& first = {}) {
     Happened out;
@@ -43,12 +43,12 @@ Happened run(World& world, int steps, const Edits& first = {}) {
         out.out += changes.firesOut.size();
         out.refused += changes.firesRefused;
         for (const RemovedVoxels& each : changes.removed) out.removed += each.count;
-        out.most = std::max<uint64_t>(out.most, world.fires().size());
+        out.maxSteps = std::max<uint64_t>(out.maxSteps, world.fires().size());
         if (!world.fires().empty() || !changes.firesOut.empty()) {
             EXPECT_TRUE(changes.firesChanged);
         }
     }
-    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_TRUE(world.voxelAccounting().balances());
     return out;
 }
 
@@ -66,12 +66,12 @@ TEST(Fire, AWoodenWallBurnsDownAndABrickOneDoesNot) {
         }
         EXPECT_GE(burned.lit, 9u) << "of twelve bricks; what falls apart may stay behind";
         EXPECT_GT(burned.removed, 32u * 24 * 3 * 2 / 3);
-        EXPECT_EQ(world.ledger().removed, burned.removed);
+        EXPECT_EQ(world.voxelAccounting().removed, burned.removed);
         EXPECT_FALSE(world.fire().isActive()) << "and then nothing is left to be hot";
     }
 }
 
-TEST(Fire, ClimbsFasterThanItCreeps) {
+TEST(Fire, ClimbsFasterThanItSpreadsSideways) {
     Level level;
     level.bodies.push_back(bodyOf(wall({104, 104, 3}), {}));
     World world;
@@ -85,7 +85,7 @@ TEST(Fire, ClimbsFasterThanItCreeps) {
     EXPECT_GT(high.y - 5.2, 2.0 * (5.2 - low.y)) << "up against down";
 }
 
-TEST(Fire, CharsBeforeItEats) {
+TEST(Fire, CharsBeforeItConsumesVoxels) {
     for (const PaintMode mode : {PaintMode::Blend, PaintMode::Layer}) {
         Level level;
         level.bodies.push_back(bodyOf(wall({16, 16, 8}), {}));
@@ -110,25 +110,25 @@ TEST(Fire, CharsBeforeItEats) {
     }
 }
 
-TEST(Fire, ReachesWhatIsNearAndNotWhatIsFar) {
+TEST(Fire, SpreadsToNearShapesOnly) {
     Level level;
     level.bodies.push_back(bodyOf(wall({24, 24, 3}), {}));
     level.bodies.push_back(bodyOf(wall({24, 24, 3}), {0, 0, 0.7}));
     level.bodies.push_back(bodyOf(wall({24, 24, 3}), {0, 0, 6.0}));
     World world;
     world.load(level);
-    bool hasReachedNear = false;
+    bool nearIsHot = false;
     for (int second = 0; second < 40; ++second) {
         run(world, 60, second ? Edits{} : Edits{spawnFire({1.2, 0.2, 0.15})});
         for (const Fire& fire : world.fires()) {
-            hasReachedNear |= fire.position.z > 0.6;
+            nearIsHot |= fire.position.z > 0.6;
             EXPECT_LT(fire.position.z, 2.0);
         }
     }
-    EXPECT_TRUE(hasReachedNear);
+    EXPECT_TRUE(nearIsHot);
 }
 
-TEST(Fire, WaterStopsItAndKeepsItAway) {
+TEST(Fire, WaterStopsAndPreventsFire) {
     Level level;
     level.bodies.push_back(bodyOf(wall({32, 24, 3}), {}));
     World world;
@@ -146,7 +146,7 @@ TEST(Fire, WaterStopsItAndKeepsItAway) {
     EXPECT_TRUE(world.fires().empty());
 }
 
-TEST(Fire, GoesWithThePieceItIsOn) {
+TEST(Fire, FollowsItsPiece) {
     Level level;
     level.bodies.push_back(bodyOf(wall({16, 48, 8}), {}));
     World world;
@@ -175,7 +175,7 @@ TEST(Fire, BudgetsHold) {
     settings.fire.maxHot = 20;
     world.setSettings(settings);
     const Happened burned = run(world, 60 * 40, {spawnFire({3.2, 3.2, 0.15}, 2.0)});
-    EXPECT_EQ(burned.most, 5u);
+    EXPECT_EQ(burned.maxSteps, 5u);
     EXPECT_GT(burned.refused, 0u);
     EXPECT_LE(world.fire().hotBricks, 20u);
     EXPECT_LE(fireLights(world.fires(), world.step(), 2).size(), 2u);
@@ -207,7 +207,7 @@ TEST(Fire, IsTheSameEveryTimeAndGoesOnFromItsState) {
     EXPECT_NE(cold.hash(), before) << "heat is part of the state";
 }
 
-TEST(Fire, NonsenseIsRefused) {
+TEST(Fire, InvalidInputIsRefused) {
     Level level;
     level.bodies.push_back(bodyOf(wall({16, 16, 3}), {}));
     World world;
@@ -219,7 +219,7 @@ TEST(Fire, NonsenseIsRefused) {
     EXPECT_FALSE(world.fire().isActive());
 }
 
-TEST(Fire, WhatDoesNotBurnCostsNothing) {
+TEST(Fire, NoncombustiblesCostNothing) {
     Level level;
     level.bodies.push_back(bodyOf(wall({64, 64, 3}), {}));
     World world;

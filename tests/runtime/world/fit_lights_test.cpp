@@ -28,7 +28,7 @@ Level glowingWall() {
     return level;
 }
 
-TEST(FitLights, MakesAGroupAndALightOfEachConnectedGlow) {
+TEST(FitLights, OneGroupAndLightPerConnectedGlow) {
     World world;
     world.load(glowingWall());
     ASSERT_EQ(world.lightGroups().size(), 3u);

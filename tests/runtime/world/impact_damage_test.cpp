@@ -46,19 +46,19 @@ struct Hit {
     double mass;
 };
 
-TEST(ImpactDamage, HardImpactsBreakAndWeightAtRestDoesNot) {
+TEST(ImpactDamage, ImpactsBreakRestingWeightDoesNot) {
     Hit hit(blockOnGround("concrete", {20, 20, 20}));
     EXPECT_TRUE(hit.with(hit.mass * 9.81 / 60.0).empty()) << "it only stands there";
     const Edits edits = hit.with(hit.mass * 5.0);
     ASSERT_EQ(edits.size(), 1u) << "the block breaks, rock does not";
     const FrameChanges changes = hit.world.applyEdits(edits);
     EXPECT_FALSE(changes.splits.empty());
-    EXPECT_GT(hit.world.ledger().inPieces, 0u);
-    EXPECT_TRUE(hit.world.ledger().balances());
-    EXPECT_EQ(hit.world.ledger().imported, 8000u + 6400u);
+    EXPECT_GT(hit.world.voxelAccounting().inPieces, 0u);
+    EXPECT_TRUE(hit.world.voxelAccounting().balances());
+    EXPECT_EQ(hit.world.voxelAccounting().imported, 8000u + 6400u);
 }
 
-TEST(ImpactDamage, TheMaterialDecides) {
+TEST(ImpactDamage, DamageDependsOnTheMaterial) {
     const auto threshold = [](const char* material) { return Hit(blockOnGround(material, {4, 4, 4})).threshold(); };
     EXPECT_NEAR(threshold("concrete"), 2000.0 * 2.0, 1.0) << "medium: twice the scene's threshold";
     EXPECT_LT(threshold("glass"), threshold("wood") / 5.0);
@@ -69,20 +69,20 @@ TEST(ImpactDamage, TheMaterialDecides) {
     EXPECT_TRUE(rock.with(1e9).empty());
 }
 
-TEST(ImpactDamage, BothBodiesBreakEachAsItsMaterialDoes) {
+TEST(ImpactDamage, BothBodiesBreakByTheirMaterial) {
     Hit hit(blockOnGround("brick", {8, 8, 8}, "glass"));
     EXPECT_EQ(hit.with(1500.0).size(), 1u) << "glass only";
     EXPECT_EQ(hit.with(9000.0).size(), 2u);
 }
 
-TEST(ImpactDamage, TheHardestComeFirstAndTheirNumberIsLimited) {
+TEST(ImpactDamage, OnlyTheHardestImpactsCount) {
     Hit hit(blockOnGround("plaster", {4, 4, 4}));
     std::vector<Impact> impacts(40, hit.impact);
     for (size_t i = 0; i < impacts.size(); ++i) impacts[i].impulse = 1500.0 + 100.0 * double(i);
     impacts[3].impulse = std::nan("");
     impacts[39].position = {0.1, 0.0, 0.1};
     const Edits edits = hit.world.damageFrom(impacts);
-    ASSERT_EQ(edits.size(), hit.world.settings().impactsAStep);
+    ASSERT_EQ(edits.size(), hit.world.settings().impactsPerStep);
     EXPECT_EQ(std::get<BreakEdit>(edits[0]).position.x, 0.1);
     for (Impact& impact : impacts) impact.impulse = 20.0;
     EXPECT_TRUE(hit.world.damageFrom(impacts).empty());

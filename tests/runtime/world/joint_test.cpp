@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/world/world_mirror.h"
+#include "runtime/world/world_baseline.h"
 #include "tests/runtime/world/worlds.h"
 
 namespace rubble {
@@ -53,7 +53,7 @@ TEST(Joint, ComesWithTheLevelAndHoldsOnToVoxels) {
     EXPECT_EQ(again.hash(), world.hash());
 }
 
-TEST(Joint, GoesWithItsVoxelIntoThePieceThatHasIt) {
+TEST(Joint, FollowsItsVoxelIntoAPiece) {
     World world;
     world.load(beamAndPost());
     const JointHandle joint = firstJoint(world);
@@ -87,7 +87,7 @@ TEST(Joint, BreaksWithItsVoxelAndWithItsShape) {
     }
 }
 
-TEST(Joint, EditsMakeRemoveDriveAndRefuse) {
+TEST(Joint, EditsCreateRemoveAndDriveJoints) {
     World world;
     world.load(beamAndPost());
     const ShapeHandle beam = world.joints().at(firstJoint(world)).ends[0].shape;
@@ -96,8 +96,8 @@ TEST(Joint, EditsMakeRemoveDriveAndRefuse) {
     nowhere.joint.ends[0].frame.position = {0.0, 5.0, 0.0};
     nonsense.joint.breakForce = std::numeric_limits<double>::quiet_NaN();
     FrameChanges changes = world.applyEdits({ball, nowhere, nonsense, AddJointEdit{}});
-    ASSERT_EQ(changes.jointsMade.size(), 1u);
-    const JointHandle made = changes.jointsMade[0];
+    ASSERT_EQ(changes.jointsCreated.size(), 1u);
+    const JointHandle made = changes.jointsCreated[0];
     EXPECT_EQ(world.joints().at(made).ends[0].cell, glm::ivec3(0));
 
     const uint64_t before = world.resolvedHash();
@@ -119,11 +119,11 @@ TEST(Joint, AHandHoldsOneBodyAndLetsGo) {
     const BodyHandle beam = world.bodies().handleAt(0), post = world.bodies().handleAt(1);
     GrabEdit grab{.body = beam, .point = {0.5, 1.05, 0.05}, .target = {0.5, 2.0, 0.0}};
     FrameChanges changes = world.applyEdits({grab, GrabEdit{.body = post}});
-    ASSERT_EQ(changes.jointsMade.size(), 1u);
+    ASSERT_EQ(changes.jointsCreated.size(), 1u);
     grab.target.y = 3.0;
     const FrameChanges moved = world.applyEdits({grab});
-    EXPECT_EQ(moved.jointsChanged, changes.jointsMade);
-    EXPECT_EQ(world.joints().at(changes.jointsMade[0]).ends[1].frame.position.y, 3.0);
+    EXPECT_EQ(moved.jointsChanged, changes.jointsCreated);
+    EXPECT_EQ(world.joints().at(changes.jointsCreated[0]).ends[1].frame.position.y, 3.0);
     EXPECT_TRUE(world.applyEdits({grab}).jointsChanged.empty());
     changes = world.applyEdits({ReleaseEdit{{0.0, 0.0, 7.0}}});
     EXPECT_EQ(changes.jointsBroken.size(), 1u);
@@ -132,7 +132,7 @@ TEST(Joint, AHandHoldsOneBodyAndLetsGo) {
     EXPECT_EQ(world.joints().size(), 1u);
 }
 
-TEST(Joint, ARopeIsLaidFromEndToEndAndHangsOnWhenAnEndGoes) {
+TEST(Joint, RopesSpanTheirEndsAndSurviveLosingOne) {
     World world;
     Level level = beamAndPost();
     level.joints[0].joint.kind = JointKind::Rope;
@@ -147,11 +147,11 @@ TEST(Joint, ARopeIsLaidFromEndToEndAndHangsOnWhenAnEndGoes) {
     const FrameChanges changes = world.applyEdits({carve});
     EXPECT_TRUE(changes.jointsBroken.empty());
     EXPECT_EQ(changes.jointsChanged, std::vector<JointHandle>{rope});
-    EXPECT_TRUE(world.joints().at(rope).ends[0].isLoose);
-    EXPECT_FALSE(world.joints().at(rope).ends[1].isLoose);
+    EXPECT_TRUE(world.joints().at(rope).ends[0].isFree);
+    EXPECT_FALSE(world.joints().at(rope).ends[1].isFree);
 }
 
-TEST(Joint, UndoGivesBackWhatBrokeAndWhatMoved) {
+TEST(Joint, UndoRestoresBrokenAndMovedJoints) {
     World world;
     world.load(beamAndPost());
     WorldSettings settings;
@@ -164,7 +164,7 @@ TEST(Joint, UndoGivesBackWhatBrokeAndWhatMoved) {
         EXPECT_NE(world.resolvedHash(), before);
         const FrameChanges changes = world.applyEdits({HistoryEdit{HistoryAction::Undo}});
         EXPECT_EQ(world.resolvedHash(), before);
-        EXPECT_FALSE(changes.jointsMade.empty() && changes.jointsChanged.empty());
+        EXPECT_FALSE(changes.jointsCreated.empty() && changes.jointsChanged.empty());
         const JointHandle joint = firstJoint(world);
         ASSERT_TRUE(world.joints().find(joint));
         EXPECT_EQ(world.jointsOf(world.joints().at(joint).ends[0].shape).size(), 1u);

@@ -10,7 +10,7 @@ namespace rubble {
 namespace {
 
 /// A lamp post of entry 1 with a head of entry 6 that glows, and a light inside the head; at 1 m per 10 cells.
-Level lampPost() {
+Level lightPost() {
     VoxelGrid grid({8, 40, 8});
     {
         GridWriter writer(grid);
@@ -21,8 +21,8 @@ Level lampPost() {
     Palette palette = test::fiveEntries();
     palette[6] = {.material = 1, .emission = 4.0f, .lightGroup = 1};
     level.bodies[0].shapes[0].palette = std::make_shared<const Palette>(palette);
-    level.lightGroups.push_back({.name = "lamp", .threshold = 0.4f});
-    level.lights.push_back({.light = {.name = "bulb", .local = {{0.4, 3.7, 0.4}}}, .shapeName = "shape", .groupName = "lamp"});
+    level.lightGroups.push_back({.name = "light", .threshold = 0.4f});
+    level.lights.push_back({.light = {.name = "bulb", .local = {{0.4, 3.7, 0.4}}}, .shapeName = "shape", .groupName = "light"});
     return level;
 }
 
@@ -40,9 +40,9 @@ bool anyGlow(const World& world) {
     return glows;
 }
 
-TEST(LightEdits, ALightFallsWithThePieceThatHoldsIt) {
+TEST(LightEdits, ALightFollowsItsPiece) {
     World world;
-    world.load(lampPost());
+    world.load(lightPost());
     const glm::dvec3 before = world.lightToWorld(firstLight(world)).position;
     const FrameChanges changes = world.applyEdits({test::sphereCarve({0.4, 1.5, 0.4}, 0.4)});
     ASSERT_EQ(changes.splits.size(), 1u);
@@ -55,7 +55,7 @@ TEST(LightEdits, ALightFallsWithThePieceThatHoldsIt) {
 
 TEST(LightEdits, AGroupGoesOutWhenEnoughOfItIsGone) {
     World world;
-    world.load(lampPost());
+    world.load(lightPost());
     // Half a head is more than the threshold; a corner of it is less.
     const FrameChanges corner = world.applyEdits({test::sphereCarve({0.2, 4.0, 0.2}, 0.15)});
     EXPECT_TRUE(corner.groupsOut.empty());
@@ -71,9 +71,9 @@ TEST(LightEdits, AGroupGoesOutWhenEnoughOfItIsGone) {
     EXPECT_TRUE(world.applyEdits({half}).groupsOut.empty()) << "it goes out once";
 }
 
-TEST(LightEdits, PiecesOfAGroupGoDarkWithIt) {
+TEST(LightEdits, PiecesGoDarkWithTheirGroup) {
     World world;
-    world.load(lampPost());
+    world.load(lightPost());
     // The head is cut off in two pieces, then half of it is destroyed in another place.
     world.applyEdits({test::sphereCarve({0.4, 1.5, 0.4}, 0.4)});
     world.applyEdits({CarveEdit{.kind = BrushKind::Box, .position = {0.4, 3.65, 0.4}, .halfSize = {1.0, 0.06, 1.0}}});
@@ -87,7 +87,7 @@ TEST(LightEdits, PiecesOfAGroupGoDarkWithIt) {
 
 TEST(LightEdits, PaintSurvivesASplit) {
     World world;
-    world.load(lampPost());
+    world.load(lightPost());
     for (int i = 0; i < 20; ++i) world.applyEdits({PaintEdit{.position = {0.2, 2.8, 0.4}, .radius = 0.25, .color = {1, 2, 250}}});
     const auto blueVoxels = [&] {
         int count = 0;
@@ -109,7 +109,7 @@ TEST(LightEdits, PaintSurvivesASplit) {
 }
 
 /// A wall with a lamp at the top and a wire that winds up to it from a socket at the bottom.
-Level wiredLamp(uint32_t flickerSteps) {
+Level wiredLight(uint32_t flickerSteps) {
     VoxelGrid grid = test::solidGrid({24, 40, 6});
     {
         GridWriter writer(grid);
@@ -125,14 +125,14 @@ Level wiredLamp(uint32_t flickerSteps) {
     palette[6] = {.material = 1, .emission = 4.0f, .lightGroup = 1};
     palette[7] = {.material = 6};
     level.bodies[0].shapes[0].palette = std::make_shared<const Palette>(palette);
-    level.lightGroups.push_back({.name = "lamp", .supplyShape = "shape", .supplyCell = {4, 4, 5}, .flickerSteps = flickerSteps});
-    level.lights.push_back({.light = {.name = "bulb", .local = {{1.8, 3.6, 0.6}}}, .shapeName = "shape", .groupName = "lamp"});
+    level.lightGroups.push_back({.name = "light", .supplyShape = "shape", .supplyCell = {4, 4, 5}, .flickerSteps = flickerSteps});
+    level.lights.push_back({.light = {.name = "bulb", .local = {{1.8, 3.6, 0.6}}}, .shapeName = "shape", .groupName = "light"});
     return level;
 }
 
-TEST(LightEdits, CuttingTheWirePutsTheLampOut) {
+TEST(LightEdits, CuttingTheWireTurnsTheLightOff) {
     World world;
-    world.load(wiredLamp(0));
+    world.load(wiredLight(0));
     EXPECT_TRUE(world.applyEdits({test::sphereCarve({1.0, 1.0, 0.6}, 0.35)}).groupsOut.empty()) << "beside the wire";
     EXPECT_TRUE(anyGlow(world));
     EXPECT_TRUE(world.applyEdits({test::sphereCarve({0.4, 3.0, 0.6}, 0.35)}).groupsOut.empty()) << "above where it turns";
@@ -142,9 +142,9 @@ TEST(LightEdits, CuttingTheWirePutsTheLampOut) {
     EXPECT_FALSE(firstLight(world).enabled);
 }
 
-TEST(LightEdits, ALampThatFallsOffItsWireGoesOut) {
+TEST(LightEdits, ALightCutOffItsWireGoesOut) {
     World world;
-    world.load(wiredLamp(0));
+    world.load(wiredLight(0));
     // Cuts the top off the wall, wire and all, but leaves wire at both sides of the cut.
     CarveEdit saw{.kind = BrushKind::Box, .position = {1.2, 3.0, 0.3}, .halfSize = {2.0, 0.05, 1.0}};
     const FrameChanges cut = world.applyEdits({saw});
@@ -157,7 +157,7 @@ TEST(LightEdits, ItFlickersTheSameEveryTimeBeforeItIsOut) {
     std::vector<bool> first;
     for (int run = 0; run < 2; ++run) {
         World world;
-        world.load(wiredLamp(30));
+        world.load(wiredLight(30));
         world.applyEdits({test::sphereCarve({1.2, 2.05, 0.6}, 0.2)});
         std::vector<bool> dark;
         int steps = 1;
@@ -175,8 +175,8 @@ TEST(LightEdits, ItFlickersTheSameEveryTimeBeforeItIsOut) {
     }
 }
 
-TEST(LightEdits, ASupplyThatLeadsNowhereIsNone) {
-    Level level = wiredLamp(0);
+TEST(LightEdits, AnUnconnectedSupplyIsIgnored) {
+    Level level = wiredLight(0);
     level.lightGroups[0].supplyCell = {10, 30, 2};
     World world;
     world.load(level);
@@ -206,7 +206,7 @@ const CarveEdit kHalfTheHead{.kind = BrushKind::Box, .position = {0.4, 3.85, 0.4
 
 TEST(LightEdits, ALightIsSetAndTheJournalNamesIt) {
     World world;
-    world.load(lampPost());
+    world.load(lightPost());
     SetLightEdit edit{firstHandle(world), firstLight(world)};
     edit.values.color = {1.0f, 0.5f, 0.25f};
     edit.values.local.position.y = 2.0;
@@ -221,7 +221,7 @@ TEST(LightEdits, ALightIsSetAndTheJournalNamesIt) {
 
 TEST(LightEdits, ALightIsAddedOnAShapeAndFallsWithIt) {
     World world;
-    world.load(lampPost());
+    world.load(lightPost());
     const FrameChanges added = world.applyEdits({AddLightEdit{torch(world)}, AddLightEdit{{.local = {{0.4, 3.9, 0.4}}}}});
     ASSERT_EQ(added.lightsAdded.size(), 2u);
     EXPECT_EQ(added.lights, added.lightsAdded);
@@ -239,7 +239,7 @@ TEST(LightEdits, ALightIsAddedOnAShapeAndFallsWithIt) {
 
 TEST(LightEdits, ARemovedLightIsGoneAndItsHandleNeverNamesAnother) {
     World world;
-    world.load(lampPost());
+    world.load(lightPost());
     const LightHandle bulb = firstHandle(world);
     EXPECT_EQ(world.applyEdits({RemoveLightEdit{bulb}}).lights, std::vector<LightHandle>{bulb});
     EXPECT_EQ(world.lights().size(), 0u);
@@ -253,7 +253,7 @@ TEST(LightEdits, ARemovedLightIsGoneAndItsHandleNeverNamesAnother) {
 
 TEST(LightEdits, AGroupOutlivesItsLight) {
     World world;
-    world.load(lampPost());
+    world.load(lightPost());
     world.applyEdits({RemoveLightEdit{firstHandle(world)}});
     const FrameChanges changes = world.applyEdits({kHalfTheHead});
     EXPECT_EQ(changes.groupsOut.size(), 1u);
@@ -261,9 +261,9 @@ TEST(LightEdits, AGroupOutlivesItsLight) {
     EXPECT_FALSE(anyGlow(world));
 }
 
-TEST(LightEdits, ALightOfADeadGroupStaysDark) {
+TEST(LightEdits, LightsOfAnOutGroupStayDark) {
     World world;
-    world.load(lampPost());
+    world.load(lightPost());
     ASSERT_EQ(world.applyEdits({kHalfTheHead}).groupsOut.size(), 1u);
     Light lit = firstLight(world);
     lit.enabled = true;
@@ -275,13 +275,13 @@ TEST(LightEdits, ALightOfADeadGroupStaysDark) {
     EXPECT_TRUE(firstLight(world).enabled) << "it left the group";
 }
 
-TEST(LightEdits, WhatIsNoLightIsRefusedWithAReason) {
+TEST(LightEdits, InvalidLightsAreRefusedWithAReason) {
     World world;
-    world.load(lampPost());
+    world.load(lightPost());
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const auto expectRefused = [&](void (*spoil)(Light&, float), const char* reason) {
+    const auto expectRefused = [&](void (*invalidate)(Light&, float), const char* reason) {
         Light light = torch(world);
-        spoil(light, nan);
+        invalidate(light, nan);
         world.applyEdits({});
         const uint64_t before = world.resolvedHash();
         for (const Edits& edits : {Edits{AddLightEdit{light}}, Edits{SetLightEdit{firstHandle(world), light}}}) {
@@ -298,8 +298,8 @@ TEST(LightEdits, WhatIsNoLightIsRefusedWithAReason) {
     expectRefused([](Light& l, float none) { l.local.position.x = double(none); }, "position[0] is nan");
     expectRefused([](Light& l, float) { l.local.rotation = {2.0, 0.0, 0.0, 0.0}; }, "length of its rotation is 4");
     expectRefused([](Light& l, float) { l.kind = LightKind(77); }, "kind is 77, expected 0 to 4");
-    expectRefused([](Light& l, float) { l.picture = {3, {1, 2}}; }, "2 texels in rows of 3");
-    expectRefused([](Light& l, float) { l.picture = {65, std::vector<uint32_t>(65)}; }, "65 texels in rows of 65");
+    expectRefused([](Light& l, float) { l.image = {3, {1, 2}}; }, "2 texels in rows of 3");
+    expectRefused([](Light& l, float) { l.image = {65, std::vector<uint32_t>(65)}; }, "65 texels in rows of 65");
     expectRefused([](Light& l, float) { l.shape = ShapeHandle::make(l.shape.world(), 9, l.shape.slot()); }, "shape is stale");
     expectRefused([](Light& l, float) { l.shape = ShapeHandle::make(77, 1, 0); }, "shape is stale");
     expectRefused([](Light& l, float) { l.group = LightGroupHandle::make(1, 1, 40); }, "light group is stale");
@@ -311,20 +311,20 @@ TEST(LightEdits, WhatIsNoLightIsRefusedWithAReason) {
     EXPECT_TRUE(world.lights().find(changes.lightsAdded[1]));
 }
 
-TEST(LightEdits, AWorldHasRoomForSoManyLights) {
+TEST(LightEdits, LightsAreLimitedToKMaxLights) {
     World world;
-    world.load(lampPost());
+    world.load(lightPost());
     const Edits some(4096, AddLightEdit{});
-    for (size_t i = 0; i < kMostLights / some.size(); ++i) world.applyEdits(some);
-    EXPECT_EQ(world.lights().size(), kMostLights);
-    EXPECT_NE(warningOf(world, {AddLightEdit{}}).find("expected less than 65536 lights (kMostLights), found 65536"), std::string::npos);
+    for (size_t i = 0; i < kMaxLights / some.size(); ++i) world.applyEdits(some);
+    EXPECT_EQ(world.lights().size(), kMaxLights);
+    EXPECT_NE(warningOf(world, {AddLightEdit{}}).find("expected less than 65536 lights (kMaxLights), found 65536"), std::string::npos);
     EXPECT_TRUE(world.applyEdits({RemoveLightEdit{firstHandle(world)}, AddLightEdit{torch(world)}}).lightsAdded.at(0));
-    EXPECT_EQ(world.lights().size(), kMostLights);
+    EXPECT_EQ(world.lights().size(), kMaxLights);
 }
 
-TEST(LightEdits, AllThatALightIsCountsInTheHash) {
+TEST(LightEdits, EveryLightFieldIsHashed) {
     World world;
-    world.load(lampPost());
+    world.load(lightPost());
     std::set<uint64_t> seen = {world.resolvedHash()};
     const auto differs = [&](auto&& change) {
         World other = world;
@@ -342,13 +342,13 @@ TEST(LightEdits, AllThatALightIsCountsInTheHash) {
     for (float Light::*number : {&Light::radius, &Light::reach, &Light::coneInner, &Light::coneOuter, &Light::width, &Light::height})
         differs([&](Light& l) { l.*number += 0.25f; });
     differs([](Light& l) { l.twoSided = true; });
-    differs([](Light& l) { l.picture = {1, {0xff00ffu}}; });
+    differs([](Light& l) { l.image = {1, {0xff00ffu}}; });
     differs([](Light& l) { l.enabled = false; });
 }
 
-TEST(LightEdits, WhatIsNoWeatherChangesNothing) {
+TEST(LightEdits, InvalidEnvironmentsChangeNothing) {
     World world;
-    world.load(lampPost());
+    world.load(lightPost());
     const Environment before = world.environment();
     SetEnvironmentEdit sky{before}, still{before};
     sky.environment.fogForward = 1.0f;
@@ -359,9 +359,9 @@ TEST(LightEdits, WhatIsNoWeatherChangesNothing) {
     EXPECT_FALSE(world.applyEdits({SetEnvironmentEdit{before}}).environmentChanged) << "it is as it was";
 }
 
-TEST(LightEdits, TheWeatherIsAnEditLikeAnyOther) {
+TEST(LightEdits, TheEnvironmentCanBeEdited) {
     World world;
-    world.load(lampPost());
+    world.load(lightPost());
     const uint64_t before = world.resolvedHash();
     SetEnvironmentEdit edit{world.environment()};
     edit.environment.wetness = 0.5f;

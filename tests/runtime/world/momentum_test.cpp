@@ -41,7 +41,7 @@ struct Scene {
     }
 };
 
-TEST(Momentum, TheSplitConservesWhatTheCarveLeft) {
+TEST(Momentum, SplitsConserveMomentum) {
     size_t bodies = 0;
     for (uint64_t seed = 1; seed <= 25; ++seed) {
         World world;
@@ -86,7 +86,7 @@ TEST(Momentum, TheSplitConservesWhatTheCarveLeft) {
     EXPECT_GT(bodies, 35u) << "the cuts must split something";
 }
 
-TEST(Momentum, PiecesOfSomethingStaticStartAtRest) {
+TEST(Momentum, PiecesOfStaticBodiesStartAtRest) {
     World world;
     Level level = Scene(3).level;
     level.bodies[0].isStatic = true;
@@ -100,7 +100,7 @@ TEST(Momentum, PiecesOfSomethingStaticStartAtRest) {
     for (const BodyHandle handle : changes.bodiesCreated) EXPECT_EQ(world.bodies().at(handle).velocity, Vector(0.0));
 }
 
-TEST(Momentum, MomentsStayTheSumsOfTheVoxelsThroughAHundredCuts) {
+TEST(Momentum, MassMomentsStayExactThroughAHundredCuts) {
     World world;
     world.load(Scene(5).level);
     MassMoments imported = world.shapes().at(test::firstShape(world)).moments;
@@ -109,7 +109,7 @@ TEST(Momentum, MomentsStayTheSumsOfTheVoxelsThroughAHundredCuts) {
         const float x = random.unit(), y = random.unit(), z = random.unit();
         const Pose pose = world.shapeToWorld(test::firstShape(world));
         world.applyEdits({test::sphereCarve(pose.transformPoint(Vector(4.0 * x, 6.0 * y, 3.3 * z)), 0.5)});
-        ASSERT_TRUE(world.ledger().balances());
+        ASSERT_TRUE(world.voxelAccounting().balances());
     }
     EXPECT_GT(world.shapes().size(), 5u);
     int64_t weight = 0;

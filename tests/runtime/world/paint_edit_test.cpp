@@ -26,7 +26,7 @@ const Shape& onlyShape(const World& world) {
     return world.shapes().at(test::firstShape(world));
 }
 
-TEST(PaintEdit, TheModeIsTheWorldsOrTheEdits) {
+TEST(PaintEdit, TheEditCanOverrideThePaintMode) {
     World blend = paintedWorld(PaintMode::Blend), layer = paintedWorld(PaintMode::Layer);
     const PaletteRef entries = onlyShape(blend).palette;
     EXPECT_EQ(blend.applyEdits({spray(1)}).palettes.size(), 1u);
@@ -58,7 +58,7 @@ TEST(PaintEdit, UndoIsExactInBothModes) {
     }
 }
 
-TEST(PaintEdit, AStrokeIsASkidMark) {
+TEST(PaintEdit, CapsulesPaintStrokes) {
     World world = paintedWorld(PaintMode::Layer);
     PaintEdit skid{
         .position = {0.5, 2.4, 0.3}, .radius = 0.15, .color = {15, 15, 15}, .strength = 200, .kind = BrushKind::Capsule, .end = {3.5, 2.4, 1.2}};

@@ -172,7 +172,7 @@ QueryShape randomShape(Random& random, QueryShapeKind kind, glm::dvec3 position)
     return shape;
 }
 
-TEST(Query, RaysFindTheFirstCubeAmongAll) {
+TEST(Query, RaysMatchBruteForce) {
     Random random(1);
     int hits = 0;
     for (uint64_t seed = 0; seed < 5; ++seed) {
@@ -243,7 +243,7 @@ TEST(Query, SphereCastsTouchWhereTheReferenceDoes) {
 TEST(Query, CapsuleCastsTouchWhereTheReferenceDoes) {
     checkCasts(QueryShapeKind::Capsule, 2000, 1e-7);
 }
-TEST(Query, BoxCastsTouchNothingBeforeAndSomethingThere) {
+TEST(Query, BoxCastsStopAtTheFirstContact) {
     Random random(6);
     int hits = 0;
     for (uint64_t seed = 0; seed < 4; ++seed) {
@@ -271,7 +271,7 @@ TEST(Query, BoxCastsTouchNothingBeforeAndSomethingThere) {
     EXPECT_GT(hits, 200);
 }
 
-TEST(Query, OverlapsAreThoseOfTheVoxels) {
+TEST(Query, OverlapsMatchBruteForce) {
     Random random(3);
     int found = 0, missed = 0;
     for (uint64_t seed = 0; seed < 4; ++seed) {
@@ -297,7 +297,7 @@ TEST(Query, OverlapsAreThoseOfTheVoxels) {
     EXPECT_GT(missed, 300);
 }
 
-TEST(Query, TheClosestPointIsThatOfTheClosestCube) {
+TEST(Query, ClosestPointMatchesBruteForce) {
     Random random(4);
     const Scene scene = randomScene(60);
     for (int i = 0; i < 1000; ++i) {
@@ -312,7 +312,7 @@ TEST(Query, TheClosestPointIsThatOfTheClosestCube) {
     }
 }
 
-TEST(Query, FiltersLeaveOutWhatTheySay) {
+TEST(Query, FiltersRejectShapes) {
     Level level = oneShapeLevel(VoxelGrid({1, 1, 1}), true);
     level.bodies.clear();
     for (int i = 0; i < 4; ++i) {
@@ -358,7 +358,7 @@ TEST(Query, FiltersLeaveOutWhatTheySay) {
     EXPECT_EQ(bodiesInBox(world, {{0.9, 0.0, 0.0}, {2.1, 0.1, 0.1}}), (std::vector<BodyHandle>{bodies[1], bodies[2]}));
 }
 
-TEST(Query, ABatchAnswersLikeOneByOneOnAnyNumberOfThreads) {
+TEST(Query, BatchesMatchSingleQueriesOnAnyThreadCount) {
     const Scene scene = randomScene(80);
     Random random(5);
     std::vector<RayQuery> rays;

@@ -55,7 +55,7 @@ TEST(ShapeEdits, SplitKeepsEveryVoxelInItsPlaceAndOnTheBody) {
         EXPECT_EQ(changes.splits[0].children.size(), 2u);
         EXPECT_EQ(world.bodies().size(), 1u);
         EXPECT_EQ(worldCells(world), before);
-        EXPECT_TRUE(world.ledger().balances());
+        EXPECT_TRUE(world.voxelAccounting().balances());
     }
 }
 
@@ -63,8 +63,8 @@ TEST(ShapeEdits, SplitRemovesTheResidual) {
     World world = worldOf(twoBlocks(), false);
     world.applyEdits({SplitShapeEdit{test::firstShape(world), true}});
     EXPECT_EQ(world.shapes().size(), 2u);
-    EXPECT_EQ(world.ledger().removed, 1u);
-    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_EQ(world.voxelAccounting().removed, 1u);
+    EXPECT_TRUE(world.voxelAccounting().balances());
 }
 
 TEST(ShapeEdits, TrimAndResizeLeaveVoxelsWhereTheyAre) {
@@ -81,7 +81,7 @@ TEST(ShapeEdits, TrimAndResizeLeaveVoxelsWhereTheyAre) {
     EXPECT_EQ(worldCells(world), before);
 }
 
-TEST(ShapeEdits, WhatIsResizedAwayIsRemovedAndTheRestFallsApart) {
+TEST(ShapeEdits, ResizingRemovesVoxelsAndSplitsTheRest) {
     VoxelGrid grid({30, 10, 10});
     {
         GridWriter writer(grid);
@@ -92,8 +92,8 @@ TEST(ShapeEdits, WhatIsResizedAwayIsRemovedAndTheRestFallsApart) {
     const ShapeHandle shape = test::firstShape(world);
     world.applyEdits({ResizeShapeEdit{shape, {{0, 1, 0}, {30, 10, 10}}}});
     EXPECT_EQ(world.shapes().size(), 2u);
-    EXPECT_EQ(world.ledger().removed, 30u);
-    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_EQ(world.voxelAccounting().removed, 30u);
+    EXPECT_TRUE(world.voxelAccounting().balances());
 }
 
 TEST(ShapeEdits, MergeUndoesASplit) {
@@ -119,13 +119,13 @@ TEST(ShapeEdits, MergeUndoesASplit) {
     EXPECT_EQ(world.shapes().size(), 1u);
     EXPECT_FALSE(world.shapes().find(pegShape));
     EXPECT_EQ(worldCells(world), before);
-    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_TRUE(world.voxelAccounting().balances());
     EXPECT_FALSE(world.shapes().find(shape)) << "its handle is from before the load";
     world.applyEdits({MergeShapeEdit{first, {}}});  // nothing left to merge with: refused
     EXPECT_EQ(worldCells(world), before);
 }
 
-TEST(ShapeEdits, NonsenseIsRefused) {
+TEST(ShapeEdits, InvalidInputIsRefused) {
     World world = worldOf(twoBlocks(), false);
     const ShapeHandle shape = test::firstShape(world);
     const uint64_t hash = world.voxelHash();
@@ -135,11 +135,11 @@ TEST(ShapeEdits, NonsenseIsRefused) {
     EXPECT_EQ(world.voxelHash(), hash);
 }
 
-TEST(SlicedSplits, LoseNothingAndEndWhereImmediateOnesDo) {
-    const auto run = [](size_t partsAStep, int* hanging) {
+TEST(SlicedSplits, ConserveVoxelsAndEndLikeImmediateSplits) {
+    const auto run = [](size_t partsPerStep, int* hanging) {
         World world = worldOf(test::towerGrid({100, 120, 90}, 3, 12), true);
         WorldSettings settings = world.settings();
-        settings.split.partsAStep = partsAStep;
+        settings.split.partsPerStep = partsPerStep;
         world.setSettings(settings);
         world.applyEdits({test::sphereCarve({0.2, 0.2, 0.2}, 0.1)});
         Random random(3);
@@ -155,7 +155,7 @@ TEST(SlicedSplits, LoseNothingAndEndWhereImmediateOnesDo) {
                 }
             const uint64_t before = world.hash();
             world.applyEdits(edits);
-            EXPECT_TRUE(world.ledger().balances());
+            EXPECT_TRUE(world.voxelAccounting().balances());
             EXPECT_NE(world.hash(), before);
             if (hanging && edits.empty() && count() != last) ++*hanging;
             last = count();
@@ -166,7 +166,7 @@ TEST(SlicedSplits, LoseNothingAndEndWhereImmediateOnesDo) {
     const World immediate = run(0, nullptr), sliced = run(2, &hanging), again = run(2, nullptr);
     EXPECT_GT(hanging, 0) << "some piece came off in a later step than its cut";
     EXPECT_EQ(sliced.hash(), again.hash());
-    EXPECT_EQ(sliced.ledger().removed + sliced.ledger().standing + sliced.ledger().inPieces, immediate.ledger().imported);
+    EXPECT_EQ(sliced.voxelAccounting().removed + sliced.voxelAccounting().standing + sliced.voxelAccounting().inPieces, immediate.voxelAccounting().imported);
     sliced.shapes().forEach([&](ShapeHandle, const Shape& shape) {
         if (shape.isPiece) {
             EXPECT_EQ(findComponents(shape.grid).size(), 1u);

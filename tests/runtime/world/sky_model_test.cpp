@@ -12,7 +12,7 @@ Environment under(double degrees, float clouds = 0.4f) {
     Environment air;
     air.clouds = clouds;
     const double angle = degrees * 0.01745329252;
-    followSun(air, {-float(std::cos(angle)), float(std::sin(angle)), 0.0f});
+    applySkyModel(air, {-float(std::cos(angle)), float(std::sin(angle)), 0.0f});
     return air;
 }
 
@@ -20,7 +20,7 @@ float brightness(glm::vec3 color) {
     return glm::dot(color, glm::vec3(0.2126f, 0.7152f, 0.0722f));
 }
 
-TEST(SkyModel, AnAfternoonIsAsTheScenesHaveIt) {
+TEST(SkyModel, AnAfternoonMatchesTheScenes) {
     const Environment air = under(21.8);
     const auto near = [](glm::vec3 found, glm::vec3 expected) {
         for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], expected[i], 0.2f * expected[i]);
@@ -42,7 +42,7 @@ TEST(SkyModel, ALowSunIsRedderAndDimmer) {
     }
 }
 
-TEST(SkyModel, NothingJumpsWhileTheSunSets) {
+TEST(SkyModel, SunsetIsContinuous) {
     Environment before = under(10.0);
     for (double degrees = 9.9; degrees > -2.5; degrees -= 0.1) {
         const Environment air = under(degrees);
@@ -65,7 +65,7 @@ TEST(SkyModel, NightHasAMoonAndStarsBehindItsClouds) {
     EXPECT_EQ(under(-25.0, 1.0f).stars, 0.0f);
 }
 
-TEST(SkyModel, CloudsTakeTheSunAndGreyTheSky) {
+TEST(SkyModel, CloudsHideTheSunAndGreyTheSky) {
     const Environment clear = under(25.0), covered = under(25.0, 1.0f);
     EXPECT_LT(brightness(covered.sunColor), 0.01f * brightness(clear.sunColor));
     EXPECT_LT(covered.skyColor.b / covered.skyColor.r, 1.3f);

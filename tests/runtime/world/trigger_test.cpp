@@ -82,7 +82,7 @@ TEST(Trigger, PolygonsHaveAHeight) {
     EXPECT_EQ(region.events(), "0-1 ");
 }
 
-TEST(Trigger, ComeAndGoByEditsAndSeeLayers) {
+TEST(Trigger, EditsAddAndRemoveThemAndLayersFilter) {
     Region region;
     region.level.bodies[2].shapes[0].collisionLayer = 2;
     region.world.load(region.level);

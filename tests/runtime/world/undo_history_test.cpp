@@ -24,7 +24,7 @@ VoxelGrid block(glm::ivec3 size, uint8_t entry) {
 /// A wall, a lamp post that glows at its top, and a crate that flies.
 World smallWorld() {
     Level level = oneShapeLevel(block({40, 24, 6}, 1), true);
-    level.lightGroups.push_back({"lamp", 0.3f});
+    level.lightGroups.push_back({"light", 0.3f});
     LevelBody post{.name = "post", .pose = {{6.0, 0.0, 0.0}}};
     LevelShape shape = levelShape("post", block({3, 30, 3}, 2));
     auto palette = std::make_shared<Palette>(*shape.palette);
@@ -41,7 +41,7 @@ World smallWorld() {
     LevelBody crate{.name = "crate", .pose = {{0.0, 4.0, 0.0}}, .isStatic = false, .velocity = {1.0f, 0.0f, 0.0f}};
     crate.shapes.push_back(levelShape("crate", block({12, 12, 12}, 1)));
     level.bodies.push_back(std::move(crate));
-    level.lights.push_back({Light{.name = "bulb", .local = {{0.15, 2.8, 0.15}}}, "post", "lamp"});
+    level.lights.push_back({Light{.name = "bulb", .local = {{0.15, 2.8, 0.15}}}, "post", "light"});
     World world;
     world.load(level);
     WorldSettings settings;
@@ -100,14 +100,14 @@ Edits randomEdits(const World& world, Random& random) {
 }
 
 /// A world that knows only what the journals said.
-uint64_t mirrored(const WorldMirror& mirror) {
+uint64_t baselineHash(const WorldBaseline& baseline) {
     World world;
-    world.setState(mirror.last());
+    world.setState(baseline.last());
     return world.resolvedHash();
 }
 
 void expectSound(const World& world) {
-    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_TRUE(world.voxelAccounting().balances());
     world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
         EXPECT_EQ(shape.moments, gridMoments(shape.grid, *shape.palette, world.materials()));
         const std::vector<ShapeHandle>& mates = world.bodies().at(shape.body).shapes;
@@ -115,20 +115,20 @@ void expectSound(const World& world) {
     });
 }
 
-TEST(UndoHistory, GoesBackToEveryMarkAndForthAgain) {
+TEST(UndoHistory, UndoAndRedoReachEveryMark) {
     for (uint64_t seed = 0; seed < 12; ++seed) {
         Random random(seed);
         World world = smallWorld();
         world.applyEdits({});
-        WorldMirror mirror(world);
+        WorldBaseline baseline(world);
         const auto step = [&](Edits edits) {
             const FrameChanges changes = world.applyEdits(edits);
-            mirror.update(world, changes);
-            ASSERT_EQ(mirrored(mirror), world.resolvedHash()) << "seed " << seed << ": the journal misses something";
+            baseline.update(world, changes);
+            ASSERT_EQ(baselineHash(baseline), world.resolvedHash()) << "seed " << seed << ": the journal misses something";
         };
         const auto settle = [&](double metres) {
             move(world, metres);
-            mirror = WorldMirror(world);
+            baseline = WorldBaseline(world);
         };
         std::vector<uint64_t> atMark, atEnd;
         for (int action = 0; action < 12; ++action) {
@@ -171,7 +171,7 @@ TEST(UndoHistory, TheSameEditsAfterUndoGiveTheSameSlots) {
     EXPECT_EQ(world.voxelHash(), once);
 }
 
-TEST(UndoHistory, LightsAndWeatherGoBackAndForth) {
+TEST(UndoHistory, UndoAndRedoCoverLightsAndEnvironment) {
     World world = smallWorld();
     world.applyEdits({});
     const LightHandle bulb = world.lights().handleAt(0);
@@ -208,7 +208,7 @@ TEST(UndoHistory, LightsAndWeatherGoBackAndForth) {
     EXPECT_FALSE(world.lights().find(bulb));
 }
 
-TEST(UndoHistory, WeatherThatFollowsAnUndoGoesBackToo) {
+TEST(UndoHistory, EnvironmentChangesAfterAnUndoAreUndone) {
     World world = smallWorld();
     Environment rain = world.environment(), storm = rain;
     rain.wetness = 0.25f, storm.wetness = 0.75f;
@@ -262,7 +262,7 @@ TEST(UndoHistory, UndoneHandlesAreStaleUntilRedo) {
     EXPECT_EQ(std::count(forth.shapesCreated.begin(), forth.shapesCreated.end(), piece), 1);
 }
 
-TEST(UndoHistory, ForgetsTheOldestMarksAndCostsNothingWhenOff) {
+TEST(UndoHistory, DropsTheOldestMarksAndCostsNothingWhenOff) {
     World world = smallWorld();
     WorldSettings settings = world.settings();
     settings.undoMarks = 2;

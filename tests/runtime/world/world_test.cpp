@@ -8,7 +8,7 @@ namespace rubble {
 namespace {
 
 /// What is near decides what burns and breaks, so it may depend on where a shape is, but not on how it came there.
-TEST(World, ShapesNearDoNotDependOnTheWayThere) {
+TEST(World, ShapesNearDoesNotDependOnPastMotion) {
     Level level;
     LevelBody body;
     body.name = "cube";

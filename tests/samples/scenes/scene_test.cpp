@@ -54,7 +54,7 @@ TEST_P(EveryScene, BreaksSomethingAndLosesNothing) {
         second.applyEdits(scene.script(step, 1));
     }
     EXPECT_TRUE(removed > 0 || movesFromTheStart(level)) << "nothing ever happens";
-    EXPECT_TRUE(first.ledger().balances());
+    EXPECT_TRUE(first.voxelAccounting().balances());
     EXPECT_EQ(first.hash(), second.hash());
 }
 

@@ -60,12 +60,12 @@ TEST_F(VdbFile, WhatAShapeBearsIsKeptAndHasADefault) {
         return back ? back->bodies[0].shapes[1] : LevelShape{};
     };
     EXPECT_EQ(lamp().strength, 0.75f);
-    EXPECT_FALSE(lamp().bearsLoad);
+    EXPECT_FALSE(lamp().loadBearing);
     forgetField(path("a.vdb"), "strength");
     EXPECT_EQ(lamp().strength, 1.0f);
-    EXPECT_FALSE(lamp().bearsLoad);
+    EXPECT_FALSE(lamp().loadBearing);
     forgetField(path("a.vdb"), "bears_load");
-    EXPECT_TRUE(lamp().bearsLoad);
+    EXPECT_TRUE(lamp().loadBearing);
     EXPECT_EQ(lamp().voxelSize, 0.05f);
 }
 

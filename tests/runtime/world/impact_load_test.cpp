@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tests/runtime/world/load_structures.h"
+#include "tests/runtime/world/stress_structures.h"
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/allocation_count.h"
 
@@ -22,26 +22,26 @@ Structure column(int side, int height) {
 }
 
 /// A blow in an otherwise quiet world of full strength.
-Outcome struck(World& world, const Level& level, glm::dvec3 position, glm::dvec3 impulse, double strengthScale = 1.0) {
+Outcome applyBlow(World& world, const Level& level, glm::dvec3 position, glm::dvec3 impulse, double strengthScale = 1.0) {
     Outcome before = stand(world, level, strengthScale, 30);
     EXPECT_FALSE(before.isBroken());
     Outcome out;
-    step(world, out, {StrikeEdit{firstShape(world), position, impulse}});
+    step(world, out, {ImpactLoadEdit{firstShape(world), position, impulse}});
     for (int i = 0; i < 60; ++i) step(world, out);
-    EXPECT_TRUE(world.ledger().balances());
-    EXPECT_FALSE(world.load()->isBusy());
+    EXPECT_TRUE(world.voxelAccounting().balances());
+    EXPECT_FALSE(world.stress()->isBusy());
     return out;
 }
 
-TEST(Strike, AColumnBreaksAtItsFootAsBeamTheorySays) {
+TEST(ImpactLoad, AColumnBreaksAtItsFootAsBeamTheorySays) {
     for (const int side : {4, 8}) {
         const double d = side * 0.1, h = 6.0, lever = h - 0.05;
         // F lever c / I - weight / area = strength
-        const double force = (kConcreteTension + kConcretePull * h) * d * d * d / 6.0 / lever;
+        const double force = (kConcreteTension + kConcreteWeight * h) * d * d * d / 6.0 / lever;
         for (const double share : {0.9, 1.1}) {
             World world;
             const glm::dvec3 top{0.8 + d / 2, 0.1 + h - 0.05, 0.8 + d / 2};
-            const Outcome out = struck(world, column(side, 60).level(), top, {share * force * kContact, 0.0, 0.0});
+            const Outcome out = applyBlow(world, column(side, 60).level(), top, {share * force * kContact, 0.0, 0.0});
             EXPECT_EQ(out.isBroken(), share > 1.0) << side;
             EXPECT_EQ(out.pieces, share > 1.0 ? 1u : 0u) << "it falls in one piece";
             for (const CrackOpened& crack : out.cracks) EXPECT_NEAR(crack.position.y, 0.1, 0.11);
@@ -49,7 +49,7 @@ TEST(Strike, AColumnBreaksAtItsFootAsBeamTheorySays) {
     }
 }
 
-TEST(Strike, AClampedFloorBreaksAtItsSupportsOrInTheMiddle) {
+TEST(ImpactLoad, AClampedFloorBreaksAtItsSupportsOrInTheMiddle) {
     const int span = 80, depth = 4, width = 8;
     Structure floor({span + 16, 16, 24});
     floor.anchor({{4, 4, 8}, {8, 4 + depth, 8 + width}});
@@ -57,11 +57,11 @@ TEST(Strike, AClampedFloorBreaksAtItsSupportsOrInTheMiddle) {
     floor.fill({{8, 4, 8}, {8 + span, 4 + depth, 8 + width}});
     const double l = span * 0.1, d = depth * 0.1, b = width * 0.1, modulus = b * d * d / 6.0;
     // At the supports: F l / 8 + w l^2 / 12 = strength x modulus.
-    const double force = (kConcreteTension * modulus - kConcretePull * b * d * l * l / 12.0) * 8.0 / l;
+    const double force = (kConcreteTension * modulus - kConcreteWeight * b * d * l * l / 12.0) * 8.0 / l;
     ASSERT_GT(force, 0.0);
     for (const double share : {0.9, 1.1}) {
         World world;
-        const Outcome out = struck(world, floor.level(), {4.8, 0.75, 1.2}, {0.0, -share * force * kContact, 0.0});
+        const Outcome out = applyBlow(world, floor.level(), {4.8, 0.75, 1.2}, {0.0, -share * force * kContact, 0.0});
         EXPECT_EQ(out.isBroken(), share > 1.0);
         if (out.isBroken()) {
             EXPECT_NEAR(std::fabs(out.cracks[0].position.x - 4.8), 4.0, 0.11);
@@ -69,59 +69,59 @@ TEST(Strike, AClampedFloorBreaksAtItsSupportsOrInTheMiddle) {
     }
 }
 
-TEST(Strike, TheScaleOfStrengthsIsOfWeightNotOfBlows) {
+TEST(ImpactLoad, StrengthScaleAppliesToWeightNotToImpacts) {
     const double lever = 5.95, force = kConcreteTension * 0.8 * 0.8 * 0.8 / 6.0 / lever;
     for (const double share : {0.9, 1.1}) {
         World world;
         Level level = column(8, 60).level();
         level.environment.gravity = {0.0f, 0.0f, 0.0f};
-        const Outcome out = struck(world, level, {1.2, 6.05, 1.2}, {share * force * kContact, 0.0, 0.0}, 0.03);
+        const Outcome out = applyBlow(world, level, {1.2, 6.05, 1.2}, {share * force * kContact, 0.0, 0.0}, 0.03);
         EXPECT_EQ(out.isBroken(), share > 1.0);
     }
 }
 
-TEST(Strike, AFreeBeamBreaksInTheMiddleAsItsMassHoldsItBack) {
+TEST(ImpactLoad, AFreeBeamBreaksInTheMiddleByInertia) {
     Structure beam({96, 8, 8});
     beam.fill({{0, 0, 0}, {96, 8, 8}});
     const double d = 0.8, l = 9.6, force = kConcreteTension * d * d * d / 6.0 * 8.0 / l;  // F l / 8
     for (const double share : {0.95, 1.05}) {
         World world;
-        world.setSettings(loadOn(0.03));
+        world.setSettings(stressOn(0.03));
         world.load(beam.level("concrete", false));
         Outcome out;
-        step(world, out, {StrikeEdit{firstShape(world), {4.85, 0.0, 0.4}, {0.0, share * force * kContact, 0.0}}});
+        step(world, out, {ImpactLoadEdit{firstShape(world), {4.85, 0.0, 0.4}, {0.0, share * force * kContact, 0.0}}});
         EXPECT_EQ(out.isBroken(), share > 1.0);
         EXPECT_EQ(out.pieces, share > 1.0 ? 1u : 0u);
         if (out.isBroken()) {
             EXPECT_NEAR(out.cracks[0].position.x, 4.8, 0.21);
         }
-        EXPECT_TRUE(world.ledger().balances());
+        EXPECT_TRUE(world.voxelAccounting().balances());
     }
 }
 
-TEST(Strike, ABeamUnderFourTimesItsLoadBreaksIntoThree) {
+TEST(ImpactLoad, ABeamUnderFourTimesItsLoadBreaksIntoThree) {
     Structure beam({96, 8, 8});
     beam.fill({{0, 0, 0}, {96, 8, 8}});
     const double d = 0.8, l = 9.6, force = kConcreteTension * d * d * d / 6.0 * 8.0 / l;
     World world;
-    world.setSettings(loadOn(0.03));
+    world.setSettings(stressOn(0.03));
     world.load(beam.level("concrete", false));
     Outcome out;
-    step(world, out, {StrikeEdit{firstShape(world), {4.85, 0.0, 0.4}, {0.0, 4.5 * force * kContact, 0.0}}});
+    step(world, out, {ImpactLoadEdit{firstShape(world), {4.85, 0.0, 0.4}, {0.0, 4.5 * force * kContact, 0.0}}});
     EXPECT_EQ(out.pieces, 2u);
-    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_TRUE(world.voxelAccounting().balances());
 }
 
 /// A slender column and what hits it.
 struct Collision {
-    explicit Collision(bool loadIsOn) {
+    explicit Collision(bool stressIsOn) {
         Level level = column(4, 60).level();
         LevelBody ball{.name = "ball", .pose = {{-1.0, 5.0, 0.8}}, .isStatic = false};
         ball.shapes.push_back(levelShape("ball", solidGrid({8, 8, 8}, 1)));
         ball.shapes[0].palette = level.bodies[0].shapes[0].palette;
         level.bodies.push_back(std::move(ball));
         WorldSettings settings;
-        settings.stress.on = loadIsOn;
+        settings.stress.on = stressIsOn;
         world.setSettings(settings);
         world.load(level);
         BodyHandle bodies[2];
@@ -132,29 +132,29 @@ struct Collision {
     Impact impact;
 };
 
-TEST(Strike, AnImpactTooSoftToCrushFellsASlenderColumn) {
+TEST(ImpactLoad, SoftImpactsCanBreakSlenderColumns) {
     Collision with(true);
     for (int i = 0; i < 30; ++i) with.world.applyEdits({});
     const Edits edits = with.world.damageFrom({&with.impact, 1});
     ASSERT_EQ(edits.size(), 1u) << "it crushes nothing";
-    const StrikeEdit& strike = std::get<StrikeEdit>(edits[0]);
+    const ImpactLoadEdit& strike = std::get<ImpactLoadEdit>(edits[0]);
     EXPECT_EQ(strike.shape, firstShape(with.world));
     EXPECT_EQ(strike.impulse, glm::dvec3(1500.0, 0.0, 0.0)) << "the column is pushed the other way";
     Outcome out;
     step(with.world, out, edits);
     for (int i = 0; i < 60; ++i) step(with.world, out);
     EXPECT_EQ(out.pieces, 1u);
-    EXPECT_TRUE(with.world.ledger().balances());
+    EXPECT_TRUE(with.world.voxelAccounting().balances());
 }
 
-TEST(Strike, OffCostsNoCallAndNoByte) {
+TEST(ImpactLoad, CostsNothingWhenOff) {
     Collision without(false);
     without.world.applyEdits({});
     EXPECT_TRUE(without.world.damageFrom({&without.impact, 1}).empty());
-    EXPECT_EQ(without.world.load(), nullptr);
+    EXPECT_EQ(without.world.stress(), nullptr);
     // A strike that a host sends all the same costs no more than an edit that finds nothing.
     const Edits nothing{CarveEdit{.position = {500.0, 0.0, 0.0}, .radii = {0.1, 0.1, 0.1}}};
-    const Edits strike{StrikeEdit{firstShape(without.world), {1.0, 5.0, 1.0}, {1e6, 0.0, 0.0}}};
+    const Edits strike{ImpactLoadEdit{firstShape(without.world), {1.0, 5.0, 1.0}, {1e6, 0.0, 0.0}}};
     const size_t start = allocationCount();
     without.world.applyEdits(nothing);
     const size_t between = allocationCount();
@@ -163,35 +163,35 @@ TEST(Strike, OffCostsNoCallAndNoByte) {
     for (int i = 0; i < 10; ++i) EXPECT_TRUE(without.world.applyEdits({}).empty());
 }
 
-TEST(Strike, BadNumbersAreRefused) {
+TEST(ImpactLoad, BadNumbersAreRefused) {
     World world;
     stand(world, column(4, 20).level(), 1.0, 10);
     const ShapeHandle shape = firstShape(world);
     Outcome out;
-    step(world, out, {StrikeEdit{shape, {1.0, 1.0, 1.0}, {std::nan(""), 0.0, 0.0}}, StrikeEdit{shape, {1e300, 0.0, 0.0}, {1.0, 0.0, 0.0}}});
-    step(world, out, {StrikeEdit{{}, {1.0, 1.0, 1.0}, {1.0, 0.0, 0.0}}, StrikeEdit{shape, {500.0, 0.0, 0.0}, {1e9, 0.0, 0.0}}});
+    step(world, out, {ImpactLoadEdit{shape, {1.0, 1.0, 1.0}, {std::nan(""), 0.0, 0.0}}, ImpactLoadEdit{shape, {1e300, 0.0, 0.0}, {1.0, 0.0, 0.0}}});
+    step(world, out, {ImpactLoadEdit{{}, {1.0, 1.0, 1.0}, {1.0, 0.0, 0.0}}, ImpactLoadEdit{shape, {500.0, 0.0, 0.0}, {1e9, 0.0, 0.0}}});
     for (int i = 0; i < 10; ++i) step(world, out);
     EXPECT_FALSE(out.isBroken());
     // A blow beyond all numbers breaks nothing, and the next one is looked at as ever.
     WorldSettings settings = world.settings();
     settings.stress.contactTime = 1e-300;
     world.setSettings(settings);
-    for (int i = 0; i < 10; ++i) step(world, out, {StrikeEdit{shape, {1.0, 1.0, 1.0}, {1e9, 0.0, 0.0}}});
+    for (int i = 0; i < 10; ++i) step(world, out, {ImpactLoadEdit{shape, {1.0, 1.0, 1.0}, {1e9, 0.0, 0.0}}});
     settings.stress.contactTime = kContact;
     world.setSettings(settings);
     for (int i = 0; i < 30; ++i) step(world, out);
     EXPECT_FALSE(out.isBroken());
-    step(world, out, {StrikeEdit{shape, {1.0, 1.9, 1.0}, {1e6, 0.0, 0.0}}});
+    step(world, out, {ImpactLoadEdit{shape, {1.0, 1.9, 1.0}, {1e6, 0.0, 0.0}}});
     for (int i = 0; i < 60; ++i) step(world, out);
     EXPECT_TRUE(out.isBroken());
 }
 
-TEST(Strike, TheSameBlowsGiveTheSameHashes) {
+TEST(ImpactLoad, TheSameBlowsGiveTheSameHashes) {
     World first, second;
     for (World* world : {&first, &second}) stand(*world, column(8, 60).level(), 1.0, 10);
     for (int i = 0; i < 40; ++i) {
         Edits edits;
-        if (i % 3 == 0) edits.push_back(StrikeEdit{firstShape(first), {1.2, 1.0 + 0.1 * i, 1.2}, {3000.0 + 100.0 * i, 0.0, 50.0 * i}});
+        if (i % 3 == 0) edits.push_back(ImpactLoadEdit{firstShape(first), {1.2, 1.0 + 0.1 * i, 1.2}, {3000.0 + 100.0 * i, 0.0, 50.0 * i}});
         first.applyEdits(edits);
         second.applyEdits(edits);
         ASSERT_EQ(first.hash(), second.hash()) << i;

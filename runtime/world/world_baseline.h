@@ -8,9 +8,9 @@ namespace rubble {
 
 /// A World as it was when last looked at: what undo and recording compare with. It costs one copy of the World's objects
 /// (not of their voxels) when it is made; after that, what changes.
-class WorldMirror {
+class WorldBaseline {
 public:
-    explicit WorldMirror(const World& world);
+    explicit WorldBaseline(const World& world);
 
     /// Of no object, with the numbers that belong to none.
     WorldDelta emptyDelta() const;

@@ -3,8 +3,8 @@
 
 namespace rubble::test {
 
-inline constexpr double kConcretePull = 2400.0 * 9.81;  ///< N/m3
-inline constexpr double kConcreteTension = 2.6e6, kConcretePressure = 25e6;
+inline constexpr double kConcreteWeight = 2400.0 * 9.81;  ///< N/m3
+inline constexpr double kConcreteTension = 2.6e6, kConcreteCompression = 25e6;
 
 /// Boxes of concrete (entry 1) and of metal that never breaks (entry 2) on one static body, some of them anchored.
 struct Structure {
@@ -44,7 +44,7 @@ struct Outcome {
     bool isBroken() const { return !cracks.empty(); }
 };
 
-inline WorldSettings loadOn(double strengthScale) {
+inline WorldSettings stressOn(double strengthScale) {
     WorldSettings settings;
     settings.stress.on = true;
     settings.stress.strengthScale = strengthScale;
@@ -59,7 +59,7 @@ inline void step(World& world, Outcome& out, const Edits& edits = {}) {
 
 inline Outcome stand(World& world, const Level& level, double strengthScale, int steps) {
     Outcome out;
-    world.setSettings(loadOn(strengthScale));
+    world.setSettings(stressOn(strengthScale));
     world.load(level);
     for (int i = 0; i < steps; ++i) step(world, out);
     return out;

@@ -31,19 +31,19 @@ double shareAtWall(int length, int depth, double voxelSize, double strengthScale
     return 2400.0 * 9.81 * 3.0 * length * length * voxelSize / depth / (2.6e6 * strengthScale);
 }
 
-WorldSettings loadOn(double strengthScale) {
+WorldSettings stressOn(double strengthScale) {
     WorldSettings settings;
     settings.stress.on = true;
     settings.stress.strengthScale = strengthScale;
     return settings;
 }
 
-TEST(Load, CantileverSnapsAtTheWall) {
+TEST(Stress, CantileverSnapsAtTheWall) {
     for (const float voxelSize : {0.05f, 0.1f, 0.25f}) {
         const double scale = shareAtWall(80, 8, voxelSize, 1.0);
         for (const double overload : {0.95, 1.05}) {
             World world;
-            world.setSettings(loadOn(scale / overload));
+            world.setSettings(stressOn(scale / overload));
             world.load(cantilever(80, 8, voxelSize));
             std::vector<CrackOpened> cracks;
             size_t pieces = 0;
@@ -58,45 +58,45 @@ TEST(Load, CantileverSnapsAtTheWall) {
                 EXPECT_NEAR(cracks[0].position.x, 4 * voxelSize, 1e-6);
                 EXPECT_EQ(cracks[0].cause, FailureMode::Tension);
             }
-            EXPECT_TRUE(world.ledger().balances());
+            EXPECT_TRUE(world.voxelAccounting().balances());
         }
     }
 }
 
-TEST(Load, OffCostsNoCallAndNoByte) {
+TEST(Stress, CostsNothingWhenOff) {
     World world;
     world.load(cantilever(80, 8));
     world.applyEdits({});
-    EXPECT_EQ(world.load(), nullptr);
+    EXPECT_EQ(world.stress(), nullptr);
     const size_t before = allocationCount();
     for (int step = 0; step < 100; ++step) world.applyEdits({});
     EXPECT_EQ(allocationCount(), before);
 }
 
-TEST(Load, AtRestItCostsNoAllocation) {
+TEST(Stress, AtRestItCostsNoAllocation) {
     World world;
-    world.setSettings(loadOn(1.0));
+    world.setSettings(stressOn(1.0));
     world.load(cantilever(80, 8));
     for (int step = 0; step < 60; ++step) world.applyEdits({});
-    ASSERT_NE(world.load(), nullptr);
-    EXPECT_FALSE(world.load()->isBusy());
+    ASSERT_NE(world.stress(), nullptr);
+    EXPECT_FALSE(world.stress()->isBusy());
     const size_t before = allocationCount();
     for (int step = 0; step < 100; ++step) world.applyEdits({});
     EXPECT_EQ(allocationCount(), before);
 }
 
-TEST(Load, AShapeCanBeLeftOut) {
+TEST(Stress, ShapesCanOptOut) {
     Level level = cantilever(80, 8);
-    level.bodies[0].shapes[0].bearsLoad = false;
+    level.bodies[0].shapes[0].loadBearing = false;
     World world;
-    world.setSettings(loadOn(1e-4));
+    world.setSettings(stressOn(1e-4));
     world.load(level);
     for (int step = 0; step < 60; ++step) EXPECT_TRUE(world.applyEdits({}).cracks.empty());
 }
 
-TEST(Load, ANewWeaknessIsFoundAfterACut) {
+TEST(Stress, CutsTriggerANewAnalysis) {
     World world;
-    world.setSettings(loadOn(1.5 * shareAtWall(80, 8, 0.1, 1.0)));
+    world.setSettings(stressOn(1.5 * shareAtWall(80, 8, 0.1, 1.0)));
     world.load(cantilever(80, 8));
     for (int step = 0; step < 60; ++step) EXPECT_TRUE(world.applyEdits({}).cracks.empty());
     // Three of the eight layers sawn through in the middle: W falls to (5/8)^2, M there is a quarter of the wall's.
@@ -115,10 +115,10 @@ TEST(Load, ANewWeaknessIsFoundAfterACut) {
     EXPECT_NEAR(cracks[0].position.x, 0.6, 0.11);
 }
 
-TEST(Load, TheSameEditsGiveTheSameHashes) {
+TEST(Stress, TheSameEditsGiveTheSameHashes) {
     World first, second;
     for (World* world : {&first, &second}) {
-        world->setSettings(loadOn(shareAtWall(80, 8, 0.1, 1.0) / 1.05));
+        world->setSettings(stressOn(shareAtWall(80, 8, 0.1, 1.0) / 1.05));
         world->load(cantilever(80, 8));
     }
     for (int step = 0; step < 60; ++step) {
@@ -128,8 +128,8 @@ TEST(Load, TheSameEditsGiveTheSameHashes) {
     }
 }
 
-TEST(Load, ResetCachesMakesARunningWorldGoOnLikeALoadedOne) {
-    const WorldSettings settings = loadOn(shareAtWall(80, 8, 0.1, 1.0) / 1.05);
+TEST(Stress, ResetCachesMatchesASavedAndLoadedWorld) {
+    const WorldSettings settings = stressOn(shareAtWall(80, 8, 0.1, 1.0) / 1.05);
     World running;
     running.setSettings(settings);
     running.load(cantilever(80, 8));
@@ -141,9 +141,9 @@ TEST(Load, ResetCachesMakesARunningWorldGoOnLikeALoadedOne) {
     for (int step = 0; step < 60; ++step) {
         running.applyEdits({});
         loaded.applyEdits({});
-        ASSERT_EQ(running.ledger().standing, loaded.ledger().standing) << step;
+        ASSERT_EQ(running.voxelAccounting().standing, loaded.voxelAccounting().standing) << step;
     }
-    EXPECT_GT(running.ledger().removed, 0u);
+    EXPECT_GT(running.voxelAccounting().removed, 0u);
 }
 
 }  // namespace

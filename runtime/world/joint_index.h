@@ -8,7 +8,7 @@
 namespace rubble {
 
 /// Which joints hold on to a shape, and which are ropes or grabs: a split costs its own joints, not the world's.
-class JointList {
+class JointIndex {
 public:
     void add(JointHandle handle, const Joint& joint);
     /// As it was added.

@@ -3,16 +3,16 @@
 
 namespace rubble {
 
-void World::listLoads() {
-    m_load.reset();
+void World::restartStress() {
+    m_stress.reset();
     if (!m_settings.stress.on) return;
-    m_load.emplace();
-    m_shapes.forEach([&](ShapeHandle handle, const Shape&) { listLoad(handle); });
+    m_stress.emplace();
+    m_shapes.forEach([&](ShapeHandle handle, const Shape&) { addStress(handle); });
 }
 
-void World::listLoad(ShapeHandle handle) {
+void World::addStress(ShapeHandle handle) {
     const Shape& shape = m_shapes.at(handle);
-    if (!shape.bearsLoad || !m_bodies.at(shape.body).isStatic) return;
+    if (!shape.loadBearing || !m_bodies.at(shape.body).isStatic) return;
     if (shape.grid.brickCount() > m_settings.stress.largestShape) {
         logWarning("stress: shape \"" + shape.name + "\" has " + std::to_string(shape.grid.brickCount()) +
                    " bricks and bears whatever comes; StressSettings::largestShape is " + std::to_string(m_settings.stress.largestShape));
@@ -20,7 +20,7 @@ void World::listLoad(ShapeHandle handle) {
     }
     std::vector<glm::ivec3> bricks;
     shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef&) { bricks.push_back(brick); });
-    WorldLoad::Entry& entry = m_load->add(handle);
+    WorldStress::Entry& entry = m_stress->add(handle);
     entry.analysis.markChanged(bricks);
     for (const HeatField& field : m_fire.fields) {
         if (field.shape != handle) continue;

@@ -8,8 +8,8 @@ namespace rubble {
 
 /// What the last step found too weak opens now, like any other cut.
 void EditStep::openCracks() {
-    for (const ShapeHandle handle : m_world.m_load->busy()) {
-        WorldLoad::Entry& entry = *m_world.m_load->find(handle);
+    for (const ShapeHandle handle : m_world.m_stress->busy()) {
+        WorldStress::Entry& entry = *m_world.m_stress->find(handle);
         for (const StressCrack& crack : std::exchange(entry.cracks, {}))
             if (m_world.m_shapes.find(handle)) openCrack(handle, entry.entries, crack);
     }
@@ -25,36 +25,36 @@ void EditStep::openCrack(ShapeHandle handle, const StrengthTable& entries, const
     normal[crack.section.axis] = 1.0;
     const Pose pose = m_world.shapeToWorld(handle);
     const glm::dvec3 center = pose.transformPoint(sectionShape(crack.section).centroid * double(shape.voxelSize));
-    const size_t most = size_t(std::max_element(carved.removed.begin(), carved.removed.end()) - carved.removed.begin());
-    m_changes.cracks.push_back({handle, center, pose.rotation * normal, (*shape.palette)[most].material, crack.cause, carved.voxels});
-    takeCarved(handle, carved);
+    const size_t mainEntry = size_t(std::max_element(carved.removed.begin(), carved.removed.end()) - carved.removed.begin());
+    m_changes.cracks.push_back({handle, center, pose.rotation * normal, (*shape.palette)[mainEntry].material, crack.cause, carved.voxels});
+    recordCarved(handle, carved);
 }
 
 /// Tells the analyses what changed and lets them work.
-void EditStep::weighShapes() {
-    WorldLoad& stress = *m_world.m_load;
+void EditStep::runStressAnalysis() {
+    WorldStress& stress = *m_world.m_stress;
     for (const ShapeHandle handle : m_changes.shapesDestroyed) stress.remove(handle);
-    for (const ShapeHandle handle : m_changes.rehomed) stress.remove(handle);
+    for (const ShapeHandle handle : m_changes.unanchored) stress.remove(handle);
     for (const ShapeHandle handle : m_changes.shapesCreated)
-        if (m_world.m_shapes.find(handle)) m_world.listLoad(handle);
-    for (const auto& [slot, each] : m_touched)
-        if (WorldLoad::Entry* entry = stress.find(each.shape); entry && !each.carved.empty()) {
+        if (m_world.m_shapes.find(handle)) m_world.addStress(handle);
+    for (const auto& [slot, each] : m_editStates)
+        if (WorldStress::Entry* entry = stress.find(each.shape); entry && !each.carved.empty()) {
             std::vector<glm::ivec3> bricks;
             each.carved.forEach([&](glm::ivec3 brick) { bricks.push_back(brick); });
             entry->analysis.markChanged(bricks);
             stress.wake(each.shape);
         }
-    int64_t work = m_world.m_settings.stress.workAStep;
+    int64_t work = m_world.m_settings.stress.workPerStep;
     for (const ShapeHandle handle : stress.busy()) {
         if (work <= 0) break;
-        weighShape(*stress.find(handle), work);
+        runShapeAnalysis(*stress.find(handle), work);
         stress.served(handle);
     }
 }
 
 /// Told of by steps of a sixteenth, so that a fire does not have a shape weighed for every spark.
 void EditStep::weaken(ShapeHandle handle, glm::ivec3 brick, int left) {
-    WorldLoad::Entry* entry = m_world.m_load->find(handle);
+    WorldStress::Entry* entry = m_world.m_stress->find(handle);
     if (!entry) return;
     left = (left + 15) / 16 * 16;
     const auto place =
@@ -66,10 +66,10 @@ void EditStep::weaken(ShapeHandle handle, glm::ivec3 brick, int left) {
     else
         entry->weak.insert(place, {brick, left});
     entry->analysis.restart();
-    m_world.m_load->wake(handle);
+    m_world.m_stress->wake(handle);
 }
 
-void EditStep::weighShape(WorldLoad::Entry& entry, int64_t& work) {
+void EditStep::runShapeAnalysis(WorldStress::Entry& entry, int64_t& work) {
     const Shape& shape = m_world.m_shapes.at(entry.shape);
     if (entry.palette != shape.palette) {
         entry.palette = shape.palette;
@@ -78,10 +78,10 @@ void EditStep::weighShape(WorldLoad::Entry& entry, int64_t& work) {
     const StressSettings& settings = m_world.m_settings.stress;
     const glm::dvec3 gravity = glm::conjugate(m_world.shapeToWorld(entry.shape).rotation) * glm::dvec3(m_world.m_environment.gravity);
     const StressedShape stressed{shape.grid, shape.anchors, entry.entries, gravity, shape.voxelSize, settings.strengthScale * shape.strength, entry.weak};
-    entry.analysis.run(stressed, work, settings.cracksAStep, entry.cracks);
+    entry.analysis.run(stressed, work, settings.cracksPerStep, entry.cracks);
     if (!entry.analysis.isIdle()) return;
     if (!entry.analysis.hasConverged()) logWarning("stress: the forces in a shape could not be found; it bears whatever comes");
-    if (entry.cracks.empty()) m_world.m_load->sleep(entry.shape);
+    if (entry.cracks.empty()) m_world.m_stress->sleep(entry.shape);
 }
 
 }  // namespace rubble

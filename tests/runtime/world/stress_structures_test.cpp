@@ -1,5 +1,5 @@
 // Structures of beam theory in a World: a tenth below what breaks them they stand, a tenth above they break where they should.
-#include "tests/runtime/world/load_structures.h"
+#include "tests/runtime/world/stress_structures.h"
 
 #include <gtest/gtest.h>
 
@@ -20,13 +20,13 @@ constexpr double kTenth[] = {0.9, 1.1};  // of the load that breaks it
 std::vector<CrackOpened> cracksUnder(double overload, World& world, const Structure& structure, double strengthScale) {
     const Outcome out = stand(world, structure.level(), strengthScale / overload, kSteps);
     EXPECT_EQ(out.isBroken(), overload > 1.0);
-    EXPECT_FALSE(world.load()->isBusy());
-    EXPECT_TRUE(world.ledger().balances());
+    EXPECT_FALSE(world.stress()->isBusy());
+    EXPECT_TRUE(world.voxelAccounting().balances());
     EXPECT_TRUE(world.bodies().at(world.shapes().at(firstShape(world)).body).isStatic) << "what is anchored stands";
     return out.cracks;
 }
 
-TEST(LoadStructures, SimplySupportedBeamBreaksInTheMiddle) {
+TEST(StressStructures, SimplySupportedBeamBreaksInTheMiddle) {
     for (const int depth : {4, 8})
         for (const double overload : kTenth) {
             const int length = 16 * depth;
@@ -38,28 +38,28 @@ TEST(LoadStructures, SimplySupportedBeamBreaksInTheMiddle) {
                 beam.anchor({{x, middle.y, middle.z}, {x + 1, middle.y + 1, middle.z + 1}}, 2);
             const double l = length * 0.1, d = depth * 0.1;
             World world;
-            const auto cracks = cracksUnder(overload, world, beam, kConcretePull * 0.75 * l * l / d / kConcreteTension);
+            const auto cracks = cracksUnder(overload, world, beam, kConcreteWeight * 0.75 * l * l / d / kConcreteTension);
             if (cracks.empty()) continue;
             EXPECT_NEAR(cracks[0].position.x, 1.1 + l / 2.0, 0.25);
             EXPECT_EQ(cracks[0].cause, FailureMode::Tension);
         }
 }
 
-TEST(LoadStructures, ColumnIsCrushedAtItsFoot) {
+TEST(StressStructures, ColumnIsCrushedAtItsFoot) {
     for (const int height : {60, 160})
         for (const double overload : kTenth) {
             Structure column({40, 200, 40});
             column.anchor({{11, 3, 11}, {19, 4, 19}});
             column.fill({{11, 4, 11}, {19, 4 + height, 19}});
             World world;
-            const auto cracks = cracksUnder(overload, world, column, kConcretePull * height * 0.1 / kConcretePressure);
+            const auto cracks = cracksUnder(overload, world, column, kConcreteWeight * height * 0.1 / kConcreteCompression);
             if (cracks.empty()) continue;
             EXPECT_NEAR(cracks[0].position.y, 0.4, 1e-6);
             EXPECT_EQ(cracks[0].cause, FailureMode::Compression);
         }
 }
 
-TEST(LoadStructures, PortalFrameBreaksWhereItsMomentIsLargest) {
+TEST(StressStructures, PortalFrameBreaksWhereItsMomentIsLargest) {
     for (const int depth : {4, 8})
         for (const int rise : {40, 80})
             for (const double overload : kTenth) {
@@ -71,7 +71,7 @@ TEST(LoadStructures, PortalFrameBreaksWhereItsMomentIsLargest) {
                 }
                 frame.fill({{low, top - depth, low}, {low + width, top, low + depth}});
                 // Kleinlogel's formulas, at the faces of the joints: tension in the beam's middle, at its end, on top of a column.
-                const double l = span * 0.1, h = rise * 0.1, d = depth * 0.1, load = kConcretePull * d * d, modulus = d * d * d / 6.0;
+                const double l = span * 0.1, h = rise * 0.1, d = depth * 0.1, load = kConcreteWeight * d * d, modulus = d * d * d / 6.0;
                 const double corner = load * l * l / (6.0 * (h / l + 2.0)), thrust = 1.5 * corner / h;
                 const double middle = (load * l * l / 8.0 - corner) / modulus - thrust / (d * d);
                 const double end = (corner - load * l * d / 4.0 + load * d * d / 8.0) / modulus - thrust / (d * d);
@@ -90,7 +90,7 @@ TEST(LoadStructures, PortalFrameBreaksWhereItsMomentIsLargest) {
             }
 }
 
-TEST(LoadStructures, NeckUnderAHeavyHeadBreaksAndWhatIsBelowStands) {
+TEST(StressStructures, ANeckBreaksUnderItsHeadAndTheBaseStands) {
     for (const int neck : {4, 6})
         for (const int offset : {0, 3, 5})
             for (const double overload : kTenth) {
@@ -101,17 +101,17 @@ TEST(LoadStructures, NeckUnderAHeavyHeadBreaksAndWhatIsBelowStands) {
                 hourglass.fill({low + glm::ivec3(0, 1, 0), low + glm::ivec3(width, below, width)});
                 hourglass.fill({waist, waist + glm::ivec3(neck, 2, neck)});
                 hourglass.fill({low + glm::ivec3(0, below + 2, 0), low + glm::ivec3(width, below + 2 + above, width)});
-                const double area = neck * neck, head = kConcretePull * 0.1 * (above * width * width + area);
+                const double area = neck * neck, head = kConcreteWeight * 0.1 * (above * width * width + area);
                 World world;
-                const auto cracks = cracksUnder(overload, world, hourglass, head / area / kConcretePressure);
+                const auto cracks = cracksUnder(overload, world, hourglass, head / area / kConcreteCompression);
                 if (cracks.empty()) continue;
                 EXPECT_NEAR(cracks[0].position.y, 0.1 * (waist.y + 1), 0.11);
                 EXPECT_EQ(cracks[0].cause, FailureMode::Compression);
                 // All that is gone or came off is the neck and the head.
-                const Ledger ledger = world.ledger();
-                EXPECT_GE(ledger.standing, uint64_t(below * width * width - neck * neck));
-                EXPECT_LE(ledger.removed, uint64_t(4 * neck * neck));
-                EXPECT_GE(ledger.inPieces, uint64_t(above * width * width - 3 * neck * neck));
+                const VoxelAccounting accounting = world.voxelAccounting();
+                EXPECT_GE(accounting.standing, uint64_t(below * width * width - neck * neck));
+                EXPECT_LE(accounting.removed, uint64_t(4 * neck * neck));
+                EXPECT_GE(accounting.inPieces, uint64_t(above * width * width - 3 * neck * neck));
             }
 }
 
@@ -129,22 +129,22 @@ struct Stood {
     uint64_t removed = 0;  ///< before it broke
 };
 
-Stood untilItBreaks(bool burns, int most) {
+Stood untilItBreaks(bool burns, int maxSteps) {
     const double weight = 7850.0 * 9.81 * 24 * 24 * 16 * 1e-3;
     World world;
-    world.setSettings(loadOn(weight / 0.64 / 21e6 * 1.25));
+    world.setSettings(stressOn(weight / 0.64 / 21e6 * 1.25));
     world.load(post().level("wood"));
-    for (int step = 0; step < most; ++step) {
-        const uint64_t removed = world.ledger().removed;
+    for (int step = 0; step < maxSteps; ++step) {
+        const uint64_t removed = world.voxelAccounting().removed;
         Edits edits;
         if (burns && step == 30) edits.push_back(spawnFire({1.2, 1.2, 1.2}, 1.0));
         if (!world.applyEdits(edits).cracks.empty()) return {step, removed};
-        EXPECT_TRUE(world.ledger().balances());
+        EXPECT_TRUE(world.voxelAccounting().balances());
     }
-    return {most, world.ledger().removed};
+    return {maxSteps, world.voxelAccounting().removed};
 }
 
-TEST(LoadStructures, ABurningPostGivesWayBeforeItIsBurntAway) {
+TEST(StressStructures, ABurningPostFailsBeforeItIsConsumed) {
     EXPECT_EQ(untilItBreaks(false, 600).steps, 600);
     const Stood burning = untilItBreaks(true, 600);
     EXPECT_GT(burning.steps, 60);

@@ -1,10 +1,10 @@
-#include "runtime/world/world_load.h"
+#include "runtime/world/world_stress.h"
 
 #include "runtime/core/hash.h"
 
 namespace rubble {
 
-WorldLoad::Entry& WorldLoad::add(ShapeHandle shape) {
+WorldStress::Entry& WorldStress::add(ShapeHandle shape) {
     Entry& entry = m_entries[shape.slot()];
     entry = {};
     entry.shape = shape;
@@ -12,32 +12,32 @@ WorldLoad::Entry& WorldLoad::add(ShapeHandle shape) {
     return entry;
 }
 
-void WorldLoad::remove(ShapeHandle shape) {
+void WorldStress::remove(ShapeHandle shape) {
     if (!find(shape)) return;
     sleep(shape);
     m_entries.erase(shape.slot());
 }
 
-WorldLoad::Entry* WorldLoad::find(ShapeHandle shape) {
+WorldStress::Entry* WorldStress::find(ShapeHandle shape) {
     const auto found = m_entries.find(shape.slot());
     return found != m_entries.end() && found->second.shape == shape ? &found->second : nullptr;
 }
 
-std::vector<ShapeHandle> WorldLoad::busy() const {
+std::vector<ShapeHandle> WorldStress::busy() const {
     std::vector<ShapeHandle> out;
     for (auto slot = m_busy.upper_bound(m_lastServed); slot != m_busy.end(); ++slot) out.push_back(m_entries.at(*slot).shape);
     for (auto slot = m_busy.begin(); slot != m_busy.end() && *slot <= m_lastServed; ++slot) out.push_back(m_entries.at(*slot).shape);
     return out;
 }
 
-void WorldLoad::restartAll() {
+void WorldStress::restartAll() {
     for (auto& [slot, entry] : m_entries) {
         entry.analysis.restart();
         m_busy.insert(slot);
     }
 }
 
-uint64_t WorldLoad::hash() const {
+uint64_t WorldStress::hash() const {
     uint64_t out = hashValue(m_lastServed);
     for (const auto& [slot, entry] : m_entries)
         for (const WeakBrick& weak : entry.weak) out = hashValue(weak.left, hashBytes(&weak.brick, sizeof weak.brick, hashValue(slot, out)));

@@ -11,10 +11,10 @@ struct GroundPoint {
 };
 
 /// The corners of a simple polygon in the ground plane, in either sense; the last is joined to the first.
-using GroundArea = std::vector<GroundPoint>;
+using GroundPolygon = std::vector<GroundPoint>;
 
 /// Whether a point is inside: a line from it crosses an odd number of sides.
-inline bool contains(const GroundArea& area, double x, double z) {
+inline bool contains(const GroundPolygon& area, double x, double z) {
     bool inside = false;
     for (size_t i = 0, j = area.size() - 1; i < area.size(); j = i++) {
         const GroundPoint &a = area[i], &b = area[j];

@@ -1,4 +1,4 @@
-#include "runtime/world/joint_list.h"
+#include "runtime/world/joint_index.h"
 
 #include <algorithm>
 
@@ -15,14 +15,14 @@ void insert(std::vector<JointHandle>& list, JointHandle handle) {
 
 }  // namespace
 
-void JointList::add(JointHandle handle, const Joint& joint) {
+void JointIndex::add(JointHandle handle, const Joint& joint) {
     for (size_t i = 0; i < 2; ++i)
         if (const ShapeHandle shape = joint.ends[i].shape; shape && (i == 0 || shape != joint.ends[0].shape)) insert(m_byShape[shape.slot()], handle);
     if (joint.kind == JointKind::Rope) insert(m_ropes, handle);
     if (joint.hand) insert(m_grabs, handle);
 }
 
-void JointList::remove(JointHandle handle, const Joint& joint) {
+void JointIndex::remove(JointHandle handle, const Joint& joint) {
     for (const JointEnd& end : joint.ends) {
         const auto found = m_byShape.find(end.shape.slot());
         if (!end.shape || found == m_byShape.end()) continue;
@@ -33,13 +33,13 @@ void JointList::remove(JointHandle handle, const Joint& joint) {
     std::erase(m_grabs, handle);
 }
 
-void JointList::clear() {
+void JointIndex::clear() {
     m_byShape.clear();
     m_ropes.clear();
     m_grabs.clear();
 }
 
-std::span<const JointHandle> JointList::of(ShapeHandle shape) const {
+std::span<const JointHandle> JointIndex::of(ShapeHandle shape) const {
     const auto found = m_byShape.find(shape.slot());
     return found == m_byShape.end() ? std::span<const JointHandle>() : found->second;
 }

@@ -1,4 +1,4 @@
-#include "runtime/world/world_mirror.h"
+#include "runtime/world/world_baseline.h"
 
 #include <utility>
 
@@ -7,12 +7,12 @@ namespace {
 
 /// Keeps what the last state has in the slot of `handle`, and brings it up to date there.
 template <class Map, class Handle, class T>
-void follow(const Map& now, Map& last, Handle handle, SlotValues<Handle, T>& before) {
+void updateSlot(const Map& now, Map& last, Handle handle, SlotValues<Handle, T>& before) {
     if (!handle || before.contains(handle.slot())) return;
     const Handle was = last.handleAt(handle.slot()), is = now.handleAt(handle.slot());
-    auto& kept = before[handle.slot()];
-    kept.first = was;
-    if (was) kept.second = std::move(last.at(was));
+    auto& entry = before[handle.slot()];
+    entry.first = was;
+    if (was) entry.second = std::move(last.at(was));
     if (was && was != is) last.erase(was);
     if (!is) return;
     if (was == is)
@@ -24,7 +24,7 @@ void follow(const Map& now, Map& last, Handle handle, SlotValues<Handle, T>& bef
 template <class F>
 void forEachShapeIn(const FrameChanges& changes, F&& f) {
     for (const auto* list :
-         {&changes.shapesDestroyed, &changes.shapesCreated, &changes.carved, &changes.palettes, &changes.rehomed, &changes.filters})
+         {&changes.shapesDestroyed, &changes.shapesCreated, &changes.carved, &changes.palettes, &changes.unanchored, &changes.filters})
         for (const ShapeHandle shape : *list) f(shape);
     for (const BrickChange& change : changes.bricks) f(change.shape);
     for (const ShapeSplit& split : changes.splits) f(split.parent);
@@ -32,7 +32,7 @@ void forEachShapeIn(const FrameChanges& changes, F&& f) {
 
 }  // namespace
 
-WorldMirror::WorldMirror(const World& world)
+WorldBaseline::WorldBaseline(const World& world)
     : m_last(world.state()),
       m_freeBodies(world.bodies().freeSlots()),
       m_freeShapes(world.shapes().freeSlots()),
@@ -42,7 +42,7 @@ WorldMirror::WorldMirror(const World& world)
       m_freeCharacters(world.characters().freeSlots()),
       m_freeJoints(world.joints().freeSlots()) {}
 
-WorldDelta WorldMirror::emptyDelta() const {
+WorldDelta WorldBaseline::emptyDelta() const {
     WorldDelta delta;
     delta.imported = m_last.imported;
     delta.removed = m_last.removed;
@@ -57,26 +57,26 @@ WorldDelta WorldMirror::emptyDelta() const {
     return delta;
 }
 
-WorldDelta WorldMirror::update(const World& world, const FrameChanges& changes) {
+WorldDelta WorldBaseline::update(const World& world, const FrameChanges& changes) {
     WorldDelta before;
     if (changes.empty()) return before;
-    const auto body = [&](BodyHandle handle) { follow(world.bodies(), m_last.bodies, handle, before.bodies); };
+    const auto body = [&](BodyHandle handle) { updateSlot(world.bodies(), m_last.bodies, handle, before.bodies); };
     forEachShapeIn(changes, [&](ShapeHandle handle) {
         if (before.shapes.contains(handle.slot())) return;
         if (const Shape* was = m_last.shapes.find(m_last.shapes.handleAt(handle.slot()))) body(was->body);
         if (const Shape* is = world.shapes().find(world.shapes().handleAt(handle.slot()))) body(is->body);
-        follow(world.shapes(), m_last.shapes, handle, before.shapes);
+        updateSlot(world.shapes(), m_last.shapes, handle, before.shapes);
     });
-    for (const auto* list : {&changes.bodiesDestroyed, &changes.bodiesCreated, &changes.placed, &changes.settled, &changes.revived, &changes.broken})
+    for (const auto* list : {&changes.bodiesDestroyed, &changes.bodiesCreated, &changes.teleported, &changes.settled, &changes.unsettled, &changes.broken})
         for (const BodyHandle handle : *list) body(handle);
     for (const ImpulseApplied& impulse : changes.impulses) body(impulse.body);
-    for (const LightHandle handle : changes.lights) follow(world.lights(), m_last.lights, handle, before.lights);
-    for (const LightGroupHandle handle : changes.groups) follow(world.lightGroups(), m_last.groups, handle, before.groups);
-    for (const WaterHandle handle : changes.waters) follow(world.waters(), m_last.waters, handle, before.waters);
-    for (const TriggerHandle handle : changes.triggers) follow(world.triggers(), m_last.triggers, handle, before.triggers);
-    for (const CharacterHandle handle : changes.characters) follow(world.characters(), m_last.characters, handle, before.characters);
-    const auto joint = [&](JointHandle handle) { follow(world.joints(), m_last.joints, handle, before.joints); };
-    for (const auto* list : {&changes.jointsMade, &changes.jointsChanged})
+    for (const LightHandle handle : changes.lights) updateSlot(world.lights(), m_last.lights, handle, before.lights);
+    for (const LightGroupHandle handle : changes.groups) updateSlot(world.lightGroups(), m_last.groups, handle, before.groups);
+    for (const WaterHandle handle : changes.waters) updateSlot(world.waters(), m_last.waters, handle, before.waters);
+    for (const TriggerHandle handle : changes.triggers) updateSlot(world.triggers(), m_last.triggers, handle, before.triggers);
+    for (const CharacterHandle handle : changes.characters) updateSlot(world.characters(), m_last.characters, handle, before.characters);
+    const auto joint = [&](JointHandle handle) { updateSlot(world.joints(), m_last.joints, handle, before.joints); };
+    for (const auto* list : {&changes.jointsCreated, &changes.jointsChanged})
         for (const JointHandle handle : *list) joint(handle);
     for (const JointMoved& moved : changes.jointsMoved) joint(moved.joint);
     for (const JointBroken& broken : changes.jointsBroken) joint(broken.joint);
@@ -94,7 +94,7 @@ WorldDelta WorldMirror::update(const World& world, const FrameChanges& changes) 
     return before;
 }
 
-void WorldMirror::move(const World& world, std::span<const RopeMotion> ropes, SlotValues<JointHandle, Joint>& before) {
+void WorldBaseline::move(const World& world, std::span<const RopeMotion> ropes, SlotValues<JointHandle, Joint>& before) {
     for (const RopeMotion& rope : ropes) {
         Joint* last = m_last.joints.find(rope.rope);
         const Joint* now = world.joints().find(rope.rope);
@@ -104,7 +104,7 @@ void WorldMirror::move(const World& world, std::span<const RopeMotion> ropes, Sl
     }
 }
 
-void WorldMirror::move(const World& world, std::span<const BodyPose> poses, SlotValues<BodyHandle, Body>& before) {
+void WorldBaseline::move(const World& world, std::span<const BodyPose> poses, SlotValues<BodyHandle, Body>& before) {
     for (const BodyPose& pose : poses) {
         Body* last = m_last.bodies.find(pose.body);
         const Body* now = world.bodies().find(pose.body);
@@ -116,7 +116,7 @@ void WorldMirror::move(const World& world, std::span<const BodyPose> poses, Slot
     }
 }
 
-void WorldMirror::move(const World& world, std::span<const CharacterMove> moves, SlotValues<CharacterHandle, Character>& before) {
+void WorldBaseline::move(const World& world, std::span<const CharacterMove> moves, SlotValues<CharacterHandle, Character>& before) {
     for (const CharacterMove& move : moves) {
         Character* last = m_last.characters.find(move.character);
         const Character* now = world.characters().find(move.character);
