@@ -6,7 +6,7 @@
 
 namespace rubble {
 
-void countLevel(const Level& level, ImportReport& report) {
+void addLevelCounts(const Level& level, ImportReport& report) {
     for (const LevelBody& body : level.bodies)
         for (const LevelShape& shape : body.shapes) {
             ++report.shapes;
@@ -21,7 +21,7 @@ Result<Level> readLevel(const std::string& path, const std::string& vdbTool, Imp
     if (ending == ".vdb") return readVdb(path, vdbTool, report);
     if (ending != ".rubble") return Error{path + ": expected a name ending in .rubble, .vdb or .vox, found '" + ending + "'"};
     Result<Level> level = readRubble(path);
-    if (level && report) countLevel(*level, *report);
+    if (level && report) addLevelCounts(*level, *report);
     return level;
 }
 

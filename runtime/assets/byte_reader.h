@@ -61,7 +61,7 @@ public:
         m_error = fmt::format("byte {}, {}: expected {}, found {}", offset == SIZE_MAX ? this->offset() : offset, m_context, expected, found);
     }
     /// Takes over the failure of a reader of a part.
-    void adopt(const ByteReader& part) {
+    void takeErrorOf(const ByteReader& part) {
         if (!failed()) m_error = part.m_error;
     }
 

@@ -47,7 +47,7 @@ std::vector<uint8_t> ChunkWriter::file(uint64_t contentHash) const {
     return out;
 }
 
-void GridChunks::addGrid(uint32_t shape, const VoxelGrid& grid) {
+void GridChunkWriter::addGrid(uint32_t shape, const VoxelGrid& grid) {
     begin(shape);
     grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         if (m_raw.size() > kGridChunkBytes) flush(), begin(shape);
@@ -57,13 +57,13 @@ void GridChunks::addGrid(uint32_t shape, const VoxelGrid& grid) {
     flush();
 }
 
-void GridChunks::begin(uint32_t shape) {
+void GridChunkWriter::begin(uint32_t shape) {
     m_raw.assign(8, 0);
     std::memcpy(m_raw.data(), &shape, 4);
     m_bricks = 0;
 }
 
-void GridChunks::flush() {
+void GridChunkWriter::flush() {
     if (m_bricks == 0) return;
     std::memcpy(m_raw.data() + 4, &m_bricks, 4);
     m_out.add({'G', 'R', 'I', 'D'}, m_raw);

@@ -51,9 +51,9 @@ private:
 };
 
 /// Collects GRID chunks: u32 shape, u32 bricks, then each brick.
-class GridChunks {
+class GridChunkWriter {
 public:
-    explicit GridChunks(ChunkWriter& out) : m_out(out) {}
+    explicit GridChunkWriter(ChunkWriter& out) : m_out(out) {}
     void addGrid(uint32_t shape, const VoxelGrid& grid);
 
 private:

@@ -36,15 +36,15 @@ Result<std::vector<uint8_t>> readFileBytes(const std::string& path, uint64_t lim
 }
 
 Result<Done> writeFileAtomically(const std::string& path, std::span<const uint8_t> bytes) {
-    const std::string neighbour = fmt::format("{}.{}.part", path, getpid());
-    File file(std::fopen(neighbour.c_str(), "wb"));
-    if (!file) return systemError(neighbour, "cannot write");
+    const std::string temporaryPath = fmt::format("{}.{}.part", path, getpid());
+    File file(std::fopen(temporaryPath.c_str(), "wb"));
+    if (!file) return systemError(temporaryPath, "cannot write");
     bool good = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
     good = good && std::fflush(file.get()) == 0 && fsync(fileno(file.get())) == 0;
-    good = good && std::rename(neighbour.c_str(), path.c_str()) == 0;
+    good = good && std::rename(temporaryPath.c_str(), path.c_str()) == 0;
     if (good) return Done{};
     const Error error = systemError(path, "cannot write");
-    std::remove(neighbour.c_str());
+    std::remove(temporaryPath.c_str());
     return error;
 }
 

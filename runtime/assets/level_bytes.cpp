@@ -1,6 +1,6 @@
 #include "runtime/assets/level_bytes.h"
 
-#include "runtime/assets/byte_archive.h"
+#include "runtime/assets/binary_archive.h"
 #include "runtime/assets/level_fields.h"
 
 namespace rubble {
@@ -10,12 +10,12 @@ enum BrickKind : uint8_t { kFull, kUniform, kMixed };
 constexpr uint8_t kPainted = 4;  ///< added to the kind: 512 bytes of paint follow
 
 bool fitsGrid(const Brick& brick, glm::ivec3 position, glm::ivec3 size) {
-    const glm::ivec3 room = size - position * 8;
-    if (room.x >= 8 && room.y >= 8 && room.z >= 8) return true;
+    const glm::ivec3 remaining = size - position * 8;
+    if (remaining.x >= 8 && remaining.y >= 8 && remaining.z >= 8) return true;
     bool fits = true;
     forEachVoxel(brick.occupancy, [&](int i) {
         const glm::ivec3 cell = voxelInBrick(i);
-        fits = fits && cell.x < room.x && cell.y < room.y && cell.z < room.z;
+        fits = fits && cell.x < remaining.x && cell.y < remaining.y && cell.z < remaining.z;
     });
     return fits;
 }
@@ -24,21 +24,21 @@ bool fitsGrid(const Brick& brick, glm::ivec3 position, glm::ivec3 size) {
 
 std::vector<uint8_t> levelToBytes(const Level& level, PaletteList& palettes) {
     std::vector<uint8_t> bytes;
-    ByteOut(bytes, palettes).put(level);
+    BinaryOutputArchive(bytes, palettes).put(level);
     return bytes;
 }
 
 Level levelFromBytes(ByteReader& in, const std::vector<PaletteRef>& palettes) {
     Level level;
     level.materials.materials.clear();
-    ByteIn(in, palettes).get(level);
+    BinaryInputArchive(in, palettes).get(level);
     return level;
 }
 
 std::vector<uint8_t> palettesToBytes(const std::vector<PaletteRef>& palettes) {
     std::vector<uint8_t> bytes;
     PaletteList unused;
-    ByteOut out(bytes, unused);
+    BinaryOutputArchive out(bytes, unused);
     out.put(uint32_t(palettes.size()));
     for (const PaletteRef& palette : palettes)
         for (const PaletteEntry& entry : *palette) out.put(entry);
@@ -48,7 +48,7 @@ std::vector<uint8_t> palettesToBytes(const std::vector<PaletteRef>& palettes) {
 std::vector<PaletteRef> palettesFromBytes(ByteReader& in) {
     std::vector<PaletteRef> palettes;
     const uint32_t count = in.readCount(256 * 16, "palettes");
-    ByteIn archive(in, palettes);
+    BinaryInputArchive archive(in, palettes);
     for (uint32_t i = 0; i < count && !in.failed(); ++i) {
         auto palette = std::make_shared<Palette>();
         for (PaletteEntry& entry : *palette) archive.get(entry);
@@ -59,7 +59,7 @@ std::vector<PaletteRef> palettesFromBytes(ByteReader& in) {
 
 void appendBrick(std::vector<uint8_t>& out, glm::ivec3 position, const Brick& brick) {
     PaletteList unused;
-    ByteOut archive(out, unused);
+    BinaryOutputArchive archive(out, unused);
     for (int i = 0; i < 3; ++i) archive.put(uint16_t(position[i]));
     const BrickKind kind = brick.indices ? kMixed : brick.full() ? kFull : kUniform;
     archive.put(uint8_t(kind | (brick.paint ? kPainted : 0)));

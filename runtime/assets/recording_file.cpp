@@ -6,7 +6,7 @@
 #include <cstring>
 #include <new>
 
-#include "runtime/assets/byte_archive.h"
+#include "runtime/assets/binary_archive.h"
 #include "runtime/assets/chunk_file.h"
 #include "runtime/assets/file_bytes.h"
 #include "runtime/assets/state_fields.h"
@@ -34,7 +34,7 @@ void fields(A& a, Is<CharacterMove> auto& move) {
 template <class A>
 void fields(A& a, Is<RecordedStep> auto& step) {
     a("step", step.step);
-    a("saved_before", step.savedBefore);
+    a("saved_before", step.physicsRebuilt);
     a("edits", step.edits);
     a("delta", step.delta);
     a("poses", step.poses);
@@ -84,14 +84,14 @@ Result<Done> RecordingWriter::close() {
 std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step) {
     std::vector<uint8_t> bytes;
     PaletteList unused;
-    ByteOut(bytes, unused).put(step);
+    BinaryOutputArchive(bytes, unused).put(step);
     return bytes;
 }
 
 Result<RecordedStep> recordedStepFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world) {
     ByteReader reader(bytes, "recorded step");
     RecordedStep step;
-    ByteIn(reader, {}, world).get(step);
+    BinaryInputArchive(reader, {}, world).get(step);
     if (reader.remaining() > 0) reader.fail("the end of the step", fmt::format("{} more bytes", reader.remaining()));
     if (reader.failed()) return Error{name + ": " + reader.error()};
     return step;

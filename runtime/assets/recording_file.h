@@ -14,9 +14,9 @@ namespace rubble {
 /// One step of a recording: what the host asked for, and what became of it.
 struct RecordedStep {
     uint64_t step = 0;
-    bool savedBefore = false;     ///< physics was made anew from the World before this step
+    bool physicsRebuilt = false;     ///< physics was made anew from the World before this step
     Edits edits;                  ///< the host's alone; what impacts did is in the delta, and follows from physics
-    std::vector<uint8_t> delta;   ///< see stepToBytes()
+    std::vector<uint8_t> delta;   ///< see stepDeltaToBytes()
     std::vector<BodyPose> poses;  ///< that physics handed over
     std::vector<CharacterMove> characters;
     uint64_t hash = 0;          ///< of the World after the step

@@ -5,7 +5,7 @@
 #include "runtime/assets/chunk_file.h"
 #include "runtime/assets/file_bytes.h"
 #include "runtime/assets/level_bytes.h"
-#include "runtime/assets/level_check.h"
+#include "runtime/assets/level_validation.h"
 #include "runtime/core/hash.h"
 
 namespace rubble {
@@ -34,7 +34,7 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
         return;
     }
     if (!in.failed() && in.remaining() > 0) in.fail("the end of the chunk", fmt::format("{} more bytes", in.remaining()));
-    file.adopt(in);
+    file.takeErrorOf(in);
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ std::vector<uint8_t> levelToRubble(const Level& level) {
     const std::vector<uint8_t> levelBytes = levelToBytes(level, palettes);
     out.add({'P', 'A', 'L', 'T'}, palettesToBytes(palettes.palettes()));
     out.add({'L', 'E', 'V', 'L'}, levelBytes);
-    GridChunks grids(out);
+    GridChunkWriter grids(out);
     uint32_t shape = 0;
     for (const LevelBody& body : level.bodies)
         for (const LevelShape& item : body.shapes) grids.addGrid(shape++, item.grid);
@@ -70,7 +70,7 @@ Result<Level> levelFromRubble(std::span<const uint8_t> bytes, const std::string&
         readChunkFile(in, [&](const ChunkHeader& chunk, const std::vector<uint8_t>& raw, uint32_t i) { readContent(chunk, raw, i, parsed, in); });
     if (!parsed.haveLevel) in.fail("a LEVL chunk", "none");
     if (in.failed()) return Error{name + ": " + in.error()};
-    if (const Result<Done> checked = checkLevel(parsed.level); !checked) return Error{name + ": " + checked.error()};
+    if (const Result<Done> checked = validateLevel(parsed.level); !checked) return Error{name + ": " + checked.error()};
     if (hashLevel(parsed.level) != header.contentHash) return Error{name + ": byte 16: expected the hash of the level, found another"};
     return std::move(parsed.level);
 }
@@ -84,7 +84,7 @@ Result<Level> readRubble(const std::string& path) try {
 }
 
 Result<Done> writeRubble(const std::string& path, const Level& level) {
-    if (const Result<Done> checked = checkLevel(level); !checked) return Error{path + ": " + checked.error()};
+    if (const Result<Done> checked = validateLevel(level); !checked) return Error{path + ": " + checked.error()};
     return writeFileAtomically(path, levelToRubble(level));
 }
 

@@ -4,17 +4,17 @@
 #include <glm/vector_relational.hpp>
 #include <new>
 
-#include "runtime/assets/byte_archive.h"
+#include "runtime/assets/binary_archive.h"
 #include "runtime/assets/chunk_file.h"
 #include "runtime/assets/file_bytes.h"
-#include "runtime/assets/level_check.h"
+#include "runtime/assets/level_validation.h"
 #include "runtime/assets/state_fields.h"
 
 namespace rubble {
 namespace {
 
 template <class Handle, class T>
-void putSlots(ByteOut& out, const SlotMap<Handle, T>& map) {
+void putSlots(BinaryOutputArchive& out, const SlotMap<Handle, T>& map) {
     out.put(uint32_t(map.slots().size()));
     for (const auto& slot : map.slots()) {
         out.put(slot.generation);
@@ -26,7 +26,7 @@ void putSlots(ByteOut& out, const SlotMap<Handle, T>& map) {
 }
 
 template <class Handle, class T>
-void getSlots(ByteReader& reader, ByteIn& in, uint8_t world, SlotMap<Handle, T>& map) {
+void getSlots(ByteReader& reader, BinaryInputArchive& in, uint8_t world, SlotMap<Handle, T>& map) {
     std::vector<typename SlotMap<Handle, T>::Slot> slots(reader.readCount(9, "slots"));
     for (auto& slot : slots) {
         in.get(slot.generation);
@@ -43,7 +43,7 @@ void getSlots(ByteReader& reader, ByteIn& in, uint8_t world, SlotMap<Handle, T>&
 
 std::vector<uint8_t> stateToBytes(const SavedGame& game, PaletteList& palettes) {
     std::vector<uint8_t> bytes;
-    ByteOut out(bytes, palettes);
+    BinaryOutputArchive out(bytes, palettes);
     const WorldState& world = game.world;
     out.put(world.name);
     out.put(world.step), out.put(world.imported), out.put(world.removed);
@@ -67,7 +67,7 @@ std::vector<uint8_t> stateToBytes(const SavedGame& game, PaletteList& palettes) 
 
 SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& palettes, uint8_t number) {
     SavedGame game;
-    ByteIn in(reader, palettes, number);
+    BinaryInputArchive in(reader, palettes, number);
     WorldState& world = game.world;
     in.get(world.name);
     in.get(world.step), in.get(world.imported), in.get(world.removed);
@@ -91,7 +91,7 @@ SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& pale
 }
 
 /// What a World asserts: every shape on one body, and that body knows it once.
-Result<Done> checkHandles(const WorldState& world) {
+Result<Done> validateHandles(const WorldState& world) {
     std::string error;
     const auto fail = [&](const char* what, uint32_t slot) {
         if (error.empty()) error = fmt::format("{} {}: expected handles and bricks that are there, found others", what, slot);
@@ -154,15 +154,15 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
         return;
     }
     if (!in.failed() && in.remaining() > 0) in.fail("the end of the chunk", fmt::format("{} more bytes", in.remaining()));
-    file.adopt(in);
+    file.takeErrorOf(in);
 }
 
 /// Whether a World can be in this state, and has the hash that the file says.
-Result<Done> checkState(const WorldState& state, uint8_t number, uint64_t hash) {
-    if (Result<Done> checked = checkHandles(state); !checked) return checked;
+Result<Done> validateState(const WorldState& state, uint8_t number, uint64_t hash) {
+    if (Result<Done> checked = validateHandles(state); !checked) return checked;
     World world(number);
     world.setState(state);
-    if (Result<Done> checked = checkLevel(world.toLevel()); !checked) return checked;
+    if (Result<Done> checked = validateLevel(world.toLevel()); !checked) return checked;
     if (world.hash() != hash) return Error{"byte 16: expected the hash of the world, found another"};
     return Done{};
 }
@@ -175,7 +175,7 @@ std::vector<uint8_t> gameToBytes(const SavedGame& game) {
     const std::vector<uint8_t> state = stateToBytes(game, palettes);
     out.add({'P', 'A', 'L', 'T'}, palettesToBytes(palettes.palettes()));
     out.add({'S', 'A', 'V', 'E'}, state);
-    GridChunks grids(out);
+    GridChunkWriter grids(out);
     uint32_t shape = 0;
     game.world.shapes.forEach([&](ShapeHandle, const Shape& each) { grids.addGrid(shape++, each.grid); });
     World world;
@@ -195,7 +195,7 @@ Result<SavedGame> gameFromBytes(std::span<const uint8_t> bytes, const std::strin
         if (!shape->palette) shape->palette = std::make_shared<const Palette>();
         shape->moments = gridMoments(shape->grid, *shape->palette, state.materials);
     }
-    if (const Result<Done> checked = checkState(state, world, header.contentHash); !checked) return Error{name + ": " + checked.error()};
+    if (const Result<Done> checked = validateState(state, world, header.contentHash); !checked) return Error{name + ": " + checked.error()};
     return std::move(parsed.game);
 }
 

@@ -4,7 +4,7 @@
 #include <glm/vector_relational.hpp>
 #include <optional>
 
-#include "runtime/assets/byte_archive.h"
+#include "runtime/assets/binary_archive.h"
 #include "runtime/assets/level_bytes.h"
 #include "runtime/assets/state_fields.h"
 #include "runtime/voxel/mass_properties.h"
@@ -39,7 +39,7 @@ Source findSource(ShapeHandle shape, const WorldDelta& before, const FrameChange
     return {};
 }
 
-void putBrick(ByteOut& out, std::vector<uint8_t>& bytes, glm::ivec3 position, const Brick* brick, const BrickRef& source) {
+void putBrick(BinaryOutputArchive& out, std::vector<uint8_t>& bytes, glm::ivec3 position, const Brick* brick, const BrickRef& source) {
     if (brick && source) {
         const BrickRef masked = maskBrick(*source, brick->occupancy);
         if (masked && masked->occupancy == brick->occupancy && hashBrick(*masked) == hashBrick(*brick)) {
@@ -55,7 +55,7 @@ void putBrick(ByteOut& out, std::vector<uint8_t>& bytes, glm::ivec3 position, co
     for (int i = 0; i < 3; ++i) out.put(uint16_t(position[i]));
 }
 
-void putShape(ByteOut& out, std::vector<uint8_t>& bytes, uint32_t slot, const WorldDelta& before, const FrameChanges& changes, const World& after) {
+void putShape(BinaryOutputArchive& out, std::vector<uint8_t>& bytes, uint32_t slot, const WorldDelta& before, const FrameChanges& changes, const World& after) {
     const auto& [wasHandle, was] = before.shapes.at(slot);
     const ShapeHandle handle = after.shapes().handleAt(slot);
     out.put(slot);
@@ -78,7 +78,7 @@ void putShape(ByteOut& out, std::vector<uint8_t>& bytes, uint32_t slot, const Wo
 }
 
 template <class Map, class Handle, class T>
-void putValues(ByteOut& out, const SlotValues<Handle, T>& before, const Map& after) {
+void putValues(BinaryOutputArchive& out, const SlotValues<Handle, T>& before, const Map& after) {
     out.put(uint32_t(before.size()));
     for (const auto& [slot, was] : before) {
         const Handle handle = after.handleAt(slot);
@@ -187,7 +187,7 @@ private:
         readBrick(m_reader, grid);
     }
     ByteReader& m_reader;
-    ByteIn m_in;
+    BinaryInputArchive m_in;
     const World& m_world;
 };
 
@@ -242,11 +242,11 @@ bool fits(const WorldDelta& delta, const World& world) {
 
 }  // namespace
 
-std::vector<uint8_t> stepToBytes(const WorldDelta& before, const FrameChanges& changes, const World& after, PaletteList& palettes) {
+std::vector<uint8_t> stepDeltaToBytes(const WorldDelta& before, const FrameChanges& changes, const World& after, PaletteList& palettes) {
     if (before.empty()) return {};
     const size_t known = palettes.palettes().size();
     std::vector<uint8_t> delta;
-    ByteOut out(delta, palettes);
+    BinaryOutputArchive out(delta, palettes);
     out.put(after.imported()), out.put(after.removed());
     putValues(out, before.bodies, after.bodies());
     putValues(out, before.lights, after.lights());
@@ -271,7 +271,7 @@ std::vector<uint8_t> stepToBytes(const WorldDelta& before, const FrameChanges& c
     return bytes;
 }
 
-Result<FrameChanges> applyStep(std::span<const uint8_t> bytes, const std::string& name, World& world, std::vector<PaletteRef>& palettes) {
+Result<FrameChanges> applyStepDelta(std::span<const uint8_t> bytes, const std::string& name, World& world, std::vector<PaletteRef>& palettes) {
     if (bytes.empty()) return world.applyDelta(std::nullopt);
     ByteReader in(bytes, "step");
     for (PaletteRef& palette : palettesFromBytes(in)) palettes.push_back(std::move(palette));

@@ -14,6 +14,6 @@ Result<std::string> runVdbTool(const std::string& tool, const std::vector<std::s
 Result<Level> readVdb(const std::string& path, const std::string& vdbTool, ImportReport* report);
 
 /// Adds a level's shapes and voxels to a report.
-void countLevel(const Level& level, ImportReport& report);
+void addLevelCounts(const Level& level, ImportReport& report);
 
 }  // namespace rubble

@@ -125,7 +125,7 @@ void readIndexMap(ByteReader& in, VoxFile& file) {
     for (uint8_t stored : map) seen[stored] = true;
     for (bool present : seen)
         if (!present) {
-            file.remarks.push_back("IMAP: not a permutation of 0 to 255, ignored (it orders the palette, colours do not depend on it)");
+            file.warnings.push_back("IMAP: not a permutation of 0 to 255, ignored (it orders the palette, colours do not depend on it)");
             return;
         }
     file.indexMap = map;
@@ -144,7 +144,7 @@ public:
             in.fail("an XYZI chunk after each SIZE chunk", fmt::format("{} SIZE and {} XYZI chunks", m_file.models.size(), m_modelsRead));
         if (m_file.models.empty()) in.fail("at least one model", "none");
         if (m_packed && *m_packed != m_modelsRead)
-            m_file.remarks.push_back(fmt::format("PACK: says {} models, the file holds {}", *m_packed, m_modelsRead));
+            m_file.warnings.push_back(fmt::format("PACK: says {} models, the file holds {}", *m_packed, m_modelsRead));
     }
 
 private:
@@ -162,10 +162,10 @@ private:
                            fmt::format("{} before the end", in.remaining()), start + 4);
         ByteReader content = in.part(contentBytes, kind + " chunk");
         readContent(kind, content, start);
-        in.adopt(content);
+        in.takeErrorOf(content);
         ByteReader children = in.part(childBytes, "inside " + kind);
         if (kind == "MAIN") parseAll(children);
-        in.adopt(children);
+        in.takeErrorOf(children);
     }
 
     void readContent(const std::string& kind, ByteReader& in, size_t chunkOffset) {

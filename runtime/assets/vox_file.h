@@ -52,7 +52,7 @@ struct VoxFile {
     std::vector<VoxAttributes> renderSettings;  ///< rOBJ
     std::vector<std::string> colorNotes;        ///< NOTE: names of the rows of colours
     std::map<std::string, int> skippedChunks;   ///< unknown kinds and how many
-    std::vector<std::string> remarks;           ///< oddities that lose nothing
+    std::vector<std::string> warnings;           ///< oddities that lose nothing
 };
 
 /// `name` is the file's name, for messages. Any bytes give a VoxFile or an error, in time linear in their number.

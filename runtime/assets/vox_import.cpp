@@ -19,39 +19,39 @@ namespace {
 
 constexpr uint64_t kMaxFileBytes = uint64_t(1) << 30;
 // Z up, Y away becomes Y up, Z near.
-constexpr CellTransform kYUp{{0, 2, 1}, {1, 1, -1}, {}};
+constexpr VoxTransform kZUpToYUp{{0, 2, 1}, {1, 1, -1}, {}};
 
-/// A model turned as an instance wants it, cut down to the voxels it has.
-struct TurnedModel {
+/// A model rotated as an instance wants it, cut down to the voxels it has.
+struct RotatedModel {
     VoxelGrid grid;
     std::array<int64_t, 3> low{};  ///< of the grid's cell 0, relative to the transform's offset
 };
 
-TurnedModel turnModel(const VoxModel& model, const CellTransform& turn, const std::array<uint8_t, 256>& slots) {
+RotatedModel rotateModel(const VoxModel& model, const VoxTransform& rotation, const std::array<uint8_t, 256>& slots) {
     const glm::ivec3 pivot = model.size / 2;
     // sign +: cell v spans [v - pivot, v + 1 - pivot]; sign -: the same mirrored.
-    const auto turned = [&](const std::array<uint8_t, 4>& voxel) {
+    const auto rotated = [&](const std::array<uint8_t, 4>& voxel) {
         glm::ivec3 cell;
         for (int i = 0; i < 3; ++i) {
-            const int from = turn.axis[size_t(i)];
+            const int from = rotation.axis[size_t(i)];
             const int corner = int(voxel[size_t(from)]) - pivot[from];
-            cell[i] = turn.sign[size_t(i)] > 0 ? corner : -corner - 1;
+            cell[i] = rotation.sign[size_t(i)] > 0 ? corner : -corner - 1;
         }
         return cell;
     };
-    TurnedModel out;
+    RotatedModel out;
     glm::ivec3 low(INT32_MAX), high(INT32_MIN);
     for (const auto& voxel : model.voxels) {
         if (slots[voxel[3]] == 0) continue;
-        low = glm::min(low, turned(voxel));
-        high = glm::max(high, turned(voxel));
+        low = glm::min(low, rotated(voxel));
+        high = glm::max(high, rotated(voxel));
     }
     if (low.x > high.x) return out;
     out.low = {low.x, low.y, low.z};
     out.grid = VoxelGrid(high - low + 1);
     GridWriter writer(out.grid);
     for (const auto& voxel : model.voxels)
-        if (slots[voxel[3]] != 0) writer.set(turned(voxel) - low, slots[voxel[3]]);
+        if (slots[voxel[3]] != 0) writer.set(rotated(voxel) - low, slots[voxel[3]]);
     writer.flush();
     return out;
 }
@@ -75,48 +75,48 @@ public:
         choosePalette();
         addLights();
         addCameras();
-        reportRest(instances);
+        reportIgnored(instances);
         return std::move(m_level);
     }
 
 private:
-    void say(std::string line) { m_report.lines.push_back(std::move(line)); }
+    void addLine(std::string line) { m_report.lines.push_back(std::move(line)); }
 
     void addObject(const VoxInstance& instance) {
-        const CellTransform transform = kYUp * instance.transform;
+        const VoxTransform transform = kZUpToYUp * instance.transform;
         const auto key = std::tuple(instance.model, transform.axis, transform.sign);
-        auto found = m_turned.find(key);
-        if (found == m_turned.end()) found = m_turned.emplace(key, turnModel(m_file.models[size_t(instance.model)], transform, m_slots)).first;
-        const TurnedModel& turned = found->second;
-        if (turned.grid.empty()) return say(fmt::format("model {}: no voxels, left out", instance.model));
+        auto found = m_rotated.find(key);
+        if (found == m_rotated.end()) found = m_rotated.emplace(key, rotateModel(m_file.models[size_t(instance.model)], transform, m_slots)).first;
+        const RotatedModel& rotated = found->second;
+        if (rotated.grid.empty()) return addLine(fmt::format("model {}: no voxels, left out", instance.model));
 
         std::string name = printableName(instance.name.empty() ? m_stem : instance.name);
         if (instance.frame > 0) name += fmt::format(" frame {}", instance.frame);
         LevelShape shape;
         shape.name = m_names.unique(name);
         shape.voxelSize = float(m_settings.voxelSize);
-        shape.grid = turned.grid;
+        shape.grid = rotated.grid;
         shape.hidden = instance.hidden;
         if (!instance.layer.empty()) shape.tags.push_back("layer=" + printableName(instance.layer));
         if (instance.frame > 0) shape.tags.push_back(fmt::format("frame={}", instance.frame));
         glm::dvec3 corner;
-        for (int i = 0; i < 3; ++i) corner[i] = double(turned.low[size_t(i)] + transform.offset[size_t(i)]);
-        sayObject(instance, shape, corner);
-        place(std::move(shape), corner * m_settings.voxelSize);
+        for (int i = 0; i < 3; ++i) corner[i] = double(rotated.low[size_t(i)] + transform.offset[size_t(i)]);
+        reportObject(instance, shape, corner);
+        addShape(std::move(shape), corner * m_settings.voxelSize);
     }
 
-    void sayObject(const VoxInstance& instance, const LevelShape& shape, glm::dvec3 corner) {
+    void reportObject(const VoxInstance& instance, const LevelShape& shape, glm::dvec3 corner) {
         const glm::ivec3 size = shape.grid.size();
         std::string line = fmt::format("'{}': model {}, {} voxels, {}x{}x{} cells at ({}, {}, {})", shape.name, instance.model,
                                        shape.grid.voxelCount(), size.x, size.y, size.z, corner.x, corner.y, corner.z);
         for (const std::string& tag : shape.tags) line += ", " + tag;
         if (shape.hidden) line += ", hidden";
         if (instance.frame > 0) line += " (kept as a hidden shape: the first frame is what stands)";
-        if (instance.morePoses > 0) line += fmt::format(" ({} later poses of its animation left out)", instance.morePoses);
-        say(std::move(line));
+        if (instance.skippedPoses > 0) line += fmt::format(" ({} later poses of its animation left out)", instance.skippedPoses);
+        addLine(std::move(line));
     }
 
-    void place(LevelShape shape, glm::dvec3 corner) {
+    void addShape(LevelShape shape, glm::dvec3 corner) {
         ++m_report.shapes;
         m_report.voxels += shape.grid.voxelCount();
         if (m_settings.oneBody) {
@@ -156,7 +156,7 @@ private:
             if (entry.metallic) line += fmt::format(", metallic {}", entry.metallic);
             if (entry.opacity < 255) line += fmt::format(", opacity {}", entry.opacity);
             if (entry.emission > 0) line += fmt::format(", emission {}", entry.emission);
-            say(std::move(line));
+            addLine(std::move(line));
         }
     }
 
@@ -198,7 +198,7 @@ private:
         light.light.radius = float(radius);
         light.light.color = glm::vec3(radiance * (3.14159265358979 * radius * radius));  // of a sphere of that radiance
         m_level.lights.push_back(light);
-        say(fmt::format("'{}': {} glowing voxels -> light group '{}' with a sphere light", shape.name, count, group.name));
+        addLine(fmt::format("'{}': {} glowing voxels -> light group '{}' with a sphere light", shape.name, count, group.name));
     }
 
     void addCameras() {
@@ -211,23 +211,23 @@ private:
             pose.position = glm::dvec3(at.x, at.z, -at.y) * m_settings.voxelSize;
             m_level.locations.emplace_back(fmt::format("camera {}", id), pose);
         }
-        if (!m_file.cameras.empty()) say(fmt::format("{} cameras -> locations at what they look at", m_file.cameras.size()));
+        if (!m_file.cameras.empty()) addLine(fmt::format("{} cameras -> locations at what they look at", m_file.cameras.size()));
     }
 
-    void reportRest(const std::vector<VoxInstance>& instances) {
+    void reportIgnored(const std::vector<VoxInstance>& instances) {
         std::set<int> placed;
         for (const VoxInstance& instance : instances) placed.insert(instance.model);
         for (int i = 0; i < int(m_file.models.size()); ++i)
-            if (!placed.contains(i)) say(fmt::format("model {}: in no object of the scene, left out", i));
-        if (m_file.defaultColors) say("no RGBA chunk: MagicaVoxel's default colours");
-        if (m_file.indexMap) say("IMAP: entries are numbered as MagicaVoxel shows them");
+            if (!placed.contains(i)) addLine(fmt::format("model {}: in no object of the scene, left out", i));
+        if (m_file.defaultColors) addLine("no RGBA chunk: MagicaVoxel's default colours");
+        if (m_file.indexMap) addLine("IMAP: entries are numbered as MagicaVoxel shows them");
         if (!m_file.renderSettings.empty())
-            say(fmt::format("{} render settings (rOBJ): left out, the level keeps its own sun and sky", m_file.renderSettings.size()));
+            addLine(fmt::format("{} render settings (rOBJ): left out, the level keeps its own sun and sky", m_file.renderSettings.size()));
         int named = 0;
         for (const std::string& note : m_file.colorNotes) named += note.empty() ? 0 : 1;
-        if (named) say(fmt::format("{} names of colour rows (NOTE): left out", named));
-        for (const auto& [kind, count] : m_file.skippedChunks) say(fmt::format("{} {} chunks: not known, left out", count, kind));
-        for (const std::string& remark : m_file.remarks) say(remark);
+        if (named) addLine(fmt::format("{} names of colour rows (NOTE): left out", named));
+        for (const auto& [kind, count] : m_file.skippedChunks) addLine(fmt::format("{} {} chunks: not known, left out", count, kind));
+        for (const std::string& warning : m_file.warnings) addLine(warning);
     }
 
     const VoxFile& m_file;
@@ -235,7 +235,7 @@ private:
     const VoxImportSettings& m_settings;
     ImportReport& m_report;
     const std::array<uint8_t, 256> m_slots;
-    std::map<std::tuple<int, std::array<uint8_t, 3>, std::array<int8_t, 3>>, TurnedModel> m_turned;
+    std::map<std::tuple<int, std::array<uint8_t, 3>, std::array<int8_t, 3>>, RotatedModel> m_rotated;
     UniqueNames m_names;
     PaletteRef m_palette;
     Level m_level;

@@ -11,16 +11,16 @@ namespace {
 // MagicaVoxel's emission has no unit. A fully emissive colour of power 0 becomes this many times its linear colour:
 // a lamp that outshines a sunlit wall of the default environment.
 constexpr float kEmissionScale = 5.0f;
-constexpr uint8_t kLeastOpacity = 26;  // clear glass can still be seen
+constexpr uint8_t kMinOpacity = 26;  // clear glass can still be seen
 
-/// A number in [low, high]; `otherwise` if it is missing or no number.
-float number(const VoxAttributes& attributes, const char* key, float otherwise, float low, float high) {
+/// A number in [low, high]; `fallback` if it is missing or no number.
+float number(const VoxAttributes& attributes, const char* key, float fallback, float low, float high) {
     const auto found = attributes.find(key);
-    if (found == attributes.end()) return otherwise;
+    if (found == attributes.end()) return fallback;
     float value = 0;
     const char* end = found->second.data() + found->second.size();
     const auto parsed = std::from_chars(found->second.data(), end, value);
-    return parsed.ec == std::errc{} && value == value ? std::clamp(value, low, high) : otherwise;
+    return parsed.ec == std::errc{} && value == value ? std::clamp(value, low, high) : fallback;
 }
 
 uint8_t toByte(float fraction) {
@@ -41,7 +41,7 @@ void applyMaterial(const VoxAttributes& attributes, PaletteEntry& entry) {
     if (type == "_glass" || type == "_blend" || type == "_media" || type == "_cloud") {
         const float alpha = number(attributes, "_alpha", type == "_blend" ? 0.0f : weight, 0.0f, 1.0f);
         const float transparency = number(attributes, "_trans", alpha, 0.0f, 1.0f);
-        entry.opacity = std::max(kLeastOpacity, toByte(1.0f - transparency));
+        entry.opacity = std::max(kMinOpacity, toByte(1.0f - transparency));
         const float index = 1.0f + number(attributes, "_ior", 0.5f, 0.0f, 2.0f);
         const float fresnel = (index - 1.0f) / (index + 1.0f);
         entry.reflectivity = toByte(fresnel * fresnel);

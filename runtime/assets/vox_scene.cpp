@@ -19,7 +19,7 @@ std::string attribute(const VoxAttributes& attributes, const char* key) {
 }
 
 /// The rotation byte: two bits each for the column of the first and second row's entry, then a sign bit a row.
-bool parseRotation(const std::string& text, CellTransform& out) {
+bool parseRotation(const std::string& text, VoxTransform& out) {
     unsigned bits = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), bits);
     if (code != std::errc{} || end != text.data() + text.size() || bits > 127) return false;
@@ -30,7 +30,7 @@ bool parseRotation(const std::string& text, CellTransform& out) {
     return true;
 }
 
-bool parseOffset(const std::string& text, CellTransform& out) {
+bool parseOffset(const std::string& text, VoxTransform& out) {
     const char* at = text.data();
     const char* end = at + text.size();
     for (int64_t& value : out.offset) {
@@ -48,10 +48,10 @@ public:
     SceneWalker(const VoxFile& file, const std::string& fileName) : m_file(file), m_fileName(fileName) {}
 
     struct State {
-        CellTransform transform;
+        VoxTransform transform;
         std::string name, layer;
         bool hidden = false;
-        int morePoses = 0;
+        int skippedPoses = 0;
         int depth = 0;
     };
 
@@ -76,14 +76,14 @@ public:
 
 private:
     bool enterTransform(const VoxNode& node, State& state) {
-        CellTransform local;
+        VoxTransform local;
         if (!node.frames.empty()) {
             const std::string rotation = attribute(node.frames[0], "_r"), offset = attribute(node.frames[0], "_t");
             if (!rotation.empty() && !parseRotation(rotation, local))
                 return fail(node.offset, "a rotation byte (two different columns and three signs)", "'" + rotation + "'"), false;
             if (!offset.empty() && !parseOffset(offset, local))
                 return fail(node.offset, fmt::format("a translation of three whole numbers up to {}", kMaxOffset), "'" + offset + "'"), false;
-            state.morePoses += int(node.frames.size()) - 1;
+            state.skippedPoses += int(node.frames.size()) - 1;
         }
         state.transform = state.transform * local;
         const auto layer = m_file.layers.find(node.layer);
@@ -105,7 +105,7 @@ private:
                 if (value < -kMaxOffset || value > kMaxOffset)
                     return fail(node.offset, fmt::format("an object within {} cells of the origin", kMaxOffset), std::to_string(value));
             m_instances.push_back(
-                {model, state.transform, state.name, state.layer, state.hidden || frame > 0, int(frame), frame ? 0 : state.morePoses});
+                {model, state.transform, state.name, state.layer, state.hidden || frame > 0, int(frame), frame ? 0 : state.skippedPoses});
         }
     }
 
@@ -122,8 +122,8 @@ private:
 
 }  // namespace
 
-CellTransform operator*(const CellTransform& parent, const CellTransform& child) {
-    CellTransform out;
+VoxTransform operator*(const VoxTransform& parent, const VoxTransform& child) {
+    VoxTransform out;
     for (size_t i = 0; i < 3; ++i) {
         const size_t from = parent.axis[i];
         out.axis[i] = child.axis[from];

@@ -34,7 +34,7 @@ void FrameLoop::load(SavedGame game) {
 SavedGame FrameLoop::save() {
     const Edits waiting = m_edits.take();
     m_pending.insert(m_pending.end(), waiting.begin(), waiting.end());
-    m_isSaved = true;
+    m_rebuildPhysics = true;
     m_world.resetCaches();
     return {m_world.state(), m_pending};
 }
@@ -58,8 +58,8 @@ void FrameLoop::step() {
 }
 
 void FrameLoop::replay(const RecordedStep& step) {
-    m_isSaved = step.savedBefore;
-    if (m_isSaved) m_world.resetCaches();
+    m_rebuildPhysics = step.physicsRebuilt;
+    if (m_rebuildPhysics) m_world.resetCaches();
     stepWith(step.edits);
 }
 
@@ -70,11 +70,11 @@ void FrameLoop::stepWith(Edits hostEdits) {
         Edits edits = std::exchange(m_pending, {});
         edits.insert(edits.end(), hostEdits.begin(), hostEdits.end());
         m_changes = m_world.applyEdits(edits);
-        if (m_recorder) m_recorder->edited(hostEdits, m_changes, m_world, m_isSaved);
+        if (m_recorder) m_recorder->edited(hostEdits, m_changes, m_world, m_rebuildPhysics);
     }
     {
         const ScopedTimer timer(m_times[Stage::Physics]);
-        m_physics.apply(m_changes, m_world, std::exchange(m_isSaved, false));
+        m_physics.apply(m_changes, m_world, std::exchange(m_rebuildPhysics, false));
         m_physics.step();
     }
     {
@@ -115,7 +115,7 @@ void FrameLoop::publish() {
         if (m_publish) m_snapshots.publishWithoutShadow(m_changes, moved(), m_world, m_physics.impacts());
         return;
     }
-    m_shadowAge = m_changes.step - m_shadow->publishedVersion();
+    m_shadowLag = m_changes.step - m_shadow->publishedVersion();
     if (m_waitForShadow) m_shadow->waitFor(m_changes.step);
     std::vector<ShadowPatches> patches = m_shadow->takePatches();
     if (m_publish) m_snapshots.publish(m_changes, moved(), m_world, std::move(patches), m_physics.impacts());

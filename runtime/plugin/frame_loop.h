@@ -53,7 +53,7 @@ public:
     const FrameChanges& changes() const { return m_changes; }
     const StageTimes& times() const { return m_times; }
     /// How many steps the shadow volume was behind when the last step was published, before any waiting.
-    uint64_t shadowAge() const { return m_shadowAge; }
+    uint64_t shadowLag() const { return m_shadowLag; }
 
 private:
     void stepWith(Edits hostEdits);
@@ -67,12 +67,12 @@ private:
     Snapshots m_snapshots;
     EditQueue m_edits;
     Edits m_pending;  ///< of the last step's impacts, and what waited when the game was saved: before the host's
-    bool m_isSaved = false;
+    bool m_rebuildPhysics = false;
     std::unique_ptr<Recorder> m_recorder;
     FrameChanges m_changes;
     std::vector<BodyPose> m_moved;
     StageTimes m_times;
-    uint64_t m_shadowAge = 0;
+    uint64_t m_shadowLag = 0;
     bool m_publish;
     bool m_waitForShadow;
 };

@@ -2,9 +2,9 @@
 
 namespace rubble {
 
-void Recorder::edited(const Edits& hostEdits, const FrameChanges& changes, const World& world, bool savedBefore) {
-    m_step = {.step = changes.step, .savedBefore = savedBefore, .edits = hostEdits};
-    m_step.delta = stepToBytes(m_baseline.update(world, changes), changes, world, m_palettes);
+void Recorder::edited(const Edits& hostEdits, const FrameChanges& changes, const World& world, bool physicsRebuilt) {
+    m_step = {.step = changes.step, .physicsRebuilt = physicsRebuilt, .edits = hostEdits};
+    m_step.delta = stepDeltaToBytes(m_baseline.update(world, changes), changes, world, m_palettes);
 }
 
 void Recorder::moved(std::span<const BodyPose> poses, std::span<const CharacterMove> characters, const World& world) {

@@ -11,8 +11,8 @@ public:
     /// The World must be the one that `writer` was opened with.
     Recorder(RecordingWriter writer, const World& world) : m_writer(std::move(writer)), m_baseline(world) {}
 
-    /// After applyEdits(). savedBefore: physics is made anew in this step.
-    void edited(const Edits& hostEdits, const FrameChanges& changes, const World& world, bool savedBefore);
+    /// After applyEdits(). physicsRebuilt: physics is made anew in this step.
+    void edited(const Edits& hostEdits, const FrameChanges& changes, const World& world, bool physicsRebuilt);
     /// After setPoses() and setCharacters(): the step is done.
     void moved(std::span<const BodyPose> poses, std::span<const CharacterMove> characters, const World& world);
     Result<Done> close() { return m_writer.close(); }

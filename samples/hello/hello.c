@@ -9,7 +9,7 @@ static const rubble_api* api;
 
 static void check(rubble_result result) {
     if (result == RUBBLE_OK) return;
-    fprintf(stderr, "hello: error %d: %s\n", (int)result, api ? api->last_error() : "the plugin has another version");
+    fprintf(stderr, "hello: error %d: %s\n", (int)result, api ? api->get_last_error() : "the plugin has another version");
     exit(1);
 }
 
@@ -19,9 +19,9 @@ static rubble_hit find_roof(rubble_world world) {
     rubble_hit hit = {sizeof hit};
     rubble_shape_state* shapes;
     uint32_t count, i;
-    check(api->shape_states(world, 0, NULL, 0, &count));
+    check(api->get_shape_states(world, 0, NULL, 0, &count));
     shapes = malloc((count ? count : 1) * sizeof *shapes);
-    check(api->shape_states(world, 0, shapes, count, &count));
+    check(api->get_shape_states(world, 0, shapes, count, &count));
     for (i = 0; i < count && !hit.hit; ++i) {
         const double half = 0.5 * shapes[i].voxel_size;
         const double above[3] = {shapes[i].position[0] + half * shapes[i].size[0], 500.0, shapes[i].position[2] + half * shapes[i].size[2]};
@@ -34,9 +34,9 @@ static rubble_hit find_roof(rubble_world world) {
 static void print_poses(rubble_world world) {
     rubble_body_state* bodies;
     uint32_t count, i, moving = 0;
-    check(api->body_states(world, NULL, 0, &count));
+    check(api->get_body_states(world, NULL, 0, &count));
     bodies = malloc((count ? count : 1) * sizeof *bodies);
-    check(api->body_states(world, bodies, count, &count));
+    check(api->get_body_states(world, bodies, count, &count));
     for (i = 0; i < count; ++i) moving += !(bodies[i].flags & (RUBBLE_BODY_STATIC | RUBBLE_BODY_ASLEEP));
     printf("%u bodies, %u moving\n", (unsigned)count, (unsigned)moving);
     free(bodies);
@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
     rubble_world world;
     rubble_explosion explosion = {sizeof explosion};
     rubble_events events = {sizeof events};
-    rubble_ledger ledger = {sizeof ledger};
+    rubble_voxel_accounting ledger = {sizeof ledger};
     rubble_hit roof;
     uint64_t hash;
     int step, i;
@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     check(rubble_get_api(RUBBLE_VERSION, &api));
-    check(api->world_create(NULL, &world));
+    check(api->create_world(NULL, &world));
     check(api->load_level(world, argv[1], argc > 2 ? argv[2] : NULL));
     check(api->step(world));
 
@@ -70,18 +70,18 @@ int main(int argc, char** argv) {
 
     for (step = 0; step < 60; ++step) {
         check(api->step(world));
-        check(api->events(world, &events));
+        check(api->get_events(world, &events));
         for (i = 0; i < (int)events.removed_count; ++i)
             printf("step %u: %u voxels of colour #%02x%02x%02x removed\n", (unsigned)events.step, (unsigned)events.removed[i].count,
                    events.removed[i].color[0], events.removed[i].color[1], events.removed[i].color[2]);
         if (events.split_count) printf("step %u: %u pieces came off\n", (unsigned)events.step, (unsigned)events.split_count);
     }
     print_poses(world);
-    check(api->ledger(world, &ledger));
+    check(api->get_voxel_accounting(world, &ledger));
     printf("%u voxels = %u standing + %u in pieces + %u removed\n", (unsigned)ledger.imported, (unsigned)ledger.standing, (unsigned)ledger.in_pieces,
            (unsigned)ledger.removed);
-    check(api->state_hash(world, &hash));
+    check(api->get_state_hash(world, &hash));
     printf("state %08x%08x\n", (unsigned)(hash >> 32), (unsigned)hash);
-    check(api->world_destroy(world));
+    check(api->destroy_world(world));
     return 0;
 }

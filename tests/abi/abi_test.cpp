@@ -8,20 +8,20 @@
 namespace rubble {
 namespace {
 
-TEST_F(Abi, AWorldBreaksAndTellsOfIt) {
-    const rubble_explosion explosion = blow();
-    ASSERT_EQ(api()->explode(m_world, &explosion), RUBBLE_OK) << api()->last_error();
+TEST_F(Abi, AnExplosionIsReportedInTheEvents) {
+    const rubble_explosion explosion = tableExplosion();
+    ASSERT_EQ(api()->explode(m_world, &explosion), RUBBLE_OK) << api()->get_last_error();
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     auto events = sized<rubble_events>();
-    ASSERT_EQ(api()->events(m_world, &events), RUBBLE_OK);
+    ASSERT_EQ(api()->get_events(m_world, &events), RUBBLE_OK);
     EXPECT_EQ(events.step, 2u);
     ASSERT_EQ(events.removed_count, 1u);
     EXPECT_EQ(events.removed[0].color[0], 200);
     ASSERT_GE(events.split_count, 1u);
     ASSERT_GE(events.bodies_created_count, 1u);
 
-    auto ledger = sized<rubble_ledger>();
-    ASSERT_EQ(api()->ledger(m_world, &ledger), RUBBLE_OK);
+    auto ledger = sized<rubble_voxel_accounting>();
+    ASSERT_EQ(api()->get_voxel_accounting(m_world, &ledger), RUBBLE_OK);
     EXPECT_EQ(ledger.imported, 650u);
     EXPECT_EQ(ledger.removed, events.removed[0].count);
     EXPECT_GT(ledger.in_pieces, 0u);
@@ -29,17 +29,17 @@ TEST_F(Abi, AWorldBreaksAndTellsOfIt) {
 
     const rubble_body piece = events.bodies_created[0];
     rubble_body_state before = {}, after = {};
-    ASSERT_EQ(api()->body_state(m_world, piece, &before), RUBBLE_OK);
+    ASSERT_EQ(api()->get_body_state(m_world, piece, &before), RUBBLE_OK);
     for (int i = 0; i < 10; ++i) ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    ASSERT_EQ(api()->body_state(m_world, piece, &after), RUBBLE_OK);
+    ASSERT_EQ(api()->get_body_state(m_world, piece, &after), RUBBLE_OK);
     EXPECT_NE(before.position[1], after.position[1]) << "the piece does not move";
 
     uint32_t count = 0;
-    ASSERT_EQ(api()->shape_states(m_world, piece, nullptr, 0, &count), RUBBLE_OK);
+    ASSERT_EQ(api()->get_shape_states(m_world, piece, nullptr, 0, &count), RUBBLE_OK);
     EXPECT_EQ(count, after.shape_count);
 }
 
-TEST_F(Abi, BreaksArriveAndEveryLostVoxelIsDust) {
+TEST_F(Abi, EveryRemovedVoxelIsInADustCloud) {
     auto edit = sized<rubble_break>();
     edit.position[0] = 0.3, edit.position[1] = 0.9, edit.position[2] = 0.3;
     edit.radii[0] = edit.radii[1] = 0.6;
@@ -47,18 +47,18 @@ TEST_F(Abi, BreaksArriveAndEveryLostVoxelIsDust) {
     auto events = sized<rubble_events>();
     ASSERT_EQ(api()->break_voxels(m_world, &edit), RUBBLE_OK);
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    ASSERT_EQ(api()->events(m_world, &events), RUBBLE_OK);
+    ASSERT_EQ(api()->get_events(m_world, &events), RUBBLE_OK);
     EXPECT_EQ(events.bodies_broken_count, 0u) << "a sledge does not break bricks";
     edit.tool = RUBBLE_TOOL_GUN;
     ASSERT_EQ(api()->break_voxels(m_world, &edit), RUBBLE_OK);
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    ASSERT_EQ(api()->events(m_world, &events), RUBBLE_OK);
+    ASSERT_EQ(api()->get_events(m_world, &events), RUBBLE_OK);
     EXPECT_GT(events.split_count, 1u);
     EXPECT_EQ(events.bodies_broken_count, 1u);
     uint64_t dust = 0;
     for (uint32_t i = 0; i < events.dust_count; ++i) dust += events.dust[i].count;
-    auto ledger = sized<rubble_ledger>();
-    ASSERT_EQ(api()->ledger(m_world, &ledger), RUBBLE_OK);
+    auto ledger = sized<rubble_voxel_accounting>();
+    ASSERT_EQ(api()->get_voxel_accounting(m_world, &ledger), RUBBLE_OK);
     EXPECT_EQ(dust, ledger.removed);
     edit.tool = 5;
     EXPECT_EQ(api()->break_voxels(m_world, &edit), RUBBLE_ERROR_ARGUMENT);
@@ -68,21 +68,21 @@ TEST_F(Abi, EqualCommandsGiveEqualWorlds) {
     const rubble_world other = makeWorld();
     uint64_t hash = 0, otherHash = 1;
     for (int step = 0; step < 30; ++step) {
-        const rubble_explosion explosion = blow();
+        const rubble_explosion explosion = tableExplosion();
         for (const rubble_world world : {m_world, other}) {
             if (step == 3) {
                 ASSERT_EQ(api()->explode(world, &explosion), RUBBLE_OK);
             }
             ASSERT_EQ(api()->step(world), RUBBLE_OK);
         }
-        ASSERT_EQ(api()->state_hash(m_world, &hash), RUBBLE_OK);
-        ASSERT_EQ(api()->state_hash(other, &otherHash), RUBBLE_OK);
+        ASSERT_EQ(api()->get_state_hash(m_world, &hash), RUBBLE_OK);
+        ASSERT_EQ(api()->get_state_hash(other, &otherHash), RUBBLE_OK);
         ASSERT_EQ(hash, otherHash) << "at step " << step;
     }
-    EXPECT_EQ(api()->world_destroy(other), RUBBLE_OK);
+    EXPECT_EQ(api()->destroy_world(other), RUBBLE_OK);
 }
 
-TEST_F(Abi, EveryKindOfEditArrives) {
+TEST_F(Abi, EveryKindOfEditChangesTheWorld) {
     auto carve = sized<rubble_carve>();
     carve.brush = RUBBLE_BRUSH_BOX;
     carve.position[1] = 0.95;  // a corner of the table's top
@@ -90,11 +90,11 @@ TEST_F(Abi, EveryKindOfEditArrives) {
     auto paint = sized<rubble_paint>();
     paint.position[0] = paint.position[1] = 0.95;
     paint.color[2] = 255;
-    ASSERT_EQ(api()->carve(m_world, &carve), RUBBLE_OK) << api()->last_error();
-    ASSERT_EQ(api()->paint(m_world, &paint), RUBBLE_OK) << api()->last_error();
+    ASSERT_EQ(api()->carve(m_world, &carve), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->paint(m_world, &paint), RUBBLE_OK) << api()->get_last_error();
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     auto events = sized<rubble_events>();
-    ASSERT_EQ(api()->events(m_world, &events), RUBBLE_OK);
+    ASSERT_EQ(api()->get_events(m_world, &events), RUBBLE_OK);
     EXPECT_EQ(events.removed_count, 1u);
     EXPECT_GT(events.painted_voxels, 0u);
 
@@ -106,21 +106,21 @@ TEST_F(Abi, EveryKindOfEditArrives) {
     EXPECT_EQ(hit.cell[1], 9);
     EXPECT_NEAR(hit.normal[1], 1.0, 1e-6);
 
-    const rubble_explosion explosion = blow();
+    const rubble_explosion explosion = tableExplosion();
     ASSERT_EQ(api()->explode(m_world, &explosion), RUBBLE_OK);
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    ASSERT_EQ(api()->events(m_world, &events), RUBBLE_OK);
+    ASSERT_EQ(api()->get_events(m_world, &events), RUBBLE_OK);
     ASSERT_GE(events.bodies_created_count, 1u);
     auto impulse = sized<rubble_impulse>();
     impulse.body = events.bodies_created[0];
     impulse.impulse[1] = 1000.0;
     rubble_body_state state = {};
-    ASSERT_EQ(api()->body_state(m_world, impulse.body, &state), RUBBLE_OK);
+    ASSERT_EQ(api()->get_body_state(m_world, impulse.body, &state), RUBBLE_OK);
     std::copy_n(state.position, 3, impulse.position);
     const std::array<double, 3> before = {state.velocity[0], state.velocity[1], state.velocity[2]};
-    ASSERT_EQ(api()->push(m_world, &impulse), RUBBLE_OK) << api()->last_error();
+    ASSERT_EQ(api()->apply_impulse(m_world, &impulse), RUBBLE_OK) << api()->get_last_error();
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    ASSERT_EQ(api()->body_state(m_world, impulse.body, &state), RUBBLE_OK);
+    ASSERT_EQ(api()->get_body_state(m_world, impulse.body, &state), RUBBLE_OK);
     double change = 0.0;  // it may be caught between others: not where it is pushed to
     for (size_t i = 0; i < 3; ++i) change += std::abs(state.velocity[i] - before[i]);
     EXPECT_GT(change, 1.0);
@@ -131,27 +131,27 @@ TEST_F(Abi, SavesRecordsReplaysAndUndoes) {
     const std::string save = folder / "game.rubble", log = folder / "game.rubblelog";
     const auto hash = [&] {
         uint64_t out = 0;
-        EXPECT_EQ(api()->state_hash(m_world, &out), RUBBLE_OK);
+        EXPECT_EQ(api()->get_state_hash(m_world, &out), RUBBLE_OK);
         return out;
     };
     const auto voxels = [&] {
-        auto ledger = sized<rubble_ledger>();
-        EXPECT_EQ(api()->ledger(m_world, &ledger), RUBBLE_OK);
+        auto ledger = sized<rubble_voxel_accounting>();
+        EXPECT_EQ(api()->get_voxel_accounting(m_world, &ledger), RUBBLE_OK);
         return ledger.standing;
     };
-    ASSERT_EQ(api()->undo_limit(m_world, 4), RUBBLE_OK);
+    ASSERT_EQ(api()->set_undo_limit(m_world, 4), RUBBLE_OK);
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     const uint64_t whole = voxels();
-    ASSERT_EQ(api()->record_start(m_world, log.c_str()), RUBBLE_OK);
-    ASSERT_EQ(api()->undo_mark(m_world), RUBBLE_OK);
-    const rubble_explosion explosion = blow();
+    ASSERT_EQ(api()->start_recording(m_world, log.c_str()), RUBBLE_OK);
+    ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
+    const rubble_explosion explosion = tableExplosion();
     ASSERT_EQ(api()->explode(m_world, &explosion), RUBBLE_OK);
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     EXPECT_LT(voxels(), whole);
-    ASSERT_EQ(api()->save(m_world, save.c_str()), RUBBLE_OK);
+    ASSERT_EQ(api()->save_game(m_world, save.c_str()), RUBBLE_OK);
     for (int i = 0; i < 20; ++i) ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     const uint64_t end = hash();
-    ASSERT_EQ(api()->record_stop(m_world), RUBBLE_OK);
+    ASSERT_EQ(api()->stop_recording(m_world), RUBBLE_OK);
     ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     EXPECT_EQ(voxels(), whole);
@@ -159,21 +159,21 @@ TEST_F(Abi, SavesRecordsReplaysAndUndoes) {
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     EXPECT_LT(voxels(), whole);
 
-    ASSERT_EQ(api()->load_save(m_world, save.c_str()), RUBBLE_OK) << api()->last_error();
+    ASSERT_EQ(api()->load_game(m_world, save.c_str()), RUBBLE_OK) << api()->get_last_error();
     for (int i = 0; i < 20; ++i) ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     EXPECT_EQ(hash(), end);
     uint64_t steps = 0;
-    ASSERT_EQ(api()->replay(m_world, log.c_str(), &steps), RUBBLE_OK) << api()->last_error();
+    ASSERT_EQ(api()->play_recording(m_world, log.c_str(), &steps), RUBBLE_OK) << api()->get_last_error();
     EXPECT_EQ(steps, 21u);
     EXPECT_EQ(hash(), end);
 
-    expectRefused(api()->load_save(m_world, log.c_str()), RUBBLE_ERROR_FILE, "SAVE");
-    expectRefused(api()->replay(m_world, save.c_str(), nullptr), RUBBLE_ERROR_FILE, "GAME");
-    expectRefused(api()->save(m_world, "/no/such/folder/x"), RUBBLE_ERROR_FILE, "/no/such/folder");
+    expectRefused(api()->load_game(m_world, log.c_str()), RUBBLE_ERROR_FILE, "SAVE");
+    expectRefused(api()->play_recording(m_world, save.c_str(), nullptr), RUBBLE_ERROR_FILE, "GAME");
+    expectRefused(api()->save_game(m_world, "/no/such/folder/x"), RUBBLE_ERROR_FILE, "/no/such/folder");
     EXPECT_EQ(hash(), end);
 }
 
-TEST_F(Abi, TheHostReceivesMessages) {
+TEST_F(Abi, TheHostReceivesLogMessages) {
     struct Heard {
         int count = 0;
         std::string last;

@@ -12,19 +12,19 @@ TEST_F(Abi, JointsAreMadeReadAndRemoved) {
     const rubble_body body = bodies(m_world).at(0).body;
     std::array<rubble_shape_state, 1> shape{};
     uint32_t count = 0;
-    ASSERT_EQ(api()->shape_states(m_world, body, shape.data(), 1, &count), RUBBLE_OK);
+    ASSERT_EQ(api()->get_shape_states(m_world, body, shape.data(), 1, &count), RUBBLE_OK);
     table.shapes[0] = shape[0].shape;
     table.position[0] = table.position[1] = table.position[2] = 0.85;
     table.rope_end[1] = 4.0;
-    ASSERT_EQ(api()->add_joint(m_world, &table), RUBBLE_OK) << api()->last_error();
+    ASSERT_EQ(api()->add_joint(m_world, &table), RUBBLE_OK) << api()->get_last_error();
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     std::array<rubble_joint_state, 2> joints{};
-    ASSERT_EQ(api()->joint_states(m_world, joints.data(), 2, &count), RUBBLE_OK);
+    ASSERT_EQ(api()->get_joint_states(m_world, joints.data(), 2, &count), RUBBLE_OK);
     ASSERT_EQ(count, 1u);
     EXPECT_EQ(joints[0].shapes[0], shape[0].shape);
     ASSERT_GE(joints[0].rope_points, 3u);
     std::vector<double> points(3 * joints[0].rope_points);
-    ASSERT_EQ(api()->rope_points(m_world, joints[0].joint, points.data(), uint32_t(points.size()), &count), RUBBLE_OK);
+    ASSERT_EQ(api()->get_rope_points(m_world, joints[0].joint, points.data(), uint32_t(points.size()), &count), RUBBLE_OK);
     EXPECT_EQ(count, points.size());
     EXPECT_NEAR(points[1], 0.85, 1e-6);
     auto motor = sized<rubble_joint_motor>();
@@ -34,9 +34,9 @@ TEST_F(Abi, JointsAreMadeReadAndRemoved) {
     motor.motor = RUBBLE_MOTOR_SPEED;
     EXPECT_EQ(api()->set_joint_motor(m_world, &motor), RUBBLE_OK);
     auto grab = sized<rubble_grab>();
-    EXPECT_EQ(api()->grab(m_world, &grab), RUBBLE_ERROR_STALE);
+    EXPECT_EQ(api()->grab_body(m_world, &grab), RUBBLE_ERROR_STALE);
     auto release = sized<rubble_release>();
-    EXPECT_EQ(api()->release(m_world, &release), RUBBLE_OK);
+    EXPECT_EQ(api()->release_body(m_world, &release), RUBBLE_OK);
     ASSERT_EQ(api()->remove_joint(m_world, joints[0].joint), RUBBLE_OK);
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     EXPECT_EQ(api()->remove_joint(m_world, joints[0].joint), RUBBLE_ERROR_STALE);
@@ -48,18 +48,18 @@ TEST_F(Abi, WheelsAreDriven) {
     const auto addWheel = [](rubble_world world, double steerAngle) {
         rubble_shape_state shape{};
         uint32_t count = 0;
-        EXPECT_EQ(api()->shape_states(world, bodies(world).at(0).body, &shape, 1, &count), RUBBLE_OK);
+        EXPECT_EQ(api()->get_shape_states(world, bodies(world).at(0).body, &shape, 1, &count), RUBBLE_OK);
         auto wheel = sized<rubble_joint_settings>();
         wheel.kind = RUBBLE_JOINT_WHEEL;
         wheel.shapes[0] = shape.shape;
         wheel.position[0] = wheel.position[1] = wheel.position[2] = 0.85;
         wheel.drive_torque = 1000.0;
-        wheel.steer_angle = steerAngle;
+        wheel.max_steer_angle = steerAngle;
         return api()->add_joint(world, &wheel);
     };
     const auto hashOf = [](rubble_world world) {
         uint64_t value = 0;
-        EXPECT_EQ(api()->state_hash(world, &value), RUBBLE_OK);
+        EXPECT_EQ(api()->get_state_hash(world, &value), RUBBLE_OK);
         return value;
     };
     const auto stepBoth = [&](rubble_world other) {
@@ -67,19 +67,19 @@ TEST_F(Abi, WheelsAreDriven) {
     };
     const rubble_world idle = makeWorld();  // the same, but for the drive
     EXPECT_EQ(addWheel(m_world, -1.0), RUBBLE_ERROR_ARGUMENT) << "either way is as far";
-    for (const rubble_world world : {m_world, idle}) ASSERT_EQ(addWheel(world, 0.5), RUBBLE_OK) << api()->last_error();
+    for (const rubble_world world : {m_world, idle}) ASSERT_EQ(addWheel(world, 0.5), RUBBLE_OK) << api()->get_last_error();
     stepBoth(idle);
     EXPECT_EQ(hashOf(m_world), hashOf(idle));
     auto drive = sized<rubble_drive>();
-    EXPECT_EQ(api()->drive(m_world, &drive), RUBBLE_ERROR_STALE);
+    EXPECT_EQ(api()->drive_wheels(m_world, &drive), RUBBLE_ERROR_STALE);
     drive.body = bodies(m_world).at(0).body;
     drive.throttle = 1.5;
-    EXPECT_EQ(api()->drive(m_world, &drive), RUBBLE_ERROR_ARGUMENT);
+    EXPECT_EQ(api()->drive_wheels(m_world, &drive), RUBBLE_ERROR_ARGUMENT);
     drive.throttle = 0.5;
-    ASSERT_EQ(api()->drive(m_world, &drive), RUBBLE_OK) << api()->last_error();
+    ASSERT_EQ(api()->drive_wheels(m_world, &drive), RUBBLE_OK) << api()->get_last_error();
     stepBoth(idle);
     EXPECT_NE(hashOf(m_world), hashOf(idle));
-    EXPECT_EQ(api()->world_destroy(idle), RUBBLE_OK);
+    EXPECT_EQ(api()->destroy_world(idle), RUBBLE_OK);
 }
 
 }  // namespace

@@ -9,31 +9,31 @@ class AbiLights : public Abi {
 protected:
     rubble_environment environment() const {
         auto out = sized<rubble_environment>();
-        EXPECT_EQ(api()->environment(m_world, &out), RUBBLE_OK) << api()->last_error();
+        EXPECT_EQ(api()->get_environment(m_world, &out), RUBBLE_OK) << api()->get_last_error();
         return out;
     }
     using List = rubble_result (*)(rubble_world, rubble_light*, uint32_t, uint32_t*);
     std::vector<rubble_light> listed(List list) const {
         uint32_t count = 0;
-        EXPECT_EQ(list(m_world, nullptr, 0, &count), RUBBLE_OK) << api()->last_error();
+        EXPECT_EQ(list(m_world, nullptr, 0, &count), RUBBLE_OK) << api()->get_last_error();
         std::vector<rubble_light> out(count);
-        EXPECT_EQ(list(m_world, out.data(), count, &count), RUBBLE_OK) << api()->last_error();
+        EXPECT_EQ(list(m_world, out.data(), count, &count), RUBBLE_OK) << api()->get_last_error();
         return out;
     }
     rubble_light_state stateOf(rubble_light light) const {
         auto out = sized<rubble_light_state>();
-        EXPECT_EQ(api()->light_state(m_world, light, &out), RUBBLE_OK) << api()->last_error();
+        EXPECT_EQ(api()->get_light_state(m_world, light, &out), RUBBLE_OK) << api()->get_last_error();
         return out;
     }
-    rubble_light_state lamp() const {
-        const std::vector<rubble_light> lights = listed(api()->lights);
+    rubble_light_state levelLight() const {
+        const std::vector<rubble_light> lights = listed(api()->get_lights);
         EXPECT_EQ(lights.size(), 1u);
         return stateOf(lights.at(0));
     }
     rubble_shape table() const {
         rubble_shape_state shape = {};
         uint32_t count = 0;
-        EXPECT_EQ(api()->shape_states(m_world, 0, &shape, 1, &count), RUBBLE_OK) << api()->last_error();
+        EXPECT_EQ(api()->get_shape_states(m_world, 0, &shape, 1, &count), RUBBLE_OK) << api()->get_last_error();
         return shape.shape;
     }
     static rubble_light_state torch() {
@@ -52,7 +52,7 @@ TEST_F(AbiLights, TheWeatherChangesWithTheNextStep) {
     now.wetness = 1.0;
     now.gravity[1] = -1.6;
     now.sun_direction[0] = 0.0, now.sun_direction[1] = 2.0, now.sun_direction[2] = 0.0;
-    ASSERT_EQ(api()->set_environment(m_world, &now), RUBBLE_OK) << api()->last_error();
+    ASSERT_EQ(api()->set_environment(m_world, &now), RUBBLE_OK) << api()->get_last_error();
     EXPECT_EQ(environment().wetness, 0.0) << "edits wait for the step";
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     EXPECT_EQ(environment().wetness, 1.0);
@@ -63,49 +63,49 @@ TEST_F(AbiLights, TheWeatherChangesWithTheNextStep) {
 TEST_F(AbiLights, TheSkyFollowsTheSun) {
     rubble_environment day = environment(), night = day;
     const double up[3] = {0.2, 1.0, 0.1}, down[3] = {0.2, -1.0, 0.1}, none[3] = {};
-    ASSERT_EQ(api()->follow_sun(&day, up), RUBBLE_OK) << api()->last_error();
-    ASSERT_EQ(api()->follow_sun(&night, down), RUBBLE_OK) << api()->last_error();
+    ASSERT_EQ(api()->compute_sky(&day, up), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->compute_sky(&night, down), RUBBLE_OK) << api()->get_last_error();
     EXPECT_EQ(day.stars, 0.0);
     EXPECT_GT(night.stars, 0.0);
     EXPECT_GT(day.sky_color[2], 5.0 * night.sky_color[2]);
     EXPECT_EQ(day.struct_size, sizeof day);
-    expectRefused(api()->follow_sun(&day, none), RUBBLE_ERROR_ARGUMENT, "to_sun");
-    EXPECT_EQ(api()->follow_sun(&day, nullptr), RUBBLE_ERROR_NULL);
+    expectRefused(api()->compute_sky(&day, none), RUBBLE_ERROR_ARGUMENT, "to_sun");
+    EXPECT_EQ(api()->compute_sky(&day, nullptr), RUBBLE_ERROR_NULL);
 }
 
-TEST_F(AbiLights, ALampIsDimmedMovedAndPutOut) {
-    rubble_light_state now = lamp();
+TEST_F(AbiLights, ALightIsDimmedMovedAndTurnedOff) {
+    rubble_light_state now = levelLight();
     EXPECT_EQ(now.kind, uint32_t(RUBBLE_LIGHT_SPHERE));
     EXPECT_EQ(now.flags, uint32_t(RUBBLE_LIGHT_ENABLED));
     EXPECT_DOUBLE_EQ(now.color[1], 4.0);
     now.color[1] = 0.5;
     now.position[1] = 2.0;
     now.flags = 0;
-    ASSERT_EQ(api()->set_light(m_world, &now), RUBBLE_OK) << api()->last_error();
-    EXPECT_DOUBLE_EQ(lamp().color[1], 4.0) << "edits wait for the step";
+    ASSERT_EQ(api()->set_light(m_world, &now), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_DOUBLE_EQ(levelLight().color[1], 4.0) << "edits wait for the step";
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    EXPECT_DOUBLE_EQ(lamp().color[1], 0.5);
-    EXPECT_DOUBLE_EQ(lamp().position[1], 2.0);
-    EXPECT_EQ(lamp().flags, 0u);
+    EXPECT_DOUBLE_EQ(levelLight().color[1], 0.5);
+    EXPECT_DOUBLE_EQ(levelLight().position[1], 2.0);
+    EXPECT_EQ(levelLight().flags, 0u);
 }
 
-TEST_F(AbiLights, ATorchIsMadeCarriedAndPutAway) {
+TEST_F(AbiLights, ALightIsAddedMovedAndRemoved) {
     rubble_light_state first = torch(), second = torch();
     second.kind = RUBBLE_LIGHT_CONE;
     second.flags = RUBBLE_LIGHT_ENABLED | RUBBLE_LIGHT_TWO_SIDED;
     second.shape = table();
     second.rotation[0] = 1.0;
     second.cone_inner = 0.25, second.cone_outer = 0.5, second.width = 1.5, second.height = 2.5;
-    ASSERT_EQ(api()->add_light(m_world, &first), RUBBLE_OK) << api()->last_error();
-    ASSERT_EQ(api()->add_light(m_world, &second), RUBBLE_OK) << api()->last_error();
-    EXPECT_EQ(listed(api()->lights).size(), 1u) << "edits wait for the step";
+    ASSERT_EQ(api()->add_light(m_world, &first), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->add_light(m_world, &second), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(listed(api()->get_lights).size(), 1u) << "edits wait for the step";
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    EXPECT_EQ(listed(api()->lights).size(), 3u);
-    const std::vector<rubble_light> added = listed(api()->added_lights);
+    EXPECT_EQ(listed(api()->get_lights).size(), 3u);
+    const std::vector<rubble_light> added = listed(api()->get_added_lights);
     ASSERT_EQ(added.size(), 2u);
     rubble_light one = 0;
     uint32_t count = 0;
-    expectRefused(api()->added_lights(m_world, &one, 1, &count), RUBBLE_ERROR_CAPACITY, "2 rows");
+    expectRefused(api()->get_added_lights(m_world, &one, 1, &count), RUBBLE_ERROR_CAPACITY, "2 rows");
 
     const rubble_light_state now = stateOf(added[1]);
     EXPECT_EQ(now.kind, second.kind);
@@ -119,31 +119,31 @@ TEST_F(AbiLights, ATorchIsMadeCarriedAndPutAway) {
     EXPECT_EQ(carried.position[1], 1.5);
     carried.position[1] = 2.0;
     carried.shape = table();
-    ASSERT_EQ(api()->set_light(m_world, &carried), RUBBLE_OK) << api()->last_error();
+    ASSERT_EQ(api()->set_light(m_world, &carried), RUBBLE_OK) << api()->get_last_error();
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    EXPECT_TRUE(listed(api()->added_lights).empty()) << "of the last step only";
+    EXPECT_TRUE(listed(api()->get_added_lights).empty()) << "of the last step only";
     EXPECT_EQ(stateOf(added[0]).position[1], 2.0);
     EXPECT_EQ(stateOf(added[0]).shape, table());
 
-    ASSERT_EQ(api()->remove_light(m_world, added[0]), RUBBLE_OK) << api()->last_error();
+    ASSERT_EQ(api()->remove_light(m_world, added[0]), RUBBLE_OK) << api()->get_last_error();
     ASSERT_EQ(api()->remove_light(m_world, added[0]), RUBBLE_OK) << "it is there until the step";
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    EXPECT_EQ(listed(api()->lights).size(), 2u);
+    EXPECT_EQ(listed(api()->get_lights).size(), 2u);
     expectRefused(api()->remove_light(m_world, added[0]), RUBBLE_ERROR_STALE, "light is stale");
     expectRefused(api()->set_light(m_world, &carried), RUBBLE_ERROR_STALE, "light is stale");
-    expectRefused(api()->light_state(m_world, added[0], &carried), RUBBLE_ERROR_STALE, "light is stale");
+    expectRefused(api()->get_light_state(m_world, added[0], &carried), RUBBLE_ERROR_STALE, "light is stale");
 }
 
-TEST_F(AbiLights, ALightWhoseShapeGoesStaysDark) {
+TEST_F(AbiLights, ALightOfADestroyedShapeIsTurnedOff) {
     rubble_light_state riding = torch();
     riding.shape = table();
     auto all = sized<rubble_carve>();
     all.position[0] = all.position[1] = all.position[2] = 0.85;
     for (double& radius : all.radii) radius = 5.0;
-    ASSERT_EQ(api()->carve(m_world, &all), RUBBLE_OK) << api()->last_error();
-    ASSERT_EQ(api()->add_light(m_world, &riding), RUBBLE_OK) << api()->last_error();
+    ASSERT_EQ(api()->carve(m_world, &all), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->add_light(m_world, &riding), RUBBLE_OK) << api()->get_last_error();
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    const rubble_light_state left = stateOf(listed(api()->added_lights).at(0));
+    const rubble_light_state left = stateOf(listed(api()->get_added_lights).at(0));
     EXPECT_EQ(left.shape, 0u);
     EXPECT_EQ(left.flags, 0u);
     EXPECT_NEAR(left.position[1], 1.5, 1e-9);
@@ -153,16 +153,16 @@ TEST_F(AbiLights, ALightWhoseShapeGoesStaysDark) {
     expectRefused(api()->set_light(m_world, &moved), RUBBLE_ERROR_STALE, "shape is stale");
 }
 
-TEST_F(AbiLights, UndoTakesLampsAndWeatherBack) {
-    ASSERT_EQ(api()->undo_limit(m_world, 4), RUBBLE_OK);
+TEST_F(AbiLights, UndoRestoresLightsAndWeather) {
+    ASSERT_EQ(api()->set_undo_limit(m_world, 4), RUBBLE_OK);
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     const rubble_environment dry = environment();
     rubble_environment rain = dry;
     rain.wetness = 1.0;
-    rubble_light_state dim = lamp();
+    rubble_light_state dim = levelLight();
     dim.color[1] = 0.5;
     const rubble_light_state another = torch();
-    ASSERT_EQ(api()->undo_mark(m_world), RUBBLE_OK);
+    ASSERT_EQ(api()->add_undo_mark(m_world), RUBBLE_OK);
     ASSERT_EQ(api()->set_environment(m_world, &rain), RUBBLE_OK);
     ASSERT_EQ(api()->set_light(m_world, &dim), RUBBLE_OK);
     ASSERT_EQ(api()->add_light(m_world, &another), RUBBLE_OK);
@@ -171,17 +171,17 @@ TEST_F(AbiLights, UndoTakesLampsAndWeatherBack) {
     ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     EXPECT_EQ(environment().wetness, dry.wetness);
-    EXPECT_EQ(lamp().color[1], 4.0) << "the one there was, as it was";
+    EXPECT_EQ(levelLight().color[1], 4.0) << "the one there was, as it was";
     ASSERT_EQ(api()->redo(m_world), RUBBLE_OK);
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     EXPECT_EQ(environment().wetness, 1.0);
-    EXPECT_EQ(listed(api()->lights).size(), 2u);
+    EXPECT_EQ(listed(api()->get_lights).size(), 2u);
 }
 
-TEST_F(AbiLights, WhatCannotShineIsRefused) {
+TEST_F(AbiLights, InvalidLightsAreRefused) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), huge = std::numeric_limits<double>::max();
     const auto expectBad = [&](void (*spoil)(rubble_light_state&, double), double with, rubble_result code, const char* word) {
-        rubble_light_state added = torch(), set = lamp();
+        rubble_light_state added = torch(), set = levelLight();
         spoil(added, with), spoil(set, with);
         expectRefused(api()->add_light(m_world, &added), code, word);
         expectRefused(api()->set_light(m_world, &set), code, word);
@@ -211,17 +211,17 @@ TEST_F(AbiLights, WhatCannotShineIsRefused) {
     expectRefused(api()->add_light(m_world, nullptr), RUBBLE_ERROR_NULL, "add_light");
     expectRefused(api()->remove_light(m_world, 0), RUBBLE_ERROR_STALE, "light is 0");
     expectRefused(api()->remove_light(m_world, table()), RUBBLE_ERROR_STALE, "another type");
-    expectRefused(api()->remove_light(0, lamp().light), RUBBLE_ERROR_STALE, "world");
-    expectRefused(api()->added_lights(m_world, nullptr, 0, nullptr), RUBBLE_ERROR_NULL, "count");
-    rubble_light_state none = lamp();
+    expectRefused(api()->remove_light(0, levelLight().light), RUBBLE_ERROR_STALE, "world");
+    expectRefused(api()->get_added_lights(m_world, nullptr, 0, nullptr), RUBBLE_ERROR_NULL, "count");
+    rubble_light_state none = levelLight();
     none.light = 0;
     expectRefused(api()->set_light(m_world, &none), RUBBLE_ERROR_STALE, "light is 0");
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    EXPECT_EQ(listed(api()->lights).size(), 1u) << "nothing was done";
-    EXPECT_DOUBLE_EQ(lamp().color[1], 4.0);
+    EXPECT_EQ(listed(api()->get_lights).size(), 1u) << "nothing was done";
+    EXPECT_DOUBLE_EQ(levelLight().color[1], 4.0);
 }
 
-TEST_F(AbiLights, WhatIsNoWeatherIsRefused) {
+TEST_F(AbiLights, InvalidWeatherIsRefused) {
     rubble_environment sky = environment();
     sky.exposure = std::numeric_limits<double>::quiet_NaN();
     expectRefused(api()->set_environment(m_world, &sky), RUBBLE_ERROR_ARGUMENT, "exposure is nan, expected 0 to 1e+06");

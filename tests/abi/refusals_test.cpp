@@ -22,46 +22,46 @@ TEST_F(Abi, NullPointersAreRefused) {
     const double axis[3] = {1, 0, 0};
     auto hit = sized<rubble_hit>();
     rubble_renderer renderer = 1;
-    expectRefused(api()->world_create(nullptr, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->create_world(nullptr, nullptr), RUBBLE_ERROR_NULL, "out");
     expectRefused(api()->load_level(m_world, nullptr, nullptr), RUBBLE_ERROR_NULL, "path");
     expectRefused(api()->carve(m_world, nullptr), RUBBLE_ERROR_NULL, "carve");
     expectRefused(api()->explode(m_world, nullptr), RUBBLE_ERROR_NULL, "explode");
     expectRefused(api()->paint(m_world, nullptr), RUBBLE_ERROR_NULL, "paint");
-    expectRefused(api()->push(m_world, nullptr), RUBBLE_ERROR_NULL, "push");
-    expectRefused(api()->events(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
-    expectRefused(api()->body_states(m_world, nullptr, 0, nullptr), RUBBLE_ERROR_NULL, "count");
+    expectRefused(api()->apply_impulse(m_world, nullptr), RUBBLE_ERROR_NULL, "push");
+    expectRefused(api()->get_events(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->get_body_states(m_world, nullptr, 0, nullptr), RUBBLE_ERROR_NULL, "count");
     uint32_t count = 0;
-    expectRefused(api()->body_states(m_world, nullptr, 5, &count), RUBBLE_ERROR_NULL, "out");
-    expectRefused(api()->body_state(m_world, bodies(m_world)[0].body, nullptr), RUBBLE_ERROR_NULL, "out");
-    expectRefused(api()->shape_states(m_world, 0, nullptr, 5, &count), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->get_body_states(m_world, nullptr, 5, &count), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->get_body_state(m_world, bodies(m_world)[0].body, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->get_shape_states(m_world, 0, nullptr, 5, &count), RUBBLE_ERROR_NULL, "out");
     expectRefused(api()->raycast(m_world, nullptr, axis, 1, &hit), RUBBLE_ERROR_NULL, "origin");
     expectRefused(api()->raycast(m_world, axis, nullptr, 1, &hit), RUBBLE_ERROR_NULL, "direction");
     expectRefused(api()->raycast(m_world, axis, axis, 1, nullptr), RUBBLE_ERROR_NULL, "out");
-    expectRefused(api()->state_hash(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
-    expectRefused(api()->ledger(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
-    expectRefused(api()->figures(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
-    expectRefused(api()->renderer_create(m_world, nullptr, &renderer), RUBBLE_ERROR_NULL, "settings");
+    expectRefused(api()->get_state_hash(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->get_voxel_accounting(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->get_step_stats(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->create_renderer(m_world, nullptr, &renderer), RUBBLE_ERROR_NULL, "settings");
     EXPECT_EQ(renderer, 0u);
 }
 
 TEST_F(Abi, WrongStructSizesAreRefused) {
-    auto explosion = blow();
+    auto explosion = tableExplosion();
     for (const uint32_t size : {0u, 4u, uint32_t(sizeof explosion) - 1, 1u << 30}) {
         explosion.struct_size = size;
         expectRefused(api()->explode(m_world, &explosion), RUBBLE_ERROR_STRUCT_SIZE, "struct_size");
     }
-    auto ledger = sized<rubble_ledger>();
+    auto ledger = sized<rubble_voxel_accounting>();
     ledger.struct_size = 8;
-    expectRefused(api()->ledger(m_world, &ledger), RUBBLE_ERROR_STRUCT_SIZE, "struct_size");
+    expectRefused(api()->get_voxel_accounting(m_world, &ledger), RUBBLE_ERROR_STRUCT_SIZE, "struct_size");
 }
 
-TEST_F(Abi, ANewerHostMayGrowAStructAsLongAsItAsksForNothingNew) {
+TEST_F(Abi, ALongerStructIsAcceptedIfItsNewFieldsAreZero) {
     struct Grown {
         rubble_explosion known;
         uint64_t added;
-    } grown = {blow(), 0};
+    } grown = {tableExplosion(), 0};
     grown.known.struct_size = sizeof grown;
-    EXPECT_EQ(api()->explode(m_world, &grown.known), RUBBLE_OK) << api()->last_error();
+    EXPECT_EQ(api()->explode(m_world, &grown.known), RUBBLE_OK) << api()->get_last_error();
     grown.added = 1;
     expectRefused(api()->explode(m_world, &grown.known), RUBBLE_ERROR_STRUCT_SIZE, "does not know");
 }
@@ -70,42 +70,42 @@ TEST_F(Abi, StaleHandlesAreReported) {
     const rubble_world gone = makeWorld();
     const rubble_body itsBody = bodies(gone)[0].body;
     rubble_body_state state = {};
-    expectRefused(api()->body_state(m_world, itsBody, &state), RUBBLE_ERROR_STALE, "body");  // of another world
-    EXPECT_EQ(api()->world_destroy(gone), RUBBLE_OK);
-    expectRefused(api()->world_destroy(gone), RUBBLE_ERROR_STALE, "world");
+    expectRefused(api()->get_body_state(m_world, itsBody, &state), RUBBLE_ERROR_STALE, "body");  // of another world
+    EXPECT_EQ(api()->destroy_world(gone), RUBBLE_OK);
+    expectRefused(api()->destroy_world(gone), RUBBLE_ERROR_STALE, "world");
     expectRefused(api()->step(gone), RUBBLE_ERROR_STALE, "world");
     expectRefused(api()->step(0), RUBBLE_ERROR_STALE, "world");
     expectRefused(api()->step(~0ull), RUBBLE_ERROR_STALE, "world");
     expectRefused(api()->step(itsBody), RUBBLE_ERROR_STALE, "type");
-    expectRefused(api()->body_state(m_world, m_world, &state), RUBBLE_ERROR_STALE, "type");
-    auto explosion = blow();
+    expectRefused(api()->get_body_state(m_world, m_world, &state), RUBBLE_ERROR_STALE, "type");
+    auto explosion = tableExplosion();
     expectRefused(api()->explode(gone, &explosion), RUBBLE_ERROR_STALE, "world");
     auto impulse = sized<rubble_impulse>();
-    expectRefused(api()->push(m_world, &impulse), RUBBLE_ERROR_STALE, "body");
+    expectRefused(api()->apply_impulse(m_world, &impulse), RUBBLE_ERROR_STALE, "body");
     auto carve = sized<rubble_carve>();
     carve.radii[0] = 1.0;
     carve.shape = bodies(m_world)[0].body;
     expectRefused(api()->carve(m_world, &carve), RUBBLE_ERROR_STALE, "type");
-    expectRefused(api()->renderer_destroy(0), RUBBLE_ERROR_STALE, "renderer");
+    expectRefused(api()->destroy_renderer(0), RUBBLE_ERROR_STALE, "renderer");
 
     const rubble_world next = makeWorld();  // in the slot of the one that is gone
     EXPECT_NE(next, gone);
     expectRefused(api()->step(gone), RUBBLE_ERROR_STALE, "world");
-    EXPECT_EQ(api()->world_destroy(next), RUBBLE_OK);
+    EXPECT_EQ(api()->destroy_world(next), RUBBLE_OK);
 }
 
 TEST_F(Abi, ABodyThatALevelReplacedIsStale) {
     const rubble_body body = bodies(m_world)[0].body;
     ASSERT_EQ(api()->load_level(m_world, s_level.c_str(), nullptr), RUBBLE_OK);
     rubble_body_state state = {};
-    expectRefused(api()->body_state(m_world, body, &state), RUBBLE_ERROR_STALE, "body");
+    expectRefused(api()->get_body_state(m_world, body, &state), RUBBLE_ERROR_STALE, "body");
 }
 
-TEST_F(Abi, NumbersThatAreNoneAreRefused) {
-    auto explosion = blow();
+TEST_F(Abi, NonFiniteAndOutOfRangeNumbersAreRefused) {
+    auto explosion = tableExplosion();
     explosion.position[1] = std::numeric_limits<double>::quiet_NaN();
     expectRefused(api()->explode(m_world, &explosion), RUBBLE_ERROR_ARGUMENT, "position[1]");
-    explosion = blow();
+    explosion = tableExplosion();
     explosion.size = 1e9;
     expectRefused(api()->explode(m_world, &explosion), RUBBLE_ERROR_ARGUMENT, "size");
     auto carve = sized<rubble_carve>();
@@ -120,41 +120,41 @@ TEST_F(Abi, NumbersThatAreNoneAreRefused) {
     auto settings = sized<rubble_world_settings>();
     settings.flags = 1u << 31;
     rubble_world world = 0;
-    expectRefused(api()->world_create(&settings, &world), RUBBLE_ERROR_ARGUMENT, "flags");
+    expectRefused(api()->create_world(&settings, &world), RUBBLE_ERROR_ARGUMENT, "flags");
 }
 
-TEST_F(Abi, AShortArrayGetsWhatFits) {
-    const rubble_explosion explosion = blow();
+TEST_F(Abi, AShortArrayGetsTheRowsThatFit) {
+    const rubble_explosion explosion = tableExplosion();
     ASSERT_EQ(api()->explode(m_world, &explosion), RUBBLE_OK);
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     ASSERT_GE(bodies(m_world).size(), 2u);
     rubble_body_state rows[2] = {};
     uint32_t count = 0;
-    expectRefused(api()->body_states(m_world, rows, 1, &count), RUBBLE_ERROR_CAPACITY, "holds 1");
+    expectRefused(api()->get_body_states(m_world, rows, 1, &count), RUBBLE_ERROR_CAPACITY, "holds 1");
     EXPECT_EQ(count, bodies(m_world).size());
     EXPECT_NE(rows[0].body, 0u);
     EXPECT_EQ(rows[1].body, 0u);
 }
 
-TEST_F(Abi, ABadFileLeavesTheWorldAsItWas) {
+TEST_F(Abi, AFailedLoadLeavesTheWorldUnchanged) {
     uint64_t before = 0, after = 1;
-    ASSERT_EQ(api()->state_hash(m_world, &before), RUBBLE_OK);
+    ASSERT_EQ(api()->get_state_hash(m_world, &before), RUBBLE_OK);
     expectRefused(api()->load_level(m_world, "no/such/file.rubble", nullptr), RUBBLE_ERROR_FILE, "no/such/file.rubble");
     expectRefused(api()->load_level(m_world, RUBBLE_LIBRARY, nullptr), RUBBLE_ERROR_FILE, "librubble");
-    ASSERT_EQ(api()->state_hash(m_world, &after), RUBBLE_OK);
+    ASSERT_EQ(api()->get_state_hash(m_world, &after), RUBBLE_OK);
     EXPECT_EQ(before, after);
 }
 
 TEST_F(Abi, ARendererNeedsTheHostsGl) {
     rubble_world world = 0;
-    ASSERT_EQ(api()->world_create(nullptr, &world), RUBBLE_OK);
+    ASSERT_EQ(api()->create_world(nullptr, &world), RUBBLE_OK);
     auto settings = sized<rubble_renderer_settings>();
     rubble_renderer renderer = 0;
     settings.shader_folder = RUBBLE_SOURCE_DIR "/shaders";
-    expectRefused(api()->renderer_create(world, &settings, &renderer), RUBBLE_ERROR_GL, "gl_get_proc_address");
+    expectRefused(api()->create_renderer(world, &settings, &renderer), RUBBLE_ERROR_GL, "gl_get_proc_address");
     settings.preset = "shiny";
-    expectRefused(api()->renderer_create(world, &settings, &renderer), RUBBLE_ERROR_ARGUMENT, "shiny");
-    EXPECT_EQ(api()->world_destroy(world), RUBBLE_OK);
+    expectRefused(api()->create_renderer(world, &settings, &renderer), RUBBLE_ERROR_ARGUMENT, "shiny");
+    EXPECT_EQ(api()->destroy_world(world), RUBBLE_OK);
 }
 
 }  // namespace

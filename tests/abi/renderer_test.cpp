@@ -33,10 +33,10 @@ protected:
         ASSERT_EQ(m_api->set_host(&host), RUBBLE_OK);
         auto settings = sized<rubble_world_settings>();
         settings.flags = RUBBLE_WORLD_WAIT_FOR_SHADOW;
-        ASSERT_EQ(m_api->world_create(&settings, &m_world), RUBBLE_OK) << m_api->last_error();
+        ASSERT_EQ(m_api->create_world(&settings, &m_world), RUBBLE_OK) << m_api->get_last_error();
     }
     void TearDown() override {
-        m_api->world_destroy(m_world);
+        m_api->destroy_world(m_world);
         m_api->set_host(nullptr);
         GlTest::TearDown();
     }
@@ -52,75 +52,75 @@ protected:
 
 TEST_F(AbiRenderer, DrawsTheLevel) {
     const std::string level = writeTestLevel();
-    ASSERT_EQ(m_api->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << m_api->last_error();
+    ASSERT_EQ(m_api->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << m_api->get_last_error();
     std::filesystem::remove(level);
     ASSERT_EQ(m_api->step(m_world), RUBBLE_OK);
     const rubble_renderer_settings given = settings();
     rubble_renderer renderer = 0, second = 0;
-    ASSERT_EQ(m_api->renderer_create(m_world, &given, &renderer), RUBBLE_OK) << m_api->last_error();
-    EXPECT_EQ(m_api->renderer_create(m_world, &given, &second), RUBBLE_ERROR_ARGUMENT);
-    EXPECT_EQ(m_api->renderer_show_pass(renderer, "no such pass"), RUBBLE_ERROR_ARGUMENT);
+    ASSERT_EQ(m_api->create_renderer(m_world, &given, &renderer), RUBBLE_OK) << m_api->get_last_error();
+    EXPECT_EQ(m_api->create_renderer(m_world, &given, &second), RUBBLE_ERROR_ARGUMENT);
+    EXPECT_EQ(m_api->set_debug_view(renderer, "no such pass"), RUBBLE_ERROR_ARGUMENT);
 
     const Offscreen target({kWidth, kHeight});
     auto view = sized<rubble_view>();
     view.framebuffer = target.framebuffer();
     view.width = kWidth;
     view.position[0] = 0.85, view.position[1] = 1.0, view.position[2] = 4.0;
-    EXPECT_EQ(m_api->renderer_draw(renderer, &view), RUBBLE_ERROR_ARGUMENT) << "a height of 0 was drawn";
+    EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_ERROR_ARGUMENT) << "a height of 0 was drawn";
     view.height = kHeight;
     glViewport(1, 2, 3, 4);
-    ASSERT_EQ(m_api->renderer_draw(renderer, &view), RUBBLE_OK) << m_api->last_error();
+    ASSERT_EQ(m_api->draw(renderer, &view), RUBBLE_OK) << m_api->get_last_error();
     GLint viewport[4] = {};
     glGetIntegerv(GL_VIEWPORT, viewport);
     EXPECT_EQ(viewport[2], 3) << "the host's state is not restored";
 
-    const std::vector<uint8_t> picture = target.readRgb();
+    const std::vector<uint8_t> image = target.readRgb();
     std::set<uint8_t> reds;
-    for (size_t i = 0; i < picture.size(); i += 3) reds.insert(picture[i]);
-    EXPECT_GT(reds.size(), 8u) << "a picture of one colour";
-    auto figures = sized<rubble_draw_figures>();
-    ASSERT_EQ(m_api->renderer_figures(renderer, &figures), RUBBLE_OK);
+    for (size_t i = 0; i < image.size(); i += 3) reds.insert(image[i]);
+    EXPECT_GT(reds.size(), 8u) << "a image of one colour";
+    auto figures = sized<rubble_draw_stats>();
+    ASSERT_EQ(m_api->get_draw_stats(renderer, &figures), RUBBLE_OK);
     EXPECT_EQ(figures.shapes, 1u);
     EXPECT_GT(figures.draw_calls, 0u);
 
-    ASSERT_EQ(m_api->world_destroy(m_world), RUBBLE_OK);
-    EXPECT_EQ(m_api->renderer_draw(renderer, &view), RUBBLE_ERROR_STALE) << "the world is gone";
-    EXPECT_EQ(m_api->renderer_destroy(renderer), RUBBLE_OK);
-    EXPECT_EQ(m_api->renderer_draw(renderer, &view), RUBBLE_ERROR_STALE);
+    ASSERT_EQ(m_api->destroy_world(m_world), RUBBLE_OK);
+    EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_ERROR_STALE) << "the world is gone";
+    EXPECT_EQ(m_api->destroy_renderer(renderer), RUBBLE_OK);
+    EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_ERROR_STALE);
 }
 
-TEST_F(AbiRenderer, ALampThatIsAddedShowsAndOneThatIsRemovedLeavesTheDark) {
+TEST_F(AbiRenderer, AnAddedLightShowsAndARemovedOneDoesNot) {
     const std::string level = writeTestLevel();
-    ASSERT_EQ(m_api->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << m_api->last_error();
+    ASSERT_EQ(m_api->load_level(m_world, level.c_str(), nullptr), RUBBLE_OK) << m_api->get_last_error();
     std::filesystem::remove(level);
     ASSERT_EQ(m_api->step(m_world), RUBBLE_OK);
     auto night = sized<rubble_environment>();
     night.sun_direction[1] = -1.0;
     night.fog_distance = night.fog_height = night.exposure = 1.0;
-    ASSERT_EQ(m_api->set_environment(m_world, &night), RUBBLE_OK) << m_api->last_error();
-    rubble_light lamp = 0;
+    ASSERT_EQ(m_api->set_environment(m_world, &night), RUBBLE_OK) << m_api->get_last_error();
+    rubble_light light = 0;
     uint32_t count = 0;
-    ASSERT_EQ(m_api->lights(m_world, &lamp, 1, &count), RUBBLE_OK);
-    ASSERT_EQ(m_api->remove_light(m_world, lamp), RUBBLE_OK) << m_api->last_error();
+    ASSERT_EQ(m_api->get_lights(m_world, &light, 1, &count), RUBBLE_OK);
+    ASSERT_EQ(m_api->remove_light(m_world, light), RUBBLE_OK) << m_api->get_last_error();
 
     const rubble_renderer_settings given = settings();
     rubble_renderer renderer = 0;
-    ASSERT_EQ(m_api->renderer_create(m_world, &given, &renderer), RUBBLE_OK) << m_api->last_error();
-    ASSERT_EQ(m_api->renderer_show_pass(renderer, "light"), RUBBLE_OK);
+    ASSERT_EQ(m_api->create_renderer(m_world, &given, &renderer), RUBBLE_OK) << m_api->get_last_error();
+    ASSERT_EQ(m_api->set_debug_view(renderer, "light"), RUBBLE_OK);
     const Offscreen target({kWidth, kHeight});
     auto view = sized<rubble_view>();
     view.framebuffer = target.framebuffer();
     view.width = kWidth, view.height = kHeight;
     view.position[0] = view.position[2] = 0.85, view.position[1] = 3.0;
     view.rotation[0] = -std::sqrt(0.5), view.rotation[3] = std::sqrt(0.5);  // straight down
-    /// Radiance in the middle of the picture, as passes/show.frag maps it.
-    const auto lightAfter = [&](int pictures) {
+    /// Radiance in the middle of the image, as passes/show.frag maps it.
+    const auto lightAfter = [&](int frames) {
         EXPECT_EQ(m_api->step(m_world), RUBBLE_OK);
-        for (int i = 0; i < pictures; ++i) EXPECT_EQ(m_api->renderer_draw(renderer, &view), RUBBLE_OK) << m_api->last_error();
-        const std::vector<uint8_t> picture = target.readRgb();
+        for (int i = 0; i < frames; ++i) EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_OK) << m_api->get_last_error();
+        const std::vector<uint8_t> image = target.readRgb();
         double sum = 0.0;
         for (int y = 12; y < 24; ++y)
-            for (int x = 26; x < 38; ++x) sum += picture[size_t(3 * (x + y * kWidth))];
+            for (int x = 26; x < 38; ++x) sum += image[size_t(3 * (x + y * kWidth))];
         const double mapped = std::pow(sum / (12 * 12 * 255), 2.2);
         return mapped / (1.0 - mapped);
     };
@@ -131,25 +131,25 @@ TEST_F(AbiRenderer, ALampThatIsAddedShowsAndOneThatIsRemovedLeavesTheDark) {
     torch.color[0] = torch.color[1] = torch.color[2] = 10.0;
     torch.radius = 0.02, torch.reach = 50.0;
     for (int times = 0; times < 2; ++times) {
-        ASSERT_EQ(m_api->add_light(m_world, &torch), RUBBLE_OK) << m_api->last_error();
+        ASSERT_EQ(m_api->add_light(m_world, &torch), RUBBLE_OK) << m_api->get_last_error();
         const double first = lightAfter(1), settled = lightAfter(20);
         EXPECT_NEAR(settled, 10.0 / 3.14159, 0.5) << "intensity by the square of a metre, of a white surface";
-        EXPECT_GT(first, 0.9 * settled) << "there with the first picture";
-        ASSERT_EQ(m_api->lights(m_world, &lamp, 1, &count), RUBBLE_OK);
-        ASSERT_EQ(m_api->remove_light(m_world, lamp), RUBBLE_OK) << m_api->last_error();
+        EXPECT_GT(first, 0.9 * settled) << "there with the first image";
+        ASSERT_EQ(m_api->get_lights(m_world, &light, 1, &count), RUBBLE_OK);
+        ASSERT_EQ(m_api->remove_light(m_world, light), RUBBLE_OK) << m_api->get_last_error();
         EXPECT_LT(lightAfter(1), 0.05 * settled);
-        EXPECT_LT(lightAfter(1), 0.01 * settled) << "gone in two pictures";
+        EXPECT_LT(lightAfter(1), 0.01 * settled) << "gone in two frames";
         EXPECT_LT(lightAfter(20), 1e-4 * settled);
     }
-    EXPECT_EQ(m_api->renderer_destroy(renderer), RUBBLE_OK);
+    EXPECT_EQ(m_api->destroy_renderer(renderer), RUBBLE_OK);
 }
 
 TEST_F(AbiRenderer, SaysWhichShaderFolderIsMissing) {
     rubble_renderer_settings given = settings();
     given.shader_folder = "no/such/folder";
     rubble_renderer renderer = 1;
-    EXPECT_EQ(m_api->renderer_create(m_world, &given, &renderer), RUBBLE_ERROR_GL);
-    EXPECT_NE(std::string(m_api->last_error()).find("no/such/folder"), std::string::npos) << m_api->last_error();
+    EXPECT_EQ(m_api->create_renderer(m_world, &given, &renderer), RUBBLE_ERROR_GL);
+    EXPECT_NE(std::string(m_api->get_last_error()).find("no/such/folder"), std::string::npos) << m_api->get_last_error();
     EXPECT_EQ(renderer, 0u);
 }
 

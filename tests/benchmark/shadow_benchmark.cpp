@@ -114,7 +114,7 @@ long preemptions() {
 /// Ten seconds at 60 Hz. Age: steps between the world and the newest publication, when the step asks for patches. It asks
 /// right after its submission, so 1 is the least: all but the step of this moment. On a machine that others use, look at
 /// `preemptions` before believing the ages, and at `worker_cpu_ms`, which is the worker's own time for a step.
-void shadowAge(benchmark::State& state) {
+void shadowLag(benchmark::State& state) {
     Fall fall(int(state.range(0)));
     ShadowWorker worker(ShadowWorker::Mode::Thread);
     fall.step();
@@ -144,7 +144,7 @@ void shadowAge(benchmark::State& state) {
     state.counters["worker_cpu_ms"] = workerMs / double(state.iterations());
     state.counters["preemptions"] = double(preemptions() - preemptionsBefore);
 }
-BENCHMARK(shadowAge)->Arg(200)->Iterations(600)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(shadowLag)->Arg(200)->Iterations(600)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace rubble

@@ -125,7 +125,7 @@ Result<Hashes> replay(const SceneRun& options, const std::string& path) {
     Hashes hashes;
     for (const RecordedStep& step : recording->steps) {
         loop->replay(step);
-        const Result<FrameChanges> applied = applyStep(step.delta, path, follower, palettes);
+        const Result<FrameChanges> applied = applyStepDelta(step.delta, path, follower, palettes);
         if (!applied) return Error{applied.error()};
         if (follower.voxelHash() != step.voxelHash) return Error{fmt::format("step {}: the resolved edits give other voxels", step.step)};
         follower.setPoses(step.poses);

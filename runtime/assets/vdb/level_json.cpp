@@ -14,9 +14,9 @@ namespace {
 
 using nlohmann::json;
 
-class JsonOut {
+class JsonOutputArchive {
 public:
-    JsonOut(PaletteList& palettes, const std::vector<std::string>& gridNames) : m_palettes(palettes), m_gridNames(gridNames) {}
+    JsonOutputArchive(PaletteList& palettes, const std::vector<std::string>& gridNames) : m_palettes(palettes), m_gridNames(gridNames) {}
 
     template <class T>
     void operator()(const char* name, const T& value) {
@@ -62,9 +62,9 @@ private:
     json* m_object = nullptr;
 };
 
-class JsonIn {
+class JsonInputArchive {
 public:
-    JsonIn(const std::vector<PaletteRef>& palettes, std::vector<std::string>& gridNames) : m_palettes(palettes), m_gridNames(gridNames) {}
+    JsonInputArchive(const std::vector<PaletteRef>& palettes, std::vector<std::string>& gridNames) : m_palettes(palettes), m_gridNames(gridNames) {}
 
     template <class T>
     void operator()(const char* name, T& value) {
@@ -181,7 +181,7 @@ private:
 };
 
 /// Entries that differ from the default, each with its number.
-json paletteToJson(const Palette& palette, JsonOut& out) {
+json paletteToJson(const Palette& palette, JsonOutputArchive& out) {
     json list = json::array();
     for (size_t i = 0; i < palette.size(); ++i) {
         if (palette[i] == PaletteEntry{}) continue;
@@ -192,7 +192,7 @@ json paletteToJson(const Palette& palette, JsonOut& out) {
     return list;
 }
 
-std::vector<PaletteRef> palettesFromJson(const json& list, JsonIn& in) {
+std::vector<PaletteRef> palettesFromJson(const json& list, JsonInputArchive& in) {
     std::vector<PaletteRef> palettes;
     if (!list.is_array()) return palettes;
     for (const json& entries : list) {
@@ -212,7 +212,7 @@ std::vector<PaletteRef> palettesFromJson(const json& list, JsonIn& in) {
 
 std::map<std::string, std::string> levelToJson(const Level& level, const std::vector<std::string>& gridNames) {
     PaletteList palettes;
-    JsonOut out(palettes, gridNames);
+    JsonOutputArchive out(palettes, gridNames);
     json all = out.make(level);
     all["palettes"] = json::array();
     for (const PaletteRef& palette : palettes.palettes()) all["palettes"].push_back(paletteToJson(*palette, out));
@@ -232,7 +232,7 @@ Result<JsonLevel> levelFromJson(const std::map<std::string, std::string>& topics
     }
     JsonLevel out;
     std::vector<PaletteRef> palettes;
-    JsonIn in(palettes, out.gridNames);
+    JsonInputArchive in(palettes, out.gridNames);
     if (all.contains("palettes")) palettes = palettesFromJson(all["palettes"], in);
     if (in.error().empty()) in.get(all, out.level);
     if (!in.error().empty()) return Error{in.error()};

@@ -38,9 +38,9 @@ int toVdb(const std::string& in, const std::string& out) {
 }
 
 int toRubble(const std::string& in, const std::string& out) {
-    std::vector<std::string> remarks;
-    const Result<Level> level = readVdbFile(in, remarks);
-    for (const std::string& remark : remarks) std::fprintf(stderr, "note: %s\n", remark.c_str());
+    std::vector<std::string> notes;
+    const Result<Level> level = readVdbFile(in, notes);
+    for (const std::string& note : notes) std::fprintf(stderr, "note: %s\n", note.c_str());
     if (!level) return fail(level.error());
     const Result<Done> done = writeRubble(out, *level);
     return done ? 0 : fail(done.error());

@@ -13,9 +13,9 @@
 
 #include "runtime/assets/assets.h"
 #include "runtime/assets/file_bytes.h"
-#include "runtime/assets/level_check.h"
+#include "runtime/assets/level_validation.h"
 #include "runtime/assets/names.h"
-#include "runtime/assets/vdb/foreign_palette.h"
+#include "runtime/assets/vdb/fallback_palette.h"
 #include "runtime/assets/vdb/level_json.h"
 #include "runtime/assets/vdb/vdb_header.h"
 
@@ -41,7 +41,7 @@ glm::ivec3 fromCoord(const openvdb::Coord& c) {
 }
 
 /// Index -> world with cell i covering [i, i + 1] voxels: the transform of cell centres.
-openvdb::math::Transform::Ptr cellTransform(const Pose& corner, double voxelSize) {
+openvdb::math::Transform::Ptr gridTransform(const Pose& corner, double voxelSize) {
     const glm::dvec3 origin = corner.transformPoint(glm::dvec3(0.5 * voxelSize));
     if (corner.rotation == glm::dquat(1, 0, 0, 0)) {
         auto transform = openvdb::math::Transform::createLinearTransform(voxelSize);
@@ -72,7 +72,7 @@ typename Grid::Ptr makeGrid(const LevelShape& shape, const Pose& world, const st
     });
     grid->pruneGrid();
     grid->setName(name);
-    grid->setTransform(cellTransform(world, double(shape.voxelSize)));
+    grid->setTransform(gridTransform(world, double(shape.voxelSize)));
     return grid;
 }
 
@@ -114,17 +114,17 @@ std::string gridName(const std::string& name) {
 }
 
 /// The solid cells of one grid of the file.
-struct Solid {
+struct SolidCells {
     openvdb::CoordBBox box;
     VoxelGrid grid;  ///< its cell 0 is box.min()
 };
 
 /// Expands active voxels and tiles (of level sets also what is inactive and inside). indexOf: value -> palette index.
-class Expander {
+class VoxelExpander {
 public:
     template <class Grid, class IndexOf>
-    Result<Solid> expand(const Grid& grid, const openvdb::CoordBBox& atLeast, IndexOf indexOf) {
-        Solid solid;
+    Result<SolidCells> expand(const Grid& grid, const openvdb::CoordBBox& atLeast, IndexOf indexOf) {
+        SolidCells solid;
         solid.box = grid.evalActiveVoxelBoundingBox();
         if (!atLeast.empty()) solid.box.expand(atLeast);
         if (solid.box.empty()) return solid;
@@ -197,7 +197,7 @@ struct GridTypes : openvdb::GridBase {
 /// One open file.
 class VdbReader {
 public:
-    VdbReader(const std::string& path, std::vector<std::string>& remarks) : m_path(path), m_remarks(remarks), m_file(path) {}
+    VdbReader(const std::string& path, std::vector<std::string>& notes) : m_path(path), m_notes(notes), m_file(path) {}
 
     /// The library refuses a whole file for one grid type that it does not know. An empty stand-in lets it read the rest.
     void skipUnknownTypes(const std::vector<VdbGridEntry>& entries) {
@@ -208,7 +208,7 @@ public:
             if (m_unknownTypes.insert(type).second) GridTypes::registerGrid(type, [] { return openvdb::GridBase::Ptr(openvdb::BoolGrid::create()); });
             const std::string name = openvdb::io::GridDescriptor::nameAsString(entry.name);
             m_unknown.insert(name);
-            m_remarks.push_back(fmt::format("grid '{}': type {} is not known, skipped", name, type));
+            m_notes.push_back(fmt::format("grid '{}': type {} is not known, skipped", name, type));
         }
     }
 
@@ -218,7 +218,7 @@ public:
         for (auto name = m_file.beginName(); name != m_file.endName(); ++name)
             if (!m_unknown.contains(name.gridName())) m_names.push_back(name.gridName());
         const auto version = metadata->getMetadata<openvdb::Int32Metadata>(kPrefix + "version");
-        if (!version) return readForeign();
+        if (!version) return readWithoutProfile();
         if (version->value() != kProfileVersion)
             return Error{fmt::format("metadata rubble.version: expected {}, found {}", kProfileVersion, version->value())};
         return readProfile(*metadata);
@@ -236,10 +236,10 @@ private:
         for (LevelBody& body : parsed->level.bodies)
             for (LevelShape& shape : body.shapes)
                 if (const Result<Done> done = readShape(body, shape, parsed->gridNames[number++]); !done) return Error{done.error()};
-        remarkUnused(parsed->gridNames);
+        noteUnusedGrids(parsed->gridNames);
         const auto hash = metadata.getMetadata<openvdb::StringMetadata>(kPrefix + "content_hash");
         if (!hash || hash->value() != fmt::format("{:016x}", hashLevel(parsed->level)))
-            m_remarks.push_back("the content differs from its hash: edited by another program, or damaged");
+            m_notes.push_back("the content differs from its hash: edited by another program, or damaged");
         return std::move(parsed->level);
     }
 
@@ -251,18 +251,18 @@ private:
         if (!grid) return Error{fmt::format("grid '{}': expected type Int32, found another", name)};
         openvdb::CoordBBox declared;
         if (shape.grid.size().x > 0) declared = openvdb::CoordBBox(openvdb::Coord(0), toCoord(shape.grid.size() - 1));
-        Result<Solid> solid = m_expander.expand(*grid, declared, [](int32_t value, bool active) { return active ? value : 0; });
+        Result<SolidCells> solid = m_expander.expand(*grid, declared, [](int32_t value, bool active) { return active ? value : 0; });
         if (!solid) return Error{solid.error()};
         shape.grid = std::move(solid->grid);
         const openvdb::Coord corner = solid->box.empty() ? openvdb::Coord(0) : solid->box.min();
         if (shape.paintColors)
             if (const Result<Done> done = readPaint(shape, prefix + ".paint", corner); !done) return done;
-        const auto expected = cellTransform(body.pose * shape.local, double(shape.voxelSize));
+        const auto expected = gridTransform(body.pose * shape.local, double(shape.voxelSize));
         const bool moved = !(*expected == grid->transform());
         if (!moved && corner == openvdb::Coord(0)) return Done{};
         const auto pose = cornerPose(*grid, corner);
         if (!pose) return Error{pose.error()};
-        m_remarks.push_back(fmt::format("'{}': {} by another program", shape.name, moved ? "moved" : "extended"));
+        m_notes.push_back(fmt::format("'{}': {} by another program", shape.name, moved ? "moved" : "extended"));
         const Pose toBody{glm::conjugate(body.pose.rotation) * -body.pose.position, glm::conjugate(body.pose.rotation)};
         shape.local = toBody * pose->first;
         shape.voxelSize = float(pose->second);
@@ -293,15 +293,15 @@ private:
         return Done{};
     }
 
-    void remarkUnused(const std::vector<std::string>& prefixes) {
+    void noteUnusedGrids(const std::vector<std::string>& prefixes) {
         for (const std::string& name : m_names) {
             const std::string prefix = name.substr(0, name.rfind('.'));
             if (std::find(prefixes.begin(), prefixes.end(), prefix) == prefixes.end())
-                m_remarks.push_back(fmt::format("grid '{}': belongs to no shape, skipped", name));
+                m_notes.push_back(fmt::format("grid '{}': belongs to no shape, skipped", name));
         }
     }
 
-    Result<Level> readForeign() {
+    Result<Level> readWithoutProfile() {
         Level level;
         level.name = printableName(std::filesystem::path(m_path).stem().string());
         UniqueNames names;
@@ -312,23 +312,23 @@ private:
             if (suffix(name) == "density" && std::find(m_names.begin(), m_names.end(), prefixOf(name) + "palette_index") != m_names.end()) continue;
             const openvdb::GridBase::Ptr grid = m_file.readGrid(name);
             const Result<std::pair<Pose, double>> cubes = cornerPose(*grid, openvdb::Coord(0));
-            Result<Solid> solid = cubes ? solidOf(*grid, name, hasDensity) : Error{cubes.error()};
+            Result<SolidCells> solid = cubes ? solidOf(*grid, name, hasDensity) : Error{cubes.error()};
             if (!solid || solid->grid.empty()) {
-                m_remarks.push_back(solid ? fmt::format("grid '{}': nothing solid, skipped", name) : solid.error() + ", skipped");
+                m_notes.push_back(solid ? fmt::format("grid '{}': nothing solid, skipped", name) : solid.error() + ", skipped");
                 continue;
             }
             const std::string own = prefixOf(name).empty() ? (suffix(name) == "density" || suffix(name) == "palette_index" ? level.name : name)
                                                            : prefixOf(name).substr(0, prefixOf(name).size() - 1);
-            addForeign(level, names.unique(printableName(own)), *grid, name, std::move(*solid));
+            addGridAsShape(level, names.unique(printableName(own)), *grid, name, std::move(*solid));
         }
         if (level.bodies.empty()) {
-            std::string why = m_remarks.empty() ? "it holds no grids" : m_remarks.front();
+            std::string why = m_notes.empty() ? "it holds no grids" : m_notes.front();
             return Error{"expected at least one grid of voxels, found none: " + why};
         }
         return level;
     }
 
-    Result<Solid> solidOf(const openvdb::GridBase& grid, const std::string& name, bool hasDensity) {
+    Result<SolidCells> solidOf(const openvdb::GridBase& grid, const std::string& name, bool hasDensity) {
         const openvdb::CoordBBox none;
         if (const auto* whole = dynamic_cast<const openvdb::Int32Grid*>(&grid); whole && suffix(name) == "palette_index")
             return m_expander.expand(*whole, none, [](int32_t value, bool active) { return active ? value : 0; });
@@ -348,9 +348,9 @@ private:
                                  [threshold](float value, bool active) { return active && value > 0.0f && value >= threshold ? 1 : 0; });
     }
 
-    void addForeign(Level& level, const std::string& shapeName, const openvdb::GridBase& grid, const std::string& name, Solid solid) {
+    void addGridAsShape(Level& level, const std::string& shapeName, const openvdb::GridBase& grid, const std::string& name, SolidCells solid) {
         const auto pose = cornerPose(grid, solid.box.min());
-        if (!pose) return m_remarks.push_back(pose.error() + ", skipped");
+        if (!pose) return m_notes.push_back(pose.error() + ", skipped");
         LevelBody& body = level.bodies.emplace_back();
         body.name = shapeName;
         body.pose = pose->first;
@@ -363,7 +363,7 @@ private:
         if (std::find(m_names.begin(), m_names.end(), colorName) != m_names.end())
             color = openvdb::gridPtrCast<openvdb::Vec3SGrid>(m_file.readGrid(colorName));
         if (suffix(name) == "palette_index") {
-            shape.palette = defaultForeignPalette(shape.grid);
+            shape.palette = voxFallbackPalette(shape.grid);
         } else if (color) {
             const auto values = color->getConstAccessor();
             shape.palette = quantiseColors(shape.grid, [&](glm::ivec3 cell) {
@@ -371,9 +371,9 @@ private:
                 return glm::vec3(value.x(), value.y(), value.z());
             });
         } else {
-            shape.palette = plainForeignPalette();
+            shape.palette = grayFallbackPalette();
         }
-        m_remarks.push_back(fmt::format("grid '{}' -> shape '{}', {} voxels of {} m{}", name, shapeName, shape.grid.voxelCount(), shape.voxelSize,
+        m_notes.push_back(fmt::format("grid '{}' -> shape '{}', {} voxels of {} m{}", name, shapeName, shape.grid.voxelCount(), shape.voxelSize,
                                         color ? ", colours from '" + colorName + "'" : ""));
     }
 
@@ -382,11 +382,11 @@ private:
     static std::string prefixOf(const std::string& name) { return name.substr(0, name.rfind('.') + 1); }
 
     const std::string& m_path;
-    std::vector<std::string>& m_remarks;
+    std::vector<std::string>& m_notes;
     openvdb::io::File m_file;
     std::vector<std::string> m_names;
     std::set<std::string> m_unknown, m_unknownTypes;
-    Expander m_expander;
+    VoxelExpander m_expander;
 };
 
 Result<std::vector<VdbGridEntry>> scanFile(const std::string& path) {
@@ -398,7 +398,7 @@ Result<std::vector<VdbGridEntry>> scanFile(const std::string& path) {
 }  // namespace
 
 Result<Done> writeVdbFile(const std::string& path, const Level& level) try {
-    if (const Result<Done> checked = checkLevel(level); !checked) return Error{path + ": " + checked.error()};
+    if (const Result<Done> checked = validateLevel(level); !checked) return Error{path + ": " + checked.error()};
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 2);
     openvdb::initialize();
     openvdb::GridPtrVec grids;
@@ -415,26 +415,26 @@ Result<Done> writeVdbFile(const std::string& path, const Level& level) try {
     metadata.insertMeta(kPrefix + "version", openvdb::Int32Metadata(kProfileVersion));
     metadata.insertMeta(kPrefix + "content_hash", openvdb::StringMetadata(fmt::format("{:016x}", hashLevel(level))));
     for (const auto& [topic, text] : levelToJson(level, prefixes)) metadata.insertMeta(kPrefix + topic, openvdb::StringMetadata(text));
-    const std::string neighbour = fmt::format("{}.{}.part", path, getpid());
-    openvdb::io::File file(neighbour);
+    const std::string temporaryPath = fmt::format("{}.{}.part", path, getpid());
+    openvdb::io::File file(temporaryPath);
     file.write(grids, metadata);
     file.close();
-    std::filesystem::rename(neighbour, path);
+    std::filesystem::rename(temporaryPath, path);
     return Done{};
 } catch (const std::exception& error) {
     return Error{path + ": " + error.what()};
 }
 
-Result<Level> readVdbFile(const std::string& path, std::vector<std::string>& remarks) try {
+Result<Level> readVdbFile(const std::string& path, std::vector<std::string>& notes) try {
     const Result<std::vector<VdbGridEntry>> entries = scanFile(path);
     if (!entries) return Error{entries.error()};
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 2);
     openvdb::initialize();
-    VdbReader reader(path, remarks);
+    VdbReader reader(path, notes);
     reader.skipUnknownTypes(*entries);
     Result<Level> level = reader.read();
     if (!level) return Error{path + ": " + level.error()};
-    if (const Result<Done> checked = checkLevel(*level); !checked) return Error{path + ": " + checked.error()};
+    if (const Result<Done> checked = validateLevel(*level); !checked) return Error{path + ": " + checked.error()};
     return level;
 } catch (const std::bad_alloc&) {
     return Error{path + ": not enough memory for what it describes (RUBBLE_VDB_MEMORY_MIB raises the limit)"};

@@ -13,7 +13,7 @@ namespace rubble {
 Result<Done> writeVdbFile(const std::string& path, const Level& level);
 
 /// Reads the profile, or any other .vdb file as occupancy (Float fog and level sets, Bool, Mask). Trusts nothing but the
-/// library itself: run it in a process that may die. `remarks`: what was skipped, guessed or changed by others.
-Result<Level> readVdbFile(const std::string& path, std::vector<std::string>& remarks);
+/// library itself: run it in a process that may die. `notes`: what was skipped, guessed or changed by others.
+Result<Level> readVdbFile(const std::string& path, std::vector<std::string>& notes);
 
 }  // namespace rubble

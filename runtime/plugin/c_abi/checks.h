@@ -13,17 +13,17 @@
 namespace rubble::abi {
 
 /// Why a call of the host is refused. Thrown inside the plugin only; guarded() turns it into a result.
-struct Refusal {
+struct ApiError {
     rubble_result code;
     std::string text;
 };
 
 /// No struct of the interface is longer, so a larger struct_size is not a size.
-inline constexpr uint32_t kLongestStruct = 4096;
+inline constexpr uint32_t kMaxStructSize = 4096;
 
 template <class T>
-T& required(T* pointer, const char* name) {
-    if (!pointer) throw Refusal{RUBBLE_ERROR_NULL, std::string(name) + " is null"};
+T& requireNotNull(T* pointer, const char* name) {
+    if (!pointer) throw ApiError{RUBBLE_ERROR_NULL, std::string(name) + " is null"};
     return *pointer;
 }
 
@@ -31,50 +31,50 @@ T& required(T* pointer, const char* name) {
 template <class T>
 void checkStructSize(const T& given, const char* name) {
     const uint32_t size = given.struct_size;
-    if (size < sizeof(T) || size > kLongestStruct)
-        throw Refusal{RUBBLE_ERROR_STRUCT_SIZE,
+    if (size < sizeof(T) || size > kMaxStructSize)
+        throw ApiError{RUBBLE_ERROR_STRUCT_SIZE,
                       std::string(name) + "->struct_size is " + std::to_string(size) + ", expected " + std::to_string(sizeof(T))};
     const auto* bytes = reinterpret_cast<const unsigned char*>(&given);
     for (size_t i = sizeof(T); i < size; ++i)
         if (bytes[i])
-            throw Refusal{RUBBLE_ERROR_STRUCT_SIZE,
+            throw ApiError{RUBBLE_ERROR_STRUCT_SIZE,
                           std::string(name) + " sets a field at byte " + std::to_string(i) + " that this plugin does not know"};
 }
 
 template <class T>
-const T& readable(const T* given, const char* name) {
-    checkStructSize(required(given, name), name);
+const T& readStruct(const T* given, const char* name) {
+    checkStructSize(requireNotNull(given, name), name);
     return *given;
 }
 
 /// Writes all fields of a struct of results but its size. What the host knows beyond them stays zero.
 template <class T>
-void writeTo(T* out, T values) {
-    values.struct_size = readable(out, "out").struct_size;
+void writeStruct(T* out, T values) {
+    values.struct_size = readStruct(out, "out").struct_size;
     *out = values;
 }
 
 /// Refuses what lightError(), jointError() and their like have found.
-inline void demandNone(const std::string& error) {
-    if (!error.empty()) throw Refusal{RUBBLE_ERROR_ARGUMENT, error};
+inline void requireNoError(const std::string& error) {
+    if (!error.empty()) throw ApiError{RUBBLE_ERROR_ARGUMENT, error};
 }
 
 inline glm::dvec3 readVector(const double (&values)[3], const char* name) {
     for (int i = 0; i < 3; ++i)
         if (!std::isfinite(values[i]) || std::abs(values[i]) > 1e9)
-            throw Refusal{RUBBLE_ERROR_ARGUMENT, std::string(name) + "[" + std::to_string(i) + "] is " + std::to_string(values[i])};
+            throw ApiError{RUBBLE_ERROR_ARGUMENT, std::string(name) + "[" + std::to_string(i) + "] is " + std::to_string(values[i])};
     return {values[0], values[1], values[2]};
 }
 
 /// In [low, high]; 0 is a number like any other.
-inline double readLiteral(double value, double low, double high, const std::string& name) {
+inline double readInRange(double value, double low, double high, const std::string& name) {
     if (isWithin(value, low, high)) return value;
-    throw Refusal{RUBBLE_ERROR_ARGUMENT, name + " is " + std::to_string(value) + ", expected " + std::to_string(low) + " to " + std::to_string(high)};
+    throw ApiError{RUBBLE_ERROR_ARGUMENT, name + " is " + std::to_string(value) + ", expected " + std::to_string(low) + " to " + std::to_string(high)};
 }
 
 /// The same, but a value of 0 stands for `ifZero`.
-inline double readNumber(double value, double low, double high, double ifZero, const char* name) {
-    return value == 0.0 ? ifZero : readLiteral(value, low, high, name);
+inline double readOrDefault(double value, double low, double high, double ifZero, const char* name) {
+    return value == 0.0 ? ifZero : readInRange(value, low, high, name);
 }
 
 /// x, y, z, w; all zero is no rotation.
@@ -83,14 +83,14 @@ inline glm::dquat readRotation(const double (&values)[4], const char* name) {
     const double length = glm::length(rotation);
     if (length == 0.0) return {1.0, 0.0, 0.0, 0.0};
     if (!(std::abs(length - 1.0) < 1e-2))
-        throw Refusal{RUBBLE_ERROR_ARGUMENT, std::string(name) + " has length " + std::to_string(length) + ", expected 1"};
+        throw ApiError{RUBBLE_ERROR_ARGUMENT, std::string(name) + " has length " + std::to_string(length) + ", expected 1"};
     return rotation / length;
 }
 
 template <HandleType kType>
 Handle<kType> readHandle(uint64_t bits, const char* name) {
     const Handle<kType> handle{bits};
-    if (handle && handle.type() != kType) throw Refusal{RUBBLE_ERROR_STALE, std::string(name) + " is a handle of another type"};
+    if (handle && handle.type() != kType) throw ApiError{RUBBLE_ERROR_STALE, std::string(name) + " is a handle of another type"};
     return handle;
 }
 

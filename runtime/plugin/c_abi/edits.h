@@ -4,7 +4,7 @@
 
 namespace rubble::abi {
 
-// The host's edits as the World's, checked. Throw Refusal.
+// The host's edits as the World's, checked. Throw ApiError.
 CarveEdit toEdit(const World& world, const rubble_carve& carve);
 BreakEdit toEdit(const World& world, const rubble_break& given);
 ExplodeEdit toEdit(const World& world, const rubble_explosion& explosion);

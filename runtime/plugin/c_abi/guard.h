@@ -9,8 +9,8 @@
 // What every function of the table is wrapped in.
 namespace rubble::abi {
 
-/// Keeps the reason for last_error().
-rubble_result remember(const char* function, const Refusal& refusal);
+/// Keeps the reason for get_last_error().
+rubble_result storeLastError(const char* function, const ApiError& refusal);
 
 /// Makes a result of whatever is thrown inside: nothing gets out of the plugin.
 template <class F>
@@ -18,12 +18,12 @@ rubble_result guarded(const char* function, F&& body) noexcept try {
     try {
         body();
         return RUBBLE_OK;
-    } catch (const Refusal& refusal) {
-        return remember(function, refusal);
+    } catch (const ApiError& refusal) {
+        return storeLastError(function, refusal);
     } catch (const std::bad_alloc&) {
-        return remember(function, {RUBBLE_ERROR_MEMORY, "out of memory"});
+        return storeLastError(function, {RUBBLE_ERROR_MEMORY, "out of memory"});
     } catch (const std::exception& error) {
-        return remember(function, {RUBBLE_ERROR_INTERNAL, error.what()});
+        return storeLastError(function, {RUBBLE_ERROR_INTERNAL, error.what()});
     }
 } catch (...) {
     return RUBBLE_ERROR_MEMORY;  // even the message found no memory
@@ -33,8 +33,8 @@ rubble_result guarded(const char* function, F&& body) noexcept try {
 template <class Row>
 class RowWriter {
 public:
-    RowWriter(Row* out, uint32_t capacity, uint32_t* count) : m_out(out), m_capacity(capacity), m_count(required(count, "count")) {
-        if (capacity) required(out, "out");
+    RowWriter(Row* out, uint32_t capacity, uint32_t* count) : m_out(out), m_capacity(capacity), m_count(requireNotNull(count, "count")) {
+        if (capacity) requireNotNull(out, "out");
         m_count = 0;
     }
     template <class Make>
@@ -44,7 +44,7 @@ public:
     }
     void finish() const {
         if (m_capacity && m_count > m_capacity)
-            throw Refusal{RUBBLE_ERROR_CAPACITY, "there are " + std::to_string(m_count) + " rows, the array holds " + std::to_string(m_capacity)};
+            throw ApiError{RUBBLE_ERROR_CAPACITY, "there are " + std::to_string(m_count) + " rows, the array holds " + std::to_string(m_capacity)};
     }
 
 private:
@@ -58,14 +58,14 @@ template <class HostEdit, class Convert>
 rubble_result pushEdit(const char* function, rubble_world world, const HostEdit* edit, Convert&& convert) {
     return guarded(function, [&] {
         const auto hosted = Registry::instance().world(world);
-        hosted->loop.edits().push(convert(hosted->loop.world(), readable(edit, function)));
+        hosted->loop.edits().push(convert(hosted->loop.world(), readStruct(edit, function)));
     });
 }
 
 /// Refuses a handle that names nothing in a SlotMap of a World.
 template <class Map, class Handle>
-void demandThere(const Map& map, Handle handle, const char* name) {
-    if (!map.find(handle)) throw Refusal{RUBBLE_ERROR_STALE, std::string(name) + (handle ? " is stale" : " is 0")};
+void requireAlive(const Map& map, Handle handle, const char* name) {
+    if (!map.find(handle)) throw ApiError{RUBBLE_ERROR_STALE, std::string(name) + (handle ? " is stale" : " is 0")};
 }
 
 /// A command for the next step that removes what a handle names in a SlotMap of a World.
@@ -74,7 +74,7 @@ rubble_result removeOne(const char* function, rubble_world world, uint64_t bits,
     return guarded(function, [&] {
         const auto hosted = Registry::instance().world(world);
         const auto handle = readHandle<kType>(bits, name);
-        demandThere((hosted->loop.world().*all)(), handle, name);
+        requireAlive((hosted->loop.world().*all)(), handle, name);
         hosted->loop.edits().push(EditType{handle});
     });
 }

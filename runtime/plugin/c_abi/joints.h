@@ -4,7 +4,7 @@
 
 namespace rubble::abi {
 
-// The host's joints as the World's, checked. Throw Refusal.
+// The host's joints as the World's, checked. Throw ApiError.
 AddJointEdit toEdit(const World& world, const rubble_joint_settings& settings);
 SetJointMotorEdit toEdit(const World& world, const rubble_joint_motor& motor);
 DriveEdit toEdit(const World& world, const rubble_drive& drive);

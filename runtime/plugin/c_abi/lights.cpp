@@ -20,7 +20,7 @@ struct Vector {
     double (Outside::*outside)[3];
 };
 
-constexpr Number<Environment, rubble_environment> kEnvironmentNumbers[] = {
+constexpr Number<Environment, rubble_environment> kEnvironmentScalars[] = {
     {&Environment::sunAngle, &rubble_environment::sun_angle},     {&Environment::fogDistance, &rubble_environment::fog_distance},
     {&Environment::fogDensity, &rubble_environment::fog_density}, {&Environment::fogBase, &rubble_environment::fog_base},
     {&Environment::fogHeight, &rubble_environment::fog_height},   {&Environment::fogForward, &rubble_environment::fog_forward},
@@ -33,7 +33,7 @@ constexpr Vector<Environment, rubble_environment> kEnvironmentVectors[] = {
     {&Environment::groundColor, &rubble_environment::ground_color},   {&Environment::fogColor, &rubble_environment::fog_color},
     {&Environment::fogTint, &rubble_environment::fog_tint},           {&Environment::gravity, &rubble_environment::gravity},
 };
-constexpr Number<Light, rubble_light_state> kLightNumbers[] = {
+constexpr Number<Light, rubble_light_state> kLightScalars[] = {
     {&Light::radius, &rubble_light_state::radius},        {&Light::reach, &rubble_light_state::reach},
     {&Light::coneInner, &rubble_light_state::cone_inner}, {&Light::coneOuter, &rubble_light_state::cone_outer},
     {&Light::width, &rubble_light_state::width},          {&Light::height, &rubble_light_state::height},
@@ -65,28 +65,28 @@ void write(const Vector<Inside, Outside>& vector, const Inside& from, Outside& t
 
 Environment readEnvironment(const rubble_environment& given) {
     Environment out;
-    for (const auto& number : kEnvironmentNumbers) read(number, given, out);
+    for (const auto& number : kEnvironmentScalars) read(number, given, out);
     for (const auto& vector : kEnvironmentVectors) read(vector, given, out);
-    demandNone(environmentError(out));
+    requireNoError(environmentError(out));
     return out;
 }
 
 rubble_environment toHost(const Environment& from) {
     rubble_environment out = {};
-    for (const auto& number : kEnvironmentNumbers) write(number, from, out);
+    for (const auto& number : kEnvironmentScalars) write(number, from, out);
     for (const auto& vector : kEnvironmentVectors) write(vector, from, out);
     return out;
 }
 
 const Light& lightOf(const World& world, rubble_light bits) {
     const LightHandle handle = readHandle<HandleType::Light>(bits, "light");
-    demandThere(world.lights(), handle, "light");
+    requireAlive(world.lights(), handle, "light");
     return world.lights().at(handle);
 }
 
 rubble_light_state toHost(LightHandle handle, const Light& from) {
     rubble_light_state out = {};
-    for (const auto& number : kLightNumbers) write(number, from, out);
+    for (const auto& number : kLightScalars) write(number, from, out);
     for (const auto& vector : kLightVectors) write(vector, from, out);
     out.light = handle.bits;
     out.kind = uint32_t(from.kind);
@@ -100,31 +100,31 @@ rubble_light_state toHost(LightHandle handle, const Light& from) {
 
 /// Its handle must name something, or be 0.
 template <HandleType kType, class Map>
-Handle<kType> readOptional(const Map& map, uint64_t bits, const char* name) {
+Handle<kType> readOptionalHandle(const Map& map, uint64_t bits, const char* name) {
     const Handle<kType> handle = readHandle<kType>(bits, name);
-    if (handle) demandThere(map, handle, name);
+    if (handle) requireAlive(map, handle, name);
     return handle;
 }
 
 /// `light`: what the host cannot say stays as it is there.
 Light readLight(const World& world, const rubble_light_state& given, Light light) {
-    if (given.flags & ~uint32_t(RUBBLE_LIGHT_ENABLED | RUBBLE_LIGHT_TWO_SIDED)) throw Refusal{RUBBLE_ERROR_ARGUMENT, "flags has unknown bits"};
-    for (const auto& number : kLightNumbers) read(number, given, light);
+    if (given.flags & ~uint32_t(RUBBLE_LIGHT_ENABLED | RUBBLE_LIGHT_TWO_SIDED)) throw ApiError{RUBBLE_ERROR_ARGUMENT, "flags has unknown bits"};
+    for (const auto& number : kLightScalars) read(number, given, light);
     for (const auto& vector : kLightVectors) read(vector, given, light);
     light.kind = LightKind(std::min(given.kind, 255u));
-    light.shape = readOptional<HandleType::Shape>(world.shapes(), given.shape, "shape");
-    light.group = readOptional<HandleType::LightGroup>(world.lightGroups(), given.group, "group");
+    light.shape = readOptionalHandle<HandleType::Shape>(world.shapes(), given.shape, "shape");
+    light.group = readOptionalHandle<HandleType::LightGroup>(world.lightGroups(), given.group, "group");
     light.local = {readVector(given.position, "position"), readRotation(given.rotation, "rotation")};
     light.enabled = given.flags & RUBBLE_LIGHT_ENABLED;
     light.twoSided = given.flags & RUBBLE_LIGHT_TWO_SIDED;
-    demandNone(lightError(light));
+    requireNoError(lightError(light));
     return light;
 }
 
 }  // namespace
 
 rubble_result environment(rubble_world world, rubble_environment* out) {
-    return guarded("environment", [&] { writeTo(out, toHost(Registry::instance().world(world)->loop.world().environment())); });
+    return guarded("get_environment", [&] { writeStruct(out, toHost(Registry::instance().world(world)->loop.world().environment())); });
 }
 
 rubble_result setEnvironment(rubble_world world, const rubble_environment* environment) {
@@ -133,23 +133,23 @@ rubble_result setEnvironment(rubble_world world, const rubble_environment* envir
 }
 
 rubble_result applySkyModel(rubble_environment* environment, const double* toSun) {
-    return guarded("follow_sun", [&] {
-        Environment now = readEnvironment(readable(environment, "environment"));
-        const glm::dvec3 direction = readVector(reinterpret_cast<const double(&)[3]>(required(toSun, "to_sun")), "to_sun");
-        if (!(glm::length(direction) > 1e-6)) throw Refusal{RUBBLE_ERROR_ARGUMENT, "to_sun is zero"};
+    return guarded("compute_sky", [&] {
+        Environment now = readEnvironment(readStruct(environment, "get_environment"));
+        const glm::dvec3 direction = readVector(reinterpret_cast<const double(&)[3]>(requireNotNull(toSun, "to_sun")), "to_sun");
+        if (!(glm::length(direction) > 1e-6)) throw ApiError{RUBBLE_ERROR_ARGUMENT, "to_sun is zero"};
         rubble::applySkyModel(now, glm::vec3(direction));
-        writeTo(environment, toHost(now));
+        writeStruct(environment, toHost(now));
     });
 }
 
 rubble_result lights(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count) {
-    return listAll("lights", world, out, capacity, count, &World::lights);
+    return listAll("get_lights", world, out, capacity, count, &World::lights);
 }
 
 rubble_result lightState(rubble_world world, rubble_light light, rubble_light_state* out) {
-    return guarded("light_state", [&] {
+    return guarded("get_light_state", [&] {
         const auto hosted = Registry::instance().world(world);
-        writeTo(out, toHost(LightHandle{light}, lightOf(hosted->loop.world(), light)));
+        writeStruct(out, toHost(LightHandle{light}, lightOf(hosted->loop.world(), light)));
     });
 }
 
@@ -168,8 +168,8 @@ rubble_result removeLight(rubble_world world, rubble_light light) {
     return removeOne<RemoveLightEdit, HandleType::Light>("remove_light", world, light, "light", &World::lights);
 }
 
-rubble_result addedLights(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count) {
-    return guarded("added_lights", [&] {
+rubble_result getAddedLights(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count) {
+    return guarded("get_added_lights", [&] {
         const auto hosted = Registry::instance().world(world);
         RowWriter<rubble_light> rows(out, capacity, count);
         for (const LightHandle light : hosted->loop.changes().lightsAdded) rows.add([&] { return light.bits; });

@@ -12,6 +12,6 @@ rubble_result lightState(rubble_world world, rubble_light light, rubble_light_st
 rubble_result setLight(rubble_world world, const rubble_light_state* light);
 rubble_result addLight(rubble_world world, const rubble_light_state* light);
 rubble_result removeLight(rubble_world world, rubble_light light);
-rubble_result addedLights(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
+rubble_result getAddedLights(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
 
 }  // namespace rubble::abi

@@ -6,21 +6,21 @@
 namespace rubble::abi {
 namespace {
 
-QueryFilter readFilter(const rubble_filter* given) {
+QueryFilter readFilter(const rubble_query_filter* given) {
     QueryFilter filter;
     if (!given) return filter;
-    const rubble_filter& read = readable(given, "filter");
+    const rubble_query_filter& read = readStruct(given, "filter");
     constexpr uint32_t known =
-        RUBBLE_FILTER_NO_STATIC | RUBBLE_FILTER_NO_DYNAMIC | RUBBLE_FILTER_REJECT_TRANSPARENT | RUBBLE_FILTER_REJECT_UNPHYSICAL;
-    if (read.flags & ~known) throw Refusal{RUBBLE_ERROR_ARGUMENT, "filter->flags has unknown bits"};
-    if (read.layers > 255) throw Refusal{RUBBLE_ERROR_ARGUMENT, "filter->layers is " + std::to_string(read.layers) + ", expected 0 to 255"};
+        RUBBLE_FILTER_REJECT_STATIC | RUBBLE_FILTER_REJECT_DYNAMIC | RUBBLE_FILTER_REJECT_TRANSPARENT | RUBBLE_FILTER_REJECT_UNPHYSICAL;
+    if (read.flags & ~known) throw ApiError{RUBBLE_ERROR_ARGUMENT, "filter->flags has unknown bits"};
+    if (read.layers > 255) throw ApiError{RUBBLE_ERROR_ARGUMENT, "filter->layers is " + std::to_string(read.layers) + ", expected 0 to 255"};
     if (read.layers) filter.layers = uint8_t(read.layers);
-    filter.includeStatic = !(read.flags & RUBBLE_FILTER_NO_STATIC);
-    filter.includeDynamic = !(read.flags & RUBBLE_FILTER_NO_DYNAMIC);
+    filter.includeStatic = !(read.flags & RUBBLE_FILTER_REJECT_STATIC);
+    filter.includeDynamic = !(read.flags & RUBBLE_FILTER_REJECT_DYNAMIC);
     filter.rejectTransparent = read.flags & RUBBLE_FILTER_REJECT_TRANSPARENT;
     filter.rejectUnphysical = read.flags & RUBBLE_FILTER_REJECT_UNPHYSICAL;
-    if (read.rejected_body_count) required(read.rejected_bodies, "filter->rejected_bodies");
-    if (read.rejected_shape_count) required(read.rejected_shapes, "filter->rejected_shapes");
+    if (read.rejected_body_count) requireNotNull(read.rejected_bodies, "filter->rejected_bodies");
+    if (read.rejected_shape_count) requireNotNull(read.rejected_shapes, "filter->rejected_shapes");
     for (uint32_t i = 0; i < read.rejected_body_count; ++i)
         filter.rejectedBodies.push_back(readHandle<HandleType::Body>(read.rejected_bodies[i], "filter->rejected_bodies"));
     for (uint32_t i = 0; i < read.rejected_shape_count; ++i)
@@ -28,26 +28,26 @@ QueryFilter readFilter(const rubble_filter* given) {
     return filter;
 }
 
-QueryShape readRegion(const rubble_region& given) {
-    if (given.kind > RUBBLE_REGION_BOX) throw Refusal{RUBBLE_ERROR_ARGUMENT, "kind is " + std::to_string(given.kind) + ", expected 0 to 2"};
+QueryShape readRegion(const rubble_query_shape& given) {
+    if (given.kind > RUBBLE_QUERY_BOX) throw ApiError{RUBBLE_ERROR_ARGUMENT, "kind is " + std::to_string(given.kind) + ", expected 0 to 2"};
     QueryShape shape;
     shape.kind = QueryShapeKind(given.kind);
     shape.position = readVector(given.position, "position");
     shape.end = readVector(given.end, "end");
-    shape.radius = readNumber(given.radius, 0.0, 1e4, 0.0, "radius");
+    shape.radius = readOrDefault(given.radius, 0.0, 1e4, 0.0, "radius");
     shape.halfSize = readVector(given.half_size, "half_size");
-    if (shape.halfSize.x < 0.0 || shape.halfSize.y < 0.0 || shape.halfSize.z < 0.0) throw Refusal{RUBBLE_ERROR_ARGUMENT, "half_size is negative"};
+    if (shape.halfSize.x < 0.0 || shape.halfSize.y < 0.0 || shape.halfSize.z < 0.0) throw ApiError{RUBBLE_ERROR_ARGUMENT, "half_size is negative"};
     shape.rotation = readRotation(given.rotation, "rotation");
     return shape;
 }
 
 glm::dvec3 readDirection(const double (&given)[3]) {
     const glm::dvec3 direction = readVector(given, "direction");
-    if (direction == glm::dvec3(0.0)) throw Refusal{RUBBLE_ERROR_ARGUMENT, "direction is zero"};
+    if (direction == glm::dvec3(0.0)) throw ApiError{RUBBLE_ERROR_ARGUMENT, "direction is zero"};
     return direction;
 }
 
-rubble_touch touchOf(const World& world, const WorldHit& hit) {
+rubble_touch hitRow(const World& world, const WorldHit& hit) {
     rubble_touch row = {};
     if (!hit.hit) return row;
     row.hit = 1;
@@ -61,17 +61,17 @@ rubble_touch touchOf(const World& world, const WorldHit& hit) {
     return row;
 }
 
-void writeTouches(const World& world, const std::vector<WorldHit>& hits, rubble_touch* out) {
-    for (size_t i = 0; i < hits.size(); ++i) out[i] = touchOf(world, hits[i]);
+void writeHits(const World& world, const std::vector<WorldHit>& hits, rubble_touch* out) {
+    for (size_t i = 0; i < hits.size(); ++i) out[i] = hitRow(world, hits[i]);
 }
 
 template <class Find>
-rubble_result overlap(const char* function, rubble_world world, const rubble_region* region, const rubble_filter* filter, uint64_t* out,
+rubble_result overlap(const char* function, rubble_world world, const rubble_query_shape* region, const rubble_query_filter* filter, uint64_t* out,
                       uint32_t capacity, uint32_t* count, Find&& find) {
     return guarded(function, [&] {
         const auto hosted = Registry::instance().world(world);
         RowWriter<uint64_t> rows(out, capacity, count);
-        for (const auto handle : find(hosted->loop.world(), readRegion(required(region, "region")), readFilter(filter)))
+        for (const auto handle : find(hosted->loop.world(), readRegion(requireNotNull(region, "region")), readFilter(filter)))
             rows.add([&] { return handle.bits; });
         rows.finish();
     });
@@ -79,51 +79,51 @@ rubble_result overlap(const char* function, rubble_world world, const rubble_reg
 
 }  // namespace
 
-rubble_result castRays(rubble_world world, const rubble_ray* rays, uint32_t count, const rubble_filter* filter, rubble_touch* out) {
+rubble_result castRays(rubble_world world, const rubble_ray* rays, uint32_t count, const rubble_query_filter* filter, rubble_touch* out) {
     return guarded("cast_rays", [&] {
         const auto hosted = Registry::instance().world(world);
         const QueryFilter read = readFilter(filter);
-        if (count) required(rays, "rays"), required(out, "out");
+        if (count) requireNotNull(rays, "rays"), requireNotNull(out, "out");
         std::vector<RayQuery> queries(count);
         std::vector<WorldHit> hits(count);
         for (uint32_t i = 0; i < count; ++i)
             queries[i] = {readVector(rays[i].origin, "origin"), readDirection(rays[i].direction),
-                          readNumber(rays[i].max_distance, 1e-6, 1e6, 0.0, "max_distance"), readNumber(rays[i].radius, 0.0, 1e3, 0.0, "radius")};
+                          readOrDefault(rays[i].max_distance, 1e-6, 1e6, 0.0, "max_distance"), readOrDefault(rays[i].radius, 0.0, 1e3, 0.0, "radius")};
         castRays(hosted->loop.world(), queries, hits, read);
-        writeTouches(hosted->loop.world(), hits, out);
+        writeHits(hosted->loop.world(), hits, out);
     });
 }
 
-rubble_result castShapes(rubble_world world, const rubble_cast* casts, uint32_t count, const rubble_filter* filter, rubble_touch* out) {
+rubble_result castShapes(rubble_world world, const rubble_shape_cast* casts, uint32_t count, const rubble_query_filter* filter, rubble_touch* out) {
     return guarded("cast_shapes", [&] {
         const auto hosted = Registry::instance().world(world);
         const QueryFilter read = readFilter(filter);
-        if (count) required(casts, "casts"), required(out, "out");
+        if (count) requireNotNull(casts, "casts"), requireNotNull(out, "out");
         std::vector<CastQuery> queries(count);
         std::vector<WorldHit> hits(count);
         for (uint32_t i = 0; i < count; ++i)
             queries[i] = {readRegion(casts[i].shape), readDirection(casts[i].direction),
-                          readNumber(casts[i].max_distance, 1e-6, 1e6, 0.0, "max_distance")};
+                          readOrDefault(casts[i].max_distance, 1e-6, 1e6, 0.0, "max_distance")};
         castShapes(hosted->loop.world(), queries, hits, read);
-        writeTouches(hosted->loop.world(), hits, out);
+        writeHits(hosted->loop.world(), hits, out);
     });
 }
 
-rubble_result overlapBodies(rubble_world world, const rubble_region* region, const rubble_filter* filter, rubble_body* out, uint32_t capacity,
+rubble_result overlapBodies(rubble_world world, const rubble_query_shape* region, const rubble_query_filter* filter, rubble_body* out, uint32_t capacity,
                             uint32_t* count) {
     return overlap("overlap_bodies", world, region, filter, out, capacity, count, overlappingBodies);
 }
-rubble_result overlapShapes(rubble_world world, const rubble_region* region, const rubble_filter* filter, rubble_shape* out, uint32_t capacity,
+rubble_result overlapShapes(rubble_world world, const rubble_query_shape* region, const rubble_query_filter* filter, rubble_shape* out, uint32_t capacity,
                             uint32_t* count) {
     return overlap("overlap_shapes", world, region, filter, out, capacity, count, overlappingShapes);
 }
 
-rubble_result closestPoint(rubble_world world, const double position[3], double maxDistance, const rubble_filter* filter, rubble_touch* out) {
-    return guarded("closest_point", [&] {
+rubble_result closestPoint(rubble_world world, const double position[3], double maxDistance, const rubble_query_filter* filter, rubble_touch* out) {
+    return guarded("find_closest_point", [&] {
         const auto hosted = Registry::instance().world(world);
-        const glm::dvec3 point = readVector(reinterpret_cast<const double(&)[3]>(required(position, "position")), "position");
-        const double reach = readNumber(maxDistance, 0.0, 1e6, 0.0, "max_distance");
-        required(out, "out") = touchOf(hosted->loop.world(), closestPoint(hosted->loop.world(), point, reach, readFilter(filter)));
+        const glm::dvec3 point = readVector(reinterpret_cast<const double(&)[3]>(requireNotNull(position, "position")), "position");
+        const double reach = readOrDefault(maxDistance, 0.0, 1e6, 0.0, "max_distance");
+        requireNotNull(out, "out") = hitRow(hosted->loop.world(), closestPoint(hosted->loop.world(), point, reach, readFilter(filter)));
     });
 }
 

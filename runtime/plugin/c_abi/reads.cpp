@@ -33,7 +33,7 @@ void EventRows::fill(const FrameChanges& changes) {
     copyBits(changes.unsettled, m_revived);
     m_dust.clear();
     for (const DustCloud& cloud : changes.dust) {
-        rubble_dust row = {.radius = cloud.radius, .count = cloud.count, .material = cloud.material};
+        rubble_dust_cloud row = {.radius = cloud.radius, .count = cloud.count, .material = cloud.material};
         writeVector(row.position, cloud.position);
         writeVector(row.velocity, cloud.velocity);
         std::copy_n(cloud.color.begin(), 3, row.color);
@@ -46,7 +46,7 @@ void EventRows::fill(const FrameChanges& changes) {
     m_splits.clear();
     for (const ShapeSplit& split : changes.splits)
         for (size_t i = 0; i < split.children.size(); ++i) {
-            rubble_split row = {split.parent.bits, split.children[i].bits, {}, 0};
+            rubble_shape_split row = {split.parent.bits, split.children[i].bits, {}, 0};
             writeCell(row.cell, split.parentOffset[i]);
             m_splits.push_back(row);
         }
@@ -54,7 +54,7 @@ void EventRows::fill(const FrameChanges& changes) {
 
 rubble_events EventRows::view() const {
     rubble_events events = {};
-    events.level_replaced = m_levelReplaced;
+    events.level_loaded = m_levelReplaced;
     events.step = m_step;
     events.painted_voxels = m_painted;
     events.removed = m_removed.data();
@@ -63,22 +63,22 @@ rubble_events EventRows::view() const {
     events.bodies_destroyed = m_bodiesDestroyed.data();
     events.shapes_created = m_shapesCreated.data();
     events.shapes_destroyed = m_shapesDestroyed.data();
-    events.groups_out = m_groupsOut.data();
+    events.light_groups_out = m_groupsOut.data();
     events.dust = m_dust.data();
     events.bodies_broken = m_broken.data();
     events.bodies_settled = m_settled.data();
-    events.bodies_revived = m_revived.data();
+    events.bodies_unsettled = m_revived.data();
     events.dust_count = uint32_t(m_dust.size());
     events.bodies_broken_count = uint32_t(m_broken.size());
     events.bodies_settled_count = uint32_t(m_settled.size());
-    events.bodies_revived_count = uint32_t(m_revived.size());
+    events.bodies_unsettled_count = uint32_t(m_revived.size());
     events.removed_count = uint32_t(m_removed.size());
     events.split_count = uint32_t(m_splits.size());
     events.bodies_created_count = uint32_t(m_bodiesCreated.size());
     events.bodies_destroyed_count = uint32_t(m_bodiesDestroyed.size());
     events.shapes_created_count = uint32_t(m_shapesCreated.size());
     events.shapes_destroyed_count = uint32_t(m_shapesDestroyed.size());
-    events.groups_out_count = uint32_t(m_groupsOut.size());
+    events.light_groups_out_count = uint32_t(m_groupsOut.size());
     return events;
 }
 

@@ -16,12 +16,12 @@ public:
 private:
     uint64_t m_step = 0, m_painted = 0;
     bool m_levelReplaced = false;
-    std::vector<rubble_removed> m_removed;
-    std::vector<rubble_split> m_splits;
+    std::vector<rubble_removed_voxels> m_removed;
+    std::vector<rubble_shape_split> m_splits;
     std::vector<rubble_body> m_bodiesCreated, m_bodiesDestroyed;
     std::vector<rubble_shape> m_shapesCreated, m_shapesDestroyed;
     std::vector<rubble_light_group> m_groupsOut;
-    std::vector<rubble_dust> m_dust;
+    std::vector<rubble_dust_cloud> m_dust;
     std::vector<rubble_body> m_broken, m_settled, m_revived;
 };
 

@@ -5,12 +5,12 @@
 namespace rubble::abi {
 namespace {
 
-constexpr uint32_t kMostWorlds = 255;  // a world's number is eight bits of each handle
+constexpr uint32_t kMaxWorlds = 255;  // a world's number is eight bits of each handle
 
 template <class Map, class Id>
 auto& found(Map& map, Id id, const char* name) {
     auto* value = map.find(id);
-    if (!value) throw Refusal{RUBBLE_ERROR_STALE, std::string(name) + (id ? " is stale" : " is 0")};
+    if (!value) throw ApiError{RUBBLE_ERROR_STALE, std::string(name) + (id ? " is stale" : " is 0")};
     return *value;
 }
 
@@ -28,7 +28,7 @@ Registry::~Registry() {
 
 WorldId Registry::createWorld(FrameLoopSettings settings, bool drawable) {
     const std::lock_guard lock(m_mutex);
-    if (m_worlds.size() >= kMostWorlds) throw Refusal{RUBBLE_ERROR_CAPACITY, "255 worlds exist already"};
+    if (m_worlds.size() >= kMaxWorlds) throw ApiError{RUBBLE_ERROR_CAPACITY, "255 worlds exist already"};
     // The slot decides the number that the world's own handles carry, so the world is made after its place.
     const WorldId id = m_worlds.insert(nullptr);
     settings.worldId = uint8_t(id.slot() + 1);

@@ -35,7 +35,7 @@ public:
 
     WorldId createWorld(FrameLoopSettings settings, bool drawable);
     void destroyWorld(WorldId id);
-    /// Throws Refusal for a stale handle.
+    /// Throws ApiError for a stale handle.
     std::shared_ptr<HostedWorld> world(uint64_t handle);
 
     RendererId addRenderer(std::shared_ptr<HostedRenderer> renderer);

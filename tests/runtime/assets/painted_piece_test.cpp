@@ -26,7 +26,7 @@ std::map<std::array<int64_t, 3>, std::array<int, 4>> shown(const World& world) {
     return out;
 }
 
-TEST(PaintedPiece, IsWhereItWasAfterSplitSaveAndLoad) {
+TEST(PaintedPiece, KeepsItsPaintThroughSplitSaveAndLoad) {
     VoxelGrid grid({60, 20, 12});
     {
         GridWriter writer(grid);

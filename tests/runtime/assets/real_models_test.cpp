@@ -13,21 +13,21 @@ namespace {
 const std::string kModels = RUBBLE_SOURCE_DIR "/../shared/models/";
 
 /// Counted by an independent script, one line a file.
-struct Known {
+struct KnownModel {
     const char* file;
     int models, shapes;
     uint64_t voxels;
     int colors;
 };
 
-void PrintTo(const Known& known, std::ostream* out) {
+void PrintTo(const KnownModel& known, std::ostream* out) {
     *out << known.file;
 }
 
-class RealModels : public testing::TestWithParam<Known> {};
+class RealModels : public testing::TestWithParam<KnownModel> {};
 
-TEST_P(RealModels, HaveTheirPartsVoxelsAndColours) {
-    const Known& known = GetParam();
+TEST_P(RealModels, HaveKnownPartsVoxelsAndColours) {
+    const KnownModel& known = GetParam();
     const std::string path = kModels + known.file;
     if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
     ImportReport report;
@@ -55,15 +55,15 @@ TEST_P(RealModels, HaveTheirPartsVoxelsAndColours) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, RealModels,
-                         testing::Values(Known{"axes.vox", 4, 10, 12452, 4}, Known{"chr_cop1.vox", 1, 1, 267, 10},
-                                         Known{"metal-material.vox", 1, 1, 20, 1}, Known{"obj_house3.vox", 1, 1, 119892, 9},
-                                         Known{"obj_store12.vox", 1, 1, 85149, 12}, Known{"obj_store15.vox", 1, 1, 125486, 14},
-                                         Known{"placeholder-with-materials.vox", 1, 1, 4, 4}, Known{"scene_checkpoint.vox", 1, 1, 130774, 44},
-                                         Known{"scene_depot.vox", 1, 1, 120245, 29}, Known{"scene_house6.vox", 1, 1, 207466, 24},
-                                         Known{"scene_store7.vox", 1, 1, 173018, 42}, Known{"scene_theater.vox", 1, 1, 128329, 30},
-                                         Known{"test_multiple_model_scene.vox", 41, 104, 12926, 7}, Known{"veh_bus.vox", 1, 1, 27286, 13},
-                                         Known{"veh_cab1.vox", 1, 1, 3097, 11}, Known{"veh_fire.vox", 1, 1, 15302, 17},
-                                         Known{"veh_police1.vox", 1, 1, 3132, 11}),
+                         testing::Values(KnownModel{"axes.vox", 4, 10, 12452, 4}, KnownModel{"chr_cop1.vox", 1, 1, 267, 10},
+                                         KnownModel{"metal-material.vox", 1, 1, 20, 1}, KnownModel{"obj_house3.vox", 1, 1, 119892, 9},
+                                         KnownModel{"obj_store12.vox", 1, 1, 85149, 12}, KnownModel{"obj_store15.vox", 1, 1, 125486, 14},
+                                         KnownModel{"placeholder-with-materials.vox", 1, 1, 4, 4}, KnownModel{"scene_checkpoint.vox", 1, 1, 130774, 44},
+                                         KnownModel{"scene_depot.vox", 1, 1, 120245, 29}, KnownModel{"scene_house6.vox", 1, 1, 207466, 24},
+                                         KnownModel{"scene_store7.vox", 1, 1, 173018, 42}, KnownModel{"scene_theater.vox", 1, 1, 128329, 30},
+                                         KnownModel{"test_multiple_model_scene.vox", 41, 104, 12926, 7}, KnownModel{"veh_bus.vox", 1, 1, 27286, 13},
+                                         KnownModel{"veh_cab1.vox", 1, 1, 3097, 11}, KnownModel{"veh_fire.vox", 1, 1, 15302, 17},
+                                         KnownModel{"veh_police1.vox", 1, 1, 3132, 11}),
                          [](const auto& parameter) {
                              std::string name = parameter.param.file;
                              for (char& c : name)
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Files, RealModels,
                              return name;
                          });
 
-TEST(RealModels, PartsOfTheBigSceneFitWithoutOverlap) {
+TEST(RealModels, PartsOfAMultiModelSceneDoNotOverlap) {
     const std::string path = kModels + "test_multiple_model_scene.vox";
     if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
     const Result<Level> level = importVox(path, {});

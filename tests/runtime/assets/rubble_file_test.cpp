@@ -94,7 +94,7 @@ TEST(RubbleFile, EveryTruncationAndEveryBitFlipIsRefused) {
 }
 
 /// The file with one value of its chunk header changed and all its checksums made right again: a liar, not damage.
-std::vector<uint8_t> forge(std::vector<uint8_t> bytes, size_t offsetInHeader, uint64_t value) {
+std::vector<uint8_t> withForgedHeader(std::vector<uint8_t> bytes, size_t offsetInHeader, uint64_t value) {
     std::memcpy(bytes.data() + 32 + offsetInHeader, &value, 8);
     uint64_t stored;
     std::memcpy(&stored, bytes.data() + 32 + 16, 8);
@@ -103,15 +103,15 @@ std::vector<uint8_t> forge(std::vector<uint8_t> bytes, size_t offsetInHeader, ui
     return bytes;
 }
 
-TEST(RubbleFile, LiesWithRightChecksumsAreRefused) {
+TEST(RubbleFile, WrongSizesWithValidChecksumsAreRefused) {
     const std::vector<uint8_t> bytes = levelToRubble(sampleLevel());
-    const Result<Level> bomb = levelFromRubble(forge(bytes, 8, uint64_t(1) << 28), "t");
+    const Result<Level> bomb = levelFromRubble(withForgedHeader(bytes, 8, uint64_t(1) << 28), "t");
     ASSERT_FALSE(bomb);
     EXPECT_NE(bomb.error().find("possible size"), std::string::npos) << bomb.error();
-    ASSERT_FALSE(levelFromRubble(forge(bytes, 8, 5000), "t"));
+    ASSERT_FALSE(levelFromRubble(withForgedHeader(bytes, 8, 5000), "t"));
 }
 
-TEST(RubbleFile, SenselessLevelsAreNotWritten) {
+TEST(RubbleFile, InvalidLevelsAreNotWritten) {
     const TempFolder folder;
     const std::string path = folder / "senseless.rubble";
     const auto error = [&](const std::function<void(Level&)>& change) {

@@ -51,23 +51,23 @@ inline Level sampleLevel() {
     walls.palette = shared;
     walls.anchors = {{{0, 0, 0}, {20, 1, 33}}, {{4, 0, 4}, {5, 9, 6}}};
     house.shapes.push_back(walls);
-    LevelShape lamp;
-    lamp.name = "lamp";
-    lamp.local = {{0.3, 4.0, -2.5}, glm::angleAxis(1.1, glm::normalize(glm::dvec3(1, 2, 3)))};
-    lamp.voxelSize = 0.05f;
-    lamp.grid = VoxelGrid({3, 5, 2});
+    LevelShape lantern;
+    lantern.name = "lantern";
+    lantern.local = {{0.3, 4.0, -2.5}, glm::angleAxis(1.1, glm::normalize(glm::dvec3(1, 2, 3)))};
+    lantern.voxelSize = 0.05f;
+    lantern.grid = VoxelGrid({3, 5, 2});
     {
-        GridWriter writer(lamp.grid);
+        GridWriter writer(lantern.grid);
         writer.set({0, 4, 0}, 7);
         writer.set({2, 0, 1}, 1);
     }
-    lamp.palette = glowing;
-    lamp.tags = {"light"};
-    lamp.strength = 0.75f;
-    lamp.loadBearing = false;
-    lamp.collisionLayer = 4;
-    lamp.collisionMask = 12;
-    house.shapes.push_back(lamp);
+    lantern.palette = glowing;
+    lantern.tags = {"light"};
+    lantern.strength = 0.75f;
+    lantern.loadBearing = false;
+    lantern.collisionLayer = 4;
+    lantern.collisionMask = 12;
+    house.shapes.push_back(lantern);
     level.bodies.push_back(house);
 
     LevelBody cart;
@@ -77,7 +77,7 @@ inline Level sampleLevel() {
     cart.velocity = {1.5f, 0.0f, -0.25f};
     cart.angularVelocity = {0.0f, 0.1f, 0.0f};
     LevelShape empty;
-    empty.name = "lamp";  // names need not be unique in a level
+    empty.name = "lantern";  // names need not be unique in a level
     empty.grid = VoxelGrid({40, 1, 1});
     empty.palette = shared;
     empty.hidden = true;
@@ -92,7 +92,7 @@ inline Level sampleLevel() {
     light.light.color = {3.0f, 2.5f, 1.0f / 3.0f};
     light.light.reach = 9.0f;
     light.light.enabled = false;
-    light.shapeName = "lamp";
+    light.shapeName = "lantern";
     light.groupName = "bulb";
     level.lights.push_back(light);
     light.light.name = "news";

@@ -17,11 +17,11 @@ namespace {
 
 using namespace test;
 
-/// A wall that was shot at, pieces of it that move, and a lamp.
+/// A wall that was shot at, pieces of it that move, and a lantern.
 World brokenWorld(uint8_t id = 1) {
     Level level = oneShapeLevel(towerGrid({40, 40, 20}), true);
-    level.lightGroups.push_back({"lamp"});
-    level.lights.push_back({Light{.name = "bulb"}, "shape", "lamp"});
+    level.lightGroups.push_back({"lantern"});
+    level.lights.push_back({Light{.name = "bulb"}, "shape", "lantern"});
     LevelJoint rope{{.name = "rope", .kind = JointKind::Rope}, {"shape", ""}};
     rope.joint.ends[0].frame.position = {0.05, 0.05, 0.05};
     rope.joint.ends[1].frame.position = {5.0, 2.0, 0.0};
@@ -112,7 +112,7 @@ TEST(SaveFile, EveryTruncationAndEveryBitFlipIsRefused) {
     }
 }
 
-TEST(SaveFile, ASettingThatTheFileForgetsIsNoticed) {
+TEST(SaveFile, ANewFieldChangesTheSizesCheckedHere) {
     // A new setting changes the size: add it to state_fields.h, then here.
     EXPECT_EQ(sizeof(DebrisSettings), 32u);
     EXPECT_EQ(sizeof(FireSettings), 24u);
@@ -149,7 +149,7 @@ TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
     const auto step = [&](const Edits& edits) {
         const FrameChanges changes = host.applyEdits(edits);
         RecordedStep record{.step = changes.step};
-        record.delta = stepToBytes(baseline.update(host, changes), changes, host, list);
+        record.delta = stepDeltaToBytes(baseline.update(host, changes), changes, host, list);
         host.bodies().forEach([&](BodyHandle handle, const Body& body) {
             if (!body.isStatic) record.poses.push_back({handle, {body.pose.position + glm::dvec3(0.01)}, body.velocity, body.angularVelocity, false});
         });
@@ -198,7 +198,7 @@ TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
         const Result<RecordedStep> sent = recordedStepFromBytes(recordedStepToBytes(log[i]), "wire", 9);
         ASSERT_TRUE(sent) << sent.error();
         bytes += sent.value().delta.size();
-        const Result<FrameChanges> applied = applyStep(sent.value().delta, "wire", joiner, palettes);
+        const Result<FrameChanges> applied = applyStepDelta(sent.value().delta, "wire", joiner, palettes);
         ASSERT_TRUE(applied) << "step " << i << ": " << applied.error();
         ASSERT_EQ(joiner.voxelHash(), log[i].voxelHash) << "step " << i;
         joiner.setPoses(sent.value().poses);
@@ -220,13 +220,13 @@ TEST(StepDelta, DamagedStepsAreRefusedAndChangeNothing) {
     WorldBaseline baseline(host);
     PaletteList list;
     const FrameChanges changes = host.applyEdits({sphereCarve({0.2, 2.0, 0.2}, 0.7), PaintEdit{.position = {0.2, 1.0, 0.2}, .radius = 1.0}});
-    std::vector<uint8_t> bytes = stepToBytes(baseline.update(host, changes), changes, host, list);
+    std::vector<uint8_t> bytes = stepDeltaToBytes(baseline.update(host, changes), changes, host, list);
     Random random(5);
     int refused = 0;
     for (size_t length = 1; length < bytes.size(); length += 97) {
         World world = start;
         std::vector<PaletteRef> palettes;
-        EXPECT_FALSE(applyStep(std::span(bytes).first(length), "t", world, palettes));
+        EXPECT_FALSE(applyStepDelta(std::span(bytes).first(length), "t", world, palettes));
         EXPECT_EQ(world.hash(), start.hash());
     }
     for (int i = 0; i < 400; ++i) {  // without checksums: some flips make another, sound step
@@ -234,7 +234,7 @@ TEST(StepDelta, DamagedStepsAreRefusedAndChangeNothing) {
         other[random.below(uint32_t(other.size()))] ^= uint8_t(1 + random.below(255));
         World world = start;
         std::vector<PaletteRef> palettes;
-        if (const Result<FrameChanges> applied = applyStep(other, "t", world, palettes); !applied) {
+        if (const Result<FrameChanges> applied = applyStepDelta(other, "t", world, palettes); !applied) {
             ++refused;
             EXPECT_EQ(world.hash(), start.hash());
         } else {
@@ -244,7 +244,7 @@ TEST(StepDelta, DamagedStepsAreRefusedAndChangeNothing) {
     EXPECT_GT(refused, 3);
 }
 
-TEST(StepDelta, ALightOrWeatherThatCannotBeIsRefused) {
+TEST(StepDelta, InvalidLightsAndWeatherAreRefused) {
     World host = brokenWorld();
     const World start = host;
     Light light = screen(host);
@@ -256,10 +256,10 @@ TEST(StepDelta, ALightOrWeatherThatCannotBeIsRefused) {
         WorldBaseline baseline(host);
         PaletteList list;
         const FrameChanges changes = host.applyEdits({edit});
-        std::vector<uint8_t> bytes = stepToBytes(baseline.update(host, changes), changes, host, list);
+        std::vector<uint8_t> bytes = stepDeltaToBytes(baseline.update(host, changes), changes, host, list);
         World world = start;
         std::vector<PaletteRef> palettes;
-        ASSERT_TRUE(applyStep(bytes, "t", world, palettes));
+        ASSERT_TRUE(applyStepDelta(bytes, "t", world, palettes));
         EXPECT_EQ(world.hash(), host.hash());
         std::array<uint8_t, 4> was{}, none{};
         const float negative = -1.0f;
@@ -268,7 +268,7 @@ TEST(StepDelta, ALightOrWeatherThatCannotBeIsRefused) {
         ASSERT_NE(place, bytes.end());
         std::copy(none.begin(), none.end(), place);
         world = start;
-        const Result<FrameChanges> applied = applyStep(bytes, "t", world, palettes);
+        const Result<FrameChanges> applied = applyStepDelta(bytes, "t", world, palettes);
         ASSERT_FALSE(applied);
         EXPECT_NE(applied.error().find("lights and weather within their ranges"), std::string::npos) << applied.error();
         EXPECT_EQ(world.hash(), start.hash());

@@ -252,7 +252,7 @@ TEST(VoxImport, OtherChunksAreReadOrCounted) {
     EXPECT_EQ(worldCells(level).size(), 2u) << "models without a scene do not overlap";
 }
 
-TEST(VoxImport, LyingFilesAreNamedWithPlaceExpectedAndFound) {
+TEST(VoxImport, ErrorsNamePlaceExpectedAndFound) {
     const auto has = [](const std::string& error, std::initializer_list<const char*> parts) {
         for (const char* part : parts) EXPECT_NE(error.find(part), std::string::npos) << error << "\n lacks " << part;
     };
@@ -281,7 +281,7 @@ TEST(VoxImport, LyingFilesAreNamedWithPlaceExpectedAndFound) {
     EXPECT_NE(importVox("/no/such.vox", {}).error().find("/no/such.vox"), std::string::npos);
 }
 
-TEST(VoxImport, AShortFileCannotSpellAHugeScene) {
+TEST(VoxImport, AShortFileCannotDescribeAHugeScene) {
     VoxWriter writer;
     writer.model({1, 1, 1}, {{0, 0, 0, 1}});
     writer.transform(0, 1, {{}});
@@ -304,7 +304,7 @@ VoxWriter::Bytes everyChunk() {
     return writer.file();
 }
 
-TEST(VoxImport, EveryTruncationIsAnErrorWithAPlace) {
+TEST(VoxImport, EveryTruncationIsAnErrorWithAnOffset) {
     const VoxWriter::Bytes whole = everyChunk();
     ASSERT_TRUE(importVoxBytes(whole, "t.vox", {}));
     for (size_t length = 0; length < whole.size(); ++length) {

@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-FrameLoopSettings quiet() {
+FrameLoopSettings headlessSettings() {
     FrameLoopSettings settings;
     settings.shadowVolume = settings.publish = false;
     return settings;
@@ -28,7 +28,7 @@ Level tower() {
     return level;
 }
 
-Edits script(int step) {
+Edits destructionScript(int step) {
     if (step == 2) return {sphereCarve({0.2, 0.5, 0.2}, 0.4), sphereCarve({1.8, 0.5, 0.2}, 0.4)};
     if (step == 10) return {ExplodeEdit{.position = {2.0, 2.0, 2.0}, .size = 2.0}};
     if (step == 30) return {sphereCarve({0.2, 0.5, 1.8}, 0.5), sphereCarve({3.4, 0.5, 3.4}, 0.5), PaintEdit{.position = {1.0, 1.0, 0.0}}};
@@ -41,36 +41,36 @@ Edits lightScript(const World& world, int step) {
     Environment weather = world.environment();
     weather.wetness = 0.01f * float(step);
     weather.gravity.y = -9.0f;
-    Light lamp{.local = {{0.1 * step, 2.0, 0.0}}};
-    if (step == 8 || step == 35) return {AddLightEdit{lamp}, AddLightEdit{{.shape = firstShape(world), .local = lamp.local}}, AddLightEdit{}};
+    Light light{.local = {{0.1 * step, 2.0, 0.0}}};
+    if (step == 8 || step == 35) return {AddLightEdit{light}, AddLightEdit{{.shape = firstShape(world), .local = light.local}}, AddLightEdit{}};
     if (step == 20 || step == 70) return {RemoveLightEdit{world.lights().handleAt(2)}, RemoveLightEdit{world.lights().handleAt(0)}};
-    if (step == 40) return {SetLightEdit{world.lights().handleAt(1), lamp}, SetEnvironmentEdit{weather}};
-    if (step == 46) return {AddLightEdit{lamp}, SetEnvironmentEdit{weather}};  // between a mark and its undo
-    if (step == 80) return {AddLightEdit{lamp}};
+    if (step == 40) return {SetLightEdit{world.lights().handleAt(1), light}, SetEnvironmentEdit{weather}};
+    if (step == 46) return {AddLightEdit{light}, SetEnvironmentEdit{weather}};  // between a mark and its undo
+    if (step == 80) return {AddLightEdit{light}};
     return {};
 }
 
-TEST(FrameLoop, GoingOnAfterASaveEqualsLoadingIt) {
-    FrameLoop loop(quiet());
+TEST(FrameLoop, ContinuingAfterASaveEqualsLoadingIt) {
+    FrameLoop loop(headlessSettings());
     loop.load(tower());
     SavedGame saved;
     for (int step = 0; step < 100; ++step) {
         if (step == 25) saved = loop.save();
-        loop.edits().push(script(step));
+        loop.edits().push(destructionScript(step));
         loop.edits().push(lightScript(loop.world(), step));
         loop.step();
     }
     ASSERT_GT(loop.world().bodies().size(), 3u);
     ASSERT_EQ(loop.world().lights().size(), 4u);
     // Into a new world, and into one with a past.
-    FrameLoop fresh(quiet());
+    FrameLoop fresh(headlessSettings());
     for (FrameLoop* other : {&fresh, &loop}) {
         const uint64_t expected = other == &fresh ? loop.world().hash() : fresh.world().hash();
         Result<SavedGame> read = gameFromBytes(gameToBytes(saved), "save", other->world().id());
         ASSERT_TRUE(read) << read.error();
         other->load(std::move(*read));
         for (int step = 25; step < 100; ++step) {
-            other->edits().push(script(step));
+            other->edits().push(destructionScript(step));
             other->edits().push(lightScript(other->world(), step));
             other->step();
         }
@@ -81,9 +81,9 @@ TEST(FrameLoop, GoingOnAfterASaveEqualsLoadingIt) {
 TEST(FrameLoop, ARecordingReplaysToTheSameHashes) {
     const TempFolder folder;
     const std::string path = folder / "recording.rubblelog";
-    FrameLoop loop(quiet());
+    FrameLoop loop(headlessSettings());
     loop.load(tower());
-    for (int step = 0; step < 5; ++step) loop.edits().push(script(step)), loop.step();
+    for (int step = 0; step < 5; ++step) loop.edits().push(destructionScript(step)), loop.step();
     ASSERT_TRUE(loop.startRecording(path));
     for (int step = 5; step < 100; ++step) {
         if (step == 20) loop.save();
@@ -93,12 +93,12 @@ TEST(FrameLoop, ARecordingReplaysToTheSameHashes) {
         if (step == 29 || step == 44) loop.edits().push(Edits{HistoryEdit{}});
         if (step == 50) loop.edits().push(Edits{HistoryEdit{HistoryAction::Undo}});
         if (step == 55) loop.edits().push(Edits{HistoryEdit{HistoryAction::Redo}});
-        loop.edits().push(script(step));
+        loop.edits().push(destructionScript(step));
         loop.edits().push(lightScript(loop.world(), step));
         loop.step();
     }
     ASSERT_TRUE(loop.stopRecording());
-    FrameLoop second(quiet());
+    FrameLoop second(headlessSettings());
     Result<Recording> recording = readRecording(path, second.world().id());
     ASSERT_TRUE(recording) << recording.error();
     ASSERT_EQ(recording->steps.size(), 95u);
@@ -109,7 +109,7 @@ TEST(FrameLoop, ARecordingReplaysToTheSameHashes) {
     for (const RecordedStep& step : recording->steps) {
         second.replay(step);
         ASSERT_EQ(second.world().hash(), step.hash) << "step " << step.step;
-        const Result<FrameChanges> applied = applyStep(step.delta, path, follower, palettes);
+        const Result<FrameChanges> applied = applyStepDelta(step.delta, path, follower, palettes);
         ASSERT_TRUE(applied) << applied.error();
         ASSERT_EQ(follower.voxelHash(), step.voxelHash) << "step " << step.step;
         follower.setPoses(step.poses);
@@ -131,8 +131,8 @@ TEST(FrameLoop, ARecordingReplaysToTheSameHashes) {
     }
 }
 
-TEST(FrameLoop, UndoBringsTheTowerBackWhileItFalls) {
-    FrameLoop loop(quiet());
+TEST(FrameLoop, UndoRestoresTheTowerWhileItFalls) {
+    FrameLoop loop(headlessSettings());
     loop.load(tower());
     WorldSettings settings;
     settings.undoMarks = 2;
@@ -151,7 +151,7 @@ TEST(FrameLoop, UndoBringsTheTowerBackWhileItFalls) {
 }
 
 TEST(FrameLoop, ARecordingThatCannotBeWrittenIsAnError) {
-    FrameLoop loop(quiet());
+    FrameLoop loop(headlessSettings());
     loop.load(tower());
     const Result<Done> started = loop.startRecording("/no/such/folder/x.rubblelog");
     ASSERT_FALSE(started);

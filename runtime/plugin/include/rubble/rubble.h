@@ -3,7 +3,7 @@
  *     const rubble_api* api;
  *     if (rubble_get_api(RUBBLE_VERSION, &api) != RUBBLE_OK) ...;
  *     rubble_world world;
- *     api->world_create(NULL, &world);
+ *     api->create_world(NULL, &world);
  *     api->load_level(world, "town.rubble", NULL);
  *     for (;;) { api->explode(world, &explosion); api->step(world); api->events(world, &events); ... }
  *
@@ -13,9 +13,9 @@
  *    Zero means default. Such a struct may grow at its end; what the plugin does not know must be zero.
  *    Rows of arrays have no struct_size and never change.
  *  - Handles are values. 0 is nothing. A handle of something that is gone is reported (RUBBLE_ERROR_STALE), never followed.
- *  - Nothing but RUBBLE_OK means that nothing was done; last_error() says what was expected and what was found.
+ *  - Nothing but RUBBLE_OK means that nothing was done; get_last_error() says what was expected and what was found.
  *  - Edits are commands: they wait in a queue and happen in the next step(), in the order given.
- *  - Reads copy out, except events(): its arrays live until the next step(), load_level() or world_destroy() of that world.
+ *  - Reads copy out, except events(): its arrays live until the next step(), load_level() or destroy_world() of that world.
  *  - Threads: [main-thread] one thread per world at a time; [render-thread] the thread with the GL context, one at a time,
  *    may run beside the main thread; [any-thread] any. Destroy a world only while its renderer is not drawing.
  *  - Lengths are metres, masses kilograms, times seconds, angles radians; y is up; world positions are double.
@@ -64,7 +64,7 @@ enum {
     RUBBLE_ERROR_FILE = 7,        /* the file is missing, damaged or of an unknown kind */
     RUBBLE_ERROR_GL = 8,          /* something of OpenGL is missing, or a shader does not compile */
     RUBBLE_ERROR_MEMORY = 9,
-    RUBBLE_ERROR_INTERNAL = 10 /* a fault of the plugin: please report last_error() */
+    RUBBLE_ERROR_INTERNAL = 10 /* a fault of the plugin: please report get_last_error() */
 };
 
 enum { RUBBLE_LOG_INFO = 0, RUBBLE_LOG_WARNING = 1, RUBBLE_LOG_ERROR = 2 };
@@ -150,9 +150,9 @@ typedef struct rubble_joint_settings {
     uint32_t flags;                      /* RUBBLE_JOINT_COLLIDES ... */
     uint32_t motor;                      /* RUBBLE_MOTOR_...; of a rope: a winch */
     double motor_target;                 /* rad/s or m/s; radians or metres */
-    double motor_force;                  /* N m or N */
+    double motor_max_force;                  /* N m or N */
     double low, high;                    /* radians or metres */
-    double spring_hertz, spring_damping; /* 0 hertz: none, or rigid */
+    double spring_hertz, spring_damping_ratio; /* 0 hertz: none, or rigid */
     double friction;                     /* N m or N; a wheel's brake */
     double break_force, break_torque;    /* N, N m; 0: never */
     double rope_end[3];                  /* world: its second end */
@@ -160,8 +160,8 @@ typedef struct rubble_joint_settings {
     double rope_stretch;                 /* share of its length under 10 kN */
     double rope_strength;                /* N; 0: never breaks */
     double drive_torque, brake_torque;   /* N m of a wheel at full throttle and brake, see drive() */
-    double top_spin;                     /* rad/s forward, half of it back; 0: 60 */
-    double steer_angle, steer_rate;      /* radians either way; rad/s at which it turns there; 0: 2 */
+    double max_spin;                     /* rad/s forward, half of it back; 0: 60 */
+    double max_steer_angle, steer_rate;      /* radians either way; rad/s at which it turns there; 0: 2 */
 } rubble_joint_settings;
 
 /* What drives and brakes a joint from now on. */
@@ -169,7 +169,7 @@ typedef struct rubble_joint_motor {
     uint32_t struct_size;
     uint32_t motor; /* RUBBLE_MOTOR_... */
     rubble_joint joint;
-    double motor_target, motor_force;
+    double motor_target, motor_max_force;
     double friction;
     double steer; /* of a wheel: radians */
 } rubble_joint_motor;
@@ -242,24 +242,24 @@ typedef struct rubble_impulse {
 /* ---- events: what the last step did ---- */
 
 /* Voxels of one colour that were removed from one shape. */
-typedef struct rubble_removed {
+typedef struct rubble_removed_voxels {
     rubble_shape shape;
     uint64_t count;
     uint8_t color[3]; /* sRGB */
     uint8_t material; /* index into the level's materials */
     uint32_t entry;   /* of the shape's palette */
-} rubble_removed;
+} rubble_removed_voxels;
 
 /* A piece came off: one row a piece. `cell` of the parent is where the piece's cell 0 lies. */
-typedef struct rubble_split {
+typedef struct rubble_shape_split {
     rubble_shape parent;
     rubble_shape piece;
     int32_t cell[3];
     uint32_t reserved;
-} rubble_split;
+} rubble_shape_split;
 
 /* Voxels of one colour that are no more and where they were: what particles are made of. Each is in one row. */
-typedef struct rubble_dust {
+typedef struct rubble_dust_cloud {
     double position[3]; /* the middle of them, world */
     double radius;
     double velocity[3]; /* of what they were part of */
@@ -267,35 +267,35 @@ typedef struct rubble_dust {
     uint8_t color[3]; /* sRGB */
     uint8_t material;
     uint32_t reserved;
-} rubble_dust;
+} rubble_dust_cloud;
 
 typedef struct rubble_events {
     uint32_t struct_size;
-    uint32_t level_replaced; /* 1: a level was loaded; everything before is gone, ask for body_states() */
+    uint32_t level_loaded; /* 1: a level was loaded; everything before is gone, ask for get_body_states() */
     uint64_t step;
     uint64_t painted_voxels;
-    const rubble_removed* removed;
-    const rubble_split* splits;
+    const rubble_removed_voxels* removed;
+    const rubble_shape_split* splits;
     const rubble_body* bodies_created;
     const rubble_body* bodies_destroyed;
     const rubble_shape* shapes_created;
     const rubble_shape* shapes_destroyed;
-    const rubble_light_group* groups_out;
+    const rubble_light_group* light_groups_out;
     uint32_t removed_count;
     uint32_t split_count;
     uint32_t bodies_created_count;
     uint32_t bodies_destroyed_count;
     uint32_t shapes_created_count;
     uint32_t shapes_destroyed_count;
-    uint32_t groups_out_count;
+    uint32_t light_groups_out_count;
     uint32_t dust_count;
-    const rubble_dust* dust;
+    const rubble_dust_cloud* dust;
     const rubble_body* bodies_broken;  /* lost voxels for the first time */
     const rubble_body* bodies_settled; /* debris that has come to rest for good: only what breaks or moves near it wakes it */
-    const rubble_body* bodies_revived; /* settled debris that something has woken */
+    const rubble_body* bodies_unsettled; /* settled debris that something has woken */
     uint32_t bodies_broken_count;
     uint32_t bodies_settled_count;
-    uint32_t bodies_revived_count;
+    uint32_t bodies_unsettled_count;
     uint32_t reserved;
 } rubble_events;
 
@@ -337,45 +337,45 @@ typedef struct rubble_hit {
 } rubble_hit;
 
 /* Where every voxel of the level is: imported = standing + in_pieces + removed. */
-typedef struct rubble_ledger {
+typedef struct rubble_voxel_accounting {
     uint32_t struct_size;
     uint32_t reserved;
     uint64_t imported;
     uint64_t standing;
     uint64_t in_pieces;
     uint64_t removed;
-} rubble_ledger;
+} rubble_voxel_accounting;
 
 /* What the last step cost. */
-typedef struct rubble_figures {
+typedef struct rubble_step_stats {
     uint32_t struct_size;
     uint32_t bodies;
     uint32_t bodies_awake;
     uint32_t contacts;
     uint64_t step;
-    uint64_t shadow_age; /* steps by which the shadow volume is behind */
+    uint64_t shadow_lag; /* steps by which the shadow volume is behind */
     double edits_ms;
     double physics_ms;
     double poses_ms;
     double impacts_ms;
     double shadow_ms;
     double publish_ms;
-} rubble_figures;
+} rubble_step_stats;
 
 /* ---- collision layers, water, triggers, characters ---- */
 
-enum { RUBBLE_COLLISION_NOTHING = 256 /* as a mask: touches nothing; as a layer: is touched by nothing */ };
+enum { RUBBLE_COLLISION_NONE = 256 /* as a mask: touches nothing; as a layer: is touched by nothing */ };
 
 /* Two shapes touch if each one's layer is in the other's mask. */
-typedef struct rubble_collision {
+typedef struct rubble_collision_filter {
     uint32_t struct_size;
     uint32_t layer; /* 8 bits; 0: 1 */
     uint32_t mask;  /* 8 bits; 0: 255 */
     uint32_t reserved;
     rubble_shape shape;
-} rubble_collision;
+} rubble_collision_filter;
 
-typedef struct rubble_water_params {
+typedef struct rubble_water_settings {
     uint32_t struct_size;
     uint32_t outline_count; /* corners, at least 3 */
     const double* outline;  /* x and z of each corner, world; copied */
@@ -385,10 +385,10 @@ typedef struct rubble_water_params {
     double linear_drag;     /* 1/s: how fast as much water as a body displaces takes it along; 0: 1.5 */
     double angular_drag;    /* 1/s; 0: 1.5 */
     double flow[3];         /* m/s */
-} rubble_water_params;
+} rubble_water_settings;
 
 enum { RUBBLE_TRIGGER_SPHERE = 0, RUBBLE_TRIGGER_BOX = 1, RUBBLE_TRIGGER_POLYGON = 2 };
-typedef struct rubble_trigger_params {
+typedef struct rubble_trigger_settings {
     uint32_t struct_size;
     uint32_t kind;         /* RUBBLE_TRIGGER_... */
     double position[3];    /* sphere and box: middle; polygon: its origin */
@@ -399,7 +399,7 @@ typedef struct rubble_trigger_params {
     const double* outline; /* polygon: x and z of each corner, from the position; copied */
     uint32_t outline_count;
     uint32_t layers; /* only shapes with a collision layer in this mask count; 0: all */
-} rubble_trigger_params;
+} rubble_trigger_settings;
 
 /* A body has come into a trigger, or left it. */
 typedef struct rubble_trigger_event {
@@ -409,7 +409,7 @@ typedef struct rubble_trigger_event {
     uint32_t reserved;
 } rubble_trigger_event;
 
-typedef struct rubble_character_params {
+typedef struct rubble_character_settings {
     uint32_t struct_size;
     uint32_t reserved;
     double position[3];     /* of the feet */
@@ -423,7 +423,7 @@ typedef struct rubble_character_params {
     double jump_speed;      /* 0: 4.5 */
     double swim_speed;      /* 0: 2 */
     double push_force;      /* N, on bodies in its way; 0: 400 */
-} rubble_character_params;
+} rubble_character_settings;
 
 enum { RUBBLE_MOVE_JUMP = 1, RUBBLE_MOVE_CROUCH = 2 };
 /* What a character wants from now on; a jump only in the next step. */
@@ -435,13 +435,13 @@ typedef struct rubble_character_move {
 } rubble_character_move;
 
 /* Puts a character somewhere else. */
-typedef struct rubble_character_place {
+typedef struct rubble_character_teleport {
     uint32_t struct_size;
     uint32_t reserved;
     rubble_character character;
     double position[3]; /* of the feet */
     double velocity[3];
-} rubble_character_place;
+} rubble_character_teleport;
 
 enum { RUBBLE_CHARACTER_GROUNDED = 1, RUBBLE_CHARACTER_CROUCHED = 2, RUBBLE_CHARACTER_SWIMMING = 4 };
 typedef struct rubble_character_state {
@@ -455,8 +455,8 @@ typedef struct rubble_character_state {
 
 /* ---- queries ---- */
 
-enum { RUBBLE_FILTER_NO_STATIC = 1, RUBBLE_FILTER_NO_DYNAMIC = 2, RUBBLE_FILTER_REJECT_TRANSPARENT = 4, RUBBLE_FILTER_REJECT_UNPHYSICAL = 8 };
-typedef struct rubble_filter {
+enum { RUBBLE_FILTER_REJECT_STATIC = 1, RUBBLE_FILTER_REJECT_DYNAMIC = 2, RUBBLE_FILTER_REJECT_TRANSPARENT = 4, RUBBLE_FILTER_REJECT_UNPHYSICAL = 8 };
+typedef struct rubble_query_filter {
     uint32_t struct_size;
     uint32_t flags;  /* RUBBLE_FILTER_... */
     uint32_t layers; /* only shapes with a collision layer in this mask; 0: all */
@@ -465,7 +465,7 @@ typedef struct rubble_filter {
     uint32_t reserved;
     const rubble_body* rejected_bodies;
     const rubble_shape* rejected_shapes;
-} rubble_filter;
+} rubble_query_filter;
 
 typedef struct rubble_ray {
     double origin[3];
@@ -474,8 +474,8 @@ typedef struct rubble_ray {
     double radius; /* > 0: a ball is cast */
 } rubble_ray;
 
-enum { RUBBLE_REGION_SPHERE = 0, RUBBLE_REGION_CAPSULE = 1, RUBBLE_REGION_BOX = 2 };
-typedef struct rubble_region {
+enum { RUBBLE_QUERY_SPHERE = 0, RUBBLE_QUERY_CAPSULE = 1, RUBBLE_QUERY_BOX = 2 };
+typedef struct rubble_query_shape {
     uint32_t kind; /* RUBBLE_REGION_... */
     uint32_t reserved;
     double position[3];  /* sphere and box: middle; capsule: one end */
@@ -483,13 +483,13 @@ typedef struct rubble_region {
     double radius;       /* sphere and capsule */
     double half_size[3]; /* box */
     double rotation[4];  /* box */
-} rubble_region;
+} rubble_query_shape;
 
-typedef struct rubble_cast {
-    rubble_region shape;
+typedef struct rubble_shape_cast {
+    rubble_query_shape shape;
     double direction[3]; /* need not be normalised */
     double max_distance;
-} rubble_cast;
+} rubble_shape_cast;
 
 typedef struct rubble_touch {
     uint32_t hit;   /* 0: nothing, and nothing below is set */
@@ -578,7 +578,7 @@ typedef struct rubble_view {
 } rubble_view;
 
 /* What the last draw cost. */
-typedef struct rubble_draw_figures {
+typedef struct rubble_draw_stats {
     uint32_t struct_size;
     uint32_t draw_calls;
     uint32_t shapes;
@@ -587,7 +587,7 @@ typedef struct rubble_draw_figures {
     uint64_t texture_bytes; /* held now */
     double apply_ms;
     double draw_ms; /* of this thread; the GPU may take longer */
-} rubble_draw_figures;
+} rubble_draw_stats;
 
 /* ---- the table ---- */
 
@@ -596,13 +596,13 @@ typedef struct rubble_api {
     uint32_t version;
 
     /* [any-thread] Why the calling thread's last failed call failed; lives until its next call that fails. Never null. */
-    const char* (*last_error)(void);
+    const char* (*get_last_error)(void);
     /* [main-thread] Copies the host's services. Null: the defaults. Call it before anything else, not while worlds step. */
     rubble_result (*set_host)(const rubble_host* host);
 
     /* [main-thread] An empty world. settings may be null. At most 255 worlds at a time. */
-    rubble_result (*world_create)(const rubble_world_settings* settings, rubble_world* out);
-    rubble_result (*world_destroy)(rubble_world world);
+    rubble_result (*create_world)(const rubble_world_settings* settings, rubble_world* out);
+    rubble_result (*destroy_world)(rubble_world world);
     /* [main-thread] Replaces everything by a level: a .rubble, .vdb or .vox file, by the name's ending (UTF-8). vdb_tool: the
      * program rubble-vdb, run as a child for .vdb; may be null otherwise. On an error the world is as it was. */
     rubble_result (*load_level)(rubble_world world, const char* path, const char* vdb_tool);
@@ -613,47 +613,47 @@ typedef struct rubble_api {
     rubble_result (*carve)(rubble_world world, const rubble_carve* carve);
     rubble_result (*explode)(rubble_world world, const rubble_explosion* explosion);
     rubble_result (*paint)(rubble_world world, const rubble_paint* paint);
-    rubble_result (*push)(rubble_world world, const rubble_impulse* impulse);
+    rubble_result (*apply_impulse)(rubble_world world, const rubble_impulse* impulse);
 
     /* [main-thread] */
-    rubble_result (*events)(rubble_world world, rubble_events* out);
+    rubble_result (*get_events)(rubble_world world, rubble_events* out);
     /* [main-thread] All bodies in a fixed order. Writes up to `capacity` rows and the number there are to *count, which
      * may be more (RUBBLE_ERROR_CAPACITY). With capacity 0, out may be null: only *count is written, and it is RUBBLE_OK. */
-    rubble_result (*body_states)(rubble_world world, rubble_body_state* out, uint32_t capacity, uint32_t* count);
-    rubble_result (*body_state)(rubble_world world, rubble_body body, rubble_body_state* out);
-    /* [main-thread] Like body_states(), for the shapes of one body, or of all with body 0. */
-    rubble_result (*shape_states)(rubble_world world, rubble_body body, rubble_shape_state* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*get_body_states)(rubble_world world, rubble_body_state* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*get_body_state)(rubble_world world, rubble_body body, rubble_body_state* out);
+    /* [main-thread] Like get_body_states(), for the shapes of one body, or of all with body 0. */
+    rubble_result (*get_shape_states)(rubble_world world, rubble_body body, rubble_shape_state* out, uint32_t capacity, uint32_t* count);
     /* [main-thread] The first voxel that a ray meets. The direction need not be normalised. */
     rubble_result (*raycast)(rubble_world world, const double origin[3], const double direction[3], double max_distance, rubble_hit* out);
     /* [main-thread] Of all that decides what happens next: equal worlds have equal hashes. */
-    rubble_result (*state_hash)(rubble_world world, uint64_t* out);
-    rubble_result (*ledger)(rubble_world world, rubble_ledger* out);
-    rubble_result (*figures)(rubble_world world, rubble_figures* out);
+    rubble_result (*get_state_hash)(rubble_world world, uint64_t* out);
+    rubble_result (*get_voxel_accounting)(rubble_world world, rubble_voxel_accounting* out);
+    rubble_result (*get_step_stats)(rubble_world world, rubble_step_stats* out);
 
     /* [render-thread] All with the same GL context current (3.3 core or later). A world has one renderer in its life.
      * Destroy it while its context is current. */
-    rubble_result (*renderer_create)(rubble_world world, const rubble_renderer_settings* settings, rubble_renderer* out);
-    rubble_result (*renderer_draw)(rubble_renderer renderer, const rubble_view* view);
+    rubble_result (*create_renderer)(rubble_world world, const rubble_renderer_settings* settings, rubble_renderer* out);
+    rubble_result (*draw)(rubble_renderer renderer, const rubble_view* view);
     /* [render-thread] Which intermediate picture is drawn, for looking into the renderer; null or "final": the picture. */
-    rubble_result (*renderer_show_pass)(rubble_renderer renderer, const char* name);
-    rubble_result (*renderer_figures)(rubble_renderer renderer, rubble_draw_figures* out);
-    rubble_result (*renderer_destroy)(rubble_renderer renderer);
+    rubble_result (*set_debug_view)(rubble_renderer renderer, const char* name);
+    rubble_result (*get_draw_stats)(rubble_renderer renderer, rubble_draw_stats* out);
+    rubble_result (*destroy_renderer)(rubble_renderer renderer);
 
     /* [main-thread] Writes the game as it is between two steps, whole or not at all; goes on from there. Saving is an event:
      * the next step begins with physics made anew, in the running game too, so that going on and loading are the same. */
-    rubble_result (*save)(rubble_world world, const char* path);
+    rubble_result (*save_game)(rubble_world world, const char* path);
     /* [main-thread] On an error the world is as it was. Handles of objects are those of the world that was saved. */
-    rubble_result (*load_save)(rubble_world world, const char* path);
-    /* [main-thread] Records every step from here on, beginning with a save; record_stop() gives the file its name. */
-    rubble_result (*record_start)(rubble_world world, const char* path);
-    rubble_result (*record_stop)(rubble_world world);
+    rubble_result (*load_game)(rubble_world world, const char* path);
+    /* [main-thread] Records every step from here on, beginning with a save; stop_recording() gives the file its name. */
+    rubble_result (*start_recording)(rubble_world world, const char* path);
+    rubble_result (*stop_recording)(rubble_world world);
     /* [main-thread] Begins a recording and steps through all of it. *steps (may be null): how many had the hash that was
      * recorded; fewer than there are is RUBBLE_ERROR_FILE: it was made by another build of the plugin or of its physics. */
-    rubble_result (*replay)(rubble_world world, const char* path, uint64_t* steps);
-    /* [main-thread] Commands for the next step, at most one undo or redo each. undo_limit: how many marks are kept; 0, the
+    rubble_result (*play_recording)(rubble_world world, const char* path, uint64_t* steps);
+    /* [main-thread] Commands for the next step, at most one undo or redo each. set_undo_limit: how many marks are kept; 0, the
      * default: none, and nothing is paid. undo() takes back all that has happened since the last mark, redo() what undo() did. */
-    rubble_result (*undo_limit)(rubble_world world, uint32_t marks);
-    rubble_result (*undo_mark)(rubble_world world);
+    rubble_result (*set_undo_limit)(rubble_world world, uint32_t marks);
+    rubble_result (*add_undo_mark)(rubble_world world);
     rubble_result (*undo)(rubble_world world);
     rubble_result (*redo)(rubble_world world);
     /* [main-thread] A command for the next step. */
@@ -662,62 +662,62 @@ typedef struct rubble_api {
     rubble_result (*add_joint)(rubble_world world, const rubble_joint_settings* settings);
     rubble_result (*remove_joint)(rubble_world world, rubble_joint joint);
     rubble_result (*set_joint_motor)(rubble_world world, const rubble_joint_motor* motor);
-    rubble_result (*grab)(rubble_world world, const rubble_grab* grab);
-    rubble_result (*release)(rubble_world world, const rubble_release* release);
+    rubble_result (*grab_body)(rubble_world world, const rubble_grab* grab);
+    rubble_result (*release_body)(rubble_world world, const rubble_release* release);
     /* [main-thread] All joints in the order of their slots; the points of a rope, three numbers each, from its first end on. */
-    rubble_result (*joint_states)(rubble_world world, rubble_joint_state* out, uint32_t capacity, uint32_t* count);
-    rubble_result (*rope_points)(rubble_world world, rubble_joint joint, double* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*get_joint_states)(rubble_world world, rubble_joint_state* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*get_rope_points)(rubble_world world, rubble_joint joint, double* out, uint32_t capacity, uint32_t* count);
 
     /* [main-thread] Commands for the next step. */
-    rubble_result (*set_collision)(rubble_world world, const rubble_collision* edit);
-    rubble_result (*add_water)(rubble_world world, const rubble_water_params* water);
+    rubble_result (*set_collision_filter)(rubble_world world, const rubble_collision_filter* edit);
+    rubble_result (*add_water)(rubble_world world, const rubble_water_settings* water);
     rubble_result (*remove_water)(rubble_world world, rubble_water water);
-    rubble_result (*add_trigger)(rubble_world world, const rubble_trigger_params* trigger);
+    rubble_result (*add_trigger)(rubble_world world, const rubble_trigger_settings* trigger);
     rubble_result (*remove_trigger)(rubble_world world, rubble_trigger trigger);
-    rubble_result (*add_character)(rubble_world world, const rubble_character_params* character);
+    rubble_result (*add_character)(rubble_world world, const rubble_character_settings* character);
     rubble_result (*remove_character)(rubble_world world, rubble_character character);
     rubble_result (*move_character)(rubble_world world, const rubble_character_move* move);
-    rubble_result (*place_character)(rubble_world world, const rubble_character_place* place);
-    /* [main-thread] All of them in a fixed order, with capacity and count as in body_states(); a new one is the last but where
+    rubble_result (*teleport_character)(rubble_world world, const rubble_character_teleport* place);
+    /* [main-thread] All of them in a fixed order, with capacity and count as in get_body_states(); a new one is the last but where
      * an older one was removed. */
-    rubble_result (*waters)(rubble_world world, rubble_water* out, uint32_t capacity, uint32_t* count);
-    rubble_result (*triggers)(rubble_world world, rubble_trigger* out, uint32_t capacity, uint32_t* count);
-    rubble_result (*character_states)(rubble_world world, rubble_character_state* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*get_waters)(rubble_world world, rubble_water* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*get_triggers)(rubble_world world, rubble_trigger* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*get_character_states)(rubble_world world, rubble_character_state* out, uint32_t capacity, uint32_t* count);
     /* [main-thread] Who came into triggers and left them in the last step; the bodies with a voxel in one now. */
-    rubble_result (*trigger_events)(rubble_world world, rubble_trigger_event* out, uint32_t capacity, uint32_t* count);
-    rubble_result (*trigger_bodies)(rubble_world world, rubble_trigger trigger, rubble_body* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*get_trigger_events)(rubble_world world, rubble_trigger_event* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*get_trigger_bodies)(rubble_world world, rubble_trigger trigger, rubble_body* out, uint32_t capacity, uint32_t* count);
 
     /* [main-thread] Queries; filter may be null. out[i] answers rays[i], or casts[i]; a cast shape moves without turning. */
-    rubble_result (*cast_rays)(rubble_world world, const rubble_ray* rays, uint32_t count, const rubble_filter* filter, rubble_touch* out);
-    rubble_result (*cast_shapes)(rubble_world world, const rubble_cast* casts, uint32_t count, const rubble_filter* filter, rubble_touch* out);
-    /* [main-thread] Bodies, or shapes, with a voxel in a region, in a fixed order; capacity and count as in body_states(). */
-    rubble_result (*overlap_bodies)(rubble_world world, const rubble_region* region, const rubble_filter* filter, rubble_body* out, uint32_t capacity,
+    rubble_result (*cast_rays)(rubble_world world, const rubble_ray* rays, uint32_t count, const rubble_query_filter* filter, rubble_touch* out);
+    rubble_result (*cast_shapes)(rubble_world world, const rubble_shape_cast* casts, uint32_t count, const rubble_query_filter* filter, rubble_touch* out);
+    /* [main-thread] Bodies, or shapes, with a voxel in a region, in a fixed order; capacity and count as in get_body_states(). */
+    rubble_result (*overlap_bodies)(rubble_world world, const rubble_query_shape* region, const rubble_query_filter* filter, rubble_body* out, uint32_t capacity,
                                     uint32_t* count);
-    rubble_result (*overlap_shapes)(rubble_world world, const rubble_region* region, const rubble_filter* filter, rubble_shape* out,
+    rubble_result (*overlap_shapes)(rubble_world world, const rubble_query_shape* region, const rubble_query_filter* filter, rubble_shape* out,
                                     uint32_t capacity, uint32_t* count);
     /* [main-thread] The point of a voxel that is closest to a point; distance 0 inside a voxel. */
-    rubble_result (*closest_point)(rubble_world world, const double position[3], double max_distance, const rubble_filter* filter, rubble_touch* out);
+    rubble_result (*find_closest_point)(rubble_world world, const double position[3], double max_distance, const rubble_query_filter* filter, rubble_touch* out);
 
     /* [main-thread] A command for the next step. */
-    rubble_result (*drive)(rubble_world world, const rubble_drive* edit);
+    rubble_result (*drive_wheels)(rubble_world world, const rubble_drive* edit);
 
     /* [main-thread] Sky, sun, air, exposure and gravity; set_environment is a command for the next step. */
-    rubble_result (*environment)(rubble_world world, rubble_environment* out);
+    rubble_result (*get_environment)(rubble_world world, rubble_environment* out);
     rubble_result (*set_environment)(rubble_world world, const rubble_environment* environment);
     /* [any-thread] Sets the colours of sun, sky, haze and ground light, and the stars, in a struct that is filled in: from where the
      * sun stands (below the horizon: twilight, then night) and its clouds. */
-    rubble_result (*follow_sun)(rubble_environment* environment, const double to_sun[3]);
-    /* [main-thread] All lights, with capacity and count as in body_states(); one of them; a command for the next step. */
-    rubble_result (*lights)(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
-    rubble_result (*light_state)(rubble_world world, rubble_light light, rubble_light_state* out);
+    rubble_result (*compute_sky)(rubble_environment* environment, const double to_sun[3]);
+    /* [main-thread] All lights, with capacity and count as in get_body_states(); one of them; a command for the next step. */
+    rubble_result (*get_lights)(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*get_light_state)(rubble_world world, rubble_light light, rubble_light_state* out);
     rubble_result (*set_light)(rubble_world world, const rubble_light_state* light);
     /* [main-thread] Commands for the next step. A light on a shape moves with it, and stays where it was, dark, when the shape is gone.
      * None is added to a world that has 65,536. */
     rubble_result (*add_light)(rubble_world world, const rubble_light_state* light);
     rubble_result (*remove_light)(rubble_world world, rubble_light light);
     /* [main-thread] The lights that the last step made, one for each add_light() in the order of the calls, with capacity and count
-     * as in body_states(); 0 for one that the step refused. */
-    rubble_result (*added_lights)(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
+     * as in get_body_states(); 0 for one that the step refused. */
+    rubble_result (*get_added_lights)(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
 } rubble_api;
 
 /* [any-thread] The one export: the plugin's table for this version of the interface, or RUBBLE_ERROR_VERSION and null. */

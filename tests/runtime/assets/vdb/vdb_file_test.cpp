@@ -10,7 +10,7 @@
 #include "runtime/assets/file_bytes.h"
 #include "runtime/assets/vdb_tool.h"
 #include "tests/runtime/assets/sample_level.h"
-#include "tests/runtime/assets/vdb/foreign_vdb.h"
+#include "tests/runtime/assets/vdb/third_party_vdb.h"
 #include "tests/support/temp_folder.h"
 
 namespace rubble {
@@ -26,7 +26,7 @@ protected:
 
     /// What is read from a file of another program; the notes in `report`.
     Result<Level> foreign(const std::string& kind, ImportReport* report = nullptr) const {
-        writeForeignVdb(kind, path("foreign.vdb"));
+        writeThirdPartyVdb(kind, path("foreign.vdb"));
         ImportReport unused;
         return readVdb(path("foreign.vdb"), kTool, report ? report : &unused);
     }
@@ -52,21 +52,21 @@ TEST_F(VdbFile, RoundTripKeepsTheHash) {
     EXPECT_EQ(std::distance(fs::directory_iterator(m_folder.path()), fs::directory_iterator()), 1) << "no neighbours stay";
 }
 
-TEST_F(VdbFile, WhatAShapeBearsIsKeptAndHasADefault) {
+TEST_F(VdbFile, StrengthAndLoadBearingAreKeptAndHaveDefaults) {
     ASSERT_TRUE(writeVdb(path("a.vdb"), sampleLevel(), kTool));
-    const auto lamp = [&] {
+    const auto lantern = [&] {
         const Result<Level> back = readVdb(path("a.vdb"), kTool);
         EXPECT_TRUE(back) << back.error();
         return back ? back->bodies[0].shapes[1] : LevelShape{};
     };
-    EXPECT_EQ(lamp().strength, 0.75f);
-    EXPECT_FALSE(lamp().loadBearing);
-    forgetField(path("a.vdb"), "strength");
-    EXPECT_EQ(lamp().strength, 1.0f);
-    EXPECT_FALSE(lamp().loadBearing);
-    forgetField(path("a.vdb"), "bears_load");
-    EXPECT_TRUE(lamp().loadBearing);
-    EXPECT_EQ(lamp().voxelSize, 0.05f);
+    EXPECT_EQ(lantern().strength, 0.75f);
+    EXPECT_FALSE(lantern().loadBearing);
+    removeField(path("a.vdb"), "strength");
+    EXPECT_EQ(lantern().strength, 1.0f);
+    EXPECT_FALSE(lantern().loadBearing);
+    removeField(path("a.vdb"), "bears_load");
+    EXPECT_TRUE(lantern().loadBearing);
+    EXPECT_EQ(lantern().voxelSize, 0.05f);
 }
 
 TEST_F(VdbFile, RoundTripOfARealScene) {
@@ -88,7 +88,7 @@ TEST_F(VdbFile, VdbPrintListsTheGrids) {
     ASSERT_TRUE(bytes);
     const std::string list(bytes->begin(), bytes->end());
     for (const char* grid :
-         {"walls_north.palette_index", "walls_north.density", "walls_north.color", "lamp.emission", "lamp.light_group", "lamp_2.palette_index"})
+         {"walls_north.palette_index", "walls_north.density", "walls_north.color", "lantern.emission", "lantern.light_group", "lantern_2.palette_index"})
         EXPECT_NE(list.find(grid), std::string::npos) << grid << " is not in\n" << list;
 }
 
@@ -141,7 +141,7 @@ TEST_F(VdbFile, LevelSetsAreFilled) {
     EXPECT_NEAR(double(level->bodies.at(0).shapes.at(0).grid.voxelCount()), expected, expected * 0.01);
 }
 
-TEST_F(VdbFile, FogIsSolidFromHalfWithItsColours) {
+TEST_F(VdbFile, FogVolumesAreSolidFromHalfDensity) {
     ImportReport report;
     const Result<Level> level = foreign("fog", &report);
     ASSERT_TRUE(level) << level.error();
@@ -166,7 +166,7 @@ TEST_F(VdbFile, PaletteIndexWithoutMetadata) {
     EXPECT_EQ(int(shape.grid.at({1, 1, 0})), 255);
 }
 
-TEST_F(VdbFile, TurnedGridsKeepTheirPlace) {
+TEST_F(VdbFile, RotatedGridsKeepTheirPosition) {
     const Result<Level> level = foreign("turned");
     ASSERT_TRUE(level) << level.error();
     const LevelBody& body = level->bodies.at(0);
@@ -178,7 +178,7 @@ TEST_F(VdbFile, TurnedGridsKeepTheirPlace) {
     EXPECT_LT(glm::length(centre - expected), 1e-6) << centre.x << " " << centre.y << " " << centre.z;
 }
 
-TEST_F(VdbFile, WhatCannotBeVoxelsIsRefusedWithAReason) {
+TEST_F(VdbFile, InvalidGridsAreRefusedWithAReason) {
     const auto error = [&](const char* kind) {
         const Result<Level> level = foreign(kind);
         return level ? "no error" : level.error();
@@ -190,7 +190,7 @@ TEST_F(VdbFile, WhatCannotBeVoxelsIsRefusedWithAReason) {
     EXPECT_NE(error("wrong index").find("found 300"), std::string::npos) << error("wrong index");
 }
 
-TEST_F(VdbFile, DamagedFilesKillAtMostTheChild) {
+TEST_F(VdbFile, DamagedFilesCrashAtMostTheChildProcess) {
     ASSERT_TRUE(writeVdb(path("a.vdb"), sampleLevel(), kTool));
     const std::vector<uint8_t> whole = *readFileBytes(path("a.vdb"), 1 << 24);
     const auto read = [&](const std::vector<uint8_t>& bytes) {
@@ -218,7 +218,7 @@ TEST_F(VdbFile, DamagedFilesKillAtMostTheChild) {
     }
 }
 
-TEST_F(VdbFile, TheChildHasLimits) {
+TEST_F(VdbFile, TheChildProcessIsLimited) {
     const auto script = [&](const char* name, const char* text) {
         std::ofstream(path(name)) << "#!/bin/sh\n" << text << "\n";
         fs::permissions(path(name), fs::perms::owner_all);

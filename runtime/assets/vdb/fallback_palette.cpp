@@ -1,4 +1,4 @@
-#include "runtime/assets/vdb/foreign_palette.h"
+#include "runtime/assets/vdb/fallback_palette.h"
 
 #include <map>
 
@@ -25,13 +25,13 @@ void forEachCell(const VoxelGrid& grid, F&& f) {
 
 }  // namespace
 
-PaletteRef plainForeignPalette() {
+PaletteRef grayFallbackPalette() {
     auto palette = std::make_shared<Palette>();
     (*palette)[1] = entryOf(170, 170, 170);
     return palette;
 }
 
-PaletteRef defaultForeignPalette(const VoxelGrid& grid) {
+PaletteRef voxFallbackPalette(const VoxelGrid& grid) {
     auto palette = std::make_shared<Palette>();
     const auto colors = defaultVoxColors();
     forEachCell(grid, [&](glm::ivec3 cell) {

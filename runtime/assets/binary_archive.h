@@ -14,10 +14,10 @@ namespace rubble {
 inline constexpr uint64_t kMaxDirectoryNodes = 1u << 24;  // of all grids together: 128 MiB; a grid of 4096^3 takes 2^21
 
 /// An archive that writes fields, little-endian, in their order.
-class ByteOut {
+class BinaryOutputArchive {
 public:
     static constexpr bool kIsBinary = true;
-    ByteOut(std::vector<uint8_t>& bytes, PaletteList& palettes) : m_bytes(bytes), m_palettes(palettes) {}
+    BinaryOutputArchive(std::vector<uint8_t>& bytes, PaletteList& palettes) : m_bytes(bytes), m_palettes(palettes) {}
 
     template <class T>
     void operator()(const char*, const T& value) {
@@ -73,10 +73,10 @@ private:
 };
 
 /// An archive that reads them back. Handles become those of the world with the given number. Fails in the reader.
-class ByteIn {
+class BinaryInputArchive {
 public:
     static constexpr bool kIsBinary = true;
-    ByteIn(ByteReader& in, const std::vector<PaletteRef>& palettes, uint8_t world = 0) : m_in(in), m_palettes(palettes), m_world(world) {}
+    BinaryInputArchive(ByteReader& in, const std::vector<PaletteRef>& palettes, uint8_t world = 0) : m_in(in), m_palettes(palettes), m_world(world) {}
 
     template <class T>
     void operator()(const char*, T& value) {

@@ -1,4 +1,4 @@
-#include "tests/runtime/assets/vdb/foreign_vdb.h"
+#include "tests/runtime/assets/vdb/third_party_vdb.h"
 
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetSphere.h>
@@ -100,14 +100,14 @@ openvdb::GridPtrVec gridsOf(const std::string& kind) {
 
 }  // namespace
 
-void writeForeignVdb(const std::string& kind, const std::string& path) {
+void writeThirdPartyVdb(const std::string& kind, const std::string& path) {
     openvdb::initialize();
     openvdb::io::File file(path);
     file.write(gridsOf(kind));
     file.close();
 }
 
-void forgetField(const std::string& path, const std::string& field) {
+void removeField(const std::string& path, const std::string& field) {
     openvdb::initialize();
     openvdb::io::File file(path);
     file.open();

@@ -6,6 +6,6 @@ namespace rubble {
 
 /// Whether a level makes sense: numbers finite, names UTF-8, rotations of length 1, sizes positive, indices in range.
 /// Every reader and writer of level files calls it.
-Result<Done> checkLevel(const Level& level);
+Result<Done> validateLevel(const Level& level);
 
 }  // namespace rubble

@@ -26,10 +26,10 @@ using Clock = std::chrono::steady_clock;
 constexpr size_t kMaxOutput = 64 << 10;
 
 /// A positive number from the environment, or the default.
-uint64_t setting(const char* name, uint64_t otherwise) {
+uint64_t environmentLimit(const char* name, uint64_t fallback) {
     const char* text = std::getenv(name);
     const uint64_t value = text ? std::strtoull(text, nullptr, 10) : 0;
-    return value ? value : otherwise;
+    return value ? value : fallback;
 }
 
 /// A folder of our own that goes when the object does.
@@ -53,7 +53,7 @@ private:
 };
 
 /// Starts a program with its stdout and stderr in a pipe; the process id, or -errno.
-pid_t start(const std::vector<std::string>& command, int writeEnd) {
+pid_t spawnTool(const std::vector<std::string>& command, int writeEnd) {
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
@@ -84,7 +84,7 @@ bool readUntil(int readEnd, Clock::time_point deadline, std::string& output) {
     }
 }
 
-std::string fateOf(int status, bool inTime, uint64_t seconds) {
+std::string describeExit(int status, bool inTime, uint64_t seconds) {
     if (!inTime) return fmt::format("stopped after {} s (RUBBLE_VDB_SECONDS raises the limit)", seconds);
     if (WIFSIGNALED(status))
         return fmt::format("killed by signal {} ({}): the file is damaged or hostile", WTERMSIG(status), strsignal(WTERMSIG(status)));
@@ -94,17 +94,17 @@ std::string fateOf(int status, bool inTime, uint64_t seconds) {
 }  // namespace
 
 Result<std::string> runVdbTool(const std::string& tool, const std::vector<std::string>& arguments) {
-    const uint64_t seconds = setting("RUBBLE_VDB_SECONDS", 120);
-    std::vector<std::string> command{tool, "--memory-mib", std::to_string(setting("RUBBLE_VDB_MEMORY_MIB", 4096)), "--seconds",
+    const uint64_t seconds = environmentLimit("RUBBLE_VDB_SECONDS", 120);
+    std::vector<std::string> command{tool, "--memory-mib", std::to_string(environmentLimit("RUBBLE_VDB_MEMORY_MIB", 4096)), "--seconds",
                                      std::to_string(seconds)};
     command.insert(command.end(), arguments.begin(), arguments.end());
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) return Error{fmt::format("{}: no pipe: {}", tool, std::strerror(errno))};
-    const pid_t child = start(command, ends[1]);
+    const pid_t child = spawnTool(command, ends[1]);
     close(ends[1]);
     if (child < 0) {
         close(ends[0]);
-        return Error{fmt::format("{}: cannot start: {}", tool, std::strerror(-child))};
+        return Error{fmt::format("{}: cannot spawnTool: {}", tool, std::strerror(-child))};
     }
     std::string output;
     const bool inTime = readUntil(ends[0], Clock::now() + std::chrono::seconds(seconds), output);
@@ -118,7 +118,7 @@ Result<std::string> runVdbTool(const std::string& tool, const std::vector<std::s
     // Where a host ignores SIGCHLD there is no status; what the tool wrote decides then.
     if (inTime && (waited < 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 0))) return output;
     if (inTime && WIFEXITED(status) && output.find("error: ") != std::string::npos) return Error{output.substr(output.find("error: ") + 7)};
-    return Error{fmt::format("{}: {}{}{}", fs::path(tool).filename().string(), fateOf(status, inTime, seconds), output.empty() ? "" : ": ", output)};
+    return Error{fmt::format("{}: {}{}{}", fs::path(tool).filename().string(), describeExit(status, inTime, seconds), output.empty() ? "" : ": ", output)};
 }
 
 Result<Level> readVdb(const std::string& path, const std::string& vdbTool, ImportReport* report) {
@@ -136,7 +136,7 @@ Result<Level> readVdb(const std::string& path, const std::string& vdbTool, Impor
             logWarning(path + ": " + line.substr(6));
     }
     Result<Level> level = readRubble(baked);
-    if (level && report) countLevel(*level, *report);
+    if (level && report) addLevelCounts(*level, *report);
     return level;
 }
 

@@ -1,4 +1,4 @@
-#include "runtime/assets/level_check.h"
+#include "runtime/assets/level_validation.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ namespace rubble {
 namespace {
 
 /// Visits all fields and keeps the path to the first bad one.
-class FieldCheck {
+class LevelValidator {
 public:
     template <class T>
     void operator()(const char* name, const T& value) {
@@ -41,7 +41,7 @@ public:
     }
     void check(const VoxelGrid&) {}
     void check(const PaintColorsRef&) {}
-    void checkPaint(const LevelShape& shape) {
+    void validatePaint(const LevelShape& shape) {
         const int colors = shape.paintColors ? shape.paintColors->count : 0;
         int most = 0;
         shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
@@ -80,7 +80,7 @@ public:
         if constexpr (std::is_same_v<T, LevelShape>)
             if (!(value.strength > 0.0f && value.strength <= 1e6f))
                 fail("a strength above 0 and up to 1e6 times its materials'", fmt::format("{}", value.strength));
-        if constexpr (std::is_same_v<T, LevelShape>) checkPaint(value);
+        if constexpr (std::is_same_v<T, LevelShape>) validatePaint(value);
         if constexpr (std::is_same_v<T, Water>) {
             if (value.outline.size() < 3) fail("an outline of 3 points or more", fmt::format("{}", value.outline.size()));
             if (!(value.depth > 0.0 && value.density >= 0.0 && value.linearDrag >= 0.0 && value.angularDrag >= 0.0))
@@ -125,8 +125,8 @@ private:
 
 }  // namespace
 
-Result<Done> checkLevel(const Level& level) {
-    return FieldCheck().run(level);
+Result<Done> validateLevel(const Level& level) {
+    return LevelValidator().run(level);
 }
 
 }  // namespace rubble
