@@ -4,11 +4,11 @@
 #include <chrono>
 #include <optional>
 
-#include "render/frame_camera.h"
-#include "render/frame_context.h"
-#include "render/fullscreen_choice.h"
+#include "render/frame/frame_camera.h"
+#include "render/frame/frame_context.h"
+#include "render/shader_library/fullscreen_choice.h"
 #include "render/gl/state_guard.h"
-#include "render/pass_timer.h"
+#include "render/gl/pass_timer.h"
 #include "render/passes/accumulate_pass.h"
 #include "render/passes/bloom_pass.h"
 #include "render/passes/composite_pass.h"
@@ -39,13 +39,13 @@ namespace rubble {
 namespace {
 
 /// The intermediate targets that can be shown, and how.
-struct Shown {
+struct TargetView {
     const char* name;
     const char* target;
     ShowPass::Mode mode;
 };
 using enum ShowPass::Mode;
-constexpr Shown kShown[] = {
+constexpr TargetView kTargetViews[] = {
     {"final", "final", Color},
     {"albedo", "albedo", Color},
     {"normal", "normal", Signed},
@@ -55,11 +55,11 @@ constexpr Shown kShown[] = {
     {"depth", "depth", Distance},
     {"glassTint", "glassTint", Color},
     {"glassSurface", "glassSurface", Signed},
-    {"sunRaw", "light", Alpha},
-    {"skyRaw", "light", Linear},
-    {"nearness", "nearness", Color},
-    {"sun", "lighting", Alpha},
-    {"light", "lighting", Linear},
+    {"noisySun", "noisyLight", Alpha},
+    {"noisySky", "noisyLight", Linear},
+    {"hitProximity", "hitProximity", Color},
+    {"sun", "denoisedLight", Alpha},
+    {"denoisedLight", "denoisedLight", Linear},
     {"history", "surface", History},
     {"reflection", "reflection", Linear},
     {"radiance", "radiance", Linear},
@@ -76,20 +76,20 @@ Fullscreen possible(Fullscreen wanted) {
     return Fullscreen::Fragment;
 }
 
-ShaderLibrary::Fullscreen builtFor(Fullscreen drawn) {
+ShaderLibrary::Fullscreen libraryMode(Fullscreen drawn) {
     if (drawn == Fullscreen::Fastest) return ShaderLibrary::Fullscreen::Both;
     return drawn == Fullscreen::Compute ? ShaderLibrary::Fullscreen::Compute : ShaderLibrary::Fullscreen::Fragment;
 }
 
-FullscreenChoice choiceFor(Fullscreen drawn) {
+FullscreenChoice initialChoice(Fullscreen drawn) {
     if (drawn == Fullscreen::Fastest) return FullscreenChoice::fastest();
-    return FullscreenChoice(drawn == Fullscreen::Compute ? FullscreenBy::Compute : FullscreenBy::Fragment);
+    return FullscreenChoice(drawn == Fullscreen::Compute ? FullscreenMethod::Compute : FullscreenMethod::Fragment);
 }
 
 }  // namespace
 
 struct Renderer::Impl {
-    Impl(const std::string& shaderFolder, const RenderSettings& given) : settings(given), shaders(shaderFolder, builtFor(fullscreen)) {
+    Impl(const std::string& shaderFolder, const RenderSettings& given) : settings(given), shaders(shaderFolder, libraryMode(fullscreen)) {
         scene.setUploadBudget(given.uploadBudget);
         scene.setBounceColors(given.sky && given.bounce && given.bounceColors);
         blueNoise = Texture(GL_R8, glm::ivec2(kBlueNoiseSize), Filter::Nearest, Wrap::Repeat);
@@ -99,23 +99,23 @@ struct Renderer::Impl {
     /// The frame: each pass reads what those above it have drawn.
     void drawPasses(const FrameContext& frame) {
         run("gbuffer", [&] { gbuffer.draw(frame); });
-        if (!scene.ropes().empty()) run("ropes", [&] { drawMade(ropes, frame, alphaOfStep); });
-        if (scene.environment().wetness > 0.0f) run("wetness", [&] { drawMade(wetness, frame); });
+        if (!scene.ropes().empty()) run("ropes", [&] { drawLazily(ropes, frame, stepAlpha); });
+        if (scene.environment().wetness > 0.0f) run("wetness", [&] { drawLazily(wetness, frame); });
         if (scene.hasGlass()) run("glass", [&] { glass.draw(frame, gbuffer.tiles()); });
-        if (glassIsInTheSun()) run("glass shadow", [&] { drawMade(glassShadow, frame); });
-        clearLight(frame);
+        if (isGlassSunlit()) run("glass shadow", [&] { drawLazily(glassShadow, frame); });
+        clearNoisyLight(frame);
         if (settings.sun && block.sunDirection.y > 0.0f) run("sun", [&] { sun.draw(frame); });
         if (settings.sky) run("sky", [&] { sky.draw(frame); });
-        if (LocalLightsPass::needed(frame)) run("local lights", [&] { drawMade(localLights, frame); });
+        if (LocalLightsPass::needed(frame)) run("local lights", [&] { drawLazily(localLights, frame); });
         run("accumulate", [&] { accumulate.draw(frame); });
         run("filter", [&] { filter.draw(frame); });
         if (ReflectionsPass::needed(frame)) run("reflections", [&] { reflections.draw(frame); });
-        run("composite", [&] { composite.draw(frame, glassIsInTheSun() ? &*glassShadow : nullptr); });
-        if (!scene.waters().empty()) run("water", [&] { drawMade(water, frame); });
-        if (scene.hasGlass()) run("panes", [&] { glass.drawOver(frame, gbuffer.tiles()); });
-        if (FogPass::needed(frame)) run("fog", [&] { drawMade(fog, frame); });
-        if (!scene.particles().empty()) run("particles", [&] { drawMade(particles, frame, alphaOfStep); });
-        if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty()) run("glare", [&] { drawMade(glare, frame); });
+        run("composite", [&] { composite.draw(frame, isGlassSunlit() ? &*glassShadow : nullptr); });
+        if (!scene.waters().empty()) run("water", [&] { drawLazily(water, frame); });
+        if (scene.hasGlass()) run("glass composite", [&] { glass.drawOver(frame, gbuffer.tiles()); });
+        if (FogPass::needed(frame)) run("fog", [&] { drawLazily(fog, frame); });
+        if (!scene.particles().empty()) run("particles", [&] { drawLazily(particles, frame, stepAlpha); });
+        if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty()) run("glare", [&] { drawLazily(glare, frame); });
         run("taa", [&] { taa.draw(frame); });
         if (settings.bloom > 0.0f) run("bloom", [&] { bloom.draw(frame); });
         run("exposure", [&] { exposure.draw(frame); });
@@ -124,16 +124,16 @@ struct Renderer::Impl {
 
     /// Passes of what most scenes never have: made with the first frame that needs them.
     template <class Pass, class... Rest>
-    void drawMade(std::optional<Pass>& pass, const FrameContext& frame, Rest... rest) {
+    void drawLazily(std::optional<Pass>& pass, const FrameContext& frame, Rest... rest) {
         if (!pass) pass.emplace(shaders);
         pass->draw(frame, rest...);
     }
 
-    bool glassIsInTheSun() const { return settings.sun && block.sunDirection.y > 0.0f && scene.hasGlass(); }
+    bool isGlassSunlit() const { return settings.sun && block.sunDirection.y > 0.0f && scene.hasGlass(); }
 
     /// Passes add to it, each in its own channels.
-    void clearLight(const FrameContext& frame) {
-        frame.targets.framebuffer({&frame.targets.target("light", GL_RGBA16F)}).begin();
+    void clearNoisyLight(const FrameContext& frame) {
+        frame.targets.framebuffer({&frame.targets.target("noisyLight", GL_RGBA16F)}).begin();
         const float none[4] = {0, 0, 0, 0};
         glClearBufferfv(GL_COLOR, 0, none);
     }
@@ -144,22 +144,22 @@ struct Renderer::Impl {
         choice.beginPass(name);
         draw();
         timer.end(figures.passMs);
-        if (choice.hasComputed()) figures.computePasses.push_back(name);
+        if (choice.hasDrawnByCompute()) figures.computePasses.push_back(name);
     }
     void beginTimes();
     void draw(const View& view, float alpha);
     void drawOnce(const View& view);
-    void drawSmallerIfRefused(const View& view);
+    void drawSmallerOnFailure(const View& view);
     glm::vec4 dot() const;
     void fillBlock(const View& view, glm::ivec2 traced);
     const Texture* find(std::string_view target) const;
     void uploadBlock();
-    const LightGrid* sortLights();
+    const LightGrid* updateLightGrid();
 
     RenderSettings settings;
     Fullscreen fullscreen = possible(settings.fullscreen);
     ShaderLibrary shaders;
-    FullscreenChoice choice = choiceFor(fullscreen);
+    FullscreenChoice choice = initialChoice(fullscreen);
     Scene scene;
     TargetPool targets, pictures;  ///< as in FrameContext
     FrameCamera camera;
@@ -169,11 +169,11 @@ struct Renderer::Impl {
     Texture blueNoise;
     PassTimer timer{isSoftwareGl(), settings.processorTime};
     RenderFigures figures;
-    bool drawnBefore = false;
-    float alphaOfStep = 1.0f;  ///< of the frame being drawn
-    const Shown* shown = &kShown[0];
-    int halvings = 0;  ///< of the view's size, where the GL cannot do more
-    std::string trouble;
+    bool hasDrawn = false;
+    float stepAlpha = 1.0f;  ///< of the frame being drawn
+    const TargetView* shown = &kTargetViews[0];
+    int downscale = 0;  ///< of the view's size, where the GL cannot do more
+    std::string lastError;
     std::chrono::steady_clock::time_point reloaded{};
 
     GBufferPass gbuffer{shaders};
@@ -219,7 +219,7 @@ void Renderer::Impl::fillBlock(const View& view, glm::ivec2 traced) {
     scene.describeShadow(block);
 }
 
-const LightGrid* Renderer::Impl::sortLights() {
+const LightGrid* Renderer::Impl::updateLightGrid() {
     if (scene.lights().empty() && !lightGrid) return nullptr;
     if (!lightGrid) lightGrid.emplace();
     figures.uploadBytes += lightGrid->update(scene.lights(), block, scene.origin());
@@ -232,38 +232,38 @@ void Renderer::Impl::uploadBlock() {
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, blockBuffer.get());
 }
 
-constexpr int kMostHalvings = 6;
+constexpr int kMaxDownscale = 6;
 
 /// How often a size must be halved to fit what the GL can draw into.
-int halvingsFor(glm::ivec2 size) {
+int downscaleFor(glm::ivec2 size) {
     GLint side = 0, viewport[2] = {0, 0};
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
     const glm::ivec2 most(std::min(side, viewport[0]), std::min(side, viewport[1]));
-    int halvings = 0;
-    while (halvings < kMostHalvings && ((size.x >> halvings) > most.x || (size.y >> halvings) > most.y)) ++halvings;
-    return halvings;
+    int downscale = 0;
+    while (downscale < kMaxDownscale && ((size.x >> downscale) > most.x || (size.y >> downscale) > most.y)) ++downscale;
+    return downscale;
 }
 
 void Renderer::Impl::draw(const View& view, float alpha) {
     if (view.size.x <= 0 || view.size.y <= 0) return;
     if (isContextLost()) {
-        if (trouble.empty()) logError(trouble = "the GL context was lost: destroy this renderer, make a context and a new one");
+        if (lastError.empty()) logError(lastError = "the GL context was lost: destroy this renderer, make a context and a new one");
         return;
     }
-    trouble.clear();
+    lastError.clear();
     const GlStateGuard hostState;
-    halvings = std::max(halvings, halvingsFor(view.size));
+    downscale = std::max(downscale, downscaleFor(view.size));
     figures.uploadBytes = scene.beginFrame(alpha, view.position);
-    alphaOfStep = alpha;
-    const bool fresh = view.cut || !drawnBefore;
-    drawnBefore = true;
+    stepAlpha = alpha;
+    const bool fresh = view.cut || !hasDrawn;
+    hasDrawn = true;
     View each = view;
     for (int i = fresh ? settings.warmUpFrames : 0; i >= 0; --i) {
         drawOnce(each);
         each.cut = false;
     }
-    drawSmallerIfRefused(view);
+    drawSmallerOnFailure(view);
     scene.endFrame();
     figures.textureBytes =
         targets.bytes() + pictures.bytes() + scene.bytes() + gbuffer.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
@@ -273,15 +273,15 @@ void Renderer::Impl::draw(const View& view, float alpha) {
     figures.bricks = scene.bodies().bricks();
 }
 
-void Renderer::Impl::drawSmallerIfRefused(const View& view) {
-    while (targets.refused() || pictures.refused()) {
-        if (halvings == kMostHalvings) {
-            logError(trouble = "the GL refuses every size of targets to draw into: is it out of memory?");
+void Renderer::Impl::drawSmallerOnFailure(const View& view) {
+    while (targets.allocationFailed() || pictures.allocationFailed()) {
+        if (downscale == kMaxDownscale) {
+            logError(lastError = "the GL refuses every size of targets to draw into: is it out of memory?");
             return;
         }
-        ++halvings;
+        ++downscale;
         logWarning("the GL refuses targets for a view of " + std::to_string(view.size.x) + "x" + std::to_string(view.size.y) + ": drawn at 1/" +
-                   std::to_string(1 << halvings) + " of it");
+                   std::to_string(1 << downscale) + " of it");
         targets.clear();
         pictures.clear();
         drawOnce(view);
@@ -308,15 +308,15 @@ glm::ivec2 tracedSize(glm::ivec2 view, float scale) {
 
 /// Starts the times of a frame; those of the last one are told to the choice among fragments and compute.
 void Renderer::Impl::beginTimes() {
-    if (timer.isImmediate()) choice.addTimes(figures.passMs);
+    if (timer.isImmediate()) choice.addPassTimes(figures.passMs);
     timer.beginFrame(figures.passMs);
-    if (!timer.isImmediate()) choice.addTimes(figures.passMs);
-    if (const std::string news = choice.takeNews(); !news.empty()) logInfo("full-screen passes are drawn by what was faster: " + news);
+    if (!timer.isImmediate()) choice.addPassTimes(figures.passMs);
+    if (const std::string news = choice.takeDecisions(); !news.empty()) logInfo("full-screen passes are drawn by what was faster: " + news);
 }
 
 void Renderer::Impl::drawOnce(const View& wanted) {
     View view = wanted;
-    view.size = glm::max(wanted.size >> halvings, glm::ivec2(1));
+    view.size = glm::max(wanted.size >> downscale, glm::ivec2(1));
     beginTimes();
     figures.drawCalls = figures.bodyDraws = 0;
     figures.computePasses.clear();
@@ -325,7 +325,7 @@ void Renderer::Impl::drawOnce(const View& wanted) {
     pictures.beginFrame(view.size, view.cut);
     fillBlock(view, traced);
     uploadBlock();
-    const FrameContext frame{block, settings, scene, targets, pictures, blueNoise, figures, emptyVertexArray, sortLights(), &choice};
+    const FrameContext frame{block, settings, scene, targets, pictures, blueNoise, figures, emptyVertexArray, updateLightGrid(), &choice};
     drawPasses(frame);
     const Texture* target = find(shown->target);
     run("show", [&] { show.draw(frame, target ? *target : blueNoise, shown->mode, wanted, dot()); });
@@ -336,7 +336,7 @@ RenderSettings RenderSettings::preset(std::string_view name) {
     if (name == "fast") {
         settings.resolutionScale = 0.75f;
         settings.skyDistance = 12.0f;
-        settings.skyExactFor = 1.6f;
+        settings.skyExactDistance = 1.6f;
         settings.bounceColors = false;
         settings.bounces = 1;
         settings.filterPasses = 2;
@@ -350,7 +350,7 @@ RenderSettings RenderSettings::preset(std::string_view name) {
     return settings;
 }
 
-Fullscreen RenderSettings::fullscreenNamed(std::string_view name) {
+Fullscreen RenderSettings::fullscreenFromName(std::string_view name) {
     if (name == "fastest") return Fullscreen::Fastest;
     return name == "compute" ? Fullscreen::Compute : name == "fragment" ? Fullscreen::Fragment : Fullscreen::Auto;
 }
@@ -373,8 +373,8 @@ void Renderer::draw(const View& view, float alpha) {
     m_impl->draw(view, alpha);
 }
 
-const std::string& Renderer::trouble() const {
-    return m_impl->trouble;
+const std::string& Renderer::lastError() const {
+    return m_impl->lastError;
 }
 
 bool Renderer::reloadShaders() {
@@ -389,7 +389,7 @@ std::vector<std::string> Renderer::shaderErrors() const {
 }
 
 bool Renderer::showPass(std::string_view name) {
-    for (const Shown& shown : kShown)
+    for (const TargetView& shown : kTargetViews)
         if (shown.name == name) {
             m_impl->shown = &shown;
             return true;
@@ -399,7 +399,7 @@ bool Renderer::showPass(std::string_view name) {
 
 std::vector<std::string> Renderer::passNames() const {
     std::vector<std::string> names;
-    for (const Shown& shown : kShown) names.emplace_back(shown.name);
+    for (const TargetView& shown : kTargetViews) names.emplace_back(shown.name);
     return names;
 }
 

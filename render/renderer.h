@@ -45,14 +45,14 @@ struct RenderSettings {
     float skyDistance = 64.0f;  ///< metres
     /// Metres from where sky rays start beyond which a block of 4^3 voxels with anything in it stops them: a tenth less to trace, no false
     /// light, some false shadow. All other rays are exact, whatever the preset.
-    float skyExactFor = 1e30f;
+    float skyExactDistance = 1e30f;
     /// Of each side of the view: what is traced, lit and filtered. Below 1 the temporal pass brings it to the view's size, over several
     /// pictures as sharp as that; what moves is less so. 0.5 costs about a quarter.
     float resolutionScale = 1.0f;
     int filterPasses = 4;        ///< of the spatial filter
     bool temporal = true;        ///< reprojected accumulation and TAA
     int historyFrames = 32;      ///< how many pictures the accumulation remembers
-    bool forgetsChanges = true;  ///< memory is cut where the light has changed; off: it fades
+    bool rejectStaleHistory = true;  ///< memory is cut where the light has changed; off: it fades
     int warmUpFrames = 0;        ///< drawn unseen before the first picture and after each cut: clean stills
     bool sun = true, sky = true, localLights = true, reflections = true, fog = true, glare = true;
     bool bounce = true;         ///< what sky and mirror rays hit shines back; off: it is black
@@ -68,7 +68,7 @@ struct RenderSettings {
     bool processorTime = false;       ///< figures' times are of this process's threads, all together: for benchmarks on a busy machine
     static RenderSettings preset(std::string_view name);
     /// "fragment", "compute" or "fastest"; Auto for any other text.
-    static Fullscreen fullscreenNamed(std::string_view name);
+    static Fullscreen fullscreenFromName(std::string_view name);
 };
 
 struct RenderFigures {
@@ -95,10 +95,10 @@ public:
 
     void apply(FrameSnapshot&& snapshot);
     /// alpha in [0, 1]: how far between the previous and current poses. A view without pixels draws nothing. What the GL cannot make in
-    /// the view's size is drawn smaller and scaled, with a warning; what cannot be drawn at all is said by trouble().
+    /// the view's size is drawn smaller and scaled, with a warning; what cannot be drawn at all is said by lastError().
     void draw(const View& view, float alpha);
     /// Why the last draw() drew nothing ("the GL context was lost: ..."); empty if it did.
-    const std::string& trouble() const;
+    const std::string& lastError() const;
     /// Builds programs anew whose files have changed on disk. One that fails keeps its last good program; a red dot in the picture's
     /// corner says so until it is mended, a green one for a second that it is. True if any was built.
     bool reloadShaders();
@@ -107,7 +107,7 @@ public:
     /// Which intermediate target draw() shows: "final" (default), "albedo", "normal", "depth", ... ; false if there is none such.
     bool showPass(std::string_view name);
     std::vector<std::string> passNames() const;
-    /// What the last draw() left in a colour target of this name ("light", "accumulated", "radiance", "depth", ...): not mapped for
+    /// What the last draw() left in a colour target of this name ("noisyLight", "accumulatedLight", "radiance", "depth", ...): not mapped for
     /// the eye. Waits for the GL. For tests and measurements.
     Result<FloatImage> readTarget(std::string_view name) const;
     const RenderFigures& figures() const;

@@ -9,7 +9,7 @@ namespace {
 
 /// Binds for making and filling, on the last unit that GlStateGuard restores: the units of a program that is being set up
 /// keep what they hold.
-void bindAside(GLenum target, GLuint texture) {
+void bindForUpload(GLenum target, GLuint texture) {
     glActiveTexture(GLenum(GL_TEXTURE0 + kTextureUnits - 1));
     glBindTexture(target, texture);
 }
@@ -60,7 +60,7 @@ PixelFormat pixelFormat(GLenum internalFormat) {
 Texture::Texture(GLenum internalFormat, glm::ivec2 size, Filter filter, Wrap wrap)
     : m_name(GlName<TextureKind>::make()), m_internalFormat(internalFormat), m_size(size) {
     const PixelFormat pixel = pixelFormat(internalFormat);
-    bindAside(GL_TEXTURE_2D, name());
+    bindForUpload(GL_TEXTURE_2D, name());
     glTexImage2D(GL_TEXTURE_2D, 0, GLint(internalFormat), size.x, size.y, 0, pixel.format, pixel.type, nullptr);
     const GLint filterGl = filter == Filter::Linear ? GL_LINEAR : GL_NEAREST;
     const GLint wrapGl = wrap == Wrap::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
@@ -77,7 +77,7 @@ void Texture::upload(const void* pixels) {
 
 void Texture::uploadRows(int firstRow, int rows, const void* pixels) {
     const PixelFormat pixel = pixelFormat(m_internalFormat);
-    bindAside(GL_TEXTURE_2D, name());
+    bindForUpload(GL_TEXTURE_2D, name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, firstRow, m_size.x, rows, pixel.format, pixel.type, pixels);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -106,7 +106,7 @@ bool BufferTexture::reserve(uint64_t bytes) {
         glBindBuffer(GL_COPY_READ_BUFFER, 0);
     }
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
-    bindAside(GL_TEXTURE_BUFFER, m_texture.get());
+    bindForUpload(GL_TEXTURE_BUFFER, m_texture.get());
     glTexBuffer(GL_TEXTURE_BUFFER, m_internalFormat, buffer.get());
     m_buffer = std::move(buffer);
     m_capacity = capacity;

@@ -1,16 +1,16 @@
 #pragma once
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble {
 
-/// Mixes "light" with what earlier pictures saw there, into the histories "accumulated" and "surface".
+/// Mixes "noisyLight" with what earlier pictures saw there, into the histories "accumulatedLight" and "surface".
 class AccumulatePass {
 public:
     explicit AccumulatePass(ShaderLibrary& shaders);
     void draw(const FrameContext& frame) const;
 
 private:
-    /// Compares "light" with memory in tiles of 4x4 pixels: returns what of it may be trusted.
+    /// Compares "noisyLight" with memory in tiles of 4x4 pixels: returns what of it may be trusted.
     const Texture& findChanges(const FrameContext& frame, const History& light, const History& surface) const;
 
     FullscreenProgram& m_change;

@@ -6,12 +6,12 @@ namespace rubble {
 namespace {
 
 constexpr int kTileShift = 4;
-constexpr float kHighestHill = 0.16f;  // as in lib/sky.glsl
+constexpr float kMaxHillSlope = 0.16f;  // as in lib/sky.glsl
 
 /// What a direction can show. Each set but Both is a convex cone: what the four corners of a tile are, the tile is.
 BackgroundTiles::Band bandOf(glm::vec3 direction, float eyeHeight) {
     if (direction.y < 0.0f && eyeHeight > 0.0f) return BackgroundTiles::Fields;
-    return direction.y > kHighestHill * glm::length(glm::vec2(direction.x, direction.z)) ? BackgroundTiles::Sky : BackgroundTiles::Both;
+    return direction.y > kMaxHillSlope * glm::length(glm::vec2(direction.x, direction.z)) ? BackgroundTiles::Sky : BackgroundTiles::Both;
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ void BackgroundTiles::update(const FrameBlock& block, float eyeHeight) {
 }
 
 void BackgroundTiles::draw(const Program& program, Band band, const FrameContext& frame) const {
-    program.set("uTileNumbers", m_textures[band]);
+    program.set("uTileIds", m_textures[band]);
     program.set("uTileGrid", glm::ivec2(m_tilesAcross, kTileShift));
     glBindVertexArray(frame.emptyVertexArray.get());
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, GLsizei(m_tiles[band].size()));

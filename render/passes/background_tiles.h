@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble {
 

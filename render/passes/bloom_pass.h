@@ -1,9 +1,9 @@
 #pragma once
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble {
 
-/// The glow around what outshines the picture, in "bloom0" (half size): five halvings and back.
+/// The glow around what outshines the picture, in "bloom0" (half size): five downscale and back.
 class BloomPass {
 public:
     explicit BloomPass(ShaderLibrary& shaders);

@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr int kMostBounces = 16;  ///< a white room would keep its light for ever
+constexpr int kMaxBounces = 16;  ///< a white room would keep its light for ever
 
 }  // namespace
 
@@ -17,17 +17,17 @@ void bindBounce(const Program& program, const FrameContext& frame, BounceRays ra
     const bool gathered = rays == BounceRays::Gathered, detailed = !gathered || frame.settings.bounceColors;
     const History radiance = frame.targets.history("radiance", GL_RGBA16F);
     const History surface = frame.targets.history("surface", GL_RGBA32F);
-    program.set("uLastRadiance", radiance.previous);
-    program.set("uLastSurface", surface.previous);
-    program.set("uLastValid", int(radiance.valid && surface.valid));
+    program.set("uRadianceHistory", radiance.previous);
+    program.set("uSurfaceHistory", surface.previous);
+    program.set("uHistoryValid", int(radiance.valid && surface.valid));
     program.set("uBounce", int(frame.settings.bounce));
-    program.set("uBounces", gathered ? std::clamp(frame.settings.bounces, 1, kMostBounces) : 1);
-    program.set("uReach", frame.settings.skyDistance);
-    program.set("uLastMatte", frame.targets.history("matte", GL_R8).previous);
-    program.set("uMatte", int(gathered));
-    const bool lamps = detailed && LocalLightsPass::needed(frame) && !frame.lightGrid->empty();
-    program.set("uLamps", int(lamps));
-    if (lamps) frame.lightGrid->bind(program);
+    program.set("uMaxBounces", gathered ? std::clamp(frame.settings.bounces, 1, kMaxBounces) : 1);
+    program.set("uMaxDistance", frame.settings.skyDistance);
+    program.set("uDiffuseFractionHistory", frame.targets.history("diffuseFraction", GL_R8).previous);
+    program.set("uDiffuseOnly", int(gathered));
+    const bool hasLocalLights = detailed && LocalLightsPass::needed(frame) && !frame.lightGrid->empty();
+    program.set("uBounceLights", int(hasLocalLights));
+    if (hasLocalLights) frame.lightGrid->bind(program);
     program.set("uBodyLevels", 0);  // no voxels to look up
     if (detailed) frame.scene.bindVoxelsAt(program);
     program.set("uSunUp", int(frame.block.sunDirection.y > 0.0f));

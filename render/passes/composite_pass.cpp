@@ -15,9 +15,9 @@ constexpr double kPlaneHeight = -0.05;  // of the fields around a level, whose g
 
 void bindReflections(const Program& program, const FrameContext& frame) {
     const bool reflections = ReflectionsPass::needed(frame), glass = frame.scene.hasGlass();
-    program.set("uReflections", int(reflections));
+    program.set("uHasReflections", int(reflections));
     if (reflections) program.set("uReflection", frame.targets.at("reflection"));
-    program.set("uGlass", int(glass));
+    program.set("uHasGlass", int(glass));
     if (glass) program.set("uGlassSurface", frame.targets.at("glassSurface"));
 }
 
@@ -32,12 +32,12 @@ CompositePass::CompositePass(ShaderLibrary& shaders) : m_surfaces(shaders.loadFu
 void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glassShadow) {
     if (!m_surfaces) return;
     const Texture& radiance = frame.targets.history("radiance", GL_RGBA16F).current;
-    const FullscreenTargets into{frame.targets, {&radiance, &frame.targets.history("matte", GL_R8).current}, &frame.targets.at("depthBuffer")};
+    const FullscreenTargets into{frame.targets, {&radiance, &frame.targets.history("diffuseFraction", GL_R8).current}, &frame.targets.at("depthBuffer")};
     drawFullscreen(frame, m_surfaces, into, [&](const Program& program) {
         GBufferPass::bind(program, frame.targets);
         bindReflections(program, frame);
-        program.set("uLight", frame.targets.at("lighting"));
-        program.set("uLocalLights", int(LocalLightsPass::needed(frame)));
+        program.set("uLight", frame.targets.at("denoisedLight"));
+        program.set("uHasLocalLights", int(LocalLightsPass::needed(frame)));
         if (LocalLightsPass::needed(frame)) {
             program.set("uSpecular", frame.targets.at("specular"));
             program.set("uSurface", frame.targets.history("surface", GL_RGBA32F).current);

@@ -16,8 +16,8 @@ void ExposurePass::draw(const FrameContext& frame) const {
     const History exposure = frame.pictures.history("exposure", GL_R32F, kOneTexel, Filter::Nearest);
     drawFullscreen(frame, m_program, {frame.pictures, {&exposure.current}}, [&](const Program& program) {
         program.set("uColor", frame.pictures.at("resolved"));
-        program.set("uLast", exposure.previous);
-        program.set("uLastValid", int(exposure.valid));
+        program.set("uHistory", exposure.previous);
+        program.set("uHistoryValid", int(exposure.valid));
     });
 }
 

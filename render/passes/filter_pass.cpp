@@ -10,11 +10,11 @@ FilterPass::FilterPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscree
 
 void FilterPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
-    const Texture* source = &frame.targets.at("accumulated");
+    const Texture* source = &frame.targets.at("accumulatedLight");
     const int steps = std::max(frame.settings.filterPasses, 1);
     for (int step = 0; step < steps; ++step) {
-        // The last step ends in "lighting", whatever their number.
-        const Texture& target = frame.targets.target((steps - step) % 2 ? "lighting" : "lightingOther", GL_RGBA16F);
+        // The last step ends in "denoisedLight", whatever their number.
+        const Texture& target = frame.targets.target((steps - step) % 2 ? "denoisedLight" : "denoisedLightScratch", GL_RGBA16F);
         const FullscreenTargets into{frame.targets, {&target}, &frame.targets.at("depthBuffer"), {glm::vec4(0.0f)}};
         drawFullscreen(frame, m_program, into, [&](const Program& program) {
             program.set("uSurface", frame.targets.at("surface"));

@@ -1,9 +1,9 @@
 #pragma once
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble {
 
-/// Smooths "accumulated" along surfaces into "lighting", in RenderSettings::filterPasses steps of growing stride.
+/// Smooths "accumulatedLight" along surfaces into "denoisedLight", in RenderSettings::filterPasses steps of growing stride.
 class FilterPass {
 public:
     explicit FilterPass(ShaderLibrary& shaders);

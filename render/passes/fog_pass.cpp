@@ -11,7 +11,7 @@
 namespace rubble {
 namespace {
 
-constexpr int kLongest = 12;  // frames that are averaged: as many as a wall that opens may take to be seen
+constexpr int kMaxHistory = 12;  // frames that are averaged: as many as a wall that opens may take to be seen
 
 }  // namespace
 
@@ -32,17 +32,17 @@ void FogPass::drawLight(const FrameContext& frame) const {
     drawFullscreen(frame, m_light, {frame.targets, {&light.current}}, [&](const Program& program) {
         frame.scene.bindShadow(program);
         if (lights) frame.lightGrid->bind(program);
-        program.set("uLocalLights", int(lights));
+        program.set("uHasLocalLights", int(lights));
         program.set("uDepth", frame.targets.at("depth"));
         program.set("uBlueNoise", frame.blueNoise);
-        program.set("uLast", light.previous);
-        program.set("uLastValid", int(frame.settings.temporal && light.valid));
+        program.set("uHistory", light.previous);
+        program.set("uHistoryValid", int(frame.settings.temporal && light.valid));
         program.set("uSunUp", int(frame.settings.sun && frame.block.sunDirection.y > 0.0f));
-        program.set("uLongest", float(frame.lightGrid ? std::min(kLongest, frame.lightGrid->framesSinceChange() + 1) : kLongest));
+        program.set("uMaxHistory", float(frame.lightGrid ? std::min(kMaxHistory, frame.lightGrid->framesSinceChange() + 1) : kMaxHistory));
     });
 }
 
-void FogPass::drawFiltered(const FrameContext& frame) const {
+void FogPass::drawFilter(const FrameContext& frame) const {
     const Texture& fog = frame.targets.target("fog", GL_RGBA16F, 2, Filter::Linear);
     drawFullscreen(frame, m_filter, {frame.targets, {&fog}}, [&](const Program& program) {
         program.set("uLight", frame.targets.at("fogLight"));
@@ -60,7 +60,7 @@ void FogPass::drawOver(const FrameContext& frame) const {
 void FogPass::draw(const FrameContext& frame) const {
     if (!m_light || !m_filter || !m_over) return;
     drawLight(frame);
-    drawFiltered(frame);
+    drawFilter(frame);
     drawOver(frame);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble {
 
@@ -13,7 +13,7 @@ public:
 
 private:
     void drawLight(const FrameContext& frame) const;
-    void drawFiltered(const FrameContext& frame) const;
+    void drawFilter(const FrameContext& frame) const;
     void drawOver(const FrameContext& frame) const;
 
     FullscreenProgram& m_light;

@@ -4,21 +4,21 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
-#include "render/fullscreen_choice.h"
+#include "render/shader_library/fullscreen_choice.h"
 #include "render/passes/depth_limit.h"
 
 namespace rubble {
 namespace {
 
-constexpr FullscreenBy otherThan(FullscreenBy by) {
-    return by == FullscreenBy::Fragment ? FullscreenBy::Compute : FullscreenBy::Fragment;
+constexpr FullscreenMethod otherMethod(FullscreenMethod by) {
+    return by == FullscreenMethod::Fragment ? FullscreenMethod::Compute : FullscreenMethod::Fragment;
 }
 
 /// By what this draws; what is not needed any more is freed.
-FullscreenBy chooseFor(const FrameContext& frame, FullscreenProgram& program) {
-    const FullscreenBy wanted = frame.choice ? frame.choice->by() : FullscreenBy::Fragment;
-    if (!program.has(wanted)) return otherThan(wanted);
-    if (frame.choice && frame.choice->isDecided()) program.release(otherThan(wanted));
+FullscreenMethod chooseFor(const FrameContext& frame, FullscreenProgram& program) {
+    const FullscreenMethod wanted = frame.choice ? frame.choice->by() : FullscreenMethod::Fragment;
+    if (!program.has(wanted)) return otherMethod(wanted);
+    if (frame.choice && frame.choice->isDecided()) program.release(otherMethod(wanted));
     return wanted;
 }
 
@@ -52,16 +52,16 @@ private:
 FullscreenDraw::FullscreenDraw(const FrameContext& frame, FullscreenProgram& program, const FullscreenTargets& into)
     : m_frame(frame), m_into(into), m_by(chooseFor(frame, program)), m_program(program) {
     assert(program.kind().limited == (into.depth != nullptr) && "a limited program needs a depth buffer, the others have none");
-    if (m_by == FullscreenBy::Fragment || !into.clear.empty()) into.pool.framebuffer(into.colors, into.depth).begin();
+    if (m_by == FullscreenMethod::Fragment || !into.clear.empty()) into.pool.framebuffer(into.colors, into.depth).begin();
     for (size_t i = 0; i < into.clear.size(); ++i) glClearBufferfv(GL_COLOR, GLint(i), glm::value_ptr(into.clear[i]));
     this->program().use();
     this->program().set("uTexelSize", 1.0f / glm::vec2(into.colors[0]->size()));
 }
 
 void FullscreenDraw::run() const {
-    m_by == FullscreenBy::Fragment ? rasterize() : dispatch();
+    m_by == FullscreenMethod::Fragment ? rasterize() : dispatch();
     ++m_frame.figures.drawCalls;
-    if (m_frame.choice) m_frame.choice->noteDraw(m_by);
+    if (m_frame.choice) m_frame.choice->recordDraw(m_by);
 }
 
 void FullscreenDraw::rasterize() const {

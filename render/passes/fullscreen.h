@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble {
 
@@ -28,7 +28,7 @@ private:
 
     const FrameContext& m_frame;
     const FullscreenTargets& m_into;
-    FullscreenBy m_by;
+    FullscreenMethod m_by;
     FullscreenProgram& m_program;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 #include "render/scene/body_tiles.h"
 #include "render/scene/detail_maps.h"
 
@@ -11,7 +11,7 @@ namespace rubble {
 /// number of bodies: each pixel walks through those of its tile, nearest first, and stops where the next one's box is farther.
 class GBufferPass {
 public:
-    static constexpr int kMostDraws = 1;
+    static constexpr int kMaxDraws = 1;
     static constexpr float kSkyDepth = 65000.0f;  ///< as in lib/gbuffer.glsl
 
     explicit GBufferPass(ShaderLibrary& shaders);

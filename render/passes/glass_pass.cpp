@@ -8,7 +8,7 @@ namespace rubble {
 GlassPass::GlassPass(ShaderLibrary& shaders)
     : m_mask(shaders.load("passes/glass_mask.frag", "passes/tiles.vert")),
       m_program(shaders.load("passes/glass.frag", "passes/tiles.vert")),
-      m_over(shaders.load("passes/panes.frag", "passes/tiles.vert")) {}
+      m_over(shaders.load("passes/glass_composite.frag", "passes/tiles.vert")) {}
 
 void GlassPass::draw(const FrameContext& frame, const BodyTiles& tiles) const {
     const Texture& tint = frame.targets.target("glassTint", GL_RGBA8);
@@ -37,7 +37,7 @@ void GlassPass::draw(const FrameContext& frame, const BodyTiles& tiles) const {
 void GlassPass::drawMask(const FrameContext& frame, const BodyTiles& tiles) const {
     m_mask.use();
     tiles.bind(m_mask, BodyTiles::Which::Glass);
-    m_mask.set("uGlass", frame.targets.at("glassMask"));
+    m_mask.set("uGlassMask", frame.targets.at("glassMask"));
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthFunc(GL_ALWAYS);
     tiles.drawTiles(m_mask, BodyTiles::Which::Glass, frame.emptyVertexArray);
@@ -54,9 +54,9 @@ void GlassPass::drawOver(const FrameContext& frame, const BodyTiles& tiles) cons
     m_over.use();
     tiles.bind(m_over, BodyTiles::Which::Glass);
     const bool reflections = ReflectionsPass::needed(frame);
-    m_over.set("uReflections", int(reflections));
+    m_over.set("uHasReflections", int(reflections));
     if (reflections) m_over.set("uReflection", frame.targets.at("reflection"));
-    m_over.set("uBends", int(frame.settings.refraction));
+    m_over.set("uRefraction", int(frame.settings.refraction));
     m_over.set("uBehind", behind);
     m_over.set("uDepth", frame.targets.at("depth"));
     m_over.set("uGlassTint", frame.targets.at("glassTint"));

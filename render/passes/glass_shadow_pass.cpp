@@ -27,7 +27,7 @@ GlassShadowPass::GlassShadowPass(ShaderLibrary& shaders)
 }
 
 /// In front of the camera, in steps, so that texels stay where they are.
-void GlassShadowPass::frameMap(const FrameContext& frame) {
+void GlassShadowPass::fitMap(const FrameContext& frame) {
     m_sun = glm::vec3(frame.block.sunDirection);
     m_right = glm::normalize(glm::cross(std::abs(m_sun.y) < 0.99f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0), m_sun));
     m_up = glm::cross(m_sun, m_right);
@@ -52,7 +52,7 @@ void GlassShadowPass::listBodies(const FrameContext& frame) {
 
 void GlassShadowPass::draw(const FrameContext& frame) {
     const glm::vec3 before = m_center;
-    frameMap(frame);
+    fitMap(frame);
     if (!m_program || (m_drawn == frame.scene.glassChanges() && before == m_center)) return;
     m_drawn = frame.scene.glassChanges();
     listBodies(frame);
@@ -66,10 +66,10 @@ void GlassShadowPass::draw(const FrameContext& frame) {
     constexpr float kScale = 1.0f / (kSide * kCell);
     m_program.set("uRight", glm::vec4(m_right * kScale, 0.5f - glm::dot(m_right, m_center) * kScale));
     m_program.set("uUp", glm::vec4(m_up * kScale, 0.5f - glm::dot(m_up, m_center) * kScale));
-    m_program.set("uCorner", m_center + m_sun * kHigh - (m_right + m_up) * (0.5f * kSide * kCell));
-    m_program.set("uAlongX", m_right * kCell);
-    m_program.set("uAlongY", m_up * kCell);
-    m_program.set("uHigh", kHigh);
+    m_program.set("uMapCorner", m_center + m_sun * kHigh - (m_right + m_up) * (0.5f * kSide * kCell));
+    m_program.set("uTexelRight", m_right * kCell);
+    m_program.set("uTexelUp", m_up * kCell);
+    m_program.set("uMapHeight", kHigh);
     glBindVertexArray(m_vertexArray.get());
     glBindBuffer(GL_ARRAY_BUFFER, m_orderBuffer.get());
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(m_bodies.size() * sizeof(int)), m_bodies.data(), GL_STREAM_DRAW);

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble {
 
@@ -16,7 +16,7 @@ public:
     void bind(const Program& program) const;
 
 private:
-    void frameMap(const FrameContext& frame);
+    void fitMap(const FrameContext& frame);
     void listBodies(const FrameContext& frame);
 
     const Program& m_program;

@@ -12,9 +12,9 @@
 namespace rubble {
 namespace {
 
-constexpr float kFaintest = 0.01f;  // radiance of a white surface at exposure 1: fainter light gets fewer rays
+constexpr float kFullRayRadiance = 0.01f;  // radiance of a white surface at exposure 1: fainter light gets fewer rays
 
-constexpr int kLongest = LightGrid::kLongestChange;  // frames that highlights are averaged over
+constexpr int kMaxHistory = LightGrid::kMaxChangeFrames;  // frames that highlights are averaged over
 
 /// Where lights have come or gone out.
 void setChanges(const Program& program, const FrameContext& frame) {
@@ -23,8 +23,8 @@ void setChanges(const Program& program, const FrameContext& frame) {
         changes.emplace_back(glm::vec3(change.place - frame.scene.origin()), change.reach);
         changes.emplace_back(float(change.frames + 1));
     }
-    program.set("uChanges", int(changes.size()));
-    if (!changes.empty()) program.set("uChange[0]", std::span<const glm::vec4>(changes));
+    program.set("uLightChangeCount", int(changes.size()));
+    if (!changes.empty()) program.set("uLightChange[0]", std::span<const glm::vec4>(changes));
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ void LocalLightsPass::draw(const FrameContext& frame) const {
     glClearBufferfv(GL_COLOR, 0, none);
     if (!m_program || frame.lightGrid->empty()) return;
     const FullscreenTargets into{.pool = frame.targets,
-                                 .colors = {&frame.targets.target("light", GL_RGBA16F), &specular.current},
+                                 .colors = {&frame.targets.target("noisyLight", GL_RGBA16F), &specular.current},
                                  .depth = &frame.targets.at("depthBuffer"),
                                  .tiles = frame.lightGrid->tiles()};
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
@@ -55,13 +55,13 @@ void LocalLightsPass::draw(const FrameContext& frame) const {
         frame.scene.bindShadow(program);
         frame.lightGrid->bind(program);
         program.set("uBlueNoise", frame.blueNoise);
-        program.set("uLastSpecular", specular.previous);
-        program.set("uLastSurface", surface.previous);
-        program.set("uLastValid", int(frame.settings.temporal && specular.valid && surface.valid));
-        program.set("uLongest", float(kLongest));
+        program.set("uSpecularHistory", specular.previous);
+        program.set("uSurfaceHistory", surface.previous);
+        program.set("uHistoryValid", int(frame.settings.temporal && specular.valid && surface.valid));
+        program.set("uMaxHistory", float(kMaxHistory));
         setChanges(program, frame);
-        program.set("uReflections", int(ReflectionsPass::needed(frame)));
-        program.set("uFaintest", kFaintest / frame.block.exposure.x);
+        program.set("uHasReflections", int(ReflectionsPass::needed(frame)));
+        program.set("uFullRayRadiance", kFullRayRadiance / frame.block.exposure.x);
     });
 }
 

@@ -1,9 +1,9 @@
 #pragma once
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble {
 
-/// Adds local lights to the colour of "light", and what smooth surfaces show of them as "specular", in one draw over the tiles of the
+/// Adds local lights to the colour of "noisyLight", and what smooth surfaces show of them as "specular", in one draw over the tiles of the
 /// view that any of them reaches.
 class LocalLightsPass {
 public:

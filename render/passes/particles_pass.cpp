@@ -41,8 +41,8 @@ std::vector<uint8_t> makePuffTexture() {
     const auto byte = [](float value) { return uint8_t(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f); };
     for (int y = 0; y < kNoiseSize; ++y)
         for (int x = 0; x < kNoiseSize; ++x) {
-            constexpr int kReach = 4;
-            const float here = puffNoise(x, y), right = puffNoise((x + kReach) % kNoiseSize, y), above = puffNoise(x, (y + kReach) % kNoiseSize);
+            constexpr int kSlopeOffset = 4;
+            const float here = puffNoise(x, y), right = puffNoise((x + kSlopeOffset) % kNoiseSize, y), above = puffNoise(x, (y + kSlopeOffset) % kNoiseSize);
             for (const float value : {here, 0.5f + right - here, 0.5f + above - here, 1.0f}) out.push_back(byte(value));
         }
     return out;
@@ -101,7 +101,7 @@ void ParticlesPass::setLights(const FrameContext& frame, const Program& program)
     }
     const size_t count = std::min<size_t>(kLights, strongest.size());
     std::partial_sort(strongest.begin(), strongest.begin() + ptrdiff_t(count), strongest.end());
-    static constexpr std::array kPlaces = {"uLightPlace0", "uLightPlace1", "uLightPlace2", "uLightPlace3"};
+    static constexpr std::array kPlaces = {"uLightPosition0", "uLightPosition1", "uLightPosition2", "uLightPosition3"};
     static constexpr std::array kColors = {"uLightColor0", "uLightColor1", "uLightColor2", "uLightColor3"};
     for (size_t i = 0; i < kLights; ++i) {
         const SnapshotLight* light = i < count ? strongest[i].second : nullptr;

@@ -13,7 +13,7 @@ void bindMirror(const Program& program, const FrameContext& frame) {
     GBufferPass::bind(program, frame.targets);
     const Texture* pane = frame.targets.find("glassSurface");
     const bool glass = pane && frame.scene.hasGlass();
-    program.set("uGlass", int(glass));
+    program.set("uHasGlass", int(glass));
     if (glass) program.set("uGlassSurface", *pane);
 }
 
@@ -28,7 +28,7 @@ bool ReflectionsPass::needed(const FrameContext& frame) {
 
 void ReflectionsPass::draw(const FrameContext& frame) const {
     if (!m_mask || !m_program) return;
-    const Texture& mask = frame.targets.target("mirrorDepth", GL_DEPTH_COMPONENT32F);
+    const Texture& mask = frame.targets.target("reflectionMask", GL_DEPTH_COMPONENT32F);
     frame.targets.framebuffer({}, &mask).begin();
     const float farthest = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &farthest);
@@ -44,7 +44,7 @@ void ReflectionsPass::draw(const FrameContext& frame) const {
         bindMirror(program, frame);
         frame.scene.bindShadow(program);
         bindBounce(program, frame, BounceRays::Mirrored);
-        program.set("uLight", frame.targets.at("lighting"));
+        program.set("uLight", frame.targets.at("denoisedLight"));
         program.set("uBlueNoise", frame.blueNoise);
     });
 }

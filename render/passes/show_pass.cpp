@@ -11,7 +11,7 @@ void ShowPass::draw(const FrameContext& frame, const Texture& target, Mode mode,
     m_program.use();
     m_program.set("uTarget", target);
     m_program.set("uMode", int(mode));
-    m_program.set("uDot", dot);
+    m_program.set("uStatusDot", dot);
     frame.drawFullscreen();
 }
 

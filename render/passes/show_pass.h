@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble {
 

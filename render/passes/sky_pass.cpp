@@ -12,15 +12,15 @@ SkyPass::SkyPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("pas
 void SkyPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
     TargetPool& targets = frame.targets;
-    const FullscreenTargets into{targets, {&targets.target("light", GL_RGBA16F), &targets.target("nearness", GL_R8)}, &targets.at("depthBuffer")};
+    const FullscreenTargets into{targets, {&targets.target("noisyLight", GL_RGBA16F), &targets.target("hitProximity", GL_R8)}, &targets.at("depthBuffer")};
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         GBufferPass::bind(program, targets);
         frame.scene.bindShadow(program);
         bindBounce(program, frame, BounceRays::Gathered);
         program.set("uBlueNoise", frame.blueNoise);
-        program.set("uLastLight", targets.history("accumulated", GL_RGBA16F).previous);
-        program.set("uRays", frame.settings.skyRays);
-        program.set("uExactFor", frame.settings.skyExactFor);
+        program.set("uLightHistory", targets.history("accumulatedLight", GL_RGBA16F).previous);
+        program.set("uRayCount", frame.settings.skyRays);
+        program.set("uExactDistance", frame.settings.skyExactDistance);
     });
 }
 

@@ -1,9 +1,9 @@
 #pragma once
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble {
 
-/// Writes the colour of "light": mean radiance from the sky and from what hides it; and "nearness", how near that is.
+/// Writes the colour of "noisyLight": mean radiance from the sky and from what hides it; and "hitProximity", how near that is.
 class SkyPass {
 public:
     explicit SkyPass(ShaderLibrary& shaders);

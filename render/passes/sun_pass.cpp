@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-constexpr float kReach = 200.0f;  // metres: beyond it nothing throws a shadow that is seen
+constexpr float kMaxDistance = 200.0f;  // metres: beyond it nothing throws a shadow that is seen
 
 }  // namespace
 
@@ -16,13 +16,13 @@ SunPass::SunPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("pas
 void SunPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
     TargetPool& targets = frame.targets;
-    drawFullscreen(frame, m_program, {targets, {&targets.target("light", GL_RGBA16F)}, &targets.at("depthBuffer")}, [&](const Program& program) {
+    drawFullscreen(frame, m_program, {targets, {&targets.target("noisyLight", GL_RGBA16F)}, &targets.at("depthBuffer")}, [&](const Program& program) {
         GBufferPass::bind(program, targets);
         frame.scene.bindShadow(program);
         frame.scene.bindSmoke(program);
         program.set("uBlueNoise", frame.blueNoise);
-        program.set("uRays", frame.settings.sunRays);
-        program.set("uReach", kReach);
+        program.set("uRayCount", frame.settings.sunRays);
+        program.set("uMaxDistance", kMaxDistance);
     });
 }
 

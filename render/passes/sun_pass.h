@@ -1,9 +1,9 @@
 #pragma once
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble {
 
-/// Writes the alpha of "light": the share of the sun's disc that each pixel sees.
+/// Writes the alpha of "noisyLight": the share of the sun's disc that each pixel sees.
 class SunPass {
 public:
     explicit SunPass(ShaderLibrary& shaders);

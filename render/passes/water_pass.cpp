@@ -13,22 +13,22 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kMostCorners = 32;
-constexpr size_t kMostRipples = 64;
+constexpr size_t kMaxCorners = 32;
+constexpr size_t kMaxRipples = 64;
 constexpr float kRingSpeed = 0.9f;                                                      // m/s
 constexpr std::array kOutlines = {"uOutline0", "uOutline1", "uOutline2", "uOutline3"};  // 8 corners each
 
 void setWater(const Program& program, const Scene& scene, const Water& water) {
     const glm::dvec3 origin = scene.origin();
     std::array<glm::mat4, kOutlines.size()> corners{};
-    const size_t count = std::min(water.outline.size(), kMostCorners);
+    const size_t count = std::min(water.outline.size(), kMaxCorners);
     for (size_t i = 0; i < count; ++i) {
         glm::vec4& pair = corners[i / 8][int(i % 8 / 2)];
         (i % 2 ? pair.z : pair.x) = float(water.outline[i].x - origin.x);
         (i % 2 ? pair.w : pair.y) = float(water.outline[i].z - origin.z);
     }
     for (size_t i = 0; i < kOutlines.size(); ++i) program.set(kOutlines[i], corners[i]);
-    program.set("uCorners", int(count));
+    program.set("uCornerCount", int(count));
     program.set("uSurface", float(water.surface - origin.y));
     program.set("uColor", water.color);
     program.set("uClarity", water.clarity);
@@ -39,10 +39,10 @@ void setWater(const Program& program, const Scene& scene, const Water& water) {
 /// The rings on this water, as the shader reads them: where the crest is and how high it still stands.
 void setRipples(const Program& program, const Scene& scene, const Water& water) {
     const glm::dvec3 origin = scene.origin();
-    std::array<glm::vec4, kMostRipples> rings;
+    std::array<glm::vec4, kMaxRipples> rings;
     int count = 0;
     for (const SnapshotRipple& ripple : scene.ripples()) {
-        if (ripple.surface != water.surface || size_t(count) == kMostRipples) continue;
+        if (ripple.surface != water.surface || size_t(count) == kMaxRipples) continue;
         const float radius = ripple.radius + kRingSpeed * ripple.age;
         const float fade = std::exp(-1.2f * ripple.age) * std::min(ripple.age * 8.0f, 1.0f) * std::sqrt((ripple.radius + 0.3f) / (radius + 0.3f));
         rings[size_t(count++)] = {float(ripple.place.x - origin.x), float(ripple.place.y - origin.z), radius, ripple.strength * fade};

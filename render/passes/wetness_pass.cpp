@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr float kRoofReach = 60.0f;  // metres
+constexpr float kRoofDistance = 60.0f;  // metres
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void WetnessPass::draw(const FrameContext& frame) const {
         program.set("uMaterial", dryMaterial);
         frame.scene.bindShadow(program);
         program.set("uBlueNoise", frame.blueNoise);
-        program.set("uReach", kRoofReach);
+        program.set("uMaxDistance", kRoofDistance);
     });
 }
 

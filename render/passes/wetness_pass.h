@@ -1,5 +1,5 @@
 #pragma once
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble {
 

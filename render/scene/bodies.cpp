@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr uint32_t kNoTable = ~0u;
+constexpr uint32_t kNoBrickTable = ~0u;
 constexpr uint32_t kHasGlass = 1, kHasPaint = 2;  // as in lib/bodies.glsl
 
 glm::vec4 packed(glm::quat q) {
@@ -49,7 +49,7 @@ void Bodies::create(const SnapshotShape& given) {
     if (slot >= m_shapes.size()) {
         m_shapes.resize(slot + 1);
         m_instances.resize(slot + 1);
-        m_placements.resize(slot + 1);
+        m_transforms.resize(slot + 1);
         m_layouts.resize(slot + 1);
     }
     auto shape = std::make_unique<Shape>();
@@ -61,7 +61,7 @@ void Bodies::create(const SnapshotShape& given) {
     shape->bricks.resize(nodes);
     shape->firstNode = m_nodeRanges.take(nodes);
     m_nodes.resize(std::max<size_t>(m_nodes.size(), m_nodeRanges.end()));
-    for (uint32_t n = 0; n < nodes; ++n) m_nodes.change(shape->firstNode + n) = Node{{0, 0}, kNoTable, 0};
+    for (uint32_t n = 0; n < nodes; ++n) m_nodes.change(shape->firstNode + n) = Node{{0, 0}, kNoBrickTable, 0};
 
     m_instances[slot] = Instance{};
     m_instances[slot].voxelSize = given.voxelSize;
@@ -96,7 +96,7 @@ void Bodies::release(Shape& shape, uint32_t slot) {
     m_nodeRanges.give(shape.firstNode, uint32_t(shape.bricks.size()));
     m_glassShapes -= m_instances[slot].glass;
     m_mirrorShapes -= m_instances[slot].mirror;
-    if (shape.palette) releasePalette(shape.palette.get());
+    if (shape.palette) releaseGpuPalette(shape.palette.get());
     shape.palette = nullptr;
 }
 
@@ -156,16 +156,16 @@ void Bodies::updateBounds(uint32_t slot) {
     m_layouts.change(slot).high = glm::ivec4(high, 0);
 }
 
-uint32_t Bodies::acquirePalette(const PaletteRef& palette) {
+uint32_t Bodies::acquireGpuPalette(const PaletteRef& palette) {
     PaletteUse& use = m_paletteUses[palette.get()];
     if (use.references++) return use.slot;
     use.palette = palette;
     use.slot = m_paletteSlots.take();
     m_palettes.resize(std::max<size_t>(m_palettes.size(), m_paletteSlots.end()));
-    PackedPalette& packedPalette = m_palettes.change(use.slot);
+    GpuPalette& gpuPalette = m_palettes.change(use.slot);
     for (size_t i = 0; i < 256; ++i) {
         const PaletteEntry& e = (*palette)[i];
-        uint32_t* to = packedPalette.entry[i];
+        uint32_t* to = gpuPalette.entry[i];
         to[0] = uint32_t(e.red) | uint32_t(e.green) << 8 | uint32_t(e.blue) << 16 | uint32_t(e.opacity) << 24;
         to[1] = uint32_t(e.roughness) | uint32_t(e.metallic) << 8 | uint32_t(e.reflectivity) << 16 | uint32_t(e.material) << 24;
         to[2] = std::bit_cast<uint32_t>(e.emission);
@@ -176,7 +176,7 @@ uint32_t Bodies::acquirePalette(const PaletteRef& palette) {
     return use.slot;
 }
 
-void Bodies::releasePalette(const Palette* palette) {
+void Bodies::releaseGpuPalette(const Palette* palette) {
     const auto found = m_paletteUses.find(palette);
     if (--found->second.references) return;
     m_paletteSlots.give(found->second.slot);
@@ -185,8 +185,8 @@ void Bodies::releasePalette(const Palette* palette) {
 }
 
 void Bodies::usePalette(Shape& shape, uint32_t slot, const PaletteRef& palette) {
-    const uint32_t paletteSlot = acquirePalette(palette);
-    if (shape.palette) releasePalette(shape.palette.get());
+    const uint32_t paletteSlot = acquireGpuPalette(palette);
+    if (shape.palette) releaseGpuPalette(shape.palette.get());
     shape.palette = palette;
     const bool glass = hasGlassEntry(*palette);
     m_glassShapes += int(glass) - int(m_instances[slot].glass);
@@ -202,7 +202,7 @@ void Bodies::usePalette(Shape& shape, uint32_t slot, const PaletteRef& palette) 
 void Bodies::usePaint(uint32_t slot, const PaintColorsRef& colors) {
     uint32_t& flags = m_layouts.change(slot).flags;
     flags = (flags & ~kHasPaint) | (colors ? kHasPaint : 0);
-    if (colors) m_atlas.needPaint().setColors(slot, *colors);
+    if (colors) m_atlas.ensurePaint().setColors(slot, *colors);
 }
 
 void Bodies::setPalette(const SnapshotPalette& given) {
@@ -247,7 +247,7 @@ uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld) {
             if (m_shapes[slot]->moving) still.push_back(slot);
         }
     m_moving = std::move(still);
-    return m_nodes.upload() + m_tables.upload() + m_placements.upload() + m_layouts.upload() + m_palettes.upload();
+    return m_nodes.upload() + m_tables.upload() + m_transforms.upload() + m_layouts.upload() + m_palettes.upload();
 }
 
 uint64_t Bodies::newBytes(const FrameSnapshot& snapshot) const {
@@ -261,7 +261,7 @@ uint64_t Bodies::hold(const FrameSnapshot& snapshot) {
     return m_atlas.queued();
 }
 
-void Bodies::letGo(const FrameSnapshot& snapshot) {
+void Bodies::releaseBricks(const FrameSnapshot& snapshot) {
     forEachBrick(snapshot, [&](const BrickRef& brick) { m_atlas.release(brick.get()); });
 }
 
@@ -269,8 +269,8 @@ void Bodies::place(uint32_t slot, float alpha, glm::dvec3 originWorld) {
     Shape& shape = *m_shapes[slot];
     const glm::dvec3 position = glm::mix(shape.previous.position, shape.current.position, double(alpha)) - originWorld;
     const glm::quat rotation = glm::normalize(glm::slerp(glm::quat(shape.previous.rotation), glm::quat(shape.current.rotation), alpha));
-    Placement& to = m_placements.change(slot);
-    const Placement last = to;
+    InstanceTransform& to = m_transforms.change(slot);
+    const InstanceTransform last = to;
     to.rotation = packed(rotation);
     to.position = glm::vec4(glm::vec3(position), shape.voxelSize);
     to.lastRotation = shape.placed ? last.rotation : to.rotation;
@@ -289,14 +289,14 @@ void Bodies::bind(const Program& program) const {
     program.set("uBrickIndices", m_atlas.indices());
     program.set("uNodes", m_nodes.texture());
     program.set("uTables", m_tables.texture());
-    program.set("uPlacements", m_placements.texture());
+    program.set("uTransforms", m_transforms.texture());
     program.set("uLayouts", m_layouts.texture());
     program.set("uPalettes", m_palettes.texture());
     if (m_atlas.paint()) m_atlas.paint()->bind(program);
 }
 
 uint64_t Bodies::bytes() const {
-    return m_atlas.bytes() + m_nodes.texture().bytes() + m_tables.texture().bytes() + m_placements.texture().bytes() + m_layouts.texture().bytes() +
+    return m_atlas.bytes() + m_nodes.texture().bytes() + m_tables.texture().bytes() + m_transforms.texture().bytes() + m_layouts.texture().bytes() +
            m_palettes.texture().bytes();
 }
 

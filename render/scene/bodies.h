@@ -5,7 +5,7 @@
 #include "render/gl/program.h"
 #include "render/scene/brick_atlas.h"
 #include "render/scene/detail_maps.h"
-#include "render/scene/mirrored_buffer.h"
+#include "render/scene/staged_buffer.h"
 #include "runtime/frame/frame_snapshot.h"
 
 namespace rubble {
@@ -50,13 +50,13 @@ public:
     /// Has a snapshot's bricks sent before the snapshot is applied. Returns what bricksSent() must have come to.
     uint64_t hold(const FrameSnapshot& snapshot);
     /// After the snapshot was applied.
-    void letGo(const FrameSnapshot& snapshot);
+    void releaseBricks(const FrameSnapshot& snapshot);
     uint64_t bricksSent() const { return m_atlas.sent(); }
     uint64_t waitingBytes() const { return (m_atlas.queued() - m_atlas.sent()) * BrickAtlas::kBrickBytes; }
     /// Sets the samplers of lib/bodies.glsl. The program must be in use.
     void bind(const Program& program) const;
 
-    /// Slots of the instances that the last beginFrame() placed, gave other bounds, or found gone.
+    /// IndexAllocator of the instances that the last beginFrame() placed, gave other bounds, or found gone.
     const std::vector<uint32_t>& touched() const { return m_touched; }
     /// By slot; those with nothing in them are empty().
     const std::vector<Instance>& instances() const { return m_instances; }
@@ -80,10 +80,10 @@ private:
     struct Table {
         uint32_t entry[64] = {};  ///< slot << 8 | occupied 4x4x4 words
     };
-    struct Placement {
+    struct InstanceTransform {
         glm::vec4 rotation{0, 0, 0, 1}, position{0}, lastRotation{0, 0, 0, 1}, lastPosition{0};
     };
-    struct PackedPalette {
+    struct GpuPalette {
         uint32_t entry[256][4] = {};
     };
     struct Shape {
@@ -101,8 +101,8 @@ private:
     void release(Shape& shape, uint32_t slot);
     void putBrick(Shape& shape, glm::ivec3 brick, const BrickRef& content);
     void updateBounds(uint32_t slot);
-    uint32_t acquirePalette(const PaletteRef& palette);
-    void releasePalette(const Palette* palette);
+    uint32_t acquireGpuPalette(const PaletteRef& palette);
+    void releaseGpuPalette(const Palette* palette);
     void usePalette(Shape& shape, uint32_t slot, const PaletteRef& palette);
     /// Colours and flag of the shape's paint layer.
     void usePaint(uint32_t slot, const PaintColorsRef& colors);
@@ -114,13 +114,13 @@ private:
         bool detail = false;  ///< an entry has a detail map
     };
     BrickAtlas m_atlas;
-    MirroredBuffer<Node> m_nodes{GL_RGBA32UI, "brick directory"};
-    MirroredBuffer<Table> m_tables{GL_R32UI, "brick tables"};
-    MirroredBuffer<Placement> m_placements{GL_RGBA32F, "instances"};
-    MirroredBuffer<Layout> m_layouts{GL_RGBA32UI, "shape layouts"};
-    MirroredBuffer<PackedPalette> m_palettes{GL_RGBA32UI, "palettes"};
-    Ranges m_nodeRanges;
-    Slots m_tableSlots, m_paletteSlots;
+    StagedBuffer<Node> m_nodes{GL_RGBA32UI, "brick directory"};
+    StagedBuffer<Table> m_tables{GL_R32UI, "brick tables"};
+    StagedBuffer<InstanceTransform> m_transforms{GL_RGBA32F, "instances"};
+    StagedBuffer<Layout> m_layouts{GL_RGBA32UI, "shape layouts"};
+    StagedBuffer<GpuPalette> m_palettes{GL_RGBA32UI, "palettes"};
+    RangeAllocator m_nodeRanges;
+    IndexAllocator m_tableSlots, m_paletteSlots;
     std::array<uint8_t, 256> m_detailMaps = DetailMaps::mapsOf({});  ///< of materials
     std::unordered_map<const Palette*, PaletteUse> m_paletteUses;
     std::vector<std::unique_ptr<Shape>> m_shapes;  ///< by the handle's slot

@@ -12,20 +12,20 @@ namespace rubble {
 /// as large as it is: whatever its size it costs some tens of entries. Buckets are not told apart: who asks looks into the body.
 class BodyGrid {
 public:
-    static constexpr float kFinest = 1.6f;  ///< metres: side of a cell at level 0; four times as large at each next one
+    static constexpr float kFinestCell = 1.6f;  ///< metres: side of a cell at level 0; four times as large at each next one
     static constexpr int kLevels = 6;
 
     /// Enters a body where it is now, or takes it out if it is empty.
     void put(uint32_t slot, const Bodies::Instance& body);
     /// Returns the bytes sent.
-    uint64_t upload() { return m_firsts.upload() + m_entries.upload(); }
+    uint64_t upload() { return m_bucketHeads.upload() + m_entries.upload(); }
     /// Sets the samplers of lib/voxel_at.glsl. The program must be in use.
     void bind(const Program& program) const;
 
-    /// Slots of the bodies listed for a point, as the shader goes through them.
+    /// IndexAllocator of the bodies listed for a point, as the shader goes through them.
     std::vector<uint32_t> bodiesAt(glm::vec3 point) const;
     uint32_t entries() const { return m_slots.used(); }
-    uint64_t bytes() const { return m_firsts.texture().bytes() + m_entries.texture().bytes(); }
+    uint64_t bytes() const { return m_bucketHeads.texture().bytes() + m_entries.texture().bytes(); }
 
 private:
     struct Cells {
@@ -44,11 +44,11 @@ private:
     void unlink(uint32_t slot);
     void grow();
 
-    std::vector<Cells> m_where;  ///< by slot
+    std::vector<Cells> m_cellsOfBody;  ///< by slot
     int m_levels = 0;            ///< the lowest ones, that were ever used
-    MirroredBuffer<uint32_t> m_firsts{GL_R32UI, "body grid"};
-    MirroredBuffer<Entry> m_entries{GL_RG32UI, "body grid's entries"};
-    Slots m_slots;  ///< of m_entries
+    StagedBuffer<uint32_t> m_bucketHeads{GL_R32UI, "body grid"};
+    StagedBuffer<Entry> m_entries{GL_RG32UI, "body grid's entries"};
+    IndexAllocator m_slots;  ///< of m_entries
 };
 
 }  // namespace rubble

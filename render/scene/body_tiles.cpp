@@ -5,13 +5,13 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble {
 namespace {
 
-constexpr int kSmallestTileShift = 3;  // 8x8 pixels
-constexpr int kMostTiles = 4096;
+constexpr int kMinTileShift = 3;  // 8x8 pixels
+constexpr int kMaxTiles = 4096;
 
 /// Planes through the camera, pointing inwards: left, right, bottom, top.
 std::array<glm::vec3, 4> sidePlanes(const FrameBlock& b) {
@@ -65,9 +65,9 @@ uint32_t packed(glm::ivec3 size) {
 
 void BodyTiles::update(const Bodies& bodies, const FrameBlock& block) {
     const glm::ivec2 size(block.targetSize);
-    m_tileShift = kSmallestTileShift;
+    m_tileShift = kMinTileShift;
     const auto tiles = [&] { return (size + (1 << m_tileShift) - 1) >> m_tileShift; };
-    while (tiles().x * tiles().y > kMostTiles) ++m_tileShift;
+    while (tiles().x * tiles().y > kMaxTiles) ++m_tileShift;
     m_tiles = tiles();
     sort(bodies, block);
     m_views.clear();
@@ -171,13 +171,13 @@ void BodyTiles::fill(Lists& lists, const std::vector<Span>& spans) const {
 
 void BodyTiles::bind(const Program& program, Which which) const {
     program.set("uBodyViews", m_viewTexture);
-    program.set("uTileFirsts", list(which).firstTexture);
+    program.set("uTileOffsets", list(which).firstTexture);
     program.set("uTileBodies", list(which).entryTexture);
     program.set("uTileGrid", glm::ivec2(m_tiles.x, m_tileShift));
 }
 
 void BodyTiles::drawTiles(const Program& program, Which which, const VertexArray& empty) const {
-    program.set("uTileNumbers", list(which).tileTexture);
+    program.set("uTileIds", list(which).tileTexture);
     glBindVertexArray(empty.get());
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, GLsizei(list(which).tiles.size()));
 }

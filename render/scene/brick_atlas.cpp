@@ -36,7 +36,7 @@ uint32_t BrickAtlas::acquire(const BrickRef& brick) {
         m_bySlot[entry.slot] = brick.get();
         m_pending.push_back(entry.slot);
         ++m_queued;
-        if (brick->paint) needPaint().put(entry.slot, *brick);
+        if (brick->paint) ensurePaint().put(entry.slot, *brick);
     }
     ++entry.references;
     return entry.slot;
@@ -52,7 +52,7 @@ void BrickAtlas::release(const Brick* brick) {
     m_entries.erase(found);
 }
 
-PaintAtlas& BrickAtlas::needPaint() {
+PaintAtlas& BrickAtlas::ensurePaint() {
     if (!m_paint) m_paint = std::make_unique<PaintAtlas>();
     return *m_paint;
 }

@@ -5,7 +5,7 @@
 
 #include "render/gl/texture.h"
 #include "render/scene/paint_atlas.h"
-#include "render/scene/slots.h"
+#include "render/scene/index_allocator.h"
 #include "runtime/voxel/brick.h"
 
 namespace rubble {
@@ -32,7 +32,7 @@ public:
     /// Null until a brick with paint has come.
     PaintAtlas* paint() { return m_paint.get(); }
     const PaintAtlas* paint() const { return m_paint.get(); }
-    PaintAtlas& needPaint();
+    PaintAtlas& ensurePaint();
     const BufferTexture& words() const { return m_words; }
     const BufferTexture& indices() const { return m_indices; }
 
@@ -48,7 +48,7 @@ private:
     std::vector<const Brick*> m_bySlot;
     std::vector<uint32_t> m_pending;  ///< slots to upload, in the order acquired
     uint64_t m_queued = 0;
-    Slots m_slots;
+    IndexAllocator m_slots;
     BufferTexture m_words{GL_RG32UI};   ///< 8 texels a brick
     BufferTexture m_indices{GL_R32UI};  ///< 128 texels a brick
     std::unique_ptr<PaintAtlas> m_paint;

@@ -15,7 +15,7 @@ struct Grain {
     const char* material;
     float speckle;       ///< how far each voxel differs from the next
     float blotch;        ///< how far patches of some voxels differ
-    float tilt;          ///< of faces, of kMostTilt
+    float tilt;          ///< of faces, of kMaxTilt
     float roughness;     ///< how far it varies
     int streak = 1;      ///< voxels along the tile's first axis that share their speckle: grain of wood, brushing of metal
     float pores = 0.0f;  ///< share of voxels that are dark holes

@@ -9,15 +9,15 @@
 #include <optional>
 #include <utility>
 
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 #include "runtime/core/log.h"
 
 namespace rubble {
 namespace {
 
 constexpr int kTilePixels = 32;  // these three as in lib/local_lights.glsl
-constexpr int kAlwaysLooked = 12;
-constexpr int kTexelsALight = 7;
+constexpr int kAlwaysWeighed = 12;
+constexpr int kTexelsPerLight = 7;
 constexpr int kSlices = 12;  // two each time the depth doubles, from 1 m: the last one goes on for ever
 
 int sliceAt(float depth) {
@@ -36,7 +36,7 @@ float brightness(const SnapshotLight& light) {
 }
 
 /// The sphere that a light's reach fits into: for cones narrower than a right angle less than all around.
-glm::vec4 reachOf(const SnapshotLight& light, glm::dvec3 origin) {
+glm::vec4 boundingSphere(const SnapshotLight& light, glm::dvec3 origin) {
     const glm::vec3 place(light.position - origin);
     const float all = light.reach + extentOf(light);
     if (light.kind != LightKind::Cone || light.coneOuter > 0.78f) return {place, all};
@@ -64,10 +64,10 @@ std::optional<glm::ivec2> tilesAlong(float along, float depth, float radius, flo
 
 }  // namespace
 
-void LightGrid::listReaches(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin) {
-    m_reaches.clear();
+void LightGrid::listVisibleLights(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin) {
+    m_visible.clear();
     for (size_t i = 0; i < lights.size(); ++i) {
-        const glm::vec4 sphere = reachOf(lights[i], origin);
+        const glm::vec4 sphere = boundingSphere(lights[i], origin);
         const glm::vec3 toCentre = glm::vec3(sphere) - glm::vec3(block.cameraPosition);
         const float depth = glm::dot(toCentre, glm::vec3(block.cameraForward));
         if (!(depth + sphere.w > 0.0f) || !(lights[i].reach > 0.0f) || !(brightness(lights[i]) > 0.0f)) continue;
@@ -75,14 +75,14 @@ void LightGrid::listReaches(std::span<const SnapshotLight> lights, const FrameBl
         const auto across = tilesAlong(seen.x, depth, sphere.w, block.cameraRight.w, block.targetSize.x);
         const auto up = tilesAlong(seen.y, depth, sphere.w, block.cameraUp.w, block.targetSize.y);
         if (!across || !up) continue;
-        m_reaches.push_back({int(i), {seen, sphere.w}, {across->x, up->x, sliceAt(depth - sphere.w)}, {across->y, up->y, sliceAt(depth + sphere.w)}});
+        m_visible.push_back({int(i), {seen, sphere.w}, {across->x, up->x, sliceAt(depth - sphere.w)}, {across->y, up->y, sliceAt(depth + sphere.w)}});
     }
-    std::stable_sort(m_reaches.begin(), m_reaches.end(),
-                     [&](const Reach& a, const Reach& b) { return brightness(lights[size_t(a.light)]) > brightness(lights[size_t(b.light)]); });
+    std::stable_sort(m_visible.begin(), m_visible.end(),
+                     [&](const VisibleLight& a, const VisibleLight& b) { return brightness(lights[size_t(a.light)]) > brightness(lights[size_t(b.light)]); });
 }
 
 /// Whether the sphere meets the box around a cell.
-bool LightGrid::touches(const Reach& reach, glm::ivec3 cell, const FrameBlock& block) const {
+bool LightGrid::touches(const VisibleLight& reach, glm::ivec3 cell, const FrameBlock& block) const {
     const float nearest = cell.z == 0 ? 0.0f : std::exp2(0.5f * float(cell.z));
     const float farthest = cell.z + 1 == kSlices ? block.cameraForward.w : std::exp2(0.5f * float(cell.z + 1));
     const auto aside = [&](int axis, float tangent) {
@@ -98,8 +98,8 @@ bool LightGrid::touches(const Reach& reach, glm::ivec3 cell, const FrameBlock& b
 void LightGrid::fillCells(const FrameBlock& block) {
     m_pairs.clear();
     const auto cellAt = [&](int x, int y, int slice) { return uint32_t(x + m_size.x * (y + m_size.y * slice)); };
-    for (size_t i = 0; i < m_reaches.size(); ++i) {
-        const Reach& reach = m_reaches[i];
+    for (size_t i = 0; i < m_visible.size(); ++i) {
+        const VisibleLight& reach = m_visible[i];
         for (int y = reach.low.y; y <= reach.high.y; ++y)
             for (int x = reach.low.x; x <= reach.high.x; ++x) {
                 const size_t before = m_pairs.size();
@@ -120,11 +120,11 @@ void LightGrid::fillCells(const FrameBlock& block) {
 }
 
 /// In cells of more lights than a pixel looks at, those that are strongest at the cell's middle come first.
-void LightGrid::bringNearForward(const FrameBlock& block) {
+void LightGrid::moveStrongestFirst(const FrameBlock& block) {
     std::vector<std::pair<float, uint32_t>> byStrength;
     for (size_t i = 0; i < m_cells.size(); ++i) {
         const glm::uvec2 cell = m_cells[i];
-        if (cell.y <= 2 * kAlwaysLooked) continue;
+        if (cell.y <= 2 * kAlwaysWeighed) continue;
         const int slice = int(i) / tiles(), x = int(i) % m_size.x, y = int(i) / m_size.x % m_size.y;
         const float depth = slice == kSlices ? 8.0f : std::exp2(0.5f * (float(slice) + 0.5f));
         const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) * float(kTilePixels) / glm::vec2(block.targetSize) * 2.0f - 1.0f;
@@ -134,19 +134,19 @@ void LightGrid::bringNearForward(const FrameBlock& block) {
         byStrength.clear();
         for (uint32_t k = 0; k < cell.y; ++k) {
             const uint32_t light = m_list[cell.x + k];
-            const glm::vec4 place = m_texels[light * kTexelsALight], rough = m_texels[light * kTexelsALight + 2];
+            const glm::vec4 place = m_texels[light * kTexelsPerLight], rough = m_texels[light * kTexelsPerLight + 2];
             const glm::vec3 away = glm::vec3(place) - middle;
             byStrength.emplace_back(-rough.x / (0.5f + glm::dot(away, away)), light);
         }
-        std::nth_element(byStrength.begin(), byStrength.begin() + kAlwaysLooked, byStrength.end());
+        std::nth_element(byStrength.begin(), byStrength.begin() + kAlwaysWeighed, byStrength.end());
         for (uint32_t k = 0; k < cell.y; ++k) m_list[cell.x + k] = byStrength[k].second;
     }
 }
 
 void LightGrid::fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 origin) {
     m_texels.clear();
-    m_pictures.clear();
-    for (const Reach& reach : m_reaches) {
+    m_imageTexels.clear();
+    for (const VisibleLight& reach : m_visible) {
         const SnapshotLight& light = lights[size_t(reach.light)];
         const bool cone = light.kind == LightKind::Cone;
         // Without a cone its edge lies beyond all directions.
@@ -163,11 +163,11 @@ void LightGrid::fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 ori
         m_texels.emplace_back(light.color, float(shape));
         m_texels.emplace_back(light.direction, outer);
         m_texels.emplace_back(light.right, 0.5f * light.width);
-        m_texels.emplace_back(scale, float(m_pictures.size()), picture ? float(light.image.width + (light.image.height() << 8)) : 0.0f,
+        m_texels.emplace_back(scale, float(m_imageTexels.size()), picture ? float(light.image.width + (light.image.height() << 8)) : 0.0f,
                               float(light.twoSided));
         if (!picture) continue;
         for (const uint32_t texel : light.image.texels)
-            m_pictures.emplace_back(srgbToLinear(uint8_t(texel >> 16)), srgbToLinear(uint8_t(texel >> 8)), srgbToLinear(uint8_t(texel)), 1.0f);
+            m_imageTexels.emplace_back(srgbToLinear(uint8_t(texel >> 16)), srgbToLinear(uint8_t(texel >> 8)), srgbToLinear(uint8_t(texel)), 1.0f);
     }
 }
 
@@ -182,9 +182,9 @@ uint64_t LightGrid::upload() {
         return true;
     };
     const bool fits =
-        send(m_lightsTexture, m_texels) && send(m_cellsTexture, m_cells) && send(m_listTexture, m_list) && send(m_picturesTexture, m_pictures);
+        send(m_lightsTexture, m_texels) && send(m_cellsTexture, m_cells) && send(m_listTexture, m_list) && send(m_imageTexture, m_imageTexels);
     if (!fits) {
-        logError("local lights are not drawn: " + std::to_string(m_reaches.size()) +
+        logError("local lights are not drawn: " + std::to_string(m_visible.size()) +
                  " in view are more than the largest buffer texture of this GL holds");
         m_list.clear();
     }
@@ -192,52 +192,52 @@ uint64_t LightGrid::upload() {
 }
 
 /// Those that are not among the lights now. Fires have no names: if there are fewer or more of them, all may be others.
-std::vector<LightGrid::Last> LightGrid::goneFrom(const std::vector<Last>& before, const std::vector<Last>& now) {
-    const auto isFire = [](const Last& each) { return each.light == LightHandle(); };
+std::vector<LightGrid::PreviousLight> LightGrid::removedFrom(const std::vector<PreviousLight>& before, const std::vector<PreviousLight>& now) {
+    const auto isFire = [](const PreviousLight& each) { return each.light == LightHandle(); };
     const bool firesChanged = std::count_if(before.begin(), before.end(), isFire) != std::count_if(now.begin(), now.end(), isFire);
     std::vector<uint64_t> there;
-    for (const Last& each : now) there.push_back(each.light.bits);
+    for (const PreviousLight& each : now) there.push_back(each.light.bits);
     std::sort(there.begin(), there.end());
-    std::vector<Last> gone;
-    for (const Last& each : before)
+    std::vector<PreviousLight> gone;
+    for (const PreviousLight& each : before)
         if (isFire(each) ? firesChanged : !std::binary_search(there.begin(), there.end(), each.light.bits)) gone.push_back(each);
     return gone;
 }
 
-void LightGrid::addChange(const Last& changed) {
-    if (m_changes.size() < kMostChanges)
+void LightGrid::addChange(const PreviousLight& changed) {
+    if (m_changes.size() < kMaxChanges)
         m_changes.push_back({changed.place, changed.reach, 0});
     else
         m_changes.back() = {changed.place, std::numeric_limits<float>::infinity(), 0};
 }
 
-void LightGrid::noteChange(std::span<const SnapshotLight> lights) {
+void LightGrid::recordChanges(std::span<const SnapshotLight> lights) {
     for (Change& change : m_changes) ++change.frames;
-    std::erase_if(m_changes, [](const Change& change) { return change.frames >= kLongestChange; });
-    const auto lastOf = [](const SnapshotLight& light) { return Last{light.light, light.position, light.reach}; };
+    std::erase_if(m_changes, [](const Change& change) { return change.frames >= kMaxChangeFrames; });
+    const auto lastOf = [](const SnapshotLight& light) { return PreviousLight{light.light, light.position, light.reach}; };
     m_framesSinceChange = std::min(m_framesSinceChange + 1, 1000);
-    const auto isSame = [](const SnapshotLight& light, const Last& last) { return light.light == last.light; };
-    if (std::equal(lights.begin(), lights.end(), m_last.begin(), m_last.end(), isSame)) {
-        std::transform(lights.begin(), lights.end(), m_last.begin(), lastOf);
+    const auto isSame = [](const SnapshotLight& light, const PreviousLight& last) { return light.light == last.light; };
+    if (std::equal(lights.begin(), lights.end(), m_previousLights.begin(), m_previousLights.end(), isSame)) {
+        std::transform(lights.begin(), lights.end(), m_previousLights.begin(), lastOf);
         return;
     }
     m_framesSinceChange = 0;
-    std::vector<Last> now;
+    std::vector<PreviousLight> now;
     std::transform(lights.begin(), lights.end(), std::back_inserter(now), lastOf);
-    for (const Last& gone : goneFrom(m_last, now)) addChange(gone);
-    for (const Last& come : goneFrom(now, m_last)) addChange(come);
-    m_last = std::move(now);
+    for (const PreviousLight& gone : removedFrom(m_previousLights, now)) addChange(gone);
+    for (const PreviousLight& come : removedFrom(now, m_previousLights)) addChange(come);
+    m_previousLights = std::move(now);
 }
 
 uint64_t LightGrid::update(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin) {
     m_size = glm::ivec3(glm::ivec2(glm::ceil(glm::vec2(block.targetSize) / float(kTilePixels))), kSlices);
-    noteChange(lights);
-    listReaches(lights, block, origin);
+    recordChanges(lights);
+    listVisibleLights(lights, block, origin);
     m_list.clear();
-    if (m_reaches.empty()) return 0;
+    if (m_visible.empty()) return 0;
     fillTexels(lights, origin);
     fillCells(block);
-    bringNearForward(block);
+    moveStrongestFirst(block);
     return upload();
 }
 
@@ -246,7 +246,7 @@ std::vector<int> LightGrid::lightsAt(glm::ivec2 pixel, float depth) const {
     if (empty()) return found;
     const glm::ivec2 tile = pixel / kTilePixels;
     const glm::uvec2 cell = m_cells[size_t(tile.x + m_size.x * (tile.y + m_size.y * sliceAt(depth)))];
-    for (uint32_t i = 0; i < cell.y; ++i) found.push_back(m_reaches[m_list[cell.x + i]].light);
+    for (uint32_t i = 0; i < cell.y; ++i) found.push_back(m_visible[m_list[cell.x + i]].light);
     return found;
 }
 
@@ -254,7 +254,7 @@ void LightGrid::bind(const Program& program) const {
     program.set("uLights", m_lightsTexture);
     program.set("uLightCells", m_cellsTexture);
     program.set("uLightList", m_listTexture);
-    program.set("uLightPictures", m_picturesTexture);
+    program.set("uLightImages", m_imageTexture);
     program.set("uLightGrid", m_size);
 }
 

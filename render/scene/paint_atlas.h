@@ -2,8 +2,8 @@
 #include <array>
 
 #include "render/gl/program.h"
-#include "render/scene/mirrored_buffer.h"
-#include "render/scene/slots.h"
+#include "render/scene/staged_buffer.h"
+#include "render/scene/index_allocator.h"
 #include "runtime/voxel/brick.h"
 #include "runtime/voxel/paint_colors.h"
 
@@ -27,10 +27,10 @@ private:
     using Table = std::array<uint32_t, 16>;
     void growTo(uint32_t slots);
 
-    MirroredBuffer<uint32_t> m_numbers{GL_R32UI, "paint of bricks"};
-    MirroredBuffer<BrickIndices> m_paint{GL_R32UI, "paint"};
-    MirroredBuffer<Table> m_colors{GL_R32UI, "colours of paint"};
-    Slots m_free;
+    StagedBuffer<uint32_t> m_numbers{GL_R32UI, "paint of bricks"};
+    StagedBuffer<BrickIndices> m_paint{GL_R32UI, "paint"};
+    StagedBuffer<Table> m_colors{GL_R32UI, "colours of paint"};
+    IndexAllocator m_free;
 };
 
 }  // namespace rubble

@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble {
 namespace {
@@ -16,24 +16,24 @@ constexpr double kRebaseDistance = 1024.0;  // floats are still good to 0.06 mm 
 
 void Scene::apply(FrameSnapshot&& snapshot) {
     if (snapshot.replacesAll) {
-        for (Held& held : m_held) {
+        for (Deferred& held : m_deferred) {
             applyNow(held.snapshot);
-            m_bodies.letGo(held.snapshot);
+            m_bodies.releaseBricks(held.snapshot);
         }
-        m_held.clear();
+        m_deferred.clear();
         m_sendAll = true;
         return applyNow(snapshot);
     }
-    if (m_held.empty() && (m_sendAll || m_bodies.waitingBytes() + m_bodies.newBytes(snapshot) <= m_uploadBudget)) return applyNow(snapshot);
+    if (m_deferred.empty() && (m_sendAll || m_bodies.waitingBytes() + m_bodies.newBytes(snapshot) <= m_uploadBudget)) return applyNow(snapshot);
     const uint64_t bricks = m_bodies.hold(snapshot);
-    m_held.push_back({std::move(snapshot), bricks});
+    m_deferred.push_back({std::move(snapshot), bricks});
 }
 
-void Scene::applyHeld() {
-    while (!m_held.empty() && m_held.front().bricksSent <= m_bodies.bricksSent()) {
-        applyNow(m_held.front().snapshot);
-        m_bodies.letGo(m_held.front().snapshot);
-        m_held.pop_front();
+void Scene::applyDeferred() {
+    while (!m_deferred.empty() && m_deferred.front().bricksSent <= m_bodies.bricksSent()) {
+        applyNow(m_deferred.front().snapshot);
+        m_bodies.releaseBricks(m_deferred.front().snapshot);
+        m_deferred.pop_front();
     }
 }
 
@@ -51,7 +51,7 @@ void Scene::applyNow(FrameSnapshot& snapshot) {
     glassChanged |= touchesGlass(snapshot);  // what comes
     m_glassChanges += uint64_t(glassChanged);
     m_shadow.apply(snapshot.shadow, snapshot.shadowReplacesAll);
-    if (!snapshot.shadowReplacesAll) m_changedPlaces.add(snapshot.shadow);
+    if (!snapshot.shadowReplacesAll) m_dirtyRegions.add(snapshot.shadow);
     if (snapshot.watersChanged) m_waters = std::move(snapshot.waters);
     if (snapshot.replacesAll) m_ripples.clear();
     if (snapshot.ripplesChanged) m_ripples = std::move(snapshot.ripples);
@@ -79,7 +79,7 @@ bool Scene::touchesGlass(const FrameSnapshot& snapshot) const {
 
 uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld) {
     const uint64_t bricks = m_bodies.sendBricks(std::exchange(m_sendAll, false) ? ~uint64_t(0) : m_uploadBudget);
-    applyHeld();
+    applyDeferred();
     const bool rebased = glm::distance(cameraWorld, m_origin) > kRebaseDistance;
     if (rebased) m_origin = glm::round(cameraWorld / kSector) * kSector;
     if (m_smokeChanged || rebased) m_smoke.update(m_particles, m_environment.sunDirection, m_origin);

@@ -6,8 +6,8 @@
 #include "render/gl/program.h"
 #include "render/scene/bodies.h"
 #include "render/scene/body_grid.h"
-#include "render/scene/changed_places.h"
-#include "render/scene/shadow_mirror.h"
+#include "render/scene/dirty_regions.h"
+#include "render/scene/gpu_shadow_volume.h"
 #include "render/scene/smoke_shadow.h"
 #include "runtime/frame/frame_snapshot.h"
 
@@ -41,12 +41,12 @@ public:
     void bindVoxelsAt(const Program& program) const;
     /// Sets the uniforms of lib/smoke_shadow.glsl. The program must be in use.
     void bindSmoke(const Program& program) const { m_smoke.bind(program); }
-    const ShadowMirror& shadow() const { return m_shadow; }
+    const GpuShadowVolume& shadow() const { return m_shadow; }
     /// Its place and extent, for lib/shadow_trace.glsl.
     void describeShadow(FrameBlock& block) const;
     /// Where what casts shadows has changed since endFrame().
-    const ChangedPlaces& changedPlaces() const { return m_changedPlaces; }
-    void endFrame() { m_changedPlaces.clear(); }
+    const DirtyRegions& dirtyRegions() const { return m_dirtyRegions; }
+    void endFrame() { m_dirtyRegions.clear(); }
     /// Any shape with a palette entry of opacity < 255.
     bool hasGlass() const { return m_bodies.hasGlass(); }
     /// How often shapes with glass have changed or moved, or the sun has.
@@ -62,23 +62,23 @@ public:
 private:
     bool isGlass(ShapeHandle shape) const;
     bool touchesGlass(const FrameSnapshot& snapshot) const;
-    struct Held {
+    struct Deferred {
         FrameSnapshot snapshot;
         uint64_t bricksSent;  ///< when it can be applied
     };
     /// Leaves the lists of bricks as they are.
     void applyNow(FrameSnapshot& snapshot);
-    void applyHeld();
+    void applyDeferred();
     uint64_t updateGrid();
 
     Bodies m_bodies;
     std::optional<BodyGrid> m_grid;  ///< while anything mirrors, or bounced light has colours
     bool m_bounceColors = false;
-    std::deque<Held> m_held;  ///< oldest first
+    std::deque<Deferred> m_deferred;  ///< oldest first
     uint64_t m_uploadBudget = ~uint64_t(0);
     bool m_sendAll = false;  ///< a level was loaded
-    ShadowMirror m_shadow;
-    ChangedPlaces m_changedPlaces;
+    GpuShadowVolume m_shadow;
+    DirtyRegions m_dirtyRegions;
     SmokeShadow m_smoke;
     std::vector<SnapshotLight> m_lights;
     std::vector<SnapshotParticle> m_particles;

@@ -9,7 +9,7 @@ namespace rubble {
 namespace {
 
 constexpr int kSide = 64;
-constexpr float kSmallestCell = 0.0625f;
+constexpr float kMinCell = 0.0625f;
 constexpr float kThickness = 1.8f;  ///< optical depth of an opaque puff through its middle
 
 }  // namespace
@@ -22,7 +22,7 @@ void SmokeShadow::update(std::span<const SnapshotParticle> particles, glm::vec3 
     m_up = glm::cross(m_sun, m_right);
     listPuffs(particles, origin);
     if (m_puffs.empty()) return;
-    frameMap();
+    fitMap();
     m_texels.assign(size_t(kSide) * kSide, glm::vec4(0.0f));
     for (const Puff& puff : m_puffs) splat(puff);
     if (!m_map) m_map.emplace(GL_RGBA32F, glm::ivec2(kSide), Filter::Linear);
@@ -38,14 +38,14 @@ void SmokeShadow::listPuffs(std::span<const SnapshotParticle> particles, glm::dv
 }
 
 /// Fits the map around the gas in steps, so that its texels stay where they are from frame to frame.
-void SmokeShadow::frameMap() {
+void SmokeShadow::fitMap() {
     glm::vec2 low(1e30f), high(-1e30f);
     for (const Puff& puff : m_puffs) {
         low = glm::min(low, glm::vec2(puff.place) - puff.radius);
         high = glm::max(high, glm::vec2(puff.place) + puff.radius);
     }
     const float extent = std::max(high.x - low.x, high.y - low.y);
-    m_cell = kSmallestCell;
+    m_cell = kMinCell;
     while (m_cell * (kSide - 4) < extent) m_cell *= 2.0f;
     m_corner = glm::floor(((low + high) * 0.5f) / m_cell) * m_cell - float(kSide / 2) * m_cell;
 }
@@ -66,7 +66,7 @@ void SmokeShadow::splat(const Puff& puff) {
 }
 
 void SmokeShadow::bind(const Program& program) const {
-    program.set("uSmokeThere", int(!m_puffs.empty()));
+    program.set("uHasSmoke", int(!m_puffs.empty()));
     if (m_puffs.empty()) return;
     const float scale = 1.0f / (m_cell * float(kSide));
     program.set("uSmokeMap", *m_map);

@@ -24,7 +24,7 @@ private:
         float radius, thickness;
     };
     void listPuffs(std::span<const SnapshotParticle> particles, glm::dvec3 origin);
-    void frameMap();
+    void fitMap();
     void splat(const Puff& puff);
 
     std::optional<Texture> m_map;

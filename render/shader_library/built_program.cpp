@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "render/shader_library/flat_uniforms.h"
+#include "render/shader_library/uniforms_as_varyings.h"
 
 namespace rubble {
 BuiltProgram::BuiltProgram(std::string fragmentFile, std::string vertexFile)
     : m_fragmentFile(std::move(fragmentFile)), m_vertexFile(std::move(vertexFile)), m_files{m_vertexFile, m_fragmentFile} {}
 
-BuiltProgram::BuiltProgram(std::string fragmentFile, FullscreenKind kind, FullscreenBy by)
-    : BuiltProgram(std::move(fragmentFile), by == FullscreenBy::Fragment ? kind.vertexFile : "") {
+BuiltProgram::BuiltProgram(std::string fragmentFile, FullscreenKind kind, FullscreenMethod by)
+    : BuiltProgram(std::move(fragmentFile), by == FullscreenMethod::Fragment ? kind.vertexFile : "") {
     m_kind = std::move(kind);
     m_by = by;
 }
@@ -23,7 +23,7 @@ bool BuiltProgram::build(const std::filesystem::path& folder, const ShaderBuild&
         return false;
     }
     ShaderSource main = m_by ? asFullscreen(*read, m_kind, *m_by) : *read, place = *vertex;
-    if (m_by == FullscreenBy::Fragment && how.flatUniforms) passUniformsFlat(place, main);
+    if (m_by == FullscreenMethod::Fragment && how.uniformsAsVaryings) passUniformsAsVaryings(place, main);
     m_files = vertex->files;
     m_files.insert(m_files.end(), main.files.begin(), main.files.end());
     m_newest = newest(folder);

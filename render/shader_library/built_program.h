@@ -12,7 +12,7 @@ namespace rubble {
 /// How a GL wants its shaders.
 struct ShaderBuild {
     std::string defines;        ///< see readShader()
-    bool flatUniforms = false;  ///< full-screen fragment programs: see passUniformsFlat()
+    bool uniformsAsVaryings = false;  ///< full-screen fragment programs: see passUniformsAsVaryings()
 };
 
 /// A program, the files that it is built from, and what is wrong with them as they are now.
@@ -21,7 +21,7 @@ public:
     /// Nothing is built yet.
     BuiltProgram(std::string fragmentFile, std::string vertexFile);
     /// Of a shader that covers its targets.
-    BuiltProgram(std::string fragmentFile, FullscreenKind kind, FullscreenBy by);
+    BuiltProgram(std::string fragmentFile, FullscreenKind kind, FullscreenMethod by);
 
     /// From what the files hold now. False on an error; the last good program stays.
     bool build(const std::filesystem::path& folder, const ShaderBuild& how = {});
@@ -38,7 +38,7 @@ private:
 
     std::string m_fragmentFile, m_vertexFile;  ///< no vertex file: a compute program
     FullscreenKind m_kind;
-    std::optional<FullscreenBy> m_by;  ///< none: a plain program
+    std::optional<FullscreenMethod> m_by;  ///< none: a plain program
     std::vector<std::string> m_files;
     std::filesystem::file_time_type m_newest{};
     Program m_program;

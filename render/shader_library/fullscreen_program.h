@@ -13,16 +13,16 @@ public:
     FullscreenProgram(std::string file, FullscreenKind kind) : m_file(std::move(file)), m_kind(std::move(kind)) {}
 
     /// True if there is anything to draw with.
-    explicit operator bool() const { return has(FullscreenBy::Fragment) || has(FullscreenBy::Compute); }
-    bool has(FullscreenBy by) const { return built(by) && built(by)->program(); }
-    const Program& program(FullscreenBy by) const { return built(by)->program(); }
+    explicit operator bool() const { return has(FullscreenMethod::Fragment) || has(FullscreenMethod::Compute); }
+    bool has(FullscreenMethod by) const { return built(by) && built(by)->program(); }
+    const Program& program(FullscreenMethod by) const { return built(by)->program(); }
     const FullscreenKind& kind() const { return m_kind; }
     const std::string& file() const { return m_file; }
 
-    BuiltProgram& make(FullscreenBy by) { return m_built[size_t(by)].emplace(m_file, m_kind, by); }
-    void release(FullscreenBy by) { m_built[size_t(by)].reset(); }
-    std::optional<BuiltProgram>& built(FullscreenBy by) { return m_built[size_t(by)]; }
-    const std::optional<BuiltProgram>& built(FullscreenBy by) const { return m_built[size_t(by)]; }
+    BuiltProgram& make(FullscreenMethod by) { return m_built[size_t(by)].emplace(m_file, m_kind, by); }
+    void release(FullscreenMethod by) { m_built[size_t(by)].reset(); }
+    std::optional<BuiltProgram>& built(FullscreenMethod by) { return m_built[size_t(by)]; }
+    const std::optional<BuiltProgram>& built(FullscreenMethod by) const { return m_built[size_t(by)]; }
 
 private:
     std::string m_file;

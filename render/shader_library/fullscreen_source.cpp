@@ -15,7 +15,7 @@ struct Parts {
     bool readsUv = false, discards = false;
 };
 
-Parts partsOf(const ShaderSource& source, FullscreenBy by) {
+Parts partsOf(const ShaderSource& source, FullscreenMethod by) {
     static const std::regex main(R"(^\s*void\s+main\s*\(\s*\))"), uv(R"(^\s*in\s+vec2\s+uv\s*;)"), fragCoord(R"(\bgl_FragCoord\b)");
     static const std::regex output(R"(^\s*(?:layout\s*\(\s*location\s*=\s*(\d+)\s*\)\s*)?out\s+vec4\s+(\w+)\s*;)"), discard(R"(\bdiscard\s*;)");
     Parts parts;
@@ -28,7 +28,7 @@ Parts partsOf(const ShaderSource& source, FullscreenBy by) {
             line = std::regex_replace(line, uv, "vec2 uv;");
             parts.readsUv = true;
         }
-        if (by == FullscreenBy::Compute) {
+        if (by == FullscreenMethod::Compute) {
             if (std::regex_search(line, match, output)) {
                 const size_t location = match[1].matched ? size_t(std::stoul(match[1].str())) : 0;
                 parts.outputs.resize(std::max(parts.outputs.size(), location + 1));
@@ -92,10 +92,10 @@ std::string computeMain(const Parts& parts, const FullscreenKind& kind) {
 
 }  // namespace
 
-ShaderSource asFullscreen(ShaderSource source, const FullscreenKind& kind, FullscreenBy by) {
+ShaderSource asFullscreen(ShaderSource source, const FullscreenKind& kind, FullscreenMethod by) {
     const Parts parts = partsOf(source, by);
     source.text = parts.body;
-    if (by == FullscreenBy::Fragment) {
+    if (by == FullscreenMethod::Fragment) {
         source.text += fragmentMain(parts);
         return source;
     }

@@ -6,7 +6,7 @@
 namespace rubble {
 
 /// What draws a shader that covers its targets.
-enum class FullscreenBy { Fragment, Compute };
+enum class FullscreenMethod { Fragment, Compute };
 
 /// What becomes of what a target holds. The others than Replace are for RGBA16F.
 enum class Merge {
@@ -31,6 +31,6 @@ inline constexpr int kGroupWidth = 8, kGroupHeight = 8;  // wider is no faster
 
 /// One text, two programs. A shader of passes/ writes its `out vec4`s, reads `uv` and gl_FragCoord, and may discard in main(). This
 /// puts around it what either program needs, with the same number for `uv` in both. Lines keep their places, for explain().
-ShaderSource asFullscreen(ShaderSource source, const FullscreenKind& kind, FullscreenBy by);
+ShaderSource asFullscreen(ShaderSource source, const FullscreenKind& kind, FullscreenMethod by);
 
 }  // namespace rubble

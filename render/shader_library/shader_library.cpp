@@ -6,7 +6,7 @@
 namespace rubble {
 
 ShaderLibrary::ShaderLibrary(std::filesystem::path folder, Fullscreen fullscreen, int textureUnits)
-    : m_folder(std::move(folder)), m_fullscreen(fullscreen), m_build{.flatUniforms = isSoftwareGl()} {
+    : m_folder(std::move(folder)), m_fullscreen(fullscreen), m_build{.uniformsAsVaryings = isSoftwareGl()} {
     if (!textureUnits) glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &textureUnits);
     if (textureUnits < kTextureUnits) m_build.defines = "#define FEW_TEXTURE_UNITS\n";
 }
@@ -23,10 +23,10 @@ FullscreenProgram& ShaderLibrary::loadFullscreen(const std::string& file, const 
     for (const auto& program : m_fullscreenPrograms)
         if (program->file() == file) return *program;
     auto program = std::make_unique<FullscreenProgram>(file, kind);
-    if (m_fullscreen != Fullscreen::Compute) program->make(FullscreenBy::Fragment).build(m_folder, m_build);
-    if (m_fullscreen != Fullscreen::Fragment && !program->make(FullscreenBy::Compute).build(m_folder, m_build) && m_fullscreen == Fullscreen::Both) {
-        logWarning("fragments draw what does not build as a compute program: " + program->built(FullscreenBy::Compute)->error());
-        program->release(FullscreenBy::Compute);
+    if (m_fullscreen != Fullscreen::Compute) program->make(FullscreenMethod::Fragment).build(m_folder, m_build);
+    if (m_fullscreen != Fullscreen::Fragment && !program->make(FullscreenMethod::Compute).build(m_folder, m_build) && m_fullscreen == Fullscreen::Both) {
+        logWarning("fragments draw what does not build as a compute program: " + program->built(FullscreenMethod::Compute)->error());
+        program->release(FullscreenMethod::Compute);
     }
     m_fullscreenPrograms.push_back(std::move(program));
     return *m_fullscreenPrograms.back();
@@ -36,7 +36,7 @@ template <class F>
 void ShaderLibrary::forEach(F&& visit) const {
     for (const auto& built : m_programs) visit(*built);
     for (const auto& program : m_fullscreenPrograms)
-        for (const FullscreenBy by : {FullscreenBy::Fragment, FullscreenBy::Compute})
+        for (const FullscreenMethod by : {FullscreenMethod::Fragment, FullscreenMethod::Compute})
             if (auto& built = program->built(by)) visit(*built);
 }
 
@@ -58,7 +58,7 @@ std::vector<std::string> ShaderLibrary::errors() const {
 
 int ShaderLibrary::computePrograms() const {
     int count = 0;
-    for (const auto& program : m_fullscreenPrograms) count += program->has(FullscreenBy::Compute);
+    for (const auto& program : m_fullscreenPrograms) count += program->has(FullscreenMethod::Compute);
     return count;
 }
 

@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr const char* kPrefix = "#version 330 core\nprecision highp float;\nprecision highp int;\n";
+constexpr const char* kVersionPrefix = "#version 330 core\nprecision highp float;\nprecision highp int;\n";
 
 std::optional<std::string> includedFile(const std::string& line) {
     static const std::regex pattern(R"(^\s*#\s*include\s*"([^"]+)\".*)");
@@ -61,7 +61,7 @@ std::string ShaderSource::explain(const std::string& log) const {
 
 Result<ShaderSource> readShader(const std::filesystem::path& folder, const std::string& file, const std::string& defines) {
     ShaderSource source;
-    source.text = kPrefix + defines;
+    source.text = kVersionPrefix + defines;
     source.lines.assign(size_t(std::count(source.text.begin(), source.text.end(), '\n')), {-1, 0});
     if (std::string error = append(folder, file, "", source); !error.empty()) return Error{error};
     return source;

@@ -7,13 +7,13 @@
 namespace rubble {
 namespace {
 
-struct BrickPlace {
+struct BrickKey {
     ShapeHandle shape;
     glm::ivec3 brick;
-    friend bool operator==(const BrickPlace&, const BrickPlace&) = default;
+    friend bool operator==(const BrickKey&, const BrickKey&) = default;
 };
-struct BrickPlaceHash {
-    size_t operator()(const BrickPlace& place) const { return hashBytes(&place.brick, sizeof place.brick, place.shape.bits); }
+struct BrickKeyHash {
+    size_t operator()(const BrickKey& place) const { return hashBytes(&place.brick, sizeof place.brick, place.shape.bits); }
 };
 
 ShapeHandle keyOf(const SnapshotShape& v) {
@@ -25,10 +25,10 @@ ShapeHandle keyOf(const SnapshotPose& v) {
 ShapeHandle keyOf(const SnapshotPalette& v) {
     return v.shape;
 }
-BrickPlace keyOf(const BrickChange& v) {
+BrickKey keyOf(const BrickChange& v) {
     return {v.shape, v.brick};
 }
-BrickPlace keyOf(const ShadowPatch& v) {
+BrickKey keyOf(const ShadowPatch& v) {
     return {{}, v.brick};
 }
 
@@ -86,7 +86,7 @@ void mergeIntoCreated(FrameSnapshot& into, FrameSnapshot& later) {
     later.bricks = std::move(otherBricks);
     for (size_t i = 0; i < bricksOf.size(); ++i) {
         if (bricksOf[i].empty()) continue;
-        mergeByKey<BrickPlaceHash>(into.created[i].bricks, std::move(bricksOf[i]));
+        mergeByKey<BrickKeyHash>(into.created[i].bricks, std::move(bricksOf[i]));
         std::erase_if(into.created[i].bricks, [](const BrickChange& brick) { return !brick.content; });
     }
     std::vector<SnapshotPalette> otherPalettes;
@@ -114,7 +114,7 @@ void merge(FrameSnapshot& into, FrameSnapshot&& later) {
     mergeDestroyed(into, later.destroyed);
     mergeIntoCreated(into, later);
     mergeByKey<ShapeHash>(into.created, std::move(later.created));
-    mergeByKey<BrickPlaceHash>(into.bricks, std::move(later.bricks));
+    mergeByKey<BrickKeyHash>(into.bricks, std::move(later.bricks));
     mergeByKey<ShapeHash>(into.palettes, std::move(later.palettes));
     mergeByKey<ShapeHash>(into.poses, std::move(later.poses));
     if (later.lightsChanged) {
@@ -149,7 +149,7 @@ void merge(FrameSnapshot& into, FrameSnapshot&& later) {
         into.shadowReplacesAll = true;
         into.shadow = std::move(later.shadow);
     } else {
-        mergeByKey<BrickPlaceHash>(into.shadow, std::move(later.shadow));
+        mergeByKey<BrickKeyHash>(into.shadow, std::move(later.shadow));
     }
 }
 

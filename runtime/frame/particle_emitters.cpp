@@ -7,27 +7,27 @@
 namespace rubble {
 namespace {
 
-constexpr double kSeen = 60.0;      ///< metres below which ground is looked for
-constexpr int kThings = 12;         ///< how many loose ones may lie over each other there
-constexpr double kThing = 0.15;     ///< metres: how thick each is at least
-constexpr double kSameFloor = 0.4;  ///< metres: events this near share one look
-constexpr int kFlamesAStep = 30;    ///< of all fires together
-constexpr int kSmokeAStep = 4;
-constexpr int kEmbersAStep = 5;
-constexpr float kBlaze = 90.0f;       ///< fires from which on flames are as tall as they get
+constexpr double kFloorSearchDepth = 60.0;      ///< metres below which ground is looked for
+constexpr int kMaxStackedBodies = 12;         ///< how many loose ones may lie over each other there
+constexpr double kMinBodyThickness = 0.15;     ///< metres: how thick each is at least
+constexpr double kFloorCacheRadius = 0.4;  ///< metres: events this near share one look
+constexpr int kFlamesPerStep = 30;    ///< of all fires together
+constexpr int kSmokePerStep = 4;
+constexpr int kEmbersPerStep = 5;
+constexpr float kBlazeFires = 90.0f;       ///< fires from which on flames are as tall as they get
 constexpr double kSolidShare = 0.6;   ///< of the budget: beyond it there is only room for gas and fire
 constexpr double kImpactPuff = 1500;  ///< N s from which a hit raises dust
-constexpr double kHeaviest = 10.0;    ///< of roots of 4 kN s: beyond it no more dust
-constexpr double kDusty = 1.5;        ///< metres over the ground up to which it does
-constexpr double kLevel = 0.5;        ///< of a normal: dust lies on what is more level than that
+constexpr double kMaxImpactStrength = 10.0;    ///< of roots of 4 kN s: beyond it no more dust
+constexpr double kMaxDustHeight = 1.5;        ///< metres over the ground up to which it does
+constexpr double kMinLevelNormal = 0.5;        ///< of a normal: dust lies on what is more level than that
 
-/// What a material throws up for each voxel: how much of it hangs in the air, and what flies.
-struct Throws {
+/// What a material emission up for each voxel: how much of it hangs in the air, and what flies.
+struct Emission {
     float dust = 0.6f;
     ParticleKind solid = ParticleKind::Crumb;
     float solids = 0.5f;  ///< a voxel, before the budget
 };
-Throws throwsOf(const Material& material) {
+Emission emissionOf(const Material& material) {
     if (material.fragments == "pane") return {0.03f, ParticleKind::Glint, 1.6f};
     if (material.fragments == "tear") return {0.12f, ParticleKind::Spark, 0.9f};
     if (material.fragments == "splinter") return {0.40f, ParticleKind::Crumb, 0.9f};
@@ -50,43 +50,43 @@ glm::vec3 Particles::anyDirection() {
 }
 
 int Particles::share(double wanted, double ofBudget) {
-    const double room = 1.0 - double(m_alive.size()) / (ofBudget * double(m_settings.most));
+    const double room = 1.0 - double(m_alive.size()) / (ofBudget * double(m_settings.maxAlive));
     return int(wanted * std::clamp(room * 1.6, 0.0, 1.0) + double(m_random.unit()));
 }
 
 void Particles::add(const Particle& particle) {
-    if (m_alive.size() < m_settings.most) m_alive.push_back(particle);
+    if (m_alive.size() < m_settings.maxAlive) m_alive.push_back(particle);
 }
 
 double Particles::floorBelow(glm::dvec3 position, const World& world) {
-    if (glm::distance(position, m_floorAsked) < kSameFloor) return m_floorFound;
-    m_floorAsked = position;
-    m_floorFound = position.y - kSeen;
+    if (glm::distance(position, m_floorQuery) < kFloorCacheRadius) return m_floorFound;
+    m_floorQuery = position;
+    m_floorFound = position.y - kFloorSearchDepth;
     // What moves is no floor: it will have gone on by the time that something lands.
     glm::dvec3 from = position;
-    for (int i = 0; i < kThings; ++i) {
-        const WorldHit hit = world.raycast(from, {0, -1, 0}, kSeen);
+    for (int i = 0; i < kMaxStackedBodies; ++i) {
+        const WorldHit hit = world.raycast(from, {0, -1, 0}, kFloorSearchDepth);
         if (!hit.hit) break;
         if (world.bodies().at(world.shapes().at(hit.shape).body).isStatic) {
             m_floorFound = hit.position.y;
             break;
         }
-        from.y = hit.position.y - kThing;
+        from.y = hit.position.y - kMinBodyThickness;
     }
     return m_floorFound;
 }
 
 void Particles::addDust(const DustCloud& cloud, const World& world) {
-    const Throws throws = throwsOf(world.materials()[cloud.material]);
+    const Emission emission = emissionOf(world.materials()[cloud.material]);
     const double floor = floorBelow(cloud.position, world);
     const double voxels = double(cloud.count), spread = std::clamp(cloud.radius, 0.05, 2.5);
     const glm::vec3 color = linear(cloud.color);
-    const int puffs = share(std::min((0.10 * std::sqrt(voxels) + 0.006 * voxels) * double(throws.dust), 10.0));
+    const int puffs = share(std::min((0.10 * std::sqrt(voxels) + 0.006 * voxels) * double(emission.dust), 10.0));
     for (int i = 0; i < puffs; ++i) {
-        const glm::vec3 way = anyDirection();
+        const glm::vec3 direction = anyDirection();
         Particle p{ParticleKind::Dust};
-        p.position = cloud.position + glm::dvec3(way) * (spread * double(between(0.2f, 0.9f)));
-        p.velocity = cloud.velocity * 0.6f + way * between(0.4f, 1.6f) * float(1.0 + spread);
+        p.position = cloud.position + glm::dvec3(direction) * (spread * double(between(0.2f, 0.9f)));
+        p.velocity = cloud.velocity * 0.6f + direction * between(0.4f, 1.6f) * float(1.0 + spread);
         p.color = glm::mix(color, glm::vec3(0.42f, 0.38f, 0.33f), 0.5f) * between(0.85f, 1.15f);
         p.radius = float(0.12 + 0.22 * spread) * between(0.7f, 1.3f);
         p.growth = between(0.45f, 0.9f);
@@ -96,14 +96,14 @@ void Particles::addDust(const DustCloud& cloud, const World& world) {
         p.seed = m_random.next();
         add(p);
     }
-    const double most = throws.solid == ParticleKind::Glint ? 9.0 * std::sqrt(voxels) : 4.0 + 2.2 * std::sqrt(voxels);
-    const int solids = share(std::min(voxels * double(throws.solids), most) * 0.8, kSolidShare);
+    const double maxAlive = emission.solid == ParticleKind::Glint ? 9.0 * std::sqrt(voxels) : 4.0 + 2.2 * std::sqrt(voxels);
+    const int solids = share(std::min(voxels * double(emission.solids), maxAlive) * 0.8, kSolidShare);
     for (int i = 0; i < solids; ++i) {
-        const glm::vec3 way = anyDirection();
-        const bool spark = throws.solid == ParticleKind::Spark && m_random.below(3) != 0;
-        Particle p{throws.solid == ParticleKind::Spark && !spark ? ParticleKind::Crumb : throws.solid};
-        p.position = cloud.position + glm::dvec3(way) * (spread * double(m_random.unit()));
-        p.velocity = cloud.velocity + way * between(0.6f, spark ? 7.0f : 3.6f) + glm::vec3(0.0f, between(0.2f, 2.2f), 0.0f);
+        const glm::vec3 direction = anyDirection();
+        const bool spark = emission.solid == ParticleKind::Spark && m_random.below(3) != 0;
+        Particle p{emission.solid == ParticleKind::Spark && !spark ? ParticleKind::Crumb : emission.solid};
+        p.position = cloud.position + glm::dvec3(direction) * (spread * double(m_random.unit()));
+        p.velocity = cloud.velocity + direction * between(0.6f, spark ? 7.0f : 3.6f) + glm::vec3(0.0f, between(0.2f, 2.2f), 0.0f);
         p.color = spark ? glm::vec3(1.0f, 0.62f, 0.22f) : color * between(0.8f, 1.2f);
         p.radius = spark ? 0.012f : p.kind == ParticleKind::Glint ? between(0.02f, 0.05f) : between(0.014f, 0.042f);
         p.growth = 0.0f;
@@ -119,10 +119,10 @@ void Particles::addBlast(const Blast& blast, const World& world) {
     const double floor = floorBelow(blast.position, world);
     const float size = float(blast.size);
     const auto puff = [&](ParticleKind kind, glm::vec3 color, float speed, float radius, float growth, float opacity, float life) {
-        const glm::vec3 way = anyDirection();
+        const glm::vec3 direction = anyDirection();
         Particle p{kind};
-        p.position = blast.position + glm::dvec3(way) * double(size * between(0.1f, 0.5f));
-        p.velocity = way * speed * between(0.5f, 1.2f);
+        p.position = blast.position + glm::dvec3(direction) * double(size * between(0.1f, 0.5f));
+        p.velocity = direction * speed * between(0.5f, 1.2f);
         p.color = color * between(0.85f, 1.15f);
         p.radius = radius * between(0.7f, 1.3f);
         p.growth = growth;
@@ -140,20 +140,20 @@ void Particles::addBlast(const Blast& blast, const World& world) {
 }
 
 void Particles::addImpact(const Impact& impact, const World& world) {
-    if (!(impact.impulse > kImpactPuff) || std::abs(impact.normal.y) < kLevel) return;
+    if (!(impact.impulse > kImpactPuff) || std::abs(impact.normal.y) < kMinLevelNormal) return;
     const double floor = floorBelow(impact.position + glm::dvec3(0, 0.3, 0), world);
-    if (impact.position.y > floor + kDusty) return;
-    const double strength = std::min(std::sqrt(impact.impulse / 4000.0), kHeaviest);
+    if (impact.position.y > floor + kMaxDustHeight) return;
+    const double strength = std::min(std::sqrt(impact.impulse / 4000.0), kMaxImpactStrength);
     const float size = float(strength);
     for (int i = share(1.0 + 4.0 * strength); i > 0; --i) {
-        glm::vec3 way = anyDirection();
-        way.y = std::abs(way.y) * 0.5f;
+        glm::vec3 direction = anyDirection();
+        direction.y = std::abs(direction.y) * 0.5f;
         Particle p{ParticleKind::Dust};
         // A long thing lands along its length, but a pair of bodies has one contact: the heavier, the farther around it.
         const double spread = 0.1 + 0.05 * strength * strength * double(m_random.unit());
-        p.position = {impact.position.x + double(way.x) * spread, impact.position.y + 0.2 * double(way.y),
-                      impact.position.z + double(way.z) * spread};
-        p.velocity = way * (between(0.8f, 2.4f) * std::min(size, 1.5f + 0.4f * size));
+        p.position = {impact.position.x + double(direction.x) * spread, impact.position.y + 0.2 * double(direction.y),
+                      impact.position.z + double(direction.z) * spread};
+        p.velocity = direction * (between(0.8f, 2.4f) * std::min(size, 1.5f + 0.4f * size));
         p.color = glm::vec3(0.36f, 0.33f, 0.29f) * between(0.85f, 1.15f);
         p.radius = 0.14f + 0.1f * size;
         p.growth = between(0.4f, 0.8f) * (1.0f + 0.1f * size);
@@ -168,18 +168,18 @@ void Particles::addImpact(const Impact& impact, const World& world) {
 /// Fires take turns, so that many cost no more than a few and none is left out.
 void Particles::addFires(std::span<const SnapshotFire> fires) {
     const auto lit = [&](const SnapshotFire& fire, ParticleKind kind) {
-        const glm::vec3 way = anyDirection();
+        const glm::vec3 direction = anyDirection();
         Particle p{kind};
-        p.position = fire.position + glm::dvec3(way) * double(fire.radius * 0.8f);
-        p.floor = p.position.y - kSeen;
+        p.position = fire.position + glm::dvec3(direction) * double(fire.radius * 0.8f);
+        p.floor = p.position.y - kFloorSearchDepth;
         p.seed = m_random.next();
         return p;
     };
     const int count = int(fires.size());
-    const int flames = std::min(kFlamesAStep, (count * 2 + 2) / 3), smokes = std::min(kSmokeAStep, (count + 11) / 12);
-    const float blaze = std::min(float(count) / kBlaze, 1.0f);  // fires near each other burn higher
+    const int flames = std::min(kFlamesPerStep, (count * 2 + 2) / 3), smokes = std::min(kSmokePerStep, (count + 11) / 12);
+    const float blaze = std::min(float(count) / kBlazeFires, 1.0f);  // fires near each other burn higher
     for (int i = 0; i < flames; ++i) {
-        const SnapshotFire& fire = fires[size_t(m_fireTurn++ % uint32_t(count))];
+        const SnapshotFire& fire = fires[size_t(m_nextFire++ % uint32_t(count))];
         if (m_random.unit() > fire.intensity) continue;
         Particle p = lit(fire, ParticleKind::Flame);
         p.velocity = glm::vec3(between(-0.3f, 0.3f), between(0.5f, 1.5f), between(-0.3f, 0.3f));
@@ -190,7 +190,7 @@ void Particles::addFires(std::span<const SnapshotFire> fires) {
         p.life = between(0.6f, 1.1f);
         add(p);
     }
-    for (int i = share(kEmbersAStep * double(blaze)); i > 0; --i) {
+    for (int i = share(kEmbersPerStep * double(blaze)); i > 0; --i) {
         const SnapshotFire& fire = fires[size_t(m_random.below(uint32_t(count)))];
         Particle p = lit(fire, ParticleKind::Ember);
         p.velocity = glm::vec3(between(-0.8f, 0.8f), between(1.5f, 4.0f), between(-0.8f, 0.8f));

@@ -73,11 +73,11 @@ void Particles::move(Particle& p) const {
 }
 
 void Particles::step(const FrameChanges& changes, std::span<const Impact> impacts, std::span<const SnapshotFire> fires, const World& world) {
-    if (m_settings.most == 0) return;
+    if (m_settings.maxAlive == 0) return;
     if (changes.levelReplaced) clear();
     for (Particle& particle : m_alive) move(particle);
     std::erase_if(m_alive, [](const Particle& particle) { return particle.age >= particle.life; });
-    m_floorAsked = glm::dvec3(1e30);  // the world is another one than a step ago
+    m_floorQuery = glm::dvec3(1e30);  // the world is another one than a step ago
     for (const Blast& blast : changes.blasts) addBlast(blast, world);
     for (const DustCloud& cloud : changes.dust) addDust(cloud, world);
     for (const Impact& impact : impacts) addImpact(impact, world);

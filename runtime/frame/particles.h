@@ -11,7 +11,7 @@
 namespace rubble {
 
 struct ParticleSettings {
-    uint32_t most = 4096;                ///< alive at once; what would be more is not born. 0: no particles, and nothing is paid
+    uint32_t maxAlive = 4096;                ///< alive at once; what would be more is not born. 0: no particles, and nothing is paid
     glm::vec3 wind{0.9f, 0.0f, -0.25f};  ///< m/s, carries dust and smoke
 };
 
@@ -61,9 +61,9 @@ private:
     ParticleSettings m_settings;
     std::vector<Particle> m_alive;  ///< oldest first
     Random m_random{1, 41};
-    glm::dvec3 m_floorAsked{1e30};  ///< where floorBelow() last looked
+    glm::dvec3 m_floorQuery{1e30};  ///< where floorBelow() last looked
     double m_floorFound = 0.0;
-    uint32_t m_fireTurn = 0;
+    uint32_t m_nextFire = 0;
 };
 
 }  // namespace rubble

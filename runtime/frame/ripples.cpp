@@ -6,10 +6,10 @@
 namespace rubble {
 namespace {
 
-constexpr double kSlowest = 0.25;       // m/s through the water that still makes a ring
-constexpr float kBetween = 0.15f;       // seconds between two rings of one thing
-constexpr double kHighest = 0.10;       // metres
-constexpr double kHeightASpeed = 0.02;  // metres for each m/s of something a metre wide
+constexpr double kMinSpeed = 0.25;       // m/s through the water that still makes a ring
+constexpr float kMinInterval = 0.15f;       // seconds between two rings of one thing
+constexpr double kMaxHeight = 0.10;       // metres
+constexpr double kHeightPerSpeed = 0.02;  // metres for each m/s of something a metre wide
 
 /// Box around a shape as it lies in the world.
 WorldBox boundsOf(const Shape& shape, const Pose& pose) {
@@ -31,7 +31,7 @@ void Ripples::step(std::span<const BodyPose> moved, const World& world) {
     world.waters().forEach([&](WaterHandle, const Water& water) {
         for (const BodyPose& pose : moved) {
             const Body* body = world.bodies().find(pose.body);
-            if (!body || glm::length(pose.velocity - water.flow) < kSlowest) continue;
+            if (!body || glm::length(pose.velocity - water.flow) < kMinSpeed) continue;
             for (const ShapeHandle shape : body->shapes)
                 disturb(water, boundsOf(world.shapes().at(shape), world.shapeToWorld(shape)), pose.velocity, pose.body.bits);
         }
@@ -45,12 +45,12 @@ void Ripples::step(std::span<const BodyPose> moved, const World& world) {
 void Ripples::disturb(const Water& water, const WorldBox& box, glm::dvec3 velocity, uint64_t source) {
     const double speed = glm::length(velocity - water.flow);
     const glm::dvec3 middle = 0.5 * (box.low + box.high);
-    if (!(speed >= kSlowest) || box.low.y > water.surface || box.high.y < water.surface || !contains(water.outline, middle.x, middle.z)) return;
+    if (!(speed >= kMinSpeed) || box.low.y > water.surface || box.high.y < water.surface || !contains(water.outline, middle.x, middle.z)) return;
     for (const Ripple& ripple : m_alive)
-        if (ripple.source == source && ripple.drawn.age < kBetween) return;
+        if (ripple.source == source && ripple.drawn.age < kMinInterval) return;
     const double radius = 0.35 * std::min(box.high.x - box.low.x, box.high.z - box.low.z);
-    const double height = std::min(kHighest, kHeightASpeed * speed * std::sqrt(2.0 * radius));
-    if (m_alive.size() == kMostRipples) m_alive.erase(m_alive.begin());
+    const double height = std::min(kMaxHeight, kHeightPerSpeed * speed * std::sqrt(2.0 * radius));
+    if (m_alive.size() == kMaxRipples) m_alive.erase(m_alive.begin());
     m_alive.push_back({{{middle.x, middle.z}, water.surface, float(radius), float(height), 0.0f}, source});
 }
 

@@ -7,11 +7,11 @@
 
 namespace rubble {
 
-/// Rings on water around what moves through its surface: bodies and characters. At most kMostRipples; a new one takes the oldest's
+/// Rings on water around what moves through its surface: bodies and characters. At maxAlive kMaxRipples; a new one takes the oldest's
 /// place. For eyes only: the World knows nothing of them. Owned by Snapshots. [main-thread]
 class Ripples {
 public:
-    static constexpr size_t kMostRipples = 64;
+    static constexpr size_t kMaxRipples = 64;
     static constexpr float kLife = 3.0f;  ///< seconds
 
     /// Ages what is there by 1/60 s and adds what the bodies that moved in this step make. Looks at them only where there is water.

@@ -83,7 +83,7 @@ void Snapshots::post(std::optional<FrameSnapshot> snapshot, uint64_t newestStep)
 void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, std::span<const Impact> impacts) {
     if (changes.levelReplaced) {
         m_waiting.clear();
-        m_placed.clear();
+        m_lastPoses.clear();
         m_moving.clear();
     }
     ++m_count;
@@ -116,8 +116,8 @@ void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> m
 
 void Snapshots::addCreated(const FrameChanges& changes, const World& world, FrameSnapshot& out) {
     const auto add = [&](ShapeHandle handle, const Shape& shape) {
-        if (m_placed.size() <= handle.slot()) m_placed.resize(world.shapes().slotCount());
-        m_placed[handle.slot()] = {handle, world.shapeToWorld(handle), 0};
+        if (m_lastPoses.size() <= handle.slot()) m_lastPoses.resize(world.shapes().slotCount());
+        m_lastPoses[handle.slot()] = {handle, world.shapeToWorld(handle), 0};
         out.created.push_back(describeShape(handle, shape));
     };
     if (changes.levelReplaced) return world.shapes().forEach(add);
@@ -127,9 +127,9 @@ void Snapshots::addCreated(const FrameChanges& changes, const World& world, Fram
     for (const ShapeSplit& split : changes.splits)
         for (size_t i = 0; i < split.children.size(); ++i) {
             const Shape* child = world.shapes().find(split.children[i]);
-            if (!child || m_placed.size() <= split.parent.slot() || m_placed[split.parent.slot()].shape != split.parent) continue;
+            if (!child || m_lastPoses.size() <= split.parent.slot() || m_lastPoses[split.parent.slot()].shape != split.parent) continue;
             const Pose offset{glm::dvec3(split.parentOffset[i]) * double(child->voxelSize)};
-            m_placed[split.children[i].slot()].pose = m_placed[split.parent.slot()].pose * offset;
+            m_lastPoses[split.children[i].slot()].pose = m_lastPoses[split.parent.slot()].pose * offset;
         }
 }
 
@@ -143,8 +143,8 @@ void Snapshots::addChanged(const FrameChanges& changes, const World& world, Fram
 }
 
 void Snapshots::addPose(ShapeHandle shape, const World& world, FrameSnapshot& out) {
-    assert(shape.slot() < m_placed.size() && m_placed[shape.slot()].shape == shape && "a shape moved that was never created");
-    Placed& placed = m_placed[shape.slot()];
+    assert(shape.slot() < m_lastPoses.size() && m_lastPoses[shape.slot()].shape == shape && "a shape moved that was never created");
+    LastPose& placed = m_lastPoses[shape.slot()];
     if (placed.listedIn == m_count) return;
     placed.listedIn = m_count;
     const Pose current = world.shapeToWorld(shape);

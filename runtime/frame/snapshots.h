@@ -16,7 +16,7 @@ namespace rubble {
 /// step and is then posted together with the volume's patches: what is drawn is one version of the world throughout.
 class Snapshots {
 public:
-    Snapshots() : Snapshots(ParticleSettings{.most = 0}) {}
+    Snapshots() : Snapshots(ParticleSettings{.maxAlive = 0}) {}
     explicit Snapshots(const ParticleSettings& particles) : m_particles(particles) {}
 
     /// [main-thread] `moved` are the poses that physics has just handed over and `impacts` its hard contacts; `patches` is what the
@@ -34,7 +34,7 @@ private:
         bool needsShadow;  ///< the step also changed the shadow volume
     };
     /// A shape's newest pose in a snapshot. Indexed by the shape's slot.
-    struct Placed {
+    struct LastPose {
         ShapeHandle shape;
         Pose pose;
         uint64_t listedIn = 0;  ///< the m_count of the last snapshot that holds its pose
@@ -56,7 +56,7 @@ private:
 
     std::deque<Waiting> m_waiting;  ///< oldest first
     Mailbox<FrameSnapshot> m_posted;
-    std::vector<Placed> m_placed;
+    std::vector<LastPose> m_lastPoses;
     uint64_t m_count = 0;                   ///< of calls of publish
     std::vector<ShapeHandle> m_moving;      ///< shapes that the newest snapshot shows moving
     std::vector<ShapeHandle> m_moved;       ///< the same while it is being made

@@ -12,9 +12,9 @@ namespace {
 constexpr int kSide = kShadowBrickCells;
 
 /// Voxels are cells, shifted: whole rows of 8 at once.
-void copyShifted(const VoxelGrid& grid, const ShadowLattice& lattice, glm::ivec3 brick, CellRows& rows) {
+void copyShifted(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, glm::ivec3 brick, CellRows& rows) {
     glm::ivec3 shift;  // cell - voxel
-    for (int a = 0; a < 3; ++a) shift[a] = lattice.base[a] - int(lattice.origin[size_t(a)] >> 32);
+    for (int a = 0; a < 3; ++a) shift[a] = cellTransform.base[a] - int(cellTransform.origin[size_t(a)] >> 32);
     const glm::ivec3 low = brick * kSide - shift;
     for (int bz = low.z >> 3; bz <= (low.z + kSide - 1) >> 3; ++bz)
         for (int by = low.y >> 3; by <= (low.y + kSide - 1) >> 3; ++by)
@@ -76,11 +76,11 @@ uint64_t sampleFineRow(Source& source, const FixedPoint& first, const FixedPoint
 }
 
 /// False if no sample of a box of cells can lie in the grid: its centre is too far out along one of the grid's axes.
-bool canMeet(const VoxelGrid& grid, const ShadowLattice& lattice, glm::ivec3 low, glm::ivec3 high) {
-    const FixedPoint first = lattice.sample(low), last = lattice.sample(high);  // the last is one beyond: to be safe
+bool canMeet(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, glm::ivec3 low, glm::ivec3 high) {
+    const FixedPoint first = cellTransform.sample(low), last = cellTransform.sample(high);  // the last is one beyond: to be safe
     for (size_t k = 0; k < 3; ++k) {
         int64_t reach = 0;  // twice
-        for (size_t a = 0; a < 3; ++a) reach += std::abs(lattice.step[a][k]) * (high[int(a)] - low[int(a)]) * lattice.samples;
+        for (size_t a = 0; a < 3; ++a) reach += std::abs(cellTransform.step[a][k]) * (high[int(a)] - low[int(a)]) * cellTransform.samples;
         const int64_t size = int64_t(grid.size()[int(k)]) << 32;
         if (std::abs(first[k] + last[k] - size) > reach + size) return false;
     }
@@ -89,16 +89,16 @@ bool canMeet(const VoxelGrid& grid, const ShadowLattice& lattice, glm::ivec3 low
 
 /// The cells of a box at most 64 wide: row(y, z) gets them from its low end on, rows without any are left out.
 template <class Source, class Row>
-void rasterizeBox(const VoxelGrid& grid, Source source, const ShadowLattice& lattice, const CellBox& box, Row&& row) {
-    if (!canMeet(grid, lattice, box.low, box.high)) return;
-    const int samples = lattice.samples;
-    const FixedPoint& step = lattice.step[0];
+void rasterizeBox(const VoxelGrid& grid, Source source, const ShadowCellTransform& cellTransform, const CellBox& box, Row&& row) {
+    if (!canMeet(grid, cellTransform, box.low, box.high)) return;
+    const int samples = cellTransform.samples;
+    const FixedPoint& step = cellTransform.step[0];
     const glm::ivec3 count = (box.high - box.low) * samples;
-    const RowClip clip({glm::ivec3(0), grid.size()}, lattice, count.x);
-    FixedPoint plane = lattice.sample(box.low);
-    for (int z = 0; z < count.z; ++z, plane = plane + lattice.step[2]) {
+    const RowClip clip({glm::ivec3(0), grid.size()}, cellTransform, count.x);
+    FixedPoint plane = cellTransform.sample(box.low);
+    for (int z = 0; z < count.z; ++z, plane = plane + cellTransform.step[2]) {
         clip.forEachRow(toDoubles(plane), count.y, [&](int y, RowClip::Interval in) {
-            const FixedPoint first = plane + lattice.step[1] * y;
+            const FixedPoint first = plane + cellTransform.step[1] * y;
             if (samples == 1)
                 row(y, z, sampleRow(source, first, step, in.low, in.high));
             else
@@ -109,8 +109,8 @@ void rasterizeBox(const VoxelGrid& grid, Source source, const ShadowLattice& lat
 
 }  // namespace
 
-void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBox& bounds, glm::ivec3 brick, CellRows& rows) {
-    if (lattice.isShift()) return copyShifted(grid, lattice, brick, rows);
+void rasterize(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, const CellBox& bounds, glm::ivec3 brick, CellRows& rows) {
+    if (cellTransform.isShift()) return copyShifted(grid, cellTransform, brick, rows);
     const glm::ivec3 corner = brick * kSide;
     CellBox box;
     for (int a = 0; a < 3; ++a) {
@@ -119,7 +119,7 @@ void rasterize(const VoxelGrid& grid, const ShadowLattice& lattice, const CellBo
     }
     if (box.empty()) return;
     const glm::ivec3 low = box.low - corner;
-    rasterizeBox(grid, BrickSource(grid), lattice, box,
+    rasterizeBox(grid, BrickSource(grid), cellTransform, box,
                  [&](int y, int z, uint64_t bits) { rows[size_t(low.y + y + (low.z + z) * kSide)] |= uint16_t(bits << low.x); });
 }
 

@@ -5,28 +5,28 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "runtime/shadow/shadow_lattice.h"
+#include "runtime/shadow/shadow_cell_transform.h"
 
 namespace rubble {
 
 /// Cuts rows of samples along the world's x axis to a box of a shape's voxels, which leaves one interval of each.
-/// In doubles, which hold the lattice's fixed-point numbers exactly.
+/// In doubles, which hold the cellTransform's fixed-point numbers exactly.
 class RowClip {
 public:
     using Exact = std::array<double, 3>;
     static constexpr int kBatch = 32;  ///< rows at a time
-    RowClip(const CellBox& box, const ShadowLattice& lattice, int count) : m_end(count - 0.5) {
-        const FixedPoint& step = lattice.step[0];
+    RowClip(const CellBox& box, const ShadowCellTransform& cellTransform, int count) : m_end(count - 0.5) {
+        const FixedPoint& step = cellTransform.step[0];
         for (size_t k = 0; k < 3; ++k) {
             m_low[k] = double(int64_t(box.low[int(k)]) << 32);
             m_high[k] = double(int64_t(box.high[int(k)]) << 32);
             m_step[k] = double(step[k]);
-            m_rowStep[k] = double(lattice.step[1][k]);
+            m_rowStep[k] = double(cellTransform.step[1][k]);
             m_enter[k] = step[k] < 0 ? m_high[k] : m_low[k];
             m_leave[k] = step[k] < 0 ? m_low[k] : m_high[k];
             m_inverse[k] = step[k] ? 1.0 / m_step[k] : 1e100;  // from outside it never enters
         }
-        findSlopes(lattice.step[1]);
+        findSlopes(cellTransform.step[1]);
     }
     struct Interval {
         int low, high;
@@ -34,7 +34,7 @@ public:
     /// The samples of [0, count) that lie inside, of `rows` rows (kBatch at most) from row `row` on of the plane whose first sample
     /// is given.
     void intervals(const Exact& plane, int row, int rows, Interval* out) const {
-        constexpr double kDoubt = 1e-6;  // more than the estimate errs; where that matters the exact place decides
+        constexpr double kTolerance = 1e-6;  // more than the estimate errs; where that matters the exact place decides
         std::array<double, kBatch> from, to;
         for (int i = 0; i < rows; ++i) {  // without a branch: for several rows at once
             const Exact first = rowAt(plane, row + i);
@@ -44,9 +44,9 @@ public:
         for (int i = 0; i < rows; ++i) {
             const double low = from[size_t(i)], high = to[size_t(i)];
             out[i] = {0, 0};
-            if (!(low <= high + kDoubt)) continue;
-            out[i] = {int(low + (1.0 - kDoubt)), int(high + (1.0 + kDoubt))};
-            if (out[i].low < low + kDoubt || out[i].high > high + (1.0 - kDoubt)) out[i] = trim(out[i], rowAt(plane, row + i));
+            if (!(low <= high + kTolerance)) continue;
+            out[i] = {int(low + (1.0 - kTolerance)), int(high + (1.0 + kTolerance))};
+            if (out[i].low < low + kTolerance || out[i].high > high + (1.0 - kTolerance)) out[i] = trim(out[i], rowAt(plane, row + i));
         }
     }
     /// f(row, interval) for all rows of [0, count) that have samples inside.
@@ -86,14 +86,14 @@ private:
         double inverse;
     };
     void findSlopes(const FixedPoint& rowStep) {
-        constexpr double kFlat = 0x1p20, kLevel = 1e-4;  // what hardly changes along a row, or from row to row, says little
+        constexpr double kMinStep = 0x1p20, kMinSlope = 1e-4;  // what hardly changes along a row, or from row to row, says little
         std::array<double, 4> change{};
         for (size_t k = 0; k < 3; ++k) change[k] = -double(rowStep[k]) * m_inverse[k];
-        const auto counts = [&](size_t k) { return k == 3 || std::abs(m_step[k]) >= kFlat; };
+        const auto counts = [&](size_t k) { return k == 3 || std::abs(m_step[k]) >= kMinStep; };
         for (size_t i = 0; i < 4; ++i)
             for (size_t j = 0; j < 4; ++j) {
                 const double slope = change[i] - change[j];
-                if (i == j || !counts(i) || !counts(j) || std::abs(slope) < kLevel) continue;
+                if (i == j || !counts(i) || !counts(j) || std::abs(slope) < kMinSlope) continue;
                 m_slope[m_slopes++] = {uint8_t(i), uint8_t(j), 1.0 / slope};
             }
     }

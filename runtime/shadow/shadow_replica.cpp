@@ -21,7 +21,7 @@ bool isBefore(glm::ivec3 a, glm::ivec3 b) {
     return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
 }
 
-BrickRef onlyOpaque(const BrickRef& brick, const std::array<bool, 256>& entries) {
+BrickRef withoutTranslucent(const BrickRef& brick, const std::array<bool, 256>& entries) {
     if (!brick) return nullptr;
     if (!brick->indices) return entries[brick->uniform] ? brick : nullptr;
     std::array<uint64_t, 8> keep = brick->occupancy;
@@ -31,9 +31,9 @@ BrickRef onlyOpaque(const BrickRef& brick, const std::array<bool, 256>& entries)
     return keep == brick->occupancy ? brick : maskBrick(*brick, keep);
 }
 
-VoxelGrid onlyOpaque(const VoxelGrid& grid, const std::array<bool, 256>& entries) {
+VoxelGrid withoutTranslucent(const VoxelGrid& grid, const std::array<bool, 256>& entries) {
     VoxelGrid out(grid.size());
-    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) { out.setBrick(position, onlyOpaque(brick, entries)); });
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) { out.setBrick(position, withoutTranslucent(brick, entries)); });
     return out;
 }
 
@@ -63,7 +63,7 @@ void listBricks(const VoxelGrid& grid, const Pose& pose, double voxelSize, std::
 
 }  // namespace
 
-size_t ShadowReplica::PlaceHash::operator()(glm::ivec3 brick) const {
+size_t ShadowReplica::BrickHash::operator()(glm::ivec3 brick) const {
     const uint64_t h = uint64_t(uint32_t(brick.x)) * 0x9e3779b97f4a7c15ull ^ uint64_t(uint32_t(brick.y)) * 0xc2b2ae3d27d4eb4full ^
                        uint64_t(uint32_t(brick.z)) * 0x165667b19e3779f9ull;
     return size_t(h ^ h >> 29);
@@ -77,7 +77,7 @@ ShadowReplica::Shape* ShadowReplica::find(ShapeHandle handle) {
 void ShadowReplica::apply(ShadowStep&& step, const std::atomic<bool>& stop) {
     if (step.replacesAll) {
         m_shapes.clear();
-        m_places.clear();
+        m_brickStates.clear();
         m_waiting.clear();
         m_touched.clear();
     }
@@ -106,7 +106,7 @@ void ShadowReplica::create(ShadowStep::NewShape&& from) {
     if (m_shapes.size() <= from.shape.slot()) m_shapes.resize(from.shape.slot() + 1);
     m_shapes[from.shape.slot()] = std::move(shape);
     setPalette(placed, *from.palette);
-    placeLater(placed);
+    queuePlacement(placed);
 }
 
 void ShadowReplica::destroy(ShapeHandle handle) {
@@ -117,15 +117,15 @@ void ShadowReplica::destroy(ShapeHandle handle) {
 }
 
 void ShadowReplica::setBrick(Shape& shape, const BrickChange& change) {
-    const BrickRef before = shape.casting().shareBrick(change.brick);
+    const BrickRef before = shape.casterGrid().shareBrick(change.brick);
     shape.grid.setBrick(change.brick, change.content);
-    if (shape.hasTranslucent) shape.opaque.setBrick(change.brick, onlyOpaque(change.content, shape.entries));
-    const Brick* after = shape.casting().brickAt(change.brick);
+    if (shape.hasTranslucent) shape.opaque.setBrick(change.brick, withoutTranslucent(change.content, shape.entries));
+    const Brick* after = shape.casterGrid().brickAt(change.brick);
     const bool same = before && after ? before->occupancy == after->occupancy : !before && !after;
     if (same) return;
     shape.source.clear();
-    if (!shape.placed || shape.waits) return;
-    shape.raster.isMade() ? placeLater(shape) : touchVoxels(shape, change.brick);
+    if (!shape.placed || shape.isQueued) return;
+    shape.raster.isMade() ? queuePlacement(shape) : touchVoxelBrick(shape, change.brick);
 }
 
 void ShadowReplica::setPalette(Shape& shape, const Palette& palette) {
@@ -135,8 +135,8 @@ void ShadowReplica::setPalette(Shape& shape, const Palette& palette) {
     shape.entries = entries;
     shape.hasTranslucent = std::find(entries.begin(), entries.end(), false) != entries.end();
     shape.source.clear();
-    shape.opaque = shape.hasTranslucent ? onlyOpaque(shape.grid, entries) : VoxelGrid();
-    placeLater(shape);
+    shape.opaque = shape.hasTranslucent ? withoutTranslucent(shape.grid, entries) : VoxelGrid();
+    queuePlacement(shape);
 }
 
 void ShadowReplica::setPose(Shape& shape, const Pose& pose, bool asleep) {
@@ -144,22 +144,22 @@ void ShadowReplica::setPose(Shape& shape, const Pose& pose, bool asleep) {
     if (shape.moving == asleep) leaveAll(shape);
     shape.pose = pose;
     shape.moving = !asleep;
-    placeLater(shape);
+    queuePlacement(shape);
 }
 
-void ShadowReplica::placeLater(Shape& shape) {
-    if (shape.waits) return;
-    shape.waits = true;
+void ShadowReplica::queuePlacement(Shape& shape) {
+    if (shape.isQueued) return;
+    shape.isQueued = true;
     m_waiting.push_back(shape.handle);
 }
 
 /// Makes the next raster of a shape, empty if it rests or is large, and lists the bricks that it is in.
 void ShadowReplica::rasterizeMoving(Shape& shape) {
-    const VoxelGrid& grid = shape.casting();
+    const VoxelGrid& grid = shape.casterGrid();
     const glm::ivec3 size = grid.size();
     bool made = shape.moving && std::max({size.x, size.y, size.z}) <= RasterSource::kMaxSize;
     if (made && !shape.source.isMade()) shape.source.make(grid);
-    made = made && m_nextRaster.make(shape.source, shape.lattice, shape.bounds);
+    made = made && m_nextRaster.make(shape.source, shape.cellTransform, shape.bounds);
     m_bricks.clear();
     if (made) return m_nextRaster.forEach([&](glm::ivec3 brick, const ShadowWords&) { m_bricks.push_back(brick); });
     m_nextRaster = ShapeRaster();
@@ -167,8 +167,8 @@ void ShadowReplica::rasterizeMoving(Shape& shape) {
 }
 
 void ShadowReplica::place(Shape& shape) {
-    shape.waits = false;
-    shape.placed = shape.grid.size().x > 0 && shape.lattice.place(shape.pose, shape.voxelSize);
+    shape.isQueued = false;
+    shape.placed = shape.grid.size().x > 0 && shape.cellTransform.place(shape.pose, shape.voxelSize);
     if (!shape.placed) return leaveAll(shape);
     shape.bounds = shadowBounds(shape.pose, shape.voxelSize, {glm::ivec3(0), shape.grid.size()});
     rasterizeMoving(shape);
@@ -191,53 +191,53 @@ void ShadowReplica::place(Shape& shape) {
     std::swap(shape.raster, m_nextRaster);
 }
 
-ShadowReplica::PlaceEntry* ShadowReplica::enter(const Shape& shape, glm::ivec3 brick) {
-    PlaceEntry& entry = *m_places.try_emplace(brick).first;
+ShadowReplica::BrickEntry* ShadowReplica::enter(const Shape& shape, glm::ivec3 brick) {
+    BrickEntry& entry = *m_brickStates.try_emplace(brick).first;
     (shape.moving ? entry.second.moving : entry.second.resting).push_back(shape.handle.slot());
     return &entry;
 }
 
-void ShadowReplica::leave(const Shape& shape, PlaceEntry& entry) {
+void ShadowReplica::leave(const Shape& shape, BrickEntry& entry) {
     std::erase(shape.moving ? entry.second.moving : entry.second.resting, shape.handle.slot());
     touch(shape, entry);
 }
 
 void ShadowReplica::leaveAll(Shape& shape) {
-    for (PlaceEntry* entry : shape.covered) leave(shape, *entry);
+    for (BrickEntry* entry : shape.covered) leave(shape, *entry);
     shape.covered.clear();
 }
 
-void ShadowReplica::touch(const Shape& shape, PlaceEntry& entry) {
-    Place& place = entry.second;
-    if (!shape.moving) place.restIsKnown = false;
+void ShadowReplica::touch(const Shape& shape, BrickEntry& entry) {
+    BrickState& place = entry.second;
+    if (!shape.moving) place.isRestCurrent = false;
     if (place.touched) return;
     place.touched = true;
     m_touched.push_back(&entry);
 }
 
-void ShadowReplica::touchVoxels(Shape& shape, glm::ivec3 voxelBrick) {
+void ShadowReplica::touchVoxelBrick(Shape& shape, glm::ivec3 voxelBrick) {
     const CellBox box{voxelBrick * kBrickSize, voxelBrick * kBrickSize + kBrickSize};
     forEachCell(toBricks(shadowBounds(shape.pose, shape.voxelSize, box)), [&](glm::ivec3 brick) {
-        const auto isEntryBefore = [](const PlaceEntry* entry, glm::ivec3 b) { return isBefore(entry->first, b); };
+        const auto isEntryBefore = [](const BrickEntry* entry, glm::ivec3 b) { return isBefore(entry->first, b); };
         auto at = std::lower_bound(shape.covered.begin(), shape.covered.end(), brick, isEntryBefore);
         if (at == shape.covered.end() || (*at)->first != brick) at = shape.covered.insert(at, enter(shape, brick));
         touch(shape, **at);
     });
 }
 
-ShadowBrickRef ShadowReplica::makeResting(const Place& place, glm::ivec3 brick) const {
+ShadowBrickRef ShadowReplica::buildResting(const BrickState& place, glm::ivec3 brick) const {
     if (place.resting.empty()) return nullptr;
     CellRows rows{};
     for (const uint32_t slot : place.resting) {
         const Shape& shape = *m_shapes[slot];
-        rasterize(shape.casting(), shape.lattice, shape.bounds, brick, rows);
+        rasterize(shape.casterGrid(), shape.cellTransform, shape.bounds, brick, rows);
     }
     const ShadowWords cells = packRows(rows);
-    return place.published && !place.passing && sameCells(*place.published, cells) ? place.published : makeShadowBrick(cells);
+    return place.published && !place.isTransient && sameCells(*place.published, cells) ? place.published : makeShadowBrick(cells);
 }
 
 /// The cells of all shapes, those that rest as they are known.
-ShadowWords ShadowReplica::cellsOf(const Place& place, glm::ivec3 brick) const {
+ShadowWords ShadowReplica::cellsOf(const BrickState& place, glm::ivec3 brick) const {
     ShadowWords cells{};
     if (place.rest)
         for (int i = 0; i < 64; ++i) cells[size_t(i)] = place.rest->cells(i);
@@ -250,7 +250,7 @@ ShadowWords ShadowReplica::cellsOf(const Place& place, glm::ivec3 brick) const {
             add(*words);
         } else if (!shape.raster.isMade()) {
             CellRows rows{};
-            rasterize(shape.casting(), shape.lattice, shape.bounds, brick, rows);
+            rasterize(shape.casterGrid(), shape.cellTransform, shape.bounds, brick, rows);
             add(packRows(rows));
         }
     }
@@ -258,18 +258,18 @@ ShadowWords ShadowReplica::cellsOf(const Place& place, glm::ivec3 brick) const {
 }
 
 /// What a brick is to hold now; the published one where that is the same.
-ShadowBrickRef ShadowReplica::contentOf(Place& place, glm::ivec3 brick) const {
-    if (!place.restIsKnown) place.rest = makeResting(place, brick);
-    place.restIsKnown = true;
+ShadowBrickRef ShadowReplica::currentContent(BrickState& place, glm::ivec3 brick) const {
+    if (!place.isRestCurrent) place.rest = buildResting(place, brick);
+    place.isRestCurrent = true;
     if (place.moving.empty()) return place.rest;  // its boxes are better ones, too
     const ShadowWords cells = cellsOf(place, brick);
     return place.published && sameCells(*place.published, cells) ? place.published : makeShadowBrick(cells, true);
 }
 
-void ShadowReplica::remake(PlaceEntry& entry, ShadowPatches& out) {
+void ShadowReplica::rebuildBrick(BrickEntry& entry, ShadowPatches& out) {
     auto& [brick, place] = entry;
-    ShadowBrickRef content = contentOf(place, brick);
-    place.passing = !place.moving.empty();
+    ShadowBrickRef content = currentContent(place, brick);
+    place.isTransient = !place.moving.empty();
     if (content == place.published) return;
     place.published = std::move(content);
     out.patches.push_back({brick, place.published});
@@ -281,11 +281,11 @@ bool ShadowReplica::update(ShadowPatches& out, const std::atomic<bool>& stop) {
         if (Shape* shape = find(handle)) place(*shape);
     }
     m_waiting.clear();
-    for (PlaceEntry* entry : m_touched) {
+    for (BrickEntry* entry : m_touched) {
         if (stop) return false;
         entry->second.touched = false;
-        remake(*entry, out);
-        if (entry->second.resting.empty() && entry->second.moving.empty()) m_places.erase(glm::ivec3(entry->first));
+        rebuildBrick(*entry, out);
+        if (entry->second.resting.empty() && entry->second.moving.empty()) m_brickStates.erase(glm::ivec3(entry->first));
     }
     m_touched.clear();
     return true;

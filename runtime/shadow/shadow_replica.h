@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "runtime/shadow/rasterize.h"
-#include "runtime/shadow/shadow_lattice.h"
+#include "runtime/shadow/shadow_cell_transform.h"
 #include "runtime/shadow/shadow_step.h"
 #include "runtime/shadow/shadow_volume.h"
 #include "runtime/shadow/shape_raster.h"
@@ -29,19 +29,19 @@ private:
     /// Which palette entries cast a shadow.
     using OpaqueEntries = std::array<bool, 256>;
     /// One brick of the volume, and who is in it.
-    struct Place {
+    struct BrickState {
         std::vector<uint32_t> resting, moving;  ///< slots of shapes
         ShadowBrickRef published;
         ShadowBrickRef rest;       ///< of the resting shapes alone, kept while others move through
-        bool restIsKnown = false;  ///< false: `rest` is not of the shapes as they are
-        bool passing = false;      ///< how it was published
+        bool isRestCurrent = false;  ///< false: `rest` is not of the shapes as they are
+        bool isTransient = false;      ///< how it was published
         bool touched = false;
     };
-    struct PlaceHash {
+    struct BrickHash {
         size_t operator()(glm::ivec3 brick) const;
     };
-    using Places = std::unordered_map<glm::ivec3, Place, PlaceHash>;
-    using PlaceEntry = Places::value_type;  ///< stays where it is until it is erased
+    using BrickMap = std::unordered_map<glm::ivec3, BrickState, BrickHash>;
+    using BrickEntry = BrickMap::value_type;  ///< stays where it is until it is erased
     struct Shape {
         ShapeHandle handle;
         VoxelGrid grid;
@@ -50,15 +50,15 @@ private:
         OpaqueEntries entries{};
         double voxelSize = 0.1;
         Pose pose;
-        ShadowLattice lattice;
+        ShadowCellTransform cellTransform;
         CellBox bounds;       ///< in shadow cells
         RasterSource source;  ///< of a small shape that has moved
         ShapeRaster raster;   ///< of a small shape that moves
         bool placed = false;  ///< false if its pose is unusable
         bool moving = false;
-        bool waits = false;                ///< to be placed by the next update
-        std::vector<PlaceEntry*> covered;  ///< the bricks whose lists it is in, in the order of isBefore
-        const VoxelGrid& casting() const { return hasTranslucent ? opaque : grid; }
+        bool isQueued = false;                ///< to be placed by the next update
+        std::vector<BrickEntry*> covered;  ///< the bricks whose lists it is in, in the order of isBefore
+        const VoxelGrid& casterGrid() const { return hasTranslucent ? opaque : grid; }
     };
     Shape* find(ShapeHandle handle);
     void create(ShadowStep::NewShape&& from);
@@ -66,25 +66,25 @@ private:
     void setBrick(Shape& shape, const BrickChange& change);
     void setPalette(Shape& shape, const Palette& palette);
     void setPose(Shape& shape, const Pose& pose, bool asleep);
-    void placeLater(Shape& shape);
+    void queuePlacement(Shape& shape);
     void place(Shape& shape);
-    PlaceEntry* enter(const Shape& shape, glm::ivec3 brick);
-    void leave(const Shape& shape, PlaceEntry& entry);
+    BrickEntry* enter(const Shape& shape, glm::ivec3 brick);
+    void leave(const Shape& shape, BrickEntry& entry);
     void leaveAll(Shape& shape);
-    void touch(const Shape& shape, PlaceEntry& entry);
-    void touchVoxels(Shape& shape, glm::ivec3 voxelBrick);
+    void touch(const Shape& shape, BrickEntry& entry);
+    void touchVoxelBrick(Shape& shape, glm::ivec3 voxelBrick);
     void rasterizeMoving(Shape& shape);
-    ShadowBrickRef makeResting(const Place& place, glm::ivec3 brick) const;
-    ShadowWords cellsOf(const Place& place, glm::ivec3 brick) const;
-    ShadowBrickRef contentOf(Place& place, glm::ivec3 brick) const;
-    void remake(PlaceEntry& entry, ShadowPatches& out);
+    ShadowBrickRef buildResting(const BrickState& place, glm::ivec3 brick) const;
+    ShadowWords cellsOf(const BrickState& place, glm::ivec3 brick) const;
+    ShadowBrickRef currentContent(BrickState& place, glm::ivec3 brick) const;
+    void rebuildBrick(BrickEntry& entry, ShadowPatches& out);
 
     std::vector<std::unique_ptr<Shape>> m_shapes;  ///< by slot
-    Places m_places;
+    BrickMap m_brickStates;
     std::vector<ShapeHandle> m_waiting;      ///< shapes to be placed: once an update, however many steps it shows
-    std::vector<PlaceEntry*> m_touched;      ///< bricks to be made anew
+    std::vector<BrickEntry*> m_touched;      ///< bricks to be made anew
     std::vector<glm::ivec3> m_bricks;        ///< scratch of place()
-    std::vector<PlaceEntry*> m_nextCovered;  ///< scratch of place()
+    std::vector<BrickEntry*> m_nextCovered;  ///< scratch of place()
     ShapeRaster m_nextRaster;                ///< scratch of place()
 };
 

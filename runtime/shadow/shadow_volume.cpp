@@ -12,14 +12,14 @@ namespace {
 using Set = uint64_t;  ///< of a brick's words
 
 /// The words in the lowest layer across each axis, and how far apart layers are.
-constexpr std::array<Set, 3> kLowest = {0x1111111111111111u, 0x000f000f000f000fu, 0x000000000000ffffu};
+constexpr std::array<Set, 3> kLowestLayer = {0x1111111111111111u, 0x000f000f000f000fu, 0x000000000000ffffu};
 constexpr std::array<int, 3> kPitch = {1, 4, 16};
 
 /// The words whose neighbour, one on in the octant, is in the set. Beyond the brick all are.
-Set ahead(Set set, int axis, int octant) {
+Set neighborsAhead(Set set, int axis, int octant) {
     const size_t a = size_t(axis);
-    return octant >> axis & 1 ? (set << kPitch[a] & ~kLowest[a]) | kLowest[a]
-                              : (set >> kPitch[a] & ~(kLowest[a] << (3 * kPitch[a]))) | kLowest[a] << (3 * kPitch[a]);
+    return octant >> axis & 1 ? (set << kPitch[a] & ~kLowestLayer[a]) | kLowestLayer[a]
+                              : (set >> kPitch[a] & ~(kLowestLayer[a] << (3 * kPitch[a]))) | kLowestLayer[a] << (3 * kPitch[a]);
 }
 
 /// The 63 sizes of boxes above one word, less one in two bits each (x, y, z from the lowest), the largest first.
@@ -46,7 +46,7 @@ void listBoxes(Set empty, int octant, std::array<Set, 64>& boxes) {
     for (int axis = 0; axis < 3; ++axis) {
         const size_t unit = size_t(1) << (2 * axis);
         for (size_t base = 0; base < unit; ++base)
-            for (size_t size = 1; size < 4; ++size) boxes[base + size * unit] = boxes[base] & ahead(boxes[base + (size - 1) * unit], axis, octant);
+            for (size_t size = 1; size < 4; ++size) boxes[base + size * unit] = boxes[base] & neighborsAhead(boxes[base + (size - 1) * unit], axis, octant);
     }
 }
 
@@ -57,7 +57,7 @@ using Planes = std::array<std::array<Set, 2>, 3>;
 void endInBrick(Planes& planes, int octant) {
     for (size_t a = 0; a < 3; ++a) {
         const bool down = octant >> a & 1;
-        const auto layer = [&](int stepsToEnd) { return kLowest[a] << ((down ? stepsToEnd : 3 - stepsToEnd) * kPitch[a]); };
+        const auto layer = [&](int stepsToEnd) { return kLowestLayer[a] << ((down ? stepsToEnd : 3 - stepsToEnd) * kPitch[a]); };
         auto& [low, high] = planes[a];
         low &= ~layer(0);
         high &= ~layer(0);
@@ -89,7 +89,7 @@ Planes chooseCubes(Set empty, int octant) {
     std::array<Set, 3> cubes;  // of 2, 3 and 4 words
     Set begins = empty;
     for (Set& ofSize : cubes) {
-        for (int axis = 0; axis < 3; ++axis) begins &= ahead(begins, axis, octant);  // of one less, at all eight corners
+        for (int axis = 0; axis < 3; ++axis) begins &= neighborsAhead(begins, axis, octant);  // of one less, at all eight corners
         ofSize = begins;
     }
     Planes planes;
@@ -136,10 +136,10 @@ void storeTexels(const PlaneRows& rows, ShadowWords& texels) {
 #endif
 }
 
-void makeTexels(Set empty, bool isPassing, ShadowWords& texels) {
+void makeTexels(Set empty, bool isTransient, ShadowWords& texels) {
     PlaneRows rows;
     for (size_t octant = 0; octant < 8; ++octant) {
-        const Planes planes = isPassing ? chooseCubes(empty, int(octant)) : chooseBoxes(empty, int(octant));
+        const Planes planes = isTransient ? chooseCubes(empty, int(octant)) : chooseBoxes(empty, int(octant));
         for (size_t bit = 0; bit < 2; ++bit) rows[2 * octant + bit] = {planes[0][bit], planes[1][bit], planes[2][bit], 0};
     }
     swapHalves<8>(rows, 0x00ff00ff00ff00ffu);
@@ -157,12 +157,12 @@ Set occupiedWords(const ShadowWords& cells) {
 
 }  // namespace
 
-ShadowBrickRef makeShadowBrick(const ShadowWords& cells, bool isPassing) {
+ShadowBrickRef makeShadowBrick(const ShadowWords& cells, bool isTransient) {
     const Set occupied = occupiedWords(cells);
     if (!occupied) return nullptr;
     auto brick = std::make_shared<ShadowBrick>();
     brick->occupied = occupied;
-    if (~occupied) makeTexels(~occupied, isPassing, brick->texels);
+    if (~occupied) makeTexels(~occupied, isTransient, brick->texels);
     for (size_t i = 0; i < 64; ++i) brick->texels[i] = cells[i] ? cells[i] : brick->texels[i];
     return brick;
 }

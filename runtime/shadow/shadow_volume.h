@@ -23,8 +23,8 @@ struct ShadowBrick {
 using ShadowBrickRef = std::shared_ptr<const ShadowBrick>;
 
 /// Null if all words are empty.
-/// isPassing: what is in it moves on at once, so its boxes are made quickly, and some are smaller than they could be.
-ShadowBrickRef makeShadowBrick(const ShadowWords& cells, bool isPassing = false);
+/// isTransient: what is in it moves on at once, so its boxes are made quickly, and some are smaller than they could be.
+ShadowBrickRef makeShadowBrick(const ShadowWords& cells, bool isTransient = false);
 bool sameCells(const ShadowBrick& brick, const ShadowWords& cells);
 /// The empty box of an empty word in an octant, in words.
 inline glm::ivec3 emptyBox(const ShadowBrick& brick, int word, int octant) {

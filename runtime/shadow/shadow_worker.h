@@ -27,7 +27,7 @@ public:
     ShadowWorker(const ShadowWorker&) = delete;
     ShadowWorker& operator=(const ShadowWorker&) = delete;
 
-    /// Copies out what this step changed (bricks by reference, poses of the bodies in `moved`) and queues it. Never waits.
+    /// Copies out what this step changed (bricks by reference, poses of the bodies in `moved`) and queues it. Never isQueued.
     void submit(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world);
     /// What has been published since the last call, oldest first; each publication is one version.
     std::vector<ShadowPatches> takePatches();

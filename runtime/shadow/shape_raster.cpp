@@ -24,7 +24,7 @@ bool isSolid(const uint64_t* rows, int height, const CellBox& box) {
 }
 
 /// What is left of rows of voxels without those that have an empty neighbour. Empty if nothing is.
-std::vector<uint64_t> peeled(const std::vector<uint64_t>& rows, glm::ivec3 size) {
+std::vector<uint64_t> eroded(const std::vector<uint64_t>& rows, glm::ivec3 size) {
     std::vector<uint64_t> out(rows.size(), 0);
     uint64_t any = 0;
     for (int z = 1; z + 1 < size.z; ++z)
@@ -79,39 +79,39 @@ private:
 /// Rows of samples of a shape as rows of cells.
 class RowSampler {
 public:
-    RowSampler(const RasterSource& source, const ShadowLattice& lattice, int count)
+    RowSampler(const RasterSource& source, const ShadowCellTransform& cellTransform, int count)
         : m_rows(source.rows()),
           m_height(source.height()),
-          m_samples(lattice.samples),
-          m_step(lattice.step[0]),
-          m_rowStep(lattice.step[1]),
-          m_used(source.used(), lattice, count),
-          m_core(source.core(), lattice, count),
-          m_isBox(m_samples == 1 && source.core() == source.used()),
-          m_hasCore(m_samples == 1 && !m_isBox && !source.core().empty()) {}
+          m_samples(cellTransform.samples),
+          m_step(cellTransform.step[0]),
+          m_rowStep(cellTransform.step[1]),
+          m_used(source.used(), cellTransform, count),
+          m_solidBox(source.solidBox(), cellTransform, count),
+          m_isBox(m_samples == 1 && source.solidBox() == source.used()),
+          m_hasSolidBox(m_samples == 1 && !m_isBox && !source.solidBox().empty()) {}
     /// row(y, bits) for all rows of a plane that set cells; bit i / samples of `bits` is set for every sample i in a solid voxel.
     template <class Row>
     void forEachRow(const FixedPoint& plane, int count, Row&& row) const {
         const RowClip::Exact at = toDoubles(plane);
         const auto [yLow, yHigh] = m_used.rows(at, count);
-        std::array<RowClip::Interval, RowClip::kBatch> used, core{};
+        std::array<RowClip::Interval, RowClip::kBatch> used, solidBox{};
         for (int y = yLow; y < yHigh; y += RowClip::kBatch) {
             const int some = std::min(RowClip::kBatch, yHigh - y);
             m_used.intervals(at, y, some, used.data());
-            if (m_hasCore) m_core.intervals(at, y, some, core.data());
+            if (m_hasSolidBox) m_solidBox.intervals(at, y, some, solidBox.data());
             for (size_t i = 0; i < size_t(some); ++i)
                 if (used[i].low < used[i].high)
-                    row(y + int(i), m_isBox ? bitsOf(used[i].low, used[i].high) : cells(plane + m_rowStep * (y + int(i)), used[i], core[i]));
+                    row(y + int(i), m_isBox ? bitsOf(used[i].low, used[i].high) : cells(plane + m_rowStep * (y + int(i)), used[i], solidBox[i]));
         }
     }
 
 private:
-    uint64_t cells(const FixedPoint& first, RowClip::Interval used, RowClip::Interval core) const {
+    uint64_t cells(const FixedPoint& first, RowClip::Interval used, RowClip::Interval solidBox) const {
         if (m_samples > 1) return sampleFine(first, used.low, used.high);
-        if (core.low >= core.high) return sample(first, used.low, used.high);
-        uint64_t bits = bitsOf(core.low, core.high);
-        if (used.low < core.low) bits |= sample(first, used.low, core.low);
-        if (core.high < used.high) bits |= sample(first, core.high, used.high);
+        if (solidBox.low >= solidBox.high) return sample(first, used.low, used.high);
+        uint64_t bits = bitsOf(solidBox.low, solidBox.high);
+        if (used.low < solidBox.low) bits |= sample(first, used.low, solidBox.low);
+        if (solidBox.high < used.high) bits |= sample(first, solidBox.high, used.high);
         return bits;
     }
     uint64_t solid(int64_t x, int64_t y, int64_t z) const { return m_rows[(y >> 32) + (z >> 32) * m_height] >> (x >> 32) & 1; }
@@ -138,8 +138,8 @@ private:
     const int64_t m_height;
     const int m_samples;
     const FixedPoint m_step, m_rowStep;
-    const RowClip m_used, m_core;
-    const bool m_isBox, m_hasCore;
+    const RowClip m_used, m_solidBox;
+    const bool m_isBox, m_hasSolidBox;
 };
 
 }  // namespace
@@ -154,11 +154,11 @@ void RasterSource::make(const VoxelGrid& grid) {
             for (int y = low.y; y < high.y; ++y)
                 m_rows[size_t(y + z * size.y)] |= (brick->occupancy[size_t(z - low.z)] >> ((y - low.y) * 8) & 0xff) << low.x;
     });
-    findUsed(size);
-    findCore(size);
+    findOccupiedBox(size);
+    findSolidBox(size);
 }
 
-void RasterSource::findUsed(glm::ivec3 size) {
+void RasterSource::findOccupiedBox(glm::ivec3 size) {
     m_used = {size, glm::ivec3(0)};
     for (int z = 0; z < size.z; ++z)
         for (int y = 0; y < size.y; ++y) {
@@ -170,30 +170,30 @@ void RasterSource::findUsed(glm::ivec3 size) {
 }
 
 /// A large solid box: peels the shape until nothing is left, and grows a box round a voxel that went last.
-void RasterSource::findCore(glm::ivec3 size) {
-    m_core = {};
+void RasterSource::findSolidBox(glm::ivec3 size) {
+    m_solidBox = {};
     if (m_used.empty()) return;
     std::vector<uint64_t> rows = m_rows;
-    for (std::vector<uint64_t> next = peeled(rows, size); !next.empty(); next = peeled(rows, size)) rows = std::move(next);
+    for (std::vector<uint64_t> next = eroded(rows, size); !next.empty(); next = eroded(rows, size)) rows = std::move(next);
     const size_t first = size_t(std::find_if(rows.begin(), rows.end(), [](uint64_t row) { return row != 0; }) - rows.begin());
-    m_core.low = {std::countr_zero(rows[first]), int(first) % size.y, int(first) / size.y};
-    m_core.high = m_core.low + 1;
+    m_solidBox.low = {std::countr_zero(rows[first]), int(first) % size.y, int(first) / size.y};
+    m_solidBox.high = m_solidBox.low + 1;
     for (bool grows = true; grows;) {
         grows = false;
         for (int side = 0; side < 6; ++side) {
             const int axis = side >> 1;
-            CellBox layer = m_core;
-            (side & 1 ? layer.low : layer.high)[axis] = side & 1 ? m_core.high[axis] : m_core.low[axis];
+            CellBox layer = m_solidBox;
+            (side & 1 ? layer.low : layer.high)[axis] = side & 1 ? m_solidBox.high[axis] : m_solidBox.low[axis];
             (side & 1 ? layer.high : layer.low)[axis] += side & 1 ? 1 : -1;
             if (layer.low[axis] < m_used.low[axis] || layer.high[axis] > m_used.high[axis] || !isSolid(m_rows.data(), m_height, layer)) continue;
-            (side & 1 ? m_core.high : m_core.low)[axis] += side & 1 ? 1 : -1;
+            (side & 1 ? m_solidBox.high : m_solidBox.low)[axis] += side & 1 ? 1 : -1;
             grows = true;
         }
     }
 }
 
 void ShapeRaster::clear() {
-    m_places.clear();
+    m_brickSlots.clear();
     m_used = 0;
 }
 
@@ -201,12 +201,12 @@ const ShadowWords* ShapeRaster::find(glm::ivec3 brick) const {
     const glm::ivec3 at = brick - m_lowBrick;
     for (int a = 0; a < 3; ++a)
         if (at[a] < 0 || at[a] >= m_bricks[a]) return nullptr;
-    const uint8_t place = m_places[size_t(at.x + m_bricks.x * (at.y + m_bricks.y * at.z))];
+    const uint8_t place = m_brickSlots[size_t(at.x + m_bricks.x * (at.y + m_bricks.y * at.z))];
     return place ? &m_words[place - 1u] : nullptr;
 }
 
 ShadowWords& ShapeRaster::wordsAt(size_t index) {
-    uint8_t& place = m_places[index];
+    uint8_t& place = m_brickSlots[index];
     if (!place) {
         if (m_used == m_words.size()) m_words.emplace_back();
         m_words[m_used].fill(0);
@@ -215,23 +215,23 @@ ShadowWords& ShapeRaster::wordsAt(size_t index) {
     return m_words[place - 1u];
 }
 
-bool ShapeRaster::make(const RasterSource& source, const ShadowLattice& lattice, const CellBox& bounds) {
+bool ShapeRaster::make(const RasterSource& source, const ShadowCellTransform& cellTransform, const CellBox& bounds) {
     clear();
     const glm::ivec3 size = bounds.high - bounds.low;
     if (std::max({size.x, size.y, size.z}) > kMaxCells) return false;
     m_lowBrick = bounds.low >> 4;
     m_bricks = ((bounds.high + (kSide - 1)) >> 4) - m_lowBrick;
-    m_places.assign(size_t(m_bricks.x) * size_t(m_bricks.y) * size_t(m_bricks.z), 0);
+    m_brickSlots.assign(size_t(m_bricks.x) * size_t(m_bricks.y) * size_t(m_bricks.z), 0);
 
-    const glm::ivec3 count = size * lattice.samples, low = bounds.low - m_lowBrick * kSide;  // cells from the lowest brick's corner
-    const RowSampler sampler(source, lattice, count.x);
-    const int inWord = low.x & 3, yBase = low.y & ~3;
+    const glm::ivec3 count = size * cellTransform.samples, low = bounds.low - m_lowBrick * kSide;  // cells from the lowest brick's corner
+    const RowSampler sampler(source, cellTransform, count.x);
+    const int bitInWord = low.x & 3, yBase = low.y & ~3;
     Slab slab;
-    FixedPoint plane = lattice.sample(bounds.low);
+    FixedPoint plane = cellTransform.sample(bounds.low);
     for (int z = 0, zCell = low.z; zCell < low.z + size.z; ++zCell) {
-        for (const int end = z + lattice.samples; z < end; ++z, plane = plane + lattice.step[2]) {
+        for (const int end = z + cellTransform.samples; z < end; ++z, plane = plane + cellTransform.step[2]) {
             uint64_t* rows = &slab.layers[size_t(zCell & 3)][size_t(low.y - yBase)];
-            sampler.forEachRow(plane, count.y, [&](int y, uint64_t bits) { rows[lattice.samples == 1 ? y : y / lattice.samples] |= bits << inWord; });
+            sampler.forEachRow(plane, count.y, [&](int y, uint64_t bits) { rows[cellTransform.samples == 1 ? y : y / cellTransform.samples] |= bits << bitInWord; });
         }
         if ((zCell & 3) != 3 && zCell + 1 < low.z + size.z) continue;
         std::array<uint64_t, 20> words;

@@ -38,7 +38,7 @@ public:
         if (!context) return Error{context.error()};
         cameraman->m_context = std::move(*context);
         RenderSettings settings = RenderSettings::preset(options.preset);
-        settings.fullscreen = RenderSettings::fullscreenNamed(options.fullscreen);
+        settings.fullscreen = RenderSettings::fullscreenFromName(options.fullscreen);
         settings.warmUpFrames = kWarmUpFrames;
         auto renderer = Renderer::create(cameraman->m_context->loader(), options.shaders, settings);
         if (!renderer) return Error{renderer.error()};

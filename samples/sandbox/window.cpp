@@ -169,7 +169,7 @@ int runWindow(const SandboxOptions& options) {
     auto window = Window::create({options.width, options.height}, "Rubble sandbox");
     if (!window) return logError(window.error()), 1;
     RenderSettings settings = RenderSettings::preset(options.preset);
-    settings.fullscreen = RenderSettings::fullscreenNamed(options.fullscreen);
+    settings.fullscreen = RenderSettings::fullscreenFromName(options.fullscreen);
     auto renderer = Renderer::create((*window)->loader(), options.shaders, settings);
     if (!renderer) return logError(renderer.error()), 1;
     Game game(options, **window, std::move(*stage), std::move(*renderer));

@@ -26,7 +26,7 @@ Level withFloor(std::string name) {
 
 }  // namespace
 
-Level makeLoneCube(int size, double height) {
+Level makeSingleCube(int size, double height) {
     Level level = withFloor("lone cube");
     addLoose(level, block("cube", ivec3(size), kTimber), {40 - size / 2, 0, 40 - size / 2});
     level.bodies.back().pose.position.y = height;

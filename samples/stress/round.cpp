@@ -107,7 +107,7 @@ FrameLoopSettings stressLoop(int threads) {
     FrameLoopSettings settings;
     settings.publish = settings.shadowVolume = false;
     settings.shadow = ShadowWorker::Mode::Inline;
-    settings.particles.most = 0;
+    settings.particles.maxAlive = 0;
     settings.physics.parallelFor = threadsFor(threads);
     return settings;
 }

@@ -3,7 +3,7 @@ uniform usamplerBuffer uNodes;         // a node of 4x4x4 bricks: 64-bit mask of
 uniform usamplerBuffer uTables;        // 64 texels a table: slot << 8 | mask of the brick's occupied 4x4x4 words
 uniform usamplerBuffer uBrickWords;    // 8 texels a brick: 64-bit words of 4x4x4 cells
 uniform usamplerBuffer uBrickIndices;  // 128 texels a brick: 512 palette indices, four a texel
-uniform samplerBuffer uPlacements;     // 4 texels an instance: rotation, position and voxel size, and both as they were last frame
+uniform samplerBuffer uTransforms;     // 4 texels an instance: rotation, position and voxel size, and both as they were last frame
 uniform usamplerBuffer uLayouts;       // 4 texels an instance: first node, palette, flags; size in nodes; low cell; high cell
 uniform usamplerBuffer uPalettes;      // 256 texels a palette: colour and opacity, surface, emission, detail map
 
@@ -15,7 +15,7 @@ uint fetchTable(int i) { return texelFetch(uTables, i).r; }
 uvec2 fetchWord(int i) { return texelFetch(uBrickWords, i).rg; }
 uint fetchIndices(int i) { return texelFetch(uBrickIndices, i).r; }
 
-struct Placement {
+struct InstanceTransform {
     vec4 rotation;
     vec3 position;    // of cell 0's corner, world
     float voxelSize;  // metres
@@ -24,9 +24,9 @@ struct Placement {
     float moved;      // 1 if it differs from last frame's
 };
 
-Placement readPlacement(int instance) {
-    vec4 p = texelFetch(uPlacements, instance * 4 + 1), q = texelFetch(uPlacements, instance * 4 + 3);
-    return Placement(texelFetch(uPlacements, instance * 4), p.xyz, p.w, texelFetch(uPlacements, instance * 4 + 2), q.xyz, q.w);
+InstanceTransform readPlacement(int instance) {
+    vec4 p = texelFetch(uTransforms, instance * 4 + 1), q = texelFetch(uTransforms, instance * 4 + 3);
+    return InstanceTransform(texelFetch(uTransforms, instance * 4), p.xyz, p.w, texelFetch(uTransforms, instance * 4 + 2), q.xyz, q.w);
 }
 
 struct Layout {

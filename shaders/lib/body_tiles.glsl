@@ -1,6 +1,6 @@
 // Which bodies a pixel has to look at, nearest first (filled by render/scene/body_tiles.cpp).
 #include "lib/bodies.glsl"
-uniform usamplerBuffer uTileFirsts;  // of each tile, in uTileBodies; the list ends where the next tile's begins
+uniform usamplerBuffer uTileOffsets;  // of each tile, in uTileBodies; the list ends where the next tile's begins
 uniform usamplerBuffer uTileBodies;  // numbers of views
 uniform usamplerBuffer uBodyViews;   // 5 texels a body in view
 uniform ivec2 uTileGrid;             // tiles in a row; log2 of a tile's pixels
@@ -16,7 +16,7 @@ struct BodyView {
 ivec2 tileList(ivec2 pixel) {
     ivec2 tile = pixel >> uTileGrid.y;
     int i = tile.y * uTileGrid.x + tile.x;
-    return ivec2(texelFetch(uTileFirsts, i).r, texelFetch(uTileFirsts, i + 1).r);
+    return ivec2(texelFetch(uTileOffsets, i).r, texelFetch(uTileOffsets, i + 1).r);
 }
 
 /// The body of an entry as the ray through a point of the screen (in pixels) meets it.

@@ -6,23 +6,23 @@
 #include "lib/voxel_walk.glsl"
 #include "lib/paint.glsl"
 #include "lib/voxel_at.glsl"
-uniform sampler2D uLastRadiance;  // last frame's picture before post-processing
-uniform sampler2D uLastSurface;   // lib/surface_history.glsl
-uniform sampler2D uLastMatte;     // composite.frag
-uniform bool uLastValid;
-uniform bool uMatte;  // what is seen shines alike to all sides: highlights are the eye's alone
+uniform sampler2D uRadianceHistory;  // last frame's picture before post-processing
+uniform sampler2D uSurfaceHistory;   // lib/surface_history.glsl
+uniform sampler2D uDiffuseFractionHistory;     // composite.frag
+uniform bool uHistoryValid;
+uniform bool uDiffuseOnly;  // what is seen shines alike to all sides: highlights are the eye's alone
 uniform bool uSunUp;
 uniform bool uBounce;
-uniform int uBounces;  // faces that no picture shows, at most: the rest of the light is guessed at the last one
-uniform float uReach;  // metres that rays see which go on
-uniform bool uLamps;  // shine where no picture shows it
+uniform int uMaxBounces;  // faces that no picture shows, at most: the rest of the light is guessed at the last one
+uniform float uMaxDistance;  // metres that rays see which go on
+uniform bool uBounceLights;  // shine where no picture shows it
 
 const float kEdge = 0.15;         // of the picture's half width and height: how far the trust in it takes to grow
 const float kUnknownAlbedo = 0.3; // where no voxel is found
 // Close to a lamp few rays would speckle: as bright, or as many times as bright as where the ray started, where more of it is no surprise.
 const float kBrightestLamp = 6.0, kBrighterLamp = 150.0;
 const float kMostOpener = 1.4;
-const vec2 kIndoors = vec2(0.1, 0.3);  // nearness from which light comes from all around as well as from above
+const vec2 kIndoors = vec2(0.1, 0.3);  // hitProximity from which light comes from all around as well as from above
 const float kMostGiven = 0.95;     // back of the light that comes in: what a white room guesses of its own light never grows
 const float kShadowCellMetres = 0.1;
 const vec2 kNextWay = vec2(0.7548776662, 0.5698402910);  // R2, as lib/noise
@@ -41,19 +41,19 @@ vec3 faceNormal(vec3 hitWorld, vec3 direction) {
 /// glow: the share that counts of voxels that shine: what the rays to their lamp bring must not come a second time.
 /// a: 0 where it is not shown, 1 where it is, less toward the picture's edge.
 vec4 radianceOnScreen(vec3 hitWorld, vec3 normal, float glow) {
-    if (!uLastValid) return vec4(0.0);
+    if (!uHistoryValid) return vec4(0.0);
     vec4 clip = frame.previousViewProjection * vec4(hitWorld, 1.0);
     if (clip.w < 0.1 || any(greaterThanEqual(abs(clip.xy), vec2(clip.w)))) return vec4(0.0);
     ivec2 pixel = ivec2((clip.xy / clip.w * 0.5 + 0.5) * frame.targetSize.xy);
-    vec3 surface = texelFetch(uLastSurface, pixel, 0).xyw;
+    vec3 surface = texelFetch(uSurfaceHistory, pixel, 0).xyw;
     if (abs(surface.x - clip.w) > 0.12 + 0.01 * clip.w || dot(unpackNormal(surface.y), normal) < 0.6) return vec4(0.0);
     // Without the air between the eye and the place: it does not light a closed room. Bright dots met by few rays would speckle.
     vec3 fromEye = hitWorld - frame.cameraPosition.xyz;
     float range = length(fromEye);
     float haze = hazeAmount(range);
     if (haze >= 0.9) return vec4(0.0);
-    vec3 radiance = texelFetch(uLastRadiance, pixel, 0).rgb - hazeRadiance(fromEye / max(range, 1e-3)) * haze;
-    if (uMatte) radiance *= texelFetch(uLastMatte, pixel, 0).x;
+    vec3 radiance = texelFetch(uRadianceHistory, pixel, 0).rgb - hazeRadiance(fromEye / max(range, 1e-3)) * haze;
+    if (uDiffuseOnly) radiance *= texelFetch(uDiffuseFractionHistory, pixel, 0).x;
     vec2 fromEdge = (1.0 - abs(clip.xy / clip.w)) / kEdge;
     float counted = surface.z < 0.0 && frame.counters.z > 0 ? glow : 1.0;
     return vec4(clamp(radiance / (1.0 - haze), vec3(0.0), vec3(3.0)) * counted, clamp(min(fromEdge.x, fromEdge.y), 1e-3, 1.0));
@@ -65,7 +65,7 @@ struct Here {
     ivec2 lamps;
     vec3 random;
     vec2 way;        // for the direction of the path's next ray
-    float nearness;  // of what surrounds it (sky.frag): 0 in the open
+    float hitProximity;  // of what surrounds it (sky.frag): 0 in the open
 };
 
 Here startingAt(vec3 light, vec3 normal, ivec2 lamps) { return Here(light, normal, lamps, vec3(0.0), vec2(0.0), 0.0); }
@@ -105,7 +105,7 @@ Face unseenFace(vec3 hitWorld, vec3 normal, vec3 direction, Here here, float glo
 #ifdef FEW_TEXTURE_UNITS
     return Face(kUnknownAlbedo * sun, vec3(kUnknownAlbedo));  // a voxel takes twelve samplers to look up
 #else
-    vec3 lamp = uLamps ? lampOn(hitWorld, normal, here) : vec3(0.0);
+    vec3 lamp = uBounceLights ? lampOn(hitWorld, normal, here) : vec3(0.0);
     // The cell that was met has its middle in the voxel. What moves is drawn between two steps and may be a little farther on.
     vec3 middle = (floor((hitWorld - normal * (0.5 * kShadowCellMetres)) / kShadowCellMetres) + 0.5) * kShadowCellMetres;
     Entry entry;
@@ -125,11 +125,11 @@ Face unseenFace(vec3 hitWorld, vec3 normal, vec3 direction, Here here, float glo
 /// open. That is right in the long run inside a room, where it sums up all bounces, and zero in a closed one.
 float guessedShare(vec3 normal, Here here) {
     float opener = min(openLight(normal) / openLight(here.normal), kMostOpener);
-    return mix(0.9 * opener, 0.95, smoothstep(kIndoors.x, kIndoors.y, here.nearness));
+    return mix(0.9 * opener, 0.95, smoothstep(kIndoors.x, kIndoors.y, here.hitProximity));
 }
 
 /// What a ray meets: radiance along a path that goes on, from face to face in a random direction each, until the picture or the sky tells the
-/// rest, or after uBounces faces a guess.
+/// rest, or after uMaxBounces faces a guess.
 vec3 radianceAt(vec3 hitWorld, vec3 direction, Here here, float glow) {
     vec3 radiance = vec3(0.0), share = vec3(1.0);
     if (!uBounce) return radiance;
@@ -142,14 +142,14 @@ vec3 radianceAt(vec3 hitWorld, vec3 direction, Here here, float glow) {
         Face face = unseenFace(hitWorld, normal, direction, here, glow);
         radiance += share * face.radiance;
         share *= min(face.given, vec3(kMostGiven));
-        if (i >= uBounces) {
+        if (i >= uMaxBounces) {
             radiance += min(share * guessedShare(normal, here), vec3(kMostGiven)) * here.light;
             break;
         }
         vec3 origin = shadowOrigin(hitWorld, normal);
         direction = cosineDirection(normal, fract(here.way + float(i) * kNextWay));
         float t;
-        if (!shadowTrace(origin, direction, uReach, t)) {
+        if (!shadowTrace(origin, direction, uMaxDistance, t)) {
             radiance += share * skyRadiance(direction);
             break;
         }

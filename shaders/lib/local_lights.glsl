@@ -2,16 +2,16 @@
 // them. runtime/world/lights.h says what each kind is. Needs lib/frame, lib/sampling.
 #include "lib/color.glsl"
 
-uniform samplerBuffer uLights;          // kTexelsALight a light: see readLight()
+uniform samplerBuffer uLights;          // kTexelsPerLight a light: see readLight()
 uniform usamplerBuffer uLightCells;     // of the grid: first place in the list, number of lights
-uniform usamplerBuffer uLightList;      // the first kAlwaysLooked of a cell are those that may matter most there
-uniform samplerBuffer uLightPictures;   // linear
+uniform usamplerBuffer uLightList;      // the first kAlwaysWeighed of a cell are those that may matter most there
+uniform samplerBuffer uLightImages;   // linear
 uniform ivec3 uLightGrid;               // tiles across and up, slices of depth; after the last slice one for all depths
 
-const int kTexelsALight = 7;  // the first three are all that the choice among lights needs: see roughIrradiance()
+const int kTexelsPerLight = 7;  // the first three are all that the choice among lights needs: see roughIrradiance()
 const int kTilePixels = 32;
-const int kAlwaysLooked = 12;  // the same in render/scene/light_grid.cpp
-const int kOthersLooked = 12;
+const int kAlwaysWeighed = 12;  // the same in render/scene/light_grid.cpp
+const int kOthersWeighed = 12;
 const int kBall = 0, kCapsule = 1, kArea = 2, kScreen = 3;
 
 struct LocalLight {
@@ -30,7 +30,7 @@ struct LocalLight {
 };
 
 LocalLight readLight(int i) {
-    i *= kTexelsALight;
+    i *= kTexelsPerLight;
     vec4 a = texelFetch(uLights, i), c = texelFetch(uLights, i + 2), d = texelFetch(uLights, i + 3), e = texelFetch(uLights, i + 4),
          f = texelFetch(uLights, i + 5), g = texelFetch(uLights, i + 6);
     return LocalLight(a.xyz, a.w, d.rgb, c.y, e.xyz, int(d.w), vec2(e.w, g.x), c.z, f.xyz, vec2(f.w, c.w), g.w > 0.0,
@@ -46,11 +46,11 @@ ivec2 lightsAt(ivec2 pixel, float depth) {
 
 /// Where to look for the i-th of those that a pixel weighs: the first ones always, of the others every so many from a random one on,
 /// so that hundreds cost no more than some. x: the light, y: for how many it stands.
-int lightsLooked(int count) { return min(count, kAlwaysLooked + kOthersLooked); }
+int lightsLooked(int count) { return min(count, kAlwaysWeighed + kOthersWeighed); }
 vec2 lightLooked(ivec2 cell, int i, float random) {
-    float others = float(cell.y - kAlwaysLooked) / float(kOthersLooked);
-    bool counted = others <= 1.0 || i < kAlwaysLooked;
-    int place = counted ? i : kAlwaysLooked + int((float(i - kAlwaysLooked) + random) * others);
+    float others = float(cell.y - kAlwaysWeighed) / float(kOthersWeighed);
+    bool counted = others <= 1.0 || i < kAlwaysWeighed;
+    int place = counted ? i : kAlwaysWeighed + int((float(i - kAlwaysWeighed) + random) * others);
     return vec2(texelFetch(uLightList, cell.x + min(place, cell.y - 1)).x, counted ? 1.0 : others);
 }
 
@@ -67,7 +67,7 @@ float coneEdge(LocalLight light, float cosine) {
 
 /// Luminance of about what a light sends to a surface without shadows: never 0 where it may send some.
 float roughIrradiance(int i, vec3 position, vec3 normal) {
-    i *= kTexelsALight;
+    i *= kTexelsPerLight;
     vec4 a = texelFetch(uLights, i), b = texelFetch(uLights, i + 1), c = texelFetch(uLights, i + 2);
     vec3 toPlace = a.xyz - position;
     float range2 = dot(toPlace, toPlace), extent = a.w, inverse = inversesqrt(max(range2, extent * extent)), wide = extent * inverse;
@@ -109,7 +109,7 @@ Choice chooseLight(ivec2 cell, vec3 position, vec3 normal, vec2 random) {
 vec3 pictureAt(LocalLight light, vec2 place) {
     if (light.picture.y == 0) return vec3(1.0);
     ivec2 texel = clamp(ivec2((0.5 - 0.5 * place) * vec2(light.picture.yz)), ivec2(0), light.picture.yz - 1);
-    return texelFetch(uLightPictures, light.picture.x + texel.x + texel.y * light.picture.y).rgb;
+    return texelFetch(uLightImages, light.picture.x + texel.x + texel.y * light.picture.y).rgb;
 }
 
 /// From a position to a light, to a random one of a capsule's balls.

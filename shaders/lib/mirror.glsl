@@ -1,6 +1,6 @@
 // Which pixels mirror enough to be worth a ray, and how they do. Needs lib/gbuffer, frame, brdf.
 uniform sampler2D uGlassSurface;
-uniform bool uGlass;
+uniform bool uHasGlass;
 
 const float kWeakestMirror = 0.012;  // share of light
 const float kPaneReflectance = 0.05;
@@ -15,7 +15,7 @@ struct Mirror {
 Mirror mirrorAt(ivec2 pixel, vec2 uv) {
     Surface s = readSurface(pixel);
     float f0 = max(s.reflectivity, s.metallic * max(s.albedo.r, max(s.albedo.g, s.albedo.b)));
-    vec4 pane = uGlass ? texelFetch(uGlassSurface, pixel, 0) : vec4(0.0);
+    vec4 pane = uHasGlass ? texelFetch(uGlassSurface, pixel, 0) : vec4(0.0);
     Mirror m;
     bool isPane = pane.w > 0.0;
     m.normal = isPane ? normalize(pane.xyz) : s.normal;

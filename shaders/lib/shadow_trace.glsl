@@ -1,8 +1,8 @@
-// Exact rays through the world's shadow volume (filled by render/scene/shadow_mirror.cpp): bricks of 16^3 cells of 0.1 m, words of
+// Exact rays through the world's shadow volume (filled by render/scene/gpu_shadow_volume.cpp): bricks of 16^3 cells of 0.1 m, words of
 // 4^3. One step leaps an empty cube of bricks, an empty box of words, what is left of a word that holds nothing ahead of the ray, 2^3 empty
 // cells or a cell. Needs lib/frame.glsl first.
 
-uniform usamplerBuffer uShadowDirectory;  // a texel a brick. Empty: x eight cubes (EmptyCubes). Else: x 16 x slot, yz which words hold anything
+uniform usamplerBuffer uShadowDirectory;  // a texel a brick. Empty: x eight cubes (SkipDistances). Else: x 16 x slot, yz which words hold anything
 uniform usamplerBuffer uShadowTexels;     // 64 texels a slot (ShadowBrick): the cells of a word, or its empty boxes
 
 const float kShadowCell = 0.1;       // metres

@@ -58,12 +58,12 @@ float hillLine(vec2 heading, float frequency, float seed, int octaves) {
     return fractalNoise(heading * frequency + seed, octaves);
 }
 
-const float kHighestHill = 0.16;  // tangent of its elevation; render/passes/background_tiles.cpp knows it too
+const float kMaxHillSlope = 0.16;  // tangent of its elevation; render/passes/background_tiles.cpp knows it too
 
 vec3 withHills(vec3 sky, vec3 direction) {
     vec2 heading = normalize(direction.xz);
     float slope = direction.y / max(length(direction.xz), 1e-4);
-    if (slope > kHighestHill) return sky;
+    if (slope > kMaxHillSlope) return sky;
     vec3 haze = hazeRadiance(direction);
     vec3 light = frame.sunColor.rgb * 0.06 + frame.skyColor.rgb * 0.35;
     float pixel = 0.0022;   // softens the outline by about a pixel

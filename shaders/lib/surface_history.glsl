@@ -1,5 +1,5 @@
 // The target `surface`: what light accumulation remembers of each pixel, and what the filters compare.
-//   x linear depth (65000: sky) · y normal, packed (-1: sky) · z frames accumulated, a whole number, plus the mean of `nearness` (sky.frag) · w mean of the squared luminance of `light` (-1: glows)
+//   x linear depth (65000: sky) · y normal, packed (-1: sky) · z frames accumulated, a whole number, plus the mean of `hitProximity` (sky.frag) · w mean of the squared luminance of `light` (-1: glows)
 // Needs lib/frame.glsl.
 
 /// How far apart the depths of one surface may lie in pixels beside each other, metres.

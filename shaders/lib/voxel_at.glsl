@@ -1,5 +1,5 @@
 // The voxel at a point of the world (filled by render/scene/body_grid.cpp). Needs lib/voxel_walk, paint.
-uniform usamplerBuffer uBodyFirsts;   // a bucket: number of its first entry plus one, 0 = none
+uniform usamplerBuffer uBodyBucketHeads;   // a bucket: number of its first entry plus one, 0 = none
 uniform usamplerBuffer uBodyEntries;  // body, number of the next entry plus one
 uniform int uBodyBuckets;  // a power of two
 uniform int uBodyLevels;   // 0 = no body anywhere
@@ -11,7 +11,7 @@ uint firstBodyAt(vec3 world, int level) {
     uvec3 c = uvec3(ivec3(floor(world / (kFinestBodyCell * float(1 << (2 * level))))));
     uint hash = c.x * 0x8da6b343u ^ c.y * 0xd8163841u ^ c.z * 0xcb1ab31fu ^ uint(level) * 0x9e3779b9u;
     hash ^= hash >> 15;
-    return texelFetch(uBodyFirsts, int(hash & uint(uBodyBuckets - 1))).r;
+    return texelFetch(uBodyBucketHeads, int(hash & uint(uBodyBuckets - 1))).r;
 }
 
 /// Whether a body has a voxel in a cell; slot is its brick's then.
@@ -38,8 +38,8 @@ int nextBodyAt(inout BodySearch search, vec3 world, out ivec3 cell) {
         if (search.next == 0u) break;
         uvec2 listed = texelFetch(uBodyEntries, int(search.next) - 1).rg;
         int candidate = int(listed.x);
-        vec4 place = texelFetch(uPlacements, candidate * 4 + 1);
-        cell = ivec3(floor(rotateBack(texelFetch(uPlacements, candidate * 4), world - place.xyz) / place.w));
+        vec4 place = texelFetch(uTransforms, candidate * 4 + 1);
+        cell = ivec3(floor(rotateBack(texelFetch(uTransforms, candidate * 4), world - place.xyz) / place.w));
         ivec3 low = ivec3(texelFetch(uLayouts, candidate * 4 + 2).xyz), high = ivec3(texelFetch(uLayouts, candidate * 4 + 3).xyz);
         if (insideCells(cell, low, high)) body = candidate;
         search.next = listed.y;

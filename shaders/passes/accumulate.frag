@@ -8,14 +8,14 @@
 #include "lib/surface_history.glsl"
 
 uniform sampler2D uLight;
-uniform sampler2D uNearness;
-uniform bool uSky;  // there is that
-uniform sampler2D uLastLight;
-uniform sampler2D uLastSurface;
-uniform sampler2D uTrusted;
-uniform bool uForgets;
-uniform bool uLastValid;
-uniform float uLongest;  // frames
+uniform sampler2D uHitProximity;
+uniform bool uHasHitProximity;  // there is that
+uniform sampler2D uLightHistory;
+uniform sampler2D uSurfaceHistory;
+uniform sampler2D uHistoryConfidence;
+uniform bool uHasConfidence;
+uniform bool uHistoryValid;
+uniform float uMaxHistory;  // frames
 
 in vec2 uv;
 layout(location = 0) out vec4 accumulated;
@@ -27,7 +27,7 @@ struct Past {
     vec4 light;
     float frames;
     float squared;
-    float nearness;
+    float hitProximity;
     float weight;
 };
 
@@ -35,7 +35,7 @@ struct Past {
 Past readPast(Surface s, float packed_, vec3 position) {
     Past past = Past(vec4(0.0), 0.0, 0.0, 0.0, 0.0);
     vec2 lastUv = uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg;
-    if (!uLastValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return past;
+    if (!uHistoryValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return past;
     float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
     float tolerance = depthTolerance(position, s.normal, s.depth) + s.moving * 0.5;
     vec2 corner = lastUv * frame.targetSize.xy - 0.5;
@@ -46,11 +46,11 @@ Past readPast(Surface s, float packed_, vec3 position) {
         float w = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
         if (w < 0.004) continue;  // where the camera stands still one pixel is enough
         ivec2 p = clamp(base + offset, ivec2(0), ivec2(frame.targetSize.xy) - 1);
-        vec4 there = texelFetch(uLastSurface, p, 0);
+        vec4 there = texelFetch(uSurfaceHistory, p, 0);
         if (abs(there.x - expected) > tolerance || (there.y != packed_ && dot(unpackNormal(there.y), s.normal) < 0.9)) continue;
-        past.light += w * texelFetch(uLastLight, p, 0);
+        past.light += w * texelFetch(uLightHistory, p, 0);
         past.frames += w * floor(there.z);
-        past.nearness += w * fract(there.z);
+        past.hitProximity += w * fract(there.z);
         past.squared += w * max(there.w, 0.0);
         past.weight += w;
     }
@@ -60,7 +60,7 @@ Past readPast(Surface s, float packed_, vec3 position) {
     }
     past.light /= past.weight;
     past.frames /= past.weight;
-    past.nearness /= past.weight;
+    past.hitProximity /= past.weight;
     past.squared /= past.weight;
     return past;
 }
@@ -71,15 +71,15 @@ void main() {
     vec4 now = texelFetch(uLight, pixel, 0);
     float lum = luminance(now.rgb);
     accumulated = now;
-    float nearness = uSky ? min(texelFetch(uNearness, pixel, 0).x, kNearest) : 0.0;
-    surface = vec4(s.depth, packNormal(s.normal), 1.0 + nearness, s.emission > 0.0 ? -1.0 : lum * lum);
+    float hitProximity = uHasHitProximity ? min(texelFetch(uHitProximity, pixel, 0).x, kNearest) : 0.0;
+    surface = vec4(s.depth, packNormal(s.normal), 1.0 + hitProximity, s.emission > 0.0 ? -1.0 : lum * lum);
     Past past = readPast(s, surface.y, worldFromDepth(uv, s.depth));
     if (past.weight == 0.0) return;
-    float trusted = uForgets ? texture(uTrusted, uv).x : 1.0;
-    float frames = min(min(past.frames, trusted * uLongest) + 1.0, uLongest);
+    float trusted = uHasConfidence ? texture(uHistoryConfidence, uv).x : 1.0;
+    float frames = min(min(past.frames, trusted * uMaxHistory) + 1.0, uMaxHistory);
     // The first pictures know less of bounced light and count less.
     float share = min((1.0 + 1.0 / frames) / frames, 1.0);
     accumulated = roundedToHalf(mix(past.light, now, share), pixel, 0);
-    surface.z = floor(frames + 0.01) + min(mix(past.nearness, nearness, share), kNearest);
+    surface.z = floor(frames + 0.01) + min(mix(past.hitProximity, hitProximity, share), kNearest);
     surface.w = s.emission > 0.0 ? -1.0 : mix(past.squared, lum * lum, share);
 }

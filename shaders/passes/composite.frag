@@ -12,25 +12,25 @@
 uniform sampler2D uLight;        // rgb mean radiance from sky and lamps, a share of the sun
 uniform bool uBevel;
 uniform bool uDetail;
-uniform bool uLocalLights;
+uniform bool uHasLocalLights;
 uniform sampler2D uSpecular;     // rgb highlights of local lights, a luminance of their part of the light
 
 uniform sampler2D uSurface;      // lib/surface_history.glsl
 
-uniform bool uReflections;
+uniform bool uHasReflections;
 uniform sampler2D uReflection;
-uniform bool uGlass;
+uniform bool uHasGlass;
 uniform sampler2D uGlassSurface;
 
 in vec2 uv;
 layout(location = 0) out vec4 radiance;
 layout(location = 1) out vec4 matte;  // x: the share of it that goes to all sides alike
 
-const float kMostTilt = 0.3;  // as in render/scene/detail_maps.h
+const float kMaxTilt = 0.3;  // as in render/scene/detail_maps.h
 
 vec3 grained(vec3 normal, vec2 tilt) {
     vec3 across = normalize(abs(normal.y) > 0.9 ? cross(normal, vec3(0, 0, 1)) : cross(vec3(0, 1, 0), normal));
-    return normalize(normal + (across * tilt.x + cross(normal, across) * tilt.y) * kMostTilt);
+    return normalize(normal + (across * tilt.x + cross(normal, across) * tilt.y) * kMaxTilt);
 }
 
 /// Highlights of lamps at a pixel and around it, on the same face. Blue noise is all in the finest grain, which these weights take out.
@@ -68,7 +68,7 @@ vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel, out vec3 toAll) {
     vec3 mirrored = light.rgb;
     vec3 lamps = vec3(0.0);
     float smoothness = 1.0 - smoothstep(0.35, 0.6, s.roughness);
-    if (uLocalLights) {
+    if (uHasLocalLights) {
         // Lamps shine back in their highlights, not with the rest of the light a second time.
         vec4 specular = highlightsAround(s, pixel);
         lamps = specular.rgb;
@@ -77,7 +77,7 @@ vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel, out vec3 toAll) {
         mirrored = max(mirrored - tint * (specular.a / max(luminance(tint), 1e-4)), vec3(0.0));
     }
     // Behind a pane the ray is the pane's.
-    if (uReflections && !(uGlass && texelFetch(uGlassSurface, pixel, 0).w > 0.0)) {
+    if (uHasReflections && !(uHasGlass && texelFetch(uGlassSurface, pixel, 0).w > 0.0)) {
         vec4 traced = texelFetch(uReflection, pixel, 0);
         mirrored = mix(mirrored, traced.rgb, traced.a * smoothness);
         // The rays of a mirror have met the glowing voxels themselves.

@@ -3,8 +3,8 @@
 #include "lib/color.glsl"
 
 uniform sampler2D uColor;
-uniform sampler2D uLast;
-uniform bool uLastValid;
+uniform sampler2D uHistory;
+uniform bool uHistoryValid;
 
 out vec4 exposure;
 
@@ -24,5 +24,5 @@ void main() {
             total += w;
         }
     float target = clamp(pow(kMiddle / exp2(sum / total), kStrength), 0.7, 2.2);
-    exposure = vec4(uLastValid ? mix(texelFetch(uLast, ivec2(0), 0).r, target, kSpeed) : target);
+    exposure = vec4(uHistoryValid ? mix(texelFetch(uHistory, ivec2(0), 0).r, target, kSpeed) : target);
 }

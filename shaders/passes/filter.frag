@@ -33,8 +33,8 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec4 centre = texelFetch(uSurface, pixel, 0);
-    float pictures = floor(centre.z), nearness = fract(centre.z);
-    float strays = mix(1.0, kNearnessStrays * sqrt(nearness * (1.0 - nearness)), clamp((pictures - 1.0) / 4.0, 0.0, 1.0));
+    float pictures = floor(centre.z), hitProximity = fract(centre.z);
+    float strays = mix(1.0, kNearnessStrays * sqrt(hitProximity * (1.0 - hitProximity)), clamp((pictures - 1.0) / 4.0, 0.0, 1.0));
     float nearnessScale = 1.0 / (2.0 * strays * inversesqrt(max(pictures, 1.0)) + 0.03);
     vec4 own = texelFetch(uLight, pixel, 0);
     // Wide steps are for places without a past, or that are noisy in spite of it: they cost detail that time keeps.
@@ -64,7 +64,7 @@ void main() {
         vec2 away = vec2(p - pixel);
         float height = (facing + facingX * away.x + facingY * away.y) * there.x - facing * centre.x;
         float w = i == 0 ? kOwnWeight : there.y == centre.y ? max(0.0, 1.0 - abs(height) * planeScale) : 0.0;
-        nears[i] = bell((fract(there.z) - nearness) * nearnessScale);
+        nears[i] = bell((fract(there.z) - hitProximity) * nearnessScale);
         vec4 light = i == 0 ? own : texelFetch(uLight, p, 0);
         float l = luminance(light.rgb);
         weights[i] = w;

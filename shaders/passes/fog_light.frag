@@ -9,11 +9,11 @@
 #include "lib/local_lights.glsl"
 
 uniform sampler2D uDepth;
-uniform sampler2D uLast;      // rgb mean light, a frames
-uniform bool uLastValid;
+uniform sampler2D uHistory;      // rgb mean light, a frames
+uniform bool uHistoryValid;
 uniform bool uSunUp;
-uniform bool uLocalLights;
-uniform float uLongest;       // frames
+uniform bool uHasLocalLights;
+uniform float uMaxHistory;       // frames
 
 in vec2 uv;
 out vec4 light;
@@ -87,7 +87,7 @@ FogSample towardSky(FogRay ray, vec3 u) {
 
 /// Luminance of about what a light sends to the eye.
 float roughFogLight(FogRay ray, int i) {
-    i *= kTexelsALight;
+    i *= kTexelsPerLight;
     vec4 a = texelFetch(uLights, i), c = texelFetch(uLights, i + 2);
     vec3 toPlace = a.xyz - frame.cameraPosition.xyz;
     float along = dot(toPlace, ray.direction), aside2 = max(dot(toPlace, toPlace) - along * along, 0.01), reach = c.y + a.w;
@@ -101,7 +101,7 @@ float roughFogLight(FogRay ray, int i) {
 vec3 fromOthers(FogRay ray, ivec2 pixel, vec2 random, vec3 u) {
     float sky = luminance(mix(frame.skyColor.rgb, frame.horizonColor.rgb, 0.5)) * 0.5 + 1e-5;
     Choice choice = Choice(-1, sky, sky, random.x);
-    ivec2 cell = uLocalLights ? lightsAt(pixel, -1.0) : ivec2(0);
+    ivec2 cell = uHasLocalLights ? lightsAt(pixel, -1.0) : ivec2(0);
     int looked = lightsLooked(cell.y);
     for (int i = 0; i < looked; ++i) {
         vec2 next = lightLooked(cell, i, random.y);
@@ -132,8 +132,8 @@ void main() {
     vec3 middle = frame.cameraPosition.xyz + ray.direction * placeInFog(ray, 0.5);
     vec4 clip = frame.previousViewProjection * vec4(middle, 1.0);
     vec2 lastUv = clip.xy / max(clip.w, 1e-3) * 0.5 + 0.5;
-    if (!uLastValid || clip.w < 0.05 || lastUv != clamp(lastUv, vec2(0.0), vec2(1.0))) return;
-    vec4 last = texture(uLast, lastUv);
-    light.a = min(last.a + 1.0, uLongest);
+    if (!uHistoryValid || clip.w < 0.05 || lastUv != clamp(lastUv, vec2(0.0), vec2(1.0))) return;
+    vec4 last = texture(uHistory, lastUv);
+    light.a = min(last.a + 1.0, uMaxHistory);
     light.rgb = mix(last.rgb, light.rgb, 1.0 / light.a);
 }

@@ -19,7 +19,7 @@ vec2 screenUv(mat4 viewProjection, vec3 world) {
     return clamp(clip.xy / max(clip.w, 1e-4) * 0.5 + 0.5, -8.0, 8.0);
 }
 
-// What the depth buffer holds for a linear depth, as the projection of render/frame_camera.cpp makes it.
+// What the depth buffer holds for a linear depth, as the projection of render/frame/frame_camera.cpp makes it.
 float depthBufferValue(float linear) {
     float near = frame.cameraPosition.w, far = frame.cameraForward.w;
     return far * (linear - near) / (linear * (far - near));
@@ -43,7 +43,7 @@ void main() {
     bool behindGlass = glassT < best.t;
     if (!best.hit && !behindGlass) discard;
 
-    Placement place = readPlacement(met.instance);
+    InstanceTransform place = readPlacement(met.instance);
     Entry entry = readEntry(met.shape.palette, best.index);
     vec3 normal = best.normal == vec3(0.0) ? -normalize(met.ray) : best.normal;
     vec3 pointBody = (met.camera + met.ray * best.t) * place.voxelSize;

@@ -5,20 +5,20 @@
 #include "lib/panes.glsl"
 #include "lib/shadow_trace.glsl"
 
-uniform vec3 uCorner, uAlongX, uAlongY;  // world place of a texel = corner + along x * column + along y * row, high over everything
-uniform float uHigh;                     // metres from there to where alpha counts from
+uniform vec3 uMapCorner, uTexelRight, uTexelUp;  // world place of a texel = corner + along x * column + along y * row, high over everything
+uniform float uMapHeight;                     // metres from there to where alpha counts from
 flat in int body;
 out vec4 shadow;
 
 void main() {
-    vec3 origin = uCorner + uAlongX * gl_FragCoord.x + uAlongY * gl_FragCoord.y;
+    vec3 origin = uMapCorner + uTexelRight * gl_FragCoord.x + uTexelUp * gl_FragCoord.y;
     vec3 ray = -frame.sunDirection.xyz;
     float tMax;
-    shadowTrace(origin, ray, 2.0 * uHigh, tMax);
-    Placement place = readPlacement(body);
+    shadowTrace(origin, ray, 2.0 * uMapHeight, tMax);
+    InstanceTransform place = readPlacement(body);
     Layout shape = readLayout(body);
     vec3 originCells = rotateBack(place.rotation, origin - place.position) / place.voxelSize;
     Panes panes = throughPanes(body, shape, originCells, rotateBack(place.rotation, ray) / place.voxelSize, tMax);
     if (panes.first == kFarthest) discard;
-    shadow = vec4(panes.tint, uHigh - panes.last);
+    shadow = vec4(panes.tint, uMapHeight - panes.last);
 }

@@ -5,13 +5,13 @@
 
 uniform sampler2D uLight;
 uniform sampler2D uMotion;
-uniform sampler2D uLastLight;     // accumulated
-uniform sampler2D uLastSurface;   // z frames accumulated
-uniform sampler2D uLastPulse;
-uniform bool uLastValid;
+uniform sampler2D uLightHistory;     // accumulated
+uniform sampler2D uSurfaceHistory;   // z frames accumulated
+uniform sampler2D uFastHistory;
+uniform bool uHistoryValid;
 uniform sampler2D uDepth;
-uniform int uChangedPlaces;  // corners of boxes, low and high by turns, where what casts shadows has changed since the last picture
-uniform vec4 uChanged[16];   // of these, world
+uniform int uDirtyCornerCount;  // corners of boxes, low and high by turns, where what casts shadows has changed since the last picture
+uniform vec4 uDirtyCorners[16];   // of these, world
 
 const float kPulse = 4.0;  // pictures that the short memory holds
 
@@ -26,8 +26,8 @@ const float kAround = 4.0;  // beyond which only what is seen to differ is
 /// What may be trusted of the memory of a place when something near it has changed.
 float trustNear(vec3 position) {
     float nearest = kAround;
-    for (int i = 0; i < uChangedPlaces; i += 2)
-        nearest = min(nearest, length(max(max(uChanged[i].xyz - position, position - uChanged[i + 1].xyz), vec3(0.0))));
+    for (int i = 0; i < uDirtyCornerCount; i += 2)
+        nearest = min(nearest, length(max(max(uDirtyCorners[i].xyz - position, position - uDirtyCorners[i + 1].xyz), vec3(0.0))));
     return max(nearest - kBeside, 0.0) / (kAround - kBeside);
 }
 
@@ -43,17 +43,17 @@ void main() {
     now.y = max(now.y - now.x * now.x, 0.0);
     pulse = vec4(now, 1.0);
     trusted = vec4(1.0);
-    if (!uLastValid) return;
+    if (!uHistoryValid) return;
     vec2 lastUv = (vec2(tile) + 2.0) * frame.targetSize.zw - texelFetch(uMotion, min(tile + 2, high), 0).rg;
     if (any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return;
-    vec4 before = texture(uLastPulse, lastUv);
+    vec4 before = texture(uFastHistory, lastUv);
     float pictures = min(before.w + 1.0, kPulse);
     pulse = vec4(mix(before.xyz, now, 1.0 / pictures), pictures);
 
     vec4 then = vec4(0.0);
-    for (int i = 0; i < 4; ++i) then += texture(uLastLight, lastUv + vec2((i & 1) * 2 - 1, (i >> 1) * 2 - 1) * frame.targetSize.zw);
+    for (int i = 0; i < 4; ++i) then += texture(uLightHistory, lastUv + vec2((i & 1) * 2 - 1, (i >> 1) * 2 - 1) * frame.targetSize.zw);
     then *= 0.25;
-    float thenLum = luminance(then.rgb), frames = max(texture(uLastSurface, lastUv).z, 1.0);
+    float thenLum = luminance(then.rgb), frames = max(texture(uSurfaceHistory, lastUv).z, 1.0);
     // What a mean of that many samples strays by, here and in the memory.
     float share = (1.0 / pictures + 1.0 / frames) / 16.0;
     float sunVariance = max(then.a * (1.0 - then.a), pulse.z * (1.0 - pulse.z)) + 0.02;

@@ -10,14 +10,14 @@
 #include "lib/brdf.glsl"
 #include "lib/local_lights.glsl"
 
-uniform sampler2D uLastSpecular;
-uniform sampler2D uLastSurface;   // x linear depth, z frames accumulated
-uniform bool uLastValid;
-uniform float uLongest;           // frames
-uniform int uChanges;
-uniform vec4 uChange[32];         // by turns: xyz where a light has come or gone out, w how far it reaches; x frames that are remembered there
-uniform bool uReflections;        // mirror rays are sent too
-uniform float uFaintest;          // radiance of a white surface below which rays are sent only now and then
+uniform sampler2D uSpecularHistory;
+uniform sampler2D uSurfaceHistory;   // x linear depth, z frames accumulated
+uniform bool uHistoryValid;
+uniform float uMaxHistory;           // frames
+uniform int uLightChangeCount;
+uniform vec4 uLightChange[32];         // by turns: xyz where a light has come or gone out, w how far it reaches; x frames that are remembered there
+uniform bool uHasReflections;        // mirror rays are sent too
+uniform float uFullRayRadiance;          // radiance of a white surface below which rays are sent only now and then
 
 in vec2 uv;
 layout(location = 0) out vec4 light;
@@ -31,7 +31,7 @@ float drawLight(ivec2 cell, vec3 position, vec3 normal, vec2 random, out int lig
     Choice choice = chooseLight(cell, position, normal, random);
     light = max(choice.light, 0);
     // Faint light is looked for now and then, and counts for more.
-    float chance = min(choice.total / (kPi * uFaintest), 1.0);
+    float chance = min(choice.total / (kPi * uFullRayRadiance), 1.0);
     return choice.random < chance && choice.total > 0.0 ? choice.total / (choice.weight * chance) : 0.0;
 }
 
@@ -44,30 +44,30 @@ float lobeShare(LocalLight lamp, vec3 toPlace, Surface s, vec3 view, vec3 f0) {
     vec3 mirrored = reflect(-view, s.normal), aside = mirrored * max(dot(toPlace, mirrored), 1e-3) - toPlace;
     vec3 nearest = normalize(toPlace + aside * min(extent * inversesqrt(max(dot(aside, aside), 1e-12)), 1.0));
     float denser = lobeDensity(s.normal, view, nearest, s.roughness) * 2.0 * kPi * opening;  // than samples of the lamp
-    float highlight = luminance(fresnel(f0, dot(view, s.normal))) * (1.0 - 2.0 / max(denser, 2.0)) * (uReflections ? lampsByLobe(s.roughness) : 1.0);
+    float highlight = luminance(fresnel(f0, dot(view, s.normal))) * (1.0 - 2.0 / max(denser, 2.0)) * (uHasReflections ? lampsByLobe(s.roughness) : 1.0);
     return min(highlight / (highlight + opening), 0.75);  // a surface that scatters half gives the lamp's radiance times `opening`
 }
 
 /// Frames that highlights of a place are averaged over.
 float longestAt(vec3 position) {
-    float longest = uLongest;
-    for (int i = 0; i < uChanges; i += 2)
-        if (distance(position, uChange[i].xyz) < uChange[i].w) longest = min(longest, uChange[i + 1].x);
+    float longest = uMaxHistory;
+    for (int i = 0; i < uLightChangeCount; i += 2)
+        if (distance(position, uLightChange[i].xyz) < uLightChange[i].w) longest = min(longest, uLightChange[i + 1].x);
     return longest;
 }
 
 /// This frame's highlight, averaged with those of the same place in the frames before.
 vec4 overTime(vec4 now, vec3 position, Surface s) {
     vec2 motion = texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg, lastUv = uv - motion;
-    if (!uLastValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return now;
+    if (!uHistoryValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return now;
     ivec2 last = ivec2(lastUv * frame.targetSize.xy);
-    vec4 surface = texelFetch(uLastSurface, last, 0);
+    vec4 surface = texelFetch(uSurfaceHistory, last, 0);
     float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
     float tolerance = depthTolerance(position, s.normal, s.depth) + s.moving * 0.5;
     if (abs(surface.x - expected) > tolerance || dot(unpackNormal(surface.y), s.normal) < 0.9) return now;
     // A highlight moves over its surface as soon as the eye does.
     float longest = length(motion * frame.targetSize.xy) < 0.05 ? longestAt(position) : min(longestAt(position), kLongestInMotion);
-    return mix(texelFetch(uLastSpecular, last, 0), now, 1.0 / clamp(floor(surface.z) + 1.0, 1.0, longest));
+    return mix(texelFetch(uSpecularHistory, last, 0), now, 1.0 / clamp(floor(surface.z) + 1.0, 1.0, longest));
 }
 
 void main() {

@@ -9,7 +9,7 @@ layout(location = 1) in vec4 tint;    // rgb linear, a opacity
 layout(location = 2) in vec4 motion;  // xyz velocity, w kind
 layout(location = 3) in vec4 state;   // x age, yzw numbers of its own
 
-uniform vec4 uLightPlace0, uLightPlace1, uLightPlace2, uLightPlace3;  // xyz from the render origin, w reach
+uniform vec4 uLightPosition0, uLightPosition1, uLightPosition2, uLightPosition3;  // xyz from the render origin, w reach
 uniform vec3 uLightColor0, uLightColor1, uLightColor2, uLightColor3;
 
 out vec2 corner;           // in radii
@@ -88,6 +88,6 @@ void main() {
     float t;
     bool roof = shadowTrace(place.xyz, vec3(0.0, 1.0, 0.0), 12.0, t);
     airLight = mix(skyRadiance(vec3(0, 1, 0)), frame.groundColor.rgb + frame.sunColor.rgb * 0.05, 0.4) * ((roof ? 0.25 : 0.9) * (0.4 + 0.6 * clear));
-    airLight += fromLight(uLightPlace0, uLightColor0, lit) + fromLight(uLightPlace1, uLightColor1, lit) + fromLight(uLightPlace2, uLightColor2, lit) +
-                fromLight(uLightPlace3, uLightColor3, lit);
+    airLight += fromLight(uLightPosition0, uLightColor0, lit) + fromLight(uLightPosition1, uLightColor1, lit) + fromLight(uLightPosition2, uLightColor2, lit) +
+                fromLight(uLightPosition3, uLightColor3, lit);
 }

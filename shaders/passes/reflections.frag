@@ -35,7 +35,7 @@ void main() {
     vec3 direction = reflect(-m.view, halfVector);
     direction += m.normal * max(0.0, 0.02 - dot(direction, m.normal));
     vec3 more = vec3(blueNoise(pixel, 21, frame.counters.x), blueNoise(pixel, 22, frame.counters.x).x);
-    Here here = startingAt(texelFetch(uLight, pixel, 0).rgb, m.normal, uLamps ? lightsAt(pixel, dot(m.position - frame.cameraPosition.xyz, frame.cameraForward.xyz)) : ivec2(0));
+    Here here = startingAt(texelFetch(uLight, pixel, 0).rgb, m.normal, uBounceLights ? lightsAt(pixel, dot(m.position - frame.cameraPosition.xyz, frame.cameraForward.xyz)) : ivec2(0));
     here.random = more;
     reflection = vec4(mirrored(shadowOrigin(m.position, m.normal), normalize(direction), here, 1.0 - lampsByLobe(m.roughness)), 1.0);
 }

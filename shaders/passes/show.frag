@@ -1,7 +1,7 @@
 // Any target, made visible. Modes as in render/passes/show_pass.h.
 uniform sampler2D uTarget;
 uniform int uMode;
-uniform vec4 uDot;  // rgb, a 1 if one is drawn: shaders were reloaded, or do not build
+uniform vec4 uStatusDot;  // rgb, a 1 if one is drawn: shaders were reloaded, or do not build
 in vec2 uv;
 out vec4 color;
 
@@ -15,6 +15,6 @@ void main() {
     if (uMode == 5) c = vec3(v.a);
     if (uMode == 6) c = v.rrr;
     if (uMode == 7) c = vec3(v.b / 32.0);                              // frames accumulated
-    if (uDot.a > 0.0 && distance(gl_FragCoord.xy, vec2(12.0)) < 6.0) c = uDot.rgb;
+    if (uStatusDot.a > 0.0 && distance(gl_FragCoord.xy, vec2(12.0)) < 6.0) c = uStatusDot.rgb;
     color = vec4(c, 1.0);
 }

@@ -1,4 +1,4 @@
-// Mean radiance from the sky and from what hides it, over the cosine-weighted hemisphere, in the colour of `light`; how near that is, in `nearness`.
+// Mean radiance from the sky and from what hides it, over the cosine-weighted hemisphere, in the colour of `light`; how near that is, in `hitProximity`.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
@@ -8,39 +8,39 @@
 #include "lib/sky.glsl"
 #include "lib/bounce.glsl"
 
-uniform int uRays;
-uniform float uExactFor;  // metres
-uniform sampler2D uLastLight;
+uniform int uRayCount;
+uniform float uExactDistance;  // metres
+uniform sampler2D uLightHistory;
 
 in vec2 uv;
 layout(location = 0) out vec4 light;
-layout(location = 1) out vec4 nearness;  // x: 1 where rays meet something at once, 0 where nothing
+layout(location = 1) out vec4 hitProximity;  // x: 1 where rays meet something at once, 0 where nothing
 
 const float kNear = 1.0;  // metres at which it is a half
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = readSurface(pixel);
-    light = nearness = vec4(0.0);
+    light = hitProximity = vec4(0.0);
     if (s.sky) return;
     vec3 origin = shadowOrigin(worldFromDepth(uv, s.depth), s.normal);
     vec2 lastUv = uv - texelFetch(uMotion, pixel, 0).rg;
-    bool known = uLastValid && lastUv == clamp(lastUv, vec2(0.0), vec2(0.999));
+    bool known = uHistoryValid && lastUv == clamp(lastUv, vec2(0.0), vec2(0.999));
     ivec2 last = ivec2(lastUv * frame.targetSize.xy);
-    Here here = startingAt(vec3(0.0), s.normal, uLamps ? lightsAt(pixel, s.depth) : ivec2(0));
-    if (known) here.light = texelFetch(uLastLight, last, 0).rgb, here.nearness = fract(texelFetch(uLastSurface, last, 0).z);
-    for (int i = 0; i < uRays; ++i) {
-        vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, frame.counters.x * uRays + i));
-        here.random = vec3(blueNoise(pixel, 5, frame.counters.x * uRays + i), blueNoise(pixel, 6, frame.counters.x * uRays + i).x);
-        here.way = blueNoise(pixel, 7, frame.counters.x * uRays + i);
+    Here here = startingAt(vec3(0.0), s.normal, uBounceLights ? lightsAt(pixel, s.depth) : ivec2(0));
+    if (known) here.light = texelFetch(uLightHistory, last, 0).rgb, here.hitProximity = fract(texelFetch(uSurfaceHistory, last, 0).z);
+    for (int i = 0; i < uRayCount; ++i) {
+        vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, frame.counters.x * uRayCount + i));
+        here.random = vec3(blueNoise(pixel, 5, frame.counters.x * uRayCount + i), blueNoise(pixel, 6, frame.counters.x * uRayCount + i).x);
+        here.way = blueNoise(pixel, 7, frame.counters.x * uRayCount + i);
         float t;
-        if (shadowTraceCoarse(origin, direction, uReach, uExactFor, t)) {
+        if (shadowTraceCoarse(origin, direction, uMaxDistance, uExactDistance, t)) {
             light.rgb += radianceAt(origin + direction * t, direction, here, 0.0);
-            nearness.x += kNear / (kNear + t);
+            hitProximity.x += kNear / (kNear + t);
         } else {
             light.rgb += skyRadiance(direction);
         }
     }
-    light.rgb /= float(uRays);
-    nearness.x /= float(uRays);
+    light.rgb /= float(uRayCount);
+    hitProximity.x /= float(uRayCount);
 }

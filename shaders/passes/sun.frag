@@ -6,8 +6,8 @@
 #include "lib/shadow_trace.glsl"
 #include "lib/smoke_shadow.glsl"
 
-uniform int uRays;
-uniform float uReach;  // metres
+uniform int uRayCount;
+uniform float uMaxDistance;  // metres
 
 in vec2 uv;
 out vec4 light;
@@ -18,10 +18,10 @@ void main() {
     light = vec4(0.0);
     if (s.sky || dot(s.normal, frame.sunDirection.xyz) <= 0.0) return;
     vec3 origin = shadowOrigin(worldFromDepth(uv, s.depth), s.normal);
-    for (int i = 0; i < uRays; ++i) {
-        vec2 u = blueNoise(pixel, 0, frame.counters.x * uRays + i);
+    for (int i = 0; i < uRayCount; ++i) {
+        vec2 u = blueNoise(pixel, 0, frame.counters.x * uRayCount + i);
         float t;
-        if (!shadowTrace(origin, coneDirection(frame.sunDirection.xyz, frame.sunDirection.w, u), uReach, t)) light.a += 1.0;
+        if (!shadowTrace(origin, coneDirection(frame.sunDirection.xyz, frame.sunDirection.w, u), uMaxDistance, t)) light.a += 1.0;
     }
-    light.a *= sunThroughSmoke(origin) / float(uRays);
+    light.a *= sunThroughSmoke(origin) / float(uRayCount);
 }

@@ -11,10 +11,10 @@ uniform sampler2D uColor;  // a: share of the surface that shows through particl
 uniform sampler2D uHistory;  // a: how far samples stray from the mean where nothing moves, in compressed luminance
 uniform bool uHistoryValid;
 uniform sampler2D uMotion;
-uniform bool uGlass;
+uniform bool uHasGlass;
 uniform sampler2D uGlassSurface;
-uniform sampler2D uTrusted;    // x: 0 where the light has just changed (light_change.frag)
-uniform bool uForgets;
+uniform sampler2D uHistoryConfidence;    // x: 0 where the light has just changed (light_change.frag)
+uniform bool uHasConfidence;
 uniform sampler2D uSurface;    // x depth, z frames accumulated (lib/surface_history.glsl)
 
 const float kCompression = 0.04;
@@ -38,7 +38,7 @@ vec3 expand(vec3 c) { return c / max(1.0 - kCompression * luminance(c), 1e-3); }
 
 /// Nine taps of Catmull-Rom in five bilinear fetches: the corners are dropped (Jimenez 2016).
 vec3 historyAt(vec2 place) {
-    vec2 size = frame.pictureSize.xy;
+    vec2 size = frame.displaySize.xy;
     vec2 p = place * size;
     vec2 centre = floor(p - 0.5) + 0.5;
     vec2 f = p - centre;
@@ -74,7 +74,7 @@ void main() {
     vec2 place = (uv - frame.jitter.xy) * frame.targetSize.xy;
     ivec2 pixel = ivec2(place);
     vec2 away = floor(place) + 0.5 - place;
-    float enlarged = frame.pictureSize.x * frame.targetSize.z, sharpness = kSharpness * enlarged * enlarged;
+    float enlarged = frame.displaySize.x * frame.targetSize.z, sharpness = kSharpness * enlarged * enlarged;
     vec3 across = gaussian(away.x, sharpness), up = gaussian(away.y, sharpness);
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec3 sum = vec3(0.0), squares = vec3(0.0), now = vec3(0.0), low = vec3(1e9), top = vec3(-1e9);
@@ -104,7 +104,7 @@ void main() {
         }
     }
     // Panes are never wholly seen through: where that changes may be the edge of one.
-    float pane = uGlass ? texelFetch(uGlassSurface, paned, 0).w : 0.0;
+    float pane = uHasGlass ? texelFetch(uGlassSurface, paned, 0).w : 0.0;
     bool onPanesEdge = pane > 0.0 && pane < depth && mostSeenThrough > 0.99;
     resolved = vec4(expand(fromYCoCg(now)), 0.0);
     // The motion of the nearest surface around, so that edges move with what is in front; the sky's by the camera alone. A pane moves
@@ -119,8 +119,8 @@ void main() {
     vec3 boxLow = max(low, mean - 1.25 * deviation), boxHigh = min(top, mean + 1.25 * deviation);
     if (depth >= kSkyDepth) frames = kLongPast;
     bool rests = seenThrough == 1.0 && length(motion * frame.targetSize.xy) < 0.05;
-    float trusted = !rests ? 0.0 : uForgets ? texture(uTrusted, uv).x : 1.0;
-    float strays = trusted * texelFetch(uHistory, ivec2(before * frame.pictureSize.xy), 0).a;
+    float trusted = !rests ? 0.0 : uHasConfidence ? texture(uHistoryConfidence, uv).x : 1.0;
+    float strays = trusted * texelFetch(uHistory, ivec2(before * frame.displaySize.xy), 0).a;
     bool isSettled = rests && frames >= kLongPast;
     vec3 middle = 0.5 * (boxLow + boxHigh), extent = 0.5 * (boxHigh - boxLow) * (isSettled ? kLoose : 1.0) + kStrays * strays + 1e-4;
     vec3 offset = history - middle;

@@ -1,11 +1,11 @@
 // A square for each tile that has something to show, at the far plane: two triangles.
 #include "lib/frame.glsl"
-uniform usamplerBuffer uTileNumbers;
+uniform usamplerBuffer uTileIds;
 uniform ivec2 uTileGrid;  // as in lib/body_tiles.glsl
 out vec2 uv;
 
 void main() {
-    int tile = int(texelFetch(uTileNumbers, gl_InstanceID).r);
+    int tile = int(texelFetch(uTileIds, gl_InstanceID).r);
     ivec2 corner = ivec2(gl_VertexID == 1 || gl_VertexID >= 4 ? 1 : 0, gl_VertexID == 2 || gl_VertexID == 3 || gl_VertexID == 5 ? 1 : 0);
     vec2 pixel = vec2((ivec2(tile % uTileGrid.x, tile / uTileGrid.x) + corner) << uTileGrid.y);
     uv = pixel * frame.targetSize.zw;

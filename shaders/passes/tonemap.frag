@@ -17,7 +17,7 @@ vec3 filmCurve(vec3 x) { return clamp((x * (2.51 * x + 0.05)) / (x * (2.43 * x +
 
 /// Lifts the contrast to the four neighbours, less where it is strong already, so that edges get no halo.
 vec3 sharpened(ivec2 p) {
-    ivec2 high = ivec2(frame.pictureSize.xy) - 1;
+    ivec2 high = ivec2(frame.displaySize.xy) - 1;
     vec3 centre = texelFetch(uColor, p, 0).rgb;
     vec3 a = texelFetch(uColor, max(p - ivec2(1, 0), ivec2(0)), 0).rgb, b = texelFetch(uColor, min(p + ivec2(1, 0), high), 0).rgb;
     vec3 c = texelFetch(uColor, max(p - ivec2(0, 1), ivec2(0)), 0).rgb, d = texelFetch(uColor, min(p + ivec2(0, 1), high), 0).rgb;

@@ -10,7 +10,7 @@
 
 uniform sampler2D uBehind;   // the picture without this water
 uniform mat4 uOutline0, uOutline1, uOutline2, uOutline3;  // corners x, z, x, z ...
-uniform int uCorners;
+uniform int uCornerCount;
 uniform float uSurface;   // height
 uniform vec3 uColor;      // of the light that is left after uClarity metres
 uniform float uClarity;
@@ -36,7 +36,7 @@ vec2 cornerAt(int i) {
 
 bool insideOutline(vec2 p) {
     bool inside = false;
-    for (int i = 0, j = uCorners - 1; i < uCorners; j = i++) {
+    for (int i = 0, j = uCornerCount - 1; i < uCornerCount; j = i++) {
         vec2 a = cornerAt(i), b = cornerAt(j);
         if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
     }

@@ -6,7 +6,7 @@
 #include "lib/sampling.glsl"
 #include "lib/shadow_trace.glsl"
 
-uniform float uReach;  // metres: a roof higher than that keeps nothing dry
+uniform float uMaxDistance;  // metres: a roof higher than that keeps nothing dry
 
 in vec2 uv;
 layout(location = 0) out vec4 outAlbedo;
@@ -31,7 +31,7 @@ void main() {
     // Walls get what the wind brings, and only high up under the sky.
     rain = normalize(rain + s.normal * (1.0 - max(up, 0.0)) * 0.6);
     float t;
-    if (shadowTrace(shadowOrigin(world, s.normal), rain, uReach, t)) discard;
+    if (shadowTrace(shadowOrigin(world, s.normal), rain, uMaxDistance, t)) discard;
 
     float wetness = frame.groundColor.w;
     vec2 place = fract(world.xz / 512.0) * 512.0;

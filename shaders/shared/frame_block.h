@@ -1,4 +1,4 @@
-// The uniforms of a frame: members of `struct FrameBlock` in C++ (render/frame_context.h) and of the block `frame` in GLSL
+// The uniforms of a frame: members of `struct FrameBlock` in C++ (render/frame/frame_context.h) and of the block `frame` in GLSL
 // (lib/frame.glsl). vec4, ivec4 and mat4 only, so that std140 and C++ agree. "World" here is relative to the render origin.
 mat4 viewProjection;          // world -> clip, jittered: what the G-buffer is drawn with
 mat4 viewProjectionPlain;     // world -> clip without jitter
@@ -9,7 +9,7 @@ vec4 cameraUp;                // xyz unit vector; w tan of half the vertical ang
 vec4 cameraForward;           // xyz unit vector; w far plane, metres
 vec4 previousCameraPosition;  // xyz world
 vec4 targetSize;              // width, height, 1 / width, 1 / height of what is traced and lit
-vec4 pictureSize;             // the same of what is shown: larger where RenderSettings::resolutionScale is below 1
+vec4 displaySize;             // the same of what is shown: larger where RenderSettings::resolutionScale is below 1
 vec4 jitter;                  // xy of this frame, zw of the last, in uv units: sample point = pixel centre + jitter
 vec4 noiseOffset;             // xy R2 sequence for the blue noise, zw R1 and golden ratio of the frame, all in [0, 1)
 ivec4 counters;               // x frame number, y 1 if the last frame may be reprojected, z number of lights, w 1 for white noise

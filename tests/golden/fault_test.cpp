@@ -27,7 +27,7 @@ constexpr Fault kFaults[] = {
     {"sunlight without the one over pi", "passes/composite.frag", "sun / 3.14159265", "sun"},
     {"nothing glows", "passes/composite.frag", "s.albedo * s.emission", "s.albedo * 0.0"},
     {"no fresnel", "lib/brdf.glsl", "return f0 + (max(vec3(smoothness * smoothness), f0) - f0) * m2 * m2 * m", "return f0"},
-    {"panes do not tint", "passes/panes.frag", "behind * texelFetch(uGlassTint, pixel, 0).rgb", "behind"},
+    {"panes do not tint", "passes/glass_composite.frag", "behind * texelFetch(uGlassTint, pixel, 0).rgb", "behind"},
     {"no haze", "lib/sky.glsl", "return 1.0 - exp2(-ratio * sqrt(ratio))", "return 0.0"},
     {"exposure off by a tenth", "passes/tonemap.frag", "c * 0.5", "c * 0.55"},
     {"the filter crosses edges", "passes/filter.frag", "there.y == centre.y ? max(0.0, 1.0 - abs(height) * planeScale) : 0.0", "1.0"},

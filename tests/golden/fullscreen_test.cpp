@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "render/fullscreen_choice.h"
+#include "render/shader_library/fullscreen_choice.h"
 #include "runtime/core/log.h"
 #include "tests/golden/drawing.h"
 #include "tests/support/temp_folder.h"
@@ -16,8 +16,8 @@ namespace {
 constexpr glm::ivec2 kSize(96, 64);
 
 /// In the order drawn: the first that differs names the pass.
-constexpr const char* kTargets[] = {"albedo",      "material", "light",    "specular",   "lightPulse", "lightTrusted",
-                                    "accumulated", "surface",  "lighting", "reflection", "radiance",   "fogLight",
+constexpr const char* kTargets[] = {"albedo",      "material", "noisyLight",    "specular",   "fastHistory", "historyConfidence",
+                                    "accumulatedLight", "surface",  "denoisedLight", "reflection", "radiance",   "fogLight",
                                     "fog",         "resolved", "bloom0",   "exposure",   "final"};
 const std::vector<std::string> kPasses = {"wetness",   "sun", "sky", "local lights", "accumulate", "filter", "reflections",
                                           "composite", "fog", "taa", "bloom",        "exposure",   "tonemap"};
@@ -143,7 +143,7 @@ TEST_F(FullscreenTest, ComputeDrawsWhatFragmentsDrawWhereLessIsTracedThanShown) 
     const auto fragment = make(Fullscreen::Fragment, everything().snapshot(), settings);
     const auto compute = make(Fullscreen::Compute, everything().snapshot(), settings);
     expectSame(*fragment, *compute, {61, 37}, 4);
-    EXPECT_EQ(compute->readTarget("light")->size, glm::ivec2(46, 28));
+    EXPECT_EQ(compute->readTarget("noisyLight")->size, glm::ivec2(46, 28));
 }
 
 TEST_F(FullscreenTest, ComputeLeavesWhatIsNotDrawn) {
@@ -159,7 +159,7 @@ TEST_F(FullscreenTest, ComputeLeavesWhatIsNotDrawn) {
     for (const glm::dvec3 to : {glm::dvec3(0, 0.5, 0), glm::dvec3(-11, 90, -10)}) {
         camera.lookAt(to);
         for (Renderer* each : {fragment.get(), compute.get()}) each->draw(camera.view(kSize, target.framebuffer()), 1.0f);
-        for (const char* name : {"light", "accumulated", "surface", "lighting", "radiance", "final"})
+        for (const char* name : {"noisyLight", "accumulatedLight", "surface", "denoisedLight", "radiance", "final"})
             EXPECT_TRUE(!isSoftwareGl() || apart(*fragment->readTarget(name), *compute->readTarget(name)).numbers == 0) << name;
     }
 }
@@ -193,7 +193,7 @@ TEST_F(FullscreenTest, ReloadedShadersAreTheSameToo) {
     m_shaders = folder.path().string();
     const auto fragment = make(Fullscreen::Fragment, everything().snapshot()), compute = make(Fullscreen::Compute, everything().snapshot());
     expectSame(*fragment, *compute, kSize, 2);
-    const auto before = compute->readTarget("light");
+    const auto before = compute->readTarget("noisyLight");
     const auto file = folder.path() / "passes/sky.frag";
     const auto write = [&](const std::string& old, const std::string& now, int seconds) {
         std::ifstream in(file);
@@ -204,7 +204,7 @@ TEST_F(FullscreenTest, ReloadedShadersAreTheSameToo) {
         std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now() + std::chrono::seconds(seconds));
         return 1 + std::count(text.begin(), text.begin() + ptrdiff_t(place), '\n');
     };
-    const auto line = write("light.rgb /= float(uRays);", "light.rgb /= float(uRays) * oops;", 10);
+    const auto line = write("light.rgb /= float(uRayCount);", "light.rgb /= float(uRayCount) * oops;", 10);
     for (Renderer* each : {fragment.get(), compute.get()}) {
         EXPECT_FALSE(each->reloadShaders());
         ASSERT_EQ(each->shaderErrors().size(), 1u);
@@ -214,7 +214,7 @@ TEST_F(FullscreenTest, ReloadedShadersAreTheSameToo) {
     write("* oops;", "* 2.0;", 20);
     for (Renderer* each : {fragment.get(), compute.get()}) EXPECT_TRUE(each->reloadShaders());
     expectSame(*fragment, *compute, kSize, 2);
-    EXPECT_GT(apart(*before, *compute->readTarget("light")).most, 0.05f) << "the new shader does not draw";
+    EXPECT_GT(apart(*before, *compute->readTarget("noisyLight")).most, 0.05f) << "the new shader does not draw";
 }
 
 TEST_F(FullscreenTest, AContextBelowFourPointThreeDrawsByFragmentsAndSaysSo) {
@@ -237,7 +237,7 @@ TEST_F(FullscreenTest, AContextBelowFourPointThreeDrawsByFragmentsAndSaysSo) {
 
 TEST_F(FullscreenTest, TheFastestIsMeasuredWhileThePictureIsTheSame) {
     const auto fragment = make(Fullscreen::Fragment, everything().snapshot()), fastest = make(Fullscreen::Fastest, everything().snapshot());
-    constexpr int kFrames = 2 * (FullscreenChoice::kSkipped + FullscreenChoice::kTimed);
+    constexpr int kFrames = 2 * (FullscreenChoice::kWarmUpFrames + FullscreenChoice::kTimedFrames);
     expectSame(*fragment, *fastest, kSize, 2);
     EXPECT_EQ(byCompute(*fastest), kPasses) << "every other frame is by compute";
     const int atFirst = fastest->figures().computePrograms;

@@ -29,7 +29,7 @@ Camera lookingAt(glm::dvec3 from, glm::dvec3 at) {
     return camera;
 }
 
-/// Share of the lit among the pixels that face the sun: show pass "normal" and "sunRaw" side by side.
+/// Share of the lit among the pixels that face the sun: show pass "normal" and "noisySun" side by side.
 double litShare(const Image& normals, const Image& albedo, const Image& sun, glm::vec3 toSun) {
     int facing = 0, lit = 0;
     for (size_t i = 0; i < sun.rgb.size(); i += 3) {
@@ -59,7 +59,7 @@ TEST_F(LightTest, ALoneFallingCubeDoesNotShadowItself) {
         scene.move(cube, {centre - turn * glm::dvec3(0.4), turn});
         renderer->apply(scene.step());
         const Camera camera = lookingAt(centre + glm::dvec3(-1.0, 0.9, 1.1), centre);
-        const Image normals = draw(camera, 1, "normal"), albedo = draw(camera, 1, "albedo"), sun = draw(camera, 1, "sunRaw");
+        const Image normals = draw(camera, 1, "normal"), albedo = draw(camera, 1, "albedo"), sun = draw(camera, 1, "noisySun");
         EXPECT_GE(litShare(normals, albedo, sun, toSun), 0.995) << "rotation " << i;
     }
 }
@@ -74,10 +74,10 @@ TEST_F(LightTest, AClosedRoomOfOneVoxelIsDark) {
         const Image image = draw(camera, 8, pass);
         return int(*std::max_element(image.rgb.begin(), image.rgb.end()));
     };
-    EXPECT_EQ(brightest("sunRaw"), 0);
+    EXPECT_EQ(brightest("noisySun"), 0);
     // 4 of 255 is a radiance of 1e-4 under a sky of 0.7: what half floats leave of the haze that is taken out again.
-    EXPECT_LE(brightest("skyRaw"), 4);
-    EXPECT_LE(brightest("light"), 4);
+    EXPECT_LE(brightest("noisySky"), 4);
+    EXPECT_LE(brightest("denoisedLight"), 4);
 }
 
 TEST_F(LightTest, WhatASceneDoesNotNeedIsNotThere) {
@@ -89,7 +89,7 @@ TEST_F(LightTest, WhatASceneDoesNotNeedIsNotThere) {
         EXPECT_STRNE(pass, "local lights");
         EXPECT_STRNE(pass, "reflections");
         EXPECT_STRNE(pass, "glass");
-        EXPECT_STRNE(pass, "panes");
+        EXPECT_STRNE(pass, "glass composite");
     }
 }
 
@@ -101,7 +101,7 @@ TEST_F(LightTest, AnEvenSkySurvivesTheDenoiser) {
     air.skyColor = air.horizonColor = air.groundColor = glm::vec3(0.5f);
     scene.add({80, 2, 80}, {{-4, -0.2, -4}, kLevel}, solid);
     start(scene, kSmall);
-    const Image light = draw(lookingAt({0, 1.5, 2}, {0, 0, 0}), 6, "light");
+    const Image light = draw(lookingAt({0, 1.5, 2}, {0, 0, 0}), 6, "denoisedLight");
     const int expected = int(std::lround(255.0 * std::pow(0.5 / 1.5, 1.0 / 2.2)));  // as passes/show.frag maps it
     for (int y = 20; y < 60; ++y)
         for (int x = 8; x < 88; ++x) ASSERT_NEAR(*light.at(x, y), expected, 2) << x << ", " << y;
@@ -131,12 +131,12 @@ TEST_F(LightTest, AWallThatOpensIsSeenInTwelveFrames) {
     start(scene, kSmall);
     const Camera camera = lookingAt({0, 3.0, -1.5}, {0, 0, 1.0});
     const glm::ivec2 low(36, 30), high(60, 42);
-    const double before = meanOf(draw(camera, 40, "sun"), low, high), skyBefore = meanOf(draw(camera, 1, "light"), low, high);
+    const double before = meanOf(draw(camera, 40, "sun"), low, high), skyBefore = meanOf(draw(camera, 1, "denoisedLight"), low, high);
     scene.edit(screen, [](glm::ivec3) { return uint8_t(0); });
     renderer->apply(scene.step());
-    const double after = meanOf(draw(camera, 12, "sun"), low, high), skyAfter = meanOf(draw(camera, 1, "light"), low, high);
-    const double thirty = meanOf(draw(camera, 17, "sun"), low, high), skyThirty = meanOf(draw(camera, 1, "light"), low, high);
-    const double settled = meanOf(draw(camera, 60, "sun"), low, high), skySettled = meanOf(draw(camera, 1, "light"), low, high);
+    const double after = meanOf(draw(camera, 12, "sun"), low, high), skyAfter = meanOf(draw(camera, 1, "denoisedLight"), low, high);
+    const double thirty = meanOf(draw(camera, 17, "sun"), low, high), skyThirty = meanOf(draw(camera, 1, "denoisedLight"), low, high);
+    const double settled = meanOf(draw(camera, 60, "sun"), low, high), skySettled = meanOf(draw(camera, 1, "denoisedLight"), low, high);
     EXPECT_LT(before, 5.0);
     EXPECT_GT(settled, 250.0);
     EXPECT_GE(after - before, 0.9 * (settled - before));
@@ -165,7 +165,7 @@ TEST_F(LightTest, AWhiteRoomsGuessOfItsOwnLightEnds) {
     const auto brightness = [&](int pictures) {
         draw(up, pictures);
         double sum = 0.0;
-        const FloatImage light = read("lighting");
+        const FloatImage light = read("denoisedLight");
         for (const glm::vec4& pixel : light.pixels) sum += double(pixel.g) / double(light.pixels.size());
         return sum;
     };
@@ -189,7 +189,7 @@ TEST_F(LightTest, WhatIsUnderAPlateStaysDark) {
         settings.bounce = false, settings.filterPasses = passes;
         start(scene, {192, 128}, settings);
         draw(camera, 32);
-        const FloatImage light = read("lighting"), depth = read("depth"), normal = read("normal");
+        const FloatImage light = read("denoisedLight"), depth = read("depth"), normal = read("normal");
         double sum = 0.0;
         int count = 0;
         for (size_t p = 0; p < light.pixels.size(); ++p)
@@ -200,7 +200,7 @@ TEST_F(LightTest, WhatIsUnderAPlateStaysDark) {
     };
     const double raw = mean(0), filtered = mean(4);
     EXPECT_LT(raw, 0.25) << "it is dark there";
-    EXPECT_NEAR(filtered / raw, 1.0, 0.35) << "without a guide by nearness it is eight times as bright";
+    EXPECT_NEAR(filtered / raw, 1.0, 0.35) << "without a guide by hitProximity it is eight times as bright";
 }
 
 }  // namespace

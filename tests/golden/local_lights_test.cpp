@@ -60,7 +60,7 @@ protected:
         glm::dvec3 sum(0.0);
         for (int i = 0; i < frames; ++i) {
             draw(above(point));
-            const auto light = renderer->readTarget("light");
+            const auto light = renderer->readTarget("noisyLight");
             for (const glm::vec4& pixel : light->pixels) sum += glm::dvec3(pixel);
         }
         return sum / double(frames * kSize.x * kSize.y);
@@ -172,7 +172,7 @@ TEST_F(LocalLightsTest, HalfHiddenByAnEdgeGivesHalf) {
     const int frames = 16;
     for (int i = 0; i < frames; ++i) {
         draw(camera);
-        const auto light = renderer->readTarget("light");
+        const auto light = renderer->readTarget("noisyLight");
         for (const glm::vec4& pixel : light->pixels) sum += double(pixel.g);
     }
     const double shade = sum / double(frames * kSize.x * kSize.y), open = shadeOf(panel, {0, 0, 0}, 16);
@@ -296,8 +296,8 @@ TEST_F(LightChangeTest, ALampThatGoesOutLeavesTheHighlightsOfOthers) {
 
 TEST_F(LightChangeTest, TheFloorUnderALampThatIsGoneIsDark) {
     const SnapshotLight lamp = named(0, {0, 1, 0}, 20.0f), faint = named(1, {3, 2, -3}, 0.05f);
-    EXPECT_LT(leftOf("lighting", sceneOf({lamp}), sceneOf({}), 1), 0.02f);
-    EXPECT_LT(leftOf("lighting", sceneOf({lamp, faint}), sceneOf({faint}), 1), 0.05f);
+    EXPECT_LT(leftOf("denoisedLight", sceneOf({lamp}), sceneOf({}), 1), 0.02f);
+    EXPECT_LT(leftOf("denoisedLight", sceneOf({lamp, faint}), sceneOf({faint}), 1), 0.05f);
 }
 
 /// Glare, bloom and what the temporal pass remembers included.

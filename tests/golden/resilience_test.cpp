@@ -55,7 +55,7 @@ TEST_F(ResilienceTest, AViewWithoutPixelsDrawsNothingAndTheNextOneIsFine) {
     start(streetScene(), kSize);
     for (const glm::ivec2 size : {glm::ivec2(0, 0), glm::ivec2(0, 48), glm::ivec2(64, 0), glm::ivec2(-3, 5)}) {
         renderer->draw(streetCamera(0).view(size, target->framebuffer()), 1.0f);
-        EXPECT_EQ(renderer->trouble(), "");
+        EXPECT_EQ(renderer->lastError(), "");
     }
     EXPECT_GT(colors(draw(streetCamera(0))), 50u);
 }
@@ -74,7 +74,7 @@ TEST_F(ResilienceTest, WhatTheGlRefusesIsDrawnSmaller) {
     const Image image = draw(streetCamera(0));
     glad_glCheckFramebufferStatus = real;
     EXPECT_TRUE(said("drawn at 1/2")) << "no warning";
-    EXPECT_EQ(renderer->trouble(), "");
+    EXPECT_EQ(renderer->lastError(), "");
     EXPECT_GT(colors(image), 50u);
 }
 
@@ -84,7 +84,7 @@ TEST_F(ResilienceTest, AGlThatRefusesEverythingIsReported) {
     g_refusals = 1 << 30;
     renderer->draw(streetCamera(0).view(kSize, target->framebuffer()), 1.0f);
     glad_glCheckFramebufferStatus = real;
-    EXPECT_NE(renderer->trouble().find("out of memory"), std::string::npos);
+    EXPECT_NE(renderer->lastError().find("out of memory"), std::string::npos);
 }
 
 TEST_F(ResilienceTest, ALostContextIsSaidOnceAndDrawsNothing) {
@@ -96,7 +96,7 @@ TEST_F(ResilienceTest, ALostContextIsSaidOnceAndDrawsNothing) {
     for (int i = 0; i < 3; ++i) lost->draw(streetCamera(0).view(kSize, offscreen.framebuffer()), 1.0f);
     g_resetStatus = GL_NO_ERROR;
     static_cast<void>(loadGl(testContext().loader()));
-    EXPECT_NE(lost->trouble().find("lost"), std::string::npos);
+    EXPECT_NE(lost->lastError().find("lost"), std::string::npos);
     EXPECT_EQ(m_lines.size(), 1u);
 }
 

@@ -153,7 +153,7 @@ TEST_F(EstimatorTest, SunShareIsUnbiased) {
     settings.sun = true;
     settings.sunRays = 16;
     start(scene, kSize, settings);
-    const Drawn drawn = drawMany(yardCamera(), "light", 32, 16);
+    const Drawn drawn = drawMany(yardCamera(), "noisyLight", 32, 16);
     const Scene truth(scene.snapshot());
     const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::SunShare, .samples = 1024});
     expectSameMeans(drawn, picture, comparable(truth, yardCamera()), true);
@@ -165,7 +165,7 @@ TEST_F(EstimatorTest, SkyIsUnbiased) {
     settings.sky = true;
     settings.skyRays = 16;
     start(scene, kSize, settings);
-    const Drawn drawn = drawMany(yardCamera(), "light", 32, 16);
+    const Drawn drawn = drawMany(yardCamera(), "noisyLight", 32, 16);
     const Scene truth(scene.snapshot());
     const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 1024, .bounces = 0});
     expectSameMeans(drawn, picture, comparable(truth, yardCamera()));
@@ -178,7 +178,7 @@ protected:
         RenderSettings settings = bare();
         settings.localLights = true;
         start(scene, kSize, settings);
-        const Drawn drawn = drawMany(yardCamera(), "light", 256);
+        const Drawn drawn = drawMany(yardCamera(), "noisyLight", 256);
         const Scene truth(scene.snapshot());
         const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::LocalLights, .samples = 1024});
         expectSameMeans(drawn, picture, comparable(truth, yardCamera()));
@@ -317,7 +317,7 @@ TEST_F(EstimatorTest, ErrorFallsWithTheSamples) {
         int points = 0;
         for (int i = 1; i <= 64; ++i) {
             renderer->draw(yardCamera().view(kSize, target->framebuffer()), 1.0f);
-            const FloatImage image = read("light");
+            const FloatImage image = read("noisyLight");
             for (size_t p = 0; p < sum.size(); ++p) sum[p] += image.pixels[p].y;
             if ((i & (i - 1)) != 0) continue;
             if (same.empty()) same = comparable(truth, yardCamera());
@@ -411,7 +411,7 @@ TEST_F(EstimatorTest, APlateOverheadTakesItsFormFactor) {
     settings.sky = true;
     settings.skyRays = 16;
     start(scene, size, settings);
-    for (const glm::vec4& p : drawMany(camera, "light", 24).mean.pixels) drawnMean += p.y / 256.0;
+    for (const glm::vec4& p : drawMany(camera, "noisyLight", 24).mean.pixels) drawnMean += p.y / 256.0;
     EXPECT_NEAR(drawnMean, expected, 0.01 * expected);
 }
 
@@ -433,7 +433,7 @@ TEST_F(EstimatorTest, ASphereLightGivesTheInverseSquare) {
     RenderSettings settings = bare();
     settings.localLights = true;
     start(scene, size, settings);
-    for (const glm::vec4& p : drawMany(camera, "light", 40).mean.pixels) drawnMean += p.y / 256.0;
+    for (const glm::vec4& p : drawMany(camera, "noisyLight", 40).mean.pixels) drawnMean += p.y / 256.0;
     EXPECT_NEAR(drawnMean, expected, 0.01 * expected);
 }
 
@@ -455,7 +455,7 @@ TEST_F(EstimatorTest, APenumbraIsAsWideAsTheSun) {
     settings.sun = true;
     settings.sunRays = 128;
     start(scene, size, settings);
-    const Drawn drawn = drawMany(camera, "light", 32);
+    const Drawn drawn = drawMany(camera, "noisyLight", 32);
     for (int x = 0; x < size.x; ++x) {
         double share = 0.0;
         for (int y = 0; y < size.y; ++y) share += drawn.mean.at(x, y).a / size.y;

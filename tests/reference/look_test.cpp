@@ -82,9 +82,9 @@ struct Part {
     bool alpha;
 };
 constexpr Part kParts[] = {{"whole", Term::Whole, "resolved", false},
-                           {"sun", Term::SunShare, "light", true},
-                           {"sky", Term::Sky, "light", false},
-                           {"lamps", Term::LocalLights, "light", false},
+                           {"sun", Term::SunShare, "noisyLight", true},
+                           {"sky", Term::Sky, "noisyLight", false},
+                           {"lamps", Term::LocalLights, "noisyLight", false},
                            {"mirrors", Term::Reflection, "reflection", false}};
 
 const Part& partNamed(const std::string& name) {

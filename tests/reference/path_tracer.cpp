@@ -18,7 +18,7 @@ using glm::vec3;
 
 constexpr double kLeave = 1e-6;            // metres off a surface: doubles need no more
 constexpr double kPlaneHeight = -0.05;     // render/passes/composite_pass.cpp
-constexpr float kPaneReflectance = 0.05f;  // shaders/passes/panes.frag
+constexpr float kPaneReflectance = 0.05f;  // shaders/passes/glass_composite.frag
 constexpr double kBulb = 0.12;             // metres around a light in which its own voxels do not hide it
 constexpr int kRouletteFrom = 4;           // bounces
 constexpr double kFilterRadius = 1.5;      // pixels, with exp(-2.3 r^2): shaders/passes/taa.frag

@@ -10,9 +10,9 @@ namespace rubble::reference {
 /// What of the light a picture shows, as the renderer's targets hold it. Terms are per pixel of what is opaque; Whole is all of
 /// them as shaders/passes/composite.frag adds them up, with glass, haze and what lies behind.
 enum class Term {
-    SunShare,     ///< x: share of the sun's disc that is seen (target "light", a)
-    Sky,          ///< mean radiance over the cosine-weighted hemisphere ("light", rgb, from sky rays)
-    LocalLights,  ///< irradiance / pi ("light", rgb, from lights)
+    SunShare,     ///< x: share of the sun's disc that is seen (target "noisyLight", a)
+    Sky,          ///< mean radiance over the cosine-weighted hemisphere ("noisyLight", rgb, from sky rays)
+    LocalLights,  ///< irradiance / pi ("noisyLight", rgb, from lights)
     Reflection,   ///< what smooth surfaces mirror ("reflection")
     Whole         ///< "radiance"
 };

@@ -33,7 +33,7 @@ bool lists(const BodyGrid& grid, glm::vec3 point, uint32_t slot) {
     return std::find(bodies.begin(), bodies.end(), slot) != bodies.end();
 }
 
-TEST_F(BodyGridTest, ListsEveryBodyAtItsPointsAlsoAfterItMovedAndNoMoreAfterItWent) {
+TEST_F(BodyGridTest, ListsMovedBodiesAndForgetsRemovedOnes) {
     Random random(11);
     BodyGrid grid;
     std::vector<Bodies::Instance> bodies(300);
@@ -52,7 +52,7 @@ TEST_F(BodyGridTest, ListsEveryBodyAtItsPointsAlsoAfterItMovedAndNoMoreAfterItWe
     EXPECT_TRUE(grid.bodiesAt({1.0f, 2.0f, 3.0f}).empty());
 }
 
-TEST_F(BodyGridTest, ABodyOfAnySizeCostsSomeTensOfEntries) {
+TEST_F(BodyGridTest, EntriesPerBodyAreBounded) {
     for (const int side : {1, 10, 100, 1000, 10000, 20000}) {
         BodyGrid grid;
         Bodies::Instance body;
@@ -62,7 +62,7 @@ TEST_F(BodyGridTest, ABodyOfAnySizeCostsSomeTensOfEntries) {
     }
 }
 
-TEST_F(BodyGridTest, SendsNothingWhileNothingMovesFarther) {
+TEST_F(BodyGridTest, UploadsNothingForSmallMoves) {
     Random random(12);
     BodyGrid grid;
     Bodies::Instance body;

@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-TEST(DetailMaps, LeaveTheMeanOfAColourAsItIsAndAreNeverFlat) {
+TEST(DetailMaps, KeepTheMeanColourAndVary) {
     const auto texels = DetailMaps::make();
     constexpr size_t kTexels = size_t(DetailMaps::kSide) * DetailMaps::kSide;
     ASSERT_EQ(texels.size(), kTexels * 4 * size_t(DetailMaps::count()));
@@ -28,7 +28,7 @@ TEST(DetailMaps, LeaveTheMeanOfAColourAsItIsAndAreNeverFlat) {
     EXPECT_EQ(texels, DetailMaps::make()) << "chance";
 }
 
-TEST(DetailMaps, AreThereForMaterialsWithGrainAlone) {
+TEST(DetailMaps, ExistOnlyForMaterialsWithGrain) {
     const MaterialTable& materials = defaultMaterials();
     const auto maps = DetailMaps::mapsOf({});
     EXPECT_NE(maps[materials.find("brick")], 0);

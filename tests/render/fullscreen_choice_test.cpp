@@ -1,11 +1,11 @@
-#include "render/fullscreen_choice.h"
+#include "render/shader_library/fullscreen_choice.h"
 
 #include <gtest/gtest.h>
 
 namespace rubble {
 namespace {
 
-constexpr int kFramesEachWay = FullscreenChoice::kSkipped + FullscreenChoice::kTimed;
+constexpr int kFramesEachWay = FullscreenChoice::kWarmUpFrames + FullscreenChoice::kTimedFrames;
 
 /// A frame of passes that cost so much by fragments and by compute.
 struct Cost {
@@ -17,62 +17,62 @@ void drawFrame(FullscreenChoice& choice, std::initializer_list<Cost> costs, doub
     FullscreenChoice::Times times;
     for (const Cost& cost : costs) {
         choice.beginPass(cost.pass);
-        const FullscreenBy by = choice.by();
-        if (cost.isFullscreen) choice.noteDraw(by);
-        times.emplace_back(cost.pass, (by == FullscreenBy::Compute ? cost.compute : cost.fragment) + disturbance);
+        const FullscreenMethod by = choice.by();
+        if (cost.isFullscreen) choice.recordDraw(by);
+        times.emplace_back(cost.pass, (by == FullscreenMethod::Compute ? cost.compute : cost.fragment) + disturbance);
     }
-    choice.addTimes(times);
+    choice.addPassTimes(times);
 }
 
-FullscreenBy chosen(FullscreenChoice& choice, const char* pass) {
+FullscreenMethod chosen(FullscreenChoice& choice, const char* pass) {
     choice.beginPass(pass);
     EXPECT_TRUE(choice.isDecided()) << pass;
     return choice.by();
 }
 
-TEST(FullscreenChoice, IsWhatWasAskedFor) {
-    for (const FullscreenBy by : {FullscreenBy::Fragment, FullscreenBy::Compute}) {
+TEST(FullscreenChoice, IsTheRequestedMethod) {
+    for (const FullscreenMethod by : {FullscreenMethod::Fragment, FullscreenMethod::Compute}) {
         FullscreenChoice choice(by);
         drawFrame(choice, {{"sun", 1.0, 9.0}});
         EXPECT_EQ(choice.by(), by);
         EXPECT_TRUE(choice.isDecided());
-        EXPECT_EQ(choice.takeNews(), "");
+        EXPECT_EQ(choice.takeDecisions(), "");
     }
 }
 
-TEST(FullscreenChoice, EachPassStaysWithWhatIsFasterInMostOfItsFrames) {
+TEST(FullscreenChoice, EachPassKeepsTheFasterMethod) {
     FullscreenChoice choice = FullscreenChoice::fastest();
     for (int frame = 0; frame < 2 * kFramesEachWay; ++frame) {
-        EXPECT_EQ(choice.takeNews(), "") << "in frame " << frame;
-        const bool isFirst = frame < 2 * FullscreenChoice::kSkipped, isDisturbed = frame == 2 * FullscreenChoice::kSkipped;
+        EXPECT_EQ(choice.takeDecisions(), "") << "in frame " << frame;
+        const bool isFirst = frame < 2 * FullscreenChoice::kWarmUpFrames, isDisturbed = frame == 2 * FullscreenChoice::kWarmUpFrames;
         // What the first frames say is the opposite; one later frame is far off.
         if (isFirst)
             drawFrame(choice, {{"sun", 0.1, 9.0}, {"sky", 9.0, 0.1}, {"gbuffer", 1.0, 1.0, false}});
         else
             drawFrame(choice, {{"sun", 3.0, 2.0}, {"sky", 2.0, 3.0}, {"gbuffer", 1.0, 1.0, false}}, isDisturbed ? 50.0 : 0.0);
     }
-    EXPECT_EQ(chosen(choice, "sun"), FullscreenBy::Compute);
-    EXPECT_EQ(chosen(choice, "sky"), FullscreenBy::Fragment);
-    EXPECT_EQ(choice.takeNews(), "sky by fragments (2.000 ms, the other way 3.000), sun by compute (2.000 ms, the other way 3.000)");
-    EXPECT_EQ(choice.takeNews(), "") << "it is said once";
+    EXPECT_EQ(chosen(choice, "sun"), FullscreenMethod::Compute);
+    EXPECT_EQ(chosen(choice, "sky"), FullscreenMethod::Fragment);
+    EXPECT_EQ(choice.takeDecisions(), "sky by fragments (2.000 ms, the other way 3.000), sun by compute (2.000 ms, the other way 3.000)");
+    EXPECT_EQ(choice.takeDecisions(), "") << "it is said once";
 }
 
-TEST(FullscreenChoice, APassThatComesLaterIsMeasuredThen) {
+TEST(FullscreenChoice, ALaterPassIsMeasuredWhenItStarts) {
     FullscreenChoice choice = FullscreenChoice::fastest();
     for (int frame = 0; frame < 2 * kFramesEachWay; ++frame) drawFrame(choice, {{"sun", 3.0, 2.0}});
-    EXPECT_NE(choice.takeNews().find("sun"), std::string::npos);
+    EXPECT_NE(choice.takeDecisions().find("sun"), std::string::npos);
     for (int frame = 0; frame < 2 * kFramesEachWay; ++frame) {
-        EXPECT_EQ(choice.takeNews(), "");
+        EXPECT_EQ(choice.takeDecisions(), "");
         drawFrame(choice, {{"sun", 1.0, 9.0}, {"fog", 5.0, 4.0}});
     }
-    EXPECT_EQ(choice.takeNews(), "fog by compute (4.000 ms, the other way 5.000)");
-    EXPECT_EQ(chosen(choice, "sun"), FullscreenBy::Compute) << "what is decided stays";
+    EXPECT_EQ(choice.takeDecisions(), "fog by compute (4.000 ms, the other way 5.000)");
+    EXPECT_EQ(chosen(choice, "sun"), FullscreenMethod::Compute) << "what is decided stays";
 }
 
-TEST(FullscreenChoice, WhatTakesAsLongIsDrawnByFragments) {
+TEST(FullscreenChoice, FragmentsDrawOnATie) {
     FullscreenChoice choice = FullscreenChoice::fastest();
     for (int frame = 0; frame < 2 * kFramesEachWay; ++frame) drawFrame(choice, {{"sun", 2.0, 2.0}});
-    EXPECT_EQ(chosen(choice, "sun"), FullscreenBy::Fragment);
+    EXPECT_EQ(chosen(choice, "sun"), FullscreenMethod::Fragment);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "render/fullscreen_choice.h"
+#include "render/shader_library/fullscreen_choice.h"
 #include "tests/render/gbuffer_fixture.h"
 #include "tests/support/temp_folder.h"
 
@@ -14,11 +14,11 @@ namespace {
 constexpr glm::ivec2 kSize(5, 3);
 constexpr glm::vec4 kOld(0.5f, 0.25f, 0.125f, 0.75f), kNew(1.0f, 2.0f, 3.0f, 0.5f);
 
-class FullscreenDrawTest : public GBufferTest, public ::testing::WithParamInterface<FullscreenBy> {
+class FullscreenDrawTest : public GBufferTest, public ::testing::WithParamInterface<FullscreenMethod> {
 protected:
     void SetUp() override {
         GBufferTest::SetUp();
-        if (GetParam() == FullscreenBy::Compute && !hasCompute()) GTEST_SKIP() << "no GL 4.3";
+        if (GetParam() == FullscreenMethod::Compute && !hasCompute()) GTEST_SKIP() << "no GL 4.3";
         std::filesystem::create_directories(folder.path() / "lib");
         std::filesystem::copy_file(shaderFolder() + "/lib/fullscreen_far.vert", folder.path() / "lib/fullscreen_far.vert");
         targets.beginFrame(kSize, false);
@@ -33,16 +33,16 @@ protected:
         FrameContext frame = context(scene);
         frame.choice = &choice;
         drawFullscreen(frame, program, into, [](const Program&) {});
-        EXPECT_EQ(choice.hasComputed(), GetParam() == FullscreenBy::Compute);
+        EXPECT_EQ(choice.hasDrawnByCompute(), GetParam() == FullscreenMethod::Compute);
     }
     Scene scene;
     TempFolder folder;
     ShaderLibrary library{folder.path(),
-                          GetParam() == FullscreenBy::Compute ? ShaderLibrary::Fullscreen::Compute : ShaderLibrary::Fullscreen::Fragment};
+                          GetParam() == FullscreenMethod::Compute ? ShaderLibrary::Fullscreen::Compute : ShaderLibrary::Fullscreen::Fragment};
     FullscreenChoice choice{GetParam()};
 };
 
-TEST_P(FullscreenDrawTest, EachMergeIsWhatItSays) {
+TEST_P(FullscreenDrawTest, EachMergeModeBlendsAsDeclared) {
     const std::pair<Merge, glm::vec4> expected[] = {{Merge::Replace, kNew},
                                                     {Merge::Color, {1.0f, 2.0f, 3.0f, 0.75f}},
                                                     {Merge::Alpha, {0.5f, 0.25f, 0.125f, 0.5f}},
@@ -58,7 +58,7 @@ TEST_P(FullscreenDrawTest, EachMergeIsWhatItSays) {
     }
 }
 
-TEST_P(FullscreenDrawTest, OutputsGoWhereTheyBelongAndDiscardedPixelsStay) {
+TEST_P(FullscreenDrawTest, OutputsMatchLocationsAndDiscardKeepsPixels) {
     const Texture &first = targets.target("first", GL_RGBA32F), &second = targets.target("second", GL_RG8);
     FullscreenProgram& program = load("two.frag",
                                       "layout(location = 1) out vec4 second;\nlayout(location = 0) out vec4 first;\nin vec2 uv;\n"
@@ -76,7 +76,7 @@ TEST_P(FullscreenDrawTest, OutputsGoWhereTheyBelongAndDiscardedPixelsStay) {
     }
 }
 
-TEST_P(FullscreenDrawTest, ALimitedProgramDrawsOnlyWhereThereIsASurface) {
+TEST_P(FullscreenDrawTest, LimitedProgramsDrawOnlyOnSurfaces) {
     const Texture &target = targets.target("limited", GL_RGBA16F), &depth = targets.target("depth", GL_DEPTH_COMPONENT32F);
     targets.framebuffer({}, &depth).begin();
     const float farthest = 1.0f, surface = 0.999f;
@@ -91,8 +91,8 @@ TEST_P(FullscreenDrawTest, ALimitedProgramDrawsOnlyWhereThereIsASurface) {
     for (int i = 0; i < kSize.x * kSize.y; ++i) EXPECT_EQ(pixels[size_t(i)], i % kSize.x == 2 && i / kSize.x >= 1 ? kNew : kOld) << i;
 }
 
-INSTANTIATE_TEST_SUITE_P(By, FullscreenDrawTest, ::testing::Values(FullscreenBy::Fragment, FullscreenBy::Compute),
-                         [](const auto& test) { return test.param == FullscreenBy::Compute ? "Compute" : "Fragment"; });
+INSTANTIATE_TEST_SUITE_P(By, FullscreenDrawTest, ::testing::Values(FullscreenMethod::Fragment, FullscreenMethod::Compute),
+                         [](const auto& test) { return test.param == FullscreenMethod::Compute ? "Compute" : "Fragment"; });
 
 }  // namespace
 }  // namespace rubble

@@ -1,5 +1,5 @@
 #pragma once
-#include "render/frame_camera.h"
+#include "render/frame/frame_camera.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/scene.h"
 #include "tests/render/gl_fixture.h"

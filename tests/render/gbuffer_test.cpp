@@ -78,7 +78,7 @@ void fill(Scene& scene, const std::vector<Body>& bodies) {
     scene.apply(made.take());
 }
 
-TEST_F(GBufferTest, EqualsTheWalkInDouble) {
+TEST_F(GBufferTest, MatchesTheDoublePrecisionWalk) {
     const std::vector<Body> bodies = bodiesFor(3);
     Scene scene;
     fill(scene, bodies);
@@ -168,7 +168,7 @@ TEST_F(GBufferTest, OneDrawForAnyNumberOfBodies) {
         View view;
         view.size = {320, 180};
         draw(scene, view);
-        EXPECT_LE(figures.bodyDraws, GBufferPass::kMostDraws) << count << " bodies";
+        EXPECT_LE(figures.bodyDraws, GBufferPass::kMaxDraws) << count << " bodies";
         EXPECT_EQ(scene.bodies().bricks(), 1) << "they share one brick";
         const auto start = std::chrono::steady_clock::now();
         draw(scene, view);
@@ -239,7 +239,7 @@ TEST_F(GBufferTest, UploadsFollowTheChange) {
     EXPECT_EQ(scene.bodies().shapes(), 0);
 }
 
-TEST_F(GBufferTest, ChangesOverTheBudgetWaitAndAreDrawnAsTheyWere) {
+TEST_F(GBufferTest, ChangesOverTheUploadBudgetAreDeferred) {
     Scene scene;
     scene.setUploadBudget(3 * BrickAtlas::kBrickBytes);
     TestScene made;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/frame_camera.h"
-#include "render/frame_context.h"
+#include "render/frame/frame_camera.h"
+#include "render/frame/frame_context.h"
 #include "runtime/core/random.h"
 #include "samples/support/camera.h"
 #include "tests/render/gl_fixture.h"
@@ -37,7 +37,7 @@ protected:
 };
 
 /// The one thing that must never happen: a place that a light reaches and whose list does not have it.
-TEST_F(LightGridTest, EveryLightIsListedWhereItReaches) {
+TEST_F(LightGridTest, EveryLightIsListedInItsRange) {
     Random random{7, 3};
     LightGrid grid;
     int reached = 0, listed = 0;
@@ -72,7 +72,7 @@ TEST_F(LightGridTest, EveryLightIsListedWhereItReaches) {
     EXPECT_LT(listed, 6 * reached) << "and not everywhere else too";
 }
 
-TEST_F(LightGridTest, WhatIsBehindOrDarkCostsNothing) {
+TEST_F(LightGridTest, LightsBehindTheCameraOrDarkCostNothing) {
     LightGrid grid;
     const FrameBlock block = seenFrom(Camera{});
     std::vector<SnapshotLight> lights{{LightKind::Sphere, {0, 1.7, 20}, {0, -1, 0}, glm::vec3(1.0f), 0.1f, 8.0f, 0, 0},

@@ -58,7 +58,7 @@ glm::ivec3 expectedColor(const std::vector<Painted>& bodies, const View& view, i
     return out;
 }
 
-TEST_F(GBufferTest, PaintIsDrawnWhereItIs) {
+TEST_F(GBufferTest, DrawsPaint) {
     const std::vector<Painted> bodies = paintedWallAndPiece();
     Scene scene;
     TestScene made;
@@ -98,7 +98,7 @@ TEST_F(GBufferTest, PaintIsDrawnWhereItIs) {
     EXPECT_GT(changed, painted * 9 / 10) << "without colours a shape shows its own";
 }
 
-TEST_F(GBufferTest, WithoutPaintThereIsNoPaintAtlas) {
+TEST_F(GBufferTest, NoPaintAtlasWithoutPaint) {
     BrickAtlas atlas;
     BrickIndices indices{};
     indices[7] = 3;

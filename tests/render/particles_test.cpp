@@ -96,7 +96,7 @@ TEST_F(ParticlesTest, EachKindShows) {
         EXPECT_GT(differing(draw({at(kind, -4, 0.6f)}), clear), 40) << int(kind);
 }
 
-TEST_F(ParticlesTest, HideBehindSurfacesAndFadeIntoThem) {
+TEST_F(ParticlesTest, AreHiddenBehindSurfacesAndFadeIntoThem) {
     const auto clear = draw({});
     EXPECT_EQ(differing(draw({at(ParticleKind::Dust, -9, 0.8f), at(ParticleKind::Crumb, -9, 0.3f)}), clear), 0);
     // Half of the puff is in the wall: it shows, and nowhere harder than a puff in the open does.
@@ -105,7 +105,7 @@ TEST_F(ParticlesTest, HideBehindSurfacesAndFadeIntoThem) {
     EXPECT_LT(differing(half, clear), differing(open, clear));
 }
 
-TEST_F(ParticlesTest, TheEyeInAPuffSeesOn) {
+TEST_F(ParticlesTest, CameraInsideAPuffSeesThrough) {
     const auto clear = draw({});
     EXPECT_LT(differing(draw({at(ParticleKind::Smoke, -0.1, 0.5f)}), clear), kSize.x * kSize.y / 4);
 }

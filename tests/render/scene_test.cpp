@@ -4,7 +4,7 @@
 
 #include "render/gl/state_guard.h"
 #include "render/scene/brick_atlas.h"
-#include "render/scene/slots.h"
+#include "render/scene/index_allocator.h"
 #include "runtime/core/blue_noise.h"
 #include "runtime/core/random.h"
 #include "tests/render/gl_fixture.h"
@@ -12,8 +12,8 @@
 namespace rubble {
 namespace {
 
-TEST(Ranges, NeverOverlapAndComeBackTogether) {
-    Ranges ranges;
+TEST(RangeAllocator, NeverOverlapAndMergeWhenFreed) {
+    RangeAllocator ranges;
     Random random(4);
     std::map<uint32_t, uint32_t> held;
     for (int i = 0; i < 5000; ++i) {
@@ -34,7 +34,7 @@ TEST(Ranges, NeverOverlapAndComeBackTogether) {
     EXPECT_EQ(ranges.take(ranges.end()), 0u) << "all gaps have become one";
 }
 
-TEST(BlueNoise, EveryThresholdEquallyOftenAndNoClumps) {
+TEST(BlueNoise, IsUniformAndWithoutClumps) {
     const std::vector<uint8_t> tile = makeBlueNoise();
     std::vector<int> counts(256);
     for (uint8_t value : tile) ++counts[value];
@@ -69,7 +69,7 @@ TEST_F(BrickAtlasTest, SharedBricksAreSentOnceAndFreedWithTheirLastUser) {
 
 class StateGuardTest : public GlTest {};
 
-TEST_F(StateGuardTest, PutsBackWhatAHostHadSet) {
+TEST_F(StateGuardTest, RestoresTheHostsState) {
     GLuint texture, buffer;
     glGenTextures(1, &texture);
     glGenBuffers(1, &buffer);
@@ -111,7 +111,7 @@ TEST_F(StateGuardTest, PutsBackWhatAHostHadSet) {
     glDeleteBuffers(1, &buffer);
 }
 
-TEST_F(StateGuardTest, PutsBackTheImagesThatComputeProgramsStoreInto) {
+TEST_F(StateGuardTest, RestoresImageBindings) {
     if (!hasCompute()) GTEST_SKIP() << "no GL 4.3";
     const Texture first(GL_RGBA32F, {4, 4}), second(GL_R32F, {4, 4}), ours(GL_RGBA16F, {4, 4});
     glBindImageTexture(0, first.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/temp_folder.h"
 
@@ -96,26 +96,26 @@ TEST_F(FullscreenLibraryTest, ErrorsNameTheFileAndLineInBothPrograms) {
     }
 }
 
-TEST_F(FullscreenLibraryTest, BuildsWhatIsAskedForAndNothingElse) {
+TEST_F(FullscreenLibraryTest, BuildsOnlyTheRequestedMethods) {
     write("a.frag", "out vec4 color;\nvoid main() { if (gl_FragCoord.x < 3.0) discard; color = vec4(1.0); }\n");
     for (const auto each : kEach) {
         ShaderLibrary shaders(folder, each);
         const FullscreenProgram& program = shaders.loadFullscreen("a.frag");
         EXPECT_TRUE(shaders.errors().empty()) << shaders.errors()[0];
         const bool compute = each == ShaderLibrary::Fullscreen::Compute;
-        EXPECT_EQ(program.has(FullscreenBy::Fragment), !compute);
-        EXPECT_EQ(program.has(FullscreenBy::Compute), compute);
+        EXPECT_EQ(program.has(FullscreenMethod::Fragment), !compute);
+        EXPECT_EQ(program.has(FullscreenMethod::Compute), compute);
         EXPECT_EQ(shaders.computePrograms(), int(compute));
         EXPECT_EQ(&shaders.loadFullscreen("a.frag"), &program) << "built once";
     }
 }
 
-TEST_F(FullscreenLibraryTest, WhatOnlyFragmentsCanDoIsDrawnByThem) {
+TEST_F(FullscreenLibraryTest, FallsBackToFragments) {
     write("a.frag", "in vec2 uv;\nout vec4 color;\nvoid main() { color = vec4(dFdx(uv), uv); }\n");
     ShaderLibrary shaders(folder, ShaderLibrary::Fullscreen::Both);
     FullscreenProgram& program = shaders.loadFullscreen("a.frag");
-    EXPECT_TRUE(program.has(FullscreenBy::Fragment));
-    EXPECT_FALSE(program.has(FullscreenBy::Compute));
+    EXPECT_TRUE(program.has(FullscreenMethod::Fragment));
+    EXPECT_FALSE(program.has(FullscreenMethod::Compute));
     EXPECT_TRUE(shaders.errors().empty()) << "there is something to draw with";
 }
 
@@ -124,16 +124,16 @@ TEST_F(FullscreenLibraryTest, AReleasedProgramIsNotBuiltAgain) {
     ShaderLibrary shaders(folder, ShaderLibrary::Fullscreen::Both);
     FullscreenProgram& program = shaders.loadFullscreen("a.frag");
     EXPECT_EQ(shaders.computePrograms(), 1);
-    program.release(FullscreenBy::Compute);
+    program.release(FullscreenMethod::Compute);
     EXPECT_EQ(shaders.computePrograms(), 0);
     write("a.frag", "out vec4 color;\nvoid main() { color = vec4(0.5); }\n");
     std::filesystem::last_write_time(folder / "a.frag", std::filesystem::file_time_type::clock::now() + std::chrono::seconds(10));
     EXPECT_TRUE(shaders.reloadChanged());
     EXPECT_EQ(shaders.computePrograms(), 0);
-    EXPECT_TRUE(program.has(FullscreenBy::Fragment));
+    EXPECT_TRUE(program.has(FullscreenMethod::Fragment));
 }
 
-TEST_F(ShaderLibraryTest, FrameBlockLiesInTheShaderAsInMemory) {
+TEST_F(ShaderLibraryTest, FrameBlockLayoutMatchesTheShader) {
     write("a.frag", "");
     ShaderLibrary shaders(shaderFolder());
     const Program& program = shaders.load("passes/gbuffer.frag", "passes/tiles.vert");
@@ -160,12 +160,12 @@ TEST_F(ShaderLibraryTest, FrameBlockLiesInTheShaderAsInMemory) {
 }
 
 /// 16 units are all that GL 3.3 promises a stage.
-TEST_F(ShaderLibraryTest, WhereUnitsAreFewRaysDoWithoutVoxels) {
+TEST_F(ShaderLibraryTest, FewTextureUnitsDisableVoxelLookup) {
     for (const char* file : {"passes/sky.frag", "passes/reflections.frag"}) {
         ShaderLibrary all(shaderFolder()), few(shaderFolder(), ShaderLibrary::Fullscreen::Fragment, 16);
         const FullscreenKind kind{.limited = true};
-        EXPECT_GT(all.loadFullscreen(file, kind).program(FullscreenBy::Fragment).samplers(), 16) << file;
-        const Program& lean = few.loadFullscreen(file, kind).program(FullscreenBy::Fragment);
+        EXPECT_GT(all.loadFullscreen(file, kind).program(FullscreenMethod::Fragment).samplers(), 16) << file;
+        const Program& lean = few.loadFullscreen(file, kind).program(FullscreenMethod::Fragment);
         ASSERT_TRUE(lean) << file;
         EXPECT_LE(lean.samplers(), 16) << file;
     }

@@ -46,7 +46,7 @@ protected:
     }
 };
 
-TEST_F(ShadowLightTest, LoneCubeIsLitInSixteenRotations) {
+TEST_F(ShadowLightTest, SingleCubeIsLitInSixteenRotations) {
     const glm::vec3 toSun = glm::normalize(glm::vec3(-0.6f, 0.36f, 0.5f));
     Count all;
     for (int i = 0; i < 16; ++i) {
@@ -100,7 +100,7 @@ TEST_F(ShadowLightTest, ClosedRoomIsDarkInside) {
 }
 
 /// The reference keeps a byte for 2x2x2 cells of the whole box, and two smaller copies of that.
-TEST_F(ShadowLightTest, TheTownTakesAQuarterOfADenseVolume) {
+TEST_F(ShadowLightTest, TownTakesAQuarterOfADenseVolume) {
     FrameSnapshot town = levelSnapshot(makeTown(1));
     glm::ivec3 low(1 << 20), high(-(1 << 20));
     for (const ShadowPatch& patch : town.shadow) {

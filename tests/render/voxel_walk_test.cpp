@@ -85,8 +85,8 @@ void checkHit(const VoxelGrid& grid, const CellRay& ray, const ShaderHit& hit) {
         ASSERT_EQ(hit.cell.w, 0) << "a hit from a NaN or an infinity";
         return;
     }
-    const double reach = std::max({std::fabs(ray.origin.x), std::fabs(ray.origin.y), std::fabs(ray.origin.z), 16.0});
-    const double slack = reach * 0x1p-20, length = glm::length(ray.direction);
+    const double extent = std::max({std::fabs(ray.origin.x), std::fabs(ray.origin.y), std::fabs(ray.origin.z), 16.0});
+    const double slack = extent * 0x1p-20, length = glm::length(ray.direction);
     const Slabs slabs(ray);
     const long double pierced = firstPierced(grid, ray, slabs, std::max(1e-4, slack));
     if (!hit.cell.w) {
@@ -171,7 +171,7 @@ protected:
     }
 };
 
-TEST_F(ShadowTraceTest, AgreesWithTheWalkInDouble) {
+TEST_F(ShadowTraceTest, MatchesTheDoublePrecisionWalk) {
     Random random(5);
     VoxelGrid grid({150, 90, 130});
     {

@@ -3,7 +3,7 @@
 
 #include "render/gl/framebuffer.h"
 #include "tests/render/gbuffer_fixture.h"
-#include "tests/runtime/shadow/volume.h"
+#include "tests/runtime/shadow/received_volume.h"
 
 namespace rubble {
 namespace {
@@ -12,7 +12,7 @@ constexpr int kRays = 4000;
 
 struct MetreRay {
     glm::vec3 origin, direction;
-    float reach;
+    float maxDistance;
 };
 
 class WorldRaysTest : public GBufferTest {
@@ -37,7 +37,7 @@ protected:
         Texture origins(GL_RGBA32F, size), directions(GL_RGBA32F, size), hits(GL_RGBA32F, size);
         std::vector<glm::vec4> o, d;
         for (const MetreRay& ray : rays) {
-            o.emplace_back(ray.origin, ray.reach);
+            o.emplace_back(ray.origin, ray.maxDistance);
             d.emplace_back(ray.direction, 0.0f);
         }
         origins.upload(o.data());
@@ -53,7 +53,7 @@ protected:
         scene.bindShadow(program);
         program.set("uOrigins", origins);
         program.set("uDirections", directions);
-        program.set("uExactFor", kExactFor);
+        program.set("uExactDistance", kExactFor);
         context(scene).drawFullscreen();
         std::vector<Found> out;
         for (const glm::vec4& hit : read(hits)) out.push_back({hit.y > 0.5f, hit.z > 0.5f, hit.x, hit.w});
@@ -63,7 +63,7 @@ protected:
     bool isSure(const MetreRay& ray, bool hit) const {
         for (int i = 0; i < 8; ++i) {
             const glm::dvec3 moved = glm::dvec3(ray.origin) + 1e-4 * (2.0 * glm::dvec3(i & 1, i >> 1 & 1, i >> 2) - 1.0);
-            if (volume.occluded(moved, glm::dvec3(ray.direction), double(ray.reach)) != hit) return false;
+            if (volume.occluded(moved, glm::dvec3(ray.direction), double(ray.maxDistance)) != hit) return false;
         }
         return true;
     }
@@ -79,7 +79,7 @@ protected:
         const std::vector<Found> found = trace(rays);
         int wrong = 0, hits = 0, coarse = 0, coarseWrong = 0;
         for (size_t i = 0; i < rays.size(); ++i) {
-            const bool expected = volume.occluded(glm::dvec3(rays[i].origin), glm::dvec3(rays[i].direction), double(rays[i].reach));
+            const bool expected = volume.occluded(glm::dvec3(rays[i].origin), glm::dvec3(rays[i].direction), double(rays[i].maxDistance));
             hits += expected;
             wrong += found[i].exact != expected && isSure(rays[i], expected);
             coarse += found[i].coarse;
@@ -128,9 +128,9 @@ TEST_F(WorldRaysTest, AreExactWhileTheWorldBreaksAndBodiesMove) {
 TEST_F(WorldRaysTest, AreExactInAWorldTwoKilometresWide) {
     Random random(22);
     std::vector<LevelBody> bodies;
-    const VoxelGrid house = makeGrid({60, 60, 60}, [](glm::ivec3 c) { return uint8_t(c.x % 20 == 3 || c.y % 25 == 3); });
+    const VoxelGrid frameGrid = makeGrid({60, 60, 60}, [](glm::ivec3 c) { return uint8_t(c.x % 20 == 3 || c.y % 25 == 3); });
     for (const glm::dvec3 place : {glm::dvec3(0.0), glm::dvec3(2000.0, 0.0, 0.0), glm::dvec3(0.0, 10.0, 2000.0), glm::dvec3(2000.0, 0.0, 2000.0)})
-        bodies.push_back(makeBody(house, {place}, true));
+        bodies.push_back(makeBody(frameGrid, {place}, true));
     World world = worldOf(std::move(bodies));
     submit(world.applyEdits({}), {}, world);
     EXPECT_LT(scene.shadow().bytes(), uint64_t(600) << 20) << "a texel a brick";

@@ -44,7 +44,7 @@ void runWithoutFeatures() {
     for (LevelBody& body : scene.level.bodies) body.velocity = body.isStatic ? glm::vec3(0.0f) : glm::vec3(0.0f, -0.1f, 0.0f);
     FrameLoopSettings settings;
     settings.publish = settings.shadowVolume = false;
-    settings.particles.most = 0;
+    settings.particles.maxAlive = 0;
     settings.physics.sleepTime = 1e9;
     FrameLoop loop(settings);
     loop.load(scene.level);

@@ -63,7 +63,7 @@ Run simulate(const Setting& setting, uint64_t seed, bool drawn) {
     FrameLoopSettings settings;
     settings.shadow = ShadowWorker::Mode::Inline;
     settings.shadowVolume = settings.publish = drawn;
-    settings.particles.most = 0;
+    settings.particles.maxAlive = 0;
     FrameLoop loop(settings);
     WorldSettings how;
     how.minPieceVoxels = setting.smallest;

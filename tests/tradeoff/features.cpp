@@ -77,7 +77,7 @@ void note(Run& run, FrameLoop& loop) {
 Run simulate(const Level& level, const Variant& variant, uint64_t seed) {
     FrameLoopSettings loopSettings;
     loopSettings.shadowVolume = false;
-    loopSettings.particles.most = 0;
+    loopSettings.particles.maxAlive = 0;
     WorldSettings settings;
     settings.stress.on = true;
     settings.stress.strengthScale = 0.7;
@@ -142,8 +142,8 @@ std::vector<Variant> variants() {
         {"debris budget", "by rule"},
         {"debris budget", "always", [](W& w, L&) { w.debris.awakeBodies = w.debris.bodies = 0; }},
         {"particles", "off"},
-        {"particles", "by rule", [](W&, L& l) { l.particles.most = 4096; }},
-        {"particles", "always", [](W&, L& l) { l.particles.most = 1 << 20; }},
+        {"particles", "by rule", [](W&, L& l) { l.particles.maxAlive = 4096; }},
+        {"particles", "always", [](W&, L& l) { l.particles.maxAlive = 1 << 20; }},
     };
 }
 

@@ -33,7 +33,7 @@ RenderSettings renderSettings(const Setting& setting) {
     RenderSettings settings = reference::comparedSettings();
     settings.historyFrames = setting.history;
     settings.filterPasses = setting.radius;
-    settings.forgetsChanges = setting.forgets;
+    settings.rejectStaleHistory = setting.forgets;
     return settings;
 }
 
@@ -73,11 +73,11 @@ Response responseOf(const Setting& setting) {
     Opening opening;
     LightBench bench(opening.scene.snapshot(), opening.view, {96, 64}, renderSettings(setting));
     bench.draw(40);
-    const glm::dvec2 before = middleOf(bench.read("lighting"));
+    const glm::dvec2 before = middleOf(bench.read("denoisedLight"));
     opening.scene.edit(opening.screen, [](glm::ivec3) { return uint8_t(0); });
     bench.apply(opening.scene.step());
     std::vector<glm::dvec2> after;
-    for (int i = 0; i < kAfter; ++i) bench.draw(), after.push_back(middleOf(bench.read("lighting")));
+    for (int i = 0; i < kAfter; ++i) bench.draw(), after.push_back(middleOf(bench.read("denoisedLight")));
     glm::dvec2 settled(0.0);  // over many pictures: one has noise
     for (int i = kAfter - 40; i < kAfter; ++i) settled += after[size_t(i)] / 40.0;
     Response response;
@@ -102,7 +102,7 @@ Still stillOf(const Setting& setting, const reference::SceneView& street, const 
     std::vector<double> sum(pixels, 0.0), squares(pixels, 0.0);
     for (int i = 0; i < kWatched; ++i) {
         bench.draw();
-        const FloatImage image = bench.read("lighting");
+        const FloatImage image = bench.read("denoisedLight");
         for (size_t p = 0; p < pixels; ++p) sum[p] += image.pixels[p].g, squares[p] += double(image.pixels[p].g) * image.pixels[p].g;
     }
     Still still;
@@ -126,7 +126,7 @@ FloatImage convergedStreet(const reference::SceneView& street) {
     FloatImage sum(kSize);
     for (int i = 0; i < kConverged / 8; ++i) {
         bench.draw();
-        const FloatImage image = bench.read("light");
+        const FloatImage image = bench.read("noisyLight");
         for (size_t p = 0; p < sum.pixels.size(); ++p) sum.pixels[p] += image.pixels[p] / float(kConverged / 8);
     }
     return sum;

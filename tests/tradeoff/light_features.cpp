@@ -23,7 +23,7 @@ const Feature kFeatures[] = {
     {"second bounce", [](RenderSettings& s) { s.bounces = 1; }},
     {"temporal", [](RenderSettings& s) { s.temporal = false; }},
     {"filter", [](RenderSettings& s) { s.filterPasses = 0; }},
-    {"forgetting", [](RenderSettings& s) { s.forgetsChanges = false; }},
+    {"forgetting", [](RenderSettings& s) { s.rejectStaleHistory = false; }},
     {"bloom", [](RenderSettings& s) { s.bloom = 0.0f; }},
 };
 

@@ -111,7 +111,7 @@ double penumbraError(float radians, double height) {
     View view = camera.view(kSize, 0);
     LightBench bench(scene.snapshot(), view, kSize, settings);
     bench.draw(32);
-    const FloatImage light = bench.read("lighting");
+    const FloatImage light = bench.read("denoisedLight");
     const FloatImage truth = reference::render(reference::Scene(scene.snapshot()), view, {.term = reference::Term::SunShare, .samples = 192}).mean;
     double off = 0.0;
     for (size_t p = 0; p < truth.pixels.size(); ++p) off += std::abs(double(light.pixels[p].a) - truth.pixels[p].x);

@@ -40,7 +40,7 @@ Level block(int size, const scenes::Recipe& recipe = scenes::kConcrete) {
 /// A block in the air over a floor, held at one corner cell only, and the cuts that make count^3 dice of three cells of it.
 Level heldBlock(int count) {
     using namespace scenes;
-    Level level = makeLoneCube(1, 0.1);
+    Level level = makeSingleCube(1, 0.1);
     Canvas canvas{ivec3(4 * count)};
     canvas.box(ivec3(0), ivec3(4 * count), canvas.mix(kBrick));
     LevelShape shape = canvas.finish("block");

@@ -249,7 +249,7 @@ rubble_result draw(rubble_renderer renderer, const rubble_view* view) {
         const rubble_view& given = readStruct(view, "view");
         const double alpha = readOrDefault(given.alpha, 0.0, 1.0, 0.0, "alpha");
         world->loop.draw(*hosted->renderer, readView(given), float(alpha));
-        if (const std::string& trouble = hosted->renderer->trouble(); !trouble.empty()) throw ApiError{RUBBLE_ERROR_GL, trouble};
+        if (const std::string& lastError = hosted->renderer->lastError(); !lastError.empty()) throw ApiError{RUBBLE_ERROR_GL, lastError};
         hosted->applyMs = world->loop.times()[Stage::Apply];
         hosted->drawMs = world->loop.times()[Stage::Draw];
     });

@@ -14,7 +14,7 @@ namespace rubble::bench {
 namespace {
 
 constexpr int kWarmUp = 4;
-constexpr int kUntilChosen = 24;  ///< frames of "fastest": see render/fullscreen_choice.h
+constexpr int kUntilChosen = 24;  ///< frames of "fastest": see render/shader_library/fullscreen_choice.h
 
 /// One way to draw the town.
 struct Drawn {
@@ -26,7 +26,7 @@ struct Drawn {
 Result<Drawn> makeDrawn(const Options& options, GlContext& context, const std::string& fullscreen) {
     RenderSettings settings = RenderSettings::preset(options.preset);
     settings.processorTime = options.processorTime;
-    settings.fullscreen = RenderSettings::fullscreenNamed(fullscreen);
+    settings.fullscreen = RenderSettings::fullscreenFromName(fullscreen);
     auto renderer = Renderer::create(context.loader(), options.shaders, settings);
     if (!renderer) return Error{renderer.error()};
     return Drawn{fullscreen, playTown(), std::move(renderer).value()};

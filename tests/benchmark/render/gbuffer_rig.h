@@ -1,7 +1,7 @@
 #pragma once
 #include <ctime>
 
-#include "render/frame_camera.h"
+#include "render/frame/frame_camera.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/passes/glass_pass.h"
 #include "render/scene/scene.h"

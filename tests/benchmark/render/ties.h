@@ -2,7 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 
 namespace rubble::bench {
 

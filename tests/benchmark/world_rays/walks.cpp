@@ -9,7 +9,7 @@
 
 #include "render/gl/framebuffer.h"
 #include "render/gl/gl.h"
-#include "render/shader_library/flat_uniforms.h"
+#include "render/shader_library/uniforms_as_varyings.h"
 
 namespace rubble::rays {
 namespace {
@@ -49,7 +49,7 @@ ShaderSource sourceOf(const std::string& file) {
 Program makeProgram(const std::string& walk) {
     ShaderSource vertex = sourceOf("lib/fullscreen.vert"), fragment = sourceOf("../tests/benchmark/world_rays/shaders/" + walk + ".frag");
     fragment.text.insert(fragment.text.find('\n') + 1, "precision highp usampler3D;\n");
-    passUniformsFlat(vertex, fragment);  // as the frame does on this GL
+    passUniformsAsVaryings(vertex, fragment);  // as the frame does on this GL
     std::string log;
     bool vertexFailed = false;
     Program program(vertex.text, fragment.text, log, vertexFailed);

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "render/frame_context.h"
+#include "render/frame/frame_context.h"
 #include "render/gl/program.h"
 #include "render/scene/scene.h"
 #include "tests/benchmark/world_rays/rays.h"

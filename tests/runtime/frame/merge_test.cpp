@@ -116,7 +116,7 @@ FrameSnapshot copyOf(const FrameSnapshot& s) {
     return s;
 }
 
-TEST(MergeSnapshots, AppliesAsAllOfThemDoInTurn) {
+TEST(MergeSnapshots, EqualsApplyingEachInTurn) {
     for (uint64_t seed = 0; seed < 300; ++seed) {
         Story story(seed);
         Random random(seed, 1);
@@ -155,7 +155,7 @@ TEST(MergeSnapshots, IsAssociative) {
     }
 }
 
-TEST(MergeSnapshots, WhatIsCreatedAndDestroyedInBetweenLeavesNoTrace) {
+TEST(MergeSnapshots, CreatedAndDestroyedInBetweenLeavesNothing) {
     const ShapeHandle shape = ShapeHandle::make(1, 1, 0);
     FrameSnapshot first, second;
     first.created.push_back({shape, {8, 8, 8}, 0.1f, nullptr, {{shape, {0, 0, 0}, std::make_shared<const Brick>()}}});

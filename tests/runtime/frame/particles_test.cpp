@@ -14,7 +14,7 @@ namespace {
 /// A floor at y = 0 and something broken two metres above it.
 class ParticlesTest : public testing::Test {
 protected:
-    void SetUp() override { world.load(makeLoneCube(2, 0.5)); }
+    void SetUp() override { world.load(makeSingleCube(2, 0.5)); }
     FrameChanges breaks(const char* material, uint64_t voxels) const {
         FrameChanges changes;
         changes.dust.push_back({{4.0, 2.0, 4.0}, 0.5, glm::vec3(0.0f), {150, 140, 120}, world.materials().find(material), voxels});
@@ -39,7 +39,7 @@ TEST_F(ParticlesTest, WhatBreaksRaisesDustThatSettles) {
     EXPECT_TRUE(particles.empty()) << "nothing hangs in the air for ever";
 }
 
-TEST_F(ParticlesTest, MaterialsThrowWhatTheyAreMadeOf) {
+TEST_F(ParticlesTest, MaterialsEmitTheirOwnParticles) {
     Particles glass({}), metal({});
     glass.step(breaks("glass", 200), {}, {}, world);
     metal.step(breaks("metal", 200), {}, {}, world);
@@ -48,7 +48,7 @@ TEST_F(ParticlesTest, MaterialsThrowWhatTheyAreMadeOf) {
     EXPECT_GT(count(metal, ParticleKind::Spark), 5u);
 }
 
-TEST_F(ParticlesTest, ABudgetHoldsAndLateEventsStillShow) {
+TEST_F(ParticlesTest, BudgetHoldsAndLateEventsStillShow) {
     Particles particles({.most = 300});
     for (int i = 0; i < 60; ++i) {
         particles.step(breaks("brick", 5000), {}, {}, world);
@@ -78,7 +78,7 @@ TEST_F(ParticlesTest, TheSameStepsGiveTheSameParticles) {
     for (size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].position, two[i].position);
 }
 
-TEST_F(ParticlesTest, NothingIsPaidWhileNothingIsInTheAir) {
+TEST_F(ParticlesTest, CostsNothingWithoutParticles) {
     Particles particles({}), off({.most = 0});
     const FrameChanges nothing, much = breaks("concrete", 900);
     const size_t before = allocationCount();
@@ -90,7 +90,7 @@ TEST_F(ParticlesTest, NothingIsPaidWhileNothingIsInTheAir) {
     EXPECT_TRUE(off.empty());
 }
 
-TEST_F(ParticlesTest, SnapshotsCarryThemUntilTheLastIsGone) {
+TEST_F(ParticlesTest, SnapshotsCarryParticlesUntilTheLastHasGone) {
     Snapshots snapshots{ParticleSettings{}};
     snapshots.publishWithoutShadow(world.applyEdits({}), {}, world);
     EXPECT_FALSE(snapshots.take()->particlesChanged);

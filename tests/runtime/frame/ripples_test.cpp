@@ -10,7 +10,7 @@ namespace {
 /// A lone cube of half a metre, and water whose surface cuts through it.
 class RipplesTest : public testing::Test {
 protected:
-    void SetUp() override { world.load(makeLoneCube(2, 0.5)); }
+    void SetUp() override { world.load(makeSingleCube(2, 0.5)); }
     BodyPose cube(glm::dvec3 velocity) {
         BodyPose pose{};
         world.bodies().forEach([&](BodyHandle handle, const Body& body) {
@@ -20,7 +20,7 @@ protected:
     }
     void addWater() {
         const WorldBox box = cubeBox();
-        Level level = makeLoneCube(2, 0.5);
+        Level level = makeSingleCube(2, 0.5);
         level.waters.push_back(
             {.name = "pond", .outline = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}}, .surface = 0.5 * (box.low.y + box.high.y), .depth = 1.0});
         world.load(level);
@@ -37,7 +37,7 @@ protected:
     World world;
 };
 
-TEST_F(RipplesTest, WhatMovesThroughTheSurfaceMakesRingsThatFade) {
+TEST_F(RipplesTest, MovingBodiesMakeRingsThatFade) {
     addWater();
     Ripples ripples;
     const BodyPose moving = cube({2.0, 0.0, 0.0}), resting = cube(glm::dvec3(0.0));
@@ -60,7 +60,7 @@ TEST_F(RipplesTest, NeverMoreThanSixtyFour) {
         for (int k = 0; k < 9; ++k) ripples.step({}, world);
         for (int twin = 0; twin < 9; ++twin) ripples.step({&moving, 1}, world);
     }
-    EXPECT_LE(ripples.snapshot().size(), Ripples::kMostRipples);
+    EXPECT_LE(ripples.snapshot().size(), Ripples::kMaxRipples);
     EXPECT_GT(ripples.snapshot().size(), 8u);
 }
 

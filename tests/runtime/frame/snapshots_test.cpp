@@ -32,16 +32,16 @@ LevelBody makeBody(const char* name, glm::dvec3 position, glm::ivec3 size, bool 
     return body;
 }
 
-/// A wall, a falling crate with a lamp on it, and another crate.
+/// A wall, a falling crate with a light on it, and another crate.
 World makeWorld() {
     Level level;
     level.bodies.push_back(makeBody("wall", {0, 0, 0}, {20, 40, 2}, true));
     level.bodies.push_back(makeBody("crate", {0, 9, 0}, {8, 8, 8}, false));
     level.bodies.push_back(makeBody("other", {4, 9, 0}, {8, 8, 8}, false));
-    LevelLight lamp;
-    lamp.light.name = "lamp";
-    lamp.shapeName = "crate";
-    level.lights.push_back(lamp);
+    LevelLight light;
+    light.light.name = "light";
+    light.shapeName = "crate";
+    level.lights.push_back(light);
     World world;
     world.load(level);
     return world;
@@ -218,7 +218,7 @@ TEST(Snapshots, WithTheWorkerAllArrivesAndTheVersionsAgree) {
     EXPECT_EQ(version, 101u);
 }
 
-TEST(Snapshots, NobodyTakingDoesNotGrowWithoutBound) {
+TEST(Snapshots, QueueStaysBoundedWithoutAReader) {
     Loop loop;
     for (int i = 0; i < 1000; ++i) loop.step({}, {moveTo(loop.world, 1, 9.0 - 0.001 * i)});
     const auto all = loop.snapshots.take();

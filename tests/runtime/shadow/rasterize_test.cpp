@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/runtime/shadow/volume.h"
+#include "tests/runtime/shadow/received_volume.h"
 
 namespace rubble {
 namespace {
@@ -47,7 +47,7 @@ TEST(Rasterize, QuarterTurnsKeepEveryVoxel) {
 }
 
 /// The rule, cell by cell, in floating point.
-TEST(Rasterize, TurnedShapesFollowTheRule) {
+TEST(Rasterize, RotatedShapesFollowTheSamplingRule) {
     Random random(3);
     for (int round = 0; round < 8; ++round) {
         const float voxelSize = round % 4 == 3 ? 0.05f : round % 4 == 2 ? 0.17f : 0.1f;
@@ -112,7 +112,7 @@ TEST(Rasterize, AClosedRoomIsDark) {
 }
 
 /// A lone cube, falling and turning: from half a cell's extent above its faces, the sun is seen.
-TEST(Rasterize, ALoneCubeDoesNotShadowItself) {
+TEST(Rasterize, ASingleCubeDoesNotShadowItself) {
     Random random(5);
     const VoxelGrid grid = makeGrid({12, 12, 12}, [](glm::ivec3) { return uint8_t(1); });
     const glm::dvec3 sun = glm::normalize(glm::dvec3(-0.6, 0.36, 0.5));

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "tests/runtime/shadow/volume.h"
+#include "tests/runtime/shadow/received_volume.h"
 
 namespace rubble {
 namespace {

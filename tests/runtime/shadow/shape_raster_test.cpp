@@ -2,19 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/runtime/shadow/volume.h"
+#include "tests/runtime/shadow/received_volume.h"
 
 namespace rubble {
 namespace {
 
-/// The lattice's rule as it is written, one sample at a time, in integers.
-bool isSet(const VoxelGrid& grid, const ShadowLattice& lattice, glm::ivec3 cell) {
-    const int n = lattice.samples;
+/// The cellTransform's rule as it is written, one sample at a time, in integers.
+bool isSet(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, glm::ivec3 cell) {
+    const int n = cellTransform.samples;
     for (int s = 0; s < n * n * n; ++s) {
         const glm::ivec3 sub(s % n, s / n % n, s / n / n);
-        FixedPoint at = lattice.sample(cell);
+        FixedPoint at = cellTransform.sample(cell);
         for (size_t a = 0; a < 3; ++a)
-            for (size_t k = 0; k < 3; ++k) at[k] += sub[int(a)] * lattice.step[a][k];
+            for (size_t k = 0; k < 3; ++k) at[k] += sub[int(a)] * cellTransform.step[a][k];
         if (grid.at({int(at[0] >> 32), int(at[1] >> 32), int(at[2] >> 32)})) return true;
     }
     return false;
@@ -50,13 +50,13 @@ Piece drawPiece(Random& random) {
 }
 
 size_t countWrong(const Piece& piece) {
-    ShadowLattice lattice;
-    EXPECT_TRUE(lattice.place(piece.pose, piece.voxelSize));
+    ShadowCellTransform cellTransform;
+    EXPECT_TRUE(cellTransform.place(piece.pose, piece.voxelSize));
     const CellBox bounds = shadowBounds(piece.pose, piece.voxelSize, {glm::ivec3(0), piece.grid.size()});
     RasterSource source;
     source.make(piece.grid);
     ShapeRaster raster;
-    EXPECT_TRUE(raster.make(source, lattice, bounds));
+    EXPECT_TRUE(raster.make(source, cellTransform, bounds));
     size_t wrong = 0, set = 0, listed = 0;
     for (int z = bounds.low.z - 2; z < bounds.high.z + 2; ++z)
         for (int y = bounds.low.y - 2; y < bounds.high.y + 2; ++y)
@@ -64,7 +64,7 @@ size_t countWrong(const Piece& piece) {
                 const glm::ivec3 cell(x, y, z), word = cell >> 2 & 3, bit = cell & 3;
                 const ShadowWords* words = raster.find(cell >> 4);
                 const bool found = words && (*words)[size_t(word.x + 4 * word.y + 16 * word.z)] >> (bit.x + 4 * bit.y + 16 * bit.z) & 1;
-                const bool expected = isSet(piece.grid, lattice, cell);
+                const bool expected = isSet(piece.grid, cellTransform, cell);
                 wrong += found != expected;
                 set += expected;
             }
@@ -76,41 +76,41 @@ size_t countWrong(const Piece& piece) {
     return wrong;
 }
 
-TEST(ShapeRaster, FollowsTheRuleCellForCell) {
+TEST(ShapeRaster, FollowsTheSamplingRule) {
     Random random(31);
     for (int round = 0; round < 300; ++round) ASSERT_EQ(countWrong(drawPiece(random)), 0u) << "round " << round;
 }
 
-TEST(ShapeRaster, TheCoreIsSolidAndLarge) {
+TEST(ShapeRaster, TheSolidBoxIsSolidAndLarge) {
     Random random(32);
     for (int round = 0; round < 40; ++round) {
         const Piece piece = drawPiece(random);
         RasterSource source;
         source.make(piece.grid);
-        const CellBox core = source.core();
+        const CellBox solidBox = source.solidBox();
         if (piece.grid.empty()) {
-            EXPECT_TRUE(core.empty());
+            EXPECT_TRUE(solidBox.empty());
             continue;
         }
-        ASSERT_FALSE(core.empty());
-        for (int z = core.low.z; z < core.high.z; ++z)
-            for (int y = core.low.y; y < core.high.y; ++y)
-                for (int x = core.low.x; x < core.high.x; ++x) ASSERT_TRUE(piece.grid.at({x, y, z}));
-        const glm::ivec3 size = core.high - core.low, all = piece.grid.size();
+        ASSERT_FALSE(solidBox.empty());
+        for (int z = solidBox.low.z; z < solidBox.high.z; ++z)
+            for (int y = solidBox.low.y; y < solidBox.high.y; ++y)
+                for (int x = solidBox.low.x; x < solidBox.high.x; ++x) ASSERT_TRUE(piece.grid.at({x, y, z}));
+        const glm::ivec3 size = solidBox.high - solidBox.low, all = piece.grid.size();
         if (piece.grid.voxelCount() == uint64_t(all.x) * uint64_t(all.y) * uint64_t(all.z)) {
             EXPECT_EQ(size, all);
         }
     }
 }
 
-TEST(ShapeRaster, WhatIsTooWideIsLeftToOthers) {
+TEST(ShapeRaster, FailsWhenTheBoundsAreTooWide) {
     const VoxelGrid grid = makeGrid({64, 2, 2}, [](glm::ivec3) { return uint8_t(1); });
-    ShadowLattice lattice;
-    ASSERT_TRUE(lattice.place({}, 0.1));
+    ShadowCellTransform cellTransform;
+    ASSERT_TRUE(cellTransform.place({}, 0.1));
     RasterSource source;
     source.make(grid);
     ShapeRaster raster;
-    EXPECT_FALSE(raster.make(source, lattice, shadowBounds({}, 0.1, {glm::ivec3(0), grid.size()})));
+    EXPECT_FALSE(raster.make(source, cellTransform, shadowBounds({}, 0.1, {glm::ivec3(0), grid.size()})));
     EXPECT_FALSE(raster.isMade());
 }
 

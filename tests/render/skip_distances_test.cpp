@@ -1,4 +1,4 @@
-#include "render/scene/empty_cubes.h"
+#include "render/scene/skip_distances.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ int sideAt(const std::vector<uint8_t>& occupied, glm::ivec3 size, glm::ivec3 bri
             if (p[a] < 0 || p[a] >= size[a]) return false;
         return occupied[(size_t(p.z) * size_t(size.y) + size_t(p.y)) * size_t(size.x) + size_t(p.x)] != 0;
     };
-    for (int side = 0; side < EmptyCubes::kReach; ++side)
+    for (int side = 0; side < SkipDistances::kMaxDistance; ++side)
         for (int i = 0; i < (side + 1) * (side + 1); ++i)  // the outermost layer of the next larger cube
             for (int face = 0; face < 3; ++face) {
                 glm::ivec3 at(side);
@@ -23,13 +23,13 @@ int sideAt(const std::vector<uint8_t>& occupied, glm::ivec3 size, glm::ivec3 bri
                 for (int a = 0; a < 3; ++a) at[a] = octant >> a & 1 ? -at[a] : at[a];
                 if (isOccupied(brick + at)) return side;
             }
-    return EmptyCubes::kReach;
+    return SkipDistances::kMaxDistance;
 }
 
-TEST(EmptyCubes, AreTheLargestAfterEveryUpdate) {
+TEST(SkipDistances, AreMaximalAfterEveryUpdate) {
     Random random(3);
     const glm::ivec3 size(24, 20, 28);
-    EmptyCubes cubes;
+    SkipDistances cubes;
     cubes.reset(size);
     std::vector<uint8_t> occupied(size_t(size.x * size.y * size.z));
     std::vector<uint32_t> known(occupied.size(), ~0u);
@@ -52,8 +52,8 @@ TEST(EmptyCubes, AreTheLargestAfterEveryUpdate) {
     }
 }
 
-TEST(EmptyCubes, CostFollowsTheChange) {
-    EmptyCubes cubes;
+TEST(SkipDistances, CostFollowsTheChange) {
+    SkipDistances cubes;
     cubes.reset({600, 10, 600});
     cubes.set({20, 3, 20}, true);
     cubes.set({590, 3, 580}, true);

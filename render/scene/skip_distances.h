@@ -8,9 +8,9 @@ namespace rubble {
 
 /// For each brick of a box and each octant of directions (bit a of its number set: down axis a) the side of the largest empty cube
 /// that has this brick in its corner and lies ahead. Exact after every update, which costs what changed and its neighbourhood.
-class EmptyCubes {
+class SkipDistances {
 public:
-    static constexpr int kReach = 15;  ///< bricks: no cube is larger
+    static constexpr int kMaxDistance = 15;  ///< bricks: no cube is larger
 
     /// All empty. What lies outside the box always is.
     void reset(glm::ivec3 size);
@@ -20,7 +20,7 @@ public:
 
     size_t indexOf(glm::ivec3 brick) const { return (size_t(brick.z) * size_t(m_size.y) + size_t(brick.y)) * size_t(m_size.x) + size_t(brick.x); }
     /// Four bits for each octant from the lowest on; 0 if the brick is occupied.
-    uint32_t at(size_t index) const { return m_cubes[index]; }
+    uint32_t at(size_t index) const { return m_skips[index]; }
 
 private:
     struct Box {
@@ -35,7 +35,7 @@ private:
     glm::ivec3 m_size{0};
     std::vector<uint8_t> m_occupied;              ///< with a border of one brick, as m_sides
     std::array<std::vector<uint8_t>, 8> m_sides;  ///< by octant
-    std::vector<uint32_t> m_cubes;                ///< the same, packed
+    std::vector<uint32_t> m_skips;                ///< the same, packed
     std::vector<glm::ivec3> m_touched;            ///< by set()
     std::vector<size_t> m_changed;
 };

@@ -1,4 +1,4 @@
-#include "render/shader_library/flat_uniforms.h"
+#include "render/shader_library/uniforms_as_varyings.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -17,32 +17,32 @@ vec4 sunColor;
 ivec4 counters;
 } frame;
 uniform vec3 uTint;  // linear
-uniform sampler2D uPicture;
+uniform sampler2D uImage;
 uniform bool uOn;
 uniform vec4 uRipples[4];
 uniform float uUnused;
 out vec4 color;
 void main() {
-    color = vec4(uTint, 1.0) * frame.sunColor + texelFetch(uPicture, ivec2(0), 0) + (uOn ? uRipples[0] : frame.sunColor);
+    color = vec4(uTint, 1.0) * frame.sunColor + texelFetch(uImage, ivec2(0), 0) + (uOn ? uRipples[0] : frame.sunColor);
 }
 )";
 
-TEST(FlatUniforms, WhatIsReadComesFromTheVertexProgram) {
+TEST(UniformsAsVaryings, ReadUniformsComeFromTheVertexProgram) {
     ShaderSource vertex{"#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n", {}, {}}, fragment{kFragment, {}, {}};
-    passUniformsFlat(vertex, fragment);
+    passUniformsAsVaryings(vertex, fragment);
     EXPECT_EQ(fragment.text, R"(#version 330 core
 flat in vec4 frame_sunColor; layout(std140) uniform FrameBlock {
 vec4 sunColor;
 ivec4 counters;
 } frame;
 flat in vec3 flat_uTint;  // linear
-uniform sampler2D uPicture;
+uniform sampler2D uImage;
 uniform bool uOn;
 uniform vec4 uRipples[4];
 flat in float flat_uUnused;
 out vec4 color;
 void main() {
-    color = vec4(flat_uTint, 1.0) * frame_sunColor + texelFetch(uPicture, ivec2(0), 0) + (uOn ? uRipples[0] : frame_sunColor);
+    color = vec4(flat_uTint, 1.0) * frame_sunColor + texelFetch(uImage, ivec2(0), 0) + (uOn ? uRipples[0] : frame_sunColor);
 }
 )");
     EXPECT_EQ(vertex.text, R"(#version 330 core
@@ -65,17 +65,17 @@ void main() {
 )");
 }
 
-TEST(FlatUniforms, WhatTheVertexProgramHasIsNotDeclaredAgain) {
+TEST(UniformsAsVaryings, VertexUniformsAreNotDeclaredTwice) {
     ShaderSource vertex{"uniform vec3 uTint;\nvoid main() { gl_Position = vec4(uTint, 1.0); }\n", {}, {}}, fragment{kFragment, {}, {}};
-    passUniformsFlat(vertex, fragment);
+    passUniformsAsVaryings(vertex, fragment);
     const std::string_view text = vertex.text, declaration = "uniform vec3 uTint;";
     EXPECT_EQ(text.find(declaration), text.rfind(declaration));
 }
 
 /// That pictures are the same to the bit: tests/golden/fullscreen_test.cpp, as compute programs keep their uniforms.
-class FlatUniformsGlTest : public GBufferTest {};
+class UniformsAsVaryingsGlTest : public GBufferTest {};
 
-TEST_F(FlatUniformsGlTest, EveryPassBuildsWithThem) {
+TEST_F(UniformsAsVaryingsGlTest, EveryPassBuilds) {
     size_t passes = 0;
     for (const auto& file : std::filesystem::directory_iterator(shaderFolder() + "/passes")) {
         if (file.path().extension() != ".frag") continue;
@@ -83,7 +83,7 @@ TEST_F(FlatUniformsGlTest, EveryPassBuildsWithThem) {
         ASSERT_TRUE(source) << source.error();
         if (source->text.find("in vec2 uv") == std::string::npos) continue;  // not full-screen
         ShaderSource vertex = *readShader(shaderFolder(), "lib/fullscreen.vert"), fragment = *source;
-        passUniformsFlat(vertex, fragment);
+        passUniformsAsVaryings(vertex, fragment);
         EXPECT_FALSE(std::regex_search(fragment.text, std::regex(R"(\bframe\.(?!glsl))"))) << file.path();
         EXPECT_EQ(std::count(fragment.text.begin(), fragment.text.end(), '\n'), std::count(source->text.begin(), source->text.end(), '\n'));
         std::string log;

@@ -3,16 +3,16 @@
 #include <vector>
 
 #include "render/gl/program.h"
-#include "render/scene/empty_cubes.h"
-#include "render/scene/mirrored_buffer.h"
-#include "render/scene/slots.h"
+#include "render/scene/skip_distances.h"
+#include "render/scene/staged_buffer.h"
+#include "render/scene/index_allocator.h"
 #include "runtime/shadow/shadow_volume.h"
 
 namespace rubble {
 
 /// The world's shadow volume on the GPU: a directory of bricks (16^3 cells) over its extent, dense at 16 bytes a brick, and the
 /// texels of each brick that holds something. Sends only what a patch changed. Layouts: lib/shadow_trace.glsl.
-class ShadowMirror {
+class GpuShadowVolume {
 public:
     static constexpr int kSectorBricks = 4;  ///< the directory's box is whole sectors
     /// What the directory can span: 2 x 2 km, 32 m high, or the same in another shape. Beyond it nothing casts a shadow.
@@ -38,18 +38,18 @@ private:
     static bool isEmpty(const Entry& entry) { return (entry.x & 15) != 0; }
     void growTo(const std::vector<ShadowPatch>& patches);
     void put(const ShadowPatch& patch);
-    void widenOccupied(const ShadowPatch& patch);
-    void updateCubes();
+    void growOccupied(const ShadowPatch& patch);
+    void updateSkips();
     uint64_t uploadTexels();
     bool holds(glm::ivec3 brick) const;
     glm::ivec3 bricks() const { return m_count * kSectorBricks; }
 
     glm::ivec3 m_low{0}, m_count{0};                 ///< sectors
     glm::ivec3 m_occupiedLow{0}, m_occupiedHigh{0};  ///< words of the world
-    EmptyCubes m_cubes;
-    MirroredBuffer<Entry> m_directory{GL_RGBA32UI, "shadow directory"};
+    SkipDistances m_skips;
+    StagedBuffer<Entry> m_directory{GL_RGBA32UI, "shadow directory"};
     BufferTexture m_texels{GL_RG32UI};
-    Slots m_slots;
+    IndexAllocator m_slots;
     struct Waiting {
         uint32_t slot;
         ShadowBrickRef content;

@@ -9,9 +9,9 @@ uniform sampler2D uBehind;
 uniform sampler2D uDepth;
 uniform sampler2D uGlassTint;
 uniform sampler2D uGlassSurface;
-uniform bool uReflections;
+uniform bool uHasReflections;
 uniform sampler2D uReflection;
-uniform bool uBends;
+uniform bool uRefraction;
 
 const float kThickness = 0.06;   // metres of glass in a pane: less than its voxel, a window is no aquarium
 const float kSquaredIndex = 2.25;  // of refraction, 1.5
@@ -45,10 +45,10 @@ void main() {
     if (pane.w <= 0.0) discard;
     vec3 ray = viewRay(gl_FragCoord.xy * frame.targetSize.zw);
     vec3 direction = normalize(ray), normal = normalize(pane.xyz);
-    vec4 seen = texelFetch(uBehind, uBends ? bentPixel(pixel, ray, pane, normal) : pixel, 0);
+    vec4 seen = texelFetch(uBehind, uRefraction ? bentPixel(pixel, ray, pane, normal) : pixel, 0);
     vec3 behind = seen.rgb;
     float share = min(1.6 * fresnel(vec3(0.05), abs(dot(normal, direction))).x, 1.0);
-    vec3 mirrored = uReflections ? texelFetch(uReflection, pixel, 0).rgb : skyRadiance(reflect(direction, normal));
+    vec3 mirrored = uHasReflections ? texelFetch(uReflection, pixel, 0).rgb : skyRadiance(reflect(direction, normal));
     vec3 color = mix(behind * texelFetch(uGlassTint, pixel, 0).rgb, mirrored, share);
     // What is mirrored does not move with what is behind: anti-aliasing trusts its past the less, the more there is of it.
     radiance = vec4(onlyFinite(color), seen.a * (1.0 - share));

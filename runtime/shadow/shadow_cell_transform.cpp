@@ -1,4 +1,4 @@
-#include "runtime/shadow/shadow_lattice.h"
+#include "runtime/shadow/shadow_cell_transform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kCell = double(kShadowCell);
 constexpr double kFixedOne = 0x1p32;
-constexpr double kFarthest = 1e8;  // metres: cells stay in 32 bits
+constexpr double kMaxPosition = 1e8;  // metres: cells stay in 32 bits
 constexpr int kMaxSamples = 8;     // voxels under 0.0125 m are sampled sparsely
 
 FixedPoint toFixed(glm::dvec3 v) {
@@ -21,12 +21,12 @@ FixedPoint toFixed(glm::dvec3 v) {
 
 }  // namespace
 
-bool ShadowLattice::place(const Pose& shapeToWorld, double voxelSize) {
+bool ShadowCellTransform::place(const Pose& shapeToWorld, double voxelSize) {
     const glm::dquat& r = shapeToWorld.rotation;
     const double square = glm::dot(r, r);
     if (!(square > 0.5 && square < 2.0) || !(voxelSize > 0.0)) return false;
     for (int a = 0; a < 3; ++a)
-        if (!(std::fabs(shapeToWorld.position[a]) <= kFarthest)) return false;
+        if (!(std::fabs(shapeToWorld.position[a]) <= kMaxPosition)) return false;
 
     const glm::dquat worldToShape = glm::conjugate(r) / std::sqrt(square);
     const double voxelsPerCell = kCell / voxelSize;
@@ -44,7 +44,7 @@ bool ShadowLattice::place(const Pose& shapeToWorld, double voxelSize) {
     return true;
 }
 
-bool ShadowLattice::isShift() const {
+bool ShadowCellTransform::isShift() const {
     if (samples != 1) return false;
     for (size_t a = 0; a < 3; ++a)
         for (size_t k = 0; k < 3; ++k)

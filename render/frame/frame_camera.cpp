@@ -1,4 +1,4 @@
-#include "render/frame_camera.h"
+#include "render/frame/frame_camera.h"
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -7,7 +7,7 @@ namespace rubble {
 namespace {
 
 constexpr float kNear = 0.05f, kFar = 2000.0f;
-constexpr float kJitterPeriod = 16.0f;  // where a pixel of the picture is one that is traced; else longer, to reach every part of it
+constexpr float kBaseJitterPeriod = 16.0f;  // where a pixel of the picture is one that is traced; else longer, to reach every part of it
 
 /// Sobol's first two dimensions: of each aligned power of two of points, every row and every column holds one.
 glm::vec2 sobolPoint(uint32_t index) {
@@ -31,7 +31,7 @@ void FrameCamera::begin(const View& view, glm::ivec2 traced, bool jittered, glm:
     const bool cut = view.cut || m_frame == 0 || traced != m_lastSize || originWorld != m_lastOrigin;
     if (view.cut) m_frame = 0;  // the same noise after each cut: a still picture does not depend on what came before
     const glm::vec2 size(traced), picture(view.size);
-    const int period = int(kJitterPeriod * picture.x * picture.y / (size.x * size.y));
+    const int period = int(kBaseJitterPeriod * picture.x * picture.y / (size.x * size.y));
     const glm::vec2 jitter = jittered ? (sobolPoint(uint32_t(m_frame % period)) + 0.5f / float(period) - 0.5f) / size : glm::vec2(0.0f);
 
     const glm::vec3 position(view.position - originWorld);
@@ -49,7 +49,7 @@ void FrameCamera::begin(const View& view, glm::ivec2 traced, bool jittered, glm:
     block.cameraUp = glm::vec4(axes[1], tanY);
     block.cameraForward = glm::vec4(-axes[2], kFar);
     block.targetSize = glm::vec4(size, 1.0f / size);
-    block.pictureSize = glm::vec4(picture, 1.0f / picture);
+    block.displaySize = glm::vec4(picture, 1.0f / picture);
     block.jitter = glm::vec4(jitter, cut ? jitter : m_lastJitter);
     // Roberts' R1 and R2 sequences, extremelearning.com.au/unreasonable-effectiveness-of-quasirandom-sequences.
     const float n = float(m_frame % 4096);

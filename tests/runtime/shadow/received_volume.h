@@ -31,13 +31,13 @@ public:
         const glm::ivec3 word = cell >> 2 & 3, bit = cell & 3;
         return brick->second[size_t(word.x + 4 * word.y + 16 * word.z)] >> (bit.x + 4 * bit.y + 16 * bit.z) & 1;
     }
-    /// True if a ray from a point in metres meets a cell within `reach` metres (unit direction). Plain walk, cell by cell.
-    bool occluded(glm::dvec3 originWorld, glm::dvec3 direction, double reach) const {
+    /// True if a ray from a point in metres meets a cell within `maxDistance` metres (unit direction). Plain walk, cell by cell.
+    bool occluded(glm::dvec3 originWorld, glm::dvec3 direction, double maxDistance) const {
         const double cell = double(kShadowCell);
-        const int half = int(reach / cell) + 4;
+        const int half = int(maxDistance / cell) + 4;
         const glm::ivec3 low = glm::ivec3(glm::floor(originWorld / cell)) - half;
         CellWalk walk;
-        const CellRay ray{originWorld / cell - glm::dvec3(low), direction, reach / cell};
+        const CellRay ray{originWorld / cell - glm::dvec3(low), direction, maxDistance / cell};
         for (bool inside = walk.start(ray, glm::ivec3(2 * half)); inside; inside = walk.step())
             if (at(low + walk.cell())) return true;
         return false;
@@ -49,7 +49,7 @@ public:
         return count;
     }
     bool empty() const { return m_bricks.empty(); }
-    /// Of every 32nd brick that came: empty boxes that hold something or reach out.
+    /// Of every 32nd brick that came: empty boxes that hold something or maxDistance out.
     size_t wrongBoxes() const { return m_wrongBoxes; }
     friend bool operator==(const Volume& a, const Volume& b) { return a.m_bricks == b.m_bricks; }
 

@@ -1,4 +1,4 @@
-#include "render/pass_timer.h"
+#include "render/gl/pass_timer.h"
 
 #include <chrono>
 #include <ctime>

@@ -1,4 +1,4 @@
-#include "render/target_pool.h"
+#include "render/frame/target_pool.h"
 
 #include <cassert>
 #include <glm/common.hpp>
@@ -20,7 +20,7 @@ void TargetPool::beginFrame(glm::ivec2 size, bool cut) {
 void TargetPool::clear() {
     m_framebuffers.clear();
     m_slots.clear();
-    m_refused = false;
+    m_allocationFailed = false;
 }
 
 TargetPool::Slot& TargetPool::slot(std::string_view name, GLenum internalFormat, int divisor, Filter filter, bool isHistory) {
@@ -32,7 +32,7 @@ TargetPool::Slot& TargetPool::slot(std::string_view name, GLenum internalFormat,
         while (glGetError() != GL_NO_ERROR) {  // whoever made these: they are not about what comes now
         }
         for (int i = 0; i <= int(isHistory); ++i) found->second.textures[i] = Texture(internalFormat, size, filter);
-        m_refused |= glGetError() != GL_NO_ERROR;
+        m_allocationFailed |= glGetError() != GL_NO_ERROR;
     }
     Slot& slot = found->second;
     assert(slot.isHistory == isHistory && slot.textures[0].internalFormat() == internalFormat && "one name, two kinds of target");
@@ -78,7 +78,7 @@ const Framebuffer& TargetPool::framebuffer(const std::vector<const Texture*>& co
     const auto found = m_framebuffers.find(key);
     if (found != m_framebuffers.end()) return found->second;
     const Framebuffer& made = m_framebuffers.emplace(std::move(key), Framebuffer(colors, depth)).first->second;
-    m_refused |= !made.isComplete();
+    m_allocationFailed |= !made.isComplete();
     return made;
 }
 

@@ -38,7 +38,7 @@ public:
 
     uint64_t bytes() const;
     /// The GL would not make a target or a combination of them since the last clear(): what was drawn is worth nothing.
-    bool refused() const { return m_refused; }
+    bool allocationFailed() const { return m_allocationFailed; }
     /// Frees everything.
     void clear();
 
@@ -56,7 +56,7 @@ private:
     glm::ivec2 m_size{0};
     uint64_t m_frame = 0;
     uint64_t m_cutFrame = 0;
-    bool m_refused = false;
+    bool m_allocationFailed = false;
 };
 
 }  // namespace rubble

@@ -1,4 +1,4 @@
-#include "render/scene/shadow_mirror.h"
+#include "render/scene/gpu_shadow_volume.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -15,15 +15,15 @@ int64_t volume(glm::ivec3 size) {
 
 }  // namespace
 
-bool ShadowMirror::holds(glm::ivec3 brick) const {
+bool GpuShadowVolume::holds(glm::ivec3 brick) const {
     const glm::ivec3 at = brick - m_low * kSectorBricks;
     return glm::all(glm::greaterThanEqual(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, bricks()));
 }
 
-void ShadowMirror::apply(const std::vector<ShadowPatch>& patches, bool replacesAll) {
+void GpuShadowVolume::apply(const std::vector<ShadowPatch>& patches, bool replacesAll) {
     if (replacesAll) {
         m_low = m_count = m_occupiedLow = m_occupiedHigh = glm::ivec3(0);
-        m_cubes.reset(glm::ivec3(0));
+        m_skips.reset(glm::ivec3(0));
         m_directory.resize(0);
         m_slots = {};
         m_waiting.clear();
@@ -31,12 +31,12 @@ void ShadowMirror::apply(const std::vector<ShadowPatch>& patches, bool replacesA
     }
     growTo(patches);
     for (const ShadowPatch& patch : patches) put(patch);
-    updateCubes();
+    updateSkips();
 }
 
 /// Makes the directory's box hold all that stands in these patches. A box that was there grows by a quarter and more, so that what
 /// flies away does not move it at every step.
-void ShadowMirror::growTo(const std::vector<ShadowPatch>& patches) {
+void GpuShadowVolume::growTo(const std::vector<ShadowPatch>& patches) {
     glm::ivec3 low = m_low, high = m_low + m_count;
     bool isNew = m_count.x == 0;
     for (const ShadowPatch& patch : patches) {
@@ -61,7 +61,7 @@ void ShadowMirror::growTo(const std::vector<ShadowPatch>& patches) {
     m_low = low;
     m_count = high - low;
     const size_t size = size_t(volume(bricks()));
-    m_cubes.reset(bricks());
+    m_skips.reset(bricks());
     m_directory.resize(size);
     for (size_t i = 0; i < size; ++i) m_directory.change(i) = Entry(~0u, 0, 0, 0);
     for (size_t i = 0; i < old.size(); ++i) {
@@ -69,22 +69,22 @@ void ShadowMirror::growTo(const std::vector<ShadowPatch>& patches) {
         const int n = int(i);
         const glm::ivec3 at(n % oldBricks.x, n / oldBricks.x % oldBricks.y, n / oldBricks.x / oldBricks.y);
         const glm::ivec3 place = oldLow + at - m_low * kSectorBricks;
-        m_directory.change(m_cubes.indexOf(place)) = old[i];
-        m_cubes.set(place, true);
+        m_directory.change(m_skips.indexOf(place)) = old[i];
+        m_skips.set(place, true);
     }
 }
 
-void ShadowMirror::put(const ShadowPatch& patch) {
+void GpuShadowVolume::put(const ShadowPatch& patch) {
     if (!holds(patch.brick)) {
         if (patch.content && !m_fullLogged)
             logError("shadow directory: full at " + std::to_string(kMaxBricks) +
-                     " bricks (ShadowMirror::kMaxBricks); what is farther out casts no shadow");
+                     " bricks (GpuShadowVolume::kMaxBricks); what is farther out casts no shadow");
         m_fullLogged = m_fullLogged || patch.content;
         return;
     }
     const glm::ivec3 place = patch.brick - m_low * kSectorBricks;
-    const size_t index = m_cubes.indexOf(place);
-    m_cubes.set(place, bool(patch.content));
+    const size_t index = m_skips.indexOf(place);
+    m_skips.set(place, bool(patch.content));
     const Entry old = m_directory[index];
     if (!patch.content) {
         if (isEmpty(old)) return;
@@ -92,7 +92,7 @@ void ShadowMirror::put(const ShadowPatch& patch) {
         m_directory.change(index) = Entry(~0u, 0, 0, 0);  // until the cubes are known
         return;
     }
-    widenOccupied(patch);
+    growOccupied(patch);
     const uint32_t slot = isEmpty(old) ? m_slots.take() : old.x >> 4;
     m_waiting.push_back({slot, patch.content});
     const Entry entry(slot << 4, uint32_t(patch.content->occupied), uint32_t(patch.content->occupied >> 32), 0);
@@ -100,7 +100,7 @@ void ShadowMirror::put(const ShadowPatch& patch) {
 }
 
 /// By the layers of the brick's words that hold anything.
-void ShadowMirror::widenOccupied(const ShadowPatch& patch) {
+void GpuShadowVolume::growOccupied(const ShadowPatch& patch) {
     constexpr uint64_t kLayer[] = {0x1111111111111111, 0x000f000f000f000f, 0x000000000000ffff};
     glm::ivec3 low = patch.brick * kBrickWords, high = low + kBrickWords;
     const bool isNew = m_occupiedLow == m_occupiedHigh;
@@ -117,17 +117,17 @@ void ShadowMirror::widenOccupied(const ShadowPatch& patch) {
     m_occupiedHigh = isNew ? high : glm::max(m_occupiedHigh, high);
 }
 
-void ShadowMirror::updateCubes() {
-    for (const size_t index : m_cubes.update())
-        if (m_cubes.at(index)) m_directory.change(index) = Entry(m_cubes.at(index), 0, 0, 0);
+void GpuShadowVolume::updateSkips() {
+    for (const size_t index : m_skips.update())
+        if (m_skips.at(index)) m_directory.change(index) = Entry(m_skips.at(index), 0, 0, 0);
 }
 
-uint64_t ShadowMirror::upload() {
+uint64_t GpuShadowVolume::upload() {
     return m_directory.upload() + uploadTexels();
 }
 
 /// Neighbours in one go; of what came twice for a slot, the later.
-uint64_t ShadowMirror::uploadTexels() {
+uint64_t GpuShadowVolume::uploadTexels() {
     constexpr uint64_t kBytes = sizeof(ShadowWords);
     if (!m_texels.reserve(m_slots.end() * kBytes) && !m_fullLogged) {
         logError("shadow bricks: full at " + std::to_string(m_texels.bytes()) + " bytes, the largest buffer texture of this GL");
@@ -150,7 +150,7 @@ uint64_t ShadowMirror::uploadTexels() {
     return sent;
 }
 
-void ShadowMirror::bind(const Program& program) const {
+void GpuShadowVolume::bind(const Program& program) const {
     program.set("uShadowDirectory", m_directory.texture());
     program.set("uShadowTexels", m_texels);
 }

@@ -1,4 +1,4 @@
-#include "render/scene/empty_cubes.h"
+#include "render/scene/skip_distances.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -16,23 +16,23 @@ int64_t volume(glm::ivec3 size) {
 
 }  // namespace
 
-void EmptyCubes::reset(glm::ivec3 size) {
+void SkipDistances::reset(glm::ivec3 size) {
     m_size = size;
     const size_t padded = size_t(volume(size + 2));
     m_occupied.assign(padded, 0);
-    for (auto& sides : m_sides) sides.assign(padded, uint8_t(kReach));
-    m_cubes.assign(size_t(volume(size)), ~0u);
+    for (auto& sides : m_sides) sides.assign(padded, uint8_t(kMaxDistance));
+    m_skips.assign(size_t(volume(size)), ~0u);
     m_touched.clear();
 }
 
-void EmptyCubes::set(glm::ivec3 brick, bool occupied) {
+void SkipDistances::set(glm::ivec3 brick, bool occupied) {
     uint8_t& known = m_occupied[paddedIndexOf(brick)];
     if (known == uint8_t(occupied)) return;
     known = occupied;
     m_touched.push_back(brick);
 }
 
-std::vector<EmptyCubes::Box> EmptyCubes::dirtyBoxes() {
+std::vector<SkipDistances::Box> SkipDistances::dirtyBoxes() {
     const auto boxOf = [&](size_t first, size_t end) {
         Box box{m_touched[first], m_touched[first] + 1};
         for (size_t i = first; i < end; ++i) box = {glm::min(box.low, m_touched[i]), glm::max(box.high, m_touched[i] + 1)};
@@ -52,14 +52,14 @@ std::vector<EmptyCubes::Box> EmptyCubes::dirtyBoxes() {
 }
 
 /// A cube is one larger than the smallest of the seven that begin one brick on: far ones first.
-void EmptyCubes::sweep(const Box& dirty, int octant) {
+void SkipDistances::sweep(const Box& dirty, int octant) {
     glm::ivec3 low = dirty.low, high = dirty.high, step;
     for (int a = 0; a < 3; ++a) {
         step[a] = octant >> a & 1 ? -1 : 1;
         if (step[a] > 0)
-            low[a] = std::max(0, low[a] - (kReach - 1));
+            low[a] = std::max(0, low[a] - (kMaxDistance - 1));
         else
-            high[a] = std::min(m_size[a], high[a] + (kReach - 1));
+            high[a] = std::min(m_size[a], high[a] + (kMaxDistance - 1));
     }
     const glm::ivec3 first(step.x > 0 ? high.x - 1 : low.x, step.y > 0 ? high.y - 1 : low.y, step.z > 0 ? high.z - 1 : low.z);
     const glm::ivec3 count = high - low;
@@ -77,18 +77,18 @@ void EmptyCubes::sweep(const Box& dirty, int octant) {
             uint8_t behind = std::min(side[x], beside(side + x));
             for (int i = 0; i < count.x; ++i, side -= x, occupied -= x, index -= size_t(x)) {
                 const uint8_t columns = beside(side);
-                const uint8_t value = *occupied ? uint8_t(0) : uint8_t(std::min(int(std::min(behind, columns)) + 1, kReach));
+                const uint8_t value = *occupied ? uint8_t(0) : uint8_t(std::min(int(std::min(behind, columns)) + 1, kMaxDistance));
                 behind = std::min(value, columns);
                 if (*side == value) continue;
                 *side = value;
-                uint32_t& packed = m_cubes[index];
+                uint32_t& packed = m_skips[index];
                 packed = (packed & ~(15u << (4 * octant))) | uint32_t(value) << (4 * octant);
                 m_changed.push_back(index);
             }
         }
 }
 
-const std::vector<size_t>& EmptyCubes::update() {
+const std::vector<size_t>& SkipDistances::update() {
     m_changed.clear();
     for (const Box& box : dirtyBoxes())
         for (int octant = 0; octant < 8; ++octant) sweep(box, octant);

@@ -6,7 +6,7 @@
 namespace rubble {
 
 /// Hands out numbers, lowest unused first among those never used, last freed first otherwise.
-class Slots {
+class IndexAllocator {
 public:
     uint32_t take() {
         if (m_free.empty()) return m_end++;
@@ -25,7 +25,7 @@ private:
 };
 
 /// Hands out ranges of numbers: the first gap that is long enough.
-class Ranges {
+class RangeAllocator {
 public:
     uint32_t take(uint32_t count) {
         for (auto gap = m_gaps.begin(); gap != m_gaps.end(); ++gap) {

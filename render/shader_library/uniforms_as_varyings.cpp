@@ -1,4 +1,4 @@
-#include "render/shader_library/flat_uniforms.h"
+#include "render/shader_library/uniforms_as_varyings.h"
 
 #include <cctype>
 #include <map>
@@ -57,7 +57,7 @@ std::string_view firstWord(std::string_view text) {
 
 }  // namespace
 
-void passUniformsFlat(ShaderSource& vertex, ShaderSource& fragment) {
+void passUniformsAsVaryings(ShaderSource& vertex, ShaderSource& fragment) {
     static const std::regex uniform(R"(\buniform\s+(float|u?int|[iu]?vec[234]|mat4)\s+(\w+)\s*;)"), member(R"(\b([iu]?vec4|mat4)\s+(\w+)\s*;)");
     const std::string block(frameBlock(fragment.text));
     const TypeByName uniforms = declarations(fragment.text, uniform), members = declarations(block, member);

@@ -1,4 +1,4 @@
-#include "render/fullscreen_choice.h"
+#include "render/shader_library/fullscreen_choice.h"
 
 #include <algorithm>
 #include <iomanip>
@@ -7,17 +7,17 @@
 namespace rubble {
 
 FullscreenChoice FullscreenChoice::fastest() {
-    FullscreenChoice choice(FullscreenBy::Fragment);
+    FullscreenChoice choice(FullscreenMethod::Fragment);
     choice.m_measures = true;
     return choice;
 }
 
 void FullscreenChoice::beginPass(const char* name) {
     m_now = nullptr;
-    m_hasComputed = false;
+    m_hasDrawnByCompute = false;
     if (!m_measures) return;
     m_now = &m_passes[name];
-    if (!m_now->isDecided) m_now->by = m_now->frames++ % 2 ? FullscreenBy::Compute : FullscreenBy::Fragment;
+    if (!m_now->isDecided) m_now->by = m_now->frames++ % 2 ? FullscreenMethod::Compute : FullscreenMethod::Fragment;
 }
 
 double FullscreenChoice::median(std::vector<double> values) {
@@ -26,29 +26,29 @@ double FullscreenChoice::median(std::vector<double> values) {
     return *middle;
 }
 
-void FullscreenChoice::addTimes(const Times& passMs) {
+void FullscreenChoice::addPassTimes(const Times& passMs) {
     if (!m_measures) return;
     for (const auto& [name, ms] : passMs) {
         const auto found = m_passes.find(std::string_view(name));
         if (found == m_passes.end() || found->second.isDecided || !found->second.isUsed) continue;
         Pass& pass = found->second;
-        std::vector<double>& fragment = pass.ms[size_t(FullscreenBy::Fragment)];
-        std::vector<double>& compute = pass.ms[size_t(FullscreenBy::Compute)];
+        std::vector<double>& fragment = pass.ms[size_t(FullscreenMethod::Fragment)];
+        std::vector<double>& compute = pass.ms[size_t(FullscreenMethod::Compute)];
         pass.ms[size_t(pass.by)].push_back(ms);
-        if (fragment.size() < kSkipped + kTimed || compute.size() < kSkipped + kTimed) continue;
-        for (auto* times : {&fragment, &compute}) *times = {median({times->begin() + kSkipped, times->end()})};
-        pass.by = compute[0] < fragment[0] ? FullscreenBy::Compute : FullscreenBy::Fragment;
-        pass.isDecided = pass.isNews = true;
+        if (fragment.size() < kWarmUpFrames + kTimedFrames || compute.size() < kWarmUpFrames + kTimedFrames) continue;
+        for (auto* times : {&fragment, &compute}) *times = {median({times->begin() + kWarmUpFrames, times->end()})};
+        pass.by = compute[0] < fragment[0] ? FullscreenMethod::Compute : FullscreenMethod::Fragment;
+        pass.isDecided = pass.isUnreported = true;
     }
 }
 
-std::string FullscreenChoice::takeNews() {
+std::string FullscreenChoice::takeDecisions() {
     const auto isMeasured = [](const auto& each) { return each.second.isUsed && !each.second.isDecided; };
     if (std::any_of(m_passes.begin(), m_passes.end(), isMeasured)) return {};
     std::ostringstream news;
     for (auto& [name, pass] : m_passes) {
-        if (!std::exchange(pass.isNews, false)) continue;
-        const bool byCompute = pass.by == FullscreenBy::Compute;
+        if (!std::exchange(pass.isUnreported, false)) continue;
+        const bool byCompute = pass.by == FullscreenMethod::Compute;
         news << (news.tellp() > 0 ? ", " : "") << name << (byCompute ? " by compute (" : " by fragments (") << std::fixed << std::setprecision(3)
              << pass.ms[size_t(pass.by)][0] << " ms, the other way " << pass.ms[byCompute ? 0 : 1][0] << ")";
     }

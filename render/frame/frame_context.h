@@ -4,7 +4,7 @@
 
 #include "render/renderer.h"
 #include "render/shader_library/shader_library.h"
-#include "render/target_pool.h"
+#include "render/frame/target_pool.h"
 
 namespace rubble {
 

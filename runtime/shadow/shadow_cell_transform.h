@@ -24,14 +24,14 @@ inline std::array<double, 3> toDoubles(const FixedPoint& p) {
 }
 
 /// Maps the world's shadow cells into a shape's cells, in integers: the same everywhere, and exactly affine over the whole
-/// shape, so that every brick of the volume is sampled from one lattice.
+/// shape, so that every brick of the volume is sampled from one cellTransform.
 ///
 /// The rule: a cell is set if one of its sample points lies in a solid voxel. A cell has one sample, its centre; where the
 /// voxels are smaller than cells, n x n x n samples that are no further apart than a voxel is wide. Nothing leaks: a ray's
 /// cells share faces, so their samples can be joined in steps no longer than a voxel, and a wall one voxel thick cannot be
 /// stepped over, however it is turned. And nothing shadows itself from half a cell's extent above its face, where no cell of
 /// it (for voxels not smaller than cells) can reach.
-struct ShadowLattice {
+struct ShadowCellTransform {
     glm::ivec3 base{0};                ///< a shadow cell
     FixedPoint origin{};               ///< its first sample
     std::array<FixedPoint, 3> step{};  ///< from one sample to the next along each axis of the world

@@ -7,6 +7,6 @@ namespace rubble {
 /// llvmpipe reads a component of a uniform by eight loads, some thirty instructions for eight pixels, and one of a flat input by one.
 /// For programs of a few large triangles, on software renderers; on a GPU a uniform is the cheaper one. Arrays and bools stay uniforms.
 /// Lines keep their places, for explain().
-void passUniformsFlat(ShaderSource& vertex, ShaderSource& fragment);
+void passUniformsAsVaryings(ShaderSource& vertex, ShaderSource& fragment);
 
 }  // namespace rubble

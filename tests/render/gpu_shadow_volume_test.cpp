@@ -1,11 +1,11 @@
-#include "render/scene/shadow_mirror.h"
+#include "render/scene/gpu_shadow_volume.h"
 
 #include "tests/render/gl_fixture.h"
 
 namespace rubble {
 namespace {
 
-class ShadowMirrorTest : public GlTest {};
+class GpuShadowVolumeTest : public GlTest {};
 
 ShadowPatch patchWith(glm::ivec3 brick, std::initializer_list<int> words) {
     ShadowWords cells{};
@@ -14,8 +14,8 @@ ShadowPatch patchWith(glm::ivec3 brick, std::initializer_list<int> words) {
 }
 
 /// Rays end at this box: it may be too large, never too small.
-TEST_F(ShadowMirrorTest, TheBoxOfWhatIsOccupiedGrowsByWords) {
-    ShadowMirror mirror;
+TEST_F(GpuShadowVolumeTest, OccupiedBoundsGrowByWords) {
+    GpuShadowVolume mirror;
     EXPECT_EQ(mirror.occupiedLow(), mirror.occupiedHigh());
     mirror.apply({patchWith({1, 0, 2}, {1 + 4 * 2 + 16 * 3})}, false);
     EXPECT_EQ(mirror.occupiedLow(), glm::ivec3(16 + 4, 8, 32 + 12));

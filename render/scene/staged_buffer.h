@@ -9,9 +9,9 @@ namespace rubble {
 
 /// An array in main memory with a copy that shaders read. Writing marks a page; upload() sends the marked pages only.
 template <class T>
-class MirroredBuffer {
+class StagedBuffer {
 public:
-    MirroredBuffer(GLenum texelFormat, const char* name) : m_texture(texelFormat), m_name(name) {}
+    StagedBuffer(GLenum texelFormat, const char* name) : m_texture(texelFormat), m_name(name) {}
 
     size_t size() const { return m_data.size(); }
     void resize(size_t count) {
