@@ -57,7 +57,7 @@ void GlassPass::drawOver(const FrameContext& frame, const BodyTiles& tiles) cons
     m_over.set("uHasReflections", int(reflections));
     if (reflections) m_over.set("uReflection", frame.targets.at("reflection"));
     m_over.set("uRefraction", int(frame.settings.refraction));
-    m_over.set("uBehind", behind);
+    m_over.set("uBackground", behind);
     m_over.set("uDepth", frame.targets.at("depth"));
     m_over.set("uGlassTint", frame.targets.at("glassTint"));
     m_over.set("uGlassSurface", frame.targets.at("glassSurface"));

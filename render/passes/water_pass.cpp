@@ -64,7 +64,7 @@ void WaterPass::draw(const FrameContext& frame) const {
         const Texture& behind = frame.targets.copy(picture, "behindWater");
         drawFullscreen(frame, m_program, {frame.targets, {&picture}}, [&](const Program& program) {
             program.set("uDepth", frame.targets.at("depth"));
-            program.set("uBehind", behind);
+            program.set("uBackground", behind);
             program.set("uBlueNoise", frame.blueNoise);
             frame.scene.bindShadow(program);
             bindBounce(program, frame, BounceRays::Mirrored);

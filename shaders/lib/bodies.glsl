@@ -24,7 +24,7 @@ struct InstanceTransform {
     float moved;      // 1 if it differs from last frame's
 };
 
-InstanceTransform readPlacement(int instance) {
+InstanceTransform readTransform(int instance) {
     vec4 p = texelFetch(uTransforms, instance * 4 + 1), q = texelFetch(uTransforms, instance * 4 + 3);
     return InstanceTransform(texelFetch(uTransforms, instance * 4), p.xyz, p.w, texelFetch(uTransforms, instance * 4 + 2), q.xyz, q.w);
 }

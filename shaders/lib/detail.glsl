@@ -3,7 +3,7 @@ uniform sampler2D uDetailMaps;
 uniform bool uDetail;
 
 const int kDetailSide = 32;
-const float kMostTiltSteps = 5.0;  // a tilt is kept in so many steps to each side: see tiltCode
+const float kTiltSteps = 5.0;  // a tilt is kept in so many steps to each side: see encodeTilt
 
 struct Detail {
     float color, roughness;  // factors
@@ -11,16 +11,16 @@ struct Detail {
 };
 
 /// Voxels of fewer pixels than that show none of it, and all of it at three times as many.
-const float kFewestDetailPixels = 1.2;
+const float kMinDetailPixels = 1.2;
 
 Detail detailAt(uint map, ivec3 cell, vec3 face, float voxelPixels) {
     Detail detail = Detail(1.0, 1.0, vec2(0.0));
     if (!uDetail || map == 0u) return detail;
     vec3 axis = abs(face);
-    ivec2 place = axis.x > 0.5 ? cell.zy : axis.y > 0.5 ? cell.xz : cell.xy;
-    place += ivec2(axis.yz) * ivec2(11, 17);  // the faces of a voxel differ
-    vec4 texel = texelFetch(uDetailMaps, (place & (kDetailSide - 1)) + ivec2(0, kDetailSide * (int(map) - 1)), 0) * 255.0 / 127.0 - 128.0 / 127.0;
-    texel *= clamp((voxelPixels - kFewestDetailPixels) / (2.0 * kFewestDetailPixels), 0.0, 1.0);
+    ivec2 texelPosition = axis.x > 0.5 ? cell.zy : axis.y > 0.5 ? cell.xz : cell.xy;
+    texelPosition += ivec2(axis.yz) * ivec2(11, 17);  // the faces of a voxel differ
+    vec4 texel = texelFetch(uDetailMaps, (texelPosition & (kDetailSide - 1)) + ivec2(0, kDetailSide * (int(map) - 1)), 0) * 255.0 / 127.0 - 128.0 / 127.0;
+    texel *= clamp((voxelPixels - kMinDetailPixels) / (2.0 * kMinDetailPixels), 0.0, 1.0);
     detail.color = 1.0 + 0.5 * texel.r;
     detail.roughness = 1.0 + 0.5 * texel.g;
     detail.tilt = texel.ba;
@@ -28,7 +28,7 @@ Detail detailAt(uint map, ivec3 cell, vec3 face, float voxelPixels) {
 }
 
 /// A tilt as a whole number from 1 to 121; 0 stands for none.
-float tiltCode(vec2 tilt) {
-    vec2 steps = floor(tilt * kMostTiltSteps + 0.5);
-    return steps == vec2(0.0) ? 0.0 : 1.0 + steps.x + kMostTiltSteps + (steps.y + kMostTiltSteps) * (2.0 * kMostTiltSteps + 1.0);
+float encodeTilt(vec2 tilt) {
+    vec2 steps = floor(tilt * kTiltSteps + 0.5);
+    return steps == vec2(0.0) ? 0.0 : 1.0 + steps.x + kTiltSteps + (steps.y + kTiltSteps) * (2.0 * kTiltSteps + 1.0);
 }

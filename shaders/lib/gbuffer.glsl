@@ -1,7 +1,7 @@
 // What the G-buffer holds and how to read it. Targets (render/passes/gbuffer_pass.h makes them):
 //   albedo    RGBA8    rgb sRGB-encoded colour; a palette index / 255 (0 = sky)
 //   normal    RGBA16F  xyz world normal, unit length; w emission, a multiple of the linear colour
-//   material  RGBA8    r roughness, g metallic, b reflectivity (0.08 = 1/12.5 at 1.0: see reflectanceOf), a tilt of the face: see tiltOf; 1 less that if the body moves
+//   material  RGBA8    r roughness, g metallic, b reflectivity (0.08 = 1/12.5 at 1.0: see reflectanceOf), a tilt of the face: see decodeTilt; 1 less that if the body moves
 //   motion    RG16F    uv of the point now minus its uv in the last frame, both without jitter
 //   depth     R32F     linear: metres along the view axis; kSkyDepth where nothing was hit
 // Glass (opacity < 255) is not in these. Where the scene has some, there are also:
@@ -30,7 +30,7 @@ struct Surface {
 };
 
 /// From the whole number that lib/detail.glsl makes of it.
-vec2 tiltOf(float code) { return code < 0.5 ? vec2(0.0) : vec2(mod(code - 1.0, 11.0), floor((code - 0.5) / 11.0)) / 5.0 - 1.0; }
+vec2 decodeTilt(float code) { return code < 0.5 ? vec2(0.0) : vec2(mod(code - 1.0, 11.0), floor((code - 0.5) / 11.0)) / 5.0 - 1.0; }
 
 Surface readSurface(ivec2 pixel) {
     Surface s;
@@ -45,6 +45,6 @@ Surface readSurface(ivec2 pixel) {
     s.metallic = material.g;
     s.reflectivity = material.b;
     s.moving = step(0.5, material.a);
-    s.tilt = tiltOf(floor(abs(s.moving - material.a) * 255.0 + 0.5));
+    s.tilt = decodeTilt(floor(abs(s.moving - material.a) * 255.0 + 0.5));
     return s;
 }

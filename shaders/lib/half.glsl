@@ -2,8 +2,8 @@
 // many pictures then sinks by as many halves of the last digit. Needs lib/noise.
 
 /// The value with the digits that a half float has, rounded up as often as what is cut off is near to one: right on average, whatever the
-/// GL does. `draw` tells those of one picture apart.
-vec4 roundedToHalf(vec4 value, ivec2 pixel, int draw) {
-    uint random = uint(hash01(ivec3(pixel, frame.counters.x * 16 + draw)) * 8192.0);
+/// GL does. `dimension` tells those of one picture apart.
+vec4 stochasticRoundToHalf(vec4 value, ivec2 pixel, int dimension) {
+    uint random = uint(hash01(ivec3(pixel, frame.counters.x * 16 + dimension)) * 8192.0);
     return uintBitsToFloat((floatBitsToUint(value) + random) & 0xffffe000u);
 }

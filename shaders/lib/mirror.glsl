@@ -2,7 +2,7 @@
 uniform sampler2D uGlassSurface;
 uniform bool uHasGlass;
 
-const float kWeakestMirror = 0.012;  // share of light
+const float kMinMirrorShare = 0.012;  // share of light
 const float kPaneReflectance = 0.05;
 
 struct Mirror {

@@ -5,13 +5,13 @@ uniform sampler2D uDepth;
 uniform sampler2D uPuffNoise;  // tiles: r noise, gb its slope around one half
 
 in vec2 corner;
-in vec4 noisePlaces;
+in vec4 noiseUv;
 in vec3 sunLight;
 in vec3 airLight;
 flat in vec4 particle;
 flat in vec4 tintOut;
 flat in vec4 stateOut;
-flat in vec4 air;
+flat in vec4 haze;
 flat in vec3 depths;
 flat in int kind;
 out vec4 color;
@@ -20,9 +20,9 @@ float surfaceDepth() { return texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r; }
 
 /// Share of a sphere's chord through this pixel that lies before the surface behind and in front of the eye: no hard edge
 /// where gas meets a wall.
-float visibleShare(float halfChord) {
+float softFade(float halfChord) {
     float front = max(depths.x - halfChord, 0.15), back = min(depths.x + halfChord, surfaceDepth());
     return clamp((back - front) / max(2.0 * particle.w, 1e-3), 0.0, 1.0) * depths.y;
 }
 
-vec4 throughAir(vec4 c) { return vec4(mix(c.rgb, air.rgb * c.a, air.a), c.a); }
+vec4 applyHaze(vec4 c) { return vec4(mix(c.rgb, haze.rgb * c.a, haze.a), c.a); }

@@ -5,7 +5,7 @@ uniform int uBodyBuckets;  // a power of two
 uniform int uBodyLevels;   // 0 = no body anywhere
 
 const float kFinestBodyCell = 1.6;  // metres
-const int kMostBodiesAt = 128;  // that are looked into
+const int kMaxBodiesPerPoint = 128;  // that are looked into
 
 uint firstBodyAt(vec3 world, int level) {
     uvec3 c = uvec3(ivec3(floor(world / (kFinestBodyCell * float(1 << (2 * level))))));
@@ -50,7 +50,7 @@ int nextBodyAt(inout BodySearch search, vec3 world, out ivec3 cell) {
 
 /// Its palette entry, painted, if an opaque voxel is there.
 bool voxelAt(vec3 world, out Entry entry) {
-    BodySearch search = BodySearch(0u, 0, kMostBodiesAt);
+    BodySearch search = BodySearch(0u, 0, kMaxBodiesPerPoint);
     // Loops within loops, as what is in a loop costs every lane each of its steps.
     for (;;) {
         ivec3 cell;

@@ -8,7 +8,7 @@ const int kStopAtSolid = 0;   // every voxel
 const int kStopAtOpaque = 1;  // voxels of opacity 255
 const int kStopAtGlass = 2;   // the others
 
-const int kMostSteps = 8192;
+const int kMaxSteps = 8192;
 
 struct VoxelHit {
     bool hit;
@@ -45,15 +45,15 @@ int emptySizeAt(Layout body, ivec3 cell, out int slot) {
 // As leaveBlock() would go, but mirrored so that every ray goes up on all axes, and with nothing in the loop that can wait.
 bool findSolid(inout CellWalk w, Layout body, float tMax, out int slot, inout int steps) {
     ivec3 flip = w.ahead - 1;  // 0 where the ray goes up, ~0 where it goes down
-    vec3 way = vec3(2 * w.ahead - 1);
-    vec3 origin = w.origin * way, direction = w.direction * way, inverse = w.inverse * way;
+    vec3 stepSign = vec3(2 * w.ahead - 1);
+    vec3 origin = w.origin * stepSign, direction = w.direction * stepSign, inverse = w.inverse * stepSign;
     ivec3 last = ivec3(flip.x == 0 ? body.high.x - 1 : ~body.low.x, flip.y == 0 ? body.high.y - 1 : ~body.low.y,
                        flip.z == 0 ? body.high.z - 1 : ~body.low.z);
     ivec3 cell = w.cell ^ flip;
     float t = w.t;
     bool found = false;
     int i = 0;
-    for (; i < kMostSteps; ++i) {
+    for (; i < kMaxSteps; ++i) {
         int size = emptySizeAt(body, cell ^ flip, slot);
         found = size == 0;
         ivec3 high = cell | (size - 1);
@@ -88,7 +88,7 @@ VoxelHit walkVoxels(Layout body, vec3 originCells, vec3 direction, float tMin, f
     if (!startWalk(w, originCells, direction, tMin, tMax, body.low, body.high)) return result;
     bool plain = stopAt == kStopAtSolid || (stopAt == kStopAtOpaque && (body.flags & kHasGlass) == 0u);
     // Two loops, as what is inside a loop costs every step of it, needed or not.
-    for (int i = 0; i < kMostSteps; ++i) {
+    for (int i = 0; i < kMaxSteps; ++i) {
         int slot;
         if (!findSolid(w, body, tMax, slot, result.steps)) break;
         int index = indexAt(slot, w.cell);

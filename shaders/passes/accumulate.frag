@@ -21,21 +21,21 @@ in vec2 uv;
 layout(location = 0) out vec4 accumulated;
 layout(location = 1) out vec4 surface;
 
-const float kNearest = 0.99;  // what fits behind the point
+const float kMaxProximity = 0.99;  // what fits behind the point
 
-struct Past {
+struct History {
     vec4 light;
     float frames;
-    float squared;
+    float secondMoment;
     float hitProximity;
     float weight;
 };
 
 /// The four pixels around the place in the last frame, those of the same surface only.
-Past readPast(Surface s, float packed_, vec3 position) {
-    Past past = Past(vec4(0.0), 0.0, 0.0, 0.0, 0.0);
+History reprojectHistory(Surface s, float packed_, vec3 position) {
+    History history = History(vec4(0.0), 0.0, 0.0, 0.0, 0.0);
     vec2 lastUv = uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg;
-    if (!uHistoryValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return past;
+    if (!uHistoryValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return history;
     float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
     float tolerance = depthTolerance(position, s.normal, s.depth) + s.moving * 0.5;
     vec2 corner = lastUv * frame.targetSize.xy - 0.5;
@@ -48,21 +48,21 @@ Past readPast(Surface s, float packed_, vec3 position) {
         ivec2 p = clamp(base + offset, ivec2(0), ivec2(frame.targetSize.xy) - 1);
         vec4 there = texelFetch(uSurfaceHistory, p, 0);
         if (abs(there.x - expected) > tolerance || (there.y != packed_ && dot(unpackNormal(there.y), s.normal) < 0.9)) continue;
-        past.light += w * texelFetch(uLightHistory, p, 0);
-        past.frames += w * floor(there.z);
-        past.hitProximity += w * fract(there.z);
-        past.squared += w * max(there.w, 0.0);
-        past.weight += w;
+        history.light += w * texelFetch(uLightHistory, p, 0);
+        history.frames += w * floor(there.z);
+        history.hitProximity += w * fract(there.z);
+        history.secondMoment += w * max(there.w, 0.0);
+        history.weight += w;
     }
-    if (past.weight < 0.01) {
-        past.weight = 0.0;
-        return past;
+    if (history.weight < 0.01) {
+        history.weight = 0.0;
+        return history;
     }
-    past.light /= past.weight;
-    past.frames /= past.weight;
-    past.hitProximity /= past.weight;
-    past.squared /= past.weight;
-    return past;
+    history.light /= history.weight;
+    history.frames /= history.weight;
+    history.hitProximity /= history.weight;
+    history.secondMoment /= history.weight;
+    return history;
 }
 
 void main() {
@@ -71,15 +71,15 @@ void main() {
     vec4 now = texelFetch(uLight, pixel, 0);
     float lum = luminance(now.rgb);
     accumulated = now;
-    float hitProximity = uHasHitProximity ? min(texelFetch(uHitProximity, pixel, 0).x, kNearest) : 0.0;
+    float hitProximity = uHasHitProximity ? min(texelFetch(uHitProximity, pixel, 0).x, kMaxProximity) : 0.0;
     surface = vec4(s.depth, packNormal(s.normal), 1.0 + hitProximity, s.emission > 0.0 ? -1.0 : lum * lum);
-    Past past = readPast(s, surface.y, worldFromDepth(uv, s.depth));
-    if (past.weight == 0.0) return;
-    float trusted = uHasConfidence ? texture(uHistoryConfidence, uv).x : 1.0;
-    float frames = min(min(past.frames, trusted * uMaxHistory) + 1.0, uMaxHistory);
+    History history = reprojectHistory(s, surface.y, worldFromDepth(uv, s.depth));
+    if (history.weight == 0.0) return;
+    float confidence = uHasConfidence ? texture(uHistoryConfidence, uv).x : 1.0;
+    float frames = min(min(history.frames, confidence * uMaxHistory) + 1.0, uMaxHistory);
     // The first pictures know less of bounced light and count less.
-    float share = min((1.0 + 1.0 / frames) / frames, 1.0);
-    accumulated = roundedToHalf(mix(past.light, now, share), pixel, 0);
-    surface.z = floor(frames + 0.01) + min(mix(past.hitProximity, hitProximity, share), kNearest);
-    surface.w = s.emission > 0.0 ? -1.0 : mix(past.squared, lum * lum, share);
+    float blend = min((1.0 + 1.0 / frames) / frames, 1.0);
+    accumulated = stochasticRoundToHalf(mix(history.light, now, blend), pixel, 0);
+    surface.z = floor(frames + 0.01) + min(mix(history.hitProximity, hitProximity, blend), kMaxProximity);
+    surface.w = s.emission > 0.0 ? -1.0 : mix(history.secondMoment, lum * lum, blend);
 }

@@ -9,7 +9,7 @@
 #include "lib/glass_shadow.glsl"
 #include "lib/surface_history.glsl"
 
-uniform sampler2D uLight;        // rgb mean radiance from sky and lamps, a share of the sun
+uniform sampler2D uLight;        // rgb mean radiance from sky and highlights, a share of the sun
 uniform bool uBevel;
 uniform bool uDetail;
 uniform bool uHasLocalLights;
@@ -24,54 +24,54 @@ uniform sampler2D uGlassSurface;
 
 in vec2 uv;
 layout(location = 0) out vec4 radiance;
-layout(location = 1) out vec4 matte;  // x: the share of it that goes to all sides alike
+layout(location = 1) out vec4 diffuseFraction;  // x: the share of it that goes to all sides alike
 
 const float kMaxTilt = 0.3;  // as in render/scene/detail_maps.h
 
-vec3 grained(vec3 normal, vec2 tilt) {
+vec3 perturbedNormal(vec3 normal, vec2 tilt) {
     vec3 across = normalize(abs(normal.y) > 0.9 ? cross(normal, vec3(0, 0, 1)) : cross(vec3(0, 1, 0), normal));
     return normalize(normal + (across * tilt.x + cross(normal, across) * tilt.y) * kMaxTilt);
 }
 
-/// Highlights of lamps at a pixel and around it, on the same face. Blue noise is all in the finest grain, which these weights take out.
-vec4 highlightsAround(Surface s, ivec2 pixel) {
-    vec2 here = texelFetch(uSurface, pixel, 0).xy;
+/// Highlights of highlights at a pixel and around it, on the same face. Blue noise is all in the finest grain, which these weights take out.
+vec4 filteredHighlights(Surface s, ivec2 pixel) {
+    vec2 centre = texelFetch(uSurface, pixel, 0).xy;
     float tolerance = depthTolerance(worldFromDepth(uv, s.depth), s.normal, s.depth);
     vec4 sum = vec4(0.0);
     float weights = 0.0;
     for (int i = 0; i < 9; ++i) {
         ivec2 beside = ivec2(i % 3, i / 3) - 1;
         ivec2 p = clamp(pixel + beside, ivec2(0), ivec2(frame.targetSize.xy) - 1);
-        vec2 there = texelFetch(uSurface, p, 0).xy;
-        float weight = there.y == here.y && abs(there.x - here.x) <= tolerance ? float((2 - abs(beside.x)) * (2 - abs(beside.y))) : 0.0;
+        vec2 neighbour = texelFetch(uSurface, p, 0).xy;
+        float weight = neighbour.y == centre.y && abs(neighbour.x - centre.x) <= tolerance ? float((2 - abs(beside.x)) * (2 - abs(beside.y))) : 0.0;
         sum += weight * texelFetch(uSpecular, p, 0);
         weights += weight;
     }
     return sum / max(weights, 1.0);
 }
 
-/// toAll: of that, what goes to all sides alike, with the mean of what is mirrored.
-vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel, out vec3 toAll) {
+/// viewIndependent: of that, what goes to all sides alike, with the mean of what is mirrored.
+vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel, out vec3 viewIndependent) {
     vec3 normal = uBevel ? bevelledNormal(s, pixel) : s.normal;
-    if (uDetail) normal = grained(normal, s.tilt);
+    if (uDetail) normal = perturbedNormal(normal, s.tilt);
     vec4 light = texelFetch(uLight, pixel, 0);
     vec3 sun = frame.sunColor.rgb * light.a * max(dot(normal, frame.sunDirection.xyz), 0.0);
     if (light.a > 0.0) sun *= sunThroughGlass(worldFromDepth(uv, s.depth));
     vec3 f0 = mix(vec3(s.reflectivity), s.albedo, s.metallic);
     vec3 arriving = light.rgb + sun / 3.14159265, diffuse = s.albedo * (1.0 - s.metallic) * arriving, glow = s.albedo * s.emission;
 
-    toAll = diffuse * (1.0 - f0) + f0 * arriving + glow;
+    viewIndependent = diffuse * (1.0 - f0) + f0 * arriving + glow;
     vec3 halfVector = normalize(view + frame.sunDirection.xyz);
     vec3 highlight = sun * fresnel(f0, dot(view, halfVector)) * specularLobe(normal, view, frame.sunDirection.xyz, s.roughness);
 
     vec3 share = fresnelRough(f0, dot(normal, view), s.roughness);
     vec3 mirrored = light.rgb;
-    vec3 lamps = vec3(0.0);
+    vec3 highlights = vec3(0.0);
     float smoothness = 1.0 - smoothstep(0.35, 0.6, s.roughness);
     if (uHasLocalLights) {
         // Lamps shine back in their highlights, not with the rest of the light a second time.
-        vec4 specular = highlightsAround(s, pixel);
-        lamps = specular.rgb;
+        vec4 specular = filteredHighlights(s, pixel);
+        highlights = specular.rgb;
         // Of the colour that their highlights have.
         vec3 tint = specular.rgb / max(f0, vec3(0.01));
         mirrored = max(mirrored - tint * (specular.a / max(luminance(tint), 1e-4)), vec3(0.0));
@@ -81,9 +81,9 @@ vec3 surfaceRadiance(Surface s, vec3 view, ivec2 pixel, out vec3 toAll) {
         vec4 traced = texelFetch(uReflection, pixel, 0);
         mirrored = mix(mirrored, traced.rgb, traced.a * smoothness);
         // The rays of a mirror have met the glowing voxels themselves.
-        lamps *= mix(1.0, lampsByLobe(s.roughness), traced.a);
+        highlights *= mix(1.0, analyticHighlightShare(s.roughness), traced.a);
     }
-    return diffuse * (1.0 - share) + min(highlight, vec3(30.0)) + mirrored * share + lamps + glow;
+    return diffuse * (1.0 - share) + min(highlight, vec3(30.0)) + mirrored * share + highlights + glow;
 }
 
 void main() {
@@ -91,8 +91,8 @@ void main() {
     Surface s = readSurface(pixel);
     vec3 ray = viewRay(uv);
     vec3 direction = normalize(ray);
-    vec3 toAll, color = surfaceRadiance(s, -direction, pixel, toAll);
-    matte = vec4(clamp(luminance(toAll) / max(luminance(color), 1e-4), 0.0, 1.0));
+    vec3 viewIndependent, color = surfaceRadiance(s, -direction, pixel, viewIndependent);
+    diffuseFraction = vec4(clamp(luminance(viewIndependent) / max(luminance(color), 1e-4), 0.0, 1.0));
     color = mix(color, hazeRadiance(direction), hazeAmount(length(ray) * s.depth));
     radiance = vec4(onlyFinite(color), 1.0);
 }

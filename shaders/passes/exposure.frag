@@ -9,9 +9,9 @@ uniform bool uHistoryValid;
 out vec4 exposure;
 
 const ivec2 kTaps = ivec2(32, 18);
-const float kMiddle = 0.34;     // mean luminance that needs no correction
-const float kStrength = 0.45;   // of the adaptation: 1 would bring every picture to the same mean
-const float kSpeed = 0.05;      // a frame
+const float kTargetLuminance = 0.34;     // mean luminance that needs no correction
+const float kAdaptationStrength = 0.45;   // of the adaptation: 1 would bring every picture to the same mean
+const float kAdaptationSpeed = 0.05;      // a frame
 
 void main() {
     float sum = 0.0, total = 0.0;
@@ -23,6 +23,6 @@ void main() {
             sum += w * log2(clamp(luminance(texture(uColor, place).rgb) * frame.exposure.x, 0.01, 8.0));
             total += w;
         }
-    float target = clamp(pow(kMiddle / exp2(sum / total), kStrength), 0.7, 2.2);
-    exposure = vec4(uHistoryValid ? mix(texelFetch(uHistory, ivec2(0), 0).r, target, kSpeed) : target);
+    float target = clamp(pow(kTargetLuminance / exp2(sum / total), kAdaptationStrength), 0.7, 2.2);
+    exposure = vec4(uHistoryValid ? mix(texelFetch(uHistory, ivec2(0), 0).r, target, kAdaptationSpeed) : target);
 }

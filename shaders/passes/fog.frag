@@ -11,7 +11,7 @@ out vec4 color;
 void main() {
     vec3 toPixel = viewRay(uv);
     float stretch = length(toPixel);
-    float depth = min(texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r * stretch, kFogEnd);
-    float left = exp(-fogBetween(toPixel.y / stretch, depth));
+    float depth = min(texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r * stretch, kMaxFogDistance);
+    float left = exp(-fogOpticalDepth(toPixel.y / stretch, depth));
     color = vec4(texture(uLight, uv).rgb * frame.fogTint.rgb * (1.0 - left), left);
 }

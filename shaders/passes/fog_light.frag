@@ -18,7 +18,7 @@ uniform float uMaxHistory;       // frames
 in vec2 uv;
 out vec4 light;
 
-const float kSunReach = 80.0, kSkyReach = 16.0;  // metres
+const float kSunRayDistance = 80.0, kSkyRayDistance = 16.0;  // metres
 
 struct FogRay {
     vec3 direction;
@@ -27,93 +27,93 @@ struct FogRay {
 };
 
 /// A place in the fog, as likely as light from there would come to the eye.
-float placeInFog(FogRay ray, float u) { return min(fogDistance(ray.direction.y, -log(1.0 - u * ray.share)), ray.end); }
+float sampleFogDistance(FogRay ray, float u) { return min(fogDistance(ray.direction.y, -log(1.0 - u * ray.share)), ray.end); }
 
-vec3 fromSun(FogRay ray, float u) {
-    vec3 place = frame.cameraPosition.xyz + ray.direction * placeInFog(ray, u);
+vec3 sunInscatter(FogRay ray, float u) {
+    vec3 place = frame.cameraPosition.xyz + ray.direction * sampleFogDistance(ray, u);
     float t;
-    if (!uSunUp || shadowTrace(place, frame.sunDirection.xyz, kSunReach, t)) return vec3(0.0);
+    if (!uSunUp || shadowTrace(place, frame.sunDirection.xyz, kSunRayDistance, t)) return vec3(0.0);
     float above = fogDensity(place.y) * frame.fog.z / max(frame.sunDirection.y, 0.05);
-    return frame.sunColor.rgb * (fogPhase(dot(ray.direction, frame.sunDirection.xyz)) * exp(-above));
+    return frame.sunColor.rgb * (henyeyGreenstein(dot(ray.direction, frame.sunDirection.xyz)) * exp(-above));
 }
 
 /// The part of a ray that a light's reach holds, in angles as the light sees it: places even in these angles follow 1 / d^2
 /// (Kulla and Fajardo 2012).
-struct Passing {
+struct LightSegment {
     float nearest;   // metres along the ray
     float aside;     // of the light from there
     float from, to;  // radians
 };
-Passing passBy(FogRay ray, vec3 place, float reach) {
-    vec3 toPlace = place - frame.cameraPosition.xyz;
-    float along = dot(toPlace, ray.direction), aside2 = max(dot(toPlace, toPlace) - along * along, 0.0);
-    float half_ = sqrt(max(reach * reach - aside2, 0.0)), aside = max(sqrt(aside2), 0.1);
-    float first = max(along - half_, 0.0), last = min(along + half_, ray.end);
-    if (last <= first) return Passing(along, aside, 0.0, 0.0);
-    return Passing(along, aside, atan(first - along, aside), atan(last - along, aside));
+LightSegment lightSegment(FogRay ray, vec3 place, float reach) {
+    vec3 toCentre = place - frame.cameraPosition.xyz;
+    float along = dot(toCentre, ray.direction), aside2 = max(dot(toCentre, toCentre) - along * along, 0.0);
+    float halfChord = sqrt(max(reach * reach - aside2, 0.0)), aside = max(sqrt(aside2), 0.1);
+    float first = max(along - halfChord, 0.0), last = min(along + halfChord, ray.end);
+    if (last <= first) return LightSegment(along, aside, 0.0, 0.0);
+    return LightSegment(along, aside, atan(first - along, aside), atan(last - along, aside));
 }
 
-/// A place in the fog, what would come to the eye from there, and the way that must be free for it. As the mean over the ray's fog.
+/// A place in the fog, what would come to the eye from there, and the chosen that must be free for it. As the mean over the ray's fog.
 struct FogSample {
     vec3 place, direction;
     float range;
     vec3 light;
 };
 
-FogSample towardLight(FogRay ray, LocalLight light, vec2 u) {
-    Passing p = passBy(ray, light.place, light.reach + light.extent);
+FogSample sampleTowardLight(FogRay ray, LocalLight light, vec2 u) {
+    LightSegment p = lightSegment(ray, light.position, light.reach + light.extent);
     float beyond = p.aside * tan(mix(p.from, p.to, u.x)), metres = p.nearest + beyond;
     vec3 place = frame.cameraPosition.xyz + ray.direction * metres;
     vec3 up = cross(light.right, light.axis);
-    vec3 fromMiddle = place - light.place;
+    vec3 fromMiddle = place - light.position;
     // The light's point that is nearest.
-    vec2 limit = light.kind == kBall ? vec2(0.0) : light.halfSize;
+    vec2 limit = light.kind == kSphere ? vec2(0.0) : light.halfSize;
     vec2 on = clamp(vec2(dot(fromMiddle, light.right), dot(fromMiddle, up)), -limit, limit);
     vec3 toLight = on.x * light.right + on.y * up - fromMiddle;
     float range = max(length(toLight), 1e-3);
     toLight /= range;
     float cosine = -dot(toLight, light.axis);
-    float edge = light.kind < kArea ? coneEdge(light, cosine) : light.twoSided ? abs(cosine) : max(cosine, 0.0);
-    float strength = edge * lightWindow(range, light.reach) * fogPhase(dot(ray.direction, toLight)) * (p.to - p.from) / p.aside;
+    float edge = light.kind < kArea ? coneAttenuation(light, cosine) : light.twoSided ? abs(cosine) : max(cosine, 0.0);
+    float strength = edge * lightWindow(range, light.reach) * henyeyGreenstein(dot(ray.direction, toLight)) * (p.to - p.from) / p.aside;
     float fog = fogDensity(place.y);
-    strength *= fog * exp(-fogBetween(ray.direction.y, metres) - fog * range) / ray.share;
+    strength *= fog * exp(-fogOpticalDepth(ray.direction.y, metres) - fog * range) / ray.share;
     return FogSample(place, toLight, max(range - max(light.radius, 0.12), 0.0), light.color * strength);
 }
 
-FogSample towardSky(FogRay ray, vec3 u) {
-    vec3 direction = spherePoint(u.xy);
-    return FogSample(frame.cameraPosition.xyz + ray.direction * placeInFog(ray, u.z), direction, kSkyReach, skyRadiance(direction));
+FogSample sampleTowardSky(FogRay ray, vec3 u) {
+    vec3 direction = uniformSphere(u.xy);
+    return FogSample(frame.cameraPosition.xyz + ray.direction * sampleFogDistance(ray, u.z), direction, kSkyRayDistance, skyRadiance(direction));
 }
 
 /// Luminance of about what a light sends to the eye.
-float roughFogLight(FogRay ray, int i) {
+float unshadowedFogRadiance(FogRay ray, int i) {
     i *= kTexelsPerLight;
     vec4 a = texelFetch(uLights, i), c = texelFetch(uLights, i + 2);
-    vec3 toPlace = a.xyz - frame.cameraPosition.xyz;
-    float along = dot(toPlace, ray.direction), aside2 = max(dot(toPlace, toPlace) - along * along, 0.01), reach = c.y + a.w;
-    float half_ = sqrt(max(reach * reach - aside2, 0.0)), first = max(-half_, -along), last = min(half_, ray.end - along), aside = sqrt(aside2);
+    vec3 toCentre = a.xyz - frame.cameraPosition.xyz;
+    float along = dot(toCentre, ray.direction), aside2 = max(dot(toCentre, toCentre) - along * along, 0.01), reach = c.y + a.w;
+    float halfChord = sqrt(max(reach * reach - aside2, 0.0)), first = max(-halfChord, -along), last = min(halfChord, ray.end - along), aside = sqrt(aside2);
     // The angle between both ends, as the light sees it.
     float angle = last > first ? atan(aside * (last - first), aside2 + first * last) : 0.0;
     return c.x * angle / aside * fogDensity(frame.cameraPosition.y + ray.direction.y * max(along, 0.0)) * 0.08 / ray.share;
 }
 
 /// One local light or the sky, in proportion to what each would send.
-vec3 fromOthers(FogRay ray, ivec2 pixel, vec2 random, vec3 u) {
+vec3 otherInscatter(FogRay ray, ivec2 pixel, vec2 random, vec3 u) {
     float sky = luminance(mix(frame.skyColor.rgb, frame.horizonColor.rgb, 0.5)) * 0.5 + 1e-5;
-    Choice choice = Choice(-1, sky, sky, random.x);
+    Reservoir reservoir = Reservoir(-1, sky, sky, random.x);
     ivec2 cell = uHasLocalLights ? lightsAt(pixel, -1.0) : ivec2(0);
-    int looked = lightsLooked(cell.y);
-    for (int i = 0; i < looked; ++i) {
-        vec2 next = lightLooked(cell, i, random.y);
-        offer(choice, int(next.x), roughFogLight(ray, int(next.x)), next.y);
+    int candidates = candidateCount(cell.y);
+    for (int i = 0; i < candidates; ++i) {
+        vec2 next = candidateLight(cell, i, random.y);
+        updateReservoir(reservoir, int(next.x), unshadowedFogRadiance(ray, int(next.x)), next.y);
     }
     // One walk for whichever it is.
-    bool isSky = choice.light < 0;
-    FogSample way = isSky ? towardSky(ray, u) : towardLight(ray, readLight(choice.light), u.xy);
+    bool isSky = reservoir.light < 0;
+    FogSample chosen = isSky ? sampleTowardSky(ray, u) : sampleTowardLight(ray, readLight(reservoir.light), u.xy);
     float t;
-    bool dark = luminance(way.light) <= 0.0;
-    if (shadowTrace(way.place, way.direction, dark ? -1.0 : way.range, t)) return vec3(0.0);
-    return way.light * (choice.total / choice.weight);
+    bool dark = luminance(chosen.light) <= 0.0;
+    if (shadowTrace(chosen.place, chosen.direction, dark ? -1.0 : chosen.range, t)) return vec3(0.0);
+    return chosen.light * (reservoir.weightSum / reservoir.weight);
 }
 
 void main() {
@@ -122,14 +122,14 @@ void main() {
     float stretch = length(toPixel);
     FogRay ray;
     ray.direction = toPixel / stretch;
-    ray.end = min(texelFetch(uDepth, pixel, 0).r * stretch, kFogEnd);
-    ray.share = max(1.0 - exp(-fogBetween(ray.direction.y, ray.end)), 1e-5);
-    ivec2 half_ = ivec2(gl_FragCoord.xy);
-    vec2 u = blueNoise(half_, 30, frame.counters.x), v = blueNoise(half_, 31, frame.counters.x), w = blueNoise(half_, 32, frame.counters.x);
-    vec3 now = fromSun(ray, u.x) + fromOthers(ray, pixel, v, vec3(w, u.y));
+    ray.end = min(texelFetch(uDepth, pixel, 0).r * stretch, kMaxFogDistance);
+    ray.share = max(1.0 - exp(-fogOpticalDepth(ray.direction.y, ray.end)), 1e-5);
+    ivec2 halfChord = ivec2(gl_FragCoord.xy);
+    vec2 u = blueNoise(halfChord, 30, frame.counters.x), v = blueNoise(halfChord, 31, frame.counters.x), w = blueNoise(halfChord, 32, frame.counters.x);
+    vec3 now = sunInscatter(ray, u.x) + otherInscatter(ray, pixel, v, vec3(w, u.y));
     light = vec4(min(now, vec3(1000.0)), 1.0);
 
-    vec3 middle = frame.cameraPosition.xyz + ray.direction * placeInFog(ray, 0.5);
+    vec3 middle = frame.cameraPosition.xyz + ray.direction * sampleFogDistance(ray, 0.5);
     vec4 clip = frame.previousViewProjection * vec4(middle, 1.0);
     vec2 lastUv = clip.xy / max(clip.w, 1e-3) * 0.5 + 0.5;
     if (!uHistoryValid || clip.w < 0.05 || lastUv != clamp(lastUv, vec2(0.0), vec2(1.0))) return;

@@ -29,7 +29,7 @@ void main() {
     ivec2 list = tileList(ivec2(gl_FragCoord.xy));
     VoxelHit best = VoxelHit(false, ivec3(0), 0, 0, kSkyDepth, vec3(0.0), 0, kFarthest);
     float glassT = kFarthest;
-    BodyView met;
+    BodyView nearestView;
     for (int i = list.x; i < list.y; ++i) {
         BodyView view = bodyViewAt(i, gl_FragCoord.xy);
         if (view.nearest >= best.t) break;
@@ -37,25 +37,25 @@ void main() {
         glassT = min(glassT, hit.glassT);
         if (hit.hit) {
             best = hit;
-            met = view;
+            nearestView = view;
         }
     }
     bool behindGlass = glassT < best.t;
     if (!best.hit && !behindGlass) discard;
 
-    InstanceTransform place = readPlacement(met.instance);
-    Entry entry = readEntry(met.shape.palette, best.index);
-    vec3 normal = best.normal == vec3(0.0) ? -normalize(met.ray) : best.normal;
-    vec3 pointBody = (met.camera + met.ray * best.t) * place.voxelSize;
+    InstanceTransform place = readTransform(nearestView.instance);
+    Entry entry = readEntry(nearestView.shape.palette, best.index);
+    vec3 normal = best.normal == vec3(0.0) ? -normalize(nearestView.ray) : best.normal;
+    vec3 pointBody = (nearestView.camera + nearestView.ray * best.t) * place.voxelSize;
     vec3 world = frame.cameraPosition.xyz + viewRay(gl_FragCoord.xy * frame.targetSize.zw) * best.t;
     vec3 lastWorld = place.moved > 0.0 ? place.lastPosition + rotate(place.lastRotation, pointBody) : world;
 
     float voxelPixels = place.voxelSize * frame.targetSize.y / (2.0 * frame.cameraUp.w * max(best.t, 1e-3));
     Detail detail = detailAt(entry.detail, best.cell, best.normal, voxelPixels);
-    vec3 color = paintedColor(met.instance, met.shape, best.slot, best.cell, entry.color) * detail.color;
+    vec3 color = paintedColor(nearestView.instance, nearestView.shape, best.slot, best.cell, entry.color) * detail.color;
     outAlbedo = vec4(color, float(best.index) / 255.0);
     outNormal = vec4(rotate(place.rotation, normal), entry.emission);
-    outMaterial = vec4(entry.roughness * detail.roughness, entry.metallic, entry.reflectivity, abs(place.moved - tiltCode(detail.tilt) / 255.0));
+    outMaterial = vec4(entry.roughness * detail.roughness, entry.metallic, entry.reflectivity, abs(place.moved - encodeTilt(detail.tilt) / 255.0));
     outMotion = gl_FragCoord.xy * frame.targetSize.zw + frame.jitter.xy - screenUv(frame.previousViewProjection, lastWorld);
     outDepth = best.t;
     outGlass = float(behindGlass);

@@ -8,13 +8,13 @@ out vec2 corner;
 flat out vec3 glare;   // radiance in its middle
 
 const float kAngle = 0.055;   // radians from middle to edge
-const float kShare = 0.0035;  // of a lamp's light that is scattered that far
+const float kScatteredShare = 0.0035;  // of a lamp's light that is scattered that far
 const int kRays = 4;
 
-float openTo(LocalLight light) {
+float visibilityOf(LocalLight light) {
     float open = 0.0;
     for (int i = 0; i < kRays; ++i) {
-        vec3 toPoint = light.place + light.radius * spherePoint(vec2(0.25 * float(i), (float(i) + 0.5) / float(kRays))) - frame.cameraPosition.xyz;
+        vec3 toPoint = light.position + light.radius * uniformSphere(vec2(0.25 * float(i), (float(i) + 0.5) / float(kRays))) - frame.cameraPosition.xyz;
         float range = length(toPoint), t;
         open += shadowTrace(frame.cameraPosition.xyz, toPoint / range, max(range - max(2.0 * light.radius, 0.25), 0.0), t) ? 0.0 : 1.0;
     }
@@ -25,13 +25,13 @@ void main() {
     const vec2 kCorners[6] = vec2[6](vec2(-1, -1), vec2(1, -1), vec2(1, 1), vec2(-1, -1), vec2(1, 1), vec2(-1, 1));
     corner = kCorners[gl_VertexID];
     LocalLight light = readLight(gl_InstanceID);
-    vec3 toLight = light.place - frame.cameraPosition.xyz;
+    vec3 toLight = light.position - frame.cameraPosition.xyz;
     float range = length(toLight);
-    vec4 clip = frame.viewProjection * vec4(light.place, 1.0);
+    vec4 clip = frame.viewProjection * vec4(light.position, 1.0);
     // Large lights are seen as what they are; of a cone's lamp some light goes to all sides.
-    float seen = light.kind >= kArea || clip.w < 0.3 ? 0.0 : 0.12 + 0.88 * coneEdge(light, -dot(toLight, light.axis) / range);
-    if (seen > 0.0) seen *= openTo(light) * smoothstep(0.3, 1.5, range);
-    glare = light.color * (seen * kShare / (range * range * kPi * kAngle * kAngle));
+    float seen = light.kind >= kArea || clip.w < 0.3 ? 0.0 : 0.12 + 0.88 * coneAttenuation(light, -dot(toLight, light.axis) / range);
+    if (seen > 0.0) seen *= visibilityOf(light) * smoothstep(0.3, 1.5, range);
+    glare = light.color * (seen * kScatteredShare / (range * range * kPi * kAngle * kAngle));
     bool any_ = luminance(glare) * frame.exposure.x > 0.002;
     vec2 size = vec2(kAngle) / vec2(frame.cameraRight.w, frame.cameraUp.w);
     gl_Position = any_ ? clip + vec4(corner * size * clip.w, 0.0, 0.0) : vec4(2.0, 2.0, 2.0, 1.0);

@@ -3,7 +3,7 @@
 #include "lib/voxel_walk.glsl"
 #include "lib/body_tiles.glsl"
 #include "lib/paint.glsl"
-#include "lib/panes.glsl"
+#include "lib/glass_walk.glsl"
 uniform sampler2D uDepth;
 layout(location = 0) out vec4 outTint;
 layout(location = 1) out vec4 outSurface;
@@ -16,7 +16,7 @@ void main() {
     for (int e = list.x; e < list.y; ++e) {
         BodyView view = bodyViewAt(e, gl_FragCoord.xy);
         if (view.nearest >= tMax) break;
-        Panes panes = throughPanes(view.instance, view.shape, view.camera, view.ray, tMax);
+        Panes panes = walkGlass(view.instance, view.shape, view.camera, view.ray, tMax);
         all.tint *= panes.tint;
         if (panes.first < all.first) {
             all.first = panes.first;
@@ -26,5 +26,5 @@ void main() {
     }
     if (nearestBody < 0) discard;
     outTint = vec4(all.tint, 1.0);
-    outSurface = vec4(rotate(readPlacement(nearestBody).rotation, all.normal), max(all.first, frame.cameraPosition.w));
+    outSurface = vec4(rotate(readTransform(nearestBody).rotation, all.normal), max(all.first, frame.cameraPosition.w));
 }

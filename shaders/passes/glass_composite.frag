@@ -5,7 +5,7 @@
 #include "lib/sky.glsl"
 #include "lib/color.glsl"
 
-uniform sampler2D uBehind;
+uniform sampler2D uBackground;
 uniform sampler2D uDepth;
 uniform sampler2D uGlassTint;
 uniform sampler2D uGlassSurface;
@@ -14,25 +14,25 @@ uniform sampler2D uReflection;
 uniform bool uRefraction;
 
 const float kThickness = 0.06;   // metres of glass in a pane: less than its voxel, a window is no aquarium
-const float kSquaredIndex = 2.25;  // of refraction, 1.5
-const float kFlattest = 0.2;     // cosine: what is seen at a flatter angle is shifted no more
+const float kRefractiveIndexSquared = 2.25;  // of refraction, 1.5
+const float kMinCosine = 0.2;     // cosine: what is seen at a flatter angle is shifted no more
 
 in vec2 uv;
 out vec4 radiance;
 
 /// How far a plate moves what lies behind it: the ray leaves as it came, beside its old line.
-vec3 shiftOf(vec3 direction, vec3 normal) {
-    float cosine = max(abs(dot(direction, normal)), kFlattest);
+vec3 refractionOffset(vec3 direction, vec3 normal) {
+    float cosine = max(abs(dot(direction, normal)), kMinCosine);
     vec3 along = direction - normal * dot(direction, normal);
-    return along * (kThickness * (inversesqrt(kSquaredIndex - 1.0 + cosine * cosine) - 1.0 / cosine));
+    return along * (kThickness * (inversesqrt(kRefractiveIndexSquared - 1.0 + cosine * cosine) - 1.0 / cosine));
 }
 
 /// Which pixel shows what the bent ray meets.
-ivec2 bentPixel(ivec2 pixel, vec3 ray, vec4 pane, vec3 normal) {
+ivec2 refractedPixel(ivec2 pixel, vec3 ray, vec4 pane, vec3 normal) {
     float depth = texelFetch(uDepth, pixel, 0).r;
     vec3 place = frame.cameraPosition.xyz + ray * depth;
     vec4 straight = frame.viewProjection * vec4(place, 1.0);
-    vec4 bent = frame.viewProjection * vec4(place + shiftOf(normalize(ray), normal), 1.0);
+    vec4 bent = frame.viewProjection * vec4(place + refractionOffset(normalize(ray), normal), 1.0);
     vec2 moved = (bent.xy / max(bent.w, 1e-3) - straight.xy / max(straight.w, 1e-3)) * 0.5 * frame.targetSize.xy;
     ivec2 there = clamp(pixel + ivec2(floor(moved + 0.5)), ivec2(0), ivec2(frame.targetSize.xy) - 1);
     // What stands before the pane is not seen through it.
@@ -45,7 +45,7 @@ void main() {
     if (pane.w <= 0.0) discard;
     vec3 ray = viewRay(gl_FragCoord.xy * frame.targetSize.zw);
     vec3 direction = normalize(ray), normal = normalize(pane.xyz);
-    vec4 seen = texelFetch(uBehind, uRefraction ? bentPixel(pixel, ray, pane, normal) : pixel, 0);
+    vec4 seen = texelFetch(uBackground, uRefraction ? refractedPixel(pixel, ray, pane, normal) : pixel, 0);
     vec3 behind = seen.rgb;
     float share = min(1.6 * fresnel(vec3(0.05), abs(dot(normal, direction))).x, 1.0);
     vec3 mirrored = uHasReflections ? texelFetch(uReflection, pixel, 0).rgb : skyRadiance(reflect(direction, normal));

@@ -2,7 +2,7 @@
 #include "lib/frame.glsl"
 #include "lib/voxel_walk.glsl"
 #include "lib/paint.glsl"
-#include "lib/panes.glsl"
+#include "lib/glass_walk.glsl"
 #include "lib/shadow_trace.glsl"
 
 uniform vec3 uMapCorner, uTexelRight, uTexelUp;  // world place of a texel = corner + along x * column + along y * row, high over everything
@@ -15,10 +15,10 @@ void main() {
     vec3 ray = -frame.sunDirection.xyz;
     float tMax;
     shadowTrace(origin, ray, 2.0 * uMapHeight, tMax);
-    InstanceTransform place = readPlacement(body);
+    InstanceTransform place = readTransform(body);
     Layout shape = readLayout(body);
     vec3 originCells = rotateBack(place.rotation, origin - place.position) / place.voxelSize;
-    Panes panes = throughPanes(body, shape, originCells, rotateBack(place.rotation, ray) / place.voxelSize, tMax);
+    Panes panes = walkGlass(body, shape, originCells, rotateBack(place.rotation, ray) / place.voxelSize, tMax);
     if (panes.first == kFarthest) discard;
     shadow = vec4(panes.tint, uMapHeight - panes.last);
 }

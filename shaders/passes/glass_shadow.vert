@@ -9,7 +9,7 @@ void main() {
     // The 36 corners of a cube's 12 triangles, three bits each.
     const int kCorners[36] = int[36](0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6);
     int corner = kCorners[gl_VertexID];
-    InstanceTransform place = readPlacement(instance);
+    InstanceTransform place = readTransform(instance);
     Layout shape = readLayout(instance);
     vec3 cell = vec3((corner & 1) != 0 ? shape.high.x : shape.low.x, (corner & 2) != 0 ? shape.high.y : shape.low.y,
                      (corner & 4) != 0 ? shape.high.z : shape.low.z);

@@ -9,7 +9,7 @@ vec4 gas(vec3 coarse, float fine) {
     float lumps = coarse.r * 0.65 + fine * 0.35;
     float density = smoothstep(0.0, 0.55, lumps * 1.25 - sqrt(r2) * 0.78 - 0.02 + 0.18 * (1.0 - r2));
     float height = sqrt(1.0 - r2);
-    float alpha = 1.0 - exp(-tintOut.a * density * visibleShare(height * particle.w) * (kind == kSmoke ? 3.2 : 2.4));
+    float alpha = 1.0 - exp(-tintOut.a * density * softFade(height * particle.w) * (kind == kSmoke ? 3.2 : 2.4));
     // Lit like a ball of cotton: its lumps turn the normal, light bleeds round the edge and through thin parts.
     vec2 bent = corner * 0.85 - (coarse.gb - 0.5) * 3.2;
     vec3 normal = normalize(frame.cameraRight.xyz * bent.x + frame.cameraUp.xyz * bent.y - frame.cameraForward.xyz * max(height, 0.25));
@@ -29,7 +29,7 @@ vec4 flame(float coarse, float fine) {
     vec2 p = vec2(corner.x * (1.0 + 0.55 * max(corner.y, 0.0)), corner.y * 0.9);
     float r2 = dot(p, p);
     float body = smoothstep(0.05, 0.80, (coarse * 0.7 + fine * 0.3) * 1.25 - sqrt(r2) * 0.80 + 0.14);
-    float strength = body * tintOut.a * clamp(visibleShare(sqrt(max(1.0 - r2, 0.0)) * particle.w) * 2.0, 0.0, 1.0);
+    float strength = body * tintOut.a * clamp(softFade(sqrt(max(1.0 - r2, 0.0)) * particle.w) * 2.0, 0.0, 1.0);
     float heat = clamp(body * (1.15 - 0.75 * stateOut.x) - 0.15 * max(corner.y, 0.0), 0.0, 1.0);
     return vec4(fireColor(heat) * strength * 0.55, strength * 0.35);
 }
@@ -42,9 +42,9 @@ vec4 glow() {
 
 void main() {
     if (dot(corner, corner) >= 1.0 && kind <= kFlame) discard;
-    vec3 coarse = texture(uPuffNoise, noisePlaces.xy).rgb;
-    float fine = texture(uPuffNoise, noisePlaces.zw).r;
+    vec3 coarse = texture(uPuffNoise, noiseUv.xy).rgb;
+    float fine = texture(uPuffNoise, noiseUv.zw).r;
     color = kind < kFlame ? gas(coarse, fine) : kind == kFlame ? flame(coarse.r, fine) : glow();
     if (color.a < 0.002) discard;
-    color = throughAir(color);
+    color = applyHaze(color);
 }

@@ -26,5 +26,5 @@ vec4 cube() {
 
 void main() {
     if (depths.x - particle.w > surfaceDepth()) discard;
-    color = throughAir(cube());
+    color = applyHaze(cube());
 }

@@ -13,30 +13,30 @@ uniform vec4 uLightPosition0, uLightPosition1, uLightPosition2, uLightPosition3;
 uniform vec3 uLightColor0, uLightColor1, uLightColor2, uLightColor3;
 
 out vec2 corner;           // in radii
-out vec4 noisePlaces;      // where the two layers of noise are read
-out vec3 sunLight;         // irradiance / pi from the sun, if it shines here
+out vec4 noiseUv;      // where the two layers of noise are read
+out vec3 sunLight;         // irradiance / pi from the sun, if it shines position
 out vec3 airLight;         // mean radiance from all around
 flat out vec4 particle;    // xyz centre, w radius
 flat out vec4 tintOut;
 flat out vec4 stateOut;
-flat out vec4 air;         // rgb the haze's own light, a its share
+flat out vec4 haze;         // rgb the haze's own light, a its share
 flat out vec3 depths;      // of the centre; how near the eye (0 = in it); light through thin parts
 flat out int kind;
 
 const int kFlame = 2, kSpark = 3, kCrumb = 4, kGlint = 5, kEmber = 6;
 
-vec3 fromLight(vec4 lightPlace, vec3 color, vec3 here) {
-    vec3 away = lightPlace.xyz - here;
+vec3 fromLight(vec4 lightPlace, vec3 color, vec3 position) {
+    vec3 away = lightPlace.xyz - position;
     float d2 = dot(away, away), ratio = d2 / (lightPlace.w * lightPlace.w);
     float window = clamp(1.0 - ratio * ratio, 0.0, 1.0);
     return color * (window * window / (max(d2, 0.16) * 12.566));
 }
 
 /// Quads meet the shadow where their corners are, so a puff may stand half in the sun. A corner inside something asks its centre.
-float sunAt(vec3 here, vec3 center) {
+float sunAt(vec3 position, vec3 center) {
     float t;
     if (frame.sunDirection.y <= 0.0) return 0.0;
-    if (!shadowTrace(here, frame.sunDirection.xyz, 40.0, t)) return 1.0;
+    if (!shadowTrace(position, frame.sunDirection.xyz, 40.0, t)) return 1.0;
     return t <= 0.0 && !shadowTrace(center, frame.sunDirection.xyz, 40.0, t) ? 1.0 : 0.0;
 }
 
@@ -71,12 +71,12 @@ void main() {
     corner *= extent;
     float turn = (state.y + (state.z - 0.5) * 0.35 * state.x) * 6.2831853;
     vec2 turned = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * corner * 0.22;
-    noisePlaces = vec4(turned + state.zw * 7.0, turned * 2.3 - state.zw * 7.0 + vec2(0.05, 0.09) * state.x);
+    noiseUv = vec4(turned + state.zw * 7.0, turned * 2.3 - state.zw * 7.0 + vec2(0.05, 0.09) * state.x);
     if (kind == kFlame)
-        noisePlaces = vec4(corner * vec2(0.30, 0.20) + state.zw * 5.0 - vec2(0.0, state.x * 0.55), corner * vec2(0.62, 0.36) - state.zw * 5.0 - vec2(0.0, state.x * 0.9));
+        noiseUv = vec4(corner * vec2(0.30, 0.20) + state.zw * 5.0 - vec2(0.0, state.x * 0.55), corner * vec2(0.62, 0.36) - state.zw * 5.0 - vec2(0.0, state.x * 0.9));
     float range = length(place.xyz - frame.cameraPosition.xyz);
     float towardSun = max(-dot(toEye, frame.sunDirection.xyz), 0.0);
-    air = vec4(hazeRadiance(-toEye), hazeAmount(range));
+    haze = vec4(hazeRadiance(-toEye), hazeAmount(range));
     depths = vec3(depth, smoothstep(0.2, 1.2, depth), towardSun * towardSun * towardSun * 1.6);
     vec3 near = place.xyz + offset + toEye * min(radius * (kind >= kSpark ? 0.0 : 1.0), max(depth - 0.1, 0.0));
     gl_Position = frame.viewProjection * vec4(near, 1.0);

@@ -7,5 +7,5 @@
 in vec2 uv;
 
 void main() {
-    if (mirrorAt(ivec2(gl_FragCoord.xy), uv).share < kWeakestMirror) discard;
+    if (mirrorAt(ivec2(gl_FragCoord.xy), uv).share < kMinMirrorShare) discard;
 }

@@ -14,12 +14,12 @@ uniform sampler2D uLight;
 in vec2 uv;
 out vec4 reflection;
 
-const float kReach = 40.0;
+const float kMaxRayDistance = 40.0;
 
 /// Radiance of a mirror ray. The sun's disc is left to the specular lobe, which has no noise.
-vec3 mirrored(vec3 origin, vec3 direction, Here here, float glow) {
+vec3 mirrored(vec3 origin, vec3 direction, PathStart start, float glow) {
     float t;
-    if (shadowTrace(origin, direction, kReach, t)) return radianceAt(origin + direction * t, direction, here, glow);
+    if (shadowTrace(origin, direction, kMaxRayDistance, t)) return radianceAt(origin + direction * t, direction, start, glow);
     vec3 sky = direction.y > 0.0 ? withHills(withClouds(skyRadiance(direction), direction), direction) : skyRadiance(direction);
     return sky;
 }
@@ -29,13 +29,13 @@ void main() {
     Mirror m = mirrorAt(pixel, uv);
     vec3 halfVector = m.normal;
     if (m.roughness > 0.03) {
-        mat3 basis = basisAround(m.normal);
-        halfVector = basis * visibleHalfVector(m.view * basis, m.roughness * m.roughness, blueNoise(pixel, 20, frame.counters.x));
+        mat3 basis = orthonormalBasis(m.normal);
+        halfVector = basis * sampleVisibleNormal(m.view * basis, m.roughness * m.roughness, blueNoise(pixel, 20, frame.counters.x));
     }
     vec3 direction = reflect(-m.view, halfVector);
     direction += m.normal * max(0.0, 0.02 - dot(direction, m.normal));
     vec3 more = vec3(blueNoise(pixel, 21, frame.counters.x), blueNoise(pixel, 22, frame.counters.x).x);
-    Here here = startingAt(texelFetch(uLight, pixel, 0).rgb, m.normal, uBounceLights ? lightsAt(pixel, dot(m.position - frame.cameraPosition.xyz, frame.cameraForward.xyz)) : ivec2(0));
-    here.random = more;
-    reflection = vec4(mirrored(shadowOrigin(m.position, m.normal), normalize(direction), here, 1.0 - lampsByLobe(m.roughness)), 1.0);
+    PathStart start = startPath(texelFetch(uLight, pixel, 0).rgb, m.normal, uBounceLights ? lightsAt(pixel, dot(m.position - frame.cameraPosition.xyz, frame.cameraForward.xyz)) : ivec2(0));
+    start.random = more;
+    reflection = vec4(mirrored(shadowOrigin(m.position, m.normal), normalize(direction), start, 1.0 - analyticHighlightShare(m.roughness)), 1.0);
 }

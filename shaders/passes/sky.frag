@@ -16,7 +16,7 @@ in vec2 uv;
 layout(location = 0) out vec4 light;
 layout(location = 1) out vec4 hitProximity;  // x: 1 where rays meet something at once, 0 where nothing
 
-const float kNear = 1.0;  // metres at which it is a half
+const float kHalfProximityDistance = 1.0;  // metres at which it is a half
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -27,16 +27,16 @@ void main() {
     vec2 lastUv = uv - texelFetch(uMotion, pixel, 0).rg;
     bool known = uHistoryValid && lastUv == clamp(lastUv, vec2(0.0), vec2(0.999));
     ivec2 last = ivec2(lastUv * frame.targetSize.xy);
-    Here here = startingAt(vec3(0.0), s.normal, uBounceLights ? lightsAt(pixel, s.depth) : ivec2(0));
-    if (known) here.light = texelFetch(uLightHistory, last, 0).rgb, here.hitProximity = fract(texelFetch(uSurfaceHistory, last, 0).z);
+    PathStart start = startPath(vec3(0.0), s.normal, uBounceLights ? lightsAt(pixel, s.depth) : ivec2(0));
+    if (known) start.light = texelFetch(uLightHistory, last, 0).rgb, start.hitProximity = fract(texelFetch(uSurfaceHistory, last, 0).z);
     for (int i = 0; i < uRayCount; ++i) {
         vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, frame.counters.x * uRayCount + i));
-        here.random = vec3(blueNoise(pixel, 5, frame.counters.x * uRayCount + i), blueNoise(pixel, 6, frame.counters.x * uRayCount + i).x);
-        here.way = blueNoise(pixel, 7, frame.counters.x * uRayCount + i);
+        start.random = vec3(blueNoise(pixel, 5, frame.counters.x * uRayCount + i), blueNoise(pixel, 6, frame.counters.x * uRayCount + i).x);
+        start.directionSample = blueNoise(pixel, 7, frame.counters.x * uRayCount + i);
         float t;
         if (shadowTraceCoarse(origin, direction, uMaxDistance, uExactDistance, t)) {
-            light.rgb += radianceAt(origin + direction * t, direction, here, 0.0);
-            hitProximity.x += kNear / (kNear + t);
+            light.rgb += radianceAt(origin + direction * t, direction, start, 0.0);
+            hitProximity.x += kHalfProximityDistance / (kHalfProximityDistance + t);
         } else {
             light.rgb += skyRadiance(direction);
         }

@@ -7,7 +7,7 @@
 #include "lib/noise.glsl"
 #include "lib/half.glsl"
 
-uniform sampler2D uColor;  // a: share of the surface that shows through particles
+uniform sampler2D uColor;  // a: blend of the surface that shows through particles
 uniform sampler2D uHistory;  // a: how far samples stray from the mean where nothing moves, in compressed luminance
 uniform bool uHistoryValid;
 uniform sampler2D uMotion;
@@ -18,15 +18,15 @@ uniform bool uHasConfidence;
 uniform sampler2D uSurface;    // x depth, z frames accumulated (lib/surface_history.glsl)
 
 const float kCompression = 0.04;
-const float kLongPast = 6.0;  // frames
-const float kStrays = 3.0;  // times that, which memory may leave the colours around it
-const float kDetail = 0.04;  // of the luminance: what strays by more shows details finer than a pixel
-const float kLoose = 2.5;  // times the box that holds memory, where nothing has moved or changed for long: thin lines live on between samples
+const float kLongHistory = 6.0;  // frames
+const float kJitterDeviations = 3.0;  // times that, which memory may leave the colours around it
+const float kSubpixelDetail = 0.04;  // of the luminance: what jitterDeviation by more shows details finer than a pixel
+const float kStaticClipScale = 2.5;  // times the box that holds memory, where nothing has moved or changed for long: thin lines live on between samples
 const float kSkyDepth = 65000.0;
-const float kNewShare = 0.1;
-const float kRamp = 1.6;  // above 1 the first pictures, which know less of the light, count less than the later ones
-const float kMostNewShare = 0.5;  // where memory is short
-const float kNewShareInAir = 0.5;  // where particles cover all: they have no motion to follow
+const float kMinBlend = 0.1;
+const float kBlendRamp = 1.6;  // above 1 the first pictures, which know less of the light, count less than the later ones
+const float kMaxBlend = 0.5;  // where memory is short
+const float kParticleBlend = 0.5;  // where particles cover all: they have no motion to follow
 const float kSharpness = 2.3;      // of the gaussian around a pixel, in pixels of the picture
 
 in vec2 uv;
@@ -37,7 +37,7 @@ vec3 compress(vec3 c) { return c / (1.0 + kCompression * luminance(c)); }
 vec3 expand(vec3 c) { return c / max(1.0 - kCompression * luminance(c), 1e-3); }
 
 /// Nine taps of Catmull-Rom in five bilinear fetches: the corners are dropped (Jimenez 2016).
-vec3 historyAt(vec2 place) {
+vec3 sampleHistory(vec2 place) {
     vec2 size = frame.displaySize.xy;
     vec2 p = place * size;
     vec2 centre = floor(p - 0.5) + 0.5;
@@ -57,14 +57,14 @@ vec3 historyAt(vec2 place) {
 }
 
 /// Motion of a point that stands still in the world, seen at a place of the screen.
-vec2 motionOf(vec2 place, float depth) {
+vec2 staticPointMotion(vec2 place, float depth) {
     vec4 before = frame.previousViewProjection * vec4(frame.cameraPosition.xyz + viewRay(place) * depth, 1.0);
     return place + frame.jitter.xy - (before.xy / max(before.w, 1e-4) * 0.5 + 0.5);
 }
 
-/// Weights of three samples in a row of which the middle one lies `away` beside the pixel: a gaussian, with a sum of 1.
-vec3 gaussian(float away, float sharpness) {
-    float side = exp(-sharpness), ratio = exp(-2.0 * sharpness * away);
+/// Weights of three samples in a row of which the middle one lies `fromSample` beside the pixel: a gaussian, with a sum of 1.
+vec3 gaussian(float fromSample, float sharpness) {
+    float side = exp(-sharpness), ratio = exp(-2.0 * sharpness * fromSample);
     vec3 weights = vec3(side / ratio, 1.0, side * ratio);
     return weights / (weights.x + weights.y + weights.z);
 }
@@ -73,21 +73,21 @@ void main() {
     // The sample nearest to this pixel, how far it lies from it, and both in pixels that are traced.
     vec2 place = (uv - frame.jitter.xy) * frame.targetSize.xy;
     ivec2 pixel = ivec2(place);
-    vec2 away = floor(place) + 0.5 - place;
-    float enlarged = frame.displaySize.x * frame.targetSize.z, sharpness = kSharpness * enlarged * enlarged;
-    vec3 across = gaussian(away.x, sharpness), up = gaussian(away.y, sharpness);
+    vec2 fromSample = floor(place) + 0.5 - place;
+    float upscale = frame.displaySize.x * frame.targetSize.z, sharpness = kSharpness * upscale * upscale;
+    vec3 across = gaussian(fromSample.x, sharpness), up = gaussian(fromSample.y, sharpness);
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec3 sum = vec3(0.0), squares = vec3(0.0), now = vec3(0.0), low = vec3(1e9), top = vec3(-1e9);
-    float depth = 1e9, seenThrough = 1.0;
-    float mostSeenThrough = 0.0, frames = 0.0;
-    ivec2 nearest = pixel, paned = pixel;
+    float depth = 1e9, surfaceShare = 1.0;
+    float maxSurfaceShare = 0.0, frames = 0.0;
+    ivec2 nearest = pixel, panePixel = pixel;
     for (int i = 0; i < 9; ++i) {
         ivec2 offset = ivec2(i % 3, i / 3) - 1;
         ivec2 p = clamp(pixel + offset, ivec2(0), high);
         vec4 there = texelFetch(uColor, p, 0);
-        paned = there.a < seenThrough ? p : paned;
-        seenThrough = min(seenThrough, there.a);
-        mostSeenThrough = max(mostSeenThrough, there.a);
+        panePixel = there.a < surfaceShare ? p : panePixel;
+        surfaceShare = min(surfaceShare, there.a);
+        maxSurfaceShare = max(maxSurfaceShare, there.a);
         vec3 c = toYCoCg(compress(there.rgb));
         sum += c;
         squares += c * c;
@@ -104,34 +104,34 @@ void main() {
         }
     }
     // Panes are never wholly seen through: where that changes may be the edge of one.
-    float pane = uHasGlass ? texelFetch(uGlassSurface, paned, 0).w : 0.0;
-    bool onPanesEdge = pane > 0.0 && pane < depth && mostSeenThrough > 0.99;
+    float pane = uHasGlass ? texelFetch(uGlassSurface, panePixel, 0).w : 0.0;
+    bool isPaneEdge = pane > 0.0 && pane < depth && maxSurfaceShare > 0.99;
     resolved = vec4(expand(fromYCoCg(now)), 0.0);
     // The motion of the nearest surface around, so that edges move with what is in front; the sky's by the camera alone. A pane moves
     // with what is behind it, but its edge with itself.
-    vec2 motion = motionOf(onPanesEdge ? (vec2(paned) + 0.5) * frame.targetSize.zw : uv, onPanesEdge ? pane : 4000.0);
-    if (!onPanesEdge && depth < kSkyDepth) motion = texelFetch(uMotion, nearest, 0).rg;
+    vec2 motion = staticPointMotion(isPaneEdge ? (vec2(panePixel) + 0.5) * frame.targetSize.zw : uv, isPaneEdge ? pane : 4000.0);
+    if (!isPaneEdge && depth < kSkyDepth) motion = texelFetch(uMotion, nearest, 0).rg;
     vec2 before = uv - motion;
     if (!uHistoryValid || any(lessThan(before, vec2(0.0))) || any(greaterThan(before, vec2(1.0)))) return;
-    vec3 history = toYCoCg(compress(historyAt(before)));
+    vec3 history = toYCoCg(compress(sampleHistory(before)));
     vec3 mean = sum / 9.0;
     vec3 deviation = sqrt(max(squares / 9.0 - mean * mean, vec3(0.0)));
     vec3 boxLow = max(low, mean - 1.25 * deviation), boxHigh = min(top, mean + 1.25 * deviation);
-    if (depth >= kSkyDepth) frames = kLongPast;
-    bool rests = seenThrough == 1.0 && length(motion * frame.targetSize.xy) < 0.05;
-    float trusted = !rests ? 0.0 : uHasConfidence ? texture(uHistoryConfidence, uv).x : 1.0;
-    float strays = trusted * texelFetch(uHistory, ivec2(before * frame.displaySize.xy), 0).a;
-    bool isSettled = rests && frames >= kLongPast;
-    vec3 middle = 0.5 * (boxLow + boxHigh), extent = 0.5 * (boxHigh - boxLow) * (isSettled ? kLoose : 1.0) + kStrays * strays + 1e-4;
+    if (depth >= kSkyDepth) frames = kLongHistory;
+    bool isStatic = surfaceShare == 1.0 && length(motion * frame.targetSize.xy) < 0.05;
+    float confidence = !isStatic ? 0.0 : uHasConfidence ? texture(uHistoryConfidence, uv).x : 1.0;
+    float jitterDeviation = confidence * texelFetch(uHistory, ivec2(before * frame.displaySize.xy), 0).a;
+    bool isConverged = isStatic && frames >= kLongHistory;
+    vec3 middle = 0.5 * (boxLow + boxHigh), extent = 0.5 * (boxHigh - boxLow) * (isConverged ? kStaticClipScale : 1.0) + kJitterDeviations * jitterDeviation + 1e-4;
     vec3 offset = history - middle;
     vec3 ratio = abs(offset / extent);
     float outside = max(ratio.x, max(ratio.y, ratio.z));
     if (outside > 1.0) history = middle + offset / outside;
-    resolved.a = trusted * mix(strays, abs(now.x - history.x), kNewShare);
+    resolved.a = confidence * mix(jitterDeviation, abs(now.x - history.x), kMinBlend);
     // Details finer than a pixel have no past as surfaces, but as pictures.
-    if (strays > kDetail * history.x) frames = max(frames, float(min(frame.counters.x, 64)));
-    float share = clamp(kRamp / (frames + kRamp - 1.0), kNewShare, kMostNewShare);
-    float near = enlarged > 1.0 ? exp(-0.5 * sharpness * dot(away, away)) : 1.0;
-    resolved.rgb = expand(fromYCoCg(mix(history, now, near * mix(kNewShareInAir, share, seenThrough))));
-    resolved = roundedToHalf(resolved, ivec2(gl_FragCoord.xy), 0);
+    if (jitterDeviation > kSubpixelDetail * history.x) frames = max(frames, float(min(frame.counters.x, 64)));
+    float blend = clamp(kBlendRamp / (frames + kBlendRamp - 1.0), kMinBlend, kMaxBlend);
+    float near = upscale > 1.0 ? exp(-0.5 * sharpness * dot(fromSample, fromSample)) : 1.0;
+    resolved.rgb = expand(fromYCoCg(mix(history, now, near * mix(kParticleBlend, blend, surfaceShare))));
+    resolved = stochasticRoundToHalf(resolved, ivec2(gl_FragCoord.xy), 0);
 }

@@ -16,7 +16,7 @@ out vec4 color;
 vec3 filmCurve(vec3 x) { return clamp((x * (2.51 * x + 0.05)) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0); }
 
 /// Lifts the contrast to the four neighbours, less where it is strong already, so that edges get no halo.
-vec3 sharpened(ivec2 p) {
+vec3 sharpen(ivec2 p) {
     ivec2 high = ivec2(frame.displaySize.xy) - 1;
     vec3 centre = texelFetch(uColor, p, 0).rgb;
     vec3 a = texelFetch(uColor, max(p - ivec2(1, 0), ivec2(0)), 0).rgb, b = texelFetch(uColor, min(p + ivec2(1, 0), high), 0).rgb;
@@ -27,7 +27,7 @@ vec3 sharpened(ivec2 p) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec3 c = sharpened(pixel);
+    vec3 c = sharpen(pixel);
     if (uBloomShare > 0.0) c += texture(uBloom, uv).rgb * uBloomShare;
     c *= frame.exposure.x * texelFetch(uExposure, ivec2(0), 0).r;
     vec2 aside = (uv - 0.5) * vec2(1.0, 0.8);

@@ -8,7 +8,7 @@
 #include "lib/shadow_trace.glsl"
 #include "lib/bounce.glsl"
 
-uniform sampler2D uBehind;   // the picture without this water
+uniform sampler2D uBackground;   // the picture without this water
 uniform mat4 uOutline0, uOutline1, uOutline2, uOutline3;  // corners x, z, x, z ...
 uniform int uCornerCount;
 uniform float uSurface;   // height
@@ -21,9 +21,9 @@ uniform int uRippleCount;
 
 const float kRingWidth = 0.45;      // metres to each side of a crest
 const float kRefraction = 0.35;     // metres that a slope of 1 shifts what lies a metre below
-const float kReactive = 0.6;        // how far anti-aliasing may trust its past here: waves leave no motion behind
-const float kWeakestMirror = 0.05;  // share of light
-const float kMirrorReach = 40.0;    // metres
+const float kReactive = 0.6;        // how far anti-aliasing may trust its past start: waves leave no motion behind
+const float kMinMirrorShare = 0.05;  // share of light
+const float kMaxMirrorDistance = 40.0;    // metres
 
 in vec2 uv;
 out vec4 color;
@@ -75,7 +75,7 @@ vec2 rippleSlope(vec2 p, float far) {
 }
 
 /// Where the ray of a pixel meets what is below, shifted by the waves: its colour, and its way through the water in w.
-vec4 seenBelow(vec3 place, vec2 slope, float t, float behind, float stretch) {
+vec4 refractedBelow(vec3 place, vec2 slope, float t, float behind, float stretch) {
     float deep = min(behind - t, 3.0);
     vec4 clip = frame.viewProjection * vec4(place - vec3(slope.x, 0.0, slope.y) * (kRefraction * deep), 1.0);
     vec4 straight = frame.viewProjection * vec4(place, 1.0);
@@ -88,17 +88,17 @@ vec4 seenBelow(vec3 place, vec2 slope, float t, float behind, float stretch) {
         bent = pixel;
         bentDepth = behind;
     }
-    return vec4(texelFetch(uBehind, bent, 0).rgb, min((bentDepth - t) * stretch, 50.0));
+    return vec4(texelFetch(uBackground, bent, 0).rgb, min((bentDepth - t) * stretch, 50.0));
 }
 
 /// share: of the light that is mirrored. Where it is little, no ray is worth its price.
-vec3 mirroredIn(vec3 place, vec3 normal, vec3 direction, float share) {
+vec3 mirroredRadiance(vec3 place, vec3 normal, vec3 direction, float share) {
     vec3 mirror = reflect(direction, normal);
     mirror = normalize(vec3(mirror.x, max(mirror.y, 0.03), mirror.z));
-    if (share < kWeakestMirror) return skyRadiance(mirror);
+    if (share < kMinMirrorShare) return skyRadiance(mirror);
     float t;
     vec3 origin = place + vec3(0.0, 0.01, 0.0);
-    if (shadowTrace(origin, mirror, kMirrorReach, t)) return radianceAt(origin + mirror * t, mirror, startingAt(0.4 * skyRadiance(vec3(0, 1, 0)), vec3(0, 1, 0), ivec2(0)), 1.0);
+    if (shadowTrace(origin, mirror, kMaxMirrorDistance, t)) return radianceAt(origin + mirror * t, mirror, startPath(0.4 * skyRadiance(vec3(0, 1, 0)), vec3(0, 1, 0), ivec2(0)), 1.0);
     return withHills(withClouds(skyRadiance(mirror), mirror), mirror);
 }
 
@@ -124,13 +124,13 @@ void main() {
     vec2 slope = rippleSlope(place.xz, t) + rings.xy;
     vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
     float mirrored = fresnel(vec3(0.02), max(dot(normal, -direction), 0.0)).r;
-    vec4 below = seenBelow(place, slope, t, behind, stretch);
+    vec4 below = refractedBelow(place, slope, t, behind, stretch);
     vec3 left = pow(uColor, vec3(below.w / uClarity));
     vec3 light = skyRadiance(vec3(0, 1, 0)) + frame.sunColor.rgb * max(frame.sunDirection.y, 0.0) * 0.3183;
     vec3 scattered = uColor * light * 0.35 * (1.0 - left);
     vec3 glint = frame.sunColor.rgb * min(specularLobe(normal, -direction, frame.sunDirection.xyz, 0.12), 30.0) *
                  max(dot(normal, frame.sunDirection.xyz), 0.0) * mirrored;
-    vec3 water = (below.rgb * left + scattered) * (1.0 - mirrored) + mirroredIn(place, normal, direction, mirrored) * mirrored + min(glint, vec3(20.0));
+    vec3 water = (below.rgb * left + scattered) * (1.0 - mirrored) + mirroredRadiance(place, normal, direction, mirrored) * mirrored + min(glint, vec3(20.0));
     float foam = foamAt(place.xz, (behind - t) * -ray.y, rings.z);
     color = vec4(mix(water, 0.75 * light, foam), kReactive);
 }

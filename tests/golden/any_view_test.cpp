@@ -14,10 +14,10 @@ namespace rubble {
 namespace {
 
 constexpr glm::ivec2 kSize(160, 90);
-constexpr int kViewsAWorld = 250;  // then the rubble is cleared away
-constexpr int kViewsALine = 50;    // of what a long run says while it runs
+constexpr int kViewsPerWorld = 250;  // then the rubble is cleared away
+constexpr int kViewsPerReport = 50;    // of what a long run says while it runs
 
-int viewsOfEach() {
+int viewCount() {
     return std::getenv("RUBBLE_LONG") ? 3334 : 12;
 }
 
@@ -40,10 +40,10 @@ const Weather kWeathers[] = {{"evening", [](Environment&) {}},
                                   e.clouds = 1.0f;
                               }}};
 
-class AnyView : public GlTest, public testing::WithParamInterface<int> {};
+class RandomView : public GlTest, public testing::WithParamInterface<int> {};
 
 /// From the air, from within the ground and the houses, from far away; from 1 to 179 degrees wide.
-View anyView(Random& random, unsigned framebuffer) {
+View randomView(Random& random, unsigned framebuffer) {
     View view;
     for (int a = 0; a < 3; ++a) view.position[a] = random.unit() * 70.0 - 3.0;
     const uint32_t where = random.below(8);
@@ -58,7 +58,7 @@ View anyView(Random& random, unsigned framebuffer) {
     return view;
 }
 
-TEST_P(AnyView, LeavesOnlyNumbers) {
+TEST_P(RandomView, AllTargetsAreFinite) {
     Random random(7, uint64_t(GetParam()));
     Level town = makeTown(1);
     kWeathers[GetParam()].set(town.environment);
@@ -69,28 +69,28 @@ TEST_P(AnyView, LeavesOnlyNumbers) {
     settings.shadow = ShadowWorker::Mode::Inline;
     settings.waitForShadow = true;
     FrameLoop loop(settings);
-    for (int i = 0; i < viewsOfEach(); ++i) {
-        if (i % kViewsAWorld == 0) loop.load(town);
+    for (int i = 0; i < viewCount(); ++i) {
+        if (i % kViewsPerWorld == 0) loop.load(town);
         if (random.below(4) == 0) {
             const double x = random.unit() * 64, y = random.unit() * 8, z = random.unit() * 64;
             loop.edits().push(Edit(ExplodeEdit{{x, y, z}, 0.5 + random.unit() * 2.0}));
         }
         loop.step();
-        const View view = anyView(random, target.framebuffer());
+        const View view = randomView(random, target.framebuffer());
         loop.draw(*renderer.value(), view, float(random.unit()));
-        const std::string bad = texturesThatAreNotFinite();
+        const std::string bad = nonFiniteTextures();
         ASSERT_EQ(bad, "") << kWeathers[GetParam()].name << ", view " << i << " from " << view.position.x << ", " << view.position.y << ", "
                            << view.position.z << ", turned " << view.rotation.w << ' ' << view.rotation.x << ' ' << view.rotation.y << ' '
                            << view.rotation.z << ", fov " << view.verticalFov;
-        if (const int views = i + 1; std::getenv("RUBBLE_LONG") && views % kViewsALine == 0) {
-            std::printf("%s: %d of %d views, %.0f s of processor time\n", kWeathers[GetParam()].name, views, viewsOfEach(),
+        if (const int views = i + 1; std::getenv("RUBBLE_LONG") && views % kViewsPerReport == 0) {
+            std::printf("%s: %d of %d views, %.0f s of processor time\n", kWeathers[GetParam()].name, views, viewCount(),
                         double(std::clock()) / CLOCKS_PER_SEC);
             std::fflush(stdout);
         }
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Weathers, AnyView, testing::Range(0, int(std::size(kWeathers))));
+INSTANTIATE_TEST_SUITE_P(Weathers, RandomView, testing::Range(0, int(std::size(kWeathers))));
 
 }  // namespace
 }  // namespace rubble

@@ -19,7 +19,7 @@ struct Fault {
 };
 
 constexpr Fault kFaults[] = {
-    {"rays start in their own surface", "lib/shadow_trace.glsl", "kLeaveCells = 0.52", "kLeaveCells = 0.0"},
+    {"rays start in their own surface", "lib/shadow_trace.glsl", "kNormalOffsetCells = 0.52", "kNormalOffsetCells = 0.0"},
     {"the sun is behind", "passes/sun.frag", "coneDirection(frame.sunDirection.xyz", "coneDirection(-frame.sunDirection.xyz"},
     {"sky rays that leave see nothing", "passes/sky.frag", "light.rgb += skyRadiance(direction)", "light.rgb += vec3(0.0)"},
     {"colours are not made linear", "lib/gbuffer.glsl", "vec3(2.4)", "vec3(1.4)"},
@@ -31,12 +31,12 @@ constexpr Fault kFaults[] = {
     {"no haze", "lib/sky.glsl", "return 1.0 - exp2(-ratio * sqrt(ratio))", "return 0.0"},
     {"exposure off by a tenth", "passes/tonemap.frag", "c * 0.5", "c * 0.55"},
     {"the filter crosses edges", "passes/filter.frag", "there.y == centre.y ? max(0.0, 1.0 - abs(height) * planeScale) : 0.0", "1.0"},
-    {"history counts for nothing", "passes/accumulate.frag", "mix(past.light, now, share)", "now"},
+    {"history counts for nothing", "passes/accumulate.frag", "mix(history.light, now, blend)", "now"},
     {"empty blocks are too large", "lib/cell_walk.glsl", "return 2;", "return 4;"},
     {"palette indices from the wrong row", "lib/voxel_walk.glsl", "(c.x >> 2) + c.y * 2", "(c.x >> 2) + c.y * 4"},
     {"mirrors look inward", "passes/reflections.frag", "reflect(-m.view", "reflect(m.view"},
-    {"what rays hit shines too much", "lib/bounce.glsl", "vec3 matte = albedo", "vec3 matte = 5.0 * albedo"},
-    {"the eye does not adapt", "passes/exposure.frag", "kStrength = 0.45", "kStrength = 0.0"},
+    {"what rays hit shines too much", "lib/bounce.glsl", "vec3 diffuse = albedo", "vec3 diffuse = 5.0 * albedo"},
+    {"the eye does not adapt", "passes/exposure.frag", "kAdaptationStrength = 0.45", "kAdaptationStrength = 0.0"},
     {"highlights forty times too weak", "lib/brdf.glsl", "distribution * 0.5", "distribution * 0.0125"},
     {"edges are not smoothed", "passes/taa.frag", "across[i % 3] * up[i / 3]", "(i == 4 ? 1.0 : 0.0)"},
 };
@@ -63,14 +63,14 @@ LitScene closeUp() {
     return scene;
 }
 
-/// Each fault must be seen in one of three pictures, by the measure that golden pictures are compared with.
+/// Each fault must be seen in one of three drawImages, by the measure that golden drawImages are compared with.
 class FaultTest : public Drawing {
 protected:
     static constexpr glm::ivec2 kSize{160, 90};
-    static constexpr int kPictures = 3;
-    using Pictures = std::array<Image, kPictures>;
+    static constexpr int kImageCount = 3;
+    using Images = std::array<Image, kImageCount>;
 
-    Image picture(int which) {
+    Image drawImage(int which) {
         renderer->apply(which < 2 ? streetScene().snapshot() : closeUp().snapshot());
         Camera camera = streetCamera(2 * which);
         if (which == 2) {
@@ -84,7 +84,7 @@ protected:
         image.rgb = target->readRgb();
         return image;
     }
-    Pictures pictures(const std::string& shaders) {
+    Images drawImages(const std::string& shaders) {
         RenderSettings settings;
         settings.warmUpFrames = 3;
         auto made = Renderer::create(testContext().loader(), shaders, settings);
@@ -92,18 +92,18 @@ protected:
         if (!made) return {};
         renderer = std::move(made).value();
         target = std::make_unique<Offscreen>(kSize);
-        Pictures all;
-        for (int i = 0; i < kPictures; ++i) all[size_t(i)] = picture(i);
+        Images all;
+        for (int i = 0; i < kImageCount; ++i) all[size_t(i)] = drawImage(i);
         return all;
     }
 };
 
-TEST_F(FaultTest, PicturesRejectEachOfTwentyFaults) {
-    const Pictures good = pictures(shaderFolder());
-    const Pictures again = pictures(shaderFolder());
-    for (size_t i = 0; i < good.size(); ++i) ASSERT_TRUE(looksAlike(compare(again[i], good[i]))) << "the same shaders draw the same picture";
+TEST_F(FaultTest, ImagesRejectEachOfTwentyFaults) {
+    const Images good = drawImages(shaderFolder());
+    const Images again = drawImages(shaderFolder());
+    for (size_t i = 0; i < good.size(); ++i) ASSERT_TRUE(looksAlike(compare(again[i], good[i]))) << "the same shaders draw the same drawImage";
     for (size_t i = 0; i < good.size(); ++i) {
-        for (size_t k = 0; k < i; ++k) EXPECT_FALSE(looksAlike(compare(good[i], good[k]))) << "two pictures that do not reject each other";
+        for (size_t k = 0; k < i; ++k) EXPECT_FALSE(looksAlike(compare(good[i], good[k]))) << "two drawImages that do not reject each other";
     }
 
     const TempFolder made;
@@ -116,7 +116,7 @@ TEST_F(FaultTest, PicturesRejectEachOfTwentyFaults) {
         const size_t place = text.find(fault.good);
         ASSERT_NE(place, std::string::npos) << fault.name << ": " << fault.file << " does not say \"" << fault.good << "\" any more: seed it anew";
         std::ofstream(folder / fault.file) << text.replace(place, std::string(fault.good).size(), fault.bad);
-        const Pictures bad = pictures(folder.string());
+        const Images bad = drawImages(folder.string());
         std::string seen;
         bool alike = true;
         for (size_t i = 0; i < good.size(); ++i) {

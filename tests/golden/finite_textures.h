@@ -9,7 +9,7 @@
 namespace rubble {
 
 /// The float textures of the context that hold a NaN or an infinity, in words; empty if none does.
-inline std::string texturesThatAreNotFinite(GLuint namesBelow = 512) {
+inline std::string nonFiniteTextures(GLuint namesBelow = 512) {
     std::string bad;
     std::vector<float> values;
     for (GLuint name = 1; name < namesBelow; ++name) {

@@ -23,7 +23,7 @@ const std::vector<std::string> kPasses = {"wetness",   "sun", "sky", "local ligh
                                           "composite", "fog", "taa", "bloom",        "exposure",   "tonemap"};
 
 /// Sun and sky, lamps, wet ground, panes, mirrors, fog.
-LitScene everything() {
+LitScene fullScene() {
     LitScene scene = streetScene();
     scene.environment.wetness = 0.8f;
     scene.environment.fogDensity = 0.02f;
@@ -41,27 +41,27 @@ FrameSnapshot withWater(const LitScene& scene) {
     return snapshot;
 }
 
-/// How far two targets lie apart, and in how many numbers.
-struct Apart {
+/// How far two targets lie targetDifference, and in how many numbers.
+struct TargetDifference {
     int numbers = 0, clearly = 0;  ///< clearly: by more than rounding
-    float most = 0.0f;
+    float largest = 0.0f;
 };
 
-Apart apart(const FloatImage& a, const FloatImage& b) {
-    Apart found;
+TargetDifference targetDifference(const FloatImage& a, const FloatImage& b) {
+    TargetDifference found;
     for (size_t i = 0; i < a.pixels.size(); ++i)
         for (int c = 0; c < 4; ++c) {
             if (std::memcmp(&a.pixels[i][c], &b.pixels[i][c], sizeof(float)) == 0) continue;
             ++found.numbers;
             const float difference = std::abs(a.pixels[i][c] - b.pixels[i][c]);
-            found.most = std::max(found.most, difference);
+            found.largest = std::max(found.largest, difference);
             found.clearly += difference > 0.01f + 0.01f * std::abs(a.pixels[i][c]);
         }
     return found;
 }
 
 GLint g_minor = 3;
-void versionFourPoint(GLenum name, GLint* value) {
+void reportVersionFour(GLenum name, GLint* value) {
     if (name == GL_MAJOR_VERSION)
         *value = 4;
     else if (name == GL_MINOR_VERSION)
@@ -69,8 +69,8 @@ void versionFourPoint(GLenum name, GLint* value) {
     else
         reinterpret_cast<PFNGLGETINTEGERVPROC>(testContext().loader()("glGetIntegerv"))(name, value);
 }
-void* loaderOfAnotherVersion(const char* name) {
-    return std::strcmp(name, "glGetIntegerv") == 0 ? reinterpret_cast<void*>(&versionFourPoint) : testContext().loader()(name);
+void* loaderWithOtherVersion(const char* name) {
+    return std::strcmp(name, "glGetIntegerv") == 0 ? reinterpret_cast<void*>(&reportVersionFour) : testContext().loader()(name);
 }
 
 class FullscreenTest : public GlTest {
@@ -84,7 +84,7 @@ protected:
         setLogSink(nullptr, nullptr);
         GlTest::TearDown();
     }
-    auto said(std::string_view text) const {
+    auto logCount(std::string_view text) const {
         return std::count_if(m_lines.begin(), m_lines.end(), [&](const std::string& line) { return line.find(text) != std::string::npos; });
     }
     std::unique_ptr<Renderer> make(Fullscreen fullscreen, FrameSnapshot snapshot, RenderSettings settings = {}, GlLoader loader = nullptr) {
@@ -104,7 +104,7 @@ protected:
         renderer.draw(camera.view(size, target.framebuffer()), 1.0f);
     }
     /// Draws the same pictures with both and compares every target after each.
-    static void expectSame(Renderer& a, Renderer& b, glm::ivec2 size, int frames, float granted = 0.0f) {
+    static void expectSame(Renderer& a, Renderer& b, glm::ivec2 size, int frames, float tolerance = 0.0f) {
         for (int frame = 0; frame < frames; ++frame) {
             for (Renderer* each : {&a, &b}) draw(*each, size, frame);
             int compared = 0;
@@ -113,12 +113,12 @@ protected:
                 ASSERT_EQ(bool(first), bool(second)) << name;
                 if (!first) continue;
                 ASSERT_EQ(first->size, second->size);
-                const Apart found = apart(*first, *second);
+                const TargetDifference found = targetDifference(*first, *second);
                 // Compilers for GPUs may fuse and order the same sums in two ways: a ray that is rounded may miss a corner.
                 const bool isSame = !isSoftwareGl()  ? found.clearly <= int(first->pixels.size() * 4 / 50)
-                                    : granted > 0.0f ? found.most <= granted
+                                    : tolerance > 0.0f ? found.largest <= tolerance
                                                      : found.numbers == 0;
-                EXPECT_TRUE(isSame) << name << " in frame " << frame << ": " << found.numbers << " numbers differ, by up to " << found.most;
+                EXPECT_TRUE(isSame) << name << " in frame " << frame << ": " << found.numbers << " numbers differ, by up to " << found.largest;
                 ++compared;
             }
             EXPECT_GE(compared, frame ? 17 : 15);
@@ -132,7 +132,7 @@ protected:
 };
 
 TEST_F(FullscreenTest, ComputeDrawsWhatFragmentsDrawInAnySize) {
-    const auto fragment = make(Fullscreen::Fragment, everything().snapshot()), compute = make(Fullscreen::Compute, everything().snapshot());
+    const auto fragment = make(Fullscreen::Fragment, fullScene().snapshot()), compute = make(Fullscreen::Compute, fullScene().snapshot());
     for (const glm::ivec2 size : {kSize, glm::ivec2(61, 37), glm::ivec2(1, 3), glm::ivec2(128, 40)}) expectSame(*fragment, *compute, size, 4);
     EXPECT_EQ(byCompute(*compute), kPasses);
 }
@@ -140,14 +140,14 @@ TEST_F(FullscreenTest, ComputeDrawsWhatFragmentsDrawInAnySize) {
 TEST_F(FullscreenTest, ComputeDrawsWhatFragmentsDrawWhereLessIsTracedThanShown) {
     RenderSettings settings;
     settings.resolutionScale = 0.75f;
-    const auto fragment = make(Fullscreen::Fragment, everything().snapshot(), settings);
-    const auto compute = make(Fullscreen::Compute, everything().snapshot(), settings);
+    const auto fragment = make(Fullscreen::Fragment, fullScene().snapshot(), settings);
+    const auto compute = make(Fullscreen::Compute, fullScene().snapshot(), settings);
     expectSame(*fragment, *compute, {61, 37}, 4);
     EXPECT_EQ(compute->readTarget("noisyLight")->size, glm::ivec2(46, 28));
 }
 
-TEST_F(FullscreenTest, ComputeLeavesWhatIsNotDrawn) {
-    // Dry, by night, without lamps and panes: what most passes leave alone, and a view of nothing but sky.
+TEST_F(FullscreenTest, ComputeKeepsPixelsThatAreNotDrawn) {
+    // Dry, by night, without lamps and panes: what largest passes leave alone, and a view of nothing but sky.
     LitScene scene = streetScene();
     scene.environment.sunDirection = {0.1f, -0.5f, 0.2f};
     RenderSettings settings;
@@ -160,25 +160,25 @@ TEST_F(FullscreenTest, ComputeLeavesWhatIsNotDrawn) {
         camera.lookAt(to);
         for (Renderer* each : {fragment.get(), compute.get()}) each->draw(camera.view(kSize, target.framebuffer()), 1.0f);
         for (const char* name : {"noisyLight", "accumulatedLight", "surface", "denoisedLight", "radiance", "final"})
-            EXPECT_TRUE(!isSoftwareGl() || apart(*fragment->readTarget(name), *compute->readTarget(name)).numbers == 0) << name;
+            EXPECT_TRUE(!isSoftwareGl() || targetDifference(*fragment->readTarget(name), *compute->readTarget(name)).numbers == 0) << name;
     }
 }
 
 /// Waves are sums of sines of sums of products, which a GL may fuse as it likes: llvmpipe does not do the same in both programs, and their
 /// slopes differ in the last bit. Now and then it rounds another way in a target of 16 bits: 2^-12 of numbers about 0.5.
 TEST_F(FullscreenTest, WaterIsTheSameButForTheLastBit) {
-    const auto fragment = make(Fullscreen::Fragment, withWater(everything())), compute = make(Fullscreen::Compute, withWater(everything()));
+    const auto fragment = make(Fullscreen::Fragment, withWater(fullScene())), compute = make(Fullscreen::Compute, withWater(fullScene()));
     expectSame(*fragment, *compute, kSize, 3, 0.005f);
     const auto passes = byCompute(*compute);
     EXPECT_NE(std::find(passes.begin(), passes.end(), "water"), passes.end());
-    const auto dry = make(Fullscreen::Fragment, everything().snapshot());
+    const auto dry = make(Fullscreen::Fragment, fullScene().snapshot());
     draw(*dry, kSize, 2);
-    EXPECT_GT(apart(*dry->readTarget("radiance"), *fragment->readTarget("radiance")).numbers, 100) << "there is no water";
+    EXPECT_GT(targetDifference(*dry->readTarget("radiance"), *fragment->readTarget("radiance")).numbers, 100) << "there is no water";
 }
 
-TEST_F(FullscreenTest, FragmentsAloneHoldNothingForCompute) {
-    const auto fragment = make(Fullscreen::Fragment, everything().snapshot()), automatic = make(Fullscreen::Auto, everything().snapshot());
-    const auto compute = make(Fullscreen::Compute, everything().snapshot());
+TEST_F(FullscreenTest, FragmentModeAllocatesNothingForCompute) {
+    const auto fragment = make(Fullscreen::Fragment, fullScene().snapshot()), automatic = make(Fullscreen::Auto, fullScene().snapshot());
+    const auto compute = make(Fullscreen::Compute, fullScene().snapshot());
     for (Renderer* each : {fragment.get(), automatic.get(), compute.get()}) draw(*each, kSize);
     EXPECT_EQ(fragment->figures().computePrograms, 0);
     EXPECT_TRUE(fragment->figures().computePasses.empty());
@@ -187,11 +187,11 @@ TEST_F(FullscreenTest, FragmentsAloneHoldNothingForCompute) {
     EXPECT_EQ(automatic->figures().computePrograms > 0, !isSoftwareGl()) << "compute is slower on software renderers: see DECISIONS.md";
 }
 
-TEST_F(FullscreenTest, ReloadedShadersAreTheSameToo) {
+TEST_F(FullscreenTest, ReloadedShadersDrawTheSame) {
     const TempFolder folder;
     std::filesystem::copy(shaderFolder(), folder.path(), std::filesystem::copy_options::recursive);
     m_shaders = folder.path().string();
-    const auto fragment = make(Fullscreen::Fragment, everything().snapshot()), compute = make(Fullscreen::Compute, everything().snapshot());
+    const auto fragment = make(Fullscreen::Fragment, fullScene().snapshot()), compute = make(Fullscreen::Compute, fullScene().snapshot());
     expectSame(*fragment, *compute, kSize, 2);
     const auto before = compute->readTarget("noisyLight");
     const auto file = folder.path() / "passes/sky.frag";
@@ -214,46 +214,46 @@ TEST_F(FullscreenTest, ReloadedShadersAreTheSameToo) {
     write("* oops;", "* 2.0;", 20);
     for (Renderer* each : {fragment.get(), compute.get()}) EXPECT_TRUE(each->reloadShaders());
     expectSame(*fragment, *compute, kSize, 2);
-    EXPECT_GT(apart(*before, *compute->readTarget("noisyLight")).most, 0.05f) << "the new shader does not draw";
+    EXPECT_GT(targetDifference(*before, *compute->readTarget("noisyLight")).largest, 0.05f) << "the new shader does not draw";
 }
 
-TEST_F(FullscreenTest, AContextBelowFourPointThreeDrawsByFragmentsAndSaysSo) {
+TEST_F(FullscreenTest, AContextBelowFourPointThreeDrawsByFragmentsAndWarns) {
     g_minor = 2;
-    auto renderer = make(Fullscreen::Compute, everything().snapshot(), {}, loaderOfAnotherVersion);
-    EXPECT_EQ(said("compute programs need GL 4.3"), 1);
+    auto renderer = make(Fullscreen::Compute, fullScene().snapshot(), {}, loaderWithOtherVersion);
+    EXPECT_EQ(logCount("compute programs need GL 4.3"), 1);
     draw(*renderer, kSize);
     EXPECT_EQ(renderer->figures().computePrograms, 0);
     EXPECT_TRUE(byCompute(*renderer).empty());
-    for (const Fullscreen quiet : {Fullscreen::Auto, Fullscreen::Fragment}) make(quiet, everything().snapshot(), {}, loaderOfAnotherVersion);
-    EXPECT_EQ(said("compute programs need GL 4.3"), 1) << "nobody has asked for it";
+    for (const Fullscreen quiet : {Fullscreen::Auto, Fullscreen::Fragment}) make(quiet, fullScene().snapshot(), {}, loaderWithOtherVersion);
+    EXPECT_EQ(logCount("compute programs need GL 4.3"), 1) << "nobody has asked for it";
     renderer.reset();
     g_minor = 3;
-    renderer = make(Fullscreen::Compute, everything().snapshot(), {}, loaderOfAnotherVersion);
+    renderer = make(Fullscreen::Compute, fullScene().snapshot(), {}, loaderWithOtherVersion);
     draw(*renderer, kSize);
     EXPECT_EQ(byCompute(*renderer), kPasses) << "4.3 is enough";
     renderer.reset();
     ASSERT_TRUE(loadGl(testContext().loader()));
 }
 
-TEST_F(FullscreenTest, TheFastestIsMeasuredWhileThePictureIsTheSame) {
-    const auto fragment = make(Fullscreen::Fragment, everything().snapshot()), fastest = make(Fullscreen::Fastest, everything().snapshot());
+TEST_F(FullscreenTest, TheFastestIsMeasuredWhileTheImageIsTheSame) {
+    const auto fragment = make(Fullscreen::Fragment, fullScene().snapshot()), fastest = make(Fullscreen::Fastest, fullScene().snapshot());
     constexpr int kFrames = 2 * (FullscreenChoice::kWarmUpFrames + FullscreenChoice::kTimedFrames);
     expectSame(*fragment, *fastest, kSize, 2);
     EXPECT_EQ(byCompute(*fastest), kPasses) << "every other frame is by compute";
     const int atFirst = fastest->figures().computePrograms;
     for (int frame = 2; frame < kFrames; ++frame) draw(*fastest, kSize, frame);
     EXPECT_EQ(fastest->figures().computePrograms, atFirst);
-    EXPECT_EQ(said("drawn by what was faster"), 0);
+    EXPECT_EQ(logCount("drawn by what was faster"), 0);
     std::vector<std::string> chosen;
     for (int frame = 0; frame < 3; ++frame) {
         draw(*fastest, kSize, frame);
         if (frame == 0) chosen = byCompute(*fastest);
         EXPECT_EQ(byCompute(*fastest), chosen);
     }
-    EXPECT_EQ(said("drawn by what was faster"), 1);
-    for (const std::string& pass : kPasses) EXPECT_EQ(said(pass + " by "), 1) << pass;
+    EXPECT_EQ(logCount("drawn by what was faster"), 1);
+    for (const std::string& pass : kPasses) EXPECT_EQ(logCount(pass + " by "), 1) << pass;
     if (!isSoftwareGl()) return;
-    EXPECT_LT(chosen.size(), kPasses.size()) << "llvmpipe is no faster at everything by compute";
+    EXPECT_LT(chosen.size(), kPasses.size()) << "llvmpipe is no faster at fullScene by compute";
     EXPECT_LT(fastest->figures().computePrograms, atFirst) << "what lost is kept";
 }
 

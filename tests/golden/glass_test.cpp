@@ -30,8 +30,8 @@ PaletteRef wallAndPanes() {
     return palette;
 }
 
-/// What one pane lets through: as lib/panes.glsl describes it.
-glm::vec3 throughPane(int pane) {
+/// What one pane lets through: as lib/glass_walk.glsl describes it.
+glm::vec3 paneTransmittance(int pane) {
     const Tint t = kTints[pane];
     const glm::vec3 linear = glm::pow(glm::vec3(t.red, t.green, t.blue) / 255.0f, glm::vec3(2.2f));
     return (1.0f - float(t.opacity) / 255.0f) * glm::mix(glm::vec3(1.0f), linear / std::max({linear.x, linear.y, linear.z}), 0.7f);
@@ -48,7 +48,7 @@ protected:
 };
 
 /// Panes 0 and 2 are one body's, pane 1 another's that stands between them, and pane 3 is behind a wall.
-TEST_F(GlassTest, OfOneBodyBetweenThoseOfAnotherCountsOnceAndTheNearestIsTheSurface) {
+TEST_F(GlassTest, PanesOfInterleavedBodiesTintOnceAndTheNearestIsTheSurface) {
     LitScene scene(wallAndPanes());
     scene.add({20, 20, 21}, {{-1, -1, 0}, kLevel}, [](glm::ivec3 c) { return uint8_t(c.z == 20 ? kFirstPane : c.z == 0 ? kFirstPane + 2 : 0); });
     scene.add({20, 20, 1}, {{-1, -1, 1}, kLevel}, [](glm::ivec3) { return uint8_t(kFirstPane + 1); });
@@ -57,7 +57,7 @@ TEST_F(GlassTest, OfOneBodyBetweenThoseOfAnotherCountsOnceAndTheNearestIsTheSurf
     settings.temporal = false;
     start(scene, kSize, settings);
     draw(camera());
-    const glm::vec3 expected = throughPane(0) * throughPane(1) * throughPane(2);
+    const glm::vec3 expected = paneTransmittance(0) * paneTransmittance(1) * paneTransmittance(2);
     const FloatImage tint = read("glassTint"), surface = read("glassSurface");
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(tint.at(48, 32)[i], expected[i], 0.006f) << "channel " << i;
     EXPECT_NEAR(surface.at(48, 32).w, 4.0f - 2.1f, 0.01f);
@@ -66,7 +66,7 @@ TEST_F(GlassTest, OfOneBodyBetweenThoseOfAnotherCountsOnceAndTheNearestIsTheSurf
 }
 
 /// A step of the wall from dark to light behind a slanted pane: where it is seen with and without refraction.
-TEST_F(GlassTest, ShiftsWhatIsBehindAsAPlateDoes) {
+TEST_F(GlassTest, RefractsLikeAParallelPlate) {
     const auto edgeAt = [&](bool refraction) {
         LitScene scene(wallAndPanes());
         scene.environment.sunDirection = {0.1f, 0.3f, 1.0f};
@@ -81,12 +81,12 @@ TEST_F(GlassTest, ShiftsWhatIsBehindAsAPlateDoes) {
         Camera near = camera();
         near.position.z = 2.5;
         draw(near, 2);
-        const FloatImage picture = read("radiance");
-        float most = 0.0f;
+        const FloatImage image = read("radiance");
+        float largestStep = 0.0f;
         int edge = 0;
         for (int x = 150; x < 234; ++x) {
-            const float step = picture.at(x + 1, 128).y - picture.at(x, 128).y;
-            if (step > most) most = step, edge = x;
+            const float step = image.at(x + 1, 128).y - image.at(x, 128).y;
+            if (step > largestStep) largestStep = step, edge = x;
         }
         return edge;
     };
@@ -98,7 +98,7 @@ TEST_F(GlassTest, ShiftsWhatIsBehindAsAPlateDoes) {
     EXPECT_NEAR(std::abs(shift), pixels, 1.1);
 }
 
-TEST_F(GlassTest, DoesNotSmearWhatStandsBeforeIt) {
+TEST_F(GlassTest, DoesNotSmearWhatStandsInFront) {
     LitScene scene(wallAndPanes());
     scene.add({60, 60, 2}, {{-3, -3, -3.2}, kLevel}, [](glm::ivec3) { return kDark; });
     scene.add({60, 30, 1}, {{-2, -1.5, 1}, glm::angleAxis(0.8, glm::dvec3(0, 1, 0))}, [](glm::ivec3) { return uint8_t(kFirstPane + 2); });
@@ -108,12 +108,12 @@ TEST_F(GlassTest, DoesNotSmearWhatStandsBeforeIt) {
     settings.bloom = 0.0f;
     start(scene, {192, 128}, settings);
     draw(camera(), 2);
-    const FloatImage picture = read("radiance"), surface = read("glassSurface");
+    const FloatImage image = read("radiance"), surface = read("glassSurface");
     int panes = 0;
     for (int x = 0; x < 192; ++x) {
         if (surface.at(x, 64).w <= 0.0f) continue;
         ++panes;
-        EXPECT_LT(picture.at(x, 64).y, 5.0f) << "at column " << x;
+        EXPECT_LT(image.at(x, 64).y, 5.0f) << "at column " << x;
     }
     EXPECT_GT(panes, 60);
 }

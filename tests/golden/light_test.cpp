@@ -80,7 +80,7 @@ TEST_F(LightTest, AClosedRoomOfOneVoxelIsDark) {
     EXPECT_LE(brightest("denoisedLight"), 4);
 }
 
-TEST_F(LightTest, WhatASceneDoesNotNeedIsNotThere) {
+TEST_F(LightTest, PassesThatASceneDoesNotNeedDoNotRun) {
     LitScene scene(plain());
     scene.add({20, 2, 20}, {{-1, -0.2, -1}, kLevel}, solid);
     start(scene, kSmall);
@@ -107,11 +107,11 @@ TEST_F(LightTest, AnEvenSkySurvivesTheDenoiser) {
         for (int x = 8; x < 88; ++x) ASSERT_NEAR(*light.at(x, y), expected, 2) << x << ", " << y;
 }
 
-TEST_F(LightTest, NoBufferHoldsANumberThatIsNone) {
+TEST_F(LightTest, NoTargetHoldsNanOrInfinity) {
     LitScene scene = streetScene();
     start(scene, {160, 90});
     for (int i = 0; i < 4; ++i) draw(streetCamera(i));
-    EXPECT_EQ(texturesThatAreNotFinite(), "");
+    EXPECT_EQ(nonFiniteTextures(), "");
 }
 
 /// Mean of the pixels in a box of the image.
@@ -136,18 +136,18 @@ TEST_F(LightTest, AWallThatOpensIsSeenInTwelveFrames) {
     renderer->apply(scene.step());
     const double after = meanOf(draw(camera, 12, "sun"), low, high), skyAfter = meanOf(draw(camera, 1, "denoisedLight"), low, high);
     const double thirty = meanOf(draw(camera, 17, "sun"), low, high), skyThirty = meanOf(draw(camera, 1, "denoisedLight"), low, high);
-    const double settled = meanOf(draw(camera, 60, "sun"), low, high), skySettled = meanOf(draw(camera, 1, "denoisedLight"), low, high);
+    const double converged = meanOf(draw(camera, 60, "sun"), low, high), skyConverged = meanOf(draw(camera, 1, "denoisedLight"), low, high);
     EXPECT_LT(before, 5.0);
-    EXPECT_GT(settled, 250.0);
-    EXPECT_GE(after - before, 0.9 * (settled - before));
-    EXPECT_GT(skySettled, skyBefore + 5.0);
-    EXPECT_GE(skyAfter - skyBefore, 0.9 * (skySettled - skyBefore));
-    EXPECT_NEAR(thirty, settled, 0.02 * (settled - before)) << "a ghost";
-    EXPECT_NEAR(skyThirty, skySettled, 0.02 * (skySettled - skyBefore)) << "a ghost";
+    EXPECT_GT(converged, 250.0);
+    EXPECT_GE(after - before, 0.9 * (converged - before));
+    EXPECT_GT(skyConverged, skyBefore + 5.0);
+    EXPECT_GE(skyAfter - skyBefore, 0.9 * (skyConverged - skyBefore));
+    EXPECT_NEAR(thirty, converged, 0.02 * (converged - before)) << "a ghost";
+    EXPECT_NEAR(skyThirty, skyConverged, 0.02 * (skyConverged - skyBefore)) << "a ghost";
 }
 
 /// Of a white room only the ceiling is seen: what its rays meet is guessed by the light of the ceiling itself.
-TEST_F(LightTest, AWhiteRoomsGuessOfItsOwnLightEnds) {
+TEST_F(LightTest, TheBounceEstimateOfAWhiteRoomConverges) {
     auto white = std::make_shared<Palette>(*plain());
     (*white)[1].red = (*white)[1].green = (*white)[1].blue = 255;
     LitScene room(white);
@@ -162,8 +162,8 @@ TEST_F(LightTest, AWhiteRoomsGuessOfItsOwnLightEnds) {
     settings.historyFrames = 4;
     start(room, kSmall, settings);
     const Camera up = lookingAt({0, 2.5, 0}, {0.01, 3.9, 0});
-    const auto brightness = [&](int pictures) {
-        draw(up, pictures);
+    const auto brightness = [&](int frames) {
+        draw(up, frames);
         double sum = 0.0;
         const FloatImage light = read("denoisedLight");
         for (const glm::vec4& pixel : light.pixels) sum += double(pixel.g) / double(light.pixels.size());

@@ -65,7 +65,7 @@ protected:
         }
         return sum / double(frames * kSize.x * kSize.y);
     }
-    double shadeOf(const SnapshotLight& light, glm::dvec3 point = {0, 0, 0}, int frames = 8) {
+    double lightOf(const SnapshotLight& light, glm::dvec3 point = {0, 0, 0}, int frames = 8) {
         LitScene scene = floorScene();
         scene.addLight(light);
         start(scene);
@@ -85,17 +85,17 @@ protected:
 TEST_F(LocalLightsTest, FallOffWithTheSquareOfTheDistance) {
     for (const double height : {0.5, 1.0, 2.0, 4.0}) {
         const double expected = 3.0 / (height * height) / kPi;
-        EXPECT_NEAR(shadeOf(lightAt(LightKind::Sphere, {0, height, 0}, 3.0f)), expected, 0.01 * expected) << height;
+        EXPECT_NEAR(lightOf(lightAt(LightKind::Sphere, {0, height, 0}, 3.0f)), expected, 0.01 * expected) << height;
     }
     // Aside: cosine too.
     const double expected = 3.0 * 2.0 / std::pow(2.0 * 2.0 + 1.5 * 1.5, 1.5) / kPi;
-    EXPECT_NEAR(shadeOf(lightAt(LightKind::Sphere, {0, 2, 0}, 3.0f), {1.5, 0, 0}), expected, 0.01 * expected);
+    EXPECT_NEAR(lightOf(lightAt(LightKind::Sphere, {0, 2, 0}, 3.0f), {1.5, 0, 0}), expected, 0.01 * expected);
 }
 
 TEST_F(LocalLightsTest, ALargeBallShinesLikeASmallOneOfTheSameIntensity) {
     SnapshotLight light = lightAt(LightKind::Sphere, {0, 2, 0}, 3.0f);
     light.radius = 1.0f;
-    EXPECT_NEAR(shadeOf(light), 3.0 / 4.0 / kPi, 0.01 * 3.0 / 4.0 / kPi);  // exact for a Lambertian ball over the horizon
+    EXPECT_NEAR(lightOf(light), 3.0 / 4.0 / kPi, 0.01 * 3.0 / 4.0 / kPi);  // exact for a Lambertian ball over the horizon
 }
 
 TEST_F(LocalLightsTest, AreaHasTheFormFactorOfAParallelRectangle) {
@@ -106,11 +106,11 @@ TEST_F(LocalLightsTest, AreaHasTheFormFactorOfAParallelRectangle) {
         const double x = 1.0 / height, y = 0.6 / height, rx = std::sqrt(1 + x * x), ry = std::sqrt(1 + y * y);
         const double factor = 4.0 / (2.0 * kPi) * (x / rx * std::atan(y / rx) + y / ry * std::atan(x / ry));
         const double expected = 6.0 / (2.0 * 1.2) * factor;
-        EXPECT_NEAR(shadeOf(light, {0, 0, 0}, 24), expected, 0.01 * expected) << height;
+        EXPECT_NEAR(lightOf(light, {0, 0, 0}, 24), expected, 0.01 * expected) << height;
         light.direction = -kDown;
-        EXPECT_EQ(shadeOf(light), 0.0) << "its back is dark";
+        EXPECT_EQ(lightOf(light), 0.0) << "its back is dark";
         light.twoSided = true;
-        EXPECT_NEAR(shadeOf(light, {0, 0, 0}, 24), expected, 0.01 * expected);
+        EXPECT_NEAR(lightOf(light, {0, 0, 0}, 24), expected, 0.01 * expected);
     }
 }
 
@@ -118,14 +118,14 @@ TEST_F(LocalLightsTest, CapsuleIsALineOfBalls) {
     SnapshotLight light = lightAt(LightKind::Capsule, {0, 1, 0}, 4.0f);
     light.width = 3.0f;
     const double expected = 4.0 / (1.0 * std::sqrt(1.0 + 1.5 * 1.5)) / kPi;
-    EXPECT_NEAR(shadeOf(light, {0, 0, 0}, 24), expected, 0.01 * expected);
+    EXPECT_NEAR(lightOf(light, {0, 0, 0}, 24), expected, 0.01 * expected);
 }
 
 TEST_F(LocalLightsTest, ConeIsFullInsideAndDarkOutside) {
     const double height = 3.0;
     const SnapshotLight light = lightAt(LightKind::Cone, {0, height, 0}, 3.0f);
     const auto at = [&](double angle) {
-        return shadeOf(light, {height * std::tan(angle), 0, 0}) / (3.0 * std::pow(std::cos(angle), 3.0) / (height * height) / kPi);
+        return lightOf(light, {height * std::tan(angle), 0, 0}) / (3.0 * std::pow(std::cos(angle), 3.0) / (height * height) / kPi);
     };
     EXPECT_NEAR(at(0.0), 1.0, 0.01);
     EXPECT_NEAR(at(0.27), 1.0, 0.01);
@@ -134,15 +134,15 @@ TEST_F(LocalLightsTest, ConeIsFullInsideAndDarkOutside) {
     EXPECT_EQ(at(0.53), 0.0);
 }
 
-TEST_F(LocalLightsTest, ReachIsTheEnd) {
+TEST_F(LocalLightsTest, NothingArrivesBeyondTheReach) {
     SnapshotLight light = lightAt(LightKind::Sphere, {0, 2, 0}, 3.0f);
     light.reach = 4.0f;
     const double window = std::pow(1.0 - std::pow(0.5, 4.0), 2.0);
-    EXPECT_NEAR(shadeOf(light) / (3.0 / 4.0 / kPi), window, 0.02);
-    EXPECT_EQ(shadeOf(light, {3.6, 0, 0}), 0.0);
+    EXPECT_NEAR(lightOf(light) / (3.0 / 4.0 / kPi), window, 0.02);
+    EXPECT_EQ(lightOf(light, {3.6, 0, 0}), 0.0);
 }
 
-TEST_F(LocalLightsTest, ScreenShinesInItsPicturesColors) {
+TEST_F(LocalLightsTest, ScreenEmitsItsImagesColors) {
     SnapshotLight light = lightAt(LightKind::Screen, {0, 1, 0}, 6.0f);
     light.width = 4.0f;
     light.height = 1.0f;
@@ -175,11 +175,11 @@ TEST_F(LocalLightsTest, HalfHiddenByAnEdgeGivesHalf) {
         const auto light = renderer->readTarget("noisyLight");
         for (const glm::vec4& pixel : light->pixels) sum += double(pixel.g);
     }
-    const double shade = sum / double(frames * kSize.x * kSize.y), open = shadeOf(panel, {0, 0, 0}, 16);
+    const double shade = sum / double(frames * kSize.x * kSize.y), open = lightOf(panel, {0, 0, 0}, 16);
     EXPECT_NEAR(shade / open, 0.5, 0.06);
 }
 
-TEST_F(LocalLightsTest, HundredsAreRightOnAverageAtTheCostOfSome) {
+TEST_F(LocalLightsTest, HundredsAreUnbiasedAtTheCostOfAFew) {
     const auto withLights = [&](int count) {
         LitScene scene = floorScene();
         double expected = 0.0;
@@ -227,7 +227,7 @@ TEST_F(LocalLightsTest, SmoothFloorsShineBack) {
     EXPECT_GT(smooth, 5.0f * rough);
 }
 
-/// What the host changes between two pictures of a floor with a history: from one set of lights to another.
+/// What the host changes between two frames of a floor with a history: from one set of lights to another.
 class LightChangeTest : public LocalLightsTest {
 protected:
     void SetUp() override {
@@ -246,41 +246,41 @@ protected:
         for (const SnapshotLight& light : lights) scene.addLight(light);
         return scene;
     }
-    /// Brightest pixel of a target after so many pictures.
-    float brightest(const char* name, int pictures) {
-        draw(m_camera, pictures);
+    /// Brightest pixel of a target after so many frames.
+    float brightest(const char* name, int frames) {
+        draw(m_camera, frames);
         float best = 0.0f;
         for (const glm::vec4& pixel : read(name).pixels) best = std::max(best, pixel.g);
         return best;
     }
-    /// How much of a target's brightest pixel is left so many pictures after the change.
-    float leftOf(const char* name, LitScene before, LitScene after, int pictures) {
+    /// How much of a target's brightest pixel is left so many frames after the change.
+    float leftOf(const char* name, LitScene before, LitScene after, int frames) {
         Drawing::start(before, kSize);
         const float lit = brightest(name, 24);
         EXPECT_GT(lit, 0.01f);
         renderer->apply(after.step());
-        return brightest(name, pictures) / lit;
+        return brightest(name, frames) / lit;
     }
     Camera m_camera;
     float m_fog = 0.0f;
 };
 
-TEST_F(LightChangeTest, ALampThatGoesOutTakesItsHighlightWithIt) {
-    const SnapshotLight lamp = named(0, {0, 2, -2}, 20.0f), faint = named(1, {3, 2, -3}, 0.05f), other = named(2, {3, 2, -3}, 0.05f);
-    EXPECT_LT(leftOf("specular", sceneOf({lamp, faint}), sceneOf({faint}), 1), 0.1f);
-    EXPECT_LT(leftOf("specular", sceneOf({lamp, faint}), sceneOf({other, faint}), 1), 0.1f) << "another one came in its place";
+TEST_F(LightChangeTest, ALightThatGoesOutTakesItsHighlightAlong) {
+    const SnapshotLight bright = named(0, {0, 2, -2}, 20.0f), faint = named(1, {3, 2, -3}, 0.05f), other = named(2, {3, 2, -3}, 0.05f);
+    EXPECT_LT(leftOf("specular", sceneOf({bright, faint}), sceneOf({faint}), 1), 0.1f);
+    EXPECT_LT(leftOf("specular", sceneOf({bright, faint}), sceneOf({other, faint}), 1), 0.1f) << "another one came in its place";
 }
 
-/// Noise of a highlight that is averaged over many pictures, in the picture in which a lamp far away goes out: as before.
-TEST_F(LightChangeTest, ALampThatGoesOutLeavesTheHighlightsOfOthers) {
+/// Noise of a highlight that is averaged over many frames, in the picture in which a bright far away goes out: as before.
+TEST_F(LightChangeTest, ALightThatGoesOutKeepsTheHighlightsOfOthers) {
     const auto reaching = [](SnapshotLight light) {
         light.reach = 2.0f;
         return light;
     };
     const SnapshotLight here = reaching(named(0, {0, 1.2, -0.5}, 20.0f)), away = reaching(named(1, {30, 1, -30}, 20.0f));
-    const auto changeBy = [&](int pictures) {
+    const auto changeBy = [&](int frames) {
         const FloatImage before = read("specular");
-        draw(m_camera, pictures);
+        draw(m_camera, frames);
         const FloatImage after = read("specular");
         double sum = 0.0, all = 0.0;
         for (size_t p = 0; p < before.pixels.size(); ++p)
@@ -294,22 +294,22 @@ TEST_F(LightChangeTest, ALampThatGoesOutLeavesTheHighlightsOfOthers) {
     EXPECT_LT(changeBy(1), 1.5 * usual);
 }
 
-TEST_F(LightChangeTest, TheFloorUnderALampThatIsGoneIsDark) {
-    const SnapshotLight lamp = named(0, {0, 1, 0}, 20.0f), faint = named(1, {3, 2, -3}, 0.05f);
-    EXPECT_LT(leftOf("denoisedLight", sceneOf({lamp}), sceneOf({}), 1), 0.02f);
-    EXPECT_LT(leftOf("denoisedLight", sceneOf({lamp, faint}), sceneOf({faint}), 1), 0.05f);
+TEST_F(LightChangeTest, TheFloorUnderARemovedLightIsDark) {
+    const SnapshotLight bright = named(0, {0, 1, 0}, 20.0f), faint = named(1, {3, 2, -3}, 0.05f);
+    EXPECT_LT(leftOf("denoisedLight", sceneOf({bright}), sceneOf({}), 1), 0.02f);
+    EXPECT_LT(leftOf("denoisedLight", sceneOf({bright, faint}), sceneOf({faint}), 1), 0.05f);
 }
 
 /// Glare, bloom and what the temporal pass remembers included.
-TEST_F(LightChangeTest, APictureWithoutItsLampIsBlackAndWithANewOneLit) {
-    const SnapshotLight lamp = named(0, {0, 1, -1}, 20.0f), next = named(1, {0, 1, -1}, 20.0f);
+TEST_F(LightChangeTest, AnImageWithoutItsLightIsBlackAndWithANewOneLit) {
+    const SnapshotLight bright = named(0, {0, 1, -1}, 20.0f), next = named(1, {0, 1, -1}, 20.0f);
     for (const float fog : {0.0f, 0.2f}) {
         m_fog = fog;
-        const auto meanAfter = [&](int pictures) {
-            const Image image = draw(m_camera, pictures);
+        const auto meanAfter = [&](int frames) {
+            const Image image = draw(m_camera, frames);
             return std::accumulate(image.rgb.begin(), image.rgb.end(), 0.0) / double(image.rgb.size());
         };
-        Drawing::start(sceneOf({lamp}), kSize);
+        Drawing::start(sceneOf({bright}), kSize);
         const double lit = meanAfter(24);
         EXPECT_GT(lit, 50.0);
         renderer->apply(sceneOf({}).step());
@@ -319,12 +319,12 @@ TEST_F(LightChangeTest, APictureWithoutItsLampIsBlackAndWithANewOneLit) {
     }
 }
 
-TEST_F(LightChangeTest, FogForgetsTheLastLamp) {
+TEST_F(LightChangeTest, FogForgetsARemovedLight) {
     m_fog = 0.2f;
     EXPECT_LT(leftOf("fogLight", sceneOf({named(0, {0, 1, 0}, 20.0f)}), sceneOf({}), 1), 0.02f);
 }
 
-TEST_F(LocalLightsTest, WithoutLightsAndFogNeitherIsPaidFor) {
+TEST_F(LocalLightsTest, UnusedLightsAndFogCostNothing) {
     LitScene scene = floorScene();
     start(scene);
     draw(above({0, 0, 0}));
@@ -341,7 +341,7 @@ TEST_F(LocalLightsTest, WithoutLightsAndFogNeitherIsPaidFor) {
     EXPECT_GT(renderer->figures().textureBytes, bytes);
 }
 
-TEST_F(LocalLightsTest, FogTakesByItsThicknessAndGivesWhatSurroundsIt) {
+TEST_F(LocalLightsTest, FogMatchesItsClosedForms) {
     LitScene scene(gray());
     scene.add({2, 2, 2}, {{-0.1, 40, -0.1}}, [](glm::ivec3) { return uint8_t(1); });
     Environment& air = scene.environment;
@@ -361,7 +361,7 @@ TEST_F(LocalLightsTest, FogTakesByItsThicknessAndGivesWhatSurroundsIt) {
     }
     EXPECT_NEAR(sum.g, 0.5, 0.005) << "in light that is the same from everywhere fog looks the same";
 
-    // A lamp in the fog: what it sends along a ray that passes at a metre, by the sum of small steps.
+    // A bright in the fog: what it sends along a ray that passes at a metre, by the sum of small steps.
     air.skyColor = air.horizonColor = air.groundColor = glm::vec3(0.0f);
     scene.environment.fogForward = 0.0f;
     scene.addLight(lightAt(LightKind::Sphere, {1, 40.1, 10}, 8.0f));

@@ -106,7 +106,7 @@ TEST_F(MirrorTest, WhatGlowsBehindTheCameraGlowsInTheMirror) {
     expectNear(mirrored(), 0.9f * glm::vec3(srgbToLinear(200), srgbToLinear(200), srgbToLinear(60)));
 }
 
-TEST_F(MirrorTest, WithoutMirrorsNothingIsKeptForThem) {
+TEST_F(MirrorTest, WithoutMirrorsNothingIsAllocatedForThem) {
     const auto bytes = [&](bool mirrors) {
         LitScene scene(steelAndPaints(mirrors));
         scene.add({60, 40, 2}, {{-3, -0.5, -2.2}, {1, 0, 0, 0}}, steel);

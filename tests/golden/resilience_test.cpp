@@ -24,7 +24,7 @@ GLenum g_resetStatus = GL_NO_ERROR;
 GLenum resetStatus() {
     return g_resetStatus;
 }
-void* loaderOfAContextThatIsLost(const char* name) {
+void* loaderOfALostContext(const char* name) {
     if (std::strstr(name, "glGetGraphicsResetStatus")) return reinterpret_cast<void*>(&resetStatus);
     return testContext().loader()(name);
 }
@@ -40,7 +40,7 @@ protected:
         setLogSink(nullptr, nullptr);
         Drawing::TearDown();
     }
-    bool said(std::string_view text) const {
+    bool wasLogged(std::string_view text) const {
         return std::any_of(m_lines.begin(), m_lines.end(), [&](const std::string& line) { return line.find(text) != std::string::npos; });
     }
     static size_t colors(const Image& image) {
@@ -67,13 +67,13 @@ TEST_F(ResilienceTest, SizesMayChangeWithEveryFrame) {
     EXPECT_GT(colors(draw(streetCamera(0))), 50u);
 }
 
-TEST_F(ResilienceTest, WhatTheGlRefusesIsDrawnSmaller) {
+TEST_F(ResilienceTest, AFramebufferThatTheGlRefusesIsDrawnSmaller) {
     start(streetScene(), kSize);
     const auto real = std::exchange(glad_glCheckFramebufferStatus, refuseSome);
     g_refusals = 2;
     const Image image = draw(streetCamera(0));
     glad_glCheckFramebufferStatus = real;
-    EXPECT_TRUE(said("drawn at 1/2")) << "no warning";
+    EXPECT_TRUE(wasLogged("drawn at 1/2")) << "no warning";
     EXPECT_EQ(renderer->lastError(), "");
     EXPECT_GT(colors(image), 50u);
 }
@@ -87,8 +87,8 @@ TEST_F(ResilienceTest, AGlThatRefusesEverythingIsReported) {
     EXPECT_NE(renderer->lastError().find("out of memory"), std::string::npos);
 }
 
-TEST_F(ResilienceTest, ALostContextIsSaidOnceAndDrawsNothing) {
-    auto made = Renderer::create(loaderOfAContextThatIsLost, shaderFolder(), {});
+TEST_F(ResilienceTest, ALostContextIsReportedOnceAndDrawsNothing) {
+    auto made = Renderer::create(loaderOfALostContext, shaderFolder(), {});
     ASSERT_TRUE(made) << made.error();
     const auto lost = std::move(made).value();
     g_resetStatus = 0x8253;  // GL_GUILTY_CONTEXT_RESET
@@ -100,7 +100,7 @@ TEST_F(ResilienceTest, ALostContextIsSaidOnceAndDrawsNothing) {
     EXPECT_EQ(m_lines.size(), 1u);
 }
 
-TEST_F(ResilienceTest, AShaderThatBreaksLeavesThePictureAndARedDot) {
+TEST_F(ResilienceTest, ABrokenShaderKeepsTheImageAndShowsARedDot) {
     namespace fs = std::filesystem;
     const TempFolder copies;
     const fs::path folder = copies.path() / "shaders";

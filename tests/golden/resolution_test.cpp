@@ -23,7 +23,7 @@ protected:
     }
 };
 
-TEST_F(ResolutionTest, HalfOfEachSideConvergesToTheWhole) {
+TEST_F(ResolutionTest, HalfResolutionConvergesToFull) {
     const Image whole = street(1.0f, 32);
     const int64_t all = traced();
     EXPECT_EQ(all, kSize.x * kSize.y);
@@ -34,12 +34,12 @@ TEST_F(ResolutionTest, HalfOfEachSideConvergesToTheWhole) {
     EXPECT_GT(soft, 1.0) << "half the pixels cannot show as much at once";
 }
 
-TEST_F(ResolutionTest, OddSizesKeepThePlaceOfThings) {
+TEST_F(ResolutionTest, FractionalScalesKeepPositions) {
     const Image whole = street(1.0f, 32);
     for (const float scale : {0.9f, 0.67f, 0.34f}) EXPECT_LT(compare(street(scale, 48), whole).mean, 7.0) << scale;
 }
 
-TEST_F(ResolutionTest, AScaleThatIsNoneTracesEveryPixel) {
+TEST_F(ResolutionTest, AnInvalidScaleTracesEveryPixel) {
     for (const float scale : {0.0f, -1.0f, 3.0f, std::numeric_limits<float>::quiet_NaN()}) {
         street(scale, 1);
         EXPECT_EQ(traced(), kSize.x * kSize.y) << scale;

@@ -31,7 +31,7 @@ enum Entry : uint8_t {
     LeafLight,
     Roof,
     RoofDark,
-    LampGlow,
+    LightGlow,
     White,
     Count
 };
@@ -96,9 +96,9 @@ uint8_t carAt(glm::ivec3 c) {
     return edge ? (c.x == 22 ? Paint : Glass) : 0;
 }
 
-uint8_t lampAt(glm::ivec3 c) {
+uint8_t streetLightAt(glm::ivec3 c) {
     if (c.x >= 2 && c.x <= 3 && c.z >= 2 && c.z <= 3 && c.y < 40) return Steel;
-    if (c.y == 40 || c.y == 41) return c.y == 40 && c.x > 0 && c.x < 5 && c.z > 0 && c.z < 5 ? LampGlow : c.y == 41 ? Steel : 0;
+    if (c.y == 40 || c.y == 41) return c.y == 40 && c.x > 0 && c.x < 5 && c.z > 0 && c.z < 5 ? LightGlow : c.y == 41 ? Steel : 0;
     return 0;
 }
 
@@ -122,7 +122,7 @@ PaletteRef streetPalette() {
     (*p)[Steel] = color(0x6f7780, 110, 120), (*p)[Steel].metallic = 200;
     (*p)[Concrete] = color(0x8f8d86), (*p)[ConcreteDark] = color(0x7d7a72), (*p)[Bark] = color(0x5b4630), (*p)[Leaf] = color(0x4e7a36);
     (*p)[LeafLight] = color(0x6b9440), (*p)[Roof] = color(0x5a4a45), (*p)[RoofDark] = color(0x4d4f57), (*p)[White] = color(0xffffff);
-    (*p)[LampGlow] = color(0xffd9a0), (*p)[LampGlow].emission = 8.0f;
+    (*p)[LightGlow] = color(0xffd9a0), (*p)[LightGlow].emission = 8.0f;
     return p;
 }
 
@@ -139,12 +139,12 @@ LitScene streetScene() {
     scene.add({240, 5, 240}, {{-12.0, -0.4, -12.0}, level}, groundAt);
     scene.add({56, 30, 44}, {{-2.0, 0.0, 1.0}, level}, roomAt);
     scene.add({42, 15, 18}, {{-5.0, -0.1, -5.4}, level}, carAt);
-    scene.add({6, 42, 6}, {{-4.0, 0.0, -1.4}, level}, lampAt);
+    scene.add({6, 42, 6}, {{-4.0, 0.0, -1.4}, level}, streetLightAt);
     scene.add({40, 60, 40}, {{-7.0, 0.0, 2.0}, level}, treeAt);
     const glm::dquat tilt = glm::normalize(glm::dquat(0.86, 0.21, 0.37, 0.28));
     scene.add({8, 8, 8}, {{1.2, 0.35, -3.6}, tilt}, [](glm::ivec3 c) { return uint8_t(grain(c) < 0.5 ? Concrete : ConcreteDark); });
-    SnapshotLight lamp{LightKind::Cone, {-3.7, 3.85, -1.1}, {0, -1, 0}, glm::vec3(1.0f, 0.72f, 0.43f) * 14.0f, 0.12f, 9.0f, 0.6f, 1.1f};
-    scene.addLight(lamp);
+    SnapshotLight streetLight{LightKind::Cone, {-3.7, 3.85, -1.1}, {0, -1, 0}, glm::vec3(1.0f, 0.72f, 0.43f) * 14.0f, 0.12f, 9.0f, 0.6f, 1.1f};
+    scene.addLight(streetLight);
     return scene;
 }
 

@@ -55,7 +55,7 @@ LitScene halfUnderRoof(float wetness) {
 // From under the roof's edge, toward -z: x grows to the right.
 const Camera kUnderTheEdge = lookingAt({0, 1.6, 3.5}, {0, 0.0, 0.0});
 
-TEST_F(WeatherTest, RainWetsWhatLiesOpenAndLeavesWhatIsUnderARoof) {
+TEST_F(WeatherTest, RainWetsOpenGroundOnly) {
     start(halfUnderRoof(1.0f), kSize);
     draw(kUnderTheEdge, 2);
     const FloatImage wet = read("material"), wetColor = read("albedo");

@@ -1,4 +1,4 @@
-// Light that has met several walls on its way, against the truth.
+// Light that has met several walls on its way, against the reference.
 #include "tests/golden/drawing.h"
 #include "tests/reference/brightness.h"
 #include "tests/reference/path_tracer.h"
@@ -34,20 +34,20 @@ protected:
         camera.lookAt({-0.3, 1.6, -3.0});
         return camera;
     }
-    /// Mean radiance of all that is seen, over the truth's.
-    double ratio(const LitScene& made, const FloatImage& truth, int bounces) {
+    /// Mean radiance of all that is seen, over the reference's.
+    double ratio(const LitScene& made, const FloatImage& reference, int bounces) {
         RenderSettings settings = comparedSettings();
         settings.bounces = bounces;
         start(made, kSize, settings);
         draw(ahead(), 96);
-        return brightnessOverTrue(read("resolved"), truth, [](size_t) { return true; }).y;
+        return brightnessRatio(read("resolved"), reference, [](size_t) { return true; }).y;
     }
 };
 
-TEST_F(RoomBehindAHole, IsAsBrightAsTheTruth) {
+TEST_F(RoomBehindAHole, IsAsBrightAsTheReference) {
     const LitScene made = scene();
-    const FloatImage truth = render(Scene(made.snapshot()), ahead().view(kSize, 0), {.samples = 1024, .filterPixels = true}).mean;
-    const double one = ratio(made, truth, 1), two = ratio(made, truth, 2), three = ratio(made, truth, 3);
+    const FloatImage reference = render(Scene(made.snapshot()), ahead().view(kSize, 0), {.samples = 1024, .filterPixels = true}).mean;
+    const double one = ratio(made, reference, 1), two = ratio(made, reference, 2), three = ratio(made, reference, 3);
     RecordProperty("drawn_over_true", std::to_string(one) + " " + std::to_string(two) + " " + std::to_string(three));
     EXPECT_NEAR(two, 1.0, 0.25);
     EXPECT_NEAR(three, 1.0, 0.1);
@@ -78,8 +78,8 @@ protected:
         start(made, kSize, comparedSettings());
         draw(camera, 96);
         const FloatImage drawn = read("resolved"), normal = read("normal");
-        const FloatImage truth = render(Scene(made.snapshot()), camera.view(kSize, 0), {.samples = 1024, .filterPixels = true}).mean;
-        return brightnessOverTrue(drawn, truth, [&](size_t p) { return normal.pixels[p].z > 0.9f; }).y;
+        const FloatImage reference = render(Scene(made.snapshot()), camera.view(kSize, 0), {.samples = 1024, .filterPixels = true}).mean;
+        return brightnessRatio(drawn, reference, [&](size_t p) { return normal.pixels[p].z > 0.9f; }).y;
     }
 };
 

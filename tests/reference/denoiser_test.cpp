@@ -1,11 +1,11 @@
-// The denoised picture against the truth, and how soon it follows what changes.
+// The denoised picture against the reference, and how soon it follows what changes.
 #include <cmath>
 #include <cstdlib>
 
 #include "tests/golden/drawing.h"
 #include "tests/reference/display.h"
 #include "tests/reference/flip.h"
-#include "tests/reference/picture_file.h"
+#include "tests/reference/exr_file.h"
 #include "tests/reference/views.h"
 
 namespace rubble::reference {
@@ -15,11 +15,11 @@ constexpr int kFrames = 16;
 
 class DenoiserTest : public Drawing {
 protected:
-    /// FLIP of the view after 16 pictures of one ray a pixel, standing still.
+    /// FLIP of the view after 16 frames of one ray a pixel, standing still.
     double flipOf(SceneView& each, glm::ivec2 size, int samples) {
         each.view.size = size;
-        const Picture truth = cachedRender(Scene(each.snapshot), each.view, {.samples = samples, .filterPixels = true},
-                                           RUBBLE_BINARY_DIR "/reference", "the truth of " + each.name);
+        const Estimate reference = cachedRender(Scene(each.snapshot), each.view, {.samples = samples, .filterPixels = true},
+                                           RUBBLE_BINARY_DIR "/reference", "the reference of " + each.name);
         auto made = Renderer::create(testContext().loader(), shaderFolder(), comparedSettings());
         EXPECT_TRUE(made) << made.error();
         (*made)->apply(FrameSnapshot(each.snapshot));
@@ -28,14 +28,14 @@ protected:
         for (int i = 0; i < kFrames; ++i) (*made)->draw(each.view, 1.0f);
         const auto drawn = (*made)->readTarget("resolved");
         EXPECT_TRUE(drawn) << drawn.error();
-        const float exposure = exposureFor(truth.mean, each.snapshot.environment.exposure);
-        return flip(displayed(truth.mean, exposure), displayed(*drawn, exposure));
+        const float exposure = exposureFor(reference.mean, each.snapshot.environment.exposure);
+        return flip(displayed(reference.mean, exposure), displayed(*drawn, exposure));
     }
 };
 
-TEST_F(DenoiserTest, OneRayAPixelComesNearTheTruth) {
+TEST_F(DenoiserTest, OneRayPerPixelComesNearTheReference) {
     if (!std::getenv("RUBBLE_LONG")) GTEST_SKIP() << "minutes; set RUBBLE_LONG=1";
-    for (SceneView& each : judgingViews()) {
+    for (SceneView& each : heldOutViews()) {
         const double difference = flipOf(each, {640, 360}, 1024);
         printf("%s: FLIP %.4f\n", each.name.c_str(), difference);
         EXPECT_LE(difference, 0.035) << each.name;
@@ -70,16 +70,16 @@ protected:
         renderer->draw(above().view(kSize, target->framebuffer()), 1.0f);
         return std::move(*renderer->readTarget("resolved"));
     }
-    /// The mean of some pictures.
-    FloatImage meanOf(int pictures) {
+    /// The mean of some frames.
+    FloatImage meanOf(int frames) {
         FloatImage sum(kSize);
-        for (int i = 0; i < pictures; ++i) {
+        for (int i = 0; i < frames; ++i) {
             const FloatImage image = next();
-            for (size_t p = 0; p < sum.pixels.size(); ++p) sum.pixels[p] += image.pixels[p] / float(pictures);
+            for (size_t p = 0; p < sum.pixels.size(); ++p) sum.pixels[p] += image.pixels[p] / float(frames);
         }
         return sum;
     }
-    /// Draws what is there, changes it, and expects 90 % of the new light within 12 pictures and less than 2 % of the old after 30:
+    /// Draws what is there, changes it, and expects 90 % of the new light within 12 frames and less than 2 % of the old after 30:
     /// of the pixels that change by more than half of the largest change.
     template <class F>
     void expectToFollow(F&& change) {
@@ -89,15 +89,15 @@ protected:
         std::vector<FloatImage> after;
         for (int i = 0; i < 30; ++i) after.push_back(next());
         for (int i = 0; i < 40; ++i) next();
-        const FloatImage settled = meanOf(24);
-        const auto old = [&](size_t p) { return before.pixels[p].g - settled.pixels[p].g; };
+        const FloatImage converged = meanOf(24);
+        const auto old = [&](size_t p) { return before.pixels[p].g - converged.pixels[p].g; };
         float largest = 0.0f;
         for (size_t p = 0; p < before.pixels.size(); ++p) largest = std::max(largest, std::abs(old(p)));
         const auto left = [&](const FloatImage& image) {
             double sum = 0.0, all = 0.0;
             for (size_t p = 0; p < before.pixels.size(); ++p) {
                 if (std::abs(old(p)) < 0.5f * largest) continue;
-                sum += (image.pixels[p].g - settled.pixels[p].g) * (old(p) > 0.0f ? 1.0 : -1.0), all += std::abs(old(p));
+                sum += (image.pixels[p].g - converged.pixels[p].g) * (old(p) > 0.0f ? 1.0 : -1.0), all += std::abs(old(p));
             }
             return sum / all;
         };
@@ -109,7 +109,7 @@ protected:
     }
 };
 
-TEST_F(ChangeTest, ALampThatDiesLeavesNoGlow) {
+TEST_F(ChangeTest, ALightThatGoesOutLeavesNoGlow) {
     LitScene scene = floorScene();
     scene.environment.sunColor = glm::vec3(0.0f);
     scene.addLight({LightKind::Sphere, {0, 1.2, 0}, {0, -1, 0}, {6, 5, 4}, 0.15f, 12.0f, 0.6f, 1.1f});
@@ -134,8 +134,8 @@ TEST_F(ChangeTest, ABodyThatIsGoneTakesItsShadowAlong) {
     });
 }
 
-/// The same small, where the truth has noise of its own.
-TEST_F(DenoiserTest, ASmallPictureComesNearTheTruth) {
+/// The same small, where the reference has noise of its own.
+TEST_F(DenoiserTest, ASmallImageComesNearTheReference) {
     SceneView each = std::move(tuningViews(false)[0]);
     const double difference = flipOf(each, {96, 54}, 48);
     RecordProperty("flip", std::to_string(difference));

@@ -1,4 +1,4 @@
-// Each estimator of light, with white noise and before any filter, against the truth and against closed forms.
+// Each estimator of light, with white noise and before any filter, against the reference and against closed forms.
 #include <algorithm>
 #include <cmath>
 
@@ -84,7 +84,7 @@ protected:
         }
         return drawn;
     }
-    /// 1 where renderer and truth see the same face at the centre of the pixel.
+    /// 1 where renderer and reference see the same face at the centre of the pixel.
     std::vector<bool> comparable(const Scene& scene, const Camera& camera) {
         const FloatImage depth = read("depth"), normal = read("normal");
         std::vector<bool> same(depth.pixels.size());
@@ -106,45 +106,45 @@ protected:
     }
 };
 
-/// Two-sided tail of the normal distribution.
-double tail(double z) {
+/// Two-sided twoSidedTail of the normal distribution.
+double twoSidedTail(double z) {
     return std::erfc(std::abs(z) / std::sqrt(2.0));
 }
 
 /// Every pixel is one test of "both have one mean"; Sidak: with n of them each may fail with 1 - (1 - 0.01)^(1/n) only.
-/// channel of the drawn against x of the truth, or rgb each against its own.
-void expectSameMeans(const Drawn& drawn, const Picture& truth, const std::vector<bool>& comparable, bool alpha = false) {
+/// channel of the drawn against x of the reference, or rgb each against its own.
+void expectSameMeans(const Drawn& drawn, const Estimate& reference, const std::vector<bool>& comparable, bool alpha = false) {
     struct Test {
-        double z, drawn, truth;
+        double z, drawn, reference;
         glm::ivec2 pixel;
     };
     std::vector<Test> tests;
-    double sum = 0.0, sumTruth = 0.0, mean = 0.0;
-    for (const glm::vec4& p : truth.mean.pixels) mean += p[alpha ? 0 : 1] / double(truth.mean.pixels.size());
+    double sum = 0.0, sumReference = 0.0, mean = 0.0;
+    for (const glm::vec4& p : reference.mean.pixels) mean += p[alpha ? 0 : 1] / double(reference.mean.pixels.size());
     for (size_t p = 0; p < comparable.size(); ++p) {
         if (!comparable[p]) continue;
         const int channel = alpha ? 3 : 1;  // green: colours share their paths
-        const double a = drawn.mean.pixels[p][channel], b = truth.mean.pixels[p][alpha ? 0 : 1];
+        const double a = drawn.mean.pixels[p][channel], b = reference.mean.pixels[p][alpha ? 0 : 1];
         // Where few paths find light, a handful of them says little of the variance: that of one more is added.
-        const double own = truth.variance.pixels[p][alpha ? 0 : 1], samples = drawn.count * drawn.rays;
+        const double own = reference.variance.pixels[p][alpha ? 0 : 1], samples = drawn.count * drawn.rays;
         // And rays leave a face a millimetre over it: half a percent of the picture's mean is granted for what that hides in corners.
         const double floor =
             std::pow(0.005 * mean, 2.0) + std::pow(std::max(double(drawn.largest.pixels[p][channel]), b) / samples, 2.0) + std::pow(5e-4 * b, 2.0);
-        const double variance = std::max(double(drawn.variance.pixels[p][channel]), own / samples) + own / truth.samples + floor;
+        const double variance = std::max(double(drawn.variance.pixels[p][channel]), own / samples) + own / reference.samples + floor;
         tests.push_back({(a - b) / std::sqrt(variance + 1e-20), a, b, {int(p) % drawn.mean.size.x, int(p) / drawn.mean.size.x}});
-        sum += a, sumTruth += b;
+        sum += a, sumReference += b;
     }
     ASSERT_GT(tests.size(), 300u);
-    EXPECT_GT(sumTruth, 0.0) << "nothing is compared";
+    EXPECT_GT(sumReference, 0.0) << "nothing is compared";
     std::sort(tests.begin(), tests.end(), [](const Test& a, const Test& b) { return std::abs(a.z) > std::abs(b.z); });
     const double allowed = 1.0 - std::pow(1.0 - 0.01, 1.0 / double(tests.size()));
     int failed = 0;
-    for (const Test& test : tests) failed += tail(test.z) < allowed;
+    for (const Test& test : tests) failed += twoSidedTail(test.z) < allowed;
     const Test& worst = tests[0];
     EXPECT_EQ(failed, 0) << "of " << tests.size() << " pixels; worst: z " << worst.z << " at " << worst.pixel.x << ", " << worst.pixel.y << ": "
-                         << worst.drawn << " drawn, " << worst.truth << " true; means " << sum / double(tests.size()) << ", "
-                         << sumTruth / double(tests.size());
-    EXPECT_NEAR(sum / sumTruth, 1.0, 0.01);
+                         << worst.drawn << " drawn, " << worst.reference << " true; means " << sum / double(tests.size()) << ", "
+                         << sumReference / double(tests.size());
+    EXPECT_NEAR(sum / sumReference, 1.0, 0.01);
 }
 
 TEST_F(EstimatorTest, SunShareIsUnbiased) {
@@ -154,9 +154,9 @@ TEST_F(EstimatorTest, SunShareIsUnbiased) {
     settings.sunRays = 16;
     start(scene, kSize, settings);
     const Drawn drawn = drawMany(yardCamera(), "noisyLight", 32, 16);
-    const Scene truth(scene.snapshot());
-    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::SunShare, .samples = 1024});
-    expectSameMeans(drawn, picture, comparable(truth, yardCamera()), true);
+    const Scene reference(scene.snapshot());
+    const Estimate estimate = render(reference, yardCamera().view(kSize, 0), {.term = Term::SunShare, .samples = 1024});
+    expectSameMeans(drawn, estimate, comparable(reference, yardCamera()), true);
 }
 
 TEST_F(EstimatorTest, SkyIsUnbiased) {
@@ -166,26 +166,26 @@ TEST_F(EstimatorTest, SkyIsUnbiased) {
     settings.skyRays = 16;
     start(scene, kSize, settings);
     const Drawn drawn = drawMany(yardCamera(), "noisyLight", 32, 16);
-    const Scene truth(scene.snapshot());
-    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 1024, .bounces = 0});
-    expectSameMeans(drawn, picture, comparable(truth, yardCamera()));
+    const Scene reference(scene.snapshot());
+    const Estimate estimate = render(reference, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 1024, .bounces = 0});
+    expectSameMeans(drawn, estimate, comparable(reference, yardCamera()));
 }
 
-/// The lamps of a scene, one ray a pixel, against the truth.
-class LampEstimatorTest : public EstimatorTest {
+/// The lamps of a scene, one ray a pixel, against the reference.
+class LocalLightEstimatorTest : public EstimatorTest {
 protected:
     void expectUnbiased(const LitScene& scene) {
         RenderSettings settings = bare();
         settings.localLights = true;
         start(scene, kSize, settings);
         const Drawn drawn = drawMany(yardCamera(), "noisyLight", 256);
-        const Scene truth(scene.snapshot());
-        const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::LocalLights, .samples = 1024});
-        expectSameMeans(drawn, picture, comparable(truth, yardCamera()));
+        const Scene reference(scene.snapshot());
+        const Estimate estimate = render(reference, yardCamera().view(kSize, 0), {.term = Term::LocalLights, .samples = 1024});
+        expectSameMeans(drawn, estimate, comparable(reference, yardCamera()));
     }
 };
 
-TEST_F(LampEstimatorTest, LocalLightsAreUnbiased) {
+TEST_F(LocalLightEstimatorTest, LocalLightsAreUnbiased) {
     LitScene scene = yard(palette(186, 255, 0));
     scene.addLight({LightKind::Sphere, {-0.9, 0.55, 0.7}, {0, -1, 0}, {4, 3, 2}, 0.2f, 30.0f, 0.6f, 1.1f});
     scene.addLight({LightKind::Cone, {1.2, 2.2, 1.2}, {0, -1, 0}, {3, 4, 5}, 0.15f, 30.0f, 0.5f, 0.9f});
@@ -194,7 +194,7 @@ TEST_F(LampEstimatorTest, LocalLightsAreUnbiased) {
     expectUnbiased(scene);
 }
 
-TEST_F(LampEstimatorTest, WideLightsAreUnbiased) {
+TEST_F(LocalLightEstimatorTest, WideLightsAreUnbiased) {
     for (const LightKind kind : {LightKind::Capsule, LightKind::Area, LightKind::Screen}) {
         LitScene scene = yard(palette(186, 255, 0));
         SnapshotLight light{kind, {-0.7, 1.05, 0.8}, glm::normalize(glm::vec3(0.3f, -1.0f, -0.2f)), {4, 3, 2}, 0.08f, 30.0f, 0.6f, 1.1f};
@@ -209,7 +209,7 @@ TEST_F(LampEstimatorTest, WideLightsAreUnbiased) {
     }
 }
 
-/// The truth's highlights, by samples of light and lobe together, against samples of the light alone.
+/// The reference's highlights, by samples of light and lobe together, against samples of the light alone.
 TEST(PathTracerHighlights, BothKindsOfSamplesHaveOneMean) {
     for (const LightKind kind : {LightKind::Sphere, LightKind::Cone, LightKind::Capsule, LightKind::Area, LightKind::Screen}) {
         LitScene scene(palette(60, 100, 80));
@@ -223,13 +223,13 @@ TEST(PathTracerHighlights, BothKindsOfSamplesHaveOneMean) {
         if (kind == LightKind::Area) light.direction = -light.direction, light.twoSided = true;
         if (kind == LightKind::Screen) light.image = {3, {0xff8020, 0x2040ff, 0x00ff00, 0x101010, 0xffffff, 0x808080}};
         scene.addLight(light);
-        const Scene truth(scene.snapshot());
+        const Scene reference(scene.snapshot());
         Camera camera;
         camera.position = {0.0, 1.0, 1.4};
         camera.lookAt({0.1, 0.0, -0.1});
         const View view = camera.view({24, 16}, 0);
-        const Picture both = render(truth, view, {.samples = 512, .bounces = 0});
-        const Picture plain = render(truth, view, {.samples = 2048, .bounces = 0, .lobeSamples = false});
+        const Estimate both = render(reference, view, {.samples = 512, .bounces = 0});
+        const Estimate plain = render(reference, view, {.samples = 2048, .bounces = 0, .lobeSamples = false});
         double sum = 0.0, sumPlain = 0.0, variance = 0.0, variancePlain = 0.0;
         for (size_t p = 0; p < both.mean.pixels.size(); ++p) {
             sum += both.mean.pixels[p].y, sumPlain += plain.mean.pixels[p].y;
@@ -242,7 +242,7 @@ TEST(PathTracerHighlights, BothKindsOfSamplesHaveOneMean) {
 
 /// A glowing panel on a floor that mirrors: its light comes by highlights on rough floors, by the glowing voxels that mirror rays meet on
 /// smooth ones, by some of both between.
-class LampInAMirrorTest : public EstimatorTest {
+class LightInAMirrorTest : public EstimatorTest {
 protected:
     /// Mean radiance of the floor, drawn over true. Without bounces highlights alone are seen.
     double ratio(uint8_t roughness, bool bounces) {
@@ -267,19 +267,19 @@ protected:
         camera.position = {0.0, 1.2, 2.0};
         camera.lookAt({0, 0.35, -1});
         const Drawn drawn = drawMany(camera, "radiance", 192);
-        const Scene truth(scene.snapshot());
-        const Picture picture = render(truth, camera.view(kSize, 0), {.samples = 512, .bounces = bounces ? 1 : 0});
-        const std::vector<bool> same = comparable(truth, camera);
+        const Scene reference(scene.snapshot());
+        const Estimate estimate = render(reference, camera.view(kSize, 0), {.samples = 512, .bounces = bounces ? 1 : 0});
+        const std::vector<bool> same = comparable(reference, camera);
         const FloatImage normal = read("normal");
-        double sum = 0.0, sumTruth = 0.0;
+        double sum = 0.0, sumReference = 0.0;
         for (size_t p = 0; p < same.size(); ++p)
             if (same[p] && normal.pixels[p].y > 0.9f && normal.pixels[p].w == 0.0f)
-                sum += drawn.mean.pixels[p].y, sumTruth += picture.mean.pixels[p].y;
-        return sum / sumTruth;
+                sum += drawn.mean.pixels[p].y, sumReference += estimate.mean.pixels[p].y;
+        return sum / sumReference;
     }
 };
 
-TEST_F(LampInAMirrorTest, ALampInAMirrorShinesOnce) {
+TEST_F(LightInAMirrorTest, ALightInAMirrorShinesOnce) {
     for (const int roughness : {12, 35, 45, 60, 85}) {
         if (roughness > 25) {  // below, lamps have no highlights
             EXPECT_NEAR(ratio(uint8_t(roughness), false), 1.0, 0.02) << "highlights, roughness " << roughness << " of 255";
@@ -294,24 +294,24 @@ TEST_F(EstimatorTest, ReflectionsAreUnbiased) {
     settings.reflections = true;
     start(scene, kSize, settings);
     const Drawn drawn = drawMany(yardCamera(), "reflection", 192);
-    const Scene truth(scene.snapshot());
-    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::Reflection, .samples = 1024, .bounces = 0, .reach = 1000});
-    std::vector<bool> same = comparable(truth, yardCamera());
+    const Scene reference(scene.snapshot());
+    const Estimate estimate = render(reference, yardCamera().view(kSize, 0), {.term = Term::Reflection, .samples = 1024, .bounces = 0, .maxDistance = 1000});
+    std::vector<bool> same = comparable(reference, yardCamera());
     for (size_t i = 0; i < same.size(); ++i) same[i] = same[i] && drawn.mean.pixels[i].a > 0.5f;
-    expectSameMeans(drawn, picture, same);
+    expectSameMeans(drawn, estimate, same);
 }
 
 /// Without filter, the error of a mean of n pictures must fall as n^-0.5 with white noise, and no slower in production.
 TEST_F(EstimatorTest, ErrorFallsWithTheSamples) {
     const LitScene scene = yard(palette(186, 255, 0));
-    const Scene truth(scene.snapshot());
-    const Picture picture = render(truth, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 2048, .bounces = 0});
+    const Scene reference(scene.snapshot());
+    const Estimate estimate = render(reference, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 2048, .bounces = 0});
     for (const Noise noise : {Noise::White, Noise::Blue}) {
         RenderSettings settings = bare(noise);
         settings.sky = true;
         settings.skyRays = 1;
         start(scene, kSize, settings);
-        std::vector<double> sum(picture.mean.pixels.size(), 0.0);
+        std::vector<double> sum(estimate.mean.pixels.size(), 0.0);
         std::vector<bool> same;
         double meanX = 0, meanY = 0, xx = 0, xy = 0;
         int points = 0;
@@ -320,10 +320,10 @@ TEST_F(EstimatorTest, ErrorFallsWithTheSamples) {
             const FloatImage image = read("noisyLight");
             for (size_t p = 0; p < sum.size(); ++p) sum[p] += image.pixels[p].y;
             if ((i & (i - 1)) != 0) continue;
-            if (same.empty()) same = comparable(truth, yardCamera());
+            if (same.empty()) same = comparable(reference, yardCamera());
             double error = 0.0;
             for (size_t p = 0; p < sum.size(); ++p)
-                if (same[p]) error += std::pow(sum[p] / i - picture.mean.pixels[p].y, 2.0) - picture.variance.pixels[p].y / picture.samples;
+                if (same[p]) error += std::pow(sum[p] / i - estimate.mean.pixels[p].y, 2.0) - estimate.variance.pixels[p].y / estimate.samples;
             const double x = std::log(double(i)), y = 0.5 * std::log(error);
             meanX += x, meanY += y, xx += x * x, xy += x * y;
             ++points;
@@ -395,7 +395,7 @@ TEST_F(EstimatorTest, APlateOverheadTakesItsFormFactor) {
     air.skyColor = air.horizonColor = air.groundColor = glm::vec3(1.0f);
     scene.add({60, 1, 60}, {{-3, -0.1, -3}, kLevel}, solid);
     scene.add({20, 1, 20}, {{-1, 1, -1}, kLevel}, solid);
-    const Scene truth(scene.snapshot());
+    const Scene reference(scene.snapshot());
     Camera camera;  // so near over the floor that the whole picture is one place
     camera.position = {0.0, 0.08, 0.0001};
     camera.lookAt({0, 0, 0});
@@ -404,7 +404,7 @@ TEST_F(EstimatorTest, APlateOverheadTakesItsFormFactor) {
     const double expected = 1.0 - 4.0 / (2.0 * kPi) * (2.0 * x / r * std::atan(x / r));
     const glm::ivec2 size(16, 16);
     double traced = 0.0, drawnMean = 0.0;
-    for (const glm::vec4& p : render(truth, camera.view(size, 0), {.term = Term::Sky, .samples = 1024, .bounces = 0}).mean.pixels)
+    for (const glm::vec4& p : render(reference, camera.view(size, 0), {.term = Term::Sky, .samples = 1024, .bounces = 0}).mean.pixels)
         traced += p.y / 256.0;
     EXPECT_NEAR(traced, expected, 0.01 * expected);
     RenderSettings settings = bare();
@@ -426,9 +426,9 @@ TEST_F(EstimatorTest, ASphereLightGivesTheInverseSquare) {
     camera.verticalFov = 0.5f;
     const double d2 = 0.4 * 0.4 + 0.9 * 0.9 + 0.3 * 0.3, expected = 0.9 / std::sqrt(d2) / d2 / kPi;
     const glm::ivec2 size(16, 16);
-    const Scene truth(scene.snapshot());
+    const Scene reference(scene.snapshot());
     double traced = 0.0, drawnMean = 0.0;
-    for (const glm::vec4& p : render(truth, camera.view(size, 0), {.term = Term::LocalLights, .samples = 512}).mean.pixels) traced += p.y / 256.0;
+    for (const glm::vec4& p : render(reference, camera.view(size, 0), {.term = Term::LocalLights, .samples = 512}).mean.pixels) traced += p.y / 256.0;
     EXPECT_NEAR(traced, expected, 0.01 * expected);
     RenderSettings settings = bare();
     settings.localLights = true;

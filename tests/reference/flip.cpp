@@ -18,7 +18,7 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kColorExponent = 0.7, kFeatureExponent = 0.5, kBendAt = 0.4, kBendTo = 0.95;
 constexpr double kFeatureWidth = 0.082;  // degrees
 
-/// A picture of three numbers a pixel.
+/// A image of three numbers a pixel.
 struct Plane {
     glm::ivec2 size;
     std::vector<dvec3> values;
@@ -98,7 +98,7 @@ Plane blurred(const Plane& from, dvec3 b, int radius, double pixelsPerDegree) {
 }
 
 /// What is left of the details for an eye at that distance.
-Plane seen(const Plane& opponent, double pixelsPerDegree) {
+Plane contrastFiltered(const Plane& opponent, double pixelsPerDegree) {
     const Gaussians& g = kSensitivity;
     const int radius = int(std::ceil(3.0 * std::sqrt(0.04 / (2.0 * kPi * kPi)) * pixelsPerDegree));
     const Plane one{{1, 1}, {dvec3(1.0)}};  // its border goes on: the filters' sums
@@ -152,10 +152,10 @@ FloatImage flipMap(const FloatImage& reference, const FloatImage& test, double p
     assert(reference.size == test.size);
     Plane opponent[2], lab[2], edges[2], points[2];
     for (int i = 0; i < 2; ++i) {
-        Plane picture{reference.size, {}};
-        for (const glm::vec4& p : (i ? test : reference).pixels) picture.values.push_back(toYCxCz(linear(glm::clamp(dvec3(p), 0.0, 1.0))));
-        lab[i] = seen(picture, pixelsPerDegree);
-        const Plane gray = map(picture, [](const dvec3& v) { return dvec3((v.x + 16.0) / 116.0); });
+        Plane image{reference.size, {}};
+        for (const glm::vec4& p : (i ? test : reference).pixels) image.values.push_back(toYCxCz(linear(glm::clamp(dvec3(p), 0.0, 1.0))));
+        lab[i] = contrastFiltered(image, pixelsPerDegree);
+        const Plane gray = map(image, [](const dvec3& v) { return dvec3((v.x + 16.0) / 116.0); });
         edges[i] = features(gray, false, pixelsPerDegree);
         points[i] = features(gray, true, pixelsPerDegree);
     }

@@ -28,7 +28,7 @@ FloatImage noise(uint64_t seed, glm::ivec2 size = {40, 24}) {
 }
 
 /// The paper normalises colour differences by the one that is largest for it, between pure green and pure blue: there the metric
-/// is one. Even pictures have no features, so its map of colour differences is seen alone.
+/// is one. Even images have no features, so its map of colour differences is seen alone.
 TEST(Flip, GreenAgainstBlueIsTheLargestDifference) {
     EXPECT_NEAR(flip(plain({0, 1, 0}), plain({0, 0, 1})), 1.0, 1e-6);
     for (const glm::vec3 a : {glm::vec3(0), glm::vec3(1), glm::vec3(1, 0, 0), glm::vec3(1, 1, 0), glm::vec3(0, 1, 1)})
@@ -38,7 +38,7 @@ TEST(Flip, GreenAgainstBlueIsTheLargestDifference) {
 /// CIELAB by CIE 15: mid grey 119/255 has a lightness of 50.03, white 100. HyAB of grays is the lightness alone; the paper's map is
 /// then known but for the largest difference, whose CIELAB values are published: green (87.73, -86.18, 83.18), blue
 /// (32.30, 79.19, -107.86) under D65.
-TEST(Flip, GraysComeToWhatPublishedCielabValuesGive) {
+TEST(Flip, GraysMatchPublishedCielabValues) {
     const auto hunt = [](double l, double a, double b) { return glm::dvec3(l, 0.01 * l * a, 0.01 * l * b); };
     const glm::dvec3 d = hunt(87.73, -86.18, 83.18) - hunt(32.30, 79.19, -107.86);
     const double largest = std::pow(std::abs(d.x) + std::hypot(d.y, d.z), 0.7), bend = 0.4 * largest;
@@ -49,7 +49,7 @@ TEST(Flip, GraysComeToWhatPublishedCielabValuesGive) {
     EXPECT_NEAR(flip(plain(glm::vec3(0)), plain(glm::vec3(119.0f / 255.0f))), 0.95 * gray / bend, 5e-4);
 }
 
-TEST(Flip, EqualPicturesDoNotDifferAndOrderDoesNotMatter) {
+TEST(Flip, EqualImagesDoNotDifferAndOrderDoesNotMatter) {
     const FloatImage a = noise(1), b = noise(2);
     EXPECT_EQ(flip(a, a), 0.0);
     EXPECT_NEAR(flip(a, b), flip(b, a), 1e-9);
@@ -87,20 +87,20 @@ TEST(Flip, LinesAreNoticedMoreThanTheirColor) {
 }
 
 /// NVIDIA's own test pair (images/reference.png and test.png of github.com/NVlabs/flip) has a published mean of 0.159691
-/// at 67 pixels a degree. The pictures are theirs and not here: RUBBLE_FLIP_IMAGES names the folder where they are.
-TEST(Flip, PublishedMeanOfThePublishedPictures) {
+/// at 67 pixels a degree. The images are theirs and not here: RUBBLE_FLIP_IMAGES names the folder where they are.
+TEST(Flip, PublishedMeanOfThePublishedImages) {
     const char* folder = std::getenv("RUBBLE_FLIP_IMAGES");
     if (!folder) GTEST_SKIP() << "RUBBLE_FLIP_IMAGES is not set";
-    FloatImage pictures[2];
+    FloatImage images[2];
     for (int i = 0; i < 2; ++i) {
         const auto read = readPng(std::string(folder) + (i ? "/test.png" : "/reference.png"));
         ASSERT_TRUE(read) << read.error();
-        pictures[i] = FloatImage({read->width, read->height});
+        images[i] = FloatImage({read->width, read->height});
         for (int y = 0; y < read->height; ++y)
             for (int x = 0; x < read->width; ++x)
-                for (int c = 0; c < 3; ++c) pictures[i].at(x, y)[c] = float(read->at(x, y)[c]) / 255.0f;
+                for (int c = 0; c < 3; ++c) images[i].at(x, y)[c] = float(read->at(x, y)[c]) / 255.0f;
     }
-    EXPECT_NEAR(flip(pictures[0], pictures[1]), 0.159691, 2e-4);
+    EXPECT_NEAR(flip(images[0], images[1]), 0.159691, 2e-4);
 }
 
 }  // namespace

@@ -60,22 +60,22 @@ protected:
         const auto resolved = renderer->readTarget("resolved");
         EXPECT_TRUE(resolved) << resolved.error();
         const FloatImage shown = reference::displayed(*resolved, 1.0f);
-        EXPECT_TRUE(writePng(testing::TempDir() + "trail_" + std::to_string(m_pictures++) + ".png", reference::toImage(shown)));
+        EXPECT_TRUE(writePng(testing::TempDir() + "trail_" + std::to_string(m_imageCount++) + ".png", reference::toImage(shown)));
         return shown;
     }
     /// FLIP of the last picture of a ride of so many metres a frame against a camera that has stood at its end for long.
-    double trail(bool glass, double metresAFrame, glm::ivec2 size = kSize) {
+    double trail(bool glass, double metresPerFrame, glm::ivec2 size = kSize) {
         constexpr int kFrames = 8;
         start(shopFront(glass), size);
-        draw(at(-kFrames * metresAFrame), 4);
-        for (int i = 1 - kFrames; i < 0; ++i) draw(at(i * metresAFrame));
+        draw(at(-kFrames * metresPerFrame), 4);
+        for (int i = 1 - kFrames; i < 0; ++i) draw(at(i * metresPerFrame));
         const FloatImage moving = last(at(0.0), 1);
         const FloatImage standing = last(at(0.0), 16);
-        EXPECT_TRUE(writePng(testing::TempDir() + "trail_" + std::to_string(m_pictures++) + ".png",
+        EXPECT_TRUE(writePng(testing::TempDir() + "trail_" + std::to_string(m_imageCount++) + ".png",
                              reference::toImage(reference::flipMap(standing, moving))));
         return reference::flip(standing, moving);
     }
-    int m_pictures = 0;
+    int m_imageCount = 0;
 };
 
 TEST_F(GlassTrail, IsNotSeenBehindACameraThatStrafes) {
@@ -84,9 +84,9 @@ TEST_F(GlassTrail, IsNotSeenBehindACameraThatStrafes) {
     EXPECT_LE(running, 0.05);
     if (std::getenv("RUBBLE_LONG")) {
         EXPECT_LE(trail(true, 0.025), 0.05);
-        for (const double metresAFrame : {0.05, 0.1}) {
-            const double large = trail(true, metresAFrame, {640, 360});
-            printf("640x360, %.0f m/s: FLIP %.4f\n", metresAFrame * 60.0, large);
+        for (const double metresPerFrame : {0.05, 0.1}) {
+            const double large = trail(true, metresPerFrame, {640, 360});
+            printf("640x360, %.0f m/s: FLIP %.4f\n", metresPerFrame * 60.0, large);
             EXPECT_LE(large, 0.05);
         }
         const double fast = trail(true, 0.1), bare = trail(false, 0.1);

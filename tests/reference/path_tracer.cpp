@@ -16,14 +16,14 @@ namespace {
 using glm::dvec3;
 using glm::vec3;
 
-constexpr double kLeave = 1e-6;            // metres off a surface: doubles need no more
+constexpr double kSurfaceOffset = 1e-6;            // metres off a surface: doubles need no more
 constexpr double kPlaneHeight = -0.05;     // render/passes/composite_pass.cpp
 constexpr float kPaneReflectance = 0.05f;  // shaders/passes/glass_composite.frag
-constexpr double kBulb = 0.12;             // metres around a light in which its own voxels do not hide it
+constexpr double kLightClearance = 0.12;             // metres around a light in which its own voxels do not hide it
 constexpr int kRouletteFrom = 4;           // bounces
 constexpr double kFilterRadius = 1.5;      // pixels, with exp(-2.3 r^2): shaders/passes/taa.frag
 
-float brightest(vec3 c) {
+float maxComponent(vec3 c) {
     return std::max(c.r, std::max(c.g, c.b));
 }
 
@@ -41,12 +41,12 @@ vec3 fresnelRough(vec3 f0, float cosine, float roughness) {
     return f0 + (glm::max(vec3(smooth * smooth), f0) - f0) * power5(cosine);
 }
 
-float alphaOf(float roughness) {
+float ggxAlpha(float roughness) {
     return std::max(roughness * roughness, 0.003f);
 }
 
-/// The GGX distribution of facets' normals (Walter et al. 2007).
-float facets(vec3 n, vec3 v, vec3 l, float a2) {
+/// The GGX distribution of ggxDistribution' normals (Walter et al. 2007).
+float ggxDistribution(vec3 n, vec3 v, vec3 l, float a2) {
     const float nh = std::clamp(glm::dot(n, glm::normalize(v + l)), 0.0f, 1.0f);
     const float d = nh * nh * (a2 - 1.0f) + 1.0f;
     return a2 / (float(kPi) * d * d);
@@ -54,17 +54,17 @@ float facets(vec3 n, vec3 v, vec3 l, float a2) {
 
 /// specularLobe() of shaders/lib/brdf.glsl.
 float specularLobe(vec3 n, vec3 v, vec3 l, float roughness) {
-    const float alpha = alphaOf(roughness), a2 = alpha * alpha;
+    const float alpha = ggxAlpha(roughness), a2 = alpha * alpha;
     const float nl = std::clamp(glm::dot(n, l), 1e-4f, 1.0f), nv = std::clamp(glm::dot(n, v), 1e-4f, 1.0f);
     const float masking = nl * std::sqrt(nv * nv * (1.0f - a2) + a2) + nv * std::sqrt(nl * nl * (1.0f - a2) + a2);
-    return facets(n, v, l, a2) * 0.5f / std::max(masking, 1e-5f);
+    return ggxDistribution(n, v, l, a2) * 0.5f / std::max(masking, 1e-5f);
 }
 
-/// Density of directions that visibleNormal() mirrors v to: D G1 / (4 n.v) (Heitz 2018), with Smith's G1.
-float visibleDensity(vec3 n, vec3 v, vec3 l, float roughness) {
-    const float alpha = alphaOf(roughness), a2 = alpha * alpha;
+/// Density of directions that sampleVisibleNormal() mirrors v to: D G1 / (4 n.v) (Heitz 2018), with Smith's G1.
+float ggxVndfPdf(vec3 n, vec3 v, vec3 l, float roughness) {
+    const float alpha = ggxAlpha(roughness), a2 = alpha * alpha;
     const float nv = std::clamp(glm::dot(n, v), 1e-4f, 1.0f);
-    return facets(n, v, l, a2) * 0.5f / (nv + std::sqrt(nv * nv * (1.0f - a2) + a2));
+    return ggxDistribution(n, v, l, a2) * 0.5f / (nv + std::sqrt(nv * nv * (1.0f - a2) + a2));
 }
 
 /// How much a surface gives of each kind of light that reaches it: surfaceRadiance() of shaders/passes/composite.frag.
@@ -72,7 +72,7 @@ struct Response {
     vec3 f0, share;
     vec3 diffuse;  ///< of mean radiance
     vec3 mirror;   ///< of what a mirror ray brings
-    vec3 matte;    ///< of irradiance / pi from sun and lights, which have highlights of their own
+    vec3 diffuseAlbedo;    ///< of irradiance / pi from sun and lights, which have highlights of their own
     float lobe;    ///< of lamps, by their highlights; mirror rays bring the rest from their glowing voxels
 };
 
@@ -81,8 +81,8 @@ Response responseOf(const Surface& s, vec3 view) {
     r.f0 = glm::mix(vec3(s.reflectivity), s.albedo, s.metallic);
     r.share = fresnelRough(r.f0, glm::dot(vec3(s.normal), view), s.roughness);
     const float smoothness = 1.0f - glm::smoothstep(0.35f, 0.6f, s.roughness);
-    r.matte = s.albedo * (1.0f - s.metallic) * (1.0f - r.share);
-    r.diffuse = r.matte + r.share * (1.0f - smoothness);
+    r.diffuseAlbedo = s.albedo * (1.0f - s.metallic) * (1.0f - r.share);
+    r.diffuse = r.diffuseAlbedo + r.share * (1.0f - smoothness);
     r.mirror = r.share * smoothness;
     r.lobe = glm::smoothstep(0.1f, 0.25f, s.roughness);
     return r;
@@ -99,14 +99,14 @@ public:
     vec3 sample(glm::ivec2 pixel, Random& random) const {
         const Ray ray = cameraRay(pixel, random);
         const Surface s = m_scene.closest(ray);
-        if (m_settings.term == Term::Whole) return whole(ray, s, random);
+        if (m_settings.term == Term::Full) return fullRadiance(ray, s, random);
         if (m_settings.term == Term::Reflection) return reflection(ray, s, random);
         if (!s.hit) return vec3(0.0f);
         if (m_settings.term == Term::LocalLights) return localLights(s, random);
         if (m_settings.term == Term::Sky)
-            return incoming({{leave(s), cosineDirection(s.normal, unitSquare(random))}, vec3(1.0f), true, 0.0f}, random);
+            return incoming({{offsetOrigin(s), cosineDirection(s.normal, unitSquare(random))}, vec3(1.0f), true, 0.0f}, random);
         if (glm::dot(s.normal, m_sun) <= 0.0) return vec3(0.0f);
-        return vec3(m_scene.transmittance({leave(s), sunRay(random)}).x, 0.0f, 0.0f);
+        return vec3(m_scene.transmittance({offsetOrigin(s), sunRay(random)}).x, 0.0f, 0.0f);
     }
 
 private:
@@ -123,53 +123,53 @@ private:
         return {m_view.position, glm::normalize(m_view.rotation * dvec3(p.x * tanX, p.y * tanY, -1.0))};
     }
 
-    static dvec3 leave(const Surface& s) { return s.position + s.normal * kLeave; }
+    static dvec3 offsetOrigin(const Surface& s) { return s.position + s.normal * kSurfaceOffset; }
     dvec3 sunRay(Random& random) const { return coneDirection(m_sun, std::cos(double(m_air.sunAngle)), unitSquare(random)); }
 
     /// One of the lights, and by what its light is to be multiplied.
-    struct Chosen {
+    struct LightChoice {
         const SnapshotLight* light = nullptr;
         float weight = 0.0f;
-        dvec3 toPlace;  ///< from where the surface is left; of a capsule, to one of its balls
+        dvec3 toCentre;  ///< from where the surface is left; of a capsule, to one of its balls
     };
     /// By how much each would give if nothing stood between.
-    Chosen chooseLight(const Surface& s, Random& random) const {
+    LightChoice chooseLight(const Surface& s, Random& random) const {
         const auto& lights = m_scene.lights();
         float sum = 0.0f;
-        for (const SnapshotLight& light : lights) sum += unoccluded(light, s);
+        for (const SnapshotLight& light : lights) sum += unshadowedWeight(light, s);
         if (sum <= 0.0f) return {};
         float left = random.unit() * sum;
         size_t chosen = 0;
         for (size_t i = 0; i < lights.size(); ++i) {
-            const float own = unoccluded(lights[i], s);
+            const float own = unshadowedWeight(lights[i], s);
             if (own <= 0.0f) continue;
             chosen = i;
             left -= own;
             if (left < 0.0f) break;
         }
         const SnapshotLight& light = lights[chosen];
-        dvec3 toPlace = light.position - leave(s);
-        if (light.kind == LightKind::Capsule) toPlace += dvec3(light.right) * (light.width * (double(random.unit()) - 0.5));
-        return {&light, sum / unoccluded(light, s), toPlace};
+        dvec3 toCentre = light.position - offsetOrigin(s);
+        if (light.kind == LightKind::Capsule) toCentre += dvec3(light.right) * (light.width * (double(random.unit()) - 0.5));
+        return {&light, sum / unshadowedWeight(light, s), toCentre};
     }
 
     /// Irradiance / pi.
     vec3 localLights(const Surface& s, Random& random) const {
-        const Chosen chosen = chooseLight(s, random);
+        const LightChoice chosen = chooseLight(s, random);
         if (!chosen.light) return vec3(0.0f);
-        const dvec3 direction = directionTo(chosen, random);
-        const Sent sent = sentAlong(chosen, s, direction);
-        return sent.density > 0.0 ? sent.radiance * float(glm::dot(direction, s.normal) / (sent.density * kPi)) : vec3(0.0f);
+        const dvec3 direction = sampleLightDirection(chosen, random);
+        const LightSample lightSample = evaluateLight(chosen, s, direction);
+        return lightSample.pdf > 0.0 ? lightSample.radiance * float(glm::dot(direction, s.normal) / (lightSample.pdf * kPi)) : vec3(0.0f);
     }
 
     /// What of a light's reach is left at a distance.
-    static float windowOf(const SnapshotLight& light, double distance) {
+    static float distanceWindow(const SnapshotLight& light, double distance) {
         const double ratio = distance / light.reach;
         const float window = float(std::clamp(1.0 - ratio * ratio * ratio * ratio, 0.0, 1.0));
         return window * window;
     }
 
-    static float coneEdge(const SnapshotLight& light, dvec3 toCentre) {
+    static float coneAttenuation(const SnapshotLight& light, dvec3 toCentre) {
         if (light.kind != LightKind::Cone) return 1.0f;
         const float outer = std::cos(light.coneOuter), inner = std::cos(light.coneInner);
         const float cosine = float(glm::dot(-glm::normalize(toCentre), dvec3(light.direction)));
@@ -186,79 +186,79 @@ private:
     }
 
     /// What decides how often a light is sampled: never zero where it gives anything.
-    static float unoccluded(const SnapshotLight& light, const Surface& s) {
+    static float unshadowedWeight(const SnapshotLight& light, const Surface& s) {
         const dvec3 toCentre = light.position - s.position;
         const double range = glm::length(toCentre), extent = extentOf(light);
         if (glm::dot(toCentre, s.normal) <= -extent) return 0.0f;
         const double facing = std::clamp((glm::dot(toCentre, s.normal) + (isFlat(light) ? extent : 0.0)) / range, 0.05, 1.0);
         const double square = std::max(range * range, light.kind == LightKind::Sphere ? 1e-4 : extent * extent);
-        return float(facing / square) * brightest(light.color) * windowOf(light, std::max(range - extent, 0.0)) * coneEdge(light, toCentre);
+        return float(facing / square) * maxComponent(light.color) * distanceWindow(light, std::max(range - extent, 0.0)) * coneAttenuation(light, toCentre);
     }
 
     /// Share of the light that gets from where a surface is left to within what a light's own voxels may fill.
-    vec3 seen(const Surface& s, dvec3 direction, double clear) const {
-        return clear > 0.0 ? m_scene.transmittance({leave(s), direction, clear}) : vec3(1.0f);
+    vec3 visibility(const Surface& s, dvec3 direction, double clear) const {
+        return clear > 0.0 ? m_scene.transmittance({offsetOrigin(s), direction, clear}) : vec3(1.0f);
     }
 
-    /// To a point of a light: of a ball evenly over the directions in which it is seen, of a rectangle evenly over its face.
-    static dvec3 directionTo(const Chosen& chosen, Random& random) {
+    /// To a point of a light: of a ball evenly over the directions in which it is visibility, of a rectangle evenly over its face.
+    static dvec3 sampleLightDirection(const LightChoice& chosen, Random& random) {
         const SnapshotLight& light = *chosen.light;
         const glm::dvec2 u = unitSquare(random);
         if (!isFlat(light)) {
-            const double range = glm::length(chosen.toPlace), sine = sineOf(light, range);
-            return coneDirection(chosen.toPlace / range, std::sqrt(1.0 - sine * sine), u);
+            const double range = glm::length(chosen.toCentre), sine = sineOf(light, range);
+            return coneDirection(chosen.toCentre / range, std::sqrt(1.0 - sine * sine), u);
         }
         const dvec3 right(light.right), up = glm::cross(right, dvec3(light.direction));
-        return glm::normalize(chosen.toPlace + right * ((u.x - 0.5) * light.width) + up * ((u.y - 0.5) * light.height));
+        return glm::normalize(chosen.toCentre + right * ((u.x - 0.5) * light.width) + up * ((u.y - 0.5) * light.height));
     }
 
-    /// Of the angle at which a ball is seen; never from inside.
+    /// Of the angle at which a ball is visibility; never from inside.
     static double sineOf(const SnapshotLight& light, double range) { return std::min(light.radius / range, 1.0 / 1.001); }
 
     /// What a chosen light sends to a surface along a direction.
-    struct Sent {
+    struct LightSample {
         vec3 radiance{0.0f};   ///< times the light's weight
-        double density = 0.0;  ///< of directionTo(), by solid angle; 0: nothing comes from there
+        double pdf = 0.0;  ///< of sampleLightDirection(), by solid angle; 0: nothing comes from there
     };
-    Sent sentAlong(const Chosen& chosen, const Surface& s, dvec3 direction) const {
+    LightSample evaluateLight(const LightChoice& chosen, const Surface& s, dvec3 direction) const {
         if (glm::dot(direction, s.normal) <= 0.0) return {};
-        Sent sent = isFlat(*chosen.light) ? fromRectangle(chosen, s, direction) : fromBall(chosen, s, direction);
-        sent.radiance *= chosen.weight;
-        return sent;
+        LightSample lightSample = isFlat(*chosen.light) ? evaluateRectangle(chosen, s, direction) : evaluateSphere(chosen, s, direction);
+        lightSample.radiance *= chosen.weight;
+        return lightSample;
     }
 
     /// A ball of even radiance color / (pi radius^2).
-    Sent fromBall(const Chosen& chosen, const Surface& s, dvec3 direction) const {
+    LightSample evaluateSphere(const LightChoice& chosen, const Surface& s, dvec3 direction) const {
         const SnapshotLight& light = *chosen.light;
-        const double radius = light.radius, sine = sineOf(light, glm::length(chosen.toPlace)), range = radius / sine;
-        const dvec3 axis = glm::normalize(chosen.toPlace), aside = glm::cross(direction, axis);
+        const double radius = light.radius, sine = sineOf(light, glm::length(chosen.toCentre)), range = radius / sine;
+        const dvec3 axis = glm::normalize(chosen.toCentre), aside = glm::cross(direction, axis);
         const double off = glm::dot(aside, aside), cosine = glm::dot(direction, axis);
         if (cosine <= 0.0 || off > sine * sine) return {};
         const double near = std::max(range * cosine - std::sqrt(radius * radius - range * range * off), 0.0);
         // 1 - cos without cancelling, as sin^2 / (1 + cos).
         const double solidAngle = 2.0 * kPi * sine * sine / (1.0 + std::sqrt(1.0 - sine * sine));
-        return {seen(s, direction, near - std::max(kBulb, radius)) * light.color * float(1.0 / (kPi * radius * radius)) * windowOf(light, near) *
-                    coneEdge(light, chosen.toPlace),
+        return {visibility(s, direction, near - std::max(kLightClearance, radius)) * light.color * float(1.0 / (kPi * radius * radius)) * distanceWindow(light, near) *
+                    coneAttenuation(light, chosen.toCentre),
                 1.0 / solidAngle};
     }
 
     /// A rectangle of radiance color / its area, times its picture.
-    Sent fromRectangle(const Chosen& chosen, const Surface& s, dvec3 direction) const {
+    LightSample evaluateRectangle(const LightChoice& chosen, const Surface& s, dvec3 direction) const {
         const SnapshotLight& light = *chosen.light;
         const dvec3 right(light.right), axis(light.direction), up = glm::cross(right, axis);
         const double turned = -glm::dot(direction, axis), cosine = light.twoSided ? std::abs(turned) : turned;
-        const double range = -glm::dot(chosen.toPlace, axis) / turned;
+        const double range = -glm::dot(chosen.toCentre, axis) / turned;
         if (!(cosine > 0.0 && range > 0.0)) return {};
-        const dvec3 onFace = direction * range - chosen.toPlace;
+        const dvec3 onFace = direction * range - chosen.toCentre;
         const glm::dvec2 u = glm::dvec2(glm::dot(onFace, right) / light.width, glm::dot(onFace, up) / light.height) + 0.5;
         if (std::min(u.x, u.y) < 0.0 || std::max(u.x, u.y) >= 1.0) return {};
         const double area = double(light.width) * light.height;
-        const vec3 through = seen(s, direction, range - std::max(kBulb, double(light.radius)) / std::max(cosine, 0.1));
-        return {through * light.color * pictureAt(light, u) * float(1.0 / area) * windowOf(light, range), range * range / (cosine * area)};
+        const vec3 through = visibility(s, direction, range - std::max(kLightClearance, double(light.radius)) / std::max(cosine, 0.1));
+        return {through * light.color * screenImageAt(light, u) * float(1.0 / area) * distanceWindow(light, range), range * range / (cosine * area)};
     }
 
     /// u: along `right` and up. Who looks at a screen has its right on the left.
-    static vec3 pictureAt(const SnapshotLight& light, glm::dvec2 u) {
+    static vec3 screenImageAt(const SnapshotLight& light, glm::dvec2 u) {
         const LightImage& picture = light.image;
         if (light.kind != LightKind::Screen || picture.texels.empty()) return vec3(1.0f);
         const uint32_t column = std::min(uint32_t((1.0 - u.x) * picture.width), picture.width - 1);
@@ -274,33 +274,33 @@ private:
             const dvec3 l = sunRay(random);
             const float facing = float(glm::dot(s.normal, l));
             if (facing > 0.0f) {
-                const vec3 sun = m_air.sunColor * facing * m_scene.transmittance({leave(s), l});
+                const vec3 sun = m_air.sunColor * facing * m_scene.transmittance({offsetOrigin(s), l});
                 const vec3 toSun(m_sun), half = glm::normalize(view + toSun);
-                sum += r.matte * sun / float(kPi);
+                sum += r.diffuseAlbedo * sun / float(kPi);
                 sum += glm::min(sun * fresnel(r.f0, glm::dot(view, half)) * specularLobe(vec3(s.normal), view, toSun, s.roughness), vec3(30.0f));
             }
         }
-        const Chosen chosen = chooseLight(s, random);
+        const LightChoice chosen = chooseLight(s, random);
         if (!chosen.light) return sum;
         // The highlight by a sample of the light and one of the lobe, each weighed by the densities of both (the balance heuristic:
         // Veach & Guibas 1995).
         const bool byLobe = r.lobe > 0.0f && m_settings.lobeSamples;
-        const auto lobeDensity = [&](vec3 l) { return byLobe ? visibleDensity(vec3(s.normal), view, l, s.roughness) : 0.0f; };
+        const auto lobePdf = [&](vec3 l) { return byLobe ? ggxVndfPdf(vec3(s.normal), view, l, s.roughness) : 0.0f; };
         const auto highlight = [&](vec3 l) {
             return r.lobe * fresnel(r.f0, glm::dot(view, glm::normalize(view + l))) * specularLobe(vec3(s.normal), view, l, s.roughness);
         };
-        const dvec3 toLight = directionTo(chosen, random);
-        if (const Sent sent = sentAlong(chosen, s, toLight); sent.density > 0.0) {
-            const vec3 l(toLight), irradiance = sent.radiance * float(glm::dot(toLight, s.normal));
-            sum += irradiance * (r.matte / float(kPi * sent.density) + highlight(l) / (float(sent.density) + lobeDensity(l)));
+        const dvec3 toLight = sampleLightDirection(chosen, random);
+        if (const LightSample lightSample = evaluateLight(chosen, s, toLight); lightSample.pdf > 0.0) {
+            const vec3 l(toLight), irradiance = lightSample.radiance * float(glm::dot(toLight, s.normal));
+            sum += irradiance * (r.diffuseAlbedo / float(kPi * lightSample.pdf) + highlight(l) / (float(lightSample.pdf) + lobePdf(l)));
         }
         if (!byLobe) return sum;
-        const glm::dmat3 basis = basisAround(s.normal);
-        const dvec3 v(view), half = basis * visibleNormal(v * basis, alphaOf(s.roughness), unitSquare(random));
+        const glm::dmat3 basis = orthonormalBasis(s.normal);
+        const dvec3 v(view), half = basis * sampleVisibleNormal(v * basis, ggxAlpha(s.roughness), unitSquare(random));
         const dvec3 mirrored = 2.0 * glm::dot(v, half) * half - v;
-        if (const Sent sent = sentAlong(chosen, s, mirrored); sent.density > 0.0) {
-            const vec3 l(mirrored), irradiance = sent.radiance * float(glm::dot(mirrored, s.normal));
-            sum += irradiance * highlight(l) / (float(sent.density) + lobeDensity(l));
+        if (const LightSample lightSample = evaluateLight(chosen, s, mirrored); lightSample.pdf > 0.0) {
+            const vec3 l(mirrored), irradiance = lightSample.radiance * float(glm::dot(mirrored, s.normal));
+            sum += irradiance * highlight(l) / (float(lightSample.pdf) + lobePdf(l));
         }
         return sum;
     }
@@ -309,8 +309,8 @@ private:
     dvec3 mirrorDirection(dvec3 normal, dvec3 view, float roughness, Random& random) const {
         dvec3 half = normal;
         if (roughness > 0.03f) {
-            const glm::dmat3 basis = basisAround(normal);
-            half = basis * visibleNormal(view * basis, double(roughness) * roughness, unitSquare(random));
+            const glm::dmat3 basis = orthonormalBasis(normal);
+            half = basis * sampleVisibleNormal(view * basis, double(roughness) * roughness, unitSquare(random));
         }
         dvec3 direction = 2.0 * glm::dot(view, half) * half - view;
         direction += normal * std::max(0.0, 0.02 - glm::dot(direction, normal));
@@ -325,11 +325,11 @@ private:
         float glow;  ///< share that counts of voxels that have a light
     };
     Next next(const Surface& s, const Response& r, dvec3 view, Random& random) const {
-        const float diffuse = brightest(r.diffuse), mirror = brightest(r.mirror), all = diffuse + mirror;
+        const float diffuse = maxComponent(r.diffuse), mirror = maxComponent(r.mirror), all = diffuse + mirror;
         if (all <= 0.0f) return {{}, vec3(0.0f), true, 0.0f};
         if (random.unit() * all < diffuse)
-            return {{leave(s), cosineDirection(s.normal, unitSquare(random))}, r.diffuse * (all / diffuse), true, 0.0f};
-        return {{leave(s), mirrorDirection(s.normal, view, s.roughness, random)}, r.mirror * (all / mirror), false, 1.0f - r.lobe};
+            return {{offsetOrigin(s), cosineDirection(s.normal, unitSquare(random))}, r.diffuse * (all / diffuse), true, 0.0f};
+        return {{offsetOrigin(s), mirrorDirection(s.normal, view, s.roughness, random)}, r.mirror * (all / mirror), false, 1.0f - r.lobe};
     }
 
     /// Radiance along a ray of light's. Without the air: it does not light a closed room.
@@ -339,7 +339,7 @@ private:
         bool diffuse = first.diffuse;
         float glow = first.glow;
         for (int bounce = 0;; ++bounce) {
-            ray.tMax = m_settings.reach;
+            ray.tMax = m_settings.maxDistance;
             const Surface s = m_scene.closest(ray);
             weight *= m_scene.panes({ray.origin, ray.direction, std::min(s.t, ray.tMax)}).tint;
             if (!s.hit) return sum + weight * (diffuse ? skyRadiance(m_air, vec3(ray.direction)) : mirroredSky(m_air, vec3(ray.direction)));
@@ -351,11 +351,11 @@ private:
             const Next n = next(s, response, view, random);
             weight *= n.weight;
             if (bounce >= kRouletteFrom) {
-                const float survival = std::min(brightest(weight), 0.95f);
+                const float survival = std::min(maxComponent(weight), 0.95f);
                 if (random.unit() >= survival) return sum;
                 weight /= survival;
             }
-            if (brightest(weight) <= 0.0f) return sum;
+            if (maxComponent(weight) <= 0.0f) return sum;
             ray = n.ray, diffuse = n.diffuse, glow = n.glow;
         }
     }
@@ -367,10 +367,10 @@ private:
         Surface at = s;
         if (pane.any) at.position = pane.position, at.normal = pane.normal, at.roughness = 0.0f;
         const float glow = 1.0f - glm::smoothstep(0.1f, 0.25f, at.roughness);
-        return incoming({{leave(at), mirrorDirection(at.normal, -ray.direction, at.roughness, random)}, vec3(1.0f), false, glow}, random);
+        return incoming({{offsetOrigin(at), mirrorDirection(at.normal, -ray.direction, at.roughness, random)}, vec3(1.0f), false, glow}, random);
     }
 
-    vec3 whole(const Ray& ray, const Surface& s, Random& random) const {
+    vec3 fullRadiance(const Ray& ray, const Surface& s, Random& random) const {
         const vec3 direction(ray.direction);
         const Panes pane = m_scene.panes({ray.origin, ray.direction, s.t});
         // What panes mirror and what lies behind, as often as each counts.
@@ -382,7 +382,7 @@ private:
         const Response response = responseOf(s, -direction);
         vec3 color = s.albedo * s.emission + direct(s, response, -direction, random);
         const Next n = next(s, response, -ray.direction, random);
-        if (brightest(n.weight) > 0.0f) color += n.weight * incoming(n, random);
+        if (maxComponent(n.weight) > 0.0f) color += n.weight * incoming(n, random);
         return pane.tint * glm::mix(color, hazeRadiance(m_air, direction), hazeAmount(m_air, float(s.t)));
     }
 
@@ -395,9 +395,9 @@ private:
 
 }  // namespace
 
-Picture render(const Scene& scene, const View& view, const Settings& settings, const std::string& what) {
+Estimate render(const Scene& scene, const View& view, const Settings& settings, const std::string& what) {
     const Tracer tracer(scene, view, settings);
-    Picture picture{FloatImage(view.size), FloatImage(view.size), settings.samples};
+    Estimate estimate{FloatImage(view.size), FloatImage(view.size), settings.samples};
     Progress progress(what, view.size.y);
     std::mutex mutex;
     int done = 0;
@@ -413,13 +413,13 @@ Picture render(const Scene& scene, const View& view, const Settings& settings, c
             }
             const glm::dvec3 mean = sum / double(settings.samples);
             const glm::dvec3 variance = glm::max(squares / double(settings.samples) - mean * mean, 0.0);
-            picture.mean.at(x, int(row)) = glm::vec4(vec3(mean), 1.0f);
-            picture.variance.at(x, int(row)) = glm::vec4(vec3(variance * (settings.samples / std::max(settings.samples - 1.0, 1.0))), 0.0f);
+            estimate.mean.at(x, int(row)) = glm::vec4(vec3(mean), 1.0f);
+            estimate.variance.at(x, int(row)) = glm::vec4(vec3(variance * (settings.samples / std::max(settings.samples - 1.0, 1.0))), 0.0f);
         }
         const std::lock_guard lock(mutex);
         if (++done; !what.empty()) progress.advance(done);
     });
-    return picture;
+    return estimate;
 }
 
 }  // namespace rubble::reference

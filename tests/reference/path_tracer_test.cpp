@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "tests/golden/lit_scene.h"
-#include "tests/reference/picture_file.h"
+#include "tests/reference/exr_file.h"
 #include "tests/support/temp_folder.h"
 
 namespace rubble::reference {
@@ -47,8 +47,8 @@ TEST(PathTracer, AClosedFurnaceGlowsAsItsSeriesSays) {
     for (const int bounces : {1, 2, 4, 64}) {
         const double expected = albedo * (1.0 - std::pow(albedo, bounces + 1)) / (1.0 - albedo);
         // A path of b bounces sees b + 1 surfaces after the first.
-        const Picture picture = render(scene, insideView({16, 16}), {.samples = 256, .bounces = bounces});
-        EXPECT_NEAR(meanOf(picture.mean), expected, 0.01 * expected) << bounces;
+        const Estimate estimate = render(scene, insideView({16, 16}), {.samples = 256, .bounces = bounces});
+        EXPECT_NEAR(meanOf(estimate.mean), expected, 0.01 * expected) << bounces;
     }
 }
 
@@ -59,11 +59,11 @@ TEST(PathTracer, TheVarianceItReportsIsThatOfItsRuns) {
     double between = 0.0, reported = 0.0;
     std::vector<double> sum(size_t(view.size.x * view.size.y)), squares(sum.size());
     for (int run = 0; run < kRuns; ++run) {
-        const Picture picture = render(scene, view, {.term = Term::Sky, .samples = kSamples, .seed = uint64_t(run + 1)});
+        const Estimate estimate = render(scene, view, {.term = Term::Sky, .samples = kSamples, .seed = uint64_t(run + 1)});
         for (size_t i = 0; i < sum.size(); ++i) {
-            const double value = picture.mean.pixels[i].y;
+            const double value = estimate.mean.pixels[i].y;
             sum[i] += value, squares[i] += value * value;
-            reported += picture.variance.pixels[i].y / kSamples / kRuns;
+            reported += estimate.variance.pixels[i].y / kSamples / kRuns;
         }
     }
     for (size_t i = 0; i < sum.size(); ++i) between += (squares[i] - sum[i] * sum[i] / kRuns) / (kRuns - 1);
@@ -85,24 +85,24 @@ TEST(PathTracer, RaysMeetTurnedVoxelsWhereTheyAre) {
     EXPECT_EQ(scene.transmittance({middle + axis * 3.0, -axis, 2.4}), glm::vec3(1.0f)) << "it ends before";
 }
 
-TEST(PictureFile, KeepsEveryNumber) {
-    Picture picture{FloatImage({5, 3}), FloatImage({5, 3}), 17};
+TEST(ExrFile, KeepsEveryNumber) {
+    Estimate estimate{FloatImage({5, 3}), FloatImage({5, 3}), 17};
     for (int i = 0; i < 15; ++i) {
-        picture.mean.pixels[size_t(i)] = glm::vec4(0.1f * float(i), -1.5f, 1e-20f, 1.0f);
-        picture.variance.pixels[size_t(i)] = glm::vec4(float(i * i), 3e30f, 0.25f, 0.0f);
+        estimate.mean.pixels[size_t(i)] = glm::vec4(0.1f * float(i), -1.5f, 1e-20f, 1.0f);
+        estimate.variance.pixels[size_t(i)] = glm::vec4(float(i * i), 3e30f, 0.25f, 0.0f);
     }
     const TempFolder folder;
-    const std::string path = folder / "picture.exr";
-    ASSERT_TRUE(writeExr(path, picture));
+    const std::string path = folder / "estimate.exr";
+    ASSERT_TRUE(writeExr(path, estimate));
     const auto back = readExr(path);
     ASSERT_TRUE(back) << back.error();
-    EXPECT_EQ(back->mean.pixels, picture.mean.pixels);
-    EXPECT_EQ(back->variance.pixels, picture.variance.pixels);
+    EXPECT_EQ(back->mean.pixels, estimate.mean.pixels);
+    EXPECT_EQ(back->variance.pixels, estimate.variance.pixels);
     EXPECT_EQ(back->samples, 17);
     EXPECT_FALSE(readExr("/nowhere/at/all.exr"));
 }
 
-TEST(PictureFile, ASceneThatDiffersHasAnotherKey) {
+TEST(ExrFile, ASceneThatDiffersHasAnotherKey) {
     LitScene one = furnace(), other = furnace();
     other.environment.sunColor.x += 0.001f;
     EXPECT_EQ(Scene(one.snapshot()).hash(), Scene(furnace().snapshot()).hash());

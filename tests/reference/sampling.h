@@ -18,7 +18,7 @@ inline glm::dvec2 unitSquare(Random& random) {
 }
 
 /// Two unit vectors and n itself, as columns.
-inline glm::dmat3 basisAround(glm::dvec3 n) {
+inline glm::dmat3 orthonormalBasis(glm::dvec3 n) {
     const glm::dvec3 aside = std::abs(n.x) > 0.7 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     const glm::dvec3 t = glm::normalize(glm::cross(aside, n));
     return {t, glm::cross(n, t), n};
@@ -27,20 +27,20 @@ inline glm::dmat3 basisAround(glm::dvec3 n) {
 /// Around n, with density cos / pi.
 inline glm::dvec3 cosineDirection(glm::dvec3 n, glm::dvec2 u) {
     const double angle = 2.0 * kPi * u.x, r = std::sqrt(u.y);
-    return glm::normalize(basisAround(n) * glm::dvec3(r * std::cos(angle), r * std::sin(angle), std::sqrt(1.0 - u.y)));
+    return glm::normalize(orthonormalBasis(n) * glm::dvec3(r * std::cos(angle), r * std::sin(angle), std::sqrt(1.0 - u.y)));
 }
 
 /// Even over the directions within an angle, whose cosine is given, of the axis.
 inline glm::dvec3 coneDirection(glm::dvec3 axis, double cosine, glm::dvec2 u) {
     const double angle = 2.0 * kPi * u.x, z = 1.0 - u.y * (1.0 - cosine), r = std::sqrt(std::max(0.0, 1.0 - z * z));
-    return glm::normalize(basisAround(axis) * glm::dvec3(r * std::cos(angle), r * std::sin(angle), z));
+    return glm::normalize(orthonormalBasis(axis) * glm::dvec3(r * std::cos(angle), r * std::sin(angle), z));
 }
 
 /// A facet's normal as often as v sees it on a GGX surface: by Heitz 2018 with the projected disc cut in two by v's own plane.
 /// Local frame, z up.
-inline glm::dvec3 visibleNormal(glm::dvec3 v, double alpha, glm::dvec2 u) {
+inline glm::dvec3 sampleVisibleNormal(glm::dvec3 v, double alpha, glm::dvec2 u) {
     const glm::dvec3 vh = glm::normalize(glm::dvec3(alpha * v.x, alpha * v.y, v.z));
-    const glm::dmat3 frame = basisAround(vh);
+    const glm::dmat3 frame = orthonormalBasis(vh);
     // Seen from vh the half sphere shows a half disc and half an ellipse of height vh.z: their areas go as 1 to vh.z.
     const double angle = 2.0 * kPi * u.x, r = std::sqrt(u.y);
     // The frame's second axis must lie in the plane of vh and the pole.

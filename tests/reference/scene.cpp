@@ -13,24 +13,24 @@
 namespace rubble::reference {
 namespace {
 
-constexpr int kShapesALeaf = 2;
-constexpr int kDeepest = 64;
+constexpr int kShapesPerLeaf = 2;
+constexpr int kMaxDepth = 64;
 
 /// A colour of a voxel as paintedColor() in shaders/lib/paint.glsl mixes it, sRGB in [0, 1].
-glm::vec3 mixedSrgb(glm::vec3 own, const PaintColorsRef& colors, uint8_t paint) {
+glm::vec3 paintedSrgb(glm::vec3 own, const PaintColorsRef& colors, uint8_t paint) {
     if (!paint || !colors) return own;
     const Srgb& over = colors->colors[size_t(paintColor(paint) - 1)];
     return glm::mix(own, glm::vec3(over[0], over[1], over[2]) / 255.0f, float(paintSteps(paint)) / 16.0f);
 }
 
 /// As transmittance() in shaders/passes/glass.frag.
-glm::vec3 tintOf(const PaletteEntry& e) {
+glm::vec3 glassTransmittance(const PaletteEntry& e) {
     const glm::vec3 color = glm::pow(glm::vec3(e.red, e.green, e.blue) / 255.0f, glm::vec3(2.2f));
     const glm::vec3 hue = color / std::max(std::max(color.r, color.g), std::max(color.b, 0.01f));
     return (1.0f - float(e.opacity) / 255.0f) * glm::mix(glm::vec3(1.0f), hue, 0.7f);
 }
 
-bool meets(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& origin, const glm::dvec3& inverse, double tMax) {
+bool rayHitsBox(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& origin, const glm::dvec3& inverse, double tMax) {
     const glm::dvec3 a = (low - origin) * inverse, b = (high - origin) * inverse;
     const glm::dvec3 enter = glm::min(a, b), leave = glm::max(a, b);
     const double first = std::max(std::max(enter.x, enter.y), std::max(enter.z, 0.0));
@@ -57,7 +57,7 @@ Scene::Scene(const FrameSnapshot& snapshot) : m_lights(snapshot.lights), m_envir
     std::map<uint32_t, Pose> poses;
     for (const SnapshotPose& pose : snapshot.poses) poses[pose.shape.slot()] = pose.current;
     for (const SnapshotShape& given : snapshot.created) {
-        Shape shape{VoxelGrid(given.size), poses[given.shape.slot()], double(given.voxelSize), given.paintColors, lookOf(given.palette), {}, {}};
+        Shape shape{VoxelGrid(given.size), poses[given.shape.slot()], double(given.voxelSize), given.paintColors, paletteIndex(given.palette), {}, {}};
         for (const BrickChange& brick : given.bricks) shape.grid.setBrick(brick.brick, brick.content);
         shape.low = glm::dvec3(1e30), shape.high = glm::dvec3(-1e30);
         for (int corner = 0; corner < 8; ++corner) {
@@ -84,26 +84,26 @@ Scene::Scene(const FrameSnapshot& snapshot) : m_lights(snapshot.lights), m_envir
     build(0, 0, int(m_shapes.size()));
 }
 
-size_t Scene::lookOf(const PaletteRef& palette) {
-    for (size_t i = 0; i < m_looks.size(); ++i)
-        if (m_looks[i].key == palette) return i;
-    Look look{palette, {}, {}, {}, false};
+size_t Scene::paletteIndex(const PaletteRef& palette) {
+    for (size_t i = 0; i < m_palettes.size(); ++i)
+        if (m_palettes[i].key == palette) return i;
+    PaletteTable table{palette, {}, {}, {}, false};
     for (size_t i = 1; i < 256; ++i) {
         const PaletteEntry& e = (*palette)[i];
-        look.entries[i] = {linear(glm::vec3(e.red, e.green, e.blue) / 255.0f),
-                           tintOf(e),
+        table.entries[i] = {linear(glm::vec3(e.red, e.green, e.blue) / 255.0f),
+                           glassTransmittance(e),
                            e.emission,
                            float(e.roughness) / 255.0f,
                            float(e.metallic) / 255.0f,
                            float(e.reflectivity) / 255.0f,
                            e.lightGroup != 0};
-        look.opaque[i] = e.opacity == 255;
-        look.glass[i] = e.opacity < 255;
-        look.hasGlass |= e.material != 0 && look.glass[i];
+        table.opaque[i] = e.opacity == 255;
+        table.glass[i] = e.opacity < 255;
+        table.hasGlass |= e.material != 0 && table.glass[i];
     }
-    m_hasGlass |= look.hasGlass;
-    m_looks.push_back(look);
-    return m_looks.size() - 1;
+    m_hasGlass |= table.hasGlass;
+    m_palettes.push_back(table);
+    return m_palettes.size() - 1;
 }
 
 /// Halves the shapes at the median of the widest axis.
@@ -111,7 +111,7 @@ void Scene::build(int node, int first, int count) {
     glm::dvec3 low(1e30), high(-1e30);
     for (int i = first; i < first + count; ++i) low = glm::min(low, m_shapes[size_t(i)].low), high = glm::max(high, m_shapes[size_t(i)].high);
     m_nodes[size_t(node)] = {low, high, first, count};
-    if (count <= kShapesALeaf) return;
+    if (count <= kShapesPerLeaf) return;
     const glm::dvec3 size = high - low;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const auto begin = m_shapes.begin() + first;
@@ -125,25 +125,25 @@ void Scene::build(int node, int first, int count) {
     build(child + 1, first + count / 2, count - count / 2);
 }
 
-/// f(shape) for each whose box the ray meets before tMax, which f may bring nearer. f returns false to stop.
+/// f(shape) for each whose box the ray rayHitsBox before tMax, which f may bring nearer. f returns false to stop.
 template <class F>
-void Scene::forShapesOn(const Ray& ray, const double& tMax, F&& f) const {
+void Scene::forEachShapeOnRay(const Ray& ray, const double& tMax, F&& f) const {
     // An infinite inverse times a distance of zero would be no number: such a ray counts as one that is a hair off the axis.
     glm::dvec3 inverse;
     for (int a = 0; a < 3; ++a) inverse[a] = 1.0 / (std::abs(ray.direction[a]) < 1e-18 ? 1e-18 : ray.direction[a]);
-    int waiting[kDeepest], depth = 0;
-    waiting[depth++] = 0;
+    int stack[kMaxDepth], depth = 0;
+    stack[depth++] = 0;
     while (depth > 0) {
-        const Node& node = m_nodes[size_t(waiting[--depth])];
-        if (!meets(node.low, node.high, ray.origin, inverse, tMax)) continue;
+        const Node& node = m_nodes[size_t(stack[--depth])];
+        if (!rayHitsBox(node.low, node.high, ray.origin, inverse, tMax)) continue;
         if (node.count == 0 && !m_shapes.empty()) {
-            waiting[depth++] = node.first;
-            waiting[depth++] = node.first + 1;
+            stack[depth++] = node.first;
+            stack[depth++] = node.first + 1;
             continue;
         }
         for (int i = node.first; i < node.first + node.count; ++i) {
             const Shape& shape = m_shapes[size_t(i)];
-            if (meets(shape.low, shape.high, ray.origin, inverse, tMax) && !f(shape)) return;
+            if (rayHitsBox(shape.low, shape.high, ray.origin, inverse, tMax) && !f(shape)) return;
         }
     }
 }
@@ -164,13 +164,13 @@ glm::dvec3 normalOf(const Pose& pose, const CellHit& hit, glm::dvec3 direction) 
 
 }  // namespace
 
-glm::vec3 Scene::colorAt(const Shape& shape, const Look& look, glm::ivec3 cell) const {
+glm::vec3 Scene::colorAt(const Shape& shape, const PaletteTable& table, glm::ivec3 cell) const {
     const Brick* brick = shape.grid.brickAt(cell >> 3);
     const int index = brick->at(cell & 7);
     const uint8_t paint = shape.paint ? brick->paintAt(voxelIndex(cell & 7)) : uint8_t(0);
-    if (!paint) return look.entries[size_t(index)].albedo;
-    const PaletteEntry& e = (*look.key)[size_t(index)];
-    return linear(mixedSrgb(glm::vec3(e.red, e.green, e.blue) / 255.0f, shape.paint, paint));
+    if (!paint) return table.entries[size_t(index)].albedo;
+    const PaletteEntry& e = (*table.key)[size_t(index)];
+    return linear(paintedSrgb(glm::vec3(e.red, e.green, e.blue) / 255.0f, shape.paint, paint));
 }
 
 Surface Scene::closest(const Ray& ray) const {
@@ -178,19 +178,19 @@ Surface Scene::closest(const Ray& ray) const {
     CellHit nearest;
     const Shape* found = nullptr;
     double tMax = ray.tMax;
-    forShapesOn(ray, tMax, [&](const Shape& shape) {
-        const CellHit hit = walkRay(shape.grid, cellRay(shape.pose, shape.voxelSize, ray, tMax), &m_looks[shape.palette].opaque);
+    forEachShapeOnRay(ray, tMax, [&](const Shape& shape) {
+        const CellHit hit = walkRay(shape.grid, cellRay(shape.pose, shape.voxelSize, ray, tMax), &m_palettes[shape.palette].opaque);
         if (hit.hit && (hit.t < tMax || !found)) tMax = hit.t, nearest = hit, found = &shape;
         return true;
     });
     if (!found) return s;
-    const Look& look = m_looks[found->palette];
-    const Entry& entry = look.entries[found->grid.at(nearest.cell)];
+    const PaletteTable& table = m_palettes[found->palette];
+    const Entry& entry = table.entries[found->grid.at(nearest.cell)];
     s.hit = true;
     s.t = nearest.t;
     s.position = ray.origin + ray.direction * nearest.t;
     s.normal = normalOf(found->pose, nearest, ray.direction);
-    s.albedo = colorAt(*found, look, nearest.cell);
+    s.albedo = colorAt(*found, table, nearest.cell);
     s.emission = entry.emission, s.roughness = entry.roughness, s.metallic = entry.metallic, s.reflectivity = entry.reflectivity;
     s.hasLight = entry.hasLight;
     return s;
@@ -198,19 +198,19 @@ Surface Scene::closest(const Ray& ray) const {
 
 /// Neighbouring cells of glass are one pane, tinted by the first (shaders/passes/glass.frag).
 void Scene::addPanes(const Shape& shape, const Ray& ray, Panes& panes) const {
-    const Look& look = m_looks[shape.palette];
+    const PaletteTable& table = m_palettes[shape.palette];
     CellRay cells = cellRay(shape.pose, shape.voxelSize, ray, ray.tMax);
     const glm::dvec3 origin = cells.origin;
     for (double passed = 0.0; passed < ray.tMax;) {
         cells.origin = origin + cells.direction * passed;
         cells.tMax = ray.tMax - passed;
-        const CellHit hit = walkRay(shape.grid, cells, &look.glass);
+        const CellHit hit = walkRay(shape.grid, cells, &table.glass);
         if (!hit.hit) return;
-        panes.tint *= look.entries[shape.grid.at(hit.cell)].glassTint;
+        panes.tint *= table.entries[shape.grid.at(hit.cell)].glassTint;
         const double t = passed + hit.t;
         if (!panes.any || t < panes.t) panes = {true, t, ray.origin + ray.direction * t, normalOf(shape.pose, hit, ray.direction), panes.tint};
         double leave = t;
-        for (glm::ivec3 cell = hit.cell; look.glass[shape.grid.at(cell)];) {
+        for (glm::ivec3 cell = hit.cell; table.glass[shape.grid.at(cell)];) {
             int axis = 0;
             double exit[3];
             for (int a = 0; a < 3; ++a) {
@@ -228,8 +228,8 @@ void Scene::addPanes(const Shape& shape, const Ray& ray, Panes& panes) const {
 Panes Scene::panes(const Ray& ray) const {
     Panes panes;
     if (!m_hasGlass) return panes;
-    forShapesOn(ray, ray.tMax, [&](const Shape& shape) {
-        if (m_looks[shape.palette].hasGlass) addPanes(shape, ray, panes);
+    forEachShapeOnRay(ray, ray.tMax, [&](const Shape& shape) {
+        if (m_palettes[shape.palette].hasGlass) addPanes(shape, ray, panes);
         return true;
     });
     return panes;
@@ -237,8 +237,8 @@ Panes Scene::panes(const Ray& ray) const {
 
 glm::vec3 Scene::transmittance(const Ray& ray) const {
     bool hit = false;
-    forShapesOn(ray, ray.tMax, [&](const Shape& shape) {
-        hit = walkRay(shape.grid, cellRay(shape.pose, shape.voxelSize, ray, ray.tMax), &m_looks[shape.palette].opaque).hit;
+    forEachShapeOnRay(ray, ray.tMax, [&](const Shape& shape) {
+        hit = walkRay(shape.grid, cellRay(shape.pose, shape.voxelSize, ray, ray.tMax), &m_palettes[shape.palette].opaque).hit;
         return !hit;
     });
     return hit ? glm::vec3(0.0f) : panes(ray).tint;

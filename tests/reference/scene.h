@@ -13,7 +13,7 @@ struct Ray {
     double tMax = 1e30;
 };
 
-/// What a ray meets, with the numbers of its palette entry as shaders/lib/gbuffer.glsl gives them to light.
+/// What a ray rayHitsBox, with the numbers of its palette entry as shaders/lib/gbuffer.glsl gives them to light.
 struct Surface {
     bool hit = false;
     double t = 1e30;
@@ -67,7 +67,7 @@ private:
         size_t palette;  ///< in m_palettes
         glm::dvec3 low, high;
     };
-    struct Look {
+    struct PaletteTable {
         PaletteRef key;
         std::array<Entry, 256> entries;
         std::array<bool, 256> opaque, glass;
@@ -77,15 +77,15 @@ private:
         glm::dvec3 low, high;
         int first, count;  ///< shapes of a leaf; else the first of two nodes, and 0
     };
-    size_t lookOf(const PaletteRef& palette);
+    size_t paletteIndex(const PaletteRef& palette);
     void build(int node, int first, int count);
     template <class F>
-    void forShapesOn(const Ray& ray, const double& tMax, F&& f) const;
-    glm::vec3 colorAt(const Shape& shape, const Look& look, glm::ivec3 cell) const;
+    void forEachShapeOnRay(const Ray& ray, const double& tMax, F&& f) const;
+    glm::vec3 colorAt(const Shape& shape, const PaletteTable& table, glm::ivec3 cell) const;
     void addPanes(const Shape& shape, const Ray& ray, Panes& panes) const;
 
     std::vector<Shape> m_shapes;
-    std::vector<Look> m_looks;
+    std::vector<PaletteTable> m_palettes;
     std::vector<Node> m_nodes;
     std::vector<SnapshotLight> m_lights;
     Environment m_environment;

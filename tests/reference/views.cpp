@@ -39,7 +39,7 @@ std::vector<SceneView> tuningViews(bool withTown) {
     return views;
 }
 
-std::vector<SceneView> judgingViews() {
+std::vector<SceneView> heldOutViews() {
     const FrameSnapshot town = townSnapshot();
     return {{"town lane", town, lookingAt({4.5, 1.7, 13.0}, {15.0, 2.5, 36.0}, 0.95f)},
             {"town across", town, lookingAt({58.0, 8.0, 57.0}, {36.0, 2.0, 38.0}, 0.95f)},

@@ -19,8 +19,8 @@ FrameSnapshot townSnapshot();
 /// What the denoiser is tuned with, and what it is judged by: chosen unseen, never to be looked at for a cause. Who does moves them to the
 /// others and chooses new ones. withTown: the town takes a second to make.
 std::vector<SceneView> tuningViews(bool withTown = true);
-std::vector<SceneView> judgingViews();
-/// What is compared with the truth: no rounded edges and glare, which are a look and not an error, and no shafts of light in the air.
+std::vector<SceneView> heldOutViews();
+/// What is compared with the reference: no rounded edges and glare, which are a look and not an error, and no shafts of light in the air.
 RenderSettings comparedSettings();
 
 }  // namespace rubble::reference

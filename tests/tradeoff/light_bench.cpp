@@ -8,7 +8,7 @@
 #include "samples/support/gl_context.h"
 #include "tests/reference/display.h"
 #include "tests/reference/flip.h"
-#include "tests/reference/picture_file.h"
+#include "tests/reference/exr_file.h"
 #include "tests/reference/relative_error.h"
 
 namespace rubble::tradeoff {

@@ -27,11 +27,11 @@ struct Rule {
 };
 
 const Rule kRules[] = {
-    {"mirror rays", "where 1.2 % of the light or more is mirrored", "lib/mirror.glsl", "kWeakestMirror = 0.012", "kWeakestMirror = -1.0",
+    {"mirror rays", "where 1.2 % of the light or more is mirrored", "lib/mirror.glsl", "kMinMirrorShare = 0.012", "kMinMirrorShare = -1.0",
      [](RenderSettings& s) { s.reflections = false; }},
     {"lamps' rays", "each picture where a lamp may give 0.01, else now and then", "passes/local_lights.frag",
-     "min(choice.total / (kPi * uFullRayRadiance), 1.0)", "min(1.0 + uFullRayRadiance, 1.0)", [](RenderSettings& s) { s.localLights = false; }},
-    {"wide filter steps", "where there is no past, or noise in spite of it", "passes/filter.frag", "centre.z >= kLongPast", "centre.z >= 1e9",
+     "min(reservoir.weightSum / (kPi * uFullRayRadiance), 1.0)", "min(1.0 + uFullRayRadiance, 1.0)", [](RenderSettings& s) { s.localLights = false; }},
+    {"wide filter steps", "where there is no past, or noise in spite of it", "passes/filter.frag", "centre.z >= kLongHistory", "centre.z >= 1e9",
      [](RenderSettings& s) { s.filterPasses = 2; }},
 };
 

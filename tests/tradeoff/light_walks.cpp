@@ -18,7 +18,7 @@ struct Figures {
 };
 
 Figures figuresOf(Walks& walks, const std::string& walk, const RaySet& set, int repeats) {
-    Answers answers;
+    TraceResult answers;
     const Measured time = measure(repeats, [&] {
         answers = walks.trace(walk, set);
         return answers.milliseconds;
@@ -43,7 +43,7 @@ Table walkTradeoff(const Options& options) {
         "Ambient rays from the street view of a city of 1024 x 256 x 1024 cells, 640 x 360, llvmpipe in one thread. Sparse and super sparse "
         "after the reference: 2x2x2 cells in a byte, full, half and quarter resolution, in a 3D texture or in a buffer. Truth: a walk in doubles, "
         "cell by cell.";
-    useNoGlThreads();
+    disableGlThreads();
     auto context = GlContext::create(GlContext::Kind::OsMesa);
     if (!context || !loadGl(context.value()->loader())) {
         table.failed = true;

@@ -1,4 +1,4 @@
-// Two thousand bodies in view: our G-buffer against the reference game's whole method, the same picture, in one process.
+// Two thousand bodies in view: our G-buffer against the reference game's whole method, the same imageFolder, in one process.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 #include "runtime/core/random.h"
 #include "runtime/voxel/ray_walk.h"
-#include "tests/benchmark/render/reference_bodies.h"
+#include "tests/benchmark/render/teardown_bodies.h"
 #include "tests/benchmark/render/ties.h"
 #include "tests/render/test_scene.h"
 
@@ -53,12 +53,12 @@ double exactDepth(const std::vector<VoxelGrid>& grids, const std::vector<Pose>& 
 }
 
 /// Pixels of which the depths differ.
-Differences differences(const std::vector<glm::vec4>& ours, const std::vector<glm::vec4>& theirs, int width, const FrameBlock& block,
+Differences differences(const std::vector<glm::vec4>& ours, const std::vector<glm::vec4>& teardown, int width, const FrameBlock& block,
                         const std::vector<VoxelGrid>& grids, const std::vector<Pose>& poses) {
     Differences count;
     const auto find = [&](const PixelRay& ray) { return exactDepth(grids, poses, ray); };
     for (size_t i = 0; i < ours.size(); ++i) {
-        const double a = ours[i].x, b = theirs[i].x;
+        const double a = ours[i].x, b = teardown[i].x;
         if (std::abs(a - b) <= 1e-5 * a) continue;
         const auto is = [](double depth) {
             return [depth](double found) { return depth > 1e4 ? std::isinf(found) : std::abs(found - depth) <= 1e-5 * depth; };
@@ -91,7 +91,7 @@ bool benchBodies(const Options& options) {
         made.add(grids.back(), poses.back(), palette);
     }
     GBufferRig rig(options.shaders, made.take());
-    ReferenceBodies reference(rig.shaders);
+    TeardownBodies reference(rig.shaders);
     for (const std::string& error : rig.shaders.errors()) fmt::print(stderr, "{}\n", error);
     if (!rig.shaders.errors().empty()) return false;
     for (const VoxelGrid& grid : grids) reference.add(grid);
@@ -103,14 +103,14 @@ bool benchBodies(const Options& options) {
     const double ours = medianMs(options.frames, [&] { rig.gbuffer.draw(rig.context()); });
     const auto depthOurs = read(rig.targets.at("depth")), albedoOurs = read(rig.targets.at("albedo"));
     const std::vector<int> order = rig.gbuffer.tiles().order();
-    const double theirs = medianMs(options.frames, [&] { reference.draw(rig.context(), order); });
-    const auto depthTheirs = read(rig.targets.at("depth")), albedoTheirs = read(rig.targets.at("albedo"));
+    const double teardown = medianMs(options.frames, [&] { reference.draw(rig.context(), order); });
+    const auto depthTeardown = read(rig.targets.at("depth")), albedoTeardown = read(rig.targets.at("albedo"));
     const auto seen = std::count_if(albedoOurs.begin(), albedoOurs.end(), [](const glm::vec4& albedo) { return albedo.w > 0.0f; });
-    const Differences differ = differences(depthOurs, depthTheirs, options.size.x, rig.block, grids, poses);
+    const Differences differ = differences(depthOurs, depthTeardown, options.size.x, rig.block, grids, poses);
     fmt::print(
         "\n{} bodies in view, on {} of {} pixels\n  ours {:.1f} ms, the reference's method {:.1f} ms: {:.2f}x (wanted 3); {} pixels differ; wrong: "
-        "ours {}, theirs {}\n",
-        order.size(), seen, depthOurs.size(), ours, theirs, theirs / ours, differ.all, differ.firstWrong, differ.secondWrong);
+        "ours {}, teardown {}\n",
+        order.size(), seen, depthOurs.size(), ours, teardown, teardown / ours, differ.all, differ.firstWrong, differ.secondWrong);
     return true;
 }
 

@@ -1,4 +1,4 @@
-// The town again and again, as shapes that share their bricks: what a picture costs at equal pixels from 1e7 to 2e9 voxels.
+// The town again and again, as shapes that share their bricks: what a imageFolder costs at equal pixels from 1e7 to 2e9 voxels.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 namespace rubble::bench {
 namespace {
 
-constexpr double kTown = 64.0;  // metres
-constexpr int kSides[] = {1, 4, 16};
+constexpr double kTownMetres = 64.0;  // metres
+constexpr int kTownsPerSide[] = {1, 4, 16};
 constexpr int kWarmUp = 20;  // pictures, until memory of light is long
 
 /// The shapes, shadows and lights of one town, moved by whole towns, under handles of their own.
 void addTown(FrameSnapshot& to, const FrameSnapshot& town, glm::ivec2 place, uint32_t firstSlot) {
-    const glm::dvec3 offset(place.x * kTown, 0.0, place.y * kTown);
+    const glm::dvec3 offset(place.x * kTownMetres, 0.0, place.y * kTownMetres);
     std::map<uint32_t, ShapeHandle> renamed;
     for (SnapshotShape shape : town.created) {
         const ShapeHandle handle = ShapeHandle::make(1, 1, firstSlot + uint32_t(renamed.size()));
@@ -66,11 +66,11 @@ uint64_t voxelsOf(const FrameSnapshot& town) {
 void benchCity(const Options& options, const FrameSnapshot& town) {
     fmt::print("\nthe town in a city of towns, the same views: milliseconds of processors' time\n");
     std::vector<double> first;
-    for (const int side : kSides) {
+    for (const int side : kTownsPerSide) {
         GBufferRig rig(options.shaders, cityOf(town, side));
         fmt::print("  {:.2g} voxels, {} shapes:", double(voxelsOf(town)) * side * side, rig.scene.bodies().shapes());
         size_t i = 0;
-        for (const Place& place : placesInTown()) {
+        for (const TownView& place : townViews()) {
             const View view = place.view(options.size, 0);
             rig.beginFrame(view);
             const double ms = medianMs(options.frames, [&] {
@@ -95,10 +95,10 @@ double surfaces(const Renderer& renderer) {
 int benchCityFrames(const Options& options, GlContext& context) {
     const FrameSnapshot town = levelSnapshot(makeTown(1));
     const Offscreen target(options.size);
-    std::vector<Place> places = placesInTown();
+    std::vector<TownView> places = townViews();
     places.push_back({"from above", scenes::lookAt({32.0, 40.0, 46.0}, {32.0, 0.0, 34.0}), 0.70f});  // as much surface in each world
     std::map<std::string, double> first;                                                             // milliseconds by place and pass
-    for (const int side : kSides) {
+    for (const int side : kTownsPerSide) {
         auto renderer = Renderer::create(context.loader(), options.shaders, RenderSettings::preset(options.preset));
         if (!renderer) {
             fmt::print(stderr, "{}\n", renderer.error());
@@ -107,7 +107,7 @@ int benchCityFrames(const Options& options, GlContext& context) {
         (*renderer)->apply(cityOf(town, side));
         fmt::print("\n{:.2g} voxels, {} lights: the whole frame, milliseconds of processors' time\n", double(voxelsOf(town)) * side * side,
                    town.lights.size() * size_t(side) * size_t(side));
-        for (const Place& place : places) {
+        for (const TownView& place : places) {
             const View view = place.view(options.size, target.framebuffer());
             std::map<std::string, std::vector<double>> all;
             for (int i = -kWarmUp; i < options.frames; ++i) {

@@ -101,17 +101,17 @@ int benchFrame(const Options& options, GlContext& context) {
         all.push_back(std::move(drawn).value());
     }
     const Offscreen target(options.size);
-    for (const Place& place : placesInTown()) {
+    for (const TownView& place : townViews()) {
         const std::vector<Measured> measured = measure(all, place.view(options.size, target.framebuffer()), options);
         if (all.size() == 1)
             print(place.name, measured[0]);
         else
             printSideBySide(place.name, measured[0], measured[1]);
-        if (options.picture.empty()) continue;
-        std::filesystem::create_directories(options.picture);
+        if (options.imageFolder.empty()) continue;
+        std::filesystem::create_directories(options.imageFolder);
         Image image(options.size.x, options.size.y);
         image.rgb = target.readRgb();
-        if (auto written = writePng(fmt::format("{}/{}.png", options.picture, place.name), image); !written)
+        if (auto written = writePng(fmt::format("{}/{}.png", options.imageFolder, place.name), image); !written)
             fmt::print(stderr, "{}\n", written.error());
     }
     return 0;

@@ -29,7 +29,7 @@ public:
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, m_blockBuffer.get());
         figures = {};
     }
-    FrameContext context() { return {block, m_settings, scene, targets, m_pictures, m_noise, figures, m_emptyVertexArray}; }
+    FrameContext context() { return {block, m_settings, scene, targets, m_outputTargets, m_noise, figures, m_emptyVertexArray}; }
 
     ShaderLibrary shaders;
     GBufferPass gbuffer;
@@ -42,7 +42,7 @@ public:
 
 private:
     RenderSettings m_settings;
-    TargetPool m_pictures;
+    TargetPool m_outputTargets;
     Texture m_noise;
     GlName<BufferKind> m_blockBuffer = GlName<BufferKind>::make();
     VertexArray m_emptyVertexArray = VertexArray::make();

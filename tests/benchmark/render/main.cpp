@@ -1,4 +1,4 @@
-// ./rubble bench frame|city|primary: what a picture costs, pass by pass, in ever larger worlds, and against other ways to draw it.
+// ./rubble bench frame|city|primary: what a imageFolder costs, pass by pass, in ever larger worlds, and against other ways to draw it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     using namespace rubble;
     bench::Options options;
     std::string subject, gl = "osmesa", size = "640x360";
-    CLI::App app{"What a picture costs", "bench_render"};
+    CLI::App app{"What a imageFolder costs", "bench_render"};
     app.add_option("subject", subject, "frame, city or primary")->required()->check(CLI::IsMember({"frame", "city", "primary"}));
     app.add_option("--frames", options.frames, "measured")->capture_default_str()->check(CLI::PositiveNumber);
     app.add_option("--size", size, "WIDTHxHEIGHT")->capture_default_str();
@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "fragment", "compute", "fastest", "both"}));
     app.add_option("--shaders", options.shaders, "folder of the shaders")->capture_default_str();
-    app.add_option("--pictures", options.picture, "folder for pictures of what was measured");
+    app.add_option("--images", options.imageFolder, "folder for pictures of what was measured");
     CLI11_PARSE(app, argc, argv);
     if (std::sscanf(size.c_str(), "%dx%d", &options.size.x, &options.size.y) != 2 || options.size.x < 1 || options.size.y < 1) {
         fmt::print(stderr, "--size: expected WIDTHxHEIGHT, found {}\n", size);

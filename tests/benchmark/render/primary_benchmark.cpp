@@ -21,7 +21,7 @@ void benchTown(const Options& options) {
     benchCity(options, town);
     GBufferRig rig(options.shaders, std::move(town));
     fmt::print("\nthe town: milliseconds of processors' time\n");
-    for (const Place& place : placesInTown()) {
+    for (const TownView& place : townViews()) {
         rig.beginFrame(place.view(options.size, 0));
         const double gbuffer = medianMs(options.frames, [&] { rig.gbuffer.draw(rig.context()); });
         const double glass = medianMs(options.frames, [&] { rig.glass.draw(rig.context(), rig.gbuffer.tiles()); });

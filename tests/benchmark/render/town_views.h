@@ -6,7 +6,7 @@
 
 namespace rubble::bench {
 
-struct Place {
+struct TownView {
     const char* name;
     Pose camera;
     float verticalFov;
@@ -21,7 +21,7 @@ struct Place {
     }
 };
 
-inline std::vector<Place> placesInTown() {
+inline std::vector<TownView> townViews() {
     return {{"corner", demolitionCamera(2.0), kDemolitionFov},
             {"street", scenes::lookAt({9.0, 1.7, 47.0}, {40.0, 2.0, 30.0}), 1.05f},
             {"map view", scenes::lookAt({32.0, 62.0, 58.0}, {32.0, 0.0, 32.0}), 0.70f}};

@@ -75,7 +75,7 @@ bool benchWalk(const Options& options) {
     const std::string folder = "../tests/benchmark/render/shaders/";
     const Program& ours = rig.shaders.load(folder + "walk_ours.frag");
     const Program& dda = rig.shaders.load(folder + "walk_dda.frag");
-    const Program& reference = rig.shaders.load(folder + "walk_reference.frag");
+    const Program& reference = rig.shaders.load(folder + "walk_teardown.frag");
     for (const std::string& error : rig.shaders.errors()) fmt::print(stderr, "{}\n", error);
     if (!rig.shaders.errors().empty()) return false;
 
@@ -91,14 +91,14 @@ bool benchWalk(const Options& options) {
         const Drawn a = drawRays(rig, ours, target, dense, options.frames), b = drawRays(rig, dda, target, dense, options.frames),
                     c = drawRays(rig, reference, target, dense, options.frames);
         const Differences fromDda = differences(grid, rig.block, options.size.x, a.found, b.found),
-                          fromReference = differences(grid, rig.block, options.size.x, a.found, c.found);
+                          fromTeardown = differences(grid, rig.block, options.size.x, a.found, c.found);
         fmt::print(
             "  {:<12} ours {:6.1f}   plain DDA {:6.1f} ({:.2f}x)   bits and mips {:6.1f} ({:.2f}x)   other voxels {} and {} of {}; wrong: "
-            "ours {} and {}, theirs {} and {}\n",
-            eye.name, a.ms, b.ms, b.ms / a.ms, c.ms, c.ms / a.ms, fromDda.all, fromReference.all, a.found.size(), fromDda.firstWrong,
-            fromReference.firstWrong, fromDda.secondWrong, fromReference.secondWrong);
+            "ours {} and {}, teardown {} and {}\n",
+            eye.name, a.ms, b.ms, b.ms / a.ms, c.ms, c.ms / a.ms, fromDda.all, fromTeardown.all, a.found.size(), fromDda.firstWrong,
+            fromTeardown.firstWrong, fromDda.secondWrong, fromTeardown.secondWrong);
         sums[0] += a.ms, sums[1] += b.ms, sums[2] += c.ms;
-        wrong += fromDda.firstWrong + fromReference.firstWrong;
+        wrong += fromDda.firstWrong + fromTeardown.firstWrong;
     }
     fmt::print("  together: {:.2f}x plain DDA (wanted 2.8), {:.2f}x bits and mips (wanted 1.15), {} of our voxels are not the exact walk's\n",
                sums[1] / sums[0], sums[2] / sums[0], wrong);

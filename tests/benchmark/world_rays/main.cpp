@@ -41,7 +41,7 @@ std::vector<Total> measure(Walks& walks, const WorldBits& bits, glm::ivec3 shift
         std::vector<std::vector<double>> times(names.size());
         for (int repeat = 0; repeat <= repeats; ++repeat)
             for (size_t k = 0; k < names.size(); ++k) {
-                const Answers answers = walks.trace(names[k], set);
+                const TraceResult answers = walks.trace(names[k], set);
                 if (repeat) {
                     times[k].push_back(answers.milliseconds);
                     continue;
@@ -87,7 +87,7 @@ void runChanged(const std::string& what, const RayScene& scene, Walks& walks, De
     walks.apply(demolition.takePatches());
     const WorldBits bits = demolition.bits();
     const glm::ivec3 shift = scene.bits.low - bits.low;
-    for (RaySet& set : sets) findTruth(bits, set, shift);
+    for (RaySet& set : sets) findReference(bits, set, shift);
     const std::vector<Total> totals = measure(walks, bits, shift, sets, kExactOnly, repeats);
     walks.apply(demolition.patchesAtRest());
     const std::vector<Total> atRest = measure(walks, bits, shift, sets, kExactOnly, repeats);
@@ -103,9 +103,9 @@ void run(const RayScene& scene, int repeats, int edits) {
     Walks walks(scene.bits, scene.patches);
     const glm::ivec3 n = scene.bits.cells();
     const std::vector<Total> rest = measure(walks, scene.bits, glm::ivec3(0), sets, Walks::names(), repeats);
-    const std::vector<Total> bounds = measure(walks, scene.bits, glm::ivec3(0), sets, Walks::bounds(), repeats);
+    const std::vector<Total> baselines = measure(walks, scene.bits, glm::ivec3(0), sets, Walks::baselines(), repeats);
     print(fmt::format("{}, {} x {} x {} cells", scene.name, n.x, n.y, n.z), walks, Walks::names(), rest);
-    printNet(Walks::names(), rest, bounds[0], bounds[1]);
+    printNet(Walks::names(), rest, baselines[0], baselines[1]);
     if (!edits) return;
     Demolition demolition(scene, 300);
     for (int i = 0; i < edits; ++i) demolition.step(1, false);
@@ -142,7 +142,7 @@ int main(int argc, char** argv) {
     app.add_flag("--worker", worker, "only what moving pieces cost the worker");
     CLI11_PARSE(app, argc, argv);
     setvbuf(stdout, nullptr, _IOLBF, 0);
-    useNoGlThreads();
+    disableGlThreads();
     auto context = GlContext::create(GlContext::Kind::OsMesa);
     if (!context || !loadGl(context.value()->loader())) return 1;
     for (const std::string& name : names) {

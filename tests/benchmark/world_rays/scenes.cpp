@@ -76,7 +76,7 @@ LevelBody staticBody(VoxelGrid grid, glm::dvec3 position) {
 }
 
 /// Fills in the shadow volume and looks along a street, and down on all from a corner.
-void look(RayScene& scene, glm::dvec3 streetWorld, glm::dvec3 along) {
+void addViews(RayScene& scene, glm::dvec3 streetWorld, glm::dvec3 along) {
     scene.patches = patchesOf(scene.level);
     scene.bits = bitsOf(scene.patches);
     const glm::dvec3 size = glm::min(glm::dvec3(scene.bits.cells()), glm::dvec3(1024.0));
@@ -90,7 +90,7 @@ void look(RayScene& scene, glm::dvec3 streetWorld, glm::dvec3 along) {
 RayScene townScene() {
     RayScene scene{"town", makeTown(1), {}, {}, {}};
     for (const auto& [name, pose] : scene.level.locations)
-        if (name == "camera_street") look(scene, pose.position, pose.rotation * glm::dvec3(0, 0, -1));
+        if (name == "camera_street") addViews(scene, pose.position, pose.rotation * glm::dvec3(0, 0, -1));
     return scene;
 }
 
@@ -104,7 +104,7 @@ RayScene wideCityScene(int blocks) {
     RayScene scene{fmt::format("city {0} x {0}", blocks), {}, {}, {}, {}};
     const VoxelGrid city = City().take();
     for (int i = 0; i < blocks * blocks; ++i) scene.level.bodies.push_back(staticBody(city, glm::dvec3(i % blocks, 0.0, i / blocks) * 102.4));
-    look(scene, {51.4, 1.9, 40.0}, {-0.1, 0.06, 1.0});
+    addViews(scene, {51.4, 1.9, 40.0}, {-0.1, 0.06, 1.0});
     return scene;
 }
 
@@ -113,7 +113,7 @@ RayScene modelScene() {
     Result<Level> level = importVox(RUBBLE_SOURCE_DIR "/../shared/models/scene_theater.vox", {});
     if (!level) return scene;
     scene.level = std::move(level.value());
-    look(scene, {}, {0.1, 0.0, -1.0});
+    addViews(scene, {}, {0.1, 0.0, -1.0});
     const glm::dvec3 size(scene.bits.cells());
     scene.views[0].eye = {size.x * 0.5, 20.0, size.z * 0.9};
     return scene;

@@ -17,7 +17,7 @@ namespace {
 constexpr int kLevels = 3;
 const std::string kExact = "exact", kCoarseFar = "coarse_far", kSetUp = "set_up", kNoWalk = "no_walk";
 
-bool isOurs(const std::string& walk) {
+bool isEngineWalk(const std::string& walk) {
     return walk == kExact || walk == kCoarseFar || walk == kSetUp;
 }
 
@@ -73,7 +73,7 @@ struct Walks::Volumes {
     BufferTexture buffer{GL_R8UI};
     std::array<glm::ivec4, kLevels> levels{};  ///< xyz texels, w the first
     uint64_t bytes = 0;
-    Texture origins{GL_RGBA32F, kPicture}, directions{GL_RGBA32F, kPicture}, answers{GL_RGBA16F, kPicture};
+    Texture origins{GL_RGBA32F, kImageSize}, directions{GL_RGBA32F, kImageSize}, answers{GL_RGBA16F, kImageSize};
     Framebuffer framebuffer{{&answers}};
     VertexArray emptyVertexArray = VertexArray::make();
     GlName<BufferKind> block = GlName<BufferKind>::make();
@@ -99,7 +99,7 @@ struct Walks::Volumes {
     }
 };
 
-void useNoGlThreads() {
+void disableGlThreads() {
     setenv("LP_NUM_THREADS", "0", 1);
 }
 
@@ -108,21 +108,21 @@ const std::vector<std::string>& Walks::names() {
     return list;
 }
 
-const std::vector<std::string>& Walks::bounds() {
+const std::vector<std::string>& Walks::baselines() {
     static const std::vector<std::string> list = {kSetUp, kNoWalk};
     return list;
 }
 
 Walks::Walks(const WorldBits& bits, const std::vector<ShadowPatch>& patches)
     : m_volumes(std::make_unique<Volumes>(bits)), m_low(bits.low), m_cells(bits.cells()) {
-    for (const auto* list : {&names(), &bounds()})
+    for (const auto* list : {&names(), &baselines()})
         for (const std::string& name : *list) m_programs.emplace(name, makeProgram(name));
     apply(patches);
 }
 Walks::~Walks() = default;
 
 uint64_t Walks::bytes(const std::string& walk) const {
-    return isOurs(walk) ? m_scene.shadow().bytes() : m_volumes->bytes;
+    return isEngineWalk(walk) ? m_scene.shadow().bytes() : m_volumes->bytes;
 }
 
 void Walks::apply(std::vector<ShadowPatch> patches) {
@@ -136,7 +136,7 @@ void Walks::bind(const std::string& walk, const Program& program) {
     program.use();
     program.set("uOrigins", m_volumes->origins);
     program.set("uDirections", m_volumes->directions);
-    if (isOurs(walk)) {
+    if (isEngineWalk(walk)) {
         FrameBlock block{};
         m_scene.describeShadow(block);
         glBindBuffer(GL_UNIFORM_BUFFER, m_volumes->block.get());
@@ -157,10 +157,10 @@ void Walks::bind(const std::string& walk, const Program& program) {
     glBindTexture(GL_TEXTURE_3D, m_volumes->texture3d.get());
 }
 
-Answers Walks::trace(const std::string& walk, const RaySet& set) {
+TraceResult Walks::trace(const std::string& walk, const RaySet& set) {
     std::vector<glm::vec4> origins, directions;
     for (const Ray& ray : set.rays) {
-        origins.emplace_back(ray.origin + (isOurs(walk) ? glm::vec3(m_low) : glm::vec3(0)), ray.reach);
+        origins.emplace_back(ray.origin + (isEngineWalk(walk) ? glm::vec3(m_low) : glm::vec3(0)), ray.maxDistance);
         directions.emplace_back(ray.direction, 0.0f);
     }
     m_volumes->origins.upload(origins.data());
@@ -172,9 +172,9 @@ Answers Walks::trace(const std::string& walk, const RaySet& set) {
     const double start = processorMs();
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glFinish();
-    Answers out{{}, processorMs() - start};
+    TraceResult out{{}, processorMs() - start};
     std::vector<uint8_t> pixels(set.rays.size() * 4);
-    glReadPixels(0, 0, kPicture.x, kPicture.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    glReadPixels(0, 0, kImageSize.x, kImageSize.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     for (size_t i = 0; i < set.rays.size(); ++i) out.stopped.push_back(pixels[i * 4] > 127);
     return out;
 }

@@ -13,7 +13,7 @@ namespace rubble::rays {
 
 /// What one walk says about a set of rays, and what that costs. Milliseconds of this thread's processor time, the GL's included:
 /// llvmpipe is told to start no threads.
-struct Answers {
+struct TraceResult {
     std::vector<uint8_t> stopped;
     double milliseconds = 0.0;
 };
@@ -30,11 +30,11 @@ public:
 
     static const std::vector<std::string>& names();  ///< the exact one first
     /// What no walk can do without: the exact one's way to its first step; the bench's own work.
-    static const std::vector<std::string>& bounds();
+    static const std::vector<std::string>& baselines();
     uint64_t bytes(const std::string& walk) const;
     /// Brings the exact walk's structure up to date; the others' stay as they were.
     void apply(std::vector<ShadowPatch> patches);
-    Answers trace(const std::string& walk, const RaySet& set);
+    TraceResult trace(const std::string& walk, const RaySet& set);
 
 private:
     struct Volumes;
@@ -46,6 +46,6 @@ private:
 };
 
 /// Tells llvmpipe to work in the calling thread: before a context is made.
-void useNoGlThreads();
+void disableGlThreads();
 
 }  // namespace rubble::rays

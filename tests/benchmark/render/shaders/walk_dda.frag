@@ -7,7 +7,7 @@ vec4 firstVoxel(vec3 origin, vec3 given) {
     float tEnter, tLeave;
     if (!enterGrid(origin, given, direction, inverse, tEnter, tLeave)) return vec4(-1.0);
     ivec3 cell = clamp(ivec3(floor(origin + direction * (tEnter + kNudge))), ivec3(0), uSize - 1);
-    ivec3 way = ivec3(sign(direction));
+    ivec3 stepSign = ivec3(sign(direction));
     vec3 delta = abs(inverse);
     vec3 next = (vec3(cell) + step(0.0, direction) - origin) * inverse;
     float t = tEnter;
@@ -18,7 +18,7 @@ vec4 firstVoxel(vec3 origin, vec3 given) {
         if (crossed.x > 0.0) crossed.yz = vec2(0.0);
         else if (crossed.y > 0.0) crossed.z = 0.0;
         next += crossed * delta;
-        cell += ivec3(crossed) * way;
+        cell += ivec3(crossed) * stepSign;
         if (any(lessThan(cell, ivec3(0))) || any(greaterThanEqual(cell, uSize))) break;
     }
     return vec4(-1.0);

@@ -9,9 +9,9 @@ namespace rubble::bench {
 
 /// The reference game's whole method for a G-buffer: a 3D texture and a draw call an object, boxes' back faces, from near to
 /// far, and the linear depth copied eight times on the way.
-class ReferenceBodies {
+class TeardownBodies {
 public:
-    explicit ReferenceBodies(ShaderLibrary& shaders);
+    explicit TeardownBodies(ShaderLibrary& shaders);
     /// As the next instance of the rig's scene.
     void add(const VoxelGrid& grid) { m_grids.emplace_back(grid); }
     /// Into the same targets as GBufferPass. order: instances in view, nearest first.

@@ -5,10 +5,10 @@
 namespace rubble::reference {
 
 /// OpenEXR: R, G, B and variance.R, .G, .B in floats, rows from the top as the format wants them.
-Result<Done> writeExr(const std::string& path, const Picture& picture);
-Result<Picture> readExr(const std::string& path);
+Result<Done> writeExr(const std::string& path, const Estimate& estimate);
+Result<Estimate> readExr(const std::string& path);
 
 /// render(), or the file of an earlier run with the same scene, view and settings under `folder`.
-Picture cachedRender(const Scene& scene, const View& view, const Settings& settings, const std::string& folder, const std::string& what);
+Estimate cachedRender(const Scene& scene, const View& view, const Settings& settings, const std::string& folder, const std::string& what);
 
 }  // namespace rubble::reference

@@ -1,7 +1,7 @@
 // The reference game's walk, a ray a pixel.
 #include "../tests/benchmark/render/shaders/one_ray.glsl"
 #include "../tests/benchmark/render/shaders/dense_grid.glsl"
-#include "../tests/benchmark/render/shaders/reference_walk.glsl"
+#include "../tests/benchmark/render/shaders/teardown_walk.glsl"
 
 vec4 firstVoxel(vec3 origin, vec3 given) {
     vec3 normal;

@@ -1,4 +1,4 @@
-// Pictures for eyes: what the renderer draws beside the truth. Only with RUBBLE_PICTURES=FOLDER; RUBBLE_WITHOUT=sun,sky,lamps,bounce,
+// Pictures for eyes: what the renderer draws beside the reference. Only with RUBBLE_IMAGES=FOLDER; RUBBLE_WITHOUT=sun,sky,lamps,bounce,
 // mirrors,glow leaves parts of the light out of both, RUBBLE_PART=sun|sky|lamps|mirrors shows one estimator.
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "tests/golden/drawing.h"
 #include "tests/reference/display.h"
 #include "tests/reference/flip.h"
-#include "tests/reference/picture_file.h"
+#include "tests/reference/exr_file.h"
 #include "tests/reference/relative_error.h"
 #include "tests/reference/ssim.h"
 #include "tests/reference/views.h"
@@ -19,7 +19,7 @@
 namespace rubble::reference {
 namespace {
 
-class Look : public GlTest {};
+class SideBySide : public GlTest {};
 
 FloatImage asGray(const FloatImage& map) {
     FloatImage out(map.size);
@@ -28,26 +28,26 @@ FloatImage asGray(const FloatImage& map) {
 }
 
 /// Least milliseconds of each pass over the pictures drawn: what else the machine does is left out as far as it can be.
-class LeastTimes {
+class MinTimes {
 public:
     void add(const RenderFigures& figures) {
         for (const auto& [pass, ms] : figures.passMs) {
             const auto found =
-                std::find_if(m_least.begin(), m_least.end(), [&, name = std::string(pass)](const auto& each) { return each.first == name; });
-            if (found == m_least.end())
-                m_least.emplace_back(pass, ms);
+                std::find_if(m_min.begin(), m_min.end(), [&, name = std::string(pass)](const auto& each) { return each.first == name; });
+            if (found == m_min.end())
+                m_min.emplace_back(pass, ms);
             else
                 found->second = std::min(found->second, ms);
         }
     }
     void print() const {
         double sum = 0.0;
-        for (const auto& [pass, ms] : m_least) printf("%s %.1f, ", pass.c_str(), ms), sum += ms;
+        for (const auto& [pass, ms] : m_min) printf("%s %.1f, ", pass.c_str(), ms), sum += ms;
         printf("all %.1f ms\n", sum);
     }
 
 private:
-    std::vector<std::pair<std::string, double>> m_least;
+    std::vector<std::pair<std::string, double>> m_min;
 };
 
 int numberFrom(const char* name, int otherwise) {
@@ -74,14 +74,14 @@ void remove(SceneView& each, RenderSettings& drawn, Settings& traced, const std:
     }
 }
 
-/// What a part of the light is called here, in the truth, and in the renderer's targets.
+/// What a part of the light is called here, in the reference, and in the renderer's targets.
 struct Part {
     const char* name;
     Term term;
     const char* target;
     bool alpha;
 };
-constexpr Part kParts[] = {{"whole", Term::Whole, "resolved", false},
+constexpr Part kParts[] = {{"whole", Term::Full, "resolved", false},
                            {"sun", Term::SunShare, "noisyLight", true},
                            {"sky", Term::Sky, "noisyLight", false},
                            {"lamps", Term::LocalLights, "noisyLight", false},
@@ -96,7 +96,7 @@ const Part& partNamed(const std::string& name) {
 /// One estimator alone, as it is before any filter, at the centres of the pixels.
 void select(const Part& part, RenderSettings& drawn, Settings& traced) {
     traced.term = part.term;
-    if (part.term == Term::Whole) return;
+    if (part.term == Term::Full) return;
     traced.filterPixels = drawn.temporal = false;
     drawn.filterPasses = 0;
     drawn.sun = part.term == Term::SunShare, drawn.localLights = part.term == Term::LocalLights;
@@ -104,39 +104,39 @@ void select(const Part& part, RenderSettings& drawn, Settings& traced) {
 }
 
 /// The last picture, or of one estimator the mean of all.
-FloatImage drawnPart(Renderer& renderer, const View& view, const Part& part, int frames, LeastTimes& times) {
+FloatImage drawnPart(Renderer& renderer, const View& view, const Part& part, int frames, MinTimes& times) {
     FloatImage sum;
     for (int i = 0; i < frames; ++i) {
         renderer.draw(view, 1.0f), times.add(renderer.figures());
-        if (part.term == Term::Whole && i + 1 < frames) continue;
+        if (part.term == Term::Full && i + 1 < frames) continue;
         FloatImage image = std::move(*renderer.readTarget(part.target));
         if (part.alpha)
             for (glm::vec4& p : image.pixels) p = glm::vec4(p.a, 0.0f, 0.0f, 1.0f);
         if (sum.pixels.empty()) sum = FloatImage(image.size);
-        const float share = part.term == Term::Whole ? 1.0f : 1.0f / float(frames);
+        const float share = part.term == Term::Full ? 1.0f : 1.0f / float(frames);
         for (size_t p = 0; p < image.pixels.size(); ++p) sum.pixels[p] += share * image.pixels[p];
     }
     return sum;
 }
 
-/// As it might have come out with other random numbers: what FLIP makes of it is the noise that is left in the truth.
-FloatImage againOf(const Picture& truth) {
-    FloatImage again = truth.mean;
+/// As it might have come out with other random numbers: what FLIP makes of it is the noise that is left in the reference.
+FloatImage withOtherNoise(const Estimate& reference) {
+    FloatImage again = reference.mean;
     Random random(1, 1);
     for (size_t p = 0; p < again.pixels.size(); ++p) {
         float normal = -6.0f;
         for (int i = 0; i < 12; ++i) normal += random.unit();
-        again.pixels[p] += normal * glm::sqrt(2.0f * truth.variance.pixels[p] / float(truth.samples));
+        again.pixels[p] += normal * glm::sqrt(2.0f * reference.variance.pixels[p] / float(reference.samples));
     }
     return again;
 }
 
-TEST_F(Look, AtTheTruth) {
-    const char* folder = std::getenv("RUBBLE_PICTURES");
-    if (!folder) GTEST_SKIP() << "set RUBBLE_PICTURES to a folder to draw the views beside the truth";
+TEST_F(SideBySide, BesideTheReference) {
+    const char* folder = std::getenv("RUBBLE_IMAGES");
+    if (!folder) GTEST_SKIP() << "set RUBBLE_IMAGES to a folder to draw the views beside the reference";
     const int width = numberFrom("RUBBLE_WIDTH", 320), samples = numberFrom("RUBBLE_SAMPLES", 64), frames = numberFrom("RUBBLE_FRAMES", 16);
     std::vector<SceneView> views = tuningViews();
-    if (numberFrom("RUBBLE_JUDGE", 0)) views = judgingViews();
+    if (numberFrom("RUBBLE_HELD_OUT", 0)) views = heldOutViews();
     const std::string only = std::getenv("RUBBLE_VIEW") ? std::getenv("RUBBLE_VIEW") : "";
     for (SceneView& each : views) {
         if (each.name.find(only) == std::string::npos) continue;
@@ -151,20 +151,20 @@ TEST_F(Look, AtTheTruth) {
         std::stringstream without(std::getenv("RUBBLE_WITHOUT") ? std::getenv("RUBBLE_WITHOUT") : "");
         for (std::string one; std::getline(without, one, ',');) remove(each, drawnSettings, settings, one);
         const Scene scene(each.snapshot);
-        const Picture truth = cachedRender(scene, each.view, settings, RUBBLE_BINARY_DIR "/reference", each.name);
+        const Estimate reference = cachedRender(scene, each.view, settings, RUBBLE_BINARY_DIR "/reference", each.name);
         const char* shaders = std::getenv("RUBBLE_SHADERS");
         auto made = Renderer::create(testContext().loader(), shaders ? shaders : shaderFolder(), drawnSettings);
         ASSERT_TRUE(made) << made.error();
         (*made)->apply(FrameSnapshot(each.snapshot));
         const Offscreen target(each.view.size);
         each.view.framebuffer = target.framebuffer();
-        LeastTimes times;
+        MinTimes times;
         const FloatImage drawn = drawnPart(**made, each.view, part, frames, times);
         times.print();
-        const float exposure = exposureFor(truth.mean, each.snapshot.environment.exposure);
-        const FloatImage a = displayed(truth.mean, exposure), b = displayed(drawn, exposure), map = flipMap(a, b);
-        printf("%-20s FLIP %.4f  relMSE %.4f  SSIM %.4f; the truth against itself FLIP %.4f\n", each.name.c_str(), flip(a, b),
-               relativeError(truth.mean, drawn), ssim(a, b), flip(a, displayed(againOf(truth), exposure)));
+        const float exposure = exposureFor(reference.mean, each.snapshot.environment.exposure);
+        const FloatImage a = displayed(reference.mean, exposure), b = displayed(drawn, exposure), map = flipMap(a, b);
+        printf("%-20s FLIP %.4f  relMSE %.4f  SSIM %.4f; the reference against itself FLIP %.4f\n", each.name.c_str(), flip(a, b),
+               relativeError(reference.mean, drawn), ssim(a, b), flip(a, displayed(withOtherNoise(reference), exposure)));
         std::string file = each.name;
         std::replace(file.begin(), file.end(), ' ', '_');
         ASSERT_TRUE(writePng(std::string(folder) + "/" + file + ".png", tile({toImage(a), toImage(b), toImage(asGray(map))}, 1)));

@@ -1,13 +1,13 @@
-#include "tests/benchmark/render/reference_bodies.h"
+#include "tests/benchmark/render/teardown_bodies.h"
 
 #include "render/passes/gbuffer_pass.h"
 
 namespace rubble::bench {
 
-ReferenceBodies::ReferenceBodies(ShaderLibrary& shaders)
-    : m_program(shaders.load("../tests/benchmark/render/shaders/reference_body.frag", "../tests/benchmark/render/shaders/reference_body.vert")) {}
+TeardownBodies::TeardownBodies(ShaderLibrary& shaders)
+    : m_program(shaders.load("../tests/benchmark/render/shaders/teardown_body.frag", "../tests/benchmark/render/shaders/teardown_body.vert")) {}
 
-void ReferenceBodies::draw(const FrameContext& frame, const std::vector<int>& order) {
+void TeardownBodies::draw(const FrameContext& frame, const std::vector<int>& order) {
     TargetPool& targets = frame.targets;
     const Texture& albedo = targets.target("albedo", GL_RGBA8);
     const Texture& normal = targets.target("normal", GL_RGBA16F);

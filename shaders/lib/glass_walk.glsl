@@ -15,11 +15,11 @@ vec3 transmittance(int body, Layout shape, int index, int slot, ivec3 cell) {
 }
 
 /// Up to the first opaque voxel, or tMax.
-Panes throughPanes(int body, Layout shape, vec3 originCells, vec3 rayCells, float tMax) {
+Panes walkGlass(int body, Layout shape, vec3 originCells, vec3 rayCells, float tMax) {
     Panes panes = kNoPanes;
     CellWalk w;
     if (!startWalk(w, originCells, rayCells, 0.0, tMax, shape.low, shape.high)) return panes;
-    for (int i = 0; i < kMostSteps; ++i) {
+    for (int i = 0; i < kMaxSteps; ++i) {
         int slot, steps = 0;
         if (!findSolid(w, shape, tMax, slot, steps)) break;
         int index = indexAt(slot, w.cell);

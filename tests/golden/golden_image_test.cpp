@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 /// Compares with tests/golden/images/NAME.png; a failure writes actual, expected and difference under the build folder.
 /// RUBBLE_UPDATE_GOLDEN=1 writes the golden picture instead: look at it before you commit it.
-void expectPicture(const Image& actual, const std::string& name) {
+void expectGoldenImage(const Image& actual, const std::string& name) {
     const std::string golden = RUBBLE_SOURCE_DIR "/tests/golden/images/" + name + ".png";
     if (std::getenv("RUBBLE_UPDATE_GOLDEN")) {
         fs::create_directories(fs::path(golden).parent_path());
@@ -33,7 +33,7 @@ void expectPicture(const Image& actual, const std::string& name) {
                   << folder << name << "_{actual,expected,difference}.png";
 }
 
-class PictureTest : public Drawing {
+class GoldenImageTest : public Drawing {
 protected:
     Image street(int camera) {
         RenderSettings settings;
@@ -43,14 +43,14 @@ protected:
     }
 };
 
-TEST_F(PictureTest, TheStreetInTheEvening) {
-    expectPicture(street(0), "street");
+TEST_F(GoldenImageTest, TheStreetInTheEvening) {
+    expectGoldenImage(street(0), "street");
 }
-TEST_F(PictureTest, TheRoomBehindTheHole) {
-    expectPicture(street(2), "room");
+TEST_F(GoldenImageTest, TheRoomBehindTheHole) {
+    expectGoldenImage(street(2), "room");
 }
 
-TEST_F(PictureTest, ADifferentPictureIsNoticed) {
+TEST_F(GoldenImageTest, ADifferentImageIsNoticed) {
     Image a(64, 64), b(64, 64);
     for (int y = 20; y < 26; ++y)
         for (int x = 20; x < 26; ++x) b.at(x, y)[0] = 90;

@@ -2,7 +2,7 @@
 #include "lib/frame.glsl"
 #include "lib/bodies.glsl"
 #include "../tests/benchmark/render/shaders/dense_grid.glsl"
-#include "../tests/benchmark/render/shaders/reference_walk.glsl"
+#include "../tests/benchmark/render/shaders/teardown_walk.glsl"
 uniform int uBody;
 uniform sampler2D uDepthSoFar;  // linear depth of what was drawn before the last copy
 flat in vec3 cameraCells;
@@ -13,7 +13,7 @@ layout(location = 3) out vec2 outMotion;
 layout(location = 4) out float outDepth;
 
 void main() {
-    Placement place = readPlacement(uBody);
+    Placement place = readTransform(uBody);
     vec2 uv = gl_FragCoord.xy * frame.targetSize.zw;
     vec3 rayWorld = viewRay(uv);
     vec3 rayCells = rotateBack(place.rotation, rayWorld) / place.voxelSize;

@@ -1,4 +1,4 @@
-#include "tests/reference/picture_file.h"
+#include "tests/reference/exr_file.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -15,15 +15,15 @@
 namespace rubble::reference {
 namespace {
 
-constexpr uint64_t kTracerVersion = 4;  // raise it when the same settings give another picture
+constexpr uint64_t kTracerVersion = 4;  // raise it when the same settings give another estimate
 constexpr const char* kNames[6] = {"R", "G", "B", "variance.R", "variance.G", "variance.B"};
 
-/// Slices over the picture's channels. The first row in memory is the lowest: strides go backwards from the last.
-Imf::FrameBuffer slicesOf(Picture& picture) {
+/// Slices over the estimate's channels. The first row in memory is the lowest: strides go backwards from the last.
+Imf::FrameBuffer slicesOf(Estimate& estimate) {
     Imf::FrameBuffer slices;
-    const glm::ivec2 size = picture.mean.size;
+    const glm::ivec2 size = estimate.mean.size;
     for (int i = 0; i < 6; ++i) {
-        FloatImage& image = i < 3 ? picture.mean : picture.variance;
+        FloatImage& image = i < 3 ? estimate.mean : estimate.variance;
         char* top = reinterpret_cast<char*>(&image.at(0, size.y - 1)) + sizeof(float) * size_t(i % 3);
         slices.insert(kNames[i], Imf::Slice(Imf::FLOAT, top, sizeof(glm::vec4), size_t(0) - sizeof(glm::vec4) * size_t(size.x)));
     }
@@ -35,53 +35,53 @@ uint64_t keyOf(const Scene& scene, const View& view, const Settings& s) {
     const double numbers[] = {
         view.position.x,   view.position.y,  view.position.z,        view.rotation.w,       view.rotation.x,     view.rotation.y,
         view.rotation.z,   view.verticalFov, double(view.size.x),    double(view.size.y),   double(int(s.term)), double(s.samples),
-        double(s.bounces), s.reach,          double(s.filterPixels), double(s.lobeSamples), double(s.seed)};
+        double(s.bounces), s.maxDistance,          double(s.filterPixels), double(s.lobeSamples), double(s.seed)};
     for (const double number : numbers) key = hashValue(number, key);
     return key;
 }
 
 }  // namespace
 
-Result<Done> writeExr(const std::string& path, const Picture& picture) {
+Result<Done> writeExr(const std::string& path, const Estimate& estimate) {
     try {
-        Imf::Header header(picture.mean.size.x, picture.mean.size.y);
+        Imf::Header header(estimate.mean.size.x, estimate.mean.size.y);
         for (const char* name : kNames) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-        header.insert("samples", Imf::IntAttribute(picture.samples));
+        header.insert("samples", Imf::IntAttribute(estimate.samples));
         Imf::OutputFile file(path.c_str(), header);
-        Picture copy = picture;
+        Estimate copy = estimate;
         file.setFrameBuffer(slicesOf(copy));
-        file.writePixels(picture.mean.size.y);
+        file.writePixels(estimate.mean.size.y);
     } catch (const std::exception& e) {
         return Error{path + ": " + e.what()};
     }
     return Done{};
 }
 
-Result<Picture> readExr(const std::string& path) {
+Result<Estimate> readExr(const std::string& path) {
     try {
         Imf::InputFile file(path.c_str());
         const Imath::Box2i window = file.header().dataWindow();
         const glm::ivec2 size(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
-        Picture picture{FloatImage(size), FloatImage(size), 0};
-        if (const auto* samples = file.header().findTypedAttribute<Imf::IntAttribute>("samples")) picture.samples = samples->value();
-        for (glm::vec4& pixel : picture.mean.pixels) pixel.a = 1.0f;
-        file.setFrameBuffer(slicesOf(picture));
+        Estimate estimate{FloatImage(size), FloatImage(size), 0};
+        if (const auto* samples = file.header().findTypedAttribute<Imf::IntAttribute>("samples")) estimate.samples = samples->value();
+        for (glm::vec4& pixel : estimate.mean.pixels) pixel.a = 1.0f;
+        file.setFrameBuffer(slicesOf(estimate));
         file.readPixels(window.min.y, window.max.y);
-        return picture;
+        return estimate;
     } catch (const std::exception& e) {
         return Error{path + ": " + e.what()};
     }
 }
 
-Picture cachedRender(const Scene& scene, const View& view, const Settings& settings, const std::string& folder, const std::string& what) {
+Estimate cachedRender(const Scene& scene, const View& view, const Settings& settings, const std::string& folder, const std::string& what) {
     const std::string path = fmt::format("{}/{:016x}.exr", folder, keyOf(scene, view, settings));
     if (std::filesystem::exists(path))
         if (auto found = readExr(path); found && found->mean.size == view.size) return *found;
-    Picture picture = render(scene, view, settings, what);
+    Estimate estimate = render(scene, view, settings, what);
     std::filesystem::create_directories(folder);
     // Under another name first: a run that is cut off leaves no half file to be found.
-    if (writeExr(path + ".part", picture)) std::filesystem::rename(path + ".part", path);
-    return picture;
+    if (writeExr(path + ".part", estimate)) std::filesystem::rename(path + ".part", path);
+    return estimate;
 }
 
 }  // namespace rubble::reference

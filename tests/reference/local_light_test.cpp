@@ -1,4 +1,4 @@
-// A floor under one lamp, as the whole renderer shows it, against the truth: its diffuse light and its highlight.
+// A floor under one light, as the whole renderer shows it, against the reference: its diffuse light and its highlight.
 #include "tests/golden/drawing.h"
 #include "tests/reference/brightness.h"
 #include "tests/reference/path_tracer.h"
@@ -10,11 +10,11 @@ namespace {
 constexpr glm::ivec2 kSize(48, 32);
 constexpr int kJitterPeriod = 16;  // pictures
 
-class FloorUnderALamp : public Drawing {
+class FloorUnderALight : public Drawing {
 protected:
     struct Floor {
         uint8_t gray = 120, roughness = 255, reflectivity = 20;
-        glm::vec3 sky = glm::vec3(0.0f), lamp = glm::vec3(4.0f);
+        glm::vec3 sky = glm::vec3(0.0f), light = glm::vec3(4.0f);
         float radius = 0.05f;
     };
     static LitScene scene(const Floor& floor) {
@@ -28,7 +28,7 @@ protected:
         air.skyColor = air.horizonColor = floor.sky;
         air.fogDistance = 1e6f;
         made.add({60, 1, 60}, {{-3, -0.1, -3}}, [](glm::ivec3) { return uint8_t(1); });
-        made.addLight({LightKind::Sphere, {0.3, 1.2, -1.0}, {0, -1, 0}, floor.lamp, floor.radius, 100.0f, 0.6f, 1.1f});
+        made.addLight({LightKind::Sphere, {0.3, 1.2, -1.0}, {0, -1, 0}, floor.light, floor.radius, 100.0f, 0.6f, 1.1f});
         return made;
     }
     /// Mean radiance of the floor, drawn over true.
@@ -43,31 +43,31 @@ protected:
         FloatImage drawn(kSize);
         for (int i = 0; i < kJitterPeriod; ++i) {
             draw(camera, 1);
-            const FloatImage picture = read("resolved");
-            for (size_t p = 0; p < drawn.pixels.size(); ++p) drawn.pixels[p] += picture.pixels[p] / float(kJitterPeriod);
+            const FloatImage image = read("resolved");
+            for (size_t p = 0; p < drawn.pixels.size(); ++p) drawn.pixels[p] += image.pixels[p] / float(kJitterPeriod);
         }
-        const FloatImage truth = render(Scene(made.snapshot()), camera.view(kSize, 0), {.samples = 512, .filterPixels = true}).mean;
-        return brightnessOverTrue(drawn, truth, [&](size_t p) { return depth.pixels[p].x < 1e3f; });
+        const FloatImage reference = render(Scene(made.snapshot()), camera.view(kSize, 0), {.samples = 512, .filterPixels = true}).mean;
+        return brightnessRatio(drawn, reference, [&](size_t p) { return depth.pixels[p].x < 1e3f; });
     }
 };
 
-TEST_F(FloorUnderALamp, IsAsBrightAsTheTruth) {
+TEST_F(FloorUnderALight, IsAsBrightAsTheReference) {
     EXPECT_NEAR(ratio({.roughness = 10}).y, 1.0, 0.01) << "smooth";
-    EXPECT_NEAR(ratio({.roughness = 80, .radius = 0.8f}).y, 1.0, 0.01) << "half smooth, a wide lamp";
+    EXPECT_NEAR(ratio({.roughness = 80, .radius = 0.8f}).y, 1.0, 0.01) << "half smooth, a wide light";
     EXPECT_NEAR(ratio({.roughness = 255}).y, 1.0, 0.01) << "rough";
 }
 
 /// A dark floor mirrors as much as it scatters: what it mirrors is the sky, as lamps have highlights of their own.
-TEST_F(FloorUnderALamp, MirrorsTheSkyAndNotTheLampsColor) {
+TEST_F(FloorUnderALight, MirrorsTheSkyAndNotTheLightsColor) {
     const glm::dvec3 found = ratio(
-        {.gray = 60, .roughness = 200, .reflectivity = 128, .sky = {0.15f, 0.2f, 0.3f}, .lamp = {4.0f, 2.4f, 1.0f}, .radius = 0.3f}, {0.0, 0.7, 2.8});
+        {.gray = 60, .roughness = 200, .reflectivity = 128, .sky = {0.15f, 0.2f, 0.3f}, .light = {4.0f, 2.4f, 1.0f}, .radius = 0.3f}, {0.0, 0.7, 2.8});
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], 1.0, 0.02) << c;
 }
 
-/// A steel post of one voxel close to a lamp, before a dark wall far away: the wall does not shine beside it.
-class PostByALamp : public Drawing {
+/// A steel post of one voxel close to a light, before a dark wall far away: the wall does not shine beside it.
+class PostByALight : public Drawing {
 protected:
-    FloatImage picture(uint8_t metallic) {
+    FloatImage image(uint8_t metallic) {
         auto palette = std::make_shared<Palette>();
         PaletteEntry &wall = (*palette)[1], &steel = (*palette)[2];
         wall.red = wall.green = wall.blue = 40;
@@ -92,13 +92,13 @@ protected:
     }
 };
 
-TEST_F(PostByALamp, KeepsItsHighlightToItself) {
-    const FloatImage shining = picture(255), black = picture(0), depth = read("depth");
+TEST_F(PostByALight, KeepsItsHighlightToItself) {
+    const FloatImage shining = image(255), black = image(0), depth = read("depth");
     double onWall = 0.0, onPost = 0.0;
     for (size_t p = 0; p < depth.pixels.size(); ++p) {
         const double more = double(shining.pixels[p].y - black.pixels[p].y);
-        double& most = depth.pixels[p].x > 6.0f ? onWall : onPost;
-        most = std::max(most, more);
+        double& largest = depth.pixels[p].x > 6.0f ? onWall : onPost;
+        largest = std::max(largest, more);
     }
     EXPECT_GT(onPost, 0.1);
     EXPECT_LT(onWall, 0.01 * onPost);
