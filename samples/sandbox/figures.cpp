@@ -37,20 +37,20 @@ void Figures::addStep(FrameLoop& loop, uint64_t allocations) {
     series("bodies").push_back(double(loop.world().bodies().size()));
     series("bodies awake").push_back(physics.awake);
     if (loop.shadow()) series("shadow age, steps").push_back(double(loop.shadowLag()));
-    series("allocations a step").push_back(double(allocations));
+    series("allocations per step").push_back(double(allocations));
     for (const RemovedVoxels& removed : changes.removed) m_removed += removed.count;
     for (const ShapeSplit& split : changes.splits) m_pieces += split.children.size();
     m_splits += changes.splits.size();
     m_painted += changes.paintedVoxels;
     m_groupsOut += changes.groupsOut.size();
     m_hashes.push_back(loop.world().hash());
-    m_ledger = loop.world().voxelAccounting();
+    m_accounting = loop.world().voxelAccounting();
 }
 
-void Figures::addPicture(const FrameLoop& loop, const Renderer& renderer) {
+void Figures::addFrame(const FrameLoop& loop, const Renderer& renderer) {
     const RenderFigures& figures = renderer.figures();
-    series("picture: apply ms").push_back(loop.times()[Stage::Apply]);
-    series("picture: draw ms").push_back(loop.times()[Stage::Draw]);
+    series("frame: apply ms").push_back(loop.times()[Stage::Apply]);
+    series("frame: draw ms").push_back(loop.times()[Stage::Draw]);
     for (const auto& [name, ms] : figures.passMs) series(fmt::format("pass: {} ms", name)).push_back(ms);
     series("draw calls").push_back(figures.drawCalls);
     series("draw calls for bodies").push_back(figures.bodyDraws);
@@ -72,8 +72,8 @@ std::string Figures::table() const {
     out += fmt::format("passes drawn by compute: {}\n", m_computePasses.empty() ? "none" : fmt::format("{}", fmt::join(m_computePasses, ", ")));
     out += fmt::format("voxels removed {}, painted {}; splits {}, pieces {}; light groups out {}\n", m_removed, m_painted, m_splits, m_pieces,
                        m_groupsOut);
-    out += fmt::format("ledger: imported {} = standing {} + in pieces {} + removed {}: {}\n", m_ledger.imported, m_ledger.standing, m_ledger.inPieces,
-                       m_ledger.removed, m_ledger.balances() ? "balances" : "DOES NOT BALANCE");
+    out += fmt::format("ledger: imported {} = standing {} + in pieces {} + removed {}: {}\n", m_accounting.imported, m_accounting.standing, m_accounting.inPieces,
+                       m_accounting.removed, m_accounting.balances() ? "balances" : "DOES NOT BALANCE");
     if (!m_hashes.empty()) out += fmt::format("state hash after {} steps: {:016x}\n", m_hashes.size(), m_hashes.back());
     return out;
 }
@@ -92,7 +92,7 @@ bool Figures::writeJson(const std::string& path) const {
     json["pieces"] = m_pieces;
     json["groups_out"] = m_groupsOut;
     json["ledger"] = {
-        {"imported", m_ledger.imported}, {"standing", m_ledger.standing}, {"in_pieces", m_ledger.inPieces}, {"removed", m_ledger.removed}};
+        {"imported", m_accounting.imported}, {"standing", m_accounting.standing}, {"in_pieces", m_accounting.inPieces}, {"removed", m_accounting.removed}};
     for (const uint64_t hash : m_hashes) json["state_hash"].push_back(fmt::format("{:016x}", hash));
     std::ofstream file(path);
     file << json.dump(1) << "\n";

@@ -9,11 +9,11 @@
 
 namespace rubble {
 
-/// Collects what a run cost and did, step by step and picture by picture, and prints it.
+/// Collects what a run cost and did, step by step and frame by frame, and prints it.
 class Figures {
 public:
     void addStep(FrameLoop& loop, uint64_t allocations);
-    void addPicture(const FrameLoop& loop, const Renderer& renderer);
+    void addFrame(const FrameLoop& loop, const Renderer& renderer);
     /// Figures that are one value for the whole run.
     void set(const std::string& name, double value) { m_single[name] = value; }
 
@@ -32,9 +32,9 @@ private:
     std::vector<Series> m_series;  ///< in the order first seen
     std::map<std::string, double> m_single;
     std::vector<uint64_t> m_hashes;
-    std::vector<std::string> m_computePasses;  ///< of the last picture
+    std::vector<std::string> m_computePasses;  ///< of the last frame
     uint64_t m_removed = 0, m_splits = 0, m_pieces = 0, m_painted = 0, m_groupsOut = 0;
-    VoxelAccounting m_ledger;
+    VoxelAccounting m_accounting;
 };
 
 /// Allocations by operator new in this process so far.

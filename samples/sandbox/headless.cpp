@@ -23,33 +23,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kStepsASecond = 60;
-constexpr int kWarmUpFrames = 12;  ///< before the first picture, so that its light has settled
-constexpr int kSheetPictures = 12;
+constexpr int kStepsPerSecond = 60;
+constexpr int kWarmUpFrames = 12;  ///< before the first frame, so that its light has settled
+constexpr int kMaxSheetFrames = 12;
 constexpr int kPassColumns = 4;
-constexpr int kRunUp = 6;  ///< steps drawn before a picture that stands alone, so that light and edges have a past
+constexpr int kHistoryFrames = 6;  ///< steps drawn before a frame that stands alone, so that light and edges have a past
 
-/// Draws pictures of a running world into files.
-class Cameraman {
+/// Draws frames of a running world into files.
+class FrameRecorder {
 public:
-    static Result<std::unique_ptr<Cameraman>> create(const SandboxOptions& options, const SandboxStage& stage) {
-        auto cameraman = std::unique_ptr<Cameraman>(new Cameraman(options, stage));
+    static Result<std::unique_ptr<FrameRecorder>> create(const SandboxOptions& options, const SandboxStage& stage) {
+        auto recorder = std::unique_ptr<FrameRecorder>(new FrameRecorder(options, stage));
         auto context = GlContext::create(GlContext::kindOf(options.gl));
         if (!context) return Error{context.error()};
-        cameraman->m_context = std::move(*context);
+        recorder->m_context = std::move(*context);
         RenderSettings settings = RenderSettings::preset(options.preset);
         settings.fullscreen = RenderSettings::fullscreenFromName(options.fullscreen);
         settings.warmUpFrames = kWarmUpFrames;
-        auto renderer = Renderer::create(cameraman->m_context->loader(), options.shaders, settings);
+        auto renderer = Renderer::create(recorder->m_context->loader(), options.shaders, settings);
         if (!renderer) return Error{renderer.error()};
-        cameraman->m_renderer = std::move(*renderer);
-        cameraman->m_offscreen = std::make_unique<Offscreen>(glm::ivec2(options.width, options.height));
-        if (!cameraman->m_renderer->showPass(options.pass)) {
+        recorder->m_renderer = std::move(*renderer);
+        recorder->m_offscreen = std::make_unique<Offscreen>(glm::ivec2(options.width, options.height));
+        if (!recorder->m_renderer->showPass(options.pass)) {
             std::string names;
-            for (const std::string& name : cameraman->m_renderer->passNames()) names += " " + name;
+            for (const std::string& name : recorder->m_renderer->passNames()) names += " " + name;
             return Error{"--pass " + options.pass + ": no such pass; there are:" + names};
         }
-        return cameraman;
+        return recorder;
     }
 
     Image draw(FrameLoop& loop, double seconds) {
@@ -66,7 +66,7 @@ public:
         return image;
     }
 
-    /// The same picture through every pass, into `folder`, and all of them on a sheet beside it.
+    /// The same frame through every pass, into `folder`, and all of them on a sheet beside it.
     void writeAllPasses(FrameLoop& loop, double seconds, const fs::path& folder) {
         fs::create_directories(folder);
         std::vector<Image> sheet;
@@ -82,7 +82,7 @@ public:
     const Renderer& renderer() const { return *m_renderer; }
 
 private:
-    Cameraman(const SandboxOptions& options, const SandboxStage& stage) : m_options(options), m_stage(stage) {}
+    FrameRecorder(const SandboxOptions& options, const SandboxStage& stage) : m_options(options), m_stage(stage) {}
     SandboxOptions m_options;
     const SandboxStage& m_stage;
     std::unique_ptr<GlContext> m_context;  // first made, last destroyed
@@ -101,46 +101,46 @@ void makeVideo(const fs::path& out, int fps) {
     if (std::system(command.c_str()) != 0) logWarning("ffmpeg failed: no MP4");
 }
 
-/// Which pictures of a run are drawn and which of these are on the contact sheet.
+/// Which frames of a run are drawn and which of these are on the contact sheet.
 class Schedule {
 public:
-    Schedule(const SandboxOptions& options, int steps) : m_steps(steps), m_alone(options.pictures > 0) {
-        m_stepsAPicture = kStepsASecond / options.fps;
-        m_pictures = m_alone ? std::min(options.pictures, steps) : steps / m_stepsAPicture;
+    Schedule(const SandboxOptions& options, int steps) : m_steps(steps), m_areStills(options.frames > 0) {
+        m_stepsPerFrame = kStepsPerSecond / options.fps;
+        m_frames = m_areStills ? std::min(options.frames, steps) : steps / m_stepsPerFrame;
     }
-    int pictures() const { return m_pictures; }
-    int columns() const { return std::clamp(m_pictures, 1, m_alone && m_pictures % 3 != 0 ? 2 : 3); }
-    bool alone() const { return m_alone; }
+    int frames() const { return m_frames; }
+    int columns() const { return std::clamp(m_frames, 1, m_areStills && m_frames % 3 != 0 ? 2 : 3); }
+    bool areStills() const { return m_areStills; }
 
-    /// Number of the picture that shows the world after `step` steps; -1 if there is none.
-    int pictureAt(int step) const {
-        if (!m_alone) return step % m_stepsAPicture == 0 ? step / m_stepsAPicture - 1 : -1;
-        const int picture = int((int64_t(step) * m_pictures + m_steps - 1) / m_steps) - 1;
-        return stepOf(picture) == step ? picture : -1;
+    /// Number of the frame that shows the world after `step` steps; -1 if there is none.
+    int frameAt(int step) const {
+        if (!m_areStills) return step % m_stepsPerFrame == 0 ? step / m_stepsPerFrame - 1 : -1;
+        const int frame = int((int64_t(step) * m_frames + m_steps - 1) / m_steps) - 1;
+        return stepOf(frame) == step ? frame : -1;
     }
-    /// Drawn but not kept: what the next picture's light and edges remember.
-    bool isRunUp(int step) const {
-        for (int ahead = 1; m_alone && ahead <= kRunUp; ++ahead)
-            if (step + ahead <= m_steps && pictureAt(step + ahead) >= 0) return true;
+    /// Drawn but not kept: what the next frame's light and edges remember.
+    bool isHistoryFrame(int step) const {
+        for (int ahead = 1; m_areStills && ahead <= kHistoryFrames; ++ahead)
+            if (step + ahead <= m_steps && frameAt(step + ahead) >= 0) return true;
         return false;
     }
-    /// Twelve pictures evenly over the run, the first and the last among them; all of those that stand alone.
-    bool isOnSheet(int picture) const {
-        if (m_alone || m_pictures <= kSheetPictures || picture == 0) return true;
-        return picture * (kSheetPictures - 1) / (m_pictures - 1) != (picture - 1) * (kSheetPictures - 1) / (m_pictures - 1);
+    /// Twelve frames evenly over the run, the first and the last among them; all of those that stand alone.
+    bool isOnSheet(int frame) const {
+        if (m_areStills || m_frames <= kMaxSheetFrames || frame == 0) return true;
+        return frame * (kMaxSheetFrames - 1) / (m_frames - 1) != (frame - 1) * (kMaxSheetFrames - 1) / (m_frames - 1);
     }
 
 private:
-    int stepOf(int picture) const { return int(int64_t(picture + 1) * m_steps / m_pictures); }
-    int m_steps, m_stepsAPicture = 1, m_pictures = 0;
-    bool m_alone;
+    int stepOf(int frame) const { return int(int64_t(frame + 1) * m_steps / m_frames); }
+    int m_steps, m_stepsPerFrame = 1, m_frames = 0;
+    bool m_areStills;
 };
 
 /// Steps of the run: as asked for, as the scene says, or ten seconds.
 int runLength(const SandboxOptions& options) {
-    if (options.seconds > 0.0) return int(options.seconds * kStepsASecond);
+    if (options.seconds > 0.0) return int(options.seconds * kStepsPerSecond);
     const Scene* scene = findScene(options.scene);
-    return scene ? scene->steps : 10 * kStepsASecond;
+    return scene ? scene->steps : 10 * kStepsPerSecond;
 }
 
 }  // namespace
@@ -159,53 +159,53 @@ int runHeadless(const SandboxOptions& options) {
     FrameLoop loop(settings);
     loop.world().setSettings(stage->settings);
     loop.load(stage->level);
-    std::unique_ptr<Cameraman> cameraman;
+    std::unique_ptr<FrameRecorder> recorder;
     if (!options.noRender) {
-        auto created = Cameraman::create(options, *stage);
+        auto created = FrameRecorder::create(options, *stage);
         if (!created) return logError(created.error()), 1;
-        cameraman = std::move(*created);
+        recorder = std::move(*created);
     }
 
     Figures figures;
     std::vector<Image> sheet;
     const int steps = runLength(options);
     const Schedule schedule(options, steps);
-    Progress progress(cameraman ? "demolition, pictures" : "demolition, steps", cameraman ? schedule.pictures() : steps);
+    Progress progress(recorder ? "demolition, frames" : "demolition, steps", recorder ? schedule.frames() : steps);
     for (int step = 1; step <= steps; ++step) {
         loop.edits().push(stage->script(step - 1));
         const uint64_t before = allocationCount();
         loop.step();
         figures.addStep(loop, allocationCount() - before);
-        if (!cameraman) {
+        if (!recorder) {
             progress.advance(step);
             continue;
         }
-        const int picture = schedule.pictureAt(step);
-        const double seconds = double(step) / kStepsASecond;
-        if (picture < 0) {
-            if (schedule.isRunUp(step)) cameraman->draw(loop, seconds);
+        const int frame = schedule.frameAt(step);
+        const double seconds = double(step) / kStepsPerSecond;
+        if (frame < 0) {
+            if (schedule.isHistoryFrame(step)) recorder->draw(loop, seconds);
             continue;
         }
-        const Image image = cameraman->draw(loop, seconds);
-        figures.addPicture(loop, cameraman->renderer());
-        if (auto written = writePng(fmt::format("{}/frames/{:04d}.png", out.string(), picture), image); !written) return logError(written.error()), 1;
-        if (schedule.isOnSheet(picture)) {
+        const Image image = recorder->draw(loop, seconds);
+        figures.addFrame(loop, recorder->renderer());
+        if (auto written = writePng(fmt::format("{}/frames/{:04d}.png", out.string(), frame), image); !written) return logError(written.error()), 1;
+        if (schedule.isOnSheet(frame)) {
             sheet.push_back(image);
-            if (options.allPasses) cameraman->writeAllPasses(loop, seconds, out / fmt::format("passes_{:04d}", picture));
+            if (options.allPasses) recorder->writeAllPasses(loop, seconds, out / fmt::format("passes_{:04d}", frame));
         }
-        progress.advance(picture + 1);
+        progress.advance(frame + 1);
     }
 
-    if (cameraman && !sheet.empty()) {
+    if (recorder && !sheet.empty()) {
         if (auto written = writePng((out / "contact_sheet.png").string(), tile(sheet, schedule.columns())); !written)
             return logError(written.error()), 1;
-        if (!schedule.alone()) makeVideo(out, options.fps);
+        if (!schedule.areStills()) makeVideo(out, options.fps);
     }
     if (!figures.writeJson((out / "figures.json").string())) return logError((out / "figures.json").string() + ": cannot write"), 1;
     const std::string table = figures.table();
     std::ofstream(out / "figures.txt") << table;
     std::fputs(table.c_str(), stdout);
-    std::printf("pictures and figures are in %s\n", fs::absolute(out).string().c_str());
+    std::printf("frames and figures are in %s\n", fs::absolute(out).string().c_str());
     return loop.world().voxelAccounting().balances() ? 0 : 1;
 }
 

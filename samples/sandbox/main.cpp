@@ -1,4 +1,4 @@
-// The sandbox: a town corner to take apart. With a display, a window; without one, a scripted demolition with pictures.
+// The sandbox: a town corner to take apart. With a display, a window; without one, a scripted demolition with frames.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
@@ -20,7 +20,7 @@ bool SandboxOptions::wantsWindow() const {
 namespace {
 
 int listScenes() {
-    for (const Scene& scene : allScenes()) std::printf("%-10s %s\n", scene.name.data(), scene.shows.data());
+    for (const Scene& scene : allScenes()) std::printf("%-10s %s\n", scene.name.data(), scene.description.data());
     return 0;
 }
 
@@ -31,7 +31,7 @@ int runAllScenes(const SandboxOptions& options) {
         SandboxOptions each = options;
         each.scene = scene.name;
         each.out = options.out + "/" + each.scene;
-        std::printf("%s: %s\n", scene.name.data(), scene.shows.data());
+        std::printf("%s: %s\n", scene.name.data(), scene.description.data());
         worst = std::max(worst, runHeadless(each));
     }
     return worst;
@@ -54,10 +54,10 @@ int run(int argc, char** argv) {
     app.add_flag("--list-scenes", list, "name the scenes and leave");
     app.add_option("--time", options.time, "of day: noon, afternoon, dusk, night or rain")
         ->check(CLI::IsMember({"noon", "afternoon", "dusk", "night", "rain"}));
-    app.add_option("--pictures", options.pictures, "draw only so many pictures, evenly over the run; no MP4")->check(CLI::Range(1, 1000));
-    app.add_option("--out", options.out, "folder for pictures and figures")->capture_default_str();
-    app.add_option("--size", options.size, "picture size, WIDTHxHEIGHT")->capture_default_str();
-    app.add_option("--fps", options.fps, "pictures a second of game time (a divisor of 60)")
+    app.add_option("--frames", options.frames, "draw only so many frames, evenly over the run; no MP4")->check(CLI::Range(1, 1000));
+    app.add_option("--out", options.out, "folder for frames and figures")->capture_default_str();
+    app.add_option("--size", options.size, "frame size, WIDTHxHEIGHT")->capture_default_str();
+    app.add_option("--fps", options.fps, "frames a second of game time (a divisor of 60)")
         ->capture_default_str()
         ->check(CLI::IsMember({1, 2, 3, 4, 5, 6, 10, 12, 15, 20, 30, 60}));
     app.add_option("--seconds", options.seconds, "game time (10, or as long as the scene says)")->check(CLI::Range(0.0, 3600.0));
@@ -70,9 +70,9 @@ int run(int argc, char** argv) {
     app.add_option("--seed", options.seed, "of everything random")->capture_default_str();
     app.add_option("--pass", options.pass, "show this target of the renderer (an unknown name lists them)")->capture_default_str();
     app.add_flag("--headless", options.headless, "no window even where there is a display");
-    app.add_flag("--no-render", options.noRender, "no pictures: state hashes and figures only");
+    app.add_flag("--no-render", options.noRender, "no frames: state hashes and figures only");
     app.add_flag("--inline-shadow", options.inlineShadow, "shadow volume on the main thread instead of the worker");
-    app.add_flag("--all-passes", options.allPasses, "write every pass for the pictures of the contact sheet");
+    app.add_flag("--all-passes", options.allPasses, "write every pass for the frames of the contact sheet");
     app.add_flag("--map", options.map, "without a window: the whole level from above");
     app.add_option("--screenshot", options.screenshot, "window: write this PNG after a few frames and leave");
     app.add_option("--gl", options.gl, "without a window: auto, osmesa or egl")

@@ -10,22 +10,22 @@ struct SandboxOptions {
     std::string level;        ///< a whole level to open instead of the town
     std::string scene;        ///< one of the scripted scenes instead of the town; "all": one after the other
     std::string time;         ///< of day, instead of the level's own: noon, afternoon, dusk, night or rain
-    int pictures = 0;         ///< only so many pictures, evenly over the run, and no MP4; 0: at `fps`
-    std::string out = "out";  ///< folder for pictures and figures
+    int frames = 0;         ///< only so many frames, evenly over the run, and no MP4; 0: at `fps`
+    std::string out = "out";  ///< folder for frames and figures
     std::string size = "640x360";
     int width = 640, height = 360;
-    int fps = 30;          ///< pictures a second of game time; must divide 60
+    int fps = 30;          ///< frames a second of game time; must divide 60
     double seconds = 0.0;  ///< of game time; 0: as long as the scene says, or ten
     std::string preset = "balanced";
     std::string fullscreen = "auto";  ///< what draws full-screen passes: auto, fragment, compute or fastest
     uint64_t seed = 1;
-    std::string pass = "final";  ///< which target of the renderer is the picture
+    std::string pass = "final";  ///< which target of the renderer is the frame
     bool headless = false;       ///< no window even where there is a display
     bool noRender = false;       ///< state and figures only
     bool inlineShadow = false;   ///< the shadow volume on the main thread
-    bool allPasses = false;      ///< also write every pass of every sheet picture
+    bool allPasses = false;      ///< also write every pass of every sheet frame
     bool map = false;            ///< without a window: the whole level from above
-    std::string screenshot;      ///< window mode: write one picture here and leave
+    std::string screenshot;      ///< window mode: write one frame here and leave
     std::string gl = "auto";     ///< without a window: auto, osmesa or egl
     std::string shaders;         ///< folder of the shaders
     std::string tools;           ///< folder of rubble-vdb

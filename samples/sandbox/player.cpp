@@ -5,13 +5,13 @@
 namespace rubble {
 namespace {
 
-constexpr double kBelowCrown = 0.12;                  // metres from the eyes to the top of the head
+constexpr double kEyesBelowTop = 0.12;                  // metres from the eyes to the top of the head
 constexpr double kFlySpeed = 8.0, kFastFactor = 3.0;  // m/s
-constexpr double kEyeFollows = 14.0;                  // 1/s: steps and crouching are no jolts
-constexpr double kSteepest = 1.5;                     // radians of pitch
+constexpr double kEyeFollowRate = 14.0;                  // 1/s: steps and crouching are no jolts
+constexpr double kMaxPitch = 1.5;                     // radians of pitch
 constexpr const char* kName = "player";
 constexpr const char* kTorchName = "player's torch";
-constexpr glm::dvec3 kHand(0.25, -0.3, -0.2);  // of the eyes' frame, metres
+constexpr glm::dvec3 kTorchOffset(0.25, -0.3, -0.2);  // of the eyes' frame, metres
 
 /// The first of this name; an empty handle if there is none.
 template <class Handle, class T>
@@ -28,14 +28,14 @@ Handle findNamed(const SlotMap<Handle, T>& all, const char* name) {
 void Player::place(const Pose& eye) {
     m_camera.position = eye.position;
     m_camera.lookAt(eye.position + eye.rotation * glm::dvec3(0, 0, -1));
-    m_isComing = false;
+    m_isSpawning = false;
 }
 
 Edits Player::move(const PlayerInput& input, const World& world, double seconds) {
     m_camera.yaw -= input.turnRight;
-    m_camera.pitch = std::clamp(m_camera.pitch + input.turnUp, -kSteepest, kSteepest);
+    m_camera.pitch = std::clamp(m_camera.pitch + input.turnUp, -kMaxPitch, kMaxPitch);
     if (m_walks) return walk(input, world, seconds);
-    m_isComing = false;
+    m_isSpawning = false;
     const glm::dvec3 step = m_camera.rotation() * glm::dvec3(input.right, 0, -input.forward) + glm::dvec3(0.0, input.up, 0.0);
     m_camera.position += step * (kFlySpeed * (input.fast ? kFastFactor : 1.0) * seconds);
     const CharacterHandle left = findNamed(world.characters(), kName);
@@ -47,7 +47,7 @@ Edits Player::carryTorch(const World& world) const {
     if (!m_hasTorch) return handle ? Edits{RemoveLightEdit{handle}} : Edits{};
     const Light torch{.name = kTorchName,
                       .kind = LightKind::Cone,
-                      .local = {m_camera.position + m_camera.rotation() * kHand, m_camera.rotation()},
+                      .local = {m_camera.position + m_camera.rotation() * kTorchOffset, m_camera.rotation()},
                       .color = {30.0f, 27.0f, 22.0f},
                       .radius = 0.03f,
                       .reach = 30.0f,
@@ -61,12 +61,12 @@ Edits Player::walk(const PlayerInput& input, const World& world, double seconds)
     const CharacterHandle handle = findNamed(world.characters(), kName);
     const Character* character = world.characters().find(handle);
     if (!character) {
-        if (std::exchange(m_isComing, true)) return {};
+        if (std::exchange(m_isSpawning, true)) return {};
         Character player{.name = kName};
-        player.position = m_camera.position - glm::dvec3(0.0, player.height - kBelowCrown, 0.0);
+        player.position = m_camera.position - glm::dvec3(0.0, player.height - kEyesBelowTop, 0.0);
         return {AddCharacterEdit{player}};
     }
-    m_isComing = false;
+    m_isSpawning = false;
     follow(*character, seconds);
     const glm::dquat heading = character->swimming ? m_camera.rotation() : glm::angleAxis(m_camera.yaw, glm::dvec3(0, 1, 0));
     glm::dvec3 wish = heading * glm::dvec3(input.right, 0, -input.forward) * character->walkSpeed;
@@ -75,8 +75,8 @@ Edits Player::walk(const PlayerInput& input, const World& world, double seconds)
 }
 
 void Player::follow(const Character& character, double seconds) {
-    const glm::dvec3 eye = character.position + glm::dvec3(0.0, character.currentHeight() - kBelowCrown, 0.0);
-    const double y = m_camera.position.y + (eye.y - m_camera.position.y) * std::min(1.0, kEyeFollows * seconds);
+    const glm::dvec3 eye = character.position + glm::dvec3(0.0, character.currentHeight() - kEyesBelowTop, 0.0);
+    const double y = m_camera.position.y + (eye.y - m_camera.position.y) * std::min(1.0, kEyeFollowRate * seconds);
     m_camera.position = {eye.x, std::clamp(y, eye.y - 0.6, eye.y + 0.6), eye.z};
 }
 

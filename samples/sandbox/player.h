@@ -30,7 +30,7 @@ private:
 
     Camera m_camera;
     bool m_walks = false, m_hasTorch = false;
-    bool m_isComing = false;  ///< the character has been asked for
+    bool m_isSpawning = false;  ///< the character has been asked for
 };
 
 }  // namespace rubble

@@ -3,17 +3,17 @@
 namespace rubble {
 namespace {
 
-constexpr double kHammerReach = 3.5;  // metres
-constexpr double kSprayReach = 5.0;
-constexpr double kExplosiveReach = 60.0;
+constexpr double kHammerDistance = 3.5;  // metres
+constexpr double kSprayDistance = 5.0;
+constexpr double kExplosiveDistance = 60.0;
 constexpr double kHammerImpulse = 400.0;  // N s
 constexpr std::array<std::array<uint8_t, 3>, 4> kSprayColors = {{{214, 40, 57}, {247, 181, 0}, {27, 153, 139}, {46, 94, 170}}};
 
 }  // namespace
 
 Edits useTool(HandTool tool, const World& world, glm::dvec3 originWorld, glm::dvec3 directionWorld, uint32_t seed) {
-    const double reach = tool == HandTool::Hammer ? kHammerReach : tool == HandTool::SprayCan ? kSprayReach : kExplosiveReach;
-    const WorldHit hit = world.raycast(originWorld, directionWorld, reach);
+    const double maxDistance = tool == HandTool::Hammer ? kHammerDistance : tool == HandTool::SprayCan ? kSprayDistance : kExplosiveDistance;
+    const WorldHit hit = world.raycast(originWorld, directionWorld, maxDistance);
     if (!hit.hit) return {};
     switch (tool) {
         case HandTool::Hammer: {

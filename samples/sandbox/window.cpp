@@ -19,12 +19,12 @@ namespace rubble {
 namespace {
 
 constexpr double kStepSeconds = 1.0 / 60.0;
-constexpr int kMostStepsAFrame = 4;  ///< slower than that, game time falls behind instead of spiralling
-constexpr double kMouseRadiansAPixel = 0.0025;
-constexpr int kScreenshotFrames = 12;                 ///< drawn before --screenshot writes its picture
+constexpr int kMaxStepsPerFrame = 4;  ///< slower than that, game time falls behind instead of spiralling
+constexpr double kMouseRadiansPerPixel = 0.0025;
+constexpr int kScreenshotFrames = 12;                 ///< drawn before --screenshot writes its captureFrame
 constexpr double kToolSeconds[] = {0.25, 0.5, 0.03};  ///< between two uses of a tool while the button is held
 
-constexpr double kGrabReach = 4.0, kGrabForce = 3000.0, kThrowImpulse = 250.0;  // metres, N, N s
+constexpr double kGrabDistance = 4.0, kGrabForce = 3000.0, kThrowImpulse = 250.0;  // metres, N, N s
 
 constexpr const char* kToolNames[] = {"hammer", "explosive", "spray can"};
 
@@ -45,14 +45,14 @@ public:
         const double elapsed = std::min(std::chrono::duration<double>(now - m_last).count(), 0.25);
         m_last = now;
         readKeys(elapsed);
-        m_lag = std::min(m_lag + elapsed, kMostStepsAFrame * kStepSeconds);
-        for (; m_lag >= kStepSeconds; m_lag -= kStepSeconds) step();
-        draw(m_lag / kStepSeconds);
+        m_accumulator = std::min(m_accumulator + elapsed, kMaxStepsPerFrame * kStepSeconds);
+        for (; m_accumulator >= kStepSeconds; m_accumulator -= kStepSeconds) step();
+        draw(m_accumulator / kStepSeconds);
         m_window.present();
         return true;
     }
 
-    Image picture() {
+    Image captureFrame() {
         draw(1.0);
         return m_window.readPixels();
     }
@@ -81,8 +81,8 @@ private:
         input.up = m_window.held(GLFW_KEY_SPACE) - m_window.held(GLFW_KEY_LEFT_SHIFT);
         input.fast = m_window.held(GLFW_KEY_LEFT_CONTROL);
         const glm::dvec2 mouse = m_window.takeMouseMotion();
-        input.turnRight = mouse.x * kMouseRadiansAPixel;
-        input.turnUp = -mouse.y * kMouseRadiansAPixel;
+        input.turnRight = mouse.x * kMouseRadiansPerPixel;
+        input.turnUp = -mouse.y * kMouseRadiansPerPixel;
         m_loop.edits().push(m_player.move(input, m_loop.world(), elapsed));
         for (int i = 0; i < 3; ++i)
             if (m_window.pressed(GLFW_KEY_1 + i)) {
@@ -98,10 +98,10 @@ private:
             m_window.setTitle("Rubble sandbox: " + m_passes[m_pass]);
         }
         grab();
-        m_toolWait -= elapsed;
-        if (m_window.mouseHeld() && m_toolWait <= 0.0) {
+        m_toolCooldown -= elapsed;
+        if (m_window.mouseHeld() && m_toolCooldown <= 0.0) {
             m_loop.edits().push(useTool(m_tool, m_loop.world(), m_player.camera().position, m_player.camera().forward(), m_seed++));
-            m_toolWait = kToolSeconds[int(m_tool)];
+            m_toolCooldown = kToolSeconds[int(m_tool)];
         }
     }
 
@@ -113,20 +113,20 @@ private:
             return;
         }
         if (!m_held) {
-            const WorldHit hit = m_loop.world().raycast(eye, ahead, kGrabReach);
+            const WorldHit hit = m_loop.world().raycast(eye, ahead, kGrabDistance);
             if (!hit.hit) return;
             m_held = m_loop.world().shapes().at(hit.shape).body;
-            m_heldAt = hit.distance;
+            m_heldDistance = hit.distance;
         }
         if (const Body* body = m_loop.world().bodies().find(m_held); body && !body->isStatic)
-            m_loop.edits().push(GrabEdit{.body = m_held, .point = eye + ahead * m_heldAt, .target = eye + ahead * m_heldAt, .maxForce = kGrabForce});
+            m_loop.edits().push(GrabEdit{.body = m_held, .point = eye + ahead * m_heldDistance, .target = eye + ahead * m_heldDistance, .maxForce = kGrabForce});
     }
 
     /// What is saved in an editor is seen a moment later.
     void reloadShaders() {
         const auto now = std::chrono::steady_clock::now();
-        if (now - m_shadersLooked < std::chrono::milliseconds(500)) return;
-        m_shadersLooked = now;
+        if (now - m_shadersCheckedAt < std::chrono::milliseconds(500)) return;
+        m_shadersCheckedAt = now;
         if (m_renderer->reloadShaders()) logInfo("shaders reloaded");
         const std::vector<std::string> errors = m_renderer->shaderErrors();
         if (errors != m_shaderErrors)
@@ -150,12 +150,12 @@ private:
     HandTool m_tool = HandTool::Hammer;
     uint32_t m_seed;
     int m_step = 0;  ///< of the scene's script
-    double m_toolWait = 0.0, m_lag = 0.0;
+    double m_toolCooldown = 0.0, m_accumulator = 0.0;
     bool m_cut = true;
     BodyHandle m_held;      ///< by the hand
-    double m_heldAt = 0.0;  ///< metres from the eye
+    double m_heldDistance = 0.0;  ///< metres from the eye
     std::vector<std::string> m_shaderErrors;
-    std::chrono::steady_clock::time_point m_shadersLooked{};
+    std::chrono::steady_clock::time_point m_shadersCheckedAt{};
     std::vector<std::string> m_passes;
     size_t m_pass = 0;
     std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
@@ -175,7 +175,7 @@ int runWindow(const SandboxOptions& options) {
     Game game(options, **window, std::move(*stage), std::move(*renderer));
     for (int frames = 1; game.frame(); ++frames) {
         if (options.screenshot.empty() || frames < kScreenshotFrames) continue;
-        auto written = writePng(options.screenshot, game.picture());
+        auto written = writePng(options.screenshot, game.captureFrame());
         if (!written) return logError(written.error()), 1;
         break;
     }

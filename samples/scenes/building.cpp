@@ -18,11 +18,11 @@ namespace {
 
 /// Bricks three long with a joint, every course offset; each brick has a colour of its own, some are burnt darker.
 uint8_t stoneEntry(const WallSwatches& s, ivec3 cell, int u, int y) {
-    if (!s.courses) return PaintBox::pick(s.stone, cell);
+    if (!s.courses) return PaletteBuilder::pick(s.stone, cell);
     const int shifted = u + (y % 2) * 2 + 400;
-    if (shifted % 4 == 0) return PaintBox::pickFor(s.joint, hashCell(u, y, 0, 41));
+    if (shifted % 4 == 0) return PaletteBuilder::pickFor(s.joint, hashCell(u, y, 0, 41));
     const uint32_t brick = hashCell(shifted / 4, y, 0, 42);
-    return brick % 11 == 0 ? PaintBox::pickFor(s.dirty, brick >> 8) : PaintBox::pickFor(s.stone, brick >> 8);
+    return brick % 11 == 0 ? PaletteBuilder::pickFor(s.dirty, brick >> 8) : PaletteBuilder::pickFor(s.stone, brick >> 8);
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ void drawWall(Canvas& canvas, const WallFrame& wall, int low, int high, const Wa
             const bool grime = foot < 6 && hashCell(u / 2, y / 2, wall.length, 43) % 8 >= uint32_t(foot + 1);
             for (int k = 0; k < 2; ++k) {
                 const ivec3 cell = wall.cell(u, y, k);
-                canvas.setEntry(cell, grime ? PaintBox::pick(s.dirty, cell) : stoneEntry(s, cell, u, y));
+                canvas.setEntry(cell, grime ? PaletteBuilder::pick(s.dirty, cell) : stoneEntry(s, cell, u, y));
             }
             canvas.set(wall.cell(u, y, 2), s.plaster);
             // Behind the plaster: wires up from the floor and a pipe along it.
@@ -83,7 +83,7 @@ void drawDoor(Canvas& canvas, const WallFrame& wall, int u, int y, Swatch leaf, 
                 continue;
             }
             const bool panel = du > 1 && du < 7 && dy > 2 && dy < 18 && dy != 10;
-            canvas.setEntry(wall.cell(u + du, y + dy, 1), PaintBox::pickFor(leaf, panel ? 1 : 0));
+            canvas.setEntry(wall.cell(u + du, y + dy, 1), PaletteBuilder::pickFor(leaf, panel ? 1 : 0));
         }
     canvas.set(wall.cell(u + 7, y + 10, 0), knob);
     canvas.set(wall.cell(u + 7, y + 10, 2), knob);
@@ -101,10 +101,10 @@ void drawFloor(Canvas& canvas, ivec3 low, ivec3 high, int y, const FloorSwatches
             const bool open = seam && dice % 4 == 0 && !joist;
             const uint32_t plank = hashCell((x + int(hashCell(0, board, y, 63) % 40)) / 40, board, y, 64);
             if (seam || end)
-                canvas.setEntry({x, y, z}, open ? uint8_t(0) : PaintBox::pick(s.seam, {x, y, z}));
+                canvas.setEntry({x, y, z}, open ? uint8_t(0) : PaletteBuilder::pick(s.seam, {x, y, z}));
             else
                 canvas.setEntry({x, y, z},
-                                hashCell(x / 3, y, z, 65) % 4 ? PaintBox::pickFor(s.board, plank) : PaintBox::pick(s.board, {x / 3, y, z}));
+                                hashCell(x / 3, y, z, 65) % 4 ? PaletteBuilder::pickFor(s.board, plank) : PaletteBuilder::pick(s.board, {x / 3, y, z}));
             for (int d = 1; d <= 2; ++d)
                 if (joist) canvas.set({x, y - d, z}, s.joist);
             if (ceiling) canvas.set({x, y - 3, z}, s.ceiling);
@@ -143,9 +143,9 @@ void drawGableRoof(Canvas& canvas, ivec3 low, ivec3 high, int y, const RoofSwatc
             const uint32_t tile = hashCell((x + row % 2 * 2) / 4, row, z > (low.z + high.z) / 2, 71);
             const bool seam = (x + row % 2 * 2) % 4 == 0;
             for (int d = 0; d < 3; ++d)
-                canvas.setEntry({x, height + d, z}, edge                    ? PaintBox::pick(s.barge, {x, height, z})
-                                                    : seam || tile % 9 == 0 ? PaintBox::pickFor(s.tileDark, tile >> 8)
-                                                                            : PaintBox::pickFor(s.tile, tile >> 8));
+                canvas.setEntry({x, height + d, z}, edge                    ? PaletteBuilder::pick(s.barge, {x, height, z})
+                                                    : seam || tile % 9 == 0 ? PaletteBuilder::pickFor(s.tileDark, tile >> 8)
+                                                                            : PaletteBuilder::pickFor(s.tile, tile >> 8));
             if ((x - low.x) % 8 == 4)
                 for (int d = 1; d <= 2; ++d)
                     if (!canvas.at({x, height - d, z})) canvas.set({x, height - d, z}, s.rafter);

@@ -9,7 +9,7 @@
 namespace rubble::scenes {
 
 void Canvas::box(ivec3 low, ivec3 high, Swatch swatch) {
-    fill(low, high, [&](ivec3 cell) { return PaintBox::pick(swatch, cell); });
+    fill(low, high, [&](ivec3 cell) { return PaletteBuilder::pick(swatch, cell); });
 }
 
 void Canvas::clear(ivec3 low, ivec3 high) {
@@ -22,7 +22,7 @@ void Canvas::stain(ivec3 low, ivec3 high, Swatch swatch, int percent) {
         const uint32_t clump = hashCell(cell.x / 3, cell.y / 2, cell.z / 3, 21) >> 8;
         const uint32_t own = hashCell(cell.x, cell.y, cell.z, 22) >> 8;
         const int dice = int((clump % 100 + own % 100) / 2);
-        return entry && dice < percent ? PaintBox::pick(swatch, cell) : entry;
+        return entry && dice < percent ? PaletteBuilder::pick(swatch, cell) : entry;
     });
 }
 
@@ -44,12 +44,12 @@ void Canvas::ring(int axis, int low, int high, ivec3 doubledCenter, int doubledI
 }
 
 void Canvas::bar(ivec3 from, ivec3 to, int thickness, Swatch swatch) {
-    const ivec3 way = to - from;
-    const int steps = std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z), 1}) * 2;
+    const ivec3 delta = to - from;
+    const int steps = std::max({std::abs(delta.x), std::abs(delta.y), std::abs(delta.z), 1}) * 2;
     for (int i = 0; i <= steps; ++i) {
         // The corner cells of a diagonal step are drawn too, so that consecutive cells share a face.
-        const ivec3 cell = from + (way * i) / steps;
-        const ivec3 next = from + (way * std::min(i + 1, steps)) / steps;
+        const ivec3 cell = from + (delta * i) / steps;
+        const ivec3 next = from + (delta * std::min(i + 1, steps)) / steps;
         ivec3 walk = cell;
         for (int axis = 0; axis < 3; ++axis) {
             box(walk, walk + thickness, swatch);
@@ -59,7 +59,7 @@ void Canvas::bar(ivec3 from, ivec3 to, int thickness, Swatch swatch) {
     }
 }
 
-void Canvas::dropLoose() {
+void Canvas::removeUnanchored() {
     m_writer->flush();
     const std::vector<bool> anchored = anchoredCells(m_grid);
     size_t i = 0;
@@ -74,7 +74,7 @@ LevelShape Canvas::finish(std::string name) {
     LevelShape shape;
     shape.name = std::move(name);
     shape.grid = std::move(m_grid);
-    shape.palette = m_paints.palette();
+    shape.palette = m_palette.palette();
     return shape;
 }
 

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "runtime/world/level.h"
-#include "samples/scenes/paint_box.h"
+#include "samples/scenes/palette_builder.h"
 
 namespace rubble::scenes {
 
@@ -14,9 +14,9 @@ public:
     explicit Canvas(ivec3 size) : m_size(size), m_grid(size), m_writer(std::make_unique<GridWriter>(m_grid)) {}
 
     ivec3 size() const { return m_size; }
-    Swatch mix(const Recipe& recipe, int percent = 100, uint32_t lightGroup = 0) { return m_paints.mix(recipe, percent, lightGroup); }
+    Swatch addSurface(const SurfaceStyle& style, int percent = 100, uint32_t lightGroup = 0) { return m_palette.addSurface(style, percent, lightGroup); }
 
-    void set(ivec3 cell, Swatch swatch) { m_writer->set(cell, PaintBox::pick(swatch, cell)); }
+    void set(ivec3 cell, Swatch swatch) { m_writer->set(cell, PaletteBuilder::pick(swatch, cell)); }
     void setEntry(ivec3 cell, uint8_t entry) { m_writer->set(cell, entry); }
     uint8_t at(ivec3 cell) const { return m_writer->at(cell); }
     bool holds(ivec3 cell, Swatch swatch) const {
@@ -42,7 +42,7 @@ public:
     }
 
     /// Removes what is not joined through faces to the bottom layer.
-    void dropLoose();
+    void removeUnanchored();
     /// The finished shape; the canvas is empty afterwards.
     LevelShape finish(std::string name);
 
@@ -50,7 +50,7 @@ private:
     ivec3 m_size;
     VoxelGrid m_grid;
     std::unique_ptr<GridWriter> m_writer;
-    PaintBox m_paints;
+    PaletteBuilder m_palette;
 };
 
 /// For every cell of a grid (x + sx * (y + sy * z)): is it joined through faces to a solid cell of the bottom layer?

@@ -1,25 +1,25 @@
 #include "samples/scenes/car.h"
 
 #include "samples/scenes/placement.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
 
 struct CarSwatches {
-    CarSwatches(Canvas& c, const Recipe& recipe)
-        : paint(c.mix(recipe)),
-          seam(c.mix(recipe, 72)),
-          black(c.mix(kPlasticBlack)),
-          tyre(c.mix(kTyre)),
-          steel(c.mix(kSteel)),
-          iron(c.mix(kDarkSteel)),
-          glass(c.mix(kGlass)),
-          seat(c.mix(kClothCream, 80)),
-          head(c.mix(kHeadlamp)),
-          tail(c.mix(kTailLamp)),
-          plate(c.mix(kLaneWhite)),
-          rust(c.mix(kRust)) {}
+    CarSwatches(Canvas& c, const SurfaceStyle& style)
+        : paint(c.addSurface(style)),
+          seam(c.addSurface(style, 72)),
+          black(c.addSurface(kPlasticBlack)),
+          tyre(c.addSurface(kTyre)),
+          steel(c.addSurface(kSteel)),
+          iron(c.addSurface(kDarkSteel)),
+          glass(c.addSurface(kGlass)),
+          seat(c.addSurface(kClothCream, 80)),
+          head(c.addSurface(kHeadlight)),
+          tail(c.addSurface(kTaillight)),
+          plate(c.addSurface(kLaneWhite)),
+          rust(c.addSurface(kRust)) {}
     Swatch paint, seam, black, tyre, steel, iron, glass, seat, head, tail, plate, rust;
 };
 
@@ -65,7 +65,7 @@ void drawCabin(Canvas& c, const CarSwatches& s, int low, int top, int x0, int x1
 
 /// Bars before the grille and over the screen, on a frame that runs to the rear axle.
 void drawRam(Canvas& c) {
-    const Swatch ram = c.mix(kRam);
+    const Swatch ram = c.addSurface(kRam);
     const int front = c.size().x, width = c.size().z;
     for (int y : {2, 5, 8}) c.box({front - 2, y, 1}, {front, y + 1, width - 1}, ram);
     for (int z : {3, width / 2 - 1, width - 5}) c.box({front - 2, 2, z}, {front, 9, z + 2}, ram);
@@ -82,7 +82,7 @@ void drawSeats(Canvas& c, const CarSwatches& s, std::initializer_list<int> rows,
 
 constexpr int kLength = 42, kWidth = 18, kRearAxle = 8, kFrontAxle = 33;  // of the saloon, cells
 
-LevelShape makeSaloon(std::string name, const Recipe& paint, bool hasWheels) {
+LevelShape makeSaloon(std::string name, const SurfaceStyle& paint, bool hasWheels) {
     Canvas c({kLength, 15, kWidth});
     const CarSwatches s(c, paint);
     c.box({1, 2, 0}, {kLength - 1, 9, kWidth}, s.paint);
@@ -118,7 +118,7 @@ LevelShape makeSaloon(std::string name, const Recipe& paint, bool hasWheels) {
         for (int x : {20, 28}) c.box({x, 7, z}, {x + 2, 8, z + 1}, s.steel);
     }
     c.stain({1, 2, 0}, {kLength - 1, 4, kWidth}, s.rust, 8);
-    if (hasWheels) c.dropLoose();
+    if (hasWheels) c.removeUnanchored();
     return c.finish(std::move(name));
 }
 
@@ -126,7 +126,7 @@ LevelShape makeSaloon(std::string name, const Recipe& paint, bool hasWheels) {
 LevelShape makeWheel(std::string name) {
     constexpr int kAcross = 16, kWide = 5;
     Canvas c({kAcross, kAcross, kWide});
-    const Swatch rubber = c.mix(kRubber), rim = c.mix(kSteel), hub = c.mix(kDarkSteel);
+    const Swatch rubber = c.addSurface(kRubber), rim = c.addSurface(kSteel), hub = c.addSurface(kDarkSteel);
     c.ring(2, 0, kWide, {kAcross, kAcross, 0}, 10, kAcross, rubber);
     c.ring(2, 1, kWide - 1, {kAcross, kAcross, 0}, 4, 10, rim);
     c.ring(2, 0, kWide, {kAcross, kAcross, 0}, -1, 4, hub);
@@ -137,15 +137,15 @@ LevelShape makeWheel(std::string name) {
 
 }  // namespace
 
-LevelShape makeCar(std::string name, const Recipe& paint) {
+LevelShape makeCar(std::string name, const SurfaceStyle& paint) {
     return makeSaloon(std::move(name), paint, true);
 }
 
-size_t addDrivenCar(Level& level, const std::string& name, const Recipe& paint, ivec3 cell, double throttle) {
+size_t addDrivenCar(Level& level, const std::string& name, const SurfaceStyle& paint, ivec3 cell, double throttle) {
     constexpr double kHalf = 0.70710678118654752, kRadius = 0.4, kWide = 0.25;
     constexpr glm::dquat kLeftward(kHalf, 0.0, kHalf, 0.0);  // x becomes -z: the left of what looks along +x
     const size_t place = level.bodies.size();
-    addLoose(level, makeSaloon(name, paint, false), cell);
+    addDynamic(level, makeSaloon(name, paint, false), cell);
     const Pose car = level.bodies.back().pose;
     for (const int x : {kRearAxle, kFrontAxle})
         for (const bool isLeft : {true, false}) {
@@ -167,7 +167,7 @@ size_t addDrivenCar(Level& level, const std::string& name, const Recipe& paint, 
     return place;
 }
 
-LevelShape makeVan(std::string name, const Recipe& paint) {
+LevelShape makeVan(std::string name, const SurfaceStyle& paint) {
     constexpr int kLength = 50, kWidth = 20, kHeight = 23;
     Canvas c({kLength, kHeight, kWidth});
     const CarSwatches s(c, paint);
@@ -188,7 +188,7 @@ LevelShape makeVan(std::string name, const Recipe& paint) {
     }
     c.box({kLength - 1, 5, 6}, {kLength, 9, kWidth - 6}, s.black);
     c.box({0, 4, kWidth / 2 - 1}, {1, 21, kWidth / 2}, s.seam);
-    c.dropLoose();
+    c.removeUnanchored();
     return c.finish(std::move(name));
 }
 

@@ -4,7 +4,7 @@
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/neighbourhood.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
 
@@ -34,9 +34,9 @@ bool inWindow(int along, int up) {
 
 /// Stained glass: panes in lead, a lozenge pattern with a medallion in each window.
 void addGlass(Canvas& c, int x, int kFloorAt) {
-    const std::array<Swatch, 6> colors = {c.mix(kGlassRed),   c.mix(kGlassBlue),   c.mix(kGlassGold),
-                                          c.mix(kGlassGreen), c.mix(kGlassViolet), c.mix(kGlass)};
-    const Swatch lead = c.mix(kDarkSteel);
+    const std::array<Swatch, 6> colors = {c.addSurface(kGlassRed),   c.addSurface(kGlassBlue),   c.addSurface(kGlassGold),
+                                          c.addSurface(kGlassGreen), c.addSurface(kGlassViolet), c.addSurface(kGlass)};
+    const Swatch lead = c.addSurface(kDarkSteel);
     for (int z = 0; z < kLong; ++z)
         for (int y = 0; y < kTall; ++y) {
             if (!inWindow(z, y)) continue;
@@ -55,12 +55,12 @@ void addGlass(Canvas& c, int x, int kFloorAt) {
 
 void addChapel(Level& level) {
     Canvas c({kWide, kFloor + kTall + 36, kLong});
-    const Swatch stone = c.mix(kRender), base = c.mix(kConcrete), joint = c.mix(kPavingJoint), flag = c.mix(kPaving), beam = c.mix(kDarkWood),
-                 tile = c.mix(kRoofTile);
+    const Swatch stone = c.addSurface(kRender), base = c.addSurface(kConcrete), joint = c.addSurface(kPavingJoint), flag = c.addSurface(kPaving), beam = c.addSurface(kDarkWood),
+                 tile = c.addSurface(kRoofTile);
     const int top = kFloor + kTall;
     c.box({0, 0, 0}, {kWide, kFloor, kLong}, base);
     c.fill({kWall, kFloor - 1, kWall}, {kWide - kWall, kFloor, kLong - kWall},
-           [&](ivec3 cell) { return PaintBox::pick(cell.x % 8 == 0 || (cell.z + cell.x / 8 % 2 * 4) % 8 == 0 ? joint : flag, cell); });
+           [&](ivec3 cell) { return PaletteBuilder::pick(cell.x % 8 == 0 || (cell.z + cell.x / 8 % 2 * 4) % 8 == 0 ? joint : flag, cell); });
     c.box({0, kFloor, 0}, {kWall, top, kLong}, stone);
     c.box({kWide - kWall, kFloor, 0}, {kWide, top, kLong}, stone);
     c.box({0, kFloor, 0}, {kWide, top, kWall}, stone);
@@ -90,8 +90,8 @@ Level chapelLevel(uint64_t seed) {
     addChapel(level);
     level.environment.exposure *= 1.5f;  // the eye is used to the dark in here
     const ivec3 floor = kChapel + ivec3(0, kFloor, 0);
-    for (int row = 0; row < 4; ++row) addLoose(level, makeBench("pew " + std::to_string(row + 1)), floor + ivec3(56, 0, 30 + row * 18));
-    addLoose(level, makeTable("altar"), floor + ivec3(38, 0, kLong - 24));
+    for (int row = 0; row < 4; ++row) addDynamic(level, makeBench("pew " + std::to_string(row + 1)), floor + ivec3(56, 0, 30 + row * 18));
+    addDynamic(level, makeTable("altar"), floor + ivec3(38, 0, kLong - 24));
     return level;
 }
 

@@ -2,7 +2,7 @@
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/house.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 
 namespace rubble::scenes {
@@ -17,7 +17,7 @@ constexpr double kRope = 8.6;  // metres
 LevelShape makeMast() {
     constexpr int kLast = kMastSide - 1, kPanel = 10;
     Canvas c({kMastSide, kTall + 6, kMastSide});
-    const Swatch steel = c.mix(kCarYellow), foot = c.mix(kConcrete);
+    const Swatch steel = c.addSurface(kCarYellow), foot = c.addSurface(kConcrete);
     c.box({0, 0, 0}, {kMastSide, 8, kMastSide}, foot);
     for (int x : {0, kLast - 1})
         for (int z : {0, kLast - 1}) c.box({x, 8, z}, {x + 2, kTall, z + 2}, steel);
@@ -31,7 +31,7 @@ LevelShape makeMast() {
         }
     }
     c.box({0, kTall - 2, 0}, {kMastSide, kTall, kMastSide}, steel);
-    c.box({3, kTall, 3}, {8, kTall + 6, 8}, c.mix(kDarkSteel));
+    c.box({3, kTall, 3}, {8, kTall + 6, 8}, c.addSurface(kDarkSteel));
     LevelShape mast = c.finish("mast");
     mast.loadBearing = false;
     return mast;
@@ -41,8 +41,8 @@ LevelShape makeMast() {
 LevelShape makeJib() {
     constexpr int kHigh = 30, kChord = 9, kMiddle = kJibSide / 2;
     Canvas c({kTip + 4, kHigh, kJibSide});
-    const Swatch steel = c.mix(kCarYellow), dark = c.mix(kDarkSteel), weight = c.mix(kConcreteDark), glass = c.mix(kGlass),
-                 white = c.mix(kWhiteEnamel);
+    const Swatch steel = c.addSurface(kCarYellow), dark = c.addSurface(kDarkSteel), weight = c.addSurface(kConcreteDark), glass = c.addSurface(kGlass),
+                 white = c.addSurface(kWhiteEnamel);
     for (int z : {0, kJibSide - 1}) c.box({2, 0, z}, {kTip + 3, 1, z + 1}, steel);
     c.box({kPivot, kChord - 1, kMiddle}, {kTip, kChord, kMiddle + 1}, steel);
     for (int x = 2; x < kTip; x += 8) {
@@ -67,10 +67,10 @@ LevelShape makeJib() {
 LevelShape makeWreckingBall() {
     constexpr int kSize = 15;
     Canvas c({kSize, kSize + 3, kSize});
-    const Swatch steel = c.mix(kCastSteel);
+    const Swatch steel = c.addSurface(kCastSteel);
     c.fill(ivec3(0), ivec3(kSize), [&](ivec3 cell) {
         const ivec3 d = cell - kSize / 2;
-        return d.x * d.x + d.y * d.y + d.z * d.z <= 53 ? PaintBox::pick(steel, cell) : uint8_t(0);
+        return d.x * d.x + d.y * d.y + d.z * d.z <= 53 ? PaletteBuilder::pick(steel, cell) : uint8_t(0);
     });
     c.box({6, kSize - 1, 6}, {9, kSize + 3, 9}, steel);
     return c.finish("wrecking ball");
@@ -119,9 +119,9 @@ Level craneLevel(uint64_t seed) {
     style.rooms = false;
     addHouse(level, "house", {272, 0, 118}, style);
     addCrane(level);
-    for (int i = 0; i < 6; ++i) addLoose(level, makeCrate("crate " + std::to_string(i)), {110 + i % 3 * 11, i / 3 * 8, 262});
-    addLoose(level, makeBarrel("barrel 1", kCarRed), {150, 0, 280});
-    addLoose(level, makeBarrel("barrel 2", kCarBlue), {158, 0, 276});
+    for (int i = 0; i < 6; ++i) addDynamic(level, makeCrate("crate " + std::to_string(i)), {110 + i % 3 * 11, i / 3 * 8, 262});
+    addDynamic(level, makeBarrel("barrel 1", kCarRed), {150, 0, 280});
+    addDynamic(level, makeBarrel("barrel 2", kCarBlue), {158, 0, 276});
     return level;
 }
 

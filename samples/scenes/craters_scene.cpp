@@ -3,7 +3,7 @@
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
 
@@ -16,7 +16,7 @@ constexpr int kBlasts = 18;
 LevelShape makeBunker(std::string name) {
     constexpr ivec3 kSize{52, 28, 40};
     Canvas c(kSize);
-    const Swatch concrete = c.mix(kConcrete), dark = c.mix(kConcreteDark), rebar = c.mix(kRebar), moss = c.mix(kMoss), dirty = c.mix(kConcrete, 80);
+    const Swatch concrete = c.addSurface(kConcrete), dark = c.addSurface(kConcreteDark), rebar = c.addSurface(kRebar), moss = c.addSurface(kMoss), dirty = c.addSurface(kConcrete, 80);
     c.box(ivec3(0), kSize, concrete);
     c.clear({5, 3, 5}, {47, 22, 35});
     c.clear({6, 13, 35}, {46, 17, 40});
@@ -34,14 +34,14 @@ LevelShape makeBunker(std::string name) {
 
 LevelShape makeRuin(std::string name, int length) {
     Canvas c({length, 26, 4});
-    const Swatch brick = c.mix(kBrick), joint = c.mix(kBrickJoint);
+    const Swatch brick = c.addSurface(kBrick), joint = c.addSurface(kBrickJoint);
     c.fill(ivec3(0), {length, 26, 4}, [&](ivec3 cell) {
         const int top = 12 + int(hashCell(cell.x / 5, 0, length, 171) % 13);
         if (cell.y >= top || (cell.x % 26 > 9 && cell.x % 26 < 18 && cell.y > 9 && cell.y < 18)) return uint8_t(0);
         const int shifted = cell.x + cell.y % 2 * 2;
-        return PaintBox::pickFor(shifted % 4 == 0 ? joint : brick, hashCell(shifted / 4, cell.y, cell.z / 2, 42) >> 8);
+        return PaletteBuilder::pickFor(shifted % 4 == 0 ? joint : brick, hashCell(shifted / 4, cell.y, cell.z / 2, 42) >> 8);
     });
-    c.dropLoose();
+    c.removeUnanchored();
     return c.finish(std::move(name));
 }
 
@@ -60,7 +60,7 @@ Level cratersLevel(uint64_t seed) {
         const int x = random.between(70, 380), z = random.between(160, 240);
         if (x > 140 && x < 250 && z > 190 && z < 214) continue;
         const std::string name = (i % 2 ? "barrel " : "crate ") + std::to_string(i);
-        addLoose(level, i % 2 ? makeBarrel(name, i % 4 == 1 ? kCarRed : kCarBlue) : makeCrate(name), {x, 0, z});
+        addDynamic(level, i % 2 ? makeBarrel(name, i % 4 == 1 ? kCarRed : kCarBlue) : makeCrate(name), {x, 0, z});
     }
     return level;
 }

@@ -76,8 +76,8 @@ void cutFloor(ScriptClock& clock) {
 }
 
 /// The street lamp's head and the porch's: their groups go out, and the light on what they lit with them.
-void shootLamps(ScriptClock& clock) {
-    const dvec3 head = (dvec3(plan::kCornerLamp) + dvec3(0.5, 51.0, 13.0)) * kVoxel;
+void shootLights(ScriptClock& clock) {
+    const dvec3 head = (dvec3(plan::kCornerStreetLight) + dvec3(0.5, 51.0, 13.0)) * kVoxel;
     if (clock.at(5.95)) clock.add(carveSphere(head, {0.45, 0.45, 0.45}));
     if (clock.at(6.1)) clock.add(carveSphere(inHouse(93.5, 23.5, 114.5), {0.35, 0.3, 0.0}));
 }
@@ -104,7 +104,7 @@ void breakShop(ScriptClock& clock) {
 }
 
 /// The tower has landed on the shop: its sign goes out.
-void putOutSign(ScriptClock& clock) {
+void breakSign(ScriptClock& clock) {
     const dvec3 sign = (dvec3(plan::kShop) + dvec3(60, 46, ShopPlan::kDepth + 2)) * kVoxel;
     if (clock.at(8.75)) clock.add(ExplodeEdit{sign, 1.8});
 }
@@ -131,10 +131,10 @@ Edits demolition(int step, uint64_t) {
     blowWalls(clock);
     cutFloor(clock);
     fellTower(clock);
-    shootLamps(clock);
+    shootLights(clock);
     breakShop(clock);
     blowCarAndWall(clock);
-    putOutSign(clock);
+    breakSign(clock);
     blowRoof(clock);
     return clock.take();
 }

@@ -3,7 +3,7 @@
 
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 
 namespace rubble::scenes {
@@ -14,9 +14,9 @@ constexpr ivec3 kStoneSize{1, 8, 4};                // cells: it falls along x
 constexpr double kSpacing = 0.36;                   // metres
 
 LevelShape makeStone(int number) {
-    static constexpr const Recipe* kColors[] = {&kWhiteEnamel, &kClothRed, &kClothOchre, &kPlasticGreen, &kClothBlue};
+    static constexpr const SurfaceStyle* kColors[] = {&kWhiteEnamel, &kClothRed, &kClothOchre, &kPlasticGreen, &kClothBlue};
     Canvas c(kStoneSize);
-    c.box(ivec3(0), kStoneSize, c.mix(*kColors[number / 10 % 5]));
+    c.box(ivec3(0), kStoneSize, c.addSurface(*kColors[number / 10 % 5]));
     return c.finish("stone " + std::to_string(number));
 }
 
@@ -58,9 +58,9 @@ Level dominoRunLevel(uint64_t seed) {
         if (i == 0) body.velocity = {0.7f, 0.0f, 0.0f}, body.angularVelocity = {0.0f, 0.0f, -1.7f};
         level.bodies.push_back(std::move(body));
     }
-    addLoose(level, makeBench("bench"), {40, 0, 100});
-    addLoose(level, makePlantPot("plant 1"), {46, 0, 130});
-    addLoose(level, makePlantPot("plant 2"), {300, 0, 130});
+    addDynamic(level, makeBench("bench"), {40, 0, 100});
+    addDynamic(level, makePlantPot("plant 1"), {46, 0, 130});
+    addDynamic(level, makePlantPot("plant 2"), {300, 0, 130});
     return level;
 }
 

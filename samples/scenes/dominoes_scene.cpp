@@ -5,7 +5,7 @@
 #include "runtime/core/random.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 
 namespace rubble::scenes {
@@ -17,9 +17,9 @@ constexpr double kSpacing = 0.98;      // metres
 
 /// One slab with a pattern of its own: of one weight, with inlaid dots.
 LevelShape makeSlab(int number) {
-    static constexpr const Recipe* kBodies[] = {&kWhiteEnamel, &kClothRed, &kPlasticGreen, &kClothOchre, &kClothBlue, &kPlasticGrey};
+    static constexpr const SurfaceStyle* kBodies[] = {&kWhiteEnamel, &kClothRed, &kPlasticGreen, &kClothOchre, &kClothBlue, &kPlasticGrey};
     Canvas c(kSlabSize);
-    const Swatch body = c.mix(*kBodies[number % 6]), dot = c.mix(number % 6 == 0 ? kPlasticBlack : kWhiteEnamel);
+    const Swatch body = c.addSurface(*kBodies[number % 6]), dot = c.addSurface(number % 6 == 0 ? kPlasticBlack : kWhiteEnamel);
     c.box(ivec3(0), kSlabSize, body);
     c.box({0, 10, 2}, {kSlabSize.x, 11, kSlabSize.z - 2}, dot);
     const int top = number % 6 + 1, low = number * 5 % 6 + 1;
@@ -68,12 +68,12 @@ Level dominoesLevel(uint64_t seed) {
     const glm::dvec3 end = (poses.back().position + poses.back().rotation * glm::dvec3(1.5, 0, 0.1)) / kVoxel;
     for (int i = 0; i < 6; ++i) {
         const int column = i < 3 ? i : i < 5 ? i - 3 : 0, row = i < 3 ? 0 : i < 5 ? 1 : 2;
-        addLoose(level, makeCrate("crate " + std::to_string(i)), ivec3(int(end.x) + 2, row * 8, int(end.z) - 8 + column * 9 + row * 4));
+        addDynamic(level, makeCrate("crate " + std::to_string(i)), ivec3(int(end.x) + 2, row * 8, int(end.z) - 8 + column * 9 + row * 4));
     }
-    addLoose(level, makeBench("bench"), {90, 0, 100});
-    addLoose(level, makePlantPot("plant 1"), {60, 0, 110});
-    addLoose(level, makePlantPot("plant 2"), {300, 0, 104});
-    addLoose(level, makeBin("bin"), {340, 0, 110});
+    addDynamic(level, makeBench("bench"), {90, 0, 100});
+    addDynamic(level, makePlantPot("plant 1"), {60, 0, 110});
+    addDynamic(level, makePlantPot("plant 2"), {300, 0, 104});
+    addDynamic(level, makeBin("bin"), {340, 0, 110});
     return level;
 }
 

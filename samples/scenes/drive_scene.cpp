@@ -4,9 +4,9 @@
 #include "samples/scenes/car.h"
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
-#include "samples/scenes/lamp.h"
+#include "samples/scenes/street_light.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
 
@@ -18,9 +18,9 @@ constexpr ivec3 kHouse{200, 0, 140};
 constexpr int kLane = kHouse.z + kDeep / 2;  // the middle of the lane that the car takes
 
 struct HouseSwatches {
-    explicit HouseSwatches(Canvas& c) : plank(c.mix(kRedWood)), plankDark(c.mix(kRedWood, 88)), post(c.mix(kTimber)), white(c.mix(kWhiteWood)) {
-        windows = {white, c.mix(kGlass), white, c.mix(kClothCream), plankDark};
-        roof = {c.mix(kDarkWood), c.mix(kDarkWood, 84), post, c.mix(kDarkWood, 76), white};
+    explicit HouseSwatches(Canvas& c) : plank(c.addSurface(kRedWood)), plankDark(c.addSurface(kRedWood, 88)), post(c.addSurface(kTimber)), white(c.addSurface(kWhiteWood)) {
+        windows = {white, c.addSurface(kGlass), white, c.addSurface(kClothCream), plankDark};
+        roof = {c.addSurface(kDarkWood), c.addSurface(kDarkWood, 84), post, c.addSurface(kDarkWood, 76), white};
     }
     Swatch plank, plankDark, post, white;
     WindowSwatches windows;
@@ -33,7 +33,7 @@ void drawBoards(Canvas& c, const WallFrame& wall, bool isGable, const HouseSwatc
         const int top = isGable ? kEaves + gableHeight(wall.cell(u, 0, 0).z, kMargin - 4, kMargin + kDeep + 4) : kEaves + 2;
         for (int y = 0; y < top; ++y) {
             const Swatch& board = u % 4 == 0 ? s.plankDark : s.plank;
-            c.setEntry(wall.cell(u, y, 0), PaintBox::pickFor(board, hashCell(u / 4, isGable, y / 24, 61)));
+            c.setEntry(wall.cell(u, y, 0), PaletteBuilder::pickFor(board, hashCell(u / 4, isGable, y / 24, 61)));
             if (u % 12 == 6 || y % 15 == 7) c.set(wall.cell(u, y, 1), s.post);
         }
         if (u >= 2 && u < wall.length - 2) continue;
@@ -51,7 +51,7 @@ void addWoodenHouse(Level& level) {
     drawGableRoof(c, {kMargin - 4, 0, kMargin - 4}, {kMargin + kWide + 4, 0, kMargin + kDeep + 4}, kEaves, s.roof);
     for (const int u : {8, 52}) drawWindow(c, walls.front, u, 9, 11, 12, s.windows, true);
     for (const WallFrame* wall : {&walls.left, &walls.right}) drawWindow(c, *wall, kDeep / 2 - 5, kEaves + 4, 9, 8, s.windows, false);
-    drawDoor(c, walls.front, 31, 0, c.mix(kGreenWood), s.white, c.mix(kDarkSteel));
+    drawDoor(c, walls.front, 31, 0, c.addSurface(kGreenWood), s.white, c.addSurface(kDarkSteel));
     addStatic(level, c.finish("house"), kHouse - ivec3(kMargin, 0, kMargin));
 }
 
@@ -64,11 +64,11 @@ Level driveLevel(uint64_t seed) {
     Level level = makePlot("drive", ground, seed);
     addDrivenCar(level, "driven car", kCarRed, {14, 0, kLane - 9}, 1.0);
     addWoodenHouse(level);
-    for (int i = 0; i < 5; ++i) addLoose(level, makeCrate("crate " + std::to_string(i)), {346 + i % 2 * 10, i / 2 * 8, kLane - 8 + i % 2 * 3});
-    addLoose(level, makeTable("table"), {kHouse.x + 30, 0, kLane - 20});
-    addLoose(level, makeBench("bench"), {150, 0, kLane + 34}, Turn::Askew);
-    addStreetLamp(level, "lamp", {120, 0, 266}, false);
-    addLoose(level, makeCar("parked car", kCarBlue), {150, -kRoadDrop, 284});
+    for (int i = 0; i < 5; ++i) addDynamic(level, makeCrate("crate " + std::to_string(i)), {346 + i % 2 * 10, i / 2 * 8, kLane - 8 + i % 2 * 3});
+    addDynamic(level, makeTable("table"), {kHouse.x + 30, 0, kLane - 20});
+    addDynamic(level, makeBench("bench"), {150, 0, kLane + 34}, Turn::Askew);
+    addStreetLight(level, "lamp", {120, 0, 266}, false);
+    addDynamic(level, makeCar("parked car", kCarBlue), {150, -kRoadDrop, 284});
     return level;
 }
 

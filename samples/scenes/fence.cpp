@@ -3,15 +3,15 @@
 #include <algorithm>
 
 #include "runtime/core/random.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 
 LevelShape makeConcreteWall(std::string name, int length, int height) {
     const int top = kFenceFoot + height;
     Canvas c({length, top + 1, 5});
-    const Swatch concrete = c.mix(kConcrete), seam = c.mix(kConcreteDark), coping = c.mix(kKerb, 108), rebar = c.mix(kRebar), moss = c.mix(kMoss),
-                 dirty = c.mix(kConcrete, 82);
+    const Swatch concrete = c.addSurface(kConcrete), seam = c.addSurface(kConcreteDark), coping = c.addSurface(kKerb, 108), rebar = c.addSurface(kRebar), moss = c.addSurface(kMoss),
+                 dirty = c.addSurface(kConcrete, 82);
     c.box({0, 0, 1}, {length, top, 4}, concrete);
     // Panels of formwork, with the holes of their ties.
     for (int x = 0; x < length; x += 24) c.box({x, kFenceFoot, 1}, {x + 1, top, 4}, seam);
@@ -30,7 +30,7 @@ LevelShape makeConcreteWall(std::string name, int length, int height) {
 LevelShape makeGate(std::string name, int width, int height) {
     const int top = kFenceFoot + height;
     Canvas c({width, top + 3, 5});
-    const Swatch iron = c.mix(kDarkSteel), post = c.mix(kBrick), cap = c.mix(kKerb);
+    const Swatch iron = c.addSurface(kDarkSteel), post = c.addSurface(kBrick), cap = c.addSurface(kKerb);
     for (int x : {0, width - 4}) {
         c.box({x, 0, 0}, {x + 4, top + 1, 5}, post);
         c.box({x, top + 1, 0}, {x + 4, top + 2, 5}, cap);
@@ -44,7 +44,7 @@ LevelShape makeGate(std::string name, int width, int height) {
 LevelShape makePicketFence(std::string name, int length, int height, bool alongZ) {
     const int top = kFenceFoot + height;
     Canvas c(alongZ ? ivec3(2, top, length) : ivec3(length, top, 2));
-    const Swatch wood = c.mix(kFenceWood), dark = c.mix(kFenceWood, 84), moss = c.mix(kMoss);
+    const Swatch wood = c.addSurface(kFenceWood), dark = c.addSurface(kFenceWood, 84), moss = c.addSurface(kMoss);
     const auto place = [&](int u0, int u1, int y0, int y1, int k0, int k1, Swatch swatch) {
         if (alongZ)
             c.box({k0, y0, u0}, {k1, y1, u1}, swatch);

@@ -7,7 +7,7 @@
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
 
@@ -23,19 +23,19 @@ constexpr ivec3 kHouse{106, -kFooting, 104};  // of the shape's corner
 
 struct CabinSwatches {
     explicit CabinSwatches(Canvas& c)
-        : stone(c.mix(kBrickGrey)),
-          plank(c.mix(kFenceWood)),
-          plankDark(c.mix(kFenceWood, 84)),
-          timber(c.mix(kTimber)),
-          lining(c.mix(kFloorBoard, 108)),
-          white(c.mix(kWhiteWood)),
-          red(c.mix(kRedWood)),
-          brick(c.mix(kBrick)),
-          joint(c.mix(kBrickJoint)),
-          iron(c.mix(kDarkSteel)) {
-        windows = {white, c.mix(kGlass), white, c.mix(kClothCream), plankDark};
-        floors = {c.mix(kFloorBoard), c.mix(kFloorSeam), timber, lining};
-        roof = {c.mix(kDarkWood), c.mix(kDarkWood, 84), timber, c.mix(kDarkWood, 76), white};
+        : stone(c.addSurface(kBrickGrey)),
+          plank(c.addSurface(kFenceWood)),
+          plankDark(c.addSurface(kFenceWood, 84)),
+          timber(c.addSurface(kTimber)),
+          lining(c.addSurface(kFloorBoard, 108)),
+          white(c.addSurface(kWhiteWood)),
+          red(c.addSurface(kRedWood)),
+          brick(c.addSurface(kBrick)),
+          joint(c.addSurface(kBrickJoint)),
+          iron(c.addSurface(kDarkSteel)) {
+        windows = {white, c.addSurface(kGlass), white, c.addSurface(kClothCream), plankDark};
+        floors = {c.addSurface(kFloorBoard), c.addSurface(kFloorSeam), timber, lining};
+        roof = {c.addSurface(kDarkWood), c.addSurface(kDarkWood, 84), timber, c.addSurface(kDarkWood, 76), white};
     }
     Swatch stone, plank, plankDark, timber, lining, white, red, brick, joint, iron;
     WindowSwatches windows;
@@ -47,7 +47,7 @@ struct CabinSwatches {
 uint8_t plankEntry(const CabinSwatches& s, int u, int y, int side) {
     const int row = y / 3;
     const uint32_t board = hashCell((u + int(hashCell(row, side, 3, 141) % 30)) / 26, row, side, 142);
-    return PaintBox::pickFor(y % 3 == 0 ? s.plankDark : s.plank, board + hashCell(u / 4, y, side, 143) % 2);
+    return PaletteBuilder::pickFor(y % 3 == 0 ? s.plankDark : s.plank, board + hashCell(u / 4, y, side, 143) % 2);
 }
 
 void drawWalls(Canvas& c, const WallFrames& walls, const CabinSwatches& s) {
@@ -74,14 +74,14 @@ void drawChimney(Canvas& c, const CabinSwatches& s) {
         const bool flue = cell.x > kX1 - 14 && cell.x < kX1 - 8 && cell.z > kZ0 + 13 && cell.z < kZ0 + 18 && cell.y > kFloor;
         if (flue) return uint8_t(0);
         const uint32_t brick = hashCell((cell.x + cell.z + cell.y % 2 * 2) / 4, cell.y, 1, 73);
-        return PaintBox::pickFor((cell.x + cell.z + cell.y % 2 * 2) % 4 == 0 ? s.joint : s.brick, brick >> 8);
+        return PaletteBuilder::pickFor((cell.x + cell.z + cell.y % 2 * 2) % 4 == 0 ? s.joint : s.brick, brick >> 8);
     });
     c.clear({kX1 - 13, kFloor + 1, kZ0 + 19}, {kX1 - 9, kFloor + 7, kZ0 + 20});
 }
 
 void drawVeranda(Canvas& c, const CabinSwatches& s) {
     const int z1 = kZ1 + kPorch - 3;
-    c.fill({kX0, kFloor, kZ1}, {kX1, kFloor + 1, z1}, [&](ivec3 cell) { return PaintBox::pickFor(s.plank, uint32_t(cell.x / 3)); });
+    c.fill({kX0, kFloor, kZ1}, {kX1, kFloor + 1, z1}, [&](ivec3 cell) { return PaletteBuilder::pickFor(s.plank, uint32_t(cell.x / 3)); });
     for (int x = kX0 + 1; x < kX1; x += 19) {
         c.box({x, 0, z1 - 2}, {x + 2, kEaves - 4, z1}, s.white);
         c.box({x, 0, kZ1 + 1}, {x + 2, kFloor, kZ1 + 3}, s.timber);
@@ -90,7 +90,7 @@ void drawVeranda(Canvas& c, const CabinSwatches& s) {
     for (int z = kZ1; z < z1 + 3; ++z) {
         const int y = kEaves - 3 + (z1 + 2 - z) / 5;
         c.fill({kX0 - 2, y, z}, {kX1 + 2, y + 2, z + 1},
-               [&](ivec3 cell) { return PaintBox::pickFor(cell.x % 4 ? s.roof.tile : s.roof.tileDark, hashCell(cell.x / 4, z / 3, 9, 72)); });
+               [&](ivec3 cell) { return PaletteBuilder::pickFor(cell.x % 4 ? s.roof.tile : s.roof.tileDark, hashCell(cell.x / 4, z / 3, 9, 72)); });
         if (z > kZ1 && z % 1 == 0)
             for (int x = kX0 + 1; x < kX1; x += 19) c.box({x, y - 1, z}, {x + 1, y, z + 1}, s.timber);
     }
@@ -137,13 +137,13 @@ Level fireLevel(uint64_t seed) {
     level.environment = dusk();
     addCabin(level);
     const ivec3 floor = kHouse + ivec3(0, kFloor + 1, 0);
-    addLoose(level, makeTable("table"), floor + ivec3(kX0 + 12, 0, kZ0 + 14));
-    addLoose(level, makeChair("chair", kRedWood), floor + ivec3(kX0 + 10, 0, kZ0 + 32));
-    addLoose(level, makeSofa("sofa", kClothTeal), floor + ivec3(kX0 + 40, 0, kZ0 + 34));
-    addLoose(level, makeShelf("shelf", 5), floor + ivec3(kX0 + 34, 0, kZ0 + 4));
-    addLoose(level, makeBarrel("barrel 1", kCarBlue), {88, 0, 168});
-    addLoose(level, makeBarrel("barrel 2", kCarRed), {96, 0, 176});
-    for (int i = 0; i < 3; ++i) addLoose(level, makeCrate("crate " + std::to_string(i)), {206 + i % 2 * 4, i / 2 * 8, 150 + i % 2 * 10});
+    addDynamic(level, makeTable("table"), floor + ivec3(kX0 + 12, 0, kZ0 + 14));
+    addDynamic(level, makeChair("chair", kRedWood), floor + ivec3(kX0 + 10, 0, kZ0 + 32));
+    addDynamic(level, makeSofa("sofa", kClothTeal), floor + ivec3(kX0 + 40, 0, kZ0 + 34));
+    addDynamic(level, makeShelf("shelf", 5), floor + ivec3(kX0 + 34, 0, kZ0 + 4));
+    addDynamic(level, makeBarrel("barrel 1", kCarBlue), {88, 0, 168});
+    addDynamic(level, makeBarrel("barrel 2", kCarRed), {96, 0, 176});
+    for (int i = 0; i < 3; ++i) addDynamic(level, makeCrate("crate " + std::to_string(i)), {206 + i % 2 * 4, i / 2 * 8, 150 + i % 2 * 10});
     addStatic(level, makePicketFence("fence left", 112, 10, false), {30, -kFenceFoot, 226});
     addStatic(level, makePicketFence("fence right", 112, 10, false), {172, -kFenceFoot, 226});
     return level;

@@ -2,13 +2,13 @@
 
 #include "runtime/core/random.h"
 #include "samples/scenes/placement.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 
 LevelShape makeTable(std::string name) {
     Canvas c({16, 8, 10});
-    const Swatch top = c.mix(kFloorBoard), leg = c.mix(kTimber);
+    const Swatch top = c.addSurface(kFloorBoard), leg = c.addSurface(kTimber);
     c.box({0, 7, 0}, {16, 8, 10}, top);
     c.box({1, 6, 1}, {15, 7, 2}, leg);
     c.box({1, 6, 8}, {15, 7, 9}, leg);
@@ -17,9 +17,9 @@ LevelShape makeTable(std::string name) {
     return c.finish(std::move(name));
 }
 
-LevelShape makeChair(std::string name, const Recipe& seat) {
+LevelShape makeChair(std::string name, const SurfaceStyle& seat) {
     Canvas c({5, 10, 5});
-    const Swatch wood = c.mix(kTimber), cloth = c.mix(seat);
+    const Swatch wood = c.addSurface(kTimber), cloth = c.addSurface(seat);
     for (int x : {0, 4})
         for (int z : {0, 4}) c.box({x, 0, z}, {x + 1, 4, z + 1}, wood);
     c.box({0, 4, 0}, {5, 5, 5}, cloth);
@@ -31,7 +31,7 @@ LevelShape makeChair(std::string name, const Recipe& seat) {
 
 LevelShape makeShelf(std::string name, uint32_t seed) {
     Canvas c({14, 20, 4});
-    const Swatch wood = c.mix(kDarkWood), books = c.mix(kBooks);
+    const Swatch wood = c.addSurface(kDarkWood), books = c.addSurface(kBooks);
     c.box({0, 0, 0}, {14, 20, 1}, wood);
     for (int x : {0, 13}) c.box({x, 0, 0}, {x + 1, 20, 4}, wood);
     for (int y : {0, 5, 10, 15, 19}) c.box({0, y, 0}, {14, y + 1, 4}, wood);
@@ -41,15 +41,15 @@ LevelShape makeShelf(std::string name, uint32_t seed) {
             if (dice % 6 == 0) continue;
             const int height = 2 + int(dice >> 8 & 1) + int(shelf == 3 ? 0 : dice >> 9 & 1);
             const int low = shelf * 5 + 1;
-            const uint8_t entry = PaintBox::pickFor(books, dice >> 12);
+            const uint8_t entry = PaletteBuilder::pickFor(books, dice >> 12);
             c.fill({x, low, 1}, {x + 1, std::min(low + height, shelf == 3 ? 19 : low + 4), 3}, [&](ivec3) { return entry; });
         }
     return c.finish(std::move(name));
 }
 
-LevelShape makeBed(std::string name, const Recipe& blanket) {
+LevelShape makeBed(std::string name, const SurfaceStyle& blanket) {
     Canvas c({12, 9, 21});
-    const Swatch wood = c.mix(kDarkWood), sheet = c.mix(kClothCream), cover = c.mix(blanket);
+    const Swatch wood = c.addSurface(kDarkWood), sheet = c.addSurface(kClothCream), cover = c.addSurface(blanket);
     for (int x : {0, 11})
         for (int z : {0, 20}) c.box({x, 0, z}, {x + 1, 3, z + 1}, wood);
     c.box({0, 2, 0}, {12, 3, 21}, wood);
@@ -62,9 +62,9 @@ LevelShape makeBed(std::string name, const Recipe& blanket) {
     return c.finish(std::move(name));
 }
 
-LevelShape makeSofa(std::string name, const Recipe& cloth) {
+LevelShape makeSofa(std::string name, const SurfaceStyle& cloth) {
     Canvas c({21, 9, 9});
-    const Swatch fabric = c.mix(cloth), cushion = c.mix(cloth, 112), wood = c.mix(kDarkWood), pillow = c.mix(kClothOchre);
+    const Swatch fabric = c.addSurface(cloth), cushion = c.addSurface(cloth, 112), wood = c.addSurface(kDarkWood), pillow = c.addSurface(kClothOchre);
     for (int x : {1, 18})
         for (int z : {1, 6}) c.box({x, 0, z}, {x + 2, 1, z + 2}, wood);
     c.box({0, 1, 0}, {21, 3, 9}, fabric);
@@ -78,7 +78,7 @@ LevelShape makeSofa(std::string name, const Recipe& cloth) {
 
 LevelShape makeBath(std::string name) {
     Canvas c({18, 8, 9});
-    const Swatch enamel = c.mix(kWhiteEnamel), steel = c.mix(kSteel);
+    const Swatch enamel = c.addSurface(kWhiteEnamel), steel = c.addSurface(kSteel);
     for (int x : {1, 15})
         for (int z : {1, 6}) c.box({x, 0, z}, {x + 2, 1, z + 2}, steel);
     c.box({1, 1, 1}, {17, 7, 8}, enamel);
@@ -91,7 +91,7 @@ LevelShape makeBath(std::string name) {
 
 LevelShape makeToilet(std::string name) {
     Canvas c({4, 9, 7});
-    const Swatch enamel = c.mix(kWhiteEnamel), wood = c.mix(kDarkWood);
+    const Swatch enamel = c.addSurface(kWhiteEnamel), wood = c.addSurface(kDarkWood);
     c.box({1, 0, 1}, {3, 3, 6}, enamel);
     c.box({0, 3, 2}, {4, 4, 7}, enamel);
     c.clear({1, 3, 3}, {3, 4, 6});
@@ -102,7 +102,7 @@ LevelShape makeToilet(std::string name) {
 
 LevelShape makeCounter(std::string name, int length) {
     Canvas c({length, 12, 7});
-    const Swatch cupboard = c.mix(kWhiteWood), seam = c.mix(kWhiteWood, 70), top = c.mix(kDarkWood), steel = c.mix(kSteel);
+    const Swatch cupboard = c.addSurface(kWhiteWood), seam = c.addSurface(kWhiteWood, 70), top = c.addSurface(kDarkWood), steel = c.addSurface(kSteel);
     c.box({0, 0, 0}, {length, 9, 6}, cupboard);
     c.clear({1, 1, 1}, {length - 1, 8, 5});
     for (int x = 0; x < length; x += 6) c.box({x, 0, 0}, {x + 1, 9, 6}, seam);
@@ -117,7 +117,7 @@ LevelShape makeCounter(std::string name, int length) {
 
 LevelShape makeFridge(std::string name) {
     Canvas c({7, 18, 7});
-    const Swatch enamel = c.mix(kWhiteEnamel), seam = c.mix(kWhiteEnamel, 70), steel = c.mix(kSteel);
+    const Swatch enamel = c.addSurface(kWhiteEnamel), seam = c.addSurface(kWhiteEnamel, 70), steel = c.addSurface(kSteel);
     c.box({0, 0, 0}, {7, 18, 7}, enamel);
     c.clear({1, 1, 1}, {6, 17, 5});
     c.box({0, 12, 0}, {7, 13, 7}, seam);
@@ -129,7 +129,7 @@ LevelShape makeFridge(std::string name) {
 
 LevelShape makeWardrobe(std::string name) {
     Canvas c({13, 20, 6});
-    const Swatch wood = c.mix(kTimber), panel = c.mix(kTimber, 112), steel = c.mix(kSteel), clothes = c.mix(kGoods);
+    const Swatch wood = c.addSurface(kTimber), panel = c.addSurface(kTimber, 112), steel = c.addSurface(kSteel), clothes = c.addSurface(kGoods);
     c.box({0, 0, 0}, {13, 20, 6}, wood);
     c.clear({1, 1, 1}, {12, 19, 5});
     c.box({2, 2, 5}, {6, 18, 6}, panel);
@@ -141,7 +141,7 @@ LevelShape makeWardrobe(std::string name) {
 
 LevelShape makeTelevision(std::string name) {
     Canvas c({14, 13, 5});
-    const Swatch wood = c.mix(kDarkWood), black = c.mix(kPlasticBlack), screen = c.mix(kTyre);
+    const Swatch wood = c.addSurface(kDarkWood), black = c.addSurface(kPlasticBlack), screen = c.addSurface(kTyre);
     c.box({0, 0, 0}, {14, 4, 5}, wood);
     c.clear({1, 1, 1}, {13, 3, 5});
     c.box({6, 1, 1}, {7, 3, 5}, wood);
@@ -153,22 +153,22 @@ LevelShape makeTelevision(std::string name) {
 
 LevelShape makeCrate(std::string name) {
     Canvas c({8, 8, 8});
-    const Swatch board = c.mix(kTimber, 112), edge = c.mix(kTimber, 88), straw = c.mix(kGrassDry);
+    const Swatch board = c.addSurface(kTimber, 112), edge = c.addSurface(kTimber, 88), straw = c.addSurface(kGrassDry);
     c.box(ivec3(0), ivec3(8), board);
     c.clear(ivec3(1), ivec3(7));
     c.box({1, 1, 1}, {7, 3, 7}, straw);
     const auto edges = [&](ivec3 cell) {
         const int rims = (cell.x % 7 == 0) + (cell.y % 7 == 0) + (cell.z % 7 == 0);
         const bool brace = rims == 1 && cell.x % 7 != 0 && cell.x == cell.y;
-        return rims >= 2 || brace ? PaintBox::pick(edge, cell) : c.at(cell);
+        return rims >= 2 || brace ? PaletteBuilder::pick(edge, cell) : c.at(cell);
     };
     c.fill(ivec3(0), ivec3(8), edges);
     return c.finish(std::move(name));
 }
 
-LevelShape makeBarrel(std::string name, const Recipe& paint) {
+LevelShape makeBarrel(std::string name, const SurfaceStyle& paint) {
     Canvas c({7, 10, 7});
-    const Swatch body = c.mix(paint), rim = c.mix(kDarkSteel), rust = c.mix(kRust);
+    const Swatch body = c.addSurface(paint), rim = c.addSurface(kDarkSteel), rust = c.addSurface(kRust);
     c.ring(1, 0, 10, {7, 0, 7}, 5, 7, body);
     c.ring(1, 0, 1, {7, 0, 7}, -1, 7, rim);
     c.ring(1, 9, 10, {7, 0, 7}, -1, 7, rim);
@@ -179,7 +179,7 @@ LevelShape makeBarrel(std::string name, const Recipe& paint) {
 
 LevelShape makeBin(std::string name) {
     Canvas c({7, 12, 7});
-    const Swatch body = c.mix(kPlasticGreen), lid = c.mix(kPlasticGreen, 80), wheel = c.mix(kTyre), rubbish = c.mix(kGoods);
+    const Swatch body = c.addSurface(kPlasticGreen), lid = c.addSurface(kPlasticGreen, 80), wheel = c.addSurface(kTyre), rubbish = c.addSurface(kGoods);
     c.box({0, 1, 0}, {7, 10, 7}, body);
     c.clear({1, 2, 1}, {6, 10, 6});
     c.box({1, 2, 1}, {6, 6, 6}, rubbish);
@@ -192,7 +192,7 @@ LevelShape makeBin(std::string name) {
 
 LevelShape makeBench(std::string name) {
     Canvas c({18, 9, 6});
-    const Swatch wood = c.mix(kTimber, 108), iron = c.mix(kDarkSteel);
+    const Swatch wood = c.addSurface(kTimber, 108), iron = c.addSurface(kDarkSteel);
     for (int x : {2, 15}) {
         c.box({x, 0, 0}, {x + 1, 9, 1}, iron);
         c.box({x, 0, 5}, {x + 1, 4, 6}, iron);
@@ -207,20 +207,20 @@ LevelShape makeBench(std::string name) {
 
 LevelShape makePlantPot(std::string name) {
     Canvas c({7, 13, 7});
-    const Swatch pot = c.mix(kRoofTileRed), soil = c.mix(kDirt), leaf = c.mix(kLeaves), stem = c.mix(kBark);
+    const Swatch pot = c.addSurface(kRoofTileRed), soil = c.addSurface(kDirt), leaf = c.addSurface(kLeaves), stem = c.addSurface(kBark);
     c.ring(1, 0, 4, {7, 0, 7}, -1, 5, pot);
     c.ring(1, 3, 4, {7, 0, 7}, -1, 4, soil);
     c.box({3, 4, 3}, {4, 10, 4}, stem);
     for (int y = 5; y < 13; ++y) c.ring(1, y, y + 1, {7, 0, 7}, -1, y < 7 || y > 10 ? 4 : 7, leaf);
     c.fill({0, 4, 0}, {7, 13, 7},
            [&](ivec3 cell) { return hashCell(cell.x, cell.y, cell.z, 81) % 3 == 0 && c.holds(cell, leaf) ? uint8_t(0) : c.at(cell); });
-    c.dropLoose();
+    c.removeUnanchored();
     return c.finish(std::move(name));
 }
 
 LevelShape makeHydrant(std::string name) {
     Canvas c({5, 9, 5});
-    const Swatch red = c.mix(kCarRed), dark = c.mix(kDarkSteel);
+    const Swatch red = c.addSurface(kCarRed), dark = c.addSurface(kDarkSteel);
     c.box({0, 0, 0}, {5, 1, 5}, dark);
     c.box({1, 1, 1}, {4, 7, 4}, red);
     c.box({0, 4, 2}, {5, 6, 3}, dark);
@@ -230,15 +230,15 @@ LevelShape makeHydrant(std::string name) {
     return c.finish(std::move(name));
 }
 
-void addFloorLamp(Level& level, const std::string& name, ivec3 cell) {
+void addFloorLight(Level& level, const std::string& name, ivec3 cell) {
     const uint32_t group = addLightGroup(level, name);
     Canvas c({5, 17, 5});
-    const Swatch iron = c.mix(kDarkSteel), shade = c.mix(kBulbGlow, 100, group);
+    const Swatch iron = c.addSurface(kDarkSteel), shade = c.addSurface(kBulbGlow, 100, group);
     c.box({1, 0, 1}, {4, 1, 4}, iron);
     c.box({2, 1, 2}, {3, 13, 3}, iron);
     c.ring(1, 12, 16, {5, 0, 5}, -1, 5, shade);
     c.box({1, 16, 1}, {4, 17, 4}, iron);
-    addLoose(level, c.finish(name), cell);
+    addDynamic(level, c.finish(name), cell);
     addLight(level, name, group, LightKind::Sphere, {2.5, 11.0, 2.5}, kWarmLight * 5.0f, 5.0f, 0.2f);
 }
 

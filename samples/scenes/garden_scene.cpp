@@ -4,7 +4,7 @@
 #include "runtime/core/random.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
 
@@ -18,7 +18,7 @@ constexpr int kModels = 5;
 
 void addPlinth(Level& level, int i) {
     Canvas c({28, kPlinth + 3, 28});
-    const Swatch stone = c.mix(kKerb), dark = c.mix(kKerb, 80), moss = c.mix(kMoss);
+    const Swatch stone = c.addSurface(kKerb), dark = c.addSurface(kKerb, 80), moss = c.addSurface(kMoss);
     c.box({2, 0, 2}, {26, 5, 26}, dark);
     c.box({4, 5, 4}, {24, kPlinth, 24}, stone);
     c.box({2, kPlinth, 2}, {26, kPlinth + 3, 26}, stone);
@@ -40,8 +40,8 @@ void addModel(Level& level, Canvas& canvas, int i, const std::string& name) {
 
 void addCastle(Level& level, int i) {
     Canvas c({44, 44, 44});
-    const Swatch stone = c.mix(kPlasterOchre), dark = c.mix(kPlasterOchre, 78), roof = c.mix(kRoofTileRed), wood = c.mix(kDarkWood),
-                 flag = c.mix(kClothRed);
+    const Swatch stone = c.addSurface(kPlasterOchre), dark = c.addSurface(kPlasterOchre, 78), roof = c.addSurface(kRoofTileRed), wood = c.addSurface(kDarkWood),
+                 flag = c.addSurface(kClothRed);
     c.box({4, 0, 4}, {40, 16, 40}, stone);
     c.clear({8, 1, 8}, {36, 16, 36});
     for (int u = 4; u < 40; u += 4)
@@ -65,25 +65,25 @@ void addCastle(Level& level, int i) {
 
 void addGlobe(Level& level, int i) {
     Canvas c(ivec3(41, 45, 41));
-    const Swatch sea = c.mix(kPlasticGrey), land = c.mix(kCopperPipe), ring = c.mix(kDarkSteel), foot = c.mix(kDarkWood);
+    const Swatch sea = c.addSurface(kPlasticGrey), land = c.addSurface(kCopperPipe), ring = c.addSurface(kDarkSteel), foot = c.addSurface(kDarkWood);
     c.ring(1, 0, 4, {41, 0, 41}, -1, 22, foot);
-    const Swatch blue = c.mix(kCarBlue);
+    const Swatch blue = c.addSurface(kCarBlue);
     c.fill({0, 4, 0}, {41, 45, 41}, [&](ivec3 cell) {
         const ivec3 d = cell - ivec3(20, 24, 20);
         const int r2 = d.x * d.x + d.y * d.y + d.z * d.z;
-        if (d.x * d.x + d.y * d.y <= 400 && d.x * d.x + d.y * d.y > 350 && std::abs(d.z) < 2) return PaintBox::pick(ring, cell);
-        if (r2 > 290 || r2 < 200) return d.x * d.x + d.z * d.z < 6 ? PaintBox::pick(foot, cell) : uint8_t(0);
+        if (d.x * d.x + d.y * d.y <= 400 && d.x * d.x + d.y * d.y > 350 && std::abs(d.z) < 2) return PaletteBuilder::pick(ring, cell);
+        if (r2 > 290 || r2 < 200) return d.x * d.x + d.z * d.z < 6 ? PaletteBuilder::pick(foot, cell) : uint8_t(0);
         const int noise =
             int(hashCell(d.x / 7 + 20, d.y / 6 + 20, d.z / 7 + 20, 181) % 100) + int(hashCell(d.x / 3 + 20, d.y / 3 + 20, d.z / 3 + 20, 182) % 40);
-        return PaintBox::pick(noise > 84 ? land : std::abs(d.y) > 13 ? sea : blue, cell);
+        return PaletteBuilder::pick(noise > 84 ? land : std::abs(d.y) > 13 ? sea : blue, cell);
     });
     addModel(level, c, i, "globe");
 }
 
 void addShip(Level& level, int i) {
     Canvas c({52, 44, 22});
-    const Swatch hull = c.mix(kDarkWood), deck = c.mix(kFloorBoard), sail = c.mix(kClothCream), mast = c.mix(kTimber), red = c.mix(kClothRed),
-                 stand = c.mix(kConcreteDark);
+    const Swatch hull = c.addSurface(kDarkWood), deck = c.addSurface(kFloorBoard), sail = c.addSurface(kClothCream), mast = c.addSurface(kTimber), red = c.addSurface(kClothRed),
+                 stand = c.addSurface(kConcreteDark);
     for (int x : {14, 36}) c.box({x, 0, 6}, {x + 3, 5, 16}, stand);
     for (int x = 0; x < 52; ++x) {
         // The beam narrows toward bow (high x) and stern.
@@ -111,7 +111,7 @@ void addShip(Level& level, int i) {
 
 void addTemple(Level& level, int i) {
     Canvas c({48, 36, 34});
-    const Swatch marble = c.mix(kPlaster), shade = c.mix(kPlaster, 86), gold = c.mix(kClothOchre);
+    const Swatch marble = c.addSurface(kPlaster), shade = c.addSurface(kPlaster, 86), gold = c.addSurface(kClothOchre);
     for (int y = 0; y < 3; ++y) c.box({y, y, y}, {48 - y, y + 1, 34 - y}, y % 2 ? shade : marble);
     for (int x = 6; x <= 42; x += 6)
         for (int z : {6, 27}) c.ring(1, 3, 22, {2 * x, 0, 2 * z + 1}, -1, 4, marble);
@@ -128,7 +128,7 @@ void addTemple(Level& level, int i) {
 
 void addFountain(Level& level, int i) {
     Canvas c({40, 36, 40});
-    const Swatch stone = c.mix(kConcrete), water = c.mix(kGlass), bronze = c.mix(kCopperPipe), dark = c.mix(kConcreteDark);
+    const Swatch stone = c.addSurface(kConcrete), water = c.addSurface(kGlass), bronze = c.addSurface(kCopperPipe), dark = c.addSurface(kConcreteDark);
     c.ring(1, 0, 2, {40, 0, 40}, -1, 39, dark);
     c.ring(1, 2, 9, {40, 0, 40}, 33, 39, stone);
     c.ring(1, 2, 7, {40, 0, 40}, -1, 33, water);
@@ -154,9 +154,9 @@ Level gardenLevel(uint64_t seed) {
     addShip(level, 2);
     addTemple(level, 3);
     addFountain(level, 4);
-    addLoose(level, makeBench("bench 1"), {70, 0, 220});
-    addLoose(level, makeBench("bench 2"), {226, 0, 220});
-    for (int i = 0; i < 5; ++i) addLoose(level, makePlantPot("plant " + std::to_string(i)), {84 + i * 34, 0, 222});
+    addDynamic(level, makeBench("bench 1"), {70, 0, 220});
+    addDynamic(level, makeBench("bench 2"), {226, 0, 220});
+    for (int i = 0; i < 5; ++i) addDynamic(level, makePlantPot("plant " + std::to_string(i)), {84 + i * 34, 0, 222});
     return level;
 }
 

@@ -15,25 +15,25 @@ constexpr int kEaves = 4;
 
 struct HouseSwatches {
     HouseSwatches(Canvas& c, const HouseStyle& style)
-        : concrete(c.mix(kConcrete)),
-          white(c.mix(kWhiteWood)),
-          timber(c.mix(kTimber)),
-          door(c.mix(*style.door)),
-          steel(c.mix(kDarkSteel)),
-          plaster(c.mix(kPlaster)),
-          green(c.mix(kWallpaperGreen)),
-          rose(c.mix(kWallpaperRose)),
-          tile(c.mix(kTileWhite)),
-          rug(c.mix(kClothRed)),
-          rugEdge(c.mix(kClothOchre)),
-          rugBlue(c.mix(kClothTeal)),
-          wire(c.mix(kWire)),
-          pipe(c.mix(kCopperPipe)) {
-        walls = {c.mix(*style.wall), c.mix(style.courses ? kBrickJoint : *style.wall, 96), plaster, c.mix(*style.wall, 78), wire, pipe,
+        : concrete(c.addSurface(kConcrete)),
+          white(c.addSurface(kWhiteWood)),
+          timber(c.addSurface(kTimber)),
+          door(c.addSurface(*style.door)),
+          steel(c.addSurface(kDarkSteel)),
+          plaster(c.addSurface(kPlaster)),
+          green(c.addSurface(kWallpaperGreen)),
+          rose(c.addSurface(kWallpaperRose)),
+          tile(c.addSurface(kTileWhite)),
+          rug(c.addSurface(kClothRed)),
+          rugEdge(c.addSurface(kClothOchre)),
+          rugBlue(c.addSurface(kClothTeal)),
+          wire(c.addSurface(kWire)),
+          pipe(c.addSurface(kCopperPipe)) {
+        walls = {c.addSurface(*style.wall), c.addSurface(style.courses ? kBrickJoint : *style.wall, 96), plaster, c.addSurface(*style.wall, 78), wire, pipe,
                  style.courses};
-        windows = {white, c.mix(kGlass), concrete, c.mix(kClothCream), walls.dirty};
-        floors = {c.mix(kFloorBoard), c.mix(kFloorSeam), timber, plaster};
-        roof = {c.mix(*style.roof), c.mix(*style.roof, 84), timber, c.mix(*style.roof, 76), white};
+        windows = {white, c.addSurface(kGlass), concrete, c.addSurface(kClothCream), walls.dirty};
+        floors = {c.addSurface(kFloorBoard), c.addSurface(kFloorSeam), timber, plaster};
+        roof = {c.addSurface(*style.roof), c.addSurface(*style.roof, 84), timber, c.addSurface(*style.roof, 76), white};
     }
     Swatch concrete, white, timber, door, steel, plaster, green, rose, tile, rug, rugEdge, rugBlue, wire, pipe;
     WallSwatches walls;
@@ -59,9 +59,9 @@ void drawGables(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s)
                     const int shifted = u + (y % 2) * 2 + 400;
                     const bool joint = s.walls.courses && shifted % 4 == 0;
                     const uint32_t brick = hashCell(shifted / 4, y, 0, 42);
-                    canvas.setEntry(cell, joint             ? PaintBox::pickFor(s.walls.joint, brick)
-                                          : s.walls.courses ? PaintBox::pickFor(s.walls.stone, brick >> 8)
-                                                            : PaintBox::pick(s.walls.stone, cell));
+                    canvas.setEntry(cell, joint             ? PaletteBuilder::pickFor(s.walls.joint, brick)
+                                          : s.walls.courses ? PaletteBuilder::pickFor(s.walls.stone, brick >> 8)
+                                                            : PaletteBuilder::pick(s.walls.stone, cell));
                 }
         }
     // A round attic window in the gable that is seen.
@@ -123,7 +123,7 @@ void drawRooms(Canvas& canvas, const HouseSwatches& s) {
         drawOpening(canvas, {100, low, 50}, {111, low + kDoorHeight, 53}, s.white);
         // Wallpaper on the inside of the outer walls of the front room, tiles in the room behind.
         const auto paper = [&](ivec3 a, ivec3 b, Swatch swatch) {
-            canvas.fill(a, b, [&](ivec3 c) { return canvas.holds(c, s.plaster) ? PaintBox::pick(swatch, c) : canvas.at(c); });
+            canvas.fill(a, b, [&](ivec3 c) { return canvas.holds(c, s.plaster) ? PaletteBuilder::pick(swatch, c) : canvas.at(c); });
         };
         paper({10, low, 57}, {11, high, 102}, front);
         paper({10, low, 101}, {62, high, 102}, front);
@@ -153,7 +153,7 @@ void drawRug(Canvas& canvas, ivec3 low, ivec3 high, Swatch field, Swatch edge) {
     canvas.fill(low, high, [&](ivec3 c) {
         const int border = std::min({c.x - low.x, high.x - 1 - c.x, c.z - low.z, high.z - 1 - c.z});
         const bool figure = (c.x + c.z) % 8 == 0 || (c.x - c.z + 800) % 8 == 0;
-        return PaintBox::pick(border == 1 || (border > 3 && figure) ? edge : field, c);
+        return PaletteBuilder::pick(border == 1 || (border > 3 && figure) ? edge : field, c);
     });
 }
 
@@ -161,7 +161,7 @@ void drawPorch(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s) 
     const int z0 = frame.high.z, z1 = z0 + 19, x0 = 74, x1 = 112;
     canvas.box({x0, 0, z0}, {x1, kFloor0, z1}, s.concrete);
     canvas.fill({x0, kFloor0, z0}, {x1, kFloor0 + 1, z1},
-                [&](ivec3 c) { return PaintBox::pickFor(c.x % 4 == 3 ? s.floors.seam : s.floors.board, uint32_t(c.x / 4)); });
+                [&](ivec3 c) { return PaletteBuilder::pickFor(c.x % 4 == 3 ? s.floors.seam : s.floors.board, uint32_t(c.x / 4)); });
     canvas.box({86, 0, z1}, {102, kFloor0, z1 + 3}, s.concrete);
     for (int x : {x0, x1 - 2})
         for (int z : {z0 + 1, z1 - 2}) canvas.box({x, kFloor0 + 1, z}, {x + 2, kFloor0 + 24, z + 2}, s.white);
@@ -184,7 +184,7 @@ void drawPorch(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s) 
         const int y = kFloor0 + 26 + (z1 + 2 - z) / 4;
         for (int x = x0 - 3; x < x1 + 3; ++x) {
             const uint32_t tile = hashCell(x / 3, z / 4, 3, 72);
-            for (int d = 0; d < 2; ++d) canvas.setEntry({x, y + d, z}, PaintBox::pickFor(x % 3 == 0 ? s.roof.tileDark : s.roof.tile, tile >> 8));
+            for (int d = 0; d < 2; ++d) canvas.setEntry({x, y + d, z}, PaletteBuilder::pickFor(x % 3 == 0 ? s.roof.tileDark : s.roof.tile, tile >> 8));
         }
     }
 }
@@ -200,7 +200,7 @@ void drawChimney(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s
                 if (flue)
                     canvas.setEntry({x, y, z}, 0);
                 else
-                    canvas.setEntry({x, y, z}, PaintBox::pickFor((x + z + y % 2 * 2) % 4 == 0 ? s.walls.joint
+                    canvas.setEntry({x, y, z}, PaletteBuilder::pickFor((x + z + y % 2 * 2) % 4 == 0 ? s.walls.joint
                                                                  : y > top - 4                ? s.walls.dirty
                                                                                               : s.walls.stone,
                                                                  brick));
@@ -210,10 +210,10 @@ void drawChimney(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s
 }
 
 /// A lamp that hangs from a ceiling: its bulb glows in a group of its own and carries a light.
-void drawCeilingLamp(Level& level, Canvas& canvas, const std::string& house, const std::string& name, ivec3 hook, float strength,
+void drawCeilingLight(Level& level, Canvas& canvas, const std::string& house, const std::string& name, ivec3 hook, float strength,
                      const HouseSwatches& s) {
     const uint32_t group = addLightGroup(level, name);
-    const Swatch glow = canvas.mix(kBulbGlow, 100, group);
+    const Swatch glow = canvas.addSurface(kBulbGlow, 100, group);
     canvas.box(hook - ivec3(0, 3, 0), hook + ivec3(1), s.wire);
     canvas.box(hook - ivec3(2, 4, 2), hook + ivec3(3, -3, 3), s.rugEdge);
     canvas.box(hook - ivec3(1, 5, 1), hook + ivec3(2, -4, 2), glow);
@@ -240,10 +240,10 @@ void addHouse(Level& level, const std::string& name, ivec3 cell, const HouseStyl
         drawPorch(canvas, frame, s);
         drawRug(canvas, {18, kFloor0, 66}, {48, kFloor0 + 1, 92}, s.rug, s.rugEdge);
         drawRug(canvas, {22, kFloor1, 70}, {46, kFloor1 + 1, 90}, s.rugBlue, s.rugEdge);
-        drawCeilingLamp(level, canvas, name, name + " living lamp", {36, HouseRooms::kLiving.high.y - 1, 79}, 16.0f, s);
-        drawCeilingLamp(level, canvas, name, name + " bedroom lamp", {36, HouseRooms::kBedroom.high.y - 1, 79}, 16.0f, s);
-        drawCeilingLamp(level, canvas, name, name + " hall lamp", {92, HouseRooms::kHall.high.y - 1, 84}, 14.0f, s);
-        drawCeilingLamp(level, canvas, name, name + " porch lamp", {93, kFloor0 + 23, frame.high.z + 10}, 26.0f, s);
+        drawCeilingLight(level, canvas, name, name + " living lamp", {36, HouseRooms::kLiving.high.y - 1, 79}, 16.0f, s);
+        drawCeilingLight(level, canvas, name, name + " bedroom lamp", {36, HouseRooms::kBedroom.high.y - 1, 79}, 16.0f, s);
+        drawCeilingLight(level, canvas, name, name + " hall lamp", {92, HouseRooms::kHall.high.y - 1, 84}, 14.0f, s);
+        drawCeilingLight(level, canvas, name, name + " porch lamp", {93, kFloor0 + 23, frame.high.z + 10}, 26.0f, s);
     }
     addStatic(level, canvas.finish(name), cell - ivec3(kHouseMargin, kFooting, kHouseMargin));
 }

@@ -1,14 +1,14 @@
 #pragma once
 #include "samples/scenes/building.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 
 struct HouseStyle {
     int width = 112, depth = 96;  ///< of the walls, cells; the front (+z) has the door
-    const Recipe* wall = &kBrick;
-    const Recipe* roof = &kRoofTile;
-    const Recipe* door = &kGreenWood;
+    const SurfaceStyle* wall = &kBrick;
+    const SurfaceStyle* roof = &kRoofTile;
+    const SurfaceStyle* door = &kGreenWood;
     bool courses = true;  ///< bricks; else plastered outside
     bool rooms = true;    ///< inner walls, stairs, lamps and a porch; a plain shell with floors otherwise
 };

@@ -6,7 +6,7 @@ namespace rubble::scenes {
 void addHouseFurniture(Level& level, ivec3 cell) {
     const ivec3 corner = cell - ivec3(kHouseMargin, kFooting, kHouseMargin);
     const auto put = [&](LevelShape shape, int x, int y, int z, Turn turn = Turn::None) {
-        addLoose(level, std::move(shape), corner + ivec3(x, y, z), turn);
+        addDynamic(level, std::move(shape), corner + ivec3(x, y, z), turn);
     };
     constexpr int kLow = HouseRooms::kGroundFloor, kHigh = HouseRooms::kUpperFloor;
 
@@ -20,7 +20,7 @@ void addHouseFurniture(Level& level, ivec3 cell) {
     put(makeShelf("bookshelf 1", 5), 57, kLow, 60, Turn::ThreeQuarters);
     put(makeTelevision("television"), 56, kLow, 76 - 8 + 2, Turn::ThreeQuarters);
     put(makePlantPot("plant 1"), 12, kLow, 92);
-    addFloorLamp(level, "floor lamp", corner + ivec3(56, kLow, 95));
+    addFloorLight(level, "floor lamp", corner + ivec3(56, kLow, 95));
 
     // Kitchen
     put(makeCounter("counter", 32), 14, kLow, 12);

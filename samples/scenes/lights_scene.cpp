@@ -5,7 +5,7 @@
 #include "samples/scenes/environment.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
 
@@ -25,7 +25,7 @@ constexpr ivec3 kScreen{96, kFloor + 10, kBack + 3};   // low corner, 32 x 18 ce
 constexpr glm::vec3 kCyan{0.12f, 0.85f, 1.0f}, kRose{1.0f, 0.16f, 0.42f};
 
 /// A sunset over hills, 16 x 9: what the screen shows.
-uint32_t pictureColor(int x, int y) {
+uint32_t screenColor(int x, int y) {
     static constexpr uint32_t kSky[] = {0x1c2a6a, 0x3a3f8c, 0x6b4a9a, 0xa8558c, 0xe0705c, 0xf79a48, 0xffc45a};
     static constexpr int kHills[] = {6, 6, 5, 5, 5, 6, 6, 7, 7, 6, 6, 5, 4, 5, 6, 6};
     const int dx = x - 9, dy = y - 4;
@@ -34,10 +34,10 @@ uint32_t pictureColor(int x, int y) {
     return dx * dx + dy * dy <= 2 ? 0xfff2b0 : kSky[y];
 }
 
-LightImage sunsetPicture() {
+LightImage sunsetImage() {
     LightImage picture{16, {}};
     for (int y = 0; y < 9; ++y)
-        for (int x = 0; x < 16; ++x) picture.texels.push_back(pictureColor(x, y));
+        for (int x = 0; x < 16; ++x) picture.texels.push_back(screenColor(x, y));
     return picture;
 }
 
@@ -51,18 +51,18 @@ const glm::dquat kForward{0, 0, 1, 0};                                          
 const glm::dquat kDownward{0.70710678118654752440, -0.70710678118654752440, 0, 0};  // along -y
 const glm::dquat kUpright{0.70710678118654752440, 0, 0, 0.70710678118654752440};    // x goes up
 
-Recipe glow(uint32_t color, float emission) {
+SurfaceStyle glow(uint32_t color, float emission) {
     return {"glass", {color}, 120, 0, 10, 255, 0, emission};
 }
 
-void addLamps(Level& level, Canvas& c) {
-    const Swatch wire = c.mix(kWire), steel = c.mix(kDarkSteel);
+void addHallLights(Level& level, Canvas& c) {
+    const Swatch wire = c.addSurface(kWire), steel = c.addSurface(kDarkSteel);
     const uint32_t globe = addLightGroup(level, "globe", 0.25f);
-    const Swatch warm = c.mix(glow(0xffc890, 3.0f), 100, globe);
+    const Swatch warm = c.addSurface(glow(0xffc890, 3.0f), 100, globe);
     c.box({kGlobe.x, kGlobe.y, kGlobe.z}, {kGlobe.x + 1, kCeiling, kGlobe.z + 1}, wire);
     c.fill(kGlobe - 3, kGlobe + 4, [&](ivec3 cell) {
         const ivec3 d = cell - kGlobe;
-        return d.x * d.x + d.y * d.y + d.z * d.z <= 11 ? PaintBox::pick(warm, cell) : c.at(cell);
+        return d.x * d.x + d.y * d.y + d.z * d.z <= 11 ? PaletteBuilder::pick(warm, cell) : c.at(cell);
     });
     addLight(level, "hall", globe, LightKind::Sphere, glm::dvec3(kGlobe) + 0.5, kWarmLight * 9.0f, 9.0f, 0.38f);
 
@@ -72,7 +72,7 @@ void addLamps(Level& level, Canvas& c) {
         const uint32_t group = addLightGroup(level, "tube " + std::to_string(i), 0.2f);
         const ivec3 low = kTubes[i];
         c.box(low - ivec3(1, 1, 1), low + ivec3(2, 0, 2), steel);
-        c.box(low, low + ivec3(1, kTubeTall, 1), c.mix(glow(glows[i], 6.0f), 100, group));
+        c.box(low, low + ivec3(1, kTubeTall, 1), c.addSurface(glow(glows[i], 6.0f), 100, group));
         c.box(low + ivec3(-1, kTubeTall, -1), low + ivec3(2, kTubeTall + 1, 2), steel);
         addTurned(level, group, LightKind::Capsule, glm::dvec3(low) + glm::dvec3(0.5, kTubeTall / 2.0, 0.5), colors[i] * 4.5f, 8.0f, 0.06f, kUpright)
             .width = kTubeTall * float(kVoxel);
@@ -80,7 +80,7 @@ void addLamps(Level& level, Canvas& c) {
 
     const uint32_t panel = addLightGroup(level, "panel", 0.2f);
     c.box(kPanel - ivec3(1, 0, 1), kPanel + ivec3(25, 1, 13), steel);
-    c.box(kPanel, kPanel + ivec3(24, 1, 12), c.mix(glow(0xfff4e4, 2.4f), 100, panel));
+    c.box(kPanel, kPanel + ivec3(24, 1, 12), c.addSurface(glow(0xfff4e4, 2.4f), 100, panel));
     Light& ceiling = addTurned(level, panel, LightKind::Area, glm::dvec3(kPanel) + glm::dvec3(12, -0.1, 6), glm::vec3(1.0f, 0.93f, 0.82f) * 6.0f,
                                9.0f, 0.1f, kDownward);
     ceiling.width = 2.4f;
@@ -89,23 +89,23 @@ void addLamps(Level& level, Canvas& c) {
 
 void addScreen(Level& level, Canvas& c) {
     const uint32_t group = addLightGroup(level, "screen", 0.15f);
-    const Swatch frame = c.mix(kPlasticBlack);
+    const Swatch frame = c.addSurface(kPlasticBlack);
     c.box(kScreen - ivec3(1, 1, 0), kScreen + ivec3(33, 19, 2), frame);
     std::vector<std::pair<uint32_t, Swatch>> paints;
     const auto paint = [&](uint32_t color) {
         for (const auto& [known, swatch] : paints)
             if (known == color) return swatch;
-        return paints.emplace_back(color, c.mix(glow(color, 2.6f), 100, group)).second;
+        return paints.emplace_back(color, c.addSurface(glow(color, 2.6f), 100, group)).second;
     };
     for (int y = 0; y < 9; ++y)
         for (int x = 0; x < 16; ++x) {
             const ivec3 low = kScreen + ivec3(2 * x, 16 - 2 * y, 2);
-            c.box(low, low + ivec3(2, 2, 1), paint(pictureColor(x, y)));
+            c.box(low, low + ivec3(2, 2, 1), paint(screenColor(x, y)));
         }
     Light& light = addTurned(level, group, LightKind::Screen, glm::dvec3(kScreen) + glm::dvec3(16, 9, 3.1), glm::vec3(15.0f), 9.0f, 0.1f, kForward);
     light.width = 3.2f;
     light.height = 1.8f;
-    light.image = sunsetPicture();
+    light.image = sunsetImage();
 }
 
 /// Lines that a shock has left: each wanders upward and forks, wider here and there.
@@ -128,7 +128,7 @@ void crackWall(Canvas& c) {
 
 void addFlood(Level& level, Canvas& c) {
     const uint32_t group = addLightGroup(level, "flood", 0.2f);
-    const Swatch steel = c.mix(kDarkSteel), bright = c.mix(glow(0xfff0d0, 20.0f), 100, group);
+    const Swatch steel = c.addSurface(kDarkSteel), bright = c.addSurface(glow(0xfff0d0, 20.0f), 100, group);
     const ivec3 low{kMiddle - 4, kFloor + 18, 6};
     c.box({kMiddle - 1, 0, 6}, {kMiddle + 1, low.y, 8}, steel);
     c.box(low - ivec3(1, 1, 2), low + ivec3(9, 7, 1), steel);
@@ -141,22 +141,22 @@ void addFlood(Level& level, Canvas& c) {
 
 void addHall(Level& level) {
     Canvas c({kWide + 4, kCeiling + 4, kBack + kDeep + 4});
-    const Swatch concrete = c.mix(kConcrete), dark = c.mix(kConcreteDark), plaster = c.mix(kPlaster, 80), brick = c.mix(kBrick),
-                 joint = c.mix(kBrickJoint), steel = c.mix(kSteel);
+    const Swatch concrete = c.addSurface(kConcrete), dark = c.addSurface(kConcreteDark), plaster = c.addSurface(kPlaster, 80), brick = c.addSurface(kBrick),
+                 joint = c.addSurface(kBrickJoint), steel = c.addSurface(kSteel);
     // What is smooth underfoot shows the lights.
-    const Swatch polished = c.mix({"concrete", {0x55565a, 0x5c5d60, 0x4e4f53}, 90, 0, 40, 255, 4});
+    const Swatch polished = c.addSurface({"concrete", {0x55565a, 0x5c5d60, 0x4e4f53}, 90, 0, 40, 255, 4});
     c.box({0, 0, 0}, {kWide, kFooting, kBack + kDeep}, dark);
     c.box({0, kFooting, kBack}, {kWide, kFloor, kBack + kDeep}, polished);
     c.fill({0, kFloor, kBack}, {kWide, kCeiling, kBack + 3}, [&](ivec3 cell) {
         const int shifted = cell.x + cell.y % 2 * 2;
-        return PaintBox::pickFor(shifted % 4 == 0 ? joint : brick, hashCell(shifted / 4, cell.y, 0, 42) >> 8);
+        return PaletteBuilder::pickFor(shifted % 4 == 0 ? joint : brick, hashCell(shifted / 4, cell.y, 0, 42) >> 8);
     });
     c.box({0, kFloor, kBack}, {3, kCeiling, kBack + kDeep}, plaster);
     c.box({kWide - 3, kFloor, kBack}, {kWide, kCeiling, kBack + kDeep}, plaster);
     c.box({0, kCeiling, kBack}, {kWide, kCeiling + 3, kBack + kDeep}, concrete);
     for (int x = 18; x < kWide; x += 33) c.box({x, kCeiling - 3, kBack + 3}, {x + 2, kCeiling, kBack + kDeep}, steel);
     crackWall(c);
-    addLamps(level, c);
+    addHallLights(level, c);
     addScreen(level, c);
     addFlood(level, c);
     addStatic(level, c.finish("hall"), kHall);
@@ -178,13 +178,13 @@ Level lightsLevel(uint64_t seed) {
     level.environment.fogForward = 0.55f;
     level.environment.exposure = 1.5f;
     addHall(level);
-    addLoose(level, makeTable("table"), onFloor(28, kBack + 48));
-    addLoose(level, makeCrate("crate 1"), onFloor(60, kBack + 34));
-    addLoose(level, makeCrate("crate 2"), onFloor(69, kBack + 38));
-    addLoose(level, makeCrate("crate 3"), onFloor(62, kBack + 34) + ivec3(0, 8, 0));
-    addLoose(level, makeBarrel("barrel 1", kCarBlue), onFloor(86, kBack + 30));
-    addLoose(level, makeSofa("sofa", kClothTeal), onFloor(100, kBack + 34));
-    addLoose(level, makePlantPot("plant"), onFloor(10, kBack + 14));
+    addDynamic(level, makeTable("table"), onFloor(28, kBack + 48));
+    addDynamic(level, makeCrate("crate 1"), onFloor(60, kBack + 34));
+    addDynamic(level, makeCrate("crate 2"), onFloor(69, kBack + 38));
+    addDynamic(level, makeCrate("crate 3"), onFloor(62, kBack + 34) + ivec3(0, 8, 0));
+    addDynamic(level, makeBarrel("barrel 1", kCarBlue), onFloor(86, kBack + 30));
+    addDynamic(level, makeSofa("sofa", kClothTeal), onFloor(100, kBack + 34));
+    addDynamic(level, makePlantPot("plant"), onFloor(10, kBack + 14));
     return level;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "samples/scenes/house.h"
-#include "samples/scenes/lamp.h"
+#include "samples/scenes/street_light.h"
 #include "samples/scenes/town_plan.h"
 #include "samples/scenes/tree.h"
 
@@ -35,7 +35,7 @@ GroundPlan crossingStreets(ivec3 size) {
     return ground;
 }
 
-void addTree(Level& level, const std::string& name, ivec3 foot, int height, const Recipe& leaves, uint64_t seed) {
+void addTree(Level& level, const std::string& name, ivec3 foot, int height, const SurfaceStyle& leaves, uint64_t seed) {
     LevelShape tree = makeTree(name, height, leaves, seed);
     const int half = tree.grid.size().x / 2;
     addStatic(level, std::move(tree), foot - ivec3(half, kTreeRoot, half));
@@ -66,8 +66,8 @@ void addHouses(Level& level) {
 
 void addNeighbourhood(Level& level, uint64_t seed) {
     addHouses(level);
-    addStreetLamp(level, "lamp far", {540, 0, 456}, false);
-    addStreetLamp(level, "lamp side", {122, 0, 236}, true);
+    addStreetLight(level, "lamp far", {540, 0, 456}, false);
+    addStreetLight(level, "lamp side", {122, 0, 236}, true);
     addTree(level, "tree far 1", {590, 0, 190}, 96, kLeavesDark, seed + 33);
     addTree(level, "tree far 2", {150, 0, 168}, 80, kLeavesAutumn, seed + 54);
     addTree(level, "tree far 3", {600, 0, 130}, 84, kLeaves, seed + 60);

@@ -1,6 +1,6 @@
 #pragma once
 #include "samples/scenes/placement.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/street.h"
 
 /// What every stage shares: the crossing streets, and the houses and trees behind.
@@ -14,6 +14,6 @@ GroundPlan crossingStreets(ivec3 size);
 /// The row of houses behind, the one across, street lamps and trees.
 void addNeighbourhood(Level& level, uint64_t seed);
 /// A tree whose trunk stands at a cell of the ground.
-void addTree(Level& level, const std::string& name, ivec3 foot, int height, const Recipe& leaves, uint64_t seed);
+void addTree(Level& level, const std::string& name, ivec3 foot, int height, const SurfaceStyle& leaves, uint64_t seed);
 
 }  // namespace rubble::scenes

@@ -4,7 +4,7 @@
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/neighbourhood.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/tree.h"
 
@@ -18,18 +18,18 @@ constexpr int kPanes = 4, kPane = (kWide - 8) / kPanes;  // cells from post to p
 
 void addPavilion(Level& level) {
     Canvas c({kWide + 2 * kMargin, kTop + 6, kDeep + 2 * kMargin});
-    const Swatch concrete = c.mix(kConcrete), board = c.mix(kFloorBoard), seam = c.mix(kFloorSeam), steel = c.mix(kDarkSteel), glass = c.mix(kGlass),
-                 wood = c.mix(kDarkWood), white = c.mix(kPlaster), felt = c.mix(kRoofFelt), brick = c.mix(kBrick), joint = c.mix(kBrickJoint);
+    const Swatch concrete = c.addSurface(kConcrete), board = c.addSurface(kFloorBoard), seam = c.addSurface(kFloorSeam), steel = c.addSurface(kDarkSteel), glass = c.addSurface(kGlass),
+                 wood = c.addSurface(kDarkWood), white = c.addSurface(kPlaster), felt = c.addSurface(kRoofFelt), brick = c.addSurface(kBrick), joint = c.addSurface(kBrickJoint);
     const int x0 = kMargin, x1 = x0 + kWide, z0 = kMargin, z1 = z0 + kDeep;
     c.box({x0 - 4, 0, z0 - 2}, {x1 + 4, kFloor, z1 + 6}, concrete);
     c.fill({x0, kFloor, z0}, {x1, kFloor + 1, z1}, [&](ivec3 cell) {
         const int plank = cell.z / 4;
-        return PaintBox::pickFor(cell.z % 4 == 3 ? seam : board, hashCell((cell.x + int(hashCell(plank, 0, 0, 5) % 30)) / 30, plank, 1, 64));
+        return PaletteBuilder::pickFor(cell.z % 4 == 3 ? seam : board, hashCell((cell.x + int(hashCell(plank, 0, 0, 5) % 30)) / 30, plank, 1, 64));
     });
     // A brick wall behind and a plastered one to the right; glass in front and to the left, under a thin wide roof.
     c.fill({x0, kFloor + 1, z0}, {x1, kTop, z0 + 3}, [&](ivec3 cell) {
         const int shifted = cell.x + cell.y % 2 * 2;
-        return PaintBox::pickFor(shifted % 4 == 0 ? joint : brick, hashCell(shifted / 4, cell.y, 0, 42) >> 8);
+        return PaletteBuilder::pickFor(shifted % 4 == 0 ? joint : brick, hashCell(shifted / 4, cell.y, 0, 42) >> 8);
     });
     c.box({x1 - 3, kFloor + 1, z0}, {x1, kTop, z1 - 2}, white);
     c.box({x0 - 7, kTop, z0 - 4}, {x1 + 4, kTop + 3, z1 + 8}, wood);
@@ -50,13 +50,13 @@ void addPavilion(Level& level) {
 void addBall(Level& level) {
     constexpr int kRadius = 4;
     Canvas c(ivec3(2 * kRadius + 1));
-    const Swatch red = c.mix(kBallRed), cream = c.mix(kBallCream);
+    const Swatch red = c.addSurface(kBallRed), cream = c.addSurface(kBallCream);
     c.fill(ivec3(0), c.size(), [&](ivec3 cell) {
         const ivec3 d = cell - kRadius;
         if (d.x * d.x + d.y * d.y + d.z * d.z > kRadius * kRadius + 3) return uint8_t(0);
-        return PaintBox::pick(std::abs(d.x) < 2 || std::abs(d.y) < 2 ? cream : red, cell);
+        return PaletteBuilder::pick(std::abs(d.x) < 2 || std::abs(d.y) < 2 ? cream : red, cell);
     });
-    addLoose(level, c.finish("ball"), {160, 15, 206});
+    addDynamic(level, c.finish("ball"), {160, 15, 206});
     level.bodies.back().velocity = {0.3f, 1.2f, -10.0f};
     level.bodies.back().angularVelocity = {-9.0f, 0.5f, -1.0f};
 }
@@ -70,15 +70,15 @@ Level paneLevel(uint64_t seed) {
     addPavilion(level);
     addBall(level);
     const ivec3 floor = kHouse + ivec3(0, kFloor + 1, 0);
-    addLoose(level, makeSofa("sofa", kClothTeal), floor + ivec3(8, 0, 8));
-    addLoose(level, makeTable("table"), floor + ivec3(66, 0, 42));
-    addLoose(level, makeChair("chair 1", kRedWood), floor + ivec3(84, 0, 44), Turn::Quarter);
-    addLoose(level, makeShelf("shelf", 11), floor + ivec3(82, 0, 4));
-    addLoose(level, makePlantPot("plant 1"), floor + ivec3(10, 0, 52));
-    addLoose(level, makePlantPot("plant 2"), floor + ivec3(104, 0, 54));
-    addLoose(level, makeTelevision("television"), floor + ivec3(44, 0, 6));
-    addLoose(level, makeBench("bench"), {216, 0, 214}, Turn::Askew);
-    addFloorLamp(level, "lamp", floor + ivec3(110, 0, 40));
+    addDynamic(level, makeSofa("sofa", kClothTeal), floor + ivec3(8, 0, 8));
+    addDynamic(level, makeTable("table"), floor + ivec3(66, 0, 42));
+    addDynamic(level, makeChair("chair 1", kRedWood), floor + ivec3(84, 0, 44), Turn::Quarter);
+    addDynamic(level, makeShelf("shelf", 11), floor + ivec3(82, 0, 4));
+    addDynamic(level, makePlantPot("plant 1"), floor + ivec3(10, 0, 52));
+    addDynamic(level, makePlantPot("plant 2"), floor + ivec3(104, 0, 54));
+    addDynamic(level, makeTelevision("television"), floor + ivec3(44, 0, 6));
+    addDynamic(level, makeBench("bench"), {216, 0, 214}, Turn::Askew);
+    addFloorLight(level, "lamp", floor + ivec3(110, 0, 40));
     addStatic(level, makeHedge("hedge in front", {300, 12, 9}), {10, -kHedgeRoot, 300});
     addTree(level, "tree in front 1", {210, 0, 284}, 84, kLeavesAutumn, seed + 20);
     addTree(level, "tree in front 2", {106, 0, 290}, 74, kLeaves, seed + 21);

@@ -30,7 +30,7 @@ void addStatic(Level& level, LevelShape shape, ivec3 cell) {
     level.bodies.push_back(std::move(body));
 }
 
-void addLoose(Level& level, LevelShape shape, ivec3 cell, Turn turn) {
+void addDynamic(Level& level, LevelShape shape, ivec3 cell, Turn turn) {
     const glm::dvec3 size = shape.grid.size();
     // The corner that a quarter turn moves to the low end: about y, x goes to -z and z to x.
     glm::dvec3 shift(0.0);

@@ -14,7 +14,7 @@ glm::dquat turnRotation(Turn turn);
 /// A static body with one shape whose corner lies at a cell of the town.
 void addStatic(Level& level, LevelShape shape, ivec3 cell);
 /// A dynamic body with one shape; its turned bounds' low corner lies at the cell.
-void addLoose(Level& level, LevelShape shape, ivec3 cell, Turn turn = Turn::None);
+void addDynamic(Level& level, LevelShape shape, ivec3 cell, Turn turn = Turn::None);
 
 /// A new light group that goes out when the share `threshold` of its voxels is gone; returns its index plus one, as palette entries want it.
 uint32_t addLightGroup(Level& level, std::string name, float threshold = 0.4f);

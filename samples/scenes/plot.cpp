@@ -3,7 +3,7 @@
 #include "runtime/core/random.h"
 #include "samples/scenes/environment.h"
 #include "samples/scenes/neighbourhood.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/tree.h"
 
 namespace rubble::scenes {
@@ -15,7 +15,7 @@ Level makePlot(std::string name, const GroundPlan& ground, uint64_t seed) {
     level.environment.sunDirection = {-0.74f, 0.40f, 0.40f};  // also on what faces the camera
     addGround(level, ground);
     Random random(seed, 31);
-    static constexpr const Recipe* kCrowns[] = {&kLeaves, &kLeavesDark, &kLeavesAutumn, &kLeaves};
+    static constexpr const SurfaceStyle* kCrowns[] = {&kLeaves, &kLeavesDark, &kLeavesAutumn, &kLeaves};
     for (int i = 0, x = 34; x < ground.size.x - 30; ++i) {
         const int height = random.between(62, 92);
         addTree(level, "tree " + std::to_string(i), {x, 0, 34 + random.between(0, 8)}, height, *kCrowns[i % 4], seed + uint64_t(i));

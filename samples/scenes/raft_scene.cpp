@@ -3,7 +3,7 @@
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/neighbourhood.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
 
@@ -18,11 +18,11 @@ constexpr ivec3 kRaft{130, 11, 140};
 
 void addBasin(Level& level) {
     Canvas c(kSize);
-    const Swatch stone = c.mix(kConcrete), rim = c.mix(kPaving), tile = c.mix(kTileWhite), line = c.mix(kPlasterBlue);
+    const Swatch stone = c.addSurface(kConcrete), rim = c.addSurface(kPaving), tile = c.addSurface(kTileWhite), line = c.addSurface(kPlasterBlue);
     c.box({0, 0, 0}, kSize, stone);
     c.clear({kWall, kFloor, kWall}, {kSize.x - kWall, kSize.y, kSize.z - kWall});
     c.fill({kWall, kFloor - 1, kWall}, {kSize.x - kWall, kFloor, kSize.z - kWall},
-           [&](ivec3 cell) { return PaintBox::pick(cell.x % 10 == 0 || cell.z % 10 == 0 ? line : tile, cell); });
+           [&](ivec3 cell) { return PaletteBuilder::pick(cell.x % 10 == 0 || cell.z % 10 == 0 ? line : tile, cell); });
     for (const auto& [low, high] :
          {std::pair(ivec3(0, kSize.y - 2, 0), ivec3(kSize.x, kSize.y, kWall)),
           std::pair(ivec3(0, kSize.y - 2, kSize.z - kWall), ivec3(kSize.x, kSize.y, kSize.z)),
@@ -46,14 +46,14 @@ void addBasin(Level& level) {
 LevelShape makeRaft() {
     constexpr int kLogs = 9, kLog = 4, kLong = 52;
     Canvas c({kLong, kLog + 2, kLogs * kLog});
-    const Swatch bark = c.mix(kBark), timber = c.mix(kTimber), board = c.mix(kFenceWood);
+    const Swatch bark = c.addSurface(kBark), timber = c.addSurface(kTimber), board = c.addSurface(kFenceWood);
     for (int i = 0; i < kLogs; ++i)
         c.fill({i % 2, 0, i * kLog}, {kLong - (i + 1) % 2, kLog, (i + 1) * kLog}, [&](ivec3 cell) {
             const int y = cell.y, z = cell.z - i * kLog;
             const bool isCorner = (y == 0 || y == kLog - 1) && (z == 0 || z == kLog - 1);
             if (isCorner && y == 0) return uint8_t(0);
             const bool isEnd = cell.x < 2 || cell.x >= kLong - 2;
-            return PaintBox::pick(isEnd ? timber : bark, cell);
+            return PaletteBuilder::pick(isEnd ? timber : bark, cell);
         });
     for (const int x : {6, 18, 30, 42}) c.box({x, kLog, 0}, {x + 4, kLog + 2, kLogs * kLog}, board);
     return c.finish("raft");
@@ -66,18 +66,18 @@ Level raftLevel(uint64_t seed) {
     ground.areas = {area(Paving, 40, 80, 280, 270)};
     Level level = makePlot("basin", ground, seed);
     addBasin(level);
-    addLoose(level, makeRaft(), kRaft);
+    addDynamic(level, makeRaft(), kRaft);
     const ivec3 deck = kRaft + ivec3(0, 6, 0);
-    addLoose(level, makeCrate("crate 1"), deck + ivec3(8, 0, 4));
-    addLoose(level, makeCrate("crate 2"), deck + ivec3(8, 0, 18), Turn::Askew);
-    addLoose(level, makeBarrel("barrel 1", kCarRed), deck + ivec3(30, 0, 6));
-    addLoose(level, makeBarrel("barrel 2", kCarBlue), deck + ivec3(32, 0, 20));
-    addLoose(level, makeChair("chair", kRedWood), deck + ivec3(20, 0, 14), Turn::Quarter);
-    addLoose(level, makeTable("floating table"), {90, 14, 200}, Turn::Askew);
-    addLoose(level, makeCrate("floating crate"), {210, 14, 130}, Turn::Askew);
+    addDynamic(level, makeCrate("crate 1"), deck + ivec3(8, 0, 4));
+    addDynamic(level, makeCrate("crate 2"), deck + ivec3(8, 0, 18), Turn::Askew);
+    addDynamic(level, makeBarrel("barrel 1", kCarRed), deck + ivec3(30, 0, 6));
+    addDynamic(level, makeBarrel("barrel 2", kCarBlue), deck + ivec3(32, 0, 20));
+    addDynamic(level, makeChair("chair", kRedWood), deck + ivec3(20, 0, 14), Turn::Quarter);
+    addDynamic(level, makeTable("floating table"), {90, 14, 200}, Turn::Askew);
+    addDynamic(level, makeCrate("floating crate"), {210, 14, 130}, Turn::Askew);
     for (LevelBody& body : level.bodies)
         if (!body.isStatic) body.velocity.y = -0.1f;  // what is in the water must not sleep there
-    addLoose(level, makeBench("bench"), {150, 0, 258});
+    addDynamic(level, makeBench("bench"), {150, 0, 258});
     addTree(level, "bank tree 1", {286, 0, 120}, 80, kLeaves, seed + 3);
     addTree(level, "bank tree 2", {34, 0, 150}, 70, kLeavesAutumn, seed + 4);
     return level;

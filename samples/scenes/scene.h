@@ -12,7 +12,7 @@ namespace rubble {
 /// All functions are pure; steps are 1/60 s from 0.
 struct Scene {
     std::string_view name;   ///< as commands take it
-    std::string_view shows;  ///< one line for people
+    std::string_view description;  ///< one line for people
     Level (*level)(uint64_t seed);
     Edits (*script)(int step, uint64_t seed);
     Pose (*camera)(double seconds);
@@ -33,7 +33,7 @@ Scene bridgeScene();
 Scene fireScene();
 Scene wallScene();
 Scene paneScene();
-Scene lampsScene();
+Scene lightShopScene();
 Scene dominoesScene();
 Scene cratersScene();
 Scene crushScene();

@@ -3,7 +3,7 @@
 #include "runtime/core/random.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/lettering.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -16,22 +16,22 @@ constexpr int kX0 = Plan::kMargin, kX1 = kX0 + Plan::kWidth, kZ0 = Plan::kMargin
 
 struct ShopSwatches {
     explicit ShopSwatches(Canvas& c)
-        : concrete(c.mix(kConcrete)),
-          plaster(c.mix(kPlaster)),
-          steel(c.mix(kDarkSteel)),
-          glass(c.mix(kGlass)),
-          tile(c.mix(kTileWhite)),
-          tileDark(c.mix(kTileWhite, 72)),
-          wood(c.mix(kDarkWood)),
-          red(c.mix(kClothRed)),
-          cream(c.mix(kClothCream)),
-          felt(c.mix(kRoofFelt)),
-          board(c.mix(kPlasticBlack)),
-          goods(c.mix(kGoods)),
-          joist(c.mix(kSteel)),
-          pipe(c.mix(kCopperPipe)),
-          white(c.mix(kWhiteWood)) {
-        walls = {c.mix(kBrickYellow), c.mix(kBrickYellow, 84), plaster, c.mix(kBrickYellow, 76), c.mix(kWire), pipe, true};
+        : concrete(c.addSurface(kConcrete)),
+          plaster(c.addSurface(kPlaster)),
+          steel(c.addSurface(kDarkSteel)),
+          glass(c.addSurface(kGlass)),
+          tile(c.addSurface(kTileWhite)),
+          tileDark(c.addSurface(kTileWhite, 72)),
+          wood(c.addSurface(kDarkWood)),
+          red(c.addSurface(kClothRed)),
+          cream(c.addSurface(kClothCream)),
+          felt(c.addSurface(kRoofFelt)),
+          board(c.addSurface(kPlasticBlack)),
+          goods(c.addSurface(kGoods)),
+          joist(c.addSurface(kSteel)),
+          pipe(c.addSurface(kCopperPipe)),
+          white(c.addSurface(kWhiteWood)) {
+        walls = {c.addSurface(kBrickYellow), c.addSurface(kBrickYellow, 84), plaster, c.addSurface(kBrickYellow, 76), c.addSurface(kWire), pipe, true};
         windows = {white, glass, concrete, cream, walls.dirty};
     }
     Swatch concrete, plaster, steel, glass, tile, tileDark, wood, red, cream, felt, board, goods, joist, pipe, white;
@@ -44,7 +44,7 @@ void drawShell(Canvas& c, const WallFrames& walls, const ShopSwatches& s) {
     c.box({kX0, kFooting - 1, kZ0}, {kX1, kFloor, kZ1}, s.concrete);
     for (const WallFrame* wall : {&walls.left, &walls.right, &walls.back, &walls.front}) drawWall(c, *wall, kFloor, kRoof + 6, s.walls);
     c.fill({kX0 + 3, kFloor, kZ0 + 3}, {kX1 - 3, kFloor + 1, kZ1 - 3},
-           [&](ivec3 cell) { return PaintBox::pick((cell.x / 5 + cell.z / 5) % 2 ? s.tile : s.tileDark, cell); });
+           [&](ivec3 cell) { return PaletteBuilder::pick((cell.x / 5 + cell.z / 5) % 2 ? s.tile : s.tileDark, cell); });
     // Ceiling, steel joists, roof deck, and felt under a parapet with a coping.
     c.box({kX0 + 3, kCeiling, kZ0 + 3}, {kX1 - 3, kCeiling + 1, kZ1 - 3}, s.plaster);
     for (int x = kX0 + 6; x < kX1 - 3; x += 9) c.box({x, kCeiling + 1, kZ0 + 3}, {x + 1, kRoof - 1, kZ1 - 3}, s.joist);
@@ -96,7 +96,7 @@ void drawSign(Level& level, Canvas& c, const std::string& name, const ShopSwatch
     constexpr int kTextWidth = (int(kText.size()) * kLetterAdvance - 1) * kScale;
     const int x0 = kX0 + (Plan::kWidth - kTextWidth) / 2, y0 = kRoof + 2;
     const uint32_t group = addLightGroup(level, name + " sign", 0.25f);
-    const Swatch glow = c.mix(kSignGlow, 100, group);
+    const Swatch glow = c.addSurface(kSignGlow, 100, group);
     // A dark board that stands on the front's parapet, letters on its face.
     c.box({x0 - 5, y0 - 2, kZ1}, {x0 + kTextWidth + 5, y0 + kLetterHeight * kScale + 4, kZ1 + 2}, s.board);
     drawLettering(c, {x0, y0 + 1, kZ1 + 2}, kText, kScale, glow);
@@ -114,7 +114,7 @@ void drawInside(Level& level, Canvas& c, const std::string& name, const ShopSwat
             for (int x = 0; x < length; ++x) {
                 const uint32_t dice = hashCell(x / 2, y, low.z, 121);
                 if (dice % 5 == 0 || y + 1 >= height) continue;
-                const uint8_t entry = PaintBox::pickFor(s.goods, dice >> 8);
+                const uint8_t entry = PaletteBuilder::pickFor(s.goods, dice >> 8);
                 c.fill(low + ivec3(x, y + 1, 1), low + ivec3(x + 1, y + 2 + int(dice >> 4 & 1) * 2, 4), [&](ivec3) { return entry; });
             }
         }
@@ -123,7 +123,7 @@ void drawInside(Level& level, Canvas& c, const std::string& name, const ShopSwat
         for (int x : {14, 78}) shelf({kX0 + x, kFloor + 1, kZ0 + z}, 28, 16);
     shelf({kX0 + 10, kFloor + 1, kZ0 + 3}, 100, 21);
     const uint32_t group = addLightGroup(level, name + " ceiling");
-    const Swatch glow = c.mix(kShopGlow, 100, group);
+    const Swatch glow = c.addSurface(kShopGlow, 100, group);
     for (int x : {26, 60, 94})
         for (int z : {30, 72}) {
             c.box({kX0 + x - 6, kCeiling - 1, kZ0 + z}, {kX0 + x + 6, kCeiling, kZ0 + z + 2}, glow);
@@ -147,10 +147,10 @@ void addShop(Level& level, const std::string& name, ivec3 cell) {
     drawInside(level, c, name, s);
     const ivec3 corner = cell - ivec3(Plan::kMargin, kFooting, Plan::kMargin);
     addStatic(level, c.finish(name), corner);
-    addLoose(level, makeCounter("shop counter", 20), corner + ivec3(kX0 + 92, kFloor + 1, kZ0 + 84));
-    addLoose(level, makeCrate("shop crate 1"), corner + ivec3(kX0 + 20, kFloor + 1, kZ0 + 86));
-    addLoose(level, makeCrate("shop crate 2"), corner + ivec3(kX0 + 30, kFloor + 1, kZ0 + 84));
-    addLoose(level, makePlantPot("shop plant"), corner + ivec3(kX0 + 70, kFloor + 1, kZ0 + 86));
+    addDynamic(level, makeCounter("shop counter", 20), corner + ivec3(kX0 + 92, kFloor + 1, kZ0 + 84));
+    addDynamic(level, makeCrate("shop crate 1"), corner + ivec3(kX0 + 20, kFloor + 1, kZ0 + 86));
+    addDynamic(level, makeCrate("shop crate 2"), corner + ivec3(kX0 + 30, kFloor + 1, kZ0 + 84));
+    addDynamic(level, makePlantPot("shop plant"), corner + ivec3(kX0 + 70, kFloor + 1, kZ0 + 86));
 }
 
 }  // namespace rubble::scenes

@@ -3,7 +3,7 @@
 #include "samples/scenes/car.h"
 #include "samples/scenes/environment.h"
 #include "samples/scenes/furniture.h"
-#include "samples/scenes/lamp.h"
+#include "samples/scenes/street_light.h"
 #include "samples/scenes/neighbourhood.h"
 #include "samples/scenes/town.h"
 #include "samples/scenes/tree.h"
@@ -36,7 +36,7 @@ struct Bounds {
 };
 
 /// Leaves out what would stand in the model, with the lights that hang on it.
-void makeRoom(Level& level, const Bounds& model) {
+void removeObstructions(Level& level, const Bounds& model) {
     std::vector<std::string> gone;
     std::erase_if(level.bodies, [&](const LevelBody& body) {
         Bounds bounds;
@@ -56,15 +56,15 @@ void addSquare(GroundPlan& ground) {
 }
 
 /// A car by the kerb, lamps, a hedge and trees round the square: a measure for the model's size.
-void addSquareThings(Level& level, uint64_t seed) {
-    addStreetLamp(level, "lamp square left", {kSquareLow.x + 8, 0, kSquareHigh.z + 10}, false);
-    addStreetLamp(level, "lamp square right", {kSquareHigh.x - 60, 0, kSquareHigh.z + 10}, false);
+void addSquareProps(Level& level, uint64_t seed) {
+    addStreetLight(level, "lamp square left", {kSquareLow.x + 8, 0, kSquareHigh.z + 10}, false);
+    addStreetLight(level, "lamp square right", {kSquareHigh.x - 60, 0, kSquareHigh.z + 10}, false);
     addTree(level, "tree square left", {kSquareLow.x + 20, 0, kSquareLow.z + 50}, 78, kLeaves, seed + 2);
     addTree(level, "tree square right", {kSquareHigh.x - 30, 0, kSquareLow.z + 30}, 88, kLeavesAutumn, seed + 11);
     addStatic(level, makeHedge("hedge square", {150, 11, 9}), {kSquareLow.x + 110, -kHedgeRoot, kSquareLow.z + 6});
-    addLoose(level, makeCar("car red", kCarRed), {kSquareLow.x + 60, -kRoadDrop, 474});
-    addLoose(level, makeCar("car blue", kCarBlue), {kSquareLow.x + 200, -kRoadDrop, 528}, Turn::Half);
-    addLoose(level, makeBench("bench"), {kSquareHigh.x - 90, 0, kSquareLow.z + 60});
+    addDynamic(level, makeCar("car red", kCarRed), {kSquareLow.x + 60, -kRoadDrop, 474});
+    addDynamic(level, makeCar("car blue", kCarBlue), {kSquareLow.x + 200, -kRoadDrop, 528}, Turn::Half);
+    addDynamic(level, makeBench("bench"), {kSquareHigh.x - 90, 0, kSquareLow.z + 60});
 }
 
 }  // namespace
@@ -74,9 +74,9 @@ Level makeStreetStage(const Level& model, uint64_t seed, glm::dvec3& modelLow, g
     for (const LevelBody& body : model.bodies) bounds.add(body);
     if (model.bodies.empty()) bounds = {glm::dvec3(0.0), glm::dvec3(0.0)};
     const glm::dvec3 size = bounds.high - bounds.low;
-    const glm::dvec3 place = glm::dvec3(kSquareLow + kSquareHigh) * (0.5 * kVoxel);
+    const glm::dvec3 center = glm::dvec3(kSquareLow + kSquareHigh) * (0.5 * kVoxel);
     // Snapped to whole voxels, so that a model that lies on the grid stays on it.
-    const glm::dvec3 snapped = glm::floor((place - size * 0.5) / kVoxel + 0.5) * kVoxel;
+    const glm::dvec3 snapped = glm::floor((center - size * 0.5) / kVoxel + 0.5) * kVoxel;
     const glm::dvec3 shift = glm::dvec3(snapped.x, 0.0, snapped.z) - bounds.low;
 
     Level level;
@@ -84,17 +84,17 @@ Level makeStreetStage(const Level& model, uint64_t seed, glm::dvec3& modelLow, g
     level.environment = lateAfternoon();
     level.materials = model.materials;
     level.lightGroups = model.lightGroups;  // first, so that the model's palettes go on naming theirs
-    const int reach = int(std::max(place.x + size.x, place.z + size.z) / kVoxel);
-    const int side = std::clamp((reach + 15) / 16 * 16, 640, 2048);
+    const int extent = int(std::max(center.x + size.x, center.z + size.z) / kVoxel);
+    const int side = std::clamp((extent + 15) / 16 * 16, 640, 2048);
     GroundPlan ground = crossingStreets({side, 0, side});
     addSquare(ground);
     addGround(level, ground);
     addNeighbourhood(level, seed);
-    addSquareThings(level, seed);
+    addSquareProps(level, seed);
 
     bounds.low += shift;
     bounds.high += shift;
-    makeRoom(level, bounds);
+    removeObstructions(level, bounds);
     for (LevelBody body : model.bodies) {
         body.pose.position += shift;
         level.bodies.push_back(std::move(body));

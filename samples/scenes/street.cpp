@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "runtime/core/random.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -16,25 +16,25 @@ constexpr int kGroundHeight = kGroundDepth + 4;  // room for tufts
 
 struct GroundSwatches {
     explicit GroundSwatches(Canvas& c)
-        : rock(c.mix(kRock)),
-          dirt(c.mix(kDirt)),
-          grass(c.mix(kGrass)),
-          grassDark(c.mix(kGrass, 82)),
-          dry(c.mix(kGrassDry)),
-          asphalt(c.mix(kAsphalt)),
-          asphaltWorn(c.mix(kAsphalt, 112)),
-          patch(c.mix(kAsphaltPatch)),
-          crack(c.mix(kAsphaltCrack)),
-          white(c.mix(kLaneWhite)),
-          kerb(c.mix(kKerb)),
-          kerbWorn(c.mix(kKerb, 115)),
-          paving(c.mix(kPaving)),
-          joint(c.mix(kPavingJoint)),
-          moss(c.mix(kMoss)),
-          concrete(c.mix(kConcrete, 95)),
-          manhole(c.mix(kManhole)),
-          litter(c.mix(kLeavesAutumn)),
-          flowers(c.mix(kFlowers)) {}
+        : rock(c.addSurface(kRock)),
+          dirt(c.addSurface(kDirt)),
+          grass(c.addSurface(kGrass)),
+          grassDark(c.addSurface(kGrass, 82)),
+          dry(c.addSurface(kGrassDry)),
+          asphalt(c.addSurface(kAsphalt)),
+          asphaltWorn(c.addSurface(kAsphalt, 112)),
+          patch(c.addSurface(kAsphaltPatch)),
+          crack(c.addSurface(kAsphaltCrack)),
+          white(c.addSurface(kLaneWhite)),
+          kerb(c.addSurface(kKerb)),
+          kerbWorn(c.addSurface(kKerb, 115)),
+          paving(c.addSurface(kPaving)),
+          joint(c.addSurface(kPavingJoint)),
+          moss(c.addSurface(kMoss)),
+          concrete(c.addSurface(kConcrete, 95)),
+          manhole(c.addSurface(kManhole)),
+          litter(c.addSurface(kLeavesAutumn)),
+          flowers(c.addSurface(kFlowers)) {}
     Swatch rock, dirt, grass, grassDark, dry, asphalt, asphaltWorn, patch, crack, white, kerb, kerbWorn, paving, joint, moss, concrete, manhole,
         litter, flowers;
 };
@@ -72,32 +72,32 @@ bool cracked(int x, int z) {
 uint8_t roadCell(const GroundPlan& plan, const GroundSwatches& s, ivec3 c) {
     for (const ivec3& hole : plan.manholes) {
         const int dx = c.x - hole.x, dz = c.z - hole.z, square = dx * dx + dz * dz;
-        if (square <= 16) return square <= 9 && (dx + dz) % 2 == 0 ? PaintBox::pickFor(s.manhole, 1) : PaintBox::pick(s.manhole, c);
-        if (square <= 25) return PaintBox::pick(s.crack, c);
+        if (square <= 16) return square <= 9 && (dx + dz) % 2 == 0 ? PaletteBuilder::pickFor(s.manhole, 1) : PaletteBuilder::pick(s.manhole, c);
+        if (square <= 25) return PaletteBuilder::pick(s.crack, c);
     }
-    if (cracked(c.x, c.z)) return PaintBox::pick(s.crack, c);
+    if (cracked(c.x, c.z)) return PaletteBuilder::pick(s.crack, c);
     const bool worn = hashCell(c.x, 0, c.z, 304) % 100 < uint32_t(softNoise(c.x, c.z, 23, 305)) / 7;
     const bool dashX = onLine(plan.lanesAlongX, c.x, c.z) && c.x % 40 < 24, dashZ = onLine(plan.lanesAlongZ, c.x, c.z) && c.z % 40 < 24;
-    if (!worn && (dashX || dashZ || onLine(plan.solidLines, c.x, c.z))) return PaintBox::pick(s.white, c);
+    if (!worn && (dashX || dashZ || onLine(plan.solidLines, c.x, c.z))) return PaletteBuilder::pick(s.white, c);
     const int repair = softNoise(c.x / 2, c.z / 2, 31, 306);
-    if (repair > 196) return PaintBox::pick(s.patch, c);
-    return PaintBox::pick(softNoise(c.x, c.z, 45, 307) > 150 ? s.asphaltWorn : s.asphalt, c);
+    if (repair > 196) return PaletteBuilder::pick(s.patch, c);
+    return PaletteBuilder::pick(softNoise(c.x, c.z, 45, 307) > 150 ? s.asphaltWorn : s.asphalt, c);
 }
 
 uint8_t pavingCell(const GroundSwatches& s, ivec3 c) {
     const int row = c.z / 6, shift = row % 2 * 3;
     if (c.z % 6 == 0 || (c.x + shift) % 6 == 0) {
-        return PaintBox::pick(softNoise(c.x, c.z, 29, 311) > 190 ? s.moss : s.joint, c);
+        return PaletteBuilder::pick(softNoise(c.x, c.z, 29, 311) > 190 ? s.moss : s.joint, c);
     }
     const uint32_t slab = hashCell((c.x + shift) / 6, 0, row, 312);
-    return hashCell(c.x, 0, c.z, 313) % 5 ? PaintBox::pickFor(s.paving, slab) : PaintBox::pick(s.paving, c);
+    return hashCell(c.x, 0, c.z, 313) % 5 ? PaletteBuilder::pickFor(s.paving, slab) : PaletteBuilder::pick(s.paving, c);
 }
 
 uint8_t lawnCell(const GroundSwatches& s, ivec3 c) {
     const int tone = softNoise(c.x, c.z, 27, 321);
-    if (hashCell(c.x, 1, c.z, 322) % 90 == 0) return PaintBox::pick(s.litter, c);
-    if (softNoise(c.x, c.z, 17, 323) > 215) return PaintBox::pick(s.dirt, c);
-    return PaintBox::pick(tone > 180 ? s.dry : tone < 90 ? s.grassDark : s.grass, c);
+    if (hashCell(c.x, 1, c.z, 322) % 90 == 0) return PaletteBuilder::pick(s.litter, c);
+    if (softNoise(c.x, c.z, 17, 323) > 215) return PaletteBuilder::pick(s.dirt, c);
+    return PaletteBuilder::pick(tone > 180 ? s.dry : tone < 90 ? s.grassDark : s.grass, c);
 }
 
 struct Column {
@@ -107,8 +107,8 @@ struct Column {
 
 bool besideRoad(const GroundPlan& plan, int x, int z) {
     for (int d = 1; d <= 2; ++d)
-        for (const glm::ivec2 way : {glm::ivec2(d, 0), glm::ivec2(-d, 0), glm::ivec2(0, d), glm::ivec2(0, -d)})
-            if (surfaceAt(plan, x + way.x, z + way.y) == Surface::Road) return true;
+        for (const glm::ivec2 offset : {glm::ivec2(d, 0), glm::ivec2(-d, 0), glm::ivec2(0, d), glm::ivec2(0, -d)})
+            if (surfaceAt(plan, x + offset.x, z + offset.y) == Surface::Road) return true;
     return false;
 }
 
@@ -118,11 +118,11 @@ Column columnAt(const GroundPlan& plan, const GroundSwatches& s, int x, int z) {
     if (surface == Surface::Road) return {kGroundDepth - kRoadDrop, roadCell(plan, s, cell)};
     if (surface == Surface::Paving && besideRoad(plan, x, z)) {
         const bool seam = (x + z) % 10 == 0;
-        return {kGroundDepth, PaintBox::pick(seam ? s.joint : hashCell(x, 2, z, 331) % 4 == 0 ? s.kerbWorn : s.kerb, cell)};
+        return {kGroundDepth, PaletteBuilder::pick(seam ? s.joint : hashCell(x, 2, z, 331) % 4 == 0 ? s.kerbWorn : s.kerb, cell)};
     }
     if (surface == Surface::Paving) return {kGroundDepth, pavingCell(s, cell)};
-    if (surface == Surface::Concrete) return {kGroundDepth, PaintBox::pick(x % 20 == 0 || z % 20 == 0 ? s.joint : s.concrete, cell)};
-    if (surface == Surface::Earth) return {kGroundDepth, PaintBox::pick(s.dirt, cell)};
+    if (surface == Surface::Concrete) return {kGroundDepth, PaletteBuilder::pick(x % 20 == 0 || z % 20 == 0 ? s.joint : s.concrete, cell)};
+    if (surface == Surface::Earth) return {kGroundDepth, PaletteBuilder::pick(s.dirt, cell)};
     return {kGroundDepth, lawnCell(s, cell)};
 }
 

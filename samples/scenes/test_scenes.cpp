@@ -2,16 +2,16 @@
 
 #include "runtime/core/random.h"
 #include "samples/scenes/placement.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble {
 namespace {
 
 using namespace scenes;
 
-LevelShape block(std::string name, ivec3 size, const Recipe& recipe) {
+LevelShape block(std::string name, ivec3 size, const SurfaceStyle& style) {
     Canvas canvas(size);
-    canvas.box(ivec3(0), size, canvas.mix(recipe));
+    canvas.box(ivec3(0), size, canvas.addSurface(style));
     return canvas.finish(std::move(name));
 }
 
@@ -19,7 +19,7 @@ Level withFloor(std::string name) {
     Level level;
     level.name = std::move(name);
     Canvas canvas({80, 4, 80});
-    canvas.box(ivec3(0), {80, 4, 80}, canvas.mix(kRock));
+    canvas.box(ivec3(0), {80, 4, 80}, canvas.addSurface(kRock));
     addStatic(level, canvas.finish("floor"), {0, -4, 0});
     return level;
 }
@@ -28,7 +28,7 @@ Level withFloor(std::string name) {
 
 Level makeSingleCube(int size, double height) {
     Level level = withFloor("lone cube");
-    addLoose(level, block("cube", ivec3(size), kTimber), {40 - size / 2, 0, 40 - size / 2});
+    addDynamic(level, block("cube", ivec3(size), kTimber), {40 - size / 2, 0, 40 - size / 2});
     level.bodies.back().pose.position.y = height;
     return level;
 }
@@ -37,7 +37,7 @@ Level makeClosedRoom(int inner) {
     Level level;
     level.name = "closed room";
     Canvas canvas(ivec3(inner + 2));
-    canvas.box(ivec3(0), ivec3(inner + 2), canvas.mix(kPlaster));
+    canvas.box(ivec3(0), ivec3(inner + 2), canvas.addSurface(kPlaster));
     canvas.clear(ivec3(1), ivec3(inner + 1));
     addStatic(level, canvas.finish("room"), ivec3(0));
     return level;
@@ -52,7 +52,7 @@ Level makeWall() {
 Level makeTestTower(int storeys) {
     Level level = withFloor("tower");
     Canvas canvas({24, storeys * 12, 24});
-    const Swatch concrete = canvas.mix(kConcrete), slab = canvas.mix(kConcreteDark);
+    const Swatch concrete = canvas.addSurface(kConcrete), slab = canvas.addSurface(kConcreteDark);
     for (int storey = 0; storey < storeys; ++storey) {
         const int y = storey * 12;
         for (int x : {0, 21})
@@ -69,7 +69,7 @@ Level makeCubeRain(int count, int size, uint64_t seed) {
     const int columns = 60 / (size + 2);
     for (int i = 0; i < count; ++i) {
         const int x = i % columns, z = i / columns % columns, y = i / (columns * columns);
-        addLoose(level, block("cube " + std::to_string(i), ivec3(size), i % 2 ? kTimber : kBrick),
+        addDynamic(level, block("cube " + std::to_string(i), ivec3(size), i % 2 ? kTimber : kBrick),
                  {10 + x * (size + 2), 4 + y * (size + 2), 10 + z * (size + 2)});
         const float turn = random.unit() - 0.5f;
         level.bodies.back().angularVelocity = {turn, 0.0f, -turn};

@@ -4,10 +4,10 @@
 #include "samples/scenes/car.h"
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
-#include "samples/scenes/lamp.h"
+#include "samples/scenes/street_light.h"
 #include "samples/scenes/lettering.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
 
@@ -21,20 +21,20 @@ constexpr int kRoof = kFooting + kStoreys * kHeight;
 
 struct TowerSwatches {
     explicit TowerSwatches(Canvas& c)
-        : concrete(c.mix(kConcrete)),
-          slab(c.mix(kConcreteDark)),
-          brick(c.mix(kBrickYellow)),
-          joint(c.mix(kBrickYellow, 84)),
-          plaster(c.mix(kPlaster)),
-          frame(c.mix(kDarkSteel)),
-          glass(c.mix(kGlass)),
-          rebar(c.mix(kRebar)),
-          carpet(c.mix(kClothTeal)),
-          wood(c.mix(kTimber)),
-          goods(c.mix(kGoods)),
-          felt(c.mix(kRoofFelt)),
-          steel(c.mix(kSteel)),
-          rust(c.mix(kRust)) {}
+        : concrete(c.addSurface(kConcrete)),
+          slab(c.addSurface(kConcreteDark)),
+          brick(c.addSurface(kBrickYellow)),
+          joint(c.addSurface(kBrickYellow, 84)),
+          plaster(c.addSurface(kPlaster)),
+          frame(c.addSurface(kDarkSteel)),
+          glass(c.addSurface(kGlass)),
+          rebar(c.addSurface(kRebar)),
+          carpet(c.addSurface(kClothTeal)),
+          wood(c.addSurface(kTimber)),
+          goods(c.addSurface(kGoods)),
+          felt(c.addSurface(kRoofFelt)),
+          steel(c.addSurface(kSteel)),
+          rust(c.addSurface(kRust)) {}
     Swatch concrete, slab, brick, joint, plaster, frame, glass, rebar, carpet, wood, goods, felt, steel, rust;
 };
 
@@ -63,7 +63,7 @@ void drawFacade(Canvas& c, const WallFrame& wall, int y, bool ground, const Towe
                 continue;
             }
             const Swatch face = (u + v % 2 * 2) % 4 == 0 ? s.joint : s.brick;
-            for (int k = 0; k < 2; ++k) c.setEntry(wall.cell(u, y + v, k), PaintBox::pickFor(face, stone >> 8));
+            for (int k = 0; k < 2; ++k) c.setEntry(wall.cell(u, y + v, k), PaletteBuilder::pickFor(face, stone >> 8));
             c.set(wall.cell(u, y + v, 2), s.plaster);
         }
         if (!ground) c.set(wall.cell(u, y + sill, 0), s.slab);
@@ -106,7 +106,7 @@ void drawRoof(Level& level, Canvas& c, const TowerSwatches& s) {
     c.ring(1, kRoof + 24, kRoof + 25, {64, 0, 56}, -1, 18, s.rust);
     c.box({8, kRoof + 1, 8}, {9, kRoof + 28, 9}, s.steel);
     const uint32_t group = addLightGroup(level, "tower sign", 0.2f);
-    const Swatch glow = c.mix(kSignGlow, 100, group);
+    const Swatch glow = c.addSurface(kSignGlow, 100, group);
     c.box({11, kRoof + 6, kSide - 2}, {54, kRoof + 17, kSide}, s.frame);
     drawLettering(c, {15, kRoof + 8, kSide}, "RUBBLE", 1, glow);
 }
@@ -141,15 +141,15 @@ Level towerLevel(uint64_t seed) {
     ground.lanesAlongX = {{{0, 0, 238}, {448, 0, 240}}};
     Level level = makePlot("tower", ground, seed);
     addTower(level);
-    addLoose(level, makeCar("car red", kCarRed), {190, 0, 150}, Turn::Quarter);
-    addLoose(level, makeCar("car cream", kCarCream), {236, 0, 150}, Turn::Quarter);
-    addLoose(level, makeVan("van", kCarBlue), {282, -kRoadDrop, 216});
+    addDynamic(level, makeCar("car red", kCarRed), {190, 0, 150}, Turn::Quarter);
+    addDynamic(level, makeCar("car cream", kCarCream), {236, 0, 150}, Turn::Quarter);
+    addDynamic(level, makeVan("van", kCarBlue), {282, -kRoadDrop, 216});
     addStatic(level, makeConcreteWall("wall", 96, 14), {330, -kFenceFoot, 120});
-    addStreetLamp(level, "lamp 1", {170, 0, 204}, false);
-    addStreetLamp(level, "lamp 2", {360, 0, 204}, false);
-    for (int i = 0; i < 4; ++i) addLoose(level, makeCrate("crate " + std::to_string(i)), {318 + i % 2 * 10, i / 2 * 8, 150});
-    addLoose(level, makeBench("bench"), {158, 0, 190});
-    addLoose(level, makeBin("bin"), {148, 0, 190});
+    addStreetLight(level, "lamp 1", {170, 0, 204}, false);
+    addStreetLight(level, "lamp 2", {360, 0, 204}, false);
+    for (int i = 0; i < 4; ++i) addDynamic(level, makeCrate("crate " + std::to_string(i)), {318 + i % 2 * 10, i / 2 * 8, 150});
+    addDynamic(level, makeBench("bench"), {158, 0, 190});
+    addDynamic(level, makeBin("bin"), {148, 0, 190});
     return level;
 }
 

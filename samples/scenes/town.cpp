@@ -6,7 +6,7 @@
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/house.h"
-#include "samples/scenes/lamp.h"
+#include "samples/scenes/street_light.h"
 #include "samples/scenes/neighbourhood.h"
 #include "samples/scenes/shop.h"
 #include "samples/scenes/street.h"
@@ -51,22 +51,22 @@ void addYardTrees(Level& level, uint64_t seed) {
     addTree(level, "tree shop", {576, 0, 250}, 88, kLeaves, seed + 20);
 }
 
-void addThings(Level& level) {
-    addStreetLamp(level, "lamp corner", kCornerLamp, false);
-    addLoose(level, makeCar("car red", kCarRed), kRedCar);
-    addLoose(level, makeCar("car blue", kCarBlue), {300, -2, 528}, Turn::Half);
-    addLoose(level, makeCar("car yellow", kCarYellow), {88, -2, 300}, Turn::Quarter);
-    addLoose(level, makeCar("car cream", kCarCream), {305, 0, 372}, Turn::ThreeQuarters);
-    addLoose(level, makeVan("van", kCarCream), {420, -2, 474});
-    addLoose(level, makeBin("bin 1"), {128, 0, 424});
-    addLoose(level, makeBin("bin 2"), {290, 0, 432});
-    addLoose(level, makeBench("bench"), {360, 0, 386});
-    addLoose(level, makeHydrant("hydrant"), {286, 0, 460});
-    addLoose(level, makeBarrel("barrel 1", kCarBlue), {296, 0, 240});
-    addLoose(level, makeBarrel("barrel 2", kCarRed), {296, 0, 250});
-    addLoose(level, makeCrate("crate 1"), {338, 0, 300});
-    addLoose(level, makeCrate("crate 2"), {338, 8, 300});
-    addLoose(level, makeCrate("crate 3"), {338, 0, 310});
+void addProps(Level& level) {
+    addStreetLight(level, "lamp corner", kCornerStreetLight, false);
+    addDynamic(level, makeCar("car red", kCarRed), kRedCar);
+    addDynamic(level, makeCar("car blue", kCarBlue), {300, -2, 528}, Turn::Half);
+    addDynamic(level, makeCar("car yellow", kCarYellow), {88, -2, 300}, Turn::Quarter);
+    addDynamic(level, makeCar("car cream", kCarCream), {305, 0, 372}, Turn::ThreeQuarters);
+    addDynamic(level, makeVan("van", kCarCream), {420, -2, 474});
+    addDynamic(level, makeBin("bin 1"), {128, 0, 424});
+    addDynamic(level, makeBin("bin 2"), {290, 0, 432});
+    addDynamic(level, makeBench("bench"), {360, 0, 386});
+    addDynamic(level, makeHydrant("hydrant"), {286, 0, 460});
+    addDynamic(level, makeBarrel("barrel 1", kCarBlue), {296, 0, 240});
+    addDynamic(level, makeBarrel("barrel 2", kCarRed), {296, 0, 250});
+    addDynamic(level, makeCrate("crate 1"), {338, 0, 300});
+    addDynamic(level, makeCrate("crate 2"), {338, 8, 300});
+    addDynamic(level, makeCrate("crate 3"), {338, 0, 310});
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ Level makeTown(uint64_t seed) {
     addFences(level);
     addNeighbourhood(level, seed);
     addYardTrees(level, seed);
-    addThings(level);
+    addProps(level);
     level.locations = {{"camera", demolitionCamera(0.0)},
                        {"camera_house", lookAt({9.0, 4.2, 43.0}, {20.5, 3.2, 36.0})},
                        {"camera_street", lookAt({13.0, 1.7, 58.0}, {25.0, 3.0, 36.0})},

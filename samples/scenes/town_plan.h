@@ -9,7 +9,7 @@ inline constexpr glm::ivec3 kShop{352, 0, 262};   ///< low corner of its walls, 
 inline constexpr glm::ivec3 kTower{490, 0, 206};  ///< low corner of its legs' square, 48 x 48
 inline constexpr glm::ivec3 kWall{138, 0, 438};   ///< concrete wall along x
 inline constexpr int kWallLength = 112, kWallHeight = 12;
-inline constexpr glm::ivec3 kCornerLamp{304, 0, 456};
+inline constexpr glm::ivec3 kCornerStreetLight{304, 0, 456};
 inline constexpr glm::ivec3 kRedCar{196, -2, 474};
 
 inline constexpr int kStreetLow = 470, kStreetHigh = 552;  ///< z of the street along x

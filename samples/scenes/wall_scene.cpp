@@ -5,10 +5,10 @@
 #include "samples/scenes/building.h"
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
-#include "samples/scenes/lamp.h"
+#include "samples/scenes/street_light.h"
 #include "samples/scenes/lettering.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
 
@@ -21,21 +21,21 @@ constexpr double kFace = (kWall.z + kThick - 0.5) * kVoxel;  // z of the painted
 
 LevelShape makeMuralWall() {
     Canvas c({kLength, kFoot + kTall + 2, kThick + 2});
-    const Swatch brick = c.mix(kBrick), joint = c.mix(kBrickJoint), dirty = c.mix(kBrick, 78), stone = c.mix(kKerb), plaster = c.mix(kRender),
-                 grey = c.mix(kRender, 90), moss = c.mix(kMoss);
+    const Swatch brick = c.addSurface(kBrick), joint = c.addSurface(kBrickJoint), dirty = c.addSurface(kBrick, 78), stone = c.addSurface(kKerb), plaster = c.addSurface(kRender),
+                 grey = c.addSurface(kRender, 90), moss = c.addSurface(kMoss);
     for (int x = 0; x < kLength; ++x)
         for (int y = 0; y < kFoot + kTall; ++y)
             for (int k = 0; k < kThick; ++k) {
                 const int shifted = x + y % 2 * 2 + k / 2 * 4;
                 const uint32_t id = hashCell(shifted / 4, y, k / 2, 42);
-                c.setEntry({x, y, 1 + k}, PaintBox::pickFor(shifted % 4 == 0 ? joint : id % 11 == 0 ? dirty : brick, id >> 8));
+                c.setEntry({x, y, 1 + k}, PaletteBuilder::pickFor(shifted % 4 == 0 ? joint : id % 11 == 0 ? dirty : brick, id >> 8));
             }
     // Worn plaster over most of the face: a ground for the picture.
     c.fill({6, kFoot + 4, kThick}, {kLength - 6, kFoot + kTall - 1, kThick + 1}, [&](ivec3 cell) {
         const int edge = std::min({cell.x - 6, kLength - 7 - cell.x, cell.y - kFoot - 4, kFoot + kTall - 2 - cell.y});
         const int flaked = int(hashCell(cell.x / 5, cell.y / 4, 0, 151) % 100) - edge * 9;
         if (flaked > 10 || hashCell(cell.x / 9, cell.y / 6, 1, 152) % 17 == 0) return c.at(cell);
-        return PaintBox::pick(hashCell(cell.x / 12, cell.y / 9, 2, 153) % 5 ? plaster : grey, cell);
+        return PaletteBuilder::pick(hashCell(cell.x / 12, cell.y / 9, 2, 153) % 5 ? plaster : grey, cell);
     });
     c.box({0, kFoot + kTall, 0}, {kLength, kFoot + kTall + 2, kThick + 2}, stone);
     for (int x : {0, kLength - 3}) c.box({x, 0, 0}, {x + 3, kFoot + kTall, kThick + 2}, brick);
@@ -46,13 +46,13 @@ LevelShape makeMuralWall() {
 /// A ball of heavy steel, thrown from far behind the camera: it comes down on the word.
 void addBall(Level& level) {
     Canvas c(ivec3(13));
-    const Swatch steel = c.mix(kCastSteel);
+    const Swatch steel = c.addSurface(kCastSteel);
     c.fill(ivec3(0), ivec3(13), [&](ivec3 cell) {
         const ivec3 d = cell - 6;
-        return d.x * d.x + d.y * d.y + d.z * d.z <= 40 ? PaintBox::pick(steel, cell) : uint8_t(0);
+        return d.x * d.x + d.y * d.y + d.z * d.z <= 40 ? PaletteBuilder::pick(steel, cell) : uint8_t(0);
     });
     LevelShape ball = c.finish("ball");
-    addLoose(level, std::move(ball), {206, 34, 900});
+    addDynamic(level, std::move(ball), {206, 34, 900});
     level.bodies.back().velocity = {-1.7f, 13.65f, -25.8f};
 }
 
@@ -67,11 +67,11 @@ Level wallLevel(uint64_t seed) {
     addBall(level);
     addStatic(level, makePicketFence("fence left", 72, 14, false), {10, -kFenceFoot, 152});
     addStatic(level, makePicketFence("fence right", 72, 14, false), {238, -kFenceFoot, 152});
-    addStreetLamp(level, "lamp", {62, 0, 198}, false);
-    addLoose(level, makeBench("bench"), {216, 0, 166});
-    addLoose(level, makeBin("bin"), {206, 0, 168});
-    for (int i = 0; i < 5; ++i) addLoose(level, makeCrate("crate " + std::to_string(i)), {120 + i % 3 * 11, i / 3 * 8, 124});
-    addLoose(level, makeBarrel("barrel", kCarRed), {176, 0, 128});
+    addStreetLight(level, "lamp", {62, 0, 198}, false);
+    addDynamic(level, makeBench("bench"), {216, 0, 166});
+    addDynamic(level, makeBin("bin"), {206, 0, 168});
+    for (int i = 0; i < 5; ++i) addDynamic(level, makeCrate("crate " + std::to_string(i)), {120 + i % 3 * 11, i / 3 * 8, 124});
+    addDynamic(level, makeBarrel("barrel", kCarRed), {176, 0, 128});
     return level;
 }
 
@@ -109,7 +109,7 @@ void sprayWord(ScriptClock& clock, double from, double to, glm::dvec2 low, Color
 }
 
 /// An evening sky from the top down, a sun, the sea before it, and the word with its shade.
-void sprayPicture(ScriptClock& clock) {
+void sprayMural(ScriptClock& clock) {
     constexpr Color kSky[] = {kNight, kPurple, kPurple, kPink, kPink, kOrange, kGold};
     for (int row = 0; row < 7; ++row) sprayBand(clock, 0.1 + 0.16 * row, 0.26 + 0.16 * row, 40.5 - row * 5.0, kSky[row], 11 + uint32_t(row));
     for (int ring = 0; ring < 3; ++ring)
@@ -122,7 +122,7 @@ void sprayPicture(ScriptClock& clock) {
 
 Edits wallScript(int step, uint64_t seed) {
     ScriptClock clock(step);
-    sprayPicture(clock);
+    sprayMural(clock);
     // The ball does its own damage, at about 2.9 s. Then four blows of a hammer and two charges behind the wall.
     for (int i = 0; i < 4; ++i)
         if (clock.at(3.5 + 0.16 * i)) clock.add(BreakEdit{onFace(18.0 + i * 8, 33.0 - i % 2 * 10), {0.45, 0.4, 0.0}, Tool::Any, uint32_t(seed) + i});

@@ -1,7 +1,7 @@
 #include "samples/scenes/water_tower.h"
 
 #include "runtime/core/random.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -48,7 +48,7 @@ void drawTank(Canvas& c, Swatch paint, Swatch stripe, Swatch seam, Swatch rust, 
         if (!entry) return entry;
         const uint32_t streak = hashCell(cell.x / 2, 0, cell.z / 2, 101);
         const int below = (kTankHigh - 3 - cell.y) % 10;
-        return streak % 5 == 0 && below < int(streak >> 8 & 15) / 2 + 2 ? PaintBox::pick(rust, cell) : entry;
+        return streak % 5 == 0 && below < int(streak >> 8 & 15) / 2 + 2 ? PaletteBuilder::pick(rust, cell) : entry;
     });
 }
 
@@ -65,8 +65,8 @@ void drawPipeAndLadder(Canvas& c, Swatch steel, Swatch iron, Swatch pad) {
 
 void addWaterTower(Level& level, const std::string& name, ivec3 cell) {
     Canvas c({Plan::kSide, kTankHigh + 14, Plan::kSide});
-    const Swatch steel = c.mix(kSteel), rust = c.mix(kRust), pad = c.mix(kConcrete), iron = c.mix(kDarkSteel);
-    const Swatch paint = c.mix(kTankPaint), stripe = c.mix(kCarRed, 96), roof = c.mix(kTankPaint, 82), seam = c.mix(kSteel, 84);
+    const Swatch steel = c.addSurface(kSteel), rust = c.addSurface(kRust), pad = c.addSurface(kConcrete), iron = c.addSurface(kDarkSteel);
+    const Swatch paint = c.addSurface(kTankPaint), stripe = c.addSurface(kCarRed, 96), roof = c.addSurface(kTankPaint, 82), seam = c.addSurface(kSteel, 84);
     drawLegs(c, steel, rust, pad);
     drawTank(c, paint, stripe, seam, rust, roof);
     drawPipeAndLadder(c, steel, iron, pad);

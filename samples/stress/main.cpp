@@ -17,12 +17,12 @@ namespace {
 
 constexpr double kMiB = 1024.0 * 1024.0;
 /// What an emptied loop may hold on to more than after half of the rounds: lists grow to the most that they ever held.
-constexpr double kGrowthAllowed = 64.0 * 1024.0;
+constexpr double kMaxHeapGrowth = 64.0 * 1024.0;
 
 /// Joules that may come from nothing in all rounds, as a share of what contacts and friction take.
-constexpr double kGainAllowed = 1e-3;
+constexpr double kMaxGainShare = 1e-3;
 
-void printHead() {
+void printHeader() {
     fmt::print(
         "| round | edits | pieces | removed  | bodies | mean ms |   p50  |  p99   | worst | quiet | lost kJ  | gained J | most MiB | emptied KiB | "
         "resident | hash             |\n");
@@ -32,8 +32,8 @@ void printRound(int number, const RoundResult& r, size_t emptied) {
     fmt::print(
         "| {:5} | {:5} | {:6} | {:8} | {:6} | {:7.2f} | {:6.2f} | {:6.2f} | {:5.0f} | {:5} | {:8.0f} | {:8.1f} | {:8.1f} | {:11.1f} | {:8.1f} | "
         "{:016x} |\n",
-        number, r.edits, r.pieces, r.removed, r.mostBodies, r.meanMs, r.medianMs, r.p99Ms, r.worstMs, r.compared, r.lost / 1e3, r.gained,
-        double(r.mostBytes) / kMiB, double(emptied) / 1024.0, double(residentBytes()) / kMiB, r.hashes.empty() ? 0 : r.hashes.back());
+        number, r.edits, r.pieces, r.removed, r.maxBodies, r.meanMs, r.medianMs, r.p99Ms, r.worstMs, r.comparedSteps, r.lost / 1e3, r.gained,
+        double(r.maxHeapBytes) / kMiB, double(emptied) / 1024.0, double(residentBytes()) / kMiB, r.hashes.empty() ? 0 : r.hashes.back());
     std::fflush(stdout);
 }
 
@@ -41,16 +41,16 @@ void printRound(int number, const RoundResult& r, size_t emptied) {
 std::string compareMemory(const std::vector<size_t>& emptied) {
     if (emptied.size() < 4) return {};
     const double half = double(emptied[emptied.size() / 2 - 1]), all = double(emptied.back());
-    if (all <= half + kGrowthAllowed) return {};
+    if (all <= half + kMaxHeapGrowth) return {};
     return fmt::format("what an emptied world holds on to grew from {:.1f} to {:.1f} KiB", half / 1024.0, all / 1024.0);
 }
 
 /// The round from its save, in a loop of its own with two threads: what is different, or "".
-std::string playedAgain(const Round& round, SavedGame beginning, const RoundResult& first, const std::function<void()>& advanced) {
+std::string playAgain(const Round& round, SavedGame beginning, const RoundResult& first, const std::function<void()>& onStep) {
     FrameLoop loop(stressLoop(2));
     loop.load(std::move(beginning));
-    const RoundResult result = playRound(round, loop, advanced);
-    if (!result.wrong.empty()) return result.wrong;
+    const RoundResult result = playRound(round, loop, onStep);
+    if (!result.error.empty()) return result.error;
     return result.hashes == first.hashes ? "" : "loaded and played again with two threads it comes to other hashes";
 }
 
@@ -62,8 +62,8 @@ int run(int argc, char** argv) {
     app.add_option("--seed", round.seed)->capture_default_str();
     app.add_option("--steps", steps, "of 1/60 s, in all; 108000 are half an hour")->capture_default_str()->check(CLI::PositiveNumber);
     app.add_option("--round", round.steps, "steps after which the level is loaded anew")->capture_default_str()->check(CLI::PositiveNumber);
-    app.add_option("--edits-every", round.editsEvery, "steps between edits")->capture_default_str()->check(CLI::PositiveNumber);
-    app.add_option("--again", again, "every so many rounds one is played again, with two threads, and must come to the same; 0: none")
+    app.add_option("--edits-every", round.editInterval, "steps between edits")->capture_default_str()->check(CLI::PositiveNumber);
+    app.add_option("--repeat-every", again, "every so many rounds one is played again, with two threads, and must come to the same; 0: none")
         ->capture_default_str();
     app.add_option("--level", file, ".vdb, .vox or .rubble; the town if not given");
     CLI11_PARSE(app, argc, argv);
@@ -81,37 +81,37 @@ int run(int argc, char** argv) {
     const int repeated = again ? (rounds + again - 1) / again : 0;
     Progress progress("demolition", (rounds + repeated) * round.steps);
     int done = 0;
-    const auto advanced = [&] {
+    const auto onStep = [&] {
         if (++done % 60 == 0) progress.advance(done);
     };
     std::vector<size_t> emptied;
     emptied.reserve(size_t(rounds));
-    std::string wrong;
+    std::string error;
     size_t all = 0;
     double lost = 0.0, gained = 0.0;
     const auto start = std::chrono::steady_clock::now();
-    printHead();
+    printHeader();
     FrameLoop loop(stressLoop(1));  // one for all rounds, as a game's
-    for (int i = 0; i < rounds && wrong.empty(); ++i) {
+    for (int i = 0; i < rounds && error.empty(); ++i) {
         round.number = i;
         loadRound(round, loop);
-        const bool twice = again && i % again == 0;
+        const bool isRepeated = again && i % again == 0;
         std::optional<SavedGame> beginning;
-        if (twice) beginning = loop.save();
-        const RoundResult result = playRound(round, loop, advanced);
-        wrong = result.wrong;
+        if (isRepeated) beginning = loop.save();
+        const RoundResult result = playRound(round, loop, onStep);
+        error = result.error;
         all += size_t(round.steps), lost += result.lost, gained += result.gained;
-        if (twice && wrong.empty()) wrong = playedAgain(round, std::move(*beginning), result, advanced);
+        if (isRepeated && error.empty()) error = playAgain(round, std::move(*beginning), result, onStep);
         beginning.reset();
-        emptied.push_back(liveBytesEmptied(loop));
+        emptied.push_back(heapBytesWhenEmptied(loop));
         printRound(i, result, emptied.back());
     }
-    if (wrong.empty()) wrong = compareMemory(emptied);
-    if (wrong.empty() && gained > kGainAllowed * lost) wrong = "more than a thousandth of the energy lost came from nothing";
-    fmt::print("stress: {} steps in {} rounds, {} of them twice, seed {}, {:.0f} s; {:.0f} kJ lost, {:.1f} kJ from nothing: {}\n", all,
+    if (error.empty()) error = compareMemory(emptied);
+    if (error.empty() && gained > kMaxGainShare * lost) error = "more than a thousandth of the energy lost came from nothing";
+    fmt::print("stress: {} steps in {} rounds, {} of them isRepeated, seed {}, {:.0f} s; {:.0f} kJ lost, {:.1f} kJ from nothing: {}\n", all,
                emptied.size(), repeated, round.seed, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), lost / 1e3,
-               gained / 1e3, wrong.empty() ? "all held" : "FAILED in round " + std::to_string(round.number) + ": " + wrong);
-    return wrong.empty() ? 0 : 1;
+               gained / 1e3, error.empty() ? "all held" : "FAILED in round " + std::to_string(round.number) + ": " + error);
+    return error.empty() ? 0 : 1;
 }
 
 }  // namespace

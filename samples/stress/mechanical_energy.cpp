@@ -10,32 +10,32 @@ double MechanicalEnergy::energyOf(const World& world, const Body& body, const Ma
     return kinetic - mass.mass * glm::dot(glm::dvec3(world.environment().gravity), body.pose.transformPoint(mass.center));
 }
 
-void MechanicalEnergy::beginAnew(const World& world) {
-    m_parts.clear();
+void MechanicalEnergy::reset(const World& world) {
+    m_bodies.clear();
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
         if (body.isStatic) return;
         const MassProperties mass = world.bodyMass(handle);
-        m_parts.push_back({handle, mass, energyOf(world, body, mass), !body.asleep});
+        m_bodies.push_back({handle, mass, energyOf(world, body, mass), !body.asleep});
     });
-    m_isKnown = true;
+    m_hasBaseline = true;
 }
 
-void MechanicalEnergy::see(const World& world, const FrameChanges& changes) {
+void MechanicalEnergy::update(const World& world, const FrameChanges& changes) {
     const bool isQuiet = !changes.levelReplaced && changes.bodiesCreated.empty() && changes.bodiesDestroyed.empty() && changes.carved.empty() &&
                          changes.impulses.empty() && changes.teleported.empty() && changes.shapesCreated.empty() && changes.shapesDestroyed.empty();
-    if (!isQuiet || !m_isKnown) return beginAnew(world);
+    if (!isQuiet || !m_hasBaseline) return reset(world);
     double change = 0.0;
-    for (Part& part : m_parts) {
-        const Body& body = world.bodies().at(part.body);
-        if (body.asleep && !part.awake) continue;
-        const double energy = energyOf(world, body, part.mass);
-        change += energy - part.energy;
-        part.energy = energy;
-        part.awake = !body.asleep;
+    for (BodyEnergy& entry : m_bodies) {
+        const Body& body = world.bodies().at(entry.body);
+        if (body.asleep && !entry.awake) continue;
+        const double energy = energyOf(world, body, entry.mass);
+        change += energy - entry.energy;
+        entry.energy = energy;
+        entry.awake = !body.asleep;
     }
-    ++m_compared;
+    ++m_comparedSteps;
     (change > 0.0 ? m_gained : m_lost) += std::abs(change);
-    m_most = std::max(m_most, change);
+    m_maxGained = std::max(m_maxGained, change);
 }
 
 }  // namespace rubble

@@ -4,7 +4,7 @@
 
 #include "samples/scenes/canvas.h"
 #include "samples/scenes/placement.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/town.h"
 
 namespace rubble {
@@ -17,7 +17,7 @@ std::string hopperName(int hopper) {
 }
 
 /// Where edits land: a random cell of the grid of a random shape.
-glm::dvec3 placeIn(const World& world, ShapeHandle handle, Random& random) {
+glm::dvec3 randomPosition(const World& world, ShapeHandle handle, Random& random) {
     const Shape& shape = world.shapes().at(handle);
     const glm::ivec3 size = shape.grid.size();
     const int x = random.between(0, size.x - 1), y = random.between(0, size.y - 1), z = random.between(0, size.z - 1);
@@ -70,8 +70,8 @@ Level makeStressLevel(uint64_t seed) {
         for (int i = 0; i < kHopperSide * kHopperSide * kHopperSide; ++i) {
             const int x = random.between(2, 8), y = random.between(2, 8), z = random.between(2, 8);
             Canvas canvas({x, y, z});
-            canvas.box(ivec3(0), {x, y, z}, canvas.mix(i % 3 ? kBrick : kTimber));
-            addLoose(level, canvas.finish(hopperName(hopper)),
+            canvas.box(ivec3(0), {x, y, z}, canvas.addSurface(i % 3 ? kBrick : kTimber));
+            addDynamic(level, canvas.finish(hopperName(hopper)),
                      corner + ivec3(i % kHopperSide, i / kHopperSide % kHopperSide, i / kHopperSide / kHopperSide) * 12);
             level.bodies.back().name = hopperName(hopper);
         }
@@ -90,7 +90,7 @@ WorldSettings stressSettings() {
 Edits randomEdits(const World& world, Random& random) {
     const ShapeHandle shape = randomShape(world, random);
     if (!world.shapes().find(shape)) return {};
-    const glm::dvec3 place = placeIn(world, shape, random);
+    const glm::dvec3 place = randomPosition(world, shape, random);
     const double radius = 0.2 + 1.3 * double(random.unit());
     switch (random.below(16)) {
         case 0:

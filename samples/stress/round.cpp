@@ -20,10 +20,10 @@
 namespace rubble {
 namespace {
 
-constexpr int kHashEvery = 60;
+constexpr int kHashInterval = 60;
 /// Joules that may come from nothing in one round, as a share of what contacts and friction take: what a cut left overlapping
 /// is pushed apart. More is something that blew up. For all rounds together see main.cpp.
-constexpr double kGainAllowedARound = 2e-2;
+constexpr double kMaxGainSharePerRound = 2e-2;
 
 /// As a host might supply it at its simplest.
 ParallelFor threadsFor(int count) {
@@ -44,49 +44,49 @@ double processorMs() {
     return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
 }
 
-/// "" if all is well, else what is wrong.
-std::string whatIsWrong(const World& world) {
-    std::string wrong;
-    if (!world.voxelAccounting().balances()) wrong = "the ledger does not balance";
+/// "" if all is well, else what is error.
+std::string brokenInvariant(const World& world) {
+    std::string error;
+    if (!world.voxelAccounting().balances()) error = "the ledger does not balance";
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
         const double sum = body.pose.position.x + body.pose.position.y + body.pose.position.z + glm::length(body.velocity) +
                            glm::length(body.angularVelocity) + body.pose.rotation.w;
-        if (!std::isfinite(sum)) wrong = fmt::format("body {:x} is not finite", handle.bits);
-        if (body.shapes.empty()) wrong = fmt::format("body {:x} has no shape", handle.bits);
+        if (!std::isfinite(sum)) error = fmt::format("body {:x} is not finite", handle.bits);
+        if (body.shapes.empty()) error = fmt::format("body {:x} has no shape", handle.bits);
     });
-    return wrong;
+    return error;
 }
 
 /// The recording again, from its save and its edits: every step must come to the hash that it had.
-std::string replayed(const std::string& path) {
+std::string replayError(const std::string& path) {
     FrameLoop loop(stressLoop(1));
     Result<Recording> recording = readRecording(path, loop.world().id());
     if (!recording) return recording.error();
     loop.load(recording->start);
     for (const RecordedStep& step : recording->steps) {
         loop.replay(step);
-        if (loop.world().hash() != step.hash) return fmt::format("step {}: saved, loaded and replayed it comes to another hash", step.step);
+        if (loop.world().hash() != step.hash) return fmt::format("step {}: saved, loaded and replayError it comes to another hash", step.step);
     }
     return {};
 }
 
 /// A recording in a file that goes with it.
-class RecordedPart {
+class RecordingCheck {
 public:
-    explicit RecordedPart(const Round& round)
+    explicit RecordingCheck(const Round& round)
         : m_path((std::filesystem::temp_directory_path() / fmt::format("rubble_stress_{}_{}.rubblelog", getpid(), round.number)).string()),
           m_from(round.recordedSteps ? round.steps / 2 : -1),
           m_to(m_from + round.recordedSteps) {}
-    ~RecordedPart() { std::remove(m_path.c_str()); }
+    ~RecordingCheck() { std::remove(m_path.c_str()); }
 
-    /// Before a step. What is wrong with what was recorded, if anything.
-    std::string see(FrameLoop& loop, int step) {
+    /// Before a step. What is error with what was recorded, if anything.
+    std::string update(FrameLoop& loop, int step) {
         if (m_from < 0) return {};
         if (step == m_from)
             if (const Result<Done> started = loop.startRecording(m_path); !started) return started.error();
         if (step != m_to) return {};
         if (const Result<Done> stopped = loop.stopRecording(); !stopped) return stopped.error();
-        return replayed(m_path);
+        return replayError(m_path);
     }
 
 private:
@@ -94,7 +94,7 @@ private:
     int m_from, m_to;
 };
 
-void noteTimes(std::vector<double> ms, RoundResult& result) {
+void summarizeTimes(std::vector<double> ms, RoundResult& result) {
     if (ms.empty()) return;
     std::sort(ms.begin(), ms.end());
     result.meanMs = std::accumulate(ms.begin(), ms.end(), 0.0) / double(ms.size());
@@ -117,15 +117,15 @@ void loadRound(const Round& round, FrameLoop& loop) {
     loop.load(round.level ? *round.level : makeStressLevel(round.seed + uint64_t(round.number)));
 }
 
-RoundResult playRound(const Round& round, FrameLoop& loop, const std::function<void()>& advanced) {
+RoundResult playRound(const Round& round, FrameLoop& loop, const std::function<void()>& onStep) {
     RoundResult result;
     std::vector<double> ms;
     MechanicalEnergy energy;
     Random random(round.seed, 77 + uint64_t(round.number));
-    RecordedPart recorded(round);
-    for (int step = 0; step < round.steps && result.wrong.empty(); ++step) {
-        if (result.wrong = recorded.see(loop, step); !result.wrong.empty()) break;
-        if (step % round.editsEvery == 0) {
+    RecordingCheck recorded(round);
+    for (int step = 0; step < round.steps && result.error.empty(); ++step) {
+        if (result.error = recorded.update(loop, step); !result.error.empty()) break;
+        if (step % round.editInterval == 0) {
             Edits edits = randomEdits(loop.world(), random);
             result.edits += edits.size();
             loop.edits().push(std::move(edits));
@@ -133,34 +133,34 @@ RoundResult playRound(const Round& round, FrameLoop& loop, const std::function<v
         const double before = processorMs();
         loop.step();
         ms.push_back(processorMs() - before);
-        energy.see(loop.world(), loop.changes());
+        energy.update(loop.world(), loop.changes());
         for (const ShapeSplit& split : loop.changes().splits) result.pieces += split.children.size();
         for (const RemovedVoxels& removed : loop.changes().removed) result.removed += removed.count;
-        result.mostBodies = std::max(result.mostBodies, loop.world().bodies().size());
-        if ((step + 1) % kHashEvery == 0) {
+        result.maxBodies = std::max(result.maxBodies, loop.world().bodies().size());
+        if ((step + 1) % kHashInterval == 0) {
             result.hashes.push_back(loop.world().hash());
-            result.mostBytes = std::max(result.mostBytes, liveBytes());
+            result.maxHeapBytes = std::max(result.maxHeapBytes, heapBytes());
         }
-        result.wrong = whatIsWrong(loop.world());
-        if (!result.wrong.empty()) result.wrong = fmt::format("step {}: {}", step, result.wrong);
-        advanced();
+        result.error = brokenInvariant(loop.world());
+        if (!result.error.empty()) result.error = fmt::format("step {}: {}", step, result.error);
+        onStep();
     }
-    noteTimes(std::move(ms), result);
-    result.compared = energy.stepsCompared(), result.lost = energy.lost(), result.gained = energy.gained();
-    if (result.wrong.empty() && result.gained > kGainAllowedARound * result.lost)
-        result.wrong = fmt::format("energy from nothing: {:.0f} J, and {:.0f} J were lost", result.gained, result.lost);
+    summarizeTimes(std::move(ms), result);
+    result.comparedSteps = energy.comparedSteps(), result.lost = energy.lost(), result.gained = energy.gained();
+    if (result.error.empty() && result.gained > kMaxGainSharePerRound * result.lost)
+        result.error = fmt::format("energy from nothing: {:.0f} J, and {:.0f} J were lost", result.gained, result.lost);
     return result;
 }
 
-size_t liveBytes() {
+size_t heapBytes() {
     const struct mallinfo2 memory = mallinfo2();
     return memory.uordblks + memory.hblkhd;
 }
 
-size_t liveBytesEmptied(FrameLoop& loop) {
+size_t heapBytesWhenEmptied(FrameLoop& loop) {
     loop.load(Level{});
     for (int i = 0; i < 2; ++i) loop.step();  // the journal of the first says that all is gone
-    return liveBytes();
+    return heapBytes();
 }
 
 size_t residentBytes() {

@@ -20,9 +20,9 @@ bool inHoled(glm::ivec3 c) {
     const glm::ivec3 cell = c >> 4;
     const uint32_t h = hashCell(cell.x, cell.y, cell.z, 5);
     if (h % 10 < 3) return true;
-    const glm::ivec3 away = (c & 15) - glm::ivec3(7 + int(h >> 8 & 1), 7 + int(h >> 9 & 1), 7 + int(h >> 10 & 1));
+    const glm::ivec3 offset = (c & 15) - glm::ivec3(7 + int(h >> 8 & 1), 7 + int(h >> 9 & 1), 7 + int(h >> 10 & 1));
     const int radius = 4 + int(h >> 12) % 4;
-    return away.x * away.x + away.y * away.y + away.z * away.z > radius * radius;
+    return offset.x * offset.x + offset.y * offset.y + offset.z * offset.z > radius * radius;
 }
 
 bool inCracked(glm::ivec3 c) {
@@ -35,7 +35,7 @@ bool inHalves(glm::ivec3 c, int size) {
     return c.x < size / 2 - 8 || c.x >= size / 2 + 8 || (c.y / 4 == size / 8 && c.z / 4 == size / 8);
 }
 
-/// Whether the two nearest of a jittered grid of points are not about equally far away.
+/// Whether the two nearest of a jittered grid of points are not about equally far offset.
 bool inVoronoi(glm::ivec3 c) {
     constexpr int kCell = 20;
     int64_t nearest = INT64_MAX, second = INT64_MAX;
@@ -43,8 +43,8 @@ bool inVoronoi(glm::ivec3 c) {
     for (int i = 0; i < 27; ++i) {
         const glm::ivec3 cell = home + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
         const uint32_t h = hashCell(cell.x, cell.y, cell.z, 11);
-        const glm::ivec3 away = cell * kCell + glm::ivec3(int(h % kCell), int(h >> 8) % kCell, int(h >> 16) % kCell) - c;
-        const int64_t square = int64_t(away.x) * away.x + int64_t(away.y) * away.y + int64_t(away.z) * away.z;
+        const glm::ivec3 offset = cell * kCell + glm::ivec3(int(h % kCell), int(h >> 8) % kCell, int(h >> 16) % kCell) - c;
+        const int64_t square = int64_t(offset.x) * offset.x + int64_t(offset.y) * offset.y + int64_t(offset.z) * offset.z;
         second = std::min(second, std::max(nearest, square));
         nearest = std::min(nearest, square);
     }

@@ -235,7 +235,7 @@ BENCHMARK(twoThreads)->Name("physics/twoThreads")->Arg(500)->Unit(benchmark::kMi
 
 /// How long after the last of them has landed (nothing is faster than 3 m/s) pieces sleep, and whether anything floats then;
 /// then a hole of 3 x 3 m in the floor: how many of those that lay on it wake within a step, and what floats in the end.
-void settlingPile(benchmark::State& state) {
+void sleepingPile(benchmark::State& state) {
     const int pieces = int(state.range(0));
     Pile pile(voronoiPit(pieces, 1, int(state.range(1))), {});
     double slept = 0.0, landed = 0.0;
@@ -262,14 +262,14 @@ void settlingPile(benchmark::State& state) {
         hole.shape = pile.world.bodies().at(pile.handles[0]).shapes[0];
         pile.physics.apply(pile.world.applyEdits({hole}), pile.world);
         pile.step();
-        state.counters["held_by_the_hole"] = double(held.size());
-        state.counters["of_them_woken"] =
+        state.counters["resting_on_hole"] = double(held.size());
+        state.counters["woken_of_those"] =
             double(std::count_if(held.begin(), held.end(), [&](BodyHandle body) { return !pile.world.bodies().at(body).asleep; }));
         settle();
         state.counters["floating_after"] = double(findUnsupported(pile.world).size());
     }
 }
-BENCHMARK(settlingPile)->Name("physics/settlingPile")->Args({500, 8})->Args({5000, 16})->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(sleepingPile)->Name("physics/sleepingPile")->Args({500, 8})->Args({5000, 16})->Unit(benchmark::kMillisecond)->Iterations(1);
 
 /// Cuts of a body of 256^3 voxels that lies among moving pieces: what physics takes for the journal of one.
 void cutOfALargeBody(benchmark::State& state) {

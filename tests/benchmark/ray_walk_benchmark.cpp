@@ -6,7 +6,7 @@
 
 #include "runtime/core/random.h"
 #include "tests/benchmark/houses.h"
-#include "tests/benchmark/reference_walks.h"
+#include "tests/benchmark/mip_walks.h"
 
 namespace rubble {
 namespace {
@@ -44,7 +44,7 @@ void run(benchmark::State& state, F&& walk) {
     for (const CellRay& ray : rays()) different += walk(ray) != walkRay(houses(), ray).hit;
     benchmark::DoNotOptimize(hits);
     state.counters["rays"] = benchmark::Counter(double(rays().size()), benchmark::Counter::kIsIterationInvariantRate);
-    state.counters["wrong_a_million"] = double(different) * 1e6 / double(rays().size());
+    state.counters["wrong_per_million"] = double(different) * 1e6 / double(rays().size());
 }
 
 void rayWalkBricks(benchmark::State& state) {

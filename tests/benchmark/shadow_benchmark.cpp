@@ -90,7 +90,7 @@ void shadowUpdate(benchmark::State& state) {
     step();
     patches = 0;
     for (auto _ : state) step();
-    state.counters["bricks_a_step"] = benchmark::Counter(double(patches), benchmark::Counter::kAvgIterations);
+    state.counters["bricks_per_step"] = benchmark::Counter(double(patches), benchmark::Counter::kAvgIterations);
 }
 BENCHMARK(shadowUpdate)->Arg(50)->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond);
 

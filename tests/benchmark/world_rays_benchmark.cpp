@@ -16,7 +16,7 @@ namespace {
 constexpr glm::ivec3 kSize(384, 96, 384);
 constexpr int kLevels = 3;
 constexpr int kRays = 20000;
-constexpr double kReach = 240.0;  // cells: 24 m
+constexpr double kMaxDistance = 240.0;  // cells: 24 m
 constexpr int kRuns = 9;
 
 /// Occupancy at full, half and quarter resolution: a byte a cell, solid if anything in it is.
@@ -26,16 +26,16 @@ public:
         for (int level = 0; level < kLevels; ++level) m_levels[level].resize(size_t(sizeAt(level).x) * sizeAt(level).y * sizeAt(level).z);
         grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
             forEachVoxel(brick->occupancy, [&](int i) {
-                for (int level = 0; level < kLevels; ++level) m_levels[level][place((position * kBrickSize + voxelInBrick(i)) >> level, level)] = 1;
+                for (int level = 0; level < kLevels; ++level) m_levels[level][indexOf((position * kBrickSize + voxelInBrick(i)) >> level, level)] = 1;
             });
         });
     }
-    bool solid(glm::dvec3 point, int level) const { return m_levels[level][place(glm::ivec3(point) >> level, level)]; }
+    bool solid(glm::dvec3 point, int level) const { return m_levels[level][indexOf(glm::ivec3(point) >> level, level)]; }
     static bool inside(glm::dvec3 p) { return p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x < kSize.x && p.y < kSize.y && p.z < kSize.z; }
 
 private:
     static glm::ivec3 sizeAt(int level) { return kSize >> level; }
-    static size_t place(glm::ivec3 cell, int level) { return (size_t(cell.z) * sizeAt(level).y + cell.y) * sizeAt(level).x + cell.x; }
+    static size_t indexOf(glm::ivec3 cell, int level) { return (size_t(cell.z) * sizeAt(level).y + cell.y) * sizeAt(level).x + cell.x; }
     std::array<std::vector<uint8_t>, kLevels> m_levels;
 };
 
@@ -98,7 +98,7 @@ std::vector<CellRay> makeRays(const VoxelGrid& grid) {
         const int x = random.between(1, kSize.x - 2), y = random.between(1, 60), z = random.between(1, kSize.z - 2);
         const double dx = random.unit() - 0.5, dy = random.unit(), dz = random.unit() - 0.5;
         if (grid.at({x, y, z}) || !grid.at({x, y - 1, z}) || dy == 0.0) continue;
-        rays.push_back({glm::dvec3(x, y, z) + 0.5, glm::normalize(glm::dvec3(dx, dy, dz)), kReach});
+        rays.push_back({glm::dvec3(x, y, z) + 0.5, glm::normalize(glm::dvec3(dx, dy, dz)), kMaxDistance});
     }
     return rays;
 }

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Runs the scripted scenes in nine ways and compares their hashes: every pair of compiler, optimisation, threads, renderer and
-# way of getting there (playing, from a save half-way, from a recording) occurs in at least one. Builds what it needs.
+# mode of getting there (playing, from a save half-mode, from a recording) occurs in at least one. Builds what it needs.
 #   tests/determinism/determinism.sh [--steps N] [--long SCENE] [SCENE...]      (all ten scenes, 600 steps, tower for 3,600)
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.." && pwd)
 
-# compiler optimisation threads renderer way
+# compiler optimisation threads renderer mode
 table='
 g++     O2 4 off replay
 g++     O2 2 on  play
@@ -25,7 +25,7 @@ while (($#)); do
     *) scenes+=("$1") && shift ;;
     esac
 done
-((${#scenes[@]})) || scenes=(tower bridge fire wall pane lamps dominoes craters crush garden)
+((${#scenes[@]})) || scenes=(tower bridge fire wall pane light_shop dominoes craters crush garden)
 
 programOf() { echo "$root/build/determinism/$1-$2/bin/hash_scene"; }
 
@@ -40,10 +40,10 @@ build() {
 
 # check SCENE STEPS: all rows of the table give the hashes of the first.
 check() {
-    local first='' cxx opt threads renderer way hashes options
-    while read -r cxx opt threads renderer way; do
+    local first='' cxx opt threads renderer mode hashes options
+    while read -r cxx opt threads renderer mode; do
         [[ $cxx ]] || continue
-        options=(--scene "$1" --steps "$2" --threads "$threads" --way "$way")
+        options=(--scene "$1" --steps "$2" --threads "$threads" --mode "$mode")
         [[ $renderer == on ]] && options+=(--renderer)
         echo "$1: $cxx -$opt ${options[*]}" >&2
         hashes=$("$(programOf "$cxx" "$opt")" "${options[@]}" 2>/dev/null) || {

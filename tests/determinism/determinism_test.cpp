@@ -10,22 +10,22 @@ namespace {
 
 constexpr const char* kTownHash = "3f66c07a9d1fd6ae";
 
-void expectSameEveryWay(const std::string& scene, int steps) {
+void expectSameInEveryMode(const std::string& scene, int steps) {
     SceneRun run{.scene = scene, .steps = steps, .every = 10, .threads = 1};
     const Result<Hashes> played = runScene(run);
     ASSERT_TRUE(played) << played.error();
-    for (const char* way : {"load", "replay"}) {
-        run.way = way;
+    for (const char* mode : {"load", "replay"}) {
+        run.mode = mode;
         run.threads = 3;
         const Result<Hashes> other = runScene(run);
-        ASSERT_TRUE(other) << scene << ", " << way << ": " << other.error();
-        EXPECT_EQ(other.value(), played.value()) << scene << ", " << way;
+        ASSERT_TRUE(other) << scene << ", " << mode << ": " << other.error();
+        EXPECT_EQ(other.value(), played.value()) << scene << ", " << mode;
     }
 }
 
 TEST(Determinism, PlayingLoadingAndReplayingAreTheSame) {
-    expectSameEveryWay("pane", 80);
-    expectSameEveryWay("dominoes", 80);
+    expectSameInEveryMode("pane", 80);
+    expectSameInEveryMode("dominoes", 80);
 }
 
 /// What the town comes to. It changes when destruction or physics do, and then on purpose: take over the new number.

@@ -39,18 +39,18 @@ std::unique_ptr<FrameLoop> makeLoop(const SceneRun& options) {
 }
 
 /// Draws every step at 64x36.
-class Screen {
+class OffscreenRenderer {
 public:
-    static Result<std::unique_ptr<Screen>> create(const SceneRun& options) {
-        auto screen = std::make_unique<Screen>();
+    static Result<std::unique_ptr<OffscreenRenderer>> create(const SceneRun& options) {
+        auto offscreen = std::make_unique<OffscreenRenderer>();
         auto context = GlContext::create();
         if (!context) return Error{context.error()};
-        screen->m_context = std::move(*context);
-        auto renderer = Renderer::create(screen->m_context->loader(), options.shaders, RenderSettings::preset("fast"));
+        offscreen->m_context = std::move(*context);
+        auto renderer = Renderer::create(offscreen->m_context->loader(), options.shaders, RenderSettings::preset("fast"));
         if (!renderer) return Error{renderer.error()};
-        screen->m_renderer = std::move(*renderer);
-        screen->m_target = std::make_unique<Offscreen>(glm::ivec2(64, 36));
-        return screen;
+        offscreen->m_renderer = std::move(*renderer);
+        offscreen->m_target = std::make_unique<Offscreen>(glm::ivec2(64, 36));
+        return offscreen;
     }
     void draw(FrameLoop& loop, const SceneRun& options, int step) {
         View view;
@@ -83,8 +83,8 @@ private:
     std::string m_path;
 };
 
-/// Every way saves half-way, for saving is an event; "load" goes on in a new world from the file.
-Result<Hashes> play(const SceneRun& options, Screen* screen, const std::string& recordTo) {
+/// Every mode saves half-mode, for saving is an event; "load" goes on in a new world from the file.
+Result<Hashes> play(const SceneRun& options, OffscreenRenderer* offscreen, const std::string& recordTo) {
     auto loop = makeLoop(options);
     loop->load(levelOf(options));
     if (!recordTo.empty())
@@ -93,7 +93,7 @@ Result<Hashes> play(const SceneRun& options, Screen* screen, const std::string& 
     for (int step = 0; step < options.steps; ++step) {
         if (step == options.steps / 2) {
             const SavedGame saved = loop->save();
-            if (options.way == "load") {
+            if (options.mode == "load") {
                 const TemporaryFile file("rubble");
                 if (Result<Done> written = writeSave(file.path(), saved); !written) return Error{written.error()};
                 auto next = makeLoop(options);
@@ -101,12 +101,12 @@ Result<Hashes> play(const SceneRun& options, Screen* screen, const std::string& 
                 if (!game) return Error{game.error()};
                 next->load(std::move(*game));
                 loop = std::move(next);
-                screen = nullptr;  // a world has one renderer in its life
+                offscreen = nullptr;  // a world has one renderer in its life
             }
         }
         loop->edits().push(scriptOf(options, step));
         loop->step();
-        if (screen) screen->draw(*loop, options, step);
+        if (offscreen) offscreen->draw(*loop, options, step);
         if ((step + 1) % options.every == 0) hashes.push_back(loop->world().hash());
     }
     if (Result<Done> stopped = loop->stopRecording(); !stopped) return Error{stopped.error()};
@@ -131,22 +131,22 @@ Result<Hashes> replay(const SceneRun& options, const std::string& path) {
         follower.setPoses(step.poses);
         if (follower.resolvedHash() != step.resolvedHash)
             return Error{fmt::format("step {}: the resolved edits and poses give another world", step.step)};
-        if (loop->world().hash() != step.hash) return Error{fmt::format("step {}: the replay went another way", step.step)};
+        if (loop->world().hash() != step.hash) return Error{fmt::format("step {}: the replay went another mode", step.step)};
         if (step.step % uint64_t(options.every) == 0) hashes.push_back(step.hash);
     }
     return hashes;
 }
 
 Result<Hashes> run(const SceneRun& options) {
-    std::unique_ptr<Screen> screen;
+    std::unique_ptr<OffscreenRenderer> offscreen;
     if (options.renderer) {
-        Result<std::unique_ptr<Screen>> made = Screen::create(options);
+        Result<std::unique_ptr<OffscreenRenderer>> made = OffscreenRenderer::create(options);
         if (!made) return Error{made.error()};
-        screen = std::move(*made);
+        offscreen = std::move(*made);
     }
-    if (options.way != "replay") return play(options, screen.get(), "");
+    if (options.mode != "replay") return play(options, offscreen.get(), "");
     const TemporaryFile file("rubblelog");
-    Result<Hashes> played = play(options, screen.get(), file.path());
+    Result<Hashes> played = play(options, offscreen.get(), file.path());
     if (!played) return played;
     Result<Hashes> replayed = replay(options, file.path());
     if (replayed && *replayed != *played) return Error{"the replay has other hashes"};

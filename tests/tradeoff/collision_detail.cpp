@@ -229,7 +229,7 @@ Table collisionTradeoff(const Options& options) {
     }
     const double merged = summary(results[4].us).median, voxels = summary(results[0].us).median;
     table.failed = results[0].overlaps.mean > results[4].overlaps.mean;
-    table.bottomLine = fmt::format(
+    table.conclusion = fmt::format(
         "Every voxel takes {:.1f} us a pair and overlaps by {:.2f} mm; Bullet's merged boxes {:.1f} us ({:.1f} times as long) and {:.2f} mm.", voxels,
         results[0].overlaps.mean * 1e3, merged, merged / voxels, results[4].overlaps.mean * 1e3);
     writePlot(options, "T3-overlap", "What pieces collide as: cost against overlap", "us a pair", "mean overlap, mm", overlap);

@@ -8,7 +8,7 @@
 #include "runtime/world/world.h"
 #include "samples/scenes/canvas.h"
 #include "samples/scenes/placement.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "tests/tradeoff/destruction.h"
 
 namespace rubble::tradeoff {
@@ -18,7 +18,7 @@ namespace {
 Level holedBlock(int size) {
     using namespace scenes;
     Canvas canvas{ivec3(size)};
-    canvas.box(ivec3(0), ivec3(size), canvas.mix(kConcrete));
+    canvas.box(ivec3(0), ivec3(size), canvas.addSurface(kConcrete));
     for (int z = 6; z + 12 < size; z += 18)
         for (int y = 6; y + 12 < size; y += 18)
             for (int x = 6; x + 12 < size; x += 18) canvas.clear({x, y, z}, {x + 12, y + 12, z + 12});
@@ -57,7 +57,7 @@ uint64_t floodFill(const VoxelGrid& grid) {
 
 struct Run {
     std::vector<double> cutUs, waitUs;  ///< steps with a cut; those between
-    int mostFrames = 0;                 ///< that a loose voxel hung
+    int maxHangingSteps = 0;                 ///< that a loose voxel hung
     uint64_t stillLoose = 0;
 };
 
@@ -94,7 +94,7 @@ Run cutUp(int size, size_t partsPerStep, int cuts, uint64_t seed, bool watched) 
             if (shape)
                 for (const Component& loose : findDetached(shape->grid, shape->anchors, true).pieces) run.stillLoose += loose.voxels;
             hanging = run.stillLoose ? hanging + 1 : 0;
-            run.mostFrames = std::max(run.mostFrames, hanging);
+            run.maxHangingSteps = std::max(run.maxHangingSteps, hanging);
         }
     return run;
 }
@@ -129,10 +129,10 @@ Table connectivityTradeoff(const Options& options) {
         for (int i = 0; i < options.repeats; ++i) runs.push_back(cutUp(size, parts, cuts, options.seed, i == 0));
         const Measured p50 = overRuns(runs, &Run::cutUs, 0.5), p99 = overRuns(runs, &Run::cutUs, 0.99), wait = overRuns(runs, &Run::waitUs, 0.99);
         table.add({fmt::format("{}^3", size), parts ? std::to_string(parts) : "at once", p50.text(), p99.text(), wait.text(),
-                   std::to_string(runs[0].mostFrames), std::to_string(runs[0].stillLoose)});
+                   std::to_string(runs[0].maxHangingSteps), std::to_string(runs[0].stillLoose)});
         (parts ? smallest : atOnce) = p99.median;
         if (!parts) typical = p50.median;
-        hangs = runs[0].mostFrames, stillLoose = runs[0].stillLoose;
+        hangs = runs[0].maxHangingSteps, stillLoose = runs[0].stillLoose;
         if (parts) plot[0].points.emplace_back(parts, p99.median), plot[2].points.emplace_back(parts, wait.median);
     }
     const Level level = holedBlock(size);
@@ -149,7 +149,7 @@ Table connectivityTradeoff(const Options& options) {
         plot[1].points.emplace_back(parts, atOnce);
         plot[3].points.emplace_back(parts, flood.median);
     }
-    table.bottomLine = fmt::format(
+    table.conclusion = fmt::format(
         "A full flood fill takes {:.0f} times as long as the median cut with its split; at once the slowest cuts take {:.0f} us (p99), in the "
         "smallest slices {:.0f} us, and then a piece hangs for up to {} steps, and {} voxels still do at the end.",
         flood.median / typical, atOnce, smallest, hangs, stillLoose);

@@ -14,7 +14,7 @@ namespace {
 using namespace known;
 
 constexpr double kFriction = 0.6, kPitSeconds = 2.0, kTowerSeconds = 10.0;
-constexpr double kNear = 0.05;  ///< share of cost and error within which a preset counts as on the front
+constexpr double kTolerance = 0.05;  ///< share of cost and error within which a preset counts as on the front
 
 struct Setting {
     std::string name;  ///< of a preset; "": a point of the grid
@@ -57,7 +57,7 @@ double fallIntoPit(const Level& level, const PhysicsSettings& settings, Errors* 
 
 /// The last of `values`, in ascending order, before the first for which it does not hold.
 template <class T, class Holds>
-T mostOf(std::initializer_list<T> values, Holds&& holds) {
+T lastThatHolds(std::initializer_list<T> values, Holds&& holds) {
     T most{};
     for (const T value : values) {
         if (!holds(value)) break;
@@ -67,8 +67,8 @@ T mostOf(std::initializer_list<T> values, Holds&& holds) {
 }
 
 void measureErrors(const PhysicsSettings& settings, Errors& errors) {
-    errors.tower = mostOf({3, 5, 8, 12, 16, 20, 25}, [&](int cubes) { return stack(sleepless(settings), cubes, kTowerSeconds).stands(); });
-    errors.ratio = mostOf({3.0, 10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0}, [&](double ratio) { return sink(settings, ratio) < 0.01; });
+    errors.tower = lastThatHolds({3, 5, 8, 12, 16, 20, 25}, [&](int cubes) { return stack(sleepless(settings), cubes, kTowerSeconds).stands(); });
+    errors.ratio = lastThatHolds({3.0, 10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0}, [&](double ratio) { return sink(settings, ratio) < 0.01; });
     const double angle = std::atan(kFriction) + glm::radians(5.0), expected = 9.81 * (std::sin(angle) - kFriction * std::cos(angle));
     errors.incline = std::abs(slideDown(settings, glm::degrees(angle), 0.57, kFriction, 2.0).acceleration / expected - 1.0);
 }
@@ -98,11 +98,11 @@ std::vector<Setting> settingsOf(bool full) {
 }
 
 /// Better in nothing, worse in something, and dearer; by what steps as often at least, since a game sees each step.
-bool isBeaten(const Point& point, const Point& by) {
+bool isDominated(const Point& point, const Point& by) {
     const Errors &a = point.errors, &b = by.errors;
-    return by.setting.settings.stepSeconds <= 1.001 * point.setting.settings.stepSeconds && by.cost() * (1.0 + kNear) < point.cost() &&
-           b.overlap <= a.overlap * (1.0 + kNear) && b.tower >= a.tower && b.ratio >= a.ratio &&
-           b.incline <= std::max(a.incline * (1.0 + kNear), 1e-3);
+    return by.setting.settings.stepSeconds <= 1.001 * point.setting.settings.stepSeconds && by.cost() * (1.0 + kTolerance) < point.cost() &&
+           b.overlap <= a.overlap * (1.0 + kTolerance) && b.tower >= a.tower && b.ratio >= a.ratio &&
+           b.incline <= std::max(a.incline * (1.0 + kTolerance), 1e-3);
 }
 
 std::string describe(const PhysicsSettings& s) {
@@ -122,7 +122,7 @@ void plot(const Options& options, const std::vector<Point>& points, const std::s
         else
             marks.push_back({point.setting.name, {at}, true, true});
     }
-    Series front = frontOf("the front", all);
+    Series front = paretoFront("the front", all);
     if (isBetterHigh)
         for (auto& [x, y] : front.points) y = -y;
     std::vector<Series> series{cloud, front};
@@ -167,9 +167,9 @@ Table contactTradeoff(const Options& options) {
     }
     for (const Point& point : points) {
         if (point.setting.name.empty()) continue;
-        const auto better = std::find_if(points.begin(), points.end(), [&](const Point& by) { return isBeaten(point, by); });
+        const auto better = std::find_if(points.begin(), points.end(), [&](const Point& by) { return isDominated(point, by); });
         table.failed |= better != points.end();
-        table.bottomLine += better == points.end() ? fmt::format("{}: on the front. ", point.setting.name)
+        table.conclusion += better == points.end() ? fmt::format("{}: on the front. ", point.setting.name)
                                                    : fmt::format("{}: {} is {:.0f} % cheaper and nowhere worse. ", point.setting.name,
                                                                  describe(better->setting.settings), 100.0 * (1.0 - better->cost() / point.cost()));
     }

@@ -11,7 +11,7 @@ namespace rubble::tradeoff {
 namespace {
 
 constexpr double kKilometres[] = {0.0, 1.0, 10.0, 65.0, 100.0, 1000.0};
-constexpr double kPromised = 1.0;  ///< mm at 10 km
+constexpr double kMaxErrorMm = 1.0;  ///< mm at 10 km
 
 glm::dvec3 at(double kilometres) {
     return {kilometres * 1e3, 0.0, kilometres * 1e3 * 0.625};
@@ -62,8 +62,8 @@ Table coordinateTradeoff(const Options& options) {
         inFloats.points.emplace_back(km, std::max(bulletOff, 1e-6));
         step.points.emplace_back(km, spacing);
     }
-    table.failed = atTen > kPromised;
-    table.bottomLine =
+    table.failed = atTen > kMaxErrorMm;
+    table.conclusion =
         fmt::format("At 10 km pieces end within {:.2g} mm of where they do at the origin, at worst, up to 1000 km, within {:.2g} mm.", atTen, worst);
     writePlot(options, "T10-coordinates", "Positions: how far off pieces end, by how far from the origin they fell", "km", "mm",
               {inDoubles, inFloats, step});

@@ -27,7 +27,7 @@ struct Setting {
 struct Run {
     double stepMs = 0.0, massLost = 0.0, momentumLost = 0.0;
     size_t pieces = 0;
-    Image picture;
+    Image image;
 };
 
 /// A brick wall that is blown in two places.
@@ -38,7 +38,7 @@ Edits script(int step, uint64_t) {
     return edits;
 }
 
-Image drawing(FrameLoop& loop) {
+Image drawImage(FrameLoop& loop) {
     static const auto context = GlContext::create(GlContext::Kind::OsMesa);
     if (!context) return {};
     RenderSettings settings = RenderSettings::preset("fast");
@@ -87,11 +87,11 @@ Run simulate(const Setting& setting, uint64_t seed, bool drawn) {
         }
     }
     loop.world().bodies().forEach([&](BodyHandle, const Body& body) { run.pieces += !body.isStatic; });
-    if (drawn) run.picture = drawing(loop);
+    if (drawn) run.image = drawImage(loop);
     return run;
 }
 
-/// Root mean square difference of two pictures, 0 to 255.
+/// Root mean square difference of two images, 0 to 255.
 double difference(const Image& a, const Image& b) {
     if (a.rgb.empty() || a.rgb.size() != b.rgb.size()) return std::nan("");
     double sum = 0.0;
@@ -124,7 +124,7 @@ Table debrisTradeoff(const Options& options) {
     Table table{"T4",
                 "what is kept of debris: step ms against mass and momentum dropped and what is seen of it, over keeping all",
                 {"turned", "smallest piece voxels", "pieces at most", "settle after steps", "step ms", "pieces", "mass dropped kg",
-                 "momentum dropped kg m/s", "picture rms of 255"},
+                 "momentum dropped kg m/s", "image rms of 255"},
                 {}};
     const Run reference = simulate({"reference", 1, 10'000, kNever}, options.seed, true);
     std::vector<Series> plot;
@@ -132,7 +132,7 @@ Table debrisTradeoff(const Options& options) {
     for (const Setting& setting : settingsOf(options.full)) {
         const Run seen = simulate(setting, options.seed, true);
         const Measured ms = measure(options.repeats, [&] { return simulate(setting, options.seed, false).stepMs; });
-        const double rms = difference(seen.picture, reference.picture);
+        const double rms = difference(seen.image, reference.image);
         table.add({setting.axis, std::to_string(setting.smallest), std::to_string(setting.bodies),
                    setting.settleSteps == kNever ? "never" : std::to_string(setting.settleSteps), ms.text(), std::to_string(seen.pieces),
                    fmt::format("{:.1f}", seen.massLost - reference.massLost), fmt::format("{:.1f}", seen.momentumLost - reference.momentumLost),
@@ -143,10 +143,10 @@ Table debrisTradeoff(const Options& options) {
         if (series == plot.end()) series = plot.insert(plot.end(), {setting.axis, {}, setting.axis == std::string("several")});
         series->points.emplace_back(ms.median, seen.massLost - reference.massLost);
     }
-    table.bottomLine = fmt::format(
+    table.conclusion = fmt::format(
         "Keeping all takes {:.2f} ms a step; the cheapest setting {:.2f} ms, for {:.0f} kg of debris turned to dust. Pieces fall chaotically: any "
         "change "
-        "moves the picture by much the same.",
+        "moves the image by much the same.",
         keepAll, least, dropped);
     writePlot(options, "T4", "Debris: what a step costs against what is turned to dust to save it", "ms a step",
               "kg turned to dust, over keeping all", plot);

@@ -13,7 +13,7 @@ namespace {
 
 using namespace known;
 
-constexpr double kWorst = 10.0;  ///< errors beyond are all the same: it has nothing to do with a rotation any more
+constexpr double kMaxError = 10.0;  ///< errors beyond are all the same: it has nothing to do with a rotation any more
 
 /// A way to turn a body, as a function of its moments and of how many parts 1/60 s is cut into.
 struct Method {
@@ -80,7 +80,7 @@ double flipPhase(const FreeSpin& spin, const FreeSpin& reference) {
 }
 
 double bounded(double error) {
-    return error < kWorst ? std::max(error, 1e-12) : kWorst;
+    return error < kMaxError ? std::max(error, 1e-12) : kMaxError;
 }
 
 struct Worst {
@@ -99,7 +99,7 @@ Table rotationTradeoff(const Options& options) {
     table.note = fmt::format(
         "Energy, momentum and its direction: the largest departure from the start, as a share; above {:.0f} nothing is left of it. Flips off: when "
         "the T-handle flips for the last time, in flips, over Runge-Kutta in doubles with 64 substeps.",
-        kWorst);
+        kMaxError);
     std::vector<Spinner> spinners{spinnerOf("rod 1:16", blockGrid({16, 1, 1}, 7), false), spinnerOf("T-handle", tHandle(), true)};
     if (options.full)
         for (const int length : {4, 64, 256}) spinners.push_back(spinnerOf(fmt::format("rod 1:{}", length), blockGrid({length, 1, 1}, 7), false));
@@ -137,7 +137,7 @@ Table rotationTradeoff(const Options& options) {
         }
     }
     table.failed = kept.energy > 1e-3 || kept.momentum > 1e-5;
-    table.bottomLine = fmt::format(
+    table.conclusion = fmt::format(
         "As balanced steps it (momentum kept, 4 substeps), {:.0e} of the energy and {:.0e} of the momentum go at worst, and the T-handle is {:.2g} "
         "flips off; Bullet's default loses {:.0f} % and {:.0f} %.",
         kept.energy, kept.momentum, kept.phase, std::min(100.0, bullet.energy * 100.0), std::min(100.0, bullet.momentum * 100.0));

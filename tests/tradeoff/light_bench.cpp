@@ -49,12 +49,12 @@ void LightBench::draw(int frames) {
     for (int i = 0; i < frames; ++i) {
         const double begin = processorMs();
         m_renderer->draw(m_view, 1.0f);
-        m_leastMs = std::min(m_leastMs, processorMs() - begin);
+        m_minMs = std::min(m_minMs, processorMs() - begin);
         for (const auto& [pass, ms] : m_renderer->figures().passMs) {
             const auto found =
-                std::find_if(m_least.begin(), m_least.end(), [name = std::string(pass)](const auto& each) { return each.first == name; });
-            if (found == m_least.end())
-                m_least.emplace_back(pass, ms);
+                std::find_if(m_minPassMs.begin(), m_minPassMs.end(), [name = std::string(pass)](const auto& each) { return each.first == name; });
+            if (found == m_minPassMs.end())
+                m_minPassMs.emplace_back(pass, ms);
             else
                 found->second = std::min(found->second, ms);
         }
@@ -68,24 +68,24 @@ FloatImage LightBench::read(const char* target) const {
 }
 
 double LightBench::ms(std::string_view pass) const {
-    for (const auto& each : m_least)
+    for (const auto& each : m_minPassMs)
         if (each.first == pass) return each.second;
     return 0.0;
 }
 
-Difference differenceOf(const FloatImage& truth, const FloatImage& drawn, float exposureOfLevel) {
-    const float exposure = reference::exposureFor(truth, exposureOfLevel);
-    return {reference::flip(reference::displayed(truth, exposure), reference::displayed(drawn, exposure)), reference::relativeError(truth, drawn)};
+Difference differenceOf(const FloatImage& referenceImage, const FloatImage& drawn, float exposureOfLevel) {
+    const float exposure = reference::exposureFor(referenceImage, exposureOfLevel);
+    return {reference::flip(reference::displayed(referenceImage, exposure), reference::displayed(drawn, exposure)), reference::relativeError(referenceImage, drawn)};
 }
 
-Judged streetTruth(const Options& options, glm::ivec2 size) {
-    Judged judged{std::move(reference::tuningViews(false)[0]), {}};
-    judged.scene.view.size = size;
+ReferenceView streetReference(const Options& options, glm::ivec2 size) {
+    ReferenceView street{std::move(reference::tuningViews(false)[0]), {}};
+    street.scene.view.size = size;
     const reference::Settings settings{.samples = options.full ? 1024 : 192, .filterPixels = true};
-    const reference::Scene scene(judged.scene.snapshot);
-    judged.truth =
-        reference::cachedRender(scene, judged.scene.view, settings, RUBBLE_BINARY_DIR "/reference", "the truth of " + judged.scene.name).mean;
-    return judged;
+    const reference::Scene scene(street.scene.snapshot);
+    street.referenceImage =
+        reference::cachedRender(scene, street.scene.view, settings, RUBBLE_BINARY_DIR "/reference", "the referenceImage of " + street.scene.name).mean;
+    return street;
 }
 
 }  // namespace rubble::tradeoff

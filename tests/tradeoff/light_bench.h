@@ -15,36 +15,36 @@ public:
     LightBench(const FrameSnapshot& snapshot, const View& view, glm::ivec2 size, const RenderSettings& settings,
                const std::string& shaderFolder = RUBBLE_SOURCE_DIR "/shaders");
 
-    /// Draws `frames` pictures of the still view.
+    /// Draws `frames` frames of the still view.
     void draw(int frames = 1);
     void apply(FrameSnapshot&& snapshot) { m_renderer->apply(std::move(snapshot)); }
     FloatImage read(const char* target) const;
-    /// Processor time of a picture over all threads, the least of those drawn.
-    double ms() const { return m_leastMs; }
+    /// Processor time of a frame over all threads, the least of those drawn.
+    double ms() const { return m_minMs; }
     /// The least that a pass took, by the clock.
     double ms(std::string_view pass) const;
-    void forgetTimes() { m_least.clear(), m_leastMs = 1e30; }
+    void resetTimes() { m_minPassMs.clear(), m_minMs = 1e30; }
     const RenderFigures& figures() const { return m_renderer->figures(); }
 
 private:
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<Offscreen> m_target;
     View m_view;
-    std::vector<std::pair<std::string, double>> m_least;
-    double m_leastMs = 1e30;
+    std::vector<std::pair<std::string, double>> m_minPassMs;
+    double m_minMs = 1e30;
 };
 
-/// How a picture differs from the truth as radiance and as it is shown.
+/// How a frame differs from the referenceImage as radiance and as it is shown.
 struct Difference {
     double flip = 0.0, relative = 0.0;
 };
-Difference differenceOf(const FloatImage& truth, const FloatImage& drawn, float exposureOfLevel);
+Difference differenceOf(const FloatImage& referenceImage, const FloatImage& drawn, float exposureOfLevel);
 
-/// The first tuning view (the street in the evening) and its truth, from the cache if an earlier run made it.
-struct Judged {
+/// The first tuning view (the street in the evening) and its referenceImage, from the cache if an earlier run made it.
+struct ReferenceView {
     reference::SceneView scene;
-    FloatImage truth;
+    FloatImage referenceImage;
 };
-Judged streetTruth(const Options& options, glm::ivec2 size);
+ReferenceView streetReference(const Options& options, glm::ivec2 size);
 
 }  // namespace rubble::tradeoff

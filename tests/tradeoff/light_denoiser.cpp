@@ -12,7 +12,7 @@ namespace {
 
 constexpr glm::ivec2 kSize(160, 90);
 constexpr int kSettled = 48, kWatched = 16, kConverged = 768, kAfter = 120;
-constexpr int kPromisedLag = 12;
+constexpr int kMaxLagFrames = 12;
 
 struct Setting {
     int history, radius;
@@ -38,11 +38,11 @@ RenderSettings renderSettings(const Setting& setting) {
 }
 
 /// A floor in the shade of a screen that can be taken away.
-struct Opening {
+struct RemovableScreen {
     LitScene scene;
     ShapeHandle screen;
     View view;
-    Opening() : scene(streetPalette()) {
+    RemovableScreen() : scene(streetPalette()) {
         const glm::dquat level(1, 0, 0, 0);
         scene.environment.sunDirection = {0.0f, 0.3f, 1.0f};
         scene.add({80, 2, 80}, {{-4, -0.2, -4}, level}, [](glm::ivec3) { return uint8_t(1); });
@@ -54,7 +54,7 @@ struct Opening {
     }
 };
 
-/// Mean of the sun's share and of the light's luminance in the middle of the picture.
+/// Mean of the sun's share and of the light's luminance in the middle of the frame.
 glm::dvec2 middleOf(const FloatImage& image) {
     glm::dvec2 sum(0.0);
     const glm::ivec2 low = image.size / 3, high = image.size * 2 / 3;
@@ -70,7 +70,7 @@ struct Response {
     double ghost = 0.0;
 };
 Response responseOf(const Setting& setting) {
-    Opening opening;
+    RemovableScreen opening;
     LightBench bench(opening.scene.snapshot(), opening.view, {96, 64}, renderSettings(setting));
     bench.draw(40);
     const glm::dvec2 before = middleOf(bench.read("denoisedLight"));
@@ -78,7 +78,7 @@ Response responseOf(const Setting& setting) {
     bench.apply(opening.scene.step());
     std::vector<glm::dvec2> after;
     for (int i = 0; i < kAfter; ++i) bench.draw(), after.push_back(middleOf(bench.read("denoisedLight")));
-    glm::dvec2 settled(0.0);  // over many pictures: one has noise
+    glm::dvec2 settled(0.0);  // over many frames: one has noise
     for (int i = kAfter - 40; i < kAfter; ++i) settled += after[size_t(i)] / 40.0;
     Response response;
     for (int c = 0; c < 2; ++c) {
@@ -91,7 +91,7 @@ Response responseOf(const Setting& setting) {
     return response;
 }
 
-/// Of the still street: how far the mean of many pictures is from the converged light, and how much each strays from that mean.
+/// Of the still street: how far the mean of many frames is from the converged light, and how much each strays from that mean.
 struct Still {
     double bias = 0.0, flicker = 0.0, ms = 0.0;
 };
@@ -118,7 +118,7 @@ Still stillOf(const Setting& setting, const reference::SceneView& street, const 
     return still;
 }
 
-/// The mean of the unfiltered rays over many pictures, at the same pixels.
+/// The mean of the unfiltered rays over many frames, at the same pixels.
 FloatImage convergedStreet(const reference::SceneView& street) {
     RenderSettings settings = reference::comparedSettings();
     settings.skyRays = 8;
@@ -137,12 +137,12 @@ FloatImage convergedStreet(const reference::SceneView& street) {
 Table denoiserTradeoff(const Options& options) {
     Table table{"T9",
                 "the denoiser's memory, reach and forgetting, against the renderer's own converged light",
-                {"history", "filter passes", "forgets changes", "ms", "bias %", "flicker %", "lag pictures", "ghost after 30 %"},
+                {"history", "filter passes", "forgets changes", "ms", "bias %", "flicker %", "lag frames", "ghost after 30 %"},
                 {}};
     table.note =
-        "Bias and flicker: of the still street's light, in per cent of its mean. Lag: pictures after a wall is gone until 90 % of the sun's and "
+        "Bias and flicker: of the still street's light, in per cent of its mean. Lag: frames after a wall is gone until 90 % of the sun's and "
         "sky's new "
-        "light is seen and stays; ghost: what is still wrong of it after 30. ms: accumulation and filter at 160x90, the least of 64 pictures.";
+        "light is seen and stays; ghost: what is still wrong of it after 30. ms: accumulation and filter at 160x90, the least of 64 frames.";
     const reference::SceneView street = reference::tuningViews(false)[0];
     const FloatImage converged = convergedStreet(street);
     Series bias{"bias", {}, true}, flicker{"flicker", {}, true};
@@ -154,10 +154,10 @@ Table denoiserTradeoff(const Options& options) {
                    fmt::format("{:.2f}", response.ghost * 100)});
         bias.points.emplace_back(still.ms, still.bias * 100), flicker.points.emplace_back(still.ms, still.flicker * 100);
         if (setting.history != 32 || setting.radius != 4 || !setting.forgets) continue;
-        table.bottomLine =
-            fmt::format("Balanced (32 pictures, 4 passes): bias {:.1f} %, flicker {:.1f} %, 90 % of new light after {} pictures, ghost {:.1f} %.",
+        table.conclusion =
+            fmt::format("Balanced (32 frames, 4 passes): bias {:.1f} %, flicker {:.1f} %, 90 % of new light after {} frames, ghost {:.1f} %.",
                         still.bias * 100, still.flicker * 100, response.lag, response.ghost * 100);
-        table.failed = response.lag > kPromisedLag || response.ghost > 0.02;
+        table.failed = response.lag > kMaxLagFrames || response.ghost > 0.02;
     }
     writePlot(options, "T9", "The denoiser: bias and flicker by what it takes", "ms", "per cent of the light", {bias, flicker});
     return table;

@@ -28,7 +28,7 @@ const Feature kFeatures[] = {
 };
 
 /// Pictures of each in turns: what else the machine does meets all alike.
-std::vector<std::unique_ptr<LightBench>> drawAll(const Judged& street) {
+std::vector<std::unique_ptr<LightBench>> drawAll(const ReferenceView& street) {
     std::vector<std::unique_ptr<LightBench>> benches;
     benches.push_back(std::make_unique<LightBench>(street.scene.snapshot, street.scene.view, kSize, reference::comparedSettings()));
     for (const Feature& feature : kFeatures) {
@@ -45,23 +45,23 @@ std::vector<std::unique_ptr<LightBench>> drawAll(const Judged& street) {
 
 Table lightFeatureTradeoff(const Options& options) {
     Table table{"T12-light",
-                "features of light: what each takes, and what the picture loses without it",
-                {"off", "processor ms a picture", "ms saved", "MB of textures", "draw calls", "FLIP", "relMSE"},
+                "features of light: what each takes, and what the frame loses without it",
+                {"off", "processor ms a frame", "ms saved", "MB of textures", "draw calls", "FLIP", "relMSE"},
                 {}};
     table.note =
-        "The street in the evening, 192x108, 16 pictures, against the truth. Each row turns one feature off. By rule means: its passes and targets "
+        "The street in the evening, 192x108, 16 frames, against the referenceImage. Each row turns one feature off. By rule means: its passes and targets "
         "are there "
         "only while the scene has something for it; tests/render counts them.";
-    const Judged street = streetTruth(options, kSize);
+    const ReferenceView street = streetReference(options, kSize);
     const auto benches = drawAll(street);
     const double all = benches[0]->ms();
     const auto differenceTo = [&](const LightBench& bench) {
-        return differenceOf(street.truth, bench.read("resolved"), street.scene.snapshot.environment.exposure);
+        return differenceOf(street.referenceImage, bench.read("resolved"), street.scene.snapshot.environment.exposure);
     };
     const Difference best = differenceTo(*benches[0]);
     std::vector<Bar> bars;
     double most = 0.0;
-    std::string dearest;
+    std::string costliest;
     for (size_t i = 0; i < benches.size(); ++i) {
         const char* name = i ? kFeatures[i - 1].name : "nothing";
         const Difference difference = i ? differenceTo(*benches[i]) : best;
@@ -69,13 +69,13 @@ Table lightFeatureTradeoff(const Options& options) {
         table.add({name, fmt::format("{:.1f}", ms), fmt::format("{:.1f}", all - ms),
                    fmt::format("{:.2f}", double(benches[i]->figures().textureBytes) * 1e-6), std::to_string(benches[i]->figures().drawCalls),
                    fmt::format("{:.4f}", difference.flip), fmt::format("{:.5f}", difference.relative)});
-        if (all - ms > most) most = all - ms, dearest = name;
+        if (all - ms > most) most = all - ms, costliest = name;
         if (i == 0) continue;
         bars.push_back({name, "FLIP without", {difference.flip, difference.flip, difference.flip}});
         bars.push_back({name, "FLIP with", {best.flip, best.flip, best.flip}});
     }
-    table.bottomLine = fmt::format("All on: {:.1f} ms and a FLIP of {:.4f}; dearest is {}: {:.1f} ms.", all, best.flip, dearest, most);
-    writeBars(options, "T12-light", "What the picture loses without each feature", "FLIP", bars);
+    table.conclusion = fmt::format("All on: {:.1f} ms and a FLIP of {:.4f}; costliest is {}: {:.1f} ms.", all, best.flip, costliest, most);
+    writeBars(options, "T12-light", "What the frame loses without each feature", "FLIP", bars);
     return table;
 }
 

@@ -94,7 +94,7 @@ Table gbufferTradeoff(const Options&) {
     add("radiance", "R11F_G11F_B10F", 4, "steps of 255", steps([](glm::vec3 v) { return glm::unpackF2x11_1x10(glm::packF2x11_1x10(v)); }));
     const Errors shared =
         add("radiance", "RGB9_E5", 4, "steps of 255", steps([](glm::vec3 v) { return glm::unpackF3x9_E1x5(glm::packF3x9_E1x5(v)); }));
-    table.bottomLine =
+    table.conclusion =
         fmt::format("Depth needs 32 bits: in 16 it is off by up to {:.1f} mm. Radiance would lose at most {:.2f} steps in RGB9_E5 at half the bytes.",
                     halfDepth.largest, shared.largest);
     return table;

@@ -30,7 +30,7 @@ uint8_t solid(glm::ivec3) {
 }
 
 /// How far a row of a map holds, for the envelope: the last value before the first that is not stable.
-std::string reachOf(const std::vector<std::pair<std::string, Outcome>>& row) {
+std::string stableRange(const std::vector<std::pair<std::string, Outcome>>& row) {
     std::string last;
     for (const auto& [value, outcome] : row) {
         if (outcome != Outcome::Stable)
@@ -41,8 +41,8 @@ std::string reachOf(const std::vector<std::pair<std::string, Outcome>>& row) {
     return fmt::format("up to {}, the most that was tried", last);
 }
 
-/// A floor lit by one ball over it, that shines back to the eye: relative difference of the mean radiance from the truth.
-double lampError(uint8_t roughness, float radius) {
+/// A floor lit by one ball over it, that shines back to the eye: relative difference of the mean radiance from the referenceImage.
+double sphereLightError(uint8_t roughness, float radius) {
     LitScene scene(gray(roughness));
     Environment& air = scene.environment;
     air.sunColor = air.skyColor = air.horizonColor = air.groundColor = air.fogColor = glm::vec3(0.0f);
@@ -57,17 +57,17 @@ double lampError(uint8_t roughness, float radius) {
     bench.draw(24);
     View view = camera.view(kSize, 0);
     const FloatImage drawn = bench.read("resolved"), depth = bench.read("depth");
-    const FloatImage truth = reference::render(reference::Scene(scene.snapshot()), view, {.samples = 192, .filterPixels = true}).mean;
+    const FloatImage referenceImage = reference::render(reference::Scene(scene.snapshot()), view, {.samples = 192, .filterPixels = true}).mean;
     double off = 0.0, all = 0.0;
-    for (size_t p = 0; p < truth.pixels.size(); ++p) {
+    for (size_t p = 0; p < referenceImage.pixels.size(); ++p) {
         if (depth.pixels[p].x > 1e3f) continue;
-        off += drawn.pixels[p].y - truth.pixels[p].y, all += truth.pixels[p].y;
+        off += drawn.pixels[p].y - referenceImage.pixels[p].y, all += referenceImage.pixels[p].y;
     }
     return std::abs(off) / std::max(all, 1e-6);
 }
 
-/// Share of pixels that show another surface than the truth, of the street's first view moved away from the origin.
-double seenError(double away, float degrees) {
+/// Share of pixels that show another surface than the referenceImage, of the street's first view moved away from the origin.
+double visibilityError(double away, float degrees) {
     LitScene scene(gray(255));
     const glm::dvec3 origin(away, 0, -away);
     scene.add({60, 2, 60}, {origin + glm::dvec3(-3, -0.2, -3)}, solid);
@@ -83,21 +83,21 @@ double seenError(double away, float degrees) {
     LightBench bench(scene.snapshot(), view, kSize, settings);
     bench.draw(1);
     const FloatImage depth = bench.read("depth");
-    const reference::Scene truth(scene.snapshot());
+    const reference::Scene referenceImage(scene.snapshot());
     int differ = 0;
     for (int y = 0; y < kSize.y; ++y)
         for (int x = 0; x < kSize.x; ++x) {
             const glm::dvec2 p = (glm::dvec2(x, y) + 0.5) / glm::dvec2(kSize) * 2.0 - 1.0;
             const double tanY = std::tan(double(camera.verticalFov) * 0.5), tanX = tanY * kSize.x / kSize.y;
             const glm::dvec3 ray = camera.rotation() * glm::dvec3(p.x * tanX, p.y * tanY, -1.0);
-            const reference::Surface s = truth.closest({camera.position, glm::normalize(ray)});
+            const reference::Surface s = referenceImage.closest({camera.position, glm::normalize(ray)});
             const double expected = s.t / glm::length(ray), drawn = depth.at(x, y).x;
             differ += s.hit ? std::abs(expected - drawn) > 2e-3 * expected + 2e-3 : drawn < 1e4;
         }
     return double(differ) / (kSize.x * kSize.y);
 }
 
-/// Mean difference of the sun's share from that in the truth, behind the edge of a roof.
+/// Mean difference of the sun's share from that in the referenceImage, behind the edge of a roof.
 double penumbraError(float radians, double height) {
     LitScene scene(gray(255));
     scene.environment.sunDirection = {0.0f, 1.0f, 0.0f};
@@ -112,25 +112,25 @@ double penumbraError(float radians, double height) {
     LightBench bench(scene.snapshot(), view, kSize, settings);
     bench.draw(32);
     const FloatImage light = bench.read("denoisedLight");
-    const FloatImage truth = reference::render(reference::Scene(scene.snapshot()), view, {.term = reference::Term::SunShare, .samples = 192}).mean;
+    const FloatImage referenceImage = reference::render(reference::Scene(scene.snapshot()), view, {.term = reference::Term::SunShare, .samples = 192}).mean;
     double off = 0.0;
-    for (size_t p = 0; p < truth.pixels.size(); ++p) off += std::abs(double(light.pixels[p].a) - truth.pixels[p].x);
-    return off / double(truth.pixels.size());
+    for (size_t p = 0; p < referenceImage.pixels.size(); ++p) off += std::abs(double(light.pixels[p].a) - referenceImage.pixels[p].x);
+    return off / double(referenceImage.pixels.size());
 }
 
 }  // namespace
 
-Table lampMap(const Options& options) {
-    Table table{"T13-lamp", "lamps' light on floors of every roughness", {"roughness", "radius m", "error %", "outcome"}, {}};
+Table sphereLightMap(const Options& options) {
+    Table table{"T13-sphere-light", "lamps' light on floors of every roughness", {"roughness", "radius m", "error %", "outcome"}, {}};
     table.note =
-        "Mean radiance of a floor that one ball lights, one ray a pixel, 24 pictures, against the truth. Stable: within 3 %; degraded: 15 %.";
+        "Mean radiance of a floor that one ball lights, one ray a pixel, 24 frames, against the referenceImage. Stable: within 3 %; degraded: 15 %.";
     std::vector<MapCell> cells;
     int stable = 0;
     for (const int roughness : {10, 40, 80, 110, 140, 180, 255}) {
         std::vector<std::pair<std::string, Outcome>> row;
         const std::string name = fmt::format("{:.2f}", roughness / 255.0);
         for (const float radius : {0.02f, 0.05f, 0.1f, 0.2f, 0.4f, 0.8f}) {
-            const double error = lampError(uint8_t(roughness), radius);
+            const double error = sphereLightError(uint8_t(roughness), radius);
             const Outcome outcome = judge(error, 0.03, 0.15);
             const std::string x = fmt::format("{:g} m", radius);
             cells.push_back({x, name, outcome, fmt::format("{:.1f} %", error * 100)});
@@ -138,16 +138,16 @@ Table lampMap(const Options& options) {
             row.emplace_back(x, outcome);
             stable += outcome == Outcome::Stable;
         }
-        table.envelope.emplace_back(name, reachOf(row));
+        table.envelope.emplace_back(name, stableRange(row));
     }
-    table.bottomLine = fmt::format("{} of {} are within 3 %.", stable, cells.size());
-    writeMap(options, "T13-lamp", "T13-lamp: error of a floor's radiance", "radius of the lamp", "roughness of the floor", cells,
+    table.conclusion = fmt::format("{} of {} are within 3 %.", stable, cells.size());
+    writeMap(options, "T13-sphere-light", "T13-sphere-light: error of a floor's radiance", "radius of the lamp", "roughness of the floor", cells,
              {"within 3 %", "within 15 %", "more", nullptr});
     return table;
 }
 
-Table seenMap(const Options& options) {
-    Table table{"T13-seen", "what is seen, by distance from the origin and angle of view", {"vertical angle", "km", "wrong pixels %", "outcome"}, {}};
+Table visibilityMap(const Options& options) {
+    Table table{"T13-visibility", "what is seen, by distance from the origin and angle of view", {"vertical angle", "km", "wrong pixels %", "outcome"}, {}};
     table.note = "Pixels whose depth differs from the exact ray's by more than 2 mm and 0.2 %. Stable: 1 %; degraded: 5 %.";
     std::vector<MapCell> cells;
     int stable = 0;
@@ -155,7 +155,7 @@ Table seenMap(const Options& options) {
         std::vector<std::pair<std::string, Outcome>> row;
         const std::string name = fmt::format("{:g} degrees", degrees);
         for (const double away : {0.0, 1e3, 1e4, 1e5, 1e6, 1e7}) {
-            const double error = seenError(away, degrees);
+            const double error = visibilityError(away, degrees);
             const Outcome outcome = judge(error, 0.01, 0.05);
             const std::string x = fmt::format("{:g} km", away * 1e-3);
             cells.push_back({x, name, outcome, fmt::format("{:.2f} %", error * 100)});
@@ -163,10 +163,10 @@ Table seenMap(const Options& options) {
             row.emplace_back(x, outcome);
             stable += outcome == Outcome::Stable;
         }
-        table.envelope.emplace_back(name, reachOf(row));
+        table.envelope.emplace_back(name, stableRange(row));
     }
-    table.bottomLine = fmt::format("{} of {} show at most 1 % of wrong pixels.", stable, cells.size());
-    writeMap(options, "T13-seen", "T13-seen: pixels that show the wrong place", "distance from the origin", "vertical angle of view", cells,
+    table.conclusion = fmt::format("{} of {} show at most 1 % of wrong pixels.", stable, cells.size());
+    writeMap(options, "T13-visibility", "T13-visibility: pixels that show the wrong place", "distance from the origin", "vertical angle of view", cells,
              {"up to 1 %", "up to 5 %", "more", nullptr});
     return table;
 }
@@ -174,7 +174,7 @@ Table seenMap(const Options& options) {
 Table penumbraMap(const Options& options) {
     Table table{"T13-penumbra", "the sun's shadow behind an edge", {"height of the edge", "sun's radius", "error", "outcome"}, {}};
     table.note =
-        "Mean difference of the sun's share from the truth, one ray a pixel, filtered, 32 pictures, for edges at a height and suns of an angular "
+        "Mean difference of the sun's share from the referenceImage, one ray a pixel, filtered, 32 frames, for edges at a height and suns of an angular "
         "radius. "
         "Stable: 0.02; degraded: 0.06.";
     std::vector<MapCell> cells;
@@ -191,9 +191,9 @@ Table penumbraMap(const Options& options) {
             row.emplace_back(x, outcome);
             stable += outcome == Outcome::Stable;
         }
-        table.envelope.emplace_back(name, reachOf(row));
+        table.envelope.emplace_back(name, stableRange(row));
     }
-    table.bottomLine = fmt::format("{} of {} are within 0.02 of the sun's share.", stable, cells.size());
+    table.conclusion = fmt::format("{} of {} are within 0.02 of the sun's share.", stable, cells.size());
     writeMap(options, "T13-penumbra", "T13-penumbra: error of the sun's share behind an edge", "angular radius of the sun", "height of the edge",
              cells, {"within 0.02", "within 0.06", "more", nullptr});
     return table;

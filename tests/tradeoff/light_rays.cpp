@@ -48,16 +48,16 @@ std::vector<Setting> settingsOf(const Options& options) {
 
 Table rayTradeoff(const Options& options) {
     Table table{"T8",
-                "sky rays a pixel, their length, their noise and the resolution scale, against the converged truth",
-                {"sky rays", "length m", "noise", "scale", "processor ms a picture", "FLIP after 1 picture", "FLIP after 16", "relMSE after 16",
+                "sky rays a pixel, their length, their noise and the resolution scale, against the converged referenceImage",
+                {"sky rays", "length m", "noise", "scale", "processor ms a frame", "FLIP after 1 frame", "FLIP after 16", "relMSE after 16",
                  "relMSE x ms"},
                 {}};
     table.note =
-        "The street in the evening, 192x108, software GL. FLIP and relMSE of the anti-aliased picture; relMSE x ms: error at equal time, the less "
-        "the better. What does not fall with the rays is the shortcuts' bias: light that bounces off what no picture shows, half a voxel of shadow. "
+        "The street in the evening, 192x108, software GL. FLIP and relMSE of the anti-aliased frame; relMSE x ms: error at equal time, the less "
+        "the better. What does not fall with the rays is the shortcuts' bias: light that bounces off what no frame shows, half a voxel of shadow. "
         "Scale: of each side, what is traced; the temporal "
         "pass brings it to the whole.";
-    const Judged street = streetTruth(options, kSize);
+    const ReferenceView street = streetReference(options, kSize);
     std::vector<Series> series;
     std::vector<std::pair<double, double>> cloud;
     double oneRay = 0.0, best = 1e30;
@@ -66,7 +66,7 @@ Table rayTradeoff(const Options& options) {
     std::vector<std::unique_ptr<LightBench>> benches;
     std::vector<Difference> first;
     const float exposure = street.scene.snapshot.environment.exposure;
-    const auto differenceTo = [&](const LightBench& bench) { return differenceOf(street.truth, bench.read("resolved"), exposure); };
+    const auto differenceTo = [&](const LightBench& bench) { return differenceOf(street.referenceImage, bench.read("resolved"), exposure); };
     for (const Setting& setting : all) {
         RenderSettings settings = reference::comparedSettings();
         settings.skyRays = settings.sunRays = setting.rays;
@@ -76,7 +76,7 @@ Table rayTradeoff(const Options& options) {
         benches.push_back(std::make_unique<LightBench>(street.scene.snapshot, street.scene.view, kSize, settings));
         benches.back()->draw();
         first.push_back(differenceTo(*benches.back()));
-        benches.back()->forgetTimes();
+        benches.back()->resetTimes();
     }
     for (int i = 1; i < kFrames; ++i)  // in turns: what else the machine does meets all alike
         for (const auto& bench : benches) bench->draw();
@@ -94,10 +94,10 @@ Table rayTradeoff(const Options& options) {
         if (setting.rays == 1 && setting.scale == 1.0f && setting.length == kBalancedLength && setting.noise == Noise::Blue) oneRay = later.flip;
         if (later.relative * ms < best) best = later.relative * ms, bestAtEqualTime = setting.text();
     }
-    series.insert(series.begin(), frontOf("front", cloud));
-    table.bottomLine = fmt::format("Balanced (1 ray of {:g} m, blue noise) comes to a FLIP of {:.4f}; the least error at equal time has {}.",
+    series.insert(series.begin(), paretoFront("front", cloud));
+    table.conclusion = fmt::format("Balanced (1 ray of {:g} m, blue noise) comes to a FLIP of {:.4f}; the least error at equal time has {}.",
                                    kBalancedLength, oneRay, bestAtEqualTime);
-    writePlot(options, "T8", "Rays: FLIP after 16 pictures, by what a picture takes", "processor ms a picture", "FLIP", series);
+    writePlot(options, "T8", "Rays: FLIP after 16 frames, by what a frame takes", "processor ms a frame", "FLIP", series);
     return table;
 }
 

@@ -29,7 +29,7 @@ struct Rule {
 const Rule kRules[] = {
     {"mirror rays", "where 1.2 % of the light or more is mirrored", "lib/mirror.glsl", "kMinMirrorShare = 0.012", "kMinMirrorShare = -1.0",
      [](RenderSettings& s) { s.reflections = false; }},
-    {"lamps' rays", "each picture where a lamp may give 0.01, else now and then", "passes/local_lights.frag",
+    {"lamps' rays", "each frame where a lamp may give 0.01, else now and then", "passes/local_lights.frag",
      "min(reservoir.weightSum / (kPi * uFullRayRadiance), 1.0)", "min(1.0 + uFullRayRadiance, 1.0)", [](RenderSettings& s) { s.localLights = false; }},
     {"wide filter steps", "where there is no past, or noise in spite of it", "passes/filter.frag", "centre.z >= kLongHistory", "centre.z >= 1e9",
      [](RenderSettings& s) { s.filterPasses = 2; }},
@@ -59,9 +59,9 @@ struct Unused {
     int draws = 0;
 };
 Unused unusedCost() {
-    auto matte = std::make_shared<Palette>(*streetPalette());
-    for (PaletteEntry& e : *matte) e.reflectivity = e.metallic = 0, e.roughness = e.opacity = 255, e.emission = 0.0f;
-    LitScene plain(matte);
+    auto diffuse = std::make_shared<Palette>(*streetPalette());
+    for (PaletteEntry& e : *diffuse) e.reflectivity = e.metallic = 0, e.roughness = e.opacity = 255, e.emission = 0.0f;
+    LitScene plain(diffuse);
     plain.add({80, 2, 80}, {{-4, -0.2, -4}}, [](glm::ivec3) { return uint8_t(1); });
     Camera camera;
     camera.position = {0, 2, 3};
@@ -82,9 +82,9 @@ Table lightRuleTradeoff(const Options& options) {
                 {"feature", "rule", "ms always", "ms by rule", "ms off", "FLIP always", "FLIP by rule", "FLIP off", "cost kept %", "gain kept %"},
                 {}};
     table.note =
-        "The street in the evening, 192x108, 16 pictures, against the truth; processor time. Cost kept: of what always on takes over off; gain "
+        "The street in the evening, 192x108, 16 frames, against the referenceImage; processor time. Cost kept: of what always on takes over off; gain "
         "kept: of what it brings. A rule should keep 90 % of the gain for 30 % of the cost.";
-    const Judged street = streetTruth(options, kSize);
+    const ReferenceView street = streetReference(options, kSize);
     int kept = 0;
     for (const Rule& rule : kRules) {
         RenderSettings off = reference::comparedSettings();
@@ -97,7 +97,7 @@ Table lightRuleTradeoff(const Options& options) {
         double ms[3], flip[3];
         for (int i = 0; i < 3; ++i) {
             ms[i] = benches[i].ms();
-            flip[i] = differenceOf(street.truth, benches[i].read("resolved"), street.scene.snapshot.environment.exposure).flip;
+            flip[i] = differenceOf(street.referenceImage, benches[i].read("resolved"), street.scene.snapshot.environment.exposure).flip;
         }
         const double cost = (ms[1] - ms[2]) / std::max(ms[0] - ms[2], 1e-3), gain = (flip[2] - flip[1]) / std::max(flip[2] - flip[0], 1e-5);
         table.add({rule.feature, rule.words, fmt::format("{:.1f}", ms[0]), fmt::format("{:.1f}", ms[1]), fmt::format("{:.1f}", ms[2]),
@@ -106,8 +106,8 @@ Table lightRuleTradeoff(const Options& options) {
         kept += cost <= 0.3 && gain >= 0.9;
     }
     const Unused unused = unusedCost();
-    table.bottomLine = fmt::format(
-        "{} of {} rules keep 90 % of the gain for 30 % of the cost. Lamps and mirrors that a scene has none of: {:+.2f} % of a picture's time, "
+    table.conclusion = fmt::format(
+        "{} of {} rules keep 90 % of the gain for 30 % of the cost. Lamps and mirrors that a scene has none of: {:+.2f} % of a frame's time, "
         "{} bytes of textures, {} draw calls.",
         kept, std::size(kRules), (unused.ratio - 1.0) * 100, unused.bytes, unused.draws);
     table.failed = unused.bytes != 0 || unused.draws != 0;

@@ -38,7 +38,7 @@ VoxelGrid cellsOf(const FrameSnapshot& snapshot, int size) {
 /// A face that is seen, and a ray from it that light might come along.
 struct Query {
     glm::dvec3 position, normal, direction;
-    bool open;  ///< in truth
+    bool open;  ///< in referenceScene
 };
 
 std::vector<Query> queriesOf(const reference::Scene& scene, int count, uint64_t seed) {
@@ -100,8 +100,8 @@ Table shadowCellTradeoff(const Options& options) {
     LitScene street = streetScene();
     const int count = options.full ? 400000 : 60000;
     const FrameSnapshot now = street.snapshot();
-    const reference::Scene truth(now);
-    const std::vector<Query> queries = queriesOf(truth, count, options.seed);
+    const reference::Scene referenceScene(now);
+    const std::vector<Query> queries = queriesOf(referenceScene, count, options.seed);
     Series wrong{"false shadow + light", {}};
     Errors finest, coarse;
     const auto add = [&](int size, int late, const Errors& e, const VoxelGrid& cells) {
@@ -131,7 +131,7 @@ Table shadowCellTradeoff(const Options& options) {
             if (glm::distance(q.position, before.position) < 2.0) near.push_back(q);
         add(1, late, errorsOf(cells, 1, near), cells);
     }
-    table.bottomLine = fmt::format(
+    table.conclusion = fmt::format(
         "A bit a voxel is wrong for {:.2f} % of rays (the turned cube, whose cells are not its voxels); a bit for 2x2x2, the reference's way, for "
         "{:.1f} %.",
         (finest.shadow + finest.light) * 100, (coarse.shadow + coarse.light) * 100);

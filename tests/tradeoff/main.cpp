@@ -30,8 +30,8 @@ std::vector<Row> rowsOf(const std::string& subject) {
                 {"T10-gbuffer", gbufferTradeoff},
                 {"T12-light", lightFeatureTradeoff},
                 {"T12-light-rules", lightRuleTradeoff},
-                {"T13-lamp", lampMap},
-                {"T13-seen", seenMap},
+                {"T13-sphere-light", sphereLightMap},
+                {"T13-visibility", visibilityMap},
                 {"T13-penumbra", penumbraMap}};
     std::vector<Row> rows{{"T1", contactTradeoff},
                           {"T1-penetration", penetrationTradeoff},
@@ -39,13 +39,13 @@ std::vector<Row> rowsOf(const std::string& subject) {
                           {"T3", collisionTradeoff},
                           {"T10-coordinates", coordinateTradeoff},
                           {"T12-physics", physicsFeatureTradeoff},
-                          {"T12-absent", absentFeatureTradeoff}};
+                          {"T12-unused", unusedFeatureTradeoff}};
     for (Row& map : physicsMaps()) rows.push_back(std::move(map));
     return rows;
 }
 
 /// Makes a table, prints it and writes its files.
-Table made(const Row& row, const Options& options, bool& written) {
+Table makeTable(const Row& row, const Options& options, bool& written) {
     const auto begin = std::chrono::steady_clock::now();
     Table table = row.second(options);
     written &= writeCsv(options, table);
@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
     const bool isName = std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.first == only; });
     for (const auto& row : rows) {
         if (isName ? row.first != only : row.first.rfind(only, 0) != 0) continue;
-        const Table table = made(row, options, written);
+        const Table table = makeTable(row, options, written);
         report += markdown(table);
         holds &= !table.failed;
         if (!table.envelope.empty() || subject == "noisyLight") maps.push_back(table);

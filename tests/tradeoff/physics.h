@@ -25,7 +25,7 @@ Table coordinateTradeoff(const Options& options);
 /// Each feature of physics always on, by rule, and off: instructions, and the accuracy that they buy.
 Table physicsFeatureTradeoff(const Options& options);
 /// What the stages of features cost that nothing uses, as a share of a step; and a run of that scene.
-Table absentFeatureTradeoff(const Options& options);
+Table unusedFeatureTradeoff(const Options& options);
 void runWithoutFeatures();
 /// Runs a scene of these tables with one of its settings, for valgrind to count; false: there is no such.
 bool runFeatureScene(const std::string& setting);

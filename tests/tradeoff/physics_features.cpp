@@ -6,7 +6,7 @@
 
 #include "tests/physics/baseline/voronoi_pit.h"
 #include "tests/physics/scenes/known_scenes.h"
-#include "tests/tradeoff/counted_instructions.h"
+#include "tests/tradeoff/valgrind_counts.h"
 #include "tests/tradeoff/physics.h"
 
 namespace rubble::tradeoff {
@@ -15,8 +15,8 @@ namespace {
 using namespace known;
 
 constexpr int kSteps = 90;
-constexpr double kKept = 0.9, kCost = 0.3, kNothing = 0.005;  ///< promised shares; extra cost that is none to speak of
-constexpr double kUnneeded = 0.001;                           ///< share that a feature may cost where nothing needs it
+constexpr double kMinGainKept = 0.9, kMaxCostShare = 0.3, kNegligible = 0.005;  ///< promised shares; extra cost that is none to speak of
+constexpr double kMaxUnneededCost = 0.001;                           ///< share that a feature may cost where nothing needs it
 
 struct State {
     const char *feature, *state;
@@ -171,8 +171,8 @@ Table physicsFeatureTradeoff(const Options& options) {
         "need it (with --full): 36 pieces, four shots and an anvil that fall into a pit. Promised: the rule keeps {:.0f} % of what always on gains "
         "in "
         "accuracy for {:.0f} % of what it costs more than off, or costs nothing to speak of ({:.1f} %).",
-        kSteps, counts ? ", instructions counted by valgrind: the same on every run" : " (processor time: valgrind is not installed)", kKept * 100.0,
-        kCost * 100.0, kNothing * 100.0);
+        kSteps, counts ? ", instructions counted by valgrind: the same on every run" : " (processor time: valgrind is not installed)", kMinGainKept * 100.0,
+        kMaxCostShare * 100.0, kNegligible * 100.0);
     std::vector<Bar> bars;
     std::map<std::string, std::map<std::string, Figures>> all;
     for (const State& state : states()) {
@@ -199,18 +199,18 @@ Table physicsFeatureTradeoff(const Options& options) {
         if (!of.count("always")) continue;
         const double gain = of["off"].error - of["always"].error, kept = gain > 0.0 ? (of["off"].error - of["by rule"].error) / gain : 1.0;
         const double off = of["off"].cost.median, rule = of["by rule"].cost.median - off, always = of["always"].cost.median - off;
-        const bool holds = kept >= kKept && (rule <= kCost * always || rule <= kNothing * off);
+        const bool holds = kept >= kMinGainKept && (rule <= kMaxCostShare * always || rule <= kNegligible * off);
         table.failed |= !holds;
-        table.bottomLine += fmt::format("{}: the rule keeps {:.1f} % of the accuracy for {:+.2f} % where always on costs {:+.2f} %{}. ", feature,
+        table.conclusion += fmt::format("{}: the rule keeps {:.1f} % of the accuracy for {:+.2f} % where always on costs {:+.2f} %{}. ", feature,
                                         kept * 100.0, rule / off * 100.0, always / off * 100.0, holds ? "" : ": NOT AS PROMISED");
         if (!counts) continue;
         const double without = instructionsOf("towers: " + feature + ", off"), with = instructionsOf("towers: " + feature + ", by rule");
         const double unneeded = with / without - 1.0;
         table.add(
             {feature, "not needed", fmt::format("{:.2f}", with / 1e6), fmt::format("{:+.3f}", unneeded * 100.0), "-", "-", "towers of equal cubes"});
-        table.failed |= unneeded > kUnneeded;
-        table.bottomLine +=
-            fmt::format("Where nothing needs it, it costs {:+.3f} %{}. ", unneeded * 100.0, unneeded > kUnneeded ? ": NOT AS PROMISED" : "");
+        table.failed |= unneeded > kMaxUnneededCost;
+        table.conclusion +=
+            fmt::format("Where nothing needs it, it costs {:+.3f} %{}. ", unneeded * 100.0, unneeded > kMaxUnneededCost ? ": NOT AS PROMISED" : "");
     }
     writeBars(options, "T12-physics", "Features of physics: off, by rule, always", counts ? "instructions over off, %" : "processor time over off, %",
               bars);

@@ -28,7 +28,7 @@ struct Map {
     std::vector<double> pushed, pushedFull;  ///< from easy to hard; Full: beyond those, with --full
     const char* yLabel;
     std::vector<std::string> rows;
-    std::function<Judged(double x, size_t row, bool full)> look;
+    std::function<Judged(double x, size_t row, bool full)> evaluate;
 };
 
 std::vector<std::string> presetNames() {
@@ -43,36 +43,36 @@ std::vector<std::string> namesOf(const std::vector<double>& values, const char* 
     return names;
 }
 
-Judged lookAtSpin(double spin, size_t row, bool full) {
+Judged judgeSpin(double spin, size_t row, bool full) {
     const int lengths[] = {1, 4, 16, 64};
     const FreeSpin free = spinFreely({}, blockGrid({lengths[row], 1, 1}, 7), glm::normalize(glm::dvec3(1, 0.9, 0.3)) * spin, full ? 60.0 : 10.0);
     return judge(std::max(free.energy, free.momentum * 100.0), 1e-3, 0.1, fmt::format("E {:.0e}\nL {:.0e}", free.energy, free.momentum));
 }
 
-Judged lookAtStack(double cubes, size_t row, bool full) {
+Judged judgeStack(double cubes, size_t row, bool full) {
     const Tower tower = stack(sleepless(presets()[row].settings), int(cubes), full ? 30.0 : 10.0);
     const std::string text = fmt::format("{:.1f} mm", tower.lower * 1e3);
     return tower.stands() ? judge(tower.lower, 0.02, 0.25, text) : Judged{Outcome::Failed, "falls"};
 }
 
-Judged lookAtRatio(const PhysicsSettings& settings, double ratio) {
+Judged judgeRatio(const PhysicsSettings& settings, double ratio) {
     const double deep = sink(settings, ratio);
     return judge(deep, 0.01, 0.05, fmt::format("{:.1f} mm", deep * 1e3));
 }
 
-Judged lookAtRest(double voxelSize, double gravity, glm::ivec3 size) {
+Judged judgeRest(double voxelSize, double gravity, glm::ivec3 size) {
     const double speed = unrest({}, voxelSize, size, gravity), scale = std::max(1.0, voxelSize / 0.1);
     return judge(speed, 1e-3 * scale, 1e-2 * scale, fmt::format("{:.2g} mm/s", speed * 1e3));
 }
 
-Judged lookAtShots(double speed, size_t row, bool full) {
+Judged judgeShots(double speed, size_t row, bool full) {
     const int thickness[] = {1, 2, 4};
     const Shots shots = shoot({}, full ? 500 : 60, 1, speed, 0.8 * speed, thickness[row]);
     return judge(double(shots.through) / shots.fired, 0.0, 0.02, fmt::format("{} of {}", shots.through, shots.fired));
 }
 
 /// At several places as far away: whether a rounding there turns a decision, as when something falls asleep, is chance.
-Judged lookAtDistance(double km, size_t row, bool) {
+Judged judgeDistance(double km, size_t row, bool) {
     constexpr int kPlaces = 8;
     const std::vector<glm::dvec3> here = tumble(presets()[row].settings, glm::dvec3(0.0));
     std::vector<double> off;
@@ -85,7 +85,7 @@ Judged lookAtDistance(double km, size_t row, bool) {
     return judge(quantile(off, 1.0), 1e-3, 1e-2, fmt::format("{:.2g} mm\n{:.2g} at worst", quantile(off, 0.5) * 1e3, quantile(off, 1.0) * 1e3));
 }
 
-Judged lookAtIncline(double degrees, double friction) {
+Judged judgeIncline(double degrees, double friction) {
     const double angle = glm::radians(degrees), expected = 9.81 * (std::sin(angle) - friction * std::cos(angle));
     const Slide slide = slideDown({}, degrees, 0.57, friction, 2.0);
     if (expected <= 0.0) return judge(slide.distance, 1e-3, 1e-2, fmt::format("sticks\n{:.2g} mm", slide.distance * 1e3));
@@ -93,14 +93,14 @@ Judged lookAtIncline(double degrees, double friction) {
     return judge(off, 0.01, 0.05, fmt::format("slides\n{:.2g} %", off * 100.0));
 }
 
-Judged lookAtCrowd(double side, size_t row, bool) {
+Judged judgeCrowd(double side, size_t row, bool) {
     const Container container = fillContainer(presets()[row].settings, int(side), 6.0);
     const std::string text = fmt::format("{:.2g} mm\n{:.2g} mm", container.meanOverlap * 1e3, container.worstOverlap * 1e3);
     return container.allInside ? judge(std::max(container.meanOverlap * 10.0, container.worstOverlap), 0.01, 0.05, text)
                                : Judged{Outcome::Failed, "gets out"};
 }
 
-Judged lookAtOverlap(double share, size_t row, bool) {
+Judged judgeOverlap(double share, size_t row, bool) {
     const Recovery recovery = partOverlapping(presets()[row].settings, share);
     return judge(std::max(recovery.fastest / 4.0, recovery.overlap / 0.002), 1.0, 3.0,
                  fmt::format("{:.1f} m/s\n{:.1f} mm", recovery.fastest, recovery.overlap * 1e3));
@@ -119,7 +119,7 @@ std::vector<Map> maps() {
          {1000},
          "rod",
          {"1:1", "1:4", "1:16", "1:64"},
-         lookAtSpin},
+         judgeSpin},
         {"T13-stack",
          "towers of half-metre cubes that nothing lets sleep",
          "10 s (30 s with --full) later at most 2 cm lower; degraded: it stands",
@@ -129,7 +129,7 @@ std::vector<Map> maps() {
          {60, 80},
          "preset",
          presetNames(),
-         lookAtStack},
+         judgeStack},
         {"T13-mass",
          "heavy cube on a light one",
          "sinks by less than 1 cm in 10 s; degraded: half a voxel",
@@ -139,7 +139,7 @@ std::vector<Map> maps() {
          {100000},
          "preset",
          presetNames(),
-         [](double ratio, size_t row, bool) { return lookAtRatio(presets()[row].settings, ratio); }},
+         [](double ratio, size_t row, bool) { return judgeRatio(presets()[row].settings, ratio); }},
         {"T13-substeps",
          "heavy cube on a light one, by substeps",
          "sinks by less than 1 cm in 10 s; degraded: half a voxel",
@@ -152,7 +152,7 @@ std::vector<Map> maps() {
          [ratios](double substeps, size_t row, bool) {
              PhysicsSettings settings;
              settings.substeps = int(substeps);
-             return lookAtRatio(settings, ratios[row]);
+             return judgeRatio(settings, ratios[row]);
          }},
         {"T13-size",
          "things at rest, by size",
@@ -163,7 +163,7 @@ std::vector<Map> maps() {
          {30},
          "voxels",
          {"1", "3x3x3", "20x1x20", "10x1x1"},
-         [shapes](double size, size_t row, bool) { return lookAtRest(size, 9.81, shapes[row]); }},
+         [shapes](double size, size_t row, bool) { return judgeRest(size, 9.81, shapes[row]); }},
         {"T13-gravity",
          "cubes of 3x3x3 voxels at rest, by gravity",
          "slower than 1 mm/s, for voxels above 10 cm by their size more; degraded: ten times that",
@@ -173,7 +173,7 @@ std::vector<Map> maps() {
          {1000},
          "a voxel, m",
          namesOf(sizes),
-         [sizes](double gravity, size_t row, bool) { return lookAtRest(sizes[row], gravity, glm::ivec3(3)); }},
+         [sizes](double gravity, size_t row, bool) { return judgeRest(sizes[row], gravity, glm::ivec3(3)); }},
         {"T13-tunnel",
          "shots of one to four voxels at a wall",
          "none goes through; degraded: 2 %",
@@ -183,7 +183,7 @@ std::vector<Map> maps() {
          {3000, 10000},
          "wall, voxels",
          {"1", "2", "4"},
-         lookAtShots},
+         judgeShots},
         {"T13-distance",
          "six pieces that fall, slide and tumble, far away",
          "end within 1 mm of where they do at the origin, at the worst of eight places as far away; degraded: 1 cm",
@@ -193,7 +193,7 @@ std::vector<Map> maps() {
          {100000},
          "preset",
          presetNames(),
-         lookAtDistance},
+         judgeDistance},
         {"T13-incline",
          "a block on a slope",
          "below the angle of friction it stays within 1 mm, above it accelerates as Coulomb says within 1 %; degraded: 1 cm, 5 %",
@@ -203,7 +203,7 @@ std::vector<Map> maps() {
          {60, 75},
          "friction",
          namesOf(frictions),
-         [frictions](double degrees, size_t row, bool) { return lookAtIncline(degrees, frictions[row]); }},
+         [frictions](double degrees, size_t row, bool) { return judgeIncline(degrees, frictions[row]); }},
         {"T13-crowd",
          "cubes of half a metre in a box of walls",
          "overlap by 1 mm on average and 1 cm at most, none gets out; degraded: 5 times that",
@@ -213,7 +213,7 @@ std::vector<Map> maps() {
          {6, 8, 10},
          "preset",
          presetNames(),
-         lookAtCrowd},
+         judgeCrowd},
         {"T13-overlap",
          "two cubes that start in each other",
          "part slower than 4 m/s and are apart within 2 mm after 3 s; degraded: three times that",
@@ -223,12 +223,12 @@ std::vector<Map> maps() {
          {0.99},
          "preset",
          presetNames(),
-         lookAtOverlap},
+         judgeOverlap},
     };
 }
 
 /// How far a row holds: "stable up to 20 cubes, fails at 40".
-std::string reach(const Map& map, const std::vector<double>& xs, const std::vector<Judged>& row) {
+std::string stableRange(const Map& map, const std::vector<double>& xs, const std::vector<Judged>& row) {
     const auto value = [&](size_t i) { return fmt::format("{:g} {}", xs[i], map.xUnit); };
     const std::string upTo = xs.front() < xs.back() ? "stable up to " : "stable down to ";
     size_t stable = 0;
@@ -249,16 +249,16 @@ Table draw(const Options& options, const Map& map) {
     for (size_t row = 0; row < map.rows.size(); ++row) {
         std::vector<Judged> line;
         for (const double x : xs) {
-            const Judged& seen = line.emplace_back(map.look(x, row, options.full));
+            const Judged& seen = line.emplace_back(map.evaluate(x, row, options.full));
             std::string flat = seen.text;
             std::replace(flat.begin(), flat.end(), '\n', ' ');
             table.add({map.rows[row], fmt::format("{:g}", x), nameOf(seen.outcome), flat});
             cells.push_back({fmt::format("{:g}", x), map.rows[row], seen.outcome, seen.text});
         }
-        table.envelope.push_back({map.rows[row], reach(map, xs, line)});
+        table.envelope.push_back({map.rows[row], stableRange(map, xs, line)});
         words += fmt::format("{}{}: {}", row ? "; " : "", map.rows[row], table.envelope.back().second);
     }
-    table.bottomLine = words + ".";
+    table.conclusion = words + ".";
     writeMap(options, map.name, fmt::format("{}: {}", map.name, map.title), map.xLabel, map.yLabel, cells, {"stable", "degraded", "failed", nullptr});
     return table;
 }

@@ -110,7 +110,7 @@ bool writePlot(const Options& options, const std::string& name, const std::strin
     return write(options, name, svg);
 }
 
-Series frontOf(const std::string& name, std::vector<std::pair<double, double>> all) {
+Series paretoFront(const std::string& name, std::vector<std::pair<double, double>> all) {
     std::sort(all.begin(), all.end());
     Series front{name, {}};
     for (const auto& point : all)

@@ -74,7 +74,7 @@ bool writeCsv(const Options& options, const Table& table) {
     std::ofstream file(options.out + "/" + table.name + ".csv");
     file << "# " << stamp(options) << "\n" << joined(table.columns, ",") << "\n";
     for (const auto& row : table.rows) file << joined(row, ",") << "\n";
-    if (!table.bottomLine.empty()) file << "# " << (table.failed ? "FAILED: " : "") << table.bottomLine << "\n";
+    if (!table.conclusion.empty()) file << "# " << (table.failed ? "FAILED: " : "") << table.conclusion << "\n";
     return bool(file.flush());
 }
 
@@ -84,7 +84,7 @@ std::string markdown(const Table& table) {
     out += "\n";
     for (const auto& row : table.rows) out += "| " + joined(row, " | ") + " |\n";
     if (!table.note.empty()) out += "\n" + table.note + "\n";
-    if (!table.bottomLine.empty()) out += fmt::format("\n{}**{}**\n", table.failed ? "FAILED: " : "", table.bottomLine);
+    if (!table.conclusion.empty()) out += fmt::format("\n{}**{}**\n", table.failed ? "FAILED: " : "", table.conclusion);
     return out + "\n";
 }
 

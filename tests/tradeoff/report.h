@@ -33,7 +33,7 @@ struct Table {
     std::vector<std::string> columns;
     std::vector<std::vector<std::string>> rows;
     std::string note = {};                                           ///< what the words in it mean
-    std::string bottomLine = {};                                     ///< what it comes down to, from its figures
+    std::string conclusion = {};                                     ///< what it comes down to, from its figures
     std::vector<std::pair<std::string, std::string>> envelope = {};  ///< of extreme maps: what, and how far it holds
     bool failed = false;                                             ///< something that was promised is not so; the bottom line says what
     void add(std::vector<std::string> row) { rows.push_back(std::move(row)); }
@@ -52,7 +52,7 @@ struct Series {
     bool isCloud = false, isMark = false;
 };
 /// The points of `all` that no other is better than in both: the least y for each x, from the least x on.
-Series frontOf(const std::string& name, std::vector<std::pair<double, double>> all);
+Series paretoFront(const std::string& name, std::vector<std::pair<double, double>> all);
 bool writePlot(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel, const std::string& yLabel,
                const std::vector<Series>& series);
 

@@ -77,7 +77,7 @@ double openVdbMs(const openvdb::BoolGrid& grid, size_t threads, Sizes& sizes) {
 }
 
 /// OpenVDB makes a grid of about a third of a megabyte for each component: of more than this many there is no room.
-constexpr size_t kMostGrids = 4000;
+constexpr size_t kMaxGrids = 4000;
 
 /// SciPy on the bytes, in a process of its own that times itself; 0 if it is not there.
 double scipyMs(const std::vector<uint8_t>& bytes, glm::ivec3 size, size_t& components) {
@@ -103,7 +103,7 @@ bool compare(const char* name, const VoxelGrid& grid) {
     const double denseMs = bestMs(
         5, [] { return 0; }, [&](int) { fromBytes = labelDense(grid.size(), bytes, labels); });
     const auto vdb = vdbOf(grid);
-    const bool hasVdb = fromBricks.size() <= kMostGrids;
+    const bool hasVdb = fromBricks.size() <= kMaxGrids;
     const double vdb1 = hasVdb ? openVdbMs(*vdb, 1, one) : 0.0, vdbAll = hasVdb ? openVdbMs(*vdb, std::thread::hardware_concurrency(), many) : 0.0;
     size_t scipyCount = 0;
     const double scipy = scipyMs(bytes, grid.size(), scipyCount);

@@ -35,7 +35,7 @@ size_t colorsIn(const Image& image) {
     return colors.size();
 }
 
-TEST(Sandbox, WithoutADisplayWritesPicturesAndFigures) {
+TEST(Sandbox, WithoutADisplayWritesFramesAndFigures) {
     const fs::path out = outFolder("headless");
     ASSERT_EQ(runSandbox("--seconds 0.2 --fps 10 --size 160x90 --preset fast --out " + out.string()), 0);
     const Result<Image> frame = readPng((out / "frames" / "0001.png").string());
@@ -106,9 +106,9 @@ TEST(Sandbox, OpensItsWindowUnderXvfb) {
     if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) GTEST_SKIP() << "xvfb-run is not installed";
     const fs::path out = outFolder("window");
     fs::create_directories(out);
-    const std::string picture = (out / "window.png").string();
-    ASSERT_EQ(runSandbox("--size 320x180 --preset fast --screenshot " + picture, "xvfb-run -a -s '-screen 0 640x480x24'"), 0);
-    const Result<Image> image = readPng(picture);
+    const std::string screenshot = (out / "window.png").string();
+    ASSERT_EQ(runSandbox("--size 320x180 --preset fast --screenshot " + screenshot, "xvfb-run -a -s '-screen 0 640x480x24'"), 0);
+    const Result<Image> image = readPng(screenshot);
     ASSERT_TRUE(image) << image.error();
     EXPECT_EQ(image->width, 320);
     EXPECT_GT(colorsIn(*image), 1000u);

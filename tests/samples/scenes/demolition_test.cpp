@@ -43,7 +43,7 @@ TEST(Demolition, UsesEveryToolAndStartsUntouched) {
     EXPECT_TRUE(std::isfinite(tally.sum));
 }
 
-TEST(Demolition, AnyModelIsReached) {
+TEST(Demolition, HitsModelsOfAnySize) {
     for (const double size : {0.5, 4.0, 30.0}) {
         Tally tally;
         for (int step = 0; step < kSteps; ++step) tally.add(demolishModel(step, {10, 0, 10}, glm::dvec3(10, 0, 10) + size, 1));

@@ -27,7 +27,7 @@ TEST(Scenes, HaveDifferentNames) {
     for (const Scene& scene : allScenes()) {
         names.insert(scene.name);
         EXPECT_EQ(findScene(scene.name)->name, scene.name);
-        EXPECT_FALSE(scene.shows.empty());
+        EXPECT_FALSE(scene.description.empty());
     }
     EXPECT_EQ(names.size(), allScenes().size());
     EXPECT_EQ(findScene("no such scene"), nullptr);
@@ -68,10 +68,10 @@ TEST_P(EveryScene, IsSeenByItsCamera) {
         const Pose eye = scene.camera(seconds);
         int seen = 0;
         for (int i = 0; i < 9; ++i) {
-            const glm::dvec3 way(0.25 * (i % 3 - 1), 0.15 * (i / 3 - 1), -1.0);
-            const WorldHit hit = world.raycast(eye.position, eye.rotation * way, 100.0);
+            const glm::dvec3 direction(0.25 * (i % 3 - 1), 0.15 * (i / 3 - 1), -1.0);
+            const WorldHit hit = world.raycast(eye.position, eye.rotation * direction, 100.0);
             seen += hit.hit;
-            EXPECT_TRUE(!hit.hit || hit.distance > 2.0) << "something stands in the camera's way";
+            EXPECT_TRUE(!hit.hit || hit.distance > 2.0) << "something stands in the camera's direction";
         }
         EXPECT_GE(seen, 4) << "the camera looks at nothing";
     }

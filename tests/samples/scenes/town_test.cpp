@@ -40,7 +40,7 @@ TEST(Town, IsTheSameForTheSameSeed) {
     EXPECT_NE(hashShapes(town()), hashShapes(makeTown(2)));
 }
 
-TEST(Town, EveryVoxelHoldsToItsShapesBottomLayer) {
+TEST(Town, EveryVoxelIsConnectedToTheBottomLayer) {
     forEachShape(town(), [](const LevelBody&, const LevelShape& shape) {
         const std::vector<bool> anchored = scenes::anchoredCells(shape.grid);
         const glm::ivec3 size = shape.grid.size();
@@ -55,7 +55,7 @@ TEST(Town, EveryVoxelHoldsToItsShapesBottomLayer) {
     });
 }
 
-TEST(Town, PalettesLeaveRoomForPaint) {
+TEST(Town, PalettesLeaveEntriesForPaint) {
     forEachShape(town(), [](const LevelBody&, const LevelShape& shape) {
         int used = 0;
         for (size_t i = 1; i < 256; ++i) used += (*shape.palette)[i].material != 0;

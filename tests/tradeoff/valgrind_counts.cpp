@@ -1,4 +1,4 @@
-#include "tests/tradeoff/counted_instructions.h"
+#include "tests/tradeoff/valgrind_counts.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "samples/scenes/paint_box.h"
+#include "samples/scenes/palette_builder.h"
 
 #include <algorithm>
 #include <cassert>
@@ -18,45 +18,45 @@ uint8_t channel(int value, bool emits) {
 
 }  // namespace
 
-Palette PaintBox::makeEmpty() {
+Palette PaletteBuilder::makeEmpty() {
     Palette palette{};
     palette[0].opacity = 0;
     return palette;
 }
 
-Swatch PaintBox::mix(const Recipe& recipe, int percent, uint32_t lightGroup) {
-    const uint8_t material = defaultMaterials().find(recipe.material);
-    assert(material && "a recipe names a material that is not in the table");
+Swatch PaletteBuilder::addSurface(const SurfaceStyle& style, int percent, uint32_t lightGroup) {
+    const uint8_t material = defaultMaterials().find(style.material);
+    assert(material && "a style names a material that is not in the table");
     int colors = 0;
-    while (colors < 4 && recipe.colors[size_t(colors)]) ++colors;
-    assert(colors > 0 && "a recipe without a colour");
-    const int count = recipe.variation == 0 ? colors : std::max(colors, kEntriesPerSwatch);
+    while (colors < 4 && style.colors[size_t(colors)]) ++colors;
+    assert(colors > 0 && "a style without a colour");
+    const int count = style.variation == 0 ? colors : std::max(colors, kEntriesPerSwatch);
     assert(m_next + count <= 256 && "a shape's palette holds 255 entries");
 
     const Swatch swatch{uint8_t(m_next), uint8_t(count)};
     for (int i = 0; i < count; ++i) {
-        const uint32_t color = recipe.colors[size_t(i % colors)];
+        const uint32_t color = style.colors[size_t(i % colors)];
         const uint32_t dice = hashCell(i, int(color), percent, 77);
-        const int value = count == 1 || recipe.variation == 0 ? 100 : 100 + int(dice % uint32_t(2 * recipe.variation + 1)) - recipe.variation;
-        const int warm = recipe.variation == 0 ? 0 : int(dice >> 16) % 5 - 2;
+        const int value = count == 1 || style.variation == 0 ? 100 : 100 + int(dice % uint32_t(2 * style.variation + 1)) - style.variation;
+        const int warm = style.variation == 0 ? 0 : int(dice >> 16) % 5 - 2;
         const auto scaled = [&](int shift) { return int(color >> shift & 255) * value * percent / 10000; };
         PaletteEntry& entry = m_palette[size_t(m_next++)];
-        const bool emits = recipe.emission > 0.0f;
+        const bool emits = style.emission > 0.0f;
         entry.red = channel(scaled(16) + warm, emits);
         entry.green = channel(scaled(8), emits);
         entry.blue = channel(scaled(0) - warm, emits);
-        entry.opacity = recipe.opacity;
-        entry.roughness = uint8_t(std::clamp(int(recipe.roughness) + int(dice >> 8 & 15) - 8, 5, 255));
-        entry.metallic = recipe.metallic;
-        entry.reflectivity = recipe.reflectivity;
+        entry.opacity = style.opacity;
+        entry.roughness = uint8_t(std::clamp(int(style.roughness) + int(dice >> 8 & 15) - 8, 5, 255));
+        entry.metallic = style.metallic;
+        entry.reflectivity = style.reflectivity;
         entry.material = material;
-        entry.emission = recipe.emission;
+        entry.emission = style.emission;
         entry.lightGroup = lightGroup;
     }
     return swatch;
 }
 
-uint8_t PaintBox::pick(Swatch swatch, glm::ivec3 cell) {
+uint8_t PaletteBuilder::pick(Swatch swatch, glm::ivec3 cell) {
     // Clumps of about three voxels, their borders jittered so that they do not line up; one voxel in three is its own.
     const uint32_t own = hashCell(cell.x, cell.y, cell.z, 11);
     const int jitter = int(own >> 28 & 1);

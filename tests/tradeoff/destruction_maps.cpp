@@ -7,7 +7,7 @@
 #include "runtime/plugin/frame_loop.h"
 #include "samples/scenes/canvas.h"
 #include "samples/scenes/placement.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/test_scenes.h"
 #include "tests/tradeoff/destruction.h"
 
@@ -27,10 +27,10 @@ std::string countOf(const std::vector<MapCell>& cells, Outcome outcome) {
     return fmt::format("{} of {}", count, cells.size());
 }
 
-Level block(int size, const scenes::Recipe& recipe = scenes::kConcrete) {
+Level block(int size, const scenes::SurfaceStyle& style = scenes::kConcrete) {
     using namespace scenes;
     Canvas canvas{ivec3(size)};
-    const Swatch swatch = canvas.mix(recipe);
+    const Swatch swatch = canvas.addSurface(style);
     canvas.fill(ivec3(0), ivec3(size), [&](ivec3) { return swatch.first; });
     Level level;
     addStatic(level, canvas.finish("block"), ivec3(0));
@@ -42,7 +42,7 @@ Level heldBlock(int count) {
     using namespace scenes;
     Level level = makeSingleCube(1, 0.1);
     Canvas canvas{ivec3(4 * count)};
-    canvas.box(ivec3(0), ivec3(4 * count), canvas.mix(kBrick));
+    canvas.box(ivec3(0), ivec3(4 * count), canvas.addSurface(kBrick));
     LevelShape shape = canvas.finish("block");
     shape.anchors = {{{0, 0, 0}, {1, 1, 1}}};
     addStatic(level, std::move(shape), ivec3(40 - 2 * count, 6, 40 - 2 * count));
@@ -69,7 +69,7 @@ Edits dice(int count) {
 Level cantilever(int depth, int length) {
     using namespace scenes;
     Canvas canvas({length + 4, depth, depth});
-    const Swatch concrete = canvas.mix(kConcrete);
+    const Swatch concrete = canvas.addSurface(kConcrete);
     canvas.fill(ivec3(0), canvas.size(), [&](ivec3) { return concrete.first; });
     Level level;
     addStatic(level, canvas.finish("beam"), ivec3(0));
@@ -123,7 +123,7 @@ Table piecesMap(const Options& options) {
             cells.push_back(
                 {std::to_string(count * count * count - 1), std::to_string(budget), outcomeOf(p95), fmt::format("{:.1f} ms\n{} left", p95, left)});
         }
-    table.bottomLine = fmt::format(
+    table.conclusion = fmt::format(
         "{} points stay within a frame; {} pieces take {:.1f} ms a step if all may move, {:.1f} ms if {} may, and then the rest is dust: {} are "
         "left.",
         countOf(cells, Outcome::Stable), most * most * most - 1, unlimited, tightest, budgets.back(), kept);
@@ -168,7 +168,7 @@ Table splitMap(const Options& options) {
                 {fmt::format("{:g}", radius), fmt::format("{}^3", size), outcome, removed ? fmt::format("{:.2f} ms", ms.median) : "nothing"});
         }
     }
-    table.bottomLine = fmt::format(
+    table.conclusion = fmt::format(
         "{} points stay within a frame; a radius of 16 cells takes {:.2f} ms in the smallest cube and {:.2f} ms in the largest; numbers that are "
         "none touch nothing.",
         countOf(cells, Outcome::Stable), inSmallest, inLargest);
@@ -184,14 +184,14 @@ Table fragmentMap(const Options& options) {
                 {"material", "hardness", "size of the charge", "ms", "fragments", "voxels of dust", "outcome"},
                 {}};
     std::vector<MapCell> cells;
-    uint64_t mostPieces = 0;
+    uint64_t maxPieces = 0;
     double slowest = 0.0;
     const std::vector<double> charges =
         options.full ? std::vector<double>{0.25, 0.5, 1.0, 2.0, 4.0, 1e3, 1e300} : std::vector<double>{0.5, 1.0, 2.0, 4.0, 1e300};
-    for (const scenes::Recipe& recipe :
+    for (const scenes::SurfaceStyle& style :
          {scenes::kLeaves, scenes::kPlaster, scenes::kTimber, scenes::kBrick, scenes::kConcrete, scenes::kSteel, scenes::kRock}) {
-        const Level level = block(48, recipe);
-        const Material& material = defaultMaterials()[defaultMaterials().find(recipe.material)];
+        const Level level = block(48, style);
+        const Material& material = defaultMaterials()[defaultMaterials().find(style.material)];
         const char* hardness = std::array{"soft", "medium", "hard", "unbreakable", "unphysical"}[size_t(material.hardness)];
         for (const double charge : charges) {
             uint64_t pieces = 0, dust = 0;
@@ -211,15 +211,15 @@ Table fragmentMap(const Options& options) {
                 return one;
             });
             const Outcome outcome = pieces + dust == 0 ? Outcome::Refused : outcomeOf(ms.median);
-            mostPieces = std::max(mostPieces, pieces), slowest = std::max(slowest, ms.median);
-            table.add({std::string(recipe.material), hardness, fmt::format("{:g}", charge), ms.text(), std::to_string(pieces), std::to_string(dust),
+            maxPieces = std::max(maxPieces, pieces), slowest = std::max(slowest, ms.median);
+            table.add({std::string(style.material), hardness, fmt::format("{:g}", charge), ms.text(), std::to_string(pieces), std::to_string(dust),
                        nameOf(outcome)});
-            cells.push_back({fmt::format("{:g}", charge), fmt::format("{}, {}", recipe.material, hardness), outcome,
+            cells.push_back({fmt::format("{:g}", charge), fmt::format("{}, {}", style.material, hardness), outcome,
                              pieces + dust ? fmt::format("{} pieces\n{:.1f} ms", pieces, ms.median) : "nothing"});
         }
     }
-    table.bottomLine = fmt::format("{} points stay within a frame; the largest blast makes {} pieces, the slowest takes {:.0f} ms.",
-                                   countOf(cells, Outcome::Stable), mostPieces, slowest);
+    table.conclusion = fmt::format("{} points stay within a frame; the largest blast makes {} pieces, the slowest takes {:.0f} ms.",
+                                   countOf(cells, Outcome::Stable), maxPieces, slowest);
     writeMap(options, "T13-fragments", "One blast: fragments, and ms of that step", "size of the charge: metres that it breaks of what is soft",
              "material, hardness", cells, kTimes);
     return table;
@@ -265,7 +265,7 @@ Table stressMap(const Options& options) {
                              fmt::format("{}\n{}", stands ? "stands" : "breaks", theory < 100.0 ? fmt::format("{:.2f}", theory) : ">99")});
         }
     table.failed = std::any_of(cells.begin(), cells.end(), [](const MapCell& cell) { return cell.outcome == Outcome::Failed; });
-    table.bottomLine = fmt::format(
+    table.conclusion = fmt::format(
         "{} points do what beam theory says (otherwise, but within 10 % of its limit: {}; against it: {}); the slowest step takes {:.1f} ms.",
         countOf(cells, Outcome::Stable), countOf(cells, Outcome::Degraded), countOf(cells, Outcome::Failed), slowest / 1000.0);
     writeMap(options, "T13-stress", "A cantilever: what it does, and stress over strength by beam theory", "span, cells of 0.1 m",

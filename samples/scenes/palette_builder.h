@@ -10,7 +10,7 @@
 namespace rubble::scenes {
 
 /// How one surface looks and what it is made of: up to four sRGB colours (0xrrggbb, 0 = unused) that its voxels vary between.
-struct Recipe {
+struct SurfaceStyle {
     std::string_view material;
     std::array<uint32_t, 4> colors{};
     uint8_t roughness = 230;
@@ -28,11 +28,11 @@ struct Swatch {
 };
 
 /// Builds the palette of one shape. Entries are handed out from 1 upward; what is left over is free for spray paint.
-class PaintBox {
+class PaletteBuilder {
 public:
     /// Mixes a surface into the palette. percent: value of the whole surface (80 = a darker, dirtier one).
     /// lightGroup: index in Level::lightGroups plus one.
-    Swatch mix(const Recipe& recipe, int percent = 100, uint32_t lightGroup = 0);
+    Swatch addSurface(const SurfaceStyle& style, int percent = 100, uint32_t lightGroup = 0);
     /// The entry of a swatch that belongs at a cell: in clumps, with single voxels that stray from theirs.
     static uint8_t pick(Swatch swatch, glm::ivec3 cell);
     /// The entry of a swatch for a thing with a number: a brick, a board, a tile.

@@ -5,7 +5,7 @@
 
 #include "runtime/plugin/frame_loop.h"
 #include "samples/scenes/placement.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/test_scenes.h"
 #include "tests/tradeoff/destruction.h"
 
@@ -21,12 +21,12 @@ Level yard() {
     using namespace scenes;
     Level level = makeWall();
     Canvas hut({24, 20, 24});
-    hut.box(ivec3(0), {24, 20, 24}, hut.mix(kTimber));
+    hut.box(ivec3(0), {24, 20, 24}, hut.addSurface(kTimber));
     hut.clear({2, 2, 2}, {22, 18, 22});
     hut.clear({8, 0, 0}, {16, 14, 2});
     addStatic(level, hut.finish("hut"), {6, 0, 6});
     Canvas canopy({44, 16, 24});
-    const Swatch concrete = canopy.mix(kConcrete);
+    const Swatch concrete = canopy.addSurface(kConcrete);
     canopy.box({0, 12, 0}, {44, 16, 24}, concrete);
     for (const int x : {0, 40})
         for (const int z : {0, 20}) canopy.box({x, 0, z}, {x + 4, 12, z + 4}, concrete);
@@ -166,8 +166,8 @@ Table featureTradeoff(const Options& options) {
     const Level level = yard();
     std::vector<Bar> bars;
     uint64_t early = 0;  // cracks before anything has happened: there should be none
-    double off = 0.0, leastQuiet = 1e30, mostQuiet = 0.0, most = 0.0;
-    std::string dearest;
+    double off = 0.0, minQuiet = 1e30, maxQuiet = 0.0, most = 0.0;
+    std::string costliest;
     const std::vector<Variant> all = variants();
     std::vector<std::vector<Run>> runs(all.size());
     for (int i = 0; i < options.repeats; ++i)  // in turns: what else the machine does meanwhile meets all alike
@@ -185,19 +185,19 @@ Table featureTradeoff(const Options& options) {
         early += first.early;
         if (variant.state == std::string("off")) off = ms.median;
         const double over = (ms.median / off - 1.0) * 100.0;
-        if (variant.state == std::string("by rule") && over > most) most = over, dearest = variant.feature;
-        leastQuiet = std::min(leastQuiet, quantile(quiet, 0.5)), mostQuiet = std::max(mostQuiet, quantile(quiet, 0.5));
+        if (variant.state == std::string("by rule") && over > most) most = over, costliest = variant.feature;
+        minQuiet = std::min(minQuiet, quantile(quiet, 0.5)), maxQuiet = std::max(maxQuiet, quantile(quiet, 0.5));
         table.add({variant.feature, variant.state, ms.text(), fmt::format("{:+.0f} %", over), fmt::format("{:.1f}", quantile(worst, 0.5)),
                    fmt::format("{:.1f}", quantile(quiet, 0.5)), std::to_string(first.removed), std::to_string(first.pieces),
                    std::to_string(first.cracks), std::to_string(first.fires), std::to_string(first.painted), std::to_string(first.merges),
                    std::to_string(first.left)});
         if (variant.state != std::string("blended instead")) bars.push_back({variant.feature, variant.state, ms});
     }
-    table.bottomLine = fmt::format(
+    table.conclusion = fmt::format(
         "While nothing happens a step costs {:.1f} to {:.1f} us whatever is on ({} cracks before anything happened); while something does, of the "
         "features by rule {} costs most over off: {:+.0f} %.",
-        leastQuiet, mostQuiet, early, dearest.empty() ? "none" : dearest, most);
-    table.failed = mostQuiet > 50.0 || early > 0;
+        minQuiet, maxQuiet, early, costliest.empty() ? "none" : costliest, most);
+    table.failed = maxQuiet > 50.0 || early > 0;
     writeBars(options, "T12", "Features of destruction: off, by rule, always", "ms a step, mean of " + std::to_string(kSteps) + " steps", bars);
     return table;
 }

@@ -4,14 +4,14 @@
 
 #include "runtime/plugin/frame_loop.h"
 #include "tests/physics/physics_scene.h"
-#include "tests/tradeoff/counted_instructions.h"
+#include "tests/tradeoff/valgrind_counts.h"
 #include "tests/tradeoff/physics.h"
 
 namespace rubble::tradeoff {
 namespace {
 
 constexpr int kSteps = 120;
-constexpr double kNothing = 0.001;  ///< share of a step that is none to speak of
+constexpr double kNegligible = 0.001;  ///< share of a step that is none to speak of
 
 /// What each feature has in every step, wherever it is asked for.
 struct Stages {
@@ -51,9 +51,9 @@ void runWithoutFeatures() {
     for (int i = 0; i < kSteps; ++i) loop.step();
 }
 
-Table absentFeatureTradeoff(const Options& options) {
+Table unusedFeatureTradeoff(const Options& options) {
     Table table{
-        "T12-absent",
+        "T12-unused",
         fmt::format("what a feature costs that nothing uses: instructions of its stages in {} steps of 64 cubes that stand, and bytes", kSteps),
         {"feature", "instructions a step", "share of all %", "bytes", "stages that are no functions of their own"},
         {}};
@@ -64,13 +64,13 @@ Table absentFeatureTradeoff(const Options& options) {
     const std::map<std::string, double> counts = instructionsByFunction("nothing used");
     const auto whole = counts.find("rubble::FrameLoop::step");
     if (whole == counts.end()) {
-        table.bottomLine = "Not measured: it takes Debian's package valgrind.";
+        table.conclusion = "Not measured: it takes Debian's package valgrind.";
         return table;
     }
     const std::map<std::string, double> bytes = bytesByFunction("nothing used");
     std::vector<Bar> bars;
     double allBytes = 0.0, most = 0.0, sum = 0.0;
-    std::string dearest;
+    std::string costliest;
     for (const Stages& each : stages()) {
         double count = 0.0, held = 0.0;
         std::string inlined;
@@ -84,17 +84,17 @@ Table absentFeatureTradeoff(const Options& options) {
                 inlined += std::string(inlined.empty() ? "" : " ") + function;
         }
         const double share = count / whole->second;
-        if (share >= most) most = share, dearest = each.feature;
+        if (share >= most) most = share, costliest = each.feature;
         sum += share;
         allBytes += held;
         table.add({each.feature, fmt::format("{:.0f}", count / kSteps), fmt::format("{:.4f}", share * 100.0), fmt::format("{:.0f}", held),
                    inlined.empty() ? "-" : inlined});
         bars.push_back({each.feature, "absent", {share * 100.0, share * 100.0, share * 100.0}});
     }
-    table.failed = most > kNothing || !bytes.contains("rubble::FrameLoop::FrameLoop") || allBytes > 0.0;
-    table.bottomLine = fmt::format("The dearest of what is absent, {}, takes {:.4f} % of a step, all together {:.4f} % and {:.0f} bytes.", dearest,
+    table.failed = most > kNegligible || !bytes.contains("rubble::FrameLoop::FrameLoop") || allBytes > 0.0;
+    table.conclusion = fmt::format("The costliest of what is absent, {}, takes {:.4f} % of a step, all together {:.4f} % and {:.0f} bytes.", costliest,
                                    most * 100.0, sum * 100.0, allBytes);
-    writeBars(options, "T12-absent", "Features that nothing uses", "instructions, % of a step", bars);
+    writeBars(options, "T12-unused", "Features that nothing uses", "instructions, % of a step", bars);
     return table;
 }
 

@@ -16,6 +16,6 @@ struct DenseGrid {
 
 /// The reference method: components of the whole grid by runs along x and union-find over runs that touch (He, Chao &
 /// Suzuki 2008, in three dimensions). Returns how many there are.
-size_t relabelByRuns(const DenseGrid& grid);
+size_t countComponentsByRuns(const DenseGrid& grid);
 
 }  // namespace rubble::bench

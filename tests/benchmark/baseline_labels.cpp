@@ -1,4 +1,4 @@
-#include "tests/benchmark/run_relabel.h"
+#include "tests/benchmark/baseline_labels.h"
 
 #include <algorithm>
 #include <cstring>
@@ -10,7 +10,7 @@ struct Run {
     uint16_t begin, end;
 };
 
-struct RunSets {
+struct UnionFind {
     std::vector<uint32_t> parent;
     uint32_t root(uint32_t i) {
         while (parent[i] != i) i = parent[i] = parent[parent[i]];
@@ -35,7 +35,7 @@ int skip(const uint8_t* row, int x, int end, bool zeros) {
 }
 
 /// Unites the runs of one row with those of another that touch them.
-void uniteRows(const std::vector<Run>& runs, uint32_t a, uint32_t aEnd, uint32_t b, uint32_t bEnd, RunSets& sets) {
+void uniteRows(const std::vector<Run>& runs, uint32_t a, uint32_t aEnd, uint32_t b, uint32_t bEnd, UnionFind& sets) {
     while (a < aEnd && b < bEnd) {
         if (runs[a].begin < runs[b].end && runs[b].begin < runs[a].end) sets.unite(a, b);
         runs[a].end < runs[b].end ? ++a : ++b;
@@ -53,11 +53,11 @@ DenseGrid::DenseGrid(const VoxelGrid& grid) : size(grid.size()), cells(size_t(si
     });
 }
 
-size_t relabelByRuns(const DenseGrid& grid) {
+size_t countComponentsByRuns(const DenseGrid& grid) {
     const size_t rows = size_t(grid.size.y) * grid.size.z;
     std::vector<Run> runs;
     std::vector<uint32_t> firstRun(rows + 1);
-    RunSets sets;
+    UnionFind sets;
     for (size_t row = 0; row < rows; ++row) {
         firstRun[row] = uint32_t(runs.size());
         const uint8_t* cells = grid.cells.data() + row * grid.size.x;

@@ -65,7 +65,7 @@ void towerStep(benchmark::State& state) {
     std::sort(times.begin(), times.end());
     state.counters["max_ms"] = times.back();
     state.counters["p99_ms"] = times[times.size() * 99 / 100];
-    state.counters["steps_a_cut"] = cuts ? double(times.size()) / cuts : 0.0;
+    state.counters["steps_per_cut"] = cuts ? double(times.size()) / cuts : 0.0;
     state.counters["voxels"] = double(world.voxelAccounting().standing);
 }
 
@@ -82,7 +82,7 @@ void fracturePiece(benchmark::State& state) {
     state.counters["voxels"] = double(world.voxelAccounting().standing + world.voxelAccounting().inPieces);
 }
 
-BENCHMARK(fracturePiece)->Name("destruction/stress/strike_piece")->Unit(benchmark::kMillisecond);
+BENCHMARK(fracturePiece)->Name("destruction/stress/impact_on_piece")->Unit(benchmark::kMillisecond);
 BENCHMARK(towerStep)->Name("destruction/stress/tower_step")->Arg(0)->Arg(3)->Iterations(1500)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace

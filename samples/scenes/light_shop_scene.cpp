@@ -2,10 +2,10 @@
 #include "runtime/core/random.h"
 #include "samples/scenes/building.h"
 #include "samples/scenes/furniture.h"
-#include "samples/scenes/lamp.h"
+#include "samples/scenes/street_light.h"
 #include "samples/scenes/lettering.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/recipes.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
 
@@ -38,10 +38,10 @@ constexpr Tint kTints[] = {{0xffc890, {1.0f, 0.66f, 0.36f}},
                            {0xa8b8ff, {0.42f, 0.52f, 1.0f}}};
 
 Swatch glowing(Canvas& c, const Tint& tint, uint32_t group) {
-    return c.mix({"glass", {tint.color}, 120, 0, 10, 255, 0, 1.5f}, 100, group);
+    return c.addSurface({"glass", {tint.color}, 120, 0, 10, 255, 0, 1.5f}, 100, group);
 }
 
-void drawLamps(Level& level, Canvas& c, Swatch wire, Swatch wood) {
+void drawShopLights(Level& level, Canvas& c, Swatch wire, Swatch wood) {
     for (int i = 0; i < kGlobes; ++i) {
         const std::string name = "globe " + std::to_string(i);
         const uint32_t group = addLightGroup(level, name, 0.25f);
@@ -50,7 +50,7 @@ void drawLamps(Level& level, Canvas& c, Swatch wire, Swatch wood) {
         const Swatch glow = glowing(c, kTints[i % 5], group);
         c.fill(center - 3, center + 4, [&](ivec3 cell) {
             const ivec3 d = cell - center;
-            return d.x * d.x + d.y * d.y + d.z * d.z <= 11 ? PaintBox::pick(glow, cell) : c.at(cell);
+            return d.x * d.x + d.y * d.y + d.z * d.z <= 11 ? PaletteBuilder::pick(glow, cell) : c.at(cell);
         });
         addLight(level, "shop", group, LightKind::Sphere, glm::dvec3(center) + glm::dvec3(0.5, -4.5, 0.5), kTints[i % 5].light * 6.0f, 7.0f, 0.3f);
     }
@@ -66,7 +66,7 @@ void drawLamps(Level& level, Canvas& c, Swatch wire, Swatch wood) {
 
 void addShopFront(Level& level, Canvas& c) {
     const uint32_t group = addLightGroup(level, "sign", 0.2f);
-    const Swatch board = c.mix(kPlasticBlack), glow = c.mix({"glass", {0x1a7068}, 120, 0, 10, 255, 0, 9.0f}, 100, group);
+    const Swatch board = c.addSurface(kPlasticBlack), glow = c.addSurface({"glass", {0x1a7068}, 120, 0, 10, 255, 0, 9.0f}, 100, group);
     const int z = kMargin + kDeep;
     c.box({kMargin + 10, kCeiling + 3, z}, {kMargin + 100, kCeiling + 22, z + 2}, board);
     drawLettering(c, {kMargin + 20, kCeiling + 6, z + 2}, "RUBBLE", 2, glow);
@@ -75,17 +75,17 @@ void addShopFront(Level& level, Canvas& c) {
                  0.3f);
 }
 
-void addLampShop(Level& level) {
+void addLightShop(Level& level) {
     Canvas c({kWide + 2 * kMargin, kCeiling + 24, kDeep + 2 * kMargin + 4});
-    const Swatch concrete = c.mix(kConcrete), plaster = c.mix(kPlaster), tile = c.mix(kTileWhite, 90), tileDark = c.mix(kTileWhite, 66),
-                 wood = c.mix(kDarkWood), steel = c.mix(kDarkSteel), wire = c.mix(kWire), glass = c.mix(kGlass), goods = c.mix(kGoods);
-    WallSwatches walls{c.mix(kBrick), c.mix(kBrickJoint), plaster, c.mix(kBrick, 78), wire, c.mix(kCopperPipe), true};
+    const Swatch concrete = c.addSurface(kConcrete), plaster = c.addSurface(kPlaster), tile = c.addSurface(kTileWhite, 90), tileDark = c.addSurface(kTileWhite, 66),
+                 wood = c.addSurface(kDarkWood), steel = c.addSurface(kDarkSteel), wire = c.addSurface(kWire), glass = c.addSurface(kGlass), goods = c.addSurface(kGoods);
+    WallSwatches walls{c.addSurface(kBrick), c.addSurface(kBrickJoint), plaster, c.addSurface(kBrick, 78), wire, c.addSurface(kCopperPipe), true};
     const int x0 = kMargin, x1 = x0 + kWide, z0 = kMargin, z1 = z0 + kDeep;
     c.box({x0, 0, z0}, {x1, kFloor, z1}, concrete);
     const WallFrames frames = wallFrames({x0, 0, z0}, {x1, 0, z1});
     for (const WallFrame* wall : {&frames.left, &frames.right, &frames.back}) drawWall(c, *wall, kFloor, kCeiling + 6, walls);
     c.fill({x0 + 3, kFloor, z0 + 3}, {x1 - 3, kFloor + 1, z1},
-           [&](ivec3 cell) { return PaintBox::pick((cell.x / 5 + cell.z / 5) % 2 ? tile : tileDark, cell); });
+           [&](ivec3 cell) { return PaletteBuilder::pick((cell.x / 5 + cell.z / 5) % 2 ? tile : tileDark, cell); });
     c.box({x0 + 3, kCeiling, z0 + 3}, {x1 - 3, kCeiling + 2, z1 - 3}, plaster);
     c.box({x0, kCeiling, z1 - 3}, {x1, kCeiling + 6, z1}, concrete);
     // Open front: two posts, a low sill of brick, panes at the sides.
@@ -102,12 +102,12 @@ void addLampShop(Level& level) {
             if (hashCell(x, y, 0, 161) % 4)
                 c.box({x, kFloor + y + 1, z0 + 3}, {x + 2, kFloor + y + 3 + int(hashCell(x, y, 1, 161) % 3), z0 + 6}, goods);
     }
-    drawLamps(level, c, wire, wood);
+    drawShopLights(level, c, wire, wood);
     addShopFront(level, c);
     addStatic(level, c.finish("shop"), kShopLow - ivec3(kMargin, 0, kMargin));
 }
 
-Level lampsLevel(uint64_t seed) {
+Level lightShopLevel(uint64_t seed) {
     GroundPlan ground;
     using enum GroundPlan::Surface;
     ground.size = {320, 0, 320};
@@ -121,11 +121,11 @@ Level lampsLevel(uint64_t seed) {
     air.groundColor = {0.01f, 0.01f, 0.012f};
     air.fogColor = {0.02f, 0.024f, 0.036f};
     air.exposure = 1.7f;
-    addLampShop(level);
-    addStreetLamp(level, "street lamp", {84, 0, 206}, false);
-    addLoose(level, makeBench("bench"), {226, 0, 192});
-    addLoose(level, makeBin("bin"), {216, 0, 194});
-    addLoose(level, makePlantPot("plant"), {96, 0, 186});
+    addLightShop(level);
+    addStreetLight(level, "street lamp", {84, 0, 206}, false);
+    addDynamic(level, makeBench("bench"), {226, 0, 192});
+    addDynamic(level, makeBin("bin"), {216, 0, 194});
+    addDynamic(level, makePlantPot("plant"), {96, 0, 186});
     return level;
 }
 
@@ -133,7 +133,7 @@ glm::dvec3 inShop(double x, double y, double z) {
     return (glm::dvec3(kShopLow - ivec3(kMargin, 0, kMargin)) + glm::dvec3(x, y, z)) * kVoxel;
 }
 
-Edits lampsScript(int step, uint64_t) {
+Edits lightShopScript(int step, uint64_t) {
     ScriptClock clock(step);
     static constexpr int kOrder[kGlobes] = {1, 3, 0, 4, 2};
     for (int i = 0; i < kGlobes; ++i)
@@ -146,14 +146,14 @@ Edits lampsScript(int step, uint64_t) {
     return clock.take();
 }
 
-Pose lampsCamera(double seconds) {
+Pose lightShopCamera(double seconds) {
     return lookAt({12.0 + 0.08 * seconds, 2.2, 29.0}, {15.9, 2.7, 15.0});
 }
 
 }  // namespace
 
-Scene lampsScene() {
-    Scene scene{"lamps", "a lamp shop at night whose lights are shot out", lampsLevel, lampsScript, lampsCamera};
+Scene lightShopScene() {
+    Scene scene{"light_shop", "a lamp shop at night whose lights are shot out", lightShopLevel, lightShopScript, lightShopCamera};
     scene.steps = 450;
     return scene;
 }

@@ -1,4 +1,4 @@
-#include "tests/benchmark/reference_walks.h"
+#include "tests/benchmark/mip_walks.h"
 
 #include <algorithm>
 #include <cmath>
