@@ -33,7 +33,8 @@ void PhysicsWorld::Impl::loadAll(const World& world) {
     });
     broadphase.setOrigin(glm::round((low + high) * 0.5));
     setGravity(world);
-    world.characters().forEach([&](CharacterHandle handle, const Character& character) { characters.emplace_back(handle, character); });
+    world.characters().forEach(
+        [&](CharacterHandle handle, const Character& character) { characters.emplace_back(handle, character); });
     world.waters().forEach([&](WaterHandle handle, const Water& water) { waters.set(handle.slot(), &water); });
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
         if (!body.isStatic) return createDynamic(world, handle, body.asleep);
@@ -70,8 +71,10 @@ void PhysicsWorld::Impl::createDynamic(const World& world, BodyHandle handle, bo
     auto& place = slotOf(dynamics, slot);
     place = std::make_unique<DynamicBody>(world, handle);
     if (enter(world, *place, asleep)) return;
-    logWarning(fmt::format("physics: body {} '{}' has no solid voxels, is too far away, or has a pose or velocity that is no number: it is left out",
-                           slot, world.bodies().at(handle).name));
+    logWarning(
+        fmt::format("physics: body {} '{}' has no solid voxels, is too far away, or has a pose or velocity that is no "
+                    "number: it is left out",
+                    slot, world.bodies().at(handle).name));
     place->setAsleep(true);
     place->quarantine();
 }
@@ -110,7 +113,9 @@ void PhysicsWorld::Impl::forget(const FrameChanges& changes) {
 void PhysicsWorld::Impl::refreshStatic(const FrameChanges& changes, const World& world) {
     for (const ShapeHandle handle : changes.carved) {
         const Shape* shape = world.shapes().find(handle);
-        if (!shape || !world.bodies().at(shape->body).isStatic || handle.slot() >= statics.size() || !statics[handle.slot()]) continue;
+        if (!shape || !world.bodies().at(shape->body).isStatic || handle.slot() >= statics.size() ||
+            !statics[handle.slot()])
+            continue;
         std::vector<glm::ivec3> bricks;
         changedBricks(changes, handle, bricks);
         CollisionObject& object = *statics[handle.slot()];
@@ -149,7 +154,8 @@ void PhysicsWorld::Impl::refreshDynamic(const FrameChanges& changes, const World
     std::sort(touched.begin(), touched.end(), [](const Touched& a, const Touched& b) {
         return a.body.slot() != b.body.slot() ? a.body.slot() < b.body.slot() : a.onlyCarved < b.onlyCarved;
     });
-    touched.erase(std::unique(touched.begin(), touched.end(), [](const Touched& a, const Touched& b) { return a.body.slot() == b.body.slot(); }),
+    touched.erase(std::unique(touched.begin(), touched.end(),
+                              [](const Touched& a, const Touched& b) { return a.body.slot() == b.body.slot(); }),
                   touched.end());
 
     for (const auto& [handle, onlyCarved] : touched) {
@@ -167,7 +173,8 @@ void PhysicsWorld::Impl::refreshDynamic(const FrameChanges& changes, const World
         }
         for (const ShapeHandle shape : body->shapes)  // a static body that came loose
             destroyStatic(shape.slot());
-        const bool isPlaced = std::find(changes.teleported.begin(), changes.teleported.end(), handle) != changes.teleported.end();
+        const bool isPlaced =
+            std::find(changes.teleported.begin(), changes.teleported.end(), handle) != changes.teleported.end();
         createDynamic(world, handle, body->asleep && (!known || isPlaced));
     }
 }
@@ -192,7 +199,8 @@ void PhysicsWorld::Impl::refreshFilters(const FrameChanges& changes, const World
 /// What floated on water that is gone falls, what lies where water is now may float.
 void PhysicsWorld::Impl::refreshWaters(const FrameChanges& changes, const World& world) {
     for (const WaterHandle handle : changes.waters) {
-        const std::optional<WorldBox> box = waters.set(handle.slot(), world.waters().find(world.waters().handleAt(handle.slot())));
+        const std::optional<WorldBox> box =
+            waters.set(handle.slot(), world.waters().find(world.waters().handleAt(handle.slot())));
         if (box) wakeTouching(box->low, box->high);
     }
 }
@@ -200,7 +208,8 @@ void PhysicsWorld::Impl::refreshWaters(const FrameChanges& changes, const World&
 void PhysicsWorld::Impl::refreshCharacters(const FrameChanges& changes, const World& world) {
     if (changes.characters.empty() && !changes.levelReplaced) return;
     characters.clear();
-    world.characters().forEach([&](CharacterHandle handle, const Character& character) { characters.emplace_back(handle, character); });
+    world.characters().forEach(
+        [&](CharacterHandle handle, const Character& character) { characters.emplace_back(handle, character); });
 }
 
 void PhysicsWorld::Impl::applyImpulses(const FrameChanges& changes) {

@@ -4,15 +4,15 @@
 #include <utility>
 #include <vector>
 
-#include "physics/collision/broadphase.h"
-#include "physics/character/character.h"
-#include "physics/solver/contact_solver.h"
-#include "physics/collision/impacts.h"
 #include "physics/bodies/dynamic_body.h"
-#include "physics/solver/energy_bound.h"
-#include "physics/joints/joint_table.h"
+#include "physics/character/character.h"
+#include "physics/collision/broadphase.h"
+#include "physics/collision/impacts.h"
 #include "physics/collision/narrowphase.h"
+#include "physics/joints/joint_table.h"
 #include "physics/physics_world.h"
+#include "physics/solver/contact_solver.h"
+#include "physics/solver/energy_bound.h"
 #include "physics/water/water.h"
 
 namespace rubble {
@@ -86,7 +86,7 @@ struct PhysicsWorld::Impl {
     std::vector<BodyHandle> shapeBody;                      ///< by shape slot
     std::vector<BodyHandle> handles;                        ///< by body slot
     std::vector<uint32_t> awake;                            ///< body slots, ascending
-    std::vector<uint32_t> waiting;                          ///< body slots of debris that would wake if it had a place, ascending
+    std::vector<uint32_t> waiting;  ///< body slots of debris that would wake if it had a place, ascending
     size_t awakeDebris = 0, awakeDebrisLimit = 0;
     std::vector<uint32_t> ended;           ///< fell asleep or were quarantined in this step
     std::vector<CollisionObject*> found;   ///< of the last query

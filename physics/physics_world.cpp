@@ -17,7 +17,8 @@ double speedSquares(const DynamicBody& body) {
     const glm::dvec3 &v = body.motion.velocity, &w = body.motion.angularVelocity;
     return 2.0 * (glm::dot(v, v) + glm::dot(w, w) * body.object.radius * body.object.radius);
 }
-/// Whether bodies whose squares add up to this may secondaryVelocity one by more than half its thickness in a step: a first look, without roots.
+/// Whether bodies whose squares add up to this may secondaryVelocity one by more than half its thickness in a step: a
+/// first look, without roots.
 bool needsSecondarySweep(double squares, double thin, double seconds) {
     return 2.0 * kHardHit * kHardHit * squares * seconds * seconds > thin * thin;
 }
@@ -47,15 +48,18 @@ PhysicsSettings accuratePhysics() {
 }
 
 void PhysicsWorld::Impl::applyWater() {
-    for (const uint32_t slot : awake) dynamics[slot]->inWater = !waters.empty() && waters.act(*dynamics[slot], gravity, settings.stepSeconds);
+    for (const uint32_t slot : awake)
+        dynamics[slot]->inWater = !waters.empty() && waters.act(*dynamics[slot], gravity, settings.stepSeconds);
 }
 
 void PhysicsWorld::Impl::moveCharacters() {
     for (auto& [handle, character] : characters) {
         const Character before = character;
-        CharacterSurroundings around{.waters = waters.empty() ? nullptr : &waters, .gravity = gravity, .seconds = settings.stepSeconds};
+        CharacterSurroundings around{
+            .waters = waters.empty() ? nullptr : &waters, .gravity = gravity, .seconds = settings.stepSeconds};
         const double minHalfExtent = characterQueryRadius(character, settings.stepSeconds);
-        broadphase.find(before.position - minHalfExtent, before.position + glm::dvec3(0.0, character.height, 0.0) + minHalfExtent, around.objects);
+        broadphase.find(before.position - minHalfExtent,
+                        before.position + glm::dvec3(0.0, character.height, 0.0) + minHalfExtent, around.objects);
         std::sort(around.objects.begin(), around.objects.end(),
                   [](const CollisionObject* a, const CollisionObject* b) { return a->number < b->number; });
         pushes.clear();
@@ -66,15 +70,16 @@ void PhysicsWorld::Impl::moveCharacters() {
         }
         character.wantsJump = false;
         if (character == before) continue;
-        characterMoves.push_back(
-            {handle, character.position, character.velocity, character.grounded, character.crouched, character.swimming, character.ground});
+        characterMoves.push_back({handle, character.position, character.velocity, character.grounded,
+                                  character.crouched, character.swimming, character.ground});
     }
 }
 
 /// Contacts of what moves, with what it hits and wakes.
 void PhysicsWorld::Impl::findContacts() {
-    const NarrowphaseSettings narrow{
-        .margin = settings.contactMargin, .seconds = settings.stepSeconds, .sweepThreshold = settings.continuous ? settings.sweepThreshold : 1e300};
+    const NarrowphaseSettings narrow{.margin = settings.contactMargin,
+                                     .seconds = settings.stepSeconds,
+                                     .sweepThreshold = settings.continuous ? settings.sweepThreshold : 1e300};
     narrowphase.begin();
     for (const uint32_t slot : awake) dynamics[slot]->known = false;
     for (bool more = true; more; more = wakeHit()) {
@@ -84,7 +89,8 @@ void PhysicsWorld::Impl::findContacts() {
             if (body.known) continue;
             body.setPose();
             broadphase.move(body.object, body.motion.velocity * settings.stepSeconds,
-                            settings.contactMargin + body.object.radius * glm::length(body.motion.angularVelocity) * settings.stepSeconds);
+                            settings.contactMargin +
+                                body.object.radius * glm::length(body.motion.angularVelocity) * settings.stepSeconds);
             moving.push_back(&body.object);
         }
         pairs.clear();
@@ -97,8 +103,8 @@ void PhysicsWorld::Impl::findContacts() {
     if (settings.continuous) sweepSecondary(narrow);
 }
 
-/// What a fast one hits may be far by the end of the step, where it did not look for contacts: it is swept once more, as it
-/// would fly on from a hit that takes nothing, against what does not move.
+/// What a fast one hits may be far by the end of the step, where it did not look for contacts: it is swept once more,
+/// as it would fly on from a hit that takes nothing, against what does not move.
 void PhysicsWorld::Impl::sweepSecondary(const NarrowphaseSettings& narrow) {
     double fastest = 0.0, thinnest = 1e9;
     for (const uint32_t slot : awake) {
@@ -110,11 +116,13 @@ void PhysicsWorld::Impl::sweepSecondary(const NarrowphaseSettings& narrow) {
     for (const Manifold* manifold : narrowphase.manifolds()) {
         DynamicBody *a = manifold->objects.first->dynamic, *b = manifold->objects.second->dynamic;
         if (!a || !b || a->asleep() || b->asleep() ||
-            !needsSecondarySweep(speedSquares(*a) + speedSquares(*b), std::min(a->minHalfExtent(), b->minHalfExtent()), settings.stepSeconds))
+            !needsSecondarySweep(speedSquares(*a) + speedSquares(*b), std::min(a->minHalfExtent(), b->minHalfExtent()),
+                                 settings.stepSeconds))
             continue;
         const glm::dvec3 away = approachVelocity(*manifold, settings.stepSeconds);
         const double all = a->mass().mass + b->mass().mass;
-        const glm::dvec3 secondaryA = away * (kHardHit * b->mass().mass / all), secondaryB = away * (-kHardHit * a->mass().mass / all);
+        const glm::dvec3 secondaryA = away * (kHardHit * b->mass().mass / all),
+                         secondaryB = away * (-kHardHit * a->mass().mass / all);
         for (const auto& [body, secondaryVelocity] : {std::pair(a, secondaryA), std::pair(b, secondaryB)}) {
             if (glm::length(secondaryVelocity) * settings.stepSeconds <= body->minHalfExtent()) continue;
             if (body->secondaryVelocity == glm::dvec3(0.0)) moving.push_back(&body->object);
@@ -124,8 +132,9 @@ void PhysicsWorld::Impl::sweepSecondary(const NarrowphaseSettings& narrow) {
     if (moving.empty()) return;
     for (CollisionObject* object : moving) {
         const SolverBody& motion = object->dynamic->motion;
-        broadphase.move(*object, (motion.velocity + object->dynamic->secondaryVelocity) * settings.stepSeconds,
-                        settings.contactMargin + object->radius * glm::length(motion.angularVelocity) * settings.stepSeconds);
+        broadphase.move(
+            *object, (motion.velocity + object->dynamic->secondaryVelocity) * settings.stepSeconds,
+            settings.contactMargin + object->radius * glm::length(motion.angularVelocity) * settings.stepSeconds);
     }
     pairs.clear();
     broadphase.findPairs(
@@ -144,11 +153,14 @@ void PhysicsWorld::Impl::solve() {
         const glm::dvec3& i = body.inertia;
         const double unevenness = std::max({i.x, i.y, i.z}) / std::min({i.x, i.y, i.z});
         body.conservesMomentum = settings.rotation == RotationRule::Always ||
-                         (settings.rotation == RotationRule::WhereNeeded && unevenness > kUneven && glm::length(body.angularVelocity) > kSpinning);
+                                 (settings.rotation == RotationRule::WhereNeeded && unevenness > kUneven &&
+                                  glm::length(body.angularVelocity) > kSpinning);
         bodies.push_back(body);
     }
     bodyOf.clear();
-    const auto numberOf = [&](const CollisionObject& object) { return object.dynamic && !object.dynamic->asleep() ? bodyNumber[object.body] : 0; };
+    const auto numberOf = [&](const CollisionObject& object) {
+        return object.dynamic && !object.dynamic->asleep() ? bodyNumber[object.body] : 0;
+    };
     for (const Manifold* manifold : narrowphase.manifolds())
         bodyOf.emplace_back(numberOf(*manifold->objects.first), numberOf(*manifold->objects.second));
     gatherJoints();
@@ -184,11 +196,13 @@ void PhysicsWorld::Impl::clamp(DynamicBody& body) {
 
 /// Of what was never beyond the envelope before.
 void PhysicsWorld::Impl::warnOfLimits(const LimitCounts& before) {
-    static constexpr const char* kWhat[] = {"faster than 5,000 m/s is clamped to that", "spinning faster than 1,000 rad/s is clamped to that",
+    static constexpr const char* kWhat[] = {"faster than 5,000 m/s is clamped to that",
+                                            "spinning faster than 1,000 rad/s is clamped to that",
                                             "a mass below 1e-9 or above 1e12 kg is clamped to that",
                                             "what gets farther than 1,000 km from the middle of the level stays there"};
     for (size_t i = 0; i < clamped.size(); ++i)
-        if (before[i] == 0 && clamped[i] > 0) logWarning(fmt::format("physics: {}; PhysicsStats count how often", kWhat[i]));
+        if (before[i] == 0 && clamped[i] > 0)
+            logWarning(fmt::format("physics: {}; PhysicsStats count how often", kWhat[i]));
 }
 
 void PhysicsWorld::Impl::quarantineBroken() {
@@ -199,7 +213,8 @@ void PhysicsWorld::Impl::quarantineBroken() {
             continue;
         }
         if (!body.finite())
-            logWarning(fmt::format("physics: body {} got a pose or velocity that is no number: it is frozen where it last was", slot));
+            logWarning(fmt::format(
+                "physics: body {} got a pose or velocity that is no number: it is frozen where it last was", slot));
         broadphase.remove(body.object);
         body.restore();
         body.setAsleep(true);
@@ -251,7 +266,8 @@ void PhysicsWorld::apply(const FrameChanges& changes, const World& world, bool r
     if (!rebuild) impl.applyJoints(changes, world);
     impl.applyImpulses(changes);
     for (const BodyHandle handle : changes.settled)
-        if (DynamicBody* body = impl.dynamicAt(handle.slot()); body && body->handle() == handle) body->settled = body->asleep();
+        if (DynamicBody* body = impl.dynamicAt(handle.slot()); body && body->handle() == handle)
+            body->settled = body->asleep();
     impl.awakeDebrisLimit = world.settings().debris.awakeBodies;
 }
 
@@ -273,7 +289,8 @@ void PhysicsWorld::step() {
         impl.quarantineBroken();
         impl.putToSleep();
         impl.wakeTouched();
-        findImpacts(impl.narrowphase.manifolds(), impl.settings.impactSpeed, impl.settings.impactThreshold, impl.handles, impl.impacts);
+        findImpacts(impl.narrowphase.manifolds(), impl.settings.impactSpeed, impl.settings.impactThreshold,
+                    impl.handles, impl.impacts);
     }
     impl.moveRopes();
     impl.moveCharacters();
@@ -303,7 +320,8 @@ PhysicsStats PhysicsWorld::stats() const {
     stats.clamped = m_impl->clamped;
     stats.awake = int(m_impl->awake.size());
     for (const auto& body : m_impl->dynamics) stats.bodies += body != nullptr;
-    for (const Manifold* manifold : m_impl->narrowphase.manifolds()) stats.pairs += manifold->count > 0, stats.contacts += manifold->count;
+    for (const Manifold* manifold : m_impl->narrowphase.manifolds())
+        stats.pairs += manifold->count > 0, stats.contacts += manifold->count;
     return stats;
 }
 

@@ -5,13 +5,13 @@
 namespace rubble {
 namespace {
 
-constexpr double kWakeDistance = 0.02;       ///< metres a body moves before what isConstrained it is woken
-constexpr double kWakeAngle = 0.04;  ///< radians
-constexpr double kTouchDistance = 0.02;   ///< metres between bounds that count as touching
-constexpr double kSlowSpeed = 0.3;             ///< m/s: a touching body slower than this is on its displacement to rest
-constexpr double kMaxPatience = 4.0;     ///< times the drift of the settings that is restTime after seconds of being slow
-constexpr double kWakeSpeed = 0.15;       ///< m/s that a hit must give a sleeping body to wake it
-constexpr double kSettledWakeSpeed = 0.6;      ///< the same for a settled one
+constexpr double kWakeDistance = 0.02;   ///< metres a body moves before what isConstrained it is woken
+constexpr double kWakeAngle = 0.04;      ///< radians
+constexpr double kTouchDistance = 0.02;  ///< metres between bounds that count as touching
+constexpr double kSlowSpeed = 0.3;       ///< m/s: a touching body slower than this is on its displacement to rest
+constexpr double kMaxPatience = 4.0;  ///< times the drift of the settings that is restTime after seconds of being slow
+constexpr double kWakeSpeed = 0.15;   ///< m/s that a hit must give a sleeping body to wake it
+constexpr double kSettledWakeSpeed = 0.6;  ///< the same for a settled one
 
 }  // namespace
 
@@ -57,7 +57,8 @@ void PhysicsWorld::Impl::sleep(DynamicBody& body) {
 void PhysicsWorld::Impl::wakeTouching(glm::dvec3 low, glm::dvec3 high) {
     found.clear();
     broadphase.find(low - kTouchDistance, high + kTouchDistance, found);
-    std::sort(found.begin(), found.end(), [](const CollisionObject* a, const CollisionObject* b) { return a->number < b->number; });
+    std::sort(found.begin(), found.end(),
+              [](const CollisionObject* a, const CollisionObject* b) { return a->number < b->number; });
     for (CollisionObject* object : found)
         if (object->dynamic) wakeOrWait(*object->dynamic);
 }
@@ -72,7 +73,9 @@ bool PhysicsWorld::Impl::wakeHit() {
         const DynamicBody& hitter = a->asleep() ? *b : *a;
         if (sleeper.quarantined() || !mayWake(sleeper)) continue;
         const double share = hitter.mass().mass / (hitter.mass().mass + sleeper.mass().mass);
-        if (approachSpeed(*manifold, settings.stepSeconds) * share <= (sleeper.settled ? kSettledWakeSpeed : kWakeSpeed)) continue;
+        if (approachSpeed(*manifold, settings.stepSeconds) * share <=
+            (sleeper.settled ? kSettledWakeSpeed : kWakeSpeed))
+            continue;
         wake(sleeper);
         any = true;
     }
@@ -100,7 +103,8 @@ void PhysicsWorld::Impl::putToSleep() {
     for (const uint32_t slot : awake) {
         DynamicBody& body = *dynamics[slot];
         SolverBody& motion = body.motion;
-        const double speed = std::max(glm::length(motion.velocity), glm::length(motion.angularVelocity) * body.minHalfExtent());
+        const double speed =
+            std::max(glm::length(motion.velocity), glm::length(motion.angularVelocity) * body.minHalfExtent());
         body.slowSeconds = body.touching && speed < kSlowSpeed ? body.slowSeconds + settings.stepSeconds : 0.0;
         const double patience = std::min(1.0 + body.slowSeconds, kMaxPatience);
         if (body.slowSeconds > 0.0) {
@@ -109,8 +113,8 @@ void PhysicsWorld::Impl::putToSleep() {
             motion.angularVelocity *= kept;
         }
         const double allowed = settings.sleepTime * patience;
-        const double restTime =
-            body.sleepTimer.restTime(body.pose(), settings.sleepVelocity * allowed, settings.sleepAngularVelocity * allowed, settings.stepSeconds);
+        const double restTime = body.sleepTimer.restTime(body.pose(), settings.sleepVelocity * allowed,
+                                                         settings.sleepAngularVelocity * allowed, settings.stepSeconds);
         const bool isJointed = !joints.of(slot).empty();
         body.wantsSleep = restTime >= settings.sleepTime && (body.touching || body.inWater || weightless || isJointed);
         if (!body.wantsSleep || isJointed) continue;
@@ -121,8 +125,8 @@ void PhysicsWorld::Impl::putToSleep() {
     for (const uint32_t slot : ended) leaveAwake(*dynamics[slot]);
 }
 
-/// What moved wakes what it touched; the first time after it woke, all that its bounds touch: there are no contacts between
-/// sleepers. Those woken join `awake` at their place, so the walk finds its own again.
+/// What moved wakes what it touched; the first time after it woke, all that its bounds touch: there are no contacts
+/// between sleepers. Those woken join `awake` at their place, so the walk finds its own again.
 void PhysicsWorld::Impl::wakeTouched() {
     for (size_t i = 0; i < awake.size(); ++i) {
         const uint32_t slot = awake[i];

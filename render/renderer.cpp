@@ -6,9 +6,8 @@
 
 #include "render/frame/frame_camera.h"
 #include "render/frame/frame_context.h"
-#include "render/shader_library/fullscreen_choice.h"
-#include "render/gl/state_guard.h"
 #include "render/gl/pass_timer.h"
+#include "render/gl/state_guard.h"
 #include "render/passes/accumulate_pass.h"
 #include "render/passes/bloom_pass.h"
 #include "render/passes/composite_pass.h"
@@ -32,6 +31,7 @@
 #include "render/passes/wetness_pass.h"
 #include "render/scene/light_grid.h"
 #include "render/scene/scene.h"
+#include "render/shader_library/fullscreen_choice.h"
 #include "runtime/core/blue_noise.h"
 #include "runtime/core/log.h"
 
@@ -67,8 +67,8 @@ constexpr TargetView kTargetViews[] = {
     {"bloom", "bloom0", Linear},
 };
 
-/// What a context can do, and what is worth while on it: on llvmpipe passes take 0.97 to 3.4 times as long by compute, the whole frame 1.24 to
-/// 1.34 times, so software renderers do not even build it.
+/// What a context can do, and what is worth while on it: on llvmpipe passes take 0.97 to 3.4 times as long by compute,
+/// the whole frame 1.24 to 1.34 times, so software renderers do not even build it.
 Fullscreen possible(Fullscreen wanted) {
     if (wanted == Fullscreen::Auto) return hasCompute() && !isSoftwareGl() ? Fullscreen::Fastest : Fullscreen::Fragment;
     if (wanted == Fullscreen::Fragment || hasCompute()) return wanted;
@@ -89,7 +89,8 @@ FullscreenChoice initialChoice(Fullscreen drawn) {
 }  // namespace
 
 struct Renderer::Impl {
-    Impl(const std::string& shaderFolder, const RenderSettings& given) : settings(given), shaders(shaderFolder, libraryMode(fullscreen)) {
+    Impl(const std::string& shaderFolder, const RenderSettings& given)
+        : settings(given), shaders(shaderFolder, libraryMode(fullscreen)) {
         scene.setUploadBudget(given.uploadBudget);
         scene.setBounceColors(given.sky && given.bounce && given.bounceColors);
         blueNoise = Texture(GL_R8, glm::ivec2(kBlueNoiseSize), Filter::Nearest, Wrap::Repeat);
@@ -115,7 +116,8 @@ struct Renderer::Impl {
         if (scene.hasGlass()) run("glass composite", [&] { glass.drawOver(frame, gbuffer.tiles()); });
         if (FogPass::needed(frame)) run("fog", [&] { drawLazily(fog, frame); });
         if (!scene.particles().empty()) run("particles", [&] { drawLazily(particles, frame, stepAlpha); });
-        if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty()) run("glare", [&] { drawLazily(glare, frame); });
+        if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty())
+            run("glare", [&] { drawLazily(glare, frame); });
         run("taa", [&] { taa.draw(frame); });
         if (settings.bloom > 0.0f) run("bloom", [&] { bloom.draw(frame); });
         run("exposure", [&] { exposure.draw(frame); });
@@ -211,8 +213,8 @@ void Renderer::Impl::fillBlock(const View& view, glm::ivec2 traced) {
     block.horizonColor = glm::vec4(e.horizonColor, 0.0f);
     block.groundColor = glm::vec4(e.groundColor, e.wetness > 0.0f ? std::min(e.wetness, 1.0f) : 0.0f);
     block.fogColor = glm::vec4(e.fogColor, e.fogDistance);
-    block.fog =
-        glm::vec4(e.fogDensity, float(double(e.fogBase) - scene.origin().y), std::max(e.fogHeight, 0.1f), std::clamp(e.fogForward, -0.9f, 0.9f));
+    block.fog = glm::vec4(e.fogDensity, float(double(e.fogBase) - scene.origin().y), std::max(e.fogHeight, 0.1f),
+                          std::clamp(e.fogForward, -0.9f, 0.9f));
     block.fogTint = glm::vec4(e.fogTint, 0.0f);
     block.skyCover = glm::vec4(e.clouds, e.stars, 0.0f, 0.0f);
     block.exposure = glm::vec4(e.exposure);
@@ -248,7 +250,8 @@ int downscaleFor(glm::ivec2 size) {
 void Renderer::Impl::draw(const View& view, float alpha) {
     if (view.size.x <= 0 || view.size.y <= 0) return;
     if (isContextLost()) {
-        if (lastError.empty()) logError(lastError = "the GL context was lost: destroy this renderer, make a context and a new one");
+        if (lastError.empty())
+            logError(lastError = "the GL context was lost: destroy this renderer, make a context and a new one");
         return;
     }
     lastError.clear();
@@ -265,8 +268,8 @@ void Renderer::Impl::draw(const View& view, float alpha) {
     }
     drawSmallerOnFailure(view);
     scene.endFrame();
-    figures.textureBytes =
-        targets.bytes() + pictures.bytes() + scene.bytes() + gbuffer.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
+    figures.textureBytes = targets.bytes() + pictures.bytes() + scene.bytes() + gbuffer.bytes() + blueNoise.bytes() +
+                           (lightGrid ? lightGrid->bytes() : 0);
     figures.computePrograms = shaders.computePrograms();
     figures.waitingBytes = scene.bodies().waitingBytes();
     figures.shapes = scene.bodies().shapes();
@@ -280,8 +283,8 @@ void Renderer::Impl::drawSmallerOnFailure(const View& view) {
             return;
         }
         ++downscale;
-        logWarning("the GL refuses targets for a view of " + std::to_string(view.size.x) + "x" + std::to_string(view.size.y) + ": drawn at 1/" +
-                   std::to_string(1 << downscale) + " of it");
+        logWarning("the GL refuses targets for a view of " + std::to_string(view.size.x) + "x" +
+                   std::to_string(view.size.y) + ": drawn at 1/" + std::to_string(1 << downscale) + " of it");
         targets.clear();
         pictures.clear();
         drawOnce(view);
@@ -311,7 +314,8 @@ void Renderer::Impl::beginTimes() {
     if (timer.isImmediate()) choice.addPassTimes(figures.passMs);
     timer.beginFrame(figures.passMs);
     if (!timer.isImmediate()) choice.addPassTimes(figures.passMs);
-    if (const std::string news = choice.takeDecisions(); !news.empty()) logInfo("full-screen passes are drawn by what was faster: " + news);
+    if (const std::string news = choice.takeDecisions(); !news.empty())
+        logInfo("full-screen passes are drawn by what was faster: " + news);
 }
 
 void Renderer::Impl::drawOnce(const View& wanted) {
@@ -325,7 +329,8 @@ void Renderer::Impl::drawOnce(const View& wanted) {
     pictures.beginFrame(view.size, view.cut);
     fillBlock(view, traced);
     uploadBlock();
-    const FrameContext frame{block, settings, scene, targets, pictures, blueNoise, figures, emptyVertexArray, updateLightGrid(), &choice};
+    const FrameContext frame{
+        block, settings, scene, targets, pictures, blueNoise, figures, emptyVertexArray, updateLightGrid(), &choice};
     drawPasses(frame);
     const Texture* target = find(shown->target);
     run("show", [&] { show.draw(frame, target ? *target : blueNoise, shown->mode, wanted, dot()); });
@@ -355,7 +360,8 @@ Fullscreen RenderSettings::fullscreenFromName(std::string_view name) {
     return name == "compute" ? Fullscreen::Compute : name == "fragment" ? Fullscreen::Fragment : Fullscreen::Auto;
 }
 
-Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader, const std::string& shaderFolder, const RenderSettings& settings) {
+Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader, const std::string& shaderFolder,
+                                                   const RenderSettings& settings) {
     if (auto loaded = loadGl(loader); !loaded) return Error{loaded.error()};
     const GlStateGuard hostState;
     auto impl = std::make_unique<Impl>(shaderFolder, settings);
@@ -406,7 +412,8 @@ std::vector<std::string> Renderer::passNames() const {
 Result<FloatImage> Renderer::readTarget(std::string_view name) const {
     const Texture* texture = m_impl->find(name);
     if (!texture) return Error{"no pass has drawn a target \"" + std::string(name) + "\""};
-    if (pixelFormat(texture->internalFormat()).format == GL_DEPTH_COMPONENT) return Error{"target \"" + std::string(name) + "\" holds no colours"};
+    if (pixelFormat(texture->internalFormat()).format == GL_DEPTH_COMPONENT)
+        return Error{"target \"" + std::string(name) + "\" holds no colours"};
     const GlStateGuard hostState;
     FloatImage image(texture->size());
     m_impl->targets.framebuffer({texture}).begin();

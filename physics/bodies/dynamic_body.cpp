@@ -26,9 +26,11 @@ Pose inverse(const Pose& pose) {
 
 }  // namespace
 
-DynamicBody::DynamicBody(const World& world, BodyHandle handle) : m_handle(handle), m_shapes(world.bodies().at(handle).shapes) {
+DynamicBody::DynamicBody(const World& world, BodyHandle handle)
+    : m_handle(handle), m_shapes(world.bodies().at(handle).shapes) {
     for (const ShapeHandle shape : m_shapes)
-        object.collider.parts.push_back(std::make_unique<VoxelPart>(world.shapes().at(shape), Pose{}, world.materials()));
+        object.collider.parts.push_back(
+            std::make_unique<VoxelPart>(world.shapes().at(shape), Pose{}, world.materials()));
     object.body = object.number = handle.slot();
     object.dynamic = this;
     takeState(world);
@@ -59,7 +61,8 @@ void DynamicBody::takeState(const World& world) {
     motion.inertia = m_mass.principalInertia;
     motion.inverseMass = 1.0 / m_mass.mass;
 
-    for (size_t i = 0; i < m_shapes.size(); ++i) object.collider.parts[i]->setFrame(m_bodyInCenter * world.shapes().at(m_shapes[i]).local);
+    for (size_t i = 0; i < m_shapes.size(); ++i)
+        object.collider.parts[i]->setFrame(m_bodyInCenter * world.shapes().at(m_shapes[i]).local);
     object.radius = object.collider.radius();
     setPose();
     glm::dvec3 low, high;
@@ -103,7 +106,8 @@ void DynamicBody::setAsleep(bool asleep) {
 bool DynamicBody::finite() const {
     const glm::dquat& q = motion.rotation;
     return finiteBelow(motion.position, 1e300) && finiteBelow(motion.velocity, limits::kInvalidSpeed) &&
-           finiteBelow(motion.angularVelocity, limits::kInvalidSpeed) && finiteBelow({q.x, q.y, q.z}, 2.0) && std::abs(q.w) < 2.0;
+           finiteBelow(motion.angularVelocity, limits::kInvalidSpeed) && finiteBelow({q.x, q.y, q.z}, 2.0) &&
+           std::abs(q.w) < 2.0;
 }
 
 bool DynamicBody::isFartherThan(double distance, glm::dvec3 origin) const {
@@ -111,7 +115,8 @@ bool DynamicBody::isFartherThan(double distance, glm::dvec3 origin) const {
 }
 
 bool DynamicBody::clamp(LimitCounts& counts) {
-    const bool speed = shorten(motion.velocity, limits::kMaxSpeed), spin = shorten(motion.angularVelocity, limits::kMaxAngularSpeed);
+    const bool speed = shorten(motion.velocity, limits::kMaxSpeed),
+               spin = shorten(motion.angularVelocity, limits::kMaxAngularSpeed);
     counts[size_t(LimitKind::Speed)] += speed;
     counts[size_t(LimitKind::Spin)] += spin;
     const bool mass = std::exchange(m_hasOddMass, false);
@@ -129,8 +134,8 @@ void DynamicBody::restore() {
 
 bool DynamicBody::refresh() {
     const BodyPose now{m_handle, bodyPose(), motion.velocity, motion.angularVelocity, m_asleep};
-    const bool differs = !(now.pose == m_state.pose && now.velocity == m_state.velocity && now.angularVelocity == m_state.angularVelocity &&
-                           now.asleep == m_state.asleep);
+    const bool differs = !(now.pose == m_state.pose && now.velocity == m_state.velocity &&
+                           now.angularVelocity == m_state.angularVelocity && now.asleep == m_state.asleep);
     m_state = now;
     return differs;
 }

@@ -1,8 +1,8 @@
 #pragma once
-#include "physics/collision/broadphase.h"
-#include "physics/solver/contact_solver.h"
 #include "physics/bodies/limits.h"
 #include "physics/bodies/sleep_timer.h"
+#include "physics/collision/broadphase.h"
+#include "physics/solver/contact_solver.h"
 #include "runtime/world/world.h"
 
 namespace rubble {
@@ -15,8 +15,8 @@ public:
     DynamicBody(const DynamicBody&) = delete;
     DynamicBody& operator=(const DynamicBody&) = delete;
 
-    /// Takes over that its shapes' voxels have changed, with its mass and frame, and is awake as if made anew; false, and
-    /// nothing has changed, if its shapes or their cells are not the same any more.
+    /// Takes over that its shapes' voxels have changed, with its mass and frame, and is awake as if made anew; false,
+    /// and nothing has changed, if its shapes or their cells are not the same any more.
     bool updateShape(const World& world, const FrameChanges& changes);
 
     void setFilter(ShapeHandle shape, CollisionFilter filter);
@@ -53,16 +53,17 @@ public:
     CollisionObject object;
     SolverBody motion;
     SleepTimer sleepTimer;
-    double slowSeconds = 0.0;               ///< how long it has been slow: the longer, the more drift counts as restTime
-    bool newlyAwake = true;               ///< has not moved noticeably since it woke
-    glm::dvec3 secondaryVelocity{0.0};                  ///< m/s that fast hits may add within this step
-    std::vector<uint32_t> sleepersTouched;  ///< slots of sleeping bodies that it has touched since it last moved noticeably
-    bool touching = false;                  ///< had a contact in the last step
-    bool inWater = false;                    ///< was in water in the last step
-    bool isDebris = false;                  ///< counts in the budget of what moves
-    bool settled = false;                   ///< a touch does not wake it
-    bool wantsSleep = false;                ///< it is restTime, but what it is jointed to may not be
-    bool known = false;                     ///< its pairs of this step have been found
+    double slowSeconds = 0.0;           ///< how long it has been slow: the longer, the more drift counts as restTime
+    bool newlyAwake = true;             ///< has not moved noticeably since it woke
+    glm::dvec3 secondaryVelocity{0.0};  ///< m/s that fast hits may add within this step
+    std::vector<uint32_t>
+        sleepersTouched;      ///< slots of sleeping bodies that it has touched since it last moved noticeably
+    bool touching = false;    ///< had a contact in the last step
+    bool inWater = false;     ///< was in water in the last step
+    bool isDebris = false;    ///< counts in the budget of what moves
+    bool settled = false;     ///< a touch does not wake it
+    bool wantsSleep = false;  ///< it is restTime, but what it is jointed to may not be
+    bool known = false;       ///< its pairs of this step have been found
 
 private:
     /// Mass, frame and motion from World; the collider's parts are placed about the centre.

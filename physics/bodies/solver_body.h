@@ -19,8 +19,8 @@ struct SolverBody {
 struct SolverState {
     glm::vec3 v{0.0f}, w{0.0f};
     float inverseMass = 0.0f, minHalfExtent = 0.0f;
-    glm::vec3 deltaPosition{0.0f};           ///< since the step began
-    glm::mat3 deltaRotation{0.0f};          ///< rotation since the step began, less the identity
+    glm::vec3 deltaPosition{0.0f};   ///< since the step began
+    glm::mat3 deltaRotation{0.0f};   ///< rotation since the step began, less the identity
     glm::mat3 inverseInertia{0.0f};  ///< world
     bool isConstrained = false, isLoadBearing = false;
     bool inertiaRotates = false;  ///< within the step
@@ -28,8 +28,8 @@ struct SolverState {
     bool isHitByFast = false;  ///< so fast that its core counts
 };
 
-/// One substep of a body's rotation. Bodies that conserve hold their angular momentum (see rotation.cpp for how); the others
-/// keep their angular velocity.
+/// One substep of a body's rotation. Bodies that conserve hold their angular momentum (see rotation.cpp for how); the
+/// others keep their angular velocity.
 void rotateBody(SolverBody& body, double seconds);
 /// World tensor of a body's inverse inertia.
 glm::dmat3 worldInverseInertia(const SolverBody& body);

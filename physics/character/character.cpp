@@ -8,11 +8,11 @@
 namespace rubble {
 namespace {
 
-constexpr double kSkin = 0.008;      ///< metres that it keeps from what it meets
+constexpr double kSkin = 0.008;         ///< metres that it keeps from what it meets
 constexpr int kMaxSlides = 4;           ///< walls that it follows in one step
-constexpr int kMaxDepenetrations = 12;          ///< times that it is pushed out of what came into it
-constexpr double kMaxSpeed = 60.0;    ///< m/s, falling
-constexpr double kAirControl = 3.0;  ///< 1/s: how fast it comes to its wish without ground
+constexpr int kMaxDepenetrations = 12;  ///< times that it is pushed out of what came into it
+constexpr double kMaxSpeed = 60.0;      ///< m/s, falling
+constexpr double kAirControl = 3.0;     ///< 1/s: how fast it comes to its wish without ground
 constexpr double kSwimControl = 6.0;
 constexpr double kChest = 0.6;       ///< of its height: under water there, it swims
 constexpr double kLookAhead = 0.25;  ///< metres of level ground that a step must lead to
@@ -46,7 +46,10 @@ glm::dvec3 velocityAt(const CollisionObject* object, glm::dvec3 point) {
 class CharacterMover {
 public:
     CharacterMover(Character& character, const CharacterSurroundings& around, std::vector<CharacterPush>& pushes)
-        : m_c(character), m_around(around), m_pushes(pushes), m_steepest(1.0 / std::sqrt(1.0 + character.steepest * character.steepest)) {}
+        : m_c(character),
+          m_around(around),
+          m_pushes(pushes),
+          m_steepest(1.0 / std::sqrt(1.0 + character.steepest * character.steepest)) {}
 
     void run(const std::vector<BodyHandle>& handles) {
         const CollisionObject* ground = findGround();
@@ -55,7 +58,8 @@ public:
         if (m_c.grounded) moveWithGround(ground);
         depenetrate();
         crouch();
-        const Water* water = m_around.waters ? m_around.waters->at(m_c.position + kUp * (kChest * m_c.currentHeight())) : nullptr;
+        const Water* water =
+            m_around.waters ? m_around.waters->at(m_c.position + kUp * (kChest * m_c.currentHeight())) : nullptr;
         m_c.swimming = water != nullptr;
         if (m_c.swimming)
             swim(*water);
@@ -92,17 +96,20 @@ private:
             for (size_t i = 0; !(m_passesBodies && object->dynamic) && i < object->collider.parts.size(); ++i)
                 if (object->collider.parts[i]->filter().meets(mine)) f(*object, i, *object->collider.parts[i]);
     }
-    static glm::dvec3 toWorld(const CellTransform& cells, double size, glm::dvec3 normalCells) { return cells.axes * normalCells / size; }
+    static glm::dvec3 toWorld(const CellTransform& cells, double size, glm::dvec3 normalCells) {
+        return cells.axes * normalCells / size;
+    }
 
     SweepHit sweep(glm::dvec3 from, glm::dvec3 displacement) const {
         SweepHit best;
         forEachPart([&](CollisionObject& object, size_t i, const VoxelPart& part) {
             const CellTransform& cells = object.cellTransforms()[i];
             const double size = part.voxelSize();
-            const CellContact touch =
-                castShape(part.grid(), capsule(object, i, from, m_c.currentHeight(), m_c.radius), glm::transpose(cells.axes) * displacement / (size * size), best.t);
+            const CellContact touch = castShape(part.grid(), capsule(object, i, from, m_c.currentHeight(), m_c.radius),
+                                                glm::transpose(cells.axes) * displacement / (size * size), best.t);
             if (!touch.hit || (best.hit && touch.t >= best.t)) return;
-            best = {true, touch.t, toWorld(cells, size, touch.normal), object.pose.position + cells.corner + cells.axes * touch.point, &object};
+            best = {true, touch.t, toWorld(cells, size, touch.normal),
+                    object.pose.position + cells.corner + cells.axes * touch.point, &object};
             findFace(part, cells, touch, best);
         });
         return best;
@@ -138,7 +145,8 @@ private:
         return touch;
     }
 
-    /// Follows what it meets. upright: slopes that are too steep, and edges, are walls. Returns true if something stopped it.
+    /// Follows what it meets. upright: slopes that are too steep, and edges, are walls. Returns true if something
+    /// stopped it.
     bool slide(glm::dvec3 displacement, bool upright, bool changesVelocity) {
         std::array<glm::dvec3, kMaxSlides> walls{};
         bool stopped = false;
@@ -157,13 +165,16 @@ private:
             }
             push(touch, -normal);
             walls[size_t(i)] = normal;
-            if (changesVelocity) m_c.velocity -= normal * std::min(0.0, glm::dot(m_c.velocity - velocityAt(touch.object, touch.point), normal));
+            if (changesVelocity)
+                m_c.velocity -=
+                    normal * std::min(0.0, glm::dot(m_c.velocity - velocityAt(touch.object, touch.point), normal));
             displacement -= normal * std::min(0.0, glm::dot(displacement, normal));
             for (int k = 0; k < i; ++k) {  // into a corner: along it, or nowhere
                 if (glm::dot(displacement, walls[size_t(k)]) >= -1e-9) continue;
                 const glm::dvec3 corner = glm::cross(walls[size_t(k)], normal);
                 const double length = glm::length(corner);
-                displacement = length > 1e-6 && !upright ? corner / length * (glm::dot(displacement, corner) / length) : glm::dvec3(0.0);
+                displacement = length > 1e-6 && !upright ? corner / length * (glm::dot(displacement, corner) / length)
+                                                         : glm::dvec3(0.0);
             }
             if (glm::dot(displacement, wished) <= 0.0) break;
         }
@@ -190,9 +201,12 @@ private:
         const SweepHit step = sweep(reached, -kUp * (climbed + kSkin));
         const double rise = climbed - step.t * (climbed + kSkin);
         if (ahead.hit && ahead.object->dynamic == nullptr && after <= before + 1e-6) return stay(slid);
-        if (!step.hit || !step.isFlat || step.point.y > start.y + m_c.stepHeight + kSkin || after <= before + 1e-6 || rise <= 0.0) return stay(slid);
+        if (!step.hit || !step.isFlat || step.point.y > start.y + m_c.stepHeight + kSkin || after <= before + 1e-6 ||
+            rise <= 0.0)
+            return stay(slid);
         m_c.position = reached - kUp * std::max(0.0, step.t * (climbed + kSkin) - kSkin);
-        if (sweep(m_c.position + kUp * (m_c.steepest * kLookAhead + kSkin), forward * kLookAhead).hit) return stay(slid);
+        if (sweep(m_c.position + kUp * (m_c.steepest * kLookAhead + kSkin), forward * kLookAhead).hit)
+            return stay(slid);
         if (sweep(m_c.position, kUp * (m_c.steepest * kLookAhead + kSkin)).hit) return stay(slid);
         m_pushes.resize(pushed);  // over it, not against it
     }
@@ -204,7 +218,8 @@ private:
         const double speed = glm::dot(m_c.velocity - velocityAt(touch.object, touch.point), direction);
         if (speed <= 0.0 || body.quarantined()) return;
         const double most = speed / (body.motion.inverseMass + 1.0 / m_c.mass);
-        m_pushes.push_back({&body, direction * std::min(most, m_c.pushForce * m_around.seconds), touch.point, most > 1e-3});
+        m_pushes.push_back(
+            {&body, direction * std::min(most, m_c.pushForce * m_around.seconds), touch.point, most > 1e-3});
     }
 
     CollisionObject* findGround() const {
@@ -215,7 +230,8 @@ private:
     }
     void moveWithGround(const CollisionObject* ground) {
         if (!ground || ground->dynamic->asleep()) return;
-        const glm::dvec3 there = ground->dynamic->bodyPose().transformPoint(ground->dynamic->state().pose.inversePoint(m_c.position));
+        const glm::dvec3 there =
+            ground->dynamic->bodyPose().transformPoint(ground->dynamic->state().pose.inversePoint(m_c.position));
         const glm::dvec3 displacement = there - m_c.position;
         m_passesBodies = true;
         if (displacement.y > 0.0) advance(kUp * displacement.y);
@@ -224,7 +240,8 @@ private:
         m_passesBodies = false;
     }
 
-    /// Out of what came into it: what moves first, what stands still has the last word. What cannot be left stays where it is.
+    /// Out of what came into it: what moves first, what stands still has the last word. What cannot be left stays where
+    /// it is.
     void depenetrate() {
         const glm::dvec3 start = m_c.position;
         for (int i = 0; i < kMaxDepenetrations; ++i) {
@@ -233,13 +250,16 @@ private:
             forEachPart([&](CollisionObject& object, size_t part, const VoxelPart& solid) {
                 const CellTransform& cells = object.cellTransforms()[part];
                 const double size = solid.voxelSize(), wide = m_c.radius + 0.5 * kSkin;
-                const CellContact touch = findDeepest(solid.grid(), capsule(object, part, m_c.position, m_c.currentHeight(), wide));
+                const CellContact touch =
+                    findDeepest(solid.grid(), capsule(object, part, m_c.position, m_c.currentHeight(), wide));
                 const double here = touch.hit ? wide - touch.t * size : 0.0;
                 const bool outranks = object.dynamic == nullptr && worst.object && worst.object->dynamic;
-                if (here <= 1e-6 || (worst.hit && here <= depth && !outranks) || (worst.object && !worst.object->dynamic && object.dynamic)) return;
+                if (here <= 1e-6 || (worst.hit && here <= depth && !outranks) ||
+                    (worst.object && !worst.object->dynamic && object.dynamic))
+                    return;
                 depth = here;
-                worst = {true, 0.0, toWorld(cells, size, touch.normal), object.pose.position + cells.corner + cells.axes * touch.point,
-                         &object};
+                worst = {true, 0.0, toWorld(cells, size, touch.normal),
+                         object.pose.position + cells.corner + cells.axes * touch.point, &object};
             });
             if (!worst.hit) return;
             if (worst.normal == glm::dvec3(0.0)) worst.normal = kUp;
@@ -264,7 +284,8 @@ private:
     bool isFreeOfStatic(glm::dvec3 feet) const {
         bool free = true;
         forEachPart([&](CollisionObject& object, size_t i, const VoxelPart& part) {
-            free = free && (object.dynamic || !findOverlap(part.grid(), capsule(object, i, feet, m_c.currentHeight(), m_c.radius)));
+            free = free && (object.dynamic ||
+                            !findOverlap(part.grid(), capsule(object, i, feet, m_c.currentHeight(), m_c.radius)));
         });
         return free;
     }
@@ -316,7 +337,8 @@ private:
         if (!body || body->quarantined()) return;
         const glm::dvec3 fall = kUp * std::min(0.0, rising) * m_c.mass / (1.0 + m_c.mass * body->motion.inverseMass);
         const bool isNew = stoodOn != m_c.ground;
-        if (isNew || !body->asleep()) m_pushes.push_back({body, m_around.gravity * (m_c.mass * m_around.seconds) + fall, touch.point, isNew});
+        if (isNew || !body->asleep())
+            m_pushes.push_back({body, m_around.gravity * (m_c.mass * m_around.seconds) + fall, touch.point, isNew});
     }
 
     Character& m_c;
@@ -329,7 +351,8 @@ private:
 }  // namespace
 
 double characterQueryRadius(const Character& character, double seconds) {
-    return character.radius + character.stepHeight + glm::length(character.velocity) * seconds + character.walkSpeed * seconds + 1.0;
+    return character.radius + character.stepHeight + glm::length(character.velocity) * seconds +
+           character.walkSpeed * seconds + 1.0;
 }
 
 void moveCharacter(Character& character, const CharacterSurroundings& around, const std::vector<BodyHandle>& handles,

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "physics/collision/broadphase.h"
 #include "physics/bodies/dynamic_body.h"
+#include "physics/collision/broadphase.h"
 #include "physics/water/water.h"
 #include "runtime/world/character.h"
 
@@ -26,9 +26,9 @@ struct CharacterPush {
 /// How far around its feet a character looks for what it could touch in a step, metres.
 double characterQueryRadius(const Character& character, double seconds);
 
-/// One step of a character, after the bodies have made theirs: carried by what it stands on, pushed out of what came into
-/// it, then moved by sweeps of its capsule, which end short of what they meet, so that it is never inside what stands still.
-/// handles: of bodies, by slot.
+/// One step of a character, after the bodies have made theirs: carried by what it stands on, pushed out of what came
+/// into it, then moved by sweeps of its capsule, which end short of what they meet, so that it is never inside what
+/// stands still. handles: of bodies, by slot.
 void moveCharacter(Character& character, const CharacterSurroundings& around, const std::vector<BodyHandle>& handles,
                    std::vector<CharacterPush>& pushes);
 

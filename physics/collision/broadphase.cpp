@@ -8,7 +8,8 @@
 namespace rubble {
 namespace {
 
-constexpr btScalar kFatMargin = 0.05f;    ///< metres that a moving object's leaf is max4 than it: small moves do not touch the tree
+constexpr btScalar kFatMargin =
+    0.05f;  ///< metres that a moving object's leaf is max4 than it: small moves do not touch the tree
 constexpr double kRounding = 1e-4;  ///< metres that bounds are wider than their toFloat4 say
 
 }  // namespace
@@ -26,12 +27,14 @@ void CollisionObject::setPose(const Pose& at) {
 }
 
 bool Broadphase::overlap(const CollisionObject& a, const CollisionObject& b) {
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+           a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
 void Broadphase::sortPairs(std::vector<ObjectPair>& pairs, size_t from) {
     std::sort(pairs.begin() + std::ptrdiff_t(from), pairs.end(), [](const ObjectPair& a, const ObjectPair& b) {
-        return a.first->number != b.first->number ? a.first->number < b.first->number : a.second->number < b.second->number;
+        return a.first->number != b.first->number ? a.first->number < b.first->number
+                                                  : a.second->number < b.second->number;
     });
 }
 

@@ -16,12 +16,12 @@ inline constexpr uint32_t kStaticObject = 0x80000000u;  ///< in the number of an
 /// What can be touched: the voxels of a body, or one shape of a static body, at their setPose.
 struct CollisionObject {
     VoxelCollider collider;
-    Pose pose;                       ///< collider's frame -> world
-    double radius = 0.0;             ///< of the collider about its frame's origin, metres
-    uint32_t body = 0;               ///< slot
-    uint32_t number = 0;             ///< unique; the order of pairs: a body's slot, or a static shape's with kStaticObject
+    Pose pose;            ///< collider's frame -> world
+    double radius = 0.0;  ///< of the collider about its frame's origin, metres
+    uint32_t body = 0;    ///< slot
+    uint32_t number = 0;  ///< unique; the order of pairs: a body's slot, or a static shape's with kStaticObject
     DynamicBody* dynamic = nullptr;  ///< null: static
-    bool isNew = true;               ///< has another mass or form than in the last step: its contacts inheritImpulses no impulses
+    bool isNew = true;  ///< has another mass or form than in the last step: its contacts inheritImpulses no impulses
     CollisionFilter filter;          ///< of all parts together, as of the last setPose()
     glm::dvec3 low{0.0}, high{0.0};  ///< world bounds, with what it sweeps in the step
     uint32_t version = 0;            ///< another one after it was added anew or its voxels changed
@@ -51,13 +51,14 @@ public:
     void remove(CollisionObject& object);
     /// Its voxels have changed where it is.
     void touch(CollisionObject& object) { object.version = ++m_versions; }
-    /// The object has moved: its bounds are those of its pose, widened by `margin` and by its displacement (metres, world).
+    /// The object has moved: its bounds are those of its pose, widened by `margin` and by its displacement (metres,
+    /// world).
     void move(CollisionObject& object, glm::dvec3 displacement, double margin);
 
     /// Objects whose bounds may overlap a box, in no order.
     void find(glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObject*>& out);
-    /// Pairs of these objects, which move, with others and each other, each pair once, the one with the lower number first;
-    /// sorted. Pairs with what moves and `isKnown` are left out.
+    /// Pairs of these objects, which move, with others and each other, each pair once, the one with the lower number
+    /// first; sorted. Pairs with what moves and `isKnown` are left out.
     template <class IsKnown>
     void findPairs(std::span<CollisionObject* const> moving, IsKnown&& isKnown, std::vector<ObjectPair>& out) {
         const size_t from = out.size();
@@ -67,7 +68,8 @@ public:
             for (CollisionObject* other : m_found) {
                 if (other == object || !object->filter.meets(other->filter) || !overlap(*object, *other)) continue;
                 if (other->m_moves && (isKnown(*other) || other->number < object->number)) continue;
-                out.emplace_back(object->number < other->number ? ObjectPair(object, other) : ObjectPair(other, object));
+                out.emplace_back(object->number < other->number ? ObjectPair(object, other)
+                                                                : ObjectPair(other, object));
             }
         }
         sortPairs(out, from);

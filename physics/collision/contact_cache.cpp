@@ -26,13 +26,16 @@ void cacheContacts(Manifold& manifold, const Pose& first, const Pose& second) {
     }
 }
 
-void updateCachedContacts(Manifold& manifold, const RelativePose& then, const RelativePose& now, const Pose& first, const Pose& second) {
+void updateCachedContacts(Manifold& manifold, const RelativePose& then, const RelativePose& now, const Pose& first,
+                          const Pose& second) {
     const glm::mat3 turned = glm::mat3_cast(now.rotation) - glm::mat3_cast(then.rotation);
-    const glm::mat3 fromFirst = glm::mat3_cast(glm::quat(first.rotation)), fromSecond = glm::mat3_cast(glm::quat(second.rotation));
+    const glm::mat3 fromFirst = glm::mat3_cast(glm::quat(first.rotation)),
+                    fromSecond = glm::mat3_cast(glm::quat(second.rotation));
     const glm::vec3 moved(now.position - then.position);
     manifold.origin = first.position;
     for (ManifoldPoint& point : manifold.all()) {
-        point.separation = point.cachedSeparation + glm::dot(point.normalInSecond, moved + turned * point.anchorInFirst);
+        point.separation =
+            point.cachedSeparation + glm::dot(point.normalInSecond, moved + turned * point.anchorInFirst);
         point.normal = fromSecond * point.normalInSecond;
         point.position = fromFirst * point.anchorInFirst - point.normal * (0.5f * point.separation);
     }

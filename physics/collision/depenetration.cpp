@@ -6,11 +6,12 @@
 namespace rubble {
 namespace {
 
-constexpr float kMaxDetour = 0.15f;  ///< cells by which a displacement out may be longer than one that a feature does not accept
-constexpr int kMaxDepth = 4;       ///< cells below a surface that a displacement out is looked for
+constexpr float kMaxDetour =
+    0.15f;  ///< cells by which a displacement out may be longer than one that a feature does not accept
+constexpr int kMaxDepth = 4;  ///< cells below a surface that a displacement out is looked for
 
-/// A point in a notch: its cell has no exposed face, but a cell over an edge or a corner is empty. Of the planes that meet
-/// there it is behind all: the one that it is deepest behind, of the closest such cell.
+/// A point in a notch: its cell has no exposed face, but a cell over an edge or a corner is empty. Of the planes that
+/// meet there it is behind all: the one that it is deepest behind, of the closest such cell.
 Face nearestExitFaceOfNotch(Occupancy& occupancy, Cell cell, const glm::vec3& p, const FeatureQuery& query) {
     Face best;
     float closest = 1e9f;
@@ -32,7 +33,8 @@ Face nearestExitFaceOfNotch(Occupancy& occupancy, Cell cell, const glm::vec3& p,
     return best;
 }
 
-/// Amanatides and Woo's walk through the cells on a displacement: `next` is where, in shares of the displacement, it leaves the cell by each axis.
+/// Amanatides and Woo's walk through the cells on a displacement: `next` is where, in shares of the displacement, it
+/// leaves the cell by each axis.
 struct CellWalk {
     Cell cell, step;
     glm::vec3 next, delta;
@@ -103,7 +105,8 @@ Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float marg
     return best;
 }
 
-Face sweepToFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm::vec3& displacement, const FeatureQuery& query) {
+Face sweepToFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm::vec3& displacement,
+                 const FeatureQuery& query) {
     bool wasInside = occupancy.solid(cell);
     for (CellWalk walk(cell, p, displacement);;) {
         const int axis = walk.axis();

@@ -3,7 +3,8 @@
 #include <cmath>
 
 namespace rubble {
-float refineSeparatingAxis(const TransformedHull& a, const TransformedHull& b, float enough, int turns, glm::vec3& axis) {
+float refineSeparatingAxis(const TransformedHull& a, const TransformedHull& b, float enough, int turns,
+                           glm::vec3& axis) {
     float gap = gapAlongAxis(a, b, axis), step = 1.0f;
     for (int turn = 0; turn < turns && gap <= enough; ++turn) {
         const glm::vec3 displacement = a.supportPoint(-axis) - b.supportPoint(axis);

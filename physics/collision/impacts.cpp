@@ -21,15 +21,16 @@ glm::dvec3 approachVelocity(const Manifold& manifold, double seconds) {
     glm::dvec3 away(0.0);
     for (const ManifoldPoint& point : manifold.all()) {
         const glm::dvec3 position = manifold.origin + glm::dvec3(point.position), normal(point.normal);
-        const glm::dvec3 relative = velocityAt(*manifold.objects.first, position) - velocityAt(*manifold.objects.second, position);
+        const glm::dvec3 relative =
+            velocityAt(*manifold.objects.first, position) - velocityAt(*manifold.objects.second, position);
         const double speed = -glm::dot(relative, normal);
         if (speed * seconds > double(point.separation) && speed > fastest) fastest = speed, away = normal * speed;
     }
     return away;
 }
 
-void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double threshold, const std::vector<BodyHandle>& handles,
-                 std::vector<Impact>& out) {
+void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double threshold,
+                 const std::vector<BodyHandle>& handles, std::vector<Impact>& out) {
     struct Hit {
         uint32_t body, other;         ///< slots; body > other unless other is static
         glm::dvec3 position, normal;  ///< weighted by impulse
@@ -47,9 +48,11 @@ void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double t
             normal += glm::dvec3(point.normal) * double(point.totalImpulse);
         }
         if (!(approach > minSpeed)) continue;
-        hits.push_back({manifold->objects.first->body, manifold->objects.second->body, position, normal, total, approach});
+        hits.push_back(
+            {manifold->objects.first->body, manifold->objects.second->body, position, normal, total, approach});
     }
-    std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return std::tie(a.body, a.other) < std::tie(b.body, b.other); });
+    std::stable_sort(hits.begin(), hits.end(),
+                     [](const Hit& a, const Hit& b) { return std::tie(a.body, a.other) < std::tie(b.body, b.other); });
     for (size_t i = 0; i < hits.size();) {  // several shapes of one static body are one hit
         Hit sum = hits[i++];
         for (; i < hits.size() && hits[i].body == sum.body && hits[i].other == sum.other; ++i)

@@ -8,10 +8,13 @@ namespace {
 
 constexpr float kSameDirection = 0.8f;  ///< cosine between normals that count as one direction
 constexpr int kMaxPointsPerDirection = 4;
-constexpr float kMinLineDistance = 0.02f;      ///< distance from a line, in lengths of it, below which a point adds nothing to its ends
+constexpr float kMinLineDistance =
+    0.02f;  ///< distance from a line, in lengths of it, below which a point adds nothing to its ends
 constexpr float kKeptDepthBonus = 0.001f;  ///< metres deeper that it counts as
-constexpr float kMinInitialPenetration = 0.02f;    ///< metres inside the static world from which on that is no error of stepping
-constexpr float kKeptDistanceFactor = 2.0f;         ///< a point that was kept in the last step counts as this much farther out: choices do not flicker
+constexpr float kMinInitialPenetration =
+    0.02f;  ///< metres inside the static world from which on that is no error of stepping
+constexpr float kKeptDistanceFactor =
+    2.0f;  ///< a point that was kept in the last step counts as this much farther out: choices do not flicker
 
 bool wasKept(const Manifold* before, uint64_t feature) {
     if (before)
@@ -20,8 +23,8 @@ bool wasKept(const Manifold* before, uint64_t feature) {
     return false;
 }
 
-/// Moves float4 of contacts[from, to) to the front: the deepest, the one farthest from it, the one farthest from their line,
-/// and the one farthest from that on the other side, as far as there are. Returns how many.
+/// Moves float4 of contacts[from, to) to the front: the deepest, the one farthest from it, the one farthest from their
+/// line, and the one farthest from that on the other side, as far as there are. Returns how many.
 size_t chooseWidestPoints(std::vector<ContactPoint>& contacts, size_t from, size_t to, const Manifold* before) {
     if (to - from <= kMaxPointsPerDirection) return to - from;
     const auto best = [&](size_t first, auto&& score) {
@@ -39,19 +42,21 @@ size_t chooseWidestPoints(std::vector<ContactPoint>& contacts, size_t from, size
     best(from + 1, [&](const ContactPoint& c) { return glm::dot(c.position - deepest, c.position - deepest); });
     const glm::vec3 side = glm::cross(contacts[from + 1].position - deepest, normal);
     const auto across = [&](const ContactPoint& c) { return glm::dot(side, c.position - deepest); };
-    const float inLine = kMinLineDistance * glm::dot(side, side);  // or which of many points in line is taken changes from step to step
+    const float inLine =
+        kMinLineDistance * glm::dot(side, side);  // or which of many points in line is taken changes from step to step
     if (best(from + 2, [&](const ContactPoint& c) { return std::abs(across(c)); }) < inLine) return 2;
     const float sign = across(contacts[from + 2]) > 0 ? -1.0f : 1.0f;
     return best(from + 3, [&](const ContactPoint& c) { return sign * across(c); }) < inLine ? 3 : 4;
 }
 
-/// Points that were there before start with the impulses they had; what points that are gone bore is shared by the new ones
-/// of their direction.
+/// Points that were there before start with the impulses they had; what points that are gone bore is shared by the new
+/// ones of their direction.
 void inheritImpulses(const Manifold& before, Manifold& now) {
     std::array<bool, kMaxManifoldPoints> taken{}, known{};
     for (int i = 0; i < now.count; ++i)
         for (int k = 0; k < before.count; ++k)
-            if (!taken[size_t(k)] && !known[size_t(i)] && before.points[size_t(k)].feature == now.points[size_t(i)].feature &&
+            if (!taken[size_t(k)] && !known[size_t(i)] &&
+                before.points[size_t(k)].feature == now.points[size_t(i)].feature &&
                 glm::dot(before.points[size_t(k)].normal, now.points[size_t(i)].normal) > kSameDirection) {
                 now.points[size_t(i)].normalImpulse = before.points[size_t(k)].normalImpulse;
                 now.points[size_t(i)].frictionImpulse = before.points[size_t(k)].frictionImpulse;
@@ -60,7 +65,9 @@ void inheritImpulses(const Manifold& before, Manifold& now) {
     for (int k = 0; k < before.count; ++k) {
         const ManifoldPoint& gone = before.points[size_t(k)];
         if (taken[size_t(k)] || gone.normalImpulse == 0.0f) continue;
-        const auto takes = [&](int i) { return !known[size_t(i)] && glm::dot(now.points[size_t(i)].normal, gone.normal) > kSameDirection; };
+        const auto takes = [&](int i) {
+            return !known[size_t(i)] && glm::dot(now.points[size_t(i)].normal, gone.normal) > kSameDirection;
+        };
         int heirs = 0;
         for (int i = 0; i < now.count; ++i) heirs += takes(i);
         for (int i = 0; i < now.count; ++i)
@@ -91,7 +98,8 @@ void reduceContacts(std::vector<ContactPoint>& contacts, const Manifold* before,
         size_t deepest = from;
         float lowest = 1e9f;
         for (size_t i = from; i < contacts.size(); ++i) {
-            const float separation = contacts[i].separation - (wasKept(before, contacts[i].feature) ? kKeptDepthBonus : 0.0f);
+            const float separation =
+                contacts[i].separation - (wasKept(before, contacts[i].feature) ? kKeptDepthBonus : 0.0f);
             if (separation < lowest) lowest = separation, deepest = i;
         }
         std::swap(contacts[from], contacts[deepest]);
@@ -100,7 +108,8 @@ void reduceContacts(std::vector<ContactPoint>& contacts, const Manifold* before,
         for (size_t i = to; i < contacts.size(); ++i)
             if (glm::dot(contacts[i].normal, normal) > kSameDirection) std::swap(contacts[to++], contacts[i]);
         const size_t kept = chooseWidestPoints(contacts, from, to, before);
-        for (size_t i = from; i < from + kept && out.count < kMaxManifoldPoints; ++i) out.points[size_t(out.count++)] = {contacts[i]};
+        for (size_t i = from; i < from + kept && out.count < kMaxManifoldPoints; ++i)
+            out.points[size_t(out.count++)] = {contacts[i]};
         from = to;
     }
     if (before) inheritImpulses(*before, out);

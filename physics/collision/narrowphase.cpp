@@ -10,7 +10,8 @@ namespace {
 
 constexpr size_t kPairsPerBatch = 32;  ///< pairs
 constexpr float kUnlimited = 1e9f;
-constexpr double kMaxCachedMotion = 0.05;  ///< margins that two may move against each other before their contacts are found anew
+constexpr double kMaxCachedMotion =
+    0.05;  ///< margins that two may move against each other before their contacts are found anew
 
 template <class T>
 bool isBefore(const T& a, const T& b) {
@@ -38,7 +39,8 @@ void Narrowphase::begin() {
     set.usedBatches = 0;
 }
 
-void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettings& settings, const Pair* before, Batch& batch, Pair& pair) {
+void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettings& settings, const Pair* before,
+                              Batch& batch, Pair& pair) {
     const auto [first, second] = objects;
     const Motion firstMotion = motionOf(*first), secondMotion = motionOf(*second);
     const bool isKnown = before && before->firstVersion == first->version && before->secondVersion == second->version;
@@ -49,15 +51,19 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
         pair.manifold = &manifold;
         return manifold;
     };
-    if (isKnown && isSlow && before->isCacheable && maxPointDisplacement(before->place, place, first->radius) < kMaxCachedMotion * settings.margin) {
+    if (isKnown && isSlow && before->isCacheable &&
+        maxPointDisplacement(before->place, place, first->radius) < kMaxCachedMotion * settings.margin) {
         pair = *before;
-        if (before->manifold) updateCachedContacts(makeManifold() = *before->manifold, before->place, place, first->pose, second->pose);
+        if (before->manifold)
+            updateCachedContacts(makeManifold() = *before->manifold, before->place, place, first->pose, second->pose);
         return;
     }
     pair = {first->number, second->number, first->version, second->version};
     if (before) pair.axis = before->axis;
     batch.contacts.clear();
-    pair.isCacheable = findContacts(first->collider, firstMotion, second->collider, secondMotion, settings, pair.axis, batch.contacts) && isSlow;
+    pair.isCacheable = findContacts(first->collider, firstMotion, second->collider, secondMotion, settings, pair.axis,
+                                    batch.contacts) &&
+                       isSlow;
     pair.place = place;
     if (batch.contacts.empty()) return;
     Manifold& manifold = makeManifold();
@@ -69,10 +75,14 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
     reduceContacts(batch.contacts, inherits ? before->manifold : nullptr, manifold);
     cacheContacts(manifold, first->pose, second->pose);
     manifold.allowedPenetration = 0.0f;
-    if (!second->dynamic) updateAllowedPenetration(manifold, !before ? kUnlimited : before->manifold ? before->manifold->allowedPenetration : 0.0f);
+    if (!second->dynamic)
+        updateAllowedPenetration(manifold, !before            ? kUnlimited
+                                           : before->manifold ? before->manifold->allowedPenetration
+                                                              : 0.0f);
 }
 
-void Narrowphase::collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch, std::span<Pair> out) const {
+void Narrowphase::collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch,
+                               std::span<Pair> out) const {
     const std::vector<Pair>& known = m_sets[m_now ^ 1].pairs;
     batch.used = 0;
     if (batch.manifolds.size() < pairs.size()) batch.manifolds.resize(pairs.size());
@@ -87,7 +97,8 @@ void Narrowphase::collideBatch(std::span<const ObjectPair> pairs, const Narrowph
     }
 }
 
-void Narrowphase::collide(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, const ParallelFor& parallelFor) {
+void Narrowphase::collide(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings,
+                          const ParallelFor& parallelFor) {
     Set& set = m_sets[m_now];
     const size_t batches = (pairs.size() + kPairsPerBatch - 1) / kPairsPerBatch, firstBatch = set.usedBatches;
     set.usedBatches += batches;
@@ -96,7 +107,8 @@ void Narrowphase::collide(std::span<const ObjectPair> pairs, const NarrowphaseSe
     set.pairs.resize(firstPair + pairs.size());
     parallelFor(batches, [&](size_t i) {
         const size_t from = i * kPairsPerBatch, count = std::min(kPairsPerBatch, pairs.size() - from);
-        collideBatch(pairs.subspan(from, count), settings, *set.batches[firstBatch + i], std::span(set.pairs).subspan(firstPair + from, count));
+        collideBatch(pairs.subspan(from, count), settings, *set.batches[firstBatch + i],
+                     std::span(set.pairs).subspan(firstPair + from, count));
     });
     for (size_t i = firstBatch; i < set.usedBatches; ++i)
         for (size_t m = 0; m < set.batches[i]->used; ++m) set.list.push_back(&set.batches[i]->manifolds[m]);
@@ -115,7 +127,8 @@ void Narrowphase::collideAgain(std::span<const ObjectPair> pairs, const Narrowph
     for (const ObjectPair& objects : pairs) {
         Pair pair;
         pair.first = objects.first->number, pair.second = objects.second->number;
-        const auto end = set.pairs.begin() + std::ptrdiff_t(known), at = std::lower_bound(set.pairs.begin(), end, pair, isBefore<Pair>);
+        const auto end = set.pairs.begin() + std::ptrdiff_t(known),
+                   at = std::lower_bound(set.pairs.begin(), end, pair, isBefore<Pair>);
         const bool isKnown = at != end && !isBefore(pair, *at);
         if (isKnown && at->manifold) continue;
         collidePair(objects, settings, isKnown ? &*at : nullptr, batch, pair);

@@ -16,8 +16,10 @@ public:
     /// Begins a step: what is known becomes what was.
     void begin();
     /// Adds the manifolds of these sorted pairs that touch.
-    void collide(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, const ParallelFor& parallelFor);
-    /// The same for pairs of which some may have been looked at in this step: those without contacts are looked at again.
+    void collide(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings,
+                 const ParallelFor& parallelFor);
+    /// The same for pairs of which some may have been looked at in this step: those without contacts are looked at
+    /// again.
     void collideAgain(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings);
     /// Of this step, sorted by first and second, valid until the next begin().
     std::span<Manifold* const> manifolds() const { return m_sets[m_now].list; }
@@ -27,8 +29,8 @@ private:
     struct Pair {
         uint32_t first = 0, second = 0, firstVersion = 0, secondVersion = 0;
         glm::vec3 axis{0.0f};                ///< see findContacts()
-        bool isCacheable = false;             ///< they were near each other and slow
-        RelativePose place;                 ///< at which contacts were found
+        bool isCacheable = false;            ///< they were near each other and slow
+        RelativePose place;                  ///< at which contacts were found
         const Manifold* manifold = nullptr;  ///< none: they do not touch
     };
     struct Batch {
@@ -42,8 +44,10 @@ private:
         std::vector<Manifold*> list;
         std::vector<Pair> pairs;  ///< all, sorted
     };
-    void collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch, std::span<Pair> out) const;
-    static void collidePair(const ObjectPair& objects, const NarrowphaseSettings& settings, const Pair* before, Batch& batch, Pair& pair);
+    void collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch,
+                      std::span<Pair> out) const;
+    static void collidePair(const ObjectPair& objects, const NarrowphaseSettings& settings, const Pair* before,
+                            Batch& batch, Pair& pair);
 
     std::array<Set, 2> m_sets;
     size_t m_now = 0;

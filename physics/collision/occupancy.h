@@ -20,10 +20,13 @@ inline Cell cellOf(const glm::vec3& p) {
 /// Which cells of a part are solid; remembers the last brick of a large one.
 class Occupancy {
 public:
-    explicit Occupancy(const VoxelPart& part) : m_part(part), m_grid(part.grid()), m_whole(part.whole() ? &part.whole()->rows : nullptr) {}
+    explicit Occupancy(const VoxelPart& part)
+        : m_part(part), m_grid(part.grid()), m_whole(part.whole() ? &part.whole()->rows : nullptr) {}
 
     /// False if no cell of a box, both ends included, is solid; in a large part, large boxes are not looked at closely.
-    bool mayContainSolid(Int4 low, Int4 high) { return m_whole ? m_whole->any(low, high) : mayContainSolidNear(low, high); }
+    bool mayContainSolid(Int4 low, Int4 high) {
+        return m_whole ? m_whole->any(low, high) : mayContainSolidNear(low, high);
+    }
     /// False if no brick that a box of cells reaches into holds anything; large boxes are not looked at closely.
     bool mayContainBrick(Int4 from, Int4 to) const {
         if (m_whole) return m_whole->any(from, to);
@@ -47,8 +50,11 @@ public:
 private:
     bool mayContainSolidNear(Int4 from, Int4 to) {
         const Cell low(from[0], from[1], from[2]), high(to[0], to[1], to[2]);
-        const Cell brick = glm::clamp(low, Cell(0), m_grid.size() - 1) >> 3, last = brick * kBrickSize + kBrickSize + SolidRows::kPadding - 1;
-        if (glm::any(glm::greaterThan(low, last)) || glm::any(glm::lessThan(high, last - (kBrickSize + 2 * SolidRows::kPadding - 1)))) return false;
+        const Cell brick = glm::clamp(low, Cell(0), m_grid.size() - 1) >> 3,
+                   last = brick * kBrickSize + kBrickSize + SolidRows::kPadding - 1;
+        if (glm::any(glm::greaterThan(low, last)) ||
+            glm::any(glm::lessThan(high, last - (kBrickSize + 2 * SolidRows::kPadding - 1))))
+            return false;
         if (glm::any(glm::greaterThan(high, last))) return true;
         if (brick != m_nearAt) m_nearAt = brick, m_near = &m_part.rows(brick);
         return m_near->any(from, to);

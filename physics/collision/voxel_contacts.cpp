@@ -4,25 +4,31 @@
 #include <cmath>
 #include <span>
 
-#include "physics/math/simd4.h"
-#include "physics/collision/hull_separation.h"
 #include "physics/collision/depenetration.h"
+#include "physics/collision/hull_separation.h"
+#include "physics/math/simd4.h"
 
 namespace rubble {
 namespace {
 
-constexpr float kInset = 0.05f;             ///< voxels that a feature is looked up inside of its own solid: edges that line up still meet
-constexpr float kRounding = 1e-3f;          ///< cells by which more is looked at than should be needed
-constexpr float kSearchDistance = 0.15f;          ///< voxels, more than the margin, around a corner or edge in which contacts are looked for
-constexpr int kNewPairIterations = 4, kKnownPairIterations = 1;  ///< in the search for a gap, of pairs that are new and not
-constexpr float kMinStuckDepth = 0.25f;         ///< cells that a feature without a displacement out must be in for it to count though others touch
-constexpr float kMinAgreement = 0.5f;              ///< length of the mean normal of contacts below which they push against each other
-constexpr float kMinEdgeSine = 0.15f;          ///< sine centerAxis edges below which they do not cross
+constexpr float kInset =
+    0.05f;  ///< voxels that a feature is looked up inside of its own solid: edges that line up still meet
+constexpr float kRounding = 1e-3f;  ///< cells by which more is looked at than should be needed
+constexpr float kSearchDistance =
+    0.15f;  ///< voxels, more than the margin, around a corner or edge in which contacts are looked for
+constexpr int kNewPairIterations = 4,
+              kKnownPairIterations = 1;  ///< in the search for a gap, of pairs that are new and not
+constexpr float kMinStuckDepth =
+    0.25f;  ///< cells that a feature without a displacement out must be in for it to count though others touch
+constexpr float kMinAgreement =
+    0.5f;  ///< length of the mean normal of contacts below which they push against each other
+constexpr float kMinEdgeSine = 0.15f;  ///< sine centerAxis edges below which they do not cross
 
 /// One shape's features against another's occupancy.
 class FeatureCollider {
 public:
-    FeatureCollider(const VoxelPart& from, const CellTransform& fromCells, const VoxelPart& into, const CellTransform& intoCells)
+    FeatureCollider(const VoxelPart& from, const CellTransform& fromCells, const VoxelPart& into,
+                    const CellTransform& intoCells)
         : m_from(from), m_into(into), m_occupancy(into), m_intoCells(intoCells), m_margin(0) {
         const double size = into.voxelSize();
         const glm::dmat3 toInto = glm::transpose(intoCells.axes) / (size * size);
@@ -32,8 +38,8 @@ public:
         for (int i = 0; i < 3; ++i) m_unit[i] = m_axes[i] / m_scale;
     }
 
-    /// velocity (at the first body's frame origin) and spin of `from` against `into`, world axes. displacement: the longest that a
-    /// feature moves in the step, metres.
+    /// velocity (at the first body's frame origin) and spin of `from` against `into`, world axes. displacement: the
+    /// longest that a feature moves in the step, metres.
     void setMotion(glm::dvec3 velocity, glm::dvec3 spin, const NarrowphaseSettings& settings, double displacement) {
         const double size = m_into.voxelSize();
         m_margin = std::min(float(settings.margin / size), 0.4f);
@@ -46,7 +52,8 @@ public:
         m_about = glm::vec3(toInto * -m_intoCells.corner);
     }
 
-    /// Features beyond `limit` along a direction, world axes and metres from the first body's frame origin, meet nothing.
+    /// Features beyond `limit` along a direction, world axes and metres from the first body's frame origin, meet
+    /// nothing.
     void setLimit(const glm::vec3& direction, float limit, const CellTransform& fromCells) {
         m_direction = direction * glm::mat3(fromCells.axes);
         m_limit = limit - glm::dot(direction, glm::vec3(fromCells.corner)) +
@@ -74,21 +81,25 @@ public:
                 for (int x = low.x; x <= high.x; ++x) {
                     const Cell brick(x, y, z), corner = brick * kBrickSize;
                     if (m_from.grid().brickAt(brick) &&
-                        boxMayTouchSolid(glm::vec3(glm::max(near.low - 1, corner)), glm::vec3(glm::min(near.high + 1, corner + kBrickSize))))
+                        boxMayTouchSolid(glm::vec3(glm::max(near.low - 1, corner)),
+                                         glm::vec3(glm::min(near.high + 1, corner + kBrickSize))))
                         collideFeatures(m_from.features(brick), corner, near, out);
                 }
         return true;
     }
 
-    /// How deep, in cells of the other, a feature was inside its solid without a displacement out that it accepts; 0: none was.
+    /// How deep, in cells of the other, a feature was inside its solid without a displacement out that it accepts; 0:
+    /// none was.
     float stuckDepth() const { return m_stuckDepth; }
 
 private:
     /// Whether features in a box of `from` may come within extent of what is solid.
     bool boxMayTouchSolid(const glm::vec3& low, const glm::vec3& high) {
         const glm::vec3 c = m_corner + m_axes * ((low + high) * 0.5f), h = (high - low) * 0.5f;
-        const glm::vec3 r = glm::abs(m_axes[0]) * h.x + glm::abs(m_axes[1]) * h.y + glm::abs(m_axes[2]) * h.z + m_maxSearchExtent;
-        return m_occupancy.mayContainBrick(floorOf(float4(c - r + m_displacementLow)), floorOf(float4(c + r + m_displacementHigh)));
+        const glm::vec3 r =
+            glm::abs(m_axes[0]) * h.x + glm::abs(m_axes[1]) * h.y + glm::abs(m_axes[2]) * h.z + m_maxSearchExtent;
+        return m_occupancy.mayContainBrick(floorOf(float4(c - r + m_displacementLow)),
+                                           floorOf(float4(c + r + m_displacementHigh)));
     }
 
     /// The cells of `from` that may come within extent of `into`; false: none.
@@ -101,8 +112,10 @@ private:
                         high = glm::min(glm::ceil(center + extent), glm::vec3(own.high));
         if (!glm::all(glm::lessThan(low, high))) return false;
         near = {Cell(low), Cell(high)};
-        // The same the other displacement round: bounds that turn against each other overlap more often than what they hold.
-        const glm::vec3 c = m_corner + m_axes * (glm::vec3(near.low + near.high) * 0.5f), h = glm::vec3(near.high - near.low) * 0.5f;
+        // The same the other displacement round: bounds that turn against each other overlap more often than what they
+        // hold.
+        const glm::vec3 c = m_corner + m_axes * (glm::vec3(near.low + near.high) * 0.5f),
+                        h = glm::vec3(near.high - near.low) * 0.5f;
         const glm::vec3 r = glm::abs(m_axes[0]) * h.x + glm::abs(m_axes[1]) * h.y + glm::abs(m_axes[2]) * h.z;
         return glm::all(glm::lessThan(c - r, m_high)) && glm::all(glm::greaterThan(c + r, m_low));
     }
@@ -123,13 +136,17 @@ private:
         m_velocity4 = float4(m_velocity), m_spin4 = float4(m_spin), m_about4 = float4(m_about);
     }
 
-    /// The bounds of the ways of features that may meet something: only those that come from where they lead are looked at.
+    /// The bounds of the ways of features that may meet something: only those that come from where they lead are looked
+    /// at.
     void boundSweep() {
         const CellBox& own = m_from.bounds();
-        const glm::vec3 c = m_corner + m_axes * (glm::vec3(own.low + own.high) * 0.5f), h = glm::vec3(own.high - own.low) * 0.5f;
-        const glm::vec3 r = glm::abs(m_axes[0]) * h.x + glm::abs(m_axes[1]) * h.y + glm::abs(m_axes[2]) * h.z + kRounding;
+        const glm::vec3 c = m_corner + m_axes * (glm::vec3(own.low + own.high) * 0.5f),
+                        h = glm::vec3(own.high - own.low) * 0.5f;
+        const glm::vec3 r =
+            glm::abs(m_axes[0]) * h.x + glm::abs(m_axes[1]) * h.y + glm::abs(m_axes[2]) * h.z + kRounding;
         const glm::vec3 low = glm::max(c - r, m_low) - m_about, high = glm::min(c + r, m_high) - m_about;
-        const glm::vec3 displacement = m_velocity + glm::cross(m_spin, (low + high) * 0.5f), half = glm::max((high - low) * 0.5f, 0.0f), s = glm::abs(m_spin);
+        const glm::vec3 displacement = m_velocity + glm::cross(m_spin, (low + high) * 0.5f),
+                        half = glm::max((high - low) * 0.5f, 0.0f), s = glm::abs(m_spin);
         const glm::vec3 around(s.y * half.z + s.z * half.y, s.z * half.x + s.x * half.z, s.x * half.y + s.y * half.x);
         m_displacementLow = glm::min(displacement - around, 0.0f) - kRounding;
         m_displacementHigh = glm::max(displacement + around, 0.0f) + kRounding;
@@ -165,7 +182,8 @@ private:
     }
 
     /// Features of a region of `from` whose low corner is `corner`.
-    void collideFeatures(const FeatureList& features, Cell corner, const CellBox& near, std::vector<ContactPoint>& out) {
+    void collideFeatures(const FeatureList& features, Cell corner, const CellBox& near,
+                         std::vector<ContactPoint>& out) {
         const glm::vec3 base = m_corner + m_axes * glm::vec3(corner), from(near.low - corner), to(near.high - corner);
         const float limit = m_limit - glm::dot(m_direction, glm::vec3(corner));
         std::array<bool, 3> rises{};
@@ -174,7 +192,8 @@ private:
             Float4 nearest = float4(0.0f);
             Bool4 inside = {-1, -1, -1, -1};
             for (size_t axis = 0; axis < 3; ++axis) {
-                const Float4 low = toFloat4(load(clusters.low[axis])) * float4(0.5f), high = toFloat4(load(clusters.high[axis])) * float4(0.5f);
+                const Float4 low = toFloat4(load(clusters.low[axis])) * float4(0.5f),
+                             high = toFloat4(load(clusters.high[axis])) * float4(0.5f);
                 nearest += (rises[axis] ? low : high) * float4(m_direction[int(axis)]);
                 inside &= (low <= float4(to[int(axis)] + kRounding)) & (high >= float4(from[int(axis)] - kRounding));
             }
@@ -185,13 +204,16 @@ private:
                 const glm::vec3 low(clusters.low[0][k], clusters.low[1][k], clusters.low[2][k]);
                 const glm::vec3 high(clusters.high[0][k], clusters.high[1][k], clusters.high[2][k]);
                 if (boxMayTouchSolid(low * 0.5f + glm::vec3(corner), high * 0.5f + glm::vec3(corner)))
-                    collideCluster({features.packs.data() + clusters.from[k], features.packs.data() + clusters.to[k]}, corner, base, limit, out);
+                    collideCluster({features.packs.data() + clusters.from[k], features.packs.data() + clusters.to[k]},
+                                   corner, base, limit, out);
             }
         }
     }
 
-    void collideCluster(std::span<const FeatureList::Pack> packs, Cell corner, const glm::vec3& base, float limit, std::vector<ContactPoint>& out) {
-        Float4 origin[3], axes[3][3], from[3], to[3], along[3];  // what the loop reads, in registers; places are in half cells
+    void collideCluster(std::span<const FeatureList::Pack> packs, Cell corner, const glm::vec3& base, float limit,
+                        std::vector<ContactPoint>& out) {
+        Float4 origin[3], axes[3][3], from[3], to[3],
+            along[3];  // what the loop reads, in registers; places are in half cells
         for (int axis = 0; axis < 3; ++axis) {
             origin[axis] = float4(base[axis]), from[axis] = float4(m_low[axis]), to[axis] = float4(m_high[axis]);
             along[axis] = float4(m_direction[axis] * 0.5f);
@@ -212,7 +234,8 @@ private:
                 if (!inside[k]) continue;
                 const uint8_t kind = features.kind[k];
                 const Float4 point = {p[0][k], p[1][k], p[2][k], 0.0f};
-                if (mayTouchSolid(point, kind)) test(queryFor(kind, vec3(point)), kind, corner + FeatureList::cellOf(features, k), out);
+                if (mayTouchSolid(point, kind))
+                    test(queryFor(kind, vec3(point)), kind, corner + FeatureList::cellOf(features, k), out);
             }
         }
     }
@@ -220,17 +243,20 @@ private:
     void test(const FeatureQuery& query, uint8_t kind, Cell own, std::vector<ContactPoint>& out) {
         if (query.isEdge()) {
             float from, to;
-            if (findSolidInterval(m_occupancy, query, from, to) && collideEdgeCrossing(query, from, to, kind, own, out)) return;
+            if (findSolidInterval(m_occupancy, query, from, to) && collideEdgeCrossing(query, from, to, kind, own, out))
+                return;
         }
         const glm::vec3 inset = query.point + m_insets[kind];
         const Cell cell = cellOf(inset);
         Face face = m_occupancy.solid(cell) ? nearestExitFace(m_occupancy, cell, inset, query)
                                             : closestFace(m_occupancy, cell, inset, m_margin + kInset * m_scale, query);
         if (face.axis < 0) {
-            if (m_occupancy.solid(cell)) m_stuckDepth = std::max(m_stuckDepth, depthBelowSurface(m_occupancy, cell, inset));
+            if (m_occupancy.solid(cell))
+                m_stuckDepth = std::max(m_stuckDepth, depthBelowSurface(m_occupancy, cell, inset));
             if (!m_sweeps) return;
             const glm::vec3 displacement = m_velocity + glm::cross(m_spin, inset - m_about);
-            if (glm::dot(displacement, displacement) > m_margin * m_margin) face = sweepToFace(m_occupancy, cell, inset, displacement, query);
+            if (glm::dot(displacement, displacement) > m_margin * m_margin)
+                face = sweepToFace(m_occupancy, cell, inset, displacement, query);
             if (face.axis < 0) return;
         }
         float extra = 0.0f;  // by which the feature itself is farther in than where it was looked up
@@ -240,9 +266,10 @@ private:
         add(query.point, normal, face.separation - extra * kInset * m_scale, kind, own, face.cell, out);
     }
 
-    /// An edge that goes in and out of the solid crosses an edge of it, if there is one that is exposed and out over it is the
-    /// shortest displacement: false if not.
-    bool collideEdgeCrossing(const FeatureQuery& query, float from, float to, uint8_t kind, Cell own, std::vector<ContactPoint>& out) {
+    /// An edge that goes in and out of the solid crosses an edge of it, if there is one that is exposed and out over it
+    /// is the shortest displacement: false if not.
+    bool collideEdgeCrossing(const FeatureQuery& query, float from, float to, uint8_t kind, Cell own,
+                             std::vector<ContactPoint>& out) {
         const glm::vec3 q = query.point + query.along * ((from + to) * 0.5f * query.length);
         const glm::vec3 halfStretch = glm::abs(query.along * ((to - from) * 0.5f * query.length));
         const Cell cell = cellOf(q);
@@ -257,7 +284,8 @@ private:
                 const float d = distanceToSide(cell, q, axis, sign);
                 if (d < depth[axis] && !m_occupancy.solid(next)) depth[axis] = d, signs[axis] = sign;
             }
-        const int w = depth.x > depth.y ? (depth.x > depth.z ? 0 : 2) : (depth.y > depth.z ? 1 : 2), u = (w + 1) % 3, v = (w + 2) % 3;
+        const int w = depth.x > depth.y ? (depth.x > depth.z ? 0 : 2) : (depth.y > depth.z ? 1 : 2), u = (w + 1) % 3,
+                  v = (w + 2) % 3;
         if (!signs[u] || !signs[v]) return false;
         Cell diagonal = cell;
         diagonal[u] += signs[u];
@@ -272,12 +300,14 @@ private:
         if (alongU + alongV < 0) normal = -normal, alongU = -alongU, alongV = -alongV;
         if (alongU < -kMaxSideCosine || alongV < -kMaxSideCosine || !query.accepts(normal)) return false;
         // Out over a face is shorter if no end of the stretch is deep behind it.
-        if (depth[u] * alongU + depth[v] * alongV > std::min(depth[u] + halfStretch[u], depth[v] + halfStretch[v])) return false;
+        if (depth[u] * alongU + depth[v] * alongV > std::min(depth[u] + halfStretch[u], depth[v] + halfStretch[v]))
+            return false;
         add(q, normal, -(depth[u] * alongU + depth[v] * alongV), kind, own, cell, out);
         return true;
     }
 
-    void add(const glm::vec3& point, const glm::vec3& normal, float separation, uint8_t kind, Cell own, Cell other, std::vector<ContactPoint>& out) {
+    void add(const glm::vec3& point, const glm::vec3& normal, float separation, uint8_t kind, Cell own, Cell other,
+             std::vector<ContactPoint>& out) {
         ContactPoint contact;
         const float size = float(m_into.voxelSize());
         const glm::vec3 middle = point - normal * (separation * 0.5f);
@@ -286,9 +316,10 @@ private:
         contact.separation = separation * size;
         const uint8_t a = m_from.grid().at(own), b = m_into.grid().at(other);
         contact.friction = std::sqrt(m_from.contactMaterials().friction[a] * m_into.contactMaterials().friction[b]);
-        contact.restitution = std::sqrt(m_from.contactMaterials().restitution[a] * m_into.contactMaterials().restitution[b]);
-        contact.feature =
-            m_key | uint64_t(uint32_t(own.x)) << 41 | uint64_t(uint32_t(own.y)) << 29 | uint64_t(uint32_t(own.z)) << 17 | uint64_t(kind) << 12;
+        contact.restitution =
+            std::sqrt(m_from.contactMaterials().restitution[a] * m_into.contactMaterials().restitution[b]);
+        contact.feature = m_key | uint64_t(uint32_t(own.x)) << 41 | uint64_t(uint32_t(own.y)) << 29 |
+                          uint64_t(uint32_t(own.z)) << 17 | uint64_t(kind) << 12;
         out.push_back(contact);
     }
 
@@ -300,7 +331,7 @@ private:
     glm::vec3 m_corner;  ///< of `from`, in cells of `into`
     float m_scale;       ///< cells of `into` that a cell of `from` is long
     std::array<glm::vec3, 3> m_unit;
-    uint32_t m_readyKinds = 0;       ///< kinds whose probes are ready
+    uint32_t m_readyKinds = 0;          ///< kinds whose probes are ready
     glm::vec3 m_maxSearchExtent{0.0f};  ///< of the reaches
     Float4 m_velocity4, m_spin4, m_about4;
     std::array<Float4, 4> m_searchExtents;  ///< of corners and of edges along x, y, z
@@ -311,15 +342,16 @@ private:
     float m_stuckDepth = 0.0f;
     uint64_t m_key = 0;
     glm::vec3 m_velocity{0.0f}, m_spin{0.0f}, m_about{0.0f};
-    glm::vec3 m_direction{0.0f};                ///< in cells of `from`
-    float m_limit = 1e30f;                      ///< beyond which along it nothing is met
+    glm::vec3 m_direction{0.0f};                                  ///< in cells of `from`
+    float m_limit = 1e30f;                                        ///< beyond which along it nothing is met
     glm::vec3 m_displacementLow{0.0f}, m_displacementHigh{0.0f};  ///< bounds of the ways of features in the step, and 0
-    glm::vec3 m_low, m_high;                    ///< where features may meet `into`, in its cells
+    glm::vec3 m_low, m_high;                                      ///< where features may meet `into`, in its cells
 };
 
 /// How the first body moves against the second.
 struct RelativeMotion {
-    RelativeMotion(const Motion& first, const Motion& second, const NarrowphaseSettings& settings) : seconds(settings.seconds) {
+    RelativeMotion(const Motion& first, const Motion& second, const NarrowphaseSettings& settings)
+        : seconds(settings.seconds) {
         apart = second.pose.position - first.pose.position;
         // v1 + w1 x r - (v2 + w2 x (r - apart))
         velocity = first.velocity - second.velocity + glm::cross(second.angularVelocity, apart);
@@ -355,7 +387,8 @@ TransformedHull transformHull(const VoxelPart& part, const CellTransform& cells)
 }
 
 /// From the middle of one part to that of the other.
-glm::vec3 centerAxis(const VoxelPart& to, const TransformedHull& toHull, const VoxelPart& from, const TransformedHull& fromHull) {
+glm::vec3 centerAxis(const VoxelPart& to, const TransformedHull& toHull, const VoxelPart& from,
+                     const TransformedHull& fromHull) {
     const auto middle = [](const VoxelPart& part, const TransformedHull& hull) {
         return hull.corner + hull.axes * (glm::vec3(part.bounds().low + part.bounds().high) * 0.5f);
     };
@@ -364,24 +397,26 @@ glm::vec3 centerAxis(const VoxelPart& to, const TransformedHull& toHull, const V
     return length2 > 1e-12f ? displacement / std::sqrt(length2) : glm::vec3(0.0f, 1.0f, 0.0f);
 }
 
-/// Which displacement two with a stuck feature are pushed apart: along the hulls' axis if they have no contacts, else as these push on
-/// the whole, or both would spin what lies centerAxis. Zero: not at all.
+/// Which displacement two with a stuck feature are pushed apart: along the hulls' axis if they have no contacts, else
+/// as these push on the whole, or both would spin what lies centerAxis. Zero: not at all.
 glm::vec3 pushDirection(std::span<const ContactPoint> contacts, const glm::vec3& axis, float stuckDepth) {
     if (contacts.empty()) return axis;
     glm::vec3 sum(0.0f);
     for (const ContactPoint& contact : contacts) sum += contact.normal;
     const float length = glm::length(sum);
-    return stuckDepth > kMinStuckDepth && length > kMinAgreement * float(contacts.size()) ? sum / length : glm::vec3(0.0f);
+    return stuckDepth > kMinStuckDepth && length > kMinAgreement * float(contacts.size()) ? sum / length
+                                                                                          : glm::vec3(0.0f);
 }
 
-/// For two that overlap so that none of their features accepts a displacement out: apart along the axis, at the middle of what their
-/// bounds share, no harder than from half a voxel deep.
-ContactPoint stuckContact(const VoxelPart& a, const TransformedHull& hullA, const VoxelPart& b, const TransformedHull& hullB, const glm::vec3& axis, float gap,
-                     uint64_t key) {
+/// For two that overlap so that none of their features accepts a displacement out: apart along the axis, at the middle
+/// of what their bounds share, no harder than from half a voxel deep.
+ContactPoint stuckContact(const VoxelPart& a, const TransformedHull& hullA, const VoxelPart& b,
+                          const TransformedHull& hullB, const glm::vec3& axis, float gap, uint64_t key) {
     glm::vec3 lowA, highA, lowB, highB;
     hullA.points.bounds(hullA.axes, lowA, highA);
     hullB.points.bounds(hullB.axes, lowB, highB);
-    const glm::vec3 low = glm::max(hullA.corner + lowA, hullB.corner + lowB), high = glm::min(hullA.corner + highA, hullB.corner + highB);
+    const glm::vec3 low = glm::max(hullA.corner + lowA, hullB.corner + lowB),
+                    high = glm::min(hullA.corner + highA, hullB.corner + highB);
     ContactPoint contact;
     contact.position = (low + high) * 0.5f;
     contact.normal = axis;
@@ -398,8 +433,9 @@ double maxRelativeDisplacement(const Motion& first, const Motion& second, double
            seconds;
 }
 
-bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second, const Motion& secondMotion,
-                  const NarrowphaseSettings& settings, glm::vec3& axis, std::vector<ContactPoint>& out) {
+bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second,
+                  const Motion& secondMotion, const NarrowphaseSettings& settings, glm::vec3& axis,
+                  std::vector<ContactPoint>& out) {
     const RelativeMotion approach(firstMotion, secondMotion, settings);
     bool isNear = false;
     const bool isOne = first.parts.size() == 1 && second.parts.size() == 1;
@@ -408,13 +444,16 @@ bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const V
             const VoxelPart &a = *first.parts[i], &b = *second.parts[j];
             if (a.grid().empty() || b.grid().empty() || !a.filter().meets(b.filter())) continue;
             const CellTransform& la = firstMotion.cellTransforms[i];
-            const CellTransform lb{secondMotion.cellTransforms[j].axes, secondMotion.cellTransforms[j].corner + approach.apart};
+            const CellTransform lb{secondMotion.cellTransforms[j].axes,
+                                   secondMotion.cellTransforms[j].corner + approach.apart};
             const TransformedHull hullA = transformHull(a, la), hullB = transformHull(b, lb);
             const bool isKnown = isOne && axis != glm::vec3(0.0f);
             glm::vec3 displacement = isKnown ? axis : centerAxis(a, hullA, b, hullB);
             const float size = float(std::max(a.voxelSize(), b.voxelSize()));
-            const float most = float(settings.margin) + kSearchDistance * size, closing = approach.sweeps ? float(approach.displacement) : 0.0f;
-            const float gap = refineSeparatingAxis(hullA, hullB, most + closing, isKnown ? kKnownPairIterations : kNewPairIterations, displacement);
+            const float most = float(settings.margin) + kSearchDistance * size,
+                        closing = approach.sweeps ? float(approach.displacement) : 0.0f;
+            const float gap = refineSeparatingAxis(hullA, hullB, most + closing,
+                                                   isKnown ? kKnownPairIterations : kNewPairIterations, displacement);
             if (isOne) axis = displacement;
             const float near = most + approach.closing(displacement, double(most));
             if (gap > near) continue;

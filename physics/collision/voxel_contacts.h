@@ -17,7 +17,7 @@ struct CellTransform {
 
 /// Where a body is and how it moves, as narrowphase needs it. The frame is that of its collider.
 struct Motion {
-    Pose pose;                          ///< collider's frame -> world
+    Pose pose;                                      ///< collider's frame -> world
     std::span<const CellTransform> cellTransforms;  ///< of the collider's parts
     glm::dvec3 velocity{0.0}, angularVelocity{0.0};
     double radius = 0.0;  ///< of the collider, metres; 0: it stands still
@@ -41,14 +41,14 @@ struct NarrowphaseSettings {
     double sweepThreshold = 0.02;  ///< metres of motion beyond which features are swept along it
 };
 
-/// Contacts of two bodies of voxels: the corners and edges of each against the occupancy of the other, swept along their
-/// relative motion where that is fast. A normal is that of a face which is exposed in its own grid, and against which the
-/// feature sticks out in its own: seams between voxels are no bumps, and aligned edges give no sideways push.
+/// Contacts of two bodies of voxels: the corners and edges of each against the occupancy of the other, swept along
+/// their relative motion where that is fast. A normal is that of a face which is exposed in its own grid, and against
+/// which the feature sticks out in its own: seams between voxels are no bumps, and aligned edges give no sideways push.
 /// Appended in a fixed order.
-/// axis: a unit vector along which the two may be apart, or 0; comes back as a better one to start from in the next step. The
-/// contacts do not depend on it.
-/// Returns whether they are near each other; if not, nothing can touch.
-bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second, const Motion& secondMotion,
-                  const NarrowphaseSettings& settings, glm::vec3& axis, std::vector<ContactPoint>& out);
+/// axis: a unit vector along which the two may be apart, or 0; comes back as a better one to start from in the next
+/// step. The contacts do not depend on it. Returns whether they are near each other; if not, nothing can touch.
+bool findContacts(const VoxelCollider& first, const Motion& firstMotion, const VoxelCollider& second,
+                  const Motion& secondMotion, const NarrowphaseSettings& settings, glm::vec3& axis,
+                  std::vector<ContactPoint>& out);
 
 }  // namespace rubble

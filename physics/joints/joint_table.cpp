@@ -1,13 +1,13 @@
 #include "physics/joints/joint_table.h"
 
-#include "physics/physics_impl.h"
 #include "physics/joints/rope.h"
+#include "physics/physics_impl.h"
 
 namespace rubble {
 namespace {
 
-constexpr int kRopeRestSteps = 60;        ///< steps of hardly moving after which a rope is left alone
-constexpr double kRopeSlow = 0.05;   ///< m/s
+constexpr int kRopeRestSteps = 60;    ///< steps of hardly moving after which a rope is left alone
+constexpr double kRopeSlow = 0.05;    ///< m/s
 constexpr double kRopeMargin = 0.25;  ///< metres around a rope in which it may touch something
 
 std::pair<uint32_t, uint32_t> inOrder(uint32_t a, uint32_t b) {
@@ -51,7 +51,8 @@ std::unique_ptr<JointProxy> JointTable::remove(uint32_t slot) {
 void JointTable::removeNonColliding(std::vector<ObjectPair>& pairs) const {
     if (m_nonColliding.empty()) return;
     std::erase_if(pairs, [&](const ObjectPair& pair) {
-        return std::binary_search(m_nonColliding.begin(), m_nonColliding.end(), std::pair(pair.first->number, pair.second->number));
+        return std::binary_search(m_nonColliding.begin(), m_nonColliding.end(),
+                                  std::pair(pair.first->number, pair.second->number));
     });
 }
 
@@ -59,7 +60,8 @@ void PhysicsWorld::Impl::destroyJoint(uint32_t slot) {
     const std::unique_ptr<JointProxy> proxy = joints.remove(slot);
     if (!proxy) return;
     for (const BodyHandle body : proxy->bodies)
-        if (DynamicBody* dynamic = body ? dynamicAt(body.slot()) : nullptr; dynamic && dynamic->handle() == body) wake(*dynamic);
+        if (DynamicBody* dynamic = body ? dynamicAt(body.slot()) : nullptr; dynamic && dynamic->handle() == body)
+            wake(*dynamic);
 }
 
 /// Makes a joint as World has it, with the impulses that it bore if it was there before.
@@ -158,9 +160,10 @@ void PhysicsWorld::Impl::gatherJoints() {
 void PhysicsWorld::Impl::breakJoints() {
     for (const JointConstraint* c : activeJoints) {
         const Joint& joint = *c->joint;
-        const bool isTooMuch = (joint.breakForce > 0.0 && glm::length(c->force) > joint.breakForce) ||
-                               (joint.breakTorque > 0.0 && glm::length(c->torque) > joint.breakTorque) ||
-                               (joint.kind == JointKind::Rope && joint.rope.strength > 0.0 && glm::length(c->force) > joint.rope.strength);
+        const bool isTooMuch =
+            (joint.breakForce > 0.0 && glm::length(c->force) > joint.breakForce) ||
+            (joint.breakTorque > 0.0 && glm::length(c->torque) > joint.breakTorque) ||
+            (joint.kind == JointKind::Rope && joint.rope.strength > 0.0 && glm::length(c->force) > joint.rope.strength);
         if (isTooMuch) jointBreaks.push_back(c->handle);
     }
 }
@@ -179,12 +182,14 @@ void PhysicsWorld::Impl::putJointedToSleep() {
         if (a && b) group[size_t(std::max(rootOf(a), rootOf(b)))] = std::min(rootOf(a), rootOf(b));
     }
     for (const JointConstraint* c : activeJoints)
-        if (joints.at(c->handle.slot())->isMotorDriven()) isAwake[size_t(rootOf(std::max(c->bodies[0], c->bodies[1])))] = true;
+        if (joints.at(c->handle.slot())->isMotorDriven())
+            isAwake[size_t(rootOf(std::max(c->bodies[0], c->bodies[1])))] = true;
     for (const uint32_t slot : awake)
         if (!dynamics[slot]->wantsSleep) isAwake[size_t(rootOf(bodyNumber[slot]))] = true;
     for (const uint32_t slot : awake) {
         DynamicBody& body = *dynamics[slot];
-        if (body.asleep() || !body.wantsSleep || joints.of(slot).empty() || isAwake[size_t(rootOf(bodyNumber[slot]))]) continue;
+        if (body.asleep() || !body.wantsSleep || joints.of(slot).empty() || isAwake[size_t(rootOf(bodyNumber[slot]))])
+            continue;
         sleep(body);
         ended.push_back(slot);
     }
@@ -194,7 +199,10 @@ void PhysicsWorld::Impl::putJointedToSleep() {
 void PhysicsWorld::Impl::moveRopes() {
     for (const uint32_t slot : joints.ropes()) {
         JointProxy& proxy = *joints.at(slot);
-        RopeStep step{.length = proxy.joint.rope.length, .radius = proxy.joint.rope.radius, .gravity = gravity, .seconds = settings.stepSeconds};
+        RopeStep step{.length = proxy.joint.rope.length,
+                      .radius = proxy.joint.rope.radius,
+                      .gravity = gravity,
+                      .seconds = settings.stepSeconds};
         bool isCarried = false;
         for (size_t i = 0; i < 2; ++i) {
             const DynamicBody* body = proxy.bodies[i] ? dynamicAt(proxy.bodies[i].slot()) : nullptr;
@@ -212,7 +220,8 @@ void PhysicsWorld::Impl::moveRopes() {
         }
         found.clear();
         broadphase.find(low - kRopeMargin, high + kRopeMargin, found);
-        std::sort(found.begin(), found.end(), [](const CollisionObject* a, const CollisionObject* b) { return a->number < b->number; });
+        std::sort(found.begin(), found.end(),
+                  [](const CollisionObject* a, const CollisionObject* b) { return a->number < b->number; });
         step.near = found;
         const double fastest = moveRope(proxy.joint.points, step, proxy.constraint.bendPoints);
         proxy.restSteps = fastest < kRopeSlow ? proxy.restSteps + 1 : 0;

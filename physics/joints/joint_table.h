@@ -17,11 +17,13 @@ struct JointProxy {
     std::array<BodyHandle, 2> bodies;                     ///< empty: what stands still
     std::array<Pose, 2> frames;                           ///< in the bodies' frames, or in the world
     std::array<uint32_t, 2> objects{kNothing, kNothing};  ///< numbers of the collision objects that it joins
-    int restSteps = 0;                                   ///< steps in which a rope has hardly moved
+    int restSteps = 0;                                    ///< steps in which a rope has hardly moved
     JointConstraint constraint;                           ///< with the impulses of the last step
 
     /// A motor that is to turn does not let anything sleep.
-    bool isMotorDriven() const { return joint.motor.mode == MotorMode::Speed && joint.motor.target != 0.0 && joint.motor.maxForce > 0.0; }
+    bool isMotorDriven() const {
+        return joint.motor.mode == MotorMode::Speed && joint.motor.target != 0.0 && joint.motor.maxForce > 0.0;
+    }
 
     static constexpr uint32_t kNothing = ~0u;
 };
@@ -45,7 +47,7 @@ private:
     std::vector<std::unique_ptr<JointProxy>> m_joints;
     std::vector<std::vector<uint32_t>> m_ofBody;
     std::vector<std::pair<uint32_t, uint32_t>> m_nonColliding;  ///< sorted; once for each joint
-    std::vector<uint32_t> m_ropes;                       ///< slots, ascending
+    std::vector<uint32_t> m_ropes;                              ///< slots, ascending
     size_t m_count = 0;
 };
 

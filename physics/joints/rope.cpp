@@ -10,7 +10,8 @@ namespace {
 constexpr int kSubsteps = 4, kPasses = 6;
 constexpr double kDrag = 0.4;       ///< share of a free point's speed that air takes in a second
 constexpr double kSampling = 0.12;  ///< metres between the places that are kept out of voxels
-constexpr double kNoContactEnds = 0.3;   ///< metres from a held end within which it isConstrained nothing: it comes out of what holds it
+constexpr double kNoContactEnds =
+    0.3;  ///< metres from a held end within which it isConstrained nothing: it comes out of what holds it
 constexpr double kFriction = 0.6;
 constexpr int kMaxDepth = 3;         ///< cells that a place is pushed out of at most
 constexpr double kMaxSpeed = 200.0;  ///< m/s
@@ -58,7 +59,8 @@ glm::dvec3 exitDisplacement(const CollisionObject& object, glm::dvec3 place, dou
         const double size = part.voxelSize();
         const glm::dvec3 local = place + out - object.pose.position - cellTransforms[i].corner;
         const glm::dmat3& axes = cellTransforms[i].axes;
-        const glm::dvec3 cells = glm::dvec3(glm::dot(axes[0], local), glm::dot(axes[1], local), glm::dot(axes[2], local)) / (size * size);
+        const glm::dvec3 cells =
+            glm::dvec3(glm::dot(axes[0], local), glm::dot(axes[1], local), glm::dot(axes[2], local)) / (size * size);
         const glm::dvec3 displacement = exitDisplacement(part.grid(), cells, radius / size);
         if (displacement != glm::dvec3(0.0)) out += axes * displacement;
     }
@@ -68,7 +70,11 @@ glm::dvec3 exitDisplacement(const CollisionObject& object, glm::dvec3 place, dou
 class RopeSolver {
 public:
     RopeSolver(std::span<RopePoint> points, const RopeStep& step, std::vector<glm::dvec3>& touching)
-        : m_points(points), m_step(step), m_touching(touching), m_last(points.size() - 1), m_spacing(step.length / double(m_last)) {
+        : m_points(points),
+          m_step(step),
+          m_touching(touching),
+          m_last(points.size() - 1),
+          m_spacing(step.length / double(m_last)) {
         for (const RopePoint& point : points) m_before.push_back(point.position);
     }
 
@@ -84,7 +90,8 @@ public:
             }
             const double share = double(substep) / kSubsteps;
             for (size_t end = 0; end < 2; ++end)
-                if (m_step.ends[end]) m_points[end ? m_last : 0].position = from[end] + (*m_step.ends[end] - from[end]) * share;
+                if (m_step.ends[end])
+                    m_points[end ? m_last : 0].position = from[end] + (*m_step.ends[end] - from[end]) * share;
             m_touching.clear();
             for (int pass = 0; pass < kPasses; ++pass) shorten(pass % 2 == 0, pass + 2 >= kPasses);
             keepOut();
@@ -103,7 +110,8 @@ public:
 private:
     double weight(size_t i) const { return (i == 0 && m_step.ends[0]) || (i == m_last && m_step.ends[1]) ? 0.0 : 1.0; }
 
-    /// Segments that are too long. updateCachedContacts: each point isSoft displacement wholly to the one before it, so that a taut rope comes out straight.
+    /// Segments that are too long. updateCachedContacts: each point isSoft displacement wholly to the one before it, so
+    /// that a taut rope comes out straight.
     void shorten(bool forward, bool updateCachedContacts) {
         for (size_t k = 0; k < m_last; ++k) {
             const size_t i = forward ? k : m_last - k, j = forward ? k + 1 : m_last - k - 1;
@@ -128,14 +136,18 @@ private:
     }
     void keepOut(size_t i, double along) {
         const double displacement = (double(i) + along) * m_spacing;
-        if ((m_step.ends[0] && displacement < kNoContactEnds) || (m_step.ends[1] && m_step.length - displacement < kNoContactEnds)) return;
+        if ((m_step.ends[0] && displacement < kNoContactEnds) ||
+            (m_step.ends[1] && m_step.length - displacement < kNoContactEnds))
+            return;
         RopePoint &a = m_points[i], &b = m_points[i + 1];
         glm::dvec3 place = a.position + (b.position - a.position) * along;
         glm::dvec3 out(0.0);
         for (const CollisionObject* object : m_step.near) {
             const glm::dvec3 extent(m_step.radius);
             const glm::dvec3 now = place + out;
-            if (glm::any(glm::lessThan(now, object->low - extent)) || glm::any(glm::greaterThan(now, object->high + extent))) continue;
+            if (glm::any(glm::lessThan(now, object->low - extent)) ||
+                glm::any(glm::greaterThan(now, object->high + extent)))
+                continue;
             out += exitDisplacement(*object, now, m_step.radius);
         }
         const double depth = glm::length(out);

@@ -6,11 +6,13 @@ namespace rubble {
 
 // Angles from + - * / and sqrt alone, whose results are the same everywhere: the C library's functions are not.
 
-/// atan of 0 <= z <= 1: halved three times by atan z = 2 atan(z / (1 + sqrt(1 + z z))), then Gregory's series; good to 1e-14.
+/// atan of 0 <= z <= 1: halved three times by atan z = 2 atan(z / (1 + sqrt(1 + z z))), then Gregory's series; good to
+/// 1e-14.
 inline double atanOfUnit(double z) {
     for (int i = 0; i < 3; ++i) z = z / (1.0 + std::sqrt(1.0 + z * z));
     const double s = z * z;
-    return 8.0 * z * (1.0 - s * (1.0 / 3.0 - s * (1.0 / 5.0 - s * (1.0 / 7.0 - s * (1.0 / 9.0 - s * (1.0 / 11.0 - s / 13.0))))));
+    return 8.0 * z *
+           (1.0 - s * (1.0 / 3.0 - s * (1.0 / 5.0 - s * (1.0 / 7.0 - s * (1.0 / 9.0 - s * (1.0 / 11.0 - s / 13.0))))));
 }
 
 /// The angle of a direction, -pi to pi; 0 for no direction.
@@ -31,8 +33,11 @@ inline double twistAboutX(const glm::dquat& q) {
 /// Cosine and sine for |angle| <= pi, by the half angle's tangent from their series (to the 17th power of a quarter).
 inline void deterministicCosSin(double angle, double& cosine, double& sine) {
     const double q = 0.25 * angle, s = q * q;
-    const double sq = q * (1.0 - s / 6.0 * (1.0 - s / 20.0 * (1.0 - s / 42.0 * (1.0 - s / 72.0 * (1.0 - s / 110.0 * (1.0 - s / 156.0))))));
-    const double cq = 1.0 - s / 2.0 * (1.0 - s / 12.0 * (1.0 - s / 30.0 * (1.0 - s / 56.0 * (1.0 - s / 90.0 * (1.0 - s / 132.0)))));
+    const double sq =
+        q * (1.0 -
+             s / 6.0 * (1.0 - s / 20.0 * (1.0 - s / 42.0 * (1.0 - s / 72.0 * (1.0 - s / 110.0 * (1.0 - s / 156.0))))));
+    const double cq =
+        1.0 - s / 2.0 * (1.0 - s / 12.0 * (1.0 - s / 30.0 * (1.0 - s / 56.0 * (1.0 - s / 90.0 * (1.0 - s / 132.0)))));
     const double sh = 2.0 * sq * cq, ch = cq * cq - sq * sq;
     sine = 2.0 * sh * ch;
     cosine = ch * ch - sh * sh;

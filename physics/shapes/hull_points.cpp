@@ -10,12 +10,14 @@ namespace {
 
 /// Where rows of cell corners along x begin or end, for those that touch a solid cell: one for each y and z.
 struct RowEnds {
-    RowEnds(const SolidRows& rows, bool last) : ny(rows.box().high.y - rows.box().low.y + 1), nz(rows.box().high.z - rows.box().low.z + 1) {
+    RowEnds(const SolidRows& rows, bool last)
+        : ny(rows.box().high.y - rows.box().low.y + 1), nz(rows.box().high.z - rows.box().low.z + 1) {
         ends.reserve(size_t(ny) * size_t(nz));
         for (int z = 0; z < nz; ++z)
             for (int y = 0; y < ny; ++y) {
                 const uint64_t row = rows.row(y, z) | rows.row(y - 1, z) | rows.row(y, z - 1) | rows.row(y - 1, z - 1);
-                ends.push_back(!row ? kNone : (last ? 64 - std::countl_zero(row) : std::countr_zero(row)) - SolidRows::kPadding);
+                ends.push_back(
+                    !row ? kNone : (last ? 64 - std::countl_zero(row) : std::countr_zero(row)) - SolidRows::kPadding);
             }
     }
     static constexpr int kNone = -100;
@@ -29,7 +31,9 @@ template <class At>
 void keepHullCorners(int count, int sign, At&& at) {
     std::array<int, SolidRows::kMaxLength + 1> kept{};
     size_t n = 0;
-    const auto isBetween = [&](int a, int b, int c) { return sign * ((at(b) - at(a)) * (c - a) - (at(c) - at(a)) * (b - a)) <= 0; };
+    const auto isBetween = [&](int a, int b, int c) {
+        return sign * ((at(b) - at(a)) * (c - a) - (at(c) - at(a)) * (b - a)) <= 0;
+    };
     for (int t = 0; t < count; ++t) {
         if (at(t) == RowEnds::kNone) continue;
         for (; n >= 2 && isBetween(kept[n - 2], kept[n - 1], t); --n) at(kept[n - 1]) = RowEnds::kNone;
@@ -41,10 +45,12 @@ void keepHullCorners(int count, int sign, At&& at) {
 
 HullPoints::HullPoints(const CellBox& bounds) {
     for (int i = 0; i < 8; ++i)
-        add({i & 1 ? bounds.high.x : bounds.low.x, i & 2 ? bounds.high.y : bounds.low.y, i & 4 ? bounds.high.z : bounds.low.z});
+        add({i & 1 ? bounds.high.x : bounds.low.x, i & 2 ? bounds.high.y : bounds.low.y,
+             i & 4 ? bounds.high.z : bounds.low.z});
 }
 
-/// A corner of the hull is one in every plane through it: those of constant z are gone through, then those of constant y.
+/// A corner of the hull is one in every plane through it: those of constant z are gone through, then those of constant
+/// y.
 HullPoints::HullPoints(const SolidRows& rows) {
     for (const int sign : {-1, 1}) {
         RowEnds ends(rows, sign > 0);
@@ -59,14 +65,16 @@ HullPoints::HullPoints(const SolidRows& rows) {
 void HullPoints::add(glm::ivec3 corner) {
     const glm::vec3 p(corner);
     if (m_count % 4 == 0) m_points.push_back({});
-    for (size_t i = m_count % 4; i < 4; ++i) m_points.back().x[i] = p.x, m_points.back().y[i] = p.y, m_points.back().z[i] = p.z;
+    for (size_t i = m_count % 4; i < 4; ++i)
+        m_points.back().x[i] = p.x, m_points.back().y[i] = p.y, m_points.back().z[i] = p.z;
     ++m_count;
 }
 
 float HullPoints::support(const glm::vec3& direction) const {
     const Float4 dx = float4(direction.x), dy = float4(direction.y), dz = float4(direction.z);
     Float4 best = float4(-1e30f);
-    for (const Points& p : m_points) best = max4(best, load(p.x.data()) * dx + load(p.y.data()) * dy + load(p.z.data()) * dz);
+    for (const Points& p : m_points)
+        best = max4(best, load(p.x.data()) * dx + load(p.y.data()) * dy + load(p.z.data()) * dz);
     return std::max(std::max(best[0], best[1]), std::max(best[2], best[3]));
 }
 
@@ -74,7 +82,8 @@ glm::vec3 HullPoints::supportPoint(const glm::vec3& direction) const {
     const float far = support(direction);
     for (const Points& p : m_points)
         for (size_t i = 0; i < 4; ++i)
-            if (p.x[i] * direction.x + p.y[i] * direction.y + p.z[i] * direction.z >= far) return {p.x[i], p.y[i], p.z[i]};
+            if (p.x[i] * direction.x + p.y[i] * direction.y + p.z[i] * direction.z >= far)
+                return {p.x[i], p.y[i], p.z[i]};
     return glm::vec3(0.0f);
 }
 

@@ -8,8 +8,8 @@
 
 namespace rubble {
 
-/// Corners of cells whose convex hull holds all of a shape: those of its own hull and few more, or those of its bounds. They
-/// say how far the shape reaches in any direction.
+/// Corners of cells whose convex hull holds all of a shape: those of its own hull and few more, or those of its bounds.
+/// They say how far the shape reaches in any direction.
 class HullPoints {
 public:
     /// Of the solid cells in the box.

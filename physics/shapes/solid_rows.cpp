@@ -23,7 +23,8 @@ SolidRows::SolidRows(const VoxelGrid& grid, const CellBox& box) : m_box(box), m_
                 for (int z = z0; z < z1; ++z)
                     for (int y = y0; y < y1; ++y) {
                         const uint64_t bits = brick->occupancy[size_t(z)] >> (8 * y) & 0xff;
-                        m_rows[size_t(corner.y + y + m_ny * (corner.z + z))] |= (corner.x < 0 ? bits >> -corner.x : bits << corner.x) & mask;
+                        m_rows[size_t(corner.y + y + m_ny * (corner.z + z))] |=
+                            (corner.x < 0 ? bits >> -corner.x : bits << corner.x) & mask;
                     }
             }
 }

@@ -9,7 +9,8 @@
 
 namespace rubble {
 
-/// Which cells of a box, and of two more around it, are solid: a word a row along x, so that many are looked up at once.
+/// Which cells of a box, and of two more around it, are solid: a word a row along x, so that many are looked up at
+/// once.
 class SolidRows {
 public:
     static constexpr int kPadding = 2, kMaxLength = 64 - 2 * kPadding;

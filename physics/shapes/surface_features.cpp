@@ -14,11 +14,14 @@ constexpr int kClusterSize = 4;  ///< cells on a side
 std::array<uint64_t, kFeatureKinds> featuresInRow(const SolidRows& rows, int y, int z) {
     std::array<uint64_t, kFeatureKinds> found{};
     const uint64_t own = rows.row(y, z);
-    const auto neighbour = [](uint64_t row, size_t high) { return high ? row >> 1 : row << 1; };  // seen from the cell itself
+    const auto neighbour = [](uint64_t row, size_t high) {
+        return high ? row >> 1 : row << 1;
+    };  // seen from the cell itself
     for (size_t hz = 0; hz < 2; ++hz)
         for (size_t hy = 0; hy < 2; ++hy) {
             const int dy = hy ? 1 : -1, dz = hz ? 1 : -1;
-            const uint64_t byY = rows.row(y + dy, z), byZ = rows.row(y, z + dz), all = byY | byZ | rows.row(y + dy, z + dz);
+            const uint64_t byY = rows.row(y + dy, z), byZ = rows.row(y, z + dz),
+                           all = byY | byZ | rows.row(y + dy, z + dz);
             found[8 + hy + 2 * hz] = own & ~all;
             for (size_t hx = 0; hx < 2; ++hx) {
                 found[hx + 2 * hy + 4 * hz] = own & ~(all | neighbour(own | all, hx));
@@ -77,7 +80,8 @@ void findInSlab(const SolidRows& rows, int z0, std::vector<std::vector<Feature>>
                 const int x = std::countr_zero(any);
                 for (size_t kind = 0; kind < kFeatureKinds; ++kind)
                     if (masks[kind] >> (x + SolidRows::kPadding) & 1)
-                        found[size_t(y / kClusterSize * across + x / kClusterSize)].push_back({glm::u8vec3(x, y, z), uint8_t(kind)});
+                        found[size_t(y / kClusterSize * across + x / kClusterSize)].push_back(
+                            {glm::u8vec3(x, y, z), uint8_t(kind)});
             }
         }
 }

@@ -16,22 +16,23 @@ namespace rubble {
 inline constexpr int kFeatureKinds = 20;
 
 struct FeatureKind {
-    glm::vec3 offset;    ///< in the voxel, its low corner being 0: the corner, or the edge's middle
+    glm::vec3 offset;   ///< in the voxel, its low corner being 0: the corner, or the edge's middle
     glm::vec3 outward;  ///< +-1 along each axis that the feature sticks out on, 0 along an edge
     int edgeAxis;       ///< -1: a corner
 };
 const std::array<FeatureKind, kFeatureKinds>& featureKinds();
 
-/// Features of a region of at most 120 cells a side, from its low corner, in clusters of 4 x 4 x 4 cells. What is gone through
-/// lies side by side, pack at a time and packed: landing pieces are bound by how much of it must be fetched.
+/// Features of a region of at most 120 cells a side, from its low corner, in clusters of 4 x 4 x 4 cells. What is gone
+/// through lies side by side, pack at a time and packed: landing pieces are bound by how much of it must be fetched.
 struct FeatureList {
     struct Pack {
         std::array<uint8_t, 4> x, y, z;  ///< where they are, in half cells
         std::array<uint8_t, 4> kind;     ///< kNoFeature: filled up
     };
     struct ClusterPack {
-        std::array<std::array<uint8_t, 4>, 3> low, high;  ///< bounds of the features, in half cells, by axis; of none low > high
-        std::array<uint32_t, 4> from, to;                 ///< in `packs`
+        std::array<std::array<uint8_t, 4>, 3> low,
+            high;                          ///< bounds of the features, in half cells, by axis; of none low > high
+        std::array<uint32_t, 4> from, to;  ///< in `packs`
     };
     static constexpr uint8_t kNoFeature = 255;
     /// The cell that a feature of a pack belongs to.
@@ -41,8 +42,8 @@ struct FeatureList {
     size_t count = 0;
 };
 
-/// The features of the voxels of the rows' box. A corner is convex if all seven cells around it but its own are empty, an edge
-/// if all three are.
+/// The features of the voxels of the rows' box. A corner is convex if all seven cells around it but its own are empty,
+/// an edge if all three are.
 FeatureList findFeatures(const SolidRows& rows);
 
 }  // namespace rubble

@@ -32,7 +32,8 @@ void includeBrick(glm::ivec3 position, const Brick& brick, CellBox& box) {
     for (int y = 0; y < 8; ++y) row |= uint32_t(flat >> (8 * y)) & 0xff;
     const glm::ivec3 base = position * kBrickSize;
     box.low = glm::min(box.low, base + glm::ivec3(std::countr_zero(row), std::countr_zero(flat) / 8, low));
-    box.high = glm::max(box.high, base + glm::ivec3(32 - std::countl_zero(row), 8 - std::countl_zero(flat) / 8, high + 1));
+    box.high =
+        glm::max(box.high, base + glm::ivec3(32 - std::countl_zero(row), 8 - std::countl_zero(flat) / 8, high + 1));
 }
 
 }  // namespace
@@ -77,7 +78,8 @@ void VoxelPart::findBounds() {
     m_whole.forget();
     m_bounds = {m_grid.size(), glm::ivec3(0)};
     if (m_grid.brickCount() <= kMaxTightBricks)
-        m_grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) { includeBrick(position, *brick, m_bounds); });
+        m_grid.forEachBrick(
+            [&](glm::ivec3 position, const BrickRef& brick) { includeBrick(position, *brick, m_bounds); });
     else
         m_grid.forEachNode([&](glm::ivec3 node, const BrickNode&) {
             m_bounds.low = glm::min(m_bounds.low, node * kNodeSize);
@@ -86,12 +88,15 @@ void VoxelPart::findBounds() {
 }
 
 void VoxelPart::update(const Shape& shape, const std::vector<glm::ivec3>& bricks, const MaterialTable& materials) {
-    const auto before = std::exchange(m_contactMaterials, std::make_shared<ContactMaterials>(*shape.palette, materials));
+    const auto before =
+        std::exchange(m_contactMaterials, std::make_shared<ContactMaterials>(*shape.palette, materials));
     takeGrid(shape.grid, before->solid == m_contactMaterials->solid ? &bricks : nullptr);
     for (const glm::ivec3& brick : bricks)
         for (int i = 0; i < 27; ++i) {
             const glm::ivec3 near = brick + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
-            if (near.x < 0 || near.y < 0 || near.z < 0 || glm::any(glm::greaterThanEqual(near >> 2, m_grid.sizeInNodes()))) continue;
+            if (near.x < 0 || near.y < 0 || near.z < 0 ||
+                glm::any(glm::greaterThanEqual(near >> 2, m_grid.sizeInNodes())))
+                continue;
             if (const NodeSurface* known = m_nodes[nodeNumber(near >> 2)].find()) {
                 known->features[size_t(childIndex(near))].forget();
                 known->rows[size_t(childIndex(near))].forget();
@@ -114,7 +119,9 @@ const FeatureList& VoxelPart::features(glm::ivec3 brick) const {
 const SolidRows& VoxelPart::rows(glm::ivec3 brick) const {
     Lazy<SolidRows>& lazy = node(brick).rows[size_t(childIndex(brick))];
     const SolidRows* known = lazy.find();
-    return known ? *known : lazy.keep(std::make_unique<SolidRows>(m_grid, CellBox{brick * kBrickSize, (brick + 1) * kBrickSize}));
+    return known
+               ? *known
+               : lazy.keep(std::make_unique<SolidRows>(m_grid, CellBox{brick * kBrickSize, (brick + 1) * kBrickSize}));
 }
 
 const PartSurface* VoxelPart::whole() const {
@@ -145,9 +152,11 @@ void VoxelCollider::bounds(glm::dvec3& low, glm::dvec3& high) const {
     for (const auto& part : parts) {
         if (part->grid().empty()) continue;
         const glm::dvec3 halfSize = glm::dvec3(part->bounds().high - part->bounds().low) * (0.5 * part->voxelSize());
-        const glm::dvec3 center = part->frame().transformPoint(glm::dvec3(part->bounds().low + part->bounds().high) * (0.5 * part->voxelSize()));
+        const glm::dvec3 center = part->frame().transformPoint(glm::dvec3(part->bounds().low + part->bounds().high) *
+                                                               (0.5 * part->voxelSize()));
         const glm::dmat3 axes = glm::mat3_cast(part->frame().rotation);
-        const glm::dvec3 extent = glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
+        const glm::dvec3 extent =
+            glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
         low = glm::min(low, center - extent);
         high = glm::max(high, center + extent);
     }
@@ -158,9 +167,11 @@ double VoxelCollider::radius() const {
     for (const auto& part : parts) {
         if (part->grid().empty()) continue;
         for (int i = 0; i < 8; ++i) {
-            const glm::ivec3 cell(i & 1 ? part->bounds().high.x : part->bounds().low.x, i & 2 ? part->bounds().high.y : part->bounds().low.y,
+            const glm::ivec3 cell(i & 1 ? part->bounds().high.x : part->bounds().low.x,
+                                  i & 2 ? part->bounds().high.y : part->bounds().low.y,
                                   i & 4 ? part->bounds().high.z : part->bounds().low.z);
-            farthest = std::max(farthest, glm::length(part->frame().transformPoint(glm::dvec3(cell) * part->voxelSize())));
+            farthest =
+                std::max(farthest, glm::length(part->frame().transformPoint(glm::dvec3(cell) * part->voxelSize())));
         }
     }
     return farthest;

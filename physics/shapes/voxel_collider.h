@@ -22,7 +22,8 @@ struct ContactMaterials {
 
 /// What narrowphase wants to know of a small part.
 struct PartSurface {
-    explicit PartSurface(const VoxelGrid& grid, const CellBox& box) : rows(grid, box), features(findFeatures(rows)), hull(rows) {}
+    explicit PartSurface(const VoxelGrid& grid, const CellBox& box)
+        : rows(grid, box), features(findFeatures(rows)), hull(rows) {}
     SolidRows rows;
     FeatureList features;
     HullPoints hull;
@@ -51,7 +52,8 @@ public:
     const ContactMaterials& contactMaterials() const { return *m_contactMaterials; }
     CollisionFilter filter() const { return m_filter; }
     void setFilter(CollisionFilter filter) { m_filter = filter; }
-    /// Of all of it if its bounds are at most kMaxWholeSize cells on a side, else null. Like the others, found when first asked for.
+    /// Of all of it if its bounds are at most kMaxWholeSize cells on a side, else null. Like the others, found when
+    /// first asked for.
     const PartSurface* whole() const;
     const HullPoints& hull() const;
     /// Of one brick.

@@ -20,7 +20,8 @@ int widestAxis(std::span<const SolverBody> bodies, std::span<const std::pair<dou
 
 }  // namespace
 
-void ConstraintColoring::assignStrips(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> pairs, size_t strips) {
+void ConstraintColoring::assignStrips(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> pairs,
+                                      size_t strips) {
     m_strip.assign(bodies.size(), 0);
     for (const auto& [a, b] : pairs) m_strip[size_t(a)] = m_strip[size_t(b)] = 1;
     m_sortedBodies.clear();
@@ -30,7 +31,8 @@ void ConstraintColoring::assignStrips(std::span<const SolverBody> bodies, std::s
     const int axis = widestAxis(bodies, m_sortedBodies);
     for (auto& [place, body] : m_sortedBodies) place = bodies[body].position[axis];
     std::sort(m_sortedBodies.begin(), m_sortedBodies.end());
-    for (size_t i = 0; i < m_sortedBodies.size(); ++i) m_strip[m_sortedBodies[i].second] = uint32_t(i * strips / m_sortedBodies.size());
+    for (size_t i = 0; i < m_sortedBodies.size(); ++i)
+        m_strip[m_sortedBodies[i].second] = uint32_t(i * strips / m_sortedBodies.size());
 }
 
 void ConstraintColoring::build(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> pairs) {
@@ -46,10 +48,12 @@ void ConstraintColoring::build(std::span<const SolverBody> bodies, std::span<con
     assignStrips(bodies, pairs, strips);
     m_key.clear();
     for (const auto& [a, b] : pairs) {
-        const uint32_t s = m_strip[size_t(a ? a : b)], t = m_strip[size_t(b ? b : a)], low = std::min(s, t), apart = std::max(s, t) - low;
+        const uint32_t s = m_strip[size_t(a ? a : b)], t = m_strip[size_t(b ? b : a)], low = std::min(s, t),
+                       apart = std::max(s, t) - low;
         m_key.push_back(apart == 0 ? low : apart == 1 ? (1 + low % 2) * kMaxStrips + low : (kColors - 1) * kMaxStrips);
     }
-    std::sort(m_order.begin(), m_order.end(), [&](uint32_t p, uint32_t q) { return m_key[p] != m_key[q] ? m_key[p] < m_key[q] : p < q; });
+    std::sort(m_order.begin(), m_order.end(),
+              [&](uint32_t p, uint32_t q) { return m_key[p] != m_key[q] ? m_key[p] < m_key[q] : p < q; });
     for (size_t from = 0, to = 0; from < m_order.size(); from = to) {
         const uint32_t key = m_key[m_order[from]];
         while (to < m_order.size() && m_key[m_order[to]] == key) ++to;

@@ -6,15 +6,16 @@
 namespace rubble {
 namespace {
 
-constexpr int kHitPasses = 2, kFastPasses = 8;  ///< over the normals of two bodies that meet; over others one
-constexpr float kHitSpeed = 1.0f, kFastSpeed = 20.0f;     ///< m/s
-constexpr float kSameFace = 0.9f;               ///< cosine between normals of one face
-constexpr float kMinSupportSlope = 0.3f;                  ///< how far up a normal points where one body lies on the other
-constexpr float kMaxWarmStartSpeed = 4.0f;                   ///< m/s that the impulses of the last step may give a body before they count as out of balance
-constexpr int kRejectionRounds = 4;               ///< in which those that were held by what is out of balance updateCachedContacts
-constexpr size_t kBlockSize = 64;                   ///< bodies or pairs that a thread takes at once
-constexpr size_t kMinParallelBlocks = 4;                  ///< blocks from which on threads are asked
-constexpr double kLoadBearingStiffness = 4.0;                ///< times as stiff, in hertz, are contacts of what isLoadBearing
+constexpr int kHitPasses = 2, kFastPasses = 8;         ///< over the normals of two bodies that meet; over others one
+constexpr float kHitSpeed = 1.0f, kFastSpeed = 20.0f;  ///< m/s
+constexpr float kSameFace = 0.9f;                      ///< cosine between normals of one face
+constexpr float kMinSupportSlope = 0.3f;               ///< how far up a normal points where one body lies on the other
+constexpr float kMaxWarmStartSpeed =
+    4.0f;  ///< m/s that the impulses of the last step may give a body before they count as out of balance
+constexpr int kRejectionRounds = 4;  ///< in which those that were held by what is out of balance updateCachedContacts
+constexpr size_t kBlockSize = 64;    ///< bodies or pairs that a thread takes at once
+constexpr size_t kMinParallelBlocks = 4;       ///< blocks from which on threads are asked
+constexpr double kLoadBearingStiffness = 4.0;  ///< times as stiff, in hertz, are contacts of what isLoadBearing
 
 /// Two directions across the normal.
 void tangentsOf(const glm::vec3& n, glm::vec3& t1, glm::vec3& t2) {
@@ -70,7 +71,10 @@ struct ContactSolver::VelocityPair {
 
 /// How two bodies have movement since the step began.
 struct ContactSolver::DeltaPair {
-    DeltaPair(const SolverState& A, const SolverState& B) : displacement(float4(A.deltaPosition - B.deltaPosition)), deltaRotationA(A.deltaRotation), deltaRotationB(B.deltaRotation) {}
+    DeltaPair(const SolverState& A, const SolverState& B)
+        : displacement(float4(A.deltaPosition - B.deltaPosition)),
+          deltaRotationA(A.deltaRotation),
+          deltaRotationB(B.deltaRotation) {}
     Float4 displacement;
     SimdMat3 deltaRotationA, deltaRotationB;
 };
@@ -80,7 +84,8 @@ void ContactSolver::forEach(size_t count, F&& f) const {
     const auto runBlock = [&](size_t block) {
         for (size_t i = block * kBlockSize; i < std::min(count, (block + 1) * kBlockSize); ++i) f(i);
     };
-    if (m_parallelFor && count >= kMinParallelBlocks * kBlockSize) return (*m_parallelFor)((count + kBlockSize - 1) / kBlockSize, runBlock);
+    if (m_parallelFor && count >= kMinParallelBlocks * kBlockSize)
+        return (*m_parallelFor)((count + kBlockSize - 1) / kBlockSize, runBlock);
     for (size_t i = 0; i < count; ++i) f(i);
 }
 
@@ -97,12 +102,13 @@ ContactSolver::Softness ContactSolver::makeSoft(double hertz, double dampingRati
     return {float(omega / a1), float(a2 * a3), float(a3)};
 }
 
-/// Two that meet so fast that one could turn its displacement past the few points which touch it: their cores, spheres as wide as their
-/// smallest sides, may not pass the plane that they meet at, however they tumble.
+/// Two that meet so fast that one could turn its displacement past the few points which touch it: their cores, spheres
+/// as wide as their smallest sides, may not pass the plane that they meet at, however they tumble.
 void ContactSolver::addInscribedSphere(PairConstraints& pair, const Constraint& fastest) {
     const SolverState &A = m_states[size_t(pair.a)], &B = m_states[size_t(pair.b)];
     Constraint sphere = fastest;
-    sphere.separation = 1e9f;  // of the point that leaves the cores least: the fastest may be one that a spin brings round from above
+    sphere.separation =
+        1e9f;  // of the point that leaves the cores least: the fastest may be one that a spin brings round from above
     for (size_t i = pair.from; i < pair.to; ++i) {
         const Constraint& c = m_constraints[i];
         if (dot(c.normal, sphere.normal) < kSameFace) continue;
@@ -110,7 +116,8 @@ void ContactSolver::addInscribedSphere(PairConstraints& pair, const Constraint& 
         const float overB = pair.b ? std::max(0.0f, dot(c.rB, c.normal) - B.minHalfExtent) : 0.0f;
         sphere.separation = std::min(sphere.separation, c.separation + overA + overB);
     }
-    sphere.rA = sphere.rB = sphere.angularA = sphere.angularB = sphere.angularChangeA = sphere.angularChangeB = float4(0.0f);
+    sphere.rA = sphere.rB = sphere.angularA = sphere.angularB = sphere.angularChangeA = sphere.angularChangeB =
+        float4(0.0f);
     sphere.normalMass = 1.0f / (A.inverseMass + B.inverseMass);
     sphere.friction = sphere.restitution = 0.0f;
     sphere.normalImpulse = sphere.tangentImpulse1 = sphere.tangentImpulse2 = 0.0f;
@@ -118,8 +125,8 @@ void ContactSolver::addInscribedSphere(PairConstraints& pair, const Constraint& 
     m_constraints[pair.to++] = sphere;
 }
 
-void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf,
-                            float seconds) {
+void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds,
+                            std::span<const std::pair<int, int>> bodyOf, float seconds) {
     m_states.assign(bodies.size(), {});
     for (size_t i = 1; i < bodies.size(); ++i) {
         SolverState& state = m_states[i];
@@ -147,12 +154,15 @@ void ContactSolver::prepare(std::span<SolverBody> bodies, std::span<Manifold* co
 void ContactSolver::addInscribedSpheresOfHit() {
     bool any = false;
     for (const PairConstraints& pair : m_pairs)
-        if (pair.hasInscribedSphere()) m_states[size_t(pair.a)].isHitByFast = m_states[size_t(pair.b)].isHitByFast = any = true;
+        if (pair.hasInscribedSphere())
+            m_states[size_t(pair.a)].isHitByFast = m_states[size_t(pair.b)].isHitByFast = any = true;
     if (!any) return;
     for (PairConstraints& pair : m_pairs) {
         if ((pair.a && pair.b) || !m_states[size_t(pair.a + pair.b)].isHitByFast || pair.hasInscribedSphere()) continue;
-        const auto from = m_constraints.begin() + std::ptrdiff_t(pair.from), to = m_constraints.begin() + std::ptrdiff_t(pair.to);
-        const Constraint fastest = *std::min_element(from, to, [](const Constraint& c, const Constraint& d) { return c.approach < d.approach; });
+        const auto from = m_constraints.begin() + std::ptrdiff_t(pair.from),
+                   to = m_constraints.begin() + std::ptrdiff_t(pair.to);
+        const Constraint fastest = *std::min_element(
+            from, to, [](const Constraint& c, const Constraint& d) { return c.approach < d.approach; });
         addInscribedSphere(pair, fastest);
     }
 }
@@ -163,22 +173,27 @@ void ContactSolver::preparePair(PairConstraints& pair, std::span<const SolverBod
     const glm::vec3 originA = glm::vec3(pair.manifold->origin - bodies[size_t(a)].position);
     const glm::vec3 originB = glm::vec3(pair.manifold->origin - bodies[size_t(b)].position);
     size_t fastest = pair.from, at = pair.from;
-    float nearing = 0.0f;  // m/s, of a point or of all of the two: a spinning body may come while the points that touch go
+    float nearing =
+        0.0f;  // m/s, of a point or of all of the two: a spinning body may come while the points that touch go
     for (ManifoldPoint& point : pair.points()) {
         Constraint& c = m_constraints[at++];
-        const glm::vec3 half = point.normal * (0.5f * point.separation);  // far apart before a fast hit: where each is touched
-        const glm::vec3 rA = a ? originA + point.position + half : glm::vec3(0.0f), rB = b ? originB + point.position - half : glm::vec3(0.0f);
+        const glm::vec3 half =
+            point.normal * (0.5f * point.separation);  // far apart before a fast hit: where each is touched
+        const glm::vec3 rA = a ? originA + point.position + half : glm::vec3(0.0f),
+                        rB = b ? originB + point.position - half : glm::vec3(0.0f);
         glm::vec3 tangent1, tangent2;
         tangentsOf(point.normal, tangent1, tangent2);
         const auto massAlong = [&](const glm::vec3& d) {
             const glm::vec3 xa = glm::cross(rA, d), xb = glm::cross(rB, d);
-            const float k = A.inverseMass + B.inverseMass + glm::dot(xa, A.inverseInertia * xa) + glm::dot(xb, B.inverseInertia * xb);
+            const float k = A.inverseMass + B.inverseMass + glm::dot(xa, A.inverseInertia * xa) +
+                            glm::dot(xb, B.inverseInertia * xb);
             return k > 0.0f ? 1.0f / k : 0.0f;
         };
         c.normal = float4(point.normal), c.tangent1 = float4(tangent1), c.tangent2 = float4(tangent2);
         c.rA = float4(rA), c.rB = float4(rB);
         c.angularA = cross(c.rA, c.normal), c.angularB = cross(c.rB, c.normal);
-        c.angularChangeA = float4(A.inverseInertia * vec3(c.angularA)), c.angularChangeB = float4(B.inverseInertia * vec3(c.angularB));
+        c.angularChangeA = float4(A.inverseInertia * vec3(c.angularA)),
+        c.angularChangeB = float4(B.inverseInertia * vec3(c.angularB));
         c.normalMass = massAlong(point.normal);
         c.tangentMass1 = massAlong(tangent1);
         c.tangentMass2 = massAlong(tangent2);
@@ -202,13 +217,15 @@ void ContactSolver::preparePair(PairConstraints& pair, std::span<const SolverBod
     if (nearing * seconds > thin) addInscribedSphere(pair, m_constraints[fastest]);
 }
 
-/// Bodies that something much heavier lies on, and those that these lie on in turn: as stiff as their own weight asks for, and
-/// passed over as often as others, they would be pressed into each other.
+/// Bodies that something much heavier lies on, and those that these lie on in turn: as stiff as their own weight asks
+/// for, and passed over as often as others, they would be pressed into each other.
 void ContactSolver::findLoadBearing(glm::vec3 up, float ratio) {
     m_loadBearingPairs.clear();
     const auto lower = [&](const PairConstraints& pair) -> SolverState* {
         const float rise = pair.to > pair.from ? glm::dot(vec3(m_constraints[pair.from].normal), up) : 0.0f;
-        return rise > kMinSupportSlope ? &m_states[size_t(pair.b)] : rise < -kMinSupportSlope ? &m_states[size_t(pair.a)] : nullptr;
+        return rise > kMinSupportSlope    ? &m_states[size_t(pair.b)]
+               : rise < -kMinSupportSlope ? &m_states[size_t(pair.a)]
+                                          : nullptr;
     };
     const auto upper = [&](const PairConstraints& pair, const SolverState* under) {
         return &m_states[size_t(under == &m_states[size_t(pair.b)] ? pair.a : pair.b)];
@@ -225,7 +242,8 @@ void ContactSolver::findLoadBearing(glm::vec3 up, float ratio) {
         more = false;
         for (const PairConstraints& pair : m_pairs) {
             SolverState* under = lower(pair);
-            if (under && under->inverseMass > 0.0f && !under->isLoadBearing && upper(pair, under)->isLoadBearing) under->isLoadBearing = more = true;
+            if (under && under->inverseMass > 0.0f && !under->isLoadBearing && upper(pair, under)->isLoadBearing)
+                under->isLoadBearing = more = true;
         }
     }
     if (!any) return;
@@ -237,8 +255,8 @@ void ContactSolver::findLoadBearing(glm::vec3 up, float ratio) {
     }
 }
 
-/// Where a contact has gone since the last step, what it held back would throw a light body that something heavy presses on:
-/// the impulses of its other contacts do not start from the last step then.
+/// Where a contact has gone since the last step, what it held back would throw a light body that something heavy
+/// presses on: the impulses of its other contacts do not start from the last step then.
 void ContactSolver::rejectWarmStart(std::span<const SolverBody> bodies) {
     for (int round = 0; round < kRejectionRounds; ++round) {
         m_warmStartImpulses.assign(bodies.size(), {});
@@ -246,7 +264,8 @@ void ContactSolver::rejectWarmStart(std::span<const SolverBody> bodies) {
             WarmStartImpulse &a = m_warmStartImpulses[size_t(pair.a)], &b = m_warmStartImpulses[size_t(pair.b)];
             for (size_t i = pair.from; i < pair.to; ++i) {
                 const Constraint& c = m_constraints[i];
-                const Float4 impulse = c.normal * float4(c.normalImpulse) + c.tangent1 * float4(c.tangentImpulse1) + c.tangent2 * float4(c.tangentImpulse2);
+                const Float4 impulse = c.normal * float4(c.normalImpulse) + c.tangent1 * float4(c.tangentImpulse1) +
+                                       c.tangent2 * float4(c.tangentImpulse2);
                 a.impulse += impulse, a.turn += cross(c.rA, impulse);
                 b.impulse -= impulse, b.turn -= cross(c.rB, impulse);
             }
@@ -254,13 +273,16 @@ void ContactSolver::rejectWarmStart(std::span<const SolverBody> bodies) {
         for (size_t i = 1; i < bodies.size(); ++i) {
             const SolverState& state = m_states[i];
             WarmStartImpulse& warmStartImpulse = m_warmStartImpulses[i];
-            const float speed2 = dot(warmStartImpulse.impulse, warmStartImpulse.impulse) * state.inverseMass * state.inverseMass;
-            const float spin2 = dot(warmStartImpulse.turn, SimdMat3(state.inverseInertia) * warmStartImpulse.turn) * state.inverseMass;
+            const float speed2 =
+                dot(warmStartImpulse.impulse, warmStartImpulse.impulse) * state.inverseMass * state.inverseMass;
+            const float spin2 =
+                dot(warmStartImpulse.turn, SimdMat3(state.inverseInertia) * warmStartImpulse.turn) * state.inverseMass;
             warmStartImpulse.isRejected = !state.isJointed && speed2 + spin2 > kMaxWarmStartSpeed * kMaxWarmStartSpeed;
         }
         bool any = false;
         for (const PairConstraints& pair : m_pairs) {
-            if (!m_warmStartImpulses[size_t(pair.a)].isRejected && !m_warmStartImpulses[size_t(pair.b)].isRejected) continue;
+            if (!m_warmStartImpulses[size_t(pair.a)].isRejected && !m_warmStartImpulses[size_t(pair.b)].isRejected)
+                continue;
             for (size_t i = pair.from; i < pair.to; ++i) {
                 Constraint& c = m_constraints[i];
                 any |= c.normalImpulse != 0.0f;
@@ -284,7 +306,8 @@ void ContactSolver::warmStart(const PairConstraints& pair, bool isFirst) {
     bodies.store(A, B);
 }
 
-ContactSolver::ContactBias ContactSolver::biasOf(const Constraint& c, const DeltaPair& deltas, float inverseSeconds, bool useBias) const {
+ContactSolver::ContactBias ContactSolver::biasOf(const Constraint& c, const DeltaPair& deltas, float inverseSeconds,
+                                                 bool useBias) const {
     const Float4 movement = deltas.displacement + deltas.deltaRotationA * c.rA - deltas.deltaRotationB * c.rB;
     const float s = c.separation + dot(movement, c.normal);
     if (s > 0.0f) return {s * inverseSeconds};
@@ -293,8 +316,8 @@ ContactSolver::ContactBias ContactSolver::biasOf(const Constraint& c, const Delt
     return {std::max(soft.biasRate * std::min(s + m_slop, 0.0f), -m_maxPushSpeed), soft.massScale, soft.impulseScale};
 }
 
-/// What an impulse does after one of the two has turned. With the masses of before, a rod would be pushed more than it takes
-/// to stop it, time and again.
+/// What an impulse does after one of the two has turned. With the masses of before, a rod would be pushed more than it
+/// takes to stop it, time and again.
 void ContactSolver::rotateInertia(Constraint& c, const SolverState& A, const SolverState& B) {
     const SimdMat3 inertiaA(A.inverseInertia), inertiaB(B.inverseInertia);
     c.angularChangeA = inertiaA * c.angularA, c.angularChangeB = inertiaB * c.angularB;
@@ -309,7 +332,8 @@ void ContactSolver::rotateInertia(Constraint& c, const SolverState& A, const Sol
 
 void ContactSolver::solveNormal(Constraint& c, const ContactBias& bias, VelocityPair& bodies) {
     const float old = c.normalImpulse;
-    c.normalImpulse = std::max(old - c.normalMass * bias.massScale * (bodies.normalVelocity(c) + bias.bias) - bias.impulseScale * old, 0.0f);
+    c.normalImpulse = std::max(
+        old - c.normalMass * bias.massScale * (bodies.normalVelocity(c) + bias.bias) - bias.impulseScale * old, 0.0f);
     c.maxImpulse = std::max(c.maxImpulse, c.normalImpulse);
     bodies.applyNormalImpulse(c, c.normalImpulse - old);
 }
@@ -330,7 +354,8 @@ void ContactSolver::solveFriction(Constraint& c, VelocityPair& bodies) {
     c.tangentImpulse2 = t2;
 }
 
-/// All normals of two bodies first, then their friction: what one point takes too much of, the next isSoft back before it hasBallFriction.
+/// All normals of two bodies first, then their friction: what one point takes too much of, the next isSoft back before
+/// it hasBallFriction.
 void ContactSolver::solvePair(const PairConstraints& pair, float inverseSeconds, bool useBias) {
     SolverState &A = m_states[size_t(pair.a)], &B = m_states[size_t(pair.b)];
     const std::span<Constraint> points(m_constraints.data() + pair.from, pair.to - pair.from);
@@ -366,7 +391,9 @@ void ContactSolver::bounce(float threshold) {
     for (const PairConstraints& pair : m_pairs) {
         SolverState &A = m_states[size_t(pair.a)], &B = m_states[size_t(pair.b)];
         const std::span<Constraint> points(m_constraints.data() + pair.from, pair.to - pair.from);
-        const auto bounces = [&](const Constraint& c) { return c.restitution != 0.0f && c.approach <= -threshold && c.maxImpulse != 0.0f; };
+        const auto bounces = [&](const Constraint& c) {
+            return c.restitution != 0.0f && c.approach <= -threshold && c.maxImpulse != 0.0f;
+        };
         if (std::none_of(points.begin(), points.end(), bounces)) continue;
         VelocityPair bodies(A, B);
         for (int pass = 0; pass < kFastPasses; ++pass)
@@ -374,15 +401,17 @@ void ContactSolver::bounce(float threshold) {
                 if (!bounces(c)) continue;
                 // On top of what the contact isLoadBearing, which the next step starts with.
                 const float old = c.bounceImpulse;
-                c.bounceImpulse = std::max(old - c.normalMass * (bodies.normalVelocity(c) + c.restitution * c.approach), 0.0f);
+                c.bounceImpulse =
+                    std::max(old - c.normalMass * (bodies.normalVelocity(c) + c.restitution * c.approach), 0.0f);
                 bodies.applyNormalImpulse(c, c.bounceImpulse - old);
             }
         bodies.store(A, B);
     }
 }
 
-void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds, std::span<const std::pair<int, int>> bodyOf,
-                          glm::dvec3 gravity, const SolverSettings& settings, std::span<JointConstraint* const> joints) {
+void ContactSolver::solve(std::span<SolverBody> bodies, std::span<Manifold* const> manifolds,
+                          std::span<const std::pair<int, int>> bodyOf, glm::dvec3 gravity,
+                          const SolverSettings& settings, std::span<JointConstraint* const> joints) {
     const double h = settings.seconds / settings.substeps;
     const double hertz = std::min(settings.contactHertz, 0.25 / h);
     m_soft = makeSoft(hertz, settings.dampingRatio, h);
@@ -422,7 +451,8 @@ void ContactSolver::move(std::span<SolverBody> bodies, glm::dvec3 gravity, doubl
 }
 
 /// Integrates its position. Bodies without contacts stay in doubles: nothing is rounded in free flight.
-void ContactSolver::moveBody(SolverBody& body, SolverState& state, const glm::dquat& start, glm::dvec3 gravity, double h) {
+void ContactSolver::moveBody(SolverBody& body, SolverState& state, const glm::dquat& start, glm::dvec3 gravity,
+                             double h) {
     if (state.isConstrained) {
         body.velocity = state.v;
         body.angularVelocity = state.w;
@@ -455,7 +485,8 @@ void ContactSolver::store(const PairConstraints& pair) {
             continue;
         }
         c.point->normalImpulse = c.normalImpulse;
-        c.point->frictionImpulse = vec3(c.tangent1 * float4(c.tangentImpulse1) + c.tangent2 * float4(c.tangentImpulse2));
+        c.point->frictionImpulse =
+            vec3(c.tangent1 * float4(c.tangentImpulse1) + c.tangent2 * float4(c.tangentImpulse2));
         c.point->totalImpulse = c.totalImpulse;
         c.point->approach = -c.approach;
     }

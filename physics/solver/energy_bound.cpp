@@ -18,8 +18,8 @@ void EnergyBound::note(std::span<const SolverBody> bodies) {
     for (size_t i = 1; i < bodies.size(); ++i) m_before[i] = {kineticEnergy(bodies[i]), bodies[i].position};
 }
 
-void EnergyBound::hold(std::span<SolverBody> bodies, std::span<const std::pair<int, int>> pairs, std::span<JointConstraint* const> joints,
-                       const glm::dvec3& gravity) {
+void EnergyBound::hold(std::span<SolverBody> bodies, std::span<const std::pair<int, int>> pairs,
+                       std::span<JointConstraint* const> joints, const glm::dvec3& gravity) {
     UnionFind<> sets(bodies.size());
     for (const auto& [a, b] : pairs)
         if (a && b) sets.unite(uint32_t(a), uint32_t(b));

@@ -8,9 +8,9 @@
 namespace rubble {
 namespace {
 
-constexpr double kErrorReduction = 0.2;          ///< share of an error that a substep works off
-constexpr double kMotorHertz = 2.0;      ///< of a motor that goes to a position, if the joint has no spring
-constexpr double kStretchForce = 1e4;    ///< N under which a rope isSoft its `stretch`
+constexpr double kErrorReduction = 0.2;       ///< share of an error that a substep works off
+constexpr double kMotorHertz = 2.0;           ///< of a motor that goes to a position, if the joint has no spring
+constexpr double kStretchForce = 1e4;         ///< N under which a rope isSoft its `stretch`
 constexpr double kMaxCorrectionSpeed = 10.0;  ///< m/s or rad/s at which errors are worked off
 
 glm::dvec3 xOf(const Pose& pose) {
@@ -45,8 +45,8 @@ JointSolver::Softness JointSolver::makeSoft(double hertz, double dampingRatio, d
 }
 
 double JointSolver::rowVelocity(const Row& row, const SolverState& A, const SolverState& B) {
-    return glm::dot(row.linearB, glm::dvec3(B.v)) + glm::dot(row.angularB, glm::dvec3(B.w)) - glm::dot(row.linearA, glm::dvec3(A.v)) -
-           glm::dot(row.angularA, glm::dvec3(A.w));
+    return glm::dot(row.linearB, glm::dvec3(B.v)) + glm::dot(row.angularB, glm::dvec3(B.w)) -
+           glm::dot(row.linearA, glm::dvec3(A.v)) - glm::dot(row.angularA, glm::dvec3(A.w));
 }
 
 void JointSolver::push(const Row& row, SolverState& A, SolverState& B, double impulse) {
@@ -57,7 +57,8 @@ void JointSolver::push(const Row& row, SolverState& A, SolverState& B, double im
 }
 
 double JointSolver::effectiveMass(const Row& row, const SolverState& A, const SolverState& B) {
-    const double k = double(A.inverseMass) * glm::dot(row.linearA, row.linearA) + double(B.inverseMass) * glm::dot(row.linearB, row.linearB) +
+    const double k = double(A.inverseMass) * glm::dot(row.linearA, row.linearA) +
+                     double(B.inverseMass) * glm::dot(row.linearB, row.linearB) +
                      glm::dot(row.angularA, glm::dmat3(A.inverseInertia) * row.angularA) +
                      glm::dot(row.angularB, glm::dmat3(B.inverseInertia) * row.angularB);
     return k > 0.0 ? 1.0 / k : 0.0;
@@ -69,7 +70,8 @@ void JointSolver::begin(std::span<JointConstraint* const> joints, std::span<Solv
     for (JointConstraint* c : joints) {
         Entry& e = m_joints.emplace_back();
         e.c = c;
-        e.isInSystem = c->joint->kind != JointKind::Rope && c->joint->maxForce == 0.0 && (c->joint->spring.hertz == 0.0 || hasFreeAxisSpring(*c->joint));
+        e.isInSystem = c->joint->kind != JointKind::Rope && c->joint->maxForce == 0.0 &&
+                       (c->joint->spring.hertz == 0.0 || hasFreeAxisSpring(*c->joint));
         c->force = c->torque = glm::dvec3(0.0);
         for (const int body : c->bodies) states[size_t(body)].isConstrained = states[size_t(body)].isJointed = true;
     }
@@ -87,7 +89,10 @@ void JointSolver::computeRows(Entry& e, std::span<const SolverBody> bodies) cons
     }
     const glm::dvec3 apart = at[1].position - at[0].position, x = xOf(at[0]), y = yOf(at[0]), z = zOf(at[0]);
     e.rows = 0;
-    const auto slideRow = [&](const glm::dvec3& displacement) { return Row{displacement, glm::cross(arm[0] + apart, displacement), displacement, glm::cross(arm[1], displacement)}; };
+    const auto slideRow = [&](const glm::dvec3& displacement) {
+        return Row{displacement, glm::cross(arm[0] + apart, displacement), displacement,
+                   glm::cross(arm[1], displacement)};
+    };
     const auto hold = [&](const Row& row, double error) {
         e.error[size_t(e.rows)] = error;
         e.row[size_t(e.rows++)] = row;
@@ -96,7 +101,8 @@ void JointSolver::computeRows(Entry& e, std::span<const SolverBody> bodies) cons
         for (int i = 0; i < 3; ++i) {
             glm::dvec3 displacement(0.0);
             displacement[i] = 1.0;
-            hold({displacement, glm::cross(arm[0], displacement), displacement, glm::cross(arm[1], displacement)}, apart[i]);
+            hold({displacement, glm::cross(arm[0], displacement), displacement, glm::cross(arm[1], displacement)},
+                 apart[i]);
         }
     };
     const auto holdAxis = [&](const glm::dvec3& axis, const glm::dvec3& side1, const glm::dvec3& side2) {
@@ -107,7 +113,8 @@ void JointSolver::computeRows(Entry& e, std::span<const SolverBody> bodies) cons
     glm::dquat relativeRotation = glm::conjugate(at[0].rotation) * at[1].rotation;
     if (relativeRotation.w < 0.0) relativeRotation = -relativeRotation;
     const auto holdTurn = [&] {
-        const glm::dvec3 error = at[0].rotation * (2.0 * glm::dvec3(relativeRotation.x, relativeRotation.y, relativeRotation.z));
+        const glm::dvec3 error =
+            at[0].rotation * (2.0 * glm::dvec3(relativeRotation.x, relativeRotation.y, relativeRotation.z));
         for (int i = 0; i < 3; ++i) {
             glm::dvec3 axis(0.0);
             axis[i] = 1.0;
@@ -164,7 +171,8 @@ void JointSolver::computeRows(Entry& e, std::span<const SolverBody> bodies) cons
             const glm::dvec3 pullB = lastLength > 1e-6 ? last / lastLength : glm::dvec3(0.0, -1.0, 0.0);
             e.freeAxis.row = {-pullA, glm::cross(arm[0], -pullA), pullB, glm::cross(arm[1], pullB)};
             e.freeAxis.value = bendPoints.empty() ? firstLength : firstLength + lastLength;
-            for (size_t i = 1; i < bendPoints.size(); ++i) e.freeAxis.value += glm::length(bendPoints[i] - bendPoints[i - 1]);
+            for (size_t i = 1; i < bendPoints.size(); ++i)
+                e.freeAxis.value += glm::length(bendPoints[i] - bendPoints[i - 1]);
             break;
         }  // see rope_solver
     }
@@ -180,18 +188,20 @@ void JointSolver::factorize(Entry& e, const SolverState& A, const SolverState& B
         const glm::dvec3 a = inertiaA * row.angularA, b = inertiaB * row.angularB;
         for (int i = j; i < e.rows; ++i) {
             const Row& other = e.row[size_t(i)];
-            k[i][j] = massA * glm::dot(row.linearA, other.linearA) + massB * glm::dot(row.linearB, other.linearB) + glm::dot(a, other.angularA) +
-                      glm::dot(b, other.angularB);
+            k[i][j] = massA * glm::dot(row.linearA, other.linearA) + massB * glm::dot(row.linearB, other.linearB) +
+                      glm::dot(a, other.angularA) + glm::dot(b, other.angularB);
         }
     }
     for (int j = 0; j < e.rows; ++j) {
         double d = k[j][j];
-        for (int m = 0; m < j; ++m) d -= e.lower[size_t(j)][size_t(m)] * e.lower[size_t(j)][size_t(m)] * e.diagonal[size_t(m)];
+        for (int m = 0; m < j; ++m)
+            d -= e.lower[size_t(j)][size_t(m)] * e.lower[size_t(j)][size_t(m)] * e.diagonal[size_t(m)];
         const bool moves = d > 1e-12 * k[j][j] && d > 0.0;
         e.diagonal[size_t(j)] = moves ? d : 0.0;
         for (int i = j + 1; i < e.rows; ++i) {
             double l = k[i][j];
-            for (int m = 0; m < j; ++m) l -= e.lower[size_t(i)][size_t(m)] * e.lower[size_t(j)][size_t(m)] * e.diagonal[size_t(m)];
+            for (int m = 0; m < j; ++m)
+                l -= e.lower[size_t(i)][size_t(m)] * e.lower[size_t(j)][size_t(m)] * e.diagonal[size_t(m)];
             e.lower[size_t(i)][size_t(j)] = moves ? l / d : 0.0;
         }
     }
@@ -200,7 +210,8 @@ void JointSolver::factorize(Entry& e, const SolverState& A, const SolverState& B
 void JointSolver::solveBlock(const Entry& e, std::array<double, 6>& x) {
     for (int i = 0; i < e.rows; ++i)
         for (int m = 0; m < i; ++m) x[size_t(i)] -= e.lower[size_t(i)][size_t(m)] * x[size_t(m)];
-    for (int i = 0; i < e.rows; ++i) x[size_t(i)] = e.diagonal[size_t(i)] > 0.0 ? x[size_t(i)] / e.diagonal[size_t(i)] : 0.0;
+    for (int i = 0; i < e.rows; ++i)
+        x[size_t(i)] = e.diagonal[size_t(i)] > 0.0 ? x[size_t(i)] / e.diagonal[size_t(i)] : 0.0;
     for (int i = e.rows - 1; i >= 0; --i)
         for (int m = i + 1; m < e.rows; ++m) x[size_t(i)] -= e.lower[size_t(m)][size_t(i)] * x[size_t(m)];
 }
@@ -220,15 +231,18 @@ void JointSolver::prepare(std::span<const SolverBody> bodies, std::span<SolverSt
         e.isSoft = joint.spring.hertz > 0.0 && !springIsOnFreeAxis;
         e.stop = {kErrorReduction / seconds, 1.0, 0.0};
         e.soft = e.isSoft ? makeSoft(joint.spring.hertz, joint.spring.dampingRatio, seconds) : e.stop;
-        const bool goesToPlace = joint.motor.mode == MotorMode::Position && springIsOnFreeAxis && joint.kind != JointKind::Wheel;
+        const bool goesToPlace =
+            joint.motor.mode == MotorMode::Position && springIsOnFreeAxis && joint.kind != JointKind::Wheel;
         e.springs = springIsOnFreeAxis && (joint.spring.hertz > 0.0 || goesToPlace);
         if (e.springs)
-            e.spring = joint.spring.hertz > 0.0 ? makeSoft(joint.spring.hertz, joint.spring.dampingRatio, seconds) : makeSoft(kMotorHertz, 1.0, seconds);
+            e.spring = joint.spring.hertz > 0.0 ? makeSoft(joint.spring.hertz, joint.spring.dampingRatio, seconds)
+                                                : makeSoft(kMotorHertz, 1.0, seconds);
         e.freeAxis.mass = effectiveMass(e.freeAxis.row, A, B);
         if (joint.kind == JointKind::Rope) {
             e.isSoft = joint.rope.stretch > 0.0;
             const double stiffness = e.isSoft ? kStretchForce / (joint.rope.stretch * joint.rope.length) : 0.0;
-            if (e.isSoft) e.stop = makeSoft(std::sqrt(stiffness * e.freeAxis.mass) / (2.0 * 3.14159265358979), 1.0, seconds);
+            if (e.isSoft)
+                e.stop = makeSoft(std::sqrt(stiffness * e.freeAxis.mass) / (2.0 * 3.14159265358979), 1.0, seconds);
         }
         if (joint.kind == JointKind::Wheel)
             e.motorAxis.mass = effectiveMass(e.motorAxis.row, A, B);
@@ -260,14 +274,17 @@ void JointSolver::solveFreeAxis(Entry& e, SolverState& A, SolverState& B, bool u
         const bool goesToPlace = joint.motor.mode == MotorMode::Position && joint.kind != JointKind::Wheel;
         double away = e.freeAxis.value - (goesToPlace ? joint.motor.target : 0.0);
         constexpr double kPi = 3.14159265358979323846;
-        if (joint.kind == JointKind::Hinge) away = away > kPi ? away - 2.0 * kPi : away < -kPi ? away + 2.0 * kPi : away;
+        if (joint.kind == JointKind::Hinge)
+            away = away > kPi ? away - 2.0 * kPi : away < -kPi ? away + 2.0 * kPi : away;
         const double most = goesToPlace && joint.motor.maxForce > 0.0 ? joint.motor.maxForce * m_seconds : 1e30;
         const double speed = rowVelocity(e.freeAxis.row, A, B) + e.spring.biasRate * away;
-        add(e.freeAxis.row, c.spring, -e.freeAxis.mass * e.spring.massScale * speed - e.spring.impulseScale * c.spring, -most, most);
+        add(e.freeAxis.row, c.spring, -e.freeAxis.mass * e.spring.massScale * speed - e.spring.impulseScale * c.spring,
+            -most, most);
     }
     if (joint.motor.mode == MotorMode::Speed) {
         const double most = joint.motor.maxForce * m_seconds;
-        add(e.motorAxis.row, c.motor, -e.motorAxis.mass * (rowVelocity(e.motorAxis.row, A, B) - joint.motor.target), -most, most);
+        add(e.motorAxis.row, c.motor, -e.motorAxis.mass * (rowVelocity(e.motorAxis.row, A, B) - joint.motor.target),
+            -most, most);
     }
     if (joint.friction > 0.0 && !e.hasBallFriction) {
         const double most = joint.friction * m_seconds;
@@ -277,7 +294,8 @@ void JointSolver::solveFreeAxis(Entry& e, SolverState& A, SolverState& B, bool u
     if (e.isSoft && joint.kind == JointKind::Rope && !useBias) return;
     const double high = joint.kind == JointKind::Rope ? joint.rope.length : joint.limits.high;
     for (size_t side = hasOnlyUpperLimit(joint) ? 1 : 0; side < 2; ++side) {
-        const double room = side ? high - e.freeAxis.value : e.freeAxis.value - joint.limits.low, sign = side ? -1.0 : 1.0;
+        const double room = side ? high - e.freeAxis.value : e.freeAxis.value - joint.limits.low,
+                     sign = side ? -1.0 : 1.0;
         double bias = 0.0, massScale = 1.0, impulseScale = 0.0;
         if (room > 0.0)
             bias = room / m_seconds;
@@ -287,7 +305,8 @@ void JointSolver::solveFreeAxis(Entry& e, SolverState& A, SolverState& B, bool u
             impulseScale = e.stop.impulseScale;
         }
         const double before = c.limitImpulse[side], speed = sign * rowVelocity(e.freeAxis.row, A, B);
-        c.limitImpulse[side] = std::max(before - e.freeAxis.mass * massScale * (speed + bias) - impulseScale * before, 0.0);
+        c.limitImpulse[side] =
+            std::max(before - e.freeAxis.mass * massScale * (speed + bias) - impulseScale * before, 0.0);
         push(e.freeAxis.row, A, B, sign * (c.limitImpulse[side] - before));
     }
 }
@@ -312,7 +331,8 @@ void JointSolver::solveLockedAxes(Entry& e, SolverState& A, SolverState& B, bool
     for (int i = 0; i < e.rows; ++i) x[size_t(i)] = velocityError(e, i, A, B, useBias);
     solveBlock(e, x);
     std::array<double, 6> sum = c.lockedImpulse;
-    for (size_t i = 0; i < size_t(e.rows); ++i) sum[i] += useBias ? e.soft.massScale * x[i] - e.soft.impulseScale * c.lockedImpulse[i] : x[i];
+    for (size_t i = 0; i < size_t(e.rows); ++i)
+        sum[i] += useBias ? e.soft.massScale * x[i] - e.soft.impulseScale * c.lockedImpulse[i] : x[i];
     if (c.joint->maxForce > 0.0 && e.rows >= 3) {
         const glm::dvec3 pull = shortened({sum[0], sum[1], sum[2]}, c.joint->maxForce * m_seconds);
         sum[0] = pull.x, sum[1] = pull.y, sum[2] = pull.z;
@@ -325,7 +345,8 @@ void JointSolver::solve(std::span<const SolverBody> bodies, std::span<SolverStat
     if (!useBias) {  // they have moved: velocities are to be right where they are now
         for (Entry& e : m_joints) {
             computeRows(e, bodies);
-            if (m_order.empty() || !e.isInSystem) factorize(e, states[size_t(e.c->bodies[0])], states[size_t(e.c->bodies[1])]);
+            if (m_order.empty() || !e.isInSystem)
+                factorize(e, states[size_t(e.c->bodies[0])], states[size_t(e.c->bodies[1])]);
         }
         factorizeSystem(states);
     }
@@ -350,7 +371,8 @@ void JointSolver::note(double stepSeconds) {
         JointConstraint& c = *e.c;
         for (size_t i = 0; i < size_t(e.rows); ++i) {
             const bool isTurn = e.row[i].linearB == glm::dvec3(0.0);
-            (isTurn ? c.torque : c.force) += (isTurn ? e.row[i].angularB : e.row[i].linearB) * (c.lockedImpulse[i] / stepSeconds);
+            (isTurn ? c.torque : c.force) +=
+                (isTurn ? e.row[i].angularB : e.row[i].linearB) * (c.lockedImpulse[i] / stepSeconds);
         }
         const double stopped = (c.limitImpulse[0] - c.limitImpulse[1]) / stepSeconds;
         c.force += e.freeAxis.row.linearB * stopped;

@@ -8,23 +8,24 @@
 
 namespace rubble {
 
-/// A joint between two of the solver's bodies, with the impulses (N s of a substep) that it isLoadBearing: where the next step starts.
+/// A joint between two of the solver's bodies, with the impulses (N s of a substep) that it isLoadBearing: where the
+/// next step starts.
 struct JointConstraint {
     const Joint* joint = nullptr;
     JointHandle handle;
-    std::array<int, 2> bodies{};    ///< of the solver; 0: the world
-    std::array<Pose, 2> frames;     ///< in the bodies, or in the world
-    std::array<double, 6> lockedImpulse{};   ///< in the directions that the joint holds
-    std::array<double, 2> limitImpulse{};  ///< low and high
+    std::array<int, 2> bodies{};            ///< of the solver; 0: the world
+    std::array<Pose, 2> frames;             ///< in the bodies, or in the world
+    std::array<double, 6> lockedImpulse{};  ///< in the directions that the joint holds
+    std::array<double, 2> limitImpulse{};   ///< low and high
     double spring = 0.0, motor = 0.0, friction = 0.0;
-    std::vector<glm::dvec3> bendPoints;       ///< places at which a rope lies on something, in order, world
-    glm::dvec3 ballFriction{0.0};              ///< friction of a ball
+    std::vector<glm::dvec3> bendPoints;  ///< places at which a rope lies on something, in order, world
+    glm::dvec3 ballFriction{0.0};        ///< friction of a ball
     glm::dvec3 force{0.0}, torque{0.0};  ///< N and N m that it lockedImpulse in the last step, on average
 };
 
-/// Joints within the substeps of ContactSolver. What rigid joints hold is solved at once, by a direct method (L D L^T over a skyline): a chain isLoadBearing
-/// any weight; limits, motors, springs and friction are directions of their own. What is rigid is a soft constraint as stiff as contacts, relaxed
-/// like them.
+/// Joints within the substeps of ContactSolver. What rigid joints hold is solved at once, by a direct method (L D L^T
+/// over a skyline): a chain isLoadBearing any weight; limits, motors, springs and friction are directions of their own.
+/// What is rigid is a soft constraint as stiff as contacts, relaxed like them.
 class JointSolver {
 public:
     /// Begins a step.
@@ -37,7 +38,8 @@ public:
     void note(double stepSeconds);
     /// Whether there is a largest value of the free motion: of a cone's angle, or a rope's displacement.
     static bool hasOnlyUpperLimit(const Joint& joint) {
-        return joint.kind == JointKind::Rope || joint.kind == JointKind::Cone || (joint.kind == JointKind::Ball && joint.limits.on);
+        return joint.kind == JointKind::Rope || joint.kind == JointKind::Cone ||
+               (joint.kind == JointKind::Ball && joint.limits.on);
     }
     bool empty() const { return m_joints.empty(); }
 
@@ -64,9 +66,9 @@ private:
         std::array<std::array<double, 6>, 6> lower{};  ///< L of the block's mass matrix
         std::array<double, 6> diagonal{};              ///< and D; 0: nothing moves that displacement
         Softness soft, stop, spring;
-        Free freeAxis, motorAxis;     ///< the same but for wheels, which travel and spin
+        Free freeAxis, motorAxis;          ///< the same but for wheels, which travel and spin
         glm::dmat3 ballFrictionMass{0.0};  ///< mass of a ball's friction
-        bool isInSystem = false;  ///< its lockedImpulse directions are solved with all others at once
+        bool isInSystem = false;           ///< its lockedImpulse directions are solved with all others at once
         bool isSoft = false, springs = false, hasBallFriction = false;
     };
     static Softness makeSoft(double hertz, double dampingRatio, double seconds);

@@ -10,8 +10,9 @@ constexpr double kRedundantPivot = 1e-9;       ///< share of a direction's own m
 
 }  // namespace
 
-/// Orders the rigid joints so that those which share a body are near each other, and lays out the matrix of their directions by rows, each
-/// from the first joint that it is coupled with: for a chain that is linear in its length, with loops too it is exact.
+/// Orders the rigid joints so that those which share a body are near each other, and lays out the matrix of their
+/// directions by rows, each from the first joint that it is coupled with: for a chain that is linear in its length,
+/// with loops too it is exact.
 void JointSolver::buildSystem() {
     m_order.clear();
     m_pairs.clear();
@@ -26,7 +27,8 @@ void JointSolver::buildSystem() {
     const auto forEachNeighbour = [&](int joint, auto&& f) {
         for (const int body : m_joints[size_t(joint)].c->bodies) {
             if (!body) continue;
-            for (auto at = std::lower_bound(ofBody.begin(), ofBody.end(), std::pair(body, 0)); at != ofBody.end() && at->first == body; ++at)
+            for (auto at = std::lower_bound(ofBody.begin(), ofBody.end(), std::pair(body, 0));
+                 at != ofBody.end() && at->first == body; ++at)
                 if (at->second != joint) f(at->second);
         }
     };
@@ -73,7 +75,9 @@ void JointSolver::buildSystem() {
 void JointSolver::factorizeSystem(std::span<const SolverState> states) {
     if (m_order.empty()) return;
     std::fill(m_matrix.begin(), m_matrix.end(), 0.0);
-    const auto at = [&](int i, int j) -> double& { return m_matrix[m_rowStart[size_t(i)] + size_t(j - m_rowFirst[size_t(i)])]; };
+    const auto at = [&](int i, int j) -> double& {
+        return m_matrix[m_rowStart[size_t(i)] + size_t(j - m_rowFirst[size_t(i)])];
+    };
     const auto couple = [&](int p, int q) {
         const Entry &e = m_joints[size_t(m_order[size_t(p)])], &f = m_joints[size_t(m_order[size_t(q)])];
         for (size_t side = 0; side < 2; ++side)
@@ -90,7 +94,8 @@ void JointSolver::factorizeSystem(std::span<const SolverState> states) {
                     for (int s = 0; s < (p == q ? r + 1 : f.rows); ++s) {
                         const Row& with = f.row[size_t(s)];
                         at(m_offset[size_t(p)] + r, m_offset[size_t(q)] + s) +=
-                            glm::dot(push, other ? with.linearB : with.linearA) + glm::dot(turn, other ? with.angularB : with.angularA);
+                            glm::dot(push, other ? with.linearB : with.linearA) +
+                            glm::dot(turn, other ? with.angularB : with.angularA);
                     }
                 }
             }

@@ -7,7 +7,8 @@ namespace rubble {
 namespace {
 
 constexpr float kNear = 0.05f, kFar = 2000.0f;
-constexpr float kBaseJitterPeriod = 16.0f;  // where a pixel of the picture is one that is traced; else longer, to reach every part of it
+constexpr float kBaseJitterPeriod =
+    16.0f;  // where a pixel of the picture is one that is traced; else longer, to reach every part of it
 
 /// Sobol's first two dimensions: of each aligned power of two of points, every row and every column holds one.
 glm::vec2 sobolPoint(uint32_t index) {
@@ -20,7 +21,8 @@ glm::vec2 sobolPoint(uint32_t index) {
 glm::mat4 projection(const View& view, glm::vec2 jitterUv) {
     const float aspect = float(view.size.x) / float(view.size.y);
     glm::mat4 p = glm::perspective(view.verticalFov, aspect, kNear, kFar);
-    p[2][0] += jitterUv.x * 2.0f;  // shifts clip space by -2 jitter: what lies at pixel centre + jitter comes to the centre
+    p[2][0] +=
+        jitterUv.x * 2.0f;  // shifts clip space by -2 jitter: what lies at pixel centre + jitter comes to the centre
     p[2][1] += jitterUv.y * 2.0f;
     return p;
 }
@@ -32,7 +34,8 @@ void FrameCamera::begin(const View& view, glm::ivec2 traced, bool jittered, glm:
     if (view.cut) m_frame = 0;  // the same noise after each cut: a still picture does not depend on what came before
     const glm::vec2 size(traced), picture(view.size);
     const int period = int(kBaseJitterPeriod * picture.x * picture.y / (size.x * size.y));
-    const glm::vec2 jitter = jittered ? (sobolPoint(uint32_t(m_frame % period)) + 0.5f / float(period) - 0.5f) / size : glm::vec2(0.0f);
+    const glm::vec2 jitter =
+        jittered ? (sobolPoint(uint32_t(m_frame % period)) + 0.5f / float(period) - 0.5f) / size : glm::vec2(0.0f);
 
     const glm::vec3 position(view.position - originWorld);
     const glm::mat3 axes = glm::mat3_cast(glm::quat(view.rotation));

@@ -6,8 +6,8 @@ namespace rubble {
 /// Turns views into the camera's part of the frame's uniforms, and remembers the last one for reprojection.
 class FrameCamera {
 public:
-    /// Fills camera, matrices, sizes, jitter, noise and counters. traced: size in pixels of what is traced for the view.
-    /// originWorld: what GPU coordinates are relative to.
+    /// Fills camera, matrices, sizes, jitter, noise and counters. traced: size in pixels of what is traced for the
+    /// view. originWorld: what GPU coordinates are relative to.
     void begin(const View& view, glm::ivec2 traced, bool jittered, glm::dvec3 originWorld, FrameBlock& block);
 
 private:

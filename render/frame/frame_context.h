@@ -2,9 +2,9 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
+#include "render/frame/target_pool.h"
 #include "render/renderer.h"
 #include "render/shader_library/shader_library.h"
-#include "render/frame/target_pool.h"
 
 namespace rubble {
 
@@ -33,8 +33,8 @@ struct FrameContext {
     const LightGrid* lightGrid = nullptr;  ///< null: the scene has had no local lights yet
     FullscreenChoice* choice = nullptr;    ///< of what draws full-screen programs; null: fragments
 
-    /// Draws one triangle over the framebuffer that is bound, with the plain program that is in use; for those that compute may draw too
-    /// see render/passes/fullscreen.h. State: no depth test, no blending.
+    /// Draws one triangle over the framebuffer that is bound, with the plain program that is in use; for those that
+    /// compute may draw too see render/passes/fullscreen.h. State: no depth test, no blending.
     void drawFullscreen() const {
         glBindVertexArray(emptyVertexArray.get());
         glDrawArrays(GL_TRIANGLES, 0, 3);

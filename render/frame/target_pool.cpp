@@ -23,7 +23,8 @@ void TargetPool::clear() {
     m_allocationFailed = false;
 }
 
-TargetPool::Slot& TargetPool::slot(std::string_view name, GLenum internalFormat, int divisor, Filter filter, bool isHistory) {
+TargetPool::Slot& TargetPool::slot(std::string_view name, GLenum internalFormat, int divisor, Filter filter,
+                                   bool isHistory) {
     auto found = m_slots.find(name);
     if (found == m_slots.end()) {
         const glm::ivec2 size = glm::max((m_size + divisor - 1) / divisor, glm::ivec2(1));
@@ -35,7 +36,8 @@ TargetPool::Slot& TargetPool::slot(std::string_view name, GLenum internalFormat,
         m_allocationFailed |= glGetError() != GL_NO_ERROR;
     }
     Slot& slot = found->second;
-    assert(slot.isHistory == isHistory && slot.textures[0].internalFormat() == internalFormat && "one name, two kinds of target");
+    assert(slot.isHistory == isHistory && slot.textures[0].internalFormat() == internalFormat &&
+           "one name, two kinds of target");
     slot.drawn[slot.current] = m_frame;
     return slot;
 }
@@ -47,7 +49,8 @@ const Texture& TargetPool::target(std::string_view name, GLenum internalFormat, 
 History TargetPool::history(std::string_view name, GLenum internalFormat, int divisor, Filter filter) {
     const Slot& found = slot(name, internalFormat, divisor, filter, true);
     const int previous = found.current ^ 1;
-    return {found.textures[found.current], found.textures[previous], found.drawn[previous] + 1 == m_frame && m_cutFrame != m_frame};
+    return {found.textures[found.current], found.textures[previous],
+            found.drawn[previous] + 1 == m_frame && m_cutFrame != m_frame};
 }
 
 const Texture& TargetPool::copy(const Texture& source, std::string_view name) {

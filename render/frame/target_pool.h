@@ -13,7 +13,8 @@ namespace rubble {
 struct History {
     const Texture& current;
     const Texture& previous;
-    bool valid;  ///< previous holds the frame before this one; false at the start, after a cut, a resize or a skipped frame
+    bool valid;  ///< previous holds the frame before this one; false at the start, after a cut, a resize or a skipped
+                 ///< frame
 };
 
 /// The textures that passes draw into, by name: made when first asked for, at the frame's size divided by `divisor`,
@@ -23,7 +24,8 @@ public:
     /// Starts a frame: histories change places. cut: what histories hold is not to be used.
     void beginFrame(glm::ivec2 size, bool cut);
 
-    const Texture& target(std::string_view name, GLenum internalFormat, int divisor = 1, Filter filter = Filter::Nearest);
+    const Texture& target(std::string_view name, GLenum internalFormat, int divisor = 1,
+                          Filter filter = Filter::Nearest);
     /// A target whose last frame is kept. Ask once a frame in each pass that draws it; others read it with find().
     History history(std::string_view name, GLenum internalFormat, int divisor = 1, Filter filter = Filter::Linear);
     /// What a target shows now, in another one of that name: for a pass that reads what it draws into.

@@ -4,7 +4,8 @@
 
 namespace rubble {
 
-Framebuffer::Framebuffer(const std::vector<const Texture*>& colors, const Texture* depth) : m_name(GlName<FramebufferKind>::make()) {
+Framebuffer::Framebuffer(const std::vector<const Texture*>& colors, const Texture* depth)
+    : m_name(GlName<FramebufferKind>::make()) {
     m_size = colors.empty() ? depth->size() : colors[0]->size();
     glBindFramebuffer(GL_FRAMEBUFFER, name());
     std::vector<GLenum> buffers;

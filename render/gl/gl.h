@@ -5,7 +5,8 @@
 
 namespace rubble {
 
-/// Texture units that the renderer uses: samplers of programs from the first on (mirrors take 23), the last one for uploads.
+/// Texture units that the renderer uses: samplers of programs from the first on (mirrors take 23), the last one for
+/// uploads.
 inline constexpr int kTextureUnits = 32;
 
 /// Loads the functions of GL 3.3 core through a host's loader. Fails with what is missing.
@@ -15,7 +16,8 @@ bool hasCompute();
 /// True on a renderer without a GPU, where a timer query says little and glFinish costs nothing.
 bool isSoftwareGl();
 
-/// True once the context has been lost (a driver reset, a GPU taken away), where the GL can tell. Everything made in it is gone.
+/// True once the context has been lost (a driver reset, a GPU taken away), where the GL can tell. Everything made in it
+/// is gone.
 bool isContextLost();
 
 }  // namespace rubble

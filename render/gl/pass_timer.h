@@ -10,7 +10,8 @@ namespace rubble {
 /// renderer, whose queries do not see the work.
 class PassTimer {
 public:
-    /// processorTime: on a software renderer, the milliseconds that all threads of this process worked, not those on the wall.
+    /// processorTime: on a software renderer, the milliseconds that all threads of this process worked, not those on
+    /// the wall.
     PassTimer(bool software, bool processorTime) : m_software(software), m_processorTime(processorTime) {}
     /// True if a pass's time is known when it ends; else it comes with the next frame.
     bool isImmediate() const { return m_software; }

@@ -40,7 +40,8 @@ bool isSampler(GLenum type) {
 
 }  // namespace
 
-Program::Program(const std::string& vertexSource, const std::string& fragmentSource, std::string& log, bool& vertexFailed) {
+Program::Program(const std::string& vertexSource, const std::string& fragmentSource, std::string& log,
+                 bool& vertexFailed) {
     const GLuint vertex = compile(GL_VERTEX_SHADER, vertexSource, log);
     vertexFailed = !vertex;
     if (!vertex) return;

@@ -41,8 +41,12 @@ public:
     /// The first elements of an array; its name ends in [0].
     void set(std::string_view uniform, std::span<const glm::vec4> values) const;
     /// Binds a texture to the sampler's unit.
-    void set(std::string_view sampler, const Texture& texture) const { bind(sampler, texture.target(), texture.name()); }
-    void set(std::string_view sampler, const BufferTexture& texture) const { bind(sampler, texture.target(), texture.name()); }
+    void set(std::string_view sampler, const Texture& texture) const {
+        bind(sampler, texture.target(), texture.name());
+    }
+    void set(std::string_view sampler, const BufferTexture& texture) const {
+        bind(sampler, texture.target(), texture.name());
+    }
 
 private:
     struct Uniform {

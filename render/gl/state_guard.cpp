@@ -73,8 +73,8 @@ GlStateGuard::~GlStateGuard() {
     }
     for (GLuint i = 0; i < kImages && hasCompute(); ++i) {
         const Image& image = m_images[i];
-        glBindImageTexture(i, GLuint(image.name), image.level, image.layered ? GL_TRUE : GL_FALSE, image.layer, GLenum(image.access),
-                           GLenum(image.format));
+        glBindImageTexture(i, GLuint(image.name), image.level, image.layered ? GL_TRUE : GL_FALSE, image.layer,
+                           GLenum(image.access), GLenum(image.format));
     }
     glActiveTexture(GLenum(m_activeTexture));
     glColorMask(m_colorMask[0], m_colorMask[1], m_colorMask[2], m_colorMask[3]);

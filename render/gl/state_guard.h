@@ -5,7 +5,8 @@
 
 namespace rubble {
 
-/// Remembers the GL state that the renderer touches and puts it back at the end of its scope: a host's context is as it was.
+/// Remembers the GL state that the renderer touches and puts it back at the end of its scope: a host's context is as it
+/// was.
 class GlStateGuard {
 public:
     GlStateGuard();
@@ -18,9 +19,11 @@ private:
     struct Image {
         GLint name, level, layered, layer, access, format;
     };
-    static constexpr std::array<GLenum, 7> kSwitches = {GL_BLEND,        GL_CULL_FACE,        GL_DEPTH_TEST,       GL_SCISSOR_TEST,
-                                                        GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART};
-    GLint m_drawFramebuffer, m_readFramebuffer, m_program, m_vertexArray, m_arrayBuffer, m_uniformBuffer, m_uniformBuffer0;
+    static constexpr std::array<GLenum, 7> kSwitches = {
+        GL_BLEND,        GL_CULL_FACE,        GL_DEPTH_TEST,       GL_SCISSOR_TEST,
+        GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART};
+    GLint m_drawFramebuffer, m_readFramebuffer, m_program, m_vertexArray, m_arrayBuffer, m_uniformBuffer,
+        m_uniformBuffer0;
     GLint m_copyReadBuffer, m_copyWriteBuffer, m_pixelUnpackBuffer, m_pixelPackBuffer;
     GLint m_activeTexture, m_cullFace, m_frontFace, m_depthFunc, m_unpackAlignment, m_packAlignment, m_unpackRowLength;
     GLint m_blend[6];

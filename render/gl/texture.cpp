@@ -7,8 +7,8 @@
 namespace rubble {
 namespace {
 
-/// Binds for making and filling, on the last unit that GlStateGuard restores: the units of a program that is being set up
-/// keep what they hold.
+/// Binds for making and filling, on the last unit that GlStateGuard restores: the units of a program that is being set
+/// up keep what they hold.
 void bindForUpload(GLenum target, GLuint texture) {
     glActiveTexture(GLenum(GL_TEXTURE0 + kTextureUnits - 1));
     glBindTexture(target, texture);
@@ -83,7 +83,8 @@ void Texture::uploadRows(int firstRow, int rows, const void* pixels) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
-BufferTexture::BufferTexture(GLenum internalFormat) : m_texture(GlName<TextureKind>::make()), m_internalFormat(internalFormat) {
+BufferTexture::BufferTexture(GLenum internalFormat)
+    : m_texture(GlName<TextureKind>::make()), m_internalFormat(internalFormat) {
     reserve(4096);
 }
 
@@ -94,7 +95,8 @@ bool BufferTexture::reserve(uint64_t bytes) {
     const uint64_t most = uint64_t(maxTexels) * pixelFormat(m_internalFormat).bytes;
     if (bytes > most) return false;
     constexpr uint64_t kStep = 4096;
-    const uint64_t grown = std::max(bytes, m_capacity + m_capacity / 16);  // what grows by a little each time is not copied each time
+    const uint64_t grown =
+        std::max(bytes, m_capacity + m_capacity / 16);  // what grows by a little each time is not copied each time
     const uint64_t capacity = std::min(most, (grown + kStep - 1) / kStep * kStep);
 
     auto buffer = GlName<BufferKind>::make();

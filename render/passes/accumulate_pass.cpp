@@ -23,9 +23,11 @@ void setDirtyRegions(const Program& program, const Scene& scene) {
 }  // namespace
 
 AccumulatePass::AccumulatePass(ShaderLibrary& shaders)
-    : m_change(shaders.loadFullscreen("passes/light_change.frag")), m_program(shaders.loadFullscreen("passes/accumulate.frag", {.limited = true})) {}
+    : m_change(shaders.loadFullscreen("passes/light_change.frag")),
+      m_program(shaders.loadFullscreen("passes/accumulate.frag", {.limited = true})) {}
 
-const Texture& AccumulatePass::findChanges(const FrameContext& frame, const History& light, const History& surface) const {
+const Texture& AccumulatePass::findChanges(const FrameContext& frame, const History& light,
+                                           const History& surface) const {
     const History pulse = frame.targets.history("fastHistory", GL_RGBA16F, kTile);
     const Texture& trusted = frame.targets.target("historyConfidence", GL_RG8, kTile, Filter::Linear);
     drawFullscreen(frame, m_change, {frame.targets, {&pulse.current, &trusted}}, [&](const Program& program) {
@@ -49,7 +51,8 @@ void AccumulatePass::draw(const FrameContext& frame) const {
     const bool forgets = remembers && frame.settings.rejectStaleHistory;
     const Texture& trusted = forgets ? findChanges(frame, light, surface) : frame.blueNoise;  // else not looked at
     const glm::vec4 none(0.0f), sky(GBufferPass::kSkyDepth, -1, 0, 0);
-    const FullscreenTargets into{frame.targets, {&light.current, &surface.current}, &frame.targets.at("depthBuffer"), {none, sky}};
+    const FullscreenTargets into{
+        frame.targets, {&light.current, &surface.current}, &frame.targets.at("depthBuffer"), {none, sky}};
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         GBufferPass::bind(program, frame.targets);
         program.set("uLight", frame.targets.at("noisyLight"));

@@ -11,7 +11,8 @@ constexpr float kMaxHillSlope = 0.16f;  // as in lib/sky.glsl
 /// What a direction can show. Each set but Both is a convex cone: what the four corners of a tile are, the tile is.
 BackgroundTiles::Band bandOf(glm::vec3 direction, float eyeHeight) {
     if (direction.y < 0.0f && eyeHeight > 0.0f) return BackgroundTiles::Fields;
-    return direction.y > kMaxHillSlope * glm::length(glm::vec2(direction.x, direction.z)) ? BackgroundTiles::Sky : BackgroundTiles::Both;
+    return direction.y > kMaxHillSlope * glm::length(glm::vec2(direction.x, direction.z)) ? BackgroundTiles::Sky
+                                                                                          : BackgroundTiles::Both;
 }
 
 }  // namespace
@@ -19,11 +20,13 @@ BackgroundTiles::Band bandOf(glm::vec3 direction, float eyeHeight) {
 void BackgroundTiles::update(const FrameBlock& block, float eyeHeight) {
     const glm::ivec2 size(block.targetSize), tiles = (size + (1 << kTileShift) - 1) >> kTileShift;
     m_tilesAcross = tiles.x;
-    const glm::vec3 across = glm::vec3(block.cameraRight) * block.cameraRight.w, up = glm::vec3(block.cameraUp) * block.cameraUp.w;
+    const glm::vec3 across = glm::vec3(block.cameraRight) * block.cameraRight.w,
+                    up = glm::vec3(block.cameraUp) * block.cameraUp.w;
     std::vector<Band> corners;
     for (int y = 0; y <= tiles.y; ++y)
         for (int x = 0; x <= tiles.x; ++x) {
-            const glm::vec2 uv = glm::vec2(x << kTileShift, y << kTileShift) * glm::vec2(block.targetSize.z, block.targetSize.w);
+            const glm::vec2 uv =
+                glm::vec2(x << kTileShift, y << kTileShift) * glm::vec2(block.targetSize.z, block.targetSize.w);
             const glm::vec2 p = (uv + glm::vec2(block.jitter)) * 2.0f - 1.0f;  // as viewRay() in lib/frame.glsl
             corners.push_back(bandOf(glm::vec3(block.cameraForward) + across * p.x + up * p.y, eyeHeight));
         }

@@ -6,7 +6,8 @@
 
 namespace rubble {
 
-/// Squares of the screen by what of the background they can show, so that each is drawn by a shader that does only that.
+/// Squares of the screen by what of the background they can show, so that each is drawn by a shader that does only
+/// that.
 class BackgroundTiles {
 public:
     enum Band { Sky, Fields, Both, kBands };
@@ -19,7 +20,8 @@ public:
 private:
     int m_tilesAcross = 0;
     std::array<std::vector<uint32_t>, kBands> m_tiles;
-    std::array<BufferTexture, kBands> m_textures{BufferTexture(GL_R32UI), BufferTexture(GL_R32UI), BufferTexture(GL_R32UI)};
+    std::array<BufferTexture, kBands> m_textures{BufferTexture(GL_R32UI), BufferTexture(GL_R32UI),
+                                                 BufferTexture(GL_R32UI)};
 };
 
 }  // namespace rubble

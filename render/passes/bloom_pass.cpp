@@ -18,12 +18,14 @@ glm::vec2 texel(const Texture& texture) {
 }  // namespace
 
 BloomPass::BloomPass(ShaderLibrary& shaders)
-    : m_down(shaders.loadFullscreen("passes/bloom_down.frag")), m_up(shaders.loadFullscreen("passes/bloom_up.frag", {.merge = {Merge::Add}})) {}
+    : m_down(shaders.loadFullscreen("passes/bloom_down.frag")),
+      m_up(shaders.loadFullscreen("passes/bloom_up.frag", {.merge = {Merge::Add}})) {}
 
 void BloomPass::draw(const FrameContext& frame) const {
     if (!m_down || !m_up) return;
     std::array<const Texture*, kLevels.size()> levels;
-    for (size_t i = 0; i < kLevels.size(); ++i) levels[i] = &frame.pictures.target(kLevels[i], GL_RGBA16F, 2 << i, Filter::Linear);
+    for (size_t i = 0; i < kLevels.size(); ++i)
+        levels[i] = &frame.pictures.target(kLevels[i], GL_RGBA16F, 2 << i, Filter::Linear);
     const Texture* source = &frame.pictures.at("resolved");
     for (size_t i = 0; i < kLevels.size(); ++i) {
         drawFullscreen(frame, m_down, {frame.pictures, {levels[i]}}, [&](const Program& program) {

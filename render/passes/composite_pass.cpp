@@ -23,7 +23,8 @@ void bindReflections(const Program& program, const FrameContext& frame) {
 
 }  // namespace
 
-CompositePass::CompositePass(ShaderLibrary& shaders) : m_surfaces(shaders.loadFullscreen("passes/composite.frag", {.limited = true})) {
+CompositePass::CompositePass(ShaderLibrary& shaders)
+    : m_surfaces(shaders.loadFullscreen("passes/composite.frag", {.limited = true})) {
     m_backgrounds[BackgroundTiles::Sky] = &shaders.load("passes/background_sky.frag", "passes/tiles.vert");
     m_backgrounds[BackgroundTiles::Fields] = &shaders.load("passes/background_fields.frag", "passes/tiles.vert");
     m_backgrounds[BackgroundTiles::Both] = &shaders.load("passes/background.frag", "passes/tiles.vert");
@@ -32,7 +33,9 @@ CompositePass::CompositePass(ShaderLibrary& shaders) : m_surfaces(shaders.loadFu
 void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glassShadow) {
     if (!m_surfaces) return;
     const Texture& radiance = frame.targets.history("radiance", GL_RGBA16F).current;
-    const FullscreenTargets into{frame.targets, {&radiance, &frame.targets.history("diffuseFraction", GL_R8).current}, &frame.targets.at("depthBuffer")};
+    const FullscreenTargets into{frame.targets,
+                                 {&radiance, &frame.targets.history("diffuseFraction", GL_R8).current},
+                                 &frame.targets.at("depthBuffer")};
     drawFullscreen(frame, m_surfaces, into, [&](const Program& program) {
         GBufferPass::bind(program, frame.targets);
         bindReflections(program, frame);

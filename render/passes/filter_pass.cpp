@@ -6,7 +6,8 @@
 
 namespace rubble {
 
-FilterPass::FilterPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("passes/filter.frag", {.limited = true})) {}
+FilterPass::FilterPass(ShaderLibrary& shaders)
+    : m_program(shaders.loadFullscreen("passes/filter.frag", {.limited = true})) {}
 
 void FilterPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
@@ -14,7 +15,8 @@ void FilterPass::draw(const FrameContext& frame) const {
     const int steps = std::max(frame.settings.filterPasses, 1);
     for (int step = 0; step < steps; ++step) {
         // The last step ends in "denoisedLight", whatever their number.
-        const Texture& target = frame.targets.target((steps - step) % 2 ? "denoisedLight" : "denoisedLightScratch", GL_RGBA16F);
+        const Texture& target =
+            frame.targets.target((steps - step) % 2 ? "denoisedLight" : "denoisedLightScratch", GL_RGBA16F);
         const FullscreenTargets into{frame.targets, {&target}, &frame.targets.at("depthBuffer"), {glm::vec4(0.0f)}};
         drawFullscreen(frame, m_program, into, [&](const Program& program) {
             program.set("uSurface", frame.targets.at("surface"));

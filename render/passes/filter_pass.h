@@ -3,7 +3,8 @@
 
 namespace rubble {
 
-/// Smooths "accumulatedLight" along surfaces into "denoisedLight", in RenderSettings::filterPasses steps of growing stride.
+/// Smooths "accumulatedLight" along surfaces into "denoisedLight", in RenderSettings::filterPasses steps of growing
+/// stride.
 class FilterPass {
 public:
     explicit FilterPass(ShaderLibrary& shaders);

@@ -38,7 +38,9 @@ void FogPass::drawLight(const FrameContext& frame) const {
         program.set("uHistory", light.previous);
         program.set("uHistoryValid", int(frame.settings.temporal && light.valid));
         program.set("uSunUp", int(frame.settings.sun && frame.block.sunDirection.y > 0.0f));
-        program.set("uMaxHistory", float(frame.lightGrid ? std::min(kMaxHistory, frame.lightGrid->framesSinceChange() + 1) : kMaxHistory));
+        program.set(
+            "uMaxHistory",
+            float(frame.lightGrid ? std::min(kMaxHistory, frame.lightGrid->framesSinceChange() + 1) : kMaxHistory));
     });
 }
 

@@ -4,8 +4,8 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
-#include "render/shader_library/fullscreen_choice.h"
 #include "render/passes/depth_limit.h"
+#include "render/shader_library/fullscreen_choice.h"
 
 namespace rubble {
 namespace {
@@ -51,8 +51,10 @@ private:
 
 FullscreenDraw::FullscreenDraw(const FrameContext& frame, FullscreenProgram& program, const FullscreenTargets& into)
     : m_frame(frame), m_into(into), m_by(chooseFor(frame, program)), m_program(program) {
-    assert(program.kind().limited == (into.depth != nullptr) && "a limited program needs a depth buffer, the others have none");
-    if (m_by == FullscreenMethod::Fragment || !into.clear.empty()) into.pool.framebuffer(into.colors, into.depth).begin();
+    assert(program.kind().limited == (into.depth != nullptr) &&
+           "a limited program needs a depth buffer, the others have none");
+    if (m_by == FullscreenMethod::Fragment || !into.clear.empty())
+        into.pool.framebuffer(into.colors, into.depth).begin();
     for (size_t i = 0; i < into.clear.size(); ++i) glClearBufferfv(GL_COLOR, GLint(i), glm::value_ptr(into.clear[i]));
     this->program().use();
     this->program().set("uTexelSize", 1.0f / glm::vec2(into.colors[0]->size()));
@@ -80,12 +82,13 @@ void FullscreenDraw::dispatch() const {
         const Texture& target = *m_into.colors[i];
         const Merge merge = m_program.kind().mergeOf(i);
         assert((merge == Merge::Replace || target.internalFormat() == GL_RGBA16F) && "see Merge");
-        glBindImageTexture(GLuint(i), target.name(), 0, GL_FALSE, 0, merge == Merge::Replace ? GL_WRITE_ONLY : GL_READ_WRITE,
-                           target.internalFormat());
+        glBindImageTexture(GLuint(i), target.name(), 0, GL_FALSE, 0,
+                           merge == Merge::Replace ? GL_WRITE_ONLY : GL_READ_WRITE, target.internalFormat());
     }
     // Before: nothing is overwritten that an earlier pass still reads. After: whoever comes next sees it.
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    glDispatchCompute(GLuint(size.x + kGroupWidth - 1) / kGroupWidth, GLuint(size.y + kGroupHeight - 1) / kGroupHeight, 1);
+    glDispatchCompute(GLuint(size.x + kGroupWidth - 1) / kGroupWidth, GLuint(size.y + kGroupHeight - 1) / kGroupHeight,
+                      1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 

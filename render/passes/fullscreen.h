@@ -11,11 +11,11 @@ struct FullscreenTargets {
     std::vector<const Texture*> colors;  ///< by output of the shader
     const Texture* depth = nullptr;      ///< of limited programs: the depth buffer that shows where there is a surface
     std::vector<glm::vec4> clear = {};   ///< what the colours hold where nothing is drawn; empty: what they held
-    int tiles = 0;                       ///< squares that a vertex shader of the pass's own draws, instead of the triangle
+    int tiles = 0;  ///< squares that a vertex shader of the pass's own draws, instead of the triangle
 };
 
-/// One draw of a program over all of its targets, by triangles or by compute: the same numbers. Its targets are bound and its program
-/// is in use from the constructor on.
+/// One draw of a program over all of its targets, by triangles or by compute: the same numbers. Its targets are bound
+/// and its program is in use from the constructor on.
 class FullscreenDraw {
 public:
     FullscreenDraw(const FrameContext& frame, FullscreenProgram& program, const FullscreenTargets& into);
@@ -34,7 +34,8 @@ private:
 
 /// setUniforms gets the program, in use.
 template <class SetUniforms>
-void drawFullscreen(const FrameContext& frame, FullscreenProgram& program, const FullscreenTargets& into, SetUniforms&& setUniforms) {
+void drawFullscreen(const FrameContext& frame, FullscreenProgram& program, const FullscreenTargets& into,
+                    SetUniforms&& setUniforms) {
     const FullscreenDraw draw(frame, program, into);
     setUniforms(draw.program());
     draw.run();

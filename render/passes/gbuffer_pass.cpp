@@ -4,7 +4,8 @@
 
 namespace rubble {
 
-GBufferPass::GBufferPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/gbuffer.frag", "passes/tiles.vert")) {}
+GBufferPass::GBufferPass(ShaderLibrary& shaders)
+    : m_program(shaders.load("passes/gbuffer.frag", "passes/tiles.vert")) {}
 
 void GBufferPass::draw(const FrameContext& frame) {
     TargetPool& targets = frame.targets;
@@ -16,8 +17,10 @@ void GBufferPass::draw(const FrameContext& frame) {
     const Texture& depthBuffer = targets.target("depthBuffer", GL_DEPTH_COMPONENT32F);
     const bool hasGlass = frame.scene.hasGlass();
     const Framebuffer& gbuffer =
-        hasGlass ? targets.framebuffer({&albedo, &normal, &material, &motion, &depth, &targets.target("glassMask", GL_R8)}, &depthBuffer)
-                 : targets.framebuffer({&albedo, &normal, &material, &motion, &depth}, &depthBuffer);
+        hasGlass
+            ? targets.framebuffer({&albedo, &normal, &material, &motion, &depth, &targets.target("glassMask", GL_R8)},
+                                  &depthBuffer)
+            : targets.framebuffer({&albedo, &normal, &material, &motion, &depth}, &depthBuffer);
     const float zero[4] = {0, 0, 0, 0}, sky[4] = {kSkyDepth, 0, 0, 0};
     gbuffer.begin();
     for (int i = 0; i < 4; ++i) glClearBufferfv(GL_COLOR, i, zero);

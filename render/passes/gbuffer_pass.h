@@ -7,8 +7,9 @@
 
 namespace rubble {
 
-/// Draws all bodies into albedo, normal, material, motion and depth; lib/gbuffer.glsl says what they hold. One draw whatever the
-/// number of bodies: each pixel walks through those of its tile, nearest first, and stops where the next one's box is farther.
+/// Draws all bodies into albedo, normal, material, motion and depth; lib/gbuffer.glsl says what they hold. One draw
+/// whatever the number of bodies: each pixel walks through those of its tile, nearest first, and stops where the next
+/// one's box is farther.
 class GBufferPass {
 public:
     static constexpr int kMaxDraws = 1;

@@ -3,7 +3,8 @@
 
 namespace rubble {
 
-/// Adds a glare around each lamp to "radiance". Whether its middle is hidden is asked of the shadow volume, in the vertex shader.
+/// Adds a glare around each lamp to "radiance". Whether its middle is hidden is asked of the shadow volume, in the
+/// vertex shader.
 class GlarePass {
 public:
     explicit GlarePass(ShaderLibrary& shaders);

@@ -17,7 +17,9 @@ constexpr float kHigh = 200.0f;  ///< metres over the middle, toward the sun: no
 }  // namespace
 
 GlassShadowPass::GlassShadowPass(ShaderLibrary& shaders)
-    : m_program(shaders.load("passes/glass_shadow.frag", "passes/glass_shadow.vert")), m_map(GL_RGBA16F, glm::ivec2(kSide)), m_framebuffer({&m_map}) {
+    : m_program(shaders.load("passes/glass_shadow.frag", "passes/glass_shadow.vert")),
+      m_map(GL_RGBA16F, glm::ivec2(kSide)),
+      m_framebuffer({&m_map}) {
     glBindVertexArray(m_vertexArray.get());
     glBindBuffer(GL_ARRAY_BUFFER, m_orderBuffer.get());
     glEnableVertexAttribArray(0);
@@ -31,8 +33,10 @@ void GlassShadowPass::fitMap(const FrameContext& frame) {
     m_sun = glm::vec3(frame.block.sunDirection);
     m_right = glm::normalize(glm::cross(std::abs(m_sun.y) < 0.99f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0), m_sun));
     m_up = glm::cross(m_sun, m_right);
-    const glm::vec3 focus = glm::vec3(frame.block.cameraPosition) + glm::vec3(frame.block.cameraForward) * (0.3f * kSide * kCell);
-    const glm::vec3 place = glm::floor(glm::vec3(glm::dot(focus, m_right), glm::dot(focus, m_up), glm::dot(focus, m_sun)) / kStep) * kStep;
+    const glm::vec3 focus =
+        glm::vec3(frame.block.cameraPosition) + glm::vec3(frame.block.cameraForward) * (0.3f * kSide * kCell);
+    const glm::vec3 place =
+        glm::floor(glm::vec3(glm::dot(focus, m_right), glm::dot(focus, m_up), glm::dot(focus, m_sun)) / kStep) * kStep;
     m_center = m_right * place.x + m_up * place.y + m_sun * place.z;
 }
 
@@ -46,7 +50,8 @@ void GlassShadowPass::listBodies(const FrameContext& frame) {
         const glm::vec3 low = glm::vec3(body.low) * body.voxelSize, high = glm::vec3(body.high) * body.voxelSize;
         const glm::vec3 offset = body.position + body.rotation * ((low + high) * 0.5f) - m_center;
         const float reach = 0.5f * (kSide * kCell + glm::length(high - low));
-        if (std::abs(glm::dot(offset, m_right)) < reach && std::abs(glm::dot(offset, m_up)) < reach) m_bodies.push_back(int(i));
+        if (std::abs(glm::dot(offset, m_right)) < reach && std::abs(glm::dot(offset, m_up)) < reach)
+            m_bodies.push_back(int(i));
     }
 }
 

@@ -5,9 +5,9 @@
 
 namespace rubble {
 
-/// What the sun's light becomes in glass: a map as the sun sees it, of the tints of all panes that it reaches, around the camera. Light
-/// passes take glass for nothing; composite looks here what colour the sun has where it arrives. Drawn anew when glass has
-/// changed or the camera has gone on; made with the first glass in sunlight.
+/// What the sun's light becomes in glass: a map as the sun sees it, of the tints of all panes that it reaches, around
+/// the camera. Light passes take glass for nothing; composite looks here what colour the sun has where it arrives.
+/// Drawn anew when glass has changed or the camera has gone on; made with the first glass in sunlight.
 class GlassShadowPass {
 public:
     explicit GlassShadowPass(ShaderLibrary& shaders);

@@ -31,7 +31,8 @@ void setChanges(const Program& program, const FrameContext& frame) {
 
 LocalLightsPass::LocalLightsPass(ShaderLibrary& shaders)
     : m_program(
-          shaders.loadFullscreen("passes/local_lights.frag", {.limited = true, .merge = {Merge::Add}, .vertexFile = "passes/local_lights.vert"})) {
+          shaders.loadFullscreen("passes/local_lights.frag",
+                                 {.limited = true, .merge = {Merge::Add}, .vertexFile = "passes/local_lights.vert"})) {
     if (!m_program) logError("local lights are not drawn: " + shaders.errors().back());
 }
 

@@ -3,8 +3,8 @@
 
 namespace rubble {
 
-/// Adds local lights to the colour of "noisyLight", and what smooth surfaces show of them as "specular", in one draw over the tiles of the
-/// view that any of them reaches.
+/// Adds local lights to the colour of "noisyLight", and what smooth surfaces show of them as "specular", in one draw
+/// over the tiles of the view that any of them reaches.
 class LocalLightsPass {
 public:
     explicit LocalLightsPass(ShaderLibrary& shaders);

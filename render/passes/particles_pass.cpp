@@ -42,7 +42,8 @@ std::vector<uint8_t> makePuffTexture() {
     for (int y = 0; y < kNoiseSize; ++y)
         for (int x = 0; x < kNoiseSize; ++x) {
             constexpr int kSlopeOffset = 4;
-            const float here = puffNoise(x, y), right = puffNoise((x + kSlopeOffset) % kNoiseSize, y), above = puffNoise(x, (y + kSlopeOffset) % kNoiseSize);
+            const float here = puffNoise(x, y), right = puffNoise((x + kSlopeOffset) % kNoiseSize, y),
+                        above = puffNoise(x, (y + kSlopeOffset) % kNoiseSize);
             for (const float value : {here, 0.5f + right - here, 0.5f + above - here, 1.0f}) out.push_back(byte(value));
         }
     return out;
@@ -83,8 +84,10 @@ void ParticlesPass::sortInstances(const FrameContext& frame, float alpha) {
         std::sort(order->begin(), order->end());
         for (const auto& [depth, i] : *order) {
             const SnapshotParticle& p = particles[size_t(i)];
-            const glm::vec3 position = glm::vec3(p.position - frame.scene.origin()) - p.velocity * (kStepSeconds * (1.0f - alpha));
-            m_instances.push_back({glm::vec4(position, p.radius), glm::vec4(p.color, p.opacity), glm::vec4(p.velocity, float(p.kind)),
+            const glm::vec3 position =
+                glm::vec3(p.position - frame.scene.origin()) - p.velocity * (kStepSeconds * (1.0f - alpha));
+            m_instances.push_back({glm::vec4(position, p.radius), glm::vec4(p.color, p.opacity),
+                                   glm::vec4(p.velocity, float(p.kind)),
                                    glm::vec4(p.age, fraction(p.seed, 0), fraction(p.seed, 10), fraction(p.seed, 20))});
         }
     }
@@ -97,7 +100,8 @@ void ParticlesPass::setLights(const FrameContext& frame, const Program& program)
     std::vector<std::pair<float, const SnapshotLight*>> strongest;
     for (const SnapshotLight& light : frame.scene.lights()) {
         const glm::vec3 away = glm::vec3(light.position - frame.scene.origin()) - middle;
-        strongest.emplace_back(-(light.color.x + light.color.y + light.color.z) / (1.0f + glm::dot(away, away)), &light);
+        strongest.emplace_back(-(light.color.x + light.color.y + light.color.z) / (1.0f + glm::dot(away, away)),
+                               &light);
     }
     const size_t count = std::min<size_t>(kLights, strongest.size());
     std::partial_sort(strongest.begin(), strongest.begin() + ptrdiff_t(count), strongest.end());
@@ -105,7 +109,8 @@ void ParticlesPass::setLights(const FrameContext& frame, const Program& program)
     static constexpr std::array kColors = {"uLightColor0", "uLightColor1", "uLightColor2", "uLightColor3"};
     for (size_t i = 0; i < kLights; ++i) {
         const SnapshotLight* light = i < count ? strongest[i].second : nullptr;
-        program.set(kPlaces[i], light ? glm::vec4(glm::vec3(light->position - frame.scene.origin()), light->reach) : glm::vec4(0, 0, 0, 1));
+        program.set(kPlaces[i], light ? glm::vec4(glm::vec3(light->position - frame.scene.origin()), light->reach)
+                                      : glm::vec4(0, 0, 0, 1));
         program.set(kColors[i], light ? light->color : glm::vec3(0.0f));
     }
 }
@@ -132,8 +137,10 @@ void ParticlesPass::draw(const FrameContext& frame, float alpha) {
     frame.targets.framebuffer({&frame.targets.at("radiance")}, &frame.targets.at("depthBuffer")).begin();
     glBindVertexArray(m_vertexArray.get());
     glBindBuffer(GL_ARRAY_BUFFER, m_buffer.get());
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(m_instances.size() * sizeof(Instance)), m_instances.data(), GL_STREAM_DRAW);
-    // The depth buffer only spares work: quads stand at the near side of what they show, and fade softly behind surfaces.
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(m_instances.size() * sizeof(Instance)), m_instances.data(),
+                 GL_STREAM_DRAW);
+    // The depth buffer only spares work: quads stand at the near side of what they show, and fade softly behind
+    // surfaces.
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);

@@ -5,9 +5,9 @@
 
 namespace rubble {
 
-/// Draws what hangs and flies in the air over the radiance: crumbs and splinters, then all that is soft or glows, each farthest
-/// first. In the alpha of `radiance` it leaves the share of what is behind that still shows, so that the temporal pass trusts
-/// its past less there. Made when the first particle is drawn.
+/// Draws what hangs and flies in the air over the radiance: crumbs and splinters, then all that is soft or glows, each
+/// farthest first. In the alpha of `radiance` it leaves the share of what is behind that still shows, so that the
+/// temporal pass trusts its past less there. Made when the first particle is drawn.
 class ParticlesPass {
 public:
     explicit ParticlesPass(ShaderLibrary& shaders);

@@ -20,10 +20,12 @@ void bindMirror(const Program& program, const FrameContext& frame) {
 }  // namespace
 
 ReflectionsPass::ReflectionsPass(ShaderLibrary& shaders)
-    : m_mask(shaders.load("passes/reflection_mask.frag")), m_program(shaders.loadFullscreen("passes/reflections.frag", {.limited = true})) {}
+    : m_mask(shaders.load("passes/reflection_mask.frag")),
+      m_program(shaders.loadFullscreen("passes/reflections.frag", {.limited = true})) {}
 
 bool ReflectionsPass::needed(const FrameContext& frame) {
-    return frame.settings.reflections && (frame.scene.hasMirrors() || frame.scene.hasGlass() || frame.scene.environment().wetness > 0.0f);
+    return frame.settings.reflections &&
+           (frame.scene.hasMirrors() || frame.scene.hasGlass() || frame.scene.environment().wetness > 0.0f);
 }
 
 void ReflectionsPass::draw(const FrameContext& frame) const {
@@ -39,7 +41,8 @@ void ReflectionsPass::draw(const FrameContext& frame) const {
     frame.drawFullscreen();
     glDisable(GL_DEPTH_TEST);
 
-    const FullscreenTargets into{frame.targets, {&frame.targets.target("reflection", GL_RGBA16F)}, &mask, {glm::vec4(0.0f)}};
+    const FullscreenTargets into{
+        frame.targets, {&frame.targets.target("reflection", GL_RGBA16F)}, &mask, {glm::vec4(0.0f)}};
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         bindMirror(program, frame);
         frame.scene.bindShadow(program);

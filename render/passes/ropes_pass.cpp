@@ -12,7 +12,8 @@ constexpr int kBits = 4;  ///< that a segment between two points is drawn as, al
 glm::dvec3 spline(const std::vector<glm::dvec3>& points, size_t i, double t) {
     const glm::dvec3 &b = points[i], &c = points[i + 1];
     const glm::dvec3 a = i > 0 ? points[i - 1] : b * 2.0 - c, d = i + 2 < points.size() ? points[i + 2] : c * 2.0 - b;
-    return 0.5 * (2.0 * b + (c - a) * t + (2.0 * a - 5.0 * b + 4.0 * c - d) * (t * t) + (3.0 * b - a - 3.0 * c + d) * (t * t * t));
+    return 0.5 * (2.0 * b + (c - a) * t + (2.0 * a - 5.0 * b + 4.0 * c - d) * (t * t) +
+                  (3.0 * b - a - 3.0 * c + d) * (t * t * t));
 }
 
 }  // namespace
@@ -34,17 +35,20 @@ void RopesPass::fillInstances(const FrameContext& frame, float alpha) {
     std::vector<glm::dvec3> points;
     for (const SnapshotRope& rope : frame.scene.ropes()) {
         points.clear();
-        for (size_t i = 0; i < rope.current.size(); ++i) points.push_back(glm::mix(rope.previous[i], rope.current[i], double(alpha)));
+        for (size_t i = 0; i < rope.current.size(); ++i)
+            points.push_back(glm::mix(rope.previous[i], rope.current[i], double(alpha)));
         double along = 0.0;
         for (size_t i = 0; i + 1 < points.size(); ++i)
             for (int k = 0; k < kBits; ++k) {
-                const glm::dvec3 from = spline(points, i, double(k) / kBits), to = spline(points, i, double(k + 1) / kBits);
+                const glm::dvec3 from = spline(points, i, double(k) / kBits),
+                                 to = spline(points, i, double(k + 1) / kBits);
                 m_places.push_back(from);
                 m_places.push_back(to);
                 const double next = along + glm::length(to - from);
                 const glm::vec3 first(from - frame.scene.origin()), second(to - frame.scene.origin());
-                m_instances.push_back({glm::vec4(first, float(along)), glm::vec4(second, float(next)), glm::vec4(first, rope.radius),
-                                       glm::vec4(second, 0.0f), glm::vec4(rope.color, 1.0f)});
+                m_instances.push_back({glm::vec4(first, float(along)), glm::vec4(second, float(next)),
+                                       glm::vec4(first, rope.radius), glm::vec4(second, 0.0f),
+                                       glm::vec4(rope.color, 1.0f)});
                 along = next;
             }
     }
@@ -61,15 +65,18 @@ void RopesPass::draw(const FrameContext& frame, float alpha) {
     if (m_instances.empty() || !m_program) return;
     TargetPool& targets = frame.targets;
     targets
-        .framebuffer({&targets.at("albedo"), &targets.at("normal"), &targets.at("material"), &targets.at("motion"), &targets.at("depth")},
+        .framebuffer({&targets.at("albedo"), &targets.at("normal"), &targets.at("material"), &targets.at("motion"),
+                      &targets.at("depth")},
                      &targets.at("depthBuffer"))
         .begin();
     m_program.use();
     glBindVertexArray(m_vertexArray.get());
     glBindBuffer(GL_ARRAY_BUFFER, m_buffer.get());
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(m_instances.size() * sizeof(Instance)), m_instances.data(), GL_STREAM_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(m_instances.size() * sizeof(Instance)), m_instances.data(),
+                 GL_STREAM_DRAW);
     for (GLuint i = 0; i < 5; ++i)
-        glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, sizeof(Instance), reinterpret_cast<const void*>(i * sizeof(glm::vec4)));
+        glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, sizeof(Instance),
+                              reinterpret_cast<const void*>(i * sizeof(glm::vec4)));
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glDrawArraysInstanced(GL_TRIANGLES, 0, 6, GLsizei(m_instances.size()));

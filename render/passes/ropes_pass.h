@@ -5,8 +5,8 @@
 
 namespace rubble {
 
-/// Draws all ropes into the G-buffer in one call: strips turned to the camera that look round, after the bodies. Made when the first rope is
-/// drawn.
+/// Draws all ropes into the G-buffer in one call: strips turned to the camera that look round, after the bodies. Made
+/// when the first rope is drawn.
 class RopesPass {
 public:
     explicit RopesPass(ShaderLibrary& shaders);

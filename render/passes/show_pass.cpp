@@ -4,7 +4,8 @@ namespace rubble {
 
 ShowPass::ShowPass(ShaderLibrary& shaders) : m_program(shaders.load("passes/show.frag")) {}
 
-void ShowPass::draw(const FrameContext& frame, const Texture& target, Mode mode, const View& view, glm::vec4 dot) const {
+void ShowPass::draw(const FrameContext& frame, const Texture& target, Mode mode, const View& view,
+                    glm::vec4 dot) const {
     if (!m_program) return;
     glBindFramebuffer(GL_FRAMEBUFFER, view.framebuffer);
     glViewport(0, 0, view.size.x, view.size.y);

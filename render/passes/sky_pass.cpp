@@ -7,12 +7,15 @@
 
 namespace rubble {
 
-SkyPass::SkyPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("passes/sky.frag", {.limited = true, .merge = {Merge::Color}})) {}
+SkyPass::SkyPass(ShaderLibrary& shaders)
+    : m_program(shaders.loadFullscreen("passes/sky.frag", {.limited = true, .merge = {Merge::Color}})) {}
 
 void SkyPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
     TargetPool& targets = frame.targets;
-    const FullscreenTargets into{targets, {&targets.target("noisyLight", GL_RGBA16F), &targets.target("hitProximity", GL_R8)}, &targets.at("depthBuffer")};
+    const FullscreenTargets into{targets,
+                                 {&targets.target("noisyLight", GL_RGBA16F), &targets.target("hitProximity", GL_R8)},
+                                 &targets.at("depthBuffer")};
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         GBufferPass::bind(program, targets);
         frame.scene.bindShadow(program);

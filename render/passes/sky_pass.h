@@ -3,7 +3,8 @@
 
 namespace rubble {
 
-/// Writes the colour of "noisyLight": mean radiance from the sky and from what hides it; and "hitProximity", how near that is.
+/// Writes the colour of "noisyLight": mean radiance from the sky and from what hides it; and "hitProximity", how near
+/// that is.
 class SkyPass {
 public:
     explicit SkyPass(ShaderLibrary& shaders);

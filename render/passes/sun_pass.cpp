@@ -11,19 +11,21 @@ constexpr float kMaxDistance = 200.0f;  // metres: beyond it nothing throws a sh
 
 }  // namespace
 
-SunPass::SunPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("passes/sun.frag", {.limited = true, .merge = {Merge::Alpha}})) {}
+SunPass::SunPass(ShaderLibrary& shaders)
+    : m_program(shaders.loadFullscreen("passes/sun.frag", {.limited = true, .merge = {Merge::Alpha}})) {}
 
 void SunPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
     TargetPool& targets = frame.targets;
-    drawFullscreen(frame, m_program, {targets, {&targets.target("noisyLight", GL_RGBA16F)}, &targets.at("depthBuffer")}, [&](const Program& program) {
-        GBufferPass::bind(program, targets);
-        frame.scene.bindShadow(program);
-        frame.scene.bindSmoke(program);
-        program.set("uBlueNoise", frame.blueNoise);
-        program.set("uRayCount", frame.settings.sunRays);
-        program.set("uMaxDistance", kMaxDistance);
-    });
+    drawFullscreen(frame, m_program, {targets, {&targets.target("noisyLight", GL_RGBA16F)}, &targets.at("depthBuffer")},
+                   [&](const Program& program) {
+                       GBufferPass::bind(program, targets);
+                       frame.scene.bindShadow(program);
+                       frame.scene.bindSmoke(program);
+                       program.set("uBlueNoise", frame.blueNoise);
+                       program.set("uRayCount", frame.settings.sunRays);
+                       program.set("uMaxDistance", kMaxDistance);
+                   });
 }
 
 }  // namespace rubble

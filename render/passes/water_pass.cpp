@@ -44,8 +44,10 @@ void setRipples(const Program& program, const Scene& scene, const Water& water) 
     for (const SnapshotRipple& ripple : scene.ripples()) {
         if (ripple.surface != water.surface || size_t(count) == kMaxRipples) continue;
         const float radius = ripple.radius + kRingSpeed * ripple.age;
-        const float fade = std::exp(-1.2f * ripple.age) * std::min(ripple.age * 8.0f, 1.0f) * std::sqrt((ripple.radius + 0.3f) / (radius + 0.3f));
-        rings[size_t(count++)] = {float(ripple.place.x - origin.x), float(ripple.place.y - origin.z), radius, ripple.strength * fade};
+        const float fade = std::exp(-1.2f * ripple.age) * std::min(ripple.age * 8.0f, 1.0f) *
+                           std::sqrt((ripple.radius + 0.3f) / (radius + 0.3f));
+        rings[size_t(count++)] = {float(ripple.place.x - origin.x), float(ripple.place.y - origin.z), radius,
+                                  ripple.strength * fade};
     }
     program.set("uRippleCount", count);
     if (count > 0) program.set("uRipples[0]", std::span<const glm::vec4>(rings.data(), size_t(count)));

@@ -3,8 +3,9 @@
 
 namespace rubble {
 
-/// Draws the surfaces of waters over "radiance": what is below is bent by the waves and tinted by the way through the water, what is
-/// around is mirrored by rays, foam lies where the water ends. Seen from above only; of an outline the first 32 corners count.
+/// Draws the surfaces of waters over "radiance": what is below is bent by the waves and tinted by the way through the
+/// water, what is around is mirrored by rays, foam lies where the water ends. Seen from above only; of an outline the
+/// first 32 corners count.
 class WaterPass {
 public:
     explicit WaterPass(ShaderLibrary& shaders);

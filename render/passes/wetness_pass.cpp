@@ -12,7 +12,8 @@ constexpr float kRoofDistance = 60.0f;  // metres
 
 }  // namespace
 
-WetnessPass::WetnessPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("passes/wetness.frag", {.limited = true})) {
+WetnessPass::WetnessPass(ShaderLibrary& shaders)
+    : m_program(shaders.loadFullscreen("passes/wetness.frag", {.limited = true})) {
     if (!m_program) logError("nothing gets wet: " + shaders.errors().back());
 }
 

@@ -20,7 +20,8 @@ int childOf(glm::ivec3 brick) {
 
 /// An entry that lib/mirror.glsl would send a ray from: smoother than its limit.
 bool hasMirrorEntry(const Palette& palette) {
-    return std::any_of(palette.begin() + 1, palette.end(), [](const PaletteEntry& e) { return e.material && e.opacity == 255 && e.roughness < 153; });
+    return std::any_of(palette.begin() + 1, palette.end(),
+                       [](const PaletteEntry& e) { return e.material && e.opacity == 255 && e.roughness < 153; });
 }
 
 bool hasGlassEntry(const Palette& palette) {
@@ -39,7 +40,8 @@ void forEachBrick(const FrameSnapshot& snapshot, F&& f) {
 }  // namespace
 
 Bodies::Shape* Bodies::find(ShapeHandle handle) {
-    if (handle.slot() >= m_shapes.size() || !m_shapes[handle.slot()] || m_shapes[handle.slot()]->handle != handle) return nullptr;
+    if (handle.slot() >= m_shapes.size() || !m_shapes[handle.slot()] || m_shapes[handle.slot()]->handle != handle)
+        return nullptr;
     return m_shapes[handle.slot()].get();
 }
 
@@ -65,7 +67,8 @@ void Bodies::create(const SnapshotShape& given) {
 
     m_instances[slot] = Instance{};
     m_instances[slot].voxelSize = given.voxelSize;
-    m_layouts.change(slot) = Layout{shape->firstNode, 0, 0, 0, glm::ivec4(shape->sizeInNodes, 0), glm::ivec4(0), glm::ivec4(0)};
+    m_layouts.change(slot) =
+        Layout{shape->firstNode, 0, 0, 0, glm::ivec4(shape->sizeInNodes, 0), glm::ivec4(0), glm::ivec4(0)};
     m_shapes[slot] = std::move(shape);
     ++m_shapeCount;
     usePalette(*m_shapes[slot], slot, given.palette);
@@ -115,7 +118,8 @@ void Bodies::setBrick(const BrickChange& change) {
 
 void Bodies::putBrick(Shape& shape, glm::ivec3 brick, const BrickRef& content) {
     const glm::ivec3 node = brick >> 2;
-    const size_t n = (size_t(node.z) * size_t(shape.sizeInNodes.y) + size_t(node.y)) * size_t(shape.sizeInNodes.x) + size_t(node.x);
+    const size_t n =
+        (size_t(node.z) * size_t(shape.sizeInNodes.y) + size_t(node.y)) * size_t(shape.sizeInNodes.x) + size_t(node.x);
     if (!shape.bricks[n] && !content) return;
     Node& gpuNode = m_nodes.change(shape.firstNode + n);
     if (!shape.bricks[n]) {
@@ -167,7 +171,8 @@ uint32_t Bodies::acquireGpuPalette(const PaletteRef& palette) {
         const PaletteEntry& e = (*palette)[i];
         uint32_t* to = gpuPalette.entry[i];
         to[0] = uint32_t(e.red) | uint32_t(e.green) << 8 | uint32_t(e.blue) << 16 | uint32_t(e.opacity) << 24;
-        to[1] = uint32_t(e.roughness) | uint32_t(e.metallic) << 8 | uint32_t(e.reflectivity) << 16 | uint32_t(e.material) << 24;
+        to[1] = uint32_t(e.roughness) | uint32_t(e.metallic) << 8 | uint32_t(e.reflectivity) << 16 |
+                uint32_t(e.material) << 24;
         to[2] = std::bit_cast<uint32_t>(e.emission);
         to[3] = m_detailMaps[e.material];
         use.detail |= to[3] != 0;
@@ -252,7 +257,8 @@ uint64_t Bodies::beginFrame(float alpha, glm::dvec3 originWorld) {
 
 uint64_t Bodies::newBytes(const FrameSnapshot& snapshot) const {
     uint64_t bytes = 0;
-    forEachBrick(snapshot, [&](const BrickRef& brick) { bytes += m_atlas.has(brick.get()) ? 0 : BrickAtlas::kBrickBytes; });
+    forEachBrick(snapshot,
+                 [&](const BrickRef& brick) { bytes += m_atlas.has(brick.get()) ? 0 : BrickAtlas::kBrickBytes; });
     return bytes;
 }
 
@@ -268,7 +274,8 @@ void Bodies::releaseBricks(const FrameSnapshot& snapshot) {
 void Bodies::place(uint32_t slot, float alpha, glm::dvec3 originWorld) {
     Shape& shape = *m_shapes[slot];
     const glm::dvec3 position = glm::mix(shape.previous.position, shape.current.position, double(alpha)) - originWorld;
-    const glm::quat rotation = glm::normalize(glm::slerp(glm::quat(shape.previous.rotation), glm::quat(shape.current.rotation), alpha));
+    const glm::quat rotation =
+        glm::normalize(glm::slerp(glm::quat(shape.previous.rotation), glm::quat(shape.current.rotation), alpha));
     InstanceTransform& to = m_transforms.change(slot);
     const InstanceTransform last = to;
     to.rotation = packed(rotation);
@@ -296,8 +303,8 @@ void Bodies::bind(const Program& program) const {
 }
 
 uint64_t Bodies::bytes() const {
-    return m_atlas.bytes() + m_nodes.texture().bytes() + m_tables.texture().bytes() + m_transforms.texture().bytes() + m_layouts.texture().bytes() +
-           m_palettes.texture().bytes();
+    return m_atlas.bytes() + m_nodes.texture().bytes() + m_tables.texture().bytes() + m_transforms.texture().bytes() +
+           m_layouts.texture().bytes() + m_palettes.texture().bytes();
 }
 
 }  // namespace rubble

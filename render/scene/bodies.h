@@ -10,8 +10,8 @@
 
 namespace rubble {
 
-/// All shapes on the GPU: bricks in one atlas, a two-level directory each, palettes, and an instance each. The layout of the
-/// buffers is that of lib/bodies.glsl.
+/// All shapes on the GPU: bricks in one atlas, a two-level directory each, palettes, and an instance each. The layout
+/// of the buffers is that of lib/bodies.glsl.
 class Bodies {
 public:
     /// What draws one shape.

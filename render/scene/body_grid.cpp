@@ -23,7 +23,8 @@ BodyGrid::Cells BodyGrid::cellsOf(const Bodies::Instance& body) {
     const glm::vec3 middle = body.position + body.rotation * (0.5f * (low + high));
     const glm::mat3 axes = glm::mat3_cast(body.rotation);
     const glm::vec3 half = 0.5f * (high - low);
-    const glm::vec3 extent = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z + 0.01f;
+    const glm::vec3 extent =
+        glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z + 0.01f;
     Cells cells;
     const float side = 2.0f * std::max({extent.x, extent.y, extent.z});
     while (cells.level + 1 < kLevels && side > float(kMaxCellsPerAxis) * cellSize(cells.level)) ++cells.level;
@@ -102,7 +103,8 @@ std::vector<uint32_t> BodyGrid::bodiesAt(glm::vec3 point) const {
     std::vector<uint32_t> bodies;
     if (m_bucketHeads.size() == 0) return bodies;
     for (int level = 0; level < m_levels; ++level)
-        for (uint32_t at = m_bucketHeads[bucketOf(glm::ivec3(glm::floor(point / cellSize(level))), level)]; at; at = m_entries[at - 1].next)
+        for (uint32_t at = m_bucketHeads[bucketOf(glm::ivec3(glm::floor(point / cellSize(level))), level)]; at;
+             at = m_entries[at - 1].next)
             bodies.push_back(m_entries[at - 1].body);
     return bodies;
 }

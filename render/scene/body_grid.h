@@ -7,12 +7,14 @@
 
 namespace rubble {
 
-/// Which bodies may hold a voxel at a point of the world, as shaders ask (lib/voxel_at.glsl): a hierarchical hash grid (Ericson,
-/// Real-Time Collision Detection, 7.2). A body is entered in the few cells that its box touches, at the level whose cells are about
-/// as large as it is: whatever its size it costs some tens of entries. Buckets are not told apart: who asks looks into the body.
+/// Which bodies may hold a voxel at a point of the world, as shaders ask (lib/voxel_at.glsl): a hierarchical hash grid
+/// (Ericson, Real-Time Collision Detection, 7.2). A body is entered in the few cells that its box touches, at the level
+/// whose cells are about as large as it is: whatever its size it costs some tens of entries. Buckets are not told
+/// apart: who asks looks into the body.
 class BodyGrid {
 public:
-    static constexpr float kFinestCell = 1.6f;  ///< metres: side of a cell at level 0; four times as large at each next one
+    static constexpr float kFinestCell =
+        1.6f;  ///< metres: side of a cell at level 0; four times as large at each next one
     static constexpr int kLevels = 6;
 
     /// Enters a body where it is now, or takes it out if it is empty.
@@ -45,7 +47,7 @@ private:
     void grow();
 
     std::vector<Cells> m_cellsOfBody;  ///< by slot
-    int m_levels = 0;            ///< the lowest ones, that were ever used
+    int m_levels = 0;                  ///< the lowest ones, that were ever used
     StagedBuffer<uint32_t> m_bucketHeads{GL_R32UI, "body grid"};
     StagedBuffer<Entry> m_entries{GL_RG32UI, "body grid's entries"};
     IndexAllocator m_slots;  ///< of m_entries

@@ -73,7 +73,8 @@ void BodyTiles::update(const Bodies& bodies, const FrameBlock& block) {
     m_views.clear();
     m_spans.clear();
     m_glassSpans.clear();
-    const glm::vec3 across = glm::vec3(block.cameraRight) * block.cameraRight.w, up = glm::vec3(block.cameraUp) * block.cameraUp.w;
+    const glm::vec3 across = glm::vec3(block.cameraRight) * block.cameraRight.w,
+                    up = glm::vec3(block.cameraUp) * block.cameraUp.w;
     const glm::vec2 corner = glm::vec2(block.jitter) * 2.0f - 1.0f;  // as viewRay() in lib/frame.glsl
     for (const auto& [nearest, slot] : m_sorted) {
         const Bodies::Instance& body = bodies.instances()[size_t(slot)];
@@ -81,11 +82,13 @@ void BodyTiles::update(const Bodies& bodies, const FrameBlock& block) {
         const glm::mat3 toCells = glm::mat3_cast(glm::conjugate(body.rotation)) * (1.0f / body.voxelSize);
         m_views.push_back({toCells * (glm::vec3(block.cameraPosition) - body.position), nearest,
                            toCells * (glm::vec3(block.cameraForward) + across * corner.x + up * corner.y), slot,
-                           toCells * across * (2.0f * block.targetSize.z), layout.node, toCells * up * (2.0f * block.targetSize.w),
-                           layout.palette << 8 | layout.flags, glm::uvec3(body.low) | glm::uvec3(body.high) << 16u, packed(layout.sizeInNodes)});
+                           toCells * across * (2.0f * block.targetSize.z), layout.node,
+                           toCells * up * (2.0f * block.targetSize.w), layout.palette << 8 | layout.flags,
+                           glm::uvec3(body.low) | glm::uvec3(body.high) << 16u, packed(layout.sizeInNodes)});
         const size_t before = m_spans.size();
         cover(body, block, uint32_t(m_views.size() - 1), m_spans);
-        if (body.glass) m_glassSpans.insert(m_glassSpans.end(), m_spans.begin() + std::ptrdiff_t(before), m_spans.end());
+        if (body.glass)
+            m_glassSpans.insert(m_glassSpans.end(), m_spans.begin() + std::ptrdiff_t(before), m_spans.end());
     }
     fill(m_all, m_spans);
     fill(m_glass, m_glassSpans);
@@ -114,17 +117,21 @@ void BodyTiles::sort(const Bodies& bodies, const FrameBlock& block) {
     for (const auto& [distance, body] : m_sorted) m_order.push_back(body);
 }
 
-void BodyTiles::cover(const Bodies::Instance& body, const FrameBlock& block, uint32_t number, std::vector<Span>& spans) const {
+void BodyTiles::cover(const Bodies::Instance& body, const FrameBlock& block, uint32_t number,
+                      std::vector<Span>& spans) const {
     const glm::vec2 halfSize = glm::vec2(block.targetSize) * 0.5f;
     std::array<glm::vec4, 8> corners;
     for (int i = 0; i < 8; ++i) {
-        const glm::vec3 cell(i & 1 ? body.high.x : body.low.x, i & 2 ? body.high.y : body.low.y, i & 4 ? body.high.z : body.low.z);
-        corners[size_t(i)] = block.viewProjection * glm::vec4(body.position + body.rotation * (cell * body.voxelSize), 1.0f);
+        const glm::vec3 cell(i & 1 ? body.high.x : body.low.x, i & 2 ? body.high.y : body.low.y,
+                             i & 4 ? body.high.z : body.low.z);
+        corners[size_t(i)] =
+            block.viewProjection * glm::vec4(body.position + body.rotation * (cell * body.voxelSize), 1.0f);
     }
     ScreenBox box;
     for (int i = 0; i < 8; ++i)
         for (int axis = 1; axis <= 4; axis *= 2)
-            if (!(i & axis)) box.add(corners[size_t(i)], corners[size_t(i | axis)], block.cameraPosition.w * 0.5f, halfSize);
+            if (!(i & axis))
+                box.add(corners[size_t(i)], corners[size_t(i | axis)], block.cameraPosition.w * 0.5f, halfSize);
     glm::vec2 low(1e30f), high(-1e30f);
     for (int i = 0; i < box.count; ++i) {
         const auto& [a, b] = box.edges[size_t(i)];
@@ -132,7 +139,9 @@ void BodyTiles::cover(const Bodies::Instance& body, const FrameBlock& block, uin
         high = glm::max(high, glm::max(a, b));
     }
     if (box.count == 0) low = glm::vec2(0.0f), high = halfSize * 2.0f;  // the camera is in it and so is the near plane
-    const auto tileOf = [&](float pixel, int most) { return int(std::clamp(pixel, 0.0f, float(most) - 1.0f)) >> m_tileShift; };
+    const auto tileOf = [&](float pixel, int most) {
+        return int(std::clamp(pixel, 0.0f, float(most) - 1.0f)) >> m_tileShift;
+    };
     const int width = int(block.targetSize.x), height = int(block.targetSize.y);
     if (high.x < 0.0f || high.y < 0.0f || low.x > float(width) || low.y > float(height)) return;
     for (int row = tileOf(low.y - 1.0f, height); row <= tileOf(high.y + 1.0f, height); ++row) {
@@ -162,7 +171,8 @@ void BodyTiles::fill(Lists& lists, const std::vector<Span>& spans) const {
     }
     lists.entries.resize(sum);
     forEachTile([&](uint32_t& next, uint32_t body) { lists.entries[next++] = body; });
-    std::rotate(firsts.begin(), firsts.end() - 1, firsts.end());  // each has moved to its tile's end, which is the next one's first
+    std::rotate(firsts.begin(), firsts.end() - 1,
+                firsts.end());  // each has moved to its tile's end, which is the next one's first
     firsts[0] = 0;
     send(lists.firstTexture, firsts);
     send(lists.entryTexture, lists.entries);

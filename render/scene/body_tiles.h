@@ -14,9 +14,11 @@ class BodyTiles {
 public:
     void update(const Bodies& bodies, const FrameBlock& block);
     enum class Which { All, Glass };
-    /// Sets the uniforms of lib/body_tiles.glsl: lists of all bodies, or of those with glass. The program must be in use.
+    /// Sets the uniforms of lib/body_tiles.glsl: lists of all bodies, or of those with glass. The program must be in
+    /// use.
     void bind(const Program& program, Which which) const;
-    /// Draws the tiles whose list is not empty, with the program that is in use: its vertex shader is passes/tiles.vert.
+    /// Draws the tiles whose list is not empty, with the program that is in use: its vertex shader is
+    /// passes/tiles.vert.
     void drawTiles(const Program& program, Which which, const VertexArray& empty) const;
     /// Instances in view, nearest first.
     const std::vector<int>& order() const { return m_order; }

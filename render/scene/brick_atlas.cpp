@@ -15,7 +15,8 @@ constexpr size_t kWordBytes = 64, kIndexBytes = kBrickVoxels;
 uint64_t wordOf(const Brick& brick, int x, int y, int z) {
     uint64_t word = 0;
     for (int dz = 0; dz < 4; ++dz)
-        for (int dy = 0; dy < 4; ++dy) word |= (brick.occupancy[size_t(z * 4 + dz)] >> (x * 4 + (y * 4 + dy) * 8) & 15) << (dy * 4 + dz * 16);
+        for (int dy = 0; dy < 4; ++dy)
+            word |= (brick.occupancy[size_t(z * 4 + dz)] >> (x * 4 + (y * 4 + dy) * 8) & 15) << (dy * 4 + dz * 16);
     return word;
 }
 
@@ -70,7 +71,9 @@ uint64_t BrickAtlas::uploadBricks(uint64_t budgetBytes) {
     slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
     std::erase_if(slots, [&](uint32_t slot) { return !m_bySlot[slot]; });
     if (!m_words.reserve(m_slots.end() * kWordBytes) || !m_indices.reserve(m_slots.end() * kIndexBytes)) {
-        if (!m_full) logError("brick atlas: full at " + std::to_string(bytes()) + " bytes, the largest buffer texture of this GL");
+        if (!m_full)
+            logError("brick atlas: full at " + std::to_string(bytes()) +
+                     " bytes, the largest buffer texture of this GL");
         m_full = true;
         const uint64_t room = std::min(m_words.bytes() / kWordBytes, m_indices.bytes() / kIndexBytes);
         std::erase_if(slots, [&](uint32_t slot) { return slot >= room; });

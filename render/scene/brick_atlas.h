@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "render/gl/texture.h"
-#include "render/scene/paint_atlas.h"
 #include "render/scene/index_allocator.h"
+#include "render/scene/paint_atlas.h"
 #include "runtime/voxel/brick.h"
 
 namespace rubble {
@@ -21,7 +21,8 @@ public:
     static uint32_t occupiedWords(const Brick& brick);
 
     bool has(const Brick* brick) const { return m_entries.count(brick) > 0; }
-    /// Sends new bricks in the order acquired, at most so many bytes of them, and all new paint. Returns the bytes sent.
+    /// Sends new bricks in the order acquired, at most so many bytes of them, and all new paint. Returns the bytes
+    /// sent.
     uint64_t upload(uint64_t budgetBytes = ~uint64_t(0));
     static constexpr uint64_t kBrickBytes = 64 + kBrickVoxels;  ///< of occupancy and indices
     /// Bricks ever acquired anew, and how many of these have been sent (or were given up before).

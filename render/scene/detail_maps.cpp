@@ -13,17 +13,23 @@ namespace {
 /// What a material's faces look like close by. Shares of 1.
 struct Grain {
     const char* material;
-    float speckle;       ///< how far each voxel differs from the next
-    float blotch;        ///< how far patches of some voxels differ
-    float tilt;          ///< of faces, of kMaxTilt
-    float roughness;     ///< how far it varies
-    int streak = 1;      ///< voxels along the tile's first axis that share their speckle: grain of wood, brushing of metal
+    float speckle;    ///< how far each voxel differs from the next
+    float blotch;     ///< how far patches of some voxels differ
+    float tilt;       ///< of faces, of kMaxTilt
+    float roughness;  ///< how far it varies
+    int streak = 1;   ///< voxels along the tile's first axis that share their speckle: grain of wood, brushing of metal
     float pores = 0.0f;  ///< share of voxels that are dark holes
 };
 constexpr Grain kGrains[] = {
-    {"brick", 0.10f, 0.10f, 0.45f, 0.10f},    {"wood", 0.12f, 0.05f, 0.22f, 0.14f, 9},  {"concrete", 0.05f, 0.12f, 0.25f, 0.08f, 1, 0.05f},
-    {"plaster", 0.025f, 0.06f, 0.22f, 0.04f}, {"metal", 0.03f, 0.04f, 0.0f, 0.20f, 12}, {"foliage", 0.14f, 0.16f, 0.95f, 0.06f},
-    {"dirt", 0.14f, 0.14f, 0.80f, 0.05f},     {"rock", 0.08f, 0.12f, 0.65f, 0.08f},     {"hard masonry", 0.05f, 0.10f, 0.30f, 0.08f, 1, 0.03f},
+    {"brick", 0.10f, 0.10f, 0.45f, 0.10f},
+    {"wood", 0.12f, 0.05f, 0.22f, 0.14f, 9},
+    {"concrete", 0.05f, 0.12f, 0.25f, 0.08f, 1, 0.05f},
+    {"plaster", 0.025f, 0.06f, 0.22f, 0.04f},
+    {"metal", 0.03f, 0.04f, 0.0f, 0.20f, 12},
+    {"foliage", 0.14f, 0.16f, 0.95f, 0.06f},
+    {"dirt", 0.14f, 0.14f, 0.80f, 0.05f},
+    {"rock", 0.08f, 0.12f, 0.65f, 0.08f},
+    {"hard masonry", 0.05f, 0.10f, 0.30f, 0.08f, 1, 0.03f},
     {"snow", 0.02f, 0.04f, 0.35f, 0.04f},
 };
 
@@ -53,8 +59,8 @@ std::array<uint8_t, 4> texelOf(const Grain& grain, int map, int x, int y) {
     const float patch = 0.6f * patches(x, y, 4, 1, map) + 0.4f * patches(x, y, 8, 2, map);
     const bool pore = dice(x, y, 3, map) < 2.0f * grain.pores - 1.0f;
     const float color = 2.0f * (grain.speckle * own + grain.blotch * patch) - (pore ? 0.30f : 0.0f);
-    return {byteOf(color), byteOf(2.0f * grain.roughness * (0.6f * own + 0.4f * patch)), byteOf(grain.tilt * dice(x, y, 4, map)),
-            byteOf(grain.tilt * dice(x, y, 5, map))};
+    return {byteOf(color), byteOf(2.0f * grain.roughness * (0.6f * own + 0.4f * patch)),
+            byteOf(grain.tilt * dice(x, y, 4, map)), byteOf(grain.tilt * dice(x, y, 5, map))};
 }
 
 }  // namespace
@@ -67,7 +73,8 @@ std::array<uint8_t, 256> DetailMaps::mapsOf(std::span<const std::string> materia
     }
     std::array<uint8_t, 256> maps{};
     for (size_t i = 0; i < std::min(materials.size(), maps.size()); ++i) {
-        const auto grain = std::find_if(std::begin(kGrains), std::end(kGrains), [&](const Grain& each) { return materials[i] == each.material; });
+        const auto grain = std::find_if(std::begin(kGrains), std::end(kGrains),
+                                        [&](const Grain& each) { return materials[i] == each.material; });
         if (grain != std::end(kGrains)) maps[i] = uint8_t(grain - std::begin(kGrains) + 1);
     }
     return maps;

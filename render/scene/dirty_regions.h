@@ -9,7 +9,8 @@ namespace rubble {
 /// Where what casts shadows has changed since the last picture, as a few boxes: light around there is looked at anew.
 class DirtyRegions {
 public:
-    static constexpr size_t kMaxRegions = 8;  ///< boxes; what is over is joined to the nearest: passes/light_change.frag
+    static constexpr size_t kMaxRegions =
+        8;  ///< boxes; what is over is joined to the nearest: passes/light_change.frag
     struct Box {
         glm::ivec3 low, high;  ///< bricks of the shadow volume, high excluded
     };

@@ -34,15 +34,16 @@ void GpuShadowVolume::apply(const std::vector<ShadowPatch>& patches, bool replac
     updateSkips();
 }
 
-/// Makes the directory's box hold all that stands in these patches. A box that was there grows by a quarter and more, so that what
-/// flies away does not move it at every step.
+/// Makes the directory's box hold all that stands in these patches. A box that was there grows by a quarter and more,
+/// so that what flies away does not move it at every step.
 void GpuShadowVolume::growTo(const std::vector<ShadowPatch>& patches) {
     glm::ivec3 low = m_low, high = m_low + m_count;
     bool isNew = m_count.x == 0;
     for (const ShadowPatch& patch : patches) {
         if (!patch.content) continue;
         const glm::ivec3 sector = patch.brick >> 2;
-        const glm::ivec3 nextLow = isNew ? sector : glm::min(low, sector), nextHigh = isNew ? sector + 1 : glm::max(high, sector + 1);
+        const glm::ivec3 nextLow = isNew ? sector : glm::min(low, sector),
+                         nextHigh = isNew ? sector + 1 : glm::max(high, sector + 1);
         if (volume((nextHigh - nextLow) * kSectorBricks) > kMaxBricks) continue;
         low = nextLow;
         high = nextHigh;
@@ -104,8 +105,12 @@ void GpuShadowVolume::growOccupied(const ShadowPatch& patch) {
     constexpr uint64_t kLayer[] = {0x1111111111111111, 0x000f000f000f000f, 0x000000000000ffff};
     glm::ivec3 low = patch.brick * kBrickWords, high = low + kBrickWords;
     const bool isNew = m_occupiedLow == m_occupiedHigh;
-    if (!isNew && glm::all(glm::lessThanEqual(m_occupiedLow, low)) && glm::all(glm::greaterThanEqual(m_occupiedHigh, high))) return;
-    const auto holds = [&](int axis, int layer) { return (patch.content->occupied & kLayer[axis] << (layer << (2 * axis))) != 0; };
+    if (!isNew && glm::all(glm::lessThanEqual(m_occupiedLow, low)) &&
+        glm::all(glm::greaterThanEqual(m_occupiedHigh, high)))
+        return;
+    const auto holds = [&](int axis, int layer) {
+        return (patch.content->occupied & kLayer[axis] << (layer << (2 * axis))) != 0;
+    };
     for (int axis = 0; axis < 3; ++axis) {
         int first = 0, last = kBrickWords - 1;
         while (first < last && !holds(axis, first)) ++first;
@@ -130,10 +135,12 @@ uint64_t GpuShadowVolume::upload() {
 uint64_t GpuShadowVolume::uploadTexels() {
     constexpr uint64_t kBytes = sizeof(ShadowWords);
     if (!m_texels.reserve(m_slots.end() * kBytes) && !m_fullLogged) {
-        logError("shadow bricks: full at " + std::to_string(m_texels.bytes()) + " bytes, the largest buffer texture of this GL");
+        logError("shadow bricks: full at " + std::to_string(m_texels.bytes()) +
+                 " bytes, the largest buffer texture of this GL");
         m_fullLogged = true;
     }
-    std::stable_sort(m_waiting.begin(), m_waiting.end(), [](const Waiting& a, const Waiting& b) { return a.slot < b.slot; });
+    std::stable_sort(m_waiting.begin(), m_waiting.end(),
+                     [](const Waiting& a, const Waiting& b) { return a.slot < b.slot; });
     std::vector<ShadowWords> run;
     uint64_t sent = 0;
     for (size_t i = 0; i < m_waiting.size(); ++i) {

@@ -3,19 +3,20 @@
 #include <vector>
 
 #include "render/gl/program.h"
+#include "render/scene/index_allocator.h"
 #include "render/scene/skip_distances.h"
 #include "render/scene/staged_buffer.h"
-#include "render/scene/index_allocator.h"
 #include "runtime/shadow/shadow_volume.h"
 
 namespace rubble {
 
-/// The world's shadow volume on the GPU: a directory of bricks (16^3 cells) over its extent, dense at 16 bytes a brick, and the
-/// texels of each brick that holds something. Sends only what a patch changed. Layouts: lib/shadow_trace.glsl.
+/// The world's shadow volume on the GPU: a directory of bricks (16^3 cells) over its extent, dense at 16 bytes a brick,
+/// and the texels of each brick that holds something. Sends only what a patch changed. Layouts: lib/shadow_trace.glsl.
 class GpuShadowVolume {
 public:
     static constexpr int kSectorBricks = 4;  ///< the directory's box is whole sectors
-    /// What the directory can span: 2 x 2 km, 32 m high, or the same in another shape. Beyond it nothing casts a shadow.
+    /// What the directory can span: 2 x 2 km, 32 m high, or the same in another shape. Beyond it nothing casts a
+    /// shadow.
     static constexpr int64_t kMaxBricks = int64_t(1) << 25;
 
     void apply(const std::vector<ShadowPatch>& patches, bool replacesAll);
@@ -27,7 +28,8 @@ public:
     /// The directory's box, in sectors of the world.
     glm::ivec3 sectorLow() const { return m_low; }
     glm::ivec3 sectorCount() const { return m_count; }
-    /// The box that holds all cells that are occupied or have been, in cells from the directory's low corner: rays end where they leave it.
+    /// The box that holds all cells that are occupied or have been, in cells from the directory's low corner: rays end
+    /// where they leave it.
     glm::ivec3 occupiedLow() const { return m_occupiedLow * kWordCells - m_low * kSectorBricks * kShadowBrickCells; }
     glm::ivec3 occupiedHigh() const { return m_occupiedHigh * kWordCells - m_low * kSectorBricks * kShadowBrickCells; }
     uint64_t bytes() const { return m_directory.texture().bytes() + m_texels.bytes(); }

@@ -27,7 +27,8 @@ int sliceAt(float depth) {
 /// Distance from a light's place within which all of it lies.
 float extentOf(const SnapshotLight& light) {
     if (light.kind == LightKind::Capsule) return 0.5f * light.width + light.radius;
-    if (light.kind == LightKind::Area || light.kind == LightKind::Screen) return 0.5f * glm::length(glm::vec2(light.width, light.height));
+    if (light.kind == LightKind::Area || light.kind == LightKind::Screen)
+        return 0.5f * glm::length(glm::vec2(light.width, light.height));
     return light.radius;
 }
 
@@ -44,8 +45,8 @@ glm::vec4 boundingSphere(const SnapshotLight& light, glm::dvec3 origin) {
     return {place + light.direction * half, half + light.radius};
 }
 
-/// Tiles along one axis of the screen that a sphere can touch. `along`, `depth`: its centre in the camera's frame; tangent: of half
-/// the view's angle. Between two planes through the eye each, so exact but for the ends.
+/// Tiles along one axis of the screen that a sphere can touch. `along`, `depth`: its centre in the camera's frame;
+/// tangent: of half the view's angle. Between two planes through the eye each, so exact but for the ends.
 std::optional<glm::ivec2> tilesAlong(float along, float depth, float radius, float tangent, float pixels) {
     const int count = int(std::ceil(pixels / kTilePixels));
     int low = count, high = -1;
@@ -71,14 +72,19 @@ void LightGrid::listVisibleLights(std::span<const SnapshotLight> lights, const F
         const glm::vec3 toCentre = glm::vec3(sphere) - glm::vec3(block.cameraPosition);
         const float depth = glm::dot(toCentre, glm::vec3(block.cameraForward));
         if (!(depth + sphere.w > 0.0f) || !(lights[i].reach > 0.0f) || !(brightness(lights[i]) > 0.0f)) continue;
-        const glm::vec3 seen(glm::dot(toCentre, glm::vec3(block.cameraRight)), glm::dot(toCentre, glm::vec3(block.cameraUp)), depth);
+        const glm::vec3 seen(glm::dot(toCentre, glm::vec3(block.cameraRight)),
+                             glm::dot(toCentre, glm::vec3(block.cameraUp)), depth);
         const auto across = tilesAlong(seen.x, depth, sphere.w, block.cameraRight.w, block.targetSize.x);
         const auto up = tilesAlong(seen.y, depth, sphere.w, block.cameraUp.w, block.targetSize.y);
         if (!across || !up) continue;
-        m_visible.push_back({int(i), {seen, sphere.w}, {across->x, up->x, sliceAt(depth - sphere.w)}, {across->y, up->y, sliceAt(depth + sphere.w)}});
+        m_visible.push_back({int(i),
+                             {seen, sphere.w},
+                             {across->x, up->x, sliceAt(depth - sphere.w)},
+                             {across->y, up->y, sliceAt(depth + sphere.w)}});
     }
-    std::stable_sort(m_visible.begin(), m_visible.end(),
-                     [&](const VisibleLight& a, const VisibleLight& b) { return brightness(lights[size_t(a.light)]) > brightness(lights[size_t(b.light)]); });
+    std::stable_sort(m_visible.begin(), m_visible.end(), [&](const VisibleLight& a, const VisibleLight& b) {
+        return brightness(lights[size_t(a.light)]) > brightness(lights[size_t(b.light)]);
+    });
 }
 
 /// Whether the sphere meets the box around a cell.
@@ -91,7 +97,8 @@ bool LightGrid::touches(const VisibleLight& reach, glm::ivec3 cell, const FrameB
         const float first = low * (low > 0.0f ? nearest : farthest), last = high * (high > 0.0f ? farthest : nearest);
         return reach.sphere[axis] - std::clamp(reach.sphere[axis], first, last);
     };
-    const glm::vec3 away(aside(0, block.cameraRight.w), aside(1, block.cameraUp.w), reach.sphere.z - std::clamp(reach.sphere.z, nearest, farthest));
+    const glm::vec3 away(aside(0, block.cameraRight.w), aside(1, block.cameraUp.w),
+                         reach.sphere.z - std::clamp(reach.sphere.z, nearest, farthest));
     return glm::dot(away, away) <= reach.sphere.w * reach.sphere.w;
 }
 
@@ -129,8 +136,9 @@ void LightGrid::moveStrongestFirst(const FrameBlock& block) {
         const float depth = slice == kSlices ? 8.0f : std::exp2(0.5f * (float(slice) + 0.5f));
         const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) * float(kTilePixels) / glm::vec2(block.targetSize) * 2.0f - 1.0f;
         const glm::vec3 middle =
-            glm::vec3(block.cameraPosition) + depth * (glm::vec3(block.cameraForward) + glm::vec3(block.cameraRight) * (uv.x * block.cameraRight.w) +
-                                                       glm::vec3(block.cameraUp) * (uv.y * block.cameraUp.w));
+            glm::vec3(block.cameraPosition) +
+            depth * (glm::vec3(block.cameraForward) + glm::vec3(block.cameraRight) * (uv.x * block.cameraRight.w) +
+                     glm::vec3(block.cameraUp) * (uv.y * block.cameraUp.w));
         byStrength.clear();
         for (uint32_t k = 0; k < cell.y; ++k) {
             const uint32_t light = m_list[cell.x + k];
@@ -151,23 +159,30 @@ void LightGrid::fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 ori
         const bool cone = light.kind == LightKind::Cone;
         // Without a cone its edge lies beyond all directions.
         const float outer = cone ? std::cos(light.coneOuter) : -3.0f, inner = cone ? std::cos(light.coneInner) : -2.0f;
-        const int shape = light.kind == LightKind::Screen ? 3 : light.kind == LightKind::Area ? 2 : light.kind == LightKind::Capsule ? 1 : 0;
+        const int shape = light.kind == LightKind::Screen    ? 3
+                          : light.kind == LightKind::Area    ? 2
+                          : light.kind == LightKind::Capsule ? 1
+                                                             : 0;
         const bool picture = shape == 3 && light.image.height() > 0;
         // About how it falls off from its axis: cosine times the first, plus the second, clamped to 0 and 1.
         const float scale = 1.0f / std::max(inner - outer, 1e-3f);
         const bool facesOneWay = shape >= 2 && !light.twoSided;
-        const glm::vec2 edge = cone ? glm::vec2(scale, -outer * scale) : facesOneWay ? glm::vec2(1.0f, 0.0f) : glm::vec2(0.0f, 1.0f);
+        const glm::vec2 edge = cone          ? glm::vec2(scale, -outer * scale)
+                               : facesOneWay ? glm::vec2(1.0f, 0.0f)
+                                             : glm::vec2(0.0f, 1.0f);
         m_texels.emplace_back(glm::vec3(light.position - origin), extentOf(light));
         m_texels.emplace_back(light.direction * edge.x, edge.y);
         m_texels.emplace_back(brightness(light), light.reach, std::max(light.radius, 0.005f), 0.5f * light.height);
         m_texels.emplace_back(light.color, float(shape));
         m_texels.emplace_back(light.direction, outer);
         m_texels.emplace_back(light.right, 0.5f * light.width);
-        m_texels.emplace_back(scale, float(m_imageTexels.size()), picture ? float(light.image.width + (light.image.height() << 8)) : 0.0f,
+        m_texels.emplace_back(scale, float(m_imageTexels.size()),
+                              picture ? float(light.image.width + (light.image.height() << 8)) : 0.0f,
                               float(light.twoSided));
         if (!picture) continue;
         for (const uint32_t texel : light.image.texels)
-            m_imageTexels.emplace_back(srgbToLinear(uint8_t(texel >> 16)), srgbToLinear(uint8_t(texel >> 8)), srgbToLinear(uint8_t(texel)), 1.0f);
+            m_imageTexels.emplace_back(srgbToLinear(uint8_t(texel >> 16)), srgbToLinear(uint8_t(texel >> 8)),
+                                       srgbToLinear(uint8_t(texel)), 1.0f);
     }
 }
 
@@ -181,8 +196,8 @@ uint64_t LightGrid::upload() {
         sent += bytes.size();
         return true;
     };
-    const bool fits =
-        send(m_lightsTexture, m_texels) && send(m_cellsTexture, m_cells) && send(m_listTexture, m_list) && send(m_imageTexture, m_imageTexels);
+    const bool fits = send(m_lightsTexture, m_texels) && send(m_cellsTexture, m_cells) && send(m_listTexture, m_list) &&
+                      send(m_imageTexture, m_imageTexels);
     if (!fits) {
         logError("local lights are not drawn: " + std::to_string(m_visible.size()) +
                  " in view are more than the largest buffer texture of this GL holds");
@@ -192,15 +207,18 @@ uint64_t LightGrid::upload() {
 }
 
 /// Those that are not among the lights now. Fires have no names: if there are fewer or more of them, all may be others.
-std::vector<LightGrid::PreviousLight> LightGrid::removedFrom(const std::vector<PreviousLight>& before, const std::vector<PreviousLight>& now) {
+std::vector<LightGrid::PreviousLight> LightGrid::removedFrom(const std::vector<PreviousLight>& before,
+                                                             const std::vector<PreviousLight>& now) {
     const auto isFire = [](const PreviousLight& each) { return each.light == LightHandle(); };
-    const bool firesChanged = std::count_if(before.begin(), before.end(), isFire) != std::count_if(now.begin(), now.end(), isFire);
+    const bool firesChanged =
+        std::count_if(before.begin(), before.end(), isFire) != std::count_if(now.begin(), now.end(), isFire);
     std::vector<uint64_t> there;
     for (const PreviousLight& each : now) there.push_back(each.light.bits);
     std::sort(there.begin(), there.end());
     std::vector<PreviousLight> gone;
     for (const PreviousLight& each : before)
-        if (isFire(each) ? firesChanged : !std::binary_search(there.begin(), there.end(), each.light.bits)) gone.push_back(each);
+        if (isFire(each) ? firesChanged : !std::binary_search(there.begin(), there.end(), each.light.bits))
+            gone.push_back(each);
     return gone;
 }
 
@@ -214,7 +232,9 @@ void LightGrid::addChange(const PreviousLight& changed) {
 void LightGrid::recordChanges(std::span<const SnapshotLight> lights) {
     for (Change& change : m_changes) ++change.frames;
     std::erase_if(m_changes, [](const Change& change) { return change.frames >= kMaxChangeFrames; });
-    const auto lastOf = [](const SnapshotLight& light) { return PreviousLight{light.light, light.position, light.reach}; };
+    const auto lastOf = [](const SnapshotLight& light) {
+        return PreviousLight{light.light, light.position, light.reach};
+    };
     m_framesSinceChange = std::min(m_framesSinceChange + 1, 1000);
     const auto isSame = [](const SnapshotLight& light, const PreviousLight& last) { return light.light == last.light; };
     if (std::equal(lights.begin(), lights.end(), m_previousLights.begin(), m_previousLights.end(), isSame)) {

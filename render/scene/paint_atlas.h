@@ -2,8 +2,8 @@
 #include <array>
 
 #include "render/gl/program.h"
-#include "render/scene/staged_buffer.h"
 #include "render/scene/index_allocator.h"
+#include "render/scene/staged_buffer.h"
 #include "runtime/voxel/brick.h"
 #include "runtime/voxel/paint_colors.h"
 
@@ -21,7 +21,9 @@ public:
     /// `slots`: how many the BrickAtlas has. Returns the bytes sent.
     uint64_t upload(uint32_t slots);
     void bind(const Program& program) const;
-    uint64_t bytes() const { return m_numbers.texture().bytes() + m_paint.texture().bytes() + m_colors.texture().bytes(); }
+    uint64_t bytes() const {
+        return m_numbers.texture().bytes() + m_paint.texture().bytes() + m_colors.texture().bytes();
+    }
 
 private:
     using Table = std::array<uint32_t, 16>;

@@ -24,7 +24,8 @@ void Scene::apply(FrameSnapshot&& snapshot) {
         m_sendAll = true;
         return applyNow(snapshot);
     }
-    if (m_deferred.empty() && (m_sendAll || m_bodies.waitingBytes() + m_bodies.newBytes(snapshot) <= m_uploadBudget)) return applyNow(snapshot);
+    if (m_deferred.empty() && (m_sendAll || m_bodies.waitingBytes() + m_bodies.newBytes(snapshot) <= m_uploadBudget))
+        return applyNow(snapshot);
     const uint64_t bricks = m_bodies.hold(snapshot);
     m_deferred.push_back({std::move(snapshot), bricks});
 }
@@ -71,10 +72,12 @@ bool Scene::isGlass(ShapeHandle shape) const {
 
 bool Scene::touchesGlass(const FrameSnapshot& snapshot) const {
     const auto isOne = [&](const auto& changed) { return isGlass(changed.shape); };
-    return std::any_of(snapshot.destroyed.begin(), snapshot.destroyed.end(), [&](ShapeHandle shape) { return isGlass(shape); }) ||
+    return std::any_of(snapshot.destroyed.begin(), snapshot.destroyed.end(),
+                       [&](ShapeHandle shape) { return isGlass(shape); }) ||
            std::any_of(snapshot.created.begin(), snapshot.created.end(), isOne) ||
            std::any_of(snapshot.bricks.begin(), snapshot.bricks.end(), isOne) ||
-           std::any_of(snapshot.palettes.begin(), snapshot.palettes.end(), isOne) || std::any_of(snapshot.poses.begin(), snapshot.poses.end(), isOne);
+           std::any_of(snapshot.palettes.begin(), snapshot.palettes.end(), isOne) ||
+           std::any_of(snapshot.poses.begin(), snapshot.poses.end(), isOne);
 }
 
 uint64_t Scene::beginFrame(float alpha, glm::dvec3 cameraWorld) {
@@ -110,7 +113,8 @@ void Scene::bindVoxelsAt(const Program& program) const {
 }
 
 void Scene::describeShadow(FrameBlock& block) const {
-    block.shadowSectorLow = glm::ivec4(m_shadow.sectorLow() - glm::ivec3(glm::round(m_origin / kSector)), m_shadow.sectorCount().x > 0);
+    block.shadowSectorLow =
+        glm::ivec4(m_shadow.sectorLow() - glm::ivec3(glm::round(m_origin / kSector)), m_shadow.sectorCount().x > 0);
     block.shadowSectorCount = glm::ivec4(m_shadow.sectorCount(), 0);
     block.shadowLow = glm::vec4(m_shadow.occupiedLow(), 0.0f);
     block.shadowHigh = glm::vec4(m_shadow.occupiedHigh(), 0.0f);

@@ -18,8 +18,8 @@ struct FrameBlock;
 /// The renderer's mirror of the world, fed by snapshots: bodies, shadow volume, lights and environment. [render-thread]
 class Scene {
 public:
-    /// At once, unless its new bricks are more than the budget: then it waits, with all that comes after it, until they have been
-    /// sent, and what is drawn meanwhile is the world before it. A level that replaces all never waits.
+    /// At once, unless its new bricks are more than the budget: then it waits, with all that comes after it, until they
+    /// have been sent, and what is drawn meanwhile is the world before it. A level that replaces all never waits.
     void apply(FrameSnapshot&& snapshot);
     /// Bytes of changed bricks to send a frame.
     void setUploadBudget(uint64_t bytes) { m_uploadBudget = bytes; }
@@ -37,7 +37,8 @@ public:
     double seconds() const { return m_seconds; }
     /// Sets the samplers that lib/shadow_trace.glsl reads. The program must be in use.
     void bindShadow(const Program& program) const { m_shadow.bind(program); }
-    /// Sets the samplers of lib/bodies.glsl and lib/voxel_at.glsl, which are there while the scene mirrors anything. The program must be in use.
+    /// Sets the samplers of lib/bodies.glsl and lib/voxel_at.glsl, which are there while the scene mirrors anything.
+    /// The program must be in use.
     void bindVoxelsAt(const Program& program) const;
     /// Sets the uniforms of lib/smoke_shadow.glsl. The program must be in use.
     void bindSmoke(const Program& program) const { m_smoke.bind(program); }
@@ -57,7 +58,9 @@ public:
     bool hasMirrors() const { return m_bodies.hasMirrors(); }
     /// World position that the GPU's coordinates are relative to: a corner of the shadow volume's sectors.
     glm::dvec3 origin() const { return m_origin; }
-    uint64_t bytes() const { return m_bodies.bytes() + m_shadow.bytes() + m_smoke.bytes() + (m_grid ? m_grid->bytes() : 0); }
+    uint64_t bytes() const {
+        return m_bodies.bytes() + m_shadow.bytes() + m_smoke.bytes() + (m_grid ? m_grid->bytes() : 0);
+    }
 
 private:
     bool isGlass(ShapeHandle shape) const;

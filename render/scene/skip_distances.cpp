@@ -35,13 +35,16 @@ void SkipDistances::set(glm::ivec3 brick, bool occupied) {
 std::vector<SkipDistances::Box> SkipDistances::dirtyBoxes() {
     const auto boxOf = [&](size_t first, size_t end) {
         Box box{m_touched[first], m_touched[first] + 1};
-        for (size_t i = first; i < end; ++i) box = {glm::min(box.low, m_touched[i]), glm::max(box.high, m_touched[i] + 1)};
+        for (size_t i = first; i < end; ++i)
+            box = {glm::min(box.low, m_touched[i]), glm::max(box.high, m_touched[i] + 1)};
         return box;
     };
     if (m_touched.empty()) return {};
     const Box all = boxOf(0, m_touched.size());
     if (volume(all.high - all.low) <= kSmallBox) return {all};
-    const auto block = [](glm::ivec3 brick) { return std::tuple(brick.z / kBlock, brick.y / kBlock, brick.x / kBlock); };
+    const auto block = [](glm::ivec3 brick) {
+        return std::tuple(brick.z / kBlock, brick.y / kBlock, brick.x / kBlock);
+    };
     std::sort(m_touched.begin(), m_touched.end(), [&](glm::ivec3 a, glm::ivec3 b) { return block(a) < block(b); });
     std::vector<Box> boxes;
     for (size_t first = 0, end = 1; first < m_touched.size(); first = end++) {
@@ -61,10 +64,12 @@ void SkipDistances::sweep(const Box& dirty, int octant) {
         else
             high[a] = std::min(m_size[a], high[a] + (kMaxDistance - 1));
     }
-    const glm::ivec3 first(step.x > 0 ? high.x - 1 : low.x, step.y > 0 ? high.y - 1 : low.y, step.z > 0 ? high.z - 1 : low.z);
+    const glm::ivec3 first(step.x > 0 ? high.x - 1 : low.x, step.y > 0 ? high.y - 1 : low.y,
+                           step.z > 0 ? high.z - 1 : low.z);
     const glm::ivec3 count = high - low;
     std::vector<uint8_t>& sides = m_sides[size_t(octant)];
-    const ptrdiff_t x = step.x, y = step.y * ptrdiff_t(m_size.x + 2), z = step.z * ptrdiff_t(m_size.x + 2) * (m_size.y + 2);
+    const ptrdiff_t x = step.x, y = step.y * ptrdiff_t(m_size.x + 2),
+                    z = step.z * ptrdiff_t(m_size.x + 2) * (m_size.y + 2);
     for (int k = 0; k < count.z; ++k)
         for (int j = 0; j < count.y; ++j) {
             const glm::ivec3 brick = first - step * glm::ivec3(0, j, k);
@@ -77,7 +82,8 @@ void SkipDistances::sweep(const Box& dirty, int octant) {
             uint8_t behind = std::min(side[x], beside(side + x));
             for (int i = 0; i < count.x; ++i, side -= x, occupied -= x, index -= size_t(x)) {
                 const uint8_t columns = beside(side);
-                const uint8_t value = *occupied ? uint8_t(0) : uint8_t(std::min(int(std::min(behind, columns)) + 1, kMaxDistance));
+                const uint8_t value =
+                    *occupied ? uint8_t(0) : uint8_t(std::min(int(std::min(behind, columns)) + 1, kMaxDistance));
                 behind = std::min(value, columns);
                 if (*side == value) continue;
                 *side = value;

@@ -33,7 +33,9 @@ void SmokeShadow::listPuffs(std::span<const SnapshotParticle> particles, glm::dv
     for (const SnapshotParticle& p : particles) {
         if (p.kind != ParticleKind::Dust && p.kind != ParticleKind::Smoke) continue;
         const glm::vec3 place(p.position - origin);
-        m_puffs.push_back({{glm::dot(place, m_right), glm::dot(place, m_up), glm::dot(place, m_sun)}, p.radius, p.opacity * kThickness});
+        m_puffs.push_back({{glm::dot(place, m_right), glm::dot(place, m_up), glm::dot(place, m_sun)},
+                           p.radius,
+                           p.opacity * kThickness});
     }
 }
 
@@ -54,11 +56,14 @@ void SmokeShadow::splat(const Puff& puff) {
     const glm::vec2 middle = (glm::vec2(puff.place) - m_corner) / m_cell - 0.5f;
     const float radius = std::max(puff.radius / m_cell, 0.75f), inverse = 1.0f / (radius * radius);
     // What is smaller than a texel takes less from all of it.
-    const float thickness = puff.thickness * std::min(1.0f, puff.radius * puff.radius / (m_cell * m_cell * radius * radius));
-    const glm::ivec2 low = glm::max(glm::ivec2(glm::ceil(middle - radius)), 0), high = glm::min(glm::ivec2(glm::floor(middle + radius)), kSide - 1);
+    const float thickness =
+        puff.thickness * std::min(1.0f, puff.radius * puff.radius / (m_cell * m_cell * radius * radius));
+    const glm::ivec2 low = glm::max(glm::ivec2(glm::ceil(middle - radius)), 0),
+                     high = glm::min(glm::ivec2(glm::floor(middle + radius)), kSide - 1);
     for (int y = low.y; y <= high.y; ++y)
         for (int x = low.x; x <= high.x; ++x) {
-            const float dx = float(x) - middle.x, dy = float(y) - middle.y, inside = 1.0f - (dx * dx + dy * dy) * inverse;
+            const float dx = float(x) - middle.x, dy = float(y) - middle.y,
+                        inside = 1.0f - (dx * dx + dy * dy) * inverse;
             if (inside <= 0.0f) continue;
             const float depth = thickness * inside * inside, along = puff.place.z;
             m_texels[size_t(y) * kSide + size_t(x)] += glm::vec4(depth, depth * along, depth * along * along, 0.0f);

@@ -8,8 +8,9 @@
 
 namespace rubble {
 
-/// What dust and smoke take from the sun: a small map as the sun sees it, with how much gas lies along each of its rays and
-/// how far along. From there come the shadow on the ground and the dark side of a cloud. Made with the first gas. [render-thread]
+/// What dust and smoke take from the sun: a small map as the sun sees it, with how much gas lies along each of its rays
+/// and how far along. From there come the shadow on the ground and the dark side of a cloud. Made with the first gas.
+/// [render-thread]
 class SmokeShadow {
 public:
     /// Draws the map anew. `origin`: world position that the GPU's coordinates are relative to.

@@ -31,7 +31,8 @@ public:
     uint64_t upload() {
         if (m_dirty.empty()) return 0;
         if (!m_texture.reserve(m_data.size() * sizeof(T))) {
-            logError(std::string(m_name) + ": full at " + std::to_string(m_texture.bytes()) + " bytes, the largest buffer texture of this GL");
+            logError(std::string(m_name) + ": full at " + std::to_string(m_texture.bytes()) +
+                     " bytes, the largest buffer texture of this GL");
             m_data.resize(m_texture.bytes() / sizeof(T));
         }
         std::sort(m_dirty.begin(), m_dirty.end());

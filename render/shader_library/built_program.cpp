@@ -6,7 +6,9 @@
 
 namespace rubble {
 BuiltProgram::BuiltProgram(std::string fragmentFile, std::string vertexFile)
-    : m_fragmentFile(std::move(fragmentFile)), m_vertexFile(std::move(vertexFile)), m_files{m_vertexFile, m_fragmentFile} {}
+    : m_fragmentFile(std::move(fragmentFile)),
+      m_vertexFile(std::move(vertexFile)),
+      m_files{m_vertexFile, m_fragmentFile} {}
 
 BuiltProgram::BuiltProgram(std::string fragmentFile, FullscreenKind kind, FullscreenMethod by)
     : BuiltProgram(std::move(fragmentFile), by == FullscreenMethod::Fragment ? kind.vertexFile : "") {
@@ -29,7 +31,8 @@ bool BuiltProgram::build(const std::filesystem::path& folder, const ShaderBuild&
     m_newest = newest(folder);
     std::string log;
     bool vertexFailed = false;
-    Program program = m_vertexFile.empty() ? Program(main.text, log) : Program(place.text, main.text, log, vertexFailed);
+    Program program =
+        m_vertexFile.empty() ? Program(main.text, log) : Program(place.text, main.text, log, vertexFailed);
     if (!program) {
         m_error = (vertexFailed ? place : main).explain(log);
         return false;

@@ -11,7 +11,7 @@ namespace rubble {
 
 /// How a GL wants its shaders.
 struct ShaderBuild {
-    std::string defines;        ///< see readShader()
+    std::string defines;              ///< see readShader()
     bool uniformsAsVaryings = false;  ///< full-screen fragment programs: see passUniformsAsVaryings()
 };
 

@@ -49,8 +49,9 @@ std::string FullscreenChoice::takeDecisions() {
     for (auto& [name, pass] : m_passes) {
         if (!std::exchange(pass.isUnreported, false)) continue;
         const bool byCompute = pass.by == FullscreenMethod::Compute;
-        news << (news.tellp() > 0 ? ", " : "") << name << (byCompute ? " by compute (" : " by fragments (") << std::fixed << std::setprecision(3)
-             << pass.ms[size_t(pass.by)][0] << " ms, the other way " << pass.ms[byCompute ? 0 : 1][0] << ")";
+        news << (news.tellp() > 0 ? ", " : "") << name << (byCompute ? " by compute (" : " by fragments (")
+             << std::fixed << std::setprecision(3) << pass.ms[size_t(pass.by)][0] << " ms, the other way "
+             << pass.ms[byCompute ? 0 : 1][0] << ")";
     }
     return news.str();
 }

@@ -8,12 +8,13 @@
 
 namespace rubble {
 
-/// By what each pass draws its full-screen programs. Where it is to be found out, a pass draws its first frames by turns both ways, the
-/// same picture, and stays with what was faster.
+/// By what each pass draws its full-screen programs. Where it is to be found out, a pass draws its first frames by
+/// turns both ways, the same picture, and stays with what was faster.
 class FullscreenChoice {
 public:
     using Times = std::vector<std::pair<const char*, double>>;  ///< milliseconds by pass, as in RenderFigures
-    static constexpr int kWarmUpFrames = 2, kTimedFrames = 7;              ///< frames each way: drivers finish programs in their first
+    static constexpr int kWarmUpFrames = 2,
+                         kTimedFrames = 7;  ///< frames each way: drivers finish programs in their first
 
     /// Of all passes.
     explicit FullscreenChoice(FullscreenMethod always) : m_always(always), m_measures(false) {}

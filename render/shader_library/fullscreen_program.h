@@ -6,8 +6,8 @@
 
 namespace rubble {
 
-/// A shader that covers its targets, as a fragment program, a compute program, or both for as long as it is not known which is faster.
-/// Drawn by drawFullscreen() of render/passes/fullscreen.h.
+/// A shader that covers its targets, as a fragment program, a compute program, or both for as long as it is not known
+/// which is faster. Drawn by drawFullscreen() of render/passes/fullscreen.h.
 class FullscreenProgram {
 public:
     FullscreenProgram(std::string file, FullscreenKind kind) : m_file(std::move(file)), m_kind(std::move(kind)) {}

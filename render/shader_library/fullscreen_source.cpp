@@ -16,8 +16,10 @@ struct Parts {
 };
 
 Parts partsOf(const ShaderSource& source, FullscreenMethod by) {
-    static const std::regex main(R"(^\s*void\s+main\s*\(\s*\))"), uv(R"(^\s*in\s+vec2\s+uv\s*;)"), fragCoord(R"(\bgl_FragCoord\b)");
-    static const std::regex output(R"(^\s*(?:layout\s*\(\s*location\s*=\s*(\d+)\s*\)\s*)?out\s+vec4\s+(\w+)\s*;)"), discard(R"(\bdiscard\s*;)");
+    static const std::regex main(R"(^\s*void\s+main\s*\(\s*\))"), uv(R"(^\s*in\s+vec2\s+uv\s*;)"),
+        fragCoord(R"(\bgl_FragCoord\b)");
+    static const std::regex output(R"(^\s*(?:layout\s*\(\s*location\s*=\s*(\d+)\s*\)\s*)?out\s+vec4\s+(\w+)\s*;)"),
+        discard(R"(\bdiscard\s*;)");
     Parts parts;
     std::istringstream in(source.text);
     std::string line;
@@ -48,7 +50,8 @@ constexpr const char* kUv = "    uv = pixelCentre.xy * uTexelSize;\n";
 
 std::string fragmentMain(const Parts& parts) {
     if (!parts.readsUv) return "void main() { drawPixel(); }\n";
-    return std::string("uniform vec2 uTexelSize;\nvoid main() {\n    vec4 pixelCentre = gl_FragCoord;\n") + kUv + "    drawPixel();\n}\n";
+    return std::string("uniform vec2 uTexelSize;\nvoid main() {\n    vec4 pixelCentre = gl_FragCoord;\n") + kUv +
+           "    drawPixel();\n}\n";
 }
 
 std::string merged(Merge merge, const std::string& now, const std::string& image) {
@@ -73,11 +76,12 @@ std::string computeMain(const Parts& parts, const FullscreenKind& kind) {
     for (size_t i = 0; i < parts.outputs.size(); ++i) {
         const Merge merge = kind.mergeOf(i);
         const std::string number = std::to_string(i), image = "uTarget" + number;
-        images += "layout(binding = " + number + (merge == Merge::Replace ? ") writeonly" : ", rgba16f)") + " uniform image2D " + image + ";\n";
+        images += "layout(binding = " + number + (merge == Merge::Replace ? ") writeonly" : ", rgba16f)") +
+                  " uniform image2D " + image + ";\n";
         stores += "    imageStore(" + image + ", pixel, " + merged(merge, parts.outputs[i], image) + ");\n";
     }
-    std::string text = "layout(local_size_x = " + std::to_string(kGroupWidth) + ", local_size_y = " + std::to_string(kGroupHeight) + ") in;\n" +
-                       images +
+    std::string text = "layout(local_size_x = " + std::to_string(kGroupWidth) +
+                       ", local_size_y = " + std::to_string(kGroupHeight) + ") in;\n" + images +
                        "uniform ivec2 uTargetSize;\nuniform vec2 uTexelSize;\nuniform sampler2D uDepthLimit;\n"
                        "void main() {\n"
                        "    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);\n"
@@ -99,7 +103,9 @@ ShaderSource asFullscreen(ShaderSource source, const FullscreenKind& kind, Fulls
         source.text += fragmentMain(parts);
         return source;
     }
-    const auto replace = [&](std::string_view old, std::string_view now) { source.text.replace(source.text.find(old), old.size(), now); };
+    const auto replace = [&](std::string_view old, std::string_view now) {
+        source.text.replace(source.text.find(old), old.size(), now);
+    };
     replace("#version 330 core\n", "#version 430 core\n");
     replace("precision highp int;\n", "precision highp int; vec4 pixelCentre; bool isDrawn = true;\n");
     source.text += computeMain(parts, kind);

@@ -21,7 +21,8 @@ enum class Merge {
 struct FullscreenKind {
     bool limited = false;           ///< only where a depth buffer shows a surface
     std::vector<Merge> merge = {};  ///< by target; those that are not listed are replaced
-    /// Of the fragment program. The triangle lies at the far plane, where a depth test can tell pixels with a surface from those of the sky.
+    /// Of the fragment program. The triangle lies at the far plane, where a depth test can tell pixels with a surface
+    /// from those of the sky.
     std::string vertexFile = "lib/fullscreen_far.vert";
     Merge mergeOf(size_t target) const { return target < merge.size() ? merge[target] : Merge::Replace; }
 };
@@ -29,8 +30,9 @@ struct FullscreenKind {
 /// Pixels across and up that a compute program works on together.
 inline constexpr int kGroupWidth = 8, kGroupHeight = 8;  // wider is no faster
 
-/// One text, two programs. A shader of passes/ writes its `out vec4`s, reads `uv` and gl_FragCoord, and may discard in main(). This
-/// puts around it what either program needs, with the same number for `uv` in both. Lines keep their places, for explain().
+/// One text, two programs. A shader of passes/ writes its `out vec4`s, reads `uv` and gl_FragCoord, and may discard in
+/// main(). This puts around it what either program needs, with the same number for `uv` in both. Lines keep their
+/// places, for explain().
 ShaderSource asFullscreen(ShaderSource source, const FullscreenKind& kind, FullscreenMethod by);
 
 }  // namespace rubble

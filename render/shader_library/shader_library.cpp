@@ -24,8 +24,10 @@ FullscreenProgram& ShaderLibrary::loadFullscreen(const std::string& file, const 
         if (program->file() == file) return *program;
     auto program = std::make_unique<FullscreenProgram>(file, kind);
     if (m_fullscreen != Fullscreen::Compute) program->make(FullscreenMethod::Fragment).build(m_folder, m_build);
-    if (m_fullscreen != Fullscreen::Fragment && !program->make(FullscreenMethod::Compute).build(m_folder, m_build) && m_fullscreen == Fullscreen::Both) {
-        logWarning("fragments draw what does not build as a compute program: " + program->built(FullscreenMethod::Compute)->error());
+    if (m_fullscreen != Fullscreen::Fragment && !program->make(FullscreenMethod::Compute).build(m_folder, m_build) &&
+        m_fullscreen == Fullscreen::Both) {
+        logWarning("fragments draw what does not build as a compute program: " +
+                   program->built(FullscreenMethod::Compute)->error());
         program->release(FullscreenMethod::Compute);
     }
     m_fullscreenPrograms.push_back(std::move(program));

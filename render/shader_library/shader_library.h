@@ -18,14 +18,17 @@ public:
         Compute,
         Both,  ///< a compute program that does not build is none: the fragment program draws
     };
-    /// textureUnits: that a program may use, 0: what the GL has. Below kTextureUnits shaders do without what asks for many (FEW_TEXTURE_UNITS).
-    explicit ShaderLibrary(std::filesystem::path folder, Fullscreen fullscreen = Fullscreen::Fragment, int textureUnits = 0);
+    /// textureUnits: that a program may use, 0: what the GL has. Below kTextureUnits shaders do without what asks for
+    /// many (FEW_TEXTURE_UNITS).
+    explicit ShaderLibrary(std::filesystem::path folder, Fullscreen fullscreen = Fullscreen::Fragment,
+                           int textureUnits = 0);
 
     /// Files under the shader folder. The reference stays valid; a reload puts a new program into it.
     const Program& load(const std::string& fragmentFile, const std::string& vertexFile = "lib/fullscreen.vert");
     /// A shader that covers its targets. The reference stays valid.
     FullscreenProgram& loadFullscreen(const std::string& file, const FullscreenKind& kind = {});
-    /// Rebuilds what uses a file that changed on disk; on an error the last good program stays. True if any was rebuilt.
+    /// Rebuilds what uses a file that changed on disk; on an error the last good program stays. True if any was
+    /// rebuilt.
     bool reloadChanged();
     /// Of the programs whose files do not build as they are now, with file and line.
     std::vector<std::string> errors() const;

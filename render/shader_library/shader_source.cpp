@@ -19,7 +19,8 @@ std::optional<std::string> includedFile(const std::string& line) {
 }
 
 /// Appends a file to the source; returns what went wrong, or nothing.
-std::string append(const std::filesystem::path& folder, const std::string& file, const std::string& from, ShaderSource& source) {
+std::string append(const std::filesystem::path& folder, const std::string& file, const std::string& from,
+                   ShaderSource& source) {
     if (std::find(source.files.begin(), source.files.end(), file) != source.files.end()) return {};
     std::ifstream stream(folder / file);
     if (!stream) return from + "expected a shader file " + (folder / file).string() + ", found none";
@@ -51,7 +52,8 @@ std::string ShaderSource::explain(const std::string& log) const {
             const int number = std::stoi(match[1].matched ? match[1].str() : match[3].str());
             if (number >= 1 && number <= int(lines.size()) && lines[size_t(number - 1)].file >= 0) {
                 const Line& where = lines[size_t(number - 1)];
-                line = match.prefix().str() + files[size_t(where.file)] + ":" + std::to_string(where.line) + match.suffix().str();
+                line = match.prefix().str() + files[size_t(where.file)] + ":" + std::to_string(where.line) +
+                       match.suffix().str();
             }
         }
         out += line + "\n";
@@ -59,7 +61,8 @@ std::string ShaderSource::explain(const std::string& log) const {
     return out;
 }
 
-Result<ShaderSource> readShader(const std::filesystem::path& folder, const std::string& file, const std::string& defines) {
+Result<ShaderSource> readShader(const std::filesystem::path& folder, const std::string& file,
+                                const std::string& defines) {
     ShaderSource source;
     source.text = kVersionPrefix + defines;
     source.lines.assign(size_t(std::count(source.text.begin(), source.text.end(), '\n')), {-1, 0});

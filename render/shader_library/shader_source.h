@@ -7,8 +7,8 @@
 
 namespace rubble {
 
-/// One shader file with its #includes put in place, and where each of its lines came from: Mesa ignores the source number
-/// of #line, so error messages are translated with this table instead.
+/// One shader file with its #includes put in place, and where each of its lines came from: Mesa ignores the source
+/// number of #line, so error messages are translated with this table instead.
 struct ShaderSource {
     struct Line {
         int file;  ///< index into files
@@ -22,8 +22,9 @@ struct ShaderSource {
     std::string explain(const std::string& log) const;
 };
 
-/// Reads `file` under `folder`; `#include "x"` is looked for under folder too and put in once. Puts `#version 330 core` first.
-/// defines: lines of preprocessor that come before the file.
-Result<ShaderSource> readShader(const std::filesystem::path& folder, const std::string& file, const std::string& defines = {});
+/// Reads `file` under `folder`; `#include "x"` is looked for under folder too and put in once. Puts `#version 330 core`
+/// first. defines: lines of preprocessor that come before the file.
+Result<ShaderSource> readShader(const std::filesystem::path& folder, const std::string& file,
+                                const std::string& defines = {});
 
 }  // namespace rubble

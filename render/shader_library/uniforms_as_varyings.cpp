@@ -15,7 +15,8 @@ using TypeByName = std::map<std::string, std::string, std::less<>>;
 
 TypeByName declarations(const std::string& text, const std::regex& declaration) {
     TypeByName found;
-    for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at) found.emplace((*at)[2], (*at)[1]);
+    for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at)
+        found.emplace((*at)[2], (*at)[1]);
     return found;
 }
 
@@ -30,7 +31,8 @@ bool isOfWord(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-/// Calls visit(word, what follows it) for each identifier; what it returns takes the place of the word and, where it says so, of what follows.
+/// Calls visit(word, what follows it) for each identifier; what it returns takes the place of the word and, where it
+/// says so, of what follows.
 template <class Visit>
 std::string replaceWords(std::string_view text, Visit&& visit) {
     std::string out;
@@ -58,7 +60,8 @@ std::string_view firstWord(std::string_view text) {
 }  // namespace
 
 void passUniformsAsVaryings(ShaderSource& vertex, ShaderSource& fragment) {
-    static const std::regex uniform(R"(\buniform\s+(float|u?int|[iu]?vec[234]|mat4)\s+(\w+)\s*;)"), member(R"(\b([iu]?vec4|mat4)\s+(\w+)\s*;)");
+    static const std::regex uniform(R"(\buniform\s+(float|u?int|[iu]?vec[234]|mat4)\s+(\w+)\s*;)"),
+        member(R"(\b([iu]?vec4|mat4)\s+(\w+)\s*;)");
     const std::string block(frameBlock(fragment.text));
     const TypeByName uniforms = declarations(fragment.text, uniform), members = declarations(block, member);
     TypeByName flat;  // by what they are called in the fragment program
@@ -67,17 +70,19 @@ void passUniformsAsVaryings(ShaderSource& vertex, ShaderSource& fragment) {
         if (flat.emplace(name, type).second) copies += "    " + name + " = " + from + ";\n";
         return name;
     };
-    fragment.text = replaceWords(fragment.text, [&](std::string_view word, std::string_view rest, size_t& taken) -> std::string {
-        if (word == "frame" && rest.starts_with('.')) {
-            const std::string_view name = firstWord(rest.substr(1));
-            const auto found = members.find(name);
-            if (found == members.end()) return std::string(word);
-            taken += 1 + name.size();
-            return pass("frame_" + found->first, found->second, "frame." + found->first);
-        }
-        if (const auto found = uniforms.find(word); found != uniforms.end()) return pass("flat_" + found->first, found->second, found->first);
-        return std::string(word);
-    });
+    fragment.text =
+        replaceWords(fragment.text, [&](std::string_view word, std::string_view rest, size_t& taken) -> std::string {
+            if (word == "frame" && rest.starts_with('.')) {
+                const std::string_view name = firstWord(rest.substr(1));
+                const auto found = members.find(name);
+                if (found == members.end()) return std::string(word);
+                taken += 1 + name.size();
+                return pass("frame_" + found->first, found->second, "frame." + found->first);
+            }
+            if (const auto found = uniforms.find(word); found != uniforms.end())
+                return pass("flat_" + found->first, found->second, found->first);
+            return std::string(word);
+        });
     std::string inputs, outputs;
     for (const auto& [name, type] : flat) {
         outputs += "flat out " + type + " " + name + ";\n";

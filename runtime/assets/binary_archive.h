@@ -76,7 +76,8 @@ private:
 class BinaryInputArchive {
 public:
     static constexpr bool kIsBinary = true;
-    BinaryInputArchive(ByteReader& in, const std::vector<PaletteRef>& palettes, uint8_t world = 0) : m_in(in), m_palettes(palettes), m_world(world) {}
+    BinaryInputArchive(ByteReader& in, const std::vector<PaletteRef>& palettes, uint8_t world = 0)
+        : m_in(in), m_palettes(palettes), m_world(world) {}
 
     template <class T>
     void operator()(const char*, T& value) {
@@ -95,7 +96,8 @@ public:
     void get(T& value) {
         const auto byte = m_in.read<uint8_t>();
         if (byte >= enumNames(value).size())
-            return m_in.fail(fmt::format("a value below {}", enumNames(value).size()), std::to_string(byte), m_in.offset() - 1);
+            return m_in.fail(fmt::format("a value below {}", enumNames(value).size()), std::to_string(byte),
+                             m_in.offset() - 1);
         value = T(byte);
     }
     void get(std::string& text) { text = m_in.readString(); }
@@ -110,7 +112,8 @@ public:
         if (size == glm::ivec3(0)) return;
         for (int i = 0; i < 3; ++i)
             if (size[i] < 1 || size[i] > kMaxGridSize)
-                return m_in.fail(fmt::format("a grid size of 1 to {}", kMaxGridSize), std::to_string(size[i]), m_in.offset() - 12);
+                return m_in.fail(fmt::format("a grid size of 1 to {}", kMaxGridSize), std::to_string(size[i]),
+                                 m_in.offset() - 12);
         const glm::ivec3 nodes = (size + 31) / 32;
         m_nodes += uint64_t(nodes.x) * uint64_t(nodes.y) * uint64_t(nodes.z);
         if (m_nodes > kMaxDirectoryNodes) return m_in.fail("grids of 2^39 cells in all", "more", m_in.offset() - 12);
@@ -121,14 +124,16 @@ public:
         if (number < m_palettes.size())
             palette = m_palettes[number];
         else
-            m_in.fail(fmt::format("a palette number below {}", m_palettes.size()), std::to_string(number), m_in.offset() - 4);
+            m_in.fail(fmt::format("a palette number below {}", m_palettes.size()), std::to_string(number),
+                      m_in.offset() - 4);
     }
     void get(PaintColorsRef& colors) {
         const auto count = m_in.read<uint8_t>();
         colors = nullptr;
         if (count == 0) return;
         if (count > kPaintColors)
-            return m_in.fail(fmt::format("at most {} colours of paint", kPaintColors), std::to_string(count), m_in.offset() - 1);
+            return m_in.fail(fmt::format("at most {} colours of paint", kPaintColors), std::to_string(count),
+                             m_in.offset() - 1);
         auto read = std::make_shared<PaintColors>();
         read->count = count;
         get(read->colors);
@@ -138,7 +143,8 @@ public:
     void get(Handle<kType>& handle) {
         const auto bits = m_in.read<uint64_t>();
         handle = {bits};
-        if (bits && (handle.type() != kType || handle.world() != 0)) return m_in.fail("a handle", fmt::format("{:x}", bits), m_in.offset() - 8);
+        if (bits && (handle.type() != kType || handle.world() != 0))
+            return m_in.fail("a handle", fmt::format("{:x}", bits), m_in.offset() - 8);
         if (bits) handle = Handle<kType>::make(m_world, handle.generation(), handle.slot());
     }
     template <class T, size_t kSize>

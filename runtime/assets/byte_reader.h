@@ -22,7 +22,8 @@ public:
     T read() {
         static_assert(std::is_trivially_copyable_v<T>);
         T value{};
-        if (need(sizeof(T), "a value")) std::memcpy(&value, m_bytes.data() + m_position, sizeof(T)), m_position += sizeof(T);
+        if (need(sizeof(T), "a value"))
+            std::memcpy(&value, m_bytes.data() + m_position, sizeof(T)), m_position += sizeof(T);
         return value;
     }
     /// An element count that the remaining bytes can hold at `bytesEach` bytes an element.
@@ -31,7 +32,8 @@ public:
         const uint32_t count = read<uint32_t>();
         if (failed() || count <= remaining() / bytesEach) return failed() ? 0 : count;
         m_position = start;
-        fail(fmt::format("{} {} ({} bytes each)", count, what, bytesEach), fmt::format("{} bytes", m_bytes.size() - start - 4));
+        fail(fmt::format("{} {} ({} bytes each)", count, what, bytesEach),
+             fmt::format("{} bytes", m_bytes.size() - start - 4));
         return 0;
     }
     std::string readString() {
@@ -58,7 +60,8 @@ public:
     /// Keeps the first failure only. `offset`: where in the file; the current place if not given.
     void fail(const std::string& expected, const std::string& found, size_t offset = SIZE_MAX) {
         if (failed()) return;
-        m_error = fmt::format("byte {}, {}: expected {}, found {}", offset == SIZE_MAX ? this->offset() : offset, m_context, expected, found);
+        m_error = fmt::format("byte {}, {}: expected {}, found {}", offset == SIZE_MAX ? this->offset() : offset,
+                              m_context, expected, found);
     }
     /// Takes over the failure of a reader of a part.
     void takeErrorOf(const ByteReader& part) {
@@ -69,7 +72,8 @@ private:
     bool need(size_t count, const char* what) {
         if (failed()) return false;
         if (count <= m_bytes.size() - m_position) return true;
-        fail(fmt::format("{} of {} bytes", what, count), fmt::format("{} bytes before the end", m_bytes.size() - m_position));
+        fail(fmt::format("{} of {} bytes", what, count),
+             fmt::format("{} bytes before the end", m_bytes.size() - m_position));
         return false;
     }
     std::span<const uint8_t> m_bytes;

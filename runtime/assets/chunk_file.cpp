@@ -19,7 +19,8 @@ uint64_t hashHeader(const Header& header) {
 void ChunkWriter::add(std::array<char, 4> kind, const std::vector<uint8_t>& raw) {
     std::vector<uint8_t> packed(size_t(LZ4_compressBound(int(raw.size()))));
     const int length =
-        LZ4_compress_default(reinterpret_cast<const char*>(raw.data()), reinterpret_cast<char*>(packed.data()), int(raw.size()), int(packed.size()));
+        LZ4_compress_default(reinterpret_cast<const char*>(raw.data()), reinterpret_cast<char*>(packed.data()),
+                             int(raw.size()), int(packed.size()));
     const bool smaller = length > 0 && size_t(length) < raw.size();
     if (smaller) packed.resize(size_t(length));
     const std::vector<uint8_t>& stored = smaller ? packed : raw;
@@ -79,7 +80,8 @@ void readGridChunk(ByteReader& in, const std::vector<VoxelGrid*>& grids) {
 FileHeader readFileHeader(ByteReader& in) {
     const auto header = in.read<FileHeader>();
     if (!in.failed() && header.magic != kFileMagic) in.fail("a baked level (\"RUBBLE\")", "other bytes", 0);
-    if (header.version != kFileVersion) in.fail(fmt::format("version {}", kFileVersion), std::to_string(header.version), 8);
+    if (header.version != kFileVersion)
+        in.fail(fmt::format("version {}", kFileVersion), std::to_string(header.version), 8);
     if (header.headerHash != hashHeader(header)) in.fail("a header whose checksum fits", "a damaged one", 0);
     return header;
 }
@@ -89,20 +91,23 @@ std::vector<uint8_t> readChunk(ByteReader& in, ChunkHeader& header) {
     header = in.read<ChunkHeader>();
     if (in.failed()) return {};
     if (header.storedBytes > in.remaining())
-        return in.fail(fmt::format("{} bytes of a chunk", header.storedBytes), fmt::format("{}", in.remaining()), start + 16), std::vector<uint8_t>{};
+        return in.fail(fmt::format("{} bytes of a chunk", header.storedBytes), fmt::format("{}", in.remaining()),
+                       start + 16),
+               std::vector<uint8_t>{};
     const auto stored = in.readBytes(size_t(header.storedBytes));
     if (hashBytes(stored.data(), stored.size(), hashHeader(header)) != header.hash)
         return in.fail("a chunk whose checksum fits", "a damaged one", start), std::vector<uint8_t>{};
     // LZ4 cannot pack by more than 255 to 1: a larger claim is a lie that would only cost memory.
     if (header.rawBytes > kMaxChunkBytes || header.rawBytes > header.storedBytes * 255 + 64 || header.codec > 1 ||
         (header.codec == 0 && header.rawBytes != header.storedBytes))
-        return in.fail("a possible size and codec", fmt::format("{} bytes from {}, codec {}", header.rawBytes, header.storedBytes, header.codec),
+        return in.fail("a possible size and codec",
+                       fmt::format("{} bytes from {}, codec {}", header.rawBytes, header.storedBytes, header.codec),
                        start),
                std::vector<uint8_t>{};
     if (header.codec == 0) return {stored.begin(), stored.end()};
     std::vector<uint8_t> raw(size_t(header.rawBytes));
-    const int length =
-        LZ4_decompress_safe(reinterpret_cast<const char*>(stored.data()), reinterpret_cast<char*>(raw.data()), int(stored.size()), int(raw.size()));
+    const int length = LZ4_decompress_safe(reinterpret_cast<const char*>(stored.data()),
+                                           reinterpret_cast<char*>(raw.data()), int(stored.size()), int(raw.size()));
     if (length != int(raw.size())) in.fail(fmt::format("{} bytes unpacked", raw.size()), std::to_string(length), start);
     return raw;
 }

@@ -10,8 +10,8 @@
 
 namespace rubble {
 
-// What all of Rubble's files are made of: a header and chunks, each with kind, codec, sizes and an XXH3 hash over its header
-// and stored bytes, so that no flipped bit passes. A reader skips chunks of kinds that it does not know.
+// What all of Rubble's files are made of: a header and chunks, each with kind, codec, sizes and an XXH3 hash over its
+// header and stored bytes, so that no flipped bit passes. A reader skips chunks of kinds that it does not know.
 
 inline constexpr std::array<char, 8> kFileMagic = {'R', 'U', 'B', 'B', 'L', 'E', '\r', '\n'};
 inline constexpr uint32_t kFileVersion = 5;

@@ -29,7 +29,8 @@ Result<std::vector<uint8_t>> readFileBytes(const std::string& path, uint64_t lim
     struct stat status {};
     if (!file || fstat(fileno(file.get()), &status) != 0) return systemError(path, "cannot open");
     if (!S_ISREG(status.st_mode)) return Error{path + ": expected a file, found something else"};
-    if (uint64_t(status.st_size) > limit) return Error{fmt::format("{}: expected at most {} bytes, found {}", path, limit, status.st_size)};
+    if (uint64_t(status.st_size) > limit)
+        return Error{fmt::format("{}: expected at most {} bytes, found {}", path, limit, status.st_size)};
     std::vector<uint8_t> bytes(size_t(status.st_size));
     if (std::fread(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) return systemError(path, "cannot read");
     return bytes;

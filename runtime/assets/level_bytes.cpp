@@ -96,11 +96,14 @@ void readBrick(ByteReader& in, VoxelGrid& grid) {
     std::copy(paint.begin(), paint.end(), layer.begin());
     const glm::ivec3 bricks = grid.sizeInBricks();
     BrickRef brick = makeBrick(indices, paint.empty() ? nullptr : &layer);
-    if (position.x >= bricks.x || position.y >= bricks.y || position.z >= bricks.z || (brick && !fitsGrid(*brick, position, grid.size())))
-        return in.fail(fmt::format("a brick inside a grid of {}x{}x{} cells", grid.size().x, grid.size().y, grid.size().z),
-                       fmt::format("brick ({}, {}, {})", position.x, position.y, position.z), start);
+    if (position.x >= bricks.x || position.y >= bricks.y || position.z >= bricks.z ||
+        (brick && !fitsGrid(*brick, position, grid.size())))
+        return in.fail(
+            fmt::format("a brick inside a grid of {}x{}x{} cells", grid.size().x, grid.size().y, grid.size().z),
+            fmt::format("brick ({}, {}, {})", position.x, position.y, position.z), start);
     if (!brick || grid.brickAt(position))
-        return in.fail("each brick once and not empty", fmt::format("brick ({}, {}, {})", position.x, position.y, position.z), start);
+        return in.fail("each brick once and not empty",
+                       fmt::format("brick ({}, {}, {})", position.x, position.y, position.z), start);
     grid.setBrick(position, std::move(brick));
 }
 

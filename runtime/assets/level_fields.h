@@ -8,16 +8,17 @@
 
 namespace rubble {
 
-// The one list of what a level holds. An archive is called with a name and a value for each field; the baked format, the
-// metadata of .vdb files, the hash of a level and its check are archives, so none can forget a field that another has.
-// A grid's voxels are no field: archives see its size here and its bricks apart.
+// The one list of what a level holds. An archive is called with a name and a value for each field; the baked format,
+// the metadata of .vdb files, the hash of a level and its check are archives, so none can forget a field that another
+// has. A grid's voxels are no field: archives see its size here and its bricks apart.
 
 template <class T, class Named>
 concept Is = std::same_as<std::remove_const_t<T>, Named>;
 
 inline constexpr std::array<const char*, 5> kLightKindNames = {"sphere", "cone", "capsule", "area", "screen"};
 inline constexpr std::array<const char*, 5> kHardnessNames = {"soft", "medium", "hard", "unbreakable", "unphysical"};
-inline constexpr std::array<const char*, 7> kJointKindNames = {"ball", "hinge", "prismatic", "cone", "fixed", "rope", "wheel"};
+inline constexpr std::array<const char*, 7> kJointKindNames = {"ball",  "hinge", "prismatic", "cone",
+                                                               "fixed", "rope",  "wheel"};
 inline constexpr std::array<const char*, 3> kMotorModeNames = {"off", "speed", "position"};
 inline std::span<const char* const> enumNames(JointKind) {
     return kJointKindNames;

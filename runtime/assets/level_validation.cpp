@@ -46,9 +46,11 @@ public:
         int most = 0;
         shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
             if (!brick->paint) return;
-            for (const uint8_t paint : *brick->paint) most = std::max(most, paint > 0 && paint < 16 ? 16 : paintColor(paint));
+            for (const uint8_t paint : *brick->paint)
+                most = std::max(most, paint > 0 && paint < 16 ? 16 : paintColor(paint));
         });
-        if (most > colors) fail(fmt::format("paint of the {} colours that the shape has", colors), std::to_string(most));
+        if (most > colors)
+            fail(fmt::format("paint of the {} colours that the shape has", colors), std::to_string(most));
     }
     void check(const PaletteRef& palette) {
         if (!palette) return;
@@ -57,7 +59,8 @@ public:
             if (!(entry.emission >= 0.0f && std::isfinite(entry.emission)))
                 fail("an emission of 0 or more", fmt::format("{} in entry {}", entry.emission, i));
             if (entry.lightGroup > m_lightGroups)
-                fail(fmt::format("a light group of at most {}", m_lightGroups), fmt::format("{} in entry {}", entry.lightGroup, i));
+                fail(fmt::format("a light group of at most {}", m_lightGroups),
+                     fmt::format("{} in entry {}", entry.lightGroup, i));
             if (entry.material >= m_materials)
                 fail(fmt::format("a material below {}", m_materials), fmt::format("{} in entry {}", entry.material, i));
         }
@@ -82,9 +85,11 @@ public:
                 fail("a strength above 0 and up to 1e6 times its materials'", fmt::format("{}", value.strength));
         if constexpr (std::is_same_v<T, LevelShape>) validatePaint(value);
         if constexpr (std::is_same_v<T, Water>) {
-            if (value.outline.size() < 3) fail("an outline of 3 points or more", fmt::format("{}", value.outline.size()));
+            if (value.outline.size() < 3)
+                fail("an outline of 3 points or more", fmt::format("{}", value.outline.size()));
             if (!(value.depth > 0.0 && value.density >= 0.0 && value.linearDrag >= 0.0 && value.angularDrag >= 0.0))
-                fail("a depth above 0, a density and drags of 0 or more", fmt::format("{} m, {} kg/m3", value.depth, value.density));
+                fail("a depth above 0, a density and drags of 0 or more",
+                     fmt::format("{} m, {} kg/m3", value.depth, value.density));
         }
         if constexpr (std::is_same_v<T, LightImage>)
             if (!value.isWhole())
@@ -98,9 +103,11 @@ public:
             if (value.kind == TriggerKind::Polygon && value.outline.size() < 3)
                 fail("an outline of 3 points or more", fmt::format("{}", value.outline.size()));
         if constexpr (std::is_same_v<T, Character>)
-            if (!(value.radius >= 0.02 && value.crouchedHeight >= 2.0 * value.radius && value.height >= value.crouchedHeight && value.mass > 0.0))
+            if (!(value.radius >= 0.02 && value.crouchedHeight >= 2.0 * value.radius &&
+                  value.height >= value.crouchedHeight && value.mass > 0.0))
                 fail("a radius of 0.02 m or more, crouched and standing height of two radii or more, a mass above 0",
-                     fmt::format("{} m, {} m, {} m, {} kg", value.radius, value.crouchedHeight, value.height, value.mass));
+                     fmt::format("{} m, {} m, {} m, {} kg", value.radius, value.crouchedHeight, value.height,
+                                 value.mass));
         if constexpr (std::is_same_v<T, Joint>)
             if (const std::string error = jointError(value); !error.empty()) fail("a joint that can be", error);
         fields(*this, value);
@@ -109,7 +116,8 @@ public:
     Result<Done> run(const Level& level) {
         m_lightGroups = level.lightGroups.size();
         m_materials = level.materials.materials.size();
-        if (m_materials < 1 || m_materials > 256) return Error{fmt::format("materials: expected 1 to 256, found {}", m_materials)};
+        if (m_materials < 1 || m_materials > 256)
+            return Error{fmt::format("materials: expected 1 to 256, found {}", m_materials)};
         check(level);
         if (!m_error.empty()) return Error{m_error};
         return Done{};

@@ -71,7 +71,8 @@ void RecordingWriter::add(const RecordedStep& step) {
 Result<Done> RecordingWriter::close() {
     const FileHeader header = makeFileHeader(m_chunks, m_lastHash);
     std::FILE* file = m_file.get();
-    m_hasFailed = m_hasFailed || std::fseek(file, 0, SEEK_SET) != 0 || std::fwrite(&header, sizeof header, 1, file) != 1;
+    m_hasFailed =
+        m_hasFailed || std::fseek(file, 0, SEEK_SET) != 0 || std::fwrite(&header, sizeof header, 1, file) != 1;
     m_hasFailed = m_hasFailed || std::fflush(file) != 0 || fsync(fileno(file)) != 0;
     m_hasFailed = m_hasFailed || std::rename((m_path + ".part").c_str(), m_path.c_str()) != 0;
     const int reason = errno;
@@ -107,7 +108,8 @@ Result<Recording> recordingFromBytes(std::span<const uint8_t> bytes, const std::
         const size_t place = in.offset();
         const std::vector<uint8_t> raw = readChunk(in, chunk);
         if (in.failed()) break;
-        const std::string kind(chunk.kind.data(), 4), part = fmt::format("{}: byte {}, chunk {} ({}) unpacked", name, place, i, kind);
+        const std::string kind(chunk.kind.data(), 4),
+            part = fmt::format("{}: byte {}, chunk {} ({}) unpacked", name, place, i, kind);
         if (kind == "GAME") {
             Result<SavedGame> start = gameFromBytes(raw, part, world);
             if (!start) return Error{start.error()};
@@ -117,7 +119,8 @@ Result<Recording> recordingFromBytes(std::span<const uint8_t> bytes, const std::
             Result<RecordedStep> step = recordedStepFromBytes(raw, part, world);
             if (!step) return Error{step.error()};
             const uint64_t expected = recording.start.world.step + recording.steps.size() + 1;
-            if (!haveStart || step->step != expected) return Error{fmt::format("{}: expected step {}, found {}", part, expected, step->step)};
+            if (!haveStart || step->step != expected)
+                return Error{fmt::format("{}: expected step {}, found {}", part, expected, step->step)};
             recording.steps.push_back(std::move(*step));
         }
     }

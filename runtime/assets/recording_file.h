@@ -14,7 +14,7 @@ namespace rubble {
 /// One step of a recording: what the host asked for, and what became of it.
 struct RecordedStep {
     uint64_t step = 0;
-    bool physicsRebuilt = false;     ///< physics was made anew from the World before this step
+    bool physicsRebuilt = false;  ///< physics was made anew from the World before this step
     Edits edits;                  ///< the host's alone; what impacts did is in the delta, and follows from physics
     std::vector<uint8_t> delta;   ///< see stepDeltaToBytes()
     std::vector<BodyPose> poses;  ///< that physics handed over
@@ -24,8 +24,8 @@ struct RecordedStep {
     uint64_t voxelHash = 0;     ///< what the delta alone must come to
 };
 
-/// Writes a recording: a save, then the steps, each a chunk. The file gets its name when it is closed; until then it has a
-/// neighbour's name, ending in .part.
+/// Writes a recording: a save, then the steps, each a chunk. The file gets its name when it is closed; until then it
+/// has a neighbour's name, ending in .part.
 class RecordingWriter {
 public:
     static Result<RecordingWriter> open(const std::string& path, const SavedGame& start);

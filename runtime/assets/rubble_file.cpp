@@ -18,9 +18,11 @@ struct Parsed {
     bool haveLevel = false;
 };
 
-void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, size_t chunk, Parsed& out, ByteReader& file) {
+void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, size_t chunk, Parsed& out,
+                 ByteReader& file) {
     const std::string kind(header.kind.data(), 4);
-    ByteReader in(raw, fmt::format("of chunk {} ({}) unpacked", chunk, kind == "PALT" || kind == "LEVL" || kind == "GRID" ? kind : "other"));
+    ByteReader in(raw, fmt::format("of chunk {} ({}) unpacked", chunk,
+                                   kind == "PALT" || kind == "LEVL" || kind == "GRID" ? kind : "other"));
     if (kind == "PALT") {
         out.palettes = palettesFromBytes(in);
     } else if (kind == "LEVL" && !out.haveLevel) {
@@ -33,7 +35,8 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
     } else {
         return;
     }
-    if (!in.failed() && in.remaining() > 0) in.fail("the end of the chunk", fmt::format("{} more bytes", in.remaining()));
+    if (!in.failed() && in.remaining() > 0)
+        in.fail("the end of the chunk", fmt::format("{} more bytes", in.remaining()));
     file.takeErrorOf(in);
 }
 
@@ -66,12 +69,13 @@ std::vector<uint8_t> levelToRubble(const Level& level) {
 Result<Level> levelFromRubble(std::span<const uint8_t> bytes, const std::string& name) {
     ByteReader in(bytes, "baked level");
     Parsed parsed;
-    const FileHeader header =
-        readChunkFile(in, [&](const ChunkHeader& chunk, const std::vector<uint8_t>& raw, uint32_t i) { readContent(chunk, raw, i, parsed, in); });
+    const FileHeader header = readChunkFile(in, [&](const ChunkHeader& chunk, const std::vector<uint8_t>& raw,
+                                                    uint32_t i) { readContent(chunk, raw, i, parsed, in); });
     if (!parsed.haveLevel) in.fail("a LEVL chunk", "none");
     if (in.failed()) return Error{name + ": " + in.error()};
     if (const Result<Done> checked = validateLevel(parsed.level); !checked) return Error{name + ": " + checked.error()};
-    if (hashLevel(parsed.level) != header.contentHash) return Error{name + ": byte 16: expected the hash of the level, found another"};
+    if (hashLevel(parsed.level) != header.contentHash)
+        return Error{name + ": byte 16: expected the hash of the level, found another"};
     return std::move(parsed.level);
 }
 

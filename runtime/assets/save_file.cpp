@@ -94,13 +94,15 @@ SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& pale
 Result<Done> validateHandles(const WorldState& world) {
     std::string error;
     const auto fail = [&](const char* what, uint32_t slot) {
-        if (error.empty()) error = fmt::format("{} {}: expected handles and bricks that are there, found others", what, slot);
+        if (error.empty())
+            error = fmt::format("{} {}: expected handles and bricks that are there, found others", what, slot);
     };
     size_t named = 0;
     world.bodies.forEach([&](BodyHandle handle, const Body& body) {
         for (const ShapeHandle shape : body.shapes) {
             const Shape* found = world.shapes.find(shape);
-            if (!found || found->body != handle || std::count(body.shapes.begin(), body.shapes.end(), shape) != 1) fail("body", handle.slot());
+            if (!found || found->body != handle || std::count(body.shapes.begin(), body.shapes.end(), shape) != 1)
+                fail("body", handle.slot());
         }
         named += body.shapes.size();
     });
@@ -111,14 +113,16 @@ Result<Done> validateHandles(const WorldState& world) {
     world.joints.forEach([&](JointHandle handle, const Joint& joint) {
         for (const JointEnd& end : joint.ends)
             if (end.shape && !world.shapes.find(end.shape)) fail("joint", handle.slot());
-        if (joint.points.size() != (joint.kind == JointKind::Rope ? joint.rope.points : 0)) fail("points of joint", handle.slot());
+        if (joint.points.size() != (joint.kind == JointKind::Rope ? joint.rope.points : 0))
+            fail("points of joint", handle.slot());
     });
     uint32_t next = 0;
     for (const HeatField& field : world.fire.fields) {
         const Shape* shape = world.shapes.find(field.shape);
         const auto isOutside = [&](const HotBrick& hot) {
             const glm::ivec3 size = shape->grid.sizeInBricks();
-            return glm::any(glm::lessThan(hot.brick, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(hot.brick, size));
+            return glm::any(glm::lessThan(hot.brick, glm::ivec3(0))) ||
+                   glm::any(glm::greaterThanEqual(hot.brick, size));
         };
         const auto isBefore = [](const HotBrick& a, const HotBrick& b) { return cellBefore(a.brick, b.brick); };
         if (!shape || field.shape.slot() < next || std::any_of(field.bricks.begin(), field.bricks.end(), isOutside) ||
@@ -138,7 +142,8 @@ struct Parsed {
     bool haveState = false;
 };
 
-void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, size_t chunk, uint8_t world, Parsed& out, ByteReader& file) {
+void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, size_t chunk, uint8_t world, Parsed& out,
+                 ByteReader& file) {
     const std::string kind(header.kind.data(), 4);
     ByteReader in(raw, fmt::format("of chunk {} of a save, unpacked", chunk));
     if (kind == "PALT") {
@@ -147,13 +152,15 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
         out.game = stateFromBytes(in, out.palettes, world);
         out.haveState = true;
         if (!in.failed())
-            out.game.world.shapes.forEach([&](ShapeHandle, Shape& shape) { out.shapes.push_back(&shape), out.grids.push_back(&shape.grid); });
+            out.game.world.shapes.forEach(
+                [&](ShapeHandle, Shape& shape) { out.shapes.push_back(&shape), out.grids.push_back(&shape.grid); });
     } else if (kind == "GRID") {
         readGridChunk(in, out.grids);
     } else {
         return;
     }
-    if (!in.failed() && in.remaining() > 0) in.fail("the end of the chunk", fmt::format("{} more bytes", in.remaining()));
+    if (!in.failed() && in.remaining() > 0)
+        in.fail("the end of the chunk", fmt::format("{} more bytes", in.remaining()));
     file.takeErrorOf(in);
 }
 
@@ -186,8 +193,8 @@ std::vector<uint8_t> gameToBytes(const SavedGame& game) {
 Result<SavedGame> gameFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world) {
     ByteReader in(bytes, "save");
     Parsed parsed;
-    const FileHeader header = readChunkFile(
-        in, [&](const ChunkHeader& chunk, const std::vector<uint8_t>& raw, uint32_t i) { readContent(chunk, raw, i, world, parsed, in); });
+    const FileHeader header = readChunkFile(in, [&](const ChunkHeader& chunk, const std::vector<uint8_t>& raw,
+                                                    uint32_t i) { readContent(chunk, raw, i, world, parsed, in); });
     if (!parsed.haveState) in.fail("a SAVE chunk", "none");
     if (in.failed()) return Error{name + ": " + in.error()};
     WorldState& state = parsed.game.world;
@@ -195,7 +202,8 @@ Result<SavedGame> gameFromBytes(std::span<const uint8_t> bytes, const std::strin
         if (!shape->palette) shape->palette = std::make_shared<const Palette>();
         shape->moments = gridMoments(shape->grid, *shape->palette, state.materials);
     }
-    if (const Result<Done> checked = validateState(state, world, header.contentHash); !checked) return Error{name + ": " + checked.error()};
+    if (const Result<Done> checked = validateState(state, world, header.contentHash); !checked)
+        return Error{name + ": " + checked.error()};
     return std::move(parsed.game);
 }
 

@@ -17,7 +17,8 @@ struct SavedGame {
 
 /// A save in memory: chunks PALT, SAVE (everything but voxels) and GRID, under the hash that the World has.
 std::vector<uint8_t> gameToBytes(const SavedGame& game);
-/// For a World with this number: handles are made its own. The error names file, place, what was expected and what was found.
+/// For a World with this number: handles are made its own. The error names file, place, what was expected and what was
+/// found.
 Result<SavedGame> gameFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world);
 
 /// Written atomically.

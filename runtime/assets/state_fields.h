@@ -4,8 +4,8 @@
 
 namespace rubble {
 
-// What saves and recordings hold beside what levels do, as fields (see level_fields.h). A shape's voxels and their moments
-// are no fields.
+// What saves and recordings hold beside what levels do, as fields (see level_fields.h). A shape's voxels and their
+// moments are no fields.
 
 inline constexpr std::array<const char*, 3> kBrushKindNames = {"sphere", "box", "capsule"};
 inline constexpr std::array<const char*, 3> kPaintModeNames = {"default", "blend", "layer"};

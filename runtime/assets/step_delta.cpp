@@ -23,8 +23,8 @@ struct Source {
     const VoxelGrid* grid = nullptr;
     BrickRef brick(glm::ivec3 position) const {
         position += offset;
-        const bool isInside =
-            grid && glm::all(glm::greaterThanEqual(position, glm::ivec3(0))) && glm::all(glm::lessThan(position, grid->sizeInBricks()));
+        const bool isInside = grid && glm::all(glm::greaterThanEqual(position, glm::ivec3(0))) &&
+                              glm::all(glm::lessThan(position, grid->sizeInBricks()));
         return isInside ? grid->shareBrick(position) : nullptr;
     }
 };
@@ -33,13 +33,15 @@ Source findSource(ShapeHandle shape, const WorldDelta& before, const FrameChange
     for (const ShapeSplit& split : changes.splits)
         for (size_t i = 0; i < split.children.size(); ++i) {
             const auto parent = before.shapes.find(split.parent.slot());
-            if (split.children[i] != shape || parent == before.shapes.end() || parent->second.first != split.parent) continue;
+            if (split.children[i] != shape || parent == before.shapes.end() || parent->second.first != split.parent)
+                continue;
             return {split.parent.slot(), split.parentOffset[i] / kBrickSize, &parent->second.second->grid};
         }
     return {};
 }
 
-void putBrick(BinaryOutputArchive& out, std::vector<uint8_t>& bytes, glm::ivec3 position, const Brick* brick, const BrickRef& source) {
+void putBrick(BinaryOutputArchive& out, std::vector<uint8_t>& bytes, glm::ivec3 position, const Brick* brick,
+              const BrickRef& source) {
     if (brick && source) {
         const BrickRef masked = maskBrick(*source, brick->occupancy);
         if (masked && masked->occupancy == brick->occupancy && hashBrick(*masked) == hashBrick(*brick)) {
@@ -55,7 +57,8 @@ void putBrick(BinaryOutputArchive& out, std::vector<uint8_t>& bytes, glm::ivec3 
     for (int i = 0; i < 3; ++i) out.put(uint16_t(position[i]));
 }
 
-void putShape(BinaryOutputArchive& out, std::vector<uint8_t>& bytes, uint32_t slot, const WorldDelta& before, const FrameChanges& changes, const World& after) {
+void putShape(BinaryOutputArchive& out, std::vector<uint8_t>& bytes, uint32_t slot, const WorldDelta& before,
+              const FrameChanges& changes, const World& after) {
     const auto& [wasHandle, was] = before.shapes.at(slot);
     const ShapeHandle handle = after.shapes().handleAt(slot);
     out.put(slot);
@@ -151,11 +154,13 @@ private:
         const bool isChanged = kind == ShapeKind::Changed;
         if (kind > ShapeKind::Changed || !handle || handle.slot() != slot || shape.grid.size() == glm::ivec3(0) ||
             (source.slot != kNoSource && !from) ||
-            (isChanged && (source.slot != slot || source.offset != glm::ivec3(0) || from->grid.size() != shape.grid.size())))
+            (isChanged &&
+             (source.slot != slot || source.offset != glm::ivec3(0) || from->grid.size() != shape.grid.size())))
             return m_reader.fail("a shape that fits to the world before", "another");
         if (isChanged) shape.grid = from->grid;
         if (!shape.palette) shape.palette = std::make_shared<const Palette>();
-        for (uint32_t i = m_reader.readCount(7, "bricks"); i-- > 0 && !m_reader.failed();) readBrickOf(shape.grid, source);
+        for (uint32_t i = m_reader.readCount(7, "bricks"); i-- > 0 && !m_reader.failed();)
+            readBrickOf(shape.grid, source);
         if (m_reader.failed()) return;
         shape.moments = gridMoments(shape.grid, *shape.palette, m_world.materials());
         value = std::move(shape);
@@ -167,14 +172,17 @@ private:
         for (int i = 0; i < 3; ++i) position[i] = m_reader.read<uint16_t>();
         const glm::ivec3 bricks = grid.sizeInBricks();
         const BrickRef from = source.brick(position);
-        const bool fits = position.x < bricks.x && position.y < bricks.y && position.z < bricks.z && (kind == BrickKind::Empty || from);
-        if (m_reader.failed() || kind > BrickKind::Full || !fits) return m_reader.fail("a brick of the world before", "none there");
+        const bool fits = position.x < bricks.x && position.y < bricks.y && position.z < bricks.z &&
+                          (kind == BrickKind::Empty || from);
+        if (m_reader.failed() || kind > BrickKind::Full || !fits)
+            return m_reader.fail("a brick of the world before", "none there");
         if (kind == BrickKind::Empty) return grid.setBrick(position, nullptr);
         const BrickRef brick = kind == BrickKind::Whole ? from : maskBrick(*from, m_reader.read<BrickBits>());
         const glm::ivec3 room = grid.size() - position * kBrickSize;
         bool isInside = true;
         if (brick && (room.x < 8 || room.y < 8 || room.z < 8))
-            forEachVoxel(brick->occupancy, [&](int i) { isInside = isInside && glm::all(glm::lessThan(voxelInBrick(i), room)); });
+            forEachVoxel(brick->occupancy,
+                         [&](int i) { isInside = isInside && glm::all(glm::lessThan(voxelInBrick(i), room)); });
         if (!isInside) return m_reader.fail("a brick inside the grid", "one that is not");
         grid.setBrick(position, brick);
     }
@@ -191,7 +199,8 @@ private:
     const World& m_world;
 };
 
-/// Whether every shape will be on one body that knows it, which a World asserts, and what shines has numbers that can be.
+/// Whether every shape will be on one body that knows it, which a World asserts, and what shines has numbers that can
+/// be.
 bool fits(const WorldDelta& delta, const World& world) {
     const auto shapeAfter = [&](ShapeHandle handle) {
         const auto found = delta.shapes.find(handle.slot());
@@ -242,7 +251,8 @@ bool fits(const WorldDelta& delta, const World& world) {
 
 }  // namespace
 
-std::vector<uint8_t> stepDeltaToBytes(const WorldDelta& before, const FrameChanges& changes, const World& after, PaletteList& palettes) {
+std::vector<uint8_t> stepDeltaToBytes(const WorldDelta& before, const FrameChanges& changes, const World& after,
+                                      PaletteList& palettes) {
     if (before.empty()) return {};
     const size_t known = palettes.palettes().size();
     std::vector<uint8_t> delta;
@@ -266,18 +276,22 @@ std::vector<uint8_t> stepDeltaToBytes(const WorldDelta& before, const FrameChang
     out.put(after.triggers().freeSlots());
     out.put(after.characters().freeSlots());
     out.put(after.joints().freeSlots());
-    std::vector<uint8_t> bytes = palettesToBytes({palettes.palettes().begin() + std::ptrdiff_t(known), palettes.palettes().end()});
+    std::vector<uint8_t> bytes =
+        palettesToBytes({palettes.palettes().begin() + std::ptrdiff_t(known), palettes.palettes().end()});
     bytes.insert(bytes.end(), delta.begin(), delta.end());
     return bytes;
 }
 
-Result<FrameChanges> applyStepDelta(std::span<const uint8_t> bytes, const std::string& name, World& world, std::vector<PaletteRef>& palettes) {
+Result<FrameChanges> applyStepDelta(std::span<const uint8_t> bytes, const std::string& name, World& world,
+                                    std::vector<PaletteRef>& palettes) {
     if (bytes.empty()) return world.applyDelta(std::nullopt);
     ByteReader in(bytes, "step");
     for (PaletteRef& palette : palettesFromBytes(in)) palettes.push_back(std::move(palette));
     WorldDelta delta = StepReader(in, palettes, world).read();
-    if (!in.failed() && in.remaining() > 0) in.fail("the end of the step", fmt::format("{} more bytes", in.remaining()));
-    if (!in.failed() && !fits(delta, world)) in.fail("shapes and bodies that name each other, and lights and weather within their ranges", "others");
+    if (!in.failed() && in.remaining() > 0)
+        in.fail("the end of the step", fmt::format("{} more bytes", in.remaining()));
+    if (!in.failed() && !fits(delta, world))
+        in.fail("shapes and bodies that name each other, and lights and weather within their ranges", "others");
     if (in.failed()) return Error{name + ": " + in.error()};
     return world.applyDelta(std::move(delta));
 }

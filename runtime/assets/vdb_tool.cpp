@@ -1,3 +1,5 @@
+#include "runtime/assets/vdb_tool.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -12,7 +14,6 @@
 #include <filesystem>
 
 #include "runtime/assets/assets.h"
-#include "runtime/assets/vdb_tool.h"
 #include "runtime/core/log.h"
 
 extern char** environ;
@@ -87,7 +88,8 @@ bool readUntil(int readEnd, Clock::time_point deadline, std::string& output) {
 std::string describeExit(int status, bool inTime, uint64_t seconds) {
     if (!inTime) return fmt::format("stopped after {} s (RUBBLE_VDB_SECONDS raises the limit)", seconds);
     if (WIFSIGNALED(status))
-        return fmt::format("killed by signal {} ({}): the file is damaged or hostile", WTERMSIG(status), strsignal(WTERMSIG(status)));
+        return fmt::format("killed by signal {} ({}): the file is damaged or hostile", WTERMSIG(status),
+                           strsignal(WTERMSIG(status)));
     return fmt::format("ended with code {}", WEXITSTATUS(status));
 }
 
@@ -95,7 +97,8 @@ std::string describeExit(int status, bool inTime, uint64_t seconds) {
 
 Result<std::string> runVdbTool(const std::string& tool, const std::vector<std::string>& arguments) {
     const uint64_t seconds = environmentLimit("RUBBLE_VDB_SECONDS", 120);
-    std::vector<std::string> command{tool, "--memory-mib", std::to_string(environmentLimit("RUBBLE_VDB_MEMORY_MIB", 4096)), "--seconds",
+    std::vector<std::string> command{tool, "--memory-mib",
+                                     std::to_string(environmentLimit("RUBBLE_VDB_MEMORY_MIB", 4096)), "--seconds",
                                      std::to_string(seconds)};
     command.insert(command.end(), arguments.begin(), arguments.end());
     int ends[2];
@@ -117,15 +120,18 @@ Result<std::string> runVdbTool(const std::string& tool, const std::vector<std::s
     while (!output.empty() && output.back() == '\n') output.pop_back();
     // Where a host ignores SIGCHLD there is no status; what the tool wrote decides then.
     if (inTime && (waited < 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 0))) return output;
-    if (inTime && WIFEXITED(status) && output.find("error: ") != std::string::npos) return Error{output.substr(output.find("error: ") + 7)};
-    return Error{fmt::format("{}: {}{}{}", fs::path(tool).filename().string(), describeExit(status, inTime, seconds), output.empty() ? "" : ": ", output)};
+    if (inTime && WIFEXITED(status) && output.find("error: ") != std::string::npos)
+        return Error{output.substr(output.find("error: ") + 7)};
+    return Error{fmt::format("{}: {}{}{}", fs::path(tool).filename().string(), describeExit(status, inTime, seconds),
+                             output.empty() ? "" : ": ", output)};
 }
 
 Result<Level> readVdb(const std::string& path, const std::string& vdbTool, ImportReport* report) {
     const TemporaryFolder folder;
     const std::string baked = folder.path() + "/level.rubble";
     const Result<std::string> output = runVdbTool(vdbTool, {"to-rubble", path, baked});
-    if (!output) return Error{output.error().find(path) == std::string::npos ? path + ": " + output.error() : output.error()};
+    if (!output)
+        return Error{output.error().find(path) == std::string::npos ? path + ": " + output.error() : output.error()};
     std::string line;
     for (size_t at = 0; at < output->size(); at += line.size() + 1) {
         line = output->substr(at, output->find('\n', at) - at);

@@ -22,13 +22,15 @@ void readSize(ByteReader& in, VoxFile& file) {
     const auto size = in.read<glm::ivec3>();
     for (int axis = 0; axis < 3; ++axis)
         if (size[axis] < 0 || size[axis] > kMaxModelSize)
-            in.fail(fmt::format("a model size of 0 to {}", kMaxModelSize), std::to_string(size[axis]), start + size_t(axis) * 4);
+            in.fail(fmt::format("a model size of 0 to {}", kMaxModelSize), std::to_string(size[axis]),
+                    start + size_t(axis) * 4);
     file.models.push_back({size, {}});
 }
 
 void readVoxels(ByteReader& in, VoxFile& file, size_t sizesUsed) {
     if (file.models.size() != sizesUsed + 1)
-        return in.fail("a SIZE chunk before each XYZI chunk", fmt::format("{} SIZE chunks before XYZI chunk {}", file.models.size(), sizesUsed + 1));
+        return in.fail("a SIZE chunk before each XYZI chunk",
+                       fmt::format("{} SIZE chunks before XYZI chunk {}", file.models.size(), sizesUsed + 1));
     VoxModel& model = file.models.back();
     const uint32_t count = in.readCount(4, "voxels");
     model.voxels.reserve(count);
@@ -37,8 +39,9 @@ void readVoxels(ByteReader& in, VoxFile& file, size_t sizesUsed) {
         const auto voxel = in.read<std::array<uint8_t, 4>>();
         for (int axis = 0; axis < 3; ++axis)
             if (voxel[size_t(axis)] >= model.size[axis])
-                return in.fail(fmt::format("a cell inside the model of {}x{}x{}", model.size.x, model.size.y, model.size.z),
-                               fmt::format("cell ({}, {}, {})", voxel[0], voxel[1], voxel[2]), start);
+                return in.fail(
+                    fmt::format("a cell inside the model of {}x{}x{}", model.size.x, model.size.y, model.size.z),
+                    fmt::format("cell ({}, {}, {})", voxel[0], voxel[1], voxel[2]), start);
         model.voxels.push_back(voxel);
     }
 }
@@ -125,7 +128,8 @@ void readIndexMap(ByteReader& in, VoxFile& file) {
     for (uint8_t stored : map) seen[stored] = true;
     for (bool present : seen)
         if (!present) {
-            file.warnings.push_back("IMAP: not a permutation of 0 to 255, ignored (it orders the palette, colours do not depend on it)");
+            file.warnings.push_back(
+                "IMAP: not a permutation of 0 to 255, ignored (it orders the palette, colours do not depend on it)");
             return;
         }
     file.indexMap = map;
@@ -141,7 +145,8 @@ public:
     }
     void finish(ByteReader& in) const {
         if (m_file.models.size() != m_modelsRead)
-            in.fail("an XYZI chunk after each SIZE chunk", fmt::format("{} SIZE and {} XYZI chunks", m_file.models.size(), m_modelsRead));
+            in.fail("an XYZI chunk after each SIZE chunk",
+                    fmt::format("{} SIZE and {} XYZI chunks", m_file.models.size(), m_modelsRead));
         if (m_file.models.empty()) in.fail("at least one model", "none");
         if (m_packed && *m_packed != m_modelsRead)
             m_file.warnings.push_back(fmt::format("PACK: says {} models, the file holds {}", *m_packed, m_modelsRead));
@@ -211,7 +216,8 @@ private:
 std::array<std::array<uint8_t, 4>, 256> defaultVoxColors() {
     std::array<std::array<uint8_t, 4>, 256> colors{};
     for (int i = 0; i < 215; ++i)
-        colors[size_t(i) + 1] = {uint8_t(255 - 51 * (i / 36)), uint8_t(255 - 51 * (i / 6 % 6)), uint8_t(255 - 51 * (i % 6)), 255};
+        colors[size_t(i) + 1] = {uint8_t(255 - 51 * (i / 36)), uint8_t(255 - 51 * (i / 6 % 6)),
+                                 uint8_t(255 - 51 * (i % 6)), 255};
     static constexpr uint8_t kSteps[10] = {0xee, 0xdd, 0xbb, 0xaa, 0x88, 0x77, 0x55, 0x44, 0x22, 0x11};
     for (size_t ramp = 0; ramp < 4; ++ramp)
         for (size_t step = 0; step < 10; ++step) {
@@ -228,7 +234,8 @@ Result<VoxFile> parseVox(std::span<const uint8_t> bytes, const std::string& name
     file.colors = defaultVoxColors();
     ByteReader in(bytes, "header");
     const auto magic = in.read<std::array<char, 4>>();
-    if (!in.failed() && std::string_view(magic.data(), 4) != "VOX ") in.fail("a MagicaVoxel file (\"VOX \")", "other bytes", 0);
+    if (!in.failed() && std::string_view(magic.data(), 4) != "VOX ")
+        in.fail("a MagicaVoxel file (\"VOX \")", "other bytes", 0);
     file.version = in.read<uint32_t>();
     if (file.version < 150 || file.version > 299) in.fail("version 150 to 299", std::to_string(file.version), 4);
     if (in.remaining() == 0) in.fail("a MAIN chunk", "the end");

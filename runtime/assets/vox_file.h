@@ -52,14 +52,14 @@ struct VoxFile {
     std::vector<VoxAttributes> renderSettings;  ///< rOBJ
     std::vector<std::string> colorNotes;        ///< NOTE: names of the rows of colours
     std::map<std::string, int> skippedChunks;   ///< unknown kinds and how many
-    std::vector<std::string> warnings;           ///< oddities that lose nothing
+    std::vector<std::string> warnings;          ///< oddities that lose nothing
 };
 
 /// `name` is the file's name, for messages. Any bytes give a VoxFile or an error, in time linear in their number.
 Result<VoxFile> parseVox(std::span<const uint8_t> bytes, const std::string& name);
 
-/// MagicaVoxel's colours for files without RGBA: a 6x6x6 cube, white to almost black, then ten steps each of red, green,
-/// blue and grey.
+/// MagicaVoxel's colours for files without RGBA: a 6x6x6 cube, white to almost black, then ten steps each of red,
+/// green, blue and grey.
 std::array<std::array<uint8_t, 4>, 256> defaultVoxColors();
 
 }  // namespace rubble

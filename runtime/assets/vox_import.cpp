@@ -58,7 +58,9 @@ RotatedModel rotateModel(const VoxModel& model, const VoxTransform& rotation, co
 
 std::array<uint64_t, 256> countEntries(const VoxelGrid& grid) {
     std::array<uint64_t, 256> counts{};
-    grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) { forEachVoxel(brick->occupancy, [&](int i) { ++counts[brick->at(i)]; }); });
+    grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+        forEachVoxel(brick->occupancy, [&](int i) { ++counts[brick->at(i)]; });
+    });
     return counts;
 }
 
@@ -86,7 +88,9 @@ private:
         const VoxTransform transform = kZUpToYUp * instance.transform;
         const auto key = std::tuple(instance.model, transform.axis, transform.sign);
         auto found = m_rotated.find(key);
-        if (found == m_rotated.end()) found = m_rotated.emplace(key, rotateModel(m_file.models[size_t(instance.model)], transform, m_slots)).first;
+        if (found == m_rotated.end())
+            found =
+                m_rotated.emplace(key, rotateModel(m_file.models[size_t(instance.model)], transform, m_slots)).first;
         const RotatedModel& rotated = found->second;
         if (rotated.grid.empty()) return addLine(fmt::format("model {}: no voxels, left out", instance.model));
 
@@ -107,12 +111,14 @@ private:
 
     void reportObject(const VoxInstance& instance, const LevelShape& shape, glm::dvec3 corner) {
         const glm::ivec3 size = shape.grid.size();
-        std::string line = fmt::format("'{}': model {}, {} voxels, {}x{}x{} cells at ({}, {}, {})", shape.name, instance.model,
-                                       shape.grid.voxelCount(), size.x, size.y, size.z, corner.x, corner.y, corner.z);
+        std::string line =
+            fmt::format("'{}': model {}, {} voxels, {}x{}x{} cells at ({}, {}, {})", shape.name, instance.model,
+                        shape.grid.voxelCount(), size.x, size.y, size.z, corner.x, corner.y, corner.z);
         for (const std::string& tag : shape.tags) line += ", " + tag;
         if (shape.hidden) line += ", hidden";
         if (instance.frame > 0) line += " (kept as a hidden shape: the first frame is what stands)";
-        if (instance.skippedPoses > 0) line += fmt::format(" ({} later poses of its animation left out)", instance.skippedPoses);
+        if (instance.skippedPoses > 0)
+            line += fmt::format(" ({} later poses of its animation left out)", instance.skippedPoses);
         addLine(std::move(line));
     }
 
@@ -151,8 +157,8 @@ private:
         for (size_t i = 1; i < 256; ++i) {
             if (!used[i]) continue;
             const PaletteEntry& entry = (*m_palette)[i];
-            std::string line = fmt::format("colour {} #{:02x}{:02x}{:02x} -> {}, {} voxels", i, entry.red, entry.green, entry.blue,
-                                           m_level.materials[entry.material].name, counts[i]);
+            std::string line = fmt::format("colour {} #{:02x}{:02x}{:02x} -> {}, {} voxels", i, entry.red, entry.green,
+                                           entry.blue, m_level.materials[entry.material].name, counts[i]);
             if (entry.metallic) line += fmt::format(", metallic {}", entry.metallic);
             if (entry.opacity < 255) line += fmt::format(", opacity {}", entry.opacity);
             if (entry.emission > 0) line += fmt::format(", emission {}", entry.emission);
@@ -170,7 +176,8 @@ private:
                     const PaletteEntry& entry = (*m_palette)[content->at(i)];
                     if (entry.emission <= 0.0f) return;
                     sum += glm::dvec3(brick * 8 + voxelInBrick(i)) + 0.5;
-                    radiance += double(entry.emission) * glm::dvec3(srgbToLinear(entry.red), srgbToLinear(entry.green), srgbToLinear(entry.blue));
+                    radiance += double(entry.emission) * glm::dvec3(srgbToLinear(entry.red), srgbToLinear(entry.green),
+                                                                    srgbToLinear(entry.blue));
                     ++count;
                 });
             });
@@ -194,11 +201,13 @@ private:
         light.groupName = group.name;
         light.light.name = shape.name + " light";
         light.light.local.position = centerCells * m_settings.voxelSize;
-        const double radius = std::min(0.5 * m_settings.voxelSize * std::sqrt(double(count)), 5.0 * m_settings.voxelSize);
+        const double radius =
+            std::min(0.5 * m_settings.voxelSize * std::sqrt(double(count)), 5.0 * m_settings.voxelSize);
         light.light.radius = float(radius);
         light.light.color = glm::vec3(radiance * (3.14159265358979 * radius * radius));  // of a sphere of that radiance
         m_level.lights.push_back(light);
-        addLine(fmt::format("'{}': {} glowing voxels -> light group '{}' with a sphere light", shape.name, count, group.name));
+        addLine(fmt::format("'{}': {} glowing voxels -> light group '{}' with a sphere light", shape.name, count,
+                            group.name));
     }
 
     void addCameras() {
@@ -211,7 +220,8 @@ private:
             pose.position = glm::dvec3(at.x, at.z, -at.y) * m_settings.voxelSize;
             m_level.locations.emplace_back(fmt::format("camera {}", id), pose);
         }
-        if (!m_file.cameras.empty()) addLine(fmt::format("{} cameras -> locations at what they look at", m_file.cameras.size()));
+        if (!m_file.cameras.empty())
+            addLine(fmt::format("{} cameras -> locations at what they look at", m_file.cameras.size()));
     }
 
     void reportIgnored(const std::vector<VoxInstance>& instances) {
@@ -222,11 +232,13 @@ private:
         if (m_file.defaultColors) addLine("no RGBA chunk: MagicaVoxel's default colours");
         if (m_file.indexMap) addLine("IMAP: entries are numbered as MagicaVoxel shows them");
         if (!m_file.renderSettings.empty())
-            addLine(fmt::format("{} render settings (rOBJ): left out, the level keeps its own sun and sky", m_file.renderSettings.size()));
+            addLine(fmt::format("{} render settings (rOBJ): left out, the level keeps its own sun and sky",
+                                m_file.renderSettings.size()));
         int named = 0;
         for (const std::string& note : m_file.colorNotes) named += note.empty() ? 0 : 1;
         if (named) addLine(fmt::format("{} names of colour rows (NOTE): left out", named));
-        for (const auto& [kind, count] : m_file.skippedChunks) addLine(fmt::format("{} {} chunks: not known, left out", count, kind));
+        for (const auto& [kind, count] : m_file.skippedChunks)
+            addLine(fmt::format("{} {} chunks: not known, left out", count, kind));
         for (const std::string& warning : m_file.warnings) addLine(warning);
     }
 
@@ -243,7 +255,8 @@ private:
 
 }  // namespace
 
-Result<Level> importVoxBytes(std::span<const uint8_t> bytes, const std::string& name, const VoxImportSettings& settings, ImportReport* report) {
+Result<Level> importVoxBytes(std::span<const uint8_t> bytes, const std::string& name, const VoxImportSettings& settings,
+                             ImportReport* report) {
     if (!(settings.voxelSize > 0.0 && settings.voxelSize < 1000.0))
         return Error{fmt::format("{}: expected a voxel size between 0 and 1000 m, found {}", name, settings.voxelSize)};
     Result<VoxFile> file = parseVox(bytes, name);

@@ -36,7 +36,8 @@ void applyMaterial(const VoxAttributes& attributes, PaletteEntry& entry) {
     entry.roughness = toByte(number(attributes, "_rough", 0.1f, 0.0f, 1.0f));
     if (type == "_metal" || type == "_blend") {
         const bool plastic = number(attributes, "_plastic", 0.0f, 0.0f, 1.0f) > 0.5f;
-        entry.metallic = plastic ? uint8_t(0) : toByte(number(attributes, "_metal", type == "_metal" ? weight : 0.0f, 0.0f, 1.0f));
+        entry.metallic =
+            plastic ? uint8_t(0) : toByte(number(attributes, "_metal", type == "_metal" ? weight : 0.0f, 0.0f, 1.0f));
     }
     if (type == "_glass" || type == "_blend" || type == "_media" || type == "_cloud") {
         const float alpha = number(attributes, "_alpha", type == "_blend" ? 0.0f : weight, 0.0f, 1.0f);

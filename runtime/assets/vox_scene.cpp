@@ -58,10 +58,13 @@ public:
     void visit(int32_t id, State state, size_t fromOffset) {
         if (!m_error.empty()) return;
         const auto found = m_file.nodes.find(id);
-        if (found == m_file.nodes.end()) return fail(fromOffset, "a node of the scene as child", fmt::format("id {}, which does not exist", id));
+        if (found == m_file.nodes.end())
+            return fail(fromOffset, "a node of the scene as child", fmt::format("id {}, which does not exist", id));
         const VoxNode& node = found->second;
-        if (++state.depth > kMaxDepth) return fail(node.offset, fmt::format("at most {} nested nodes", kMaxDepth), "more (a cycle?)");
-        if (++m_visits > kMaxVisits) return fail(node.offset, fmt::format("at most {} nodes in all", kMaxVisits), "more");
+        if (++state.depth > kMaxDepth)
+            return fail(node.offset, fmt::format("at most {} nested nodes", kMaxDepth), "more (a cycle?)");
+        if (++m_visits > kMaxVisits)
+            return fail(node.offset, fmt::format("at most {} nodes in all", kMaxVisits), "more");
         if (const std::string name = attribute(node.attributes, "_name"); !name.empty()) state.name = name;
         state.hidden = state.hidden || attribute(node.attributes, "_hidden") == "1";
         if (node.kind == VoxNodeKind::Transform && !enterTransform(node, state)) return;
@@ -80,9 +83,13 @@ private:
         if (!node.frames.empty()) {
             const std::string rotation = attribute(node.frames[0], "_r"), offset = attribute(node.frames[0], "_t");
             if (!rotation.empty() && !parseRotation(rotation, local))
-                return fail(node.offset, "a rotation byte (two different columns and three signs)", "'" + rotation + "'"), false;
+                return fail(node.offset, "a rotation byte (two different columns and three signs)",
+                            "'" + rotation + "'"),
+                       false;
             if (!offset.empty() && !parseOffset(offset, local))
-                return fail(node.offset, fmt::format("a translation of three whole numbers up to {}", kMaxOffset), "'" + offset + "'"), false;
+                return fail(node.offset, fmt::format("a translation of three whole numbers up to {}", kMaxOffset),
+                            "'" + offset + "'"),
+                       false;
             state.skippedPoses += int(node.frames.size()) - 1;
         }
         state.transform = state.transform * local;
@@ -99,18 +106,23 @@ private:
         for (size_t frame = 0; frame < node.children.size(); ++frame) {
             const int32_t model = node.children[frame];
             if (model < 0 || size_t(model) >= m_file.models.size())
-                return fail(node.offset, fmt::format("a model number below {}", m_file.models.size()), std::to_string(model));
-            if (m_instances.size() == kMaxInstances) return fail(node.offset, fmt::format("at most {} objects", kMaxInstances), "more");
+                return fail(node.offset, fmt::format("a model number below {}", m_file.models.size()),
+                            std::to_string(model));
+            if (m_instances.size() == kMaxInstances)
+                return fail(node.offset, fmt::format("at most {} objects", kMaxInstances), "more");
             for (int64_t value : state.transform.offset)
                 if (value < -kMaxOffset || value > kMaxOffset)
-                    return fail(node.offset, fmt::format("an object within {} cells of the origin", kMaxOffset), std::to_string(value));
-            m_instances.push_back(
-                {model, state.transform, state.name, state.layer, state.hidden || frame > 0, int(frame), frame ? 0 : state.skippedPoses});
+                    return fail(node.offset, fmt::format("an object within {} cells of the origin", kMaxOffset),
+                                std::to_string(value));
+            m_instances.push_back({model, state.transform, state.name, state.layer, state.hidden || frame > 0,
+                                   int(frame), frame ? 0 : state.skippedPoses});
         }
     }
 
     void fail(size_t offset, const std::string& expected, const std::string& found) {
-        if (m_error.empty()) m_error = fmt::format("{}: byte {}, scene node: expected {}, found {}", m_fileName, offset, expected, found);
+        if (m_error.empty())
+            m_error =
+                fmt::format("{}: byte {}, scene node: expected {}, found {}", m_fileName, offset, expected, found);
     }
 
     const VoxFile& m_file;
@@ -155,8 +167,8 @@ Result<std::vector<VoxInstance>> voxInstances(const VoxFile& file, const std::st
     for (const auto& [id, node] : file.nodes)
         if (!children.contains(id)) walker.visit(id, {}, node.offset), anyRoot = true;
     if (!anyRoot)
-        return Error{
-            fmt::format("{}: byte {}, scene node: expected one that is nobody's child, found a cycle", fileName, file.nodes.begin()->second.offset)};
+        return Error{fmt::format("{}: byte {}, scene node: expected one that is nobody's child, found a cycle",
+                                 fileName, file.nodes.begin()->second.offset)};
     return walker.take();
 }
 

@@ -23,11 +23,11 @@ VoxTransform operator*(const VoxTransform& parent, const VoxTransform& child);
 struct VoxInstance {
     int model = 0;
     VoxTransform transform;  ///< of the model's cells about its pivot (the floor of half its size)
-    std::string name;         ///< of the nearest named node on the way to the shape, "" if none is
+    std::string name;        ///< of the nearest named node on the way to the shape, "" if none is
     std::string layer;
-    bool hidden = false;  ///< itself, something above it, or its layer
-    int frame = 0;        ///< number of the frame; 0 is what stands, the others are kept hidden
-    int skippedPoses = 0;    ///< frames of transforms on the way that were left out
+    bool hidden = false;   ///< itself, something above it, or its layer
+    int frame = 0;         ///< number of the frame; 0 is what stands, the others are kept hidden
+    int skippedPoses = 0;  ///< frames of transforms on the way that were left out
 };
 
 /// Walks the scene graph; without one the first model stands on the ground at the origin, as MagicaVoxel shows it,

@@ -16,8 +16,10 @@ struct PointPattern {
     std::vector<bool> chosen;
     std::vector<int64_t> energy, kernel;
 
-    explicit PointPattern(int side) : size(side), count(side * side), chosen(size_t(count)), energy(size_t(count)), kernel(size_t(count)) {
-        std::vector<int64_t> gaussian(size_t(count / 2 + 1));  // by square distance; by multiplication, which rounds alike everywhere
+    explicit PointPattern(int side)
+        : size(side), count(side * side), chosen(size_t(count)), energy(size_t(count)), kernel(size_t(count)) {
+        std::vector<int64_t> gaussian(
+            size_t(count / 2 + 1));  // by square distance; by multiplication, which rounds alike everywhere
         double value = 0x1p32;
         for (int64_t& each : gaussian) {
             each = int64_t(value);
@@ -44,7 +46,8 @@ private:
     int extreme(bool isChosen, int64_t sign) const {
         int best = -1;
         for (int i = 0; i < count; ++i)
-            if (chosen[size_t(i)] == isChosen && (best < 0 || sign * energy[size_t(i)] < sign * energy[size_t(best)])) best = i;
+            if (chosen[size_t(i)] == isChosen && (best < 0 || sign * energy[size_t(i)] < sign * energy[size_t(best)]))
+                best = i;
         return best;
     }
 };
@@ -60,7 +63,8 @@ std::vector<uint8_t> makeBlueNoise(int size) {
         const int index = int(random.below(uint32_t(count)));
         if (!pattern.chosen[size_t(index)]) pattern.toggle(index);
     }
-    for (int moved = 0; moved < count; ++moved) {  // spread the first points until the tightest is also the loneliest index
+    for (int moved = 0; moved < count;
+         ++moved) {  // spread the first points until the tightest is also the loneliest index
         const int from = pattern.tightestCluster();
         pattern.toggle(from);
         const int to = pattern.largestVoid();

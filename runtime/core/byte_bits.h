@@ -48,7 +48,8 @@ inline uint64_t equalBits(const uint8_t* bytes, uint8_t value) {
         out |= uint64_t(uint32_t(_mm_movemask_epi8(found))) << i;
     }
 #else
-    for (int i = 0; i < 64; i += 8) out |= (gatherBits(nonZeroBytes(loadBytes(bytes + i) ^ value * kByteOnes)) ^ 0xff) << i;
+    for (int i = 0; i < 64; i += 8)
+        out |= (gatherBits(nonZeroBytes(loadBytes(bytes + i) ^ value * kByteOnes)) ^ 0xff) << i;
 #endif
     return out;
 }

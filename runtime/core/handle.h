@@ -4,7 +4,19 @@
 
 namespace rubble {
 
-enum class HandleType : uint8_t { None, Body, Shape, Light, LightGroup, World, Renderer, Water, Trigger, Character, Joint };
+enum class HandleType : uint8_t {
+    None,
+    Body,
+    Shape,
+    Light,
+    LightGroup,
+    World,
+    Renderer,
+    Water,
+    Trigger,
+    Character,
+    Joint
+};
 
 /// A value that names an object of one World: type, world, generation and slot in 64 bits.
 /// A handle whose generation is older than its slot's is stale: it is reported, never followed. Zero is "nothing".
@@ -13,7 +25,8 @@ struct Handle {
     uint64_t bits = 0;
 
     static constexpr Handle make(uint8_t world, uint32_t generation, uint32_t slot) {
-        return {uint64_t(kType) << 56 | uint64_t(world) << 48 | uint64_t(generation & 0xffffffu) << 24 | (slot & 0xffffffu)};
+        return {uint64_t(kType) << 56 | uint64_t(world) << 48 | uint64_t(generation & 0xffffffu) << 24 |
+                (slot & 0xffffffu)};
     }
     constexpr uint32_t slot() const { return uint32_t(bits & 0xffffffu); }
     constexpr uint32_t generation() const { return uint32_t(bits >> 24 & 0xffffffu); }

@@ -4,8 +4,8 @@
 
 namespace rubble {
 
-/// A value worked out when first asked for, beside an object that threads share. Any thread may ask; of several that worked
-/// it out at once, one is kept, so the value must depend on nothing but the object.
+/// A value worked out when first asked for, beside an object that threads share. Any thread may ask; of several that
+/// worked it out at once, one is kept, so the value must depend on nothing but the object.
 template <class T>
 class Lazy {
 public:

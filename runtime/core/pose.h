@@ -11,7 +11,9 @@ struct Pose {
 
     glm::dvec3 transformPoint(glm::dvec3 local) const { return position + rotation * local; }
     glm::dvec3 inversePoint(glm::dvec3 parent) const { return glm::conjugate(rotation) * (parent - position); }
-    friend bool operator==(const Pose& a, const Pose& b) { return a.position == b.position && a.rotation == b.rotation; }
+    friend bool operator==(const Pose& a, const Pose& b) {
+        return a.position == b.position && a.rotation == b.rotation;
+    }
 };
 
 /// Applies the right pose first: child-in-parent = parent * child-in-it.

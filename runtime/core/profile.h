@@ -7,7 +7,8 @@ namespace rubble {
 
 /// The stages of FrameLoop::step() and draw(), in order.
 enum class Stage : uint8_t { ApplyEdits, Physics, Poses, Impacts, Shadow, Publish, Apply, Draw, kCount };
-constexpr std::array<const char*, size_t(Stage::kCount)> kStageNames = {"edits", "physics", "poses", "impacts", "shadow", "publish", "apply", "draw"};
+constexpr std::array<const char*, size_t(Stage::kCount)> kStageNames = {"edits",  "physics", "poses", "impacts",
+                                                                        "shadow", "publish", "apply", "draw"};
 
 /// What one step and one draw cost, by stage, in milliseconds. Time is only reported: nothing is decided by it.
 struct StageTimes {
@@ -20,7 +21,9 @@ struct StageTimes {
 class ScopedTimer {
 public:
     explicit ScopedTimer(double& ms) : m_ms(ms), m_start(std::chrono::steady_clock::now()) {}
-    ~ScopedTimer() { m_ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - m_start).count(); }
+    ~ScopedTimer() {
+        m_ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - m_start).count();
+    }
     ScopedTimer(const ScopedTimer&) = delete;
     ScopedTimer& operator=(const ScopedTimer&) = delete;
 

@@ -9,19 +9,22 @@
 namespace rubble {
 
 /// Objects in numbered slots, named by handles that go stale when their object is erased.
-/// Iteration is in slot order and a freed slot is reused last-in first-out, so that the same calls give the same handles.
+/// Iteration is in slot order and a freed slot is reused last-in first-out, so that the same calls give the same
+/// handles.
 template <class Handle, class T>
 class SlotMap {
 public:
     struct Slot {
         std::optional<T> value;
         uint32_t generation = 1;  ///< of the value; of an empty slot: of its next one
-        uint32_t lastGeneration = 1;      ///< no later value gets a generation below: an old handle never names a new object
+        uint32_t lastGeneration =
+            1;  ///< no later value gets a generation below: an old handle never names a new object
     };
 
     explicit SlotMap(uint8_t world = 0) : m_world(world) {}
     /// From what slots() and freeSlots() of another gave.
-    SlotMap(uint8_t world, std::vector<Slot> slots, const std::vector<uint32_t>& free) : m_slots(std::move(slots)), m_world(world) {
+    SlotMap(uint8_t world, std::vector<Slot> slots, const std::vector<uint32_t>& free)
+        : m_slots(std::move(slots)), m_world(world) {
         for (const Slot& slot : m_slots) m_size += slot.value.has_value();
         setFreeSlots(free);
     }
@@ -62,7 +65,8 @@ public:
         m_size = 0;
     }
 
-    /// Puts a value back under a handle that was erased: undo, and replay of what others created. The slot must be empty.
+    /// Puts a value back under a handle that was erased: undo, and replay of what others created. The slot must be
+    /// empty.
     T& restore(Handle handle, T value) {
         const uint32_t slot = handle.slot();
         while (m_slots.size() <= slot) {
@@ -95,7 +99,8 @@ public:
 
     /// The handle of what is in a slot now; empty if nothing is.
     Handle handleAt(uint32_t slot) const {
-        return slot < m_slots.size() && m_slots[slot].value ? Handle::make(m_world, m_slots[slot].generation, slot) : Handle{};
+        return slot < m_slots.size() && m_slots[slot].value ? Handle::make(m_world, m_slots[slot].generation, slot)
+                                                            : Handle{};
     }
 
     /// f(handle, value) for every object, in slot order.

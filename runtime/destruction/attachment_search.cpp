@@ -15,7 +15,8 @@ bool meets(const CellBox& box, glm::ivec3 low, int size) {
 }
 
 bool nodeMeets(glm::ivec3 node, std::span<const CellBox> anchors) {
-    return std::any_of(anchors.begin(), anchors.end(), [&](const CellBox& box) { return meets(box, node * kNodeSize, kNodeSize); });
+    return std::any_of(anchors.begin(), anchors.end(),
+                       [&](const CellBox& box) { return meets(box, node * kNodeSize, kNodeSize); });
 }
 
 /// Whether some of a brick's voxels lie in one of the boxes.
@@ -82,13 +83,15 @@ bool touchesAnchor(const VoxelGrid& grid, const Component& component, std::span<
         const BrickNode& node = *grid.nodeAt(subset.node);
         for (BrickMask left = subset.bricks; left; left &= left - 1) {
             const int child = std::countr_zero(left);
-            if (holds(subset.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy, anchors)) return true;
+            if (holds(subset.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy, anchors))
+                return true;
         }
     }
     return false;
 }
 
-AttachmentSearch::AttachmentSearch(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored, const BrickSet& carved)
+AttachmentSearch::AttachmentSearch(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored,
+                                   const BrickSet& carved)
     : m_isAnchored(isAnchored) {
     const View view{grid, isAnchored ? anchors : std::span<const CellBox>{}};
     BrickSet nodes;  // that hold a carved brick or a neighbour of one
@@ -98,7 +101,8 @@ AttachmentSearch::AttachmentSearch(const VoxelGrid& grid, std::span<const CellBo
             if (bricks & kFaceBricks[face]) nodes.insert(node + kFaceOffsets[face], 0);
         if (m_anchorsCarved || !nodeMeets(node, view.anchors)) return;
         forEachChild(bricks, [&](int child) {
-            m_anchorsCarved = m_anchorsCarved || holds(node * kNodeBricks + childPosition(child), kEveryCell, view.anchors);
+            m_anchorsCarved =
+                m_anchorsCarved || holds(node * kNodeBricks + childPosition(child), kEveryCell, view.anchors);
         });
     });
     if (!m_anchorsCarved && isLocallyConnected(grid, carved)) return;
@@ -139,7 +143,8 @@ void AttachmentSearch::seed(const View& view, glm::ivec3 position, BrickMask car
         const auto cells = brickParts(*node.bricks[size_t(child)], scratch);
         for (size_t i = 0; i < cells.size(); ++i) {
             bool touches = carved >> child & 1;
-            for (size_t face = 0; face < 6; ++face) touches = touches || ((beside[face] >> child & 1) && cells[i].faces[face]);
+            for (size_t face = 0; face < 6; ++face)
+                touches = touches || ((beside[face] >> child & 1) && cells[i].faces[face]);
             if (touches) start(parts.componentOf(child, i));
         }
     });
@@ -149,7 +154,8 @@ std::optional<uint32_t> AttachmentSearch::firstPartOf(const View& view, glm::ive
     static_assert(kMaxGridSize / kNodeSize <= 1024, "ten bits an axis");
     const BrickNode* node = view.grid.nodeAt(position);
     if (!node) return std::nullopt;
-    const auto [entry, isNew] = m_nodes.try_emplace(uint32_t(position.x) | uint32_t(position.y) << 10 | uint32_t(position.z) << 20);
+    const auto [entry, isNew] =
+        m_nodes.try_emplace(uint32_t(position.x) | uint32_t(position.y) << 10 | uint32_t(position.z) << 20);
     if (isNew) {
         entry->second = uint32_t(m_parts.size());
         for (uint32_t i = 0; i < nodeParts(*node).count; ++i) m_parts.push_back({position, i, kNone});
@@ -196,18 +202,20 @@ void AttachmentSearch::join(uint32_t a, uint32_t b) {
 void AttachmentSearch::visitNeighbour(const View& view, uint32_t index, size_t face, bool onlyKnown) {
     const Part part = m_parts[index];
     const glm::ivec3 position = part.node + kFaceOffsets[face];
-    if (onlyKnown && !m_nodes.contains(uint32_t(position.x) | uint32_t(position.y) << 10 | uint32_t(position.z) << 20)) return;
+    if (onlyKnown && !m_nodes.contains(uint32_t(position.x) | uint32_t(position.y) << 10 | uint32_t(position.z) << 20))
+        return;
     const std::optional<uint32_t> first = firstPartOf(view, position);
     if (!first) return;
-    forEachContact(*view.grid.nodeAt(part.node), *view.grid.nodeAt(position), face, [&](uint16_t mine, uint16_t theirs) {
-        if (mine != part.component) return true;
-        const uint32_t other = *first + theirs, set = root(part.set);
-        if (m_parts[other].set != kNone)
-            join(set, m_parts[other].set);
-        else if (!onlyKnown)
-            addPart(view, set, other);
-        return true;
-    });
+    forEachContact(*view.grid.nodeAt(part.node), *view.grid.nodeAt(position), face,
+                   [&](uint16_t mine, uint16_t theirs) {
+                       if (mine != part.component) return true;
+                       const uint32_t other = *first + theirs, set = root(part.set);
+                       if (m_parts[other].set != kNone)
+                           join(set, m_parts[other].set);
+                       else if (!onlyKnown)
+                           addPart(view, set, other);
+                       return true;
+                   });
 }
 
 void AttachmentSearch::grow(const View& view, uint32_t set) {
@@ -259,7 +267,8 @@ bool AttachmentSearch::run(const VoxelGrid& grid, std::span<const CellBox> ancho
 }
 
 std::vector<Component> AttachmentSearch::finished(const VoxelGrid& grid) {
-    std::vector<Component> out(size_t(std::count_if(m_sets.begin(), m_sets.end(), [](const Set& set) { return set.isFinished; })));
+    std::vector<Component> out(
+        size_t(std::count_if(m_sets.begin(), m_sets.end(), [](const Set& set) { return set.isFinished; })));
     std::vector<std::pair<uint32_t, Component*>> owned;  // by part
     size_t next = 0;
     for (const Set& set : m_sets) {
@@ -274,11 +283,13 @@ std::vector<Component> AttachmentSearch::finished(const VoxelGrid& grid) {
         const glm::ivec3 position = m_parts[owned[i].first].node;
         const BrickNode& node = *grid.nodeAt(position);
         byPart.assign(nodeParts(node).count, nullptr);
-        for (; i < owned.size() && m_parts[owned[i].first].node == position; ++i) byPart[m_parts[owned[i].first].component] = owned[i].second;
+        for (; i < owned.size() && m_parts[owned[i].first].node == position; ++i)
+            byPart[m_parts[owned[i].first].component] = owned[i].second;
         addNode(position, node, byPart);
     }
     for (Component& component : out) component.lowest = findLowest(component, grid);
-    std::sort(out.begin(), out.end(), [](const Component& a, const Component& b) { return cellBefore(a.lowest, b.lowest); });
+    std::sort(out.begin(), out.end(),
+              [](const Component& a, const Component& b) { return cellBefore(a.lowest, b.lowest); });
     return out;
 }
 

@@ -13,15 +13,16 @@ namespace rubble {
 /// Whether a component of a grid has a cell in one of the boxes.
 bool touchesAnchor(const VoxelGrid& grid, const Component& component, std::span<const CellBox> anchors);
 
-/// Grows a set of voxels from everything that the carved bricks' neighbours hold, a part of a directory node (see NodeParts)
-/// at a time, all sets in turns, and joins those that meet. A set is done when nothing is left to grow into, or when it has
-/// reached an anchor. A value: it may rest and go on later, on the same grid, as long as no voxel comes or goes.
+/// Grows a set of voxels from everything that the carved bricks' neighbours hold, a part of a directory node (see
+/// NodeParts) at a time, all sets in turns, and joins those that meet. A set is done when nothing is left to grow into,
+/// or when it has reached an anchor. A value: it may rest and go on later, on the same grid, as long as no voxel comes
+/// or goes.
 class AttachmentSearch {
 public:
     AttachmentSearch(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored, const BrickSet& carved);
 
-    /// Grows until each set is done or is known to be what all the others came off; false if `budget` parts were not enough.
-    /// Takes from the budget what was used.
+    /// Grows until each set is done or is known to be what all the others came off; false if `budget` parts were not
+    /// enough. Takes from the budget what was used.
     bool run(const VoxelGrid& grid, std::span<const CellBox> anchors, size_t& budget);
     /// Parts visitedParts so far.
     size_t visitedParts() const { return m_parts.size(); }
@@ -72,7 +73,7 @@ private:
     std::vector<uint32_t> m_open;  ///< sets that may still grow
     size_t m_turn = 0;             ///< whose turn in m_open it is
     uint64_t m_finishedVoxels = 0, m_largestFinished = 0;
-    bool m_isAnchored = false;      ///< whether anchors decide what stays
+    bool m_isAnchored = false;     ///< whether anchors decide what stays
     bool m_anchorsCarved = false;  ///< by the cut
     bool m_anchorFound = false;
 };

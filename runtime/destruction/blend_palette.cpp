@@ -6,7 +6,7 @@
 namespace rubble {
 namespace {
 
-constexpr int kMinStep = 8;   ///< bytes of a channel: bounds how many entries a blend can use
+constexpr int kMinStep = 8;        ///< bytes of a channel: bounds how many entries a blend can use
 constexpr int kNearColor = 3;      ///< channels this close count as the same blend
 constexpr int kPaintReserve = 24;  ///< entries kept for the paint itself
 
@@ -36,7 +36,8 @@ bool isFree(const PaletteEntry& entry) {
 
 }  // namespace
 
-BlendPalette::BlendPalette(const VoxelGrid& grid, const Palette& palette, const Paint& paint) : m_grid(grid), m_palette(palette), m_paint(paint) {
+BlendPalette::BlendPalette(const VoxelGrid& grid, const Palette& palette, const Paint& paint)
+    : m_grid(grid), m_palette(palette), m_paint(paint) {
     m_blended.fill(-1);
 }
 
@@ -52,8 +53,9 @@ uint8_t BlendPalette::choose(uint8_t source) {
     const PaletteEntry from = m_palette[source];
     const PaletteEntry goal = withColor(from, m_paint.color);
     if (from == goal || isFree(from)) return source;
-    const PaletteEntry wanted = withColor(from, {stepped(from.red, goal.red, m_paint.strength), stepped(from.green, goal.green, m_paint.strength),
-                                                 stepped(from.blue, goal.blue, m_paint.strength)});
+    const PaletteEntry wanted = withColor(
+        from, {stepped(from.red, goal.red, m_paint.strength), stepped(from.green, goal.green, m_paint.strength),
+               stepped(from.blue, goal.blue, m_paint.strength)});
     if (const auto near = findNear(source, wanted)) return *near;
     if (freeCount() <= kPaintReserve) freeUnused();
     const auto nearest = nearestCloser(source, wanted);
@@ -63,12 +65,14 @@ uint8_t BlendPalette::choose(uint8_t source) {
     return nearest.value_or(source);
 }
 
-/// Entries may stand in for a blend only if they bring the colour nearer to the paint: otherwise it would never get there.
+/// Entries may stand in for a blend only if they bring the colour nearer to the paint: otherwise it would never get
+/// there.
 std::optional<uint8_t> BlendPalette::findNear(uint8_t source, const PaletteEntry& wanted) const {
     const auto near = nearestCloser(source, wanted);
     if (!near) return std::nullopt;
     const PaletteEntry& found = m_palette[*near];
-    const int largest = std::max({std::abs(found.red - wanted.red), std::abs(found.green - wanted.green), std::abs(found.blue - wanted.blue)});
+    const int largest = std::max(
+        {std::abs(found.red - wanted.red), std::abs(found.green - wanted.green), std::abs(found.blue - wanted.blue)});
     const bool wantsPaint = wanted == withColor(wanted, m_paint.color);
     return largest <= (wantsPaint ? 0 : kNearColor) ? near : std::nullopt;
 }

@@ -7,8 +7,8 @@
 namespace rubble {
 namespace {
 
-/// The cells of a small box: a word holds four rows along x, each of sixteen bits with the last one empty, a plane four words,
-/// with empty ones around them.
+/// The cells of a small box: a word holds four rows along x, each of sixteen bits with the last one empty, a plane four
+/// words, with empty ones around them.
 struct Window {
     static constexpr size_t kPlane = 6;
     static size_t place(int word, int z) { return size_t(z + 1) * kPlane + size_t(word + 1); }
@@ -34,24 +34,28 @@ Window solidCells(const VoxelGrid& grid, const CellBox& box) {
                 const glm::ivec3 corner = brick * kBrickSize - box.low;
                 const int fromZ = std::max(corner.z, 0), toZ = std::min(corner.z + kBrickSize, size.z);
                 // Cells beyond the box along x, of eight: below it, or above.
-                const uint64_t inside =
-                    spreadRows((0xffull << std::max(-corner.x, 0) & 0xff >> std::max(corner.x + kBrickSize - size.x, 0)) * 0x01010101ull);
-                for (int word = std::max(corner.y, 0) / 4; word < std::min((corner.y + kBrickSize + 3) / 4, words); ++word) {
+                const uint64_t inside = spreadRows(
+                    (0xffull << std::max(-corner.x, 0) & 0xff >> std::max(corner.x + kBrickSize - size.x, 0)) *
+                    0x01010101ull);
+                for (int word = std::max(corner.y, 0) / 4; word < std::min((corner.y + kBrickSize + 3) / 4, words);
+                     ++word) {
                     const int row = 4 * word - corner.y;  // of the brick, at the word's first
                     for (int z = fromZ; z < toZ; ++z) {
                         const uint64_t layer = content->occupancy[size_t(z - corner.z)];
-                        const uint64_t cells = spreadRows((row < 0 ? layer << -8 * row : layer >> 8 * row) & 0xffffffff) & inside;
+                        const uint64_t cells =
+                            spreadRows((row < 0 ? layer << -8 * row : layer >> 8 * row) & 0xffffffff) & inside;
                         out.words[Window::place(word, z)] |= corner.x < 0 ? cells >> -corner.x : cells << corner.x;
                     }
                 }
             }
     if (size.y % 4)  // rows beyond the box
-        for (int z = 0; z < size.z; ++z) out.words[Window::place(words - 1, z)] &= ~uint64_t(0) >> 16 * (4 - size.y % 4);
+        for (int z = 0; z < size.z; ++z)
+            out.words[Window::place(words - 1, z)] &= ~uint64_t(0) >> 16 * (4 - size.y % 4);
     return out;
 }
 
-/// All cells of four rows that some of them reach: along x upwards by the carry of an addition, downwards by doubling (Kogge &
-/// Stone 1973), along y by steps.
+/// All cells of four rows that some of them reach: along x upwards by the carry of an addition, downwards by doubling
+/// (Kogge & Stone 1973), along y by steps.
 uint64_t fillRows(uint64_t cells, uint64_t open) {
     for (;;) {
         cells |= open & ~(open + cells);
@@ -81,7 +85,8 @@ bool isConnected(const Window& window, glm::ivec3 size) {
         bool hasGrown = false;
         for (size_t i = 0; i <= last - first; ++i) {
             const size_t at = isUp ? first + i : last - i;
-            const uint64_t beside = reached[at - Window::kPlane] | reached[at + Window::kPlane] | reached[at - 1] >> 48 | reached[at + 1] << 48;
+            const uint64_t beside = reached[at - Window::kPlane] | reached[at + Window::kPlane] |
+                                    reached[at - 1] >> 48 | reached[at + 1] << 48;
             if (const uint64_t next = solid[at] & beside & ~reached[at]) {
                 reached[at] = fillRows(reached[at] | next, solid[at]);
                 hasGrown = true;

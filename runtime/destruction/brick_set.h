@@ -6,7 +6,8 @@
 
 namespace rubble {
 
-/// A set of bricks of one grid, by directory node: a large one costs its nodes. Iterates by node (z, y, x), then by brick.
+/// A set of bricks of one grid, by directory node: a large one costs its nodes. Iterates by node (z, y, x), then by
+/// brick.
 class BrickSet {
 public:
     void insert(glm::ivec3 brick) { insert(brick >> 2, BrickMask(1) << childIndex(brick)); }
@@ -33,7 +34,9 @@ public:
     /// f(ivec3 brick).
     template <class F>
     void forEach(F&& f) const {
-        forEachNode([&](glm::ivec3 node, BrickMask mask) { forEachChild(mask, [&](int child) { f(node * kNodeBricks + childPosition(child)); }); });
+        forEachNode([&](glm::ivec3 node, BrickMask mask) {
+            forEachChild(mask, [&](int child) { f(node * kNodeBricks + childPosition(child)); });
+        });
     }
     friend bool operator==(const BrickSet&, const BrickSet&) = default;
 

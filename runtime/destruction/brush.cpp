@@ -58,7 +58,8 @@ bool inBox(const Brush& brush, const Point& point, int64_t grow) {
 constexpr BrickBits kNoCell{}, kEveryCell = {~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull};
 constexpr int64_t kLast = kBrickSize - 1;
 
-/// The cells of a brick on which a linear function, `first` in its first cell and growing by `steps` a cell, is within +-limit.
+/// The cells of a brick on which a linear function, `first` in its first cell and growing by `steps` a cell, is within
+/// +-limit.
 BrickBits linearBits(int64_t first, const Point& steps, int64_t limit) {
     int64_t low = first, high = first;
     for (const int64_t step : steps) (step < 0 ? low : high) += kLast * step;
@@ -100,7 +101,8 @@ BrickBits sphereBits(const Brush& brush, const Point& first, int64_t radius) {
     int64_t nearest = 0, farthest = 0;
     for (size_t j = 0; j < 3; ++j) {
         for (size_t i = 0; i < kBrickSize; ++i)
-            squares[j][i] = (first[j] + int64_t(i) * kBrushUnit - brush.a[j]) * (first[j] + int64_t(i) * kBrushUnit - brush.a[j]);
+            squares[j][i] =
+                (first[j] + int64_t(i) * kBrushUnit - brush.a[j]) * (first[j] + int64_t(i) * kBrushUnit - brush.a[j]);
         nearest += *std::min_element(squares[j].begin(), squares[j].end());
         farthest += std::max(squares[j].front(), squares[j].back());
     }
@@ -120,12 +122,15 @@ BrickBits capsuleBits(const Brush& brush, const Point& first, int64_t radius) {
     // The cell centres lie within sqrt(3) * 3.5 cells of the brick's middle, and a convex brush that holds the eight
     // outermost ones holds them all.
     constexpr int64_t kBrickCircumradius = 1552, kMiddle = kLast * kBrushUnit / 2;
-    if (!inCapsule(brush, {first[0] + kMiddle, first[1] + kMiddle, first[2] + kMiddle}, radius + kBrickCircumradius)) return kNoCell;
+    if (!inCapsule(brush, {first[0] + kMiddle, first[1] + kMiddle, first[2] + kMiddle}, radius + kBrickCircumradius))
+        return kNoCell;
     const auto isTouched = [&](int64_t x, int64_t y, int64_t z) {
-        return inCapsule(brush, {first[0] + x * kBrushUnit, first[1] + y * kBrushUnit, first[2] + z * kBrushUnit}, radius);
+        return inCapsule(brush, {first[0] + x * kBrushUnit, first[1] + y * kBrushUnit, first[2] + z * kBrushUnit},
+                         radius);
     };
     bool isWhole = true;
-    for (int corner = 0; corner < 8 && isWhole; ++corner) isWhole = isTouched(corner & 1 ? kLast : 0, corner & 2 ? kLast : 0, corner & 4 ? kLast : 0);
+    for (int corner = 0; corner < 8 && isWhole; ++corner)
+        isWhole = isTouched(corner & 1 ? kLast : 0, corner & 2 ? kLast : 0, corner & 4 ? kLast : 0);
     if (isWhole) return kEveryCell;
     BrickBits out{};
     for (int i = 0; i < kBrickVoxels; ++i) {
@@ -163,7 +168,8 @@ Brush boxBrush(glm::dvec3 center, glm::dvec3 halfSize, glm::dquat rotation, Hard
         glm::dvec3 axis(0.0);
         axis[i] = 1.0;
         axis = rotation * axis;
-        for (int j = 0; j < 3; ++j) brush.axes[size_t(3 * i + j)] = int32_t(std::clamp(std::floor(axis[j] * 65536.0 + 0.5), -65536.0, 65536.0));
+        for (int j = 0; j < 3; ++j)
+            brush.axes[size_t(3 * i + j)] = int32_t(std::clamp(std::floor(axis[j] * 65536.0 + 0.5), -65536.0, 65536.0));
     }
     for (size_t c = 0; c < 3; ++c)
         if (c <= size_t(limit)) brush.radii[c] = 0;
@@ -188,7 +194,8 @@ CellBox brushBricks(const Brush& brush, glm::ivec3 sizeInBricks) {
         if (brush.kind == BrushKind::Sphere) low = brush.a[j] - radius, high = brush.a[j] + radius;
         if (brush.kind == BrushKind::Box) {
             int64_t halfExtent = 0;
-            for (size_t i = 0; i < 3; ++i) halfExtent += std::abs(int64_t(brush.axes[3 * i + j])) * (brush.b[i] + radius);
+            for (size_t i = 0; i < 3; ++i)
+                halfExtent += std::abs(int64_t(brush.axes[3 * i + j])) * (brush.b[i] + radius);
             halfExtent = halfExtent / 65536 + 3;  // the rounded axes may be short of a unit
             low = brush.a[j] - halfExtent, high = brush.a[j] + halfExtent;
         }
@@ -203,7 +210,8 @@ CellBox brushBricks(const Brush& brush, glm::ivec3 sizeInBricks) {
 BrickBits brushBits(const Brush& brush, glm::ivec3 brick, int64_t radius) {
     if (radius <= kBrushEmptyRadius || (radius <= 0 && brush.kind != BrushKind::Box)) return {};
     const glm::ivec3 cell = brick * kBrickSize;
-    const Point first = {cell.x * kBrushUnit + kBrushUnit / 2, cell.y * kBrushUnit + kBrushUnit / 2, cell.z * kBrushUnit + kBrushUnit / 2};
+    const Point first = {cell.x * kBrushUnit + kBrushUnit / 2, cell.y * kBrushUnit + kBrushUnit / 2,
+                         cell.z * kBrushUnit + kBrushUnit / 2};
     if (brush.kind == BrushKind::Box) return boxBits(brush, first, radius);
     return brush.kind == BrushKind::Sphere ? sphereBits(brush, first, radius) : capsuleBits(brush, first, radius);
 }

@@ -24,12 +24,13 @@ struct Brush {
     friend bool operator==(const Brush&, const Brush&) = default;
 };
 
-inline constexpr int64_t kBrushUnit = 256;                  ///< steps of a cell
-inline constexpr int64_t kBrushLimit = kBrushUnit << 18;    ///< coordinates and radii are clamped to +- this
+inline constexpr int64_t kBrushUnit = 256;                      ///< steps of a cell
+inline constexpr int64_t kBrushLimit = kBrushUnit << 18;        ///< coordinates and radii are clamped to +- this
 inline constexpr int64_t kBrushEmptyRadius = -4 * kBrushLimit;  ///< a radius that touches no cell
 
-/// From positions and radii in cells (soft, medium, hard). The only places where a brush is rounded; a NaN touches nothing,
-/// a radius of zero or less touches nothing of its class, and a harder class never gets more than a softer one.
+/// From positions and radii in cells (soft, medium, hard). The only places where a brush is rounded; a NaN touches
+/// nothing, a radius of zero or less touches nothing of its class, and a harder class never gets more than a softer
+/// one.
 Brush sphereBrush(glm::dvec3 center, std::array<double, 3> radii);
 Brush capsuleBrush(glm::dvec3 from, glm::dvec3 to, std::array<double, 3> radii);
 /// `rotation`: box frame -> shape frame; `limit`: the hardest class that it touches.

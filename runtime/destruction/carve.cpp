@@ -28,8 +28,10 @@ BrickBits bitsToRemove(const Brick& brick, const std::array<BrickBits, 3>& touch
     return out;
 }
 
-/// Empties cells of bricks of one node, and keeps its moments (see nodeMoments()) if they are known: what is left is the difference.
-void removeFromNode(VoxelGrid& grid, glm::ivec3 position, std::span<const BrickSubset> cells, const Densities& densities, CarveResult& out) {
+/// Empties cells of bricks of one node, and keeps its moments (see nodeMoments()) if they are known: what is left is
+/// the difference.
+void removeFromNode(VoxelGrid& grid, glm::ivec3 position, std::span<const BrickSubset> cells,
+                    const Densities& densities, CarveResult& out) {
     NodeRef node = grid.takeNode(position);
     const NodeMoments* known = node->cachedMoments.find();
     std::unique_ptr<NodeMoments> left;
@@ -59,14 +61,15 @@ void removeFromNode(VoxelGrid& grid, glm::ivec3 position, std::span<const BrickS
 }
 
 /// The cells of a node's bricks that the brush takes.
-void findCells(const BrickNode& node, glm::ivec3 position, const CellBox& range, const Brush& brush, const EntryClasses& classes,
-               std::vector<BrickSubset>& out) {
+void findCells(const BrickNode& node, glm::ivec3 position, const CellBox& range, const Brush& brush,
+               const EntryClasses& classes, std::vector<BrickSubset>& out) {
     forEachChild(node.mask, [&](int child) {
         const glm::ivec3 brick = position * kNodeBricks + childPosition(child);
         if (glm::any(glm::lessThan(brick, range.low)) || glm::any(glm::greaterThanEqual(brick, range.high))) return;
         std::array<BrickBits, 3> touched;
         for (size_t c = 0; c < 3; ++c)
-            touched[c] = c && brush.radii[c] == brush.radii[c - 1] ? touched[c - 1] : brushBits(brush, brick, brush.radii[c]);
+            touched[c] =
+                c && brush.radii[c] == brush.radii[c - 1] ? touched[c - 1] : brushBits(brush, brick, brush.radii[c]);
         const BrickBits gone = bitsToRemove(*node.bricks[size_t(child)], touched, classes);
         if (gone != BrickBits{}) out.push_back({brick, gone});
     });
@@ -74,7 +77,8 @@ void findCells(const BrickNode& node, glm::ivec3 position, const CellBox& range,
 
 }  // namespace
 
-void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials, CarveResult& out, Tool tool) {
+void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials,
+           CarveResult& out, Tool tool) {
     const CellBox range = brushBricks(brush, grid.sizeInBricks());
     if (range.empty()) return;
     const EntryClasses classes = entryClasses(palette, materials, tool);

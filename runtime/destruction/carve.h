@@ -28,7 +28,8 @@ struct CarveResult {
 
 /// Empties the cells that the brush touches, each class of hardness within its own radius; unbreakable and unphysical
 /// voxels stay, and those that the tool does not break. Costs the bricks within the brush's bounds.
-void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials, CarveResult& out, Tool tool = Tool::Any);
+void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials,
+           CarveResult& out, Tool tool = Tool::Any);
 
 /// Empties exactly these cells, whatever they are made of.
 void removeCells(VoxelGrid& grid, const BrickSubset& cells, const Densities& densities, CarveResult& out);

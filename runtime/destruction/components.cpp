@@ -101,7 +101,8 @@ void addNode(glm::ivec3 position, const BrickNode& node, std::span<Component* co
         if (isWhole) {
             Component* component = owner(first);
             if (!component) return;
-            if (component->nodes.empty() || component->nodes.back().node != position) component->nodes.push_back({position, 0});
+            if (component->nodes.empty() || component->nodes.back().node != position)
+                component->nodes.push_back({position, 0});
             component->nodes.back().bricks |= BrickMask(1) << child;
             return;
         }
@@ -109,7 +110,8 @@ void addNode(glm::ivec3 position, const BrickNode& node, std::span<Component* co
         for (size_t i = first; i < end; ++i) {
             Component* component = owner(i);
             if (!component) continue;
-            if (component->subsets.empty() || component->subsets.back().brick != brick) component->subsets.push_back({brick, {}});
+            if (component->subsets.empty() || component->subsets.back().brick != brick)
+                component->subsets.push_back({brick, {}});
             for (size_t z = 0; z < 8; ++z) component->subsets.back().voxels[z] |= cells[i - first].voxels[z];
         }
     });
@@ -125,7 +127,9 @@ glm::ivec3 findLowest(const Component& component, const VoxelGrid& grid) {
     for (const NodeSubset& subset : component.nodes) {
         if (cellBefore(best, subset.node * kNodeSize)) continue;
         const BrickNode& node = *grid.nodeAt(subset.node);
-        forEachChild(subset.bricks, [&](int child) { look(subset.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy); });
+        forEachChild(subset.bricks, [&](int child) {
+            look(subset.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy);
+        });
     }
     return best;
 }
@@ -143,9 +147,11 @@ std::vector<Component> findComponents(const VoxelGrid& grid) {
         owners[i] = root == i ? &out[next++] : owners[root];
     }
     for (uint32_t n = 0; n < all.nodes.size(); ++n)
-        addNode(all.positions[n], *all.nodes[n], std::span(owners).subspan(all.firstPart[n], all.firstPart[n + 1] - all.firstPart[n]));
+        addNode(all.positions[n], *all.nodes[n],
+                std::span(owners).subspan(all.firstPart[n], all.firstPart[n + 1] - all.firstPart[n]));
     for (Component& component : out) component.lowest = findLowest(component, grid);
-    std::sort(out.begin(), out.end(), [](const Component& a, const Component& b) { return cellBefore(a.lowest, b.lowest); });
+    std::sort(out.begin(), out.end(),
+              [](const Component& a, const Component& b) { return cellBefore(a.lowest, b.lowest); });
     return out;
 }
 
@@ -182,7 +188,8 @@ MassMoments componentMoments(const VoxelGrid& grid, const Component& component, 
             sum += brickMoments(brick, brick.occupancy, subset.node * kNodeBricks + childPosition(child), densities);
         });
     }
-    for (const BrickSubset& subset : component.subsets) sum += brickMoments(*grid.brickAt(subset.brick), subset.voxels, subset.brick, densities);
+    for (const BrickSubset& subset : component.subsets)
+        sum += brickMoments(*grid.brickAt(subset.brick), subset.voxels, subset.brick, densities);
     return sum;
 }
 

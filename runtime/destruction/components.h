@@ -24,7 +24,7 @@ struct BrickSubset {
 
 /// A 6-connected set of voxels of one grid.
 struct Component {
-    std::vector<NodeSubset> nodes;    ///< each node once at most
+    std::vector<NodeSubset> nodes;     ///< each node once at most
     std::vector<BrickSubset> subsets;  ///< each brick once at most, and none that is in `nodes`
     uint64_t voxels = 0;
     glm::ivec3 lowest{0};  ///< the cell that comes first by z, then y, then x
@@ -46,8 +46,8 @@ void addNode(glm::ivec3 position, const BrickNode& node, std::span<Component* co
 /// The component's lowest cell, from its subsets.
 glm::ivec3 findLowest(const Component& component, const VoxelGrid& grid);
 
-/// All components of a grid, ordered by their lowest cell. Components inside bricks, of these inside nodes, then a union-find
-/// over the faces between nodes (Tarjan 1975, path halving).
+/// All components of a grid, ordered by their lowest cell. Components inside bricks, of these inside nodes, then a
+/// union-find over the faces between nodes (Tarjan 1975, path halving).
 std::vector<Component> findComponents(const VoxelGrid& grid);
 
 /// The voxels of each component alone, in an order that depends on nothing but the grid: the labelling without subsets.

@@ -22,7 +22,8 @@ LinearStress normalStress(const Section& section, const SectionShape& shape, con
     const double mu = section.axis == 0 ? -m.z : section.axis == 1 ? m.z : -m.y;
     const double mv = section.axis == 0 ? m.y : section.axis == 1 ? -m.x : m.x;
     const double det = shape.uu * shape.vv - shape.uv * shape.uv;
-    return {load.force[section.axis] / shape.area, (mu * shape.vv - mv * shape.uv) / det, (mv * shape.uu - mu * shape.uv) / det};
+    return {load.force[section.axis] / shape.area, (mu * shape.vv - mv * shape.uv) / det,
+            (mv * shape.uu - mu * shape.uv) / det};
 }
 
 }  // namespace
@@ -39,7 +40,8 @@ uint64_t brickLayer(const BrickBits& bits, int axis, int layer) {
     if (axis == 2) return bits[size_t(layer)];
     uint64_t out = 0;
     for (size_t z = 0; z < 8; ++z) {
-        const uint64_t row = axis == 1 ? bits[z] >> 8 * layer & 0xff : (bits[z] >> layer & 0x0101010101010101ull) * 0x0102040810204080ull >> 56;
+        const uint64_t row = axis == 1 ? bits[z] >> 8 * layer & 0xff
+                                       : (bits[z] >> layer & 0x0101010101010101ull) * 0x0102040810204080ull >> 56;
         out |= row << 8 * z;
     }
     return out;
@@ -79,7 +81,8 @@ SectionShape sectionShape(const Section& section, std::span<const SectionTile> t
     return shape;
 }
 
-SectionUtilization sectionUtilization(const Section& section, const SectionShape& shape, const SectionForce& load, const SectionStrength& strength) {
+SectionUtilization sectionUtilization(const Section& section, const SectionShape& shape, const SectionForce& load,
+                                      const SectionStrength& strength) {
     const LinearStress stress = normalStress(section, shape, load);
     const glm::dvec3 corner = glm::dvec3(section.brick * kBrickSize) - shape.centroid;
     const double u0 = corner[kAxisU[section.axis]], v0 = corner[kAxisV[section.axis]];
@@ -98,12 +101,14 @@ SectionUtilization sectionUtilization(const Section& section, const SectionShape
     const double torsion = std::fabs(load.moment[section.axis]) * std::sqrt(maxRadius2) / (shape.uu + shape.vv);
     const double shear = std::sqrt(glm::dot(across, across)) / shape.area + torsion;
     SectionUtilization result{high / strength.tensile, FailureMode::Tension};
-    if (-low / strength.compressive > result.utilization) result = {-low / strength.compressive, FailureMode::Compression};
+    if (-low / strength.compressive > result.utilization)
+        result = {-low / strength.compressive, FailureMode::Compression};
     if (shear / strength.shear > result.utilization) result = {shear / strength.shear, FailureMode::Shear};
     return result;
 }
 
-glm::dvec3 faceForce(const Section& section, const SectionShape& shape, const SectionForce& load, glm::dvec3 faceCenter) {
+glm::dvec3 faceForce(const Section& section, const SectionShape& shape, const SectionForce& load,
+                     glm::dvec3 faceCenter) {
     const glm::dvec3 r = faceCenter - shape.centroid;
     glm::dvec3 out = load.force / shape.area;
     glm::dvec3 twist(0.0);

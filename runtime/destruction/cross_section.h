@@ -11,8 +11,8 @@ namespace rubble {
 struct Section {
     glm::ivec3 brick{0};  ///< that holds the layer below the plane
     int axis = 0;         ///< normal to it
-    int plane = 0;        ///< 1 to 8: between the layers plane - 1 and plane of the brick; 8: and the next brick's first
-    uint64_t cells = 0;   ///< bit u + 8 v, with (u, v) = (y, z), (x, z) or (x, y): as BrickPart::faces
+    int plane = 0;       ///< 1 to 8: between the layers plane - 1 and plane of the brick; 8: and the next brick's first
+    uint64_t cells = 0;  ///< bit u + 8 v, with (u, v) = (y, z), (x, z) or (x, y): as BrickPart::faces
 
     /// The cell below the plane at one of its bits.
     glm::ivec3 cellBelow(int bit) const;
@@ -57,10 +57,12 @@ struct SectionTile {
     int u = 0, v = 0;
 };
 SectionShape sectionShape(const Section& section, std::span<const SectionTile> tiles);
-/// Beam theory: normal stress linear over `shape`, N/A + M c/I, at the outermost corners of the section, which may be part of
-/// that shape only; shear V/A + T c/Ip.
-SectionUtilization sectionUtilization(const Section& section, const SectionShape& shape, const SectionForce& load, const SectionStrength& strength);
+/// Beam theory: normal stress linear over `shape`, N/A + M c/I, at the outermost corners of the section, which may be
+/// part of that shape only; shear V/A + T c/Ip.
+SectionUtilization sectionUtilization(const Section& section, const SectionShape& shape, const SectionForce& load,
+                                      const SectionStrength& strength);
 /// The force on one cell face of a section, if it carries `load` as above.
-glm::dvec3 faceForce(const Section& section, const SectionShape& shape, const SectionForce& load, glm::dvec3 faceCenter);
+glm::dvec3 faceForce(const Section& section, const SectionShape& shape, const SectionForce& load,
+                     glm::dvec3 faceCenter);
 
 }  // namespace rubble

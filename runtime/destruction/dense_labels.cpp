@@ -43,7 +43,8 @@ std::vector<uint64_t> labelDense(glm::ivec3 size, std::span<const uint8_t> cells
     for (size_t row = 0; row < rows; ++row) {
         std::fill(out.begin(), out.end(), 0);
         readRow(cells.subspan(row * length, length), bits);
-        forEachRun(bits, [&](uint32_t begin, uint32_t end) { writeRun(out.data() + begin, end - begin, *component++ + 1); });
+        forEachRun(bits,
+                   [&](uint32_t begin, uint32_t end) { writeRun(out.data() + begin, end - begin, *component++ + 1); });
         std::memcpy(labels.data() + row * length, out.data(), length * sizeof(uint32_t));
     }
     return voxels;

@@ -19,7 +19,8 @@ Detached findDetached(const VoxelGrid& grid, std::span<const CellBox> anchors, b
     Detached detached{findComponents(grid), false};
     if (isAnchored) {
         const size_t all = detached.pieces.size();
-        std::erase_if(detached.pieces, [&](const Component& component) { return touchesAnchor(grid, component, anchors); });
+        std::erase_if(detached.pieces,
+                      [&](const Component& component) { return touchesAnchor(grid, component, anchors); });
         detached.isUnanchored = detached.pieces.size() == all && all > 0;
         if (!detached.isUnanchored) return detached;
     }
@@ -27,7 +28,8 @@ Detached findDetached(const VoxelGrid& grid, std::span<const CellBox> anchors, b
     return detached;
 }
 
-Detached findDetachedNear(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored, const BrickSet& carved) {
+Detached findDetachedNear(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored,
+                          const BrickSet& carved) {
     AttachmentSearch search(grid, anchors, isAnchored, carved);
     size_t unlimited = SIZE_MAX;
     search.run(grid, anchors, unlimited);

@@ -27,7 +27,8 @@ constexpr std::array<double, 3> kClassToughness = {1.0, 2.0, 8.0};
 }  // namespace
 
 const FragmentStyle& fragmentStyle(std::string_view name) {
-    const auto found = std::find_if(kStyles.begin(), kStyles.end(), [&](const FragmentStyle& style) { return style.name == name; });
+    const auto found =
+        std::find_if(kStyles.begin(), kStyles.end(), [&](const FragmentStyle& style) { return style.name == name; });
     return found == kStyles.end() ? kStyles[1] : *found;
 }
 

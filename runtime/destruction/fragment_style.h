@@ -15,12 +15,13 @@ enum class FragmentPattern : uint8_t {
 struct FragmentStyle {
     std::string_view name;
     FragmentPattern pattern = FragmentPattern::Cells;
-    int size = 300;          ///< of a fragment, mm; half of that near the hit
-    int elongation = 1;      ///< times as long along the grain: the longest axis of what is hit
-    int roughness = 64;      ///< how far its borders stray, of 255 of its size
-    int dust = 128;          ///< share of the broken radius within which only dust is left, of 255
-    int breakRadius = 255;         ///< share of the broken radius within which it breaks, of 255
-    bool wholePane = false;  ///< all that is connected to the hit and of its material breaks with it; cracks are a cell of dust wide
+    int size = 300;         ///< of a fragment, mm; half of that near the hit
+    int elongation = 1;     ///< times as long along the grain: the longest axis of what is hit
+    int roughness = 64;     ///< how far its borders stray, of 255 of its size
+    int dust = 128;         ///< share of the broken radius within which only dust is left, of 255
+    int breakRadius = 255;  ///< share of the broken radius within which it breaks, of 255
+    bool wholePane =
+        false;  ///< all that is connected to the hit and of its material breaks with it; cracks are a cell of dust wide
     double toughness = 1.0;  ///< times WorldSettings::impactThreshold before an impact breaks it
 };
 

@@ -23,13 +23,15 @@ struct Group {
     const FragmentStyle* style = nullptr;
     uint8_t material = 0;
     int64_t breakRadius2 = 0, dust2 = 0;  ///< squared radii, in 1/256 of a cell
-    Point size{};                   ///< of a fragment along each axis, in 1/256 of a cell
-    uint64_t voxels = 0;            ///< in the zone
-    glm::ivec3 nearest{0};          ///< cell of the zone nearest to the hit
+    Point size{};                         ///< of a fragment along each axis, in 1/256 of a cell
+    uint64_t voxels = 0;                  ///< in the zone
+    glm::ivec3 nearest{0};                ///< cell of the zone nearest to the hit
     int64_t nearest2 = INT64_MAX;
 
     /// Voxels of an average fragment.
-    uint64_t fragmentVoxels() const { return uint64_t(std::max<int64_t>(size[0] * size[1] / 256 * size[2] / 65536, 1)); }
+    uint64_t fragmentVoxels() const {
+        return uint64_t(std::max<int64_t>(size[0] * size[1] / 256 * size[2] / 65536, 1));
+    }
 };
 
 int64_t floorDivide(int64_t a, int64_t b) {
@@ -38,8 +40,14 @@ int64_t floorDivide(int64_t a, int64_t b) {
 
 class Fracturer {
 public:
-    Fracturer(VoxelGrid& grid, const Brush& sphere, const Palette& palette, const MaterialTable& materials, const FracturePlan& plan)
-        : m_grid(grid), m_sphere(sphere), m_palette(palette), m_materials(materials), m_densities(palette, materials), m_plan(plan) {
+    Fracturer(VoxelGrid& grid, const Brush& sphere, const Palette& palette, const MaterialTable& materials,
+              const FracturePlan& plan)
+        : m_grid(grid),
+          m_sphere(sphere),
+          m_palette(palette),
+          m_materials(materials),
+          m_densities(palette, materials),
+          m_plan(plan) {
         m_groupOf.fill(kNoGroup);
     }
 
@@ -72,7 +80,8 @@ private:
     void addDust(const Brick& brick, const BrickBits& bits, glm::ivec3 position);
     /// Too small to be a fragment, or one too many.
     bool isTooSmall(uint64_t voxels, const Group& group) const {
-        return voxels * 16 < group.fragmentVoxels() || voxels < m_plan.minVoxels || m_out.fragments.size() >= m_plan.maxFragments;
+        return voxels * 16 < group.fragmentVoxels() || voxels < m_plan.minVoxels ||
+               m_out.fragments.size() >= m_plan.maxFragments;
     }
     int grainOf(const Group& group) const;
     uint64_t labelOf(size_t group, glm::ivec3 cell, bool isNear) const;
@@ -95,7 +104,7 @@ private:
     const FracturePlan& m_plan;
     std::array<uint8_t, 256> m_groupOf{};  ///< by palette entry
     std::vector<Group> m_groups;
-    std::vector<BrickSubset> m_zone;                      ///< what breaks, each brick once, by cellBefore
+    std::vector<BrickSubset> m_zone;                     ///< what breaks, each brick once, by cellBefore
     std::vector<Cluster> m_clusters;                     ///< in the order of their first voxel
     std::unordered_map<uint64_t, uint32_t> m_clusterOf;  ///< by label; looked up, never iterated
     FractureResult m_out;
@@ -152,11 +161,13 @@ void Fracturer::growPane(size_t g) {
     m_groups[g].voxels = 0;
     for (const BrickSubset& subset : findPane(m_grid, m_groups[g].nearest, isOfPane, m_plan.largestPane)) {
         for (const uint64_t layer : subset.voxels) m_groups[g].voxels += uint64_t(std::popcount(layer));
-        auto known = std::find_if(m_zone.begin(), m_zone.end(), [&](const BrickSubset& other) { return other.brick == subset.brick; });
+        auto known = std::find_if(m_zone.begin(), m_zone.end(),
+                                  [&](const BrickSubset& other) { return other.brick == subset.brick; });
         if (known == m_zone.end()) known = m_zone.insert(known, {subset.brick, {}});
         for (size_t z = 0; z < 8; ++z) known->voxels[z] |= subset.voxels[z];
     }
-    std::sort(m_zone.begin(), m_zone.end(), [](const BrickSubset& a, const BrickSubset& b) { return cellBefore(a.brick, b.brick); });
+    std::sort(m_zone.begin(), m_zone.end(),
+              [](const BrickSubset& a, const BrickSubset& b) { return cellBefore(a.brick, b.brick); });
 }
 
 /// The axis along which the material goes on farthest from the hit.
@@ -199,7 +210,8 @@ uint64_t Fracturer::labelOf(size_t g, glm::ivec3 cell, bool isNear) const {
     for (size_t a = 0; a < 3; ++a) {
         const int64_t size = isNear ? std::max<int64_t>(group.size[a] / 2, kBrushUnit) : group.size[a];
         const int64_t point = int64_t(cell[int(a)]) * kBrushUnit + kBrushUnit / 2;
-        place[a] = int32_t(floorDivide(point * 256, size)) + (int32_t(jitter >> 8 * a & 255) - 128) * style.roughness / 255;
+        place[a] =
+            int32_t(floorDivide(point * 256, size)) + (int32_t(jitter >> 8 * a & 255) - 128) * style.roughness / 255;
     }
     glm::ivec3 best(0);
     if (style.pattern == FragmentPattern::Bond) {
@@ -262,7 +274,8 @@ void Fracturer::assignClusters(const BrickSubset& subset) {
             lastLabel = label;
         }
         Cluster& into = m_clusters[cluster];
-        if (into.subsets.empty() || into.subsets.back().brick != subset.brick) into.subsets.push_back({subset.brick, {}});
+        if (into.subsets.empty() || into.subsets.back().brick != subset.brick)
+            into.subsets.push_back({subset.brick, {}});
         into.subsets.back().voxels[size_t(i >> 6)] |= bit;
         ++into.voxels;
     });
@@ -278,7 +291,8 @@ void Fracturer::addDust(const Brick& brick, const BrickBits& bits, glm::ivec3 po
 void Fracturer::addFragment(const Cluster& cluster) {
     const Group& group = m_groups[cluster.group];
     if (isTooSmall(cluster.voxels, group)) {
-        for (const BrickSubset& subset : cluster.subsets) addDust(*m_grid.brickAt(subset.brick), subset.voxels, subset.brick);
+        for (const BrickSubset& subset : cluster.subsets)
+            addDust(*m_grid.brickAt(subset.brick), subset.voxels, subset.brick);
         return;
     }
     Piece packed = packPiece(m_grid, cluster.subsets);
@@ -293,8 +307,9 @@ void Fracturer::addFragment(const Cluster& cluster) {
 
 void Fracturer::addPiece(Piece&& piece, const Group& group) {
     MassMoments moments;
-    piece.grid.forEachBrick(
-        [&](glm::ivec3 position, const BrickRef& brick) { moments += brickMoments(*brick, brick->occupancy, position, m_densities); });
+    piece.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        moments += brickMoments(*brick, brick->occupancy, position, m_densities);
+    });
     moments = moments.shifted(piece.offset);
     if (!isTooSmall(piece.grid.voxelCount(), group)) {
         m_out.fragments.push_back({std::move(piece), moments});
@@ -319,7 +334,8 @@ void Fracturer::removeZone() {
 
 }  // namespace
 
-FractureResult fracture(VoxelGrid& grid, const Brush& sphere, const Palette& palette, const MaterialTable& materials, const FracturePlan& plan) {
+FractureResult fracture(VoxelGrid& grid, const Brush& sphere, const Palette& palette, const MaterialTable& materials,
+                        const FracturePlan& plan) {
     assert(sphere.kind == BrushKind::Sphere);
     return Fracturer(grid, sphere, palette, materials, plan).run();
 }

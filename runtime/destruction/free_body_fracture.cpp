@@ -15,8 +15,8 @@
 namespace rubble {
 namespace {
 
-constexpr int kMinBeamCells = 12;       ///< cells: along shorter axes a body does not bend
-constexpr int kMaxParts = 6;       ///< of one impact
+constexpr int kMinBeamCells = 12;   ///< cells: along shorter axes a body does not bend
+constexpr int kMaxParts = 6;        ///< of one impact
 constexpr double kMinAspect = 0.8;  ///< length of a part over its width where it broke: shorter ones are left whole
 
 /// Weight and its moments about the grid's corner. Exact below 2^53.
@@ -41,7 +41,8 @@ struct MassSum {
         const glm::dvec3 c = center();
         const glm::dvec3 s = square - weight * c * c;
         const glm::dvec3 m = mixed - weight * glm::dvec3(c.y * c.z, c.z * c.x, c.x * c.y);
-        const glm::dvec3 own = glm::dvec3(s.y + s.z, s.x + s.z, s.x + s.y) + weight / 6.0;  // a voxel has some by itself
+        const glm::dvec3 own =
+            glm::dvec3(s.y + s.z, s.x + s.z, s.x + s.y) + weight / 6.0;  // a voxel has some by itself
         return {own.x, -m.z, -m.y, -m.z, own.y, -m.x, -m.y, -m.x, own.z};
     }
 };
@@ -82,7 +83,8 @@ std::vector<Section> sectionsThrough(glm::ivec3 size, int axis, int plane, F&& s
                 const glm::ivec3 brick(x, y, z);
                 const uint64_t below = brickLayer(solidAt(brick), axis, inBrick - 1);
                 const bool hasAbove = brick[axis] + above[axis] < size[axis];
-                const uint64_t cells = below && hasAbove ? below & brickLayer(solidAt(brick + above), axis, inBrick & 7) : 0;
+                const uint64_t cells =
+                    below && hasAbove ? below & brickLayer(solidAt(brick + above), axis, inBrick & 7) : 0;
                 if (cells) out.push_back({brick, axis, inBrick, cells});
             }
     return out;
@@ -91,7 +93,9 @@ std::vector<Section> sectionsThrough(glm::ivec3 size, int axis, int plane, F&& s
 class FreeBody {
 public:
     FreeBody(const StressedShape& body, const ImpactForce& impact)
-        : m_body(body), m_point(glm::dvec3(impact.cell) + 0.5), m_force(impact.force / (body.voxelSize * body.voxelSize * body.voxelSize)) {
+        : m_body(body),
+          m_point(glm::dvec3(impact.cell) + 0.5),
+          m_force(impact.force / (body.voxelSize * body.voxelSize * body.voxelSize)) {
         sumLayers();
     }
 
@@ -107,7 +111,9 @@ public:
         }
         std::reverse(out.begin(), out.end());
         for (FracturePlane& each : out)
-            if (std::min(each.plane + 1 - out.front().plane, out.back().plane + 1 - each.plane) < shortestPart(each.width)) each.utilization = 0.0;
+            if (std::min(each.plane + 1 - out.front().plane, out.back().plane + 1 - each.plane) <
+                shortestPart(each.width))
+                each.utilization = 0.0;
         return out;
     }
 
@@ -150,12 +156,14 @@ private:
     FracturePlane evaluatePlane(int axis, int plane, const MassSum& above) const {
         FracturePlane out{axis, plane};
         const std::vector<Section> sections =
-            sectionsThrough(m_body.grid.sizeInBricks(), axis, plane, [&](glm::ivec3 brick) { return m_solid[m_solidIndex[placeOf(brick)]]; });
+            sectionsThrough(m_body.grid.sizeInBricks(), axis, plane,
+                            [&](glm::ivec3 brick) { return m_solid[m_solidIndex[placeOf(brick)]]; });
         if (sections.empty()) return out;
         const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
         const auto shapeSeenFrom = [&](const Section& from) {
             std::vector<SectionTile> tiles;
-            for (const Section& each : sections) tiles.push_back({each.cells, each.brick[u] - from.brick[u], each.brick[v] - from.brick[v]});
+            for (const Section& each : sections)
+                tiles.push_back({each.cells, each.brick[u] - from.brick[u], each.brick[v] - from.brick[v]});
             return sectionShape(from, tiles);
         };
         const SectionShape shape = shapeSeenFrom(sections.front());
@@ -175,7 +183,8 @@ private:
             const double scale = m_body.strengthScale / m_body.voxelSize;
             strength = {strength.tensile * scale, strength.compressive * scale, strength.shear * scale};
             const SectionUtilization sectionResult = sectionUtilization(section, shape, load, strength);
-            if (sectionResult.utilization > out.utilization) out.utilization = sectionResult.utilization, out.cause = sectionResult.cause;
+            if (sectionResult.utilization > out.utilization)
+                out.utilization = sectionResult.utilization, out.cause = sectionResult.cause;
         }
         if (!canAnyBreak) out.utilization = 0.0;
         return out;
@@ -185,7 +194,7 @@ private:
     glm::dvec3 m_point, m_force;
     std::array<std::vector<MassSum>, 3> m_layers;
     std::vector<uint32_t> m_solidIndex;  ///< by place of the brick: which of these are its cells that carry
-    std::vector<BrickBits> m_solid;   ///< the first: none
+    std::vector<BrickBits> m_solid;      ///< the first: none
     MassSum m_all;
     Acceleration m_acceleration;
 };
@@ -205,7 +214,9 @@ std::vector<FracturePlane> findFracturePlanes(const StressedShape& body, const I
     FracturePlane worst{0, 0, 1.0};
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<FracturePlane> each = freeBody.planes(axis);
-        const auto largest = std::max_element(each.begin(), each.end(), [](const FracturePlane& a, const FracturePlane& b) { return a.utilization < b.utilization; });
+        const auto largest = std::max_element(
+            each.begin(), each.end(),
+            [](const FracturePlane& a, const FracturePlane& b) { return a.utilization < b.utilization; });
         if (largest == each.end() || !(largest->utilization > worst.utilization)) continue;
         worst = *largest;
         planes = std::move(each);
@@ -213,13 +224,16 @@ std::vector<FracturePlane> findFracturePlanes(const StressedShape& body, const I
     if (planes.empty()) return {};
     const int first = planes.front().plane, length = planes.back().plane + 1 - first;
     const int shortest = shortestPart(worst.width);
-    const int parts =
-        std::clamp(std::min(int(std::sqrt(std::min(worst.utilization, double(kMaxParts * kMaxParts)))) + 1, length / shortest), 2, kMaxParts);
+    const int parts = std::clamp(
+        std::min(int(std::sqrt(std::min(worst.utilization, double(kMaxParts * kMaxParts)))) + 1, length / shortest), 2,
+        kMaxParts);
     std::vector<FracturePlane> out{worst};
     for (int i = 1; i < parts && int(out.size()) + 1 < parts; ++i) {
         const int jitter = length / parts / 3;
-        const int at = first + length * i / parts + int(hashCell(i, worst.plane, length, seed) % uint32_t(2 * jitter + 1)) - jitter;
-        const auto plane = std::find_if(planes.begin(), planes.end(), [&](const FracturePlane& each) { return each.plane >= at; });
+        const int at = first + length * i / parts +
+                       int(hashCell(i, worst.plane, length, seed) % uint32_t(2 * jitter + 1)) - jitter;
+        const auto plane =
+            std::find_if(planes.begin(), planes.end(), [&](const FracturePlane& each) { return each.plane >= at; });
         if (plane == planes.end() || !(plane->utilization * parts > 1.0)) continue;
         const bool isApart = std::all_of(out.begin(), out.end(), [&](const FracturePlane& each) {
             return std::abs(each.plane - plane->plane) >= std::max(shortest, length / parts / 2);

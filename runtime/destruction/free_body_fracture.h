@@ -11,10 +11,10 @@ struct FracturePlane {
     double width = 0.0;  ///< cells: the root of the rectangle around its faces
 };
 
-/// What a impact does to a body that nothing holds: each part follows as fast as the whole does, and the plane between two parts
-/// passes on what that takes. `planes` sorted by place along one axis: the largest loaded, and others, by `seed`, so that what
-/// is left between them bears the impact: a beam's bending goes with the square of its length. Empty if it bears it whole.
-/// Costs three sums a voxel.
+/// What a impact does to a body that nothing holds: each part follows as fast as the whole does, and the plane between
+/// two parts passes on what that takes. `planes` sorted by place along one axis: the largest loaded, and others, by
+/// `seed`, so that what is left between them bears the impact: a beam's bending goes with the square of its length.
+/// Empty if it bears it whole. Costs three sums a voxel.
 std::vector<FracturePlane> findFracturePlanes(const StressedShape& body, const ImpactForce& impact, uint32_t seed);
 
 /// The sections of a plane, brick by brick, in the order of cellBefore().

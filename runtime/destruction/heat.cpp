@@ -9,24 +9,26 @@
 namespace rubble {
 namespace {
 
-constexpr double kSkin = 0.0008;                                // metres of a surface that follow the heat at once
-constexpr double kFlux = 400e3;                                 // W/m2 of burning surface; real fires give 100 to 300, and nobody waits for those
-constexpr int kCoolingShift = 9;                                // 1/512 an update: a time constant of 51 s
-constexpr int kNegligibleKelvin = 2;                                 // K above ambient
-constexpr int kGrowthUpdates = 20;                                // until a fire is at its strongest
-constexpr int kCharEvery = 4;                                   // updates
-constexpr int kCharShare = 160;                                 // of 255 voxels in a round
-constexpr int kMinFrontVoxels = 8;                               // voxels that always burn away together: the last ones do not take for ever
-constexpr int kMaxFlameBricks = 3;                                  // bricks that flames bridge upwards
-constexpr int kShareUp = 72, kShareUpAside = 14, kShareAside = 24, kShareDown = 8;  // shares of what is emitted, of 256; the rest is smoke
-constexpr int kSteelWeakens = 380, kSteelIsSoft = 900;          // K above ambient: EN 1993-1-2, table 3.1, between its ends
+constexpr double kSkin = 0.0008;      // metres of a surface that follow the heat at once
+constexpr double kFlux = 400e3;       // W/m2 of burning surface; real fires give 100 to 300, and nobody waits for those
+constexpr int kCoolingShift = 9;      // 1/512 an update: a time constant of 51 s
+constexpr int kNegligibleKelvin = 2;  // K above ambient
+constexpr int kGrowthUpdates = 20;    // until a fire is at its strongest
+constexpr int kCharEvery = 4;         // updates
+constexpr int kCharShare = 160;       // of 255 voxels in a round
+constexpr int kMinFrontVoxels = 8;    // voxels that always burn away together: the last ones do not take for ever
+constexpr int kMaxFlameBricks = 3;    // bricks that flames bridge upwards
+constexpr int kShareUp = 72, kShareUpAside = 14, kShareAside = 24,
+              kShareDown = 8;                           // shares of what is emitted, of 256; the rest is smoke
+constexpr int kSteelWeakens = 380, kSteelIsSoft = 900;  // K above ambient: EN 1993-1-2, table 3.1, between its ends
 
 int32_t whole(double value) {
     return int32_t(std::clamp(std::floor(value), 0.0, 1e9));
 }
 
 bool burns(const Material& material) {
-    return material.ignitionTemperature > 0.0f && material.hardness != Hardness::Unbreakable && material.hardness != Hardness::Unphysical;
+    return material.ignitionTemperature > 0.0f && material.hardness != Hardness::Unbreakable &&
+           material.hardness != Hardness::Unphysical;
 }
 
 }  // namespace
@@ -40,7 +42,8 @@ HeatTable makeHeatTable(const Palette& palette, const MaterialTable& materials, 
         entry.capacity = std::max(1, whole(double(material.heatCapacity) * material.density * face * kSkin * 1000.0));
         if (!burns(material)) continue;
         entry.ignition = std::max(1, whole(double(material.ignitionTemperature)) - kAmbientKelvin);
-        entry.burnRate = std::max(1, whole(kWholeVoxel / std::max(0.1, double(material.burnTime) * burnTime * kHeatUpdatesPerSecond)));
+        entry.burnRate = std::max(
+            1, whole(kWholeVoxel / std::max(0.1, double(material.burnTime) * burnTime * kHeatUpdatesPerSecond)));
         entry.power = whole(kFlux * face * 1000.0 / kHeatUpdatesPerSecond);
     }
     return table;
@@ -138,7 +141,8 @@ void spreadHeat(const VoxelGrid& grid, glm::ivec3 brick, int64_t emitted, std::v
     for (int up = 1; up <= kMaxFlameBricks && !give(brick + glm::ivec3(0, up, 0), kShareUp / up); ++up) {
     }
     give(brick - glm::ivec3(0, 1, 0), kShareDown);
-    for (const glm::ivec3 aside : {glm::ivec3(-1, 0, 0), glm::ivec3(1, 0, 0), glm::ivec3(0, 0, -1), glm::ivec3(0, 0, 1)}) {
+    for (const glm::ivec3 aside :
+         {glm::ivec3(-1, 0, 0), glm::ivec3(1, 0, 0), glm::ivec3(0, 0, -1), glm::ivec3(0, 0, 1)}) {
         give(brick + aside, kShareAside);
         give(brick + aside + glm::ivec3(0, 1, 0), kShareUpAside);
     }

@@ -9,11 +9,11 @@
 
 namespace rubble {
 
-inline constexpr int kHeatInterval = 6;                  ///< steps between two updates of a brick
+inline constexpr int kHeatInterval = 6;                           ///< steps between two updates of a brick
 inline constexpr int kHeatUpdatesPerSecond = 60 / kHeatInterval;  ///< updates a second
-inline constexpr int kAmbientKelvin = 293;                     ///< K
-inline constexpr int kCharRounds = 16;                   ///< from unburnt to black
-inline constexpr int kWholeVoxel = 65536;                ///< of HotBrick::burned
+inline constexpr int kAmbientKelvin = 293;                        ///< K
+inline constexpr int kCharRounds = 16;                            ///< from unburnt to black
+inline constexpr int kWholeVoxel = 65536;                         ///< of HotBrick::burned
 
 /// A brick that is hot, burning or wet. Plain data: may be copied, compared and saved.
 struct HotBrick {

@@ -9,8 +9,10 @@ void InternalForces::addBond(const StressBond& bond, const SectionForce& load, b
     const Section& section = bond.section;
     const double sign = nodeIsBelow ? 1.0 : -1.0;
     const glm::dvec3 arm = bond.shape.centroid - m_node.center;
-    add(section.axis, nodeIsBelow ? section.plane - 1 : section.plane & 7, sign * load.force, sign * (load.moment + glm::cross(arm, load.force)));
-    // Along the other two axes, each face loads its own layer. What the faces' forces leave of the moment turns each face.
+    add(section.axis, nodeIsBelow ? section.plane - 1 : section.plane & 7, sign * load.force,
+        sign * (load.moment + glm::cross(arm, load.force)));
+    // Along the other two axes, each face loads its own layer. What the faces' forces leave of the moment turns each
+    // face.
     glm::dvec3 rest = load.moment;
     std::array<glm::dvec3, 64> forces;
     const auto faceCenter = [&](int bit) {

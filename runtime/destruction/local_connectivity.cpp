@@ -12,7 +12,7 @@
 namespace rubble {
 namespace {
 
-constexpr int kMaxBricks = 343;     ///< of bricks in the box around the cut: a larger cut is better searched by nodes
+constexpr int kMaxBricks = 343;      ///< of bricks in the box around the cut: a larger cut is better searched by nodes
 constexpr uint8_t kCarved = 1 << 6;  ///< a brick that was carved; lower bits: its faces that look at one
 constexpr uint8_t kAllFaces = 0x3f;
 
@@ -29,7 +29,9 @@ struct Surroundings {
         const glm::ivec3 at = brick - box.low;
         return (at.z * size().y + at.y) * size().x + at.x;
     }
-    bool contains(glm::ivec3 brick) const { return glm::all(glm::greaterThanEqual(brick, box.low)) && glm::all(glm::lessThan(brick, box.high)); }
+    bool contains(glm::ivec3 brick) const {
+        return glm::all(glm::greaterThanEqual(brick, box.low)) && glm::all(glm::lessThan(brick, box.high));
+    }
 };
 
 CellBox boxAround(const VoxelGrid& grid, const BrickSet& carved) {
@@ -64,11 +66,13 @@ void joinAlong(const Surroundings& near, size_t axis, UnionFind<uint16_t>& sets)
     const size_t face = 2 * axis + 1;
     for (int brickIndex = 0; brickIndex + step < near.brickCount(); ++brickIndex) {
         const auto a = near.parts[size_t(brickIndex)], b = near.parts[size_t(brickIndex + step)];
-        if (a.empty() || b.empty() || brickIndex / step % near.size()[int(axis)] == near.size()[int(axis)] - 1) continue;
+        if (a.empty() || b.empty() || brickIndex / step % near.size()[int(axis)] == near.size()[int(axis)] - 1)
+            continue;
         for (size_t i = 0; i < a.size(); ++i)
             for (size_t j = 0; a[i].faces[face] && j < b.size(); ++j)
                 if (a[i].faces[face] & b[j].faces[face ^ 1])
-                    sets.unite(uint16_t(near.firstPart[size_t(brickIndex)] + i), uint16_t(near.firstPart[size_t(brickIndex + step)] + j));
+                    sets.unite(uint16_t(near.firstPart[size_t(brickIndex)] + i),
+                               uint16_t(near.firstPart[size_t(brickIndex + step)] + j));
     }
 }
 
@@ -78,14 +82,16 @@ bool isLocallyConnected(const VoxelGrid& grid, const CellBox& lost, std::span<co
     if (lost.empty()) return false;
     const CellBox box{glm::max(lost.low - 1, 0), glm::min(lost.high + 1, grid.size())};
     for (const CellBox& anchor : anchors)
-        if (glm::all(glm::lessThan(anchor.low, lost.high)) && glm::all(glm::lessThan(lost.low, anchor.high))) return false;
+        if (glm::all(glm::lessThan(anchor.low, lost.high)) && glm::all(glm::lessThan(lost.low, anchor.high)))
+            return false;
     return isConnectedInBox(grid, box);
 }
 
 bool isLocallyConnected(const VoxelGrid& grid, const BrickSet& carved) {
     Surroundings near;
     near.box = boxAround(grid, carved);
-    if (near.box.empty() || near.size().x > kMaxBricks || near.size().y > kMaxBricks || near.brickCount() > kMaxBricks) return false;
+    if (near.box.empty() || near.size().x > kMaxBricks || near.size().y > kMaxBricks || near.brickCount() > kMaxBricks)
+        return false;
     carved.forEach([&](glm::ivec3 brick) {
         near.roles[size_t(near.brickIndex(brick))] |= kCarved | kAllFaces;
         for (size_t face = 0; face < 6; ++face)
@@ -100,7 +106,8 @@ bool isLocallyConnected(const VoxelGrid& grid, const BrickSet& carved) {
         for (size_t i = 0; i < near.parts[size_t(brickIndex)].size(); ++i) {
             const uint8_t role = near.roles[size_t(brickIndex)];
             bool touches = role & kCarved;
-            for (size_t face = 0; face < 6 && !touches; ++face) touches = (role >> face & 1) && near.parts[size_t(brickIndex)][i].faces[face];
+            for (size_t face = 0; face < 6 && !touches; ++face)
+                touches = (role >> face & 1) && near.parts[size_t(brickIndex)][i].faces[face];
             if (!touches) continue;
             const uint16_t set = sets.root(uint16_t(near.firstPart[size_t(brickIndex)] + i));
             if (whole && *whole != set) return false;

@@ -32,7 +32,8 @@ struct SprayedVoxels {
         for (int z = range.low.z; z < range.high.z; ++z)
             for (int y = range.low.y; y < range.high.y; ++y)
                 for (int x = range.low.x; x < range.high.x; ++x)
-                    if (const Brick* brick = grid.brickAt({x, y, z})) f(BrickSubset{{x, y, z}, brushBits(brush, {x, y, z}, brush.radii[0])}, *brick);
+                    if (const Brick* brick = grid.brickAt({x, y, z}))
+                        f(BrickSubset{{x, y, z}, brushBits(brush, {x, y, z}, brush.radii[0])}, *brick);
     }
     template <class F>
     void forEachSample(const VoxelGrid& grid, const BrickSubset& subset, const Brick& brick, F&& f) const {
@@ -43,7 +44,8 @@ struct SprayedVoxels {
         forEachVoxel(cells, [&](int i) {
             const glm::ivec3 cell = subset.brick * kBrickSize + voxelInBrick(i);
             const int rim = rimFraction(brush, cell);
-            const SpraySample sample{paint.strength * (255 - (255 - paint.falloff) * rim / 255) / 255, rim, cell, exposed.axis(i)};
+            const SpraySample sample{paint.strength * (255 - (255 - paint.falloff) * rim / 255) / 255, rim, cell,
+                                     exposed.axis(i)};
             if (isTouched(sample, paint)) f(i, sample);
         });
     }
@@ -63,7 +65,9 @@ struct ListedVoxels {
     void forEachSample(const VoxelGrid&, const BrickSubset& subset, const Brick& brick, F&& f) const {
         BrickBits solid = subset.voxels;
         for (size_t i = 0; i < 8; ++i) solid[i] &= brick.occupancy[i];
-        forEachVoxel(solid, [&](int i) { f(i, SpraySample{paint.strength, 0, subset.brick * kBrickSize + voxelInBrick(i), 2}); });
+        forEachVoxel(solid, [&](int i) {
+            f(i, SpraySample{paint.strength, 0, subset.brick * kBrickSize + voxelInBrick(i), 2});
+        });
     }
 };
 
@@ -86,7 +90,8 @@ uint8_t paintedByte(uint8_t before, int color, const SpraySample& sample, uint32
     const int steps = paintSteps(before);
     const int amount = (kPaintSteps - steps) * sample.strength;  // in 255ths of a step, dithered to whole ones
     const int added = std::min(kPaintSteps - steps, std::max(1, (amount + noise) / 255));
-    const bool keepsColor = steps > 0 && paintColor(before) != color && noise >= std::max(sample.strength, 255 / kPaintSteps);
+    const bool keepsColor =
+        steps > 0 && paintColor(before) != color && noise >= std::max(sample.strength, 255 / kPaintSteps);
     return paintByte(keepsColor ? paintColor(before) : color, steps + added);
 }
 
@@ -121,7 +126,9 @@ PaintResult blendPalette(VoxelGrid& grid, const PaletteRef& palette, const Area&
         expandBrick(&brick, indices);
         uint64_t changed = 0;
         area.forEachSample(grid, subset, brick, [&](int i, const SpraySample& sample) {
-            if (surfaceNoise(sample.cell, sample.axis, paint.seed ^ kSecondNoise) * paint.strength >= sample.strength * 255) return;
+            if (surfaceNoise(sample.cell, sample.axis, paint.seed ^ kSecondNoise) * paint.strength >=
+                sample.strength * 255)
+                return;
             const uint8_t next = blend.blended(indices[size_t(i)]);
             changed += next != indices[size_t(i)];
             indices[size_t(i)] = next;
@@ -170,19 +177,22 @@ PaintResult coverLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Area
 PaintResult paintPalette(VoxelGrid& grid, const PaletteRef& palette, const Brush& brush, const Paint& paint) {
     return brush.radii[0] > 0 ? blendPalette(grid, palette, SprayedVoxels{brush, paint}) : PaintResult{};
 }
-PaintResult paintPalette(VoxelGrid& grid, const PaletteRef& palette, std::span<const BrickSubset> cells, const Paint& paint) {
+PaintResult paintPalette(VoxelGrid& grid, const PaletteRef& palette, std::span<const BrickSubset> cells,
+                         const Paint& paint) {
     return blendPalette(grid, palette, ListedVoxels{cells, paint});
 }
 PaintResult paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Brush& brush, const Paint& paint) {
     return brush.radii[0] > 0 ? coverLayer(grid, colors, SprayedVoxels{brush, paint}) : PaintResult{};
 }
-PaintResult paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, std::span<const BrickSubset> cells, const Paint& paint) {
+PaintResult paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, std::span<const BrickSubset> cells,
+                       const Paint& paint) {
     return coverLayer(grid, colors, ListedVoxels{cells, paint});
 }
 
 Srgb paintOver(Srgb base, Srgb paint, int steps) {
     Srgb out;
-    for (size_t i = 0; i < 3; ++i) out[i] = uint8_t((base[i] * (kPaintSteps - steps) + paint[i] * steps + kPaintSteps / 2) / kPaintSteps);
+    for (size_t i = 0; i < 3; ++i)
+        out[i] = uint8_t((base[i] * (kPaintSteps - steps) + paint[i] * steps + kPaintSteps / 2) / kPaintSteps);
     return out;
 }
 

@@ -47,7 +47,8 @@ BrickBits across(const BrickBits& bits, size_t face) {
 
 }  // namespace
 
-std::vector<BrickSubset> findPane(const VoxelGrid& grid, glm::ivec3 cell, const std::function<bool(uint8_t)>& isOfPane, uint64_t limit) {
+std::vector<BrickSubset> findPane(const VoxelGrid& grid, glm::ivec3 cell, const std::function<bool(uint8_t)>& isOfPane,
+                                  uint64_t limit) {
     struct Seen {
         BrickBits pane{};  ///< voxels of the kind
         size_t subset = 0;
@@ -77,11 +78,13 @@ std::vector<BrickSubset> findPane(const VoxelGrid& grid, glm::ivec3 cell, const 
         BrickBits grown = taken;
         for (size_t z = 0; z < 8; ++z) grown[z] |= from.voxels[z] & known.pane[z];
         if (grown == taken) continue;
-        for (BrickBits next = grownOnce(grown, known.pane); next != grown; next = grownOnce(grown, known.pane)) grown = next;
+        for (BrickBits next = grownOnce(grown, known.pane); next != grown; next = grownOnce(grown, known.pane))
+            grown = next;
         for (size_t z = 0; z < 8; ++z) count += uint64_t(std::popcount(grown[z] & ~taken[z]));
         taken = grown;
         for (size_t face = 0; face < 6; ++face)
-            if (const BrickBits seeds = across(grown, face); seeds != BrickBits{}) open.push_back({from.brick + kFaceOffsets[face], seeds});
+            if (const BrickBits seeds = across(grown, face); seeds != BrickBits{})
+                open.push_back({from.brick + kFaceOffsets[face], seeds});
     }
     std::erase_if(out, [](const BrickSubset& subset) { return subset.voxels == BrickBits{}; });
     return out;

@@ -30,11 +30,14 @@ public:
                 if (!content) continue;
                 for (size_t z = 0; z < 8; ++z)
                     for (size_t y = 0; y < 8; ++y)
-                        bytes[(z * m_rows + size_t(brick.y) * 8 + y) * m_words * 8 + size_t(brick.x)] = uint8_t(content->occupancy[z] >> 8 * y);
+                        bytes[(z * m_rows + size_t(brick.y) * 8 + y) * m_words * 8 + size_t(brick.x)] =
+                            uint8_t(content->occupancy[z] >> 8 * y);
             }
     }
     size_t rows() const { return m_rows; }
-    std::span<const uint64_t> row(size_t y, size_t z) const { return std::span(m_bits).subspan((z * m_rows + y) * m_words, m_words); }
+    std::span<const uint64_t> row(size_t y, size_t z) const {
+        return std::span(m_bits).subspan((z * m_rows + y) * m_words, m_words);
+    }
 
 private:
     size_t m_rows, m_words;
@@ -46,7 +49,8 @@ uint64_t removeIsolatedCells(std::span<uint64_t> row, const std::array<std::span
     uint64_t count = 0, before = 0;
     for (size_t w = 0; w < row.size(); ++w) {
         const uint64_t bits = row[w], after = w + 1 < row.size() ? row[w + 1] << 63 : 0;
-        const uint64_t near = (bits << 1 | before) | (bits >> 1 | after) | around[0][w] | around[1][w] | around[2][w] | around[3][w];
+        const uint64_t near =
+            (bits << 1 | before) | (bits >> 1 | after) | around[0][w] | around[1][w] | around[2][w] | around[3][w];
         count += uint64_t(std::popcount(bits & ~near));
         row[w] = bits & near;
         before = bits >> 63;
@@ -71,9 +75,10 @@ std::vector<uint64_t> componentSizesByRuns(const VoxelGrid& grid) {
             for (size_t y = 0; y < slabs[1].rows(); ++y) {
                 const auto own = slabs[1].row(y, plane);
                 row.assign(own.begin(), own.end());
-                isolated += removeIsolatedCells(
-                    row, {y > 0 ? slabs[1].row(y - 1, plane) : none, y + 1 < slabs[1].rows() ? slabs[1].row(y + 1, plane) : none,
-                          plane > 0 ? slabs[1].row(y, plane - 1) : slabs[0].row(y, 7), plane < 7 ? slabs[1].row(y, plane + 1) : slabs[2].row(y, 0)});
+                isolated += removeIsolatedCells(row, {y > 0 ? slabs[1].row(y - 1, plane) : none,
+                                                      y + 1 < slabs[1].rows() ? slabs[1].row(y + 1, plane) : none,
+                                                      plane > 0 ? slabs[1].row(y, plane - 1) : slabs[0].row(y, 7),
+                                                      plane < 7 ? slabs[1].row(y, plane + 1) : slabs[2].row(y, 0)});
                 sets.add(row);
             }
     }

@@ -44,7 +44,8 @@ void RunLabels::add(std::span<const uint64_t> row) {
     const size_t before = m_rows % m_rowsPerPlane > 0 ? place - 1 : outside;
     const size_t below = m_rows >= m_rowsPerPlane ? (place + m_rowsPerPlane) % outside : outside;
     const uint64_t *bitsBefore = m_bits.data() + before * m_words, *bitsBelow = m_bits.data() + below * m_words;
-    const uint32_t *cellsBefore = m_cells.data() + before * m_words * 64, *cellsBelow = m_cells.data() + below * m_words * 64;
+    const uint32_t *cellsBefore = m_cells.data() + before * m_words * 64,
+                   *cellsBelow = m_cells.data() + below * m_words * 64;
     uint32_t* cells = m_cells.data() + place * m_words * 64;
     uint64_t last = 0, lastBefore = 0, lastBelow = 0;  // bit 63 of the word before, alone and together with the others
     uint32_t label = 0, labels = m_labels, *labelOf = m_keepsRuns ? m_labelOf.data() : nullptr;

@@ -10,7 +10,8 @@
 
 namespace rubble {
 
-/// Calls f(begin, end) for every run of set bits in a row of words, end excluded; the last word holds no bits beyond the row.
+/// Calls f(begin, end) for every run of set bits in a row of words, end excluded; the last word holds no bits beyond
+/// the row.
 template <class F>
 void forEachRun(std::span<const uint64_t> row, F&& f) {
     constexpr uint32_t kNone = ~0u;
@@ -29,7 +30,8 @@ void forEachRun(std::span<const uint64_t> row, F&& f) {
 
 /// How far fillRun() may write beyond its end.
 inline constexpr size_t kFillPadding = 4;
-/// Fills out[begin, end), four at a time and at least once: most runs are short, and a store costs less than a question.
+/// Fills out[begin, end), four at a time and at least once: most runs are short, and a store costs less than a
+/// question.
 inline void fillRun(uint32_t* out, uint32_t begin, uint32_t end, uint32_t value) {
     const uint64_t two = value * 0x0000000100000001ull, four[2] = {two, two};
     do {
@@ -38,9 +40,9 @@ inline void fillRun(uint32_t* out, uint32_t begin, uint32_t end, uint32_t value)
     } while (begin < end);
 }
 
-/// 6-connected components of cells that come as rows of bits along x. A run takes the label of one that it touches in the row
-/// before or in the plane below, or else a new one; labels that meet are united (He, Chao & Suzuki 2008, in three dimensions).
-/// Keeps two planes, twelve bytes a label, and four bytes a run if they are asked for.
+/// 6-connected components of cells that come as rows of bits along x. A run takes the label of one that it touches in
+/// the row before or in the plane below, or else a new one; labels that meet are united (He, Chao & Suzuki 2008, in
+/// three dimensions). Keeps two planes, twelve bytes a label, and four bytes a run if they are asked for.
 class RunLabels {
 public:
     RunLabels(glm::ivec3 size, bool keepsRuns);

@@ -11,7 +11,8 @@ namespace {
 CellBox componentBounds(const VoxelGrid& grid, const Component& component) {
     CellBox bounds{component.lowest, component.lowest + 1};
     const auto isInside = [&](glm::ivec3 low, int size) {
-        return glm::all(glm::greaterThanEqual(low, bounds.low)) && glm::all(glm::lessThanEqual(low + size, bounds.high));
+        return glm::all(glm::greaterThanEqual(low, bounds.low)) &&
+               glm::all(glm::lessThanEqual(low + size, bounds.high));
     };
     const auto widen = [&](glm::ivec3 brick, const BrickBits& voxels) {
         if (isInside(brick * kBrickSize, kBrickSize)) return;
@@ -21,7 +22,9 @@ CellBox componentBounds(const VoxelGrid& grid, const Component& component) {
     for (const NodeSubset& subset : component.nodes) {
         if (isInside(subset.node * kNodeSize, kNodeSize)) continue;
         const BrickNode& node = *grid.nodeAt(subset.node);
-        forEachChild(subset.bricks, [&](int child) { widen(subset.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy); });
+        forEachChild(subset.bricks, [&](int child) {
+            widen(subset.node * kNodeBricks + childPosition(child), node.bricks[size_t(child)]->occupancy);
+        });
     }
     return bounds;
 }
@@ -38,7 +41,9 @@ Piece takePiece(VoxelGrid& grid, const Component& component) {
     const CellBox bounds = componentBounds(grid, component);
     Piece piece;
     const int unit =
-        glm::any(glm::greaterThan(bounds.high - bounds.low, glm::ivec3(kNodeSize))) && hasWholeNode(grid, component) ? kNodeSize : kBrickSize;
+        glm::any(glm::greaterThan(bounds.high - bounds.low, glm::ivec3(kNodeSize))) && hasWholeNode(grid, component)
+            ? kNodeSize
+            : kBrickSize;
     piece.offset = bounds.low / unit * unit;
     piece.grid = VoxelGrid(bounds.high - piece.offset);
     const glm::ivec3 offsetBricks = piece.offset / kBrickSize;
@@ -76,9 +81,11 @@ VoxelGrid cropped(const VoxelGrid& grid, const CellBox& box) {
     const bool isAligned = (box.low & (kBrickSize - 1)) == glm::ivec3(0);
     grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         const glm::ivec3 cell = position * kBrickSize;
-        const bool isInside = glm::all(glm::greaterThanEqual(cell, box.low)) && glm::all(glm::lessThanEqual(cell + kBrickSize, box.high));
+        const bool isInside =
+            glm::all(glm::greaterThanEqual(cell, box.low)) && glm::all(glm::lessThanEqual(cell + kBrickSize, box.high));
         if (isAligned && isInside) return out.setBrick((cell - box.low) >> 3, brick);
-        forEachVoxel(brick->occupancy, [&](int i) { writer.set(cell + voxelInBrick(i) - box.low, brick->at(i), brick->paintAt(i)); });
+        forEachVoxel(brick->occupancy,
+                     [&](int i) { writer.set(cell + voxelInBrick(i) - box.low, brick->at(i), brick->paintAt(i)); });
     });
     writer.flush();
     return out;

@@ -30,7 +30,8 @@ ExposedBits exposedBits(const VoxelGrid& grid, glm::ivec3 position, const Brick&
         const Brick* neighbour = grid.brickAt(position + step);
         return neighbour ? neighbour->occupancy : BrickBits{};
     };
-    const BrickBits left = occupancy({-1, 0, 0}), right = occupancy({1, 0, 0}), below = occupancy({0, -1, 0}), above = occupancy({0, 1, 0});
+    const BrickBits left = occupancy({-1, 0, 0}), right = occupancy({1, 0, 0}), below = occupancy({0, -1, 0}),
+                    above = occupancy({0, 1, 0});
     const BrickBits back = occupancy({0, 0, -1}), front = occupancy({0, 0, 1});
     ExposedBits out;
     for (size_t z = 0; z < 8; ++z) {

@@ -14,12 +14,15 @@ namespace rubble {
 namespace {
 
 constexpr uint32_t kNone = ~0u;
-constexpr double kShearRatio = 0.4;    ///< shear modulus over Young's modulus
-constexpr double kTolerance = 1e-6;    ///< of the energy of the error: forces to about a thousandth
-constexpr int kMaxIterations = 400;    ///< beyond which it is given up: nothing breaks
-constexpr double kSimultaneousRatio = 0.9;    ///< utilization of the worst overload from which others break in the same step
-constexpr double kMinOwnUtilization = 0.8;    ///< stress over strength that a section must have ownUtilization too: a window may see tension beside a press
-constexpr double kMinSlicedUtilization = 0.2;  ///< of a bond, from which the layers of its nodes and those around are looked at
+constexpr double kShearRatio = 0.4;  ///< shear modulus over Young's modulus
+constexpr double kTolerance = 1e-6;  ///< of the energy of the error: forces to about a thousandth
+constexpr int kMaxIterations = 400;  ///< beyond which it is given up: nothing breaks
+constexpr double kSimultaneousRatio =
+    0.9;  ///< utilization of the worst overload from which others break in the same step
+constexpr double kMinOwnUtilization =
+    0.8;  ///< stress over strength that a section must have ownUtilization too: a window may see tension beside a press
+constexpr double kMinSlicedUtilization =
+    0.2;  ///< of a bond, from which the layers of its nodes and those around are looked at
 constexpr int kMaxImpactRounds = 24;
 constexpr int kWindowRadius = StressedSections::kWindowRadius;
 constexpr int kMinCrackSpacing = 8;  ///< cells between two sections, one behind the other, that break in the same step
@@ -78,7 +81,9 @@ void StressAnalysis::applyImpact(const ImpactForce& impact) {
 }
 
 int64_t StressAnalysis::stepWork() const {
-    const auto solverWork = [&] { return (m_inverse.applyWork() + int64_t(m_inverse.stiffness().block.size() + 2 * m_nodeOf.size())) * 3 / 4; };
+    const auto solverWork = [&] {
+        return (m_inverse.applyWork() + int64_t(m_inverse.stiffness().block.size() + 2 * m_nodeOf.size())) * 3 / 4;
+    };
     switch (m_phase) {
         case Phase::Start:  // it has to fetch what an iteration finds in the cache
             return 2 * solverWork();
@@ -89,7 +94,8 @@ int64_t StressAnalysis::stepWork() const {
     }
 }
 
-void StressAnalysis::run(const StressedShape& shape, int64_t& work, size_t maxCracks, std::vector<StressCrack>& cracks) {
+void StressAnalysis::run(const StressedShape& shape, int64_t& work, size_t maxCracks,
+                         std::vector<StressCrack>& cracks) {
     cracks.clear();
     // What was put by is for the step that waits, no more: no run does much more than it has.
     work = std::min(work + std::exchange(m_savedWork, 0), std::max(work, stepWork()));
@@ -247,10 +253,12 @@ void StressAnalysis::assembleLoad(const StressedShape& shape, size_t row) {
 
 void StressAnalysis::start() {
     const size_t n = m_nodeOf.size();
-    m_displacement.resize(n), m_residual.resize(n), m_direction.resize(n), m_preconditioned.resize(n), m_product.resize(n);
+    m_displacement.resize(n), m_residual.resize(n), m_direction.resize(n), m_preconditioned.resize(n),
+        m_product.resize(n);
     for (size_t row = 0; row < n; ++row) {
         const StressNode& node = m_graph.nodes()[m_nodeOf[row]];
-        m_displacement[row] = {node.translation.x, node.translation.y, node.translation.z, node.rotation.x, node.rotation.y, node.rotation.z};
+        m_displacement[row] = {node.translation.x, node.translation.y, node.translation.z,
+                               node.rotation.x,    node.rotation.y,    node.rotation.z};
     }
     multiply(m_inverse.stiffness(), m_displacement, m_product);
     for (size_t row = 0; row < n; ++row)
@@ -299,17 +307,21 @@ void StressAnalysis::finishSolution() {
 SectionForce StressAnalysis::bondForce(const StressBond& bond) const {
     const StressNode &below = m_graph.nodes()[bond.below], &above = m_graph.nodes()[bond.above];
     const BondStiffness stiffness = bondStiffness(bond);
-    const glm::dvec3 translation = displacementAt(above, bond.shape.centroid) - displacementAt(below, bond.shape.centroid), rotation = above.rotation - below.rotation;
+    const glm::dvec3 translation =
+                         displacementAt(above, bond.shape.centroid) - displacementAt(below, bond.shape.centroid),
+                     rotation = above.rotation - below.rotation;
     SectionForce out{stiffness.force * translation, glm::dvec3(0.0)};
     for (int i = 0; i < 3; ++i)
-        out.moment[i] = stiffness.moment[i][0] * rotation[0] + stiffness.moment[i][1] * rotation[1] + stiffness.moment[i][2] * rotation[2];
+        out.moment[i] = stiffness.moment[i][0] * rotation[0] + stiffness.moment[i][1] * rotation[1] +
+                        stiffness.moment[i][2] * rotation[2];
     return out;
 }
 
 namespace {
 
 int remainingStrength(std::span<const WeakBrick> weak, glm::ivec3 brick) {
-    const auto found = std::lower_bound(weak.begin(), weak.end(), brick, [](const WeakBrick& a, glm::ivec3 b) { return cellBefore(a.brick, b); });
+    const auto found = std::lower_bound(weak.begin(), weak.end(), brick,
+                                        [](const WeakBrick& a, glm::ivec3 b) { return cellBefore(a.brick, b); });
     return found != weak.end() && found->brick == brick ? found->left : 256;
 }
 
@@ -319,7 +331,8 @@ SectionStrength scaled(const SectionStrength& s, const Section& section, const S
     if (!shape.weak.empty()) {
         glm::ivec3 above = section.brick;
         above[section.axis] += section.plane == 8;
-        scale *= double(std::min(remainingStrength(shape.weak, section.brick), remainingStrength(shape.weak, above))) / 256.0;
+        scale *= double(std::min(remainingStrength(shape.weak, section.brick), remainingStrength(shape.weak, above))) /
+                 256.0;
     }
     return {s.tensile * scale, s.compressive * scale, s.shear * scale};
 }
@@ -341,7 +354,8 @@ int64_t StressAnalysis::evaluateBonds(const StressedShape& shape, uint32_t index
     for (const uint32_t bondIndex : node.bonds) {
         const StressBond& bond = m_graph.bonds()[bondIndex];
         if (bond.below != index && !m_graph.nodes()[bond.below].isFixed) continue;
-        const double utilization = m_sections.add(bond.section, bond.shape, bondForce(bond), scaled(bond.strength, bond.section, shape), bond.canBreak);
+        const double utilization = m_sections.add(bond.section, bond.shape, bondForce(bond),
+                                                  scaled(bond.strength, bond.section, shape), bond.canBreak);
         if (utilization < kMinSlicedUtilization) continue;
         m_isSliced[bond.below] = m_isSliced[bond.above] = true;
     }
@@ -380,10 +394,12 @@ int64_t StressAnalysis::evaluateLayers(const StressedShape& shape, uint32_t inde
     int64_t work = 900;
     for (int axis = 0; axis < 3; ++axis)
         for (int plane = 1; plane < 8; ++plane) {
-            const Section section{node.brick, axis, plane, brickLayer(node.cells, axis, plane - 1) & brickLayer(node.cells, axis, plane)};
+            const Section section{node.brick, axis, plane,
+                                  brickLayer(node.cells, axis, plane - 1) & brickLayer(node.cells, axis, plane)};
             if (!section.cells) continue;
             bool canBreak = false;
-            const SectionStrength strength = scaled(sectionStrength(shape.grid, shape.entries, section, canBreak), section, shape);
+            const SectionStrength strength =
+                scaled(sectionStrength(shape.grid, shape.entries, section, canBreak), section, shape);
             const SectionShape form = sectionShape(section);
             m_sections.add(section, form, slices.forceAt(axis, plane, form.centroid), strength, canBreak);
             work += 40;
@@ -395,7 +411,8 @@ int64_t StressAnalysis::evaluateLayers(const StressedShape& shape, uint32_t inde
 bool StressAnalysis::isStale(const Section& section) const {
     glm::ivec3 above = section.brick;
     above[section.axis] += section.plane == 8;
-    return std::any_of(m_changed.begin(), m_changed.end(), [&](glm::ivec3 brick) { return brick == section.brick || brick == above; });
+    return std::any_of(m_changed.begin(), m_changed.end(),
+                       [&](glm::ivec3 brick) { return brick == section.brick || brick == above; });
 }
 
 int64_t StressAnalysis::checkSection(size_t index) {
@@ -408,7 +425,8 @@ int64_t StressAnalysis::checkSection(size_t index) {
 }
 
 void StressAnalysis::chooseCracks(size_t maxCracks, std::vector<StressCrack>& cracks) {
-    std::stable_sort(m_overloaded.begin(), m_overloaded.end(), [](const StressCrack& a, const StressCrack& b) { return a.utilization > b.utilization; });
+    std::stable_sort(m_overloaded.begin(), m_overloaded.end(),
+                     [](const StressCrack& a, const StressCrack& b) { return a.utilization > b.utilization; });
     for (const StressCrack& crack : m_overloaded) {
         if (cracks.size() >= maxCracks || crack.utilization < kSimultaneousRatio * m_worst.utilization) return;
         const auto isSame = [&](const StressCrack& other) { return areSameCrack(other.section, crack.section); };
@@ -423,18 +441,20 @@ uint64_t StressAnalysis::hash() const {
     out = hashValue(m_rz, out);
     out = hashValue(uint64_t(m_isRestartRequested) << 32 | uint64_t(m_impactRounds), out);
     for (const std::vector<ImpactForce>* impacts : {&m_impacts, &m_pendingImpacts})
-        for (const ImpactForce& impact : *impacts) out = hashBytes(&impact.force, sizeof impact.force, hashBytes(&impact.cell, sizeof impact.cell, out));
+        for (const ImpactForce& impact : *impacts)
+            out = hashBytes(&impact.force, sizeof impact.force, hashBytes(&impact.cell, sizeof impact.cell, out));
     return hashValue(uint64_t(m_changed.size()), out);
 }
 
-std::vector<BrickSubset> crackCells(const VoxelGrid& grid, std::span<const CellBox> anchors, const StrengthTable& entries, const Section& section) {
+std::vector<BrickSubset> crackCells(const VoxelGrid& grid, std::span<const CellBox> anchors,
+                                    const StrengthTable& entries, const Section& section) {
     std::vector<BrickSubset> out;
     glm::ivec3 step(0);
     step[section.axis] = 1;
     const auto isAnchored = [&](glm::ivec3 cell) {
         return std::any_of(anchors.begin(), anchors.end(), [&](const CellBox& box) {
-            return cell.x >= box.low.x && cell.y >= box.low.y && cell.z >= box.low.z && cell.x < box.high.x && cell.y < box.high.y &&
-                   cell.z < box.high.z;
+            return cell.x >= box.low.x && cell.y >= box.low.y && cell.z >= box.low.z && cell.x < box.high.x &&
+                   cell.y < box.high.y && cell.z < box.high.z;
         });
     };
     for (uint64_t left = section.cells; left; left &= left - 1) {
@@ -448,7 +468,8 @@ std::vector<BrickSubset> crackCells(const VoxelGrid& grid, std::span<const CellB
                                                                  : (hashCell(clump.x, clump.y, clump.z) & 1) != 0;
         const glm::ivec3 cell = takesLower ? below : above;
         if (out.empty() || out.back().brick != cell >> 3) {
-            const auto same = std::find_if(out.begin(), out.end(), [&](const BrickSubset& subset) { return subset.brick == cell >> 3; });
+            const auto same = std::find_if(out.begin(), out.end(),
+                                           [&](const BrickSubset& subset) { return subset.brick == cell >> 3; });
             if (same != out.end())
                 std::swap(*same, out.back());
             else

@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "runtime/destruction/stressed_sections.h"
 #include "runtime/destruction/stress_graph.h"
 #include "runtime/destruction/stress_multigrid.h"
+#include "runtime/destruction/stressed_sections.h"
 
 namespace rubble {
 
@@ -34,7 +34,8 @@ struct StressCrack {
     friend bool operator==(const StressCrack&, const StressCrack&) = default;
 };
 
-/// A impact that a shape takes. It lasts until an analysis finds that it breaks nothing, for kMaxImpactRounds analyses at most.
+/// A impact that a shape takes. It lasts until an analysis finds that it breaks nothing, for kMaxImpactRounds analyses
+/// at most.
 struct ImpactForce {
     glm::ivec3 cell{0};
     glm::dvec3 force{0.0};  ///< N, in the shape's frame
@@ -52,8 +53,9 @@ public:
     void restart() { m_isRestartRequested = true; }
     bool isIdle() const { return m_phase == Phase::Idle && !m_isRestartRequested; }
 
-    /// Goes on until it is idle or `work` (about a 6x6 product with a vector each, 20 ns) is spent. What it may not finish
-    /// at once it saves up for. Fills in `cracks` when it has come to an end: the most overloaded sections, worst first.
+    /// Goes on until it is idle or `work` (about a 6x6 product with a vector each, 20 ns) is spent. What it may not
+    /// finish at once it saves up for. Fills in `cracks` when it has come to an end: the most overloaded sections,
+    /// worst first.
     void run(const StressedShape& shape, int64_t& work, size_t maxCracks, std::vector<StressCrack>& cracks);
 
     const StressGraph& graph() const { return m_graph; }
@@ -91,11 +93,11 @@ private:
     StressGraph m_graph;
     std::deque<glm::ivec3> m_changed;
     std::vector<ImpactForce> m_pendingImpacts, m_impacts;  ///< that wait, and that the analysis is about
-    int m_impactRounds = 0;                       ///< analyses that the impacts have lasted for
+    int m_impactRounds = 0;                                ///< analyses that the impacts have lasted for
     Phase m_phase = Phase::Idle;
     bool m_isRestartRequested = false;  ///< another analysis after this one
-    size_t m_next = 0;          ///< row, within a phase
-    int64_t m_savedWork = 0;        ///< work put by for a step that takes more than one run has
+    size_t m_next = 0;                  ///< row, within a phase
+    int64_t m_savedWork = 0;            ///< work put by for a step that takes more than one run has
 
     std::vector<uint32_t> m_rowOf, m_nodeOf;  ///< node -> row, row -> node
     BlockMatrix m_stiffness;
@@ -111,6 +113,7 @@ private:
 };
 
 /// The cells that open along a section: one of each pair that touches, the weaker, else by chance, in clumps.
-std::vector<BrickSubset> crackCells(const VoxelGrid& grid, std::span<const CellBox> anchors, const StrengthTable& entries, const Section& section);
+std::vector<BrickSubset> crackCells(const VoxelGrid& grid, std::span<const CellBox> anchors,
+                                    const StrengthTable& entries, const Section& section);
 
 }  // namespace rubble

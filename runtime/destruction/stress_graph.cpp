@@ -8,7 +8,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kMaxNeckRatio = 0.6;  ///< of the smaller cross-section beside it: below that, a neck is a bond of its own
+constexpr double kMaxNeckRatio =
+    0.6;  ///< of the smaller cross-section beside it: below that, a neck is a bond of its own
 
 uint32_t brickKey(glm::ivec3 brick) {
     static_assert(kMaxGridSize / kBrickSize <= 1024, "ten bits an axis");
@@ -27,8 +28,10 @@ Neck narrowest(const BrickBits& cells) {
         std::array<uint64_t, 8> layers;
         std::array<int, 8> widestBelow, widestAbove;
         for (int k = 0; k < 8; ++k) layers[size_t(k)] = brickLayer(cells, axis, k);
-        for (size_t k = 0, widest = 0; k < 8; ++k) widestBelow[k] = int(widest = std::max(widest, size_t(std::popcount(layers[k]))));
-        for (size_t k = 8, widest = 0; k-- > 0;) widestAbove[k] = int(widest = std::max(widest, size_t(std::popcount(layers[k]))));
+        for (size_t k = 0, widest = 0; k < 8; ++k)
+            widestBelow[k] = int(widest = std::max(widest, size_t(std::popcount(layers[k]))));
+        for (size_t k = 8, widest = 0; k-- > 0;)
+            widestAbove[k] = int(widest = std::max(widest, size_t(std::popcount(layers[k]))));
         int first = 0, last = 0;
         double smallest = 1.0;
         for (size_t k = 1; k < 8; ++k) {
@@ -96,7 +99,8 @@ void splitAtNecks(const BrickBits& cells, std::vector<BrickBits>& out) {
     for (const BrickPart& part : parts) splitAtNecks(part.voxels, out);
 }
 
-SectionStrength sectionStrength(const VoxelGrid& grid, const StrengthTable& entries, const Section& section, bool& canBreak) {
+SectionStrength sectionStrength(const VoxelGrid& grid, const StrengthTable& entries, const Section& section,
+                                bool& canBreak) {
     glm::ivec3 step(0);
     step[section.axis] = 1;
     const Brick* low = grid.brickAt(section.brick);
@@ -141,7 +145,8 @@ void StressGraph::removeNode(uint32_t index) {
     m_freeNodes.push_back(index);
 }
 
-void StressGraph::addNode(const Brick& content, const StrengthTable& entries, glm::ivec3 brick, const BrickBits& cells, bool isFixed) {
+void StressGraph::addNode(const Brick& content, const StrengthTable& entries, glm::ivec3 brick, const BrickBits& cells,
+                          bool isFixed) {
     uint32_t index = uint32_t(m_nodes.size());
     if (m_freeNodes.empty())
         m_nodes.emplace_back();
@@ -164,8 +169,10 @@ void StressGraph::addNode(const Brick& content, const StrengthTable& entries, gl
     m_bricks[brickKey(brick)].push_back(index);
 }
 
-void StressGraph::connect(const VoxelGrid& grid, const StrengthTable& entries, uint32_t below, uint32_t above, int axis, int plane) {
-    const uint64_t cells = brickLayer(m_nodes[below].cells, axis, plane - 1) & brickLayer(m_nodes[above].cells, axis, plane & 7);
+void StressGraph::connect(const VoxelGrid& grid, const StrengthTable& entries, uint32_t below, uint32_t above, int axis,
+                          int plane) {
+    const uint64_t cells =
+        brickLayer(m_nodes[below].cells, axis, plane - 1) & brickLayer(m_nodes[above].cells, axis, plane & 7);
     if (!cells) return;
     uint32_t index = uint32_t(m_bonds.size());
     if (m_freeBonds.empty())
@@ -194,7 +201,8 @@ void StressGraph::connectInside(const VoxelGrid& grid, const StrengthTable& entr
         }
 }
 
-void StressGraph::setBrick(const VoxelGrid& grid, std::span<const CellBox> anchors, const StrengthTable& entries, glm::ivec3 brick) {
+void StressGraph::setBrick(const VoxelGrid& grid, std::span<const CellBox> anchors, const StrengthTable& entries,
+                           glm::ivec3 brick) {
     std::vector<StressNode> old;
     if (const auto found = m_bricks.find(brickKey(brick)); found != m_bricks.end()) {
         for (const uint32_t node : found->second) old.push_back(m_nodes[node]), removeNode(node);
@@ -205,7 +213,8 @@ void StressGraph::setBrick(const VoxelGrid& grid, std::span<const CellBox> ancho
     const BrickBits solid = solidCells(*content, entries), anchored = anchoredCells(brick, anchors);
     BrickBits fixed, free;
     bool hasFixed = false;
-    for (size_t z = 0; z < 8; ++z) fixed[z] = solid[z] & anchored[z], free[z] = solid[z] & ~anchored[z], hasFixed = hasFixed || fixed[z];
+    for (size_t z = 0; z < 8; ++z)
+        fixed[z] = solid[z] & anchored[z], free[z] = solid[z] & ~anchored[z], hasFixed = hasFixed || fixed[z];
     std::vector<BrickPart> parts;
     findBrickParts(free, parts);
     std::vector<BrickBits> bodies;

@@ -27,9 +27,9 @@ struct StressNode {
     BrickBits cells{};
     glm::dvec3 center{0.0};  ///< of its cells
     glm::dvec3 massCenter{0.0};
-    double weight = 0.0;               ///< sum of densities
-    bool isFixed = false;              ///< made of anchored cells: it never moves
-    bool isUsed = false;               ///< or a free place in the list
+    double weight = 0.0;                         ///< sum of densities
+    bool isFixed = false;                        ///< made of anchored cells: it never moves
+    bool isUsed = false;                         ///< or a free place in the list
     glm::dvec3 translation{0.0}, rotation{0.0};  ///< how it gives way, from the last solution: the start of the next
     std::vector<uint32_t> bonds;
 };
@@ -49,16 +49,21 @@ struct StressBond {
 class StressGraph {
 public:
     /// Makes the nodes and bonds of one brick anew from the grid, also after it lost all of its voxels.
-    void setBrick(const VoxelGrid& grid, std::span<const CellBox> anchors, const StrengthTable& entries, glm::ivec3 brick);
+    void setBrick(const VoxelGrid& grid, std::span<const CellBox> anchors, const StrengthTable& entries,
+                  glm::ivec3 brick);
 
     const std::vector<StressNode>& nodes() const { return m_nodes; }
     const std::vector<StressBond>& bonds() const { return m_bonds; }
-    void setDisplacement(uint32_t node, glm::dvec3 translation, glm::dvec3 rotation) { m_nodes[node].translation = translation, m_nodes[node].rotation = rotation; }
+    void setDisplacement(uint32_t node, glm::dvec3 translation, glm::dvec3 rotation) {
+        m_nodes[node].translation = translation, m_nodes[node].rotation = rotation;
+    }
 
 private:
-    void addNode(const Brick& content, const StrengthTable& entries, glm::ivec3 brick, const BrickBits& cells, bool isFixed);
+    void addNode(const Brick& content, const StrengthTable& entries, glm::ivec3 brick, const BrickBits& cells,
+                 bool isFixed);
     void connectInside(const VoxelGrid& grid, const StrengthTable& entries, uint32_t a, uint32_t b);
-    void connect(const VoxelGrid& grid, const StrengthTable& entries, uint32_t below, uint32_t above, int axis, int plane);
+    void connect(const VoxelGrid& grid, const StrengthTable& entries, uint32_t below, uint32_t above, int axis,
+                 int plane);
     void removeNode(uint32_t node);
     const std::vector<uint32_t>* nodesOf(glm::ivec3 brick) const;
 
@@ -72,10 +77,12 @@ private:
 BrickBits solidCells(const Brick& brick, const StrengthTable& entries);
 /// Which of a node's cells lie in anchors: bits of a brick.
 BrickBits anchoredCells(glm::ivec3 brick, std::span<const CellBox> anchors);
-/// Parts a connected set of cells where it is narrow inside: a neck is a body of its own on either side, so that it yields.
+/// Parts a connected set of cells where it is narrow inside: a neck is a body of its own on either side, so that it
+/// yields.
 void splitAtNecks(const BrickBits& cells, std::vector<BrickBits>& out);
 
 /// The strength of the cell faces of a section.
-SectionStrength sectionStrength(const VoxelGrid& grid, const StrengthTable& entries, const Section& section, bool& canBreak);
+SectionStrength sectionStrength(const VoxelGrid& grid, const StrengthTable& entries, const Section& section,
+                                bool& canBreak);
 
 }  // namespace rubble

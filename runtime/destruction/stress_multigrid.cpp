@@ -6,9 +6,10 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kDenseNodes = 20;      ///< a level this small is solved directly
-constexpr double kSmoothing = 2.0 / 3;  ///< 4/3 over the largest eigenvalue of D^-1 A, which for springs between pairs is at most 2
-constexpr double kStrong = 0.02;        ///< coupling of two nodes, as a share of their own stiffness, that may join them
+constexpr size_t kDenseNodes = 20;  ///< a level this small is solved directly
+constexpr double kSmoothing =
+    2.0 / 3;  ///< 4/3 over the largest eigenvalue of D^-1 A, which for springs between pairs is at most 2
+constexpr double kStrong = 0.02;  ///< coupling of two nodes, as a share of their own stiffness, that may join them
 constexpr uint32_t kNone = ~0u;
 
 double stiffnessOf(const Block6& block) {
@@ -16,7 +17,8 @@ double stiffnessOf(const Block6& block) {
 }
 
 /// One pass of block Gauss-Seidel.
-void relax(const BlockMatrix& a, const std::vector<Block6>& inverse, const std::vector<Vector6>& r, std::vector<Vector6>& x, size_t row) {
+void relax(const BlockMatrix& a, const std::vector<Block6>& inverse, const std::vector<Vector6>& r,
+           std::vector<Vector6>& x, size_t row) {
     Vector6 sum = r[row];
     for (uint32_t i = a.start[row]; i < a.start[row + 1]; ++i)
         if (a.column[i] != row) subtractProduct(sum, a.block[i], x[a.column[i]]);
@@ -130,13 +132,15 @@ void StressMultigrid::aggregate(Level& level) {
         if (seeds[i] != kNone) continue;
         double most = 0.0;
         for (uint32_t e = a.start[i]; e < a.start[i + 1]; ++e)
-            if (seeds[a.column[e]] != kNone && strength(i, e) > most) most = strength(i, e), level.aggregate[i] = seeds[a.column[e]];
+            if (seeds[a.column[e]] != kNone && strength(i, e) > most)
+                most = strength(i, e), level.aggregate[i] = seeds[a.column[e]];
         if (level.aggregate[i] == kNone) level.aggregate[i] = count++;
     }
     level.aggregates = count;
     level.coarseCenter.assign(count, glm::dvec3(0.0));
     std::vector<double> members(count);
-    for (size_t i = 0; i < n; ++i) level.coarseCenter[level.aggregate[i]] += level.center[i], members[level.aggregate[i]] += 1.0;
+    for (size_t i = 0; i < n; ++i)
+        level.coarseCenter[level.aggregate[i]] += level.center[i], members[level.aggregate[i]] += 1.0;
     for (size_t i = 0; i < count; ++i) level.coarseCenter[i] /= members[i];
 }
 
@@ -145,7 +149,9 @@ void StressMultigrid::appendProlongationRow(Level& level, size_t row) {
     const BlockMatrix& a = level.a;
     Block6 scaled = level.inverse[row];
     for (double& value : scaled.m) value *= -kSmoothing;
-    const auto rigid = [&](uint32_t node) { return rigidBlock(level.center[node] - level.coarseCenter[level.aggregate[node]]); };
+    const auto rigid = [&](uint32_t node) {
+        return rigidBlock(level.center[node] - level.coarseCenter[level.aggregate[node]]);
+    };
     level.p.open(level.aggregate[row]) = rigid(uint32_t(row));
     for (uint32_t e = a.start[row]; e < a.start[row + 1]; ++e) {
         Block6 moved;
@@ -166,7 +172,9 @@ void StressMultigrid::factor(const BlockMatrix& a) {
         for (size_t j = 0; j <= i; ++j) {
             double sum = m_factor[i * n + j];
             for (size_t k = 0; k < j; ++k) sum -= m_factor[i * n + k] * m_factor[j * n + k];
-            m_factor[i * n + j] = i != j ? sum / m_factor[j * n + j] : sum > 0.0 ? std::sqrt(sum) : 1e150;  // a zero pivot stays at rest
+            m_factor[i * n + j] = i != j      ? sum / m_factor[j * n + j]
+                                  : sum > 0.0 ? std::sqrt(sum)
+                                              : 1e150;  // a zero pivot stays at rest
         }
 }
 
@@ -201,7 +209,8 @@ void StressMultigrid::cycle(size_t index) {
         multiply(level.restriction, level.rest, coarse.r);
         cycle(index + 1);
         for (size_t i = 0; i < n; ++i)
-            for (uint32_t e = level.p.start[i]; e < level.p.start[i + 1]; ++e) addProduct(level.x[i], level.p.block[e], coarse.x[level.p.column[e]]);
+            for (uint32_t e = level.p.start[i]; e < level.p.start[i + 1]; ++e)
+                addProduct(level.x[i], level.p.block[e], coarse.x[level.p.column[e]]);
     }
     for (size_t i = n; i-- > 0;) relax(level.a, level.inverse, level.r, level.x, i);
 }

@@ -6,8 +6,8 @@
 
 namespace rubble {
 
-/// An approximate inverse of a stiffness matrix, good at any size: smoothed aggregation with rigid bodies as coarse nodes
-/// (Vanek, Mandel & Brezina 1996), one symmetric cycle an application. Set up in slices of work.
+/// An approximate inverse of a stiffness matrix, good at any size: smoothed aggregation with rigid bodies as coarse
+/// nodes (Vanek, Mandel & Brezina 1996), one symmetric cycle an application. Set up in slices of work.
 class StressMultigrid {
 public:
     /// Takes the stiffness of nodes at these places.

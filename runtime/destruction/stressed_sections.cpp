@@ -11,8 +11,8 @@ constexpr uint32_t kNone = ~0u;
 constexpr uint64_t kFirstColumn = 0x0101010101010101ull;
 
 uint64_t planeKey(glm::ivec3 brick, int axis, int plane) {
-    return uint64_t(brick.x & 0x3ff) | uint64_t(brick.y & 0x3ff) << 10 | uint64_t(brick.z & 0x3ff) << 20 | uint64_t(axis) << 30 |
-           uint64_t(plane) << 32;
+    return uint64_t(brick.x & 0x3ff) | uint64_t(brick.y & 0x3ff) << 10 | uint64_t(brick.z & 0x3ff) << 20 |
+           uint64_t(axis) << 30 | uint64_t(plane) << 32;
 }
 
 /// Whether cells of a touch cells of b, which lies (u, v) bricks further on.
@@ -38,13 +38,17 @@ void StressedSections::clear() {
     m_inPlane.clear();
 }
 
-double StressedSections::add(const Section& section, const SectionShape& shape, const SectionForce& load, const SectionStrength& strength, bool canBreak) {
+double StressedSections::add(const Section& section, const SectionShape& shape, const SectionForce& load,
+                             const SectionStrength& strength, bool canBreak) {
     const glm::dvec3 arm = shape.centroid - glm::dvec3(section.brick * kBrickSize);
     const auto [place, isNew] = m_inPlane.try_emplace(planeKey(section.brick, section.axis, section.plane), kNone);
     m_next.push_back(place->second);
     place->second = uint32_t(m_sections.size());
-    m_sections.push_back(
-        {section, {load.force, load.moment + glm::cross(arm, load.force)}, strength, canBreak, sectionUtilization(section, shape, load, strength).utilization});
+    m_sections.push_back({section,
+                          {load.force, load.moment + glm::cross(arm, load.force)},
+                          strength,
+                          canBreak,
+                          sectionUtilization(section, shape, load, strength).utilization});
     return m_sections.back().ownUtilization;
 }
 
@@ -57,14 +61,17 @@ SectionUtilization StressedSections::windowUtilization(size_t index) const {
             glm::ivec3 brick = middle.section.brick;
             brick[axisU] += u, brick[axisV] += v;
             const auto found = m_inPlane.find(planeKey(brick, axis, middle.section.plane));
-            for (uint32_t stressed = found == m_inPlane.end() ? kNone : found->second; stressed != kNone; stressed = m_next[stressed])
+            for (uint32_t stressed = found == m_inPlane.end() ? kNone : found->second; stressed != kNone;
+                 stressed = m_next[stressed])
                 members.push_back({stressed, u, v, stressed == index});
         }
     for (bool hasGrown = true; hasGrown;) {
         hasGrown = false;
         for (Member& next : members) {
             for (const Member& in : members)
-                if (!next.isIn && in.isIn && touches(m_sections[in.stressed].section.cells, m_sections[next.stressed].section.cells, next.u - in.u, next.v - in.v))
+                if (!next.isIn && in.isIn &&
+                    touches(m_sections[in.stressed].section.cells, m_sections[next.stressed].section.cells,
+                            next.u - in.u, next.v - in.v))
                     next.isIn = hasGrown = true;
         }
     }

@@ -15,8 +15,9 @@ struct StressedSection {
     double ownUtilization = 0.0;  ///< stress over strength by beam theory for this section ownUtilization
 };
 
-/// All sections of a shape. A stress is judged over a window: the section together with those in the same plane that touch
-/// it in the bricks around. Within that, beam theory holds wherever the bricks lie; beyond it, stresses are local.
+/// All sections of a shape. A stress is judged over a window: the section together with those in the same plane that
+/// touch it in the bricks around. Within that, beam theory holds wherever the bricks lie; beyond it, stresses are
+/// local.
 class StressedSections {
 public:
     static constexpr int kWindowRadius = 3;  ///< bricks on each side of one that belong to its window
@@ -24,7 +25,8 @@ public:
     void clear();
     /// `load` about the centroid of the section's own cells.
     /// Returns its stress over strength, ownUtilization.
-    double add(const Section& section, const SectionShape& shape, const SectionForce& load, const SectionStrength& strength, bool canBreak);
+    double add(const Section& section, const SectionShape& shape, const SectionForce& load,
+               const SectionStrength& strength, bool canBreak);
     size_t size() const { return m_sections.size(); }
     const StressedSection& operator[](size_t i) const { return m_sections[i]; }
     /// How a section is used as a part of its window.

@@ -51,8 +51,8 @@ struct SnapshotLight {
     glm::vec3 right{1, 0, 0};           ///< unit vector along `width`
     float width = 0.0f, height = 0.0f;  ///< metres
     bool twoSided = false;
-    LightImage image = {};  ///< of a screen
-    LightHandle light = {};     ///< empty: of a fire
+    LightImage image = {};   ///< of a screen
+    LightHandle light = {};  ///< empty: of a fire
 };
 
 /// A burning brick, as flames and smoke are drawn.

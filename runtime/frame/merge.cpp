@@ -13,7 +13,9 @@ struct BrickKey {
     friend bool operator==(const BrickKey&, const BrickKey&) = default;
 };
 struct BrickKeyHash {
-    size_t operator()(const BrickKey& place) const { return hashBytes(&place.brick, sizeof place.brick, place.shape.bits); }
+    size_t operator()(const BrickKey& place) const {
+        return hashBytes(&place.brick, sizeof place.brick, place.shape.bits);
+    }
 };
 
 ShapeHandle keyOf(const SnapshotShape& v) {

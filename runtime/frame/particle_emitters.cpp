@@ -7,19 +7,19 @@
 namespace rubble {
 namespace {
 
-constexpr double kFloorSearchDepth = 60.0;      ///< metres below which ground is looked for
-constexpr int kMaxStackedBodies = 12;         ///< how many loose ones may lie over each other there
-constexpr double kMinBodyThickness = 0.15;     ///< metres: how thick each is at least
-constexpr double kFloorCacheRadius = 0.4;  ///< metres: events this near share one look
-constexpr int kFlamesPerStep = 30;    ///< of all fires together
+constexpr double kFloorSearchDepth = 60.0;  ///< metres below which ground is looked for
+constexpr int kMaxStackedBodies = 12;       ///< how many loose ones may lie over each other there
+constexpr double kMinBodyThickness = 0.15;  ///< metres: how thick each is at least
+constexpr double kFloorCacheRadius = 0.4;   ///< metres: events this near share one look
+constexpr int kFlamesPerStep = 30;          ///< of all fires together
 constexpr int kSmokePerStep = 4;
 constexpr int kEmbersPerStep = 5;
-constexpr float kBlazeFires = 90.0f;       ///< fires from which on flames are as tall as they get
-constexpr double kSolidShare = 0.6;   ///< of the budget: beyond it there is only room for gas and fire
-constexpr double kImpactPuff = 1500;  ///< N s from which a hit raises dust
-constexpr double kMaxImpactStrength = 10.0;    ///< of roots of 4 kN s: beyond it no more dust
-constexpr double kMaxDustHeight = 1.5;        ///< metres over the ground up to which it does
-constexpr double kMinLevelNormal = 0.5;        ///< of a normal: dust lies on what is more level than that
+constexpr float kBlazeFires = 90.0f;         ///< fires from which on flames are as tall as they get
+constexpr double kSolidShare = 0.6;          ///< of the budget: beyond it there is only room for gas and fire
+constexpr double kImpactPuff = 1500;         ///< N s from which a hit raises dust
+constexpr double kMaxImpactStrength = 10.0;  ///< of roots of 4 kN s: beyond it no more dust
+constexpr double kMaxDustHeight = 1.5;       ///< metres over the ground up to which it does
+constexpr double kMinLevelNormal = 0.5;      ///< of a normal: dust lies on what is more level than that
 
 /// What a material emission up for each voxel: how much of it hangs in the air, and what flies.
 struct Emission {
@@ -96,14 +96,16 @@ void Particles::addDust(const DustCloud& cloud, const World& world) {
         p.seed = m_random.next();
         add(p);
     }
-    const double maxAlive = emission.solid == ParticleKind::Glint ? 9.0 * std::sqrt(voxels) : 4.0 + 2.2 * std::sqrt(voxels);
+    const double maxAlive =
+        emission.solid == ParticleKind::Glint ? 9.0 * std::sqrt(voxels) : 4.0 + 2.2 * std::sqrt(voxels);
     const int solids = share(std::min(voxels * double(emission.solids), maxAlive) * 0.8, kSolidShare);
     for (int i = 0; i < solids; ++i) {
         const glm::vec3 direction = anyDirection();
         const bool spark = emission.solid == ParticleKind::Spark && m_random.below(3) != 0;
         Particle p{emission.solid == ParticleKind::Spark && !spark ? ParticleKind::Crumb : emission.solid};
         p.position = cloud.position + glm::dvec3(direction) * (spread * double(m_random.unit()));
-        p.velocity = cloud.velocity + direction * between(0.6f, spark ? 7.0f : 3.6f) + glm::vec3(0.0f, between(0.2f, 2.2f), 0.0f);
+        p.velocity = cloud.velocity + direction * between(0.6f, spark ? 7.0f : 3.6f) +
+                     glm::vec3(0.0f, between(0.2f, 2.2f), 0.0f);
         p.color = spark ? glm::vec3(1.0f, 0.62f, 0.22f) : color * between(0.8f, 1.2f);
         p.radius = spark ? 0.012f : p.kind == ParticleKind::Glint ? between(0.02f, 0.05f) : between(0.014f, 0.042f);
         p.growth = 0.0f;
@@ -118,7 +120,8 @@ void Particles::addDust(const DustCloud& cloud, const World& world) {
 void Particles::addBlast(const Blast& blast, const World& world) {
     const double floor = floorBelow(blast.position, world);
     const float size = float(blast.size);
-    const auto puff = [&](ParticleKind kind, glm::vec3 color, float speed, float radius, float growth, float opacity, float life) {
+    const auto puff = [&](ParticleKind kind, glm::vec3 color, float speed, float radius, float growth, float opacity,
+                          float life) {
         const glm::vec3 direction = anyDirection();
         Particle p{kind};
         p.position = blast.position + glm::dvec3(direction) * double(size * between(0.1f, 0.5f));
@@ -132,7 +135,8 @@ void Particles::addBlast(const Blast& blast, const World& world) {
         p.seed = m_random.next();
         add(p);
     };
-    for (int i = share(8.0 + 8.0 * size); i > 0; --i) puff(ParticleKind::Flame, glm::vec3(1.0f), 4.0f * size, 0.34f * size, 0.8f * size, 0.9f, 0.38f);
+    for (int i = share(8.0 + 8.0 * size); i > 0; --i)
+        puff(ParticleKind::Flame, glm::vec3(1.0f), 4.0f * size, 0.34f * size, 0.8f * size, 0.9f, 0.38f);
     for (int i = share(6.0 + 7.0 * size); i > 0; --i)
         puff(ParticleKind::Smoke, glm::vec3(0.10f, 0.092f, 0.085f), 3.4f * size, 0.34f * size, 0.75f, 0.65f, 3.2f);
     for (int i = share(10.0 + 10.0 * size); i > 0; --i)
@@ -149,7 +153,8 @@ void Particles::addImpact(const Impact& impact, const World& world) {
         glm::vec3 direction = anyDirection();
         direction.y = std::abs(direction.y) * 0.5f;
         Particle p{ParticleKind::Dust};
-        // A long thing lands along its length, but a pair of bodies has one contact: the heavier, the farther around it.
+        // A long thing lands along its length, but a pair of bodies has one contact: the heavier, the farther around
+        // it.
         const double spread = 0.1 + 0.05 * strength * strength * double(m_random.unit());
         p.position = {impact.position.x + double(direction.x) * spread, impact.position.y + 0.2 * double(direction.y),
                       impact.position.z + double(direction.z) * spread};
@@ -176,7 +181,8 @@ void Particles::addFires(std::span<const SnapshotFire> fires) {
         return p;
     };
     const int count = int(fires.size());
-    const int flames = std::min(kFlamesPerStep, (count * 2 + 2) / 3), smokes = std::min(kSmokePerStep, (count + 11) / 12);
+    const int flames = std::min(kFlamesPerStep, (count * 2 + 2) / 3),
+              smokes = std::min(kSmokePerStep, (count + 11) / 12);
     const float blaze = std::min(float(count) / kBlazeFires, 1.0f);  // fires near each other burn higher
     for (int i = 0; i < flames; ++i) {
         const SnapshotFire& fire = fires[size_t(m_nextFire++ % uint32_t(count))];

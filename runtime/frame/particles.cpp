@@ -11,7 +11,8 @@ constexpr float kStep = 1.0f / 60.0f;
 constexpr float kGravity = 9.81f;
 constexpr float kBounce = 0.35f;
 
-/// How a kind moves: share of its velocity that the air takes in a second, lift against gravity (1 = floats), eddies in m/s2.
+/// How a kind moves: share of its velocity that the air takes in a second, lift against gravity (1 = floats), eddies in
+/// m/s2.
 struct Motion {
     float drag, weight, rise, eddies;
 };
@@ -37,7 +38,8 @@ Motion motionOf(ParticleKind kind) {
 
 /// A slow swirl: a divergence-free field of sines, so that plumes curl and do not spread apart.
 glm::vec3 eddy(glm::dvec3 at, float time) {
-    const float x = float(std::fmod(at.x, 1000.0)), y = float(std::fmod(at.y, 1000.0)), z = float(std::fmod(at.z, 1000.0));
+    const float x = float(std::fmod(at.x, 1000.0)), y = float(std::fmod(at.y, 1000.0)),
+                z = float(std::fmod(at.z, 1000.0));
     return {std::sin(1.3f * y + 0.7f * time) + std::cos(1.9f * z), 0.5f * std::sin(1.5f * x + 1.1f * z + time),
             std::cos(1.7f * x - 0.5f * time) + std::sin(1.1f * y)};
 }
@@ -46,7 +48,8 @@ bool isSolid(ParticleKind kind) {
     return kind == ParticleKind::Crumb || kind == ParticleKind::Glint || kind == ParticleKind::Spark;
 }
 
-/// Share of its opacity at a share of its life: quickly there, slowly gone. Solid things shrink at the very end instead.
+/// Share of its opacity at a share of its life: quickly there, slowly gone. Solid things shrink at the very end
+/// instead.
 float presence(ParticleKind kind, float share) {
     if (isSolid(kind)) return std::min(1.0f, (1.0f - share) * 5.0f);
     const float in = kind == ParticleKind::Dust ? 0.03f : 0.12f;
@@ -60,7 +63,8 @@ void Particles::move(Particle& p) const {
     p.age += kStep;
     if (p.kind != ParticleKind::Spark) {
         // Growing takes up speed: a puff that spreads slows down.
-        p.velocity -= (p.velocity - (isSolid(p.kind) ? glm::vec3(0.0f) : m_settings.wind)) * std::min(1.0f, motion.drag * kStep);
+        p.velocity -=
+            (p.velocity - (isSolid(p.kind) ? glm::vec3(0.0f) : m_settings.wind)) * std::min(1.0f, motion.drag * kStep);
         if (motion.eddies > 0.0f) p.velocity += eddy(p.position, p.age + float(p.seed % 64)) * (motion.eddies * kStep);
     }
     p.velocity.y += (motion.rise - kGravity * motion.weight) * kStep;
@@ -72,7 +76,8 @@ void Particles::move(Particle& p) const {
     if (p.velocity.y < 0.4f && isSolid(p.kind)) p.velocity = glm::vec3(p.velocity.x * 0.5f, 0.0f, p.velocity.z * 0.5f);
 }
 
-void Particles::step(const FrameChanges& changes, std::span<const Impact> impacts, std::span<const SnapshotFire> fires, const World& world) {
+void Particles::step(const FrameChanges& changes, std::span<const Impact> impacts, std::span<const SnapshotFire> fires,
+                     const World& world) {
     if (m_settings.maxAlive == 0) return;
     if (changes.levelReplaced) clear();
     for (Particle& particle : m_alive) move(particle);
@@ -90,8 +95,8 @@ std::vector<SnapshotParticle> Particles::snapshot() const {
     for (const Particle& p : m_alive) {
         const float share = p.age / p.life, left = presence(p.kind, share);
         const float size = p.radius + p.growth * p.age * (isSolid(p.kind) ? 0.0f : 1.0f / (1.0f + 0.35f * p.age));
-        out.push_back({p.kind, p.position, p.velocity, p.color, isSolid(p.kind) ? size * left : size, isSolid(p.kind) ? p.opacity : p.opacity * left,
-                       share, p.seed});
+        out.push_back({p.kind, p.position, p.velocity, p.color, isSolid(p.kind) ? size * left : size,
+                       isSolid(p.kind) ? p.opacity : p.opacity * left, share, p.seed});
     }
     return out;
 }

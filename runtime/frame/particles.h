@@ -11,19 +11,20 @@
 namespace rubble {
 
 struct ParticleSettings {
-    uint32_t maxAlive = 4096;                ///< alive at once; what would be more is not born. 0: no particles, and nothing is paid
+    uint32_t maxAlive = 4096;  ///< alive at once; what would be more is not born. 0: no particles, and nothing is paid
     glm::vec3 wind{0.9f, 0.0f, -0.25f};  ///< m/s, carries dust and smoke
 };
 
-/// What breaking and burning throw into the air: dust, crumbs, sparks, glints of glass, flames, embers, smoke. Made from the journal
-/// of each step and moved by rules of thumb: for eyes only. The World knows nothing of it, so neither does its hash.
-/// Owned by Snapshots. [main-thread]
+/// What breaking and burning throw into the air: dust, crumbs, sparks, glints of glass, flames, embers, smoke. Made
+/// from the journal of each step and moved by rules of thumb: for eyes only. The World knows nothing of it, so neither
+/// does its hash. Owned by Snapshots. [main-thread]
 class Particles {
 public:
     explicit Particles(const ParticleSettings& settings) : m_settings(settings) {}
 
     /// Moves what is there by 1/60 s and adds what the step has thrown up. Costs nothing while nothing is in the air.
-    void step(const FrameChanges& changes, std::span<const Impact> impacts, std::span<const SnapshotFire> fires, const World& world);
+    void step(const FrameChanges& changes, std::span<const Impact> impacts, std::span<const SnapshotFire> fires,
+              const World& world);
     void clear() { m_alive.clear(); }
     /// As they are to be drawn.
     std::vector<SnapshotParticle> snapshot() const;

@@ -6,8 +6,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kMinSpeed = 0.25;       // m/s through the water that still makes a ring
-constexpr float kMinInterval = 0.15f;       // seconds between two rings of one thing
+constexpr double kMinSpeed = 0.25;        // m/s through the water that still makes a ring
+constexpr float kMinInterval = 0.15f;     // seconds between two rings of one thing
 constexpr double kMaxHeight = 0.10;       // metres
 constexpr double kHeightPerSpeed = 0.02;  // metres for each m/s of something a metre wide
 
@@ -33,11 +33,13 @@ void Ripples::step(std::span<const BodyPose> moved, const World& world) {
             const Body* body = world.bodies().find(pose.body);
             if (!body || glm::length(pose.velocity - water.flow) < kMinSpeed) continue;
             for (const ShapeHandle shape : body->shapes)
-                disturb(water, boundsOf(world.shapes().at(shape), world.shapeToWorld(shape)), pose.velocity, pose.body.bits);
+                disturb(water, boundsOf(world.shapes().at(shape), world.shapeToWorld(shape)), pose.velocity,
+                        pose.body.bits);
         }
         world.characters().forEach([&](CharacterHandle handle, const Character& c) {
             const glm::dvec3 low = c.position - glm::dvec3(c.radius, 0, c.radius);
-            disturb(water, {low, low + glm::dvec3(2 * c.radius, c.currentHeight(), 2 * c.radius)}, c.velocity, handle.bits);
+            disturb(water, {low, low + glm::dvec3(2 * c.radius, c.currentHeight(), 2 * c.radius)}, c.velocity,
+                    handle.bits);
         });
     });
 }
@@ -45,7 +47,9 @@ void Ripples::step(std::span<const BodyPose> moved, const World& world) {
 void Ripples::disturb(const Water& water, const WorldBox& box, glm::dvec3 velocity, uint64_t source) {
     const double speed = glm::length(velocity - water.flow);
     const glm::dvec3 middle = 0.5 * (box.low + box.high);
-    if (!(speed >= kMinSpeed) || box.low.y > water.surface || box.high.y < water.surface || !contains(water.outline, middle.x, middle.z)) return;
+    if (!(speed >= kMinSpeed) || box.low.y > water.surface || box.high.y < water.surface ||
+        !contains(water.outline, middle.x, middle.z))
+        return;
     for (const Ripple& ripple : m_alive)
         if (ripple.source == source && ripple.drawn.age < kMinInterval) return;
     const double radius = 0.35 * std::min(box.high.x - box.low.x, box.high.z - box.low.z);

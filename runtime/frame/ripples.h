@@ -7,14 +7,15 @@
 
 namespace rubble {
 
-/// Rings on water around what moves through its surface: bodies and characters. At maxAlive kMaxRipples; a new one takes the oldest's
-/// place. For eyes only: the World knows nothing of them. Owned by Snapshots. [main-thread]
+/// Rings on water around what moves through its surface: bodies and characters. At maxAlive kMaxRipples; a new one
+/// takes the oldest's place. For eyes only: the World knows nothing of them. Owned by Snapshots. [main-thread]
 class Ripples {
 public:
     static constexpr size_t kMaxRipples = 64;
     static constexpr float kLife = 3.0f;  ///< seconds
 
-    /// Ages what is there by 1/60 s and adds what the bodies that moved in this step make. Looks at them only where there is water.
+    /// Ages what is there by 1/60 s and adds what the bodies that moved in this step make. Looks at them only where
+    /// there is water.
     void step(std::span<const BodyPose> moved, const World& world);
     void clear() { m_alive.clear(); }
     bool empty() const { return m_alive.empty(); }

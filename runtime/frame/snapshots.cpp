@@ -14,14 +14,16 @@ constexpr size_t kMaxPosted = 16;  ///< snapshots that may pile up before the ma
 SnapshotShape describeShape(ShapeHandle handle, const Shape& shape) {
     SnapshotShape out{handle, shape.grid.size(), shape.voxelSize, shape.palette, {}, shape.paintColors};
     out.bricks.reserve(shape.grid.brickCount());
-    shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) { out.bricks.push_back({handle, brick, content}); });
+    shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
+        out.bricks.push_back({handle, brick, content});
+    });
     return out;
 }
 
 bool showsNothing(const FrameSnapshot& s) {
-    return !s.replacesAll && s.destroyed.empty() && s.created.empty() && s.bricks.empty() && s.palettes.empty() && s.poses.empty() &&
-           !s.lightsChanged && !s.firesChanged && !s.particlesChanged && !s.ropesChanged && !s.watersChanged && !s.ripplesChanged &&
-           !s.environmentChanged;
+    return !s.replacesAll && s.destroyed.empty() && s.created.empty() && s.bricks.empty() && s.palettes.empty() &&
+           s.poses.empty() && !s.lightsChanged && !s.firesChanged && !s.particlesChanged && !s.ropesChanged &&
+           !s.watersChanged && !s.ripplesChanged && !s.environmentChanged;
 }
 
 void append(std::optional<FrameSnapshot>& out, FrameSnapshot&& later) {
@@ -33,8 +35,8 @@ void append(std::optional<FrameSnapshot>& out, FrameSnapshot&& later) {
 
 }  // namespace
 
-void Snapshots::publish(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, std::vector<ShadowPatches> patches,
-                        std::span<const Impact> impacts) {
+void Snapshots::publish(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
+                        std::vector<ShadowPatches> patches, std::span<const Impact> impacts) {
     enqueue(changes, moved, world, impacts);
     std::optional<FrameSnapshot> out;
     for (ShadowPatches& publication : patches) {
@@ -80,7 +82,8 @@ void Snapshots::post(std::optional<FrameSnapshot> snapshot, uint64_t newestStep)
     m_posted.post(std::move(*snapshot));
 }
 
-void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, std::span<const Impact> impacts) {
+void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
+                        std::span<const Impact> impacts) {
     if (changes.levelReplaced) {
         m_waiting.clear();
         m_lastPoses.clear();
@@ -127,7 +130,9 @@ void Snapshots::addCreated(const FrameChanges& changes, const World& world, Fram
     for (const ShapeSplit& split : changes.splits)
         for (size_t i = 0; i < split.children.size(); ++i) {
             const Shape* child = world.shapes().find(split.children[i]);
-            if (!child || m_lastPoses.size() <= split.parent.slot() || m_lastPoses[split.parent.slot()].shape != split.parent) continue;
+            if (!child || m_lastPoses.size() <= split.parent.slot() ||
+                m_lastPoses[split.parent.slot()].shape != split.parent)
+                continue;
             const Pose offset{glm::dvec3(split.parentOffset[i]) * double(child->voxelSize)};
             m_lastPoses[split.children[i].slot()].pose = m_lastPoses[split.parent.slot()].pose * offset;
         }
@@ -139,11 +144,13 @@ void Snapshots::addChanged(const FrameChanges& changes, const World& world, Fram
     for (const BrickChange& brick : changes.bricks)
         if (world.shapes().find(brick.shape)) out.bricks.push_back(brick);
     for (const ShapeHandle handle : changes.palettes)
-        if (const Shape* shape = world.shapes().find(handle)) out.palettes.push_back({handle, shape->palette, shape->paintColors});
+        if (const Shape* shape = world.shapes().find(handle))
+            out.palettes.push_back({handle, shape->palette, shape->paintColors});
 }
 
 void Snapshots::addPose(ShapeHandle shape, const World& world, FrameSnapshot& out) {
-    assert(shape.slot() < m_lastPoses.size() && m_lastPoses[shape.slot()].shape == shape && "a shape moved that was never created");
+    assert(shape.slot() < m_lastPoses.size() && m_lastPoses[shape.slot()].shape == shape &&
+           "a shape moved that was never created");
     LastPose& placed = m_lastPoses[shape.slot()];
     if (placed.listedIn == m_count) return;
     placed.listedIn = m_count;
@@ -165,7 +172,8 @@ void Snapshots::addPoses(std::span<const BodyPose> moved, const World& world, Fr
     std::swap(m_moving, m_moved);
 }
 
-void Snapshots::addParticles(const FrameChanges& changes, std::span<const Impact> impacts, const World& world, FrameSnapshot& out) {
+void Snapshots::addParticles(const FrameChanges& changes, std::span<const Impact> impacts, const World& world,
+                             FrameSnapshot& out) {
     if (changes.levelReplaced) m_fires.clear();
     if (out.firesChanged) m_fires = out.fires;
     const bool before = !m_particles.empty();
@@ -183,9 +191,13 @@ void Snapshots::addRipples(std::span<const BodyPose> moved, const World& world, 
     out.ripples = m_ripples.snapshot();
 }
 
-void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, FrameSnapshot& out) {
-    const bool listChanged = changes.levelReplaced || !changes.lights.empty() || !changes.groupsOut.empty() || changes.firesChanged;
-    const auto carries = [&](const BodyPose& pose) { return std::binary_search(m_lightBodies.begin(), m_lightBodies.end(), pose.body); };
+void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
+                          FrameSnapshot& out) {
+    const bool listChanged =
+        changes.levelReplaced || !changes.lights.empty() || !changes.groupsOut.empty() || changes.firesChanged;
+    const auto carries = [&](const BodyPose& pose) {
+        return std::binary_search(m_lightBodies.begin(), m_lightBodies.end(), pose.body);
+    };
     if (!listChanged && (m_lightBodies.empty() || std::none_of(moved.begin(), moved.end(), carries))) return;
     out.lightsChanged = true;
     m_lightBodies.clear();
@@ -196,8 +208,9 @@ void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose>
         const Pose pose = world.lightToWorld(light);
         const glm::vec3 direction(pose.rotation * glm::dvec3(0.0, 0.0, -1.0));
         const glm::vec3 right(pose.rotation * glm::dvec3(1.0, 0.0, 0.0));
-        out.lights.push_back({light.kind, pose.position, direction, light.color, light.radius, light.reach, light.coneInner, light.coneOuter, right,
-                              light.width, light.height, light.twoSided, light.image, handle});
+        out.lights.push_back({light.kind, pose.position, direction, light.color, light.radius, light.reach,
+                              light.coneInner, light.coneOuter, right, light.width, light.height, light.twoSided,
+                              light.image, handle});
     });
     std::sort(m_lightBodies.begin(), m_lightBodies.end());
     addFires(changes, world, out);
@@ -214,7 +227,8 @@ void Snapshots::addRopes(const World& world, FrameSnapshot& out) {
         rope.radius = float(joint.rope.radius);
         rope.color = glm::vec3(joint.rope.color[0], joint.rope.color[1], joint.rope.color[2]) / 255.0f;
         for (const RopePoint& point : joint.points) rope.current.push_back(point.position);
-        const auto last = std::find_if(m_ropes.begin(), m_ropes.end(), [&](const SnapshotRope& each) { return each.rope == handle; });
+        const auto last =
+            std::find_if(m_ropes.begin(), m_ropes.end(), [&](const SnapshotRope& each) { return each.rope == handle; });
         const bool isKnown = last != m_ropes.end() && last->current.size() == rope.current.size();
         rope.previous = isKnown ? last->current : rope.current;
         changed = changed || !isKnown || rope.previous != rope.current || last->previous != last->current;
@@ -229,11 +243,20 @@ void Snapshots::addRopes(const World& world, FrameSnapshot& out) {
 void Snapshots::addFires(const FrameChanges& changes, const World& world, FrameSnapshot& out) const {
     const std::vector<Fire> fires = world.fires();
     out.firesChanged = changes.firesChanged || changes.levelReplaced;
-    for (const Fire& fire : fires) out.fires.push_back({fire.position, float(fire.radius), fire.intensity, 1.0f - 0.6f * fire.intensity, fire.seed});
+    for (const Fire& fire : fires)
+        out.fires.push_back(
+            {fire.position, float(fire.radius), fire.intensity, 1.0f - 0.6f * fire.intensity, fire.seed});
     for (const FireLight& light : fireLights(fires, changes.step, world.settings().fire.maxLights)) {
         const float strength = 6.0f * std::sqrt(light.intensity);
         const glm::dvec3 above = light.position + glm::dvec3(0.0, 0.5 * light.radius, 0.0);
-        out.lights.push_back({LightKind::Sphere, above, {0, -1, 0}, glm::vec3(1.0f, 0.42f, 0.12f) * strength, 1.2f, 4.0f + strength, 0, 0});
+        out.lights.push_back({LightKind::Sphere,
+                              above,
+                              {0, -1, 0},
+                              glm::vec3(1.0f, 0.42f, 0.12f) * strength,
+                              1.2f,
+                              4.0f + strength,
+                              0,
+                              0});
     }
 }
 

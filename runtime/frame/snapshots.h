@@ -19,12 +19,14 @@ public:
     Snapshots() : Snapshots(ParticleSettings{.maxAlive = 0}) {}
     explicit Snapshots(const ParticleSettings& particles) : m_particles(particles) {}
 
-    /// [main-thread] `moved` are the poses that physics has just handed over and `impacts` its hard contacts; `patches` is what the
-    /// shadow worker published since the last call. Never waits. A step in which nothing happens posts nothing and allocates nothing.
-    void publish(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, std::vector<ShadowPatches> patches,
-                 std::span<const Impact> impacts = {});
+    /// [main-thread] `moved` are the poses that physics has just handed over and `impacts` its hard contacts; `patches`
+    /// is what the shadow worker published since the last call. Never waits. A step in which nothing happens posts
+    /// nothing and allocates nothing.
+    void publish(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
+                 std::vector<ShadowPatches> patches, std::span<const Impact> impacts = {});
     /// [main-thread] The same where no shadow worker is used: nothing waits.
-    void publishWithoutShadow(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, std::span<const Impact> impacts = {});
+    void publishWithoutShadow(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
+                              std::span<const Impact> impacts = {});
     /// [render-thread] All posted snapshots merged into one, or nothing.
     std::optional<FrameSnapshot> take();
 
@@ -39,15 +41,18 @@ private:
         Pose pose;
         uint64_t listedIn = 0;  ///< the m_count of the last snapshot that holds its pose
     };
-    void enqueue(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, std::span<const Impact> impacts);
+    void enqueue(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
+                 std::span<const Impact> impacts);
     void addCreated(const FrameChanges& changes, const World& world, FrameSnapshot& out);
     void addChanged(const FrameChanges& changes, const World& world, FrameSnapshot& out) const;
     void addPoses(std::span<const BodyPose> moved, const World& world, FrameSnapshot& out);
     /// Nothing if the snapshot already holds it.
     void addPose(ShapeHandle shape, const World& world, FrameSnapshot& out);
-    void addParticles(const FrameChanges& changes, std::span<const Impact> impacts, const World& world, FrameSnapshot& out);
+    void addParticles(const FrameChanges& changes, std::span<const Impact> impacts, const World& world,
+                      FrameSnapshot& out);
     void addRipples(std::span<const BodyPose> moved, const World& world, FrameSnapshot& out);
-    void addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world, FrameSnapshot& out);
+    void addLights(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
+                   FrameSnapshot& out);
     void addRopes(const World& world, FrameSnapshot& out);
     void addFires(const FrameChanges& changes, const World& world, FrameSnapshot& out) const;
     /// Moves the oldest waiting snapshot, without its shadow, behind `out`.

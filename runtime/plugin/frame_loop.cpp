@@ -88,7 +88,8 @@ void FrameLoop::stepWith(Edits hostEdits) {
         const ScopedTimer timer(m_times[Stage::Impacts]);
         m_pending = m_world.damageFrom(m_physics.impacts());  // lands next step: no stage runs twice
         addBreakThroughImpulses(m_world, m_physics.impacts(), m_pending);
-        for (const JointHandle joint : m_physics.jointBreaks()) m_pending.emplace_back(RemoveJointEdit{joint, JointBreak::Force});
+        for (const JointHandle joint : m_physics.jointBreaks())
+            m_pending.emplace_back(RemoveJointEdit{joint, JointBreak::Force});
     }
     {
         const ScopedTimer timer(m_times[Stage::Shadow]);

@@ -30,8 +30,8 @@ public:
     void load(const Level& level);
     /// Continues what was saved.
     void load(SavedGame game);
-    /// The game as it is now. Saving is an event: the next step makes physics anew from the World, as loading will, so that
-    /// going on and loading are the same. The queue of edits is part of it.
+    /// The game as it is now. Saving is an event: the next step makes physics anew from the World, as loading will, so
+    /// that going on and loading are the same. The queue of edits is part of it.
     SavedGame save();
     /// Records every step from here on; it begins with a save. An error if the file cannot be written.
     Result<Done> startRecording(const std::string& path);

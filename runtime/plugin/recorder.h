@@ -4,8 +4,8 @@
 
 namespace rubble {
 
-/// Writes the steps of a FrameLoop to a recording. Costs what each step changed, one copy of the World's objects, and a hash
-/// of the World a step.
+/// Writes the steps of a FrameLoop to a recording. Costs what each step changed, one copy of the World's objects, and a
+/// hash of the World a step.
 class Recorder {
 public:
     /// The World must be the one that `writer` was opened with.

@@ -65,7 +65,8 @@ uint64_t sampleRow(Source& source, const FixedPoint& first, const FixedPoint& st
 
 /// The same with several samples a cell: bit i / samples.
 template <class Source>
-uint64_t sampleFineRow(Source& source, const FixedPoint& first, const FixedPoint& step, int low, int high, int samples) {
+uint64_t sampleFineRow(Source& source, const FixedPoint& first, const FixedPoint& step, int low, int high,
+                       int samples) {
     uint64_t bits = 0;
     int64_t x = first[0] + low * step[0], y = first[1] + low * step[1], z = first[2] + low * step[2];
     for (int i = low; i < high; ++i) {
@@ -77,10 +78,12 @@ uint64_t sampleFineRow(Source& source, const FixedPoint& first, const FixedPoint
 
 /// False if no sample of a box of cells can lie in the grid: its centre is too far out along one of the grid's axes.
 bool canMeet(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, glm::ivec3 low, glm::ivec3 high) {
-    const FixedPoint first = cellTransform.sample(low), last = cellTransform.sample(high);  // the last is one beyond: to be safe
+    const FixedPoint first = cellTransform.sample(low),
+                     last = cellTransform.sample(high);  // the last is one beyond: to be safe
     for (size_t k = 0; k < 3; ++k) {
         int64_t reach = 0;  // twice
-        for (size_t a = 0; a < 3; ++a) reach += std::abs(cellTransform.step[a][k]) * (high[int(a)] - low[int(a)]) * cellTransform.samples;
+        for (size_t a = 0; a < 3; ++a)
+            reach += std::abs(cellTransform.step[a][k]) * (high[int(a)] - low[int(a)]) * cellTransform.samples;
         const int64_t size = int64_t(grid.size()[int(k)]) << 32;
         if (std::abs(first[k] + last[k] - size) > reach + size) return false;
     }
@@ -89,7 +92,8 @@ bool canMeet(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, gl
 
 /// The cells of a box at most 64 wide: row(y, z) gets them from its low end on, rows without any are left out.
 template <class Source, class Row>
-void rasterizeBox(const VoxelGrid& grid, Source source, const ShadowCellTransform& cellTransform, const CellBox& box, Row&& row) {
+void rasterizeBox(const VoxelGrid& grid, Source source, const ShadowCellTransform& cellTransform, const CellBox& box,
+                  Row&& row) {
     if (!canMeet(grid, cellTransform, box.low, box.high)) return;
     const int samples = cellTransform.samples;
     const FixedPoint& step = cellTransform.step[0];
@@ -109,7 +113,8 @@ void rasterizeBox(const VoxelGrid& grid, Source source, const ShadowCellTransfor
 
 }  // namespace
 
-void rasterize(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, const CellBox& bounds, glm::ivec3 brick, CellRows& rows) {
+void rasterize(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, const CellBox& bounds, glm::ivec3 brick,
+               CellRows& rows) {
     if (cellTransform.isShift()) return copyShifted(grid, cellTransform, brick, rows);
     const glm::ivec3 corner = brick * kSide;
     CellBox box;
@@ -119,8 +124,9 @@ void rasterize(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, 
     }
     if (box.empty()) return;
     const glm::ivec3 low = box.low - corner;
-    rasterizeBox(grid, BrickSource(grid), cellTransform, box,
-                 [&](int y, int z, uint64_t bits) { rows[size_t(low.y + y + (low.z + z) * kSide)] |= uint16_t(bits << low.x); });
+    rasterizeBox(grid, BrickSource(grid), cellTransform, box, [&](int y, int z, uint64_t bits) {
+        rows[size_t(low.y + y + (low.z + z) * kSide)] |= uint16_t(bits << low.x);
+    });
 }
 
 ShadowWords packRows(const CellRows& rows) {

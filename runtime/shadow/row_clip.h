@@ -31,8 +31,8 @@ public:
     struct Interval {
         int low, high;
     };
-    /// The samples of [0, count) that lie inside, of `rows` rows (kBatch at most) from row `row` on of the plane whose first sample
-    /// is given.
+    /// The samples of [0, count) that lie inside, of `rows` rows (kBatch at most) from row `row` on of the plane whose
+    /// first sample is given.
     void intervals(const Exact& plane, int row, int rows, Interval* out) const {
         constexpr double kTolerance = 1e-6;  // more than the estimate errs; where that matters the exact place decides
         std::array<double, kBatch> from, to;
@@ -46,7 +46,8 @@ public:
             out[i] = {0, 0};
             if (!(low <= high + kTolerance)) continue;
             out[i] = {int(low + (1.0 - kTolerance)), int(high + (1.0 + kTolerance))};
-            if (out[i].low < low + kTolerance || out[i].high > high + (1.0 - kTolerance)) out[i] = trim(out[i], rowAt(plane, row + i));
+            if (out[i].low < low + kTolerance || out[i].high > high + (1.0 - kTolerance))
+                out[i] = trim(out[i], rowAt(plane, row + i));
         }
     }
     /// f(row, interval) for all rows of [0, count) that have samples inside.
@@ -61,8 +62,8 @@ public:
                 if (batch[size_t(i)].low < batch[size_t(i)].high) f(row + i, batch[size_t(i)]);
         }
     }
-    /// All rows of [0, count) that have samples inside, and perhaps a few more, of the plane whose first sample is given: a row
-    /// enters by each face before it leaves by any other, and both move steadily from row to row.
+    /// All rows of [0, count) that have samples inside, and perhaps a few more, of the plane whose first sample is
+    /// given: a row enters by each face before it leaves by any other, and both move steadily from row to row.
     Interval rows(const Exact& plane, int count) const {
         constexpr double kMargin = 0.01;  // more than the estimate errs
         const std::array<double, 4> enter = {enters(plane, 0), enters(plane, 1), enters(plane, 2), 0.0};
@@ -76,7 +77,8 @@ public:
             else
                 low = std::max(low, row);
         }
-        return low <= high + 2.0 * kMargin ? Interval{int(low + (1.0 - kMargin)), int(high + (1.0 + kMargin))} : Interval{0, 0};
+        return low <= high + 2.0 * kMargin ? Interval{int(low + (1.0 - kMargin)), int(high + (1.0 + kMargin))}
+                                           : Interval{0, 0};
     }
 
 private:
@@ -86,7 +88,8 @@ private:
         double inverse;
     };
     void findSlopes(const FixedPoint& rowStep) {
-        constexpr double kMinStep = 0x1p20, kMinSlope = 1e-4;  // what hardly changes along a row, or from row to row, says little
+        constexpr double kMinStep = 0x1p20,
+                         kMinSlope = 1e-4;  // what hardly changes along a row, or from row to row, says little
         std::array<double, 4> change{};
         for (size_t k = 0; k < 3; ++k) change[k] = -double(rowStep[k]) * m_inverse[k];
         const auto counts = [&](size_t k) { return k == 3 || std::abs(m_step[k]) >= kMinStep; };

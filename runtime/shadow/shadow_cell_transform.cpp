@@ -11,7 +11,7 @@ namespace {
 constexpr double kCell = double(kShadowCell);
 constexpr double kFixedOne = 0x1p32;
 constexpr double kMaxPosition = 1e8;  // metres: cells stay in 32 bits
-constexpr int kMaxSamples = 8;     // voxels under 0.0125 m are sampled sparsely
+constexpr int kMaxSamples = 8;        // voxels under 0.0125 m are sampled sparsely
 
 FixedPoint toFixed(glm::dvec3 v) {
     FixedPoint out;
@@ -56,7 +56,8 @@ CellBox shadowBounds(const Pose& shapeToWorld, double voxelSize, const CellBox& 
     constexpr double kMargin = 1e-3;  // cells: more than all roundings together
     glm::dvec3 low(1e300), high(-1e300);
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 local(corner & 1 ? boxLocal.high.x : boxLocal.low.x, corner & 2 ? boxLocal.high.y : boxLocal.low.y,
+        const glm::dvec3 local(corner & 1 ? boxLocal.high.x : boxLocal.low.x,
+                               corner & 2 ? boxLocal.high.y : boxLocal.low.y,
                                corner & 4 ? boxLocal.high.z : boxLocal.low.z);
         const glm::dvec3 world = shapeToWorld.transformPoint(local * voxelSize) / kCell;
         for (int a = 0; a < 3; ++a) {

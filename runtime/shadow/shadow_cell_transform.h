@@ -23,21 +23,22 @@ inline std::array<double, 3> toDoubles(const FixedPoint& p) {
     return {double(p[0]), double(p[1]), double(p[2])};
 }
 
-/// Maps the world's shadow cells into a shape's cells, in integers: the same everywhere, and exactly affine over the whole
-/// shape, so that every brick of the volume is sampled from one cellTransform.
+/// Maps the world's shadow cells into a shape's cells, in integers: the same everywhere, and exactly affine over the
+/// whole shape, so that every brick of the volume is sampled from one cellTransform.
 ///
-/// The rule: a cell is set if one of its sample points lies in a solid voxel. A cell has one sample, its centre; where the
-/// voxels are smaller than cells, n x n x n samples that are no further apart than a voxel is wide. Nothing leaks: a ray's
-/// cells share faces, so their samples can be joined in steps no longer than a voxel, and a wall one voxel thick cannot be
-/// stepped over, however it is turned. And nothing shadows itself from half a cell's extent above its face, where no cell of
-/// it (for voxels not smaller than cells) can reach.
+/// The rule: a cell is set if one of its sample points lies in a solid voxel. A cell has one sample, its centre; where
+/// the voxels are smaller than cells, n x n x n samples that are no further apart than a voxel is wide. Nothing leaks:
+/// a ray's cells share faces, so their samples can be joined in steps no longer than a voxel, and a wall one voxel
+/// thick cannot be stepped over, however it is turned. And nothing shadows itself from half a cell's extent above its
+/// face, where no cell of it (for voxels not smaller than cells) can reach.
 struct ShadowCellTransform {
     glm::ivec3 base{0};                ///< a shadow cell
     FixedPoint origin{};               ///< its first sample
     std::array<FixedPoint, 3> step{};  ///< from one sample to the next along each axis of the world
     int samples = 1;                   ///< a cell, along each axis
 
-    /// Position in metres, voxelSize in metres. False if the pose holds a NaN or lies beyond 1e8 m: such a shape casts no shadow.
+    /// Position in metres, voxelSize in metres. False if the pose holds a NaN or lies beyond 1e8 m: such a shape casts
+    /// no shadow.
     bool place(const Pose& shapeToWorld, double voxelSize);
     FixedPoint sample(glm::ivec3 cell) const {
         FixedPoint p = origin;

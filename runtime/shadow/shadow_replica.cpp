@@ -33,7 +33,9 @@ BrickRef withoutTranslucent(const BrickRef& brick, const std::array<bool, 256>& 
 
 VoxelGrid withoutTranslucent(const VoxelGrid& grid, const std::array<bool, 256>& entries) {
     VoxelGrid out(grid.size());
-    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) { out.setBrick(position, withoutTranslucent(brick, entries)); });
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        out.setBrick(position, withoutTranslucent(brick, entries));
+    });
     return out;
 }
 
@@ -64,7 +66,8 @@ void listBricks(const VoxelGrid& grid, const Pose& pose, double voxelSize, std::
 }  // namespace
 
 size_t ShadowReplica::BrickHash::operator()(glm::ivec3 brick) const {
-    const uint64_t h = uint64_t(uint32_t(brick.x)) * 0x9e3779b97f4a7c15ull ^ uint64_t(uint32_t(brick.y)) * 0xc2b2ae3d27d4eb4full ^
+    const uint64_t h = uint64_t(uint32_t(brick.x)) * 0x9e3779b97f4a7c15ull ^
+                       uint64_t(uint32_t(brick.y)) * 0xc2b2ae3d27d4eb4full ^
                        uint64_t(uint32_t(brick.z)) * 0x165667b19e3779f9ull;
     return size_t(h ^ h >> 29);
 }
@@ -233,7 +236,8 @@ ShadowBrickRef ShadowReplica::buildResting(const BrickState& place, glm::ivec3 b
         rasterize(shape.casterGrid(), shape.cellTransform, shape.bounds, brick, rows);
     }
     const ShadowWords cells = packRows(rows);
-    return place.published && !place.isTransient && sameCells(*place.published, cells) ? place.published : makeShadowBrick(cells);
+    return place.published && !place.isTransient && sameCells(*place.published, cells) ? place.published
+                                                                                       : makeShadowBrick(cells);
 }
 
 /// The cells of all shapes, those that rest as they are known.
@@ -285,7 +289,8 @@ bool ShadowReplica::update(ShadowPatches& out, const std::atomic<bool>& stop) {
         if (stop) return false;
         entry->second.touched = false;
         rebuildBrick(*entry, out);
-        if (entry->second.resting.empty() && entry->second.moving.empty()) m_brickStates.erase(glm::ivec3(entry->first));
+        if (entry->second.resting.empty() && entry->second.moving.empty())
+            m_brickStates.erase(glm::ivec3(entry->first));
     }
     m_touched.clear();
     return true;

@@ -13,8 +13,9 @@
 
 namespace rubble {
 
-/// The shadow worker's own copy of all shapes, and the volume made from them. A brick of the volume that anything touches is
-/// made anew from all shapes that overlap it, so the volume always equals one built from nothing. Owned by one thread.
+/// The shadow worker's own copy of all shapes, and the volume made from them. A brick of the volume that anything
+/// touches is made anew from all shapes that overlap it, so the volume always equals one built from nothing. Owned by
+/// one thread.
 class ShadowReplica {
 public:
     /// Voxels whose palette entry is less opaque let light through: they are left out of the volume.
@@ -32,9 +33,9 @@ private:
     struct BrickState {
         std::vector<uint32_t> resting, moving;  ///< slots of shapes
         ShadowBrickRef published;
-        ShadowBrickRef rest;       ///< of the resting shapes alone, kept while others move through
+        ShadowBrickRef rest;         ///< of the resting shapes alone, kept while others move through
         bool isRestCurrent = false;  ///< false: `rest` is not of the shapes as they are
-        bool isTransient = false;      ///< how it was published
+        bool isTransient = false;    ///< how it was published
         bool touched = false;
     };
     struct BrickHash {
@@ -56,7 +57,7 @@ private:
         ShapeRaster raster;   ///< of a small shape that moves
         bool placed = false;  ///< false if its pose is unusable
         bool moving = false;
-        bool isQueued = false;                ///< to be placed by the next update
+        bool isQueued = false;             ///< to be placed by the next update
         std::vector<BrickEntry*> covered;  ///< the bricks whose lists it is in, in the order of isBefore
         const VoxelGrid& casterGrid() const { return hasTranslucent ? opaque : grid; }
     };

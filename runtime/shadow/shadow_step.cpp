@@ -21,7 +21,8 @@ ShadowStep makeShadowStep(const FrameChanges& changes, std::span<const BodyPose>
         if (const Shape* shape = world.shapes().find(handle)) out.palettes.push_back({handle, shape->palette});
     for (const BodyPose& pose : moved)
         if (const Body* body = world.bodies().find(pose.body))
-            for (const ShapeHandle shape : body->shapes) out.poses.push_back({shape, world.shapeToWorld(shape), pose.asleep});
+            for (const ShapeHandle shape : body->shapes)
+                out.poses.push_back({shape, world.shapeToWorld(shape), pose.asleep});
     return out;
 }
 

@@ -18,8 +18,9 @@ constexpr std::array<int, 3> kPitch = {1, 4, 16};
 /// The words whose neighbour, one on in the octant, is in the set. Beyond the brick all are.
 Set neighborsAhead(Set set, int axis, int octant) {
     const size_t a = size_t(axis);
-    return octant >> axis & 1 ? (set << kPitch[a] & ~kLowestLayer[a]) | kLowestLayer[a]
-                              : (set >> kPitch[a] & ~(kLowestLayer[a] << (3 * kPitch[a]))) | kLowestLayer[a] << (3 * kPitch[a]);
+    return octant >> axis & 1
+               ? (set << kPitch[a] & ~kLowestLayer[a]) | kLowestLayer[a]
+               : (set >> kPitch[a] & ~(kLowestLayer[a] << (3 * kPitch[a]))) | kLowestLayer[a] << (3 * kPitch[a]);
 }
 
 /// The 63 sizes of boxes above one word, less one in two bits each (x, y, z from the lowest), the largest first.
@@ -46,7 +47,8 @@ void listBoxes(Set empty, int octant, std::array<Set, 64>& boxes) {
     for (int axis = 0; axis < 3; ++axis) {
         const size_t unit = size_t(1) << (2 * axis);
         for (size_t base = 0; base < unit; ++base)
-            for (size_t size = 1; size < 4; ++size) boxes[base + size * unit] = boxes[base] & neighborsAhead(boxes[base + (size - 1) * unit], axis, octant);
+            for (size_t size = 1; size < 4; ++size)
+                boxes[base + size * unit] = boxes[base] & neighborsAhead(boxes[base + (size - 1) * unit], axis, octant);
     }
 }
 
@@ -57,7 +59,9 @@ using Planes = std::array<std::array<Set, 2>, 3>;
 void endInBrick(Planes& planes, int octant) {
     for (size_t a = 0; a < 3; ++a) {
         const bool down = octant >> a & 1;
-        const auto layer = [&](int stepsToEnd) { return kLowestLayer[a] << ((down ? stepsToEnd : 3 - stepsToEnd) * kPitch[a]); };
+        const auto layer = [&](int stepsToEnd) {
+            return kLowestLayer[a] << ((down ? stepsToEnd : 3 - stepsToEnd) * kPitch[a]);
+        };
         auto& [low, high] = planes[a];
         low &= ~layer(0);
         high &= ~layer(0);
@@ -89,7 +93,8 @@ Planes chooseCubes(Set empty, int octant) {
     std::array<Set, 3> cubes;  // of 2, 3 and 4 words
     Set begins = empty;
     for (Set& ofSize : cubes) {
-        for (int axis = 0; axis < 3; ++axis) begins &= neighborsAhead(begins, axis, octant);  // of one less, at all eight corners
+        for (int axis = 0; axis < 3; ++axis)
+            begins &= neighborsAhead(begins, axis, octant);  // of one less, at all eight corners
         ofSize = begins;
     }
     Planes planes;
@@ -131,7 +136,8 @@ void storeTexels(const PlaneRows& rows, ShadowWords& texels) {
     for (size_t k = 0; k < 16; ++k) {
         const auto& [x, y, z, none] = rows[k];
         for (size_t l = 0; l < 4; ++l)
-            texels[16 * l + k] = (x >> (16 * l) & 0xffff) | (y >> (16 * l) & 0xffff) << 16 | (z >> (16 * l) & 0xffff) << 32;
+            texels[16 * l + k] =
+                (x >> (16 * l) & 0xffff) | (y >> (16 * l) & 0xffff) << 16 | (z >> (16 * l) & 0xffff) << 32;
     }
 #endif
 }
@@ -140,7 +146,8 @@ void makeTexels(Set empty, bool isTransient, ShadowWords& texels) {
     PlaneRows rows;
     for (size_t octant = 0; octant < 8; ++octant) {
         const Planes planes = isTransient ? chooseCubes(empty, int(octant)) : chooseBoxes(empty, int(octant));
-        for (size_t bit = 0; bit < 2; ++bit) rows[2 * octant + bit] = {planes[0][bit], planes[1][bit], planes[2][bit], 0};
+        for (size_t bit = 0; bit < 2; ++bit)
+            rows[2 * octant + bit] = {planes[0][bit], planes[1][bit], planes[2][bit], 0};
     }
     swapHalves<8>(rows, 0x00ff00ff00ff00ffu);
     swapHalves<4>(rows, 0x0f0f0f0f0f0f0f0fu);

@@ -12,9 +12,10 @@ using ShadowWords = std::array<uint64_t, 64>;
 
 /// 16x16x16 shadow cells (voxels of 0.1 m on the world's axes) as rays read them.
 ///
-/// The texel of a word that holds anything is its cells. The texel of an empty word says how far a ray may leap: for each of the
-/// eight octants of directions (bit a of its number set: down axis a) the sizes in words of a box that begins with this word, ends
-/// within the brick and is empty. Size - 1 in two bits: x at bit 2 octant, y at 16 + 2 octant, z at 32 + 2 octant.
+/// The texel of a word that holds anything is its cells. The texel of an empty word says how far a ray may leap: for
+/// each of the eight octants of directions (bit a of its number set: down axis a) the sizes in words of a box that
+/// begins with this word, ends within the brick and is empty. Size - 1 in two bits: x at bit 2 octant, y at 16 + 2
+/// octant, z at 32 + 2 octant.
 struct ShadowBrick {
     ShadowWords texels{};
     uint64_t occupied = 0;  ///< which words hold anything

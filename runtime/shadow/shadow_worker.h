@@ -13,12 +13,12 @@ namespace rubble {
 /// Whether a step can change the shadow volume. A version is published for each step that can (or for a later one that
 /// includes it), and for no other.
 inline bool changesShadow(const FrameChanges& changes, std::span<const BodyPose> moved) {
-    return changes.levelReplaced || !changes.shapesCreated.empty() || !changes.shapesDestroyed.empty() || !changes.bricks.empty() ||
-           !changes.palettes.empty() || !moved.empty();
+    return changes.levelReplaced || !changes.shapesCreated.empty() || !changes.shapesDestroyed.empty() ||
+           !changes.bricks.empty() || !changes.palettes.empty() || !moved.empty();
 }
 
-/// Keeps the shadow volume up to date, on a thread of its own or inline, from a replica of the world's shapes that shares
-/// their bricks. [main-thread] calls only; the worker sees values.
+/// Keeps the shadow volume up to date, on a thread of its own or inline, from a replica of the world's shapes that
+/// shares their bricks. [main-thread] calls only; the worker sees values.
 class ShadowWorker {
 public:
     enum class Mode { Thread, Inline };
@@ -27,7 +27,8 @@ public:
     ShadowWorker(const ShadowWorker&) = delete;
     ShadowWorker& operator=(const ShadowWorker&) = delete;
 
-    /// Copies out what this step changed (bricks by reference, poses of the bodies in `moved`) and queues it. Never isQueued.
+    /// Copies out what this step changed (bricks by reference, poses of the bodies in `moved`) and queues it. Never
+    /// isQueued.
     void submit(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world);
     /// What has been published since the last call, oldest first; each publication is one version.
     std::vector<ShadowPatches> takePatches();

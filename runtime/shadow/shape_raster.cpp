@@ -30,7 +30,8 @@ std::vector<uint64_t> eroded(const std::vector<uint64_t>& rows, glm::ivec3 size)
     for (int z = 1; z + 1 < size.z; ++z)
         for (int y = 1; y + 1 < size.y; ++y) {
             const uint64_t* row = &rows[size_t(y + z * size.y)];
-            any |= out[size_t(y + z * size.y)] = row[0] & row[-1] & row[1] & row[-size.y] & row[size.y] & row[0] << 1 & row[0] >> 1;
+            any |= out[size_t(y + z * size.y)] =
+                row[0] & row[-1] & row[1] & row[-size.y] & row[size.y] & row[0] << 1 & row[0] >> 1;
         }
     return any ? out : std::vector<uint64_t>();
 }
@@ -89,7 +90,8 @@ public:
           m_solidBox(source.solidBox(), cellTransform, count),
           m_isBox(m_samples == 1 && source.solidBox() == source.used()),
           m_hasSolidBox(m_samples == 1 && !m_isBox && !source.solidBox().empty()) {}
-    /// row(y, bits) for all rows of a plane that set cells; bit i / samples of `bits` is set for every sample i in a solid voxel.
+    /// row(y, bits) for all rows of a plane that set cells; bit i / samples of `bits` is set for every sample i in a
+    /// solid voxel.
     template <class Row>
     void forEachRow(const FixedPoint& plane, int count, Row&& row) const {
         const RowClip::Exact at = toDoubles(plane);
@@ -101,7 +103,8 @@ public:
             if (m_hasSolidBox) m_solidBox.intervals(at, y, some, solidBox.data());
             for (size_t i = 0; i < size_t(some); ++i)
                 if (used[i].low < used[i].high)
-                    row(y + int(i), m_isBox ? bitsOf(used[i].low, used[i].high) : cells(plane + m_rowStep * (y + int(i)), used[i], solidBox[i]));
+                    row(y + int(i), m_isBox ? bitsOf(used[i].low, used[i].high)
+                                            : cells(plane + m_rowStep * (y + int(i)), used[i], solidBox[i]));
         }
     }
 
@@ -114,7 +117,9 @@ private:
         if (solidBox.high < used.high) bits |= sample(first, solidBox.high, used.high);
         return bits;
     }
-    uint64_t solid(int64_t x, int64_t y, int64_t z) const { return m_rows[(y >> 32) + (z >> 32) * m_height] >> (x >> 32) & 1; }
+    uint64_t solid(int64_t x, int64_t y, int64_t z) const {
+        return m_rows[(y >> 32) + (z >> 32) * m_height] >> (x >> 32) & 1;
+    }
     uint64_t sample(const FixedPoint& first, int low, int high) const {
         uint64_t bits = 0;
         const int64_t last = high - 1;
@@ -152,7 +157,8 @@ void RasterSource::make(const VoxelGrid& grid) {
         const glm::ivec3 low = position * kBrickSize, high = glm::min(low + kBrickSize, size);
         for (int z = low.z; z < high.z; ++z)
             for (int y = low.y; y < high.y; ++y)
-                m_rows[size_t(y + z * size.y)] |= (brick->occupancy[size_t(z - low.z)] >> ((y - low.y) * 8) & 0xff) << low.x;
+                m_rows[size_t(y + z * size.y)] |= (brick->occupancy[size_t(z - low.z)] >> ((y - low.y) * 8) & 0xff)
+                                                  << low.x;
     });
     findOccupiedBox(size);
     findSolidBox(size);
@@ -174,8 +180,10 @@ void RasterSource::findSolidBox(glm::ivec3 size) {
     m_solidBox = {};
     if (m_used.empty()) return;
     std::vector<uint64_t> rows = m_rows;
-    for (std::vector<uint64_t> next = eroded(rows, size); !next.empty(); next = eroded(rows, size)) rows = std::move(next);
-    const size_t first = size_t(std::find_if(rows.begin(), rows.end(), [](uint64_t row) { return row != 0; }) - rows.begin());
+    for (std::vector<uint64_t> next = eroded(rows, size); !next.empty(); next = eroded(rows, size))
+        rows = std::move(next);
+    const size_t first =
+        size_t(std::find_if(rows.begin(), rows.end(), [](uint64_t row) { return row != 0; }) - rows.begin());
     m_solidBox.low = {std::countr_zero(rows[first]), int(first) % size.y, int(first) / size.y};
     m_solidBox.high = m_solidBox.low + 1;
     for (bool grows = true; grows;) {
@@ -185,7 +193,9 @@ void RasterSource::findSolidBox(glm::ivec3 size) {
             CellBox layer = m_solidBox;
             (side & 1 ? layer.low : layer.high)[axis] = side & 1 ? m_solidBox.high[axis] : m_solidBox.low[axis];
             (side & 1 ? layer.high : layer.low)[axis] += side & 1 ? 1 : -1;
-            if (layer.low[axis] < m_used.low[axis] || layer.high[axis] > m_used.high[axis] || !isSolid(m_rows.data(), m_height, layer)) continue;
+            if (layer.low[axis] < m_used.low[axis] || layer.high[axis] > m_used.high[axis] ||
+                !isSolid(m_rows.data(), m_height, layer))
+                continue;
             (side & 1 ? m_solidBox.high : m_solidBox.low)[axis] += side & 1 ? 1 : -1;
             grows = true;
         }
@@ -223,7 +233,8 @@ bool ShapeRaster::make(const RasterSource& source, const ShadowCellTransform& ce
     m_bricks = ((bounds.high + (kSide - 1)) >> 4) - m_lowBrick;
     m_brickSlots.assign(size_t(m_bricks.x) * size_t(m_bricks.y) * size_t(m_bricks.z), 0);
 
-    const glm::ivec3 count = size * cellTransform.samples, low = bounds.low - m_lowBrick * kSide;  // cells from the lowest brick's corner
+    const glm::ivec3 count = size * cellTransform.samples,
+                     low = bounds.low - m_lowBrick * kSide;  // cells from the lowest brick's corner
     const RowSampler sampler(source, cellTransform, count.x);
     const int bitInWord = low.x & 3, yBase = low.y & ~3;
     Slab slab;
@@ -231,7 +242,9 @@ bool ShapeRaster::make(const RasterSource& source, const ShadowCellTransform& ce
     for (int z = 0, zCell = low.z; zCell < low.z + size.z; ++zCell) {
         for (const int end = z + cellTransform.samples; z < end; ++z, plane = plane + cellTransform.step[2]) {
             uint64_t* rows = &slab.layers[size_t(zCell & 3)][size_t(low.y - yBase)];
-            sampler.forEachRow(plane, count.y, [&](int y, uint64_t bits) { rows[cellTransform.samples == 1 ? y : y / cellTransform.samples] |= bits << bitInWord; });
+            sampler.forEachRow(plane, count.y, [&](int y, uint64_t bits) {
+                rows[cellTransform.samples == 1 ? y : y / cellTransform.samples] |= bits << bitInWord;
+            });
         }
         if ((zCell & 3) != 3 && zCell + 1 < low.z + size.z) continue;
         std::array<uint64_t, 20> words;

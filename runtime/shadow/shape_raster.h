@@ -15,8 +15,8 @@ public:
     void clear() { m_rows.clear(); }
     /// Bit x of the row at y and z.
     const uint64_t* rows() const { return m_rows.data(); }
-    int height() const { return m_height; }         ///< rows from one z to the next
-    const CellBox& used() const { return m_used; }  ///< what lies outside is empty
+    int height() const { return m_height; }                 ///< rows from one z to the next
+    const CellBox& used() const { return m_used; }          ///< what lies outside is empty
     const CellBox& solidBox() const { return m_solidBox; }  ///< what lies in it is solid; none if its height is 0
 
 private:
@@ -45,10 +45,12 @@ public:
 
 private:
     ShadowWords& wordsAt(size_t index);
-    glm::ivec3 brickAt(int i) const { return m_lowBrick + glm::ivec3(i % m_bricks.x, i / m_bricks.x % m_bricks.y, i / m_bricks.x / m_bricks.y); }
+    glm::ivec3 brickAt(int i) const {
+        return m_lowBrick + glm::ivec3(i % m_bricks.x, i / m_bricks.x % m_bricks.y, i / m_bricks.x / m_bricks.y);
+    }
     glm::ivec3 m_lowBrick{0}, m_bricks{0};
-    std::vector<uint8_t> m_brickSlots;     ///< for each brick of the box, x first: its place in m_words plus one
-    std::vector<ShadowWords> m_words;  ///< those in use first
+    std::vector<uint8_t> m_brickSlots;  ///< for each brick of the box, x first: its place in m_words plus one
+    std::vector<ShadowWords> m_words;   ///< those in use first
     size_t m_used = 0;
 };
 

@@ -28,7 +28,8 @@ std::unique_ptr<BrickIndices> paintOf(const BrickBits& solid, const BrickIndices
     return any ? std::move(out) : nullptr;
 }
 
-/// The indices of the solid voxels, of which there are some, among them; null, and which one it is, if all have the same.
+/// The indices of the solid voxels, of which there are some, among them; null, and which one it is, if all have the
+/// same.
 std::unique_ptr<BrickIndices> maskIndices(const BrickIndices& indices, const BrickBits& solid, uint8_t& uniform) {
     auto out = std::make_unique_for_overwrite<BrickIndices>();
     uint64_t first = 0, others = 0;  // the first one in eight bytes; where others differ from it
@@ -53,7 +54,8 @@ void expandBrick(const Brick* brick, BrickIndices& out) {
     else if (brick->indices)
         out = *brick->indices;
     else
-        for (size_t row = 0; row < 64; ++row) storeRow(out, row, spreadBits(brick->occupancy[row / 8] >> 8 * (row % 8)) * brick->uniform);
+        for (size_t row = 0; row < 64; ++row)
+            storeRow(out, row, spreadBits(brick->occupancy[row / 8] >> 8 * (row % 8)) * brick->uniform);
 }
 
 BrickRef makeBrick(const BrickIndices& indices, const BrickIndices* paint) {

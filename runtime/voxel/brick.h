@@ -64,10 +64,11 @@ using BrickRef = std::shared_ptr<const Brick>;
 
 /// All 512 indices of a brick; zeros for nullptr.
 void expandBrick(const Brick* brick, BrickIndices& out);
-/// A brick with these indices, uniform if they allow it; nullptr if all are zero. `paint` may be null; what it says about
-/// empty voxels is ignored.
+/// A brick with these indices, uniform if they allow it; nullptr if all are zero. `paint` may be null; what it says
+/// about empty voxels is ignored.
 BrickRef makeBrick(const BrickIndices& indices, const BrickIndices* paint = nullptr);
-/// The same indices and paint wherever `keep` (laid out as occupancy) has a bit, empty elsewhere; nullptr if nothing is left.
+/// The same indices and paint wherever `keep` (laid out as occupancy) has a bit, empty elsewhere; nullptr if nothing is
+/// left.
 BrickRef maskBrick(const Brick& brick, const std::array<uint64_t, 8>& keep);
 /// A hash of the content alone: equal for equal voxels however they are stored.
 uint64_t hashBrick(const Brick& brick);

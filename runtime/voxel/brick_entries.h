@@ -4,7 +4,8 @@
 
 namespace rubble {
 
-/// Calls f(entry, layer, bits) for the solid voxels among `voxels`, layer by layer (z), once for each palette entry in it.
+/// Calls f(entry, layer, bits) for the solid voxels among `voxels`, layer by layer (z), once for each palette entry in
+/// it.
 template <class F>
 void forEachEntry(const Brick& brick, const BrickBits& voxels, F&& f) {
     for (size_t z = 0; z < 8; ++z) {

@@ -7,7 +7,8 @@
 namespace rubble {
 
 BrickNode::BrickNode() = default;
-BrickNode::BrickNode(const BrickNode& other) : mask(other.mask), full(other.full), voxels(other.voxels), hash(other.hash), bricks(other.bricks) {}
+BrickNode::BrickNode(const BrickNode& other)
+    : mask(other.mask), full(other.full), voxels(other.voxels), hash(other.hash), bricks(other.bricks) {}
 BrickNode::~BrickNode() = default;
 
 void BrickNode::set(int child, BrickRef value) {

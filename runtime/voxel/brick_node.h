@@ -31,7 +31,8 @@ void forEachChild(BrickMask mask, F&& f) {
     for (; mask; mask &= mask - 1) f(std::countr_zero(mask));
 }
 
-/// 4x4x4 bricks of a grid's directory. Changed only by a grid that holds it alone: copies of a grid and pieces share it.
+/// 4x4x4 bricks of a grid's directory. Changed only by a grid that holds it alone: copies of a grid and pieces share
+/// it.
 struct BrickNode {
     BrickNode();
     BrickNode(const BrickNode& other);

@@ -21,7 +21,8 @@ uint64_t fillLayer(uint64_t seeds, uint64_t open) {
     }
 }
 
-/// All cells of `open` that the seeds reach: sweeps up and down until one finds nothing to grow, or nothing is left to grow into.
+/// All cells of `open` that the seeds reach: sweeps up and down until one finds nothing to grow, or nothing is left to
+/// grow into.
 void fillBrick(BrickBits& seeds, const BrickBits& open) {
     const auto grow = [&](size_t z) {
         uint64_t from = seeds[z];

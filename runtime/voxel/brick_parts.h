@@ -8,7 +8,8 @@
 namespace rubble {
 
 /// The direction of each of BrickPart::faces; face i ^ 1 of the neighbour there touches face i.
-inline constexpr std::array<glm::ivec3, 6> kFaceOffsets = {{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
+inline constexpr std::array<glm::ivec3, 6> kFaceOffsets = {
+    {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
 
 /// Appends the components inside a brick, the one with the lowest voxel first. Flood fill on whole words of occupancy.
 void findBrickParts(const BrickBits& occupancy, std::vector<BrickPart>& out);

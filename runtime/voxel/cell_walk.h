@@ -8,9 +8,10 @@
 
 namespace rubble {
 
-/// Steps a ray through the cells of a box [0, size), in the order it crosses their faces (Amanatides & Woo 1987, but every
-/// crossing's t is computed from its integer plane, so nothing accumulates). Faces crossed at the same t are taken in the
-/// order x, y, z: the walk goes round corners, never through them. leave() gives exactly the cell that as many step()s give.
+/// Steps a ray through the cells of a box [0, size), in the order it crosses their faces (Amanatides & Woo 1987, but
+/// every crossing's t is computed from its integer plane, so nothing accumulates). Faces crossed at the same t are
+/// taken in the order x, y, z: the walk goes round corners, never through them. leave() gives exactly the cell that as
+/// many step()s give.
 ///
 /// Which cell a point on a face belongs to: the one the ray is going into; the higher one if it runs along the face.
 class CellWalk {
@@ -56,7 +57,8 @@ public:
     bool leave(glm::ivec3 low, glm::ivec3 high) {
         glm::dvec3 exit;
         for (int a = 0; a < 3; ++a)
-            exit[a] = m_direction[a] == 0.0 ? std::numeric_limits<double>::infinity() : crossing(a, m_direction[a] < 0.0 ? low[a] : high[a]);
+            exit[a] = m_direction[a] == 0.0 ? std::numeric_limits<double>::infinity()
+                                            : crossing(a, m_direction[a] < 0.0 ? low[a] : high[a]);
         const int axis = earliest(exit);
         if (!(exit[axis] <= m_tMax) || m_direction[axis] == 0.0) return false;
         m_t = exit[axis];
@@ -85,7 +87,8 @@ private:
         m_exponent = largest == 0.0 || (largest > 0x1p-200 && largest < 0x1p200) ? 0 : -std::ilogb(largest);
         if (m_exponent)
             for (int a = 0; a < 3; ++a) m_direction[a] = std::ldexp(ray.direction[a], m_exponent);
-        m_tMax = std::min(m_exponent ? std::ldexp(ray.tMax, -m_exponent) : ray.tMax, std::numeric_limits<double>::max());
+        m_tMax =
+            std::min(m_exponent ? std::ldexp(ray.tMax, -m_exponent) : ray.tMax, std::numeric_limits<double>::max());
         m_t = 0.0;
         return true;
     }
@@ -98,8 +101,8 @@ private:
     }
     static int earliest(const glm::dvec3& t) { return t.x <= t.y ? (t.x <= t.z ? 0 : 2) : (t.y <= t.z ? 1 : 2); }
 
-    /// Has just crossed into `cell` on `axis` at m_t: on each other axis, takes all crossings that come before that one. They
-    /// lie in [low - 1, high], as the walk has not left that box on those axes.
+    /// Has just crossed into `cell` on `axis` at m_t: on each other axis, takes all crossings that come before that
+    /// one. They lie in [low - 1, high], as the walk has not left that box on those axes.
     bool arrive(int axis, int cell, glm::ivec3 low, glm::ivec3 high) {
         m_cell[axis] = cell;
         for (int a = 0; a < 3; ++a) {

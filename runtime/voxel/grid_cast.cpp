@@ -10,8 +10,8 @@ namespace rubble {
 namespace {
 
 constexpr double kContactTolerance = 1e-9;  ///< cells
-constexpr double kMaxCoordinate = 1e7;   ///< cells from the grid: beyond, nothing is looked for
-constexpr int kMaxNewtonSteps = 64;      ///< of Newton's method; it needs three or four, except at a graze
+constexpr double kMaxCoordinate = 1e7;      ///< cells from the grid: beyond, nothing is looked for
+constexpr int kMaxNewtonSteps = 64;         ///< of Newton's method; it needs three or four, except at a graze
 
 struct Span {
     double enter, leave;
@@ -56,7 +56,8 @@ BrickBits acceptedVoxels(const Brick& brick, EntryFilter accepted) {
 /// Drops the voxels of a brick that are outside a box of the grid's cells.
 void clip(BrickBits& bits, glm::ivec3 brick, glm::dvec3 low, glm::dvec3 high) {
     const glm::dvec3 base(brick * kBrickSize);
-    const glm::ivec3 from(glm::clamp(glm::floor(low - base), 0.0, 8.0)), to(glm::clamp(glm::floor(high - base), -1.0, 7.0));
+    const glm::ivec3 from(glm::clamp(glm::floor(low - base), 0.0, 8.0)),
+        to(glm::clamp(glm::floor(high - base), -1.0, 7.0));
     if (from.x > to.x || from.y > to.y || from.z > to.z) return bits.fill(0);
     const uint64_t row = (2ull << to.x) - (1ull << from.x);
     uint64_t layer = 0;
@@ -68,7 +69,8 @@ void clip(BrickBits& bits, glm::ivec3 brick, glm::dvec3 low, glm::dvec3 high) {
 template <class F>
 void forEachBrickIn(const VoxelGrid& grid, glm::dvec3 low, glm::dvec3 high, F&& f) {
     const glm::dvec3 size(grid.size());
-    if (!(high.x >= 0.0 && high.y >= 0.0 && high.z >= 0.0 && low.x <= size.x && low.y <= size.y && low.z <= size.z)) return;
+    if (!(high.x >= 0.0 && high.y >= 0.0 && high.z >= 0.0 && low.x <= size.x && low.y <= size.y && low.z <= size.z))
+        return;
     const glm::ivec3 last = grid.sizeInBricks() - 1;
     const glm::ivec3 from(glm::clamp(glm::floor(low / 8.0 - 1e-9), glm::dvec3(0.0), glm::dvec3(last)));
     const glm::ivec3 to(glm::clamp(glm::floor(high / 8.0 + 1e-9), glm::dvec3(0.0), glm::dvec3(last)));
@@ -80,13 +82,14 @@ void forEachBrickIn(const VoxelGrid& grid, glm::dvec3 low, glm::dvec3 high, F&& 
                 for (uint64_t mask = node->mask; mask; mask &= mask - 1) {
                     const int i = std::countr_zero(mask);
                     const glm::ivec3 brick = glm::ivec3(nx, ny, nz) * 4 + childPosition(i);
-                    if (glm::all(glm::greaterThanEqual(brick, from)) && glm::all(glm::lessThanEqual(brick, to))) f(brick, *node->bricks[size_t(i)]);
+                    if (glm::all(glm::greaterThanEqual(brick, from)) && glm::all(glm::lessThanEqual(brick, to)))
+                        f(brick, *node->bricks[size_t(i)]);
                 }
             }
 }
 
-/// The directions along which two boxes can be apart: three of the cells, three of the box, and what is at right angles to one
-/// of each (Gottschalk, Lin & Manocha 1996). Exact for boxes that move without turning.
+/// The directions along which two boxes can be apart: three of the cells, three of the box, and what is at right angles
+/// to one of each (Gottschalk, Lin & Manocha 1996). Exact for boxes that move without turning.
 struct BoxAxes {
     std::array<glm::dvec3, 15> axes;
     std::array<double, 15> shapeRadius;
@@ -97,7 +100,8 @@ struct BoxAxes {
         for (const glm::dvec3& half : box.halfAxes) add(box, half);
         for (int i = 0; i < 3; ++i)
             for (const glm::dvec3& half : box.halfAxes)
-                if (const double length = glm::length(half); length > 0.0) add(box, glm::cross(glm::dvec3(i == 0, i == 1, i == 2), half / length));
+                if (const double length = glm::length(half); length > 0.0)
+                    add(box, glm::cross(glm::dvec3(i == 0, i == 1, i == 2), half / length));
     }
     void add(const CellShape& box, glm::dvec3 axis) {
         const double length = glm::length(axis);
@@ -120,7 +124,8 @@ struct BoxAxes {
     /// When the box, `fromCube` away, touches a cube; the axis they are apart on until then.
     Span touch(glm::dvec3 fromCube, glm::dvec3 direction, Span span, glm::dvec3& normal) const {
         for (int i = 0; i < count; ++i) {
-            const double from = glm::dot(axes[size_t(i)], fromCube), speed = glm::dot(axes[size_t(i)], direction), most = halfExtent(i, 0.5);
+            const double from = glm::dot(axes[size_t(i)], fromCube), speed = glm::dot(axes[size_t(i)], direction),
+                         most = halfExtent(i, 0.5);
             if (std::abs(speed) < 1e-15) {
                 if (std::abs(from) > most) return {1.0, 0.0};
                 continue;
@@ -141,15 +146,21 @@ struct BoxAxes {
 class ShapeCast {
 public:
     ShapeCast(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 direction, double tMax, EntryFilter accepted)
-        : m_grid(grid), m_shape(shape), m_middle(shape.middle()), m_halfExtent(shape.halfExtent()), m_direction(direction), m_accepted(accepted) {
+        : m_grid(grid),
+          m_shape(shape),
+          m_middle(shape.middle()),
+          m_halfExtent(shape.halfExtent()),
+          m_direction(direction),
+          m_accepted(accepted) {
         m_best.t = tMax;
         if (shape.isBox) m_axes.emplace(shape);
     }
 
-    /// A interval of the way after the other, each as long as a directory node: a brick's turn comes where the shape's bounds
-    /// first meet it.
+    /// A interval of the way after the other, each as long as a directory node: a brick's turn comes where the shape's
+    /// bounds first meet it.
     CellContact run() {
-        const Span way = spanInBox(m_middle, m_direction, -m_halfExtent, glm::dvec3(m_grid.size()) + m_halfExtent, {0.0, m_best.t});
+        const Span way =
+            spanInBox(m_middle, m_direction, -m_halfExtent, glm::dvec3(m_grid.size()) + m_halfExtent, {0.0, m_best.t});
         if (way.empty()) return {};
         const double speed = glm::length(m_direction);
         const double interval = speed > 0.0 ? kNodeSize / speed : 1.0;
@@ -158,7 +169,8 @@ public:
             if (!(from + interval < std::min(way.leave, m_best.t))) break;
         }
         if (!m_best.hit) return {};
-        if (m_best.normal == glm::dvec3(0.0)) m_best.normal = speed > 0.0 ? -m_direction / speed : glm::dvec3(0.0, 1.0, 0.0);
+        if (m_best.normal == glm::dvec3(0.0))
+            m_best.normal = speed > 0.0 ? -m_direction / speed : glm::dvec3(0.0, 1.0, 0.0);
         return m_best;
     }
 
@@ -172,13 +184,17 @@ private:
     void visitInterval(Span interval, bool isFirst) {
         const glm::dvec3 from = m_middle + m_direction * interval.enter, to = m_middle + m_direction * interval.leave;
         m_candidates.clear();
-        forEachBrickIn(m_grid, glm::min(from, to) - m_halfExtent, glm::max(from, to) + m_halfExtent, [&](glm::ivec3 position, const Brick& brick) {
-            const glm::dvec3 low(position * kBrickSize);
-            const Span span = spanInBox(m_middle, m_direction, low - m_halfExtent, low + 8.0 + m_halfExtent, {0.0, m_best.t});
-            if (span.empty() || span.enter > interval.leave || (span.enter <= interval.enter && !isFirst)) return;
-            m_candidates.push_back({span.enter, span.leave, position, &brick});
-        });
-        std::stable_sort(m_candidates.begin(), m_candidates.end(), [](const BrickCandidate& a, const BrickCandidate& b) { return a.enter < b.enter; });
+        forEachBrickIn(
+            m_grid, glm::min(from, to) - m_halfExtent, glm::max(from, to) + m_halfExtent,
+            [&](glm::ivec3 position, const Brick& brick) {
+                const glm::dvec3 low(position * kBrickSize);
+                const Span span =
+                    spanInBox(m_middle, m_direction, low - m_halfExtent, low + 8.0 + m_halfExtent, {0.0, m_best.t});
+                if (span.empty() || span.enter > interval.leave || (span.enter <= interval.enter && !isFirst)) return;
+                m_candidates.push_back({span.enter, span.leave, position, &brick});
+            });
+        std::stable_sort(m_candidates.begin(), m_candidates.end(),
+                         [](const BrickCandidate& a, const BrickCandidate& b) { return a.enter < b.enter; });
         for (const BrickCandidate& each : m_candidates) {
             if (each.enter > m_best.t) break;
             visitBrick(each);
@@ -188,33 +204,38 @@ private:
     void visitBrick(const BrickCandidate& each) {
         BrickBits bits = acceptedVoxels(*each.brick, m_accepted);
         if (each.enter > 0.0) bits = outerVoxels(bits);
-        const glm::dvec3 from = m_middle + m_direction * each.enter, to = m_middle + m_direction * std::min(each.leave, m_best.t);
+        const glm::dvec3 from = m_middle + m_direction * each.enter,
+                         to = m_middle + m_direction * std::min(each.leave, m_best.t);
         clip(bits, each.position, glm::min(from, to) - m_halfExtent - 1e-6, glm::max(from, to) + m_halfExtent + 1e-6);
         forEachVoxel(bits, [&](int i) { visitCell(each.position * kBrickSize + voxelInBrick(i)); });
     }
 
     void visitCell(glm::ivec3 cell) {
         const glm::dvec3 low(cell);
-        const Span span = spanInBox(m_middle, m_direction, low - m_halfExtent, low + 1.0 + m_halfExtent, {0.0, m_best.t});
+        const Span span =
+            spanInBox(m_middle, m_direction, low - m_halfExtent, low + 1.0 + m_halfExtent, {0.0, m_best.t});
         if (span.empty() || (m_best.hit && span.enter >= m_best.t)) return;
         if (m_axes) {
             glm::dvec3 normal(0.0);
             const Span touch = m_axes->touch(m_middle - low - 0.5, m_direction, {0.0, m_best.t}, normal);
             if (!touch.empty() && (!m_best.hit || touch.enter < m_best.t))
-                m_best = {true, cell, touch.enter, glm::clamp(m_middle + m_direction * touch.enter, low, low + 1.0), normal};
+                m_best = {true, cell, touch.enter, glm::clamp(m_middle + m_direction * touch.enter, low, low + 1.0),
+                          normal};
             return;
         }
         castRound(cell, span.enter);
     }
 
-    /// The distance to a convex set is a convex function along the way, so Newton's method comes to its first zero from before.
+    /// The distance to a convex set is a convex function along the way, so Newton's method comes to its first zero from
+    /// before.
     void castRound(glm::ivec3 cell, double t) {
         const glm::dvec3 low(cell);
         for (int i = 0; i < kMaxNewtonSteps; ++i) {
             const glm::dvec3 moved = m_direction * t;
             const SegmentToBox near = closestToBox(m_shape.a + moved, m_shape.b + moved, low, low + 1.0);
             const double gap = near.distance - m_shape.radius;
-            const glm::dvec3 normal = near.distance > 0.0 ? (near.onSegment - near.onBox) / near.distance : glm::dvec3(0.0);
+            const glm::dvec3 normal =
+                near.distance > 0.0 ? (near.onSegment - near.onBox) / near.distance : glm::dvec3(0.0);
             const double approach = -glm::dot(normal, m_direction);
             if (gap <= kContactTolerance) {
                 if (gap >= -kContactTolerance && near.distance > 0.0 && !(approach > 1e-12)) return;
@@ -253,7 +274,8 @@ glm::dvec3 CellShape::halfExtent() const {
     return glm::abs(halfAxes[0]) + glm::abs(halfAxes[1]) + glm::abs(halfAxes[2]);
 }
 
-/// The square of the distance is convex and piecewise quadratic along the segment, divided where it crosses the box's planes.
+/// The square of the distance is convex and piecewise quadratic along the segment, divided where it crosses the box's
+/// planes.
 SegmentToBox closestToBox(glm::dvec3 a, glm::dvec3 b, glm::dvec3 low, glm::dvec3 high) {
     const glm::dvec3 way = b - a;
     const auto slope = [&](double s) {
@@ -284,7 +306,8 @@ SegmentToBox closestToBox(glm::dvec3 a, glm::dvec3 b, glm::dvec3 low, glm::dvec3
     return {onSegment, onBox, glm::length(onSegment - onBox)};
 }
 
-CellContact castShape(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 direction, double tMax, EntryFilter accepted) {
+CellContact castShape(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 direction, double tMax,
+                      EntryFilter accepted) {
     if (!isNear(shape) || !isNear(direction) || !(tMax >= 0.0) || grid.empty()) return {};
     return ShapeCast(grid, shape, direction, tMax, accepted).run();
 }
@@ -325,7 +348,8 @@ CellContact findDeepest(const VoxelGrid& grid, const CellShape& round) {
             const glm::ivec3 cell = position * kBrickSize + voxelInBrick(i);
             const SegmentToBox near = closestToBox(round.a, round.b, glm::dvec3(cell), glm::dvec3(cell) + 1.0);
             if (near.distance > best.t || (best.hit && near.distance == best.t)) return;
-            const glm::dvec3 normal = near.distance > 0.0 ? (near.onSegment - near.onBox) / near.distance : glm::dvec3(0.0);
+            const glm::dvec3 normal =
+                near.distance > 0.0 ? (near.onSegment - near.onBox) / near.distance : glm::dvec3(0.0);
             best = {true, cell, near.distance, near.onBox, normal};
         });
     });
@@ -342,13 +366,16 @@ ClosestVoxel findClosest(const VoxelGrid& grid, glm::dvec3 point, double halfExt
         glm::ivec3 position;
         const Brick* brick;
     };
-    const auto distanceTo = [&](glm::dvec3 low, double size) { return glm::length(point - glm::clamp(point, low, low + size)); };
+    const auto distanceTo = [&](glm::dvec3 low, double size) {
+        return glm::length(point - glm::clamp(point, low, low + size));
+    };
     std::vector<BrickCandidate> candidates;
     forEachBrickIn(grid, point - halfExtent, point + halfExtent, [&](glm::ivec3 position, const Brick& brick) {
         const double distance = distanceTo(glm::dvec3(position * kBrickSize), kBrickSize);
         if (distance <= halfExtent) candidates.push_back({distance, position, &brick});
     });
-    std::stable_sort(candidates.begin(), candidates.end(), [](const BrickCandidate& a, const BrickCandidate& b) { return a.distance < b.distance; });
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const BrickCandidate& a, const BrickCandidate& b) { return a.distance < b.distance; });
     for (const BrickCandidate& each : candidates) {
         if (each.distance > best.distance || (best.found && each.distance == best.distance)) break;
         forEachVoxel(acceptedVoxels(*each.brick, accepted), [&](int i) {

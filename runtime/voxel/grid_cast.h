@@ -7,8 +7,8 @@
 
 namespace rubble {
 
-/// A convex shape in a grid's own cells: all that is within `radius` of a segment (of a point, if both ends are the same),
-/// or a turned box about `a`.
+/// A convex shape in a grid's own cells: all that is within `radius` of a segment (of a point, if both ends are the
+/// same), or a turned box about `a`.
 struct CellShape {
     glm::dvec3 a{0.0}, b{0.0};  ///< ends of the segment; box: a is its middle
     double radius = 0.0;        ///< sphere and capsule
@@ -32,16 +32,17 @@ struct CellContact {
 using EntryFilter = const std::array<bool, 256>*;
 
 /// The first solid voxel that the shape touches on its way along `direction` (which need not be unit; t counts in its
-/// lengths) up to tMax. Voxels are closed unit cubes; the time is exact to about 1e-9 cells of distance. Costs the bricks
-/// near the way until it is blocked. What it just touches and moves
-/// along or away from does not stop it. A NaN anywhere gives no hit.
-CellContact castShape(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 direction, double tMax, EntryFilter accepted = nullptr);
+/// lengths) up to tMax. Voxels are closed unit cubes; the time is exact to about 1e-9 cells of distance. Costs the
+/// bricks near the way until it is blocked. What it just touches and moves along or away from does not stop it. A NaN
+/// anywhere gives no hit.
+CellContact castShape(const VoxelGrid& grid, const CellShape& shape, glm::dvec3 direction, double tMax,
+                      EntryFilter accepted = nullptr);
 
 /// A solid voxel that the shape overlaps or touches: the first by brick, then by cell.
 std::optional<glm::ivec3> findOverlap(const VoxelGrid& grid, const CellShape& shape, EntryFilter accepted = nullptr);
 
-/// Where a round shape is deepest in a solid voxel, or closest to one that it touches: the least distance between segment
-/// and voxel, as `t`. The normal is zero where the segment itself is inside.
+/// Where a round shape is deepest in a solid voxel, or closest to one that it touches: the least distance between
+/// segment and voxel, as `t`. The normal is zero where the segment itself is inside.
 CellContact findDeepest(const VoxelGrid& grid, const CellShape& round);
 
 /// The point of a solid voxel that is closest to a point, if any is within `halfExtent` cells.

@@ -11,8 +11,9 @@
 namespace rubble {
 namespace {
 
-/// Sums over a row of voxels of weight one along x, in doubled cell centres p = 2 x + 1, side by side in one word: their number,
-/// of p from bit 16, of p^2 from bit 32. Rows may be added up, also times p or p^2 of y: no sum of a layer outgrows its bits.
+/// Sums over a row of voxels of weight one along x, in doubled cell centres p = 2 x + 1, side by side in one word:
+/// their number, of p from bit 16, of p^2 from bit 32. Rows may be added up, also times p or p^2 of y: no sum of a
+/// layer outgrows its bits.
 using RowSums = uint64_t;
 constexpr std::array<RowSums, 256> kRowSums = [] {
     std::array<RowSums, 256> out{};
@@ -105,7 +106,8 @@ Densities::Densities(const Palette& palette, const MaterialTable& materials) {
     hash = hashBytes(of.data(), sizeof of);
 }
 
-MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 brickPosition, const Densities& densities) {
+MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 brickPosition,
+                         const Densities& densities) {
     MassMoments sums;
     BrickBits voxels{};  // of one density, not summed up yet
     std::optional<uint32_t> density;
@@ -123,7 +125,8 @@ MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 bri
 
 MassMoments nodeMoments(const BrickNode& node, glm::ivec3 nodePosition, const Densities& densities) {
     const glm::ivec3 offset = nodePosition * kNodeSize;
-    if (const NodeMoments* known = node.cachedMoments.find(); known && known->densities == densities.hash) return known->sums.shifted(offset);
+    if (const NodeMoments* known = node.cachedMoments.find(); known && known->densities == densities.hash)
+        return known->sums.shifted(offset);
     auto found = std::make_unique<NodeMoments>(NodeMoments{densities.hash, {}});
     forEachChild(node.mask, [&](int child) {
         const Brick& brick = *node.bricks[size_t(child)];
@@ -137,12 +140,14 @@ MassMoments nodeMoments(const BrickNode& node, glm::ivec3 nodePosition, const De
 MassMoments gridMoments(const VoxelGrid& grid, const Palette& palette, const MaterialTable& materials) {
     MassMoments sum;
     const Densities densities(palette, materials);
-    grid.forEachNode([&](glm::ivec3 position, const BrickNode& node) { sum += nodeMoments(node, position, densities); });
+    grid.forEachNode(
+        [&](glm::ivec3 position, const BrickNode& node) { sum += nodeMoments(node, position, densities); });
     return sum;
 }
 
 void principalAxes(const std::array<double, 6>& tensor, glm::dvec3& values, glm::dquat& axes) {
-    double a[3][3] = {{tensor[0], tensor[3], tensor[5]}, {tensor[3], tensor[1], tensor[4]}, {tensor[5], tensor[4], tensor[2]}};
+    double a[3][3] = {
+        {tensor[0], tensor[3], tensor[5]}, {tensor[3], tensor[1], tensor[4]}, {tensor[5], tensor[4], tensor[2]}};
     double v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (int sweep = 0; sweep < 32; ++sweep) {
         const double off = a[0][1] * a[0][1] + a[1][2] * a[1][2] + a[0][2] * a[0][2];
@@ -186,11 +191,17 @@ MassProperties massProperties(const MassMoments& moments, double voxelSize) {
         out.center[int(i)] = double(moments.first[i]) / weight * half;
         // S - F F / W in integers where it matters: W S - F F is exact, then one division.
         const Int128 squares = Int128(moments.weight) * moments.second[i] - Int128(moments.first[i]) * moments.first[i];
-        const Int128 products = Int128(moments.weight) * moments.second[i + 3] - Int128(moments.first[i]) * moments.first[j];
+        const Int128 products =
+            Int128(moments.weight) * moments.second[i + 3] - Int128(moments.first[i]) * moments.first[j];
         central[i] = double(squares) / weight * half * half * massPerWeight + out.mass * voxelSize * voxelSize / 12.0;
         central[i + 3] = double(products) / weight * half * half * massPerWeight;
     }
-    out.inertia = {central[1] + central[2], central[2] + central[0], central[0] + central[1], -central[3], -central[4], -central[5]};
+    out.inertia = {central[1] + central[2],
+                   central[2] + central[0],
+                   central[0] + central[1],
+                   -central[3],
+                   -central[4],
+                   -central[5]};
     principalAxes(out.inertia, out.principalInertia, out.principalAxes);
     return out;
 }

@@ -52,7 +52,8 @@ struct MassProperties {
     glm::dvec3 center{0.0};
     glm::dvec3 principalInertia{0.0};              ///< about the centre, kg m2
     glm::dquat principalAxes{1.0, 0.0, 0.0, 0.0};  ///< principal frame -> shape frame
-    std::array<double, 6> inertia{};               ///< tensor about the centre, shape frame: xx yy zz xy yz zx (products negated, as in the matrix)
+    std::array<double, 6>
+        inertia{};  ///< tensor about the centre, shape frame: xx yy zz xy yz zx (products negated, as in the matrix)
 };
 
 /// Each voxel counts as a solid cube of side voxelSize metres.

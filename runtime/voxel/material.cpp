@@ -5,9 +5,9 @@ namespace {
 
 using enum Hardness;
 
-// Densities, strengths and heat: Engineering Toolbox "Solids - densities / specific heats"; EN 338 C24 and the USDA Wood
-// Handbook (wood); EN 1992-1-1 C25/30 (concrete); EN 1996-1-1 (brick and mortar); EN 572 (float glass); EN 10025 S235
-// (steel); Ashby & Jones, Engineering Materials 1 (plastic, rock, ice, plaster).
+// Densities, strengths and heat: Engineering Toolbox "Solids - densities / specific heats"; EN 338 C24 and the USDA
+// Wood Handbook (wood); EN 1992-1-1 C25/30 (concrete); EN 1996-1-1 (brick and mortar); EN 572 (float glass); EN 10025
+// S235 (steel); Ashby & Jones, Engineering Materials 1 (plastic, rock, ice, plaster).
 std::vector<Material> makeDefaults() {
     // clang-format off
     return {
@@ -71,9 +71,10 @@ uint8_t teardownMaterial(uint8_t paletteIndex) {
         const char* name;
     };
     static constexpr Row kRows[] = {
-        {0, "empty"},   {8, "glass"},     {24, "foliage"},     {40, "dirt"},         {56, "rock"},     {72, "wood"},        {88, "concrete"},
-        {104, "brick"}, {120, "plaster"}, {136, "metal"},      {152, "heavy metal"}, {168, "plastic"}, {176, "hard metal"}, {184, "hard masonry"},
-        {192, "ice"},   {224, "generic"}, {240, "unphysical"}, {253, "generic"},     {254, "snow"},    {255, "unphysical"},
+        {0, "empty"},         {8, "glass"},        {24, "foliage"},     {40, "dirt"},          {56, "rock"},
+        {72, "wood"},         {88, "concrete"},    {104, "brick"},      {120, "plaster"},      {136, "metal"},
+        {152, "heavy metal"}, {168, "plastic"},    {176, "hard metal"}, {184, "hard masonry"}, {192, "ice"},
+        {224, "generic"},     {240, "unphysical"}, {253, "generic"},    {254, "snow"},         {255, "unphysical"},
     };
     for (const Row& row : kRows)
         if (paletteIndex <= row.last) return defaultMaterials().find(row.name);

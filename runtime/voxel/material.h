@@ -23,10 +23,10 @@ struct Material {
     float shearStrength = 1e6f;
     float friction = 0.6f;
     float restitution = 0.1f;
-    float heatCapacity = 900.0f;                                     ///< J/(kg K)
-    float ignitionTemperature = 0.0f;                                ///< K; 0 = does not burn
-    float burnTime = 0.0f;                                           ///< s
-    std::string fragments = "chunk";                                 ///< how it comes apart: chunk, bond, splinter, pane, tear, crumble, none
+    float heatCapacity = 900.0f;       ///< J/(kg K)
+    float ignitionTemperature = 0.0f;  ///< K; 0 = does not burn
+    float burnTime = 0.0f;             ///< s
+    std::string fragments = "chunk";   ///< how it comes apart: chunk, bond, splinter, pane, tear, crumble, none
     bool sledge = true, torch = true, gun = true, explosive = true;  ///< the tools that break it
 
     friend bool operator==(const Material&, const Material&) = default;

@@ -39,7 +39,8 @@ void uniteFull(const BrickNode& node, const std::array<uint16_t, 65>& firstPart,
     }
 }
 
-void uniteAcross(const BrickNode& node, size_t face, BrickPartCache& bricks, const std::array<uint16_t, 65>& firstPart, PartSets& sets) {
+void uniteAcross(const BrickNode& node, size_t face, BrickPartCache& bricks, const std::array<uint16_t, 65>& firstPart,
+                 PartSets& sets) {
     const int step = face == 1 ? 1 : face == 3 ? 4 : 16;
     BrickMask pairs = node.mask & ~kFaceBricks[face] & node.mask >> step;
     pairs &= ~(node.full & node.full >> step);  // known already
@@ -54,15 +55,17 @@ void uniteAcross(const BrickNode& node, size_t face, BrickPartCache& bricks, con
 
 std::unique_ptr<const NodeParts> findNodeParts(const BrickNode& node) {
     auto out = std::make_unique<NodeParts>();
-    forEachChild(node.mask & ~node.full, [&](int child) {  // bricks lie all over the memory: have them fetched side by side
-        const Brick* brick = node.bricks[size_t(child)].get();
-        __builtin_prefetch(&brick->occupancy);
-        __builtin_prefetch(&brick->cachedParts);
-    });
+    forEachChild(node.mask & ~node.full,
+                 [&](int child) {  // bricks lie all over the memory: have them fetched side by side
+                     const Brick* brick = node.bricks[size_t(child)].get();
+                     __builtin_prefetch(&brick->occupancy);
+                     __builtin_prefetch(&brick->cachedParts);
+                 });
     BrickPartCache bricks(node);
     auto detail = std::make_unique<NodeParts::Detail>();
     for (int child = 0; child < 64; ++child)
-        detail->firstPart[size_t(child) + 1] = uint16_t(detail->firstPart[size_t(child)] + (node.mask >> child & 1 ? bricks[child].size() : 0));
+        detail->firstPart[size_t(child) + 1] =
+            uint16_t(detail->firstPart[size_t(child)] + (node.mask >> child & 1 ? bricks[child].size() : 0));
     PartSets sets(detail->firstPart[64]);
     uniteFull(node, detail->firstPart, sets);
     for (const size_t face : {1, 3, 5}) uniteAcross(node, face, bricks, detail->firstPart, sets);

@@ -10,7 +10,8 @@
 
 namespace rubble {
 
-/// The 6-connected components of what a node holds, seen from inside the node alone, in the order of their lowest brick.
+/// The 6-connected components of what a node holds, seen from inside the node alone, in the order of their lowest
+/// brick.
 struct NodeParts {
     /// Of a node of several components: which one each part of each brick belongs to.
     struct Detail {
@@ -21,7 +22,9 @@ struct NodeParts {
     std::unique_ptr<const Detail> detail;  ///< null if there is only one
     std::vector<uint32_t> voxels;          ///< by component
 
-    uint16_t componentOf(int child, size_t part) const { return detail ? detail->component[detail->firstPart[size_t(child)] + part] : uint16_t(0); }
+    uint16_t componentOf(int child, size_t part) const {
+        return detail ? detail->component[detail->firstPart[size_t(child)] + part] : uint16_t(0);
+    }
 };
 
 /// Worked out once a node.
@@ -42,8 +45,9 @@ private:
 };
 
 /// The bricks of a node that lie on one of its faces (see kFaceOffsets).
-inline constexpr std::array<BrickMask, 6> kFaceBricks = {0x1111111111111111ull, 0x8888888888888888ull, 0x000f000f000f000full,
-                                                         0xf000f000f000f000ull, 0x000000000000ffffull, 0xffff000000000000ull};
+inline constexpr std::array<BrickMask, 6> kFaceBricks = {0x1111111111111111ull, 0x8888888888888888ull,
+                                                         0x000f000f000f000full, 0xf000f000f000f000ull,
+                                                         0x000000000000ffffull, 0xffff000000000000ull};
 /// How far a brick's bit moves to the facing brick of the neighbour there: childIndex goes from one side to the other.
 inline constexpr std::array<int, 6> kNeighborShift = {3, -3, 12, -12, 48, -48};
 
@@ -63,7 +67,8 @@ void forEachContact(const BrickNode& a, const BrickNode& b, size_t face, F&& f) 
     std::vector<BrickPart> scratchA, scratchB;
     for (BrickMask left = both; left; left &= left - 1) {
         const int childA = std::countr_zero(left), childB = childA + shift;
-        const auto partsA = brickParts(*a.bricks[size_t(childA)], scratchA), partsB = brickParts(*b.bricks[size_t(childB)], scratchB);
+        const auto partsA = brickParts(*a.bricks[size_t(childA)], scratchA),
+                   partsB = brickParts(*b.bricks[size_t(childB)], scratchB);
         for (size_t i = 0; i < partsA.size(); ++i)
             for (size_t j = 0; partsA[i].faces[face] && j < partsB.size(); ++j)
                 if (partsA[i].faces[face] & partsB[j].faces[face ^ 1])

@@ -19,7 +19,8 @@ struct PaletteEntry {
     friend bool operator==(const PaletteEntry&, const PaletteEntry&) = default;
 };
 
-/// The 255 entries of a shape; entry 0 is "empty". Never changed once a shape holds it: shapes share it, a change makes a new one.
+/// The 255 entries of a shape; entry 0 is "empty". Never changed once a shape holds it: shapes share it, a change makes
+/// a new one.
 using Palette = std::array<PaletteEntry, 256>;
 using PaletteRef = std::shared_ptr<const Palette>;
 

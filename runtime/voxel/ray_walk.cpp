@@ -21,7 +21,8 @@ CellHit walkRay(const VoxelGrid& grid, const CellRay& ray, const std::array<bool
         }
         for (glm::ivec3 at = cell; inside && (at >> 3) == position; at = walk.cell()) {
             const int i = voxelIndex(at & 7);
-            if (brick->solid(i) && (!accepted || (*accepted)[brick->at(i)])) return {true, at, walk.t(), walk.axis(), walk.sign(), out.steps};
+            if (brick->solid(i) && (!accepted || (*accepted)[brick->at(i)]))
+                return {true, at, walk.t(), walk.axis(), walk.sign(), out.steps};
             inside = walk.step();
             if (inside && (walk.cell() >> 3) == position) ++out.steps;
         }

@@ -6,7 +6,8 @@
 
 namespace rubble {
 
-/// A ray in the grid's own cells: cell c covers [c, c + 1]. The direction need not be normalised; tMax is in its lengths.
+/// A ray in the grid's own cells: cell c covers [c, c + 1]. The direction need not be normalised; tMax is in its
+/// lengths.
 struct CellRay {
     glm::dvec3 origin;
     glm::dvec3 direction;
@@ -24,8 +25,8 @@ struct CellHit {
 
 /// The first solid voxel that the ray touches. Walks empty bricks and directory nodes in one step each, then cells (see
 /// CellWalk for the rules on faces, edges and corners: the leaps change nothing). Zero components never divide; a NaN
-/// anywhere, or an infinite origin or direction, gives no hit. A voxel entered exactly at tMax is hit. accepted: palette entries that count; null:
-/// all.
+/// anywhere, or an infinite origin or direction, gives no hit. A voxel entered exactly at tMax is hit. accepted:
+/// palette entries that count; null: all.
 CellHit walkRay(const VoxelGrid& grid, const CellRay& ray, const std::array<bool, 256>* accepted = nullptr);
 
 }  // namespace rubble

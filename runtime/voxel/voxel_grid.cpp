@@ -16,12 +16,14 @@ uint64_t placedHash(glm::ivec3 node, const BrickNode& content) {
 }  // namespace
 
 VoxelGrid::VoxelGrid(glm::ivec3 size) : m_size(size), m_nodeSize((size + 31) / 32) {
-    assert(size.x > 0 && size.y > 0 && size.z > 0 && size.x <= kMaxGridSize && size.y <= kMaxGridSize && size.z <= kMaxGridSize);
+    assert(size.x > 0 && size.y > 0 && size.z > 0 && size.x <= kMaxGridSize && size.y <= kMaxGridSize &&
+           size.z <= kMaxGridSize);
     m_nodes.resize(size_t(m_nodeSize.x) * m_nodeSize.y * m_nodeSize.z);
 }
 
 void VoxelGrid::setBrick(glm::ivec3 brick, BrickRef value) {
-    assert(brick.x >= 0 && brick.y >= 0 && brick.z >= 0 && brick.x * 8 < m_size.x && brick.y * 8 < m_size.y && brick.z * 8 < m_size.z);
+    assert(brick.x >= 0 && brick.y >= 0 && brick.z >= 0 && brick.x * 8 < m_size.x && brick.y * 8 < m_size.y &&
+           brick.z * 8 < m_size.z);
     const glm::ivec3 position = brick >> 2;
     NodeRef& node = m_nodes[nodeIndex(position)];
     if (!node && !value) return;

@@ -9,9 +9,9 @@ namespace rubble {
 
 inline constexpr int kMaxGridSize = 4096;  ///< voxels on a side
 
-/// A sparse grid of voxels: shared bricks under a two-level directory (nodes of 4x4x4 bricks, allocated where something is).
-/// Owned by one thread. A copy shares directory nodes and bricks until either is written, and may live on another thread.
-/// Coordinates: cells in [0, size); bricks in [0, sizeInBricks).
+/// A sparse grid of voxels: shared bricks under a two-level directory (nodes of 4x4x4 bricks, allocated where something
+/// is). Owned by one thread. A copy shares directory nodes and bricks until either is written, and may live on another
+/// thread. Coordinates: cells in [0, size); bricks in [0, sizeInBricks).
 class VoxelGrid {
 public:
     VoxelGrid() = default;
@@ -44,7 +44,8 @@ public:
     glm::ivec3 sizeInNodes() const { return m_nodeSize; }
     /// nullptr if the node is empty or outside.
     const BrickNode* nodeAt(glm::ivec3 node) const {
-        return node.x < 0 || node.y < 0 || node.z < 0 || node.x >= m_nodeSize.x || node.y >= m_nodeSize.y || node.z >= m_nodeSize.z
+        return node.x < 0 || node.y < 0 || node.z < 0 || node.x >= m_nodeSize.x || node.y >= m_nodeSize.y ||
+                       node.z >= m_nodeSize.z
                    ? nullptr
                    : m_nodes[nodeIndex(node)].get();
     }
@@ -81,8 +82,8 @@ public:
         for (size_t n = 0; n < m_nodes.size(); ++n)
             if (m_nodes[n]) f(nodePosition(n), *m_nodes[n].get());
     }
-    /// f(ivec3 brick) for every brick that is not the same object as in `other`, a grid of equal size, in a fixed order.
-    /// Costs the nodes that the two do not share.
+    /// f(ivec3 brick) for every brick that is not the same object as in `other`, a grid of equal size, in a fixed
+    /// order. Costs the nodes that the two do not share.
     template <class F>
     void forEachUnshared(const VoxelGrid& other, F&& f) const {
         assert(m_size == other.m_size);
@@ -92,7 +93,8 @@ public:
             const glm::ivec3 base = nodePosition(n) * 4;
             for (uint64_t mask = (a ? a->mask : 0) | (b ? b->mask : 0); mask; mask &= mask - 1) {
                 const int i = std::countr_zero(mask);
-                if ((a ? a->bricks[i].get() : nullptr) != (b ? b->bricks[i].get() : nullptr)) f(base + childPosition(i));
+                if ((a ? a->bricks[i].get() : nullptr) != (b ? b->bricks[i].get() : nullptr))
+                    f(base + childPosition(i));
             }
         }
     }
@@ -100,7 +102,9 @@ public:
 private:
     const BrickRef* find(glm::ivec3 brick) const {
         const glm::ivec3 node = brick >> 2;
-        if (brick.x < 0 || brick.y < 0 || brick.z < 0 || node.x >= m_nodeSize.x || node.y >= m_nodeSize.y || node.z >= m_nodeSize.z) return nullptr;
+        if (brick.x < 0 || brick.y < 0 || brick.z < 0 || node.x >= m_nodeSize.x || node.y >= m_nodeSize.y ||
+            node.z >= m_nodeSize.z)
+            return nullptr;
         const auto& found = m_nodes[nodeIndex(node)];
         return found ? &found->bricks[childIndex(brick)] : nullptr;
     }

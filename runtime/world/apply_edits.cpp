@@ -18,8 +18,9 @@ FrameChanges World::applyEdits(const Edits& edits) {
         m_undo.emplace_back(*this);
     const bool isUndoOrRedo = runHistory(edits, changes);
     if (isUndoOrRedo) restartStress();
-    const bool isBusy = hasDebrisWork() || m_flickeringGroups || m_fire.isActive() || (m_stress && m_stress->isBusy()) || !m_movedBodies.empty() ||
-                        !m_pendingSplits.empty() || hasActiveWinch();
+    const bool isBusy = hasDebrisWork() || m_flickeringGroups || m_fire.isActive() ||
+                        (m_stress && m_stress->isBusy()) || !m_movedBodies.empty() || !m_pendingSplits.empty() ||
+                        hasActiveWinch();
     if (!edits.empty() || isBusy) EditStep(*this, changes).run(edits);
     for (UndoHistory& undo : m_undo) undo.recordStep(*this, changes, isUndoOrRedo);
     return changes;
@@ -38,13 +39,15 @@ bool World::runHistory(const Edits& edits, FrameChanges& changes) {
         else if (history->action == HistoryAction::Mark)
             m_undo[0].mark(m_settings.undoMarks);
         else
-            isUndoOrRedo = history->action == HistoryAction::Undo ? m_undo[0].undo(*this, changes) : m_undo[0].redo(*this, changes);
+            isUndoOrRedo = history->action == HistoryAction::Undo ? m_undo[0].undo(*this, changes)
+                                                                  : m_undo[0].redo(*this, changes);
         if (isUndoOrRedo && m_settings.split.partsPerStep) resetSearches(changes);
     }
     return isUndoOrRedo;
 }
 
-/// What shapes look like now has nothing to do with what waiting searches have seen; a piece may hang that was waited for.
+/// What shapes look like now has nothing to do with what waiting searches have seen; a piece may hang that was waited
+/// for.
 void World::resetSearches(const FrameChanges& changes) {
     for (PendingSplit& pending : m_pendingSplits) pending.search.reset();
     for (const auto* list : {&changes.carved, &changes.shapesCreated})
@@ -59,7 +62,8 @@ void World::resetCaches() {
     m_pendingSplits.clear();
 }
 
-EditStep::EditStep(World& world, FrameChanges& changes) : m_world(world), m_changes(changes), m_removedByGroup(world.m_groups.slotCount()) {}
+EditStep::EditStep(World& world, FrameChanges& changes)
+    : m_world(world), m_changes(changes), m_removedByGroup(world.m_groups.slotCount()) {}
 
 void EditStep::run(const Edits& edits) {
     m_changes.unsettled = std::exchange(m_world.m_revived, {});
@@ -70,7 +74,8 @@ void EditStep::run(const Edits& edits) {
     splitShapes();
     releaseUnheldJoints();
     updateVelocities();
-    for (const DeferredImpulse& each : m_deferredImpulses) std::visit([&](const auto& edit) { applyImpulse(edit); }, each);
+    for (const DeferredImpulse& each : m_deferredImpulses)
+        std::visit([&](const auto& edit) { applyImpulse(edit); }, each);
     enforceDebrisBudgets();
     redistributeHeat();
     updateLightGroups();

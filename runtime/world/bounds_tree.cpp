@@ -104,7 +104,9 @@ void BoundsTree::removeLeaf(uint32_t leaf) {
 }
 
 void BoundsTree::replaceChild(uint32_t parent, uint32_t old, uint32_t by) {
-    uint32_t& place = parent == kNone ? m_root : m_nodes[parent].left == old ? m_nodes[parent].left : m_nodes[parent].right;
+    uint32_t& place = parent == kNone               ? m_root
+                      : m_nodes[parent].left == old ? m_nodes[parent].left
+                                                    : m_nodes[parent].right;
     place = by;
 }
 

@@ -12,10 +12,12 @@ struct WorldBox {
     glm::dvec3 low{0.0}, high{0.0};
 
     bool overlaps(const WorldBox& o) const {
-        return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y && low.z <= o.high.z && o.low.z <= high.z;
+        return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y && low.z <= o.high.z &&
+               o.low.z <= high.z;
     }
     bool contains(const WorldBox& o) const {
-        return low.x <= o.low.x && low.y <= o.low.y && low.z <= o.low.z && o.high.x <= high.x && o.high.y <= high.y && o.high.z <= high.z;
+        return low.x <= o.low.x && low.y <= o.low.y && low.z <= o.low.z && o.high.x <= high.x && o.high.y <= high.y &&
+               o.high.z <= high.z;
     }
     WorldBox merged(const WorldBox& o) const { return {glm::min(low, o.low), glm::max(high, o.high)}; }
     double area() const {
@@ -26,7 +28,8 @@ struct WorldBox {
 
 /// Numbered boxes, found by place: a binary tree of bounds kept good by rotations (Catto, "Dynamic Bounding Volume
 /// Hierarchies", GDC 2019). Placing, moving and finding cost the depth of the tree, whatever it holds.
-/// A box is kept with a margin, so that small moves cost a comparison: what is found is near, not exact, and in no order.
+/// A box is kept with a margin, so that small moves cost a comparison: what is found is near, not exact, and in no
+/// order.
 class BoundsTree {
 public:
     /// Inserts the item, or moves it. A box with a NaN is nowhere.
@@ -34,7 +37,8 @@ public:
     void remove(uint32_t item);
     void clear() { *this = {}; }
 
-    /// f(item) for every item whose box may satisfy isNear(box), which must hold for a box if it holds for a part of it.
+    /// f(item) for every item whose box may satisfy isNear(box), which must hold for a box if it holds for a part of
+    /// it.
     template <class IsNear, class F>
     void find(IsNear&& isNear, F&& f) const {
         if (m_root == kNone) return;

@@ -7,7 +7,8 @@
 
 namespace rubble {
 
-/// One who walks: an upright capsule that is moved through the voxel world. Physics moves it; hosts say where it wants to.
+/// One who walks: an upright capsule that is moved through the voxel world. Physics moves it; hosts say where it wants
+/// to.
 struct Character {
     std::string name;
     // what it is

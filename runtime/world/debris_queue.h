@@ -18,12 +18,12 @@ struct Debris {
     BodyHandle body;
     RestState rest = RestState::Awake;
     uint64_t voxels = 0;
-    uint64_t createdStep = 0;          ///< step
+    uint64_t createdStep = 0;   ///< step
     uint64_t restingSince = 0;  ///< step at which it fell asleep; not read while it is awake
 };
 
-/// All debris of a World in the order in which it gives way. Says nothing that bodies and shapes do not say: it is kept so
-/// that a step costs the pieces that changed, not those that are there.
+/// All debris of a World in the order in which it gives way. Says nothing that bodies and shapes do not say: it is kept
+/// so that a step costs the pieces that changed, not those that are there.
 class DebrisQueue {
 public:
     /// Adds a piece or takes over what has changed of it.

@@ -23,18 +23,18 @@ namespace rubble {
 /// Removes what is inside, class by class. World space, metres. Touches every shape its bounds meet, or only `shape`.
 struct CarveEdit {
     BrushKind kind = BrushKind::Sphere;
-    glm::dvec3 position{0.0};                 ///< sphere and box: centre; capsule: one end
-    glm::dvec3 end{0.0};                      ///< capsule: other end
-    glm::dvec3 halfSize{0.0};                 ///< box
-    glm::dquat rotation{1, 0, 0, 0};          ///< box
-    std::array<double, 3> radii{};            ///< soft, medium, hard (MakeHole's r0 >= r1 >= r2); box: unused, hardnessLimit says
+    glm::dvec3 position{0.0};         ///< sphere and box: centre; capsule: one end
+    glm::dvec3 end{0.0};              ///< capsule: other end
+    glm::dvec3 halfSize{0.0};         ///< box
+    glm::dquat rotation{1, 0, 0, 0};  ///< box
+    std::array<double, 3> radii{};  ///< soft, medium, hard (MakeHole's r0 >= r1 >= r2); box: unused, hardnessLimit says
     Hardness hardnessLimit = Hardness::Hard;  ///< box: the hardest class it removes
     ShapeHandle shape;                        ///< empty: all
     Tool tool = Tool::Any;                    ///< removes only what this tool breaks
 };
 
-/// Breaks what is inside a sphere out of its shapes, as fragments and dust in the style of each material. Glass goes by the
-/// whole pane.
+/// Breaks what is inside a sphere out of its shapes, as fragments and dust in the style of each material. Glass goes by
+/// the whole pane.
 struct BreakEdit {
     glm::dvec3 position{0.0};
     std::array<double, 3> radii{};  ///< metres, for soft, medium and hard materials
@@ -56,7 +56,7 @@ struct PaintEdit {
     double radius = 0.5;                      ///< metres
     std::array<uint8_t, 3> color{255, 0, 0};  ///< sRGB
     uint8_t strength = 64;                    ///< share of the way to the paint in one step, of 255
-    uint8_t probability = 255;                ///< share of voxels editState at the rim, of 255; the centre is always editState
+    uint8_t probability = 255;  ///< share of voxels editState at the rim, of 255; the centre is always editState
     uint32_t seed = 0;
     uint8_t falloff = 255;                ///< share of the strength that is left at the rim, of 255
     PaintMode mode = PaintMode::Default;  ///< blend or layer
@@ -65,8 +65,8 @@ struct PaintEdit {
     ShapeHandle shape;                    ///< empty: all
 };
 
-/// A blow to a shape as a whole, while StressSettings are on: it breaks where it is weakest, not only where it is hit. What stands
-/// carries the blow to its anchors, what flies carries it to its own mass.
+/// A blow to a shape as a whole, while StressSettings are on: it breaks where it is weakest, not only where it is hit.
+/// What stands carries the blow to its anchors, what flies carries it to its own mass.
 struct ImpactLoadEdit {
     ShapeHandle shape;
     glm::dvec3 position{0.0};
@@ -157,11 +157,13 @@ struct PlaceCharacterEdit {
     glm::dvec3 position{0.0}, velocity{0.0};  ///< of the feet
 };
 
-using Edit = std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit, RemoveFiresEdit,
-                          BreakEdit, SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit, ImpactLoadEdit, SetCollisionEdit, AddWaterEdit,
-                          RemoveWaterEdit, AddTriggerEdit, RemoveTriggerEdit, AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit,
-                          PlaceCharacterEdit, AddJointEdit, RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit,
-                          SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit>;
+using Edit =
+    std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit,
+                 RemoveFiresEdit, BreakEdit, SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit,
+                 ImpactLoadEdit, SetCollisionEdit, AddWaterEdit, RemoveWaterEdit, AddTriggerEdit, RemoveTriggerEdit,
+                 AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit, PlaceCharacterEdit, AddJointEdit,
+                 RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit,
+                 SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit>;
 using Edits = std::vector<Edit>;
 
 /// Where a host leaves edits for the next step. [main-thread]

@@ -40,7 +40,8 @@ void EditStep::recordCarved(ShapeHandle handle, const CarveResult& carved) {
 void EditStep::recordRemoved(ShapeHandle handle, const CarveResult& carved) {
     if (carved.voxels == 0) return;
     const Shape& shape = m_world.m_shapes.at(handle);
-    const glm::dvec3 center = m_world.shapeToWorld(handle).transformPoint(massProperties(carved.moments, shape.voxelSize).center);
+    const glm::dvec3 center =
+        m_world.shapeToWorld(handle).transformPoint(massProperties(carved.moments, shape.voxelSize).center);
     const double radius = 0.5 * shape.voxelSize * std::cbrt(double(carved.voxels));
     recordRemoved(handle, carved.removed, {center, radius, m_world.m_bodies.at(shape.body).velocity});
 }
@@ -50,11 +51,18 @@ void EditStep::recordRemoved(ShapeHandle handle, const std::array<uint64_t, 256>
     for (size_t i = 1; i < 256; ++i) {
         if (!removed[i]) continue;
         const PaletteEntry& entry = palette[i];
-        m_changes.removed.push_back({handle, uint8_t(i), entry.material, {entry.red, entry.green, entry.blue}, removed[i]});
-        m_changes.dust.push_back({place.position, place.radius, place.velocity, {entry.red, entry.green, entry.blue}, entry.material, removed[i]});
+        m_changes.removed.push_back(
+            {handle, uint8_t(i), entry.material, {entry.red, entry.green, entry.blue}, removed[i]});
+        m_changes.dust.push_back({place.position,
+                                  place.radius,
+                                  place.velocity,
+                                  {entry.red, entry.green, entry.blue},
+                                  entry.material,
+                                  removed[i]});
         m_world.m_removed += removed[i];
         if (entry.material && entry.material == m_world.m_wire) m_cutWires.insert(handle.slot());
-        if (entry.lightGroup && entry.lightGroup <= m_removedByGroup.size()) m_removedByGroup[entry.lightGroup - 1] += removed[i];
+        if (entry.lightGroup && entry.lightGroup <= m_removedByGroup.size())
+            m_removedByGroup[entry.lightGroup - 1] += removed[i];
     }
 }
 

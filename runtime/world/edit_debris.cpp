@@ -38,16 +38,21 @@ void EditStep::despawn(BodyHandle handle) {
     const ShapeHandle shapeHandle = body.shapes.front();
     const Shape& shape = m_world.m_shapes.at(shapeHandle);
     std::array<uint64_t, 256> removed{};
-    shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) { forEachVoxel(brick->occupancy, [&](int i) { ++removed[brick->at(i)]; }); });
+    shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+        forEachVoxel(brick->occupancy, [&](int i) { ++removed[brick->at(i)]; });
+    });
     const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
-    recordRemoved(shapeHandle, removed, {m_world.shapeToWorld(shapeHandle).transformPoint(half), glm::length(half), body.velocity});
+    recordRemoved(shapeHandle, removed,
+                  {m_world.shapeToWorld(shapeHandle).transformPoint(half), glm::length(half), body.velocity});
     destroyShape(shapeHandle);
 }
 
 /// Pieces that were born and became dust in one step: nobody else needs to have heard of them.
 void EditStep::dropTransient() {
     const auto removeCommon = [](auto& created, auto& destroyed, const auto& living) {
-        const auto lives = [&](auto handle) { return living.find(handle) != nullptr; };  // undo may make it anew under its handle
+        const auto lives = [&](auto handle) {
+            return living.find(handle) != nullptr;
+        };  // undo may make it anew under its handle
         auto born = created;
         std::erase_if(born, lives);
         std::sort(born.begin(), born.end());

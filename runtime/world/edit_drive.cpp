@@ -7,8 +7,9 @@ namespace rubble {
 namespace {
 
 constexpr double kStep = 1.0 / 60.0;
-constexpr double kReverseSpeedShare = 0.5;          ///< of the top speed, backward
-constexpr double kRollingResistance = 0.01;         ///< of a wheel's torques, that hold against its rolling when nothing drives or brakes it
+constexpr double kReverseSpeedShare = 0.5;  ///< of the top speed, backward
+constexpr double kRollingResistance =
+    0.01;  ///< of a wheel's torques, that hold against its rolling when nothing drives or brakes it
 constexpr double kMinThrottle = 0.004;  ///< throttle below which the motor is out of gear
 
 bool isWithinUnit(double value, double low) {
@@ -24,7 +25,8 @@ Joint drivenWheel(const Joint& wheel, const DriveEdit& drive) {
     out.motor.mode = isOn ? MotorMode::Speed : MotorMode::Off;
     out.motor.target = isOn ? (throttle > 0.0 ? settings.topSpin : -kReverseSpeedShare * settings.topSpin) : 0.0;
     out.motor.maxForce = isOn ? std::abs(throttle) * settings.driveTorque : 0.0;
-    out.friction = drive.brake * settings.brakeTorque + kRollingResistance * std::max(settings.driveTorque, settings.brakeTorque);
+    out.friction =
+        drive.brake * settings.brakeTorque + kRollingResistance * std::max(settings.driveTorque, settings.brakeTorque);
     const double turn = settings.steerRate * kStep;
     out.steer += std::clamp(drive.steer * settings.steerAngle - wheel.steer, -turn, turn);
     return out;
@@ -43,7 +45,8 @@ void EditStep::apply(const DriveEdit& edit) {
             if (joint.kind != JointKind::Wheel || joint.ends[0].shape != shape) continue;
             Joint wheel = drivenWheel(joint, edit);
             const bool isSame = wheel.motor.mode == joint.motor.mode && wheel.motor.target == joint.motor.target &&
-                                wheel.motor.maxForce == joint.motor.maxForce && wheel.friction == joint.friction && wheel.steer == joint.steer;
+                                wheel.motor.maxForce == joint.motor.maxForce && wheel.friction == joint.friction &&
+                                wheel.steer == joint.steer;
             if (isSame) continue;
             joint = std::move(wheel);
             m_changes.jointsChanged.push_back(handle);

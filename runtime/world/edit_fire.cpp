@@ -11,10 +11,10 @@ namespace rubble {
 namespace {
 
 constexpr Srgb kChar = {22, 19, 17};
-constexpr uint8_t kCharStrength = 44;  // of 255 in a round
-constexpr int kRadiationInterval = 5;         // updates between two looks for other shapes near a fire
-constexpr double kRadiationRadius = 1.1;         // metres to other shapes
-constexpr double kRadiatedShare = 0.12;     // share of what a fire emits that reaches them
+constexpr uint8_t kCharStrength = 44;     // of 255 in a round
+constexpr int kRadiationInterval = 5;     // updates between two looks for other shapes near a fire
+constexpr double kRadiationRadius = 1.1;  // metres to other shapes
+constexpr double kRadiatedShare = 0.12;   // share of what a fire emits that reaches them
 
 constexpr double kMaxCoordinate = 1e30;  // metres: of what is a number at all
 
@@ -35,11 +35,15 @@ glm::dvec3 brickMiddle(glm::ivec3 brick) {
 }  // namespace
 
 void EditStep::apply(const HeatEdit& edit) {
-    if (!isWithin(edit.position, kMaxCoordinate) || !(edit.radius > 0.0 && edit.radius < 1e6) || !(edit.joules >= 0.0 && edit.joules < 1e15))
-        return logWarning("HeatEdit: expected finite numbers, a radius above zero and joules of zero or more; nothing was heated");
+    if (!isWithin(edit.position, kMaxCoordinate) || !(edit.radius > 0.0 && edit.radius < 1e6) ||
+        !(edit.joules >= 0.0 && edit.joules < 1e15))
+        return logWarning(
+            "HeatEdit: expected finite numbers, a radius above zero and joules of zero or more; nothing was heated");
     if (!m_world.m_settings.fire.enabled) return;
-    if (edit.shape && !m_world.m_shapes.find(edit.shape)) return logWarning("HeatEdit: the handle of its shape is stale; nothing was heated");
-    const std::vector<ShapeHandle> shapes = edit.shape ? std::vector{edit.shape} : m_world.shapesNear(edit.position, edit.radius);
+    if (edit.shape && !m_world.m_shapes.find(edit.shape))
+        return logWarning("HeatEdit: the handle of its shape is stale; nothing was heated");
+    const std::vector<ShapeHandle> shapes =
+        edit.shape ? std::vector{edit.shape} : m_world.shapesNear(edit.position, edit.radius);
     struct Target {
         ShapeHandle shape;
         glm::ivec3 brick;
@@ -74,7 +78,8 @@ HotBrick* EditStep::depositHeat(const Deposit& deposit) {
     if (!hot) {
         ++m_changes.heatLost;
         if (!std::exchange(m_world.m_fire.hasLoggedFull, true))
-            logWarning("fire: " + std::to_string(settings.maxHot) + " bricks are hot, more do not get hot; raise FireSettings::maxHot");
+            logWarning("fire: " + std::to_string(settings.maxHot) +
+                       " bricks are hot, more do not get hot; raise FireSettings::maxHot");
         return nullptr;
     }
     if (hot->wet == 0) hot->heat = std::min(hot->heat + deposit.heat, int64_t(1) << 56);
@@ -89,7 +94,8 @@ void EditStep::igniteBrick(ShapeHandle handle, HotBrick& hot) {
     if (fire.burning >= limit) {
         ++m_changes.firesRefused;
         if (!std::exchange(fire.hasLoggedFull, true))
-            logWarning("fire: " + std::to_string(limit) + " bricks updateFires, more do not; raise FireSettings::maxFires");
+            logWarning("fire: " + std::to_string(limit) +
+                       " bricks updateFires, more do not; raise FireSettings::maxFires");
         return;
     }
     ignite(hot);
@@ -98,8 +104,10 @@ void EditStep::igniteBrick(ShapeHandle handle, HotBrick& hot) {
 }
 
 void EditStep::apply(const ExtinguishEdit& edit) {
-    if (!isWithin(edit.position, kMaxCoordinate) || !(edit.radius > 0.0 && edit.radius < 1e6) || !(edit.wetSeconds >= 0.0 && edit.wetSeconds <= 6000.0))
-        return logWarning("ExtinguishEdit: expected finite numbers, a radius above zero and 0 to 6000 seconds; nothing was put out");
+    if (!isWithin(edit.position, kMaxCoordinate) || !(edit.radius > 0.0 && edit.radius < 1e6) ||
+        !(edit.wetSeconds >= 0.0 && edit.wetSeconds <= 6000.0))
+        return logWarning(
+            "ExtinguishEdit: expected finite numbers, a radius above zero and 0 to 6000 seconds; nothing was put out");
     const uint32_t wet = uint32_t(edit.wetSeconds * kHeatUpdatesPerSecond);
     FireState& fire = m_world.m_fire;
     if (wet == 0 && !fire.isActive()) return;
@@ -107,7 +115,8 @@ void EditStep::apply(const ExtinguishEdit& edit) {
         const Shape& shape = m_world.m_shapes.at(handle);
         const glm::dvec3 center = m_world.shapeToWorld(handle).inversePoint(edit.position) / double(shape.voxelSize);
         forEachBrickNear(shape.grid, center, edit.radius / shape.voxelSize, [&](glm::ivec3 brick) {
-            HotBrick* hot = wet ? fire.findOrAdd(handle, brick, m_world.m_settings.fire.maxHot) : fire.find(handle, brick);
+            HotBrick* hot =
+                wet ? fire.findOrAdd(handle, brick, m_world.m_settings.fire.maxHot) : fire.find(handle, brick);
             if (hot) extinguishBrick(handle, *hot, wet);
         });
     }
@@ -120,7 +129,8 @@ void EditStep::apply(const RemoveFiresEdit& edit) {
         for (HotBrick& hot : field.bricks) {
             if (!hot.burningFor || !m_world.m_shapes.find(field.shape)) continue;
             const glm::dvec3 at = brickInWorld(field.shape, hot.brick);
-            if (glm::all(glm::lessThanEqual(edit.low, at)) && glm::all(glm::lessThanEqual(at, edit.high))) extinguishBrick(field.shape, hot, 0);
+            if (glm::all(glm::lessThanEqual(edit.low, at)) && glm::all(glm::lessThanEqual(at, edit.high)))
+                extinguishBrick(field.shape, hot, 0);
         }
 }
 
@@ -130,14 +140,16 @@ void EditStep::extinguishBrick(ShapeHandle shape, HotBrick& hot, uint32_t wet) {
 }
 
 glm::dvec3 EditStep::brickInWorld(ShapeHandle handle, glm::ivec3 brick) const {
-    return m_world.shapeToWorld(handle).transformPoint(brickMiddle(brick) * double(m_world.m_shapes.at(handle).voxelSize));
+    return m_world.shapeToWorld(handle).transformPoint(brickMiddle(brick) *
+                                                       double(m_world.m_shapes.at(handle).voxelSize));
 }
 
 /// Of the shape's present palette; kept for the step, or until it is asked for another shape.
 const HeatTable& EditStep::heatTable(ShapeHandle handle) {
     const Shape& shape = m_world.m_shapes.at(handle);
     if (m_heatTableOf != shape.palette || m_heatTableSize != shape.voxelSize) {
-        m_heatTable = makeHeatTable(*shape.palette, m_world.m_materials, double(shape.voxelSize), double(m_world.m_settings.fire.burnTime));
+        m_heatTable = makeHeatTable(*shape.palette, m_world.m_materials, double(shape.voxelSize),
+                                    double(m_world.m_settings.fire.burnTime));
         m_heatTableOf = shape.palette;
         m_heatTableSize = shape.voxelSize;
     }
@@ -172,13 +184,15 @@ void EditStep::updateHeatField(HeatField& field) {
         if (outcome.wantsToBurn) igniteBrick(handle, hot);
         if (outcome.wentOut) m_changes.firesOut.push_back({handle, hot.brick, brickInWorld(handle, hot.brick)});
         if (outcome.chars) charred.push_back({hot.brick, charredCells(skin, hot.brick, hot.charred)});
-        if (outcome.consumed) consumed.push_back({hot.brick, consumedCells(shape.grid, hot.brick, skin, outcome.consumed)});
+        if (outcome.consumed)
+            consumed.push_back({hot.brick, consumedCells(shape.grid, hot.brick, skin, outcome.consumed)});
         if (m_world.m_stress) weaken(handle, hot.brick, remainingStrength(hot, skin));
         if (outcome.emitted) emitHeat(handle, hot, outcome.emitted);
         return outcome.isOver || !shape.grid.brickAt(hot.brick);
     });
     m_changes.firesChanged |= !m_changes.firesLit.empty() || !m_changes.firesOut.empty();
-    if (!charred.empty()) paintCells(handle, charred, {.color = kChar, .strength = kCharStrength, .seed = uint32_t(m_changes.step)});
+    if (!charred.empty())
+        paintCells(handle, charred, {.color = kChar, .strength = kCharStrength, .seed = uint32_t(m_changes.step)});
     if (!consumed.empty()) removeBurnedCells(handle, consumed);
 }
 
@@ -199,7 +213,9 @@ void EditStep::emitHeat(ShapeHandle handle, const HotBrick& hot, int64_t emitted
             const glm::dvec3 away = pose.transformPoint(brickMiddle(brick) * double(shape.voxelSize)) - from;
             const double distance2 = glm::dot(away, away) / (kRadiationRadius * kRadiationRadius);
             const double upwards = std::clamp(0.5 + away.y / (2.0 * kRadiationRadius), 0.1, 1.0);
-            m_deposits.push_back({other, brick, int64_t(double(emitted) * kRadiationInterval * kRadiatedShare * upwards / (1.0 + 4.0 * distance2))});
+            m_deposits.push_back(
+                {other, brick,
+                 int64_t(double(emitted) * kRadiationInterval * kRadiatedShare * upwards / (1.0 + 4.0 * distance2))});
         });
     }
 }
@@ -235,7 +251,8 @@ void EditStep::redistributeHeat() {
 /// What was hot of a shape that came apart goes with its voxels.
 void EditStep::splitHeat(const ShapeSplit& split) {
     FireState& fire = m_world.m_fire;
-    const auto field = std::find_if(fire.fields.begin(), fire.fields.end(), [&](const HeatField& each) { return each.shape == split.parent; });
+    const auto field = std::find_if(fire.fields.begin(), fire.fields.end(),
+                                    [&](const HeatField& each) { return each.shape == split.parent; });
     if (field == fire.fields.end()) return;
     std::vector<HotBrick> before = std::exchange(field->bricks, {});
     const auto countIn = [&](ShapeHandle handle, glm::ivec3 brick) {

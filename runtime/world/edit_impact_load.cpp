@@ -11,7 +11,8 @@
 namespace rubble {
 namespace {
 
-constexpr int kMaxSearchCells = 8;    ///< cells from the place of a impact to what takes it: what was there may just have been crushed
+constexpr int kMaxSearchCells =
+    8;  ///< cells from the place of a impact to what takes it: what was there may just have been crushed
 constexpr double kMaxMagnitude = 1e12;  ///< metres, N s
 
 bool isSane(glm::dvec3 v) {
@@ -43,17 +44,20 @@ std::optional<glm::ivec3> cellAt(const VoxelGrid& grid, glm::dvec3 pointCells) {
 void EditStep::apply(const ImpactLoadEdit& edit) {
     const Shape* shape = m_world.m_shapes.find(edit.shape);
     if (!shape) return logWarning("ImpactLoadEdit: the handle of its shape is stale; nothing was struck");
-    if (!isSane(edit.position) || !isSane(edit.impulse)) return logWarning("ImpactLoadEdit: expected numbers below 1e12; nothing was struck");
+    if (!isSane(edit.position) || !isSane(edit.impulse))
+        return logWarning("ImpactLoadEdit: expected numbers below 1e12; nothing was struck");
     const StressSettings& settings = m_world.m_settings.stress;
     if (!m_world.m_stress || !shape->loadBearing || !(settings.contactTime > 0.0)) return;
     const Pose pose = m_world.shapeToWorld(edit.shape);
-    const std::optional<glm::ivec3> cell = cellAt(shape->grid, pose.inversePoint(edit.position) / double(shape->voxelSize));
+    const std::optional<glm::ivec3> cell =
+        cellAt(shape->grid, pose.inversePoint(edit.position) / double(shape->voxelSize));
     if (!cell) return;
     const ImpactForce impact{*cell, glm::conjugate(pose.rotation) * edit.impulse / settings.contactTime};
     if (!m_world.m_bodies.at(shape->body).isStatic) return fracturePiece(edit.shape, impact);
     WorldStress::Entry* entry = m_world.m_stress->find(edit.shape);
     if (!entry) return;
-    // The scale of strengths stands for more weight, not for weaker materials: a impact is measured against what they are.
+    // The scale of strengths stands for more weight, not for weaker materials: a impact is measured against what they
+    // are.
     entry->analysis.applyImpact({impact.cell, impact.force * settings.strengthScale});
     m_world.m_stress->wake(edit.shape);
 }

@@ -30,18 +30,21 @@ double nearestOnRope(const Joint& rope, glm::dvec3 place) {
 
 void EditStep::apply(const AddJointEdit& edit) {
     Joint joint = edit.joint;
-    if (const std::string error = m_world.resolveJoint(joint); !error.empty()) return logWarning("AddJointEdit: " + error + "; no joint was made");
+    if (const std::string error = m_world.resolveJoint(joint); !error.empty())
+        return logWarning("AddJointEdit: " + error + "; no joint was made");
     m_changes.jointsCreated.push_back(m_world.addJoint(std::move(joint)));
 }
 
 void EditStep::apply(const RemoveJointEdit& edit) {
     const Joint* joint = m_world.m_joints.find(edit.joint);
     if (!joint) {
-        if (edit.reason != JointBreak::Force) logWarning("RemoveJointEdit: the handle of its joint is stale; nothing was removed");
+        if (edit.reason != JointBreak::Force)
+            logWarning("RemoveJointEdit: the handle of its joint is stale; nothing was removed");
         return;
     }
     if (joint->kind == JointKind::Rope && edit.reason != JointBreak::Removed) {
-        const double middle = edit.reason == JointBreak::Force ? 0.5 * double(joint->points.size() - 1) : nearestOnRope(*joint, edit.place);
+        const double middle = edit.reason == JointBreak::Force ? 0.5 * double(joint->points.size() - 1)
+                                                               : nearestOnRope(*joint, edit.place);
         if (cutRope(edit.joint, middle, edit.reason)) return;
     }
     breakJoint(edit.joint, edit.reason, m_world.jointToWorld(joint->ends[0]).position);
@@ -54,7 +57,8 @@ void EditStep::apply(const SetJointMotorEdit& edit) {
     wanted.motor = edit.motor;
     wanted.friction = edit.friction;
     wanted.steer = edit.steer;
-    if (const std::string error = jointError(wanted); !error.empty()) return logWarning("SetJointMotorEdit: " + error + "; nothing was set");
+    if (const std::string error = jointError(wanted); !error.empty())
+        return logWarning("SetJointMotorEdit: " + error + "; nothing was set");
     *joint = std::move(wanted);
     m_changes.jointsChanged.push_back(edit.joint);
 }
@@ -64,7 +68,8 @@ void EditStep::apply(const DetachJointEdit& edit) {
     if (!joint) return logWarning("DetachJointEdit: the handle of its joint is stale; nothing was detached");
     for (size_t end = 0; end < 2; ++end)
         if (joint->ends[end].shape == edit.shape && !joint->ends[end].isFree) {
-            if (joint->kind != JointKind::Rope) return breakJoint(edit.joint, JointBreak::Removed, m_world.jointToWorld(joint->ends[end]).position);
+            if (joint->kind != JointKind::Rope)
+                return breakJoint(edit.joint, JointBreak::Removed, m_world.jointToWorld(joint->ends[end]).position);
             releaseEnd(edit.joint, end);
             joint = &m_world.m_joints.at(edit.joint);
         }
@@ -72,8 +77,10 @@ void EditStep::apply(const DetachJointEdit& edit) {
 
 void EditStep::apply(const GrabEdit& edit) {
     const Body* body = m_world.m_bodies.find(edit.body);
-    if (!body || body->isStatic) return logWarning("GrabEdit: its handle is stale, or names a static body; nothing was grabbed");
-    if (!isWithin(edit.point, 1e12) || !isWithin(edit.target, 1e12)) return logWarning("GrabEdit: a place is no finite number; nothing was grabbed");
+    if (!body || body->isStatic)
+        return logWarning("GrabEdit: its handle is stale, or names a static body; nothing was grabbed");
+    if (!isWithin(edit.point, 1e12) || !isWithin(edit.target, 1e12))
+        return logWarning("GrabEdit: a place is no finite number; nothing was grabbed");
     for (const JointHandle handle : copyOf(m_world.m_jointIndex.grabs())) {
         Joint& grab = m_world.m_joints.at(handle);
         if (grab.hand != edit.hand + 1) continue;
@@ -81,12 +88,15 @@ void EditStep::apply(const GrabEdit& edit) {
             breakJoint(handle, JointBreak::Removed, edit.point);
             continue;
         }
-        if (grab.ends[1].frame.position == edit.target && grab.maxForce == edit.maxForce && grab.spring.hertz == edit.hertz) return;
+        if (grab.ends[1].frame.position == edit.target && grab.maxForce == edit.maxForce &&
+            grab.spring.hertz == edit.hertz)
+            return;
         Joint moved = grab;
         moved.ends[1].frame.position = edit.target;
         moved.maxForce = edit.maxForce;
         moved.spring.hertz = edit.hertz;
-        if (!jointError(moved).empty()) return logWarning("GrabEdit: " + jointError(moved) + "; the grab stays as it was");
+        if (!jointError(moved).empty())
+            return logWarning("GrabEdit: " + jointError(moved) + "; the grab stays as it was");
         grab = std::move(moved);
         m_changes.jointsChanged.push_back(handle);
         return;
@@ -163,14 +173,16 @@ void EditStep::reframeJoints(ShapeHandle shape, glm::ivec3 low) {
 void EditStep::releaseJointsOf(ShapeHandle shape) {
     for (const JointHandle handle : copyOf(m_world.jointsOf(shape)))
         for (size_t end = 0; end < 2; ++end)
-            if (const Joint* joint = m_world.m_joints.find(handle); joint && joint->ends[end].shape == shape) releaseEnd(handle, end);
+            if (const Joint* joint = m_world.m_joints.find(handle); joint && joint->ends[end].shape == shape)
+                releaseEnd(handle, end);
 }
 
 /// What an end was fixed to is gone: a rope hangs on, other joints break.
 void EditStep::releaseEnd(JointHandle handle, size_t end) {
     Joint& joint = m_world.m_joints.at(handle);
     const glm::dvec3 place = m_world.jointToWorld(joint.ends[end]).position;
-    if (joint.kind != JointKind::Rope || joint.ends[1 - end].isFree) return breakJoint(handle, JointBreak::VoxelGone, place);
+    if (joint.kind != JointKind::Rope || joint.ends[1 - end].isFree)
+        return breakJoint(handle, JointBreak::VoxelGone, place);
     m_world.m_jointIndex.remove(handle, joint);
     joint.ends[end] = {.frame = {place}, .isFree = true};
     m_world.m_jointIndex.add(handle, joint);

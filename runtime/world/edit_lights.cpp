@@ -14,7 +14,8 @@ namespace {
 /// Squared distance in cells from a point to the centre of the node's nearest voxel, if that is less than `best`.
 double nearestInNodeSquared(glm::ivec3 position, const BrickNode& node, glm::dvec3 point, double best) {
     forEachChild(node.mask, [&](int child) {
-        const glm::dvec3 low = glm::dvec3((position * kNodeBricks + childPosition(child)) * kBrickSize), high = low + double(kBrickSize);
+        const glm::dvec3 low = glm::dvec3((position * kNodeBricks + childPosition(child)) * kBrickSize),
+                         high = low + double(kBrickSize);
         const glm::dvec3 toBox = point - glm::clamp(point, low, high);
         if (glm::dot(toBox, toBox) >= best) return;
         forEachVoxel(node.bricks[size_t(child)]->occupancy, [&](int i) {
@@ -39,7 +40,8 @@ double nearestVoxelSquared(const VoxelGrid& grid, glm::dvec3 point) {
             for (int y = low.y; y <= high.y; ++y) {
                 const bool isSide = std::abs(z - middle.z) == r || std::abs(y - middle.y) == r;
                 for (int x = isSide ? low.x : middle.x - r; x <= high.x; x += isSide || r == 0 ? 1 : 2 * r)
-                    if (const BrickNode* node = x < 0 ? nullptr : grid.nodeAt({x, y, z})) best = nearestInNodeSquared({x, y, z}, *node, point, best);
+                    if (const BrickNode* node = x < 0 ? nullptr : grid.nodeAt({x, y, z}))
+                        best = nearestInNodeSquared({x, y, z}, *node, point, best);
             }
     }
     return best;
@@ -70,8 +72,9 @@ void EditStep::apply(const AddLightEdit& edit) {
     const std::optional<Light> light = checkedLight(edit.light, "AddLightEdit");
     if (!light) return;
     if (m_world.m_lights.size() >= kMaxLights)
-        return logWarning("AddLightEdit: expected less than " + std::to_string(kMaxLights) + " lights (kMaxLights), found " +
-                          std::to_string(m_world.m_lights.size()) + "; nothing was changed");
+        return logWarning("AddLightEdit: expected less than " + std::to_string(kMaxLights) +
+                          " lights (kMaxLights), found " + std::to_string(m_world.m_lights.size()) +
+                          "; nothing was changed");
     added = m_world.m_lights.insert(*light);
     m_changes.lights.push_back(added);
 }
@@ -86,7 +89,8 @@ void EditStep::apply(const SetLightEdit& edit) {
 }
 
 void EditStep::apply(const RemoveLightEdit& edit) {
-    if (!m_world.m_lights.erase(edit.light)) return logWarning("RemoveLightEdit: the handle of its light is stale; nothing was removed");
+    if (!m_world.m_lights.erase(edit.light))
+        return logWarning("RemoveLightEdit: the handle of its light is stale; nothing was removed");
     m_changes.lights.push_back(edit.light);
 }
 
@@ -115,7 +119,8 @@ void EditStep::moveLights(const ShapeSplit& split) {
         const size_t kParent = split.children.size();
         size_t host = kParent;
         for (size_t i = 0; i < split.children.size(); ++i) {
-            const double distance = nearestVoxelSquared(m_world.m_shapes.at(split.children[i]).grid, pointCells - glm::dvec3(split.parentOffset[i]));
+            const double distance = nearestVoxelSquared(m_world.m_shapes.at(split.children[i]).grid,
+                                                        pointCells - glm::dvec3(split.parentOffset[i]));
             if (distance < best) best = distance, host = i;
         }
         if (host == kParent) return;
@@ -142,7 +147,8 @@ void EditStep::updateLightGroups() {
         group.removedVoxels += removed;
         if (removed) m_changes.groups.push_back(handle);
         if (group.out) return;
-        const bool isBroken = removed && double(group.removedVoxels) >= double(group.threshold) * double(group.initialVoxels);
+        const bool isBroken =
+            removed && double(group.removedVoxels) >= double(group.threshold) * double(group.initialVoxels);
         if (!group.failingSince && (isBroken || lostPower(handle, group))) {
             group.failingSince = m_changes.step;
             ++m_world.m_flickeringGroups;
@@ -188,8 +194,10 @@ void EditStep::darkenGroup(LightGroupHandle group) {
     });
     std::vector<std::pair<PaletteRef, PaletteRef>> seen;  // shapes go on sharing what they shared
     m_world.m_shapes.forEach([&](ShapeHandle handle, Shape& shape) {
-        auto known = std::find_if(seen.begin(), seen.end(), [&](const auto& pair) { return pair.first == shape.palette; });
-        if (known == seen.end()) known = seen.insert(seen.end(), {shape.palette, darkened(*shape.palette, group.slot() + 1)});
+        auto known =
+            std::find_if(seen.begin(), seen.end(), [&](const auto& pair) { return pair.first == shape.palette; });
+        if (known == seen.end())
+            known = seen.insert(seen.end(), {shape.palette, darkened(*shape.palette, group.slot() + 1)});
         if (!known->second) return;
         shape.palette = known->second;
         std::vector<ShapeHandle>& palettes = m_changes.palettes;

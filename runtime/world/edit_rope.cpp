@@ -6,9 +6,9 @@
 namespace rubble {
 namespace {
 
-constexpr double kSampleSpacing = 0.05;      ///< metres between the places of a rope that are looked at for a cut
-constexpr double kMinRopeLength = 0.3;       ///< metres to which a winch can wind a rope
-constexpr double kWinchSpeed = 1.0;     ///< m/s on the segment to a length
+constexpr double kSampleSpacing = 0.05;  ///< metres between the places of a rope that are looked at for a cut
+constexpr double kMinRopeLength = 0.3;   ///< metres to which a winch can wind a rope
+constexpr double kWinchSpeed = 1.0;      ///< m/s on the segment to a length
 constexpr double kMinPartLength = 0.02;  ///< of a cut rope, metres: less vanishes
 
 /// Whether a place is within what an edit takes out of soft materials.
@@ -17,7 +17,8 @@ bool isWithin(const CarveEdit& volume, glm::dvec3 place) {
     glm::dvec3 away = place - volume.position;
     if (volume.kind == BrushKind::Box) {
         const glm::dvec3 local = glm::conjugate(volume.rotation) * away;
-        return std::abs(local.x) <= volume.halfSize.x && std::abs(local.y) <= volume.halfSize.y && std::abs(local.z) <= volume.halfSize.z;
+        return std::abs(local.x) <= volume.halfSize.x && std::abs(local.y) <= volume.halfSize.y &&
+               std::abs(local.z) <= volume.halfSize.z;
     }
     if (volume.kind == BrushKind::Capsule) {
         const glm::dvec3 segment = volume.end - volume.position;
@@ -52,15 +53,16 @@ void EditStep::cutRopes(const CarveEdit& volume) {
     }
 }
 
-/// Parts a rope between two of its points: the first part keeps the handle, or the second if nothing is left of the first. False: nothing
-/// is left at all, and nothing was done.
+/// Parts a rope between two of its points: the first part keeps the handle, or the second if nothing is left of the
+/// first. False: nothing is left at all, and nothing was done.
 bool EditStep::cutRope(JointHandle handle, double place, JointBreak reason) {
     const Joint rope = m_world.m_joints.at(handle);
     const size_t last = rope.points.size() - 1;
     const size_t before = std::min(size_t(std::max(place, 0.0)), last - 1);
     const double along = std::clamp(place - double(before), 0.0, 1.0), spacing = rope.rope.length / double(last);
     const RopePoint &from = rope.points[before], &to = rope.points[before + 1];
-    const RopePoint cut{from.position + (to.position - from.position) * along, from.velocity + (to.velocity - from.velocity) * along};
+    const RopePoint cut{from.position + (to.position - from.position) * along,
+                        from.velocity + (to.velocity - from.velocity) * along};
     Joint first = rope, second = rope;
     first.points.assign(rope.points.begin(), rope.points.begin() + ptrdiff_t(before) + 1);
     first.points.push_back(cut);
@@ -92,8 +94,9 @@ void EditStep::updateWinches() {
         Joint& rope = m_world.m_joints.at(handle);
         if (rope.motor.mode == MotorMode::Off) continue;
         const double maxChange = kWinchSpeed / 60.0;
-        const double change = rope.motor.mode == MotorMode::Speed ? std::clamp(rope.motor.target, -100.0, 100.0) / 60.0
-                                                                  : std::clamp(rope.motor.target - rope.rope.length, -maxChange, maxChange);
+        const double change = rope.motor.mode == MotorMode::Speed
+                                  ? std::clamp(rope.motor.target, -100.0, 100.0) / 60.0
+                                  : std::clamp(rope.motor.target - rope.rope.length, -maxChange, maxChange);
         const double length = std::clamp(rope.rope.length + change, std::min(kMinRopeLength, rope.rope.length), 1e4);
         if (length == rope.rope.length) continue;
         rope.rope.length = length;

@@ -12,7 +12,9 @@ namespace {
 
 std::array<uint64_t, 256> countEntries(const VoxelGrid& grid) {
     std::array<uint64_t, 256> out{};
-    grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) { forEachVoxel(brick->occupancy, [&](int i) { ++out[brick->at(i)]; }); });
+    grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+        forEachVoxel(brick->occupancy, [&](int i) { ++out[brick->at(i)]; });
+    });
     return out;
 }
 
@@ -32,7 +34,8 @@ std::optional<glm::ivec3> cellOffsetIn(const Shape& into, const Shape& shape) {
     if (std::fabs(glm::dot(into.local.rotation, shape.local.rotation)) < 1.0 - 1e-9) return std::nullopt;
     const glm::dvec3 cells = into.local.inversePoint(shape.local.position) / double(into.voxelSize);
     const glm::dvec3 whole = glm::round(cells);
-    if (!(glm::length(cells - whole) < 1e-3) || glm::any(glm::greaterThan(glm::abs(whole), glm::dvec3(kMaxGridSize)))) return std::nullopt;
+    if (!(glm::length(cells - whole) < 1e-3) || glm::any(glm::greaterThan(glm::abs(whole), glm::dvec3(kMaxGridSize))))
+        return std::nullopt;
     return glm::ivec3(whole);
 }
 
@@ -41,7 +44,9 @@ bool touch(const VoxelGrid& into, const VoxelGrid& shape, glm::ivec3 offset) {
     bool found = false;
     shape.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         const glm::ivec3 low = position * kBrickSize + offset;
-        if (found || glm::any(glm::greaterThan(low, into.size())) || glm::any(glm::lessThan(low + kBrickSize, glm::ivec3(0)))) return;
+        if (found || glm::any(glm::greaterThan(low, into.size())) ||
+            glm::any(glm::lessThan(low + kBrickSize, glm::ivec3(0))))
+            return;
         forEachVoxel(brick->occupancy, [&](int i) {
             for (const glm::ivec3 step : kFaceOffsets) found = found || into.at(low + voxelInBrick(i) + step) != 0;
         });
@@ -50,12 +55,16 @@ bool touch(const VoxelGrid& into, const VoxelGrid& shape, glm::ivec3 offset) {
 }
 
 /// Adds the entries that `used` counts to a palette: which becomes which. Nothing if there are not enough free ones.
-std::optional<std::array<uint8_t, 256>> mapEntries(Palette& into, const Palette& from, const std::array<uint64_t, 256>& used) {
+std::optional<std::array<uint8_t, 256>> mapEntries(Palette& into, const Palette& from,
+                                                   const std::array<uint64_t, 256>& used) {
     std::array<uint8_t, 256> map{};
     for (size_t i = 1; i < 256; ++i) {
         if (!used[i]) continue;
-        auto place = into[i] == from[i] ? into.begin() + ptrdiff_t(i) : std::find(into.begin() + 1, into.end(), from[i]);
-        if (place == into.end()) place = std::find_if(into.begin() + 1, into.end(), [](const PaletteEntry& entry) { return entry.material == 0; });
+        auto place =
+            into[i] == from[i] ? into.begin() + ptrdiff_t(i) : std::find(into.begin() + 1, into.end(), from[i]);
+        if (place == into.end())
+            place = std::find_if(into.begin() + 1, into.end(),
+                                 [](const PaletteEntry& entry) { return entry.material == 0; });
         if (place == into.end()) return std::nullopt;
         *place = from[i];
         map[i] = uint8_t(place - into.begin());
@@ -73,8 +82,9 @@ std::array<uint8_t, 16> mapPaint(PaintColors& into, const PaintColors& from) {
     };
     for (size_t i = 0; i < from.count; ++i) {
         const auto known = into.colors.begin() + into.count;
-        auto place = std::min_element(into.colors.begin(), known,
-                                      [&](const Srgb& a, const Srgb& b) { return away(a, from.colors[i]) < away(b, from.colors[i]); });
+        auto place = std::min_element(into.colors.begin(), known, [&](const Srgb& a, const Srgb& b) {
+            return away(a, from.colors[i]) < away(b, from.colors[i]);
+        });
         if ((place == known || away(*place, from.colors[i]) > 0) && into.count < kPaintColors) {
             place = known;
             *place = from.colors[i];
@@ -100,7 +110,8 @@ void EditStep::apply(const SplitShapeEdit& edit) {
     recordMotion(shape->body);
     std::vector<Component> components = findComponents(shape->grid);
     const auto keeps = [&](const Component& a, const Component& b) {
-        const bool holdsA = touchesAnchor(shape->grid, a, shape->anchors), holdsB = touchesAnchor(shape->grid, b, shape->anchors);
+        const bool holdsA = touchesAnchor(shape->grid, a, shape->anchors),
+                   holdsB = touchesAnchor(shape->grid, b, shape->anchors);
         return holdsA != holdsB ? holdsA : outranks(a, b);
     };
     if (components.size() > 1)
@@ -122,7 +133,8 @@ void EditStep::apply(const SplitShapeEdit& edit) {
         }
         Piece piece = takePiece(shape->grid, component);
         const MassProperties mass = massProperties(moments, shape->voxelSize);
-        split.motions.push_back({m_world.shapeToWorld(edit.shape).transformPoint(mass.center), body.velocity, body.angularVelocity, mass.mass});
+        split.motions.push_back({m_world.shapeToWorld(edit.shape).transformPoint(mass.center), body.velocity,
+                                 body.angularVelocity, mass.mass});
         split.parentOffset.push_back(piece.offset);
         split.children.push_back(createSplitShape(edit.shape, std::move(piece), moments));
         shape = &m_world.m_shapes.at(edit.shape);  // the new shape may have moved the others
@@ -156,7 +168,8 @@ ShapeHandle EditStep::findMergeTarget(ShapeHandle handle) const {
     for (const ShapeHandle other : m_world.m_bodies.at(shape.body).shapes) {
         if (other == handle) continue;
         const Shape& into = m_world.m_shapes.at(other);
-        if (const auto offset = cellOffsetIn(into, shape); offset && touch(into.grid, shape.grid, *offset)) return other;
+        if (const auto offset = cellOffsetIn(into, shape); offset && touch(into.grid, shape.grid, *offset))
+            return other;
     }
     return {};
 }
@@ -167,11 +180,13 @@ void EditStep::apply(const MergeShapeEdit& edit) {
     const ShapeHandle target = edit.into ? edit.into : findMergeTarget(edit.shape);
     Shape* into = target == edit.shape ? nullptr : m_world.m_shapes.find(target);
     const std::optional<glm::ivec3> offset = into ? cellOffsetIn(*into, *from) : std::nullopt;
-    if (!offset || !touch(into->grid, from->grid, *offset)) return logWarning("MergeShapeEdit: no shape that matches and touches; nothing was done");
+    if (!offset || !touch(into->grid, from->grid, *offset))
+        return logWarning("MergeShapeEdit: no shape that matches and touches; nothing was done");
     const CellBox box{glm::min(*offset, glm::ivec3(0)), glm::max(*offset + from->grid.size(), into->grid.size())};
     auto palette = std::make_shared<Palette>(*into->palette);
     const auto entries = mapEntries(*palette, *from->palette, countEntries(from->grid));
-    if (!entries) return logWarning("MergeShapeEdit: the two palettes do not fit into one of 255 entries; nothing was done");
+    if (!entries)
+        return logWarning("MergeShapeEdit: the two palettes do not fit into one of 255 entries; nothing was done");
     if (!reframe(target, box)) return;
     const glm::ivec3 at = *offset - box.low;
     if (*palette != *into->palette) into->palette = palette;
@@ -221,7 +236,9 @@ void EditStep::apply(const ResizeShapeEdit& edit) {
 /// Gives a shape another box of cells. False if that is refused, or nothing is left of the shape.
 bool EditStep::reframe(ShapeHandle handle, const CellBox& box) {
     Shape& shape = m_world.m_shapes.at(handle);
-    const auto fits = [](int low, int high) { return low >= -kMaxGridSize && high <= 2 * kMaxGridSize && low < high && high - low <= kMaxGridSize; };
+    const auto fits = [](int low, int high) {
+        return low >= -kMaxGridSize && high <= 2 * kMaxGridSize && low < high && high - low <= kMaxGridSize;
+    };
     if (!fits(box.low.x, box.high.x) || !fits(box.low.y, box.high.y) || !fits(box.low.z, box.high.z)) {
         logWarning("a shape's grid must have 1 to " + std::to_string(kMaxGridSize) +
                    " cells on each side, not far from where it is; nothing was done");

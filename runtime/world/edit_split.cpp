@@ -13,7 +13,8 @@ void EditStep::releaseFragments() {
         ShapeSplit split{.parent = broken.shape};
         for (auto& [fragment, palette, paintColors] : broken.fragments) {
             split.parentOffset.push_back(fragment.piece.offset);
-            split.children.push_back(createPiece(broken.shape, std::move(fragment.piece), fragment.moments, split.motions.emplace_back()));
+            split.children.push_back(
+                createPiece(broken.shape, std::move(fragment.piece), fragment.moments, split.motions.emplace_back()));
             Shape& child = m_world.m_shapes.at(split.children.back());
             child.palette = std::move(palette);
             child.paintColors = std::move(paintColors);
@@ -32,7 +33,8 @@ void EditStep::splitShapes() {
     std::vector<PendingSplit>& line = m_world.m_pendingSplits;
     for (auto& [slot, each] : m_editStates) {
         if (each.carved.empty() && !each.lostVoxels) continue;
-        auto known = std::find_if(line.begin(), line.end(), [shape = each.shape](const PendingSplit& pending) { return pending.shape == shape; });
+        auto known = std::find_if(line.begin(), line.end(),
+                                  [shape = each.shape](const PendingSplit& pending) { return pending.shape == shape; });
         if (known == line.end() && isStillConnected(each)) continue;
         if (known == line.end()) known = line.insert(line.end(), {each.shape, {}, {}});
         known->cut.insert(each.carved);
@@ -51,7 +53,8 @@ bool EditStep::isStillConnected(const ShapeEditState& each) const {
     if (!shape || !shape->knownConnected || each.lostVoxels || shape->grid.empty()) return false;
     const bool isAnchored = m_world.m_bodies.at(shape->body).isStatic;
     if (!isAnchored && shape->grid.voxelCount() < m_world.m_settings.minPieceVoxels) return false;
-    return isLocallyConnected(shape->grid, each.lost, isAnchored ? std::span<const CellBox>(shape->anchors) : std::span<const CellBox>());
+    return isLocallyConnected(shape->grid, each.lost,
+                              isAnchored ? std::span<const CellBox>(shape->anchors) : std::span<const CellBox>());
 }
 
 /// True if there is nothing left to do for the shape: it has been split, or is gone.
@@ -119,16 +122,20 @@ void EditStep::splitShape(ShapeHandle parent, const Detached& loose) {
 void EditStep::discardPiece(ShapeHandle parent, const Component& component) {
     Shape& shape = m_world.m_shapes.at(parent);
     std::array<uint64_t, 256> removed{};
-    forEachSubset(shape.grid, component,
-                 [&](glm::ivec3, const Brick& brick, const BrickBits& voxels) { forEachVoxel(voxels, [&](int i) { ++removed[brick.at(i)]; }); });
+    forEachSubset(shape.grid, component, [&](glm::ivec3, const Brick& brick, const BrickBits& voxels) {
+        forEachVoxel(voxels, [&](int i) { ++removed[brick.at(i)]; });
+    });
     const Densities densities(*shape.palette, m_world.m_materials);
     const MassProperties mass = massProperties(componentMoments(shape.grid, component, densities), shape.voxelSize);
     takePiece(shape.grid, component);
     const double radius = 0.5 * shape.voxelSize * std::cbrt(double(component.voxels));
-    recordRemoved(parent, removed, {m_world.shapeToWorld(parent).transformPoint(mass.center), radius, m_world.m_bodies.at(shape.body).velocity});
+    recordRemoved(
+        parent, removed,
+        {m_world.shapeToWorld(parent).transformPoint(mass.center), radius, m_world.m_bodies.at(shape.body).velocity});
 }
 
-ShapeHandle EditStep::createPiece(ShapeHandle parentHandle, Piece piece, const MassMoments& moments, PieceMotion& started) {
+ShapeHandle EditStep::createPiece(ShapeHandle parentHandle, Piece piece, const MassMoments& moments,
+                                  PieceMotion& started) {
     const Shape& parent = m_world.m_shapes.at(parentHandle);
     const Body& from = m_world.m_bodies.at(parent.body);
     Body body{.name = parent.name};

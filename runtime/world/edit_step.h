@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "runtime/destruction/detachment.h"
 #include "runtime/destruction/carve.h"
+#include "runtime/destruction/detachment.h"
 #include "runtime/destruction/fragments.h"
 #include "runtime/destruction/paint.h"
 #include "runtime/destruction/split.h"
@@ -20,7 +20,8 @@ class EditStep {
 public:
     EditStep(World& world, FrameChanges& changes);
     void run(const Edits& edits);
-    /// Of a World that is new: who is in its triggers is looked at in the next step, and is as it was if nothing has changed.
+    /// Of a World that is new: who is in its triggers is looked at in the next step, and is as it was if nothing has
+    /// changed.
     static void initTriggers(World& world);
 
 private:
@@ -37,7 +38,7 @@ private:
         CellBox lost;  ///< cells that held all voxels that went
         BrickSet painted;
         std::vector<DetachedFragment> fragments;  ///< out of the grid already; bodies of their own after the edits
-        bool lostVoxels = false;           ///< and is in a new frame of cells: look at all of it
+        bool lostVoxels = false;                  ///< and is in a new frame of cells: look at all of it
     };
     /// How a free body moved before anything was taken from it.
     struct Motion {
@@ -204,12 +205,12 @@ private:
     World& m_world;
     FrameChanges& m_changes;
     std::map<uint32_t, ShapeEditState> m_editStates;  ///< by slot
-    std::map<uint32_t, Motion> m_motions;   ///< by slot
-    std::vector<DeferredImpulse> m_deferredImpulses;             ///< wait until the pieces exist
-    std::set<uint32_t> m_impactLoaded;            ///< slots of pieces that a impact was tried on
-    std::set<uint32_t> m_cutWires;          ///< slots of shapes that lost wire, or pieces
-    std::vector<uint64_t> m_removedByGroup;   ///< voxels, by slot of the group
-    std::vector<Deposit> m_deposits;        ///< heat on its way, for the end of the fires' turn
+    std::map<uint32_t, Motion> m_motions;             ///< by slot
+    std::vector<DeferredImpulse> m_deferredImpulses;  ///< wait until the pieces exist
+    std::set<uint32_t> m_impactLoaded;                ///< slots of pieces that a impact was tried on
+    std::set<uint32_t> m_cutWires;                    ///< slots of shapes that lost wire, or pieces
+    std::vector<uint64_t> m_removedByGroup;           ///< voxels, by slot of the group
+    std::vector<Deposit> m_deposits;                  ///< heat on its way, for the end of the fires' turn
     std::vector<HeatDeposit> m_near;
     HeatTable m_heatTable;
     PaletteRef m_heatTableOf;

@@ -19,14 +19,17 @@ void EditStep::openCrack(ShapeHandle handle, const StrengthTable& entries, const
     Shape& shape = m_world.m_shapes.at(handle);
     const Densities densities(*shape.palette, m_world.m_materials);
     CarveResult carved;
-    for (const BrickSubset& subset : crackCells(shape.grid, shape.anchors, entries, crack.section)) removeCells(shape.grid, subset, densities, carved);
+    for (const BrickSubset& subset : crackCells(shape.grid, shape.anchors, entries, crack.section))
+        removeCells(shape.grid, subset, densities, carved);
     if (carved.voxels == 0) return;
     glm::dvec3 normal(0.0);
     normal[crack.section.axis] = 1.0;
     const Pose pose = m_world.shapeToWorld(handle);
     const glm::dvec3 center = pose.transformPoint(sectionShape(crack.section).centroid * double(shape.voxelSize));
-    const size_t mainEntry = size_t(std::max_element(carved.removed.begin(), carved.removed.end()) - carved.removed.begin());
-    m_changes.cracks.push_back({handle, center, pose.rotation * normal, (*shape.palette)[mainEntry].material, crack.cause, carved.voxels});
+    const size_t mainEntry =
+        size_t(std::max_element(carved.removed.begin(), carved.removed.end()) - carved.removed.begin());
+    m_changes.cracks.push_back(
+        {handle, center, pose.rotation * normal, (*shape.palette)[mainEntry].material, crack.cause, carved.voxels});
     recordCarved(handle, carved);
 }
 
@@ -57,8 +60,8 @@ void EditStep::weaken(ShapeHandle handle, glm::ivec3 brick, int left) {
     WorldStress::Entry* entry = m_world.m_stress->find(handle);
     if (!entry) return;
     left = (left + 15) / 16 * 16;
-    const auto place =
-        std::lower_bound(entry->weak.begin(), entry->weak.end(), brick, [](const WeakBrick& a, glm::ivec3 b) { return cellBefore(a.brick, b); });
+    const auto place = std::lower_bound(entry->weak.begin(), entry->weak.end(), brick,
+                                        [](const WeakBrick& a, glm::ivec3 b) { return cellBefore(a.brick, b); });
     const bool isKnown = place != entry->weak.end() && place->brick == brick;
     if (left == (isKnown ? place->left : 256)) return;
     if (isKnown)
@@ -76,11 +79,15 @@ void EditStep::runShapeAnalysis(WorldStress::Entry& entry, int64_t& work) {
         entry.entries = makeStrengthTable(*shape.palette, m_world.m_materials);
     }
     const StressSettings& settings = m_world.m_settings.stress;
-    const glm::dvec3 gravity = glm::conjugate(m_world.shapeToWorld(entry.shape).rotation) * glm::dvec3(m_world.m_environment.gravity);
-    const StressedShape stressed{shape.grid, shape.anchors, entry.entries, gravity, shape.voxelSize, settings.strengthScale * shape.strength, entry.weak};
+    const glm::dvec3 gravity =
+        glm::conjugate(m_world.shapeToWorld(entry.shape).rotation) * glm::dvec3(m_world.m_environment.gravity);
+    const StressedShape stressed{shape.grid, shape.anchors,   entry.entries,
+                                 gravity,    shape.voxelSize, settings.strengthScale * shape.strength,
+                                 entry.weak};
     entry.analysis.run(stressed, work, settings.cracksPerStep, entry.cracks);
     if (!entry.analysis.isIdle()) return;
-    if (!entry.analysis.hasConverged()) logWarning("stress: the forces in a shape could not be found; it bears whatever comes");
+    if (!entry.analysis.hasConverged())
+        logWarning("stress: the forces in a shape could not be found; it bears whatever comes");
     if (entry.cracks.empty()) m_world.m_stress->sleep(entry.shape);
 }
 

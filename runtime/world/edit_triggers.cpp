@@ -15,8 +15,11 @@ WorldBox gridBounds(const World& world, const Body& body) {
         const Shape& shape = world.shapes().at(handle);
         const Pose pose = world.shapeToWorld(handle);
         const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
-        bounds = bounds.merged(
-            QueryShape{.kind = QueryShapeKind::Box, .position = pose.transformPoint(half), .halfSize = half, .rotation = pose.rotation}.bounds());
+        bounds = bounds.merged(QueryShape{.kind = QueryShapeKind::Box,
+                                          .position = pose.transformPoint(half),
+                                          .halfSize = half,
+                                          .rotation = pose.rotation}
+                                   .bounds());
     }
     return bounds;
 }
@@ -36,7 +39,9 @@ bool containsVoxelCenter(const World& world, const Body& body, const Trigger& tr
             if (found || !WorldBox{middle - halfExtent, middle + halfExtent}.overlaps(bounds)) return;
             forEachVoxel(brick->occupancy, [&](int i) {
                 if (found) return;
-                const glm::dvec3 at = pose.position + axes * (glm::dvec3(position * kBrickSize + voxelInBrick(i)) + 0.5) - trigger.pose.position;
+                const glm::dvec3 at = pose.position +
+                                      axes * (glm::dvec3(position * kBrickSize + voxelInBrick(i)) + 0.5) -
+                                      trigger.pose.position;
                 found = at.y >= 0.0 && at.y <= trigger.height && contains(trigger.outline, at.x, at.z);
             });
         });
@@ -66,7 +71,9 @@ bool bySlot(Handle a, Handle b) {
 
 void EditStep::initTriggers(World& world) {
     if (!world.m_triggers.size()) return;
-    world.m_triggers.forEach([&](TriggerHandle handle, const Trigger& trigger) { world.m_triggerBounds.update(handle.slot(), trigger.bounds()); });
+    world.m_triggers.forEach([&](TriggerHandle handle, const Trigger& trigger) {
+        world.m_triggerBounds.update(handle.slot(), trigger.bounds());
+    });
     world.m_bodies.forEach([&](BodyHandle handle, const Body& body) {
         if (!body.isStatic) world.m_movedBodies.push_back(handle);
     });
@@ -85,8 +92,8 @@ std::vector<BodyHandle> EditStep::movedBodies() {
     return bodies;
 }
 
-/// Who has come into which trigger, and who has left: bodies that moved against triggers near them and triggers that they
-/// were in, and everything near a trigger that is new.
+/// Who has come into which trigger, and who has left: bodies that moved against triggers near them and triggers that
+/// they were in, and everything near a trigger that is new.
 void EditStep::updateTriggers() {
     const std::vector<BodyHandle> moved = movedBodies();
     std::set<std::pair<TriggerHandle, BodyHandle>> pairs;  // all of one world: ordered by slot but for generations
@@ -103,22 +110,27 @@ void EditStep::updateTriggers() {
     });
     for (const TriggerHandle handle : m_changes.triggers)
         if (const Trigger* trigger = m_world.m_triggers.find(handle))
-            for (const BodyHandle body : bodiesInBox(m_world, trigger->bounds(), {.includeStatic = false})) pairs.emplace(handle, body);
+            for (const BodyHandle body : bodiesInBox(m_world, trigger->bounds(), {.includeStatic = false}))
+                pairs.emplace(handle, body);
     for (const auto& [handle, body] : pairs) {
         Trigger& trigger = m_world.m_triggers.at(handle);
         const bool is = isInside(m_world, body, trigger);
         const auto at = std::find(trigger.inside.begin(), trigger.inside.end(), body);
         if (is == (at != trigger.inside.end())) continue;
         if (is)
-            trigger.inside.insert(std::upper_bound(trigger.inside.begin(), trigger.inside.end(), body, bySlot<BodyHandle>), body);
+            trigger.inside.insert(
+                std::upper_bound(trigger.inside.begin(), trigger.inside.end(), body, bySlot<BodyHandle>), body);
         else
             trigger.inside.erase(at);
         m_changes.triggerEvents.push_back({handle, body, is});
-        if (std::find(m_changes.triggers.begin(), m_changes.triggers.end(), handle) == m_changes.triggers.end()) m_changes.triggers.push_back(handle);
+        if (std::find(m_changes.triggers.begin(), m_changes.triggers.end(), handle) == m_changes.triggers.end())
+            m_changes.triggers.push_back(handle);
     }
-    std::stable_sort(m_changes.triggerEvents.begin(), m_changes.triggerEvents.end(), [](const TriggerEvent& a, const TriggerEvent& b) {
-        return a.trigger.slot() != b.trigger.slot() ? a.trigger.slot() < b.trigger.slot() : a.body.slot() < b.body.slot();
-    });
+    std::stable_sort(m_changes.triggerEvents.begin(), m_changes.triggerEvents.end(),
+                     [](const TriggerEvent& a, const TriggerEvent& b) {
+                         return a.trigger.slot() != b.trigger.slot() ? a.trigger.slot() < b.trigger.slot()
+                                                                     : a.body.slot() < b.body.slot();
+                     });
 }
 
 }  // namespace rubble

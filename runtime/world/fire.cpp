@@ -10,8 +10,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kLightCellSize = 1.6;    // metres: fires in the same cube of this size share a light
-constexpr int kFlickerSteps = 5;  // between two of the values that a flicker runs through
+constexpr double kLightCellSize = 1.6;  // metres: fires in the same cube of this size share a light
+constexpr int kFlickerSteps = 5;        // between two of the values that a flicker runs through
 constexpr float kFlickerDepth = 0.35f;
 
 auto findField(std::vector<HeatField>& fields, ShapeHandle shape) {
@@ -19,7 +19,8 @@ auto findField(std::vector<HeatField>& fields, ShapeHandle shape) {
                             [](const HeatField& field, uint32_t slot) { return field.shape.slot() < slot; });
 }
 auto findBrick(std::vector<HotBrick>& bricks, glm::ivec3 brick) {
-    return std::lower_bound(bricks.begin(), bricks.end(), brick, [](const HotBrick& hot, glm::ivec3 at) { return cellBefore(hot.brick, at); });
+    return std::lower_bound(bricks.begin(), bricks.end(), brick,
+                            [](const HotBrick& hot, glm::ivec3 at) { return cellBefore(hot.brick, at); });
 }
 
 /// The mean of a brick's solid cells, in the shape's cells, and their number.
@@ -74,7 +75,8 @@ uint64_t FireState::hash() const {
     for (const HeatField& field : fields) {
         hash = hashValue(field.shape.slot(), hash);
         for (const HotBrick& hot : field.bricks) {
-            const int64_t values[] = {hot.brick.x, hot.brick.y, hot.brick.z, hot.heat, hot.burned, hot.burningFor, hot.wet, hot.charred};
+            const int64_t values[] = {hot.brick.x, hot.brick.y,    hot.brick.z, hot.heat,
+                                      hot.burned,  hot.burningFor, hot.wet,     hot.charred};
             hash = hashBytes(values, sizeof values, hash);
         }
     }
@@ -92,10 +94,11 @@ std::vector<Fire> World::fires() const {
             const Brick* brick = hot.burningFor ? shape->grid.brickAt(hot.brick) : nullptr;
             if (!brick) continue;
             const auto [centroid, count] = brickCentroid(*brick, hot.brick);
-            const float ramp = std::min(1.0f, float(hot.burningFor) / 20.0f), fuel = std::min(1.0f, float(count) / 64.0f);
+            const float ramp = std::min(1.0f, float(hot.burningFor) / 20.0f),
+                        fuel = std::min(1.0f, float(count) / 64.0f);
             const uint32_t seed = hashCell(hot.brick.x, hot.brick.y, hot.brick.z, field.shape.slot());
-            out.push_back(
-                {field.shape, hot.brick, pose.transformPoint(centroid * double(shape->voxelSize)), 4.0 * shape->voxelSize, ramp * fuel, seed});
+            out.push_back({field.shape, hot.brick, pose.transformPoint(centroid * double(shape->voxelSize)),
+                           4.0 * shape->voxelSize, ramp * fuel, seed});
         }
     }
     return out;
@@ -120,7 +123,9 @@ std::vector<FireLight> fireLights(const std::vector<Fire>& fires, uint64_t step,
         double intensity = 0.0, radius = 0.0;
     };
     const auto before = [](const Group& group, glm::dvec3 at) {
-        return group.cube.x != at.x ? group.cube.x < at.x : group.cube.y != at.y ? group.cube.y < at.y : group.cube.z < at.z;
+        return group.cube.x != at.x   ? group.cube.x < at.x
+               : group.cube.y != at.y ? group.cube.y < at.y
+                                      : group.cube.z < at.z;
     };
     std::vector<Group> groups;
     for (const Fire& fire : fires) {
@@ -132,7 +137,8 @@ std::vector<FireLight> fireLights(const std::vector<Fire>& fires, uint64_t step,
         group->radius = std::max(group->radius, fire.radius);
     }
     std::erase_if(groups, [](const Group& group) { return group.intensity <= 0.0; });
-    std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.intensity > b.intensity; });
+    std::stable_sort(groups.begin(), groups.end(),
+                     [](const Group& a, const Group& b) { return a.intensity > b.intensity; });
     if (groups.size() > limit) groups.resize(limit);
     std::vector<FireLight> out;
     for (const Group& group : groups) {
@@ -146,7 +152,8 @@ double World::remainingStrength(ShapeHandle handle, glm::ivec3 brick) const {
     const HotBrick* hot = m_fire.find(handle, brick);
     if (!hot) return 1.0;
     const Shape& shape = m_shapes.at(handle);
-    const HeatTable table = makeHeatTable(*shape.palette, m_materials, double(shape.voxelSize), double(m_settings.fire.burnTime));
+    const HeatTable table =
+        makeHeatTable(*shape.palette, m_materials, double(shape.voxelSize), double(m_settings.fire.burnTime));
     return rubble::remainingStrength(*hot, heatSkin(shape.grid, brick, table)) / 256.0;
 }
 

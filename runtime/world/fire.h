@@ -18,7 +18,7 @@ struct FireState {
     std::vector<HeatField> fields;  ///< by slot of the shape; none is empty
     uint32_t hotBricks = 0;         ///< bricks in all fields
     uint32_t burning = 0;           ///< of them
-    bool hasLoggedFull = false;       ///< a limit has been logged once
+    bool hasLoggedFull = false;     ///< a limit has been logged once
 
     bool isActive() const { return !fields.empty(); }
     const HotBrick* find(ShapeHandle shape, glm::ivec3 brick) const;

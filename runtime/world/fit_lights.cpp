@@ -11,9 +11,9 @@
 namespace rubble {
 namespace {
 
-constexpr double kRodRatio = 2.5;    ///< longest to middle side of what counts as a rod
-constexpr double kPlateRatio = 2.5;  ///< middle to thinnest side of what counts as a plate
-constexpr double kMinIrradiance = 0.02;   ///< irradiance at which a light's reach ends
+constexpr double kRodRatio = 2.5;        ///< longest to middle side of what counts as a rod
+constexpr double kPlateRatio = 2.5;      ///< middle to thinnest side of what counts as a plate
+constexpr double kMinIrradiance = 0.02;  ///< irradiance at which a light's reach ends
 constexpr double kPi = 3.14159265358979323846;
 
 /// The grid with the voxels of one entry alone.
@@ -34,7 +34,8 @@ uint64_t countFaces(const VoxelGrid& only, const Component& voxels) {
     uint64_t faces = 0;
     forEachSubset(only, voxels, [&](glm::ivec3 position, const Brick&, const BrickBits& bits) {
         forEachVoxel(bits, [&](int i) {
-            for (const glm::ivec3 step : kFaceOffsets) faces += only.at(position * kBrickSize + voxelInBrick(i) + step) == 0;
+            for (const glm::ivec3 step : kFaceOffsets)
+                faces += only.at(position * kBrickSize + voxelInBrick(i) + step) == 0;
         });
     });
     return faces;
@@ -74,7 +75,8 @@ void fitShape(Level& level, LevelShape& shape) {
                 level.lightGroups.push_back({.name = shape.name + " glow " + std::to_string(level.lightGroups.size())});
                 palette[used].lightGroup = uint32_t(level.lightGroups.size());
             }
-            level.lights.push_back({fitLight(shape, only, voxels, glow), shape.name, level.lightGroups[palette[used].lightGroup - 1].name});
+            level.lights.push_back({fitLight(shape, only, voxels, glow), shape.name,
+                                    level.lightGroups[palette[used].lightGroup - 1].name});
         }
     }
     shape.palette = std::make_shared<const Palette>(palette);
@@ -105,7 +107,8 @@ Light fitLight(const LevelShape& shape, const VoxelGrid& only, const Component& 
     else if (breadth > kPlateRatio * thickness)
         light.kind = LightKind::Area, light.twoSided = true;
     // A convex body shows a quarter of its countFaces on average (Cauchy).
-    const double projectedArea = 0.25 * double(countFaces(only, voxels)) * double(shape.voxelSize) * double(shape.voxelSize);
+    const double projectedArea =
+        0.25 * double(countFaces(only, voxels)) * double(shape.voxelSize) * double(shape.voxelSize);
     light.radius = float(std::sqrt(projectedArea / kPi));
     const glm::vec3 color(srgbToLinear(entry.red), srgbToLinear(entry.green), srgbToLinear(entry.blue));
     light.color = color * (entry.emission * float(projectedArea));
@@ -126,8 +129,11 @@ Light fitLight(const LevelShape& shape, const VoxelGrid& only, const Component& 
 void fitLights(Level& level) {
     for (LevelBody& body : level.bodies)
         for (LevelShape& shape : body.shapes) {
-            const auto glows = [](const PaletteEntry& entry) { return entry.material && entry.emission > 0.0f && !entry.lightGroup; };
-            if (!shape.hidden && shape.palette && std::any_of(shape.palette->begin(), shape.palette->end(), glows)) fitShape(level, shape);
+            const auto glows = [](const PaletteEntry& entry) {
+                return entry.material && entry.emission > 0.0f && !entry.lightGroup;
+            };
+            if (!shape.hidden && shape.palette && std::any_of(shape.palette->begin(), shape.palette->end(), glows))
+                fitShape(level, shape);
         }
 }
 

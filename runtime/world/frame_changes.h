@@ -51,8 +51,9 @@ struct PieceMotion {
     double mass = 0.0;  ///< kg
 };
 
-/// A shape came apart: what broke out of it, or, in a record of its own, what it no longer held. The parent handle lives on in the anchored, largest
-/// or lowest piece; children are new shapes, each on a body of its own. parentOffset[i]: the cell of the parent at which child i's cell 0 lies.
+/// A shape came apart: what broke out of it, or, in a record of its own, what it no longer held. The parent handle
+/// lives on in the anchored, largest or lowest piece; children are new shapes, each on a body of its own.
+/// parentOffset[i]: the cell of the parent at which child i's cell 0 lies.
 struct ShapeSplit {
     ShapeHandle parent;
     std::vector<ShapeHandle> children;
@@ -104,24 +105,26 @@ struct FrameChanges {
     bool levelReplaced = false;  ///< everything before is gone: start from the World
     std::vector<BodyHandle> bodiesCreated;
     std::vector<BodyHandle> bodiesDestroyed;
-    std::vector<ShapeHandle> shapesCreated;    ///< read their grid from the World: their bricks are not in `bricks`
-    std::vector<ShapeHandle> shapesDestroyed;  ///< comes before shapesCreated: a shape with a new frame of cells is in both
+    std::vector<ShapeHandle> shapesCreated;  ///< read their grid from the World: their bricks are not in `bricks`
+    std::vector<ShapeHandle>
+        shapesDestroyed;  ///< comes before shapesCreated: a shape with a new frame of cells is in both
     std::vector<ShapeSplit> splits;
-    std::vector<BrickChange> bricks;     ///< carved or painted, each brick once, of shapes that were there before
-    std::vector<ShapeHandle> carved;     ///< shapes whose occupancy (so mass and collider) changed, each once
-    std::vector<ShapeHandle> palettes;   ///< shapes whose palette or colours of paint changed
-    std::vector<ShapeHandle> unanchored;    ///< shapes that lost their last anchor: now on a new body of their own, in bodiesCreated
+    std::vector<BrickChange> bricks;    ///< carved or painted, each brick once, of shapes that were there before
+    std::vector<ShapeHandle> carved;    ///< shapes whose occupancy (so mass and collider) changed, each once
+    std::vector<ShapeHandle> palettes;  ///< shapes whose palette or colours of paint changed
+    std::vector<ShapeHandle>
+        unanchored;  ///< shapes that lost their last anchor: now on a new body of their own, in bodiesCreated
     std::vector<RemovedVoxels> removed;  ///< a record for each edit, shape and entry
-    std::vector<LightHandle> lights;     ///< lights created, changed, moved to another shape or body, switched or removed
+    std::vector<LightHandle> lights;  ///< lights created, changed, moved to another shape or body, switched or removed
     std::vector<LightGroupHandle> groupsOut;
     std::vector<ImpulseApplied> impulses;
     std::vector<DustCloud> dust;           ///< all that is in `removed`, with its place
     std::vector<Blast> blasts;             ///< charges that went off, in order
     std::vector<BodyHandle> broken;        ///< bodies that lost voxels for the first time
     std::vector<BodyHandle> settled;       ///< pieces that have come to rest for good
-    std::vector<BodyHandle> unsettled;       ///< settled pieces that something has woken
+    std::vector<BodyHandle> unsettled;     ///< settled pieces that something has woken
     std::vector<LightGroupHandle> groups;  ///< light groups that lost voxels, went out or came back
-    std::vector<BodyHandle> teleported;        ///< bodies that were put somewhere or given another motion: undo and replay
+    std::vector<BodyHandle> teleported;    ///< bodies that were put somewhere or given another motion: undo and replay
     uint64_t paintedVoxels = 0;
     uint64_t paintMerges = 0;  ///< colours that found no free entry and took the nearest
     std::vector<FireEvent> firesLit;
@@ -135,7 +138,7 @@ struct FrameChanges {
     std::vector<TriggerHandle> triggers;      ///< created, removed, or holding other bodies
     std::vector<CharacterHandle> characters;  ///< created, removed, placed, or wishing something else
     std::vector<TriggerEvent> triggerEvents;  ///< by trigger, then body, in slot order
-    std::vector<JointHandle> jointsCreated;      ///< by edits, and the second parts of ropes that were cut
+    std::vector<JointHandle> jointsCreated;   ///< by edits, and the second parts of ropes that were cut
     std::vector<JointMoved> jointsMoved;      ///< to another shape, in a split or merge
     std::vector<JointBroken> jointsBroken;
     std::vector<JointHandle> jointsChanged;  ///< motor, place of an end or length: read it from the World
@@ -143,10 +146,12 @@ struct FrameChanges {
     bool environmentChanged = false;         ///< read it from the World
 
     bool empty() const {
-        return !levelReplaced && !environmentChanged && bodiesCreated.empty() && bodiesDestroyed.empty() && shapesCreated.empty() &&
-               shapesDestroyed.empty() && bricks.empty() && palettes.empty() && lights.empty() && groupsOut.empty() && impulses.empty() &&
-               settled.empty() && unsettled.empty() && groups.empty() && teleported.empty() && !firesChanged && filters.empty() && waters.empty() &&
-               triggers.empty() && characters.empty() && jointsCreated.empty() && jointsMoved.empty() && jointsBroken.empty() && jointsChanged.empty();
+        return !levelReplaced && !environmentChanged && bodiesCreated.empty() && bodiesDestroyed.empty() &&
+               shapesCreated.empty() && shapesDestroyed.empty() && bricks.empty() && palettes.empty() &&
+               lights.empty() && groupsOut.empty() && impulses.empty() && settled.empty() && unsettled.empty() &&
+               groups.empty() && teleported.empty() && !firesChanged && filters.empty() && waters.empty() &&
+               triggers.empty() && characters.empty() && jointsCreated.empty() && jointsMoved.empty() &&
+               jointsBroken.empty() && jointsChanged.empty();
     }
 };
 

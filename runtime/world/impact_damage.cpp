@@ -37,12 +37,15 @@ void World::addImpactDamage(const Impact& impact, BodyHandle body, Edits& out) c
     for (const ShapeHandle handle : shapesNear(impact.position, 0.3)) {
         const Shape& shape = m_shapes.at(handle);
         if (shape.body != body) continue;
-        const Material& material = m_materials[materialAt(shape, shapeToWorld(handle).inversePoint(impact.position) / double(shape.voxelSize))];
+        const Material& material = m_materials[materialAt(
+            shape, shapeToWorld(handle).inversePoint(impact.position) / double(shape.voxelSize))];
         if (material.hardness > Hardness::Hard) continue;
         const size_t hardness = size_t(material.hardness);
         const double force = impact.impulse / (m_settings.impactThreshold * impactToughness(material));
         if (!(force >= 1.0)) continue;
-        BreakEdit edit{.position = impact.position, .seed = hashCell(int(m_step), int(body.slot()), int(handle.slot())), .shape = handle};
+        BreakEdit edit{.position = impact.position,
+                       .seed = hashCell(int(m_step), int(body.slot()), int(handle.slot())),
+                       .shape = handle};
         const double radius = std::min(m_settings.impactRadiusLimit, m_settings.impactRadius * std::sqrt(force));
         std::fill_n(edit.radii.begin(), hardness + 1, radius);
         out.push_back(edit);
@@ -58,9 +61,12 @@ void World::addImpactLoad(const Impact& impact, BodyHandle body, Edits& out) con
         const Shape& shape = m_shapes.at(handle);
         if (shape.body != body || !shape.loadBearing) continue;
         if (!struck->isStatic && shape.grid.voxelCount() < m_settings.stress.minStruckVoxels) continue;
-        const uint8_t material = materialAt(shape, shapeToWorld(handle).inversePoint(impact.position) / double(shape.voxelSize));
-        if (!material || (struck->isStatic && m_materials[material].hardness > Hardness::Hard)) continue;  // what falls on rock loads nothing
-        out.push_back(ImpactLoadEdit{handle, impact.position, impact.normal * (body == impact.body ? impact.impulse : -impact.impulse)});
+        const uint8_t material =
+            materialAt(shape, shapeToWorld(handle).inversePoint(impact.position) / double(shape.voxelSize));
+        if (!material || (struck->isStatic && m_materials[material].hardness > Hardness::Hard))
+            continue;  // what falls on rock loads nothing
+        out.push_back(ImpactLoadEdit{handle, impact.position,
+                                     impact.normal * (body == impact.body ? impact.impulse : -impact.impulse)});
         return;
     }
 }
@@ -72,10 +78,12 @@ Edits World::damageFrom(std::span<const Impact> impacts) const {
     for (const Impact& impact : impacts) {
         double heavier = 0.0;
         for (const BodyHandle handle : {impact.body, impact.other})
-            if (const Body* body = m_bodies.find(handle); body && !body->isStatic) heavier = std::max(heavier, bodyMass(handle).mass);
+            if (const Body* body = m_bodies.find(handle); body && !body->isStatic)
+                heavier = std::max(heavier, bodyMass(handle).mass);
         if (impact.impulse >= m_settings.impactSpeed * heavier && impact.impulse > 0.0) hardest.push_back(&impact);
     }
-    std::stable_sort(hardest.begin(), hardest.end(), [](const Impact* a, const Impact* b) { return a->impulse > b->impulse; });
+    std::stable_sort(hardest.begin(), hardest.end(),
+                     [](const Impact* a, const Impact* b) { return a->impulse > b->impulse; });
     size_t broken = 0;
     for (const Impact* impact : hardest) {
         const size_t before = edits.size();

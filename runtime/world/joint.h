@@ -18,21 +18,22 @@ enum class JointKind : uint8_t {
     Cone,       ///< one point in common, and the axes at most limits.high radians apart
     Fixed,      ///< as if one
     Rope,       ///< a chain of points between the ends
-    Wheel,      ///< end 0: a chassis, end 1: a wheel. It travels along y of end 0's frame, up, and spins about its own x, which points left:
-                ///< then spinning forward drives forward and steering by a positive angle turns left
+    Wheel,  ///< end 0: a chassis, end 1: a wheel. It travels along y of end 0's frame, up, and spins about its own x,
+            ///< which points left: then spinning forward drives forward and steering by a positive angle turns left
 };
 
 /// What a joint is fixed to: a voxel of a shape, or the world. It goes with that voxel into whatever piece has it.
 struct JointEnd {
-    ShapeHandle shape;     ///< empty: the world
-    Pose frame;            ///< in the shape's space, whose origin is the corner of its grid; metres
-    glm::ivec3 cell{-1};   ///< of the voxel that holds it; negative: the nearest one is looked for when the joint is made
-    double radius = 0.2;   ///< metres from the frame's origin within which that voxel must be
+    ShapeHandle shape;  ///< empty: the world
+    Pose frame;         ///< in the shape's space, whose origin is the corner of its grid; metres
+    glm::ivec3 cell{
+        -1};  ///< of the voxel that holds it; negative: the nearest one is looked for when the joint is made
+    double radius = 0.2;  ///< metres from the frame's origin within which that voxel must be
     bool isFree = false;  ///< of a rope: nothing holds this end
 };
 
-/// Of the free motion: a hinge's angle, at most pi either way, a prismatic joint's or a wheel's travel in metres; of a ball or cone joint,
-/// `high` is the largest angle between the axes.
+/// Of the free motion: a hinge's angle, at most pi either way, a prismatic joint's or a wheel's travel in metres; of a
+/// ball or cone joint, `high` is the largest angle between the axes.
 struct JointLimits {
     bool on = false;
     double low = 0.0, high = 0.0;
@@ -40,11 +41,11 @@ struct JointLimits {
 
 enum class MotorMode : uint8_t { Off, Speed, Position };
 
-/// Drives the free motion: a hinge's or wheel's turning (radians), a prismatic joint's way (metres). A rope's motor is a winch: it changes its
-/// length.
+/// Drives the free motion: a hinge's or wheel's turning (radians), a prismatic joint's way (metres). A rope's motor is
+/// a winch: it changes its length.
 struct JointMotor {
     MotorMode mode = MotorMode::Off;
-    double target = 0.0;     ///< rad/s or m/s; or radians or metres
+    double target = 0.0;    ///< rad/s or m/s; or radians or metres
     double maxForce = 0.0;  ///< N m or N that it has; a winch has any
 };
 
@@ -87,8 +88,8 @@ struct Joint {
     JointLimits limits;
     JointMotor motor;
     JointSpring spring;
-    double friction = 0.0;                       ///< N m, of a prismatic joint N, that holds against the free motion: a wheel's brake
-    double maxForce = 0.0;                      ///< N that it pulls with, and no more; 0: any
+    double friction = 0.0;  ///< N m, of a prismatic joint N, that holds against the free motion: a wheel's brake
+    double maxForce = 0.0;  ///< N that it pulls with, and no more; 0: any
     double breakForce = 0.0, breakTorque = 0.0;  ///< N and N m over a step at which it breaks; 0: never
     double steer = 0.0;                          ///< of a wheel: radians about y
     WheelSettings wheel;

@@ -17,7 +17,8 @@ void insert(std::vector<JointHandle>& list, JointHandle handle) {
 
 void JointIndex::add(JointHandle handle, const Joint& joint) {
     for (size_t i = 0; i < 2; ++i)
-        if (const ShapeHandle shape = joint.ends[i].shape; shape && (i == 0 || shape != joint.ends[0].shape)) insert(m_byShape[shape.slot()], handle);
+        if (const ShapeHandle shape = joint.ends[i].shape; shape && (i == 0 || shape != joint.ends[0].shape))
+            insert(m_byShape[shape.slot()], handle);
     if (joint.kind == JointKind::Rope) insert(m_ropes, handle);
     if (joint.hand) insert(m_grabs, handle);
 }

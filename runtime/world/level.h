@@ -29,7 +29,7 @@ struct LevelShape {
     bool hidden = false;
     PaintColorsRef paintColors;  ///< null: no voxel has a paint layer
     float strength = 1.0f;       ///< multiple of its materials' strengths
-    bool loadBearing = true;       ///< false: it never breaks under its load
+    bool loadBearing = true;     ///< false: it never breaks under its load
     uint8_t collisionLayer = 1;  ///< bits; two shapes touch if each one's layer is in the other's mask
     uint8_t collisionMask = 255;
 };
@@ -64,7 +64,8 @@ struct Level {
     std::vector<LevelBody> bodies;
     std::vector<LevelLight> lights;
     std::vector<LightGroup> lightGroups;
-    uint32_t autoLightGroups = 0;  ///< at most this many groups are made from glowing voxels that have none; see fitLights()
+    uint32_t autoLightGroups =
+        0;  ///< at most this many groups are made from glowing voxels that have none; see fitLights()
     Environment environment;
     std::vector<std::pair<std::string, Pose>> locations;  ///< named places: spawn points, cameras
     std::vector<Water> waters;

@@ -8,7 +8,8 @@ struct SetEnvironmentEdit {
     Environment environment;
 };
 
-/// Makes a light, on a shape or free in the world: FrameChanges::lightsAdded has its handle. One of a group that is out stays dark.
+/// Makes a light, on a shape or free in the world: FrameChanges::lightsAdded has its handle. One of a group that is out
+/// stays dark.
 struct AddLightEdit {
     Light light;
 };

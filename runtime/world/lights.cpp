@@ -20,16 +20,22 @@ struct NumberRange {
 constexpr float kMaxValue = 1e6f;
 
 constexpr NumberRange<Light, float> kLightNumbers[] = {
-    {"radius", &Light::radius, 0.0f, 1e3f},         {"reach", &Light::reach, 0.0f, 1e5f}, {"cone_inner", &Light::coneInner, 0.0f, 3.15f},
-    {"cone_outer", &Light::coneOuter, 0.0f, 3.15f}, {"width", &Light::width, 0.0f, 1e3f}, {"height", &Light::height, 0.0f, 1e3f},
+    {"radius", &Light::radius, 0.0f, 1e3f},         {"reach", &Light::reach, 0.0f, 1e5f},
+    {"cone_inner", &Light::coneInner, 0.0f, 3.15f}, {"cone_outer", &Light::coneOuter, 0.0f, 3.15f},
+    {"width", &Light::width, 0.0f, 1e3f},           {"height", &Light::height, 0.0f, 1e3f},
 };
 constexpr NumberRange<Light, glm::vec3> kLightVectors[] = {{"color", &Light::color, 0.0f, kMaxValue}};
 constexpr NumberRange<Environment, float> kEnvironmentNumbers[] = {
-    {"sun_angle", &Environment::sunAngle, 0.0f, 1.5f},      {"fog_distance", &Environment::fogDistance, 1e-3f, 1e9f},
-    {"fog_density", &Environment::fogDensity, 0.0f, kMaxValue}, {"fog_base", &Environment::fogBase, -kMaxValue, kMaxValue},
-    {"fog_height", &Environment::fogHeight, 1e-3f, kMaxValue},  {"fog_forward", &Environment::fogForward, -0.9f, 0.9f},
-    {"clouds", &Environment::clouds, 0.0f, 1.0f},           {"stars", &Environment::stars, 0.0f, kMaxValue},
-    {"exposure", &Environment::exposure, 0.0f, kMaxValue},      {"wetness", &Environment::wetness, 0.0f, 1.0f},
+    {"sun_angle", &Environment::sunAngle, 0.0f, 1.5f},
+    {"fog_distance", &Environment::fogDistance, 1e-3f, 1e9f},
+    {"fog_density", &Environment::fogDensity, 0.0f, kMaxValue},
+    {"fog_base", &Environment::fogBase, -kMaxValue, kMaxValue},
+    {"fog_height", &Environment::fogHeight, 1e-3f, kMaxValue},
+    {"fog_forward", &Environment::fogForward, -0.9f, 0.9f},
+    {"clouds", &Environment::clouds, 0.0f, 1.0f},
+    {"stars", &Environment::stars, 0.0f, kMaxValue},
+    {"exposure", &Environment::exposure, 0.0f, kMaxValue},
+    {"wetness", &Environment::wetness, 0.0f, 1.0f},
 };
 constexpr NumberRange<Environment, glm::vec3> kEnvironmentVectors[] = {
     {"sun_direction", &Environment::sunDirection, -kMaxValue, kMaxValue},
@@ -51,17 +57,21 @@ std::string numberError(const std::string& name, double value, double low, doubl
 
 /// Of the first number that is out of its range.
 template <class T, size_t kNumbers, size_t kVectors>
-std::string rangeError(const T& value, const NumberRange<T, float> (&numbers)[kNumbers], const NumberRange<T, glm::vec3> (&vectors)[kVectors]) {
+std::string rangeError(const T& value, const NumberRange<T, float> (&numbers)[kNumbers],
+                       const NumberRange<T, glm::vec3> (&vectors)[kVectors]) {
     for (const auto& [name, number, low, high] : numbers)
         if (std::string error = numberError(name, value.*number, low, high); !error.empty()) return error;
     for (const auto& [name, vector, low, high] : vectors)
         for (int i = 0; i < 3; ++i)
-            if (std::string error = numberError(name + ("[" + std::to_string(i) + "]"), (value.*vector)[i], low, high); !error.empty()) return error;
+            if (std::string error = numberError(name + ("[" + std::to_string(i) + "]"), (value.*vector)[i], low, high);
+                !error.empty())
+                return error;
     return "";
 }
 
 template <class T, size_t kNumbers, size_t kVectors>
-uint64_t hashRanges(const T& value, const NumberRange<T, float> (&numbers)[kNumbers], const NumberRange<T, glm::vec3> (&vectors)[kVectors]) {
+uint64_t hashRanges(const T& value, const NumberRange<T, float> (&numbers)[kNumbers],
+                    const NumberRange<T, glm::vec3> (&vectors)[kVectors]) {
     uint64_t hash = 0;
     for (const auto& range : numbers) hash = hashValue(value.*range.value, hash);
     for (const auto& range : vectors) hash = hashBytes(&(value.*range.value), sizeof(glm::vec3), hash);
@@ -74,13 +84,19 @@ std::string lightError(const Light& light) {
     constexpr double kMaxCoordinate = 1e9;
     const glm::dquat& q = light.local.rotation;
     for (int i = 0; i < 3; ++i)
-        if (std::string error = numberError("position[" + std::to_string(i) + "]", light.local.position[i], -kMaxCoordinate, kMaxCoordinate); !error.empty())
+        if (std::string error = numberError("position[" + std::to_string(i) + "]", light.local.position[i],
+                                            -kMaxCoordinate, kMaxCoordinate);
+            !error.empty())
             return error;
-    if (std::string error = numberError("the squared length of its rotation", glm::dot(q, q), 0.998, 1.002); !error.empty()) return error;
-    if (std::string error = numberError("kind", double(light.kind), 0.0, double(LightKind::Screen)); !error.empty()) return error;
+    if (std::string error = numberError("the squared length of its rotation", glm::dot(q, q), 0.998, 1.002);
+        !error.empty())
+        return error;
+    if (std::string error = numberError("kind", double(light.kind), 0.0, double(LightKind::Screen)); !error.empty())
+        return error;
     if (!light.image.isWhole())
-        return "its image has " + std::to_string(light.image.texels.size()) + " texels in rows of " + std::to_string(light.image.width) +
-               ", expected whole rows and at most " + std::to_string(kMaxLightImageSide) + " texels a side";
+        return "its image has " + std::to_string(light.image.texels.size()) + " texels in rows of " +
+               std::to_string(light.image.width) + ", expected whole rows and at most " +
+               std::to_string(kMaxLightImageSide) + " texels a side";
     return rangeError(light, kLightNumbers, kLightVectors);
 }
 
@@ -94,7 +110,8 @@ uint64_t Light::hash() const {
 }
 
 std::string environmentError(const Environment& environment) {
-    if (std::string error = rangeError(environment, kEnvironmentNumbers, kEnvironmentVectors); !error.empty()) return error;
+    if (std::string error = rangeError(environment, kEnvironmentNumbers, kEnvironmentVectors); !error.empty())
+        return error;
     return glm::length(environment.sunDirection) > 1e-6f ? "" : "sun_direction is zero, expected a direction";
 }
 

@@ -9,18 +9,19 @@
 
 namespace rubble {
 
-/// What shines, as an emitter of constant radiance that is seen through the window (1 - (d / reach)^4)^2 of the distance d from the place
-/// lit to the point of the light; exact otherwise (tests/render/local_lights_test.cpp):
+/// What shines, as an emitter of constant radiance that is seen through the window (1 - (d / reach)^4)^2 of the
+/// distance d from the place lit to the point of the light; exact otherwise (tests/render/local_lights_test.cpp):
 ///   Sphere   a ball of radiance color / (pi radius^2)
-///   Cone     the same times e^2: e goes from 0 at the outer half angle to 1 at the inner one, by the cosine to -z at the ball's centre
-///   Capsule  such a ball that is anywhere on a line of `width` metres along x, evenly
-///   Area     a rectangle of `width` by `height` metres along x and y, of radiance color / (width height)
-///   Screen   the same times its picture
-/// What a ray would meet within max(radius, 0.12) metres of the light does not count: a light sits among its own glowing voxels.
+///   Cone     the same times e^2: e goes from 0 at the outer half angle to 1 at the inner one, by the cosine to -z at
+///   the ball's centre Capsule  such a ball that is anywhere on a line of `width` metres along x, evenly Area     a
+///   rectangle of `width` by `height` metres along x and y, of radiance color / (width height) Screen   the same times
+///   its picture
+/// What a ray would meet within max(radius, 0.12) metres of the light does not count: a light sits among its own
+/// glowing voxels.
 enum class LightKind : uint8_t { Sphere, Cone, Capsule, Area, Screen };
 
 inline constexpr uint32_t kMaxLightImageSide = 64;  ///< texels
-inline constexpr size_t kMaxLights = 1u << 16;   ///< that edits fill a World up to; a level may bring more
+inline constexpr size_t kMaxLights = 1u << 16;      ///< that edits fill a World up to; a level may bring more
 
 /// What a screen shows: rows from the top, as seen by who looks at it.
 struct LightImage {
@@ -29,7 +30,10 @@ struct LightImage {
 
     uint32_t height() const { return width ? uint32_t(texels.size()) / width : 0; }
     /// Whole rows, and no side above kMaxLightImageSide.
-    bool isWhole() const { return width <= kMaxLightImageSide && height() <= kMaxLightImageSide && texels.size() == size_t(width) * height(); }
+    bool isWhole() const {
+        return width <= kMaxLightImageSide && height() <= kMaxLightImageSide &&
+               texels.size() == size_t(width) * height();
+    }
     friend bool operator==(const LightImage&, const LightImage&) = default;
 };
 
@@ -47,17 +51,19 @@ struct Light {
     float width = 0.0f;      ///< metres along x of `local`
     float height = 0.0f;     ///< along y
     bool twoSided = false;   ///< an area shines along +z too
-    LightImage image;    ///< of a screen; none: white
+    LightImage image;        ///< of a screen; none: white
     LightGroupHandle group;  ///< that puts it out; empty: none
     bool enabled = true;
 
     uint64_t hash() const;
 };
-/// Which number of a light is out of its range, with what was expected and found; empty: none. Handles are not looked at.
+/// Which number of a light is out of its range, with what was expected and found; empty: none. Handles are not looked
+/// at.
 std::string lightError(const Light& light);
 
-/// Emissive voxels that live and die together with their lights. Voxels belong to a group by their palette entry. A group
-/// with a supply also dies when no path of wire (voxels of the material "wire") leads from there to one of its voxels.
+/// Emissive voxels that live and die together with their lights. Voxels belong to a group by their palette entry. A
+/// group with a supply also dies when no path of wire (voxels of the material "wire") leads from there to one of its
+/// voxels.
 struct LightGroup {
     std::string name;
     float threshold = 0.4f;  ///< share of its voxels that must be destroyed to put it out
@@ -67,7 +73,7 @@ struct LightGroup {
     std::string supplyShape;    ///< "" = needs none
     glm::ivec3 supplyCell{0};   ///< of that shape: where the wire begins
     uint32_t flickerSteps = 0;  ///< how long it flickers before it is out
-    uint64_t failingSince = 0;    ///< step; 0: it is not
+    uint64_t failingSince = 0;  ///< step; 0: it is not
     bool dark = false;          ///< in this moment of its flickering
     ShapeHandle supply;         ///< a World's handle of supplyShape; empty: needs none, or was never connected
 };
@@ -82,7 +88,8 @@ struct Environment {
     glm::vec3 groundColor{0.25f, 0.22f, 0.20f};  ///< light from below the horizon
     glm::vec3 fogColor{0.62f, 0.66f, 0.72f};
     float fogDistance = 150.0f;  ///< metres at which the haze takes half
-    float fogDensity = 0.0f;   ///< of fog that lights throw shafts into: share of light it takes in a metre at fogBase. 0: none, and nothing is paid
+    float fogDensity = 0.0f;   ///< of fog that lights throw shafts into: share of light it takes in a metre at fogBase.
+                               ///< 0: none, and nothing is paid
     float fogBase = 0.0f;      ///< height, metres
     float fogHeight = 12.0f;   ///< metres over fogBase at which it is 1/e as thick
     float fogForward = 0.45f;  ///< how much it scatters forward: mean cosine, -0.9 to 0.9

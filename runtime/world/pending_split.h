@@ -6,8 +6,8 @@
 
 namespace rubble {
 
-/// A shape that was cut and waits for its split; see SplitSettings. First come, first served; cut again, it keeps its place
-/// and is searched from the start.
+/// A shape that was cut and waits for its split; see SplitSettings. First come, first served; cut again, it keeps its
+/// place and is searched from the start.
 struct PendingSplit {
     ShapeHandle shape;
     BrickSet cut;

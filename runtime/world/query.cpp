@@ -48,7 +48,8 @@ public:
         for (size_t i = 0; i < 256; ++i) {
             const PaletteEntry& entry = (*m_palette)[i];
             const bool isUnphysical = m_world.materials()[entry.material].hardness == Hardness::Unphysical;
-            m_entries[i] = !(m_filter.rejectTransparent && entry.opacity < 255) && !(m_filter.rejectUnphysical && isUnphysical);
+            m_entries[i] =
+                !(m_filter.rejectTransparent && entry.opacity < 255) && !(m_filter.rejectUnphysical && isUnphysical);
         }
         m_all = std::all_of(m_entries.begin(), m_entries.end(), [](bool accepted) { return accepted; });
         return m_all ? nullptr : &m_entries;
@@ -91,7 +92,8 @@ WorldHit castRayWith(const World& world, const RayQuery& ray, ShapeFilter& filte
     const auto visit = [&](ShapeHandle handle, const Shape& shape) {
         const Pose pose = world.shapeToWorld(handle);
         const double cellsPerMetre = 1.0 / shape.voxelSize;
-        const CellRay cells{pose.inversePoint(ray.origin) * cellsPerMetre, glm::conjugate(pose.rotation) * direction, best.distance * cellsPerMetre};
+        const CellRay cells{pose.inversePoint(ray.origin) * cellsPerMetre, glm::conjugate(pose.rotation) * direction,
+                            best.distance * cellsPerMetre};
         const CellHit hit = walkRay(shape.grid, cells, filter.entries(shape));
         const double distance = hit.t * shape.voxelSize;
         if (!hit.hit || !isBetter(distance, handle.slot(), best)) return;
@@ -106,7 +108,9 @@ WorldHit castRayWith(const World& world, const RayQuery& ray, ShapeFilter& filte
                 shape.grid.at(hit.cell)};
     };
     forEachShape(
-        world, filter, [&](const WorldBox& box) { return intersects(box, glm::dvec3(0.0), ray.origin, direction, best.distance); }, visit);
+        world, filter,
+        [&](const WorldBox& box) { return intersects(box, glm::dvec3(0.0), ray.origin, direction, best.distance); },
+        visit);
     return best;
 }
 
@@ -121,19 +125,27 @@ WorldHit castShapeWith(const World& world, const CastQuery& cast, ShapeFilter& f
     const auto visit = [&](ShapeHandle handle, const Shape& shape) {
         const Pose pose = world.shapeToWorld(handle);
         const double size = shape.voxelSize;
-        const CellContact touch = castShape(shape.grid, cast.shape.inCells(pose, size), glm::conjugate(pose.rotation) * direction, best.distance / size,
-                                          filter.entries(shape));
+        const CellContact touch =
+            castShape(shape.grid, cast.shape.inCells(pose, size), glm::conjugate(pose.rotation) * direction,
+                      best.distance / size, filter.entries(shape));
         if (!touch.hit || !isBetter(touch.t * size, handle.slot(), best)) return;
-        best = {true,       touch.t * size,           pose.transformPoint(touch.point * size), pose.rotation * touch.normal, handle,
-                touch.cell, shape.grid.at(touch.cell)};
+        best = {true,
+                touch.t * size,
+                pose.transformPoint(touch.point * size),
+                pose.rotation * touch.normal,
+                handle,
+                touch.cell,
+                shape.grid.at(touch.cell)};
     };
     forEachShape(
-        world, filter, [&](const WorldBox& box) { return intersects(box, halfExtent, middle, direction, best.distance); }, visit);
+        world, filter,
+        [&](const WorldBox& box) { return intersects(box, halfExtent, middle, direction, best.distance); }, visit);
     return best;
 }
 
 template <class Query, class Answer>
-void inBatches(std::span<const Query> queries, std::span<WorldHit> out, const ParallelFor& parallelFor, Answer&& answer) {
+void inBatches(std::span<const Query> queries, std::span<WorldHit> out, const ParallelFor& parallelFor,
+               Answer&& answer) {
     assert(queries.size() == out.size());
     const size_t count = queries.size();
     parallelFor((count + kBatch - 1) / kBatch, [&](size_t batch) {
@@ -159,7 +171,8 @@ CellBox solidBox(const VoxelGrid& grid) {
     CellBox box{grid.size(), glm::ivec3(0)};
     grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         const glm::ivec3 low = position * kBrickSize;
-        if (glm::all(glm::lessThanEqual(box.low, low)) && glm::all(glm::lessThanEqual(low + kBrickSize, box.high))) return;
+        if (glm::all(glm::lessThanEqual(box.low, low)) && glm::all(glm::lessThanEqual(low + kBrickSize, box.high)))
+            return;
         forEachVoxel(brick->occupancy, [&](int i) {
             box.low = glm::min(box.low, low + voxelInBrick(i));
             box.high = glm::max(box.high, low + voxelInBrick(i) + 1);
@@ -174,7 +187,8 @@ WorldBox QueryShape::bounds() const {
     if (kind == QueryShapeKind::Sphere) return {position - radius, position + radius};
     if (kind == QueryShapeKind::Capsule) return {glm::min(position, end) - radius, glm::max(position, end) + radius};
     const glm::dmat3 axes = glm::mat3_cast(rotation);
-    const glm::dvec3 halfExtent = glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
+    const glm::dvec3 halfExtent =
+        glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
     return {position - halfExtent, position + halfExtent};
 }
 
@@ -193,7 +207,8 @@ CellShape QueryShape::inCells(const Pose& gridToWorld, double voxelSize) const {
 WorldHit castRay(const World& world, const RayQuery& ray, const QueryFilter& filter) {
     ShapeFilter shapes(world, filter);
     if (!(ray.radius > 0.0)) return castRayWith(world, ray, shapes);
-    return castShapeWith(world, {{.position = ray.origin, .radius = ray.radius}, ray.direction, ray.maxDistance}, shapes);
+    return castShapeWith(world, {{.position = ray.origin, .radius = ray.radius}, ray.direction, ray.maxDistance},
+                         shapes);
 }
 
 void castRays(const World& world, std::span<const RayQuery> rays, std::span<WorldHit> out, const QueryFilter& filter,
@@ -203,7 +218,9 @@ void castRays(const World& world, std::span<const RayQuery> rays, std::span<Worl
         for (size_t i = 0; i < queries.size(); ++i) {
             const RayQuery& ray = queries[i];
             hits[i] = ray.radius > 0.0
-                          ? castShapeWith(world, {{.position = ray.origin, .radius = ray.radius}, ray.direction, ray.maxDistance}, shapes)
+                          ? castShapeWith(
+                                world, {{.position = ray.origin, .radius = ray.radius}, ray.direction, ray.maxDistance},
+                                shapes)
                           : castRayWith(world, ray, shapes);
         }
     });
@@ -214,8 +231,8 @@ WorldHit castShape(const World& world, const CastQuery& cast, const QueryFilter&
     return castShapeWith(world, cast, shapes);
 }
 
-void castShapes(const World& world, std::span<const CastQuery> casts, std::span<WorldHit> out, const QueryFilter& filter,
-                const ParallelFor& parallelFor) {
+void castShapes(const World& world, std::span<const CastQuery> casts, std::span<WorldHit> out,
+                const QueryFilter& filter, const ParallelFor& parallelFor) {
     inBatches(casts, out, parallelFor, [&](std::span<const CastQuery> queries, std::span<WorldHit> hits) {
         ShapeFilter shapes(world, filter);
         for (size_t i = 0; i < queries.size(); ++i) hits[i] = castShapeWith(world, queries[i], shapes);
@@ -245,7 +262,8 @@ bool overlapsBody(const World& world, BodyHandle body, const QueryShape& region,
     for (const ShapeHandle handle : world.bodies().at(body).shapes) {
         const Shape& shape = world.shapes().at(handle);
         if (!shapes.accepts(handle, shape)) continue;
-        if (findOverlap(shape.grid, region.inCells(world.shapeToWorld(handle), shape.voxelSize), shapes.entries(shape))) return true;
+        if (findOverlap(shape.grid, region.inCells(world.shapeToWorld(handle), shape.voxelSize), shapes.entries(shape)))
+            return true;
     }
     return false;
 }
@@ -258,7 +276,10 @@ std::vector<ShapeHandle> shapesInBox(const World& world, const WorldBox& box, co
         [&](ShapeHandle handle, const Shape& shape) {
             const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
             const Pose pose = world.shapeToWorld(handle);
-            const QueryShape all{.kind = QueryShapeKind::Box, .position = pose.transformPoint(half), .halfSize = half, .rotation = pose.rotation};
+            const QueryShape all{.kind = QueryShapeKind::Box,
+                                 .position = pose.transformPoint(half),
+                                 .halfSize = half,
+                                 .rotation = pose.rotation};
             if (all.bounds().overlaps(box)) out.push_back(handle);
         });
     sortUnique(out);
@@ -274,17 +295,25 @@ WorldHit closestPoint(const World& world, glm::dvec3 point, double maxDistance, 
     WorldHit best;
     if (!(maxDistance >= 0.0)) return best;
     best.distance = maxDistance;
-    const auto isNear = [&](const WorldBox& box) { return glm::length(point - glm::clamp(point, box.low, box.high)) <= best.distance; };
+    const auto isNear = [&](const WorldBox& box) {
+        return glm::length(point - glm::clamp(point, box.low, box.high)) <= best.distance;
+    };
     forEachShape(world, shapes, isNear, [&](ShapeHandle handle, const Shape& shape) {
         const Pose pose = world.shapeToWorld(handle);
         const double size = shape.voxelSize;
-        const ClosestVoxel closest = findClosest(shape.grid, pose.inversePoint(point) / size, best.distance / size, shapes.entries(shape));
+        const ClosestVoxel closest =
+            findClosest(shape.grid, pose.inversePoint(point) / size, best.distance / size, shapes.entries(shape));
         if (!closest.found || !isBetter(closest.distance * size, handle.slot(), best)) return;
         const glm::dvec3 at = pose.transformPoint(closest.point * size);
         const glm::dvec3 away = point - at;
         const double length = glm::length(away);
-        best = {true,         closest.distance * size,    at, closest.distance > 0.0 && length > 0.0 ? away / length : glm::dvec3(0.0), handle,
-                closest.cell, shape.grid.at(closest.cell)};
+        best = {true,
+                closest.distance * size,
+                at,
+                closest.distance > 0.0 && length > 0.0 ? away / length : glm::dvec3(0.0),
+                handle,
+                closest.cell,
+                shape.grid.at(closest.cell)};
     });
     return best;
 }

@@ -10,9 +10,9 @@
 
 namespace rubble {
 
-// Questions about a World. They only read: any number may be asked side by side while nobody changes it. Each costs what is
-// near it, by the tree of bounds and the bricks, and answers from the voxels themselves. World space, metres. A NaN finds
-// nothing. Answers do not depend on the order in which shapes are met: of equals the lowest slot counts.
+// Questions about a World. They only read: any number may be asked side by side while nobody changes it. Each costs
+// what is near it, by the tree of bounds and the bricks, and answers from the voxels themselves. World space, metres. A
+// NaN finds nothing. Answers do not depend on the order in which shapes are met: of equals the lowest slot counts.
 
 /// What a question is about.
 struct QueryFilter {
@@ -53,17 +53,18 @@ struct CastQuery {
 /// The first voxel in a ray's way. For a ball, `position` is where it touches and `distance` how far its middle gets.
 WorldHit castRay(const World& world, const RayQuery& ray, const QueryFilter& filter = {});
 /// The same for many: out[i] answers rays[i].
-void castRays(const World& world, std::span<const RayQuery> rays, std::span<WorldHit> out, const QueryFilter& filter = {},
-              const ParallelFor& parallelFor = serialFor);
+void castRays(const World& world, std::span<const RayQuery> rays, std::span<WorldHit> out,
+              const QueryFilter& filter = {}, const ParallelFor& parallelFor = serialFor);
 
-/// The first voxel that a shape touches when it is moved without turning; distance 0 if it does where it starts. The normal
-/// points from the voxel to the shape.
+/// The first voxel that a shape touches when it is moved without turning; distance 0 if it does where it starts. The
+/// normal points from the voxel to the shape.
 WorldHit castShape(const World& world, const CastQuery& cast, const QueryFilter& filter = {});
-void castShapes(const World& world, std::span<const CastQuery> casts, std::span<WorldHit> out, const QueryFilter& filter = {},
-                const ParallelFor& parallelFor = serialFor);
+void castShapes(const World& world, std::span<const CastQuery> casts, std::span<WorldHit> out,
+                const QueryFilter& filter = {}, const ParallelFor& parallelFor = serialFor);
 
 /// Shapes, or bodies, with a voxel in a region, in slot order.
-std::vector<ShapeHandle> overlappingShapes(const World& world, const QueryShape& region, const QueryFilter& filter = {});
+std::vector<ShapeHandle> overlappingShapes(const World& world, const QueryShape& region,
+                                           const QueryFilter& filter = {});
 std::vector<BodyHandle> overlappingBodies(const World& world, const QueryShape& region, const QueryFilter& filter = {});
 /// Whether a body has a voxel in a region.
 bool overlapsBody(const World& world, BodyHandle body, const QueryShape& region, const QueryFilter& filter = {});

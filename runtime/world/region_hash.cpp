@@ -41,7 +41,8 @@ WorldBox Trigger::bounds() const {
     if (kind == TriggerKind::Sphere) return {pose.position - radius, pose.position + radius};
     if (kind == TriggerKind::Box) {
         const glm::dmat3 axes = glm::mat3_cast(pose.rotation);
-        const glm::dvec3 halfExtent = glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
+        const glm::dvec3 halfExtent =
+            glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
         return {pose.position - halfExtent, pose.position + halfExtent};
     }
     WorldBox box{{1e30, 0.0, 1e30}, {-1e30, height, -1e30}};
@@ -54,12 +55,14 @@ WorldBox Trigger::bounds() const {
 
 uint64_t Character::hash() const {
     uint64_t hash = 0;
-    for (const double value : {radius, height, crouchedHeight, stepHeight, steepest, mass, walkSpeed, crouchSpeed, jumpSpeed, swimSpeed, pushForce})
+    for (const double value : {radius, height, crouchedHeight, stepHeight, steepest, mass, walkSpeed, crouchSpeed,
+                               jumpSpeed, swimSpeed, pushForce})
         add(hash, value);
     for (const glm::dvec3& value : {wish, position, velocity}) add(hash, value);
-    const uint64_t flags =
-        uint64_t(wantsJump) | uint64_t(wantsCrouch) << 1 | uint64_t(grounded) << 2 | uint64_t(crouched) << 3 | uint64_t(swimming) << 4;
-    return hashValue(flags | uint64_t(collisionLayer) << 8 | uint64_t(collisionMask) << 16, hashValue(ground ? ground.slot() + 1 : 0, hash));
+    const uint64_t flags = uint64_t(wantsJump) | uint64_t(wantsCrouch) << 1 | uint64_t(grounded) << 2 |
+                           uint64_t(crouched) << 3 | uint64_t(swimming) << 4;
+    return hashValue(flags | uint64_t(collisionLayer) << 8 | uint64_t(collisionMask) << 16,
+                     hashValue(ground ? ground.slot() + 1 : 0, hash));
 }
 
 }  // namespace rubble

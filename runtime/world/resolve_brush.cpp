@@ -12,7 +12,8 @@ Brush resolveBrush(const CarveEdit& edit, const Pose& shapeToWorld, double voxel
         const glm::dquat boxToShape = glm::conjugate(shapeToWorld.rotation) * edit.rotation;
         return boxBrush(toCells(edit.position), edit.halfSize * cellsPerMetre, boxToShape, edit.hardnessLimit);
     }
-    const std::array<double, 3> radii = {edit.radii[0] * cellsPerMetre, edit.radii[1] * cellsPerMetre, edit.radii[2] * cellsPerMetre};
+    const std::array<double, 3> radii = {edit.radii[0] * cellsPerMetre, edit.radii[1] * cellsPerMetre,
+                                         edit.radii[2] * cellsPerMetre};
     if (edit.kind == BrushKind::Sphere) return sphereBrush(toCells(edit.position), radii);
     return capsuleBrush(toCells(edit.position), toCells(edit.end), radii);
 }

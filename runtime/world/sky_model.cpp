@@ -9,9 +9,10 @@ namespace rubble {
 namespace {
 
 // Red, green and blue of a clear sky straight up, fitted so that an afternoon's sun looks as scenes have it.
-constexpr glm::dvec3 kSolarIrradiance{17.2, 15.7, 15.4};     ///< irradiance outside the sunAirMass, in the renderer's units
-constexpr glm::dvec3 kOpticalDepth{0.15, 0.22, 0.37};        ///< optical depth of the whole sunAirMass: molecules and dust
-constexpr glm::dvec3 kRayleighDepth{0.05, 0.11, 0.25};    ///< the molecules' part, which makes the sky blue
+constexpr glm::dvec3 kSolarIrradiance{17.2, 15.7,
+                                      15.4};            ///< irradiance outside the sunAirMass, in the renderer's units
+constexpr glm::dvec3 kOpticalDepth{0.15, 0.22, 0.37};   ///< optical depth of the whole sunAirMass: molecules and dust
+constexpr glm::dvec3 kRayleighDepth{0.05, 0.11, 0.25};  ///< the molecules' part, which makes the sky blue
 constexpr glm::dvec3 kOzoneTwilight{0.012, 0.040, 0.120};  ///< what ozone leaves of the twilight overhead
 constexpr glm::vec3 kMoonDirection{-0.55f, 0.52f, 0.40f};
 constexpr glm::dvec3 kMoonIrradiance{0.15, 0.19, 0.28};  ///< irradiance: brighter than true, as films have it
@@ -44,7 +45,8 @@ struct Colors {
 };
 
 Colors clearColors(double sine) {
-    // The sky is lit lightDirection above, where a low sun's light comes transmittance less sunAirMass than where we stand.
+    // The sky is lit lightDirection above, where a low sun's light comes transmittance less sunAirMass than where we
+    // stand.
     const double sunAirMass = airMass(sine), skyAirMass = std::min(sunAirMass, 7.0);
     // The sun is gone at 1.5 degrees below the horizon, its light in the sunAirMass at 9.
     const double day = smoothStep(-0.16, 0.20, sine), sunVisible = smoothStep(-0.026, 0.02, sine);
@@ -84,7 +86,8 @@ void applySkyModel(Environment& environment, glm::vec3 sunDirection) {
     environment.sunColor = colors.sun;
     environment.skyColor = colors.sky;
     environment.horizonColor = colors.horizon;
-    environment.groundColor = colors.sun * (0.041 * std::max(double(lightDirection.y), 0.0)) + 0.10 * colors.sky + 0.06 * colors.horizon;
+    environment.groundColor =
+        colors.sun * (0.041 * std::max(double(lightDirection.y), 0.0)) + 0.10 * colors.sky + 0.06 * colors.horizon;
     environment.fogColor = glm::mix(colors.sky, colors.horizon, 0.45);
     environment.stars = float(smoothStep(0.03, 0.20, -sine) * (1.0 - smoothStep(0.5, 0.9, double(environment.clouds))));
 }

@@ -15,7 +15,8 @@ void World::addStress(ShapeHandle handle) {
     if (!shape.loadBearing || !m_bodies.at(shape.body).isStatic) return;
     if (shape.grid.brickCount() > m_settings.stress.largestShape) {
         logWarning("stress: shape \"" + shape.name + "\" has " + std::to_string(shape.grid.brickCount()) +
-                   " bricks and bears whatever comes; StressSettings::largestShape is " + std::to_string(m_settings.stress.largestShape));
+                   " bricks and bears whatever comes; StressSettings::largestShape is " +
+                   std::to_string(m_settings.stress.largestShape));
         return;
     }
     std::vector<glm::ivec3> bricks;

@@ -19,7 +19,7 @@ struct Trigger {
     Pose pose;                 ///< world; sphere and box: of their middle; polygon: its origin, which does not turn it
     double radius = 1.0;       ///< sphere, metres
     glm::dvec3 halfSize{1.0};  ///< box, metres
-    GroundPolygon outline;        ///< polygon: from the pose's position
+    GroundPolygon outline;     ///< polygon: from the pose's position
     double height = 1.0;       ///< polygon: upward from the pose's position, metres
     uint8_t layers = 255;      ///< only shapes with a collision layer in this mask count
     std::vector<std::string> tags;

@@ -26,7 +26,8 @@ void addMissing(WorldDelta& into, WorldDelta from) {
 
 /// For each slot of `slots`: its value in `first`, else in `second`.
 template <class Handle, class T>
-SlotValues<Handle, T> selectSlots(const SlotValues<Handle, T>& slots, const SlotValues<Handle, T>& first, SlotValues<Handle, T>& second) {
+SlotValues<Handle, T> selectSlots(const SlotValues<Handle, T>& slots, const SlotValues<Handle, T>& first,
+                                  SlotValues<Handle, T>& second) {
     SlotValues<Handle, T> out;
     for (const auto& [slot, value] : slots) {
         const auto found = first.find(slot);
@@ -51,7 +52,8 @@ void UndoHistory::mark(size_t limit) {
     while (m_marks.size() + 1 > limit && !m_marks.empty()) m_marks.pop_front();
 }
 
-/// Puts the entry's objects into the World, and what moved since back; returns those of its slots as they were before that.
+/// Puts the entry's objects into the World, and what moved since back; returns those of its slots as they were before
+/// that.
 WorldDelta UndoHistory::swapEntry(World& world, WorldDelta entry, FrameChanges& changes) {
     const WorldDelta slots = entry;
     const WorldDelta drift = m_onlyMotionSinceUndo ? std::move(m_current) : WorldDelta{};
@@ -75,7 +77,8 @@ WorldDelta UndoHistory::swapEntry(World& world, WorldDelta entry, FrameChanges& 
 }
 
 bool UndoHistory::undo(World& world, FrameChanges& changes) {
-    if (!m_onlyMotionSinceUndo && !m_current.empty()) m_marks.push_back(std::move(m_current)), m_current = m_baseline.emptyDelta();
+    if (!m_onlyMotionSinceUndo && !m_current.empty())
+        m_marks.push_back(std::move(m_current)), m_current = m_baseline.emptyDelta();
     if (m_marks.empty()) return false;
     WorldDelta entry = std::move(m_marks.back());
     m_marks.pop_back();

@@ -7,9 +7,9 @@
 
 namespace rubble {
 
-/// Exact undo and redo. Marks divide time; each keeps what was editState after it as it was at the mark, so undo costs what
-/// changed. It takes back everything since the mark, what physics moved too: the World has the resolvedHash() that it had
-/// there. Redo brings back the moment of the undo, unless something changed since.
+/// Exact undo and redo. Marks divide time; each keeps what was editState after it as it was at the mark, so undo costs
+/// what changed. It takes back everything since the mark, what physics moved too: the World has the resolvedHash() that
+/// it had there. Redo brings back the moment of the undo, unless something changed since.
 class UndoHistory {
 public:
     explicit UndoHistory(const World& world);
@@ -31,10 +31,10 @@ private:
     WorldDelta swapEntry(World& world, WorldDelta entry, FrameChanges& changes);
 
     WorldBaseline m_baseline;
-    std::deque<WorldDelta> m_marks;  ///< what was editState between each mark and the next, as it was at the mark
-    WorldDelta m_current;               ///< the same since the last of them, or, drifting, since the last undo or redo
-    bool m_onlyMotionSinceUndo = false;          ///< nothing but motion since an undo or redo
-    std::vector<WorldDelta> m_redo;  ///< what was undone, as it was at the undo; the last comes back first
+    std::deque<WorldDelta> m_marks;      ///< what was editState between each mark and the next, as it was at the mark
+    WorldDelta m_current;                ///< the same since the last of them, or, drifting, since the last undo or redo
+    bool m_onlyMotionSinceUndo = false;  ///< nothing but motion since an undo or redo
+    std::vector<WorldDelta> m_redo;      ///< what was undone, as it was at the undo; the last comes back first
 };
 
 }  // namespace rubble

@@ -32,7 +32,9 @@ struct Water {
     float clarity = 3.0f;                ///< metres
     WaterWaves waves;
 
-    bool contains(glm::dvec3 point) const { return point.y <= surface && point.y >= surface - depth && rubble::contains(outline, point.x, point.z); }
+    bool contains(glm::dvec3 point) const {
+        return point.y <= surface && point.y >= surface - depth && rubble::contains(outline, point.x, point.z);
+    }
     /// Of all that decides what happens.
     uint64_t hash() const;
     WorldBox bounds() const {

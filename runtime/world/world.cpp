@@ -19,7 +19,8 @@ CellBox bottomLayer(const VoxelGrid& grid) {
     int lowest = grid.size().y;
     grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         if (position.y * kBrickSize >= lowest) return;
-        forEachVoxel(brick->occupancy, [&](int i) { lowest = std::min(lowest, position.y * kBrickSize + voxelInBrick(i).y); });
+        forEachVoxel(brick->occupancy,
+                     [&](int i) { lowest = std::min(lowest, position.y * kBrickSize + voxelInBrick(i).y); });
     });
     return {{0, lowest, 0}, {grid.size().x, lowest + 1, grid.size().z}};
 }
@@ -52,7 +53,15 @@ WorldBox boundsOf(const Shape& shape, const Pose& pose) {
 }  // namespace
 
 World::World(uint8_t id)
-    : m_id(id), m_bodies(id), m_shapes(id), m_lights(id), m_groups(id), m_waters(id), m_triggers(id), m_characters(id), m_joints(id) {}
+    : m_id(id),
+      m_bodies(id),
+      m_shapes(id),
+      m_lights(id),
+      m_groups(id),
+      m_waters(id),
+      m_triggers(id),
+      m_characters(id),
+      m_joints(id) {}
 World::~World() = default;
 World::World(const World&) = default;
 World::World(World&&) noexcept = default;
@@ -102,8 +111,10 @@ void World::load(const Level& level) {
     const auto isHidden = [](const LevelShape& shape) { return shape.hidden; };  // kept in files, not part of the world
     for (const LevelBody& source : level.bodies) {
         if (!source.shapes.empty() && std::all_of(source.shapes.begin(), source.shapes.end(), isHidden)) continue;
-        Body body{source.name, source.pose, source.velocity, source.angularVelocity, source.isStatic, false, {}, source.tags};
-        body.asleep = !source.isStatic && source.velocity == glm::vec3(0.0f) && source.angularVelocity == glm::vec3(0.0f);
+        Body body{source.name, source.pose, source.velocity, source.angularVelocity, source.isStatic,
+                  false,       {},          source.tags};
+        body.asleep =
+            !source.isStatic && source.velocity == glm::vec3(0.0f) && source.angularVelocity == glm::vec3(0.0f);
         const BodyHandle bodyHandle = m_bodies.insert(std::move(body));
         for (const LevelShape& from : source.shapes) {
             if (isHidden(from)) continue;
@@ -174,7 +185,8 @@ void World::connectPowerSupplies() {
     m_groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
         if (!group.supply && group.supplyShape.empty()) return;
         if (!group.out && isPowered(handle, group)) return;
-        if (!group.out) logWarning("light group '" + group.name + "': no wire leads from its supply to its voxels: it needs none");
+        if (!group.out)
+            logWarning("light group '" + group.name + "': no wire leads from its supply to its voxels: it needs none");
         group.supply = {};
     });
 }
@@ -195,7 +207,9 @@ void World::countGroupVoxels() {
     std::vector<uint64_t> counts(m_groups.slotCount());
     m_shapes.forEach([&](ShapeHandle, const Shape& shape) {
         const Palette& palette = *shape.palette;
-        if (std::none_of(palette.begin(), palette.end(), [](const PaletteEntry& entry) { return entry.lightGroup != 0; })) return;
+        if (std::none_of(palette.begin(), palette.end(),
+                         [](const PaletteEntry& entry) { return entry.lightGroup != 0; }))
+            return;
         shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
             forEachVoxel(brick->occupancy, [&](int i) {
                 const uint32_t group = palette[brick->at(i)].lightGroup;
@@ -219,8 +233,9 @@ Level World::toLevel() const {
         LevelBody out{body.name, body.pose, body.isStatic, body.velocity, body.angularVelocity, {}, body.tags};
         for (const ShapeHandle handle : body.shapes) {
             const Shape& shape = m_shapes.at(handle);
-            out.shapes.push_back({shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors, shape.tags, false,
-                                  shape.paintColors, shape.strength, shape.loadBearing, shape.collisionLayer, shape.collisionMask});
+            out.shapes.push_back({shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors,
+                                  shape.tags, false, shape.paintColors, shape.strength, shape.loadBearing,
+                                  shape.collisionLayer, shape.collisionMask});
             shapeNames[handle.slot()] = shape.name;
         }
         level.bodies.push_back(std::move(out));
@@ -238,8 +253,12 @@ Level World::toLevel() const {
         level.lights.push_back(std::move(out));
     });
     m_waters.forEach([&](WaterHandle, const Water& water) { level.waters.push_back(water); });
-    m_triggers.forEach([&](TriggerHandle, const Trigger& trigger) { level.triggers.push_back(trigger), level.triggers.back().inside.clear(); });
-    m_characters.forEach([&](CharacterHandle, const Character& each) { level.characters.push_back(each), level.characters.back().ground = {}; });
+    m_triggers.forEach([&](TriggerHandle, const Trigger& trigger) {
+        level.triggers.push_back(trigger), level.triggers.back().inside.clear();
+    });
+    m_characters.forEach([&](CharacterHandle, const Character& each) {
+        level.characters.push_back(each), level.characters.back().ground = {};
+    });
     m_joints.forEach([&](JointHandle, const Joint& joint) {
         LevelJoint out{joint, {}};
         for (size_t i = 0; i < 2; ++i) {
@@ -299,7 +318,8 @@ void World::setCharacters(std::span<const CharacterMove> moves) {
 void World::updateDebris(BodyHandle handle) {
     const Body* body = m_bodies.find(handle);
     const Shape* shape = body && !body->isStatic && body->shapes.size() == 1 ? m_shapes.find(body->shapes[0]) : nullptr;
-    if (!shape || !shape->isPiece || shape->grid.voxelCount() > m_settings.debris.largestPiece) return m_debris.remove(handle.slot());
+    if (!shape || !shape->isPiece || shape->grid.voxelCount() > m_settings.debris.largestPiece)
+        return m_debris.remove(handle.slot());
     const RestState rest = body->settled ? RestState::Settled : body->asleep ? RestState::Asleep : RestState::Awake;
     m_debris.set({handle, rest, shape->grid.voxelCount(), body->createdStep, body->restingSince});
 }
@@ -308,22 +328,24 @@ void World::setSettings(const WorldSettings& settings) {
     const bool stressChanged = !(settings.stress == m_settings.stress);
     m_settings = settings;
     if (stressChanged) restartStress();
-    m_bodies.forEach([&](BodyHandle handle, const Body&) { updateDebris(handle); });  // what counts as debris may be another now
+    m_bodies.forEach(
+        [&](BodyHandle handle, const Body&) { updateDebris(handle); });  // what counts as debris may be another now
 }
 
 /// Whether a step without edits has something to say or to do about debris.
 bool World::hasDebrisWork() const {
     const DebrisSettings& limits = m_settings.debris;
     return !m_revived.empty() || m_debris.awakeCount() > limits.awakeBodies || m_debris.count() > limits.bodies ||
-           m_debris.voxels() > limits.voxels || (m_step >= limits.settleSteps && m_debris.asleepSince(m_step - limits.settleSteps));
+           m_debris.voxels() > limits.voxels ||
+           (m_step >= limits.settleSteps && m_debris.asleepSince(m_step - limits.settleSteps));
 }
 
 void World::updateShapeBounds(ShapeHandle handle) {
     m_shapeBounds.update(handle.slot(), boundsOf(m_shapes.at(handle), shapeToWorld(handle)));
 }
 
-/// The tree's margins depend on how a shape came to where it is, so what it finds is looked at again: nothing that happens
-/// next may depend on that.
+/// The tree's margins depend on how a shape came to where it is, so what it finds is looked at again: nothing that
+/// happens next may depend on that.
 std::vector<ShapeHandle> World::shapesNear(glm::dvec3 point, double radius) const {
     std::vector<ShapeHandle> out;
     if (!(radius >= 0.0)) return out;
@@ -349,7 +371,8 @@ Pose World::lightToWorld(const Light& light) const {
 MassProperties World::bodyMass(BodyHandle handle) const {
     const Body& body = m_bodies.at(handle);
     if (body.shapes.size() == 1)  // as all pieces are
-        if (const Shape& only = m_shapes.at(body.shapes[0]); only.local == Pose{}) return massProperties(only.moments, only.voxelSize);
+        if (const Shape& only = m_shapes.at(body.shapes[0]); only.local == Pose{})
+            return massProperties(only.moments, only.voxelSize);
     MassProperties sum;
     std::vector<std::pair<const Shape*, MassProperties>> parts;
     parts.reserve(body.shapes.size());
@@ -375,7 +398,9 @@ MassProperties World::bodyMass(BodyHandle handle) const {
 
 VoxelAccounting World::voxelAccounting() const {
     VoxelAccounting ledger{m_imported, 0, 0, m_removed};
-    m_shapes.forEach([&](ShapeHandle, const Shape& shape) { (shape.isPiece ? ledger.inPieces : ledger.standing) += shape.grid.voxelCount(); });
+    m_shapes.forEach([&](ShapeHandle, const Shape& shape) {
+        (shape.isPiece ? ledger.inPieces : ledger.standing) += shape.grid.voxelCount();
+    });
     return ledger;
 }
 
@@ -401,7 +426,8 @@ uint64_t World::voxelHash() const {
         hasher.add(hashPalette(*shape.palette));
         if (shape.paintColors) hasher.add(hashBytes(shape.paintColors.get(), sizeof(PaintColors)));
     });
-    m_groups.forEach([&](LightGroupHandle, const LightGroup& group) { hasher.add(group.removedVoxels << 1 | uint64_t(group.out)); });
+    m_groups.forEach(
+        [&](LightGroupHandle, const LightGroup& group) { hasher.add(group.removedVoxels << 1 | uint64_t(group.out)); });
     return hasher.state;
 }
 
@@ -447,7 +473,9 @@ uint64_t World::resolvedHash() const {
     addAll(m_triggers);
     addAll(m_characters);
     hasher.add(m_environment.hash());
-    m_joints.forEach([&](JointHandle handle, const Joint& joint) { hasher.state = hashJoint(joint, hashValue(handle.slot(), hasher.state)); });
+    m_joints.forEach([&](JointHandle handle, const Joint& joint) {
+        hasher.state = hashJoint(joint, hashValue(handle.slot(), hasher.state));
+    });
     return hasher.state;
 }
 

@@ -19,8 +19,8 @@
 #include "runtime/world/joint_index.h"
 #include "runtime/world/level.h"
 #include "runtime/world/pending_split.h"
-#include "runtime/world/world_stress.h"
 #include "runtime/world/world_settings.h"
+#include "runtime/world/world_stress.h"
 
 namespace rubble {
 
@@ -36,11 +36,11 @@ struct Shape {
     MassMoments moments;           ///< of the grid, always up to date
     std::vector<CellBox> anchors;  ///< cells that hold a static shape to the world
     std::vector<std::string> tags;
-    bool isPiece = false;        ///< came off something
-    bool knownConnected = false;   ///< known since its last split: a cut need only look around itself
-    bool loadBearing = true;       ///< false: left out of the stress analysis
-    float strength = 1.0f;       ///< multiple of its materials' strengths
-    uint8_t collisionLayer = 1;  ///< bits; two shapes touch if each one's layer is in the other's mask
+    bool isPiece = false;         ///< came off something
+    bool knownConnected = false;  ///< known since its last split: a cut need only look around itself
+    bool loadBearing = true;      ///< false: left out of the stress analysis
+    float strength = 1.0f;        ///< multiple of its materials' strengths
+    uint8_t collisionLayer = 1;   ///< bits; two shapes touch if each one's layer is in the other's mask
     uint8_t collisionMask = 255;
 };
 
@@ -56,7 +56,7 @@ struct Body {
     std::vector<std::string> tags;
     bool settled = false;       ///< asleep for so long that only what breaks or moves near it wakes it
     bool broken = false;        ///< has lost voxels
-    uint64_t createdStep = 0;          ///< step; 0: came with the level
+    uint64_t createdStep = 0;   ///< step; 0: came with the level
     uint64_t restingSince = 0;  ///< step at which it fell asleep; kept while asleep only
 };
 
@@ -116,7 +116,8 @@ public:
     World& operator=(const World&);
     World& operator=(World&&) noexcept;
 
-    /// Replaces everything by the level, and all handles from before go stale; the next applyEdits() reports levelReplaced.
+    /// Replaces everything by the level, and all handles from before go stale; the next applyEdits() reports
+    /// levelReplaced.
     void load(const Level& level);
     /// The whole world as data: load(toLevel()) gives the same hash of bodies and voxels.
     Level toLevel() const;
@@ -128,8 +129,8 @@ public:
     void setRopes(std::span<const RopeMotion> ropes);
     /// The edits that impacts cause by their force; see WorldSettings.
     Edits damageFrom(std::span<const Impact> impacts) const;
-    /// All that decides what happens next, and the World that has it: everything before is gone, all handles are those of
-    /// the state. The next applyEdits() reports levelReplaced. Undo starts anew.
+    /// All that decides what happens next, and the World that has it: everything before is gone, all handles are those
+    /// of the state. The next applyEdits() reports levelReplaced. Undo starts anew.
     WorldState state() const;
     void setState(WorldState state);
     /// Puts these objects in their slots, journals it and returns what was there.
@@ -145,8 +146,8 @@ public:
     const WorldSettings& settings() const { return m_settings; }
     void setSettings(const WorldSettings& settings);
 
-    /// Forgets what is only kept to save work, and begins it anew: stress analyses. A save does that in the running game too, so
-    /// that it goes on like one that was loaded.
+    /// Forgets what is only kept to save work, and begins it anew: stress analyses. A save does that in the running
+    /// game too, so that it goes on like one that was loaded.
     void resetCaches();
     /// The stress analyses; null while StressSettings are off.
     const WorldStress* stress() const { return m_stress ? &*m_stress : nullptr; }
@@ -179,8 +180,8 @@ public:
     Pose lightToWorld(const Light& light) const;
     /// Mass of all shapes of a body in the body's frame.
     MassProperties bodyMass(BodyHandle body) const;
-    /// Shapes whose bounds are within `radius` metres of a point, and perhaps a few more nearby, in slot order. Costs what is
-    /// found, not what exists.
+    /// Shapes whose bounds are within `radius` metres of a point, and perhaps a few more nearby, in slot order. Costs
+    /// what is found, not what exists.
     std::vector<ShapeHandle> shapesNear(glm::dvec3 point, double radius) const;
     /// First voxel that a world ray touches, up to maxDistance metres; direction need not be normalised.
     WorldHit raycast(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const;
@@ -196,8 +197,8 @@ public:
     const FireState& fire() const { return m_fire; }
     void setFire(FireState fire) { m_fire = std::move(fire); }
     uint64_t step() const { return m_step; }
-    /// Of everything that matters to what happens next: voxels, palettes, bodies, velocities, lights, groups, weather, heat, in slot order.
-    /// The number of the world and the generations of its slots do not matter to that.
+    /// Of everything that matters to what happens next: voxels, palettes, bodies, velocities, lights, groups, weather,
+    /// heat, in slot order. The number of the world and the generations of its slots do not matter to that.
     uint64_t hash() const;
     /// The same without the number of the step, heat, and analyses that go on over steps: what a recording's outcome
     /// comes to, and what an undo goes back to.
@@ -248,7 +249,7 @@ private:
     SlotMap<WaterHandle, Water> m_waters;
     SlotMap<TriggerHandle, Trigger> m_triggers;
     SlotMap<CharacterHandle, Character> m_characters;
-    BoundsTree m_shapeBounds;                    ///< of shapes, by slot
+    BoundsTree m_shapeBounds;               ///< of shapes, by slot
     BoundsTree m_triggerBounds;             ///< by slot
     std::vector<BodyHandle> m_movedBodies;  ///< since triggers were last looked at; empty if there are none
     SlotMap<JointHandle, Joint> m_joints;
@@ -260,11 +261,11 @@ private:
     Environment m_environment;
     WorldSettings m_settings;
     std::vector<std::pair<std::string, Pose>> m_locations;
-    uint8_t m_wire = 0;          ///< the material of wire; 0: none
+    uint8_t m_wire = 0;               ///< the material of wire; 0: none
     uint32_t m_flickeringGroups = 0;  ///< that flicker
     uint64_t m_imported = 0, m_removed = 0;
     std::vector<PendingSplit> m_pendingSplits;
-    std::vector<UndoHistory> m_undo;  ///< one, or none if nothing is to be remembered
+    std::vector<UndoHistory> m_undo;      ///< one, or none if nothing is to be remembered
     std::optional<WorldStress> m_stress;  ///< none: StressSettings are off
     std::string m_name;
 };

@@ -23,8 +23,8 @@ void updateSlot(const Map& now, Map& last, Handle handle, SlotValues<Handle, T>&
 
 template <class F>
 void forEachShapeIn(const FrameChanges& changes, F&& f) {
-    for (const auto* list :
-         {&changes.shapesDestroyed, &changes.shapesCreated, &changes.carved, &changes.palettes, &changes.unanchored, &changes.filters})
+    for (const auto* list : {&changes.shapesDestroyed, &changes.shapesCreated, &changes.carved, &changes.palettes,
+                             &changes.unanchored, &changes.filters})
         for (const ShapeHandle shape : *list) f(shape);
     for (const BrickChange& change : changes.bricks) f(change.shape);
     for (const ShapeSplit& split : changes.splits) f(split.parent);
@@ -67,14 +67,18 @@ WorldDelta WorldBaseline::update(const World& world, const FrameChanges& changes
         if (const Shape* is = world.shapes().find(world.shapes().handleAt(handle.slot()))) body(is->body);
         updateSlot(world.shapes(), m_last.shapes, handle, before.shapes);
     });
-    for (const auto* list : {&changes.bodiesDestroyed, &changes.bodiesCreated, &changes.teleported, &changes.settled, &changes.unsettled, &changes.broken})
+    for (const auto* list : {&changes.bodiesDestroyed, &changes.bodiesCreated, &changes.teleported, &changes.settled,
+                             &changes.unsettled, &changes.broken})
         for (const BodyHandle handle : *list) body(handle);
     for (const ImpulseApplied& impulse : changes.impulses) body(impulse.body);
     for (const LightHandle handle : changes.lights) updateSlot(world.lights(), m_last.lights, handle, before.lights);
-    for (const LightGroupHandle handle : changes.groups) updateSlot(world.lightGroups(), m_last.groups, handle, before.groups);
+    for (const LightGroupHandle handle : changes.groups)
+        updateSlot(world.lightGroups(), m_last.groups, handle, before.groups);
     for (const WaterHandle handle : changes.waters) updateSlot(world.waters(), m_last.waters, handle, before.waters);
-    for (const TriggerHandle handle : changes.triggers) updateSlot(world.triggers(), m_last.triggers, handle, before.triggers);
-    for (const CharacterHandle handle : changes.characters) updateSlot(world.characters(), m_last.characters, handle, before.characters);
+    for (const TriggerHandle handle : changes.triggers)
+        updateSlot(world.triggers(), m_last.triggers, handle, before.triggers);
+    for (const CharacterHandle handle : changes.characters)
+        updateSlot(world.characters(), m_last.characters, handle, before.characters);
     const auto joint = [&](JointHandle handle) { updateSlot(world.joints(), m_last.joints, handle, before.joints); };
     for (const auto* list : {&changes.jointsCreated, &changes.jointsChanged})
         for (const JointHandle handle : *list) joint(handle);
@@ -94,7 +98,8 @@ WorldDelta WorldBaseline::update(const World& world, const FrameChanges& changes
     return before;
 }
 
-void WorldBaseline::move(const World& world, std::span<const RopeMotion> ropes, SlotValues<JointHandle, Joint>& before) {
+void WorldBaseline::move(const World& world, std::span<const RopeMotion> ropes,
+                         SlotValues<JointHandle, Joint>& before) {
     for (const RopeMotion& rope : ropes) {
         Joint* last = m_last.joints.find(rope.rope);
         const Joint* now = world.joints().find(rope.rope);
@@ -111,12 +116,14 @@ void WorldBaseline::move(const World& world, std::span<const BodyPose> poses, Sl
         if (!last || !now) continue;
         const uint32_t slot = pose.body.slot();
         const auto place = before.lower_bound(slot);
-        if (place == before.end() || place->first != slot) before.emplace_hint(place, slot, std::pair(pose.body, *last));
+        if (place == before.end() || place->first != slot)
+            before.emplace_hint(place, slot, std::pair(pose.body, *last));
         *last = *now;
     }
 }
 
-void WorldBaseline::move(const World& world, std::span<const CharacterMove> moves, SlotValues<CharacterHandle, Character>& before) {
+void WorldBaseline::move(const World& world, std::span<const CharacterMove> moves,
+                         SlotValues<CharacterHandle, Character>& before) {
     for (const CharacterMove& move : moves) {
         Character* last = m_last.characters.find(move.character);
         const Character* now = world.characters().find(move.character);

@@ -6,8 +6,8 @@
 
 namespace rubble {
 
-/// A World as it was when last looked at: what undo and recording compare with. It costs one copy of the World's objects
-/// (not of their voxels) when it is made; after that, what changes.
+/// A World as it was when last looked at: what undo and recording compare with. It costs one copy of the World's
+/// objects (not of their voxels) when it is made; after that, what changes.
 class WorldBaseline {
 public:
     explicit WorldBaseline(const World& world);
@@ -26,7 +26,8 @@ public:
 
 private:
     WorldState m_last;
-    std::vector<uint32_t> m_freeBodies, m_freeShapes, m_freeLights, m_freeWaters, m_freeTriggers, m_freeCharacters, m_freeJoints;
+    std::vector<uint32_t> m_freeBodies, m_freeShapes, m_freeLights, m_freeWaters, m_freeTriggers, m_freeCharacters,
+        m_freeJoints;
 };
 
 }  // namespace rubble

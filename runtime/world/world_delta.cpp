@@ -38,8 +38,8 @@ void journalSlots(const SlotValues<Handle, T>& before, const Map& now, std::vect
 }
 
 bool sameMotion(const Body& a, const Body& b) {
-    return a.pose == b.pose && a.velocity == b.velocity && a.angularVelocity == b.angularVelocity && a.asleep == b.asleep && a.settled == b.settled &&
-           a.isStatic == b.isStatic && a.shapes == b.shapes;
+    return a.pose == b.pose && a.velocity == b.velocity && a.angularVelocity == b.angularVelocity &&
+           a.asleep == b.asleep && a.settled == b.settled && a.isStatic == b.isStatic && a.shapes == b.shapes;
 }
 
 void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameChanges& changes) {
@@ -51,12 +51,14 @@ void journalBricks(ShapeHandle handle, const Shape& was, const Shape& is, FrameC
     });
     if (isCarved) changes.carved.push_back(handle);
     if (was.palette != is.palette || was.paintColors != is.paintColors) changes.palettes.push_back(handle);
-    if (was.collisionLayer != is.collisionLayer || was.collisionMask != is.collisionMask) changes.filters.push_back(handle);
+    if (was.collisionLayer != is.collisionLayer || was.collisionMask != is.collisionMask)
+        changes.filters.push_back(handle);
 }
 
-void journalShape(ShapeHandle was, const std::optional<Shape>& before, ShapeHandle is, const Shape* now, FrameChanges& changes) {
-    if (was == is && now && before->body == now->body && before->local == now->local && before->voxelSize == now->voxelSize &&
-        before->grid.size() == now->grid.size())
+void journalShape(ShapeHandle was, const std::optional<Shape>& before, ShapeHandle is, const Shape* now,
+                  FrameChanges& changes) {
+    if (was == is && now && before->body == now->body && before->local == now->local &&
+        before->voxelSize == now->voxelSize && before->grid.size() == now->grid.size())
         return journalBricks(is, *before, *now, changes);
     if (was) changes.shapesDestroyed.push_back(was);
     if (is) changes.shapesCreated.push_back(is);
@@ -121,13 +123,15 @@ WorldDelta World::swap(WorldDelta target, FrameChanges& changes) {
         const LightGroupHandle is = m_groups.handleAt(slot);
         if (!is) continue;
         changes.groups.push_back(is);
-        m_flickeringGroups += uint32_t(m_groups.at(is).failingSince != 0) - uint32_t(was.second && was.second->failingSince != 0);
+        m_flickeringGroups +=
+            uint32_t(m_groups.at(is).failingSince != 0) - uint32_t(was.second && was.second->failingSince != 0);
         if (m_groups.at(is).out && !(was.second && was.second->out)) changes.groupsOut.push_back(is);
     }
     journalSlots(before.waters, m_waters, changes.waters);
     for (const auto& [slot, was] : before.triggers) {
         m_triggerBounds.remove(slot);
-        if (const TriggerHandle is = m_triggers.handleAt(slot)) m_triggerBounds.update(slot, m_triggers.at(is).bounds());
+        if (const TriggerHandle is = m_triggers.handleAt(slot))
+            m_triggerBounds.update(slot, m_triggers.at(is).bounds());
     }
     journalSlots(before.triggers, m_triggers, changes.triggers);
     journalSlots(before.characters, m_characters, changes.characters);

@@ -26,11 +26,12 @@ struct WorldDelta {
     FireState fire;
     std::optional<Environment> environment;  ///< none: it has not changed
     SlotValues<JointHandle, Joint> joints;
-    std::vector<uint32_t> freeBodies, freeShapes, freeLights, freeWaters, freeTriggers, freeCharacters, freeJoints;  ///< slots that are used next
+    std::vector<uint32_t> freeBodies, freeShapes, freeLights, freeWaters, freeTriggers, freeCharacters,
+        freeJoints;  ///< slots that are used next
 
     bool empty() const {
-        return bodies.empty() && shapes.empty() && lights.empty() && groups.empty() && waters.empty() && triggers.empty() && characters.empty() &&
-               joints.empty() && !environment;
+        return bodies.empty() && shapes.empty() && lights.empty() && groups.empty() && waters.empty() &&
+               triggers.empty() && characters.empty() && joints.empty() && !environment;
     }
 };
 

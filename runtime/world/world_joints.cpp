@@ -12,11 +12,13 @@ namespace rubble {
 namespace {
 
 constexpr double kRopeSpacing = 0.4;  ///< metres between a rope's points, if it does not say
-constexpr int kMaxSearchCells = 32;     ///< cells around an end in which its voxel is looked for
+constexpr int kMaxSearchCells = 32;   ///< cells around an end in which its voxel is looked for
 
-/// The solid cell whose middle is nearest to a point within `radius`, both in cells; the first in the order of cells of those as near.
+/// The solid cell whose middle is nearest to a point within `radius`, both in cells; the first in the order of cells of
+/// those as near.
 std::optional<glm::ivec3> nearestSolidCell(const VoxelGrid& grid, glm::dvec3 point, double radius) {
-    const glm::dvec3 inside = glm::clamp(point, glm::dvec3(-kMaxSearchCells), glm::dvec3(grid.size() + kMaxSearchCells));
+    const glm::dvec3 inside =
+        glm::clamp(point, glm::dvec3(-kMaxSearchCells), glm::dvec3(grid.size() + kMaxSearchCells));
     const glm::ivec3 middle = glm::ivec3(glm::floor(inside));
     const int r = int(std::min(std::ceil(radius), double(kMaxSearchCells)));
     const glm::ivec3 low = glm::max(middle - r, 0), high = glm::min(middle + r, grid.size() - 1);
@@ -37,17 +39,20 @@ void initRopePoints(Joint& joint, glm::dvec3 from, glm::dvec3 to) {
     RopeSettings& rope = joint.rope;
     if (rope.length == 0.0) rope.length = glm::length(to - from) + rope.slack;
     rope.length = std::max(rope.length, 0.01);
-    if (rope.points == 0) rope.points = uint32_t(std::clamp(std::round(rope.length / kRopeSpacing) + 1.0, 3.0, double(kMaxRopePoints)));
+    if (rope.points == 0)
+        rope.points = uint32_t(std::clamp(std::round(rope.length / kRopeSpacing) + 1.0, 3.0, double(kMaxRopePoints)));
     if (joint.points.size() == rope.points) return;
     joint.points.resize(rope.points);
-    for (uint32_t i = 0; i < rope.points; ++i) joint.points[i].position = from + (to - from) * (double(i) / double(rope.points - 1));
+    for (uint32_t i = 0; i < rope.points; ++i)
+        joint.points[i].position = from + (to - from) * (double(i) / double(rope.points - 1));
 }
 
 }  // namespace
 
 std::string World::resolveJoint(Joint& joint) const {
     if (std::string error = jointError(joint); !error.empty()) return error;
-    if (joint.kind != JointKind::Rope && !joint.ends[0].shape && !joint.ends[1].shape) return "neither end is on a shape";
+    if (joint.kind != JointKind::Rope && !joint.ends[0].shape && !joint.ends[1].shape)
+        return "neither end is on a shape";
     for (JointEnd& end : joint.ends) {
         end.frame.rotation = glm::normalize(end.frame.rotation);
         if (!end.shape) continue;
@@ -55,11 +60,13 @@ std::string World::resolveJoint(Joint& joint) const {
         if (!shape) return "the handle of a shape is stale";
         if (end.cell.x >= 0 && shape->grid.at(end.cell)) continue;
         const double cells = 1.0 / double(shape->voxelSize);
-        const std::optional<glm::ivec3> cell = nearestSolidCell(shape->grid, end.frame.position * cells, end.radius * cells);
+        const std::optional<glm::ivec3> cell =
+            nearestSolidCell(shape->grid, end.frame.position * cells, end.radius * cells);
         if (!cell) return "no voxel to hold on to within the radius of an end";
         end.cell = *cell;
     }
-    if (joint.kind == JointKind::Rope) initRopePoints(joint, jointToWorld(joint.ends[0]).position, jointToWorld(joint.ends[1]).position);
+    if (joint.kind == JointKind::Rope)
+        initRopePoints(joint, jointToWorld(joint.ends[0]).position, jointToWorld(joint.ends[1]).position);
     return "";
 }
 

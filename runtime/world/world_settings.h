@@ -4,9 +4,9 @@
 
 #include "runtime/world/debris_settings.h"
 #include "runtime/world/fire_settings.h"
-#include "runtime/world/stress_settings.h"
 #include "runtime/world/paint_settings.h"
 #include "runtime/world/split_settings.h"
+#include "runtime/world/stress_settings.h"
 
 namespace rubble {
 
@@ -17,7 +17,7 @@ struct WorldSettings {
     double impactSpeed = 0.8;         ///< m/s that an impact must cost the heavier body: weight at rest breaks nothing
     double impactRadius = 0.25;       ///< metres that an impact at the threshold takes out of soft materials
     double impactRadiusLimit = 0.6;   ///< metres
-    size_t impactsPerStep = 8;          ///< how many impacts break something in one step, the hardest first
+    size_t impactsPerStep = 8;        ///< how many impacts break something in one step, the hardest first
     size_t undoMarks = 0;             ///< how many marks can be undone; 0: nothing is remembered, and nothing paid
     DebrisSettings debris;
     PaintSettings paint;

@@ -8,8 +8,9 @@
 namespace rubble {
 
 WorldState World::state() const {
-    return {m_name,      m_step,        m_imported, m_removed,   m_bodies, m_shapes, m_lights,   m_groups,     m_revived,
-            m_materials, m_environment, m_settings, m_locations, m_fire,   m_waters, m_triggers, m_characters, m_joints};
+    return {m_name,      m_step,   m_imported, m_removed,   m_bodies,      m_shapes,
+            m_lights,    m_groups, m_revived,  m_materials, m_environment, m_settings,
+            m_locations, m_fire,   m_waters,   m_triggers,  m_characters,  m_joints};
 }
 
 void World::setState(WorldState state) {

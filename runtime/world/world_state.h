@@ -8,8 +8,8 @@
 
 namespace rubble {
 
-/// Everything of a World that decides what happens next, as a value, with slots and generations. Bricks, directories and
-/// palettes are shared: it costs the number of objects, not of voxels. What a save file holds.
+/// Everything of a World that decides what happens next, as a value, with slots and generations. Bricks, directories
+/// and palettes are shared: it costs the number of objects, not of voxels. What a save file holds.
 struct WorldState {
     std::string name;
     uint64_t step = 0, imported = 0, removed = 0;

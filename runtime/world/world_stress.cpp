@@ -25,8 +25,10 @@ WorldStress::Entry* WorldStress::find(ShapeHandle shape) {
 
 std::vector<ShapeHandle> WorldStress::busy() const {
     std::vector<ShapeHandle> out;
-    for (auto slot = m_busy.upper_bound(m_lastServed); slot != m_busy.end(); ++slot) out.push_back(m_entries.at(*slot).shape);
-    for (auto slot = m_busy.begin(); slot != m_busy.end() && *slot <= m_lastServed; ++slot) out.push_back(m_entries.at(*slot).shape);
+    for (auto slot = m_busy.upper_bound(m_lastServed); slot != m_busy.end(); ++slot)
+        out.push_back(m_entries.at(*slot).shape);
+    for (auto slot = m_busy.begin(); slot != m_busy.end() && *slot <= m_lastServed; ++slot)
+        out.push_back(m_entries.at(*slot).shape);
     return out;
 }
 
@@ -40,7 +42,8 @@ void WorldStress::restartAll() {
 uint64_t WorldStress::hash() const {
     uint64_t out = hashValue(m_lastServed);
     for (const auto& [slot, entry] : m_entries)
-        for (const WeakBrick& weak : entry.weak) out = hashValue(weak.left, hashBytes(&weak.brick, sizeof weak.brick, hashValue(slot, out)));
+        for (const WeakBrick& weak : entry.weak)
+            out = hashValue(weak.left, hashBytes(&weak.brick, sizeof weak.brick, hashValue(slot, out)));
     for (const uint32_t slot : m_busy) {
         const Entry& entry = m_entries.at(slot);
         out = hashValue(slot, out);

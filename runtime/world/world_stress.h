@@ -7,9 +7,9 @@
 
 namespace rubble {
 
-/// The stress analyses of a world's standing shapes, and the cracks that wait for the next step. There is none in a world
-/// whose StressSettings are off. What it holds decides what breaks when, so it is part of World::hash(); saving drops it, in
-/// the running game too (World::resetCaches()).
+/// The stress analyses of a world's standing shapes, and the cracks that wait for the next step. There is none in a
+/// world whose StressSettings are off. What it holds decides what breaks when, so it is part of World::hash(); saving
+/// drops it, in the running game too (World::resetCaches()).
 class WorldStress {
 public:
     struct Entry {

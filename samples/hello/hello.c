@@ -1,6 +1,5 @@
-/* The smallest host: loads a level, blows a hole into it and tells what came off. Needs rubble.h and librubble, nothing else.
- *     hello LEVEL.rubble|LEVEL.vox
- *     hello LEVEL.vdb PATH-OF-rubble-vdb */
+/* The smallest host: loads a level, blows a hole into it and tells what came off. Needs rubble.h and librubble, nothing
+ * else. hello LEVEL.rubble|LEVEL.vox hello LEVEL.vdb PATH-OF-rubble-vdb */
 #include <rubble/rubble.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +8,8 @@ static const rubble_api* api;
 
 static void check(rubble_result result) {
     if (result == RUBBLE_OK) return;
-    fprintf(stderr, "hello: error %d: %s\n", (int)result, api ? api->get_last_error() : "the plugin has another version");
+    fprintf(stderr, "hello: error %d: %s\n", (int)result,
+            api ? api->get_last_error() : "the plugin has another version");
     exit(1);
 }
 
@@ -24,7 +24,8 @@ static rubble_hit find_roof(rubble_world world) {
     check(api->get_shape_states(world, 0, shapes, count, &count));
     for (i = 0; i < count && !hit.hit; ++i) {
         const double half = 0.5 * shapes[i].voxel_size;
-        const double above[3] = {shapes[i].position[0] + half * shapes[i].size[0], 500.0, shapes[i].position[2] + half * shapes[i].size[2]};
+        const double above[3] = {shapes[i].position[0] + half * shapes[i].size[0], 500.0,
+                                 shapes[i].position[2] + half * shapes[i].size[2]};
         check(api->raycast(world, above, down, 1000.0, &hit));
     }
     free(shapes);
@@ -72,14 +73,16 @@ int main(int argc, char** argv) {
         check(api->step(world));
         check(api->get_events(world, &events));
         for (i = 0; i < (int)events.removed_count; ++i)
-            printf("step %u: %u voxels of colour #%02x%02x%02x removed\n", (unsigned)events.step, (unsigned)events.removed[i].count,
-                   events.removed[i].color[0], events.removed[i].color[1], events.removed[i].color[2]);
-        if (events.split_count) printf("step %u: %u pieces came off\n", (unsigned)events.step, (unsigned)events.split_count);
+            printf("step %u: %u voxels of colour #%02x%02x%02x removed\n", (unsigned)events.step,
+                   (unsigned)events.removed[i].count, events.removed[i].color[0], events.removed[i].color[1],
+                   events.removed[i].color[2]);
+        if (events.split_count)
+            printf("step %u: %u pieces came off\n", (unsigned)events.step, (unsigned)events.split_count);
     }
     print_poses(world);
     check(api->get_voxel_accounting(world, &ledger));
-    printf("%u voxels = %u standing + %u in pieces + %u removed\n", (unsigned)ledger.imported, (unsigned)ledger.standing, (unsigned)ledger.in_pieces,
-           (unsigned)ledger.removed);
+    printf("%u voxels = %u standing + %u in pieces + %u removed\n", (unsigned)ledger.imported,
+           (unsigned)ledger.standing, (unsigned)ledger.in_pieces, (unsigned)ledger.removed);
     check(api->get_state_hash(world, &hash));
     printf("state %08x%08x\n", (unsigned)(hash >> 32), (unsigned)hash);
     check(api->destroy_world(world));

@@ -11,8 +11,9 @@ std::atomic<uint64_t> g_allocations{0};
 void* allocate(std::size_t size, std::size_t alignment) {
     g_allocations.fetch_add(1, std::memory_order_relaxed);
     size = size ? size : 1;
-    void* memory =
-        alignment > alignof(std::max_align_t) ? std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment) : std::malloc(size);
+    void* memory = alignment > alignof(std::max_align_t)
+                       ? std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment)
+                       : std::malloc(size);
     if (!memory) throw std::bad_alloc();
     return memory;
 }

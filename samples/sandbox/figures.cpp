@@ -31,7 +31,8 @@ std::vector<double>& Figures::series(const std::string& name) {
 
 void Figures::addStep(FrameLoop& loop, uint64_t allocations) {
     const FrameChanges& changes = loop.changes();
-    for (const Stage stage : {Stage::ApplyEdits, Stage::Physics, Stage::Poses, Stage::Impacts, Stage::Shadow, Stage::Publish})
+    for (const Stage stage :
+         {Stage::ApplyEdits, Stage::Physics, Stage::Poses, Stage::Impacts, Stage::Shadow, Stage::Publish})
         series(fmt::format("step: {} ms", kStageNames[size_t(stage)])).push_back(loop.times()[stage]);
     const PhysicsStats physics = loop.physics().stats();
     series("bodies").push_back(double(loop.world().bodies().size()));
@@ -65,15 +66,18 @@ std::string Figures::table() const {
     std::string out = fmt::format("{:<28}{:>14}{:>14}{:>14}{:>14}\n", "figure", "p50", "p95", "p99", "max");
     for (const Series& s : m_series) {
         const Quantiles q = quantilesOf(s.values);
-        const auto line = s.name.ends_with("ms") ? "{:<28}{:>14.3f}{:>14.3f}{:>14.3f}{:>14.3f}\n" : "{:<28}{:>14.0f}{:>14.0f}{:>14.0f}{:>14.0f}\n";
+        const auto line = s.name.ends_with("ms") ? "{:<28}{:>14.3f}{:>14.3f}{:>14.3f}{:>14.3f}\n"
+                                                 : "{:<28}{:>14.0f}{:>14.0f}{:>14.0f}{:>14.0f}\n";
         out += fmt::format(fmt::runtime(line), s.name, q.p50, q.p95, q.p99, q.max);
     }
     for (const auto& [name, value] : m_single) out += fmt::format("{:<28}{:>14.3f}\n", name, value);
-    out += fmt::format("passes drawn by compute: {}\n", m_computePasses.empty() ? "none" : fmt::format("{}", fmt::join(m_computePasses, ", ")));
-    out += fmt::format("voxels removed {}, painted {}; splits {}, pieces {}; light groups out {}\n", m_removed, m_painted, m_splits, m_pieces,
-                       m_groupsOut);
-    out += fmt::format("ledger: imported {} = standing {} + in pieces {} + removed {}: {}\n", m_accounting.imported, m_accounting.standing, m_accounting.inPieces,
-                       m_accounting.removed, m_accounting.balances() ? "balances" : "DOES NOT BALANCE");
+    out += fmt::format("passes drawn by compute: {}\n",
+                       m_computePasses.empty() ? "none" : fmt::format("{}", fmt::join(m_computePasses, ", ")));
+    out += fmt::format("voxels removed {}, painted {}; splits {}, pieces {}; light groups out {}\n", m_removed,
+                       m_painted, m_splits, m_pieces, m_groupsOut);
+    out += fmt::format("ledger: imported {} = standing {} + in pieces {} + removed {}: {}\n", m_accounting.imported,
+                       m_accounting.standing, m_accounting.inPieces, m_accounting.removed,
+                       m_accounting.balances() ? "balances" : "DOES NOT BALANCE");
     if (!m_hashes.empty()) out += fmt::format("state hash after {} steps: {:016x}\n", m_hashes.size(), m_hashes.back());
     return out;
 }
@@ -91,8 +95,10 @@ bool Figures::writeJson(const std::string& path) const {
     json["splits"] = m_splits;
     json["pieces"] = m_pieces;
     json["groups_out"] = m_groupsOut;
-    json["ledger"] = {
-        {"imported", m_accounting.imported}, {"standing", m_accounting.standing}, {"in_pieces", m_accounting.inPieces}, {"removed", m_accounting.removed}};
+    json["ledger"] = {{"imported", m_accounting.imported},
+                      {"standing", m_accounting.standing},
+                      {"in_pieces", m_accounting.inPieces},
+                      {"removed", m_accounting.removed}};
     for (const uint64_t hash : m_hashes) json["state_hash"].push_back(fmt::format("{:016x}", hash));
     std::ofstream file(path);
     file << json.dump(1) << "\n";

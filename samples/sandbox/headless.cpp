@@ -27,7 +27,8 @@ constexpr int kStepsPerSecond = 60;
 constexpr int kWarmUpFrames = 12;  ///< before the first frame, so that its light has settled
 constexpr int kMaxSheetFrames = 12;
 constexpr int kPassColumns = 4;
-constexpr int kHistoryFrames = 6;  ///< steps drawn before a frame that stands alone, so that light and edges have a past
+constexpr int kHistoryFrames =
+    6;  ///< steps drawn before a frame that stands alone, so that light and edges have a past
 
 /// Draws frames of a running world into files.
 class FrameRecorder {
@@ -73,10 +74,12 @@ public:
         for (const std::string& name : m_renderer->passNames()) {
             m_renderer->showPass(name);
             sheet.push_back(draw(loop, seconds));
-            if (auto written = writePng((folder / (name + ".png")).string(), sheet.back()); !written) logError(written.error());
+            if (auto written = writePng((folder / (name + ".png")).string(), sheet.back()); !written)
+                logError(written.error());
         }
         m_renderer->showPass(m_options.pass);
-        if (auto written = writePng(folder.string() + ".png", tile(sheet, kPassColumns)); !written) logError(written.error());
+        if (auto written = writePng(folder.string() + ".png", tile(sheet, kPassColumns)); !written)
+            logError(written.error());
     }
 
     const Renderer& renderer() const { return *m_renderer; }
@@ -95,9 +98,9 @@ void makeVideo(const fs::path& out, int fps) {
         logInfo("no MP4: ffmpeg is not installed");
         return;
     }
-    const std::string command =
-        fmt::format("ffmpeg -loglevel error -y -framerate {} -i '{}/frames/%04d.png' -pix_fmt yuv420p -crf 16 '{}/demolition.mp4'", fps, out.string(),
-                    out.string());
+    const std::string command = fmt::format(
+        "ffmpeg -loglevel error -y -framerate {} -i '{}/frames/%04d.png' -pix_fmt yuv420p -crf 16 '{}/demolition.mp4'",
+        fps, out.string(), out.string());
     if (std::system(command.c_str()) != 0) logWarning("ffmpeg failed: no MP4");
 }
 
@@ -188,7 +191,8 @@ int runHeadless(const SandboxOptions& options) {
         }
         const Image image = recorder->draw(loop, seconds);
         figures.addFrame(loop, recorder->renderer());
-        if (auto written = writePng(fmt::format("{}/frames/{:04d}.png", out.string(), frame), image); !written) return logError(written.error()), 1;
+        if (auto written = writePng(fmt::format("{}/frames/{:04d}.png", out.string(), frame), image); !written)
+            return logError(written.error()), 1;
         if (schedule.isOnSheet(frame)) {
             sheet.push_back(image);
             if (options.allPasses) recorder->writeAllPasses(loop, seconds, out / fmt::format("passes_{:04d}", frame));
@@ -201,7 +205,8 @@ int runHeadless(const SandboxOptions& options) {
             return logError(written.error()), 1;
         if (!schedule.areStills()) makeVideo(out, options.fps);
     }
-    if (!figures.writeJson((out / "figures.json").string())) return logError((out / "figures.json").string() + ": cannot write"), 1;
+    if (!figures.writeJson((out / "figures.json").string()))
+        return logError((out / "figures.json").string() + ": cannot write"), 1;
     const std::string table = figures.table();
     std::ofstream(out / "figures.txt") << table;
     std::fputs(table.c_str(), stdout);

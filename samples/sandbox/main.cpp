@@ -44,31 +44,37 @@ int run(int argc, char** argv) {
     options.tools = std::filesystem::weakly_canonical(std::filesystem::path(argv[0])).parent_path().string();
     CLI::App app{
         "Rubble sandbox: a town corner to take apart.\n"
-        "With a display: WASD and mouse fly, Space/Shift up and down, 1 hammer, 2 explosive, 3 spray can, left click uses it, G held grabs (with a "
+        "With a display: WASD and mouse fly, Space/Shift up and down, 1 hammer, 2 explosive, 3 spray can, left click "
+        "uses it, G held grabs (with a "
         "click on letting go: throws), F fly or walk (Space jumps, Shift crouches), T torch, "
         "R resets, P next pass, Esc leaves.",
         "sandbox"};
-    app.add_option("--model", options.model, "put this .vox, .vdb or .rubble on the street and demolish it")->check(CLI::ExistingFile);
+    app.add_option("--model", options.model, "put this .vox, .vdb or .rubble on the street and demolish it")
+        ->check(CLI::ExistingFile);
     app.add_option("--level", options.level, "open this level instead of the town")->check(CLI::ExistingFile);
     app.add_option("--scene", options.scene, "one of the scripted scenes instead of the town, or all");
     app.add_flag("--list-scenes", list, "name the scenes and leave");
     app.add_option("--time", options.time, "of day: noon, afternoon, dusk, night or rain")
         ->check(CLI::IsMember({"noon", "afternoon", "dusk", "night", "rain"}));
-    app.add_option("--frames", options.frames, "draw only so many frames, evenly over the run; no MP4")->check(CLI::Range(1, 1000));
+    app.add_option("--frames", options.frames, "draw only so many frames, evenly over the run; no MP4")
+        ->check(CLI::Range(1, 1000));
     app.add_option("--out", options.out, "folder for frames and figures")->capture_default_str();
     app.add_option("--size", options.size, "frame size, WIDTHxHEIGHT")->capture_default_str();
     app.add_option("--fps", options.fps, "frames a second of game time (a divisor of 60)")
         ->capture_default_str()
         ->check(CLI::IsMember({1, 2, 3, 4, 5, 6, 10, 12, 15, 20, 30, 60}));
-    app.add_option("--seconds", options.seconds, "game time (10, or as long as the scene says)")->check(CLI::Range(0.0, 3600.0));
+    app.add_option("--seconds", options.seconds, "game time (10, or as long as the scene says)")
+        ->check(CLI::Range(0.0, 3600.0));
     app.add_option("--preset", options.preset, "fast, balanced or accurate")
         ->capture_default_str()
         ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
-    app.add_option("--fullscreen", options.fullscreen, "what draws full-screen passes: fragment, compute, fastest (measured) or auto")
+    app.add_option("--fullscreen", options.fullscreen,
+                   "what draws full-screen passes: fragment, compute, fastest (measured) or auto")
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "fragment", "compute", "fastest"}));
     app.add_option("--seed", options.seed, "of everything random")->capture_default_str();
-    app.add_option("--pass", options.pass, "show this target of the renderer (an unknown name lists them)")->capture_default_str();
+    app.add_option("--pass", options.pass, "show this target of the renderer (an unknown name lists them)")
+        ->capture_default_str();
     app.add_flag("--headless", options.headless, "no window even where there is a display");
     app.add_flag("--no-render", options.noRender, "no frames: state hashes and figures only");
     app.add_flag("--inline-shadow", options.inlineShadow, "shadow volume on the main thread instead of the worker");
@@ -82,9 +88,10 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         char end = 0;
-        if (std::sscanf(options.size.c_str(), "%dx%d%c", &options.width, &options.height, &end) != 2 || options.width < 16 || options.height < 16 ||
-            options.width > 8192 || options.height > 8192)
-            throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT from 16x16 to 8192x8192, found " + options.size);
+        if (std::sscanf(options.size.c_str(), "%dx%d%c", &options.width, &options.height, &end) != 2 ||
+            options.width < 16 || options.height < 16 || options.width > 8192 || options.height > 8192)
+            throw CLI::ValidationError("--size",
+                                       "expected WIDTHxHEIGHT from 16x16 to 8192x8192, found " + options.size);
     } catch (const CLI::ParseError& error) {
         return app.exit(error);
     }

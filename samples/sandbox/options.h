@@ -10,7 +10,7 @@ struct SandboxOptions {
     std::string level;        ///< a whole level to open instead of the town
     std::string scene;        ///< one of the scripted scenes instead of the town; "all": one after the other
     std::string time;         ///< of day, instead of the level's own: noon, afternoon, dusk, night or rain
-    int frames = 0;         ///< only so many frames, evenly over the run, and no MP4; 0: at `fps`
+    int frames = 0;           ///< only so many frames, evenly over the run, and no MP4; 0: at `fps`
     std::string out = "out";  ///< folder for frames and figures
     std::string size = "640x360";
     int width = 640, height = 360;

@@ -5,9 +5,9 @@
 namespace rubble {
 namespace {
 
-constexpr double kEyesBelowTop = 0.12;                  // metres from the eyes to the top of the head
+constexpr double kEyesBelowTop = 0.12;                // metres from the eyes to the top of the head
 constexpr double kFlySpeed = 8.0, kFastFactor = 3.0;  // m/s
-constexpr double kEyeFollowRate = 14.0;                  // 1/s: steps and crouching are no jolts
+constexpr double kEyeFollowRate = 14.0;               // 1/s: steps and crouching are no jolts
 constexpr double kMaxPitch = 1.5;                     // radians of pitch
 constexpr const char* kName = "player";
 constexpr const char* kTorchName = "player's torch";
@@ -36,7 +36,8 @@ Edits Player::move(const PlayerInput& input, const World& world, double seconds)
     m_camera.pitch = std::clamp(m_camera.pitch + input.turnUp, -kMaxPitch, kMaxPitch);
     if (m_walks) return walk(input, world, seconds);
     m_isSpawning = false;
-    const glm::dvec3 step = m_camera.rotation() * glm::dvec3(input.right, 0, -input.forward) + glm::dvec3(0.0, input.up, 0.0);
+    const glm::dvec3 step =
+        m_camera.rotation() * glm::dvec3(input.right, 0, -input.forward) + glm::dvec3(0.0, input.up, 0.0);
     m_camera.position += step * (kFlySpeed * (input.fast ? kFastFactor : 1.0) * seconds);
     const CharacterHandle left = findNamed(world.characters(), kName);
     return left ? Edits{RemoveCharacterEdit{left}} : Edits{};
@@ -68,7 +69,8 @@ Edits Player::walk(const PlayerInput& input, const World& world, double seconds)
     }
     m_isSpawning = false;
     follow(*character, seconds);
-    const glm::dquat heading = character->swimming ? m_camera.rotation() : glm::angleAxis(m_camera.yaw, glm::dvec3(0, 1, 0));
+    const glm::dquat heading =
+        character->swimming ? m_camera.rotation() : glm::angleAxis(m_camera.yaw, glm::dvec3(0, 1, 0));
     glm::dvec3 wish = heading * glm::dvec3(input.right, 0, -input.forward) * character->walkSpeed;
     if (character->swimming) wish.y += input.up * character->swimSpeed;
     return {MoveCharacterEdit{handle, wish, input.up > 0.0, input.up < 0.0}};

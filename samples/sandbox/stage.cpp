@@ -84,15 +84,18 @@ void lookFromAbove(SandboxStage& stage, double aspect) {
     for (const LevelBody& body : stage.level.bodies)
         for (const LevelShape& shape : body.shapes)
             for (int corner = 0; corner < 8; ++corner) {
-                const glm::dvec3 cell = glm::dvec3(shape.grid.size()) * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2);
-                const glm::dvec3 inBody = shape.local.position + shape.local.rotation * (cell * double(shape.voxelSize));
+                const glm::dvec3 cell =
+                    glm::dvec3(shape.grid.size()) * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2);
+                const glm::dvec3 inBody =
+                    shape.local.position + shape.local.rotation * (cell * double(shape.voxelSize));
                 const glm::dvec3 place = body.pose.position + body.pose.rotation * inBody;
                 low = glm::min(low, place);
                 high = glm::max(high, place);
             }
     if (low.x > high.x) return;
     const double half = std::max(0.5 * (high.z - low.z), 0.5 * (high.x - low.x) / aspect);
-    const glm::dvec3 above(0.5 * (low.x + high.x), high.y + 1.05 * half / std::tan(0.5 * double(stage.verticalFov)), 0.5 * (low.z + high.z));
+    const glm::dvec3 above(0.5 * (low.x + high.x), high.y + 1.05 * half / std::tan(0.5 * double(stage.verticalFov)),
+                           0.5 * (low.z + high.z));
     const Pose camera{above, glm::angleAxis(-0.5 * glm::pi<double>(), glm::dvec3(1, 0, 0))};
     stage.camera = [camera](double) { return camera; };
     stage.level.environment.fogDistance *= 10.0f;  // a map without haze

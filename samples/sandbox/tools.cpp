@@ -7,12 +7,15 @@ constexpr double kHammerDistance = 3.5;  // metres
 constexpr double kSprayDistance = 5.0;
 constexpr double kExplosiveDistance = 60.0;
 constexpr double kHammerImpulse = 400.0;  // N s
-constexpr std::array<std::array<uint8_t, 3>, 4> kSprayColors = {{{214, 40, 57}, {247, 181, 0}, {27, 153, 139}, {46, 94, 170}}};
+constexpr std::array<std::array<uint8_t, 3>, 4> kSprayColors = {
+    {{214, 40, 57}, {247, 181, 0}, {27, 153, 139}, {46, 94, 170}}};
 
 }  // namespace
 
 Edits useTool(HandTool tool, const World& world, glm::dvec3 originWorld, glm::dvec3 directionWorld, uint32_t seed) {
-    const double maxDistance = tool == HandTool::Hammer ? kHammerDistance : tool == HandTool::SprayCan ? kSprayDistance : kExplosiveDistance;
+    const double maxDistance = tool == HandTool::Hammer     ? kHammerDistance
+                               : tool == HandTool::SprayCan ? kSprayDistance
+                                                            : kExplosiveDistance;
     const WorldHit hit = world.raycast(originWorld, directionWorld, maxDistance);
     if (!hit.hit) return {};
     switch (tool) {
@@ -20,7 +23,8 @@ Edits useTool(HandTool tool, const World& world, glm::dvec3 originWorld, glm::dv
             CarveEdit carve;
             carve.position = hit.position;
             carve.radii = {0.45, 0.25, 0.0};
-            ImpulseEdit push{world.shapes().at(hit.shape).body, hit.position, glm::normalize(directionWorld) * kHammerImpulse};
+            ImpulseEdit push{world.shapes().at(hit.shape).body, hit.position,
+                             glm::normalize(directionWorld) * kHammerImpulse};
             return {carve, push};
         }
         case HandTool::Explosive: {

@@ -7,7 +7,8 @@ namespace rubble {
 
 enum class HandTool { Hammer, Explosive, SprayCan };
 
-/// What using a tool along a ray does to the world, as edits for the next step. Nothing if it hits nothing within reach.
+/// What using a tool along a ray does to the world, as edits for the next step. Nothing if it hits nothing within
+/// reach.
 Edits useTool(HandTool tool, const World& world, glm::dvec3 originWorld, glm::dvec3 directionWorld, uint32_t seed);
 
 }  // namespace rubble

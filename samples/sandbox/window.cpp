@@ -32,7 +32,11 @@ constexpr const char* kToolNames[] = {"hammer", "explosive", "spray can"};
 class Game {
 public:
     Game(const SandboxOptions& options, Window& window, SandboxStage stage, std::unique_ptr<Renderer> renderer)
-        : m_options(options), m_window(window), m_stage(std::move(stage)), m_renderer(std::move(renderer)), m_seed(uint32_t(options.seed)) {
+        : m_options(options),
+          m_window(window),
+          m_stage(std::move(stage)),
+          m_renderer(std::move(renderer)),
+          m_seed(uint32_t(options.seed)) {
         reset();
         m_renderer->showPass(options.pass);
         m_passes = m_renderer->passNames();
@@ -100,16 +104,19 @@ private:
         grab();
         m_toolCooldown -= elapsed;
         if (m_window.mouseHeld() && m_toolCooldown <= 0.0) {
-            m_loop.edits().push(useTool(m_tool, m_loop.world(), m_player.camera().position, m_player.camera().forward(), m_seed++));
+            m_loop.edits().push(
+                useTool(m_tool, m_loop.world(), m_player.camera().position, m_player.camera().forward(), m_seed++));
             m_toolCooldown = kToolSeconds[int(m_tool)];
         }
     }
 
-    /// G takes hold of what is looked at and carries it along; letting go throws it the way that one looks, if the button is held.
+    /// G takes hold of what is looked at and carries it along; letting go throws it the way that one looks, if the
+    /// button is held.
     void grab() {
         const glm::dvec3 eye = m_player.camera().position, ahead = m_player.camera().forward();
         if (!m_window.held(GLFW_KEY_G)) {
-            if (std::exchange(m_held, {})) m_loop.edits().push(ReleaseEdit{m_window.mouseHeld() ? ahead * kThrowImpulse : glm::dvec3(0.0)});
+            if (std::exchange(m_held, {}))
+                m_loop.edits().push(ReleaseEdit{m_window.mouseHeld() ? ahead * kThrowImpulse : glm::dvec3(0.0)});
             return;
         }
         if (!m_held) {
@@ -119,7 +126,10 @@ private:
             m_heldDistance = hit.distance;
         }
         if (const Body* body = m_loop.world().bodies().find(m_held); body && !body->isStatic)
-            m_loop.edits().push(GrabEdit{.body = m_held, .point = eye + ahead * m_heldDistance, .target = eye + ahead * m_heldDistance, .maxForce = kGrabForce});
+            m_loop.edits().push(GrabEdit{.body = m_held,
+                                         .point = eye + ahead * m_heldDistance,
+                                         .target = eye + ahead * m_heldDistance,
+                                         .maxForce = kGrabForce});
     }
 
     /// What is saved in an editor is seen a moment later.
@@ -152,7 +162,7 @@ private:
     int m_step = 0;  ///< of the scene's script
     double m_toolCooldown = 0.0, m_accumulator = 0.0;
     bool m_cut = true;
-    BodyHandle m_held;      ///< by the hand
+    BodyHandle m_held;            ///< by the hand
     double m_heldDistance = 0.0;  ///< metres from the eye
     std::vector<std::string> m_shaderErrors;
     std::chrono::steady_clock::time_point m_shadersCheckedAt{};

@@ -3,9 +3,9 @@
 #include "samples/scenes/car.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -16,7 +16,7 @@ constexpr int kWidth = 46;  // of the deck
 constexpr int kSpan = 112;  // from pillar to pillar
 constexpr int kPillars = 4;
 constexpr int kFirst = 10, kZ = 140;  // axis of the first pillar; near edge of the deck
-constexpr int kBlownPillar = 2;              // the pillar that goes
+constexpr int kBlownPillar = 2;       // the pillar that goes
 
 constexpr int pillarX(int i) {
     return kFirst + i * kSpan;
@@ -26,8 +26,10 @@ constexpr int pillarX(int i) {
 LevelShape makePart(std::string name) {
     constexpr int kHalf = kSpan / 2, kY = kFoot + kDeck;
     Canvas c({kSpan, kY + 24, kWidth});
-    const Swatch concrete = c.addSurface(kConcrete), dark = c.addSurface(kConcreteDark), dirty = c.addSurface(kConcrete, 80), rebar = c.addSurface(kRebar);
-    const Swatch asphalt = c.addSurface(kAsphalt), white = c.addSurface(kLaneWhite), steel = c.addSurface(kSteel), kerb = c.addSurface(kKerb), rust = c.addSurface(kRust);
+    const Swatch concrete = c.addSurface(kConcrete), dark = c.addSurface(kConcreteDark),
+                 dirty = c.addSurface(kConcrete, 80), rebar = c.addSurface(kRebar);
+    const Swatch asphalt = c.addSurface(kAsphalt), white = c.addSurface(kLaneWhite), steel = c.addSurface(kSteel),
+                 kerb = c.addSurface(kKerb), rust = c.addSurface(kRust);
     c.box({kHalf - 12, 0, 4}, {kHalf + 12, kFoot + 2, kWidth - 4}, dark);
     // The shaft: a slab on edge with chamfered corners and bars inside.
     c.box({kHalf - 5, kFoot + 2, 9}, {kHalf + 5, kY, kWidth - 9}, concrete);
@@ -37,7 +39,8 @@ LevelShape makePart(std::string name) {
         for (int z = 11; z < kWidth - 10; z += 6) c.box({x, 0, z}, {x + 1, kY + 4, z + 1}, rebar);
     // Girders, deep over the pillar and shallow at the joint, under a slab with kerbs and railings.
     for (int x = 1; x < kSpan; ++x) {
-        const int fromPillar = std::abs(2 * x - kSpan) / 2, depth = 5 + std::max(0, kHalf - fromPillar) * std::max(0, kHalf - fromPillar) * 15 / (kHalf * kHalf);
+        const int fromPillar = std::abs(2 * x - kSpan) / 2,
+                  depth = 5 + std::max(0, kHalf - fromPillar) * std::max(0, kHalf - fromPillar) * 15 / (kHalf * kHalf);
         for (int z : {6, 20, 34}) c.box({x, kY + 5 - depth, z}, {x + 1, kY + 5, z + 6}, concrete);
         for (int z : {8, 22, 36}) c.box({x, kY + 3, z}, {x + 1, kY + 4, z + 1}, rebar);
         c.box({x, kY + 5, 1}, {x + 1, kY + 8, kWidth - 1}, concrete);
@@ -61,11 +64,14 @@ LevelShape makePart(std::string name) {
 LevelShape makeAbutment(std::string name, int length) {
     constexpr int kTop = kFoot + kDeck + 9;
     Canvas c({length, kTop + 12, kWidth + 80});
-    const Swatch stone = c.addSurface(kKerb), joint = c.addSurface(kKerb, 76), grass = c.addSurface(kGrass), dark = c.addSurface(kGrass, 82), dirt = c.addSurface(kDirt),
-                 asphalt = c.addSurface(kAsphalt), steel = c.addSurface(kSteel);
+    const Swatch stone = c.addSurface(kKerb), joint = c.addSurface(kKerb, 76), grass = c.addSurface(kGrass),
+                 dark = c.addSurface(kGrass, 82), dirt = c.addSurface(kDirt), asphalt = c.addSurface(kAsphalt),
+                 steel = c.addSurface(kSteel);
     const auto block = [&](ivec3 cell) {
         const int row = cell.y / 6, shifted = cell.x + cell.z + row % 2 * 5;
-        return cell.y % 6 == 0 || shifted % 10 == 0 ? PaletteBuilder::pick(joint, cell) : PaletteBuilder::pickFor(stone, hashCell(shifted / 10, row, 0, 191));
+        return cell.y % 6 == 0 || shifted % 10 == 0
+                   ? PaletteBuilder::pick(joint, cell)
+                   : PaletteBuilder::pickFor(stone, hashCell(shifted / 10, row, 0, 191));
     };
     for (int x = 0; x < length; ++x) {
         // Banks fall off to both sides, and toward the bridge behind the block's wings.
@@ -74,8 +80,10 @@ LevelShape makeAbutment(std::string name, int length) {
                       top = std::min(kTop, kTop - aside * 2 + 4) - std::max(0, 12 - x) * (aside > 0 ? 3 : 0);
             if (top <= 0) continue;
             c.fill({x, 0, z}, {x + 1, top, z + 1}, [&](ivec3 cell) {
-                if (aside == 0) return x < 6 || z < 43 || z > kWidth + 36 ? block(cell) : PaletteBuilder::pick(dirt, cell);
-                return cell.y < top - 1 ? dirt.first : PaletteBuilder::pick(hashCell(x / 5, 0, z / 5, 192) % 3 ? grass : dark, cell);
+                if (aside == 0)
+                    return x < 6 || z < 43 || z > kWidth + 36 ? block(cell) : PaletteBuilder::pick(dirt, cell);
+                return cell.y < top - 1 ? dirt.first
+                                        : PaletteBuilder::pick(hashCell(x / 5, 0, z / 5, 192) % 3 ? grass : dark, cell);
             });
         }
         c.box({x, kTop, 45}, {x + 1, kTop + 1, kWidth + 35}, asphalt);
@@ -93,18 +101,22 @@ Level bridgeLevel(uint64_t seed) {
     ground.size = {448, 0, 448};
     const int middle = (pillarX(kBlownPillar) + pillarX(kBlownPillar - 1)) / 2;
     ground.areas = {area(Paving, middle - 50, 0, middle + 50, 448), area(Road, middle - 34, 0, middle + 34, 448),
-                    area(Earth, 0, kZ - 6, middle - 50, kZ + kWidth + 6), area(Earth, middle + 50, kZ - 6, 448, kZ + kWidth + 6)};
+                    area(Earth, 0, kZ - 6, middle - 50, kZ + kWidth + 6),
+                    area(Earth, middle + 50, kZ - 6, 448, kZ + kWidth + 6)};
     ground.lanesAlongZ = {{{middle - 1, 0, 0}, {middle + 1, 0, 448}}};
     Level level = makePlot("bridge", ground, seed);
-    for (int i = 0; i < kPillars; ++i) addStatic(level, makePart("bridge part " + std::to_string(i)), {pillarX(i) - kSpan / 2, -kFoot, kZ});
-    addStatic(level, makeAbutment("abutment", 448 - pillarX(kPillars - 1) - kSpan / 2 - 1), {pillarX(kPillars - 1) + kSpan / 2 + 1, -kFoot, kZ - 40});
+    for (int i = 0; i < kPillars; ++i)
+        addStatic(level, makePart("bridge part " + std::to_string(i)), {pillarX(i) - kSpan / 2, -kFoot, kZ});
+    addStatic(level, makeAbutment("abutment", 448 - pillarX(kPillars - 1) - kSpan / 2 - 1),
+              {pillarX(kPillars - 1) + kSpan / 2 + 1, -kFoot, kZ - 40});
     const int top = kDeck + 10;
     addDynamic(level, makeVan("van", kCarYellow), {pillarX(kBlownPillar) - 40, top, kZ + 24});
     addDynamic(level, makeCar("car on bridge", kCarCream), {pillarX(kBlownPillar) + 24, top, kZ + 6}, Turn::Half);
     addDynamic(level, makeCar("car red", kCarRed), {middle + 8, -kRoadDrop, 176}, Turn::Quarter);
     addDynamic(level, makeCar("car blue", kCarBlue), {middle - 28, -kRoadDrop, 222}, Turn::ThreeQuarters);
     for (int i = 0; i < 5; ++i)
-        addDynamic(level, makeBarrel("barrel " + std::to_string(i), i % 2 ? kCarRed : kCarBlue), {pillarX(kBlownPillar) + 24 + i * 7, 0, 176 + i % 2 * 6});
+        addDynamic(level, makeBarrel("barrel " + std::to_string(i), i % 2 ? kCarRed : kCarBlue),
+                   {pillarX(kBlownPillar) + 24 + i * 7, 0, 176 + i % 2 * 6});
     addDynamic(level, makeCrate("crate"), {pillarX(kBlownPillar) + 40, 0, 190});
     return level;
 }

@@ -22,7 +22,8 @@ uint8_t stoneEntry(const WallSwatches& s, ivec3 cell, int u, int y) {
     const int shifted = u + (y % 2) * 2 + 400;
     if (shifted % 4 == 0) return PaletteBuilder::pickFor(s.joint, hashCell(u, y, 0, 41));
     const uint32_t brick = hashCell(shifted / 4, y, 0, 42);
-    return brick % 11 == 0 ? PaletteBuilder::pickFor(s.dirty, brick >> 8) : PaletteBuilder::pickFor(s.stone, brick >> 8);
+    return brick % 11 == 0 ? PaletteBuilder::pickFor(s.dirty, brick >> 8)
+                           : PaletteBuilder::pickFor(s.stone, brick >> 8);
 }
 
 }  // namespace
@@ -43,7 +44,8 @@ void drawWall(Canvas& canvas, const WallFrame& wall, int low, int high, const Wa
         }
 }
 
-void drawWindow(Canvas& canvas, const WallFrame& wall, int u, int y, int width, int height, const WindowSwatches& s, bool curtains) {
+void drawWindow(Canvas& canvas, const WallFrame& wall, int u, int y, int width, int height, const WindowSwatches& s,
+                bool curtains) {
     for (int du = -1; du <= width; ++du) {
         for (int k = 0; k < 2; ++k) canvas.set(wall.cell(u + du, y + height, k), s.sill);
         canvas.set(wall.cell(u + du, y - 1, -1), s.sill);
@@ -103,8 +105,9 @@ void drawFloor(Canvas& canvas, ivec3 low, ivec3 high, int y, const FloorSwatches
             if (seam || end)
                 canvas.setEntry({x, y, z}, open ? uint8_t(0) : PaletteBuilder::pick(s.seam, {x, y, z}));
             else
-                canvas.setEntry({x, y, z},
-                                hashCell(x / 3, y, z, 65) % 4 ? PaletteBuilder::pickFor(s.board, plank) : PaletteBuilder::pick(s.board, {x / 3, y, z}));
+                canvas.setEntry({x, y, z}, hashCell(x / 3, y, z, 65) % 4
+                                               ? PaletteBuilder::pickFor(s.board, plank)
+                                               : PaletteBuilder::pick(s.board, {x / 3, y, z}));
             for (int d = 1; d <= 2; ++d)
                 if (joist) canvas.set({x, y - d, z}, s.joist);
             if (ceiling) canvas.set({x, y - 3, z}, s.ceiling);
@@ -143,9 +146,10 @@ void drawGableRoof(Canvas& canvas, ivec3 low, ivec3 high, int y, const RoofSwatc
             const uint32_t tile = hashCell((x + row % 2 * 2) / 4, row, z > (low.z + high.z) / 2, 71);
             const bool seam = (x + row % 2 * 2) % 4 == 0;
             for (int d = 0; d < 3; ++d)
-                canvas.setEntry({x, height + d, z}, edge                    ? PaletteBuilder::pick(s.barge, {x, height, z})
-                                                    : seam || tile % 9 == 0 ? PaletteBuilder::pickFor(s.tileDark, tile >> 8)
-                                                                            : PaletteBuilder::pickFor(s.tile, tile >> 8));
+                canvas.setEntry({x, height + d, z}, edge ? PaletteBuilder::pick(s.barge, {x, height, z})
+                                                    : seam || tile % 9 == 0
+                                                        ? PaletteBuilder::pickFor(s.tileDark, tile >> 8)
+                                                        : PaletteBuilder::pickFor(s.tile, tile >> 8));
             if ((x - low.x) % 8 == 4)
                 for (int d = 1; d <= 2; ++d)
                     if (!canvas.at({x, height - d, z})) canvas.set({x, height - d, z}, s.rafter);

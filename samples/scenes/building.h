@@ -19,7 +19,8 @@ struct WallFrame {
     ivec3 cell(int u, int y, int k) const { return origin + along * u + inward * k + ivec3(0, y, 0); }
 };
 
-/// The four outer walls of a box of cells: front (+z), right (+x), back (-z), left (-x). Corners belong to front and back.
+/// The four outer walls of a box of cells: front (+z), right (+x), back (-z), left (-x). Corners belong to front and
+/// back.
 struct WallFrames {
     WallFrame front, right, back, left;
 };
@@ -35,8 +36,10 @@ void drawWall(Canvas& canvas, const WallFrame& wall, int low, int high, const Wa
 struct WindowSwatches {
     Swatch frame, glass, sill, curtain, soot;
 };
-/// An opening of width x height whose lower left corner is at (u, y), with a frame, a cross, panes, a sill and a lintel.
-void drawWindow(Canvas& canvas, const WallFrame& wall, int u, int y, int width, int height, const WindowSwatches& s, bool curtains);
+/// An opening of width x height whose lower left corner is at (u, y), with a frame, a cross, panes, a sill and a
+/// lintel.
+void drawWindow(Canvas& canvas, const WallFrame& wall, int u, int y, int width, int height, const WindowSwatches& s,
+                bool curtains);
 void drawDoor(Canvas& canvas, const WallFrame& wall, int u, int y, Swatch leaf, Swatch frame, Swatch knob);
 
 struct FloorSwatches {
@@ -45,14 +48,15 @@ struct FloorSwatches {
 /// Boards on joists, with a plaster ceiling hung below if there is one: fills y-3 .. y of the box, boards on top at y.
 void drawFloor(Canvas& canvas, ivec3 low, ivec3 high, int y, const FloorSwatches& s, bool ceiling);
 
-/// Studs every six cells between two skins of plaster, three cells thick; along x if high.x - low.x is longer than three.
+/// Studs every six cells between two skins of plaster, three cells thick; along x if high.x - low.x is longer than
+/// three.
 void drawInnerWall(Canvas& canvas, ivec3 low, ivec3 high, Swatch skin, Swatch otherSkin, Swatch stud, Swatch wire);
 
 struct RoofSwatches {
     Swatch tile, tileDark, rafter, ridge, barge;
 };
-/// A gable roof over the box low..high (eaves included), its ridge along x: rows of tiles that step up two every three cells, on rafters.
-/// Returns the height of the roof above y at depth z.
+/// A gable roof over the box low..high (eaves included), its ridge along x: rows of tiles that step up two every three
+/// cells, on rafters. Returns the height of the roof above y at depth z.
 int gableHeight(int z, int lowZ, int highZ);
 void drawGableRoof(Canvas& canvas, ivec3 low, ivec3 high, int y, const RoofSwatches& s);
 

@@ -34,7 +34,8 @@ void Canvas::ring(int axis, int low, int high, ivec3 doubledCenter, int doubledI
         for (int b = first(v); b <= last(v); ++b) {
             const int da = 2 * a + 1 - doubledCenter[u], db = 2 * b + 1 - doubledCenter[v];
             const int square = da * da + db * db;
-            if (square > doubledOuter * doubledOuter || (doubledInner >= 0 && square <= doubledInner * doubledInner)) continue;
+            if (square > doubledOuter * doubledOuter || (doubledInner >= 0 && square <= doubledInner * doubledInner))
+                continue;
             for (int h = low; h < high; ++h) {
                 ivec3 cell;
                 cell[axis] = h, cell[u] = a, cell[v] = b;
@@ -91,7 +92,8 @@ std::vector<bool> anchoredCells(const VoxelGrid& grid) {
     };
     for (int z = 0; z < size.z; ++z)
         for (int x = 0; x < size.x; ++x) visit({x, 0, z});
-    static constexpr std::array<ivec3, 6> kFaces{ivec3(1, 0, 0), ivec3(-1, 0, 0), ivec3(0, 1, 0), ivec3(0, -1, 0), ivec3(0, 0, 1), ivec3(0, 0, -1)};
+    static constexpr std::array<ivec3, 6> kFaces{ivec3(1, 0, 0),  ivec3(-1, 0, 0), ivec3(0, 1, 0),
+                                                 ivec3(0, -1, 0), ivec3(0, 0, 1),  ivec3(0, 0, -1)};
     while (!open.empty()) {
         const ivec3 cell = open.back();
         open.pop_back();

@@ -14,7 +14,9 @@ public:
     explicit Canvas(ivec3 size) : m_size(size), m_grid(size), m_writer(std::make_unique<GridWriter>(m_grid)) {}
 
     ivec3 size() const { return m_size; }
-    Swatch addSurface(const SurfaceStyle& style, int percent = 100, uint32_t lightGroup = 0) { return m_palette.addSurface(style, percent, lightGroup); }
+    Swatch addSurface(const SurfaceStyle& style, int percent = 100, uint32_t lightGroup = 0) {
+        return m_palette.addSurface(style, percent, lightGroup);
+    }
 
     void set(ivec3 cell, Swatch swatch) { m_writer->set(cell, PaletteBuilder::pick(swatch, cell)); }
     void setEntry(ivec3 cell, uint8_t entry) { m_writer->set(cell, entry); }

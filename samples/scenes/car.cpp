@@ -44,7 +44,8 @@ void drawWheels(Canvas& c, const CarSwatches& s, std::initializer_list<int> plac
 }
 
 /// A cabin whose screens lean: cells x0..x1 at its foot, drawn in by lean cells a layer in front and behind.
-void drawCabin(Canvas& c, const CarSwatches& s, int low, int top, int x0, int x1, int leanBack, int leanFront, int width) {
+void drawCabin(Canvas& c, const CarSwatches& s, int low, int top, int x0, int x1, int leanBack, int leanFront,
+               int width) {
     for (int y = low; y <= top; ++y) {
         const int back = x0 + (y - low) * leanBack / 4, front = x1 - (y - low) * leanFront / 4;
         const int inset = y > low ? 1 : 0;
@@ -54,7 +55,8 @@ void drawCabin(Canvas& c, const CarSwatches& s, int low, int top, int x0, int x1
                 if (y == top) {
                     c.set({x, y, z}, s.paint);
                 } else if (side || end) {
-                    const bool pillar = (side && (end || (x >= (x0 + x1) / 2 - 1 && x < (x0 + x1) / 2 + 1))) || y == low;
+                    const bool pillar =
+                        (side && (end || (x >= (x0 + x1) / 2 - 1 && x < (x0 + x1) / 2 + 1))) || y == low;
                     c.set({x, y, z}, pillar ? s.paint : s.glass);
                 } else {
                     c.setEntry({x, y, z}, 0);
@@ -160,8 +162,11 @@ size_t addDrivenCar(Level& level, const std::string& name, const SurfaceStyle& p
             axle.joint.ends[1] = {.frame = {middle, kLeftward}};
             axle.joint.limits = {true, -0.12, 0.12};
             axle.joint.spring = {8.0, 0.6};  // of a wheel on what it bears: its own weight against the car
-            axle.joint.wheel = {.driveTorque = 16e3, .topSpin = 45.0, .brakeTorque = 12e3, .steerAngle = x == kFrontAxle ? 0.5 : 0.0};
-            if (throttle != 0.0) axle.joint.motor = {MotorMode::Speed, axle.joint.wheel.topSpin, throttle * axle.joint.wheel.driveTorque};
+            axle.joint.wheel = {
+                .driveTorque = 16e3, .topSpin = 45.0, .brakeTorque = 12e3, .steerAngle = x == kFrontAxle ? 0.5 : 0.0};
+            if (throttle != 0.0)
+                axle.joint.motor = {MotorMode::Speed, axle.joint.wheel.topSpin,
+                                    throttle * axle.joint.wheel.driveTorque};
             level.joints.push_back(std::move(axle));
         }
     return place;

@@ -4,9 +4,9 @@
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/neighbourhood.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -26,7 +26,8 @@ bool inWindow(int along, int up) {
         const int x = along - windowAt(i);
         if (x < 0 || x >= kLight || up < kSill) continue;
         if (up < kSpring) return true;
-        const int left = x, right = kLight - 1 - x, above = up - kSpring;  // two circles, each about the other side's foot
+        const int left = x, right = kLight - 1 - x,
+                  above = up - kSpring;  // two circles, each about the other side's foot
         return left * left + above * above < kLight * kLight && right * right + above * above < kLight * kLight;
     }
     return false;
@@ -34,8 +35,9 @@ bool inWindow(int along, int up) {
 
 /// Stained glass: panes in lead, a lozenge pattern with a medallion in each window.
 void addGlass(Canvas& c, int x, int kFloorAt) {
-    const std::array<Swatch, 6> colors = {c.addSurface(kGlassRed),   c.addSurface(kGlassBlue),   c.addSurface(kGlassGold),
-                                          c.addSurface(kGlassGreen), c.addSurface(kGlassViolet), c.addSurface(kGlass)};
+    const std::array<Swatch, 6> colors = {c.addSurface(kGlassRed),    c.addSurface(kGlassBlue),
+                                          c.addSurface(kGlassGold),   c.addSurface(kGlassGreen),
+                                          c.addSurface(kGlassViolet), c.addSurface(kGlass)};
     const Swatch lead = c.addSurface(kDarkSteel);
     for (int z = 0; z < kLong; ++z)
         for (int y = 0; y < kTall; ++y) {
@@ -45,7 +47,8 @@ void addGlass(Canvas& c, int x, int kFloorAt) {
             const bool isRim = !inWindow(z - 1, y) || !inWindow(z + 1, y) || !inWindow(z, y - 1) || !inWindow(z, y + 1);
             const int range = u * u + v * v;
             const int a = (u + v + 600) / 6, b = (u - v + 600) / 6;
-            const bool isLead = isRim || (range >= 36 && range < 49) || (range >= 49 && ((u + v + 600) % 6 == 0 || (u - v + 600) % 6 == 0));
+            const bool isLead = isRim || (range >= 36 && range < 49) ||
+                                (range >= 49 && ((u + v + 600) % 6 == 0 || (u - v + 600) % 6 == 0));
             Swatch glass = colors[hashCell(a, b, window, 7) % 5];
             if (range < 36) glass = colors[size_t((window + (range < 9 ? 2 : 0)) % 3)];
             if (range >= 49 && hashCell(a, b, window, 9) % 4 == 0) glass = colors[5];
@@ -55,12 +58,13 @@ void addGlass(Canvas& c, int x, int kFloorAt) {
 
 void addChapel(Level& level) {
     Canvas c({kWide, kFloor + kTall + 36, kLong});
-    const Swatch stone = c.addSurface(kRender), base = c.addSurface(kConcrete), joint = c.addSurface(kPavingJoint), flag = c.addSurface(kPaving), beam = c.addSurface(kDarkWood),
-                 tile = c.addSurface(kRoofTile);
+    const Swatch stone = c.addSurface(kRender), base = c.addSurface(kConcrete), joint = c.addSurface(kPavingJoint),
+                 flag = c.addSurface(kPaving), beam = c.addSurface(kDarkWood), tile = c.addSurface(kRoofTile);
     const int top = kFloor + kTall;
     c.box({0, 0, 0}, {kWide, kFloor, kLong}, base);
-    c.fill({kWall, kFloor - 1, kWall}, {kWide - kWall, kFloor, kLong - kWall},
-           [&](ivec3 cell) { return PaletteBuilder::pick(cell.x % 8 == 0 || (cell.z + cell.x / 8 % 2 * 4) % 8 == 0 ? joint : flag, cell); });
+    c.fill({kWall, kFloor - 1, kWall}, {kWide - kWall, kFloor, kLong - kWall}, [&](ivec3 cell) {
+        return PaletteBuilder::pick(cell.x % 8 == 0 || (cell.z + cell.x / 8 % 2 * 4) % 8 == 0 ? joint : flag, cell);
+    });
     c.box({0, kFloor, 0}, {kWall, top, kLong}, stone);
     c.box({kWide - kWall, kFloor, 0}, {kWide, top, kLong}, stone);
     c.box({0, kFloor, 0}, {kWide, top, kWall}, stone);
@@ -90,7 +94,8 @@ Level chapelLevel(uint64_t seed) {
     addChapel(level);
     level.environment.exposure *= 1.5f;  // the eye is used to the dark in here
     const ivec3 floor = kChapel + ivec3(0, kFloor, 0);
-    for (int row = 0; row < 4; ++row) addDynamic(level, makeBench("pew " + std::to_string(row + 1)), floor + ivec3(56, 0, 30 + row * 18));
+    for (int row = 0; row < 4; ++row)
+        addDynamic(level, makeBench("pew " + std::to_string(row + 1)), floor + ivec3(56, 0, 30 + row * 18));
     addDynamic(level, makeTable("altar"), floor + ivec3(38, 0, kLong - 24));
     return level;
 }
@@ -109,7 +114,8 @@ Pose chapelCamera(double seconds) {
 }  // namespace
 
 Scene chapelScene() {
-    Scene scene{"chapel", "stained glass that colours the floor, until the wall opens", chapelLevel, chapelScript, chapelCamera};
+    Scene scene{"chapel", "stained glass that colours the floor, until the wall opens", chapelLevel, chapelScript,
+                chapelCamera};
     scene.steps = 240;
     scene.verticalFov = 1.1f;
     return scene;

@@ -2,8 +2,8 @@
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/house.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -41,8 +41,8 @@ LevelShape makeMast() {
 LevelShape makeJib() {
     constexpr int kHigh = 30, kChord = 9, kMiddle = kJibSide / 2;
     Canvas c({kTip + 4, kHigh, kJibSide});
-    const Swatch steel = c.addSurface(kCarYellow), dark = c.addSurface(kDarkSteel), weight = c.addSurface(kConcreteDark), glass = c.addSurface(kGlass),
-                 white = c.addSurface(kWhiteEnamel);
+    const Swatch steel = c.addSurface(kCarYellow), dark = c.addSurface(kDarkSteel),
+                 weight = c.addSurface(kConcreteDark), glass = c.addSurface(kGlass), white = c.addSurface(kWhiteEnamel);
     for (int z : {0, kJibSide - 1}) c.box({2, 0, z}, {kTip + 3, 1, z + 1}, steel);
     c.box({kPivot, kChord - 1, kMiddle}, {kTip, kChord, kMiddle + 1}, steel);
     for (int x = 2; x < kTip; x += 8) {
@@ -80,7 +80,8 @@ LevelShape makeWreckingBall() {
 void addCrane(Level& level) {
     addStatic(level, makeMast(), kMast);
     const glm::dvec3 pivot = atCell(kMast.x + 0.5 * kMastSide, kTall + 6, kMast.z + 0.5 * kMastSide);
-    const glm::dvec3 pivotInJib = atCell(kPivot + 0.5, 0.5, 0.5 * kJibSide), tipInJib = atCell(kTip - 1.5, 0.5, 0.5 * kJibSide);
+    const glm::dvec3 pivotInJib = atCell(kPivot + 0.5, 0.5, 0.5 * kJibSide),
+                     tipInJib = atCell(kTip - 1.5, 0.5, 0.5 * kJibSide);
     constexpr double kHalf = 0.70710678118654752;
     const glm::dquat heading(kHalf, 0.0, -kHalf, 0.0);  // the jib begins toward +z
     const glm::dquat upright(kHalf, 0.0, 0.0, kHalf);   // x becomes y
@@ -119,7 +120,8 @@ Level craneLevel(uint64_t seed) {
     style.rooms = false;
     addHouse(level, "house", {272, 0, 118}, style);
     addCrane(level);
-    for (int i = 0; i < 6; ++i) addDynamic(level, makeCrate("crate " + std::to_string(i)), {110 + i % 3 * 11, i / 3 * 8, 262});
+    for (int i = 0; i < 6; ++i)
+        addDynamic(level, makeCrate("crate " + std::to_string(i)), {110 + i % 3 * 11, i / 3 * 8, 262});
     addDynamic(level, makeBarrel("barrel 1", kCarRed), {150, 0, 280});
     addDynamic(level, makeBarrel("barrel 2", kCarBlue), {158, 0, 276});
     return level;

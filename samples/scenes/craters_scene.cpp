@@ -3,9 +3,9 @@
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -16,7 +16,8 @@ constexpr int kBlasts = 18;
 LevelShape makeBunker(std::string name) {
     constexpr ivec3 kSize{52, 28, 40};
     Canvas c(kSize);
-    const Swatch concrete = c.addSurface(kConcrete), dark = c.addSurface(kConcreteDark), rebar = c.addSurface(kRebar), moss = c.addSurface(kMoss), dirty = c.addSurface(kConcrete, 80);
+    const Swatch concrete = c.addSurface(kConcrete), dark = c.addSurface(kConcreteDark), rebar = c.addSurface(kRebar),
+                 moss = c.addSurface(kMoss), dirty = c.addSurface(kConcrete, 80);
     c.box(ivec3(0), kSize, concrete);
     c.clear({5, 3, 5}, {47, 22, 35});
     c.clear({6, 13, 35}, {46, 17, 40});
@@ -39,7 +40,8 @@ LevelShape makeRuin(std::string name, int length) {
         const int top = 12 + int(hashCell(cell.x / 5, 0, length, 171) % 13);
         if (cell.y >= top || (cell.x % 26 > 9 && cell.x % 26 < 18 && cell.y > 9 && cell.y < 18)) return uint8_t(0);
         const int shifted = cell.x + cell.y % 2 * 2;
-        return PaletteBuilder::pickFor(shifted % 4 == 0 ? joint : brick, hashCell(shifted / 4, cell.y, cell.z / 2, 42) >> 8);
+        return PaletteBuilder::pickFor(shifted % 4 == 0 ? joint : brick,
+                                       hashCell(shifted / 4, cell.y, cell.z / 2, 42) >> 8);
     });
     c.removeUnanchored();
     return c.finish(std::move(name));
@@ -84,7 +86,8 @@ Pose cratersCamera(double seconds) {
 }  // namespace
 
 Scene cratersScene() {
-    Scene scene{"craters", "a field under a barrage, its debris on a budget", cratersLevel, cratersScript, cratersCamera};
+    Scene scene{"craters", "a field under a barrage, its debris on a budget", cratersLevel, cratersScript,
+                cratersCamera};
     scene.steps = 480;
     scene.settings.minPieceVoxels = 4;
     return scene;

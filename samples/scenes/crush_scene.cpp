@@ -3,11 +3,11 @@
 #include "samples/scenes/car.h"
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
-#include "samples/scenes/street_light.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
+#include "samples/scenes/street_light.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -18,7 +18,8 @@ constexpr ivec3 kCar{136, 0, 168};
 LevelShape makeBlock(std::string name) {
     constexpr ivec3 kSize{22, 16, 18};
     Canvas c(kSize);
-    const Swatch concrete = c.addSurface(kConcrete), yellow = c.addSurface(kCarYellow), black = c.addSurface(kPlasticBlack), steel = c.addSurface(kDarkSteel);
+    const Swatch concrete = c.addSurface(kConcrete), yellow = c.addSurface(kCarYellow),
+                 black = c.addSurface(kPlasticBlack), steel = c.addSurface(kDarkSteel);
     c.box(ivec3(0), kSize, concrete);
     for (int y : {0, kSize.y - 2})
         c.fill({0, y, 0}, {kSize.x, y + 2, kSize.z}, [&](ivec3 cell) {
@@ -35,9 +36,11 @@ LevelShape makeBlock(std::string name) {
 LevelShape makeContainer(std::string name, const SurfaceStyle& paint) {
     constexpr ivec3 kSize{60, 26, 24};
     Canvas c(kSize);
-    const Swatch side = c.addSurface(paint), shade = c.addSurface(paint, 84), frame = c.addSurface(paint, 70), rust = c.addSurface(kRust), floor = c.addSurface(kTimber);
+    const Swatch side = c.addSurface(paint), shade = c.addSurface(paint, 84), frame = c.addSurface(paint, 70),
+                 rust = c.addSurface(kRust), floor = c.addSurface(kTimber);
     c.fill(ivec3(0), kSize, [&](ivec3 cell) {
-        const bool x = cell.x == 0 || cell.x == kSize.x - 1, y = cell.y == 0 || cell.y == kSize.y - 1, z = cell.z == 0 || cell.z == kSize.z - 1;
+        const bool x = cell.x == 0 || cell.x == kSize.x - 1, y = cell.y == 0 || cell.y == kSize.y - 1,
+                   z = cell.z == 0 || cell.z == kSize.z - 1;
         if (int(x) + int(y) + int(z) > 1) return PaletteBuilder::pick(frame, cell);
         if (cell.y == 0) return PaletteBuilder::pick(floor, cell);
         if (x || y || z) return PaletteBuilder::pick((x ? cell.z : cell.x) % 4 < 2 ? side : shade, cell);
@@ -69,7 +72,8 @@ Level crushLevel(uint64_t seed) {
     addStatic(level, makeConcreteWall("yard wall", 250, 18), {34, -kFenceFoot, 86});
     addStreetLight(level, "lamp", {214, 0, 176}, true);
     for (int i = 0; i < 4; ++i)
-        addDynamic(level, makeBarrel("barrel " + std::to_string(i), i % 2 ? kCarRed : kCarBlue), {100 + i % 2 * 8, 0, 150 + i / 2 * 9});
+        addDynamic(level, makeBarrel("barrel " + std::to_string(i), i % 2 ? kCarRed : kCarBlue),
+                   {100 + i % 2 * 8, 0, 150 + i / 2 * 9});
     return level;
 }
 

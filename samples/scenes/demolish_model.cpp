@@ -34,7 +34,8 @@ void spray(ScriptClock& clock, const Target& target) {
 
 void hammer(ScriptClock& clock, const Target& target) {
     const double radius = target.tool() * 0.35;
-    static constexpr double kHits[][3] = {{0.1, 0.5, 0.95}, {0.25, 0.7, 1.0}, {0.05, 0.6, 0.7}, {0.4, 0.35, 1.0}, {0.1, 0.85, 0.9}};
+    static constexpr double kHits[][3] = {
+        {0.1, 0.5, 0.95}, {0.25, 0.7, 1.0}, {0.05, 0.6, 0.7}, {0.4, 0.35, 1.0}, {0.1, 0.85, 0.9}};
     for (int i = clock.first(1.4, 5, 1.8); i < clock.last(1.4, 5, 1.8); ++i)
         clock.add(carveSphere(target.at(kHits[i][0], kHits[i][1], kHits[i][2]), {radius, radius * 0.8, 0.0}));
 }
@@ -49,8 +50,8 @@ void slice(ScriptClock& clock, const Target& target) {
     const int rows = std::clamp(int(target.size().z / (1.3 * radius)) + 2, 2, 600);
     for (int i = clock.first(4.1, rows, 5.0); i < clock.last(4.1, rows, 5.0); ++i) {
         const double z = target.low.z + target.size().z * i / (rows - 1);
-        clock.add(
-            carveCapsule({target.low.x - 0.2, target.low.y + height, z}, {target.high.x + 0.2, target.low.y + height, z}, {radius, radius, radius}));
+        clock.add(carveCapsule({target.low.x - 0.2, target.low.y + height, z},
+                               {target.high.x + 0.2, target.low.y + height, z}, {radius, radius, radius}));
     }
 }
 

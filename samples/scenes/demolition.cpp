@@ -26,13 +26,15 @@ void spray(ScriptClock& clock) {
     const dvec3 face = inHouse(8.5, 31.0, 45.0);
     for (int i = clock.first(0.45, 40, 0.9); i < clock.last(0.45, 40, 0.9); ++i) {
         // Strokes from side to side, a disc of 0.9 m in all.
-        const double y = -0.8 + 1.6 * (i / 5) / 7.0, half = glm::sqrt(std::max(0.0, 0.81 - y * y)), z = half * (i % 5 - 2) / 2.0;
+        const double y = -0.8 + 1.6 * (i / 5) / 7.0, half = glm::sqrt(std::max(0.0, 0.81 - y * y)),
+                     z = half * (i % 5 - 2) / 2.0;
         clock.add(PaintEdit{face + dvec3(0, y, i / 5 % 2 ? -z : z), 0.24, kYellow, 215, 235, uint32_t(i)});
     }
     static constexpr int kFace[][2] = {{-3, 3},  {-3, 2}, {3, 3},  {3, 2},  {-5, -1}, {-4, -3}, {-3, -4},
                                        {-1, -5}, {0, -5}, {1, -5}, {3, -4}, {4, -3},  {5, -1}};
     for (int i = clock.first(0.95, 13, 1.25); i < clock.last(0.95, 13, 1.25); ++i)
-        clock.add(PaintEdit{face + dvec3(0.0, kFace[i][1] * 0.1, kFace[i][0] * 0.1), 0.13, kBlue, 250, 255, uint32_t(i)});
+        clock.add(
+            PaintEdit{face + dvec3(0.0, kFace[i][1] * 0.1, kFace[i][0] * 0.1), 0.13, kBlue, 250, 255, uint32_t(i)});
 
     constexpr std::string_view kWord = "BOOM";
     const dvec3 wall = (dvec3(plan::kWall) + dvec3(8.5, 3.5, 3.5)) * kVoxel;
@@ -41,7 +43,8 @@ void spray(ScriptClock& clock) {
             for (int column = 0; column < kLetterWidth; ++column)
                 if (letterRows(kWord[size_t(letter)])[row] >> (kLetterWidth - 1 - column) & 1)
                     clock.add(
-                        PaintEdit{wall + dvec3(letter * kLetterAdvance + column, kLetterHeight - 1 - row, 0) * kVoxel, 0.08, kPink, 255, 255, 0});
+                        PaintEdit{wall + dvec3(letter * kLetterAdvance + column, kLetterHeight - 1 - row, 0) * kVoxel,
+                                  0.08, kPink, 255, 255, 0});
 }
 
 void hammer(ScriptClock& clock) {
@@ -59,20 +62,24 @@ void blowWalls(ScriptClock& clock) {
     if (clock.at(4.36)) clock.add(ExplodeEdit{front + dvec3(0.1, -1.0, -0.9), 2.4});
 }
 
-/// The torch goes round the upper floor of the front room; when the last edge is through, the floor comes down with all on it.
+/// The torch goes round the upper floor of the front room; when the last edge is through, the floor comes down with all
+/// on it.
 void cutFloor(ScriptClock& clock) {
     const double y = 29.9;
-    const dvec3 corners[4] = {inHouse(12.5, y, 58.5), inHouse(12.5, y, 99.5), inHouse(60.5, y, 99.5), inHouse(60.5, y, 58.5)};
+    const dvec3 corners[4] = {inHouse(12.5, y, 58.5), inHouse(12.5, y, 99.5), inHouse(60.5, y, 99.5),
+                              inHouse(60.5, y, 58.5)};
     constexpr int kCuts = 8;
     for (int side = 0; side < 4; ++side) {
         const double start = 4.15 + side * 0.2;
         const dvec3 from = corners[side], to = corners[(side + 1) % 4];
         for (int i = clock.first(start, kCuts, start + 0.2); i < clock.last(start, kCuts, start + 0.2); ++i)
-            clock.add(carveCapsule(from + (to - from) * (double(i) / kCuts), from + (to - from) * (double(i + 1) / kCuts), {0.27, 0.0, 0.0}));
+            clock.add(carveCapsule(from + (to - from) * (double(i) / kCuts),
+                                   from + (to - from) * (double(i + 1) / kCuts), {0.27, 0.0, 0.0}));
     }
     // What still clings to the bricks' inner faces.
     if (clock.at(5.02))
-        for (int side = 0; side < 4; ++side) clock.add(carveCapsule(corners[side], corners[(side + 1) % 4], {0.28, 0.12, 0.0}));
+        for (int side = 0; side < 4; ++side)
+            clock.add(carveCapsule(corners[side], corners[(side + 1) % 4], {0.28, 0.12, 0.0}));
 }
 
 /// The street lamp's head and the porch's: their groups go out, and the light on what they lit with them.
@@ -140,7 +147,8 @@ Edits demolition(int step, uint64_t) {
 }
 
 Pose demolitionCamera(double seconds) {
-    const double drift = seconds * 0.06;  // metres: enough for depth, too little to lose the comparison between pictures
+    const double drift =
+        seconds * 0.06;  // metres: enough for depth, too little to lose the comparison between pictures
     return lookAt({4.6 + drift, 6.8, 54.0 - drift * 0.5}, {25.0, 3.7, 33.5});
 }
 

@@ -3,8 +3,8 @@
 
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -14,7 +14,8 @@ constexpr ivec3 kStoneSize{1, 8, 4};                // cells: it falls along x
 constexpr double kSpacing = 0.36;                   // metres
 
 LevelShape makeStone(int number) {
-    static constexpr const SurfaceStyle* kColors[] = {&kWhiteEnamel, &kClothRed, &kClothOchre, &kPlasticGreen, &kClothBlue};
+    static constexpr const SurfaceStyle* kColors[] = {&kWhiteEnamel, &kClothRed, &kClothOchre, &kPlasticGreen,
+                                                      &kClothBlue};
     Canvas c(kStoneSize);
     c.box(ivec3(0), kStoneSize, c.addSurface(*kColors[number / 10 % 5]));
     return c.finish("stone " + std::to_string(number));
@@ -38,7 +39,8 @@ std::array<Pose, kStones> stonePoses() {
             ahead = turned(ahead, kCosine, side * kSine);
         }
         foot += step * kSpacing;
-        const glm::dquat rotation = glm::normalize(glm::quat_cast(glm::dmat3(ahead, glm::dvec3(0, 1, 0), glm::dvec3(-ahead.z, 0.0, ahead.x))));
+        const glm::dquat rotation =
+            glm::normalize(glm::quat_cast(glm::dmat3(ahead, glm::dvec3(0, 1, 0), glm::dvec3(-ahead.z, 0.0, ahead.x))));
         poses[size_t(i)] = {foot - rotation * (glm::dvec3(kStoneSize.x, 0, kStoneSize.z) * (0.5 * kVoxel)), rotation};
     }
     return poses;
@@ -75,7 +77,8 @@ Pose dominoRunCamera(double) {
 }  // namespace
 
 Scene dominoRunScene() {
-    Scene scene{"domino_run", "five hundred stones that tip over one another", dominoRunLevel, dominoRunScript, dominoRunCamera};
+    Scene scene{"domino_run", "five hundred stones that tip over one another", dominoRunLevel, dominoRunScript,
+                dominoRunCamera};
     scene.verticalFov = 0.80f;
     scene.steps = 3240;
     return scene;

@@ -5,8 +5,8 @@
 #include "runtime/core/random.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -17,16 +17,19 @@ constexpr double kSpacing = 0.98;      // metres
 
 /// One slab with a pattern of its own: of one weight, with inlaid dots.
 LevelShape makeSlab(int number) {
-    static constexpr const SurfaceStyle* kBodies[] = {&kWhiteEnamel, &kClothRed, &kPlasticGreen, &kClothOchre, &kClothBlue, &kPlasticGrey};
+    static constexpr const SurfaceStyle* kBodies[] = {&kWhiteEnamel, &kClothRed,  &kPlasticGreen,
+                                                      &kClothOchre,  &kClothBlue, &kPlasticGrey};
     Canvas c(kSlabSize);
-    const Swatch body = c.addSurface(*kBodies[number % 6]), dot = c.addSurface(number % 6 == 0 ? kPlasticBlack : kWhiteEnamel);
+    const Swatch body = c.addSurface(*kBodies[number % 6]),
+                 dot = c.addSurface(number % 6 == 0 ? kPlasticBlack : kWhiteEnamel);
     c.box(ivec3(0), kSlabSize, body);
     c.box({0, 10, 2}, {kSlabSize.x, 11, kSlabSize.z - 2}, dot);
     const int top = number % 6 + 1, low = number * 5 % 6 + 1;
     const auto dots = [&](int count, int y) {
         static constexpr int kPlaces[7][2] = {{2, 2}, {6, 6}, {2, 6}, {6, 2}, {4, 4}, {2, 4}, {6, 4}};
         for (int i = 0; i < count; ++i)
-            for (int x : {0, kSlabSize.x - 1}) c.box({x, y + kPlaces[i][0], kPlaces[i][1]}, {x + 1, y + kPlaces[i][0] + 2, kPlaces[i][1] + 2}, dot);
+            for (int x : {0, kSlabSize.x - 1})
+                c.box({x, y + kPlaces[i][0], kPlaces[i][1]}, {x + 1, y + kPlaces[i][0] + 2, kPlaces[i][1] + 2}, dot);
     };
     dots(low, 0);
     dots(top, 11);
@@ -42,7 +45,8 @@ std::array<Pose, kSlabs> slabPoses() {
         const glm::dvec3 side(-ahead.z, 0.0, ahead.x);
         ahead = glm::normalize(ahead + side * turn);
         foot += ahead * kSpacing;
-        const glm::dquat rotation = glm::normalize(glm::quat_cast(glm::dmat3(ahead, glm::dvec3(0, 1, 0), glm::dvec3(-ahead.z, 0.0, ahead.x))));
+        const glm::dquat rotation =
+            glm::normalize(glm::quat_cast(glm::dmat3(ahead, glm::dvec3(0, 1, 0), glm::dvec3(-ahead.z, 0.0, ahead.x))));
         poses[size_t(i)] = {foot - rotation * (glm::dvec3(kSlabSize.x, 0, kSlabSize.z) * (0.5 * kVoxel)), rotation};
     }
     return poses;
@@ -68,7 +72,8 @@ Level dominoesLevel(uint64_t seed) {
     const glm::dvec3 end = (poses.back().position + poses.back().rotation * glm::dvec3(1.5, 0, 0.1)) / kVoxel;
     for (int i = 0; i < 6; ++i) {
         const int column = i < 3 ? i : i < 5 ? i - 3 : 0, row = i < 3 ? 0 : i < 5 ? 1 : 2;
-        addDynamic(level, makeCrate("crate " + std::to_string(i)), ivec3(int(end.x) + 2, row * 8, int(end.z) - 8 + column * 9 + row * 4));
+        addDynamic(level, makeCrate("crate " + std::to_string(i)),
+                   ivec3(int(end.x) + 2, row * 8, int(end.z) - 8 + column * 9 + row * 4));
     }
     addDynamic(level, makeBench("bench"), {90, 0, 100});
     addDynamic(level, makePlantPot("plant 1"), {60, 0, 110});

@@ -4,11 +4,11 @@
 #include "samples/scenes/car.h"
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
-#include "samples/scenes/street_light.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
+#include "samples/scenes/street_light.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -18,7 +18,11 @@ constexpr ivec3 kHouse{200, 0, 140};
 constexpr int kLane = kHouse.z + kDeep / 2;  // the middle of the lane that the car takes
 
 struct HouseSwatches {
-    explicit HouseSwatches(Canvas& c) : plank(c.addSurface(kRedWood)), plankDark(c.addSurface(kRedWood, 88)), post(c.addSurface(kTimber)), white(c.addSurface(kWhiteWood)) {
+    explicit HouseSwatches(Canvas& c)
+        : plank(c.addSurface(kRedWood)),
+          plankDark(c.addSurface(kRedWood, 88)),
+          post(c.addSurface(kTimber)),
+          white(c.addSurface(kWhiteWood)) {
         windows = {white, c.addSurface(kGlass), white, c.addSurface(kClothCream), plankDark};
         roof = {c.addSurface(kDarkWood), c.addSurface(kDarkWood, 84), post, c.addSurface(kDarkWood, 76), white};
     }
@@ -30,7 +34,8 @@ struct HouseSwatches {
 /// Boards upright on posts and rails, gables up to the roof, corners in white.
 void drawBoards(Canvas& c, const WallFrame& wall, bool isGable, const HouseSwatches& s) {
     for (int u = 0; u < wall.length; ++u) {
-        const int top = isGable ? kEaves + gableHeight(wall.cell(u, 0, 0).z, kMargin - 4, kMargin + kDeep + 4) : kEaves + 2;
+        const int top =
+            isGable ? kEaves + gableHeight(wall.cell(u, 0, 0).z, kMargin - 4, kMargin + kDeep + 4) : kEaves + 2;
         for (int y = 0; y < top; ++y) {
             const Swatch& board = u % 4 == 0 ? s.plankDark : s.plank;
             c.setEntry(wall.cell(u, y, 0), PaletteBuilder::pickFor(board, hashCell(u / 4, isGable, y / 24, 61)));
@@ -43,14 +48,16 @@ void drawBoards(Canvas& c, const WallFrame& wall, bool isGable, const HouseSwatc
 
 /// A wooden house of one room on bare ground.
 void addWoodenHouse(Level& level) {
-    Canvas c({kWide + 2 * kMargin, kEaves + gableHeight(kMargin + kDeep / 2, kMargin - 4, kMargin + kDeep + 4) + 4, kDeep + 2 * kMargin});
+    Canvas c({kWide + 2 * kMargin, kEaves + gableHeight(kMargin + kDeep / 2, kMargin - 4, kMargin + kDeep + 4) + 4,
+              kDeep + 2 * kMargin});
     const HouseSwatches s(c);
     const WallFrames walls = wallFrames({kMargin, 0, kMargin}, {kMargin + kWide, 0, kMargin + kDeep});
     for (const WallFrame* wall : {&walls.left, &walls.right}) drawBoards(c, *wall, true, s);
     for (const WallFrame* wall : {&walls.back, &walls.front}) drawBoards(c, *wall, false, s);
     drawGableRoof(c, {kMargin - 4, 0, kMargin - 4}, {kMargin + kWide + 4, 0, kMargin + kDeep + 4}, kEaves, s.roof);
     for (const int u : {8, 52}) drawWindow(c, walls.front, u, 9, 11, 12, s.windows, true);
-    for (const WallFrame* wall : {&walls.left, &walls.right}) drawWindow(c, *wall, kDeep / 2 - 5, kEaves + 4, 9, 8, s.windows, false);
+    for (const WallFrame* wall : {&walls.left, &walls.right})
+        drawWindow(c, *wall, kDeep / 2 - 5, kEaves + 4, 9, 8, s.windows, false);
     drawDoor(c, walls.front, 31, 0, c.addSurface(kGreenWood), s.white, c.addSurface(kDarkSteel));
     addStatic(level, c.finish("house"), kHouse - ivec3(kMargin, 0, kMargin));
 }
@@ -59,12 +66,15 @@ Level driveLevel(uint64_t seed) {
     GroundPlan ground;
     using enum GroundPlan::Surface;
     ground.size = {480, 0, 360};
-    ground.areas = {area(Concrete, 0, kLane - 22, 480, kLane + 22), area(Road, 0, 280, 480, 330), area(Paving, 0, 270, 480, 280)};
+    ground.areas = {area(Concrete, 0, kLane - 22, 480, kLane + 22), area(Road, 0, 280, 480, 330),
+                    area(Paving, 0, 270, 480, 280)};
     ground.lanesAlongX = {{{0, 0, 304}, {480, 0, 306}}};
     Level level = makePlot("drive", ground, seed);
     addDrivenCar(level, "driven car", kCarRed, {14, 0, kLane - 9}, 1.0);
     addWoodenHouse(level);
-    for (int i = 0; i < 5; ++i) addDynamic(level, makeCrate("crate " + std::to_string(i)), {346 + i % 2 * 10, i / 2 * 8, kLane - 8 + i % 2 * 3});
+    for (int i = 0; i < 5; ++i)
+        addDynamic(level, makeCrate("crate " + std::to_string(i)),
+                   {346 + i % 2 * 10, i / 2 * 8, kLane - 8 + i % 2 * 3});
     addDynamic(level, makeTable("table"), {kHouse.x + 30, 0, kLane - 20});
     addDynamic(level, makeBench("bench"), {150, 0, kLane + 34}, Turn::Askew);
     addStreetLight(level, "lamp", {120, 0, 266}, false);

@@ -82,7 +82,11 @@ inline Environment rain() {
 
 /// By the name that `sandbox --time` takes; the late afternoon for any other.
 inline Environment timeOfDay(std::string_view name) {
-    return name == "noon" ? noon() : name == "dusk" ? sunset() : name == "night" ? night() : name == "rain" ? rain() : lateAfternoon();
+    return name == "noon"    ? noon()
+           : name == "dusk"  ? sunset()
+           : name == "night" ? night()
+           : name == "rain"  ? rain()
+                             : lateAfternoon();
 }
 
 }  // namespace rubble::scenes

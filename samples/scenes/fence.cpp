@@ -10,7 +10,8 @@ namespace rubble::scenes {
 LevelShape makeConcreteWall(std::string name, int length, int height) {
     const int top = kFenceFoot + height;
     Canvas c({length, top + 1, 5});
-    const Swatch concrete = c.addSurface(kConcrete), seam = c.addSurface(kConcreteDark), coping = c.addSurface(kKerb, 108), rebar = c.addSurface(kRebar), moss = c.addSurface(kMoss),
+    const Swatch concrete = c.addSurface(kConcrete), seam = c.addSurface(kConcreteDark),
+                 coping = c.addSurface(kKerb, 108), rebar = c.addSurface(kRebar), moss = c.addSurface(kMoss),
                  dirty = c.addSurface(kConcrete, 82);
     c.box({0, 0, 1}, {length, top, 4}, concrete);
     // Panels of formwork, with the holes of their ties.

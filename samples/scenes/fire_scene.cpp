@@ -7,9 +7,9 @@
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -56,7 +56,8 @@ void drawWalls(Canvas& c, const WallFrames& walls, const CabinSwatches& s) {
         ++side;
         const bool gable = side <= 2;
         for (int u = 0; u < wall->length; ++u) {
-            const int top = gable ? std::max(kEaves, kEaves + gableHeight(wall->cell(u, 0, 0).z, kZ0 - 4, kZ1 + 4)) : kEaves + 2;
+            const int top =
+                gable ? std::max(kEaves, kEaves + gableHeight(wall->cell(u, 0, 0).z, kZ0 - 4, kZ1 + 4)) : kEaves + 2;
             for (int y = kFloor; y < top; ++y) {
                 c.setEntry(wall->cell(u, y, 0), plankEntry(s, u, y, side));
                 if (u % 7 == 0 || y % 24 == 0) c.set(wall->cell(u, y, 1), s.timber);
@@ -71,7 +72,8 @@ void drawWalls(Canvas& c, const WallFrames& walls, const CabinSwatches& s) {
 void drawChimney(Canvas& c, const CabinSwatches& s) {
     const int top = c.size().y - 1;
     c.fill({kX1 - 16, 0, kZ0 + 12}, {kX1 - 6, top, kZ0 + 20}, [&](ivec3 cell) {
-        const bool flue = cell.x > kX1 - 14 && cell.x < kX1 - 8 && cell.z > kZ0 + 13 && cell.z < kZ0 + 18 && cell.y > kFloor;
+        const bool flue =
+            cell.x > kX1 - 14 && cell.x < kX1 - 8 && cell.z > kZ0 + 13 && cell.z < kZ0 + 18 && cell.y > kFloor;
         if (flue) return uint8_t(0);
         const uint32_t brick = hashCell((cell.x + cell.z + cell.y % 2 * 2) / 4, cell.y, 1, 73);
         return PaletteBuilder::pickFor((cell.x + cell.z + cell.y % 2 * 2) % 4 == 0 ? s.joint : s.brick, brick >> 8);
@@ -81,7 +83,8 @@ void drawChimney(Canvas& c, const CabinSwatches& s) {
 
 void drawVeranda(Canvas& c, const CabinSwatches& s) {
     const int z1 = kZ1 + kPorch - 3;
-    c.fill({kX0, kFloor, kZ1}, {kX1, kFloor + 1, z1}, [&](ivec3 cell) { return PaletteBuilder::pickFor(s.plank, uint32_t(cell.x / 3)); });
+    c.fill({kX0, kFloor, kZ1}, {kX1, kFloor + 1, z1},
+           [&](ivec3 cell) { return PaletteBuilder::pickFor(s.plank, uint32_t(cell.x / 3)); });
     for (int x = kX0 + 1; x < kX1; x += 19) {
         c.box({x, 0, z1 - 2}, {x + 2, kEaves - 4, z1}, s.white);
         c.box({x, 0, kZ1 + 1}, {x + 2, kFloor, kZ1 + 3}, s.timber);
@@ -89,8 +92,10 @@ void drawVeranda(Canvas& c, const CabinSwatches& s) {
     c.box({kX0, kEaves - 5, z1 - 2}, {kX1, kEaves - 3, z1}, s.timber);
     for (int z = kZ1; z < z1 + 3; ++z) {
         const int y = kEaves - 3 + (z1 + 2 - z) / 5;
-        c.fill({kX0 - 2, y, z}, {kX1 + 2, y + 2, z + 1},
-               [&](ivec3 cell) { return PaletteBuilder::pickFor(cell.x % 4 ? s.roof.tile : s.roof.tileDark, hashCell(cell.x / 4, z / 3, 9, 72)); });
+        c.fill({kX0 - 2, y, z}, {kX1 + 2, y + 2, z + 1}, [&](ivec3 cell) {
+            return PaletteBuilder::pickFor(cell.x % 4 ? s.roof.tile : s.roof.tileDark,
+                                           hashCell(cell.x / 4, z / 3, 9, 72));
+        });
         if (z > kZ1 && z % 1 == 0)
             for (int x = kX0 + 1; x < kX1; x += 19) c.box({x, y - 1, z}, {x + 1, y, z + 1}, s.timber);
     }
@@ -143,7 +148,8 @@ Level fireLevel(uint64_t seed) {
     addDynamic(level, makeShelf("shelf", 5), floor + ivec3(kX0 + 34, 0, kZ0 + 4));
     addDynamic(level, makeBarrel("barrel 1", kCarBlue), {88, 0, 168});
     addDynamic(level, makeBarrel("barrel 2", kCarRed), {96, 0, 176});
-    for (int i = 0; i < 3; ++i) addDynamic(level, makeCrate("crate " + std::to_string(i)), {206 + i % 2 * 4, i / 2 * 8, 150 + i % 2 * 10});
+    for (int i = 0; i < 3; ++i)
+        addDynamic(level, makeCrate("crate " + std::to_string(i)), {206 + i % 2 * 4, i / 2 * 8, 150 + i % 2 * 10});
     addStatic(level, makePicketFence("fence left", 112, 10, false), {30, -kFenceFoot, 226});
     addStatic(level, makePicketFence("fence right", 112, 10, false), {172, -kFenceFoot, 226});
     return level;
@@ -153,13 +159,15 @@ glm::dvec3 inCabin(double x, double y, double z) {
     return (glm::dvec3(kHouse) + glm::dvec3(kX0 + x, y, kZ0 + z)) * kVoxel;
 }
 
-/// A spark under the veranda's roof and one in the room; the rest is the fire's own doing. A bucket at the end, too late.
+/// A spark under the veranda's roof and one in the room; the rest is the fire's own doing. A bucket at the end, too
+/// late.
 Edits fireScript(int step, uint64_t) {
     ScriptClock clock(step);
     if (clock.at(0.5)) clock.add(spawnFire(inCabin(26, kFloor + 2, kDeep + 8), 0.5));
     if (clock.at(0.8)) clock.add(spawnFire(inCabin(31, kFloor + 14, kDeep - 1), 0.5));
     if (clock.at(1.0)) clock.add(spawnFire(inCabin(46, kFloor + 4, 38), 0.6));
-    if (clock.at(2.0)) clock.add(HeatEdit{.position = inCabin(26, kFloor + 22, kDeep + 6), .radius = 1.2, .joules = 4.0e6});
+    if (clock.at(2.0))
+        clock.add(HeatEdit{.position = inCabin(26, kFloor + 22, kDeep + 6), .radius = 1.2, .joules = 4.0e6});
     for (int i = clock.first(15.5, 12, 16.7); i < clock.last(15.5, 12, 16.7); ++i)
         clock.add(pourWater(inCabin(60 + i % 4 * 4, kFloor + 4 + i, kDeep + 6), 0.8));
     return clock.take();

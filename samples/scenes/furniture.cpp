@@ -42,7 +42,8 @@ LevelShape makeShelf(std::string name, uint32_t seed) {
             const int height = 2 + int(dice >> 8 & 1) + int(shelf == 3 ? 0 : dice >> 9 & 1);
             const int low = shelf * 5 + 1;
             const uint8_t entry = PaletteBuilder::pickFor(books, dice >> 12);
-            c.fill({x, low, 1}, {x + 1, std::min(low + height, shelf == 3 ? 19 : low + 4), 3}, [&](ivec3) { return entry; });
+            c.fill({x, low, 1}, {x + 1, std::min(low + height, shelf == 3 ? 19 : low + 4), 3},
+                   [&](ivec3) { return entry; });
         }
     return c.finish(std::move(name));
 }
@@ -64,7 +65,8 @@ LevelShape makeBed(std::string name, const SurfaceStyle& blanket) {
 
 LevelShape makeSofa(std::string name, const SurfaceStyle& cloth) {
     Canvas c({21, 9, 9});
-    const Swatch fabric = c.addSurface(cloth), cushion = c.addSurface(cloth, 112), wood = c.addSurface(kDarkWood), pillow = c.addSurface(kClothOchre);
+    const Swatch fabric = c.addSurface(cloth), cushion = c.addSurface(cloth, 112), wood = c.addSurface(kDarkWood),
+                 pillow = c.addSurface(kClothOchre);
     for (int x : {1, 18})
         for (int z : {1, 6}) c.box({x, 0, z}, {x + 2, 1, z + 2}, wood);
     c.box({0, 1, 0}, {21, 3, 9}, fabric);
@@ -102,7 +104,8 @@ LevelShape makeToilet(std::string name) {
 
 LevelShape makeCounter(std::string name, int length) {
     Canvas c({length, 12, 7});
-    const Swatch cupboard = c.addSurface(kWhiteWood), seam = c.addSurface(kWhiteWood, 70), top = c.addSurface(kDarkWood), steel = c.addSurface(kSteel);
+    const Swatch cupboard = c.addSurface(kWhiteWood), seam = c.addSurface(kWhiteWood, 70),
+                 top = c.addSurface(kDarkWood), steel = c.addSurface(kSteel);
     c.box({0, 0, 0}, {length, 9, 6}, cupboard);
     c.clear({1, 1, 1}, {length - 1, 8, 5});
     for (int x = 0; x < length; x += 6) c.box({x, 0, 0}, {x + 1, 9, 6}, seam);
@@ -117,7 +120,8 @@ LevelShape makeCounter(std::string name, int length) {
 
 LevelShape makeFridge(std::string name) {
     Canvas c({7, 18, 7});
-    const Swatch enamel = c.addSurface(kWhiteEnamel), seam = c.addSurface(kWhiteEnamel, 70), steel = c.addSurface(kSteel);
+    const Swatch enamel = c.addSurface(kWhiteEnamel), seam = c.addSurface(kWhiteEnamel, 70),
+                 steel = c.addSurface(kSteel);
     c.box({0, 0, 0}, {7, 18, 7}, enamel);
     c.clear({1, 1, 1}, {6, 17, 5});
     c.box({0, 12, 0}, {7, 13, 7}, seam);
@@ -129,7 +133,8 @@ LevelShape makeFridge(std::string name) {
 
 LevelShape makeWardrobe(std::string name) {
     Canvas c({13, 20, 6});
-    const Swatch wood = c.addSurface(kTimber), panel = c.addSurface(kTimber, 112), steel = c.addSurface(kSteel), clothes = c.addSurface(kGoods);
+    const Swatch wood = c.addSurface(kTimber), panel = c.addSurface(kTimber, 112), steel = c.addSurface(kSteel),
+                 clothes = c.addSurface(kGoods);
     c.box({0, 0, 0}, {13, 20, 6}, wood);
     c.clear({1, 1, 1}, {12, 19, 5});
     c.box({2, 2, 5}, {6, 18, 6}, panel);
@@ -179,7 +184,8 @@ LevelShape makeBarrel(std::string name, const SurfaceStyle& paint) {
 
 LevelShape makeBin(std::string name) {
     Canvas c({7, 12, 7});
-    const Swatch body = c.addSurface(kPlasticGreen), lid = c.addSurface(kPlasticGreen, 80), wheel = c.addSurface(kTyre), rubbish = c.addSurface(kGoods);
+    const Swatch body = c.addSurface(kPlasticGreen), lid = c.addSurface(kPlasticGreen, 80), wheel = c.addSurface(kTyre),
+                 rubbish = c.addSurface(kGoods);
     c.box({0, 1, 0}, {7, 10, 7}, body);
     c.clear({1, 2, 1}, {6, 10, 6});
     c.box({1, 2, 1}, {6, 6, 6}, rubbish);
@@ -207,13 +213,15 @@ LevelShape makeBench(std::string name) {
 
 LevelShape makePlantPot(std::string name) {
     Canvas c({7, 13, 7});
-    const Swatch pot = c.addSurface(kRoofTileRed), soil = c.addSurface(kDirt), leaf = c.addSurface(kLeaves), stem = c.addSurface(kBark);
+    const Swatch pot = c.addSurface(kRoofTileRed), soil = c.addSurface(kDirt), leaf = c.addSurface(kLeaves),
+                 stem = c.addSurface(kBark);
     c.ring(1, 0, 4, {7, 0, 7}, -1, 5, pot);
     c.ring(1, 3, 4, {7, 0, 7}, -1, 4, soil);
     c.box({3, 4, 3}, {4, 10, 4}, stem);
     for (int y = 5; y < 13; ++y) c.ring(1, y, y + 1, {7, 0, 7}, -1, y < 7 || y > 10 ? 4 : 7, leaf);
-    c.fill({0, 4, 0}, {7, 13, 7},
-           [&](ivec3 cell) { return hashCell(cell.x, cell.y, cell.z, 81) % 3 == 0 && c.holds(cell, leaf) ? uint8_t(0) : c.at(cell); });
+    c.fill({0, 4, 0}, {7, 13, 7}, [&](ivec3 cell) {
+        return hashCell(cell.x, cell.y, cell.z, 81) % 3 == 0 && c.holds(cell, leaf) ? uint8_t(0) : c.at(cell);
+    });
     c.removeUnanchored();
     return c.finish(std::move(name));
 }

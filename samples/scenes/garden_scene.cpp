@@ -4,9 +4,9 @@
 #include "runtime/core/random.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -40,12 +40,13 @@ void addModel(Level& level, Canvas& canvas, int i, const std::string& name) {
 
 void addCastle(Level& level, int i) {
     Canvas c({44, 44, 44});
-    const Swatch stone = c.addSurface(kPlasterOchre), dark = c.addSurface(kPlasterOchre, 78), roof = c.addSurface(kRoofTileRed), wood = c.addSurface(kDarkWood),
-                 flag = c.addSurface(kClothRed);
+    const Swatch stone = c.addSurface(kPlasterOchre), dark = c.addSurface(kPlasterOchre, 78),
+                 roof = c.addSurface(kRoofTileRed), wood = c.addSurface(kDarkWood), flag = c.addSurface(kClothRed);
     c.box({4, 0, 4}, {40, 16, 40}, stone);
     c.clear({8, 1, 8}, {36, 16, 36});
     for (int u = 4; u < 40; u += 4)
-        for (ivec3 cell : {ivec3(u, 16, 4), ivec3(u, 16, 39), ivec3(4, 16, u), ivec3(39, 16, u)}) c.box(cell, cell + ivec3(2, 2, 1), stone);
+        for (ivec3 cell : {ivec3(u, 16, 4), ivec3(u, 16, 39), ivec3(4, 16, u), ivec3(39, 16, u)})
+            c.box(cell, cell + ivec3(2, 2, 1), stone);
     for (int x : {10, 78})
         for (int z : {10, 78}) {
             c.ring(1, 0, 24, {x, 0, z}, 6, 11, stone);
@@ -65,16 +66,18 @@ void addCastle(Level& level, int i) {
 
 void addGlobe(Level& level, int i) {
     Canvas c(ivec3(41, 45, 41));
-    const Swatch sea = c.addSurface(kPlasticGrey), land = c.addSurface(kCopperPipe), ring = c.addSurface(kDarkSteel), foot = c.addSurface(kDarkWood);
+    const Swatch sea = c.addSurface(kPlasticGrey), land = c.addSurface(kCopperPipe), ring = c.addSurface(kDarkSteel),
+                 foot = c.addSurface(kDarkWood);
     c.ring(1, 0, 4, {41, 0, 41}, -1, 22, foot);
     const Swatch blue = c.addSurface(kCarBlue);
     c.fill({0, 4, 0}, {41, 45, 41}, [&](ivec3 cell) {
         const ivec3 d = cell - ivec3(20, 24, 20);
         const int r2 = d.x * d.x + d.y * d.y + d.z * d.z;
-        if (d.x * d.x + d.y * d.y <= 400 && d.x * d.x + d.y * d.y > 350 && std::abs(d.z) < 2) return PaletteBuilder::pick(ring, cell);
+        if (d.x * d.x + d.y * d.y <= 400 && d.x * d.x + d.y * d.y > 350 && std::abs(d.z) < 2)
+            return PaletteBuilder::pick(ring, cell);
         if (r2 > 290 || r2 < 200) return d.x * d.x + d.z * d.z < 6 ? PaletteBuilder::pick(foot, cell) : uint8_t(0);
-        const int noise =
-            int(hashCell(d.x / 7 + 20, d.y / 6 + 20, d.z / 7 + 20, 181) % 100) + int(hashCell(d.x / 3 + 20, d.y / 3 + 20, d.z / 3 + 20, 182) % 40);
+        const int noise = int(hashCell(d.x / 7 + 20, d.y / 6 + 20, d.z / 7 + 20, 181) % 100) +
+                          int(hashCell(d.x / 3 + 20, d.y / 3 + 20, d.z / 3 + 20, 182) % 40);
         return PaletteBuilder::pick(noise > 84 ? land : std::abs(d.y) > 13 ? sea : blue, cell);
     });
     addModel(level, c, i, "globe");
@@ -82,8 +85,8 @@ void addGlobe(Level& level, int i) {
 
 void addShip(Level& level, int i) {
     Canvas c({52, 44, 22});
-    const Swatch hull = c.addSurface(kDarkWood), deck = c.addSurface(kFloorBoard), sail = c.addSurface(kClothCream), mast = c.addSurface(kTimber), red = c.addSurface(kClothRed),
-                 stand = c.addSurface(kConcreteDark);
+    const Swatch hull = c.addSurface(kDarkWood), deck = c.addSurface(kFloorBoard), sail = c.addSurface(kClothCream),
+                 mast = c.addSurface(kTimber), red = c.addSurface(kClothRed), stand = c.addSurface(kConcreteDark);
     for (int x : {14, 36}) c.box({x, 0, 6}, {x + 3, 5, 16}, stand);
     for (int x = 0; x < 52; ++x) {
         // The beam narrows toward bow (high x) and stern.
@@ -128,7 +131,8 @@ void addTemple(Level& level, int i) {
 
 void addFountain(Level& level, int i) {
     Canvas c({40, 36, 40});
-    const Swatch stone = c.addSurface(kConcrete), water = c.addSurface(kGlass), bronze = c.addSurface(kCopperPipe), dark = c.addSurface(kConcreteDark);
+    const Swatch stone = c.addSurface(kConcrete), water = c.addSurface(kGlass), bronze = c.addSurface(kCopperPipe),
+                 dark = c.addSurface(kConcreteDark);
     c.ring(1, 0, 2, {40, 0, 40}, -1, 39, dark);
     c.ring(1, 2, 9, {40, 0, 40}, 33, 39, stone);
     c.ring(1, 2, 7, {40, 0, 40}, -1, 33, water);
@@ -167,7 +171,8 @@ glm::dvec3 onPlinth(int i, double x, double y, double z) {
 
 Edits gardenScript(int step, uint64_t) {
     ScriptClock clock(step);
-    // Castle: a charge in the keep. Globe: sliced like an apple. Ship: shot through. Temple: columns knocked out. Fountain: sledge.
+    // Castle: a charge in the keep. Globe: sliced like an apple. Ship: shot through. Temple: columns knocked out.
+    // Fountain: sledge.
     if (clock.at(1.0)) clock.add(ExplodeEdit{onPlinth(0, 0.3, 0.5, 0.7), 0.9, 250});
     for (int i = 0; i < 4; ++i)
         if (clock.at(1.6 + 0.25 * i)) {
@@ -180,10 +185,11 @@ Edits gardenScript(int step, uint64_t) {
         }
     for (int i = 0; i < 6; ++i)
         if (clock.at(2.7 + 0.15 * i))
-            clock.add(carveCapsule(onPlinth(2, -1.0 + 0.34 * i, 0.25 + 0.22 * (i % 3), 0.9), onPlinth(2, -0.9 + 0.3 * i, 0.25 + 0.22 * (i % 3), -0.9),
-                                   {0.13, 0.13, 0.1}));
+            clock.add(carveCapsule(onPlinth(2, -1.0 + 0.34 * i, 0.25 + 0.22 * (i % 3), 0.9),
+                                   onPlinth(2, -0.9 + 0.3 * i, 0.25 + 0.22 * (i % 3), -0.9), {0.13, 0.13, 0.1}));
     for (int i = 0; i < 7; ++i)
-        if (clock.at(3.6 + 0.2 * i)) clock.add(carveSphere(onPlinth(3, -0.9 + 0.3 * i, 0.5, i % 2 ? 0.5 : -0.5), {0.24, 0.24, 0.2}));
+        if (clock.at(3.6 + 0.2 * i))
+            clock.add(carveSphere(onPlinth(3, -0.9 + 0.3 * i, 0.5, i % 2 ? 0.5 : -0.5), {0.24, 0.24, 0.2}));
     if (clock.at(5.25)) clock.add(ExplodeEdit{onPlinth(4, 0.2, 0.3, 0.3), 1.0, 200});
     return clock.take();
 }

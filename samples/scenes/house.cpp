@@ -29,7 +29,12 @@ struct HouseSwatches {
           rugBlue(c.addSurface(kClothTeal)),
           wire(c.addSurface(kWire)),
           pipe(c.addSurface(kCopperPipe)) {
-        walls = {c.addSurface(*style.wall), c.addSurface(style.courses ? kBrickJoint : *style.wall, 96), plaster, c.addSurface(*style.wall, 78), wire, pipe,
+        walls = {c.addSurface(*style.wall),
+                 c.addSurface(style.courses ? kBrickJoint : *style.wall, 96),
+                 plaster,
+                 c.addSurface(*style.wall, 78),
+                 wire,
+                 pipe,
                  style.courses};
         windows = {white, c.addSurface(kGlass), concrete, c.addSurface(kClothCream), walls.dirty};
         floors = {c.addSurface(kFloorBoard), c.addSurface(kFloorSeam), timber, plaster};
@@ -70,7 +75,8 @@ void drawGables(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s)
 }
 
 void drawShell(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s) {
-    canvas.box({frame.low.x - 1, 0, frame.low.z - 1}, {frame.high.x + 1, kFooting - 1, frame.high.z + 1}, s.concrete);  // below the lawn
+    canvas.box({frame.low.x - 1, 0, frame.low.z - 1}, {frame.high.x + 1, kFooting - 1, frame.high.z + 1},
+               s.concrete);  // below the lawn
     canvas.box({frame.low.x, kFooting - 1, frame.low.z}, {frame.high.x, kFloor0, frame.high.z}, s.concrete);
     for (const WallFrame* wall : {&frame.walls.left, &frame.walls.right, &frame.walls.back, &frame.walls.front})
         drawWall(canvas, *wall, kFloor0, kRoofBase + 2, s.walls);
@@ -79,7 +85,8 @@ void drawShell(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s) 
     drawFloor(canvas, low, high, kFloor1, s.floors, true);
     drawFloor(canvas, low, high, kFloor2, s.floors, true);
     drawGables(canvas, frame, s);
-    drawGableRoof(canvas, {frame.low.x - 3, 0, frame.low.z - kEaves}, {frame.high.x + 3, 0, frame.high.z + kEaves}, kRoofBase, s.roof);
+    drawGableRoof(canvas, {frame.low.x - 3, 0, frame.low.z - kEaves}, {frame.high.x + 3, 0, frame.high.z + kEaves},
+                  kRoofBase, s.roof);
 }
 
 void drawWindows(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s, const HouseStyle& style) {
@@ -123,7 +130,9 @@ void drawRooms(Canvas& canvas, const HouseSwatches& s) {
         drawOpening(canvas, {100, low, 50}, {111, low + kDoorHeight, 53}, s.white);
         // Wallpaper on the inside of the outer walls of the front room, tiles in the room behind.
         const auto paper = [&](ivec3 a, ivec3 b, Swatch swatch) {
-            canvas.fill(a, b, [&](ivec3 c) { return canvas.holds(c, s.plaster) ? PaletteBuilder::pick(swatch, c) : canvas.at(c); });
+            canvas.fill(a, b, [&](ivec3 c) {
+                return canvas.holds(c, s.plaster) ? PaletteBuilder::pick(swatch, c) : canvas.at(c);
+            });
         };
         paper({10, low, 57}, {11, high, 102}, front);
         paper({10, low, 101}, {62, high, 102}, front);
@@ -160,8 +169,9 @@ void drawRug(Canvas& canvas, ivec3 low, ivec3 high, Swatch field, Swatch edge) {
 void drawPorch(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s) {
     const int z0 = frame.high.z, z1 = z0 + 19, x0 = 74, x1 = 112;
     canvas.box({x0, 0, z0}, {x1, kFloor0, z1}, s.concrete);
-    canvas.fill({x0, kFloor0, z0}, {x1, kFloor0 + 1, z1},
-                [&](ivec3 c) { return PaletteBuilder::pickFor(c.x % 4 == 3 ? s.floors.seam : s.floors.board, uint32_t(c.x / 4)); });
+    canvas.fill({x0, kFloor0, z0}, {x1, kFloor0 + 1, z1}, [&](ivec3 c) {
+        return PaletteBuilder::pickFor(c.x % 4 == 3 ? s.floors.seam : s.floors.board, uint32_t(c.x / 4));
+    });
     canvas.box({86, 0, z1}, {102, kFloor0, z1 + 3}, s.concrete);
     for (int x : {x0, x1 - 2})
         for (int z : {z0 + 1, z1 - 2}) canvas.box({x, kFloor0 + 1, z}, {x + 2, kFloor0 + 24, z + 2}, s.white);
@@ -184,7 +194,9 @@ void drawPorch(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s) 
         const int y = kFloor0 + 26 + (z1 + 2 - z) / 4;
         for (int x = x0 - 3; x < x1 + 3; ++x) {
             const uint32_t tile = hashCell(x / 3, z / 4, 3, 72);
-            for (int d = 0; d < 2; ++d) canvas.setEntry({x, y + d, z}, PaletteBuilder::pickFor(x % 3 == 0 ? s.roof.tileDark : s.roof.tile, tile >> 8));
+            for (int d = 0; d < 2; ++d)
+                canvas.setEntry({x, y + d, z},
+                                PaletteBuilder::pickFor(x % 3 == 0 ? s.roof.tileDark : s.roof.tile, tile >> 8));
         }
     }
 }
@@ -201,30 +213,32 @@ void drawChimney(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s
                     canvas.setEntry({x, y, z}, 0);
                 else
                     canvas.setEntry({x, y, z}, PaletteBuilder::pickFor((x + z + y % 2 * 2) % 4 == 0 ? s.walls.joint
-                                                                 : y > top - 4                ? s.walls.dirty
-                                                                                              : s.walls.stone,
-                                                                 brick));
+                                                                       : y > top - 4                ? s.walls.dirty
+                                                                                                    : s.walls.stone,
+                                                                       brick));
             }
     canvas.box({low.x - 1, top, low.z - 1}, {low.x + 11, top + 1, low.z + 9}, s.concrete);
     canvas.clear({low.x + 3, top, low.z + 2}, {low.x + 7, top + 1, low.z + 6});
 }
 
 /// A lamp that hangs from a ceiling: its bulb glows in a group of its own and carries a light.
-void drawCeilingLight(Level& level, Canvas& canvas, const std::string& house, const std::string& name, ivec3 hook, float strength,
-                     const HouseSwatches& s) {
+void drawCeilingLight(Level& level, Canvas& canvas, const std::string& house, const std::string& name, ivec3 hook,
+                      float strength, const HouseSwatches& s) {
     const uint32_t group = addLightGroup(level, name);
     const Swatch glow = canvas.addSurface(kBulbGlow, 100, group);
     canvas.box(hook - ivec3(0, 3, 0), hook + ivec3(1), s.wire);
     canvas.box(hook - ivec3(2, 4, 2), hook + ivec3(3, -3, 3), s.rugEdge);
     canvas.box(hook - ivec3(1, 5, 1), hook + ivec3(2, -4, 2), glow);
-    addLight(level, house, group, LightKind::Sphere, glm::dvec3(hook) + glm::dvec3(0.5, -6.0, 0.5), kWarmLight * strength, 8.0f, 0.12f);
+    addLight(level, house, group, LightKind::Sphere, glm::dvec3(hook) + glm::dvec3(0.5, -6.0, 0.5),
+             kWarmLight * strength, 8.0f, 0.12f);
 }
 
 }  // namespace
 
 void addHouse(Level& level, const std::string& name, ivec3 cell, const HouseStyle& style) {
     const int peak = kRoofBase + gableHeight(style.depth / 2 + kEaves, 0, style.depth + 2 * kEaves) + 4;
-    Canvas canvas({style.width + 2 * kHouseMargin, peak + (style.rooms ? 10 : 4), style.depth + kHouseMargin + kHouseFront});
+    Canvas canvas(
+        {style.width + 2 * kHouseMargin, peak + (style.rooms ? 10 : 4), style.depth + kHouseMargin + kHouseFront});
     const HouseSwatches s(canvas, style);
     HouseFrame frame;
     frame.low = {kHouseMargin, 0, kHouseMargin};
@@ -240,8 +254,10 @@ void addHouse(Level& level, const std::string& name, ivec3 cell, const HouseStyl
         drawPorch(canvas, frame, s);
         drawRug(canvas, {18, kFloor0, 66}, {48, kFloor0 + 1, 92}, s.rug, s.rugEdge);
         drawRug(canvas, {22, kFloor1, 70}, {46, kFloor1 + 1, 90}, s.rugBlue, s.rugEdge);
-        drawCeilingLight(level, canvas, name, name + " living lamp", {36, HouseRooms::kLiving.high.y - 1, 79}, 16.0f, s);
-        drawCeilingLight(level, canvas, name, name + " bedroom lamp", {36, HouseRooms::kBedroom.high.y - 1, 79}, 16.0f, s);
+        drawCeilingLight(level, canvas, name, name + " living lamp", {36, HouseRooms::kLiving.high.y - 1, 79}, 16.0f,
+                         s);
+        drawCeilingLight(level, canvas, name, name + " bedroom lamp", {36, HouseRooms::kBedroom.high.y - 1, 79}, 16.0f,
+                         s);
         drawCeilingLight(level, canvas, name, name + " hall lamp", {92, HouseRooms::kHall.high.y - 1, 84}, 14.0f, s);
         drawCeilingLight(level, canvas, name, name + " porch lamp", {93, kFloor0 + 23, frame.high.z + 10}, 26.0f, s);
     }

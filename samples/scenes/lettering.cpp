@@ -29,7 +29,8 @@ void drawLettering(Canvas& canvas, ivec3 lowLeft, std::string_view text, int sca
         for (int row = 0; row < kLetterHeight; ++row)
             for (int column = 0; column < kLetterWidth; ++column) {
                 if (!(rows[row] >> (kLetterWidth - 1 - column) & 1)) continue;
-                const ivec3 low = lowLeft + ivec3((int(i) * kLetterAdvance + column) * scale, (kLetterHeight - 1 - row) * scale, 0);
+                const ivec3 low =
+                    lowLeft + ivec3((int(i) * kLetterAdvance + column) * scale, (kLetterHeight - 1 - row) * scale, 0);
                 canvas.box(low, low + ivec3(scale, scale, 1), swatch);
             }
     }

@@ -1,13 +1,14 @@
-// A lamp shop at night: a dozen lamps in groups of their own. They are shot one after the other, and the room goes dark with them.
+// A lamp shop at night: a dozen lamps in groups of their own. They are shot one after the other, and the room goes dark
+// with them.
 #include "runtime/core/random.h"
 #include "samples/scenes/building.h"
 #include "samples/scenes/furniture.h"
-#include "samples/scenes/street_light.h"
 #include "samples/scenes/lettering.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
+#include "samples/scenes/street_light.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -52,7 +53,8 @@ void drawShopLights(Level& level, Canvas& c, Swatch wire, Swatch wood) {
             const ivec3 d = cell - center;
             return d.x * d.x + d.y * d.y + d.z * d.z <= 11 ? PaletteBuilder::pick(glow, cell) : c.at(cell);
         });
-        addLight(level, "shop", group, LightKind::Sphere, glm::dvec3(center) + glm::dvec3(0.5, -4.5, 0.5), kTints[i % 5].light * 6.0f, 7.0f, 0.3f);
+        addLight(level, "shop", group, LightKind::Sphere, glm::dvec3(center) + glm::dvec3(0.5, -4.5, 0.5),
+                 kTints[i % 5].light * 6.0f, 7.0f, 0.3f);
     }
     // Boxes of light on a counter.
     for (int i = 0; i < kCubes; ++i) {
@@ -60,30 +62,41 @@ void drawShopLights(Level& level, Canvas& c, Swatch wire, Swatch wood) {
         const ivec3 low(cubeX(i), kFloor + 11, kMargin + 14);
         c.box(low - ivec3(1, 1, 1), low + ivec3(7, 0, 7), wood);
         c.box(low, low + ivec3(6, 7, 6), glowing(c, kTints[(i + 2) % 5], group));
-        addLight(level, "shop", group, LightKind::Sphere, glm::dvec3(low) + glm::dvec3(3, 4, 8.5), kTints[(i + 2) % 5].light * 2.5f, 5.0f, 0.3f);
+        addLight(level, "shop", group, LightKind::Sphere, glm::dvec3(low) + glm::dvec3(3, 4, 8.5),
+                 kTints[(i + 2) % 5].light * 2.5f, 5.0f, 0.3f);
     }
 }
 
 void addShopFront(Level& level, Canvas& c) {
     const uint32_t group = addLightGroup(level, "sign", 0.2f);
-    const Swatch board = c.addSurface(kPlasticBlack), glow = c.addSurface({"glass", {0x1a7068}, 120, 0, 10, 255, 0, 9.0f}, 100, group);
+    const Swatch board = c.addSurface(kPlasticBlack),
+                 glow = c.addSurface({"glass", {0x1a7068}, 120, 0, 10, 255, 0, 9.0f}, 100, group);
     const int z = kMargin + kDeep;
     c.box({kMargin + 10, kCeiling + 3, z}, {kMargin + 100, kCeiling + 22, z + 2}, board);
     drawLettering(c, {kMargin + 20, kCeiling + 6, z + 2}, "RUBBLE", 2, glow);
     for (int x : {30, 78})
-        addLight(level, "shop", group, LightKind::Sphere, glm::dvec3(kMargin + x, kCeiling + 11, z + 9), glm::vec3(0.25f, 0.95f, 0.85f) * 7.0f, 8.0f,
-                 0.3f);
+        addLight(level, "shop", group, LightKind::Sphere, glm::dvec3(kMargin + x, kCeiling + 11, z + 9),
+                 glm::vec3(0.25f, 0.95f, 0.85f) * 7.0f, 8.0f, 0.3f);
 }
 
 void addLightShop(Level& level) {
     Canvas c({kWide + 2 * kMargin, kCeiling + 24, kDeep + 2 * kMargin + 4});
-    const Swatch concrete = c.addSurface(kConcrete), plaster = c.addSurface(kPlaster), tile = c.addSurface(kTileWhite, 90), tileDark = c.addSurface(kTileWhite, 66),
-                 wood = c.addSurface(kDarkWood), steel = c.addSurface(kDarkSteel), wire = c.addSurface(kWire), glass = c.addSurface(kGlass), goods = c.addSurface(kGoods);
-    WallSwatches walls{c.addSurface(kBrick), c.addSurface(kBrickJoint), plaster, c.addSurface(kBrick, 78), wire, c.addSurface(kCopperPipe), true};
+    const Swatch concrete = c.addSurface(kConcrete), plaster = c.addSurface(kPlaster),
+                 tile = c.addSurface(kTileWhite, 90), tileDark = c.addSurface(kTileWhite, 66),
+                 wood = c.addSurface(kDarkWood), steel = c.addSurface(kDarkSteel), wire = c.addSurface(kWire),
+                 glass = c.addSurface(kGlass), goods = c.addSurface(kGoods);
+    WallSwatches walls{c.addSurface(kBrick),
+                       c.addSurface(kBrickJoint),
+                       plaster,
+                       c.addSurface(kBrick, 78),
+                       wire,
+                       c.addSurface(kCopperPipe),
+                       true};
     const int x0 = kMargin, x1 = x0 + kWide, z0 = kMargin, z1 = z0 + kDeep;
     c.box({x0, 0, z0}, {x1, kFloor, z1}, concrete);
     const WallFrames frames = wallFrames({x0, 0, z0}, {x1, 0, z1});
-    for (const WallFrame* wall : {&frames.left, &frames.right, &frames.back}) drawWall(c, *wall, kFloor, kCeiling + 6, walls);
+    for (const WallFrame* wall : {&frames.left, &frames.right, &frames.back})
+        drawWall(c, *wall, kFloor, kCeiling + 6, walls);
     c.fill({x0 + 3, kFloor, z0 + 3}, {x1 - 3, kFloor + 1, z1},
            [&](ivec3 cell) { return PaletteBuilder::pick((cell.x / 5 + cell.z / 5) % 2 ? tile : tileDark, cell); });
     c.box({x0 + 3, kCeiling, z0 + 3}, {x1 - 3, kCeiling + 2, z1 - 3}, plaster);
@@ -100,7 +113,8 @@ void addLightShop(Level& level) {
         c.box({x0 + 6, kFloor + y, z0 + 3}, {x1 - 6, kFloor + y + 1, z0 + 7}, wood);
         for (int x = x0 + 8; x < x1 - 8; x += 4)
             if (hashCell(x, y, 0, 161) % 4)
-                c.box({x, kFloor + y + 1, z0 + 3}, {x + 2, kFloor + y + 3 + int(hashCell(x, y, 1, 161) % 3), z0 + 6}, goods);
+                c.box({x, kFloor + y + 1, z0 + 3}, {x + 2, kFloor + y + 3 + int(hashCell(x, y, 1, 161) % 3), z0 + 6},
+                      goods);
     }
     drawShopLights(level, c, wire, wood);
     addShopFront(level, c);
@@ -138,11 +152,14 @@ Edits lightShopScript(int step, uint64_t) {
     static constexpr int kOrder[kGlobes] = {1, 3, 0, 4, 2};
     for (int i = 0; i < kGlobes; ++i)
         if (clock.at(1.0 + 0.55 * i))
-            clock.add(carveSphere(inShop(globeX(kOrder[i]) + 0.5, globeY(kOrder[i]) - 0.5, kMargin + 38.0), {0.28, 0.2, 0.0}));
+            clock.add(carveSphere(inShop(globeX(kOrder[i]) + 0.5, globeY(kOrder[i]) - 0.5, kMargin + 38.0),
+                                  {0.28, 0.2, 0.0}));
     for (int i = 0; i < kCubes; ++i)
-        if (clock.at(3.9 + 0.4 * i)) clock.add(ExplodeEdit{inShop(cubeX(i) + 3.0, kFloor + 15.0, kMargin + 20.0), 0.5, 60.0});
+        if (clock.at(3.9 + 0.4 * i))
+            clock.add(ExplodeEdit{inShop(cubeX(i) + 3.0, kFloor + 15.0, kMargin + 20.0), 0.5, 60.0});
     if (clock.at(5.6)) clock.add(ExplodeEdit{inShop(48, kCeiling + 12.0, kMargin + kDeep + 3.0), 1.3, 900.0});
-    if (clock.at(6.3)) clock.add(carveSphere((glm::dvec3(84, 0, 206) + glm::dvec3(0.5, 51.0, 13.0)) * kVoxel, {0.45, 0.45, 0.45}));
+    if (clock.at(6.3))
+        clock.add(carveSphere((glm::dvec3(84, 0, 206) + glm::dvec3(0.5, 51.0, 13.0)) * kVoxel, {0.45, 0.45, 0.45}));
     return clock.take();
 }
 
@@ -153,7 +170,8 @@ Pose lightShopCamera(double seconds) {
 }  // namespace
 
 Scene lightShopScene() {
-    Scene scene{"light_shop", "a lamp shop at night whose lights are shot out", lightShopLevel, lightShopScript, lightShopCamera};
+    Scene scene{"light_shop", "a lamp shop at night whose lights are shot out", lightShopLevel, lightShopScript,
+                lightShopCamera};
     scene.steps = 450;
     return scene;
 }

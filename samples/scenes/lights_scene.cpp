@@ -1,13 +1,13 @@
-// A workshop at night with one light of each kind, mist in the air, and a floodlight behind a cracked wall. They go out one by one;
-// then the wall gives way.
+// A workshop at night with one light of each kind, mist in the air, and a floodlight behind a cracked wall. They go out
+// one by one; then the wall gives way.
 #include "runtime/core/random.h"
 #include "samples/scenes/building.h"
 #include "samples/scenes/environment.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -41,7 +41,8 @@ LightImage sunsetImage() {
     return picture;
 }
 
-Light& addTurned(Level& level, uint32_t group, LightKind kind, glm::dvec3 cell, glm::vec3 color, float reach, float radius, glm::dquat rotation) {
+Light& addTurned(Level& level, uint32_t group, LightKind kind, glm::dvec3 cell, glm::vec3 color, float reach,
+                 float radius, glm::dquat rotation) {
     addLight(level, "hall", group, kind, cell, color, reach, radius);
     level.lights.back().light.local.rotation = rotation;
     return level.lights.back().light;
@@ -74,15 +75,16 @@ void addHallLights(Level& level, Canvas& c) {
         c.box(low - ivec3(1, 1, 1), low + ivec3(2, 0, 2), steel);
         c.box(low, low + ivec3(1, kTubeTall, 1), c.addSurface(glow(glows[i], 6.0f), 100, group));
         c.box(low + ivec3(-1, kTubeTall, -1), low + ivec3(2, kTubeTall + 1, 2), steel);
-        addTurned(level, group, LightKind::Capsule, glm::dvec3(low) + glm::dvec3(0.5, kTubeTall / 2.0, 0.5), colors[i] * 4.5f, 8.0f, 0.06f, kUpright)
+        addTurned(level, group, LightKind::Capsule, glm::dvec3(low) + glm::dvec3(0.5, kTubeTall / 2.0, 0.5),
+                  colors[i] * 4.5f, 8.0f, 0.06f, kUpright)
             .width = kTubeTall * float(kVoxel);
     }
 
     const uint32_t panel = addLightGroup(level, "panel", 0.2f);
     c.box(kPanel - ivec3(1, 0, 1), kPanel + ivec3(25, 1, 13), steel);
     c.box(kPanel, kPanel + ivec3(24, 1, 12), c.addSurface(glow(0xfff4e4, 2.4f), 100, panel));
-    Light& ceiling = addTurned(level, panel, LightKind::Area, glm::dvec3(kPanel) + glm::dvec3(12, -0.1, 6), glm::vec3(1.0f, 0.93f, 0.82f) * 6.0f,
-                               9.0f, 0.1f, kDownward);
+    Light& ceiling = addTurned(level, panel, LightKind::Area, glm::dvec3(kPanel) + glm::dvec3(12, -0.1, 6),
+                               glm::vec3(1.0f, 0.93f, 0.82f) * 6.0f, 9.0f, 0.1f, kDownward);
     ceiling.width = 2.4f;
     ceiling.height = 1.2f;
 }
@@ -102,7 +104,8 @@ void addScreen(Level& level, Canvas& c) {
             const ivec3 low = kScreen + ivec3(2 * x, 16 - 2 * y, 2);
             c.box(low, low + ivec3(2, 2, 1), paint(screenColor(x, y)));
         }
-    Light& light = addTurned(level, group, LightKind::Screen, glm::dvec3(kScreen) + glm::dvec3(16, 9, 3.1), glm::vec3(15.0f), 9.0f, 0.1f, kForward);
+    Light& light = addTurned(level, group, LightKind::Screen, glm::dvec3(kScreen) + glm::dvec3(16, 9, 3.1),
+                             glm::vec3(15.0f), 9.0f, 0.1f, kForward);
     light.width = 3.2f;
     light.height = 1.8f;
     light.image = sunsetImage();
@@ -112,7 +115,8 @@ void addScreen(Level& level, Canvas& c) {
 void crackWall(Canvas& c) {
     for (int crack = 0; crack < 7; ++crack) {
         int x = kMiddle - 15 + crack * 5;
-        for (int y = kFloor + 3 + int(hashCell(crack, 0, 0, 301) % 5); y < kCeiling - 3 - int(hashCell(crack, 1, 0, 301) % 6); ++y) {
+        for (int y = kFloor + 3 + int(hashCell(crack, 0, 0, 301) % 5);
+             y < kCeiling - 3 - int(hashCell(crack, 1, 0, 301) % 6); ++y) {
             const uint32_t dice = hashCell(crack, y, 2, 301);
             x += int(dice % 3) - 1;
             const int wide = 1 + int(dice >> 8 & 7) / 6;
@@ -121,7 +125,8 @@ void crackWall(Canvas& c) {
         }
     }
     c.fill({kMiddle - 8, kFloor + 14, kBack}, {kMiddle + 8, kFloor + 26, kBack + 3}, [&](ivec3 cell) {
-        const int dx = cell.x - kMiddle, dy = cell.y - kFloor - 20, jitter = int(hashCell(cell.x / 2, cell.y, 0, 302) % 12);
+        const int dx = cell.x - kMiddle, dy = cell.y - kFloor - 20,
+                  jitter = int(hashCell(cell.x / 2, cell.y, 0, 302) % 12);
         return dx * dx + dy * dy * 2 < 16 + jitter ? uint8_t(0) : c.at(cell);
     });
 }
@@ -133,16 +138,17 @@ void addFlood(Level& level, Canvas& c) {
     c.box({kMiddle - 1, 0, 6}, {kMiddle + 1, low.y, 8}, steel);
     c.box(low - ivec3(1, 1, 2), low + ivec3(9, 7, 1), steel);
     c.box(low + ivec3(0, 0, 1), low + ivec3(8, 6, 2), bright);
-    Light& light = addTurned(level, group, LightKind::Cone, glm::dvec3(low) + glm::dvec3(4, 3, 2.2), glm::vec3(1.0f, 0.86f, 0.62f) * 200.0f, 22.0f,
-                             0.2f, kForward);
+    Light& light = addTurned(level, group, LightKind::Cone, glm::dvec3(low) + glm::dvec3(4, 3, 2.2),
+                             glm::vec3(1.0f, 0.86f, 0.62f) * 200.0f, 22.0f, 0.2f, kForward);
     light.coneInner = 0.55f;
     light.coneOuter = 0.8f;
 }
 
 void addHall(Level& level) {
     Canvas c({kWide + 4, kCeiling + 4, kBack + kDeep + 4});
-    const Swatch concrete = c.addSurface(kConcrete), dark = c.addSurface(kConcreteDark), plaster = c.addSurface(kPlaster, 80), brick = c.addSurface(kBrick),
-                 joint = c.addSurface(kBrickJoint), steel = c.addSurface(kSteel);
+    const Swatch concrete = c.addSurface(kConcrete), dark = c.addSurface(kConcreteDark),
+                 plaster = c.addSurface(kPlaster, 80), brick = c.addSurface(kBrick), joint = c.addSurface(kBrickJoint),
+                 steel = c.addSurface(kSteel);
     // What is smooth underfoot shows the lights.
     const Swatch polished = c.addSurface({"concrete", {0x55565a, 0x5c5d60, 0x4e4f53}, 90, 0, 40, 255, 4});
     c.box({0, 0, 0}, {kWide, kFooting, kBack + kDeep}, dark);
@@ -196,7 +202,8 @@ Edits lightsScript(int step, uint64_t) {
     ScriptClock clock(step);
     if (clock.at(2.2)) clock.add(carveSphere(inHall(glm::dvec3(kGlobe) + 0.5), {0.3, 0.2, 0.0}));
     for (int i = 0; i < 2; ++i)
-        if (clock.at(2.8 + 0.5 * i)) clock.add(carveSphere(inHall(glm::dvec3(kTubes[i]) + glm::dvec3(0.5, 12.0, 0.5)), {0.45, 0.2, 0.0}));
+        if (clock.at(2.8 + 0.5 * i))
+            clock.add(carveSphere(inHall(glm::dvec3(kTubes[i]) + glm::dvec3(0.5, 12.0, 0.5)), {0.45, 0.2, 0.0}));
     if (clock.at(3.9)) clock.add(ExplodeEdit{inHall(glm::dvec3(kPanel) + glm::dvec3(12, -2, 6)), 0.8, 120.0});
     if (clock.at(4.5)) clock.add(carveSphere(inHall(glm::dvec3(kScreen) + glm::dvec3(14, 9, 3)), {0.7, 0.3, 0.0}));
     if (clock.at(5.2)) clock.add(ExplodeEdit{inHall(glm::dvec3(kMiddle, kFloor + 14, kBack + 1)), 2.0, 700.0});
@@ -211,8 +218,8 @@ Pose lightsCamera(double seconds) {
 }  // namespace
 
 Scene lightsScene() {
-    Scene scene{"lights", "a ball, tubes, a cone, a panel and a screen of light in mist, put out one after the other", lightsLevel, lightsScript,
-                lightsCamera};
+    Scene scene{"lights", "a ball, tubes, a cone, a panel and a screen of light in mist, put out one after the other",
+                lightsLevel, lightsScript, lightsCamera};
     scene.steps = 480;
     scene.verticalFov = 0.9f;
     return scene;

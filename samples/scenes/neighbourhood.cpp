@@ -28,8 +28,10 @@ GroundPlan crossingStreets(ivec3 size) {
                           groundArea(middleX - 1, kStreetHigh + 44, middleX + 1, edge)};
     // Zebra crossings on the two arms of the corner.
     for (int i = 0; i < 8; ++i) {
-        ground.solidLines.push_back(groundArea(kSideHigh + 8, kStreetLow + 4 + i * 10, kSideHigh + 32, kStreetLow + 9 + i * 10));
-        ground.solidLines.push_back(groundArea(kSideLow + 4 + i * 10, kStreetLow - 32, kSideLow + 9 + i * 10, kStreetLow - 8));
+        ground.solidLines.push_back(
+            groundArea(kSideHigh + 8, kStreetLow + 4 + i * 10, kSideHigh + 32, kStreetLow + 9 + i * 10));
+        ground.solidLines.push_back(
+            groundArea(kSideLow + 4 + i * 10, kStreetLow - 32, kSideLow + 9 + i * 10, kStreetLow - 8));
     }
     ground.manholes = {{176, 0, 530}, {70, 0, 392}, {420, 0, 492}};
     return ground;

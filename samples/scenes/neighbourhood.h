@@ -1,7 +1,7 @@
 #pragma once
 #include "samples/scenes/placement.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/street.h"
+#include "samples/scenes/surface_styles.h"
 
 /// What every stage shares: the crossing streets, and the houses and trees behind.
 namespace rubble::scenes {

@@ -37,7 +37,9 @@ Swatch PaletteBuilder::addSurface(const SurfaceStyle& style, int percent, uint32
     for (int i = 0; i < count; ++i) {
         const uint32_t color = style.colors[size_t(i % colors)];
         const uint32_t dice = hashCell(i, int(color), percent, 77);
-        const int value = count == 1 || style.variation == 0 ? 100 : 100 + int(dice % uint32_t(2 * style.variation + 1)) - style.variation;
+        const int value = count == 1 || style.variation == 0
+                              ? 100
+                              : 100 + int(dice % uint32_t(2 * style.variation + 1)) - style.variation;
         const int warm = style.variation == 0 ? 0 : int(dice >> 16) % 5 - 2;
         const auto scaled = [&](int shift) { return int(color >> shift & 255) * value * percent / 10000; };
         PaletteEntry& entry = m_palette[size_t(m_next++)];
@@ -60,7 +62,8 @@ uint8_t PaletteBuilder::pick(Swatch swatch, glm::ivec3 cell) {
     // Clumps of about three voxels, their borders jittered so that they do not line up; one voxel in three is its own.
     const uint32_t own = hashCell(cell.x, cell.y, cell.z, 11);
     const int jitter = int(own >> 28 & 1);
-    const uint32_t clump = hashCell((cell.x + jitter) / 3, (cell.y + int(own >> 27 & 1)) / 2, (cell.z + int(own >> 26 & 1)) / 3, 12);
+    const uint32_t clump =
+        hashCell((cell.x + jitter) / 3, (cell.y + int(own >> 27 & 1)) / 2, (cell.z + int(own >> 26 & 1)) / 3, 12);
     const uint32_t dice = own % 3 == 0 ? own >> 8 : clump >> 8;
     return uint8_t(swatch.first + dice % swatch.count);
 }

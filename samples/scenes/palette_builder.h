@@ -9,7 +9,8 @@
 
 namespace rubble::scenes {
 
-/// How one surface looks and what it is made of: up to four sRGB colours (0xrrggbb, 0 = unused) that its voxels vary between.
+/// How one surface looks and what it is made of: up to four sRGB colours (0xrrggbb, 0 = unused) that its voxels vary
+/// between.
 struct SurfaceStyle {
     std::string_view material;
     std::array<uint32_t, 4> colors{};

@@ -4,8 +4,8 @@
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/neighbourhood.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
+#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/tree.h"
 
 namespace rubble::scenes {
@@ -18,13 +18,16 @@ constexpr int kPanes = 4, kPane = (kWide - 8) / kPanes;  // cells from post to p
 
 void addPavilion(Level& level) {
     Canvas c({kWide + 2 * kMargin, kTop + 6, kDeep + 2 * kMargin});
-    const Swatch concrete = c.addSurface(kConcrete), board = c.addSurface(kFloorBoard), seam = c.addSurface(kFloorSeam), steel = c.addSurface(kDarkSteel), glass = c.addSurface(kGlass),
-                 wood = c.addSurface(kDarkWood), white = c.addSurface(kPlaster), felt = c.addSurface(kRoofFelt), brick = c.addSurface(kBrick), joint = c.addSurface(kBrickJoint);
+    const Swatch concrete = c.addSurface(kConcrete), board = c.addSurface(kFloorBoard), seam = c.addSurface(kFloorSeam),
+                 steel = c.addSurface(kDarkSteel), glass = c.addSurface(kGlass), wood = c.addSurface(kDarkWood),
+                 white = c.addSurface(kPlaster), felt = c.addSurface(kRoofFelt), brick = c.addSurface(kBrick),
+                 joint = c.addSurface(kBrickJoint);
     const int x0 = kMargin, x1 = x0 + kWide, z0 = kMargin, z1 = z0 + kDeep;
     c.box({x0 - 4, 0, z0 - 2}, {x1 + 4, kFloor, z1 + 6}, concrete);
     c.fill({x0, kFloor, z0}, {x1, kFloor + 1, z1}, [&](ivec3 cell) {
         const int plank = cell.z / 4;
-        return PaletteBuilder::pickFor(cell.z % 4 == 3 ? seam : board, hashCell((cell.x + int(hashCell(plank, 0, 0, 5) % 30)) / 30, plank, 1, 64));
+        return PaletteBuilder::pickFor(cell.z % 4 == 3 ? seam : board,
+                                       hashCell((cell.x + int(hashCell(plank, 0, 0, 5) % 30)) / 30, plank, 1, 64));
     });
     // A brick wall behind and a plastered one to the right; glass in front and to the left, under a thin wide roof.
     c.fill({x0, kFloor + 1, z0}, {x1, kTop, z0 + 3}, [&](ivec3 cell) {
@@ -36,11 +39,13 @@ void addPavilion(Level& level) {
     c.box({x0 - 6, kTop + 3, z0 - 3}, {x1 + 3, kTop + 4, z1 + 7}, felt);
     c.box({x0 - 7, kTop, z1 + 7}, {x1 + 4, kTop + 4, z1 + 8}, steel);
     c.box({x0 - 7, kTop, z0 - 4}, {x0 - 6, kTop + 4, z1 + 8}, steel);
-    for (int i = 0; i <= kPanes; ++i) c.box({x0 + 2 + i * kPane, kFloor + 1, z1 - 3}, {x0 + 4 + i * kPane, kTop, z1 - 1}, steel);
+    for (int i = 0; i <= kPanes; ++i)
+        c.box({x0 + 2 + i * kPane, kFloor + 1, z1 - 3}, {x0 + 4 + i * kPane, kTop, z1 - 1}, steel);
     c.box({x0 + 2, kFloor + 1, z1 - 2}, {x1 - 3, kTop, z1 - 1}, glass);
     c.box({x0 + 2, kFloor + 1, z1 - 3}, {x1 - 3, kFloor + 2, z1 - 1}, steel);
     c.box({x0 + 2, kTop - 1, z1 - 3}, {x1 - 3, kTop, z1 - 1}, steel);
-    for (int i = 0; i <= kPanes; ++i) c.box({x0 + 2 + i * kPane, kFloor + 1, z1 - 3}, {x0 + 4 + i * kPane, kTop, z1 - 1}, steel);
+    for (int i = 0; i <= kPanes; ++i)
+        c.box({x0 + 2 + i * kPane, kFloor + 1, z1 - 3}, {x0 + 4 + i * kPane, kTop, z1 - 1}, steel);
     c.box({x0 + 2, kFloor + 1, z0 + 3}, {x0 + 3, kTop, z1 - 2}, glass);
     c.box({x0 + 1, kFloor + 1, z0 + 34}, {x0 + 4, kTop, z0 + 36}, steel);
     addStatic(level, c.finish("pavilion"), kHouse - ivec3(kMargin, 0, kMargin));

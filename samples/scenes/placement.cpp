@@ -54,7 +54,8 @@ uint32_t addLightGroup(Level& level, std::string name, float threshold) {
     return uint32_t(level.lightGroups.size());
 }
 
-void addLight(Level& level, const std::string& shape, uint32_t group, LightKind kind, glm::dvec3 cell, glm::vec3 color, float reach, float radius) {
+void addLight(Level& level, const std::string& shape, uint32_t group, LightKind kind, glm::dvec3 cell, glm::vec3 color,
+              float reach, float radius) {
     LevelLight entry;
     entry.shapeName = shape;
     entry.groupName = level.lightGroups[group - 1].name;

@@ -18,7 +18,8 @@ Level makePlot(std::string name, const GroundPlan& ground, uint64_t seed) {
     static constexpr const SurfaceStyle* kCrowns[] = {&kLeaves, &kLeavesDark, &kLeavesAutumn, &kLeaves};
     for (int i = 0, x = 34; x < ground.size.x - 30; ++i) {
         const int height = random.between(62, 92);
-        addTree(level, "tree " + std::to_string(i), {x, 0, 34 + random.between(0, 8)}, height, *kCrowns[i % 4], seed + uint64_t(i));
+        addTree(level, "tree " + std::to_string(i), {x, 0, 34 + random.between(0, 8)}, height, *kCrowns[i % 4],
+                seed + uint64_t(i));
         x += random.between(58, 84);
     }
     addStatic(level, makeHedge("hedge", {ground.size.x - 24, 11, 9}), {12, -kHedgeRoot, 58});

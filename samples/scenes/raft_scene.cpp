@@ -3,9 +3,9 @@
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/neighbourhood.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -18,19 +18,20 @@ constexpr ivec3 kRaft{130, 11, 140};
 
 void addBasin(Level& level) {
     Canvas c(kSize);
-    const Swatch stone = c.addSurface(kConcrete), rim = c.addSurface(kPaving), tile = c.addSurface(kTileWhite), line = c.addSurface(kPlasterBlue);
+    const Swatch stone = c.addSurface(kConcrete), rim = c.addSurface(kPaving), tile = c.addSurface(kTileWhite),
+                 line = c.addSurface(kPlasterBlue);
     c.box({0, 0, 0}, kSize, stone);
     c.clear({kWall, kFloor, kWall}, {kSize.x - kWall, kSize.y, kSize.z - kWall});
     c.fill({kWall, kFloor - 1, kWall}, {kSize.x - kWall, kFloor, kSize.z - kWall},
            [&](ivec3 cell) { return PaletteBuilder::pick(cell.x % 10 == 0 || cell.z % 10 == 0 ? line : tile, cell); });
-    for (const auto& [low, high] :
-         {std::pair(ivec3(0, kSize.y - 2, 0), ivec3(kSize.x, kSize.y, kWall)),
-          std::pair(ivec3(0, kSize.y - 2, kSize.z - kWall), ivec3(kSize.x, kSize.y, kSize.z)),
-          std::pair(ivec3(0, kSize.y - 2, 0), ivec3(kWall, kSize.y, kSize.z)), std::pair(ivec3(kSize.x - kWall, kSize.y - 2, 0), kSize)})
+    for (const auto& [low, high] : {std::pair(ivec3(0, kSize.y - 2, 0), ivec3(kSize.x, kSize.y, kWall)),
+                                    std::pair(ivec3(0, kSize.y - 2, kSize.z - kWall), ivec3(kSize.x, kSize.y, kSize.z)),
+                                    std::pair(ivec3(0, kSize.y - 2, 0), ivec3(kWall, kSize.y, kSize.z)),
+                                    std::pair(ivec3(kSize.x - kWall, kSize.y - 2, 0), kSize)})
         c.box(low, high, rim);
     addStatic(level, c.finish("basin"), kBasin);
-    const double low = (kBasin.x + kWall) * kVoxel, high = (kBasin.x + kSize.x - kWall) * kVoxel, near = (kBasin.z + kWall) * kVoxel,
-                 far = (kBasin.z + kSize.z - kWall) * kVoxel;
+    const double low = (kBasin.x + kWall) * kVoxel, high = (kBasin.x + kSize.x - kWall) * kVoxel,
+                 near = (kBasin.z + kWall) * kVoxel, far = (kBasin.z + kSize.z - kWall) * kVoxel;
     level.waters.push_back({.name = "basin",
                             .outline = {{low, near}, {high, near}, {high, far}, {low, far}},
                             .surface = kSurface,
@@ -86,8 +87,11 @@ Level raftLevel(uint64_t seed) {
 Edits raftScript(int step, uint64_t seed) {
     ScriptClock clock(step);
     const glm::dvec3 middle = atCell(kRaft.x + 26, 12, kRaft.z + 18);
-    if (clock.at(5.0)) clock.add(BreakEdit{.position = middle, .radii = {2.2, 1.6, 1.0}, .tool = Tool::Explosive, .seed = uint32_t(seed) + 7});
-    if (clock.at(5.0)) clock.add(ExplodeEdit{.position = middle - glm::dvec3(0.0, 0.3, 0.0), .size = 1.6, .impulse = 2500.0});
+    if (clock.at(5.0))
+        clock.add(BreakEdit{
+            .position = middle, .radii = {2.2, 1.6, 1.0}, .tool = Tool::Explosive, .seed = uint32_t(seed) + 7});
+    if (clock.at(5.0))
+        clock.add(ExplodeEdit{.position = middle - glm::dvec3(0.0, 0.3, 0.0), .size = 1.6, .impulse = 2500.0});
     return clock.take();
 }
 

@@ -11,7 +11,7 @@ namespace rubble {
 /// A level, what happens to it step by step, and where to watch it from: the same for samples, tests and benchmarks.
 /// All functions are pure; steps are 1/60 s from 0.
 struct Scene {
-    std::string_view name;   ///< as commands take it
+    std::string_view name;         ///< as commands take it
     std::string_view description;  ///< one line for people
     Level (*level)(uint64_t seed);
     Edits (*script)(int step, uint64_t seed);

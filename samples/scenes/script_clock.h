@@ -19,7 +19,8 @@ public:
 
     void add(Edit edit) { m_edits.push_back(std::move(edit)); }
     void spread(double from, double to, const Edits& edits) {
-        for (int i = first(from, int(edits.size()), to); i < last(from, int(edits.size()), to); ++i) add(edits[size_t(i)]);
+        for (int i = first(from, int(edits.size()), to); i < last(from, int(edits.size()), to); ++i)
+            add(edits[size_t(i)]);
     }
     Edits take() { return std::move(m_edits); }
 

@@ -31,7 +31,13 @@ struct ShopSwatches {
           joist(c.addSurface(kSteel)),
           pipe(c.addSurface(kCopperPipe)),
           white(c.addSurface(kWhiteWood)) {
-        walls = {c.addSurface(kBrickYellow), c.addSurface(kBrickYellow, 84), plaster, c.addSurface(kBrickYellow, 76), c.addSurface(kWire), pipe, true};
+        walls = {c.addSurface(kBrickYellow),
+                 c.addSurface(kBrickYellow, 84),
+                 plaster,
+                 c.addSurface(kBrickYellow, 76),
+                 c.addSurface(kWire),
+                 pipe,
+                 true};
         windows = {white, glass, concrete, cream, walls.dirty};
     }
     Swatch concrete, plaster, steel, glass, tile, tileDark, wood, red, cream, felt, board, goods, joist, pipe, white;
@@ -42,7 +48,8 @@ struct ShopSwatches {
 void drawShell(Canvas& c, const WallFrames& walls, const ShopSwatches& s) {
     c.box({kX0 - 1, 0, kZ0 - 1}, {kX1 + 1, kFooting - 1, kZ1 + 1}, s.concrete);  // below the pavement
     c.box({kX0, kFooting - 1, kZ0}, {kX1, kFloor, kZ1}, s.concrete);
-    for (const WallFrame* wall : {&walls.left, &walls.right, &walls.back, &walls.front}) drawWall(c, *wall, kFloor, kRoof + 6, s.walls);
+    for (const WallFrame* wall : {&walls.left, &walls.right, &walls.back, &walls.front})
+        drawWall(c, *wall, kFloor, kRoof + 6, s.walls);
     c.fill({kX0 + 3, kFloor, kZ0 + 3}, {kX1 - 3, kFloor + 1, kZ1 - 3},
            [&](ivec3 cell) { return PaletteBuilder::pick((cell.x / 5 + cell.z / 5) % 2 ? s.tile : s.tileDark, cell); });
     // Ceiling, steel joists, roof deck, and felt under a parapet with a coping.
@@ -72,8 +79,8 @@ void drawFront(Canvas& c, const WallFrame& front, const ShopSwatches& s) {
             if (!door && y < kLow) continue;
             for (int k = 0; k < 3; ++k) c.setEntry(front.cell(u, y, k), 0);
             const int pane = door ? (u - 52) % 8 : (u - 8) % 15;
-            const bool post =
-                pane == 0 || u == 52 || u == 67 || u == Plan::kWidth - 9 || y == kHigh - 1 || (!door && y == kLow) || (door && y == kFloor + 1);
+            const bool post = pane == 0 || u == 52 || u == 67 || u == Plan::kWidth - 9 || y == kHigh - 1 ||
+                              (!door && y == kLow) || (door && y == kFloor + 1);
             c.set(front.cell(u, y, 1), post ? s.steel : s.glass);
             if (door && y == kFloor + 11 && (pane == 6 || pane == 2)) c.set(front.cell(u, y, 0), s.steel);
         }
@@ -101,8 +108,8 @@ void drawSign(Level& level, Canvas& c, const std::string& name, const ShopSwatch
     c.box({x0 - 5, y0 - 2, kZ1}, {x0 + kTextWidth + 5, y0 + kLetterHeight * kScale + 4, kZ1 + 2}, s.board);
     drawLettering(c, {x0, y0 + 1, kZ1 + 2}, kText, kScale, glow);
     for (int i : {1, 3})
-        addLight(level, name, group, LightKind::Sphere, glm::dvec3(x0 + kTextWidth * i / 4, y0 + 6, kZ1 + 9), glm::vec3(0.25f, 0.95f, 0.85f) * 7.0f,
-                 8.0f, 0.3f);
+        addLight(level, name, group, LightKind::Sphere, glm::dvec3(x0 + kTextWidth * i / 4, y0 + 6, kZ1 + 9),
+                 glm::vec3(0.25f, 0.95f, 0.85f) * 7.0f, 8.0f, 0.3f);
 }
 
 void drawInside(Level& level, Canvas& c, const std::string& name, const ShopSwatches& s) {
@@ -115,7 +122,8 @@ void drawInside(Level& level, Canvas& c, const std::string& name, const ShopSwat
                 const uint32_t dice = hashCell(x / 2, y, low.z, 121);
                 if (dice % 5 == 0 || y + 1 >= height) continue;
                 const uint8_t entry = PaletteBuilder::pickFor(s.goods, dice >> 8);
-                c.fill(low + ivec3(x, y + 1, 1), low + ivec3(x + 1, y + 2 + int(dice >> 4 & 1) * 2, 4), [&](ivec3) { return entry; });
+                c.fill(low + ivec3(x, y + 1, 1), low + ivec3(x + 1, y + 2 + int(dice >> 4 & 1) * 2, 4),
+                       [&](ivec3) { return entry; });
             }
         }
     };
@@ -128,8 +136,8 @@ void drawInside(Level& level, Canvas& c, const std::string& name, const ShopSwat
         for (int z : {30, 72}) {
             c.box({kX0 + x - 6, kCeiling - 1, kZ0 + z}, {kX0 + x + 6, kCeiling, kZ0 + z + 2}, glow);
             if (z == 72)
-                addLight(level, name, group, LightKind::Sphere, glm::dvec3(kX0 + x, kCeiling - 3, kZ0 + z + 1), glm::vec3(1.0f, 0.86f, 0.66f) * 9.0f,
-                         8.0f, 0.25f);
+                addLight(level, name, group, LightKind::Sphere, glm::dvec3(kX0 + x, kCeiling - 3, kZ0 + z + 1),
+                         glm::vec3(1.0f, 0.86f, 0.66f) * 9.0f, 8.0f, 0.25f);
         }
 }
 

@@ -3,7 +3,8 @@
 
 namespace rubble::scenes {
 
-/// A flat-roofed shop, its glass front toward +z, with goods inside, an awning and a lit sign ("<name> sign" is its group).
+/// A flat-roofed shop, its glass front toward +z, with goods inside, an awning and a lit sign ("<name> sign" is its
+/// group).
 struct ShopPlan {
     static constexpr int kWidth = 120, kDepth = 100, kMargin = 6, kFront = 16;
 };

@@ -3,8 +3,8 @@
 #include "samples/scenes/car.h"
 #include "samples/scenes/environment.h"
 #include "samples/scenes/furniture.h"
-#include "samples/scenes/street_light.h"
 #include "samples/scenes/neighbourhood.h"
+#include "samples/scenes/street_light.h"
 #include "samples/scenes/town.h"
 #include "samples/scenes/tree.h"
 
@@ -22,7 +22,8 @@ struct Bounds {
             const Pose pose = body.pose * shape.local;
             const glm::dvec3 size = glm::dvec3(shape.grid.size()) * double(shape.voxelSize);
             for (int corner = 0; corner < 8; ++corner) {
-                const glm::dvec3 point = pose.transformPoint(size * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2));
+                const glm::dvec3 point =
+                    pose.transformPoint(size * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2));
                 low = glm::min(low, point);
                 high = glm::max(high, point);
             }
@@ -45,7 +46,9 @@ void removeObstructions(Level& level, const Bounds& model) {
         for (const LevelShape& shape : body.shapes) gone.push_back(shape.name);
         return true;
     });
-    std::erase_if(level.lights, [&](const LevelLight& light) { return std::find(gone.begin(), gone.end(), light.shapeName) != gone.end(); });
+    std::erase_if(level.lights, [&](const LevelLight& light) {
+        return std::find(gone.begin(), gone.end(), light.shapeName) != gone.end();
+    });
 }
 
 /// Paving with seams of concrete.
@@ -105,7 +108,8 @@ Level makeStreetStage(const Level& model, uint64_t seed, glm::dvec3& modelLow, g
     }
     modelLow = bounds.low;
     modelHigh = bounds.high;
-    level.locations = {{"player", lookAt({bounds.low.x - 4.0, 1.7, bounds.high.z + 8.0}, (bounds.low + bounds.high) * 0.5)}};
+    level.locations = {
+        {"player", lookAt({bounds.low.x - 4.0, 1.7, bounds.high.z + 8.0}, (bounds.low + bounds.high) * 0.5)}};
     return level;
 }
 

@@ -35,8 +35,8 @@ struct GroundSwatches {
           manhole(c.addSurface(kManhole)),
           litter(c.addSurface(kLeavesAutumn)),
           flowers(c.addSurface(kFlowers)) {}
-    Swatch rock, dirt, grass, grassDark, dry, asphalt, asphaltWorn, patch, crack, white, kerb, kerbWorn, paving, joint, moss, concrete, manhole,
-        litter, flowers;
+    Swatch rock, dirt, grass, grassDark, dry, asphalt, asphaltWorn, patch, crack, white, kerb, kerbWorn, paving, joint,
+        moss, concrete, manhole, litter, flowers;
 };
 
 bool inside(const CellBox& box, int x, int z) {
@@ -72,12 +72,15 @@ bool cracked(int x, int z) {
 uint8_t roadCell(const GroundPlan& plan, const GroundSwatches& s, ivec3 c) {
     for (const ivec3& hole : plan.manholes) {
         const int dx = c.x - hole.x, dz = c.z - hole.z, square = dx * dx + dz * dz;
-        if (square <= 16) return square <= 9 && (dx + dz) % 2 == 0 ? PaletteBuilder::pickFor(s.manhole, 1) : PaletteBuilder::pick(s.manhole, c);
+        if (square <= 16)
+            return square <= 9 && (dx + dz) % 2 == 0 ? PaletteBuilder::pickFor(s.manhole, 1)
+                                                     : PaletteBuilder::pick(s.manhole, c);
         if (square <= 25) return PaletteBuilder::pick(s.crack, c);
     }
     if (cracked(c.x, c.z)) return PaletteBuilder::pick(s.crack, c);
     const bool worn = hashCell(c.x, 0, c.z, 304) % 100 < uint32_t(softNoise(c.x, c.z, 23, 305)) / 7;
-    const bool dashX = onLine(plan.lanesAlongX, c.x, c.z) && c.x % 40 < 24, dashZ = onLine(plan.lanesAlongZ, c.x, c.z) && c.z % 40 < 24;
+    const bool dashX = onLine(plan.lanesAlongX, c.x, c.z) && c.x % 40 < 24,
+               dashZ = onLine(plan.lanesAlongZ, c.x, c.z) && c.z % 40 < 24;
     if (!worn && (dashX || dashZ || onLine(plan.solidLines, c.x, c.z))) return PaletteBuilder::pick(s.white, c);
     const int repair = softNoise(c.x / 2, c.z / 2, 31, 306);
     if (repair > 196) return PaletteBuilder::pick(s.patch, c);
@@ -118,10 +121,14 @@ Column columnAt(const GroundPlan& plan, const GroundSwatches& s, int x, int z) {
     if (surface == Surface::Road) return {kGroundDepth - kRoadDrop, roadCell(plan, s, cell)};
     if (surface == Surface::Paving && besideRoad(plan, x, z)) {
         const bool seam = (x + z) % 10 == 0;
-        return {kGroundDepth, PaletteBuilder::pick(seam ? s.joint : hashCell(x, 2, z, 331) % 4 == 0 ? s.kerbWorn : s.kerb, cell)};
+        return {kGroundDepth, PaletteBuilder::pick(seam                              ? s.joint
+                                                   : hashCell(x, 2, z, 331) % 4 == 0 ? s.kerbWorn
+                                                                                     : s.kerb,
+                                                   cell)};
     }
     if (surface == Surface::Paving) return {kGroundDepth, pavingCell(s, cell)};
-    if (surface == Surface::Concrete) return {kGroundDepth, PaletteBuilder::pick(x % 20 == 0 || z % 20 == 0 ? s.joint : s.concrete, cell)};
+    if (surface == Surface::Concrete)
+        return {kGroundDepth, PaletteBuilder::pick(x % 20 == 0 || z % 20 == 0 ? s.joint : s.concrete, cell)};
     if (surface == Surface::Earth) return {kGroundDepth, PaletteBuilder::pick(s.dirt, cell)};
     return {kGroundDepth, lawnCell(s, cell)};
 }
@@ -131,7 +138,8 @@ void drawColumn(Canvas& canvas, const GroundPlan& plan, const GroundSwatches& s,
     const Column column = columnAt(plan, s, gx, gz);
     const Surface surface = surfaceAt(plan, gx, gz);
     const bool stone = surface == Surface::Road || surface == Surface::Paving || surface == Surface::Concrete;
-    for (int y = kRockTop; y < column.top - 1; ++y) canvas.set({x, y, z}, stone && y == column.top - 2 ? s.asphalt : s.dirt);
+    for (int y = kRockTop; y < column.top - 1; ++y)
+        canvas.set({x, y, z}, stone && y == column.top - 2 ? s.asphalt : s.dirt);
     canvas.setEntry({x, column.top - 1, z}, column.entry);
     for (const CellBox& box : plan.foundations)
         if (inside(box, gx, gz)) canvas.clear({x, kGroundDepth + box.low.y, z}, {x + 1, kGroundHeight, z + 1});
@@ -161,7 +169,8 @@ LevelShape groundTile(const GroundPlan& plan, ivec3 corner) {
     for (int z = 0; z < size.z; ++z)
         for (int x = 0; x < size.x; ++x) drawColumn(canvas, plan, swatches, corner, x, z);
     drawTufts(canvas, plan, swatches, corner, size);
-    LevelShape shape = canvas.finish("ground " + std::to_string(corner.x / kTile) + " " + std::to_string(corner.z / kTile));
+    LevelShape shape =
+        canvas.finish("ground " + std::to_string(corner.x / kTile) + " " + std::to_string(corner.z / kTile));
     shape.local.position = glm::dvec3(corner) * kVoxel;
     return shape;
 }

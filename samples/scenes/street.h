@@ -8,7 +8,8 @@ namespace rubble::scenes {
 inline constexpr int kGroundDepth = 16;  ///< cells from the bottom of the ground to the level of lawns and pavements
 inline constexpr int kRoadDrop = 2;      ///< cells that a road lies lower
 
-/// What the ground is made of at a place. Boxes in town cells on the ground, y unused; later ones lie over earlier ones.
+/// What the ground is made of at a place. Boxes in town cells on the ground, y unused; later ones lie over earlier
+/// ones.
 struct GroundPlan {
     enum class Surface { Lawn, Paving, Road, Concrete, Earth };
     struct Area {

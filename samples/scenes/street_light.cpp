@@ -10,7 +10,8 @@ ivec3 addStreetLight(Level& level, const std::string& name, ivec3 cell, bool alo
     constexpr int kArmLength = 17;
     const uint32_t group = addLightGroup(level, name);
     Canvas c(alongX ? ivec3(kArmLength + 3, kTop + 5, 5) : ivec3(5, kTop + 5, kArmLength + 3));
-    const Swatch iron = c.addSurface(kDarkSteel), foot = c.addSurface(kConcrete), glow = c.addSurface(kStreetLightGlow, 100, group), rust = c.addSurface(kRust);
+    const Swatch iron = c.addSurface(kDarkSteel), foot = c.addSurface(kConcrete),
+                 glow = c.addSurface(kStreetLightGlow, 100, group), rust = c.addSurface(kRust);
     // Drawn along +z from the post; along -x the same is laid out mirrored.
     const auto place = [&](ivec3 low, ivec3 high, Swatch swatch) {
         if (alongX) {

@@ -10,7 +10,8 @@ inline constexpr SurfaceStyle kBrickJoint{"brick", {0x6f4a3c, 0x7a5646}, 240};
 inline constexpr SurfaceStyle kBrickYellow{"brick", {0xa98c5f, 0xb39668, 0x9b7f55}, 225};
 inline constexpr SurfaceStyle kBrickGrey{"brick", {0x7d7873, 0x8a847d, 0x726d69}, 225};
 inline constexpr SurfaceStyle kPlaster{"plaster", {0xd9cfbd, 0xd4c9b6, 0xdcd3c3}, 240, 0, 10, 255, 3};
-inline constexpr SurfaceStyle kRender{"brick", {0xd9cfbd, 0xd4c9b6, 0xdcd3c3}, 240, 0, 10, 255, 3};  // comes off with the bricks
+inline constexpr SurfaceStyle kRender{"brick", {0xd9cfbd, 0xd4c9b6, 0xdcd3c3}, 240, 0, 10, 255,
+                                      3};  // comes off with the bricks
 inline constexpr SurfaceStyle kPlasterBlue{"plaster", {0x93a5ac, 0x8c9fa7}, 240, 0, 10, 255, 4};
 inline constexpr SurfaceStyle kPlasterOchre{"plaster", {0xc9a670, 0xc29e68}, 240, 0, 10, 255, 4};
 inline constexpr SurfaceStyle kPlasterRose{"plaster", {0xbd8f7e, 0xb68877}, 240, 0, 10, 255, 4};

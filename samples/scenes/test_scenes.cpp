@@ -70,7 +70,7 @@ Level makeCubeRain(int count, int size, uint64_t seed) {
     for (int i = 0; i < count; ++i) {
         const int x = i % columns, z = i / columns % columns, y = i / (columns * columns);
         addDynamic(level, block("cube " + std::to_string(i), ivec3(size), i % 2 ? kTimber : kBrick),
-                 {10 + x * (size + 2), 4 + y * (size + 2), 10 + z * (size + 2)});
+                   {10 + x * (size + 2), 4 + y * (size + 2), 10 + z * (size + 2)});
         const float turn = random.unit() - 0.5f;
         level.bodies.back().angularVelocity = {turn, 0.0f, -turn};
     }

@@ -1,15 +1,16 @@
-// A tower of nine storeys, felled at its foot: charges take the columns on one side, and it leans over and falls along the street.
+// A tower of nine storeys, felled at its foot: charges take the columns on one side, and it leans over and falls along
+// the street.
 #include "runtime/core/random.h"
 #include "samples/scenes/building.h"
 #include "samples/scenes/car.h"
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
-#include "samples/scenes/street_light.h"
 #include "samples/scenes/lettering.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
+#include "samples/scenes/street_light.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -118,7 +119,8 @@ void addTower(Level& level) {
     const WallFrames walls = wallFrames({0, 0, 0}, {kSide, 0, kSide});
     for (int storey = 0; storey < kStoreys; ++storey) {
         const int y = kFooting + storey * kHeight;
-        for (const WallFrame* wall : {&walls.left, &walls.right, &walls.back, &walls.front}) drawFacade(c, *wall, y, storey == 0, s);
+        for (const WallFrame* wall : {&walls.left, &walls.right, &walls.back, &walls.front})
+            drawFacade(c, *wall, y, storey == 0, s);
         drawColumns(c, y, s);
         drawOffice(c, y, s);
         drawCore(c, y, s);
@@ -126,7 +128,8 @@ void addTower(Level& level) {
         c.box({2, y + kHeight - 1, 2}, {kSide - 2, y + kHeight, kSide - 2}, storey + 1 == kStoreys ? s.slab : s.carpet);
         for (int x : kColumns)
             for (int z : kColumns)
-                if (x != kColumns[1] || z != kColumns[1]) c.box({x, y + kHeight - 1, z}, {x + kColumn, y + kHeight, z + kColumn}, s.concrete);
+                if (x != kColumns[1] || z != kColumns[1])
+                    c.box({x, y + kHeight - 1, z}, {x + kColumn, y + kHeight, z + kColumn}, s.concrete);
     }
     drawRoof(level, c, s);
     addStatic(level, c.finish("tower"), kTower - ivec3(0, kFooting, 0));
@@ -147,7 +150,8 @@ Level towerLevel(uint64_t seed) {
     addStatic(level, makeConcreteWall("wall", 96, 14), {330, -kFenceFoot, 120});
     addStreetLight(level, "lamp 1", {170, 0, 204}, false);
     addStreetLight(level, "lamp 2", {360, 0, 204}, false);
-    for (int i = 0; i < 4; ++i) addDynamic(level, makeCrate("crate " + std::to_string(i)), {318 + i % 2 * 10, i / 2 * 8, 150});
+    for (int i = 0; i < 4; ++i)
+        addDynamic(level, makeCrate("crate " + std::to_string(i)), {318 + i % 2 * 10, i / 2 * 8, 150});
     addDynamic(level, makeBench("bench"), {158, 0, 190});
     addDynamic(level, makeBin("bin"), {148, 0, 190});
     return level;

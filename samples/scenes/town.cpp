@@ -6,10 +6,10 @@
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/house.h"
-#include "samples/scenes/street_light.h"
 #include "samples/scenes/neighbourhood.h"
 #include "samples/scenes/shop.h"
 #include "samples/scenes/street.h"
+#include "samples/scenes/street_light.h"
 #include "samples/scenes/town_plan.h"
 #include "samples/scenes/tree.h"
 #include "samples/scenes/water_tower.h"
@@ -23,18 +23,22 @@ using Surface = GroundPlan::Surface;
 GroundPlan townGround() {
     GroundPlan ground = crossingStreets({640, 0, 640});
     const ivec3 house = kHouse, shop = kShop;
-    ground.areas.push_back({Surface::Paving, groundArea(house.x + 78, house.z + 118, house.x + 94, kStreetLow - kPavement)});    // path to the porch
-    ground.areas.push_back({Surface::Concrete, groundArea(300, house.z + 20, 330, kStreetLow - kPavement)});                     // drive
-    ground.areas.push_back({Surface::Paving, groundArea(330, shop.z, shop.x + ShopPlan::kWidth + 20, kStreetLow - kPavement)});  // before the shop
+    ground.areas.push_back({Surface::Paving, groundArea(house.x + 78, house.z + 118, house.x + 94,
+                                                        kStreetLow - kPavement)});  // path to the porch
+    ground.areas.push_back({Surface::Concrete, groundArea(300, house.z + 20, 330, kStreetLow - kPavement)});  // drive
+    ground.areas.push_back({Surface::Paving, groundArea(330, shop.z, shop.x + ShopPlan::kWidth + 20,
+                                                        kStreetLow - kPavement)});  // before the shop
     ground.areas.push_back({Surface::Earth, groundArea(kTower.x - 6, kTower.z - 6, kTower.x + 56, kTower.z + 56)});
-    ground.areas.push_back({Surface::Earth, groundArea(kHouse.x + 14, kHouse.z + 100, kHouse.x + 62, kHouse.z + 106)});  // flower bed
+    ground.areas.push_back(
+        {Surface::Earth, groundArea(kHouse.x + 14, kHouse.z + 100, kHouse.x + 62, kHouse.z + 106)});  // flower bed
     return ground;
 }
 
 void addFences(Level& level) {
     addStatic(level, makeConcreteWall("concrete wall", kWallLength, kWallHeight), kWall - ivec3(0, kFenceFoot, 0));
     addStatic(level, makeGate("gate", 30, 15), {kWall.x + kWallLength, -kFenceFoot, kWall.z});
-    addStatic(level, makeConcreteWall("concrete wall end", 18, kWallHeight), {kWall.x + kWallLength + 30, -kFenceFoot, kWall.z});
+    addStatic(level, makeConcreteWall("concrete wall end", 18, kWallHeight),
+              {kWall.x + kWallLength + 30, -kFenceFoot, kWall.z});
     addStatic(level, makePicketFence("side fence", 240, 11, true), {137, -kFenceFoot, 198});
     addStatic(level, makePicketFence("yard fence", 150, 14, false), {140, -kFenceFoot, 190});
     addStatic(level, makePicketFence("far fence", 130, 10, false), {500, -kFenceFoot, 440});

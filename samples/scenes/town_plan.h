@@ -1,7 +1,8 @@
 #pragma once
 #include <glm/vec3.hpp>
 
-/// Where the town's things stand, in cells, so that the demolition finds them. x to the right, z toward the camera, y = 0 on the lawns.
+/// Where the town's things stand, in cells, so that the demolition finds them. x to the right, z toward the camera, y =
+/// 0 on the lawns.
 namespace rubble::scenes::plan {
 
 inline constexpr glm::ivec3 kHouse{180, 0, 296};  ///< low corner of its walls, 112 x 96

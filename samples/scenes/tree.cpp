@@ -13,8 +13,8 @@ void drawClump(Canvas& c, ivec3 center, ivec3 radius, Swatch leaf, Swatch shade)
     c.fill(glm::max(center - radius, ivec3(0)), glm::min(center + radius + 1, c.size()), [&](ivec3 cell) {
         if (c.at(cell)) return c.at(cell);
         const ivec3 d = cell - center;
-        const int distance =
-            d.x * d.x * 1024 / (radius.x * radius.x) + d.y * d.y * 1024 / (radius.y * radius.y) + d.z * d.z * 1024 / (radius.z * radius.z);
+        const int distance = d.x * d.x * 1024 / (radius.x * radius.x) + d.y * d.y * 1024 / (radius.y * radius.y) +
+                             d.z * d.z * 1024 / (radius.z * radius.z);
         const int ragged = int(hashCell(cell.x / 2, cell.y / 2, cell.z / 2, 91) % 480);
         if (distance + ragged > 1130) return uint8_t(0);
         if (distance < 560 && hashCell(cell.x / 3, cell.y / 3, cell.z / 3, 92) % 3 != 0) return uint8_t(0);
@@ -41,7 +41,8 @@ LevelShape makeTree(std::string name, int height, const SurfaceStyle& leaves, ui
     const int branches = 6 + int(random.below(3));
     for (int i = 0; i < branches; ++i) {
         // Branches leave in eight directions in turn, jittered.
-        static constexpr ivec3 kBranchDirections[8] = {{4, 0, 0}, {-3, 0, 3}, {0, 0, -4}, {3, 0, 3}, {-4, 0, 0}, {3, 0, -3}, {0, 0, 4}, {-3, 0, -3}};
+        static constexpr ivec3 kBranchDirections[8] = {{4, 0, 0},  {-3, 0, 3}, {0, 0, -4}, {3, 0, 3},
+                                                       {-4, 0, 0}, {3, 0, -3}, {0, 0, 4},  {-3, 0, -3}};
         const int start = fork - int(random.below(uint32_t(height / 7 + 1)));
         const int length = half * random.between(38, 62) / 100;
         const int rise = height * random.between(12, 38) / 100;
@@ -65,10 +66,12 @@ LevelShape makeHedge(std::string name, ivec3 size) {
     const Swatch leaf = c.addSurface(kHedge), dark = c.addSurface(kHedge, 80), bark = c.addSurface(kBark);
     const ivec3 full = c.size();
     c.fill(ivec3(0), full, [&](ivec3 cell) {
-        const bool rim = cell.x == 0 || cell.z == 0 || cell.x == full.x - 1 || cell.z == full.z - 1 || cell.y == full.y - 1;
+        const bool rim =
+            cell.x == 0 || cell.z == 0 || cell.x == full.x - 1 || cell.z == full.z - 1 || cell.y == full.y - 1;
         const uint32_t dice = hashCell(cell.x / 2, cell.y / 2, cell.z / 2, 95);
         if (rim && dice % 5 < 2) return uint8_t(0);
-        const bool isInside = std::min({cell.x, cell.z, full.x - 1 - cell.x, full.z - 1 - cell.z}) > 2 && cell.y < full.y - 3;
+        const bool isInside =
+            std::min({cell.x, cell.z, full.x - 1 - cell.x, full.z - 1 - cell.z}) > 2 && cell.y < full.y - 3;
         if (isInside && cell.y > 1) return (cell.x + cell.z) % 5 == 0 ? PaletteBuilder::pick(bark, cell) : uint8_t(0);
         return PaletteBuilder::pick(dice % 7 < 2 ? dark : leaf, cell);
     });

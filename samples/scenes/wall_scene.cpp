@@ -5,12 +5,12 @@
 #include "samples/scenes/building.h"
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
-#include "samples/scenes/street_light.h"
 #include "samples/scenes/lettering.h"
 #include "samples/scenes/plot.h"
-#include "samples/scenes/surface_styles.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/script_clock.h"
+#include "samples/scenes/street_light.h"
+#include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
@@ -21,14 +21,18 @@ constexpr double kFace = (kWall.z + kThick - 0.5) * kVoxel;  // z of the painted
 
 LevelShape makeMuralWall() {
     Canvas c({kLength, kFoot + kTall + 2, kThick + 2});
-    const Swatch brick = c.addSurface(kBrick), joint = c.addSurface(kBrickJoint), dirty = c.addSurface(kBrick, 78), stone = c.addSurface(kKerb), plaster = c.addSurface(kRender),
-                 grey = c.addSurface(kRender, 90), moss = c.addSurface(kMoss);
+    const Swatch brick = c.addSurface(kBrick), joint = c.addSurface(kBrickJoint), dirty = c.addSurface(kBrick, 78),
+                 stone = c.addSurface(kKerb), plaster = c.addSurface(kRender), grey = c.addSurface(kRender, 90),
+                 moss = c.addSurface(kMoss);
     for (int x = 0; x < kLength; ++x)
         for (int y = 0; y < kFoot + kTall; ++y)
             for (int k = 0; k < kThick; ++k) {
                 const int shifted = x + y % 2 * 2 + k / 2 * 4;
                 const uint32_t id = hashCell(shifted / 4, y, k / 2, 42);
-                c.setEntry({x, y, 1 + k}, PaletteBuilder::pickFor(shifted % 4 == 0 ? joint : id % 11 == 0 ? dirty : brick, id >> 8));
+                c.setEntry({x, y, 1 + k}, PaletteBuilder::pickFor(shifted % 4 == 0 ? joint
+                                                                  : id % 11 == 0   ? dirty
+                                                                                   : brick,
+                                                                  id >> 8));
             }
     // Worn plaster over most of the face: a ground for the picture.
     c.fill({6, kFoot + 4, kThick}, {kLength - 6, kFoot + kTall - 1, kThick + 1}, [&](ivec3 cell) {
@@ -70,7 +74,8 @@ Level wallLevel(uint64_t seed) {
     addStreetLight(level, "lamp", {62, 0, 198}, false);
     addDynamic(level, makeBench("bench"), {216, 0, 166});
     addDynamic(level, makeBin("bin"), {206, 0, 168});
-    for (int i = 0; i < 5; ++i) addDynamic(level, makeCrate("crate " + std::to_string(i)), {120 + i % 3 * 11, i / 3 * 8, 124});
+    for (int i = 0; i < 5; ++i)
+        addDynamic(level, makeCrate("crate " + std::to_string(i)), {120 + i % 3 * 11, i / 3 * 8, 124});
     addDynamic(level, makeBarrel("barrel", kCarRed), {176, 0, 128});
     return level;
 }
@@ -81,8 +86,9 @@ glm::dvec3 onFace(double x, double y) {
 }
 
 using Color = std::array<uint8_t, 3>;
-constexpr Color kNight{44, 36, 96}, kPurple{126, 44, 132}, kPink{232, 52, 112}, kOrange{246, 112, 44}, kGold{252, 184, 52}, kSun{255, 232, 150},
-    kSea{16, 104, 122}, kFoam{30, 164, 160}, kWhite{248, 244, 232}, kShade{34, 24, 66};
+constexpr Color kNight{44, 36, 96}, kPurple{126, 44, 132}, kPink{232, 52, 112}, kOrange{246, 112, 44},
+    kGold{252, 184, 52}, kSun{255, 232, 150}, kSea{16, 104, 122}, kFoam{30, 164, 160}, kWhite{248, 244, 232},
+    kShade{34, 24, 66};
 
 /// A stroke of the can across the wall, a piece a step: full in the middle, its rim breaks up into blue noise.
 void sprayBand(ScriptClock& clock, double from, double to, double y, Color color, uint32_t seed) {
@@ -104,16 +110,19 @@ void sprayWord(ScriptClock& clock, double from, double to, glm::dvec2 low, Color
         for (int row = 0; row < kLetterHeight; ++row)
             for (int column = 0; column < kLetterWidth; ++column)
                 if (letterRows(kWord[size_t(letter)])[row] >> (kLetterWidth - 1 - column) & 1)
-                    clock.add(PaintEdit{onFace(low.x + (letter * kLetterAdvance + column) * kPixel, low.y + (kLetterHeight - 1 - row) * kPixel), 0.22,
-                                        color, 255, 200, seed, 255});
+                    clock.add(PaintEdit{onFace(low.x + (letter * kLetterAdvance + column) * kPixel,
+                                               low.y + (kLetterHeight - 1 - row) * kPixel),
+                                        0.22, color, 255, 200, seed, 255});
 }
 
 /// An evening sky from the top down, a sun, the sea before it, and the word with its shade.
 void sprayMural(ScriptClock& clock) {
     constexpr Color kSky[] = {kNight, kPurple, kPurple, kPink, kPink, kOrange, kGold};
-    for (int row = 0; row < 7; ++row) sprayBand(clock, 0.1 + 0.16 * row, 0.26 + 0.16 * row, 40.5 - row * 5.0, kSky[row], 11 + uint32_t(row));
+    for (int row = 0; row < 7; ++row)
+        sprayBand(clock, 0.1 + 0.16 * row, 0.26 + 0.16 * row, 40.5 - row * 5.0, kSky[row], 11 + uint32_t(row));
     for (int ring = 0; ring < 3; ++ring)
-        if (clock.at(1.3 + 0.1 * ring)) clock.add(PaintEdit{onFace(129, 16), 1.35 - 0.2 * ring, ring == 0 ? kGold : kSun, 255, 0, 31, 255});
+        if (clock.at(1.3 + 0.1 * ring))
+            clock.add(PaintEdit{onFace(129, 16), 1.35 - 0.2 * ring, ring == 0 ? kGold : kSun, 255, 0, 31, 255});
     sprayBand(clock, 1.6, 1.75, 9.0, kFoam, 41);
     sprayBand(clock, 1.7, 1.85, 5.0, kSea, 42);
     sprayWord(clock, 1.85, 2.2, {15.2, 14.8}, kShade, 51);
@@ -125,7 +134,9 @@ Edits wallScript(int step, uint64_t seed) {
     sprayMural(clock);
     // The ball does its own damage, at about 2.9 s. Then four blows of a hammer and two charges behind the wall.
     for (int i = 0; i < 4; ++i)
-        if (clock.at(3.5 + 0.16 * i)) clock.add(BreakEdit{onFace(18.0 + i * 8, 33.0 - i % 2 * 10), {0.45, 0.4, 0.0}, Tool::Any, uint32_t(seed) + i});
+        if (clock.at(3.5 + 0.16 * i))
+            clock.add(
+                BreakEdit{onFace(18.0 + i * 8, 33.0 - i % 2 * 10), {0.45, 0.4, 0.0}, Tool::Any, uint32_t(seed) + i});
     const glm::dvec3 behind(0, 0, -0.9);
     if (clock.at(4.3)) clock.add(ExplodeEdit{onFace(34, 19) + behind, 2.8, 7000});
     if (clock.at(5.1)) clock.add(ExplodeEdit{onFace(124, 20) + behind, 2.5, 6000});

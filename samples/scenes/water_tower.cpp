@@ -41,7 +41,8 @@ void drawTank(Canvas& c, Swatch paint, Swatch stripe, Swatch seam, Swatch rust, 
     c.ring(1, kTankLow, kTankHigh, middle, 42, 46, paint);
     c.ring(1, kTankLow + 24, kTankLow + 30, middle, 42, 46, stripe);
     for (int y : {kTankLow + 9, kTankLow + 19, kTankHigh - 3}) c.ring(1, y, y + 1, middle, 42, 47, seam);
-    for (int i = 0; i <= 23; ++i) c.ring(1, kTankHigh + i / 2, kTankHigh + i / 2 + 2, middle, i < 21 ? 44 - 2 * i : -1, 48 - 2 * i, roof);
+    for (int i = 0; i <= 23; ++i)
+        c.ring(1, kTankHigh + i / 2, kTankHigh + i / 2 + 2, middle, i < 21 ? 44 - 2 * i : -1, 48 - 2 * i, roof);
     // Rust runs down from the seams.
     c.fill({0, kTankLow, 0}, {Plan::kSide, kTankHigh, Plan::kSide}, [&](ivec3 cell) {
         const uint8_t entry = c.at(cell);
@@ -65,8 +66,10 @@ void drawPipeAndLadder(Canvas& c, Swatch steel, Swatch iron, Swatch pad) {
 
 void addWaterTower(Level& level, const std::string& name, ivec3 cell) {
     Canvas c({Plan::kSide, kTankHigh + 14, Plan::kSide});
-    const Swatch steel = c.addSurface(kSteel), rust = c.addSurface(kRust), pad = c.addSurface(kConcrete), iron = c.addSurface(kDarkSteel);
-    const Swatch paint = c.addSurface(kTankPaint), stripe = c.addSurface(kCarRed, 96), roof = c.addSurface(kTankPaint, 82), seam = c.addSurface(kSteel, 84);
+    const Swatch steel = c.addSurface(kSteel), rust = c.addSurface(kRust), pad = c.addSurface(kConcrete),
+                 iron = c.addSurface(kDarkSteel);
+    const Swatch paint = c.addSurface(kTankPaint), stripe = c.addSurface(kCarRed, 96),
+                 roof = c.addSurface(kTankPaint, 82), seam = c.addSurface(kSteel, 84);
     drawLegs(c, steel, rust, pad);
     drawTank(c, paint, stripe, seam, rust, roof);
     drawPipeAndLadder(c, steel, iron, pad);

@@ -1,4 +1,5 @@
-// Random demolition at speed, round after round of a level, with everything that must always hold checked at every step:
+// Random demolition at speed, round after round of a level, with everything that must always hold checked at every
+// step:
 // ./rubble stress. A bar while it runs, a table at the end.
 #include <fmt/format.h>
 
@@ -24,16 +25,19 @@ constexpr double kMaxGainShare = 1e-3;
 
 void printHeader() {
     fmt::print(
-        "| round | edits | pieces | removed  | bodies | mean ms |   p50  |  p99   | worst | quiet | lost kJ  | gained J | most MiB | emptied KiB | "
+        "| round | edits | pieces | removed  | bodies | mean ms |   p50  |  p99   | worst | quiet | lost kJ  | gained "
+        "J | most MiB | emptied KiB | "
         "resident | hash             |\n");
 }
 
 void printRound(int number, const RoundResult& r, size_t emptied) {
     fmt::print(
-        "| {:5} | {:5} | {:6} | {:8} | {:6} | {:7.2f} | {:6.2f} | {:6.2f} | {:5.0f} | {:5} | {:8.0f} | {:8.1f} | {:8.1f} | {:11.1f} | {:8.1f} | "
+        "| {:5} | {:5} | {:6} | {:8} | {:6} | {:7.2f} | {:6.2f} | {:6.2f} | {:5.0f} | {:5} | {:8.0f} | {:8.1f} | "
+        "{:8.1f} | {:11.1f} | {:8.1f} | "
         "{:016x} |\n",
-        number, r.edits, r.pieces, r.removed, r.maxBodies, r.meanMs, r.medianMs, r.p99Ms, r.worstMs, r.comparedSteps, r.lost / 1e3, r.gained,
-        double(r.maxHeapBytes) / kMiB, double(emptied) / 1024.0, double(residentBytes()) / kMiB, r.hashes.empty() ? 0 : r.hashes.back());
+        number, r.edits, r.pieces, r.removed, r.maxBodies, r.meanMs, r.medianMs, r.p99Ms, r.worstMs, r.comparedSteps,
+        r.lost / 1e3, r.gained, double(r.maxHeapBytes) / kMiB, double(emptied) / 1024.0, double(residentBytes()) / kMiB,
+        r.hashes.empty() ? 0 : r.hashes.back());
     std::fflush(stdout);
 }
 
@@ -46,7 +50,8 @@ std::string compareMemory(const std::vector<size_t>& emptied) {
 }
 
 /// The round from its save, in a loop of its own with two threads: what is different, or "".
-std::string playAgain(const Round& round, SavedGame beginning, const RoundResult& first, const std::function<void()>& onStep) {
+std::string playAgain(const Round& round, SavedGame beginning, const RoundResult& first,
+                      const std::function<void()>& onStep) {
     FrameLoop loop(stressLoop(2));
     loop.load(std::move(beginning));
     const RoundResult result = playRound(round, loop, onStep);
@@ -60,17 +65,25 @@ int run(int argc, char** argv) {
     std::string file;
     CLI::App app{"Random demolition with every invariant checked at every step", "stress"};
     app.add_option("--seed", round.seed)->capture_default_str();
-    app.add_option("--steps", steps, "of 1/60 s, in all; 108000 are half an hour")->capture_default_str()->check(CLI::PositiveNumber);
-    app.add_option("--round", round.steps, "steps after which the level is loaded anew")->capture_default_str()->check(CLI::PositiveNumber);
-    app.add_option("--edits-every", round.editInterval, "steps between edits")->capture_default_str()->check(CLI::PositiveNumber);
-    app.add_option("--repeat-every", again, "every so many rounds one is played again, with two threads, and must come to the same; 0: none")
+    app.add_option("--steps", steps, "of 1/60 s, in all; 108000 are half an hour")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    app.add_option("--round", round.steps, "steps after which the level is loaded anew")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    app.add_option("--edits-every", round.editInterval, "steps between edits")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    app.add_option("--repeat-every", again,
+                   "every so many rounds one is played again, with two threads, and must come to the same; 0: none")
         ->capture_default_str();
     app.add_option("--level", file, ".vdb, .vox or .rubble; the town if not given");
     CLI11_PARSE(app, argc, argv);
 
     Level level;
     if (!file.empty()) {
-        const auto tool = std::filesystem::weakly_canonical(std::filesystem::path(argv[0])).parent_path() / "rubble-vdb";
+        const auto tool =
+            std::filesystem::weakly_canonical(std::filesystem::path(argv[0])).parent_path() / "rubble-vdb";
         Result<Level> read = readLevel(file, tool.string());
         if (!read) return logError(read.error()), 1;
         level = std::move(*read);
@@ -107,10 +120,14 @@ int run(int argc, char** argv) {
         printRound(i, result, emptied.back());
     }
     if (error.empty()) error = compareMemory(emptied);
-    if (error.empty() && gained > kMaxGainShare * lost) error = "more than a thousandth of the energy lost came from nothing";
-    fmt::print("stress: {} steps in {} rounds, {} of them isRepeated, seed {}, {:.0f} s; {:.0f} kJ lost, {:.1f} kJ from nothing: {}\n", all,
-               emptied.size(), repeated, round.seed, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), lost / 1e3,
-               gained / 1e3, error.empty() ? "all held" : "FAILED in round " + std::to_string(round.number) + ": " + error);
+    if (error.empty() && gained > kMaxGainShare * lost)
+        error = "more than a thousandth of the energy lost came from nothing";
+    fmt::print(
+        "stress: {} steps in {} rounds, {} of them isRepeated, seed {}, {:.0f} s; {:.0f} kJ lost, {:.1f} kJ from "
+        "nothing: {}\n",
+        all, emptied.size(), repeated, round.seed,
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), lost / 1e3, gained / 1e3,
+        error.empty() ? "all held" : "FAILED in round " + std::to_string(round.number) + ": " + error);
     return error.empty() ? 0 : 1;
 }
 

@@ -6,8 +6,10 @@ namespace rubble {
 
 double MechanicalEnergy::energyOf(const World& world, const Body& body, const MassProperties& mass) {
     const glm::dvec3 w = glm::conjugate(body.pose.rotation * mass.principalAxes) * body.angularVelocity;
-    const double kinetic = 0.5 * (mass.mass * glm::dot(body.velocity, body.velocity) + glm::dot(w, mass.principalInertia * w));
-    return kinetic - mass.mass * glm::dot(glm::dvec3(world.environment().gravity), body.pose.transformPoint(mass.center));
+    const double kinetic =
+        0.5 * (mass.mass * glm::dot(body.velocity, body.velocity) + glm::dot(w, mass.principalInertia * w));
+    return kinetic -
+           mass.mass * glm::dot(glm::dvec3(world.environment().gravity), body.pose.transformPoint(mass.center));
 }
 
 void MechanicalEnergy::reset(const World& world) {
@@ -21,8 +23,9 @@ void MechanicalEnergy::reset(const World& world) {
 }
 
 void MechanicalEnergy::update(const World& world, const FrameChanges& changes) {
-    const bool isQuiet = !changes.levelReplaced && changes.bodiesCreated.empty() && changes.bodiesDestroyed.empty() && changes.carved.empty() &&
-                         changes.impulses.empty() && changes.teleported.empty() && changes.shapesCreated.empty() && changes.shapesDestroyed.empty();
+    const bool isQuiet = !changes.levelReplaced && changes.bodiesCreated.empty() && changes.bodiesDestroyed.empty() &&
+                         changes.carved.empty() && changes.impulses.empty() && changes.teleported.empty() &&
+                         changes.shapesCreated.empty() && changes.shapesDestroyed.empty();
     if (!isQuiet || !m_hasBaseline) return reset(world);
     double change = 0.0;
     for (BodyEnergy& entry : m_bodies) {

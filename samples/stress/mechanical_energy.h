@@ -6,15 +6,15 @@
 
 namespace rubble {
 
-/// Kinetic energy and weight of all dynamic bodies, followed from step to step. Contacts and friction can only take of it:
-/// steps in which nothing was cut, shoved or put anywhere are comparedSteps with the step before.
+/// Kinetic energy and weight of all dynamic bodies, followed from step to step. Contacts and friction can only take of
+/// it: steps in which nothing was cut, shoved or put anywhere are comparedSteps with the step before.
 class MechanicalEnergy {
 public:
     /// After a step; changes: its journal. A new level begins anew.
     void update(const World& world, const FrameChanges& changes);
 
-    double lost() const { return m_lost; }        ///< joules, in all steps that lost some
-    double gained() const { return m_gained; }    ///< and in those that ended with more than they began with
+    double lost() const { return m_lost; }            ///< joules, in all steps that lost some
+    double gained() const { return m_gained; }        ///< and in those that ended with more than they began with
     double maxGained() const { return m_maxGained; }  ///< joules, in one step
     int comparedSteps() const { return m_comparedSteps; }
 

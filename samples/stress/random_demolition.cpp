@@ -54,7 +54,8 @@ CarveEdit randomCarve(glm::dvec3 place, double radius, Random& random) {
 Edits pour(const World& world, int hopper) {
     Edits edits;
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
-        if (body.name == hopperName(hopper) && body.asleep) edits.push_back(ImpulseEdit{handle, body.pose.position, {0, -1e-3, 0}});
+        if (body.name == hopperName(hopper) && body.asleep)
+            edits.push_back(ImpulseEdit{handle, body.pose.position, {0, -1e-3, 0}});
     });
     return edits;
 }
@@ -71,8 +72,9 @@ Level makeStressLevel(uint64_t seed) {
             const int x = random.between(2, 8), y = random.between(2, 8), z = random.between(2, 8);
             Canvas canvas({x, y, z});
             canvas.box(ivec3(0), {x, y, z}, canvas.addSurface(i % 3 ? kBrick : kTimber));
-            addDynamic(level, canvas.finish(hopperName(hopper)),
-                     corner + ivec3(i % kHopperSide, i / kHopperSide % kHopperSide, i / kHopperSide / kHopperSide) * 12);
+            addDynamic(
+                level, canvas.finish(hopperName(hopper)),
+                corner + ivec3(i % kHopperSide, i / kHopperSide % kHopperSide, i / kHopperSide / kHopperSide) * 12);
             level.bodies.back().name = hopperName(hopper);
         }
     }

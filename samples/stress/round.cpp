@@ -21,8 +21,8 @@ namespace rubble {
 namespace {
 
 constexpr int kHashInterval = 60;
-/// Joules that may come from nothing in one round, as a share of what contacts and friction take: what a cut left overlapping
-/// is pushed apart. More is something that blew up. For all rounds together see main.cpp.
+/// Joules that may come from nothing in one round, as a share of what contacts and friction take: what a cut left
+/// overlapping is pushed apart. More is something that blew up. For all rounds together see main.cpp.
 constexpr double kMaxGainSharePerRound = 2e-2;
 
 /// As a host might supply it at its simplest.
@@ -49,8 +49,8 @@ std::string brokenInvariant(const World& world) {
     std::string error;
     if (!world.voxelAccounting().balances()) error = "the ledger does not balance";
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
-        const double sum = body.pose.position.x + body.pose.position.y + body.pose.position.z + glm::length(body.velocity) +
-                           glm::length(body.angularVelocity) + body.pose.rotation.w;
+        const double sum = body.pose.position.x + body.pose.position.y + body.pose.position.z +
+                           glm::length(body.velocity) + glm::length(body.angularVelocity) + body.pose.rotation.w;
         if (!std::isfinite(sum)) error = fmt::format("body {:x} is not finite", handle.bits);
         if (body.shapes.empty()) error = fmt::format("body {:x} has no shape", handle.bits);
     });
@@ -65,7 +65,8 @@ std::string replayError(const std::string& path) {
     loop.load(recording->start);
     for (const RecordedStep& step : recording->steps) {
         loop.replay(step);
-        if (loop.world().hash() != step.hash) return fmt::format("step {}: saved, loaded and replayError it comes to another hash", step.step);
+        if (loop.world().hash() != step.hash)
+            return fmt::format("step {}: saved, loaded and replayError it comes to another hash", step.step);
     }
     return {};
 }
@@ -74,7 +75,9 @@ std::string replayError(const std::string& path) {
 class RecordingCheck {
 public:
     explicit RecordingCheck(const Round& round)
-        : m_path((std::filesystem::temp_directory_path() / fmt::format("rubble_stress_{}_{}.rubblelog", getpid(), round.number)).string()),
+        : m_path((std::filesystem::temp_directory_path() /
+                  fmt::format("rubble_stress_{}_{}.rubblelog", getpid(), round.number))
+                     .string()),
           m_from(round.recordedSteps ? round.steps / 2 : -1),
           m_to(m_from + round.recordedSteps) {}
     ~RecordingCheck() { std::remove(m_path.c_str()); }

@@ -11,7 +11,9 @@ struct Camera {
     double yaw = 0.0, pitch = 0.0;
     float verticalFov = 1.0f;
 
-    glm::dquat rotation() const { return glm::angleAxis(yaw, glm::dvec3(0, 1, 0)) * glm::angleAxis(pitch, glm::dvec3(1, 0, 0)); }
+    glm::dquat rotation() const {
+        return glm::angleAxis(yaw, glm::dvec3(0, 1, 0)) * glm::angleAxis(pitch, glm::dvec3(1, 0, 0));
+    }
     glm::dvec3 forward() const { return rotation() * glm::dvec3(0, 0, -1); }
     glm::dvec3 right() const { return rotation() * glm::dvec3(1, 0, 0); }
 

@@ -15,9 +15,13 @@ bool EglContext::open(void* display) {
     eglChooseConfig(display, wanted, &config, 1, &count);
     if (!eglBindAPI(EGL_OPENGL_API)) return false;
     for (const GlVersion wantedGl : kWantedGl) {
-        const EGLint version[] = {
-            EGL_CONTEXT_MAJOR_VERSION,           wantedGl.major, EGL_CONTEXT_MINOR_VERSION, wantedGl.minor, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+        const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                  wantedGl.major,
+                                  EGL_CONTEXT_MINOR_VERSION,
+                                  wantedGl.minor,
+                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                  EGL_NONE};
         m_context = eglCreateContext(display, count ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
         if (m_context != EGL_NO_CONTEXT) break;
     }
@@ -26,7 +30,8 @@ bool EglContext::open(void* display) {
 
 Result<std::unique_ptr<GlContext>> EglContext::create() {
     const auto queryDevices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
-    const auto platformDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    const auto platformDisplay =
+        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (!platformDisplay) return Error{"EGL: expected eglGetPlatformDisplayEXT, found none"};
     EGLDeviceEXT devices[8];
     EGLint count = 0;

@@ -6,14 +6,15 @@
 
 namespace rubble {
 
-/// Core contexts are asked for in this order: the renderer needs 3.3, and draws by compute from 4.3 on. Some drivers give just what they
-/// are asked for.
+/// Core contexts are asked for in this order: the renderer needs 3.3, and draws by compute from 4.3 on. Some drivers
+/// give just what they are asked for.
 struct GlVersion {
     int major, minor;
 };
 inline constexpr GlVersion kWantedGl[] = {{4, 3}, {3, 3}};
 
-/// A GL core context without a window, current on the thread that made it until it is destroyed. Draw into an Offscreen.
+/// A GL core context without a window, current on the thread that made it until it is destroyed. Draw into an
+/// Offscreen.
 class GlContext {
 public:
     enum class Kind {

@@ -13,7 +13,8 @@ Result<Done> writePng(const std::string& path, const Image& image) {
     png.height = png_uint_32(image.height);
     png.format = PNG_FORMAT_RGB;
     png.flags = PNG_IMAGE_FLAG_FAST;
-    if (!png_image_write_to_file(&png, path.c_str(), 0, image.rgb.data(), 0, nullptr)) return Error{path + ": cannot write PNG: " + png.message};
+    if (!png_image_write_to_file(&png, path.c_str(), 0, image.rgb.data(), 0, nullptr))
+        return Error{path + ": cannot write PNG: " + png.message};
     return Done{};
 }
 
@@ -23,7 +24,8 @@ Result<Image> readPng(const std::string& path) {
     if (!png_image_begin_read_from_file(&png, path.c_str())) return Error{path + ": cannot read PNG: " + png.message};
     png.format = PNG_FORMAT_RGB;
     Image image(int(png.width), int(png.height));
-    if (!png_image_finish_read(&png, nullptr, image.rgb.data(), 0, nullptr)) return Error{path + ": cannot read PNG: " + png.message};
+    if (!png_image_finish_read(&png, nullptr, image.rgb.data(), 0, nullptr))
+        return Error{path + ": cannot read PNG: " + png.message};
     return image;
 }
 

@@ -17,8 +17,9 @@ public:
         if (!m_terminal && int(share * 10) == m_lastTenth && done != m_total) return;
         m_lastTenth = int(share * 10);
         const int filled = int(share * kWidth);
-        std::fprintf(stderr, "%s%s [%.*s%.*s] %d/%d  %.0f s, %.0f s to go%s", m_terminal ? "\r" : "", m_what.c_str(), filled, kFull, kWidth - filled,
-                     kEmpty, done, m_total, elapsed, share > 0.0 ? elapsed * (1.0 / share - 1.0) : 0.0, m_terminal && done != m_total ? "   " : "\n");
+        std::fprintf(stderr, "%s%s [%.*s%.*s] %d/%d  %.0f s, %.0f s to go%s", m_terminal ? "\r" : "", m_what.c_str(),
+                     filled, kFull, kWidth - filled, kEmpty, done, m_total, elapsed,
+                     share > 0.0 ? elapsed * (1.0 / share - 1.0) : 0.0, m_terminal && done != m_total ? "   " : "\n");
     }
 
 private:

@@ -48,7 +48,8 @@ Window::Loader Window::loader() const {
 bool Window::poll() {
     glfwPollEvents();
     m_wasDown = m_down;
-    for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key) m_down[size_t(key)] = glfwGetKey(m_window, key) == GLFW_PRESS;
+    for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key)
+        m_down[size_t(key)] = glfwGetKey(m_window, key) == GLFW_PRESS;
     return !glfwWindowShouldClose(m_window);
 }
 
@@ -86,11 +87,13 @@ Image Window::readPixels() const {
     Image flipped(pixels.x, pixels.y), image(pixels.x, pixels.y);
     const auto readBuffer = reinterpret_cast<void (*)(GLenum)>(glfwGetProcAddress("glReadBuffer"));
     const auto pixelStore = reinterpret_cast<void (*)(GLenum, GLint)>(glfwGetProcAddress("glPixelStorei"));
-    const auto read = reinterpret_cast<void (*)(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*)>(glfwGetProcAddress("glReadPixels"));
+    const auto read = reinterpret_cast<void (*)(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*)>(
+        glfwGetProcAddress("glReadPixels"));
     readBuffer(GL_BACK);
     pixelStore(GL_PACK_ALIGNMENT, 1);
     read(0, 0, pixels.x, pixels.y, GL_RGB, GL_UNSIGNED_BYTE, flipped.rgb.data());
-    for (int y = 0; y < pixels.y; ++y) std::copy_n(flipped.at(0, pixels.y - 1 - y), size_t(pixels.x) * 3, image.at(0, y));
+    for (int y = 0; y < pixels.y; ++y)
+        std::copy_n(flipped.at(0, pixels.y - 1 - y), size_t(pixels.x) * 3, image.at(0, y));
     return image;
 }
 

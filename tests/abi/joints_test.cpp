@@ -24,7 +24,8 @@ TEST_F(Abi, JointsAreMadeReadAndRemoved) {
     EXPECT_EQ(joints[0].shapes[0], shape[0].shape);
     ASSERT_GE(joints[0].rope_points, 3u);
     std::vector<double> points(3 * joints[0].rope_points);
-    ASSERT_EQ(api()->get_rope_points(m_world, joints[0].joint, points.data(), uint32_t(points.size()), &count), RUBBLE_OK);
+    ASSERT_EQ(api()->get_rope_points(m_world, joints[0].joint, points.data(), uint32_t(points.size()), &count),
+              RUBBLE_OK);
     EXPECT_EQ(count, points.size());
     EXPECT_NEAR(points[1], 0.85, 1e-6);
     auto motor = sized<rubble_joint_motor>();
@@ -67,7 +68,8 @@ TEST_F(Abi, WheelsAreDriven) {
     };
     const rubble_world idle = makeWorld();  // the same, but for the drive
     EXPECT_EQ(addWheel(m_world, -1.0), RUBBLE_ERROR_ARGUMENT) << "either way is as far";
-    for (const rubble_world world : {m_world, idle}) ASSERT_EQ(addWheel(world, 0.5), RUBBLE_OK) << api()->get_last_error();
+    for (const rubble_world world : {m_world, idle})
+        ASSERT_EQ(addWheel(world, 0.5), RUBBLE_OK) << api()->get_last_error();
     stepBoth(idle);
     EXPECT_EQ(hashOf(m_world), hashOf(idle));
     auto drive = sized<rubble_drive>();

@@ -180,13 +180,15 @@ TEST_F(AbiLights, UndoRestoresLightsAndWeather) {
 
 TEST_F(AbiLights, InvalidLightsAreRefused) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), huge = std::numeric_limits<double>::max();
-    const auto expectBad = [&](void (*spoil)(rubble_light_state&, double), double with, rubble_result code, const char* word) {
+    const auto expectBad = [&](void (*spoil)(rubble_light_state&, double), double with, rubble_result code,
+                               const char* word) {
         rubble_light_state added = torch(), set = levelLight();
         spoil(added, with), spoil(set, with);
         expectRefused(api()->add_light(m_world, &added), code, word);
         expectRefused(api()->set_light(m_world, &set), code, word);
     };
-    expectBad([](rubble_light_state& l, double x) { l.color[2] = x; }, -1.0, RUBBLE_ERROR_ARGUMENT, "color[2] is -1, expected 0 to 1e+06");
+    expectBad([](rubble_light_state& l, double x) { l.color[2] = x; }, -1.0, RUBBLE_ERROR_ARGUMENT,
+              "color[2] is -1, expected 0 to 1e+06");
     for (const double bad : {nan, huge, -huge, -1.0}) {
         expectBad([](rubble_light_state& l, double x) { l.color[0] = x; }, bad, RUBBLE_ERROR_ARGUMENT, "color[0]");
         expectBad([](rubble_light_state& l, double x) { l.radius = x; }, bad, RUBBLE_ERROR_ARGUMENT, "radius");
@@ -195,14 +197,18 @@ TEST_F(AbiLights, InvalidLightsAreRefused) {
         expectBad([](rubble_light_state& l, double x) { l.cone_outer = x; }, bad, RUBBLE_ERROR_ARGUMENT, "cone_outer");
         expectBad([](rubble_light_state& l, double x) { l.width = x; }, bad, RUBBLE_ERROR_ARGUMENT, "width");
         expectBad([](rubble_light_state& l, double x) { l.height = x; }, bad, RUBBLE_ERROR_ARGUMENT, "height");
-        expectBad([](rubble_light_state& l, double x) { l.rotation[1] = x * 2.0; }, bad, RUBBLE_ERROR_ARGUMENT, "rotation");
+        expectBad([](rubble_light_state& l, double x) { l.rotation[1] = x * 2.0; }, bad, RUBBLE_ERROR_ARGUMENT,
+                  "rotation");
     }
     for (const double bad : {nan, huge, -huge})
-        expectBad([](rubble_light_state& l, double x) { l.position[1] = x; }, bad, RUBBLE_ERROR_ARGUMENT, "position[1]");
+        expectBad([](rubble_light_state& l, double x) { l.position[1] = x; }, bad, RUBBLE_ERROR_ARGUMENT,
+                  "position[1]");
     expectBad([](rubble_light_state& l, double) { l.flags = 64; }, 0.0, RUBBLE_ERROR_ARGUMENT, "flags");
-    expectBad([](rubble_light_state& l, double) { l.kind = 5; }, 0.0, RUBBLE_ERROR_ARGUMENT, "kind is 5, expected 0 to 4");
+    expectBad([](rubble_light_state& l, double) { l.kind = 5; }, 0.0, RUBBLE_ERROR_ARGUMENT,
+              "kind is 5, expected 0 to 4");
     expectBad([](rubble_light_state& l, double) { l.kind = 256; }, 0.0, RUBBLE_ERROR_ARGUMENT, "kind");
-    expectBad([](rubble_light_state& l, double) { l.shape = ~0ull; }, 0.0, RUBBLE_ERROR_STALE, "shape is a handle of another type");
+    expectBad([](rubble_light_state& l, double) { l.shape = ~0ull; }, 0.0, RUBBLE_ERROR_STALE,
+              "shape is a handle of another type");
     expectBad([](rubble_light_state& l, double) { l.group = l.light ? l.light : 1; }, 0.0, RUBBLE_ERROR_STALE, "group");
     expectBad([](rubble_light_state& l, double) { l.struct_size = 8; }, 0.0, RUBBLE_ERROR_STRUCT_SIZE, "struct_size");
     rubble_light_state stale = torch();

@@ -149,7 +149,8 @@ TEST_F(AbiRenderer, SaysWhichShaderFolderIsMissing) {
     given.shader_folder = "no/such/folder";
     rubble_renderer renderer = 1;
     EXPECT_EQ(m_api->create_renderer(m_world, &given, &renderer), RUBBLE_ERROR_GL);
-    EXPECT_NE(std::string(m_api->get_last_error()).find("no/such/folder"), std::string::npos) << m_api->get_last_error();
+    EXPECT_NE(std::string(m_api->get_last_error()).find("no/such/folder"), std::string::npos)
+        << m_api->get_last_error();
     EXPECT_EQ(renderer, 0u);
 }
 

@@ -38,9 +38,11 @@ std::string writeTestLevel() {
     Level level;
     level.name = "table";
     level.bodies.push_back(std::move(body));
-    level.lights.push_back({.light = {.name = "light", .local = {{1.0, 3.0, 1.0}}, .color = {5.0f, 4.0f, 3.0f}, .reach = 8.0f}});
+    level.lights.push_back(
+        {.light = {.name = "light", .local = {{1.0, 3.0, 1.0}}, .color = {5.0f, 4.0f, 3.0f}, .reach = 8.0f}});
 
-    const std::string path = std::filesystem::temp_directory_path() / ("rubble_abi_" + std::to_string(getpid()) + ".rubble");
+    const std::string path =
+        std::filesystem::temp_directory_path() / ("rubble_abi_" + std::to_string(getpid()) + ".rubble");
     const Result<Done> written = writeRubble(path, level);
     EXPECT_TRUE(written) << written.error();
     return path;

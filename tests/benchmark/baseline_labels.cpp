@@ -70,7 +70,8 @@ size_t countComponentsByRuns(const DenseGrid& grid) {
         firstRun[row + 1] = uint32_t(runs.size());
         const size_t y = row % grid.size.y, before = row - grid.size.y;
         if (y > 0) uniteRows(runs, firstRun[row], firstRun[row + 1], firstRun[row - 1], firstRun[row], sets);
-        if (row >= size_t(grid.size.y)) uniteRows(runs, firstRun[row], firstRun[row + 1], firstRun[before], firstRun[before + 1], sets);
+        if (row >= size_t(grid.size.y))
+            uniteRows(runs, firstRun[row], firstRun[row + 1], firstRun[before], firstRun[before + 1], sets);
     }
     size_t components = 0;
     for (uint32_t i = 0; i < sets.parent.size(); ++i) components += sets.root(i) == i;

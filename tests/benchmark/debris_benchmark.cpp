@@ -34,7 +34,8 @@ VoxelGrid block(glm::ivec3 size) {
                 BrickIndices indices{};
                 const glm::ivec3 low = glm::ivec3(x, y, z) * kBrickSize;
                 const bool isWhole = low.x + 8 <= size.x && low.y + 8 <= size.y && low.z + 8 <= size.z;
-                for (int i = 0; i < kBrickVoxels && !isWhole; ++i) indices[size_t(i)] = grid.contains(low + voxelInBrick(i)) ? 1 : 0;
+                for (int i = 0; i < kBrickVoxels && !isWhole; ++i)
+                    indices[size_t(i)] = grid.contains(low + voxelInBrick(i)) ? 1 : 0;
                 grid.setBrick({x, y, z}, isWhole ? whole : makeBrick(indices));
             }
     return grid;
@@ -137,7 +138,8 @@ Level cubeLevel() {
     return level;
 }
 
-/// One blast inside the cube and 16 cuts that slice what is above it, all in one step: what the step costs without the solver.
+/// One blast inside the cube and 16 cuts that slice what is above it, all in one step: what the step costs without the
+/// solver.
 void blastAndCuts(benchmark::State& state) {
     World fresh;
     WorldSettings settings;
@@ -176,7 +178,11 @@ void blastAndCuts(benchmark::State& state) {
     state.counters["ledger_exact"] = balances;
     state.counters["bodies_ms"] = bodiesMs / double(state.iterations());
 }
-BENCHMARK(blastAndCuts)->Name("destruction/debris/blastAnd16Cuts")->Unit(benchmark::kMillisecond)->UseManualTime()->MinTime(0.3);
+BENCHMARK(blastAndCuts)
+    ->Name("destruction/debris/blastAnd16Cuts")
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime()
+    ->MinTime(0.3);
 
 /// A wall of 60 x 40 m that is broken in 600 places, two a step, with 500 pieces allowed to move.
 void tenThousandPieces(benchmark::State& state) {
@@ -213,7 +219,8 @@ void tenThousandPieces(benchmark::State& state) {
         state.counters["max_awake"] = double(maxAwake);
         state.counters["steps_over_budget"] = double(stepsOver);
         state.counters["ledger_exact"] = balances;
-        state.counters["dust_share"] = double(dusty) / double(loop.world.voxelAccounting().imported - loop.world.voxelAccounting().standing);
+        state.counters["dust_share"] =
+            double(dusty) / double(loop.world.voxelAccounting().imported - loop.world.voxelAccounting().standing);
         state.counters["edits_ms_worst"] = worstEditsMs;
         state.counters["edits_ms"] = loop.editsMs / 300.0;
         state.counters["bodies_ms"] = loop.bodiesMs / 300.0;

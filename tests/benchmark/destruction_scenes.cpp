@@ -43,8 +43,10 @@ bool inVoronoi(glm::ivec3 c) {
     for (int i = 0; i < 27; ++i) {
         const glm::ivec3 cell = home + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
         const uint32_t h = hashCell(cell.x, cell.y, cell.z, 11);
-        const glm::ivec3 offset = cell * kCell + glm::ivec3(int(h % kCell), int(h >> 8) % kCell, int(h >> 16) % kCell) - c;
-        const int64_t square = int64_t(offset.x) * offset.x + int64_t(offset.y) * offset.y + int64_t(offset.z) * offset.z;
+        const glm::ivec3 offset =
+            cell * kCell + glm::ivec3(int(h % kCell), int(h >> 8) % kCell, int(h >> 16) % kCell) - c;
+        const int64_t square =
+            int64_t(offset.x) * offset.x + int64_t(offset.y) * offset.y + int64_t(offset.z) * offset.z;
         second = std::min(second, std::max(nearest, square));
         nearest = std::min(nearest, square);
     }

@@ -14,7 +14,8 @@ inline VoxelGrid makeHouses() {
             for (int x = 0; x < size.x; ++x) {
                 const int height = 30 + int(hashCell(x / 64, 0, z / 64) % 90), hx = x % 64, hz = z % 64;
                 const bool isHouse = hx >= 8 && hx < 56 && hz >= 8 && hz < 56 && y < height;
-                const bool isWall = hx == 8 || hx == 55 || hz == 8 || hz == 55, isWindow = y % 24 > 8 && y % 24 < 18 && (hx + hz) % 12 < 6;
+                const bool isWall = hx == 8 || hx == 55 || hz == 8 || hz == 55,
+                           isWindow = y % 24 > 8 && y % 24 < 18 && (hx + hz) % 12 < 6;
                 if (y < 2 || (isHouse && ((isWall && !isWindow) || y % 24 == 0))) writer.set({x, y, z}, 1);
             }
     writer.flush();

@@ -21,7 +21,8 @@ bool clip(const MipGrid& grid, const CellRay& ray, FloatRay& out) {
     for (int a = 0; a < 3; ++a) {
         if (out.direction[a] == 0.0f) out.direction[a] = 1e-9f;
         out.inverse[a] = 1.0f / out.direction[a];
-        const float t0 = -out.origin[a] * out.inverse[a], t1 = (float(grid.size(0)[a]) - out.origin[a]) * out.inverse[a];
+        const float t0 = -out.origin[a] * out.inverse[a],
+                    t1 = (float(grid.size(0)[a]) - out.origin[a]) * out.inverse[a];
         out.low = std::max(out.low, std::min(t0, t1));
         out.high = std::min(out.high, std::max(t0, t1));
     }
@@ -30,7 +31,8 @@ bool clip(const MipGrid& grid, const CellRay& ray, FloatRay& out) {
 
 glm::ivec3 cellAt(const MipGrid& grid, const FloatRay& ray, float t) {
     glm::ivec3 cell;
-    for (int a = 0; a < 3; ++a) cell[a] = std::clamp(int(std::floor(ray.origin[a] + ray.direction[a] * t)), 0, grid.size(0)[a] - 1);
+    for (int a = 0; a < 3; ++a)
+        cell[a] = std::clamp(int(std::floor(ray.origin[a] + ray.direction[a] * t)), 0, grid.size(0)[a] - 1);
     return cell;
 }
 
@@ -47,7 +49,8 @@ MipGrid::MipGrid(const VoxelGrid& grid) {
             const glm::ivec3 voxel = position * kBrickSize + voxelInBrick(i);
             for (size_t level = 0; level < kLevels; ++level) {
                 const glm::ivec3 cell = voxel >> int(level), size = m_size[level];
-                m_cells[level][(size_t(cell.z) * size_t(size.y) + size_t(cell.y)) * size_t(size.x) + size_t(cell.x)] = 1;
+                m_cells[level][(size_t(cell.z) * size_t(size.y) + size_t(cell.y)) * size_t(size.x) + size_t(cell.x)] =
+                    1;
             }
         });
     });

@@ -14,7 +14,8 @@ Palette someEntries(int count, const char* material) {
     Palette palette{};
     Random random(3);
     for (int i = 1; i <= count; ++i) {
-        const uint8_t red = uint8_t(random.below(256)), green = uint8_t(random.below(256)), blue = uint8_t(random.below(256));
+        const uint8_t red = uint8_t(random.below(256)), green = uint8_t(random.below(256)),
+                      blue = uint8_t(random.below(256));
         palette[size_t(i)] = {.red = red, .green = green, .blue = blue, .material = defaultMaterials().find(material)};
     }
     return palette;
@@ -46,13 +47,15 @@ void sprays(benchmark::State& state, bool byLayer) {
             const glm::dvec3 at(double(i * 37 % 256), double(i * 53 % 128), 16.0);
             const Brush brush = sphereBrush(at, {8, 8, 8});
             const Paint paint{.color = {uint8_t(32 * (i % 8)), 40, 200}, .strength = 100, .probability = 60, .seed = i};
-            const PaintResult painted = byLayer ? paintLayer(grid, colors, brush, paint) : paintPalette(grid, entriesNow, brush, paint);
+            const PaintResult painted =
+                byLayer ? paintLayer(grid, colors, brush, paint) : paintPalette(grid, entriesNow, brush, paint);
             if (painted.palette) entriesNow = painted.palette;
             if (painted.colors) colors = painted.colors;
             voxels += painted.voxels;
             merges += painted.merges;
         }
-        bytes = grid.memoryBytes() + (colors ? sizeof(PaintColors) : 0) + (entriesNow != palette ? sizeof(Palette) : 0) - clean.memoryBytes();
+        bytes = grid.memoryBytes() + (colors ? sizeof(PaintColors) : 0) +
+                (entriesNow != palette ? sizeof(Palette) : 0) - clean.memoryBytes();
     }
     state.counters["voxels"] = double(voxels);
     state.counters["merges"] = double(merges);
@@ -97,7 +100,11 @@ void fires(benchmark::State& state) {
             ->Arg(entries)
             ->Unit(benchmark::kMillisecond);
     }
-    benchmark::RegisterBenchmark("destruction/fire/step", fires)->Args({128, 0})->Args({512, 0})->Args({512, 1})->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark("destruction/fire/step", fires)
+        ->Args({128, 0})
+        ->Args({512, 0})
+        ->Args({512, 1})
+        ->Unit(benchmark::kMicrosecond);
     return true;
 }();
 

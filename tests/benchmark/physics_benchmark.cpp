@@ -64,7 +64,8 @@ struct Pile {
         FrameChanges nudge;
         world.bodies().forEach([&](BodyHandle handle, const Body& body) {
             handles.push_back(handle);
-            if (!body.isStatic && handles.size() <= woken) nudge.impulses.push_back({handle, body.pose.position, glm::dvec3(0.0)});
+            if (!body.isStatic && handles.size() <= woken)
+                nudge.impulses.push_back({handle, body.pose.position, glm::dvec3(0.0)});
         });
         physics.apply(nudge, world);
     }
@@ -88,7 +89,8 @@ std::vector<Pose> posesOf(const BulletCompounds& bullet, const Level& level) {
     return poses;
 }
 
-void reportPile(benchmark::State& state, const std::string& who, const std::vector<double>& ms, const Level& level, const std::vector<Pose>& poses) {
+void reportPile(benchmark::State& state, const std::string& who, const std::vector<double>& ms, const Level& level,
+                const std::vector<Pose>& poses) {
     const Overlaps overlaps = measureOverlaps(level, poses);
     state.counters[who + "_ms"] = median(ms);
     state.counters[who + "_p99_ms"] = percentile(ms, 99);
@@ -98,8 +100,8 @@ void reportPile(benchmark::State& state, const std::string& who, const std::vect
     state.counters[who + "_height_m"] = overlaps.middle;
 }
 
-/// Awake Voronoi pieces in a pit: ours, and Bullet's compounds of merged boxes with one and with two friction directions,
-/// step by step in turn, in processor time. From the second second on, when the first pieces lie.
+/// Awake Voronoi pieces in a pit: ours, and Bullet's compounds of merged boxes with one and with two friction
+/// directions, step by step in turn, in processor time. From the second second on, when the first pieces lie.
 void voronoiPieces(benchmark::State& state) {
     const Level level = voronoiPit(int(state.range(0)));
     Pile ours(level, sleepless());
@@ -108,7 +110,8 @@ void voronoiPieces(benchmark::State& state) {
     for (auto _ : state) {
         double sum = 0.0;
         for (int i = 0; i < int(state.range(1)); ++i) {
-            const double a = cpuMs([&] { ours.step(); }), b = cpuMs([&] { one.step(); }), c = cpuMs([&] { two.step(); });
+            const double a = cpuMs([&] { ours.step(); }), b = cpuMs([&] { one.step(); }),
+                         c = cpuMs([&] { two.step(); });
             sum += a;
             if (i >= 120) oursMs.push_back(a), oneMs.push_back(b), twoMs.push_back(c);
         }
@@ -205,16 +208,20 @@ void sleepers(benchmark::State& state) {
 }
 BENCHMARK(sleepers)->Name("physics/sleepers")->Arg(10'000)->Unit(benchmark::kMicrosecond);
 
-/// The same pile with one and with two threads, step by step in turn, on the wall's clock: means little on a busy machine. What a
-/// step runs in parallel first is its narrowphase; what follows are strips of the solver.
+/// The same pile with one and with two threads, step by step in turn, on the wall's clock: means little on a busy
+/// machine. What a step runs in parallel first is its narrowphase; what follows are strips of the solver.
 void twoThreads(benchmark::State& state) {
     const Level level = voronoiPit(int(state.range(0)));
     double narrow[2] = {0.0, 0.0};
     const auto timeFirst = [](double& ms, auto&& f) { ms > 0.0 ? f() : void(ms = wallMs(f)); };
     ThreadPool pool(2);
     PhysicsSettings settings[2] = {sleepless(), sleepless()};
-    settings[0].parallelFor = [&](size_t count, const std::function<void(size_t)>& f) { timeFirst(narrow[0], [&] { serialFor(count, f); }); };
-    settings[1].parallelFor = [&](size_t count, const std::function<void(size_t)>& f) { timeFirst(narrow[1], [&] { pool.run(count, f); }); };
+    settings[0].parallelFor = [&](size_t count, const std::function<void(size_t)>& f) {
+        timeFirst(narrow[0], [&] { serialFor(count, f); });
+    };
+    settings[1].parallelFor = [&](size_t count, const std::function<void(size_t)>& f) {
+        timeFirst(narrow[1], [&] { pool.run(count, f); });
+    };
     Pile one(level, settings[0]), two(level, settings[1]);
     std::vector<double> narrowMs[2], stepMs[2];
     for (auto _ : state)
@@ -233,8 +240,9 @@ void twoThreads(benchmark::State& state) {
 }
 BENCHMARK(twoThreads)->Name("physics/twoThreads")->Arg(500)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-/// How long after the last of them has landed (nothing is faster than 3 m/s) pieces sleep, and whether anything floats then;
-/// then a hole of 3 x 3 m in the floor: how many of those that lay on it wake within a step, and what floats in the end.
+/// How long after the last of them has landed (nothing is faster than 3 m/s) pieces sleep, and whether anything floats
+/// then; then a hole of 3 x 3 m in the floor: how many of those that lay on it wake within a step, and what floats in
+/// the end.
 void sleepingPile(benchmark::State& state) {
     const int pieces = int(state.range(0));
     Pile pile(voronoiPit(pieces, 1, int(state.range(1))), {});
@@ -263,13 +271,18 @@ void sleepingPile(benchmark::State& state) {
         pile.physics.apply(pile.world.applyEdits({hole}), pile.world);
         pile.step();
         state.counters["resting_on_hole"] = double(held.size());
-        state.counters["woken_of_those"] =
-            double(std::count_if(held.begin(), held.end(), [&](BodyHandle body) { return !pile.world.bodies().at(body).asleep; }));
+        state.counters["woken_of_those"] = double(std::count_if(
+            held.begin(), held.end(), [&](BodyHandle body) { return !pile.world.bodies().at(body).asleep; }));
         settle();
         state.counters["floating_after"] = double(findUnsupported(pile.world).size());
     }
 }
-BENCHMARK(sleepingPile)->Name("physics/sleepingPile")->Args({500, 8})->Args({5000, 16})->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(sleepingPile)
+    ->Name("physics/sleepingPile")
+    ->Args({500, 8})
+    ->Args({5000, 16})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
 
 /// Cuts of a body of 256^3 voxels that lies among moving pieces: what physics takes for the journal of one.
 void cutOfALargeBody(benchmark::State& state) {
@@ -289,8 +302,12 @@ void cutOfALargeBody(benchmark::State& state) {
     for (auto _ : state)
         for (int i = 0; i < 60; ++i) {
             const BodyHandle body = pile.handles.back();
-            const glm::dvec3 at = pile.world.bodies().at(body).pose.transformPoint({(i % 10) * 2.5, 25.6, (i / 10) * 4.0});
-            const CarveEdit cut{.kind = BrushKind::Sphere, .position = at, .radii = {0.6, 0.6, 0.6}, .shape = pile.world.bodies().at(body).shapes[0]};
+            const glm::dvec3 at =
+                pile.world.bodies().at(body).pose.transformPoint({(i % 10) * 2.5, 25.6, (i / 10) * 4.0});
+            const CarveEdit cut{.kind = BrushKind::Sphere,
+                                .position = at,
+                                .radii = {0.6, 0.6, 0.6},
+                                .shape = pile.world.bodies().at(body).shapes[0]};
             FrameChanges changes;
             cutMs.push_back(cpuMs([&] { changes = pile.world.applyEdits({cut}); }));
             physicsMs.push_back(cpuMs([&] { pile.physics.apply(changes, pile.world); }));

@@ -69,12 +69,19 @@ void castBatch(benchmark::State& state) {
     const World world = makeField();
     const std::vector<RayQuery> rays = makeRays(double(state.range(0)) * 0.01);
     std::vector<WorldHit> hits(rays.size());
-    for (auto _ : state) castRays(world, rays, hits, {}, state.range(1) == 2 ? ParallelFor(twoThreads) : ParallelFor(serialFor));
+    for (auto _ : state)
+        castRays(world, rays, hits, {}, state.range(1) == 2 ? ParallelFor(twoThreads) : ParallelFor(serialFor));
     state.SetItemsProcessed(state.iterations() * kRays);
 }
 // Radius in centimetres; threads.
 BENCHMARK(castOneByOne)->Arg(0)->Arg(20)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(castBatch)->Args({0, 1})->Args({0, 2})->Args({20, 1})->Args({20, 2})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(castBatch)
+    ->Args({0, 1})
+    ->Args({0, 2})
+    ->Args({20, 1})
+    ->Args({20, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace rubble

@@ -111,9 +111,9 @@ long preemptions() {
     return usage.ru_nivcsw;
 }
 
-/// Ten seconds at 60 Hz. Age: steps between the world and the newest publication, when the step asks for patches. It asks
-/// right after its submission, so 1 is the least: all but the step of this moment. On a machine that others use, look at
-/// `preemptions` before believing the ages, and at `worker_cpu_ms`, which is the worker's own time for a step.
+/// Ten seconds at 60 Hz. Age: steps between the world and the newest publication, when the step asks for patches. It
+/// asks right after its submission, so 1 is the least: all but the step of this moment. On a machine that others use,
+/// look at `preemptions` before believing the ages, and at `worker_cpu_ms`, which is the worker's own time for a step.
 void shadowLag(benchmark::State& state) {
     Fall fall(int(state.range(0)));
     ShadowWorker worker(ShadowWorker::Mode::Thread);

@@ -1,5 +1,5 @@
-// Splits after carves of radius 6, and cuts clean in two, against relabelling the whole grid from bytes in the same process
-// with the same compiler. One thread on both sides.
+// Splits after carves of radius 6, and cuts clean in two, against relabelling the whole grid from bytes in the same
+// process with the same compiler. One thread on both sides.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 
 #include "runtime/assets/assets.h"
 #include "runtime/core/random.h"
-#include "runtime/destruction/detachment.h"
 #include "runtime/destruction/carve.h"
-#include "runtime/destruction/split.h"
+#include "runtime/destruction/detachment.h"
 #include "runtime/destruction/local_connectivity.h"
+#include "runtime/destruction/split.h"
 #include "runtime/world/resolve_brush.h"
 #include "runtime/world/world.h"
-#include "tests/benchmark/destruction_scenes.h"
 #include "tests/benchmark/baseline_labels.h"
+#include "tests/benchmark/destruction_scenes.h"
 
 namespace rubble {
 namespace {
@@ -66,11 +66,13 @@ const AnchoredSolid& anchoredSolid(bench::Solid solid, int size) {
     if (found != known.end()) return found->second;
     if (size >= 512) known.clear();  // memory
     const CellBox bottom{{0, 0, 0}, {size, 1, size}}, side{{0, 0, 0}, {1, size, size}};
-    return known.try_emplace({solid, size}, bench::makeSolid(solid, size), solid == bench::Solid::Halves ? side : bottom).first->second;
+    return known
+        .try_emplace({solid, size}, bench::makeSolid(solid, size), solid == bench::Solid::Halves ? side : bottom)
+        .first->second;
 }
 
-/// Times one carve and its split on a copy of the grid. `minMs`: what it takes to label the carved bricks, each by itself, and
-/// to move what came off into grids of its own: no split can be had for less.
+/// Times one carve and its split on a copy of the grid. `minMs`: what it takes to label the carved bricks, each by
+/// itself, and to move what came off into grids of its own: no split can be had for less.
 struct Timed {
     double carveMs, minMs, splitMs;
     size_t pieces;
@@ -114,7 +116,8 @@ glm::ivec3 randomVoxel(const VoxelGrid& grid, Random& random) {
     }
 }
 
-void report(benchmark::State& state, const std::vector<double>& splits, const std::vector<double>& carves, double relabelMs) {
+void report(benchmark::State& state, const std::vector<double>& splits, const std::vector<double>& carves,
+            double relabelMs) {
     std::vector<double> sorted = splits;
     std::sort(sorted.begin(), sorted.end());
     state.counters["split_ms"] = median(splits);
@@ -141,9 +144,10 @@ void carveSplit(benchmark::State& state, bench::Solid solid, int size) {
     report(state, splits, carves, anchored.relabelMs);
 }
 
-/// The same on the shapes of the models of at least a thousand voxels, those of up to 64^3 cells apart: a full relabel of
-/// them takes 4 to 100 us, in the cache, which leaves a split no room. Ratios per shape, their median; how many shapes are split
-/// twenty times as fast as they are relabelled, and how many could be, at the least that a split of them takes.
+/// The same on the shapes of the models of at least a thousand voxels, those of up to 64^3 cells apart: a full relabel
+/// of them takes 4 to 100 us, in the cache, which leaves a split no room. Ratios per shape, their median; how many
+/// shapes are split twenty times as fast as they are relabelled, and how many could be, at the least that a split of
+/// them takes.
 void modelSplit(benchmark::State& state, bool areLarge) {
     std::vector<AnchoredSolid> shapes;
     const std::filesystem::path folder = RUBBLE_SOURCE_DIR "/../shared/models";
@@ -157,8 +161,11 @@ void modelSplit(benchmark::State& state, bool areLarge) {
             for (const LevelBody& body : level->bodies)
                 for (const LevelShape& shape : body.shapes)
                     if (const glm::ivec3 size = shape.grid.size();
-                        shape.grid.voxelCount() >= 1000 && areLarge == (size_t(size.x) * size_t(size.y) * size_t(size.z) > (1u << 18)))
-                        if (AnchoredSolid anchored(shape.grid, CellBox{{0, 0, 0}, {shape.grid.size().x, 2, shape.grid.size().z}}); !anchored.grid.empty())
+                        shape.grid.voxelCount() >= 1000 &&
+                        areLarge == (size_t(size.x) * size_t(size.y) * size_t(size.z) > (1u << 18)))
+                        if (AnchoredSolid anchored(shape.grid,
+                                                   CellBox{{0, 0, 0}, {shape.grid.size().x, 2, shape.grid.size().z}});
+                            !anchored.grid.empty())
                             shapes.push_back(std::move(anchored));
     if (shapes.empty()) return state.SkipWithError("no models in ../shared/models");
     Random random(2);
@@ -167,7 +174,8 @@ void modelSplit(benchmark::State& state, bool areLarge) {
     for (auto _ : state) {
         const size_t shape = splits.size() % shapes.size();
         const AnchoredSolid& anchored = shapes[shape];
-        const Timed timed = carveAndSplit(anchored, sphereBrush(glm::dvec3(randomVoxel(anchored.grid, random)) + 0.5, {6, 6, 6}));
+        const Timed timed =
+            carveAndSplit(anchored, sphereBrush(glm::dvec3(randomVoxel(anchored.grid, random)) + 0.5, {6, 6, 6}));
         state.SetIterationTime(timed.splitMs * 1e-3);
         splits.push_back(timed.splitMs), carves.push_back(timed.carveMs);
         times[shape].push_back(timed.splitMs), minTimes[shape].push_back(timed.minMs);
@@ -175,7 +183,8 @@ void modelSplit(benchmark::State& state, bool areLarge) {
     std::vector<double> ratios, bounds;
     for (size_t i = 0; i < shapes.size(); ++i) {
         references.push_back(shapes[i].relabelMs);
-        ratios.push_back(shapes[i].relabelMs / median(times[i])), bounds.push_back(shapes[i].relabelMs / median(minTimes[i]));
+        ratios.push_back(shapes[i].relabelMs / median(times[i])),
+            bounds.push_back(shapes[i].relabelMs / median(minTimes[i]));
     }
     const auto countTwentyfold = [](const std::vector<double>& all) {
         return double(std::count_if(all.begin(), all.end(), [](double x) { return x >= 20.0; }));
@@ -188,8 +197,9 @@ void modelSplit(benchmark::State& state, bool areLarge) {
     state.counters["shapes"] = double(shapes.size());
 }
 
-/// A block cut clean in two by World::applyEdits; `step_ms` is all of that step, `carve_ms` the same carve alone. "halves": by one
-/// ball on the bridge between them; "block": by a slab through the middle. Cold: nothing is known of the grid, it is its first cut.
+/// A block cut clean in two by World::applyEdits; `step_ms` is all of that step, `carve_ms` the same carve alone.
+/// "halves": by one ball on the bridge between them; "block": by a slab through the middle. Cold: nothing is known of
+/// the grid, it is its first cut.
 void cutInTwo(benchmark::State& state, bench::Solid solid, bool isCold) {
     const int size = 256;
     const AnchoredSolid& anchored = anchoredSolid(solid, size);
@@ -201,7 +211,8 @@ void cutInTwo(benchmark::State& state, bench::Solid solid, bool isCold) {
     for (auto _ : state) {
         Level level;
         LevelBody body{.name = "body"};
-        LevelShape shape{.name = "shape", .grid = isCold ? bench::coldCopy(anchored.grid) : anchored.grid, .anchors = {side}};
+        LevelShape shape{
+            .name = "shape", .grid = isCold ? bench::coldCopy(anchored.grid) : anchored.grid, .anchors = {side}};
         shape.palette = std::make_shared<const Palette>(stone());
         body.shapes.push_back(std::move(shape));
         level.bodies.push_back(std::move(body));
@@ -215,7 +226,8 @@ void cutInTwo(benchmark::State& state, bench::Solid solid, bool isCold) {
         VoxelGrid grid = world.shapes().at(handle).grid;
         auto start = Clock::now();
         CarveResult carved;
-        carve(grid, resolveBrush(cut, world.shapeToWorld(handle), world.shapes().at(handle).voxelSize), stone(), defaultMaterials(), carved);
+        carve(grid, resolveBrush(cut, world.shapeToWorld(handle), world.shapes().at(handle).voxelSize), stone(),
+              defaultMaterials(), carved);
         carves.push_back(msSince(start));
         grid = {};
         start = Clock::now();
@@ -225,14 +237,18 @@ void cutInTwo(benchmark::State& state, bench::Solid solid, bool isCold) {
         state.SetIterationTime(steps.back() * 1e-3);
     }
     state.counters["step_ms"] = median(steps);
-    state.counters["best_ms"] = *std::min_element(steps.begin(), steps.end());  // what other programs leave of the machine
+    state.counters["best_ms"] =
+        *std::min_element(steps.begin(), steps.end());  // what other programs leave of the machine
     state.counters["carve_ms"] = median(carves);
     state.counters["relabel_ms"] = anchored.relabelMs;
 }
 
 void registerSplits() {
     const auto add = [](const std::string& name, auto&& function, int iterations) {
-        benchmark::RegisterBenchmark(name.c_str(), function)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(iterations);
+        benchmark::RegisterBenchmark(name.c_str(), function)
+            ->UseManualTime()
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(iterations);
     };
     for (const auto solid : {bench::Solid::Building, bench::Solid::Holed, bench::Solid::Cracked})
         for (const int size : {128, 256, 512})
@@ -246,7 +262,8 @@ void registerSplits() {
     for (const bool isCold : {false, true})
         for (const auto solid : {bench::Solid::Halves, bench::Solid::Block})
             add(
-                std::string("destruction/split/cutInTwo256/") + bench::kSolidNames[int(solid)] + (isCold ? "/firstCut" : "/known"),
+                std::string("destruction/split/cutInTwo256/") + bench::kSolidNames[int(solid)] +
+                    (isCold ? "/firstCut" : "/known"),
                 [=](benchmark::State& state) { cutInTwo(state, solid, isCold); }, 15);
 }
 

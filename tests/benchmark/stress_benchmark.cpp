@@ -19,7 +19,8 @@ Level tower(int offset, bool isStatic = true) {
         for (int z = 0; z < kSide; ++z)
             for (int y = 0; y < kHeight; ++y)
                 for (int x = 0; x < kSide; ++x)
-                    if (isWall(x) || isWall(z) || y % kStorey == kStorey - 1) writer.set(glm::ivec3(x, y, z) + offset, 1);
+                    if (isWall(x) || isWall(z) || y % kStorey == kStorey - 1)
+                        writer.set(glm::ivec3(x, y, z) + offset, 1);
     }
     Level level;
     Palette palette{};
@@ -37,7 +38,8 @@ double threadMs() {
     return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
 }
 
-/// Steps of a world in which somebody hacks at the foot of a tower that bears it: each is analysed until it is known to.
+/// Steps of a world in which somebody hacks at the foot of a tower that bears it: each is analysed until it is known
+/// to.
 void towerStep(benchmark::State& state) {
     const int offset = int(state.range(0));
     WorldSettings settings;
@@ -83,7 +85,13 @@ void fracturePiece(benchmark::State& state) {
 }
 
 BENCHMARK(fracturePiece)->Name("destruction/stress/impact_on_piece")->Unit(benchmark::kMillisecond);
-BENCHMARK(towerStep)->Name("destruction/stress/tower_step")->Arg(0)->Arg(3)->Iterations(1500)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(towerStep)
+    ->Name("destruction/stress/tower_step")
+    ->Arg(0)
+    ->Arg(3)
+    ->Iterations(1500)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace rubble

@@ -1,4 +1,5 @@
-// Rays through the world's occupancy: the exact walk against the two approximate ones that renderers use, with what these get wrong.
+// Rays through the world's occupancy: the exact walk against the two approximate ones that renderers use, with what
+// these get wrong.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -23,19 +24,27 @@ constexpr int kRuns = 9;
 class MipOccupancy {
 public:
     explicit MipOccupancy(const VoxelGrid& grid) {
-        for (int level = 0; level < kLevels; ++level) m_levels[level].resize(size_t(sizeAt(level).x) * sizeAt(level).y * sizeAt(level).z);
+        for (int level = 0; level < kLevels; ++level)
+            m_levels[level].resize(size_t(sizeAt(level).x) * sizeAt(level).y * sizeAt(level).z);
         grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
             forEachVoxel(brick->occupancy, [&](int i) {
-                for (int level = 0; level < kLevels; ++level) m_levels[level][indexOf((position * kBrickSize + voxelInBrick(i)) >> level, level)] = 1;
+                for (int level = 0; level < kLevels; ++level)
+                    m_levels[level][indexOf((position * kBrickSize + voxelInBrick(i)) >> level, level)] = 1;
             });
         });
     }
-    bool solid(glm::dvec3 point, int level) const { return m_levels[level][indexOf(glm::ivec3(point) >> level, level)]; }
-    static bool inside(glm::dvec3 p) { return p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x < kSize.x && p.y < kSize.y && p.z < kSize.z; }
+    bool solid(glm::dvec3 point, int level) const {
+        return m_levels[level][indexOf(glm::ivec3(point) >> level, level)];
+    }
+    static bool inside(glm::dvec3 p) {
+        return p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x < kSize.x && p.y < kSize.y && p.z < kSize.z;
+    }
 
 private:
     static glm::ivec3 sizeAt(int level) { return kSize >> level; }
-    static size_t indexOf(glm::ivec3 cell, int level) { return (size_t(cell.z) * sizeAt(level).y + cell.y) * sizeAt(level).x + cell.x; }
+    static size_t indexOf(glm::ivec3 cell, int level) {
+        return (size_t(cell.z) * sizeAt(level).y + cell.y) * sizeAt(level).x + cell.x;
+    }
     std::array<std::vector<uint8_t>, kLevels> m_levels;
 };
 
@@ -76,12 +85,14 @@ VoxelGrid makeCity() {
     for (int z = 0; z < kSize.z; ++z)
         for (int x = 0; x < kSize.x; ++x) writer.set({x, 0, z}, 1);
     for (int house = 0; house < 60; ++house) {
-        const int x0 = random.between(0, 340), z0 = random.between(0, 340), width = random.between(12, 40), depth = random.between(12, 40);
+        const int x0 = random.between(0, 340), z0 = random.between(0, 340), width = random.between(12, 40),
+                  depth = random.between(12, 40);
         const int height = random.between(10, 80);
         for (int y = 1; y <= height; ++y)
             for (int z = 0; z < depth; ++z)
                 for (int x = 0; x < width; ++x)
-                    if (x == 0 || z == 0 || x == width - 1 || z == depth - 1 || y % 27 == 0) writer.set({x0 + x, y, z0 + z}, 1);
+                    if (x == 0 || z == 0 || x == width - 1 || z == depth - 1 || y % 27 == 0)
+                        writer.set({x0 + x, y, z0 + z}, 1);
     }
     for (int pole = 0; pole < 300; ++pole) {
         const int x = random.between(0, kSize.x - 1), z = random.between(0, kSize.z - 1);
@@ -111,7 +122,8 @@ double medianNs(const std::vector<CellRay>& rays, std::vector<uint8_t>& hits, Hi
     for (int run = 0; run < kRuns; ++run) {
         const auto start = std::chrono::steady_clock::now();
         for (size_t i = 0; i < rays.size(); ++i) hits[i] = hit(rays[i]);
-        runs.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count() / double(rays.size()));
+        runs.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count() /
+                       double(rays.size()));
     }
     std::nth_element(runs.begin(), runs.begin() + kRuns / 2, runs.end());
     return runs[kRuns / 2];
@@ -132,7 +144,8 @@ void worldRayRatios(benchmark::State& state) {
     for (auto _ : state) {
         const double exactNs = medianNs(rays, exact, [&](const CellRay& ray) { return walkRay(grid, ray).hit; });
         const double sparseNs = medianNs(rays, sparse, [&](const CellRay& ray) { return sparseHit(world, ray); });
-        const double superNs = medianNs(rays, superSparse, [&](const CellRay& ray) { return superSparseHit(world, ray); });
+        const double superNs =
+            medianNs(rays, superSparse, [&](const CellRay& ray) { return superSparseHit(world, ray); });
         state.counters["exact_ns"] = exactNs;
         state.counters["sparse_over_exact"] = sparseNs / exactNs;
         state.counters["super_sparse_over_exact"] = superNs / exactNs;

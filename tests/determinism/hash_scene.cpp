@@ -12,7 +12,8 @@ int main(int argc, char** argv) {
     SceneRun run;
     CLI::App app{"The hash of a scripted scene, step by step"};
     app.add_option("--scene", run.scene, "one of the scripted scenes, or town");
-    app.add_option("--mode", run.mode, "play, load (from a save half-mode) or replay (a recording)")->check(CLI::IsMember({"play", "load", "replay"}));
+    app.add_option("--mode", run.mode, "play, load (from a save half-mode) or replay (a recording)")
+        ->check(CLI::IsMember({"play", "load", "replay"}));
     app.add_option("--steps", run.steps, "how many steps");
     app.add_option("--every", run.every, "steps between two hashes")->check(CLI::PositiveNumber);
     app.add_option("--threads", run.threads, "1: no worker; 2: a shadow worker; more: other worlds beside it");

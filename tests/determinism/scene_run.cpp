@@ -46,7 +46,8 @@ public:
         auto context = GlContext::create();
         if (!context) return Error{context.error()};
         offscreen->m_context = std::move(*context);
-        auto renderer = Renderer::create(offscreen->m_context->loader(), options.shaders, RenderSettings::preset("fast"));
+        auto renderer =
+            Renderer::create(offscreen->m_context->loader(), options.shaders, RenderSettings::preset("fast"));
         if (!renderer) return Error{renderer.error()};
         offscreen->m_renderer = std::move(*renderer);
         offscreen->m_target = std::make_unique<Offscreen>(glm::ivec2(64, 36));
@@ -74,7 +75,9 @@ class TemporaryFile {
 public:
     explicit TemporaryFile(const char* ending) {
         static std::atomic<int> count = 0;
-        m_path = (std::filesystem::temp_directory_path() / fmt::format("rubble_hash_{}_{}.{}", getpid(), ++count, ending)).string();
+        m_path =
+            (std::filesystem::temp_directory_path() / fmt::format("rubble_hash_{}_{}.{}", getpid(), ++count, ending))
+                .string();
     }
     ~TemporaryFile() { std::remove(m_path.c_str()); }
     const std::string& path() const { return m_path; }
@@ -127,11 +130,13 @@ Result<Hashes> replay(const SceneRun& options, const std::string& path) {
         loop->replay(step);
         const Result<FrameChanges> applied = applyStepDelta(step.delta, path, follower, palettes);
         if (!applied) return Error{applied.error()};
-        if (follower.voxelHash() != step.voxelHash) return Error{fmt::format("step {}: the resolved edits give other voxels", step.step)};
+        if (follower.voxelHash() != step.voxelHash)
+            return Error{fmt::format("step {}: the resolved edits give other voxels", step.step)};
         follower.setPoses(step.poses);
         if (follower.resolvedHash() != step.resolvedHash)
             return Error{fmt::format("step {}: the resolved edits and poses give another world", step.step)};
-        if (loop->world().hash() != step.hash) return Error{fmt::format("step {}: the replay went another mode", step.step)};
+        if (loop->world().hash() != step.hash)
+            return Error{fmt::format("step {}: the replay went another mode", step.step)};
         if (step.step % uint64_t(options.every) == 0) hashes.push_back(step.hash);
     }
     return hashes;

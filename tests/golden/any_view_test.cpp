@@ -15,7 +15,7 @@ namespace {
 
 constexpr glm::ivec2 kSize(160, 90);
 constexpr int kViewsPerWorld = 250;  // then the rubble is cleared away
-constexpr int kViewsPerReport = 50;    // of what a long run says while it runs
+constexpr int kViewsPerReport = 50;  // of what a long run says while it runs
 
 int viewCount() {
     return std::getenv("RUBBLE_LONG") ? 3334 : 12;
@@ -47,7 +47,9 @@ View randomView(Random& random, unsigned framebuffer) {
     View view;
     for (int a = 0; a < 3; ++a) view.position[a] = random.unit() * 70.0 - 3.0;
     const uint32_t where = random.below(8);
-    view.position.y = where < 2 ? random.unit() * 0.9 - 0.4 : where < 7 ? random.unit() * 12.0 : random.unit() * 4000.0 - 2000.0;
+    view.position.y = where < 2   ? random.unit() * 0.9 - 0.4
+                      : where < 7 ? random.unit() * 12.0
+                                  : random.unit() * 4000.0 - 2000.0;
     for (int i = 0; i < 4; ++i) view.rotation[i] = random.unit() - 0.5;
     view.rotation = random.below(8) ? glm::normalize(view.rotation) : glm::dquat(1, 0, 0, 0);
     const int degrees = random.below(4) ? random.between(1, 179) : random.below(2) ? 1 : 179;
@@ -79,12 +81,13 @@ TEST_P(RandomView, AllTargetsAreFinite) {
         const View view = randomView(random, target.framebuffer());
         loop.draw(*renderer.value(), view, float(random.unit()));
         const std::string bad = nonFiniteTextures();
-        ASSERT_EQ(bad, "") << kWeathers[GetParam()].name << ", view " << i << " from " << view.position.x << ", " << view.position.y << ", "
-                           << view.position.z << ", turned " << view.rotation.w << ' ' << view.rotation.x << ' ' << view.rotation.y << ' '
-                           << view.rotation.z << ", fov " << view.verticalFov;
+        ASSERT_EQ(bad, "") << kWeathers[GetParam()].name << ", view " << i << " from " << view.position.x << ", "
+                           << view.position.y << ", " << view.position.z << ", turned " << view.rotation.w << ' '
+                           << view.rotation.x << ' ' << view.rotation.y << ' ' << view.rotation.z << ", fov "
+                           << view.verticalFov;
         if (const int views = i + 1; std::getenv("RUBBLE_LONG") && views % kViewsPerReport == 0) {
-            std::printf("%s: %d of %d views, %.0f s of processor time\n", kWeathers[GetParam()].name, views, viewCount(),
-                        double(std::clock()) / CLOCKS_PER_SEC);
+            std::printf("%s: %d of %d views, %.0f s of processor time\n", kWeathers[GetParam()].name, views,
+                        viewCount(), double(std::clock()) / CLOCKS_PER_SEC);
             std::fflush(stdout);
         }
     }

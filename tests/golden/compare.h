@@ -11,7 +11,8 @@ struct Difference {
 };
 Difference compare(const Image& actual, const Image& expected);
 
-/// Compilers and GL versions round differently, and a rounded ray may miss a corner: a few pixels may differ, all together may not.
+/// Compilers and GL versions round differently, and a rounded ray may miss a corner: a few pixels may differ, all
+/// together may not.
 bool looksAlike(const Difference& difference);
 
 }  // namespace rubble

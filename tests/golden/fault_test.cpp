@@ -10,7 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A mistake that someone could make in a shader: `good` stands in the file once or more, and its first place becomes `bad`.
+/// A mistake that someone could make in a shader: `good` stands in the file once or more, and its first place becomes
+/// `bad`.
 struct Fault {
     const char* name;
     const char* file;
@@ -19,18 +20,23 @@ struct Fault {
 };
 
 constexpr Fault kFaults[] = {
-    {"rays start in their own surface", "lib/shadow_trace.glsl", "kNormalOffsetCells = 0.52", "kNormalOffsetCells = 0.0"},
-    {"the sun is behind", "passes/sun.frag", "coneDirection(frame.sunDirection.xyz", "coneDirection(-frame.sunDirection.xyz"},
-    {"sky rays that leave see nothing", "passes/sky.frag", "light.rgb += skyRadiance(direction)", "light.rgb += vec3(0.0)"},
+    {"rays start in their own surface", "lib/shadow_trace.glsl", "kNormalOffsetCells = 0.52",
+     "kNormalOffsetCells = 0.0"},
+    {"the sun is behind", "passes/sun.frag", "coneDirection(frame.sunDirection.xyz",
+     "coneDirection(-frame.sunDirection.xyz"},
+    {"sky rays that leave see nothing", "passes/sky.frag", "light.rgb += skyRadiance(direction)",
+     "light.rgb += vec3(0.0)"},
     {"colours are not made linear", "lib/gbuffer.glsl", "vec3(2.4)", "vec3(1.4)"},
     {"bodies turn the wrong way", "lib/bodies.glsl", "+ q.w * v)", "- q.w * v)"},
     {"sunlight without the one over pi", "passes/composite.frag", "sun / 3.14159265", "sun"},
     {"nothing glows", "passes/composite.frag", "s.albedo * s.emission", "s.albedo * 0.0"},
-    {"no fresnel", "lib/brdf.glsl", "return f0 + (max(vec3(smoothness * smoothness), f0) - f0) * m2 * m2 * m", "return f0"},
+    {"no fresnel", "lib/brdf.glsl", "return f0 + (max(vec3(smoothness * smoothness), f0) - f0) * m2 * m2 * m",
+     "return f0"},
     {"panes do not tint", "passes/glass_composite.frag", "behind * texelFetch(uGlassTint, pixel, 0).rgb", "behind"},
     {"no haze", "lib/sky.glsl", "return 1.0 - exp2(-ratio * sqrt(ratio))", "return 0.0"},
     {"exposure off by a tenth", "passes/tonemap.frag", "c * 0.5", "c * 0.55"},
-    {"the filter crosses edges", "passes/filter.frag", "there.y == centre.y ? max(0.0, 1.0 - abs(height) * planeScale) : 0.0", "1.0"},
+    {"the filter crosses edges", "passes/filter.frag",
+     "there.y == centre.y ? max(0.0, 1.0 - abs(height) * planeScale) : 0.0", "1.0"},
     {"history counts for nothing", "passes/accumulate.frag", "mix(history.light, now, blend)", "now"},
     {"empty blocks are too large", "lib/cell_walk.glsl", "return 2;", "return 4;"},
     {"palette indices from the wrong row", "lib/voxel_walk.glsl", "(c.x >> 2) + c.y * 2", "(c.x >> 2) + c.y * 4"},
@@ -41,7 +47,8 @@ constexpr Fault kFaults[] = {
     {"edges are not smoothed", "passes/taa.frag", "across[i % 3] * up[i / 3]", "(i == 4 ? 1.0 : 0.0)"},
 };
 
-/// What the street shows small: a turned block close by, something that glows, a floor that mirrors at a flat angle, thin slats.
+/// What the street shows small: a turned block close by, something that glows, a floor that mirrors at a flat angle,
+/// thin slats.
 LitScene closeUp() {
     auto palette = std::make_shared<Palette>();
     const auto entry = [&](int index, uint8_t grey, uint8_t roughness, uint8_t reflectivity, float emission) {
@@ -57,9 +64,11 @@ LitScene closeUp() {
     LitScene scene(palette);
     scene.environment.sunDirection = {-0.5f, 0.4f, 0.6f};
     scene.add({120, 2, 120}, {{-6, -0.2, -6}, {1, 0, 0, 0}}, [](glm::ivec3) { return uint8_t(1); });
-    scene.add({10, 10, 10}, {{-1.2, 0.3, -0.5}, glm::normalize(glm::dquat(0.86, 0.21, 0.37, 0.28))}, [](glm::ivec3) { return uint8_t(2); });
+    scene.add({10, 10, 10}, {{-1.2, 0.3, -0.5}, glm::normalize(glm::dquat(0.86, 0.21, 0.37, 0.28))},
+              [](glm::ivec3) { return uint8_t(2); });
     scene.add({4, 12, 4}, {{0.5, 0.0, -0.8}, {1, 0, 0, 0}}, [](glm::ivec3 c) { return uint8_t(c.y > 7 ? 3 : 2); });
-    scene.add({20, 12, 3}, {{-1.0, 0.0, -2.0}, {1, 0, 0, 0}}, [](glm::ivec3 c) { return uint8_t(c.x % 2 == 0 || c.z == 2 ? 2 : 0); });
+    scene.add({20, 12, 3}, {{-1.0, 0.0, -2.0}, {1, 0, 0, 0}},
+              [](glm::ivec3 c) { return uint8_t(c.x % 2 == 0 || c.z == 2 ? 2 : 0); });
     return scene;
 }
 
@@ -101,9 +110,11 @@ protected:
 TEST_F(FaultTest, ImagesRejectEachOfTwentyFaults) {
     const Images good = drawImages(shaderFolder());
     const Images again = drawImages(shaderFolder());
-    for (size_t i = 0; i < good.size(); ++i) ASSERT_TRUE(looksAlike(compare(again[i], good[i]))) << "the same shaders draw the same drawImage";
+    for (size_t i = 0; i < good.size(); ++i)
+        ASSERT_TRUE(looksAlike(compare(again[i], good[i]))) << "the same shaders draw the same drawImage";
     for (size_t i = 0; i < good.size(); ++i) {
-        for (size_t k = 0; k < i; ++k) EXPECT_FALSE(looksAlike(compare(good[i], good[k]))) << "two drawImages that do not reject each other";
+        for (size_t k = 0; k < i; ++k)
+            EXPECT_FALSE(looksAlike(compare(good[i], good[k]))) << "two drawImages that do not reject each other";
     }
 
     const TempFolder made;
@@ -114,7 +125,8 @@ TEST_F(FaultTest, ImagesRejectEachOfTwentyFaults) {
         std::ifstream in(folder / fault.file);
         std::string text((std::istreambuf_iterator<char>(in)), {});
         const size_t place = text.find(fault.good);
-        ASSERT_NE(place, std::string::npos) << fault.name << ": " << fault.file << " does not say \"" << fault.good << "\" any more: seed it anew";
+        ASSERT_NE(place, std::string::npos)
+            << fault.name << ": " << fault.file << " does not say \"" << fault.good << "\" any more: seed it anew";
         std::ofstream(folder / fault.file) << text.replace(place, std::string(fault.good).size(), fault.bad);
         const Images bad = drawImages(folder.string());
         std::string seen;
@@ -122,7 +134,8 @@ TEST_F(FaultTest, ImagesRejectEachOfTwentyFaults) {
         for (size_t i = 0; i < good.size(); ++i) {
             const Difference difference = compare(bad[i], good[i]);
             alike = alike && looksAlike(difference);
-            seen += " " + std::to_string(difference.share * 100) + " % clearly, " + std::to_string(difference.mean) + " of 255 on average;";
+            seen += " " + std::to_string(difference.share * 100) + " % clearly, " + std::to_string(difference.mean) +
+                    " of 255 on average;";
         }
         EXPECT_FALSE(alike) << fault.name << " is not seen:" << seen;
     }

@@ -28,8 +28,8 @@ inline std::string nonFiniteTextures(GLuint namesBelow = 512) {
         glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, values.data());
         const auto count = std::count_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
         if (count)
-            bad += "texture " + std::to_string(name) + ", format " + std::to_string(format) + ", " + std::to_string(width) + "x" +
-                   std::to_string(height) + ": " + std::to_string(count) + " numbers; ";
+            bad += "texture " + std::to_string(name) + ", format " + std::to_string(format) + ", " +
+                   std::to_string(width) + "x" + std::to_string(height) + ": " + std::to_string(count) + " numbers; ";
     }
     return bad;
 }

@@ -16,11 +16,14 @@ namespace {
 constexpr glm::ivec2 kSize(96, 64);
 
 /// In the order drawn: the first that differs names the pass.
-constexpr const char* kTargets[] = {"albedo",      "material", "noisyLight",    "specular",   "fastHistory", "historyConfidence",
-                                    "accumulatedLight", "surface",  "denoisedLight", "reflection", "radiance",   "fogLight",
-                                    "fog",         "resolved", "bloom0",   "exposure",   "final"};
-const std::vector<std::string> kPasses = {"wetness",   "sun", "sky", "local lights", "accumulate", "filter", "reflections",
-                                          "composite", "fog", "taa", "bloom",        "exposure",   "tonemap"};
+constexpr const char* kTargets[] = {"albedo",        "material",          "noisyLight",       "specular",
+                                    "fastHistory",   "historyConfidence", "accumulatedLight", "surface",
+                                    "denoisedLight", "reflection",        "radiance",         "fogLight",
+                                    "fog",           "resolved",          "bloom0",           "exposure",
+                                    "final"};
+const std::vector<std::string> kPasses = {"wetness", "sun",         "sky",       "local lights", "accumulate",
+                                          "filter",  "reflections", "composite", "fog",          "taa",
+                                          "bloom",   "exposure",    "tonemap"};
 
 /// Sun and sky, lamps, wet ground, panes, mirrors, fog.
 LitScene fullScene() {
@@ -70,7 +73,8 @@ void reportVersionFour(GLenum name, GLint* value) {
         reinterpret_cast<PFNGLGETINTEGERVPROC>(testContext().loader()("glGetIntegerv"))(name, value);
 }
 void* loaderWithOtherVersion(const char* name) {
-    return std::strcmp(name, "glGetIntegerv") == 0 ? reinterpret_cast<void*>(&reportVersionFour) : testContext().loader()(name);
+    return std::strcmp(name, "glGetIntegerv") == 0 ? reinterpret_cast<void*>(&reportVersionFour)
+                                                   : testContext().loader()(name);
 }
 
 class FullscreenTest : public GlTest {
@@ -78,16 +82,20 @@ protected:
     void SetUp() override {
         GlTest::SetUp();
         if (!hasCompute()) GTEST_SKIP() << "no GL 4.3";
-        setLogSink([](void* lines, LogLevel, std::string_view text) { static_cast<std::vector<std::string>*>(lines)->emplace_back(text); }, &m_lines);
+        setLogSink([](void* lines, LogLevel,
+                      std::string_view text) { static_cast<std::vector<std::string>*>(lines)->emplace_back(text); },
+                   &m_lines);
     }
     void TearDown() override {
         setLogSink(nullptr, nullptr);
         GlTest::TearDown();
     }
     auto logCount(std::string_view text) const {
-        return std::count_if(m_lines.begin(), m_lines.end(), [&](const std::string& line) { return line.find(text) != std::string::npos; });
+        return std::count_if(m_lines.begin(), m_lines.end(),
+                             [&](const std::string& line) { return line.find(text) != std::string::npos; });
     }
-    std::unique_ptr<Renderer> make(Fullscreen fullscreen, FrameSnapshot snapshot, RenderSettings settings = {}, GlLoader loader = nullptr) {
+    std::unique_ptr<Renderer> make(Fullscreen fullscreen, FrameSnapshot snapshot, RenderSettings settings = {},
+                                   GlLoader loader = nullptr) {
         settings.fullscreen = fullscreen;
         auto made = Renderer::create(loader ? loader : testContext().loader(), m_shaders, settings);
         if (!made) {
@@ -114,11 +122,13 @@ protected:
                 if (!first) continue;
                 ASSERT_EQ(first->size, second->size);
                 const TargetDifference found = targetDifference(*first, *second);
-                // Compilers for GPUs may fuse and order the same sums in two ways: a ray that is rounded may miss a corner.
-                const bool isSame = !isSoftwareGl()  ? found.clearly <= int(first->pixels.size() * 4 / 50)
+                // Compilers for GPUs may fuse and order the same sums in two ways: a ray that is rounded may miss a
+                // corner.
+                const bool isSame = !isSoftwareGl()    ? found.clearly <= int(first->pixels.size() * 4 / 50)
                                     : tolerance > 0.0f ? found.largest <= tolerance
-                                                     : found.numbers == 0;
-                EXPECT_TRUE(isSame) << name << " in frame " << frame << ": " << found.numbers << " numbers differ, by up to " << found.largest;
+                                                       : found.numbers == 0;
+                EXPECT_TRUE(isSame) << name << " in frame " << frame << ": " << found.numbers
+                                    << " numbers differ, by up to " << found.largest;
                 ++compared;
             }
             EXPECT_GE(compared, frame ? 17 : 15);
@@ -132,8 +142,10 @@ protected:
 };
 
 TEST_F(FullscreenTest, ComputeDrawsWhatFragmentsDrawInAnySize) {
-    const auto fragment = make(Fullscreen::Fragment, fullScene().snapshot()), compute = make(Fullscreen::Compute, fullScene().snapshot());
-    for (const glm::ivec2 size : {kSize, glm::ivec2(61, 37), glm::ivec2(1, 3), glm::ivec2(128, 40)}) expectSame(*fragment, *compute, size, 4);
+    const auto fragment = make(Fullscreen::Fragment, fullScene().snapshot()),
+               compute = make(Fullscreen::Compute, fullScene().snapshot());
+    for (const glm::ivec2 size : {kSize, glm::ivec2(61, 37), glm::ivec2(1, 3), glm::ivec2(128, 40)})
+        expectSame(*fragment, *compute, size, 4);
     EXPECT_EQ(byCompute(*compute), kPasses);
 }
 
@@ -153,45 +165,55 @@ TEST_F(FullscreenTest, ComputeKeepsPixelsThatAreNotDrawn) {
     RenderSettings settings;
     settings.localLights = settings.reflections = false;
     settings.filterPasses = 0;
-    const auto fragment = make(Fullscreen::Fragment, scene.snapshot(), settings), compute = make(Fullscreen::Compute, scene.snapshot(), settings);
+    const auto fragment = make(Fullscreen::Fragment, scene.snapshot(), settings),
+               compute = make(Fullscreen::Compute, scene.snapshot(), settings);
     const Offscreen target(kSize);
     Camera camera = streetCamera(3);
     for (const glm::dvec3 to : {glm::dvec3(0, 0.5, 0), glm::dvec3(-11, 90, -10)}) {
         camera.lookAt(to);
-        for (Renderer* each : {fragment.get(), compute.get()}) each->draw(camera.view(kSize, target.framebuffer()), 1.0f);
+        for (Renderer* each : {fragment.get(), compute.get()})
+            each->draw(camera.view(kSize, target.framebuffer()), 1.0f);
         for (const char* name : {"noisyLight", "accumulatedLight", "surface", "denoisedLight", "radiance", "final"})
-            EXPECT_TRUE(!isSoftwareGl() || targetDifference(*fragment->readTarget(name), *compute->readTarget(name)).numbers == 0) << name;
+            EXPECT_TRUE(!isSoftwareGl() ||
+                        targetDifference(*fragment->readTarget(name), *compute->readTarget(name)).numbers == 0)
+                << name;
     }
 }
 
-/// Waves are sums of sines of sums of products, which a GL may fuse as it likes: llvmpipe does not do the same in both programs, and their
-/// slopes differ in the last bit. Now and then it rounds another way in a target of 16 bits: 2^-12 of numbers about 0.5.
+/// Waves are sums of sines of sums of products, which a GL may fuse as it likes: llvmpipe does not do the same in both
+/// programs, and their slopes differ in the last bit. Now and then it rounds another way in a target of 16 bits: 2^-12
+/// of numbers about 0.5.
 TEST_F(FullscreenTest, WaterIsTheSameButForTheLastBit) {
-    const auto fragment = make(Fullscreen::Fragment, withWater(fullScene())), compute = make(Fullscreen::Compute, withWater(fullScene()));
+    const auto fragment = make(Fullscreen::Fragment, withWater(fullScene())),
+               compute = make(Fullscreen::Compute, withWater(fullScene()));
     expectSame(*fragment, *compute, kSize, 3, 0.005f);
     const auto passes = byCompute(*compute);
     EXPECT_NE(std::find(passes.begin(), passes.end(), "water"), passes.end());
     const auto dry = make(Fullscreen::Fragment, fullScene().snapshot());
     draw(*dry, kSize, 2);
-    EXPECT_GT(targetDifference(*dry->readTarget("radiance"), *fragment->readTarget("radiance")).numbers, 100) << "there is no water";
+    EXPECT_GT(targetDifference(*dry->readTarget("radiance"), *fragment->readTarget("radiance")).numbers, 100)
+        << "there is no water";
 }
 
 TEST_F(FullscreenTest, FragmentModeAllocatesNothingForCompute) {
-    const auto fragment = make(Fullscreen::Fragment, fullScene().snapshot()), automatic = make(Fullscreen::Auto, fullScene().snapshot());
+    const auto fragment = make(Fullscreen::Fragment, fullScene().snapshot()),
+               automatic = make(Fullscreen::Auto, fullScene().snapshot());
     const auto compute = make(Fullscreen::Compute, fullScene().snapshot());
     for (Renderer* each : {fragment.get(), automatic.get(), compute.get()}) draw(*each, kSize);
     EXPECT_EQ(fragment->figures().computePrograms, 0);
     EXPECT_TRUE(fragment->figures().computePasses.empty());
     EXPECT_GE(compute->figures().computePrograms, int(kPasses.size()));
     EXPECT_EQ(fragment->figures().textureBytes, compute->figures().textureBytes);
-    EXPECT_EQ(automatic->figures().computePrograms > 0, !isSoftwareGl()) << "compute is slower on software renderers: see DECISIONS.md";
+    EXPECT_EQ(automatic->figures().computePrograms > 0, !isSoftwareGl())
+        << "compute is slower on software renderers: see DECISIONS.md";
 }
 
 TEST_F(FullscreenTest, ReloadedShadersDrawTheSame) {
     const TempFolder folder;
     std::filesystem::copy(shaderFolder(), folder.path(), std::filesystem::copy_options::recursive);
     m_shaders = folder.path().string();
-    const auto fragment = make(Fullscreen::Fragment, fullScene().snapshot()), compute = make(Fullscreen::Compute, fullScene().snapshot());
+    const auto fragment = make(Fullscreen::Fragment, fullScene().snapshot()),
+               compute = make(Fullscreen::Compute, fullScene().snapshot());
     expectSame(*fragment, *compute, kSize, 2);
     const auto before = compute->readTarget("noisyLight");
     const auto file = folder.path() / "passes/sky.frag";
@@ -201,20 +223,23 @@ TEST_F(FullscreenTest, ReloadedShadersDrawTheSame) {
         const size_t place = text.find(old);
         text.replace(place, old.size(), now);
         std::ofstream(file) << text;
-        std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now() + std::chrono::seconds(seconds));
+        std::filesystem::last_write_time(file,
+                                         std::filesystem::file_time_type::clock::now() + std::chrono::seconds(seconds));
         return 1 + std::count(text.begin(), text.begin() + ptrdiff_t(place), '\n');
     };
     const auto line = write("light.rgb /= float(uRayCount);", "light.rgb /= float(uRayCount) * oops;", 10);
     for (Renderer* each : {fragment.get(), compute.get()}) {
         EXPECT_FALSE(each->reloadShaders());
         ASSERT_EQ(each->shaderErrors().size(), 1u);
-        EXPECT_NE(each->shaderErrors()[0].find("passes/sky.frag:" + std::to_string(line)), std::string::npos) << each->shaderErrors()[0];
+        EXPECT_NE(each->shaderErrors()[0].find("passes/sky.frag:" + std::to_string(line)), std::string::npos)
+            << each->shaderErrors()[0];
     }
     expectSame(*fragment, *compute, kSize, 2);
     write("* oops;", "* 2.0;", 20);
     for (Renderer* each : {fragment.get(), compute.get()}) EXPECT_TRUE(each->reloadShaders());
     expectSame(*fragment, *compute, kSize, 2);
-    EXPECT_GT(targetDifference(*before, *compute->readTarget("noisyLight")).largest, 0.05f) << "the new shader does not draw";
+    EXPECT_GT(targetDifference(*before, *compute->readTarget("noisyLight")).largest, 0.05f)
+        << "the new shader does not draw";
 }
 
 TEST_F(FullscreenTest, AContextBelowFourPointThreeDrawsByFragmentsAndWarns) {
@@ -224,7 +249,8 @@ TEST_F(FullscreenTest, AContextBelowFourPointThreeDrawsByFragmentsAndWarns) {
     draw(*renderer, kSize);
     EXPECT_EQ(renderer->figures().computePrograms, 0);
     EXPECT_TRUE(byCompute(*renderer).empty());
-    for (const Fullscreen quiet : {Fullscreen::Auto, Fullscreen::Fragment}) make(quiet, fullScene().snapshot(), {}, loaderWithOtherVersion);
+    for (const Fullscreen quiet : {Fullscreen::Auto, Fullscreen::Fragment})
+        make(quiet, fullScene().snapshot(), {}, loaderWithOtherVersion);
     EXPECT_EQ(logCount("compute programs need GL 4.3"), 1) << "nobody has asked for it";
     renderer.reset();
     g_minor = 3;
@@ -236,7 +262,8 @@ TEST_F(FullscreenTest, AContextBelowFourPointThreeDrawsByFragmentsAndWarns) {
 }
 
 TEST_F(FullscreenTest, TheFastestIsMeasuredWhileTheImageIsTheSame) {
-    const auto fragment = make(Fullscreen::Fragment, fullScene().snapshot()), fastest = make(Fullscreen::Fastest, fullScene().snapshot());
+    const auto fragment = make(Fullscreen::Fragment, fullScene().snapshot()),
+               fastest = make(Fullscreen::Fastest, fullScene().snapshot());
     constexpr int kFrames = 2 * (FullscreenChoice::kWarmUpFrames + FullscreenChoice::kTimedFrames);
     expectSame(*fragment, *fastest, kSize, 2);
     EXPECT_EQ(byCompute(*fastest), kPasses) << "every other frame is by compute";

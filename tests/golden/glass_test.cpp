@@ -34,7 +34,8 @@ PaletteRef wallAndPanes() {
 glm::vec3 paneTransmittance(int pane) {
     const Tint t = kTints[pane];
     const glm::vec3 linear = glm::pow(glm::vec3(t.red, t.green, t.blue) / 255.0f, glm::vec3(2.2f));
-    return (1.0f - float(t.opacity) / 255.0f) * glm::mix(glm::vec3(1.0f), linear / std::max({linear.x, linear.y, linear.z}), 0.7f);
+    return (1.0f - float(t.opacity) / 255.0f) *
+           glm::mix(glm::vec3(1.0f), linear / std::max({linear.x, linear.y, linear.z}), 0.7f);
 }
 
 class GlassTest : public Drawing {
@@ -50,9 +51,13 @@ protected:
 /// Panes 0 and 2 are one body's, pane 1 another's that stands between them, and pane 3 is behind a wall.
 TEST_F(GlassTest, PanesOfInterleavedBodiesTintOnceAndTheNearestIsTheSurface) {
     LitScene scene(wallAndPanes());
-    scene.add({20, 20, 21}, {{-1, -1, 0}, kLevel}, [](glm::ivec3 c) { return uint8_t(c.z == 20 ? kFirstPane : c.z == 0 ? kFirstPane + 2 : 0); });
+    scene.add({20, 20, 21}, {{-1, -1, 0}, kLevel}, [](glm::ivec3 c) {
+        return uint8_t(c.z == 20 ? kFirstPane : c.z == 0 ? kFirstPane + 2 : 0);
+    });
     scene.add({20, 20, 1}, {{-1, -1, 1}, kLevel}, [](glm::ivec3) { return uint8_t(kFirstPane + 1); });
-    scene.add({160, 60, 10}, {{-8, -3, -5}, kLevel}, [](glm::ivec3 c) { return uint8_t(c.z == 9 ? kWall : c.z == 2 ? kFirstPane + 3 : 0); });
+    scene.add({160, 60, 10}, {{-8, -3, -5}, kLevel}, [](glm::ivec3 c) {
+        return uint8_t(c.z == 9 ? kWall : c.z == 2 ? kFirstPane + 3 : 0);
+    });
     RenderSettings settings;
     settings.temporal = false;
     start(scene, kSize, settings);
@@ -70,9 +75,11 @@ TEST_F(GlassTest, RefractsLikeAParallelPlate) {
     const auto edgeAt = [&](bool refraction) {
         LitScene scene(wallAndPanes());
         scene.environment.sunDirection = {0.1f, 0.3f, 1.0f};
-        scene.add({60, 60, 2}, {{-3, -3, -0.2}, kLevel}, [](glm::ivec3 c) { return uint8_t(c.x < 30 ? kDark : kWall); });
+        scene.add({60, 60, 2}, {{-3, -3, -0.2}, kLevel},
+                  [](glm::ivec3 c) { return uint8_t(c.x < 30 ? kDark : kWall); });
         scene.add({60, 30, 1},
-                  {glm::dvec3(0, -1.5, 1) - glm::angleAxis(0.9, glm::dvec3(0, 1, 0)) * glm::dvec3(3, 0, 0), glm::angleAxis(0.9, glm::dvec3(0, 1, 0))},
+                  {glm::dvec3(0, -1.5, 1) - glm::angleAxis(0.9, glm::dvec3(0, 1, 0)) * glm::dvec3(3, 0, 0),
+                   glm::angleAxis(0.9, glm::dvec3(0, 1, 0))},
                   [](glm::ivec3) { return uint8_t(kFirstPane + 2); });
         RenderSettings settings;
         settings.temporal = false;
@@ -101,7 +108,8 @@ TEST_F(GlassTest, RefractsLikeAParallelPlate) {
 TEST_F(GlassTest, DoesNotSmearWhatStandsInFront) {
     LitScene scene(wallAndPanes());
     scene.add({60, 60, 2}, {{-3, -3, -3.2}, kLevel}, [](glm::ivec3) { return kDark; });
-    scene.add({60, 30, 1}, {{-2, -1.5, 1}, glm::angleAxis(0.8, glm::dvec3(0, 1, 0))}, [](glm::ivec3) { return uint8_t(kFirstPane + 2); });
+    scene.add({60, 30, 1}, {{-2, -1.5, 1}, glm::angleAxis(0.8, glm::dvec3(0, 1, 0))},
+              [](glm::ivec3) { return uint8_t(kFirstPane + 2); });
     scene.add({2, 40, 2}, {{-0.1, -2, 2.4}, kLevel}, [](glm::ivec3) { return kGlow; });  // a bright bar before the pane
     RenderSettings settings;
     settings.temporal = settings.reflections = settings.fog = settings.glare = false;

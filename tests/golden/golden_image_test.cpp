@@ -29,8 +29,8 @@ void expectGoldenImage(const Image& actual, const std::string& name) {
     EXPECT_TRUE(writePng(folder + name + "_actual.png", actual));
     EXPECT_TRUE(writePng(folder + name + "_expected.png", *expected));
     EXPECT_TRUE(writePng(folder + name + "_difference.png", difference.image));
-    ADD_FAILURE() << name << ": " << difference.share * 100 << " % of the pixels differ clearly, " << difference.mean << " of 255 on average; see "
-                  << folder << name << "_{actual,expected,difference}.png";
+    ADD_FAILURE() << name << ": " << difference.share * 100 << " % of the pixels differ clearly, " << difference.mean
+                  << " of 255 on average; see " << folder << name << "_{actual,expected,difference}.png";
 }
 
 class GoldenImageTest : public Drawing {

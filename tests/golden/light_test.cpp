@@ -54,20 +54,23 @@ TEST_F(LightTest, ALoneFallingCubeDoesNotShadowItself) {
     settings.temporal = false;  // no jitter: all passes see the same pixels
     start(scene, kSmall, settings);
     for (int i = 0; i < 16; ++i) {
-        const glm::dquat turn = glm::angleAxis(0.41 * i, glm::normalize(glm::dvec3(std::sin(i), 1.0, std::cos(2.0 * i))));
+        const glm::dquat turn =
+            glm::angleAxis(0.41 * i, glm::normalize(glm::dvec3(std::sin(i), 1.0, std::cos(2.0 * i))));
         const glm::dvec3 centre(0.013 * i, 5.0 - 0.137 * i, -0.021 * i);
         scene.move(cube, {centre - turn * glm::dvec3(0.4), turn});
         renderer->apply(scene.step());
         const Camera camera = lookingAt(centre + glm::dvec3(-1.0, 0.9, 1.1), centre);
-        const Image normals = draw(camera, 1, "normal"), albedo = draw(camera, 1, "albedo"), sun = draw(camera, 1, "noisySun");
+        const Image normals = draw(camera, 1, "normal"), albedo = draw(camera, 1, "albedo"),
+                    sun = draw(camera, 1, "noisySun");
         EXPECT_GE(litShare(normals, albedo, sun, toSun), 0.995) << "rotation " << i;
     }
 }
 
 TEST_F(LightTest, AClosedRoomOfOneVoxelIsDark) {
     LitScene scene(plain());
-    scene.add({40, 28, 40}, {{-2, 0, -2}, kLevel},
-              [](glm::ivec3 c) { return uint8_t(c.x == 0 || c.y == 0 || c.z == 0 || c.x == 39 || c.y == 27 || c.z == 39); });
+    scene.add({40, 28, 40}, {{-2, 0, -2}, kLevel}, [](glm::ivec3 c) {
+        return uint8_t(c.x == 0 || c.y == 0 || c.z == 0 || c.x == 39 || c.y == 27 || c.z == 39);
+    });
     start(scene, kSmall);
     const Camera camera = lookingAt({1.4, 1.6, 1.5}, {-1, 0.6, -1});
     const auto brightest = [&](const char* pass) {
@@ -131,12 +134,16 @@ TEST_F(LightTest, AWallThatOpensIsSeenInTwelveFrames) {
     start(scene, kSmall);
     const Camera camera = lookingAt({0, 3.0, -1.5}, {0, 0, 1.0});
     const glm::ivec2 low(36, 30), high(60, 42);
-    const double before = meanOf(draw(camera, 40, "sun"), low, high), skyBefore = meanOf(draw(camera, 1, "denoisedLight"), low, high);
+    const double before = meanOf(draw(camera, 40, "sun"), low, high),
+                 skyBefore = meanOf(draw(camera, 1, "denoisedLight"), low, high);
     scene.edit(screen, [](glm::ivec3) { return uint8_t(0); });
     renderer->apply(scene.step());
-    const double after = meanOf(draw(camera, 12, "sun"), low, high), skyAfter = meanOf(draw(camera, 1, "denoisedLight"), low, high);
-    const double thirty = meanOf(draw(camera, 17, "sun"), low, high), skyThirty = meanOf(draw(camera, 1, "denoisedLight"), low, high);
-    const double converged = meanOf(draw(camera, 60, "sun"), low, high), skyConverged = meanOf(draw(camera, 1, "denoisedLight"), low, high);
+    const double after = meanOf(draw(camera, 12, "sun"), low, high),
+                 skyAfter = meanOf(draw(camera, 1, "denoisedLight"), low, high);
+    const double thirty = meanOf(draw(camera, 17, "sun"), low, high),
+                 skyThirty = meanOf(draw(camera, 1, "denoisedLight"), low, high);
+    const double converged = meanOf(draw(camera, 60, "sun"), low, high),
+                 skyConverged = meanOf(draw(camera, 1, "denoisedLight"), low, high);
     EXPECT_LT(before, 5.0);
     EXPECT_GT(converged, 250.0);
     EXPECT_GE(after - before, 0.9 * (converged - before));
@@ -193,7 +200,8 @@ TEST_F(LightTest, WhatIsUnderAPlateStaysDark) {
         double sum = 0.0;
         int count = 0;
         for (size_t p = 0; p < light.pixels.size(); ++p)
-            if (normal.pixels[p].y > 0.9f && depth.pixels[p].x > 4.7f && depth.pixels[p].x < 6.0f && std::abs(float(p % 192) - 96.0f) < 24.0f)
+            if (normal.pixels[p].y > 0.9f && depth.pixels[p].x > 4.7f && depth.pixels[p].x < 6.0f &&
+                std::abs(float(p % 192) - 96.0f) < 24.0f)
                 sum += double(light.pixels[p].y), ++count;
         EXPECT_GT(count, 150);
         return sum / count;

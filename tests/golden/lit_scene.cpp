@@ -87,7 +87,8 @@ void LitScene::fillShadow(FrameSnapshot& snapshot) const {
     for (const Shape& s : m_shapes) {
         glm::dvec3 low(1e9), high(-1e9);
         for (int corner = 0; corner < 8; ++corner) {
-            const glm::dvec3 local = glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2) * glm::dvec3(s.grid.size()) * 0.1;
+            const glm::dvec3 local =
+                glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2) * glm::dvec3(s.grid.size()) * 0.1;
             low = glm::min(low, s.pose.transformPoint(local));
             high = glm::max(high, s.pose.transformPoint(local));
         }
@@ -99,7 +100,8 @@ void LitScene::fillShadow(FrameSnapshot& snapshot) const {
                     const uint8_t entry = s.grid.at(glm::ivec3(glm::floor(local)));
                     if (!entry || (*m_palette)[entry].opacity < 255) continue;
                     const glm::ivec3 cell = glm::ivec3(x, y, z) & 15, word = cell >> 2, bit = cell & 3;
-                    bricks[{x >> 4, y >> 4, z >> 4}][size_t(word.x + word.y * 4 + word.z * 16)] |= uint64_t(1) << (bit.x + bit.y * 4 + bit.z * 16);
+                    bricks[{x >> 4, y >> 4, z >> 4}][size_t(word.x + word.y * 4 + word.z * 16)] |=
+                        uint64_t(1) << (bit.x + bit.y * 4 + bit.z * 16);
                 }
     }
     snapshot.shadowReplacesAll = snapshot.replacesAll;

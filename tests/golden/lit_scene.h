@@ -9,8 +9,8 @@
 
 namespace rubble {
 
-/// Small scenes for the tests of light, made without a World: bodies, and a shadow volume filled by the plainest possible
-/// rule (a cell is solid if its centre lies in a solid voxel).
+/// Small scenes for the tests of light, made without a World: bodies, and a shadow volume filled by the plainest
+/// possible rule (a cell is solid if its centre lies in a solid voxel).
 class LitScene {
 public:
     explicit LitScene(PaletteRef palette) : m_palette(std::move(palette)) {}
@@ -44,7 +44,8 @@ private:
     mutable uint64_t m_version = 1;
 };
 
-/// Street corner with what makes light hard: a plaster room with a window and a hole, a shiny car, a lamp, a tilted cube, a tree.
+/// Street corner with what makes light hard: a plaster room with a window and a hole, a shiny car, a lamp, a tilted
+/// cube, a tree.
 LitScene streetScene();
 Camera streetCamera(int which);
 /// Palette indices of streetScene.

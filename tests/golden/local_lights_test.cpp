@@ -73,7 +73,8 @@ protected:
     }
     bool hasPass(const char* name) const {
         const auto& passes = renderer->figures().passMs;
-        return std::any_of(passes.begin(), passes.end(), [&](const auto& pass) { return std::string(pass.first) == name; });
+        return std::any_of(passes.begin(), passes.end(),
+                           [&](const auto& pass) { return std::string(pass.first) == name; });
     }
     double passMs(const char* name) const {
         for (const auto& [pass, ms] : renderer->figures().passMs)
@@ -95,7 +96,8 @@ TEST_F(LocalLightsTest, FallOffWithTheSquareOfTheDistance) {
 TEST_F(LocalLightsTest, ALargeBallShinesLikeASmallOneOfTheSameIntensity) {
     SnapshotLight light = lightAt(LightKind::Sphere, {0, 2, 0}, 3.0f);
     light.radius = 1.0f;
-    EXPECT_NEAR(lightOf(light), 3.0 / 4.0 / kPi, 0.01 * 3.0 / 4.0 / kPi);  // exact for a Lambertian ball over the horizon
+    EXPECT_NEAR(lightOf(light), 3.0 / 4.0 / kPi,
+                0.01 * 3.0 / 4.0 / kPi);  // exact for a Lambertian ball over the horizon
 }
 
 TEST_F(LocalLightsTest, AreaHasTheFormFactorOfAParallelRectangle) {
@@ -125,7 +127,8 @@ TEST_F(LocalLightsTest, ConeIsFullInsideAndDarkOutside) {
     const double height = 3.0;
     const SnapshotLight light = lightAt(LightKind::Cone, {0, height, 0}, 3.0f);
     const auto at = [&](double angle) {
-        return lightOf(light, {height * std::tan(angle), 0, 0}) / (3.0 * std::pow(std::cos(angle), 3.0) / (height * height) / kPi);
+        return lightOf(light, {height * std::tan(angle), 0, 0}) /
+               (3.0 * std::pow(std::cos(angle), 3.0) / (height * height) / kPi);
     };
     EXPECT_NEAR(at(0.0), 1.0, 0.01);
     EXPECT_NEAR(at(0.27), 1.0, 0.01);
@@ -160,7 +163,8 @@ TEST_F(LocalLightsTest, ScreenEmitsItsImagesColors) {
 
 TEST_F(LocalLightsTest, HalfHiddenByAnEdgeGivesHalf) {
     LitScene scene = floorScene();
-    scene.add({40, 2, 60}, {{-4, 1, -3}}, [](glm::ivec3) { return uint8_t(1); });  // a shelf from x = -4 to 0, at 1 to 1.2 m
+    scene.add({40, 2, 60}, {{-4, 1, -3}},
+              [](glm::ivec3) { return uint8_t(1); });  // a shelf from x = -4 to 0, at 1 to 1.2 m
     SnapshotLight panel = lightAt(LightKind::Area, {0, 2.6, 0}, 3.0f);
     panel.width = panel.height = 1.0f;
     scene.addLight(panel);
@@ -266,18 +270,22 @@ protected:
 };
 
 TEST_F(LightChangeTest, ALightThatGoesOutTakesItsHighlightAlong) {
-    const SnapshotLight bright = named(0, {0, 2, -2}, 20.0f), faint = named(1, {3, 2, -3}, 0.05f), other = named(2, {3, 2, -3}, 0.05f);
+    const SnapshotLight bright = named(0, {0, 2, -2}, 20.0f), faint = named(1, {3, 2, -3}, 0.05f),
+                        other = named(2, {3, 2, -3}, 0.05f);
     EXPECT_LT(leftOf("specular", sceneOf({bright, faint}), sceneOf({faint}), 1), 0.1f);
-    EXPECT_LT(leftOf("specular", sceneOf({bright, faint}), sceneOf({other, faint}), 1), 0.1f) << "another one came in its place";
+    EXPECT_LT(leftOf("specular", sceneOf({bright, faint}), sceneOf({other, faint}), 1), 0.1f)
+        << "another one came in its place";
 }
 
-/// Noise of a highlight that is averaged over many frames, in the picture in which a bright far away goes out: as before.
+/// Noise of a highlight that is averaged over many frames, in the picture in which a bright far away goes out: as
+/// before.
 TEST_F(LightChangeTest, ALightThatGoesOutKeepsTheHighlightsOfOthers) {
     const auto reaching = [](SnapshotLight light) {
         light.reach = 2.0f;
         return light;
     };
-    const SnapshotLight here = reaching(named(0, {0, 1.2, -0.5}, 20.0f)), away = reaching(named(1, {30, 1, -30}, 20.0f));
+    const SnapshotLight here = reaching(named(0, {0, 1.2, -0.5}, 20.0f)),
+                        away = reaching(named(1, {30, 1, -30}, 20.0f));
     const auto changeBy = [&](int frames) {
         const FloatImage before = read("specular");
         draw(m_camera, frames);

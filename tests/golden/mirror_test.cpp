@@ -67,7 +67,8 @@ protected:
         const glm::vec3 albedo(srgbToLinear(red), srgbToLinear(green), srgbToLinear(blue));
         return albedo * (4.0f / glm::pi<float>() / std::sqrt(1.0f + kSunHeight * kSunHeight));
     }
-    /// Of this colour, and as bright; granted are the sun's highlight, which is white, and light that the steel sends back to the wall.
+    /// Of this colour, and as bright; granted are the sun's highlight, which is white, and light that the steel sends
+    /// back to the wall.
     static void expectNear(glm::vec3 value, glm::vec3 expected) {
         EXPECT_GT(value.r, 0.95f * expected.r);
         EXPECT_LT(value.r, 1.22f * expected.r);

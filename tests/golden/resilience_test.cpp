@@ -34,18 +34,22 @@ class ResilienceTest : public Drawing {
 protected:
     void SetUp() override {
         Drawing::SetUp();
-        setLogSink([](void* lines, LogLevel, std::string_view text) { static_cast<std::vector<std::string>*>(lines)->emplace_back(text); }, &m_lines);
+        setLogSink([](void* lines, LogLevel,
+                      std::string_view text) { static_cast<std::vector<std::string>*>(lines)->emplace_back(text); },
+                   &m_lines);
     }
     void TearDown() override {
         setLogSink(nullptr, nullptr);
         Drawing::TearDown();
     }
     bool wasLogged(std::string_view text) const {
-        return std::any_of(m_lines.begin(), m_lines.end(), [&](const std::string& line) { return line.find(text) != std::string::npos; });
+        return std::any_of(m_lines.begin(), m_lines.end(),
+                           [&](const std::string& line) { return line.find(text) != std::string::npos; });
     }
     static size_t colors(const Image& image) {
         std::set<uint32_t> all;
-        for (size_t i = 0; i < image.rgb.size(); i += 3) all.insert(uint32_t(image.rgb[i] | image.rgb[i + 1] << 8 | image.rgb[i + 2] << 16));
+        for (size_t i = 0; i < image.rgb.size(); i += 3)
+            all.insert(uint32_t(image.rgb[i] | image.rgb[i + 1] << 8 | image.rgb[i + 2] << 16));
         return all.size();
     }
     std::vector<std::string> m_lines;
@@ -62,7 +66,8 @@ TEST_F(ResilienceTest, AViewWithoutPixelsDrawsNothingAndTheNextOneIsFine) {
 
 TEST_F(ResilienceTest, SizesMayChangeWithEveryFrame) {
     start(streetScene(), {97, 61});
-    for (const glm::ivec2 size : {glm::ivec2(97, 61), glm::ivec2(1, 1), glm::ivec2(5, 61), glm::ivec2(97, 2), glm::ivec2(97, 61)})
+    for (const glm::ivec2 size :
+         {glm::ivec2(97, 61), glm::ivec2(1, 1), glm::ivec2(5, 61), glm::ivec2(97, 2), glm::ivec2(97, 61)})
         renderer->draw(streetCamera(0).view(size, target->framebuffer()), 1.0f);
     EXPECT_GT(colors(draw(streetCamera(0))), 50u);
 }
@@ -119,7 +124,8 @@ TEST_F(ResilienceTest, ABrokenShaderKeepsTheImageAndShowsARedDot) {
     fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(5));
     renderer->reloadShaders();
     ASSERT_EQ(renderer->shaderErrors().size(), 1u);
-    EXPECT_NE(renderer->shaderErrors()[0].find("passes/tonemap.frag:"), std::string::npos) << renderer->shaderErrors()[0];
+    EXPECT_NE(renderer->shaderErrors()[0].find("passes/tonemap.frag:"), std::string::npos)
+        << renderer->shaderErrors()[0];
     const Image broken = draw(streetCamera(0));
     EXPECT_GT(broken.at(12, kSize.y - 13)[0], 200) << "no dot";
     EXPECT_LT(broken.at(12, kSize.y - 13)[2], 60);

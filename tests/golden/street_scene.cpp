@@ -77,7 +77,8 @@ uint8_t roomAt(glm::ivec3 c) {
         if (c.y == 8) return Timber;
         if (c.y < 8 && (c.x == 31 || c.x == 45) && (c.z == 15 || c.z == 23)) return TimberDark;
     }
-    if (c.z >= size.z - 5 && c.x > 10 && c.x < 24 && (c.y % 6 == 5 || c.x == 11 || c.x == 23) && c.y < 20) return TimberDark;
+    if (c.z >= size.z - 5 && c.x > 10 && c.x < 24 && (c.y % 6 == 5 || c.x == 11 || c.x == 23) && c.y < 20)
+        return TimberDark;
     return 0;
 }
 
@@ -98,7 +99,8 @@ uint8_t carAt(glm::ivec3 c) {
 
 uint8_t streetLightAt(glm::ivec3 c) {
     if (c.x >= 2 && c.x <= 3 && c.z >= 2 && c.z <= 3 && c.y < 40) return Steel;
-    if (c.y == 40 || c.y == 41) return c.y == 40 && c.x > 0 && c.x < 5 && c.z > 0 && c.z < 5 ? LightGlow : c.y == 41 ? Steel : 0;
+    if (c.y == 40 || c.y == 41)
+        return c.y == 40 && c.x > 0 && c.x < 5 && c.z > 0 && c.z < 5 ? LightGlow : c.y == 41 ? Steel : 0;
     return 0;
 }
 
@@ -115,13 +117,18 @@ uint8_t treeAt(glm::ivec3 c) {
 PaletteRef streetPalette() {
     auto p = std::make_shared<Palette>();
     (*p)[Asphalt] = color(0x3b3d40), (*p)[AsphaltWorn] = color(0x45474a), (*p)[Kerb] = color(0x9a978f);
-    (*p)[Paving] = color(0x8f8d86), (*p)[PavingDark] = color(0x77746c), (*p)[Grass] = color(0x5d7a3a), (*p)[GrassLight] = color(0x6d8a45);
-    (*p)[Plaster] = color(0xd9cfbd), (*p)[PlasterDirty] = color(0xc0b39c), (*p)[Timber] = color(0x8b6845), (*p)[TimberDark] = color(0x6b4c31);
+    (*p)[Paving] = color(0x8f8d86), (*p)[PavingDark] = color(0x77746c), (*p)[Grass] = color(0x5d7a3a),
+    (*p)[GrassLight] = color(0x6d8a45);
+    (*p)[Plaster] = color(0xd9cfbd), (*p)[PlasterDirty] = color(0xc0b39c), (*p)[Timber] = color(0x8b6845),
+    (*p)[TimberDark] = color(0x6b4c31);
     (*p)[Glass] = color(0xdfeeee, 10), (*p)[Glass].opacity = 60;
-    (*p)[Paint] = color(0xb23a2e, 40, 14), (*p)[Tyre] = color(0x26262a), (*p)[Chrome] = color(0xb0b4b8, 50, 120), (*p)[Chrome].metallic = 255;
+    (*p)[Paint] = color(0xb23a2e, 40, 14), (*p)[Tyre] = color(0x26262a), (*p)[Chrome] = color(0xb0b4b8, 50, 120),
+    (*p)[Chrome].metallic = 255;
     (*p)[Steel] = color(0x6f7780, 110, 120), (*p)[Steel].metallic = 200;
-    (*p)[Concrete] = color(0x8f8d86), (*p)[ConcreteDark] = color(0x7d7a72), (*p)[Bark] = color(0x5b4630), (*p)[Leaf] = color(0x4e7a36);
-    (*p)[LeafLight] = color(0x6b9440), (*p)[Roof] = color(0x5a4a45), (*p)[RoofDark] = color(0x4d4f57), (*p)[White] = color(0xffffff);
+    (*p)[Concrete] = color(0x8f8d86), (*p)[ConcreteDark] = color(0x7d7a72), (*p)[Bark] = color(0x5b4630),
+    (*p)[Leaf] = color(0x4e7a36);
+    (*p)[LeafLight] = color(0x6b9440), (*p)[Roof] = color(0x5a4a45), (*p)[RoofDark] = color(0x4d4f57),
+    (*p)[White] = color(0xffffff);
     (*p)[LightGlow] = color(0xffd9a0), (*p)[LightGlow].emission = 8.0f;
     return p;
 }
@@ -142,8 +149,16 @@ LitScene streetScene() {
     scene.add({6, 42, 6}, {{-4.0, 0.0, -1.4}, level}, streetLightAt);
     scene.add({40, 60, 40}, {{-7.0, 0.0, 2.0}, level}, treeAt);
     const glm::dquat tilt = glm::normalize(glm::dquat(0.86, 0.21, 0.37, 0.28));
-    scene.add({8, 8, 8}, {{1.2, 0.35, -3.6}, tilt}, [](glm::ivec3 c) { return uint8_t(grain(c) < 0.5 ? Concrete : ConcreteDark); });
-    SnapshotLight streetLight{LightKind::Cone, {-3.7, 3.85, -1.1}, {0, -1, 0}, glm::vec3(1.0f, 0.72f, 0.43f) * 14.0f, 0.12f, 9.0f, 0.6f, 1.1f};
+    scene.add({8, 8, 8}, {{1.2, 0.35, -3.6}, tilt},
+              [](glm::ivec3 c) { return uint8_t(grain(c) < 0.5 ? Concrete : ConcreteDark); });
+    SnapshotLight streetLight{LightKind::Cone,
+                              {-3.7, 3.85, -1.1},
+                              {0, -1, 0},
+                              glm::vec3(1.0f, 0.72f, 0.43f) * 14.0f,
+                              0.12f,
+                              9.0f,
+                              0.6f,
+                              1.1f};
     scene.addLight(streetLight);
     return scene;
 }

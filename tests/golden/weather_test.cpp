@@ -64,10 +64,14 @@ TEST_F(WeatherTest, RainWetsOpenGroundOnly) {
     EXPECT_FALSE(ran("wetness")) << "a dry level pays for rain";
     const FloatImage dry = read("material"), dryColor = read("albedo");
     const glm::ivec2 leftLow(4, 6), leftHigh(30, 28), rightLow(66, 6), rightHigh(92, 28);
-    EXPECT_NEAR(meanOf(wet, leftLow, leftHigh, 0), meanOf(dry, leftLow, leftHigh, 0), 0.01) << "it rains through the roof";
-    EXPECT_LT(meanOf(wet, rightLow, rightHigh, 0), 0.6 * meanOf(dry, rightLow, rightHigh, 0)) << "the open floor is not smooth";
-    EXPECT_LT(meanOf(wetColor, rightLow, rightHigh, 1), 0.9 * meanOf(dryColor, rightLow, rightHigh, 1)) << "the open floor is not darker";
-    EXPECT_NEAR(meanOf(wetColor, rightLow, rightHigh, 3), meanOf(dryColor, rightLow, rightHigh, 3), 1e-6) << "palette indices were blended";
+    EXPECT_NEAR(meanOf(wet, leftLow, leftHigh, 0), meanOf(dry, leftLow, leftHigh, 0), 0.01)
+        << "it rains through the roof";
+    EXPECT_LT(meanOf(wet, rightLow, rightHigh, 0), 0.6 * meanOf(dry, rightLow, rightHigh, 0))
+        << "the open floor is not smooth";
+    EXPECT_LT(meanOf(wetColor, rightLow, rightHigh, 1), 0.9 * meanOf(dryColor, rightLow, rightHigh, 1))
+        << "the open floor is not darker";
+    EXPECT_NEAR(meanOf(wetColor, rightLow, rightHigh, 3), meanOf(dryColor, rightLow, rightHigh, 3), 1e-6)
+        << "palette indices were blended";
 }
 
 /// A floor, and an upright pane of red glass that the sun comes through from -z.
@@ -96,7 +100,8 @@ TEST_F(WeatherTest, SunThroughRedGlassIsRedAndOnlyThere) {
     const auto share = [&](glm::ivec2 low, glm::ivec2 high, int channel) {
         return meanOf(tinted, low, high, channel) / meanOf(clear, low, high, channel);
     };
-    const glm::ivec2 litLow(44, 20), litHigh(52, 26), besideLow(4, 20), besideHigh(12, 26), beforeLow(44, 42), beforeHigh(52, 50);
+    const glm::ivec2 litLow(44, 20), litHigh(52, 26), besideLow(4, 20), besideHigh(12, 26), beforeLow(44, 42),
+        beforeHigh(52, 50);
     const double opacity = 60.0 / 255.0;
     EXPECT_NEAR(share(litLow, litHigh, 0), 1.0 - opacity, 0.05);
     EXPECT_LT(share(litLow, litHigh, 1), 0.5 * share(litLow, litHigh, 0));

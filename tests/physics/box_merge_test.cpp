@@ -28,7 +28,8 @@ VoxelGrid ragged(glm::ivec3 size, uint64_t seed) {
                 for (int x = low.x; x < high.x; ++x) writer.set({x, y, z}, index);
     }
     for (int i = 0; i < 500; ++i) {
-        const int x = random.between(0, size.x - 1), y = random.between(0, size.y - 1), z = random.between(0, size.z - 1);
+        const int x = random.between(0, size.x - 1), y = random.between(0, size.y - 1),
+                  z = random.between(0, size.z - 1);
         const uint8_t index = uint8_t(random.below(3));
         writer.set({x, y, z}, index);
     }
@@ -53,7 +54,8 @@ void expectExactCover(const VoxelGrid& grid, const SolidEntries& solid, const st
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x) {
                 const uint8_t index = grid.at({x, y, z});
-                ASSERT_EQ(covered[(size_t(z) * size.y + y) * size.x + x], index && solid[index] ? 1 : 0) << x << " " << y << " " << z;
+                ASSERT_EQ(covered[(size_t(z) * size.y + y) * size.x + x], index && solid[index] ? 1 : 0)
+                    << x << " " << y << " " << z;
             }
 }
 

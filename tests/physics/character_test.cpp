@@ -18,7 +18,9 @@ struct Walk : PhysicsScene {
         level.characters.emplace_back();
         level.characters[0].position = feet;
     }
-    void wish(glm::dvec3 velocity, bool jump = false, bool crouch = false) { edits.push_back(MoveCharacterEdit{who(), velocity, jump, crouch}); }
+    void wish(glm::dvec3 velocity, bool jump = false, bool crouch = false) {
+        edits.push_back(MoveCharacterEdit{who(), velocity, jump, crouch});
+    }
     void walk(int steps) {
         for (int i = 0; i < steps; ++i) {
             physics.apply(world.applyEdits(std::exchange(edits, {})), world);
@@ -244,7 +246,8 @@ TEST(Character, SwimsAndClimbsOut) {
     Walk scene({0.0, -2.5, 0.0});
     scene.addFloor(7, {0.0, -3.0, 0.0});
     scene.add(blockGrid({30, 30, 60}, 7), {2.0, -3.0, -3.0}, true);  // a bank as high as the water
-    scene.level.waters.push_back({.name = "pool", .outline = {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, .surface = -0.2, .depth = 2.8});
+    scene.level.waters.push_back(
+        {.name = "pool", .outline = {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, .surface = -0.2, .depth = 2.8});
     scene.load();
     scene.walk(5);
     EXPECT_TRUE(scene.me().swimming);
@@ -262,8 +265,8 @@ void addRuin(Walk& scene, uint64_t seed) {
     Random random(seed);
     scene.addFloor();
     for (int i = 0; i < 60; ++i) {
-        const int x = int(random.below(80)), z = int(random.below(80)), w = 2 + int(random.below(12)), h = 1 + int(random.below(14)),
-                  d = 2 + int(random.below(12));
+        const int x = int(random.below(80)), z = int(random.below(80)), w = 2 + int(random.below(12)),
+                  h = 1 + int(random.below(14)), d = 2 + int(random.below(12));
         const double tilt = i % 3 ? 0.0 : double(random.unit()) - 0.5;
         scene.add(blockGrid({w, h, d}, 7), {0.1 * x - 4.0, i % 4 == 1 ? 1.2 : 0.0, 0.1 * z - 4.0}, true,
                   glm::angleAxis(tilt, glm::dvec3(0.6, 0.0, 0.8)));

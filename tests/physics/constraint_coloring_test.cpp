@@ -25,7 +25,8 @@ Scene heap(int count) {
     }
     for (int i = 1; i <= count; ++i)
         for (int k = i + 1; k <= count; ++k)
-            if (glm::length(scene.bodies[size_t(i)].position - scene.bodies[size_t(k)].position) < 0.9) scene.pairs.emplace_back(i, k);
+            if (glm::length(scene.bodies[size_t(i)].position - scene.bodies[size_t(k)].position) < 0.9)
+                scene.pairs.emplace_back(i, k);
     for (int i = 1; i <= count; i += 2) scene.pairs.emplace_back(i, 0);
     scene.pairs.emplace_back(1, 2);
     return scene;
@@ -47,7 +48,8 @@ TEST(ConstraintColoring, ParallelTasksShareNoBodyAndCoverAllPairs) {
                 if (before.count(pair)) continue;
                 for (const int b : {scene.pairs[pair].first, scene.pairs[pair].second}) {
                     if (b == 0) continue;
-                    ASSERT_TRUE(owner[size_t(b)] < 0 || owner[size_t(b)] == int(task)) << "body " << b << " is in two tasks";
+                    ASSERT_TRUE(owner[size_t(b)] < 0 || owner[size_t(b)] == int(task))
+                        << "body " << b << " is in two tasks";
                     owner[size_t(b)] = int(task);
                 }
             }

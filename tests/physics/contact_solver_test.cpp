@@ -64,7 +64,8 @@ TEST(ContactSolver, ImpulsesAreHandedOnOnce) {
     before.points[size_t(before.count++)] = contact({0, 0, 0}, {0, 1, 0});
     before.points[0].feature = 7;
     before.points[0].normalImpulse = 10.0f;
-    std::vector<ContactPoint> contacts = {contact({0, 0, 0}, {0, 1, 0}), contact({0.01f, 0, 0}, {0.1f, 0.995f, 0}), contact({0, 0, 0}, {1, 0, 0})};
+    std::vector<ContactPoint> contacts = {contact({0, 0, 0}, {0, 1, 0}), contact({0.01f, 0, 0}, {0.1f, 0.995f, 0}),
+                                          contact({0, 0, 0}, {1, 0, 0})};
     for (ContactPoint& each : contacts) each.feature = 7;
     Manifold now;
     reduceContacts(contacts, &before, now);
@@ -82,7 +83,8 @@ TEST(ContactSolver, ARodThatTurnsUnderItsContactsGainsNoEnergy) {
         rod.angularVelocity = {5.0, spin, 0.0};
         rod.velocity = {0, -3, 0};
         Manifold manifold;
-        for (const float z : {-0.2f, 0.2f}) manifold.points[size_t(manifold.count++)] = contact({0.02f, -0.05f, z}, {0, 1, 0});
+        for (const float z : {-0.2f, 0.2f})
+            manifold.points[size_t(manifold.count++)] = contact({0.02f, -0.05f, z}, {0, 1, 0});
         Manifold* const manifolds[] = {&manifold};
         const std::pair<int, int> bodyOf[] = {{1, 0}};
         const double before = energy(rod);

@@ -78,7 +78,8 @@ TEST(DebrisPhysics, PiecesSettleAndAHitOrTheLossOfTheirGroundRevivesThem) {
     scene.stepWith(none);
     EXPECT_EQ(allocationCount(), before);
 
-    const glm::dvec3 center = scene.world.bodies().at(beams[0]).pose.transformPoint(scene.world.bodyMass(beams[0]).center);
+    const glm::dvec3 center =
+        scene.world.bodies().at(beams[0]).pose.transformPoint(scene.world.bodyMass(beams[0]).center);
     EXPECT_EQ(scene.stepWith({ImpulseEdit{beams[0], center, {0, 900, 0}}}).unsettled, std::vector{beams[0]});
     EXPECT_FALSE(settled(0));
     EXPECT_TRUE(settled(1));

@@ -38,7 +38,9 @@ TEST(FreeMotion, THandleFlipsAsTheReferenceDoes) {
     const FreeSpin reference = spinReference(i, glm::conjugate(mass.principalAxes) * world, 60.0, 64);
     ASSERT_GT(reference.flips.size(), 10u);
     ASSERT_EQ(ours.flips.size(), reference.flips.size());
-    const auto period = [](const FreeSpin& s) { return (s.flips.back() - s.flips.front()) / double(s.flips.size() - 1); };
+    const auto period = [](const FreeSpin& s) {
+        return (s.flips.back() - s.flips.front()) / double(s.flips.size() - 1);
+    };
     EXPECT_NEAR(period(ours), period(reference), 1e-3 * period(reference));
     EXPECT_LT(ours.momentum, 1e-9);
     EXPECT_LT(ours.energy, 1e-4);

@@ -21,7 +21,8 @@ TEST(Impact, FarAwayComesOutTheSame) {
     const std::vector<glm::dvec3> here = tumble({}, {0, 0, 0});
     for (const double far : {1e4, 1e5}) {
         const std::vector<glm::dvec3> there = tumble({}, {far, 30.25, -far});
-        for (size_t i = 0; i < here.size(); ++i) EXPECT_LT(glm::length(there[i] - here[i]), 1e-3) << far << " m, body " << i;
+        for (size_t i = 0; i < here.size(); ++i)
+            EXPECT_LT(glm::length(there[i] - here[i]), 1e-3) << far << " m, body " << i;
     }
 }
 
@@ -84,7 +85,8 @@ TEST(Impact, NonsenseStaysWithTheBodyThatItIsGiven) {
         return std::vector<glm::dvec3>{scene.center(1), scene.center(2), scene.center(3)};
     };
     const auto expected = run(glm::dvec3(0.0), 2000);
-    for (const double bad : {none, infinity, -infinity, 1e30, 1e300}) EXPECT_EQ(run(glm::dvec3(0.0, bad, 0.0), 2000), expected) << bad;
+    for (const double bad : {none, infinity, -infinity, 1e30, 1e300})
+        EXPECT_EQ(run(glm::dvec3(0.0, bad, 0.0), 2000), expected) << bad;
     EXPECT_EQ(run(glm::dvec3(0.0), 0), expected) << "no mass";
 }
 

@@ -20,7 +20,8 @@ TEST(Angles, AgreeWithTheLibrary) {
         double cosine, sine;
         deterministicCosSin(angle, cosine, sine);
         worstSine = std::max({worstSine, std::abs(cosine - std::cos(angle)), std::abs(sine - std::sin(angle))});
-        if (std::abs(i) < 1000) worst = std::max(worst, std::abs(deterministicAtan2(3.0 * std::sin(angle), 3.0 * std::cos(angle)) - angle));
+        if (std::abs(i) < 1000)
+            worst = std::max(worst, std::abs(deterministicAtan2(3.0 * std::sin(angle), 3.0 * std::cos(angle)) - angle));
     }
     EXPECT_LT(worst, 1e-12);
     EXPECT_LT(worstSine, 1e-11);

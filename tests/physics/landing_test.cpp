@@ -17,7 +17,8 @@ struct Felled {
         scene.world.setSettings(settings);
         scene.load();
         scene.physics.apply(scene.world.applyEdits({}), scene.world);
-        edits = {ImpulseEdit{scene.handle(1), scene.center(1), {0.0, 0.0, 0.0}}};  // dynamic bodies of a level start asleep
+        edits = {
+            ImpulseEdit{scene.handle(1), scene.center(1), {0.0, 0.0, 0.0}}};  // dynamic bodies of a level start asleep
     }
     void run(double seconds) {
         for (int i = 0; i < int(seconds * 60.0); ++i) {

@@ -27,8 +27,8 @@ TEST(Layers, TwoTouchOnlyIfEachWantsToTouchTheOther) {
         uint8_t layer, mask, floorLayer, floorMask;
         bool touches;
     };
-    for (const Case& c : {Case{1, 255, 1, 255, true}, Case{2, 255, 4, 255, true}, Case{2, 2, 1, 255, false}, Case{2, 255, 1, 1, false},
-                          Case{2, 1, 1, 2, true}, Case{0, 255, 1, 255, false}}) {
+    for (const Case& c : {Case{1, 255, 1, 255, true}, Case{2, 255, 4, 255, true}, Case{2, 2, 1, 255, false},
+                          Case{2, 255, 1, 1, false}, Case{2, 1, 1, 2, true}, Case{0, 255, 1, 255, false}}) {
         Drop scene(c.layer, c.mask, c.floorLayer, c.floorMask);
         scene.load();
         scene.seconds(1.0);

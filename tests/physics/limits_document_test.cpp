@@ -16,14 +16,16 @@ std::string row(const char* what, double least, double most) {
     return text;
 }
 
-/// OPERATING_ENVELOPE.md is written by ./rubble tradeoff physics --publish; what of it does not take minutes is held to the code.
+/// OPERATING_ENVELOPE.md is written by ./rubble tradeoff physics --publish; what of it does not take minutes is held to
+/// the code.
 TEST(LimitsDocument, SaysWhatTheCodeClamps) {
     std::ifstream file(RUBBLE_SOURCE_DIR "/OPERATING_ENVELOPE.md");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     ASSERT_FALSE(text.empty());
-    for (const std::string& line : {row("speed, m/s", 0, limits::kMaxSpeed), row("spin, rad/s", 0, limits::kMaxAngularSpeed),
-                                    row("mass of a body, kg", limits::kMinMass, limits::kMaxMass),
-                                    row("distance from the middle of the level, m", 0, limits::kMaxDistance)})
+    for (const std::string& line :
+         {row("speed, m/s", 0, limits::kMaxSpeed), row("spin, rad/s", 0, limits::kMaxAngularSpeed),
+          row("mass of a body, kg", limits::kMinMass, limits::kMaxMass),
+          row("distance from the middle of the level, m", 0, limits::kMaxDistance)})
         EXPECT_NE(text.find(line), std::string::npos) << line << "\nrun ./rubble tradeoff physics --publish";
     int maps = 0;
     for (size_t at = text.find("| holds |"); at != std::string::npos; at = text.find("| holds |", at + 1)) ++maps;

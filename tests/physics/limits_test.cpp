@@ -13,7 +13,9 @@ using namespace known;
 /// Keeps the library's warnings while it lives.
 struct Warnings {
     Warnings() {
-        setLogSink([](void* user, LogLevel, std::string_view message) { static_cast<Warnings*>(user)->list.emplace_back(message); }, this);
+        setLogSink([](void* user, LogLevel,
+                      std::string_view message) { static_cast<Warnings*>(user)->list.emplace_back(message); },
+                   this);
     }
     ~Warnings() { setLogSink(nullptr, nullptr); }
     std::vector<std::string> list;

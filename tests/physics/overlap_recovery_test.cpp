@@ -6,7 +6,8 @@
 namespace rubble {
 namespace {
 
-/// Cubes that begin well inside each other, aligned or turned a little: corners deep inside have no way out that they accept.
+/// Cubes that begin well inside each other, aligned or turned a little: corners deep inside have no way out that they
+/// accept.
 TEST(OverlapRecovery, CubesComeApartSlowly) {
     for (const double turn : {0.0, 0.03, 0.1, 0.2, 0.4, 0.7}) {
         PhysicsSettings settings;
@@ -53,8 +54,8 @@ TEST(OverlapRecovery, WhatStandsInTheGroundIsNotLiftedOut) {
     EXPECT_GT(scene.center(1).y, height + 0.49);
 }
 
-/// A plate of 133 tonnes on posts that reach a little into the walls of its holes, on all sides: once it is lifted out of the
-/// deepest, no step gives it more energy than a millimetre of height.
+/// A plate of 133 tonnes on posts that reach a little into the walls of its holes, on all sides: once it is lifted out
+/// of the deepest, no step gives it more energy than a millimetre of height.
 TEST(OverlapRecovery, WhatIsWedgedGainsNoEnergy) {
     PhysicsSettings settings;
     settings.sleepTime = 1e9;
@@ -93,7 +94,8 @@ TEST(OverlapRecovery, WhatIsWedgedGainsNoEnergy) {
 TEST(Impact, OfAFastBodyIsItsChangeOfMomentum) {
     PhysicsScene scene;
     scene.add(blockGrid({60, 60, 10}, 7), {-3.0, -3.0, 0.0}, true);
-    scene.add(blockGrid({3, 3, 3}, 7), {0.0, 0.0, 3.0}, false, glm::angleAxis(0.3, glm::normalize(glm::dvec3(1, 1, 0))));
+    scene.add(blockGrid({3, 3, 3}, 7), {0.0, 0.0, 3.0}, false,
+              glm::angleAxis(0.3, glm::normalize(glm::dvec3(1, 1, 0))));
     scene.load();
     const double mass = scene.world.bodyMass(scene.handle(1)).mass;
     scene.physics.apply({}, scene.world);

@@ -25,7 +25,8 @@ inline VoxelGrid blockGrid(glm::ivec3 size, uint8_t entry) {
 
 /// A level made of grids, a World and its physics, stepped together as the frame loop does.
 struct PhysicsScene {
-    explicit PhysicsScene(const PhysicsSettings& settings = {}) : stepSeconds(settings.stepSeconds), physics(settings) {}
+    explicit PhysicsScene(const PhysicsSettings& settings = {})
+        : stepSeconds(settings.stepSeconds), physics(settings) {}
 
     LevelBody& add(VoxelGrid grid, glm::dvec3 corner, bool isStatic, glm::dquat rotation = {1, 0, 0, 0}) {
         LevelBody body;

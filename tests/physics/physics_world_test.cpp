@@ -342,7 +342,8 @@ TEST(PhysicsWorld, StepInWhichNothingHappensAllocatesNothing) {
         scene.physics.apply(nothing, scene.world);
         scene.physics.step();
     }
-    EXPECT_EQ(allocationCount(), before);  // Bullet allocates past operator new, but a step without awake bodies does not reach it
+    EXPECT_EQ(allocationCount(),
+              before);  // Bullet allocates past operator new, but a step without awake bodies does not reach it
 }
 
 TEST(PhysicsWorld, SameScenesGiveSameBits) {

@@ -37,7 +37,8 @@ TEST(Pile, SleepsSoonAndNothingFloatsBeforeOrAfterItsFloorGoes) {
     for (int i = 0; i < limit && scene.awake(); ++i) scene.step();  // what leans on something awake is not held yet
     EXPECT_TRUE(findUnsupported(scene.world).empty());
 
-    // A hole in the pit's floor, 3 m wide: what lay on it is awake within a step, and what then sleeps rests on something.
+    // A hole in the pit's floor, 3 m wide: what lay on it is awake within a step, and what then sleeps rests on
+    // something.
     const glm::dvec3 low(0.5 * side - 1.5, -0.85, 0.5 * side - 1.5), high(0.5 * side + 1.5, 0.0, 0.5 * side + 1.5);
     const std::vector<BodyHandle> held = findTouching(scene.world, low, high);
     EXPECT_GT(held.size(), 3u);
@@ -71,7 +72,8 @@ std::vector<double> trace(const PhysicsSettings& settings, int pieces = 40, int 
     for (int i = 0; i < steps; ++i) {
         scene.physics.step();
         for (const BodyPose& p : scene.physics.poses())
-            all.insert(all.end(), {p.pose.position.x, p.pose.position.y, p.pose.position.z, p.pose.rotation.w, p.velocity.x, p.velocity.y});
+            all.insert(all.end(), {p.pose.position.x, p.pose.position.y, p.pose.position.z, p.pose.rotation.w,
+                                   p.velocity.x, p.velocity.y});
         scene.world.setPoses(scene.physics.poses());
     }
     if (pairs) *pairs = scene.physics.stats().pairs;
@@ -116,14 +118,16 @@ TEST(Pile, ACutBodyMovesLikeARebuiltOne) {
             Edits edits;
             if (i % 12 == 0) {
                 const glm::dvec3 at = scene.body(1).pose.transformPoint({0.4 * (i / 12), 4.0, 2.0});
-                edits.push_back(CarveEdit{.kind = BrushKind::Sphere, .position = at, .radii = {0.7, 0.7, 0.7}, .shape = shape});
+                edits.push_back(
+                    CarveEdit{.kind = BrushKind::Sphere, .position = at, .radii = {0.7, 0.7, 0.7}, .shape = shape});
             }
             FrameChanges changes = scene.world.applyEdits(edits);
             if (rebuild && !edits.empty()) changes.shapesCreated.push_back(shape);
             scene.physics.apply(changes, scene.world);
             scene.step();
             const Body& body = scene.body(1);
-            for (int k = 0; k < 3; ++k) all.insert(all.end(), {body.pose.position[k], body.velocity[k], body.angularVelocity[k]});
+            for (int k = 0; k < 3; ++k)
+                all.insert(all.end(), {body.pose.position[k], body.velocity[k], body.angularVelocity[k]});
         }
         return all;
     };

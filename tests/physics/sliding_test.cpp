@@ -14,7 +14,9 @@ TEST(Sliding, AccelerationIsCoulombsOnEveryHeading) {
     const double angle = glm::radians(kCritical + 5.0);
     const double expected = 9.81 * (std::sin(angle) - kFriction * std::cos(angle));
     for (int heading = 0; heading < 12; ++heading)
-        EXPECT_NEAR(slideDown({}, kCritical + 5.0, heading * 0.5236 + 0.05, kFriction, 2.0).acceleration, expected, 0.01 * expected) << heading;
+        EXPECT_NEAR(slideDown({}, kCritical + 5.0, heading * 0.5236 + 0.05, kFriction, 2.0).acceleration, expected,
+                    0.01 * expected)
+            << heading;
 }
 
 TEST(Sliding, SticksATenthOfADegreeBelowAndSlidesAsFarAbove) {
@@ -26,7 +28,8 @@ TEST(Sliding, SticksATenthOfADegreeBelowAndSlidesAsFarAbove) {
     // Undamped, also so close to the threshold it is Coulomb's law that decides how far.
     const double angle = glm::radians(kCritical + 0.1);
     const double expected = 9.81 * (std::sin(angle) - kFriction * std::cos(angle)) * 1.5;  // the second second
-    EXPECT_NEAR(slideDown(accuratePhysics(), kCritical + 0.1, 0.05, kFriction, 2.0).distance, expected, 0.05 * expected);
+    EXPECT_NEAR(slideDown(accuratePhysics(), kCritical + 0.1, 0.05, kFriction, 2.0).distance, expected,
+                0.05 * expected);
 }
 
 TEST(Sliding, SeamsAreNoBumps) {

@@ -16,12 +16,14 @@ TEST(Tunnelling, NothingGoesThroughAWallOfOneVoxel) {
     }
 }
 
-/// Shots at one speed, one of which a seam between two voxels of the wall once held up from the side, in the middle of it.
+/// Shots at one speed, one of which a seam between two voxels of the wall once held up from the side, in the middle of
+/// it.
 TEST(Tunnelling, SeamsInsideTheWallAreNoFaces) {
     EXPECT_EQ(known::shoot({}, 500, 1, 30.0, 24.0).through, 0);
 }
 
-/// What another knocks into the wall within the step meets it. One in 10,000 gets a corner through and follows it: not mended.
+/// What another knocks into the wall within the step meets it. One in 10,000 gets a corner through and follows it: not
+/// mended.
 TEST(Tunnelling, TwoThatMeetAtTheWallDoNotPushEachOtherThrough) {
     const bool isLong = std::getenv("RUBBLE_LONG") != nullptr;
     for (const double late : {0.0, 0.002, 0.01}) {
@@ -30,8 +32,8 @@ TEST(Tunnelling, TwoThatMeetAtTheWallDoNotPushEachOtherThrough) {
     }
 }
 
-/// The one of 50,000 shots that once went through: its first hit sets it rolling, so that its points no longer near the wall
-/// when the whole of it does.
+/// The one of 50,000 shots that once went through: its first hit sets it rolling, so that its points no longer near the
+/// wall when the whole of it does.
 TEST(Tunnelling, ARollingBodyDoesNotTurnThroughAWall) {
     PhysicsSettings settings;
     settings.sleepTime = 1e9;

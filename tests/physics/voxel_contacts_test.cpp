@@ -36,7 +36,9 @@ std::vector<glm::vec3> cornersOf(const VoxelPart& part) {
     std::vector<glm::vec3> corners;
     part.grid().forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         forEachVoxel(brick->occupancy, [&](int v) {
-            for (int i = 0; i < 8; ++i) corners.push_back(glm::vec3(position * kBrickSize + voxelInBrick(v) + glm::ivec3(i & 1, i >> 1 & 1, i >> 2)));
+            for (int i = 0; i < 8; ++i)
+                corners.push_back(
+                    glm::vec3(position * kBrickSize + voxelInBrick(v) + glm::ivec3(i & 1, i >> 1 & 1, i >> 2)));
         });
     });
     return corners;
@@ -54,7 +56,8 @@ TEST(VoxelContacts, HullAndVoxelsHaveTheSameExtent) {
         for (int k = 0; k < 50; ++k) {
             const glm::vec3 direction = glm::vec3(anyVector(random, 1.0));
             float support = -1e9f;
-            for (const glm::vec3& c : corners) support = std::max(support, c.x * direction.x + c.y * direction.y + c.z * direction.z);
+            for (const glm::vec3& c : corners)
+                support = std::max(support, c.x * direction.x + c.y * direction.y + c.z * direction.z);
             ASSERT_EQ(part.hull().support(direction), support);
             const glm::vec3 far = part.hull().supportPoint(direction);
             ASSERT_EQ(far.x * direction.x + far.y * direction.y + far.z * direction.z, support);
@@ -105,10 +108,12 @@ TEST(VoxelContacts, TheStuckContactOpposesNoOtherContact) {
         CollisionObject a, b;
         put(a, level.bodies[1 + size_t(round % 40)], level.materials,
             {anyVector(random, 0.3), glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
-        put(b, level.bodies[1 + size_t(round * 7 % 40)], level.materials, {{}, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
+        put(b, level.bodies[1 + size_t(round * 7 % 40)], level.materials,
+            {{}, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
         std::vector<ContactPoint> found;
         glm::vec3 axis(0.0f);
-        findContacts(a.collider, {a.pose, a.cellTransforms()}, b.collider, {b.pose, b.cellTransforms()}, {}, axis, found);
+        findContacts(a.collider, {a.pose, a.cellTransforms()}, b.collider, {b.pose, b.cellTransforms()}, {}, axis,
+                     found);
         if (found.size() < 2 || found.back().friction != 0.0f) continue;
         ++pushes;
         glm::vec3 others(0.0f);
@@ -127,12 +132,15 @@ TEST(VoxelContacts, DoNotDependOnTheInitialSeparatingAxis) {
         CollisionObject a, b;
         const bool againstPit = round % 5 == 0;
         const glm::dvec3 apart = againstPit ? glm::dvec3(0.5) : anyVector(random, 0.7);
-        put(a, level.bodies[1 + size_t(round % 40)], level.materials, {apart, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
+        put(a, level.bodies[1 + size_t(round % 40)], level.materials,
+            {apart, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
         put(b, level.bodies[againstPit ? 0 : 1 + size_t(round * 7 % 40)], level.materials,
-            againstPit ? level.bodies[0].pose : Pose{{0.2, 0.1, 0}, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
+            againstPit ? level.bodies[0].pose
+                       : Pose{{0.2, 0.1, 0}, glm::normalize(glm::dquat(0.5, anyVector(random, 1.0)))});
         const double speed = std::array{0.0, 1.0, 30.0}[size_t(round % 3)];
         const auto motionOf = [&](const CollisionObject& object) {
-            return Motion{object.pose, object.cellTransforms(), anyVector(random, speed), anyVector(random, speed), object.radius};
+            return Motion{object.pose, object.cellTransforms(), anyVector(random, speed), anyVector(random, speed),
+                          object.radius};
         };
         const Motion motionA = motionOf(a), motionB = againstPit ? Motion{b.pose, b.cellTransforms()} : motionOf(b);
         std::vector<ContactPoint> first, again;

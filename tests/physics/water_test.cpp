@@ -15,8 +15,11 @@ namespace {
 struct Lake : PhysicsScene {
     explicit Lake(uint32_t density, double drag = 1.5) {
         level.materials.materials[1].density = density;
-        level.waters.push_back(
-            {.name = "lake", .outline = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}}, .depth = 40.0, .linearDrag = drag, .angularDrag = drag});
+        level.waters.push_back({.name = "lake",
+                                .outline = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}},
+                                .depth = 40.0,
+                                .linearDrag = drag,
+                                .angularDrag = drag});
     }
     void load() {
         PhysicsScene::load();
@@ -82,7 +85,8 @@ TEST(Water, ACubeBobsWithThePeriodOfItsBuoyancy) {
         before = now;
     }
     ASSERT_EQ(rises.size(), 6u);
-    const double period = (rises.back() - rises.front()) / 5.0, expected = 2.0 * 3.14159265 * std::sqrt(500.0 / (1000.0 * 9.81));
+    const double period = (rises.back() - rises.front()) / 5.0,
+                 expected = 2.0 * 3.14159265 * std::sqrt(500.0 / (1000.0 * 9.81));
     EXPECT_NEAR(period, expected, 0.03 * expected);
 }
 
@@ -165,7 +169,8 @@ TEST(Water, FiresInItGoOut) {
     scene.addFloor(7, {0.0, -1.0, 0.0});
     scene.add(blockGrid({10, 10, 10}, 5), {0.0, -0.5, 0.0}, true);
     scene.load();
-    scene.physics.apply(scene.world.applyEdits({spawnFire({0.5, 0.5, 0.5}, 1.0), spawnFire({0.5, -0.5, 0.5}, 1.0)}), scene.world);
+    scene.physics.apply(scene.world.applyEdits({spawnFire({0.5, 0.5, 0.5}, 1.0), spawnFire({0.5, -0.5, 0.5}, 1.0)}),
+                        scene.world);
     for (int i = 0; i < 30; ++i) scene.world.applyEdits({});
     const std::vector<Fire> fires = scene.world.fires();
     EXPECT_FALSE(fires.empty());

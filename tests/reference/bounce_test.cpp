@@ -46,7 +46,8 @@ protected:
 
 TEST_F(RoomBehindAHole, IsAsBrightAsTheReference) {
     const LitScene made = scene();
-    const FloatImage reference = render(Scene(made.snapshot()), ahead().view(kSize, 0), {.samples = 1024, .filterPixels = true}).mean;
+    const FloatImage reference =
+        render(Scene(made.snapshot()), ahead().view(kSize, 0), {.samples = 1024, .filterPixels = true}).mean;
     const double one = ratio(made, reference, 1), two = ratio(made, reference, 2), three = ratio(made, reference, 3);
     RecordProperty("drawn_over_true", std::to_string(one) + " " + std::to_string(two) + " " + std::to_string(three));
     EXPECT_NEAR(two, 1.0, 0.25);
@@ -78,7 +79,8 @@ protected:
         start(made, kSize, comparedSettings());
         draw(camera, 96);
         const FloatImage drawn = read("resolved"), normal = read("normal");
-        const FloatImage reference = render(Scene(made.snapshot()), camera.view(kSize, 0), {.samples = 1024, .filterPixels = true}).mean;
+        const FloatImage reference =
+            render(Scene(made.snapshot()), camera.view(kSize, 0), {.samples = 1024, .filterPixels = true}).mean;
         return brightnessRatio(drawn, reference, [&](size_t p) { return normal.pixels[p].z > 0.9f; }).y;
     }
 };

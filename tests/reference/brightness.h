@@ -6,8 +6,8 @@
 
 namespace rubble::reference {
 
-/// Mean radiance drawn over mean radiance true, of the pixels that lie on something with all their neighbours: which pixels of its edges do is up
-/// to the last picture's jitter. isOn(pixel's index).
+/// Mean radiance drawn over mean radiance true, of the pixels that lie on something with all their neighbours: which
+/// pixels of its edges do is up to the last picture's jitter. isOn(pixel's index).
 template <class F>
 glm::dvec3 brightnessRatio(const FloatImage& drawn, const FloatImage& reference, F&& isOn) {
     glm::dvec3 sum(0.0), sumReference(0.0);

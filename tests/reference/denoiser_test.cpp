@@ -4,8 +4,8 @@
 
 #include "tests/golden/drawing.h"
 #include "tests/reference/display.h"
-#include "tests/reference/flip.h"
 #include "tests/reference/exr_file.h"
+#include "tests/reference/flip.h"
 #include "tests/reference/views.h"
 
 namespace rubble::reference {
@@ -18,8 +18,9 @@ protected:
     /// FLIP of the view after 16 frames of one ray a pixel, standing still.
     double flipOf(SceneView& each, glm::ivec2 size, int samples) {
         each.view.size = size;
-        const Estimate reference = cachedRender(Scene(each.snapshot), each.view, {.samples = samples, .filterPixels = true},
-                                           RUBBLE_BINARY_DIR "/reference", "the reference of " + each.name);
+        const Estimate reference =
+            cachedRender(Scene(each.snapshot), each.view, {.samples = samples, .filterPixels = true},
+                         RUBBLE_BINARY_DIR "/reference", "the reference of " + each.name);
         auto made = Renderer::create(testContext().loader(), shaderFolder(), comparedSettings());
         EXPECT_TRUE(made) << made.error();
         (*made)->apply(FrameSnapshot(each.snapshot));
@@ -79,8 +80,8 @@ protected:
         }
         return sum;
     }
-    /// Draws what is there, changes it, and expects 90 % of the new light within 12 frames and less than 2 % of the old after 30:
-    /// of the pixels that change by more than half of the largest change.
+    /// Draws what is there, changes it, and expects 90 % of the new light within 12 frames and less than 2 % of the old
+    /// after 30: of the pixels that change by more than half of the largest change.
     template <class F>
     void expectToFollow(F&& change) {
         for (int i = 0; i < 40; ++i) next();
@@ -97,7 +98,8 @@ protected:
             double sum = 0.0, all = 0.0;
             for (size_t p = 0; p < before.pixels.size(); ++p) {
                 if (std::abs(old(p)) < 0.5f * largest) continue;
-                sum += (image.pixels[p].g - converged.pixels[p].g) * (old(p) > 0.0f ? 1.0 : -1.0), all += std::abs(old(p));
+                sum += (image.pixels[p].g - converged.pixels[p].g) * (old(p) > 0.0f ? 1.0 : -1.0),
+                    all += std::abs(old(p));
             }
             return sum / all;
         };

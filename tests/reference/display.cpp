@@ -44,7 +44,9 @@ Image toImage(const FloatImage& srgb) {
     Image image(srgb.size.x, srgb.size.y);
     for (int y = 0; y < srgb.size.y; ++y)
         for (int x = 0; x < srgb.size.x; ++x)
-            for (int c = 0; c < 3; ++c) image.at(x, srgb.size.y - 1 - y)[c] = uint8_t(std::lround(255.0f * glm::clamp(srgb.at(x, y)[c], 0.0f, 1.0f)));
+            for (int c = 0; c < 3; ++c)
+                image.at(x, srgb.size.y - 1 - y)[c] =
+                    uint8_t(std::lround(255.0f * glm::clamp(srgb.at(x, y)[c], 0.0f, 1.0f)));
     return image;
 }
 

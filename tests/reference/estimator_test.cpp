@@ -34,7 +34,8 @@ LitScene yard(PaletteRef look) {
     air.sunAngle = 0.12f;
     air.fogDistance = 1e6f;
     scene.add({80, 2, 80}, {{-4, -0.2, -4}, kLevel}, solid);
-    scene.add({40, 24, 2}, {{-2, 0, -1}, kLevel}, [](glm::ivec3 c) { return uint8_t(c.x < 12 || c.x > 20 || c.y < 6 || c.y > 14); });
+    scene.add({40, 24, 2}, {{-2, 0, -1}, kLevel},
+              [](glm::ivec3 c) { return uint8_t(c.x < 12 || c.x > 20 || c.y < 6 || c.y > 14); });
     scene.add({8, 8, 8}, {{0.4, 0, 0.2}, kLevel}, solid);
     scene.add({14, 1, 12}, {{-1.8, 1.2, -0.2}, kLevel}, solid);
     return scene;
@@ -68,19 +69,22 @@ protected:
         return settings;
     }
     Drawn drawMany(const Camera& camera, const char* name, int pictures, int rays = 1) {
-        Drawn drawn{FloatImage(target->size()), FloatImage(target->size()), FloatImage(target->size()), double(pictures), rays};
+        Drawn drawn{FloatImage(target->size()), FloatImage(target->size()), FloatImage(target->size()),
+                    double(pictures), rays};
         std::vector<glm::dvec4> sum(drawn.mean.pixels.size()), squares(sum.size());
         for (int i = 0; i < pictures; ++i) {
             renderer->draw(camera.view(target->size(), target->framebuffer()), 1.0f);
             const FloatImage image = read(name);
             for (size_t p = 0; p < sum.size(); ++p)
                 sum[p] += glm::dvec4(image.pixels[p]), squares[p] += glm::dvec4(image.pixels[p] * image.pixels[p]);
-            for (size_t p = 0; p < sum.size(); ++p) drawn.largest.pixels[p] = glm::max(drawn.largest.pixels[p], image.pixels[p]);
+            for (size_t p = 0; p < sum.size(); ++p)
+                drawn.largest.pixels[p] = glm::max(drawn.largest.pixels[p], image.pixels[p]);
         }
         for (size_t p = 0; p < sum.size(); ++p) {
             const glm::dvec4 mean = sum[p] / drawn.count;
             drawn.mean.pixels[p] = mean;
-            drawn.variance.pixels[p] = glm::max(squares[p] / drawn.count - mean * mean, glm::dvec4(0)) / (drawn.count - 1.0);
+            drawn.variance.pixels[p] =
+                glm::max(squares[p] / drawn.count - mean * mean, glm::dvec4(0)) / (drawn.count - 1.0);
         }
         return drawn;
     }
@@ -113,7 +117,8 @@ double twoSidedTail(double z) {
 
 /// Every pixel is one test of "both have one mean"; Sidak: with n of them each may fail with 1 - (1 - 0.01)^(1/n) only.
 /// channel of the drawn against x of the reference, or rgb each against its own.
-void expectSameMeans(const Drawn& drawn, const Estimate& reference, const std::vector<bool>& comparable, bool alpha = false) {
+void expectSameMeans(const Drawn& drawn, const Estimate& reference, const std::vector<bool>& comparable,
+                     bool alpha = false) {
     struct Test {
         double z, drawn, reference;
         glm::ivec2 pixel;
@@ -127,11 +132,15 @@ void expectSameMeans(const Drawn& drawn, const Estimate& reference, const std::v
         const double a = drawn.mean.pixels[p][channel], b = reference.mean.pixels[p][alpha ? 0 : 1];
         // Where few paths find light, a handful of them says little of the variance: that of one more is added.
         const double own = reference.variance.pixels[p][alpha ? 0 : 1], samples = drawn.count * drawn.rays;
-        // And rays leave a face a millimetre over it: half a percent of the picture's mean is granted for what that hides in corners.
-        const double floor =
-            std::pow(0.005 * mean, 2.0) + std::pow(std::max(double(drawn.largest.pixels[p][channel]), b) / samples, 2.0) + std::pow(5e-4 * b, 2.0);
-        const double variance = std::max(double(drawn.variance.pixels[p][channel]), own / samples) + own / reference.samples + floor;
-        tests.push_back({(a - b) / std::sqrt(variance + 1e-20), a, b, {int(p) % drawn.mean.size.x, int(p) / drawn.mean.size.x}});
+        // And rays leave a face a millimetre over it: half a percent of the picture's mean is granted for what that
+        // hides in corners.
+        const double floor = std::pow(0.005 * mean, 2.0) +
+                             std::pow(std::max(double(drawn.largest.pixels[p][channel]), b) / samples, 2.0) +
+                             std::pow(5e-4 * b, 2.0);
+        const double variance =
+            std::max(double(drawn.variance.pixels[p][channel]), own / samples) + own / reference.samples + floor;
+        tests.push_back(
+            {(a - b) / std::sqrt(variance + 1e-20), a, b, {int(p) % drawn.mean.size.x, int(p) / drawn.mean.size.x}});
         sum += a, sumReference += b;
     }
     ASSERT_GT(tests.size(), 300u);
@@ -141,9 +150,9 @@ void expectSameMeans(const Drawn& drawn, const Estimate& reference, const std::v
     int failed = 0;
     for (const Test& test : tests) failed += twoSidedTail(test.z) < allowed;
     const Test& worst = tests[0];
-    EXPECT_EQ(failed, 0) << "of " << tests.size() << " pixels; worst: z " << worst.z << " at " << worst.pixel.x << ", " << worst.pixel.y << ": "
-                         << worst.drawn << " drawn, " << worst.reference << " true; means " << sum / double(tests.size()) << ", "
-                         << sumReference / double(tests.size());
+    EXPECT_EQ(failed, 0) << "of " << tests.size() << " pixels; worst: z " << worst.z << " at " << worst.pixel.x << ", "
+                         << worst.pixel.y << ": " << worst.drawn << " drawn, " << worst.reference << " true; means "
+                         << sum / double(tests.size()) << ", " << sumReference / double(tests.size());
     EXPECT_NEAR(sum / sumReference, 1.0, 0.01);
 }
 
@@ -167,7 +176,8 @@ TEST_F(EstimatorTest, SkyIsUnbiased) {
     start(scene, kSize, settings);
     const Drawn drawn = drawMany(yardCamera(), "noisyLight", 32, 16);
     const Scene reference(scene.snapshot());
-    const Estimate estimate = render(reference, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 1024, .bounces = 0});
+    const Estimate estimate =
+        render(reference, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 1024, .bounces = 0});
     expectSameMeans(drawn, estimate, comparable(reference, yardCamera()));
 }
 
@@ -180,7 +190,8 @@ protected:
         start(scene, kSize, settings);
         const Drawn drawn = drawMany(yardCamera(), "noisyLight", 256);
         const Scene reference(scene.snapshot());
-        const Estimate estimate = render(reference, yardCamera().view(kSize, 0), {.term = Term::LocalLights, .samples = 1024});
+        const Estimate estimate =
+            render(reference, yardCamera().view(kSize, 0), {.term = Term::LocalLights, .samples = 1024});
         expectSameMeans(drawn, estimate, comparable(reference, yardCamera()));
     }
 };
@@ -197,7 +208,9 @@ TEST_F(LocalLightEstimatorTest, LocalLightsAreUnbiased) {
 TEST_F(LocalLightEstimatorTest, WideLightsAreUnbiased) {
     for (const LightKind kind : {LightKind::Capsule, LightKind::Area, LightKind::Screen}) {
         LitScene scene = yard(palette(186, 255, 0));
-        SnapshotLight light{kind, {-0.7, 1.05, 0.8}, glm::normalize(glm::vec3(0.3f, -1.0f, -0.2f)), {4, 3, 2}, 0.08f, 30.0f, 0.6f, 1.1f};
+        SnapshotLight light{
+            kind, {-0.7, 1.05, 0.8}, glm::normalize(glm::vec3(0.3f, -1.0f, -0.2f)), {4, 3, 2}, 0.08f, 30.0f, 0.6f,
+            1.1f};
         light.right = glm::normalize(glm::cross(light.direction, glm::vec3(0, 0, 1)));
         light.width = 1.4f, light.height = 0.5f;
         light.twoSided = kind == LightKind::Area;
@@ -211,13 +224,15 @@ TEST_F(LocalLightEstimatorTest, WideLightsAreUnbiased) {
 
 /// The reference's highlights, by samples of light and lobe together, against samples of the light alone.
 TEST(PathTracerHighlights, BothKindsOfSamplesHaveOneMean) {
-    for (const LightKind kind : {LightKind::Sphere, LightKind::Cone, LightKind::Capsule, LightKind::Area, LightKind::Screen}) {
+    for (const LightKind kind :
+         {LightKind::Sphere, LightKind::Cone, LightKind::Capsule, LightKind::Area, LightKind::Screen}) {
         LitScene scene(palette(60, 100, 80));
         Environment& air = scene.environment;
         air.sunColor = air.skyColor = air.horizonColor = air.groundColor = air.fogColor = glm::vec3(0.0f);
         scene.add({60, 1, 60}, {{-3, -0.1, -3}, kLevel}, solid);
         scene.add({4, 12, 4}, {{0.4, 0, -0.6}, kLevel}, solid);
-        SnapshotLight light{kind, {0.1, 0.9, -1.0}, glm::normalize(glm::vec3(0.2f, -0.7f, 0.7f)), {4, 3, 2}, 0.3f, 30.0f, 0.6f, 1.1f};
+        SnapshotLight light{
+            kind, {0.1, 0.9, -1.0}, glm::normalize(glm::vec3(0.2f, -0.7f, 0.7f)), {4, 3, 2}, 0.3f, 30.0f, 0.6f, 1.1f};
         light.right = glm::normalize(glm::cross(light.direction, glm::vec3(0.3f, 1, 0)));
         light.width = 1.2f, light.height = 0.5f;
         if (kind == LightKind::Area) light.direction = -light.direction, light.twoSided = true;
@@ -233,22 +248,25 @@ TEST(PathTracerHighlights, BothKindsOfSamplesHaveOneMean) {
         double sum = 0.0, sumPlain = 0.0, variance = 0.0, variancePlain = 0.0;
         for (size_t p = 0; p < both.mean.pixels.size(); ++p) {
             sum += both.mean.pixels[p].y, sumPlain += plain.mean.pixels[p].y;
-            variance += both.variance.pixels[p].y / both.samples, variancePlain += plain.variance.pixels[p].y / plain.samples;
+            variance += both.variance.pixels[p].y / both.samples,
+                variancePlain += plain.variance.pixels[p].y / plain.samples;
         }
-        EXPECT_LT(std::abs(sum - sumPlain), 3.5 * std::sqrt(variance + variancePlain)) << int(kind) << ": " << sum << ", " << sumPlain;
+        EXPECT_LT(std::abs(sum - sumPlain), 3.5 * std::sqrt(variance + variancePlain))
+            << int(kind) << ": " << sum << ", " << sumPlain;
         EXPECT_NEAR(sum / sumPlain, 1.0, 0.03) << int(kind);
     }
 }
 
-/// A glowing panel on a floor that mirrors: its light comes by highlights on rough floors, by the glowing voxels that mirror rays meet on
-/// smooth ones, by some of both between.
+/// A glowing panel on a floor that mirrors: its light comes by highlights on rough floors, by the glowing voxels that
+/// mirror rays meet on smooth ones, by some of both between.
 class LightInAMirrorTest : public EstimatorTest {
 protected:
     /// Mean radiance of the floor, drawn over true. Without bounces highlights alone are seen.
     double ratio(uint8_t roughness, bool bounces) {
         auto look = std::make_shared<Palette>(*palette(60, roughness, 80));
         (*look)[2] = (*look)[1];
-        (*look)[2].red = (*look)[2].green = (*look)[2].blue = 255, (*look)[2].roughness = 255, (*look)[2].reflectivity = 0;
+        (*look)[2].red = (*look)[2].green = (*look)[2].blue = 255, (*look)[2].roughness = 255,
+        (*look)[2].reflectivity = 0;
         (*look)[2].emission = 2.5f, (*look)[2].lightGroup = 1;
         LitScene scene(look);
         Environment& air = scene.environment;
@@ -256,7 +274,8 @@ protected:
         air.fogDistance = 1e6f;
         scene.add({60, 1, 60}, {{-3, -0.1, -3}, kLevel}, solid);
         scene.add({8, 8, 1}, {{-0.4, 0.3, -1.2}, kLevel}, [](glm::ivec3) { return uint8_t(2); });
-        SnapshotLight light{LightKind::Area, {0, 0.7, -1.1}, {0, 0, 1}, glm::vec3(2.5f * 0.8f * 0.8f), 0.01f, 100.0f, 0.6f, 1.1f};
+        SnapshotLight light{LightKind::Area, {0, 0.7, -1.1}, {0, 0, 1}, glm::vec3(2.5f * 0.8f * 0.8f),
+                            0.01f,           100.0f,         0.6f,      1.1f};
         light.right = {-1, 0, 0}, light.width = light.height = 0.8f;
         scene.addLight(light);
         RenderSettings settings = bare();
@@ -268,7 +287,8 @@ protected:
         camera.lookAt({0, 0.35, -1});
         const Drawn drawn = drawMany(camera, "radiance", 192);
         const Scene reference(scene.snapshot());
-        const Estimate estimate = render(reference, camera.view(kSize, 0), {.samples = 512, .bounces = bounces ? 1 : 0});
+        const Estimate estimate =
+            render(reference, camera.view(kSize, 0), {.samples = 512, .bounces = bounces ? 1 : 0});
         const std::vector<bool> same = comparable(reference, camera);
         const FloatImage normal = read("normal");
         double sum = 0.0, sumReference = 0.0;
@@ -282,7 +302,8 @@ protected:
 TEST_F(LightInAMirrorTest, ALightInAMirrorShinesOnce) {
     for (const int roughness : {12, 35, 45, 60, 85}) {
         if (roughness > 25) {  // below, lamps have no highlights
-            EXPECT_NEAR(ratio(uint8_t(roughness), false), 1.0, 0.02) << "highlights, roughness " << roughness << " of 255";
+            EXPECT_NEAR(ratio(uint8_t(roughness), false), 1.0, 0.02)
+                << "highlights, roughness " << roughness << " of 255";
         }
         EXPECT_NEAR(ratio(uint8_t(roughness), true), 1.0, 0.02) << "roughness " << roughness << " of 255";
     }
@@ -295,7 +316,8 @@ TEST_F(EstimatorTest, ReflectionsAreUnbiased) {
     start(scene, kSize, settings);
     const Drawn drawn = drawMany(yardCamera(), "reflection", 192);
     const Scene reference(scene.snapshot());
-    const Estimate estimate = render(reference, yardCamera().view(kSize, 0), {.term = Term::Reflection, .samples = 1024, .bounces = 0, .maxDistance = 1000});
+    const Estimate estimate = render(reference, yardCamera().view(kSize, 0),
+                                     {.term = Term::Reflection, .samples = 1024, .bounces = 0, .maxDistance = 1000});
     std::vector<bool> same = comparable(reference, yardCamera());
     for (size_t i = 0; i < same.size(); ++i) same[i] = same[i] && drawn.mean.pixels[i].a > 0.5f;
     expectSameMeans(drawn, estimate, same);
@@ -305,7 +327,8 @@ TEST_F(EstimatorTest, ReflectionsAreUnbiased) {
 TEST_F(EstimatorTest, ErrorFallsWithTheSamples) {
     const LitScene scene = yard(palette(186, 255, 0));
     const Scene reference(scene.snapshot());
-    const Estimate estimate = render(reference, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 2048, .bounces = 0});
+    const Estimate estimate =
+        render(reference, yardCamera().view(kSize, 0), {.term = Term::Sky, .samples = 2048, .bounces = 0});
     for (const Noise noise : {Noise::White, Noise::Blue}) {
         RenderSettings settings = bare(noise);
         settings.sky = true;
@@ -323,7 +346,9 @@ TEST_F(EstimatorTest, ErrorFallsWithTheSamples) {
             if (same.empty()) same = comparable(reference, yardCamera());
             double error = 0.0;
             for (size_t p = 0; p < sum.size(); ++p)
-                if (same[p]) error += std::pow(sum[p] / i - estimate.mean.pixels[p].y, 2.0) - estimate.variance.pixels[p].y / estimate.samples;
+                if (same[p])
+                    error += std::pow(sum[p] / i - estimate.mean.pixels[p].y, 2.0) -
+                             estimate.variance.pixels[p].y / estimate.samples;
             const double x = std::log(double(i)), y = 0.5 * std::log(error);
             meanX += x, meanY += y, xx += x * x, xy += x * y;
             ++points;
@@ -338,7 +363,8 @@ TEST_F(EstimatorTest, ErrorFallsWithTheSamples) {
     }
 }
 
-/// Mean radiance of what is seen of a white thing that mirrors a little, under a sky that is the same everywhere: it cannot be seen.
+/// Mean radiance of what is seen of a white thing that mirrors a little, under a sky that is the same everywhere: it
+/// cannot be seen.
 class FurnaceTest : public EstimatorTest {
 protected:
     static LitScene furnace(uint8_t roughness, glm::dquat turned) {
@@ -351,7 +377,8 @@ protected:
         scene.add({12, 12, 12}, {glm::dvec3(0, 1.6, 0) - turned * glm::dvec3(0.6), turned}, solid);
         return scene;
     }
-    /// Of the faces that look at a camera on this side. What is smooth shows the hills on its sides: only its top and bottom are asked.
+    /// Of the faces that look at a camera on this side. What is smooth shows the hills on its sides: only its top and
+    /// bottom are asked.
     double meanRadiance(glm::dvec3 from, bool smooth) {
         Camera camera;
         camera.position = glm::dvec3(0, 1.6, 0) + from;
@@ -373,13 +400,16 @@ protected:
         settings.skyRays = 4;
         start(furnace(roughness, turned), kSize, settings);
         // Three faces each: all six.
-        EXPECT_NEAR(meanRadiance({0.9, 2.2, 1.3}, roughness < 255), 1.0, 0.01) << "from above, roughness " << int(roughness);
-        EXPECT_NEAR(meanRadiance({-0.9, -2.2, -1.3}, roughness < 255), 1.0, 0.01) << "from below, roughness " << int(roughness);
+        EXPECT_NEAR(meanRadiance({0.9, 2.2, 1.3}, roughness < 255), 1.0, 0.01)
+            << "from above, roughness " << int(roughness);
+        EXPECT_NEAR(meanRadiance({-0.9, -2.2, -1.3}, roughness < 255), 1.0, 0.01)
+            << "from below, roughness " << int(roughness);
     }
 };
 
 TEST_F(FurnaceTest, HidesWhatIsInIt) {
-    for (const uint8_t roughness : {uint8_t(0), uint8_t(25), uint8_t(51), uint8_t(90), uint8_t(128), uint8_t(255)}) expectHidden(roughness, kLevel);
+    for (const uint8_t roughness : {uint8_t(0), uint8_t(25), uint8_t(51), uint8_t(90), uint8_t(128), uint8_t(255)})
+        expectHidden(roughness, kLevel);
 }
 
 TEST_F(FurnaceTest, HidesWhatIsTurned) {
@@ -387,7 +417,8 @@ TEST_F(FurnaceTest, HidesWhatIsTurned) {
 }
 
 /// A square plate over a floor, under an even sky: seen from the point below its middle it takes the form factor
-/// F = 4 / (2 pi) (2 x / sqrt(1 + x^2)) atan(x / sqrt(1 + x^2)), x = half side / height (Siegel & Howell, B-4 four times).
+/// F = 4 / (2 pi) (2 x / sqrt(1 + x^2)) atan(x / sqrt(1 + x^2)), x = half side / height (Siegel & Howell, B-4 four
+/// times).
 TEST_F(EstimatorTest, APlateOverheadTakesItsFormFactor) {
     LitScene scene(palette(186, 255, 0));
     Environment& air = scene.environment;
@@ -404,7 +435,8 @@ TEST_F(EstimatorTest, APlateOverheadTakesItsFormFactor) {
     const double expected = 1.0 - 4.0 / (2.0 * kPi) * (2.0 * x / r * std::atan(x / r));
     const glm::ivec2 size(16, 16);
     double traced = 0.0, drawnMean = 0.0;
-    for (const glm::vec4& p : render(reference, camera.view(size, 0), {.term = Term::Sky, .samples = 1024, .bounces = 0}).mean.pixels)
+    for (const glm::vec4& p :
+         render(reference, camera.view(size, 0), {.term = Term::Sky, .samples = 1024, .bounces = 0}).mean.pixels)
         traced += p.y / 256.0;
     EXPECT_NEAR(traced, expected, 0.01 * expected);
     RenderSettings settings = bare();
@@ -428,7 +460,9 @@ TEST_F(EstimatorTest, ASphereLightGivesTheInverseSquare) {
     const glm::ivec2 size(16, 16);
     const Scene reference(scene.snapshot());
     double traced = 0.0, drawnMean = 0.0;
-    for (const glm::vec4& p : render(reference, camera.view(size, 0), {.term = Term::LocalLights, .samples = 512}).mean.pixels) traced += p.y / 256.0;
+    for (const glm::vec4& p :
+         render(reference, camera.view(size, 0), {.term = Term::LocalLights, .samples = 512}).mean.pixels)
+        traced += p.y / 256.0;
     EXPECT_NEAR(traced, expected, 0.01 * expected);
     RenderSettings settings = bare();
     settings.localLights = true;
@@ -437,8 +471,9 @@ TEST_F(EstimatorTest, ASphereLightGivesTheInverseSquare) {
     EXPECT_NEAR(drawnMean, expected, 0.01 * expected);
 }
 
-/// Behind the edge of a roof at height d the sun's share goes from none to all within d x 2 tan(angle); between, it is the disc
-/// cut by a line: 1 - (acos(c) - c sqrt(1 - c^2)) / pi. The rays from beyond the edge meet its upper rim, one voxel higher.
+/// Behind the edge of a roof at height d the sun's share goes from none to all within d x 2 tan(angle); between, it is
+/// the disc cut by a line: 1 - (acos(c) - c sqrt(1 - c^2)) / pi. The rays from beyond the edge meet its upper rim, one
+/// voxel higher.
 TEST_F(EstimatorTest, APenumbraIsAsWideAsTheSun) {
     LitScene scene(palette(186, 255, 0));
     scene.environment.sunDirection = {0, 1, 0};

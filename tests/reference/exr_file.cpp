@@ -25,17 +25,19 @@ Imf::FrameBuffer slicesOf(Estimate& estimate) {
     for (int i = 0; i < 6; ++i) {
         FloatImage& image = i < 3 ? estimate.mean : estimate.variance;
         char* top = reinterpret_cast<char*>(&image.at(0, size.y - 1)) + sizeof(float) * size_t(i % 3);
-        slices.insert(kNames[i], Imf::Slice(Imf::FLOAT, top, sizeof(glm::vec4), size_t(0) - sizeof(glm::vec4) * size_t(size.x)));
+        slices.insert(kNames[i],
+                      Imf::Slice(Imf::FLOAT, top, sizeof(glm::vec4), size_t(0) - sizeof(glm::vec4) * size_t(size.x)));
     }
     return slices;
 }
 
 uint64_t keyOf(const Scene& scene, const View& view, const Settings& s) {
     uint64_t key = hashValue(kTracerVersion, scene.hash());
-    const double numbers[] = {
-        view.position.x,   view.position.y,  view.position.z,        view.rotation.w,       view.rotation.x,     view.rotation.y,
-        view.rotation.z,   view.verticalFov, double(view.size.x),    double(view.size.y),   double(int(s.term)), double(s.samples),
-        double(s.bounces), s.maxDistance,          double(s.filterPixels), double(s.lobeSamples), double(s.seed)};
+    const double numbers[] = {view.position.x,     view.position.y,     view.position.z,        view.rotation.w,
+                              view.rotation.x,     view.rotation.y,     view.rotation.z,        view.verticalFov,
+                              double(view.size.x), double(view.size.y), double(int(s.term)),    double(s.samples),
+                              double(s.bounces),   s.maxDistance,       double(s.filterPixels), double(s.lobeSamples),
+                              double(s.seed)};
     for (const double number : numbers) key = hashValue(number, key);
     return key;
 }
@@ -63,7 +65,8 @@ Result<Estimate> readExr(const std::string& path) {
         const Imath::Box2i window = file.header().dataWindow();
         const glm::ivec2 size(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
         Estimate estimate{FloatImage(size), FloatImage(size), 0};
-        if (const auto* samples = file.header().findTypedAttribute<Imf::IntAttribute>("samples")) estimate.samples = samples->value();
+        if (const auto* samples = file.header().findTypedAttribute<Imf::IntAttribute>("samples"))
+            estimate.samples = samples->value();
         for (glm::vec4& pixel : estimate.mean.pixels) pixel.a = 1.0f;
         file.setFrameBuffer(slicesOf(estimate));
         file.readPixels(window.min.y, window.max.y);
@@ -73,7 +76,8 @@ Result<Estimate> readExr(const std::string& path) {
     }
 }
 
-Estimate cachedRender(const Scene& scene, const View& view, const Settings& settings, const std::string& folder, const std::string& what) {
+Estimate cachedRender(const Scene& scene, const View& view, const Settings& settings, const std::string& folder,
+                      const std::string& what) {
     const std::string path = fmt::format("{}/{:016x}.exr", folder, keyOf(scene, view, settings));
     if (std::filesystem::exists(path))
         if (auto found = readExr(path); found && found->mean.size == view.size) return *found;

@@ -9,6 +9,7 @@ Result<Done> writeExr(const std::string& path, const Estimate& estimate);
 Result<Estimate> readExr(const std::string& path);
 
 /// render(), or the file of an earlier run with the same scene, view and settings under `folder`.
-Estimate cachedRender(const Scene& scene, const View& view, const Settings& settings, const std::string& folder, const std::string& what);
+Estimate cachedRender(const Scene& scene, const View& view, const Settings& settings, const std::string& folder,
+                      const std::string& what);
 
 }  // namespace rubble::reference

@@ -14,7 +14,8 @@ namespace {
 using glm::dvec3;
 
 constexpr double kPi = 3.14159265358979323846;
-// The paper's constants: exponents of colour and feature differences; where the linear map of colours bends, and to what.
+// The paper's constants: exponents of colour and feature differences; where the linear map of colours bends, and to
+// what.
 constexpr double kColorExponent = 0.7, kFeatureExponent = 0.5, kBendAt = 0.4, kBendTo = 0.95;
 constexpr double kFeatureWidth = 0.082;  // degrees
 
@@ -36,13 +37,15 @@ Plane map(const Plane& from, F&& f) {
 }
 
 // sRGB primaries, D65. Rows are made so that white comes to kWhite.
-const glm::dmat3 kToXyz = glm::transpose(glm::dmat3(10135552.0 / 24577794.0, 8788810.0 / 24577794.0, 4435075.0 / 24577794.0,  //
-                                                    2613072.0 / 12288897.0, 8788810.0 / 12288897.0, 887015.0 / 12288897.0,    //
-                                                    1425312.0 / 73733382.0, 8788810.0 / 73733382.0, 70074185.0 / 73733382.0));
+const glm::dmat3 kToXyz =
+    glm::transpose(glm::dmat3(10135552.0 / 24577794.0, 8788810.0 / 24577794.0, 4435075.0 / 24577794.0,  //
+                              2613072.0 / 12288897.0, 8788810.0 / 12288897.0, 887015.0 / 12288897.0,    //
+                              1425312.0 / 73733382.0, 8788810.0 / 73733382.0, 70074185.0 / 73733382.0));
 const dvec3 kWhite = kToXyz * dvec3(1.0);
 
 dvec3 linear(dvec3 srgb) {
-    for (int i = 0; i < 3; ++i) srgb[i] = srgb[i] <= 0.04045 ? srgb[i] / 12.92 : std::pow((srgb[i] + 0.055) / 1.055, 2.4);
+    for (int i = 0; i < 3; ++i)
+        srgb[i] = srgb[i] <= 0.04045 ? srgb[i] / 12.92 : std::pow((srgb[i] + 0.055) / 1.055, 2.4);
     return srgb;
 }
 
@@ -62,7 +65,8 @@ dvec3 fromYCxCz(dvec3 v) {
 dvec3 toHuntLab(dvec3 linearRgb) {
     dvec3 n = kToXyz * linearRgb / kWhite;
     constexpr double delta = 6.0 / 29.0;
-    for (int i = 0; i < 3; ++i) n[i] = n[i] > delta * delta * delta ? std::cbrt(n[i]) : n[i] / (3.0 * delta * delta) + 4.0 / 29.0;
+    for (int i = 0; i < 3; ++i)
+        n[i] = n[i] > delta * delta * delta ? std::cbrt(n[i]) : n[i] / (3.0 * delta * delta) + 4.0 / 29.0;
     const double lightness = 116.0 * n.y - 16.0;
     return {lightness, 0.01 * lightness * 500.0 * (n.x - n.y), 0.01 * lightness * 200.0 * (n.y - n.z)};
 }
@@ -82,7 +86,8 @@ const Gaussians kSensitivity{{1.0, 1.0, 34.1}, {0.0047, 0.0053, 0.04}, {0.0, 0.0
 /// Rows, then columns, with one Gaussian each channel: g(d) = exp(-pi^2 d^2 / b), d in degrees.
 Plane blurred(const Plane& from, dvec3 b, int radius, double pixelsPerDegree) {
     std::vector<dvec3> kernel;
-    for (int i = -radius; i <= radius; ++i) kernel.push_back(glm::exp(dvec3(-kPi * kPi * (i / pixelsPerDegree) * (i / pixelsPerDegree)) / b));
+    for (int i = -radius; i <= radius; ++i)
+        kernel.push_back(glm::exp(dvec3(-kPi * kPi * (i / pixelsPerDegree) * (i / pixelsPerDegree)) / b));
     Plane rows{from.size, std::vector<dvec3>(from.values.size())}, out = rows;
     for (int pass = 0; pass < 2; ++pass) {
         const Plane& source = pass ? rows : from;
@@ -90,7 +95,8 @@ Plane blurred(const Plane& from, dvec3 b, int radius, double pixelsPerDegree) {
         for (int y = 0; y < from.size.y; ++y)
             for (int x = 0; x < from.size.x; ++x) {
                 dvec3 sum(0.0);
-                for (int i = -radius; i <= radius; ++i) sum += kernel[size_t(i + radius)] * (pass ? source.at(x, y + i) : source.at(x + i, y));
+                for (int i = -radius; i <= radius; ++i)
+                    sum += kernel[size_t(i + radius)] * (pass ? source.at(x, y + i) : source.at(x + i, y));
                 target.values[size_t(y) * size_t(from.size.x) + size_t(x)] = sum;
             }
     }
@@ -103,10 +109,13 @@ Plane contrastFiltered(const Plane& opponent, double pixelsPerDegree) {
     const int radius = int(std::ceil(3.0 * std::sqrt(0.04 / (2.0 * kPi * kPi)) * pixelsPerDegree));
     const Plane one{{1, 1}, {dvec3(1.0)}};  // its border goes on: the filters' sums
     const dvec3 w1 = g.a1 * glm::sqrt(kPi / g.b1), w2 = g.a2 * glm::sqrt(kPi / g.b2);
-    const dvec3 total = w1 * blurred(one, g.b1, radius, pixelsPerDegree).values[0] + w2 * blurred(one, g.b2, radius, pixelsPerDegree).values[0];
-    const Plane first = blurred(opponent, g.b1, radius, pixelsPerDegree), second = blurred(opponent, g.b2, radius, pixelsPerDegree);
+    const dvec3 total = w1 * blurred(one, g.b1, radius, pixelsPerDegree).values[0] +
+                        w2 * blurred(one, g.b2, radius, pixelsPerDegree).values[0];
+    const Plane first = blurred(opponent, g.b1, radius, pixelsPerDegree),
+                second = blurred(opponent, g.b2, radius, pixelsPerDegree);
     Plane out = first;
-    for (size_t i = 0; i < out.values.size(); ++i) out.values[i] = (w1 * first.values[i] + w2 * second.values[i]) / total;
+    for (size_t i = 0; i < out.values.size(); ++i)
+        out.values[i] = (w1 * first.values[i] + w2 * second.values[i]) / total;
     return map(out, [](const dvec3& v) { return toHuntLab(glm::clamp(fromYCxCz(v), 0.0, 1.0)); });
 }
 
@@ -130,13 +139,15 @@ Plane features(const Plane& gray, bool points, double pixelsPerDegree) {
         (d > 0.0 ? positive : negative) += std::abs(d);
     }
     for (double& g : along) g /= sum;
-    for (double& d : across) d /= d > 0.0 ? positive : negative;  // the positive weights sum to one, the negative to minus one
+    for (double& d : across)
+        d /= d > 0.0 ? positive : negative;  // the positive weights sum to one, the negative to minus one
     Plane rows{gray.size, std::vector<dvec3>(gray.values.size())}, out = rows;
     for (int y = 0; y < gray.size.y; ++y)
         for (int x = 0; x < gray.size.x; ++x)
             for (int i = -radius; i <= radius; ++i) {
                 const double v = gray.at(x + i, y).x;
-                rows.values[size_t(y) * size_t(gray.size.x) + size_t(x)] += dvec3(across[size_t(i + radius)] * v, along[size_t(i + radius)] * v, 0.0);
+                rows.values[size_t(y) * size_t(gray.size.x) + size_t(x)] +=
+                    dvec3(across[size_t(i + radius)] * v, along[size_t(i + radius)] * v, 0.0);
             }
     for (int y = 0; y < gray.size.y; ++y)
         for (int x = 0; x < gray.size.x; ++x)
@@ -153,7 +164,8 @@ FloatImage flipMap(const FloatImage& reference, const FloatImage& test, double p
     Plane opponent[2], lab[2], edges[2], points[2];
     for (int i = 0; i < 2; ++i) {
         Plane image{reference.size, {}};
-        for (const glm::vec4& p : (i ? test : reference).pixels) image.values.push_back(toYCxCz(linear(glm::clamp(dvec3(p), 0.0, 1.0))));
+        for (const glm::vec4& p : (i ? test : reference).pixels)
+            image.values.push_back(toYCxCz(linear(glm::clamp(dvec3(p), 0.0, 1.0))));
         lab[i] = contrastFiltered(image, pixelsPerDegree);
         const Plane gray = map(image, [](const dvec3& v) { return dvec3((v.x + 16.0) / 116.0); });
         edges[i] = features(gray, false, pixelsPerDegree);

@@ -27,17 +27,18 @@ FloatImage noise(uint64_t seed, glm::ivec2 size = {40, 24}) {
     return image;
 }
 
-/// The paper normalises colour differences by the one that is largest for it, between pure green and pure blue: there the metric
-/// is one. Even images have no features, so its map of colour differences is seen alone.
+/// The paper normalises colour differences by the one that is largest for it, between pure green and pure blue: there
+/// the metric is one. Even images have no features, so its map of colour differences is seen alone.
 TEST(Flip, GreenAgainstBlueIsTheLargestDifference) {
     EXPECT_NEAR(flip(plain({0, 1, 0}), plain({0, 0, 1})), 1.0, 1e-6);
     for (const glm::vec3 a : {glm::vec3(0), glm::vec3(1), glm::vec3(1, 0, 0), glm::vec3(1, 1, 0), glm::vec3(0, 1, 1)})
-        for (const glm::vec3 b : {glm::vec3(0), glm::vec3(1), glm::vec3(1, 0, 1), glm::vec3(0, 0, 1)}) EXPECT_LT(flip(plain(a), plain(b)), 1.0);
+        for (const glm::vec3 b : {glm::vec3(0), glm::vec3(1), glm::vec3(1, 0, 1), glm::vec3(0, 0, 1)})
+            EXPECT_LT(flip(plain(a), plain(b)), 1.0);
 }
 
-/// CIELAB by CIE 15: mid grey 119/255 has a lightness of 50.03, white 100. HyAB of grays is the lightness alone; the paper's map is
-/// then known but for the largest difference, whose CIELAB values are published: green (87.73, -86.18, 83.18), blue
-/// (32.30, 79.19, -107.86) under D65.
+/// CIELAB by CIE 15: mid grey 119/255 has a lightness of 50.03, white 100. HyAB of grays is the lightness alone; the
+/// paper's map is then known but for the largest difference, whose CIELAB values are published: green (87.73,
+/// -86.18, 83.18), blue (32.30, 79.19, -107.86) under D65.
 TEST(Flip, GraysMatchPublishedCielabValues) {
     const auto hunt = [](double l, double a, double b) { return glm::dvec3(l, 0.01 * l * a, 0.01 * l * b); };
     const glm::dvec3 d = hunt(87.73, -86.18, 83.18) - hunt(32.30, 79.19, -107.86);
@@ -86,8 +87,9 @@ TEST(Flip, LinesAreNoticedMoreThanTheirColor) {
     EXPECT_LT(map.at(2, 24).x, 0.01f);
 }
 
-/// NVIDIA's own test pair (images/reference.png and test.png of github.com/NVlabs/flip) has a published mean of 0.159691
-/// at 67 pixels a degree. The images are theirs and not here: RUBBLE_FLIP_IMAGES names the folder where they are.
+/// NVIDIA's own test pair (images/reference.png and test.png of github.com/NVlabs/flip) has a published mean of
+/// 0.159691 at 67 pixels a degree. The images are theirs and not here: RUBBLE_FLIP_IMAGES names the folder where they
+/// are.
 TEST(Flip, PublishedMeanOfThePublishedImages) {
     const char* folder = std::getenv("RUBBLE_FLIP_IMAGES");
     if (!folder) GTEST_SKIP() << "RUBBLE_FLIP_IMAGES is not set";

@@ -27,11 +27,13 @@ PaletteRef palette(bool glass) {
     return palette;
 }
 
-/// A front with windows in frames, a room with things of strong contrast behind it, and a free-standing tinted pane before it.
+/// A front with windows in frames, a room with things of strong contrast behind it, and a free-standing tinted pane
+/// before it.
 LitScene shopFront(bool glass) {
     LitScene scene(palette(glass));
     scene.environment.sunDirection = {0.4f, 0.6f, 0.5f};
-    scene.add({160, 2, 120}, {{-8, -0.2, -8}, {1, 0, 0, 0}}, [](glm::ivec3 c) { return (c.x / 8 + c.z / 8) % 2 ? kPlaster : kDark; });
+    scene.add({160, 2, 120}, {{-8, -0.2, -8}, {1, 0, 0, 0}},
+              [](glm::ivec3 c) { return (c.x / 8 + c.z / 8) % 2 ? kPlaster : kDark; });
     scene.add({120, 30, 1}, {{-6, 0, 0}, {1, 0, 0, 0}}, [=](glm::ivec3 c) -> uint8_t {
         const int x = c.x % 20;
         if (c.y < 4 || c.y > 24 || x < 3) return kBrick;
@@ -42,7 +44,9 @@ LitScene shopFront(bool glass) {
     for (int i = 0; i < 6; ++i)
         scene.add({4, 14 + i % 3 * 4, 4}, {{-5.0 + 2.0 * i, 0, -1.6}, glm::angleAxis(0.3 * i, glm::dvec3(0, 1, 0))},
                   [](glm::ivec3) { return kBrick; });
-    if (glass) scene.add({24, 18, 1}, {{-0.6, 0, 1.2}, glm::angleAxis(0.2, glm::dvec3(0, 1, 0))}, [](glm::ivec3) { return kTinted; });
+    if (glass)
+        scene.add({24, 18, 1}, {{-0.6, 0, 1.2}, glm::angleAxis(0.2, glm::dvec3(0, 1, 0))},
+                  [](glm::ivec3) { return kTinted; });
     return scene;
 }
 
@@ -60,10 +64,12 @@ protected:
         const auto resolved = renderer->readTarget("resolved");
         EXPECT_TRUE(resolved) << resolved.error();
         const FloatImage shown = reference::displayed(*resolved, 1.0f);
-        EXPECT_TRUE(writePng(testing::TempDir() + "trail_" + std::to_string(m_imageCount++) + ".png", reference::toImage(shown)));
+        EXPECT_TRUE(writePng(testing::TempDir() + "trail_" + std::to_string(m_imageCount++) + ".png",
+                             reference::toImage(shown)));
         return shown;
     }
-    /// FLIP of the last picture of a ride of so many metres a frame against a camera that has stood at its end for long.
+    /// FLIP of the last picture of a ride of so many metres a frame against a camera that has stood at its end for
+    /// long.
     double trail(bool glass, double metresPerFrame, glm::ivec2 size = kSize) {
         constexpr int kFrames = 8;
         start(shopFront(glass), size);

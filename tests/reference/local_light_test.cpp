@@ -46,7 +46,8 @@ protected:
             const FloatImage image = read("resolved");
             for (size_t p = 0; p < drawn.pixels.size(); ++p) drawn.pixels[p] += image.pixels[p] / float(kJitterPeriod);
         }
-        const FloatImage reference = render(Scene(made.snapshot()), camera.view(kSize, 0), {.samples = 512, .filterPixels = true}).mean;
+        const FloatImage reference =
+            render(Scene(made.snapshot()), camera.view(kSize, 0), {.samples = 512, .filterPixels = true}).mean;
         return brightnessRatio(drawn, reference, [&](size_t p) { return depth.pixels[p].x < 1e3f; });
     }
 };
@@ -59,8 +60,13 @@ TEST_F(FloorUnderALight, IsAsBrightAsTheReference) {
 
 /// A dark floor mirrors as much as it scatters: what it mirrors is the sky, as lamps have highlights of their own.
 TEST_F(FloorUnderALight, MirrorsTheSkyAndNotTheLightsColor) {
-    const glm::dvec3 found = ratio(
-        {.gray = 60, .roughness = 200, .reflectivity = 128, .sky = {0.15f, 0.2f, 0.3f}, .light = {4.0f, 2.4f, 1.0f}, .radius = 0.3f}, {0.0, 0.7, 2.8});
+    const glm::dvec3 found = ratio({.gray = 60,
+                                    .roughness = 200,
+                                    .reflectivity = 128,
+                                    .sky = {0.15f, 0.2f, 0.3f},
+                                    .light = {4.0f, 2.4f, 1.0f},
+                                    .radius = 0.3f},
+                                   {0.0, 0.7, 2.8});
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], 1.0, 0.02) << c;
 }
 

@@ -25,7 +25,8 @@ FloatImage noisy(const FloatImage& from, float strength, uint64_t seed) {
 TEST(RelativeError, IsTheSquareOfTheShare) {
     EXPECT_EQ(relativeError(plain(1.0f), plain(1.0f)), 0.0);
     EXPECT_NEAR(relativeError(plain(1.0f), plain(1.1f)), 0.01 / 1.01, 1e-6);
-    EXPECT_NEAR(relativeError(plain(10.0f), plain(11.0f)), 1.0 / 100.01, 1e-6) << "the same share of ten times the light";
+    EXPECT_NEAR(relativeError(plain(10.0f), plain(11.0f)), 1.0 / 100.01, 1e-6)
+        << "the same share of ten times the light";
 }
 
 TEST(RelativeError, AFewSpecksAreLeftOut) {

@@ -16,10 +16,10 @@ namespace {
 using glm::dvec3;
 using glm::vec3;
 
-constexpr double kSurfaceOffset = 1e-6;            // metres off a surface: doubles need no more
+constexpr double kSurfaceOffset = 1e-6;    // metres off a surface: doubles need no more
 constexpr double kPlaneHeight = -0.05;     // render/passes/composite_pass.cpp
 constexpr float kPaneReflectance = 0.05f;  // shaders/passes/glass_composite.frag
-constexpr double kLightClearance = 0.12;             // metres around a light in which its own voxels do not hide it
+constexpr double kLightClearance = 0.12;   // metres around a light in which its own voxels do not hide it
 constexpr int kRouletteFrom = 4;           // bounces
 constexpr double kFilterRadius = 1.5;      // pixels, with exp(-2.3 r^2): shaders/passes/taa.frag
 
@@ -70,10 +70,10 @@ float ggxVndfPdf(vec3 n, vec3 v, vec3 l, float roughness) {
 /// How much a surface gives of each kind of light that reaches it: surfaceRadiance() of shaders/passes/composite.frag.
 struct Response {
     vec3 f0, share;
-    vec3 diffuse;  ///< of mean radiance
-    vec3 mirror;   ///< of what a mirror ray brings
-    vec3 diffuseAlbedo;    ///< of irradiance / pi from sun and lights, which have highlights of their own
-    float lobe;    ///< of lamps, by their highlights; mirror rays bring the rest from their glowing voxels
+    vec3 diffuse;        ///< of mean radiance
+    vec3 mirror;         ///< of what a mirror ray brings
+    vec3 diffuseAlbedo;  ///< of irradiance / pi from sun and lights, which have highlights of their own
+    float lobe;          ///< of lamps, by their highlights; mirror rays bring the rest from their glowing voxels
 };
 
 Response responseOf(const Surface& s, vec3 view) {
@@ -104,7 +104,8 @@ public:
         if (!s.hit) return vec3(0.0f);
         if (m_settings.term == Term::LocalLights) return localLights(s, random);
         if (m_settings.term == Term::Sky)
-            return incoming({{offsetOrigin(s), cosineDirection(s.normal, unitSquare(random))}, vec3(1.0f), true, 0.0f}, random);
+            return incoming({{offsetOrigin(s), cosineDirection(s.normal, unitSquare(random))}, vec3(1.0f), true, 0.0f},
+                            random);
         if (glm::dot(s.normal, m_sun) <= 0.0) return vec3(0.0f);
         return vec3(m_scene.transmittance({offsetOrigin(s), sunRay(random)}).x, 0.0f, 0.0f);
     }
@@ -124,7 +125,9 @@ private:
     }
 
     static dvec3 offsetOrigin(const Surface& s) { return s.position + s.normal * kSurfaceOffset; }
-    dvec3 sunRay(Random& random) const { return coneDirection(m_sun, std::cos(double(m_air.sunAngle)), unitSquare(random)); }
+    dvec3 sunRay(Random& random) const {
+        return coneDirection(m_sun, std::cos(double(m_air.sunAngle)), unitSquare(random));
+    }
 
     /// One of the lights, and by what its light is to be multiplied.
     struct LightChoice {
@@ -149,7 +152,8 @@ private:
         }
         const SnapshotLight& light = lights[chosen];
         dvec3 toCentre = light.position - offsetOrigin(s);
-        if (light.kind == LightKind::Capsule) toCentre += dvec3(light.right) * (light.width * (double(random.unit()) - 0.5));
+        if (light.kind == LightKind::Capsule)
+            toCentre += dvec3(light.right) * (light.width * (double(random.unit()) - 0.5));
         return {&light, sum / unshadowedWeight(light, s), toCentre};
     }
 
@@ -159,7 +163,9 @@ private:
         if (!chosen.light) return vec3(0.0f);
         const dvec3 direction = sampleLightDirection(chosen, random);
         const LightSample lightSample = evaluateLight(chosen, s, direction);
-        return lightSample.pdf > 0.0 ? lightSample.radiance * float(glm::dot(direction, s.normal) / (lightSample.pdf * kPi)) : vec3(0.0f);
+        return lightSample.pdf > 0.0
+                   ? lightSample.radiance * float(glm::dot(direction, s.normal) / (lightSample.pdf * kPi))
+                   : vec3(0.0f);
     }
 
     /// What of a light's reach is left at a distance.
@@ -177,7 +183,9 @@ private:
         return edge * edge;
     }
 
-    static bool isFlat(const SnapshotLight& light) { return light.kind == LightKind::Area || light.kind == LightKind::Screen; }
+    static bool isFlat(const SnapshotLight& light) {
+        return light.kind == LightKind::Area || light.kind == LightKind::Screen;
+    }
 
     /// Distance from its place within which all of a light lies.
     static double extentOf(const SnapshotLight& light) {
@@ -190,9 +198,11 @@ private:
         const dvec3 toCentre = light.position - s.position;
         const double range = glm::length(toCentre), extent = extentOf(light);
         if (glm::dot(toCentre, s.normal) <= -extent) return 0.0f;
-        const double facing = std::clamp((glm::dot(toCentre, s.normal) + (isFlat(light) ? extent : 0.0)) / range, 0.05, 1.0);
+        const double facing =
+            std::clamp((glm::dot(toCentre, s.normal) + (isFlat(light) ? extent : 0.0)) / range, 0.05, 1.0);
         const double square = std::max(range * range, light.kind == LightKind::Sphere ? 1e-4 : extent * extent);
-        return float(facing / square) * maxComponent(light.color) * distanceWindow(light, std::max(range - extent, 0.0)) * coneAttenuation(light, toCentre);
+        return float(facing / square) * maxComponent(light.color) *
+               distanceWindow(light, std::max(range - extent, 0.0)) * coneAttenuation(light, toCentre);
     }
 
     /// Share of the light that gets from where a surface is left to within what a light's own voxels may fill.
@@ -200,7 +210,8 @@ private:
         return clear > 0.0 ? m_scene.transmittance({offsetOrigin(s), direction, clear}) : vec3(1.0f);
     }
 
-    /// To a point of a light: of a ball evenly over the directions in which it is visibility, of a rectangle evenly over its face.
+    /// To a point of a light: of a ball evenly over the directions in which it is visibility, of a rectangle evenly
+    /// over its face.
     static dvec3 sampleLightDirection(const LightChoice& chosen, Random& random) {
         const SnapshotLight& light = *chosen.light;
         const glm::dvec2 u = unitSquare(random);
@@ -209,20 +220,24 @@ private:
             return coneDirection(chosen.toCentre / range, std::sqrt(1.0 - sine * sine), u);
         }
         const dvec3 right(light.right), up = glm::cross(right, dvec3(light.direction));
-        return glm::normalize(chosen.toCentre + right * ((u.x - 0.5) * light.width) + up * ((u.y - 0.5) * light.height));
+        return glm::normalize(chosen.toCentre + right * ((u.x - 0.5) * light.width) +
+                              up * ((u.y - 0.5) * light.height));
     }
 
     /// Of the angle at which a ball is visibility; never from inside.
-    static double sineOf(const SnapshotLight& light, double range) { return std::min(light.radius / range, 1.0 / 1.001); }
+    static double sineOf(const SnapshotLight& light, double range) {
+        return std::min(light.radius / range, 1.0 / 1.001);
+    }
 
     /// What a chosen light sends to a surface along a direction.
     struct LightSample {
-        vec3 radiance{0.0f};   ///< times the light's weight
-        double pdf = 0.0;  ///< of sampleLightDirection(), by solid angle; 0: nothing comes from there
+        vec3 radiance{0.0f};  ///< times the light's weight
+        double pdf = 0.0;     ///< of sampleLightDirection(), by solid angle; 0: nothing comes from there
     };
     LightSample evaluateLight(const LightChoice& chosen, const Surface& s, dvec3 direction) const {
         if (glm::dot(direction, s.normal) <= 0.0) return {};
-        LightSample lightSample = isFlat(*chosen.light) ? evaluateRectangle(chosen, s, direction) : evaluateSphere(chosen, s, direction);
+        LightSample lightSample =
+            isFlat(*chosen.light) ? evaluateRectangle(chosen, s, direction) : evaluateSphere(chosen, s, direction);
         lightSample.radiance *= chosen.weight;
         return lightSample;
     }
@@ -237,7 +252,8 @@ private:
         const double near = std::max(range * cosine - std::sqrt(radius * radius - range * range * off), 0.0);
         // 1 - cos without cancelling, as sin^2 / (1 + cos).
         const double solidAngle = 2.0 * kPi * sine * sine / (1.0 + std::sqrt(1.0 - sine * sine));
-        return {visibility(s, direction, near - std::max(kLightClearance, radius)) * light.color * float(1.0 / (kPi * radius * radius)) * distanceWindow(light, near) *
+        return {visibility(s, direction, near - std::max(kLightClearance, radius)) * light.color *
+                    float(1.0 / (kPi * radius * radius)) * distanceWindow(light, near) *
                     coneAttenuation(light, chosen.toCentre),
                 1.0 / solidAngle};
     }
@@ -250,11 +266,14 @@ private:
         const double range = -glm::dot(chosen.toCentre, axis) / turned;
         if (!(cosine > 0.0 && range > 0.0)) return {};
         const dvec3 onFace = direction * range - chosen.toCentre;
-        const glm::dvec2 u = glm::dvec2(glm::dot(onFace, right) / light.width, glm::dot(onFace, up) / light.height) + 0.5;
+        const glm::dvec2 u =
+            glm::dvec2(glm::dot(onFace, right) / light.width, glm::dot(onFace, up) / light.height) + 0.5;
         if (std::min(u.x, u.y) < 0.0 || std::max(u.x, u.y) >= 1.0) return {};
         const double area = double(light.width) * light.height;
-        const vec3 through = visibility(s, direction, range - std::max(kLightClearance, double(light.radius)) / std::max(cosine, 0.1));
-        return {through * light.color * screenImageAt(light, u) * float(1.0 / area) * distanceWindow(light, range), range * range / (cosine * area)};
+        const vec3 through =
+            visibility(s, direction, range - std::max(kLightClearance, double(light.radius)) / std::max(cosine, 0.1));
+        return {through * light.color * screenImageAt(light, u) * float(1.0 / area) * distanceWindow(light, range),
+                range * range / (cosine * area)};
     }
 
     /// u: along `right` and up. Who looks at a screen has its right on the left.
@@ -277,22 +296,26 @@ private:
                 const vec3 sun = m_air.sunColor * facing * m_scene.transmittance({offsetOrigin(s), l});
                 const vec3 toSun(m_sun), half = glm::normalize(view + toSun);
                 sum += r.diffuseAlbedo * sun / float(kPi);
-                sum += glm::min(sun * fresnel(r.f0, glm::dot(view, half)) * specularLobe(vec3(s.normal), view, toSun, s.roughness), vec3(30.0f));
+                sum += glm::min(
+                    sun * fresnel(r.f0, glm::dot(view, half)) * specularLobe(vec3(s.normal), view, toSun, s.roughness),
+                    vec3(30.0f));
             }
         }
         const LightChoice chosen = chooseLight(s, random);
         if (!chosen.light) return sum;
-        // The highlight by a sample of the light and one of the lobe, each weighed by the densities of both (the balance heuristic:
-        // Veach & Guibas 1995).
+        // The highlight by a sample of the light and one of the lobe, each weighed by the densities of both (the
+        // balance heuristic: Veach & Guibas 1995).
         const bool byLobe = r.lobe > 0.0f && m_settings.lobeSamples;
         const auto lobePdf = [&](vec3 l) { return byLobe ? ggxVndfPdf(vec3(s.normal), view, l, s.roughness) : 0.0f; };
         const auto highlight = [&](vec3 l) {
-            return r.lobe * fresnel(r.f0, glm::dot(view, glm::normalize(view + l))) * specularLobe(vec3(s.normal), view, l, s.roughness);
+            return r.lobe * fresnel(r.f0, glm::dot(view, glm::normalize(view + l))) *
+                   specularLobe(vec3(s.normal), view, l, s.roughness);
         };
         const dvec3 toLight = sampleLightDirection(chosen, random);
         if (const LightSample lightSample = evaluateLight(chosen, s, toLight); lightSample.pdf > 0.0) {
             const vec3 l(toLight), irradiance = lightSample.radiance * float(glm::dot(toLight, s.normal));
-            sum += irradiance * (r.diffuseAlbedo / float(kPi * lightSample.pdf) + highlight(l) / (float(lightSample.pdf) + lobePdf(l)));
+            sum += irradiance * (r.diffuseAlbedo / float(kPi * lightSample.pdf) +
+                                 highlight(l) / (float(lightSample.pdf) + lobePdf(l)));
         }
         if (!byLobe) return sum;
         const glm::dmat3 basis = orthonormalBasis(s.normal);
@@ -328,8 +351,14 @@ private:
         const float diffuse = maxComponent(r.diffuse), mirror = maxComponent(r.mirror), all = diffuse + mirror;
         if (all <= 0.0f) return {{}, vec3(0.0f), true, 0.0f};
         if (random.unit() * all < diffuse)
-            return {{offsetOrigin(s), cosineDirection(s.normal, unitSquare(random))}, r.diffuse * (all / diffuse), true, 0.0f};
-        return {{offsetOrigin(s), mirrorDirection(s.normal, view, s.roughness, random)}, r.mirror * (all / mirror), false, 1.0f - r.lobe};
+            return {{offsetOrigin(s), cosineDirection(s.normal, unitSquare(random))},
+                    r.diffuse * (all / diffuse),
+                    true,
+                    0.0f};
+        return {{offsetOrigin(s), mirrorDirection(s.normal, view, s.roughness, random)},
+                r.mirror * (all / mirror),
+                false,
+                1.0f - r.lobe};
     }
 
     /// Radiance along a ray of light's. Without the air: it does not light a closed room.
@@ -342,7 +371,9 @@ private:
             ray.tMax = m_settings.maxDistance;
             const Surface s = m_scene.closest(ray);
             weight *= m_scene.panes({ray.origin, ray.direction, std::min(s.t, ray.tMax)}).tint;
-            if (!s.hit) return sum + weight * (diffuse ? skyRadiance(m_air, vec3(ray.direction)) : mirroredSky(m_air, vec3(ray.direction)));
+            if (!s.hit)
+                return sum + weight * (diffuse ? skyRadiance(m_air, vec3(ray.direction))
+                                               : mirroredSky(m_air, vec3(ray.direction)));
             if (bounce == m_settings.bounces) return sum;
             const dvec3 view = -ray.direction;
             const Response response = responseOf(s, vec3(view));
@@ -367,7 +398,11 @@ private:
         Surface at = s;
         if (pane.any) at.position = pane.position, at.normal = pane.normal, at.roughness = 0.0f;
         const float glow = 1.0f - glm::smoothstep(0.1f, 0.25f, at.roughness);
-        return incoming({{offsetOrigin(at), mirrorDirection(at.normal, -ray.direction, at.roughness, random)}, vec3(1.0f), false, glow}, random);
+        return incoming({{offsetOrigin(at), mirrorDirection(at.normal, -ray.direction, at.roughness, random)},
+                         vec3(1.0f),
+                         false,
+                         glow},
+                        random);
     }
 
     vec3 fullRadiance(const Ray& ray, const Surface& s, Random& random) const {
@@ -375,10 +410,13 @@ private:
         const Panes pane = m_scene.panes({ray.origin, ray.direction, s.t});
         // What panes mirror and what lies behind, as often as each counts.
         if (pane.any) {
-            const float share = fresnel(vec3(kPaneReflectance), std::abs(float(glm::dot(pane.normal, ray.direction)))).x;
+            const float share =
+                fresnel(vec3(kPaneReflectance), std::abs(float(glm::dot(pane.normal, ray.direction)))).x;
             if (random.unit() < std::min(1.6f * share, 1.0f)) return reflection(ray, s, random);
         }
-        if (!s.hit) return pane.tint * backgroundRadiance(m_air, direction, vec3(ray.origin), float(ray.origin.y - kPlaneHeight));
+        if (!s.hit)
+            return pane.tint *
+                   backgroundRadiance(m_air, direction, vec3(ray.origin), float(ray.origin.y - kPlaneHeight));
         const Response response = responseOf(s, -direction);
         vec3 color = s.albedo * s.emission + direct(s, response, -direction, random);
         const Next n = next(s, response, -ray.direction, random);
@@ -414,7 +452,8 @@ Estimate render(const Scene& scene, const View& view, const Settings& settings, 
             const glm::dvec3 mean = sum / double(settings.samples);
             const glm::dvec3 variance = glm::max(squares / double(settings.samples) - mean * mean, 0.0);
             estimate.mean.at(x, int(row)) = glm::vec4(vec3(mean), 1.0f);
-            estimate.variance.at(x, int(row)) = glm::vec4(vec3(variance * (settings.samples / std::max(settings.samples - 1.0, 1.0))), 0.0f);
+            estimate.variance.at(x, int(row)) =
+                glm::vec4(vec3(variance * (settings.samples / std::max(settings.samples - 1.0, 1.0))), 0.0f);
         }
         const std::lock_guard lock(mutex);
         if (++done; !what.empty()) progress.advance(done);

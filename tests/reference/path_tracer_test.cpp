@@ -22,8 +22,9 @@ LitScene furnace() {
     e.roughness = 255, e.reflectivity = 0, e.material = 1, e.emission = 1.0f;
     LitScene scene(palette);
     scene.environment.fogDistance = 1e9f;
-    scene.add({24, 24, 24}, {{0, 0, 0}, kLevel},
-              [](glm::ivec3 c) { return uint8_t(c.x == 0 || c.y == 0 || c.z == 0 || c.x == 23 || c.y == 23 || c.z == 23); });
+    scene.add({24, 24, 24}, {{0, 0, 0}, kLevel}, [](glm::ivec3 c) {
+        return uint8_t(c.x == 0 || c.y == 0 || c.z == 0 || c.x == 23 || c.y == 23 || c.z == 23);
+    });
     return scene;
 }
 
@@ -59,7 +60,8 @@ TEST(PathTracer, TheVarianceItReportsIsThatOfItsRuns) {
     double between = 0.0, reported = 0.0;
     std::vector<double> sum(size_t(view.size.x * view.size.y)), squares(sum.size());
     for (int run = 0; run < kRuns; ++run) {
-        const Estimate estimate = render(scene, view, {.term = Term::Sky, .samples = kSamples, .seed = uint64_t(run + 1)});
+        const Estimate estimate =
+            render(scene, view, {.term = Term::Sky, .samples = kSamples, .seed = uint64_t(run + 1)});
         for (size_t i = 0; i < sum.size(); ++i) {
             const double value = estimate.mean.pixels[i].y;
             sum[i] += value, squares[i] += value * value;

@@ -27,7 +27,8 @@ inline glm::dmat3 orthonormalBasis(glm::dvec3 n) {
 /// Around n, with density cos / pi.
 inline glm::dvec3 cosineDirection(glm::dvec3 n, glm::dvec2 u) {
     const double angle = 2.0 * kPi * u.x, r = std::sqrt(u.y);
-    return glm::normalize(orthonormalBasis(n) * glm::dvec3(r * std::cos(angle), r * std::sin(angle), std::sqrt(1.0 - u.y)));
+    return glm::normalize(orthonormalBasis(n) *
+                          glm::dvec3(r * std::cos(angle), r * std::sin(angle), std::sqrt(1.0 - u.y)));
 }
 
 /// Even over the directions within an angle, whose cosine is given, of the axis.
@@ -36,8 +37,8 @@ inline glm::dvec3 coneDirection(glm::dvec3 axis, double cosine, glm::dvec2 u) {
     return glm::normalize(orthonormalBasis(axis) * glm::dvec3(r * std::cos(angle), r * std::sin(angle), z));
 }
 
-/// A facet's normal as often as v sees it on a GGX surface: by Heitz 2018 with the projected disc cut in two by v's own plane.
-/// Local frame, z up.
+/// A facet's normal as often as v sees it on a GGX surface: by Heitz 2018 with the projected disc cut in two by v's own
+/// plane. Local frame, z up.
 inline glm::dvec3 sampleVisibleNormal(glm::dvec3 v, double alpha, glm::dvec2 u) {
     const glm::dvec3 vh = glm::normalize(glm::dvec3(alpha * v.x, alpha * v.y, v.z));
     const glm::dmat3 frame = orthonormalBasis(vh);

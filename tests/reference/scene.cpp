@@ -30,7 +30,8 @@ glm::vec3 glassTransmittance(const PaletteEntry& e) {
     return (1.0f - float(e.opacity) / 255.0f) * glm::mix(glm::vec3(1.0f), hue, 0.7f);
 }
 
-bool rayHitsBox(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& origin, const glm::dvec3& inverse, double tMax) {
+bool rayHitsBox(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& origin, const glm::dvec3& inverse,
+                double tMax) {
     const glm::dvec3 a = (low - origin) * inverse, b = (high - origin) * inverse;
     const glm::dvec3 enter = glm::min(a, b), leave = glm::max(a, b);
     const double first = std::max(std::max(enter.x, enter.y), std::max(enter.z, 0.0));
@@ -57,11 +58,18 @@ Scene::Scene(const FrameSnapshot& snapshot) : m_lights(snapshot.lights), m_envir
     std::map<uint32_t, Pose> poses;
     for (const SnapshotPose& pose : snapshot.poses) poses[pose.shape.slot()] = pose.current;
     for (const SnapshotShape& given : snapshot.created) {
-        Shape shape{VoxelGrid(given.size), poses[given.shape.slot()], double(given.voxelSize), given.paintColors, paletteIndex(given.palette), {}, {}};
+        Shape shape{VoxelGrid(given.size),
+                    poses[given.shape.slot()],
+                    double(given.voxelSize),
+                    given.paintColors,
+                    paletteIndex(given.palette),
+                    {},
+                    {}};
         for (const BrickChange& brick : given.bricks) shape.grid.setBrick(brick.brick, brick.content);
         shape.low = glm::dvec3(1e30), shape.high = glm::dvec3(-1e30);
         for (int corner = 0; corner < 8; ++corner) {
-            const glm::dvec3 local = glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2) * glm::dvec3(given.size) * shape.voxelSize;
+            const glm::dvec3 local =
+                glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2) * glm::dvec3(given.size) * shape.voxelSize;
             shape.low = glm::min(shape.low, shape.pose.transformPoint(local) - 1e-6);
             shape.high = glm::max(shape.high, shape.pose.transformPoint(local) + 1e-6);
         }
@@ -72,11 +80,13 @@ Scene::Scene(const FrameSnapshot& snapshot) : m_lights(snapshot.lights), m_envir
         m_shapes.push_back(std::move(shape));
     }
     const Environment& e = m_environment;
-    for (const glm::vec3& v : {e.sunDirection, e.sunColor, e.skyColor, e.horizonColor, e.groundColor, e.fogColor}) add(m_hash, glm::dvec3(v));
+    for (const glm::vec3& v : {e.sunDirection, e.sunColor, e.skyColor, e.horizonColor, e.groundColor, e.fogColor})
+        add(m_hash, glm::dvec3(v));
     add(m_hash, {e.sunAngle, e.fogDistance, 0.0});
     for (const SnapshotLight& light : m_lights) {
         add(m_hash, light.position), add(m_hash, glm::dvec3(light.direction)), add(m_hash, glm::dvec3(light.color));
-        add(m_hash, {light.radius, light.reach, light.coneInner}), add(m_hash, {light.coneOuter, double(light.kind), double(light.twoSided)});
+        add(m_hash, {light.radius, light.reach, light.coneInner}),
+            add(m_hash, {light.coneOuter, double(light.kind), double(light.twoSided)});
         add(m_hash, glm::dvec3(light.right)), add(m_hash, {light.width, light.height, double(light.image.width)});
         for (const uint32_t texel : light.image.texels) m_hash = hashValue(texel, m_hash);
     }
@@ -91,12 +101,12 @@ size_t Scene::paletteIndex(const PaletteRef& palette) {
     for (size_t i = 1; i < 256; ++i) {
         const PaletteEntry& e = (*palette)[i];
         table.entries[i] = {linear(glm::vec3(e.red, e.green, e.blue) / 255.0f),
-                           glassTransmittance(e),
-                           e.emission,
-                           float(e.roughness) / 255.0f,
-                           float(e.metallic) / 255.0f,
-                           float(e.reflectivity) / 255.0f,
-                           e.lightGroup != 0};
+                            glassTransmittance(e),
+                            e.emission,
+                            float(e.roughness) / 255.0f,
+                            float(e.metallic) / 255.0f,
+                            float(e.reflectivity) / 255.0f,
+                            e.lightGroup != 0};
         table.opaque[i] = e.opacity == 255;
         table.glass[i] = e.opacity < 255;
         table.hasGlass |= e.material != 0 && table.glass[i];
@@ -109,14 +119,16 @@ size_t Scene::paletteIndex(const PaletteRef& palette) {
 /// Halves the shapes at the median of the widest axis.
 void Scene::build(int node, int first, int count) {
     glm::dvec3 low(1e30), high(-1e30);
-    for (int i = first; i < first + count; ++i) low = glm::min(low, m_shapes[size_t(i)].low), high = glm::max(high, m_shapes[size_t(i)].high);
+    for (int i = first; i < first + count; ++i)
+        low = glm::min(low, m_shapes[size_t(i)].low), high = glm::max(high, m_shapes[size_t(i)].high);
     m_nodes[size_t(node)] = {low, high, first, count};
     if (count <= kShapesPerLeaf) return;
     const glm::dvec3 size = high - low;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const auto begin = m_shapes.begin() + first;
-    std::nth_element(begin, begin + count / 2, begin + count,
-                     [&](const Shape& a, const Shape& b) { return a.low[axis] + a.high[axis] < b.low[axis] + b.high[axis]; });
+    std::nth_element(begin, begin + count / 2, begin + count, [&](const Shape& a, const Shape& b) {
+        return a.low[axis] + a.high[axis] < b.low[axis] + b.high[axis];
+    });
     const int child = int(m_nodes.size());
     m_nodes.resize(m_nodes.size() + 2);
     m_nodes[size_t(node)].first = child;
@@ -128,7 +140,8 @@ void Scene::build(int node, int first, int count) {
 /// f(shape) for each whose box the ray rayHitsBox before tMax, which f may bring nearer. f returns false to stop.
 template <class F>
 void Scene::forEachShapeOnRay(const Ray& ray, const double& tMax, F&& f) const {
-    // An infinite inverse times a distance of zero would be no number: such a ray counts as one that is a hair off the axis.
+    // An infinite inverse times a distance of zero would be no number: such a ray counts as one that is a hair off the
+    // axis.
     glm::dvec3 inverse;
     for (int a = 0; a < 3; ++a) inverse[a] = 1.0 / (std::abs(ray.direction[a]) < 1e-18 ? 1e-18 : ray.direction[a]);
     int stack[kMaxDepth], depth = 0;
@@ -179,7 +192,8 @@ Surface Scene::closest(const Ray& ray) const {
     const Shape* found = nullptr;
     double tMax = ray.tMax;
     forEachShapeOnRay(ray, tMax, [&](const Shape& shape) {
-        const CellHit hit = walkRay(shape.grid, cellRay(shape.pose, shape.voxelSize, ray, tMax), &m_palettes[shape.palette].opaque);
+        const CellHit hit =
+            walkRay(shape.grid, cellRay(shape.pose, shape.voxelSize, ray, tMax), &m_palettes[shape.palette].opaque);
         if (hit.hit && (hit.t < tMax || !found)) tMax = hit.t, nearest = hit, found = &shape;
         return true;
     });
@@ -191,7 +205,8 @@ Surface Scene::closest(const Ray& ray) const {
     s.position = ray.origin + ray.direction * nearest.t;
     s.normal = normalOf(found->pose, nearest, ray.direction);
     s.albedo = colorAt(*found, table, nearest.cell);
-    s.emission = entry.emission, s.roughness = entry.roughness, s.metallic = entry.metallic, s.reflectivity = entry.reflectivity;
+    s.emission = entry.emission, s.roughness = entry.roughness, s.metallic = entry.metallic,
+    s.reflectivity = entry.reflectivity;
     s.hasLight = entry.hasLight;
     return s;
 }
@@ -208,7 +223,8 @@ void Scene::addPanes(const Shape& shape, const Ray& ray, Panes& panes) const {
         if (!hit.hit) return;
         panes.tint *= table.entries[shape.grid.at(hit.cell)].glassTint;
         const double t = passed + hit.t;
-        if (!panes.any || t < panes.t) panes = {true, t, ray.origin + ray.direction * t, normalOf(shape.pose, hit, ray.direction), panes.tint};
+        if (!panes.any || t < panes.t)
+            panes = {true, t, ray.origin + ray.direction * t, normalOf(shape.pose, hit, ray.direction), panes.tint};
         double leave = t;
         for (glm::ivec3 cell = hit.cell; table.glass[shape.grid.at(cell)];) {
             int axis = 0;
@@ -238,7 +254,9 @@ Panes Scene::panes(const Ray& ray) const {
 glm::vec3 Scene::transmittance(const Ray& ray) const {
     bool hit = false;
     forEachShapeOnRay(ray, ray.tMax, [&](const Shape& shape) {
-        hit = walkRay(shape.grid, cellRay(shape.pose, shape.voxelSize, ray, ray.tMax), &m_palettes[shape.palette].opaque).hit;
+        hit =
+            walkRay(shape.grid, cellRay(shape.pose, shape.voxelSize, ray, ray.tMax), &m_palettes[shape.palette].opaque)
+                .hit;
         return !hit;
     });
     return hit ? glm::vec3(0.0f) : panes(ray).tint;

@@ -34,8 +34,8 @@ struct Panes {
 /// Of a colour as it is displayed, channels in [0, 1].
 glm::vec3 linear(glm::vec3 srgb);
 
-/// What a FrameSnapshot shows, for rays on the CPU: through the voxels of each shape where it really stands, not through the
-/// shadow volume. Bodies and lights only: no ropes, water or particles. May be read by many threads.
+/// What a FrameSnapshot shows, for rays on the CPU: through the voxels of each shape where it really stands, not
+/// through the shadow volume. Bodies and lights only: no ropes, water or particles. May be read by many threads.
 class Scene {
 public:
     /// The snapshot must hold everything (replacesAll).

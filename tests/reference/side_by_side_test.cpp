@@ -1,5 +1,6 @@
-// Pictures for eyes: what the renderer draws beside the reference. Only with RUBBLE_IMAGES=FOLDER; RUBBLE_WITHOUT=sun,sky,lamps,bounce,
-// mirrors,glow leaves parts of the light out of both, RUBBLE_PART=sun|sky|lamps|mirrors shows one estimator.
+// Pictures for eyes: what the renderer draws beside the reference. Only with RUBBLE_IMAGES=FOLDER;
+// RUBBLE_WITHOUT=sun,sky,lamps,bounce, mirrors,glow leaves parts of the light out of both,
+// RUBBLE_PART=sun|sky|lamps|mirrors shows one estimator.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 #include "runtime/core/random.h"
 #include "tests/golden/drawing.h"
 #include "tests/reference/display.h"
-#include "tests/reference/flip.h"
 #include "tests/reference/exr_file.h"
+#include "tests/reference/flip.h"
 #include "tests/reference/relative_error.h"
 #include "tests/reference/ssim.h"
 #include "tests/reference/views.h"
@@ -33,7 +34,8 @@ public:
     void add(const RenderFigures& figures) {
         for (const auto& [pass, ms] : figures.passMs) {
             const auto found =
-                std::find_if(m_min.begin(), m_min.end(), [&, name = std::string(pass)](const auto& each) { return each.first == name; });
+                std::find_if(m_min.begin(), m_min.end(),
+                             [&, name = std::string(pass)](const auto& each) { return each.first == name; });
             if (found == m_min.end())
                 m_min.emplace_back(pass, ms);
             else
@@ -59,7 +61,8 @@ int numberFrom(const char* name, int otherwise) {
 void remove(SceneView& each, RenderSettings& drawn, Settings& traced, const std::string& part) {
     FrameSnapshot& s = each.snapshot;
     if (part == "sun") s.environment.sunColor = glm::vec3(0.0f);
-    if (part == "sky") s.environment.skyColor = s.environment.horizonColor = s.environment.groundColor = glm::vec3(0.0f);
+    if (part == "sky")
+        s.environment.skyColor = s.environment.horizonColor = s.environment.groundColor = glm::vec3(0.0f);
     if (part == "lamps") s.lights.clear();
     if (part == "bounce") drawn.bounce = false, traced.bounces = 0;
     if (part != "mirrors" && part != "glow") return;
@@ -119,7 +122,8 @@ FloatImage drawnPart(Renderer& renderer, const View& view, const Part& part, int
     return sum;
 }
 
-/// As it might have come out with other random numbers: what FLIP makes of it is the noise that is left in the reference.
+/// As it might have come out with other random numbers: what FLIP makes of it is the noise that is left in the
+/// reference.
 FloatImage withOtherNoise(const Estimate& reference) {
     FloatImage again = reference.mean;
     Random random(1, 1);
@@ -134,7 +138,8 @@ FloatImage withOtherNoise(const Estimate& reference) {
 TEST_F(SideBySide, BesideTheReference) {
     const char* folder = std::getenv("RUBBLE_IMAGES");
     if (!folder) GTEST_SKIP() << "set RUBBLE_IMAGES to a folder to draw the views beside the reference";
-    const int width = numberFrom("RUBBLE_WIDTH", 320), samples = numberFrom("RUBBLE_SAMPLES", 64), frames = numberFrom("RUBBLE_FRAMES", 16);
+    const int width = numberFrom("RUBBLE_WIDTH", 320), samples = numberFrom("RUBBLE_SAMPLES", 64),
+              frames = numberFrom("RUBBLE_FRAMES", 16);
     std::vector<SceneView> views = tuningViews();
     if (numberFrom("RUBBLE_HELD_OUT", 0)) views = heldOutViews();
     const std::string only = std::getenv("RUBBLE_VIEW") ? std::getenv("RUBBLE_VIEW") : "";
@@ -163,11 +168,13 @@ TEST_F(SideBySide, BesideTheReference) {
         times.print();
         const float exposure = exposureFor(reference.mean, each.snapshot.environment.exposure);
         const FloatImage a = displayed(reference.mean, exposure), b = displayed(drawn, exposure), map = flipMap(a, b);
-        printf("%-20s FLIP %.4f  relMSE %.4f  SSIM %.4f; the reference against itself FLIP %.4f\n", each.name.c_str(), flip(a, b),
-               relativeError(reference.mean, drawn), ssim(a, b), flip(a, displayed(withOtherNoise(reference), exposure)));
+        printf("%-20s FLIP %.4f  relMSE %.4f  SSIM %.4f; the reference against itself FLIP %.4f\n", each.name.c_str(),
+               flip(a, b), relativeError(reference.mean, drawn), ssim(a, b),
+               flip(a, displayed(withOtherNoise(reference), exposure)));
         std::string file = each.name;
         std::replace(file.begin(), file.end(), ' ', '_');
-        ASSERT_TRUE(writePng(std::string(folder) + "/" + file + ".png", tile({toImage(a), toImage(b), toImage(asGray(map))}, 1)));
+        ASSERT_TRUE(writePng(std::string(folder) + "/" + file + ".png",
+                             tile({toImage(a), toImage(b), toImage(asGray(map))}, 1)));
     }
 }
 

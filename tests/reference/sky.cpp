@@ -58,7 +58,8 @@ vec3 toSun(const Environment& air) {
 }
 
 vec3 sunGlow(const Environment& air, float mu) {
-    const float m = std::max(mu, 0.0f), m2 = m * m, m8 = m2 * m2 * m2 * m2, m32 = m8 * m8 * m8 * m8, m256 = std::pow(m32, 8.0f);
+    const float m = std::max(mu, 0.0f), m2 = m * m, m8 = m2 * m2 * m2 * m2, m32 = m8 * m8 * m8 * m8,
+                m256 = std::pow(m32, 8.0f);
     return air.sunColor * (0.012f * m2 + 0.035f * m8 + 0.10f * m32 + 0.45f * m256);
 }
 
@@ -72,7 +73,8 @@ vec3 withClouds(const Environment& air, vec3 sky, vec3 direction) {
     const float cover = smoothstep(0.52f - more, 0.80f - more, density);
     if (cover <= 0.0f) return sky;
     const vec2 aside = glm::normalize(horizontal(toSun(air))) * 0.35f;
-    const float thickness = fractalNoise(stretched + aside, 4) * 0.75f + valueNoise((stretched + aside) * 0.35f + 9.1f) * 0.35f;
+    const float thickness =
+        fractalNoise(stretched + aside, 4) * 0.75f + valueNoise((stretched + aside) * 0.35f + 9.1f) * 0.35f;
     const float lit = clamp(1.0f - (thickness - 0.45f) * 2.6f, 0.0f, 1.0f);
     const float mu = std::max(glm::dot(direction, toSun(air)), 0.0f);
     const vec3 shade = mix(air.skyColor, air.horizonColor, 0.55f) * 0.75f;
@@ -92,7 +94,8 @@ vec3 withHills(const Environment& air, vec3 sky, vec3 direction) {
     sky = mix(sky, mix(vec3(0.16f, 0.20f, 0.24f) * light, haze, 0.86f), smooth(edge(far)));
     const float middle = 0.015f + 0.060f * fractalNoise(heading * 5.7f + 47.0f, 5);
     sky = mix(sky, mix(vec3(0.14f, 0.20f, 0.13f) * light, haze, 0.74f), smooth(edge(middle)));
-    const float woods = 0.004f + 0.024f * fractalNoise(heading * 9.0f + 83.0f, 3) + 0.010f * fractalNoise(heading * 140.0f + 5.0f, 3);
+    const float woods =
+        0.004f + 0.024f * fractalNoise(heading * 9.0f + 83.0f, 3) + 0.010f * fractalNoise(heading * 140.0f + 5.0f, 3);
     const float shading = 0.75f + 0.5f * valueNoise(vec2(std::atan2(heading.y, heading.x) * 160.0f, slope * 500.0f));
     return mix(sky, mix(vec3(0.13f, 0.18f, 0.08f) * light * shading, haze, 0.60f), smooth(edge(woods)));
 }
@@ -103,7 +106,9 @@ vec3 fieldsBelow(const Environment& air, vec3 direction, vec3 eye, float eyeHeig
     const float detail = std::exp2(-distanceMetres * 0.02f);
     const float patches = fractalNoise(place * 0.02f, 3);
     const float tufts = mix(0.5f, fractalNoise(place * 0.9f, 3), detail);
-    const vec3 albedo = mix(vec3(0.115f, 0.155f, 0.055f), vec3(0.22f, 0.20f, 0.085f), smoothstep(0.35f, 0.7f, patches)) * (0.75f + 0.5f * tufts);
+    const vec3 albedo =
+        mix(vec3(0.115f, 0.155f, 0.055f), vec3(0.22f, 0.20f, 0.085f), smoothstep(0.35f, 0.7f, patches)) *
+        (0.75f + 0.5f * tufts);
     const vec3 light = air.sunColor * std::max(toSun(air).y, 0.0f) * 0.3183f + skyRadiance(air, vec3(0, 1, 0)) * 0.8f;
     return mix(albedo * light, hazeRadiance(air, direction), std::min(hazeAmount(air, distanceMetres), 0.72f));
 }
@@ -135,9 +140,11 @@ float hazeAmount(const Environment& air, float distanceMetres) {
 vec3 backgroundRadiance(const Environment& air, vec3 direction, vec3 eye, float eyeHeight) {
     if (direction.y < 0.0f && eyeHeight > 0.0f) return fieldsBelow(air, direction, eye, eyeHeight);
     const float mu = glm::dot(direction, toSun(air));
-    vec3 sky = withClouds(air, skyRadiance(air, vec3(direction.x, std::max(direction.y, 0.02f), direction.z)), direction);
+    vec3 sky =
+        withClouds(air, skyRadiance(air, vec3(direction.x, std::max(direction.y, 0.02f), direction.z)), direction);
     const float edge = 1.0f - 0.5f * air.sunAngle * air.sunAngle * 4.0f;
-    sky += air.sunColor * 12.0f * smoothstep(edge, 1.0f - (1.0f - edge) * 0.6f, mu) * (1.0f - smoothstep(0.6f, 0.95f, air.clouds));
+    sky += air.sunColor * 12.0f * smoothstep(edge, 1.0f - (1.0f - edge) * 0.6f, mu) *
+           (1.0f - smoothstep(0.6f, 0.95f, air.clouds));
     return withHills(air, sky, direction);
 }
 

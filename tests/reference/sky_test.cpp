@@ -9,7 +9,8 @@ namespace {
 
 class SkyTest : public Drawing {};
 
-/// Sky, clouds, hills and fields as the shaders draw them, pixel by pixel: whoever changes lib/sky.glsl changes sky.cpp.
+/// Sky, clouds, hills and fields as the shaders draw them, pixel by pixel: whoever changes lib/sky.glsl changes
+/// sky.cpp.
 TEST_F(SkyTest, IsWhatTheShadersDraw) {
     LitScene scene(streetPalette());
     scene.environment = streetScene().environment;
@@ -30,9 +31,10 @@ TEST_F(SkyTest, IsWhatTheShadersDraw) {
             for (int x = 0; x < size.x; ++x) {
                 const glm::dvec2 p = (glm::dvec2(x, y) + 0.5) / glm::dvec2(size) * 2.0 - 1.0;
                 const double tanY = std::tan(camera.verticalFov * 0.5);
-                const glm::dvec3 ray = glm::normalize(camera.rotation() * glm::dvec3(p.x * tanY * size.x / size.y, p.y * tanY, -1.0));
-                const glm::vec3 expected =
-                    backgroundRadiance(scene.environment, glm::vec3(ray), glm::vec3(camera.position), float(camera.position.y + 0.05));
+                const glm::dvec3 ray =
+                    glm::normalize(camera.rotation() * glm::dvec3(p.x * tanY * size.x / size.y, p.y * tanY, -1.0));
+                const glm::vec3 expected = backgroundRadiance(
+                    scene.environment, glm::vec3(ray), glm::vec3(camera.position), float(camera.position.y + 0.05));
                 const glm::vec3 off = glm::abs(glm::vec3(drawn->at(x, y)) - expected);
                 differ += std::max(off.x, std::max(off.y, off.z)) > 0.02f * (expected.x + expected.y + expected.z);
                 ++pixels;

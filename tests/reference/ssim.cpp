@@ -13,7 +13,8 @@ constexpr double kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03;
 std::array<double, 2 * kRadius + 1> window() {
     std::array<double, 2 * kRadius + 1> weights{};
     double sum = 0.0;
-    for (int i = -kRadius; i <= kRadius; ++i) sum += weights[size_t(i + kRadius)] = std::exp(-i * i / (2.0 * 1.5 * 1.5));
+    for (int i = -kRadius; i <= kRadius; ++i)
+        sum += weights[size_t(i + kRadius)] = std::exp(-i * i / (2.0 * 1.5 * 1.5));
     for (double& w : weights) w /= sum;
     return weights;
 }

@@ -45,7 +45,8 @@ TEST_F(BodyGridTest, ListsMovedBodiesAndForgetsRemovedOnes) {
             grid.put(slot, bodies[slot]);
         }
         for (uint32_t slot = 0; slot < bodies.size(); ++slot)
-            for (int i = 0; i < 20 && !bodies[slot].empty(); ++i) ASSERT_TRUE(lists(grid, pointIn(bodies[slot], random), slot)) << slot;
+            for (int i = 0; i < 20 && !bodies[slot].empty(); ++i)
+                ASSERT_TRUE(lists(grid, pointIn(bodies[slot], random), slot)) << slot;
     }
     for (uint32_t slot = 0; slot < bodies.size(); ++slot) grid.put(slot, {});
     EXPECT_EQ(grid.entries(), 0u);

@@ -44,16 +44,19 @@ TEST(FullscreenChoice, EachPassKeepsTheFasterMethod) {
     FullscreenChoice choice = FullscreenChoice::fastest();
     for (int frame = 0; frame < 2 * kFramesEachWay; ++frame) {
         EXPECT_EQ(choice.takeDecisions(), "") << "in frame " << frame;
-        const bool isFirst = frame < 2 * FullscreenChoice::kWarmUpFrames, isDisturbed = frame == 2 * FullscreenChoice::kWarmUpFrames;
+        const bool isFirst = frame < 2 * FullscreenChoice::kWarmUpFrames,
+                   isDisturbed = frame == 2 * FullscreenChoice::kWarmUpFrames;
         // What the first frames say is the opposite; one later frame is far off.
         if (isFirst)
             drawFrame(choice, {{"sun", 0.1, 9.0}, {"sky", 9.0, 0.1}, {"gbuffer", 1.0, 1.0, false}});
         else
-            drawFrame(choice, {{"sun", 3.0, 2.0}, {"sky", 2.0, 3.0}, {"gbuffer", 1.0, 1.0, false}}, isDisturbed ? 50.0 : 0.0);
+            drawFrame(choice, {{"sun", 3.0, 2.0}, {"sky", 2.0, 3.0}, {"gbuffer", 1.0, 1.0, false}},
+                      isDisturbed ? 50.0 : 0.0);
     }
     EXPECT_EQ(chosen(choice, "sun"), FullscreenMethod::Compute);
     EXPECT_EQ(chosen(choice, "sky"), FullscreenMethod::Fragment);
-    EXPECT_EQ(choice.takeDecisions(), "sky by fragments (2.000 ms, the other way 3.000), sun by compute (2.000 ms, the other way 3.000)");
+    EXPECT_EQ(choice.takeDecisions(),
+              "sky by fragments (2.000 ms, the other way 3.000), sun by compute (2.000 ms, the other way 3.000)");
     EXPECT_EQ(choice.takeDecisions(), "") << "it is said once";
 }
 

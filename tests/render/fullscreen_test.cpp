@@ -20,7 +20,8 @@ protected:
         GBufferTest::SetUp();
         if (GetParam() == FullscreenMethod::Compute && !hasCompute()) GTEST_SKIP() << "no GL 4.3";
         std::filesystem::create_directories(folder.path() / "lib");
-        std::filesystem::copy_file(shaderFolder() + "/lib/fullscreen_far.vert", folder.path() / "lib/fullscreen_far.vert");
+        std::filesystem::copy_file(shaderFolder() + "/lib/fullscreen_far.vert",
+                                   folder.path() / "lib/fullscreen_far.vert");
         targets.beginFrame(kSize, false);
     }
     FullscreenProgram& load(const std::string& file, const std::string& text, const FullscreenKind& kind) {
@@ -37,8 +38,8 @@ protected:
     }
     Scene scene;
     TempFolder folder;
-    ShaderLibrary library{folder.path(),
-                          GetParam() == FullscreenMethod::Compute ? ShaderLibrary::Fullscreen::Compute : ShaderLibrary::Fullscreen::Fragment};
+    ShaderLibrary library{folder.path(), GetParam() == FullscreenMethod::Compute ? ShaderLibrary::Fullscreen::Compute
+                                                                                 : ShaderLibrary::Fullscreen::Fragment};
     FullscreenChoice choice{GetParam()};
 };
 
@@ -52,7 +53,8 @@ TEST_P(FullscreenDrawTest, EachMergeModeBlendsAsDeclared) {
     for (const auto& [merge, result] : expected) {
         const std::string number = std::to_string(int(merge));
         FullscreenProgram& program =
-            load("merge" + number + ".frag", "out vec4 color;\nvoid main() { color = vec4(1.0, 2.0, 3.0, 0.5); }\n", {.merge = {merge}});
+            load("merge" + number + ".frag", "out vec4 color;\nvoid main() { color = vec4(1.0, 2.0, 3.0, 0.5); }\n",
+                 {.merge = {merge}});
         draw(program, {targets, {&target}, nullptr, {kOld}});
         for (const glm::vec4& pixel : read(target)) EXPECT_EQ(pixel, result) << "merge " << number;
     }
@@ -60,11 +62,12 @@ TEST_P(FullscreenDrawTest, EachMergeModeBlendsAsDeclared) {
 
 TEST_P(FullscreenDrawTest, OutputsMatchLocationsAndDiscardKeepsPixels) {
     const Texture &first = targets.target("first", GL_RGBA32F), &second = targets.target("second", GL_RG8);
-    FullscreenProgram& program = load("two.frag",
-                                      "layout(location = 1) out vec4 second;\nlayout(location = 0) out vec4 first;\nin vec2 uv;\n"
-                                      "void main() {\n    if (gl_FragCoord.x > 3.0) discard;\n    second = vec4(1.0);\n"
-                                      "    first = vec4(uv, gl_FragCoord.xy);\n}\n",
-                                      {});
+    FullscreenProgram& program =
+        load("two.frag",
+             "layout(location = 1) out vec4 second;\nlayout(location = 0) out vec4 first;\nin vec2 uv;\n"
+             "void main() {\n    if (gl_FragCoord.x > 3.0) discard;\n    second = vec4(1.0);\n"
+             "    first = vec4(uv, gl_FragCoord.xy);\n}\n",
+             {});
     draw(program, {targets, {&first, &second}, nullptr, {kOld, glm::vec4(0.0f)}});
     const std::vector<glm::vec4> place = read(first), flag = read(second);
     for (int i = 0; i < kSize.x * kSize.y; ++i) {
@@ -77,7 +80,8 @@ TEST_P(FullscreenDrawTest, OutputsMatchLocationsAndDiscardKeepsPixels) {
 }
 
 TEST_P(FullscreenDrawTest, LimitedProgramsDrawOnlyOnSurfaces) {
-    const Texture &target = targets.target("limited", GL_RGBA16F), &depth = targets.target("depth", GL_DEPTH_COMPONENT32F);
+    const Texture &target = targets.target("limited", GL_RGBA16F),
+                  &depth = targets.target("depth", GL_DEPTH_COMPONENT32F);
     targets.framebuffer({}, &depth).begin();
     const float farthest = 1.0f, surface = 0.999f;
     glClearBufferfv(GL_DEPTH, 0, &farthest);
@@ -85,14 +89,19 @@ TEST_P(FullscreenDrawTest, LimitedProgramsDrawOnlyOnSurfaces) {
     glScissor(2, 1, 1, 2);
     glClearBufferfv(GL_DEPTH, 0, &surface);
     glDisable(GL_SCISSOR_TEST);
-    FullscreenProgram& program = load("limited.frag", "out vec4 color;\nvoid main() { color = vec4(1.0, 2.0, 3.0, 0.5); }\n", {.limited = true});
+    FullscreenProgram& program =
+        load("limited.frag", "out vec4 color;\nvoid main() { color = vec4(1.0, 2.0, 3.0, 0.5); }\n", {.limited = true});
     draw(program, {targets, {&target}, &depth, {kOld}});
     const std::vector<glm::vec4> pixels = read(target);
-    for (int i = 0; i < kSize.x * kSize.y; ++i) EXPECT_EQ(pixels[size_t(i)], i % kSize.x == 2 && i / kSize.x >= 1 ? kNew : kOld) << i;
+    for (int i = 0; i < kSize.x * kSize.y; ++i)
+        EXPECT_EQ(pixels[size_t(i)], i % kSize.x == 2 && i / kSize.x >= 1 ? kNew : kOld) << i;
 }
 
-INSTANTIATE_TEST_SUITE_P(By, FullscreenDrawTest, ::testing::Values(FullscreenMethod::Fragment, FullscreenMethod::Compute),
-                         [](const auto& test) { return test.param == FullscreenMethod::Compute ? "Compute" : "Fragment"; });
+INSTANTIATE_TEST_SUITE_P(By, FullscreenDrawTest,
+                         ::testing::Values(FullscreenMethod::Fragment, FullscreenMethod::Compute),
+                         [](const auto& test) {
+                             return test.param == FullscreenMethod::Compute ? "Compute" : "Fragment";
+                         });
 
 }  // namespace
 }  // namespace rubble

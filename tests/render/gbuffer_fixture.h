@@ -31,7 +31,9 @@ protected:
         figures = {};
         pass->draw(context(scene));
     }
-    FrameContext context(const Scene& scene) { return {block, settings, scene, targets, pictures, noise, figures, emptyVertexArray}; }
+    FrameContext context(const Scene& scene) {
+        return {block, settings, scene, targets, pictures, noise, figures, emptyVertexArray};
+    }
     /// Four floats a pixel, rows from the bottom.
     std::vector<glm::vec4> read(const Texture& texture) {
         std::vector<glm::vec4> out(size_t(texture.size().x) * size_t(texture.size().y));

@@ -30,8 +30,8 @@ Expected trace(const std::vector<Body>& bodies, const View& view, int x, int y) 
     Expected nearest;
     for (const Body& body : bodies) {
         const glm::dquat back = glm::conjugate(body.pose.rotation);
-        const CellHit hit =
-            walkRay(body.grid, {body.pose.inversePoint(view.position) / double(body.voxelSize), back * ray / double(body.voxelSize), nearest.depth});
+        const CellHit hit = walkRay(body.grid, {body.pose.inversePoint(view.position) / double(body.voxelSize),
+                                                back * ray / double(body.voxelSize), nearest.depth});
         if (!hit.hit || hit.t >= nearest.depth) continue;
         glm::dvec3 normal(0.0);
         if (hit.axis >= 0) normal[hit.axis] = hit.sign;
@@ -46,7 +46,8 @@ Body randomBody(Random& random, glm::ivec3 size, int solidPercent) {
     for (int z = 0; z < size.z; ++z)
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x)
-                if (int(hashCell(x, y, z, random.next()) % 100) < solidPercent) writer.set({x, y, z}, uint8_t(1 + random.below(255)));
+                if (int(hashCell(x, y, z, random.next()) % 100) < solidPercent)
+                    writer.set({x, y, z}, uint8_t(1 + random.below(255)));
     return body;
 }
 
@@ -63,7 +64,9 @@ std::vector<Body> bodiesFor(uint64_t seed) {
     bodies.push_back(randomBody(random, {96, 70, 90}, 1));
     bodies.back().pose.position = {-4.8, -1.0, -4.5};
     for (int i = 0; i < 12; ++i) {
-        bodies.push_back(randomBody(random, {int(5 + random.below(30)), int(5 + random.below(30)), int(5 + random.below(30))}, i % 2 ? 30 : 95));
+        bodies.push_back(randomBody(random,
+                                    {int(5 + random.below(30)), int(5 + random.below(30)), int(5 + random.below(30))},
+                                    i % 2 ? 30 : 95));
         for (int a = 0; a < 3; ++a) bodies.back().pose.position[a] = random.unit() * 10.0 - 5.0;
         bodies.back().pose.rotation = randomRotation(random);
         bodies.back().voxelSize = i % 3 ? 0.1f : 0.07f;
@@ -87,7 +90,8 @@ TEST_F(GBufferTest, MatchesTheDoublePrecisionWalk) {
     eye.lookAt({-1, 0.4, -1});
     const View view = eye.view({480, 270}, 0);
     draw(scene, view);
-    const auto albedo = read(targets.at("albedo")), normal = read(targets.at("normal")), depth = read(targets.at("depth"));
+    const auto albedo = read(targets.at("albedo")), normal = read(targets.at("normal")),
+               depth = read(targets.at("depth"));
 
     int differ = 0, hits = 0;
     for (int y = 0; y < view.size.y; ++y)
@@ -96,7 +100,8 @@ TEST_F(GBufferTest, MatchesTheDoublePrecisionWalk) {
             const size_t i = size_t(y) * size_t(view.size.x) + size_t(x);
             hits += expected.index != 0;
             const bool same = std::abs(depth[i].x - expected.depth) < 1e-4 * expected.depth &&
-                              int(std::lround(albedo[i].w * 255)) == expected.index && glm::distance(glm::dvec3(normal[i]), expected.normal) < 2e-3;
+                              int(std::lround(albedo[i].w * 255)) == expected.index &&
+                              glm::distance(glm::dvec3(normal[i]), expected.normal) < 2e-3;
             differ += !same;
         }
     const int pixels = view.size.x * view.size.y;
@@ -143,7 +148,8 @@ TEST_F(GBufferTest, CameraInsideABoxAndInsideAVoxel) {
     View view;
     view.size = {120, 90};
     draw(scene, view);
-    for (const glm::vec4& pixel : read(targets.at("albedo"))) ASSERT_GT(pixel.w, 0.0f) << "a closed room without a hole";
+    for (const glm::vec4& pixel : read(targets.at("albedo")))
+        ASSERT_GT(pixel.w, 0.0f) << "a closed room without a hole";
     view.position = {1.15, 1.15, 1.15};  // in the voxels of entry 9
     draw(scene, view);
     for (const glm::vec4& pixel : read(targets.at("albedo"))) ASSERT_EQ(std::lround(pixel.w * 255), 9);
@@ -173,7 +179,8 @@ TEST_F(GBufferTest, OneDrawForAnyNumberOfBodies) {
         const auto start = std::chrono::steady_clock::now();
         draw(scene, view);
         glFinish();
-        printf("%d bodies: %.1f ms\n", count, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        printf("%d bodies: %.1f ms\n", count,
+               std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     }
 }
 
@@ -262,7 +269,8 @@ TEST_F(GBufferTest, ChangesOverTheUploadBudgetAreDeferred) {
     const std::vector<int> before = entries();
     EXPECT_EQ(scene.bodies().waitingBytes(), 0u) << "a level that is loaded does not wait";
 
-    for (int step = 0; step < 2; ++step) {  // both ends of the bar change in the first, nothing of it may be seen before all of it
+    for (int step = 0; step < 2;
+         ++step) {  // both ends of the bar change in the first, nothing of it may be seen before all of it
         for (int brick = 0; brick < 10; ++brick) {
             BrickIndices indices;
             indices.fill(uint8_t(20 + 20 * step + brick));

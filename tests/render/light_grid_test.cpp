@@ -25,8 +25,9 @@ protected:
         const auto between = [&](double low, double high) { return low + (high - low) * double(random.unit()); };
         for (int i = 0; i < count; ++i) {
             const double x = between(-30, 30), y = between(-5, 15), z = between(-60, 10);
-            SnapshotLight light{LightKind(i % 5),        {x, y, z}, {0, -1, 0}, glm::vec3(1.0f), 0.2f, float(between(1, 12)), 0.2f,
-                                float(between(0.3, 1.4))};
+            SnapshotLight light{
+                LightKind(i % 5),        {x, y, z}, {0, -1, 0}, glm::vec3(1.0f), 0.2f, float(between(1, 12)), 0.2f,
+                float(between(0.3, 1.4))};
             light.right = {1, 0, 0};
             light.width = float(between(0.2, 4.0));
             light.height = float(between(0.2, 2.0));
@@ -53,18 +54,22 @@ TEST_F(LightGridTest, EveryLightIsListedInItsRange) {
             const glm::ivec2 pixel(int(random.below(320)), int(random.below(180)));
             const float depth = std::exp2(float(random.unit()) * 7.0f - 1.0f);
             const glm::vec2 ndc = (glm::vec2(pixel) + 0.5f) / glm::vec2(block.targetSize) * 2.0f - 1.0f;
-            const glm::vec3 place = glm::vec3(block.cameraPosition) +
-                                    depth * (glm::vec3(block.cameraForward) + glm::vec3(block.cameraRight) * (ndc.x * block.cameraRight.w) +
-                                             glm::vec3(block.cameraUp) * (ndc.y * block.cameraUp.w));
+            const glm::vec3 place =
+                glm::vec3(block.cameraPosition) +
+                depth * (glm::vec3(block.cameraForward) + glm::vec3(block.cameraRight) * (ndc.x * block.cameraRight.w) +
+                         glm::vec3(block.cameraUp) * (ndc.y * block.cameraUp.w));
             const std::vector<int> found = grid.lightsAt(pixel, depth);
             listed += int(found.size());
             for (size_t i = 0; i < lights.size(); ++i) {
                 const glm::vec3 away = place - glm::vec3(lights[i].position);
                 const float range = glm::length(away);
                 if (range >= lights[i].reach) continue;
-                if (lights[i].kind == LightKind::Cone && glm::dot(away / range, lights[i].direction) <= std::cos(lights[i].coneOuter)) continue;
+                if (lights[i].kind == LightKind::Cone &&
+                    glm::dot(away / range, lights[i].direction) <= std::cos(lights[i].coneOuter))
+                    continue;
                 ++reached;
-                ASSERT_NE(std::find(found.begin(), found.end(), int(i)), found.end()) << "light " << i << " at depth " << depth;
+                ASSERT_NE(std::find(found.begin(), found.end(), int(i)), found.end())
+                    << "light " << i << " at depth " << depth;
             }
         }
     }

@@ -18,40 +18,47 @@ struct Painted {
 
 /// A wall of many entries with two sprays on it, and the piece that has come off one of its ends.
 std::vector<Painted> paintedWallAndPiece() {
-    Painted wall{VoxelGrid({48, 24, 8}), {{-2.0, -1.2, -4.5}, glm::angleAxis(0.3, glm::normalize(glm::dvec3(0.2, 1, 0.1)))}};
+    Painted wall{VoxelGrid({48, 24, 8}),
+                 {{-2.0, -1.2, -4.5}, glm::angleAxis(0.3, glm::normalize(glm::dvec3(0.2, 1, 0.1)))}};
     {
         GridWriter writer(wall.grid);
         for (int i = 0; i < 48 * 24 * 8; ++i)
             if (i % 48 != 30) writer.set({i % 48, i / 48 % 24, i / 48 / 24}, uint8_t(1 + i % 251));
     }
     const auto spray = [&](glm::dvec3 at, Srgb color, uint8_t strength) {
-        const auto painted = paintLayer(wall.grid, wall.colors, sphereBrush(at, {11, 11, 11}), {.color = color, .strength = strength, .falloff = 60});
+        const auto painted = paintLayer(wall.grid, wall.colors, sphereBrush(at, {11, 11, 11}),
+                                        {.color = color, .strength = strength, .falloff = 60});
         if (painted.colors) wall.colors = painted.colors;
     };
     spray({14, 12, 8}, {250, 10, 40}, 230);
     spray({34, 12, 8}, {20, 240, 90}, 160);
     const std::vector<Component> parts = findComponents(wall.grid);
     const Piece taken = takePiece(wall.grid, parts.at(1));
-    Painted piece{taken.grid, {{0.6, -0.9, -3.6}, glm::angleAxis(1.1, glm::normalize(glm::dvec3(1, 2, 3)))}, wall.palette, wall.colors};
+    Painted piece{taken.grid,
+                  {{0.6, -0.9, -3.6}, glm::angleAxis(1.1, glm::normalize(glm::dvec3(1, 2, 3)))},
+                  wall.palette,
+                  wall.colors};
     return {wall, piece};
 }
 
 /// The sRGB colour that a pixel should show, by the C++ walk; negative if it sees nothing.
 glm::ivec3 expectedColor(const std::vector<Painted>& bodies, const View& view, int x, int y, bool& isPainted) {
     const double tanY = std::tan(double(view.verticalFov) / 2), tanX = tanY * view.size.x / view.size.y;
-    const glm::dvec3 ray = view.rotation * glm::dvec3((2 * (x + 0.5) / view.size.x - 1) * tanX, (2 * (y + 0.5) / view.size.y - 1) * tanY, -1.0);
+    const glm::dvec3 ray = view.rotation * glm::dvec3((2 * (x + 0.5) / view.size.x - 1) * tanX,
+                                                      (2 * (y + 0.5) / view.size.y - 1) * tanY, -1.0);
     double nearest = 65000.0;
     glm::ivec3 out(-1);
     isPainted = false;
     for (const Painted& body : bodies) {
-        const CellHit hit =
-            walkRay(body.grid, {body.pose.inversePoint(view.position) / 0.1, glm::conjugate(body.pose.rotation) * ray / 0.1, nearest});
+        const CellHit hit = walkRay(body.grid, {body.pose.inversePoint(view.position) / 0.1,
+                                                glm::conjugate(body.pose.rotation) * ray / 0.1, nearest});
         if (!hit.hit || hit.t >= nearest) continue;
         nearest = hit.t;
         const PaletteEntry& entry = (*body.palette)[body.grid.at(hit.cell)];
         const uint8_t paint = body.grid.brickAt(hit.cell >> 3)->paintAt(voxelIndex(hit.cell & 7));
         const Srgb own{entry.red, entry.green, entry.blue};
-        const Srgb shown = paint ? paintOver(own, body.colors->colors[size_t(paintColor(paint) - 1)], paintSteps(paint)) : own;
+        const Srgb shown =
+            paint ? paintOver(own, body.colors->colors[size_t(paintColor(paint) - 1)], paintSteps(paint)) : own;
         out = {shown[0], shown[1], shown[2]};
         isPainted = paint != 0;
     }

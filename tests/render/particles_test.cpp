@@ -69,7 +69,8 @@ protected:
     }
     static int differing(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b) {
         int pixels = 0;
-        for (size_t i = 0; i < a.size(); i += 3) pixels += std::abs(a[i] - b[i]) + std::abs(a[i + 1] - b[i + 1]) + std::abs(a[i + 2] - b[i + 2]) > 12;
+        for (size_t i = 0; i < a.size(); i += 3)
+            pixels += std::abs(a[i] - b[i]) + std::abs(a[i + 1] - b[i + 1]) + std::abs(a[i + 2] - b[i + 2]) > 12;
         return pixels;
     }
     std::unique_ptr<Renderer> renderer;
@@ -91,8 +92,8 @@ TEST_F(ParticlesTest, CostNothingUntilThereAreSome) {
 
 TEST_F(ParticlesTest, EachKindShows) {
     const auto clear = draw({});
-    for (const ParticleKind kind : {ParticleKind::Dust, ParticleKind::Smoke, ParticleKind::Flame, ParticleKind::Spark, ParticleKind::Crumb,
-                                    ParticleKind::Glint, ParticleKind::Ember})
+    for (const ParticleKind kind : {ParticleKind::Dust, ParticleKind::Smoke, ParticleKind::Flame, ParticleKind::Spark,
+                                    ParticleKind::Crumb, ParticleKind::Glint, ParticleKind::Ember})
         EXPECT_GT(differing(draw({at(kind, -4, 0.6f)}), clear), 40) << int(kind);
 }
 
@@ -123,7 +124,8 @@ TEST_F(ParticlesTest, SmokeThrowsAShadow) {
     for (size_t i = 0; i < clear.size(); i += 3) darker += shaded[i] + 25 < clear[i];
     EXPECT_GT(darker, 60);
     cloud.position = {0.0, 0.0, -9.0};
-    EXPECT_EQ(differing(draw(std::vector<SnapshotParticle>(6, cloud)), clear), 0) << "beyond the wall it shades nothing";
+    EXPECT_EQ(differing(draw(std::vector<SnapshotParticle>(6, cloud)), clear), 0)
+        << "beyond the wall it shades nothing";
 }
 
 }  // namespace

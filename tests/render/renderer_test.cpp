@@ -51,7 +51,10 @@ TestScene corner() {
         GridWriter writer(box);
         fillBox(writer, {0, 0, 0}, {10 + i, 8, 12}, uint8_t(30 + i));
         writer.flush();
-        scene.add(box, {{-4.0 + 1.4 * i, 0.4 + 0.1 * i, -0.5 + 0.3 * i}, glm::angleAxis(0.4 * i, glm::normalize(glm::dvec3(1, i, 0.5)))}, palette);
+        scene.add(box,
+                  {{-4.0 + 1.4 * i, 0.4 + 0.1 * i, -0.5 + 0.3 * i},
+                   glm::angleAxis(0.4 * i, glm::normalize(glm::dvec3(1, i, 0.5)))},
+                  palette);
     }
     return scene;
 }

@@ -118,7 +118,8 @@ TEST_F(StateGuardTest, RestoresImageBindings) {
     glBindImageTexture(1, second.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
     {
         const GlStateGuard guard;
-        for (const GLuint unit : {0u, 1u}) glBindImageTexture(unit, ours.name(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA16F);
+        for (const GLuint unit : {0u, 1u})
+            glBindImageTexture(unit, ours.name(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA16F);
     }
     const auto get = [](GLenum name, GLuint unit) {
         GLint value = -1;

@@ -33,7 +33,8 @@ TEST_F(ShaderLibraryTest, ErrorsNameTheFileAndLineOfAnInclude) {
 
 TEST_F(ShaderLibraryTest, ErrorsAfterAnIncludeNameTheIncludingFile) {
     write("lib/fine.glsl", "float one() { return 1.0; }\n\n\n\n");
-    write("a.frag", "#include \"lib/fine.glsl\"\n#include \"lib/fine.glsl\"\nout vec4 color;\nvoid main() { color = one; }\n");
+    write("a.frag",
+          "#include \"lib/fine.glsl\"\n#include \"lib/fine.glsl\"\nout vec4 color;\nvoid main() { color = one; }\n");
     ShaderLibrary shaders(folder);
     EXPECT_FALSE(shaders.load("a.frag", "full.vert"));
     EXPECT_NE(shaders.errors().at(0).find("a.frag:4"), std::string::npos) << shaders.errors()[0];
@@ -49,7 +50,8 @@ TEST_F(ShaderLibraryTest, MissingFilesAreNamedWithWhoAskedForThem) {
 
 TEST_F(ShaderLibraryTest, ReloadKeepsTheLastGoodProgram) {
     const auto touch = [&](int seconds) {
-        std::filesystem::last_write_time(folder / "a.frag", std::filesystem::file_time_type::clock::now() + std::chrono::seconds(seconds));
+        std::filesystem::last_write_time(folder / "a.frag",
+                                         std::filesystem::file_time_type::clock::now() + std::chrono::seconds(seconds));
     };
     write("a.frag", "out vec4 color;\nvoid main() { color = vec4(1.0); }\n");
     ShaderLibrary shaders(folder);
@@ -79,13 +81,16 @@ protected:
         if (!hasCompute()) GTEST_SKIP() << "no GL 4.3";
         write("lib/fullscreen_far.vert", "void main() { gl_Position = vec4(0.0); }\n");
     }
-    static constexpr ShaderLibrary::Fullscreen kEach[] = {ShaderLibrary::Fullscreen::Fragment, ShaderLibrary::Fullscreen::Compute};
+    static constexpr ShaderLibrary::Fullscreen kEach[] = {ShaderLibrary::Fullscreen::Fragment,
+                                                          ShaderLibrary::Fullscreen::Compute};
 };
 
 TEST_F(FullscreenLibraryTest, ErrorsNameTheFileAndLineInBothPrograms) {
     write("lib/broken.glsl", "// one\n// two\nfloat three() { return nothing; }\n");
-    write("a.frag", "#include \"lib/broken.glsl\"\nin vec2 uv;\nout vec4 color;\nvoid main() { color = vec4(three()); }\n");
-    write("b.frag", "in vec2 uv;\n  layout(location = 0)  out  vec4 color ;  // rgb\n\nvoid main() {\n    color = uv;\n}\n");
+    write("a.frag",
+          "#include \"lib/broken.glsl\"\nin vec2 uv;\nout vec4 color;\nvoid main() { color = vec4(three()); }\n");
+    write("b.frag",
+          "in vec2 uv;\n  layout(location = 0)  out  vec4 color ;  // rgb\n\nvoid main() {\n    color = uv;\n}\n");
     for (const auto each : kEach) {
         ShaderLibrary shaders(folder, each);
         EXPECT_FALSE(shaders.loadFullscreen("a.frag"));
@@ -127,7 +132,8 @@ TEST_F(FullscreenLibraryTest, AReleasedProgramIsNotBuiltAgain) {
     program.release(FullscreenMethod::Compute);
     EXPECT_EQ(shaders.computePrograms(), 0);
     write("a.frag", "out vec4 color;\nvoid main() { color = vec4(0.5); }\n");
-    std::filesystem::last_write_time(folder / "a.frag", std::filesystem::file_time_type::clock::now() + std::chrono::seconds(10));
+    std::filesystem::last_write_time(folder / "a.frag",
+                                     std::filesystem::file_time_type::clock::now() + std::chrono::seconds(10));
     EXPECT_TRUE(shaders.reloadChanged());
     EXPECT_EQ(shaders.computePrograms(), 0);
     EXPECT_TRUE(program.has(FullscreenMethod::Fragment));

@@ -35,7 +35,8 @@ TEST(SkipDistances, AreMaximalAfterEveryUpdate) {
     std::vector<uint32_t> known(occupied.size(), ~0u);
     for (int round = 0; round < 12; ++round) {
         for (int i = 0; i < 1 + round * 3; ++i) {
-            const glm::ivec3 brick(random.below(uint32_t(size.x)), random.below(uint32_t(size.y)), random.below(uint32_t(size.z)));
+            const glm::ivec3 brick(random.below(uint32_t(size.x)), random.below(uint32_t(size.y)),
+                                   random.below(uint32_t(size.z)));
             uint8_t& at = occupied[cubes.indexOf(brick)];
             at = random.below(3) ? 1 : 0;
             cubes.set(brick, at);
@@ -46,7 +47,8 @@ TEST(SkipDistances, AreMaximalAfterEveryUpdate) {
             const int n = int(i);
             const glm::ivec3 brick(n % size.x, n / size.x % size.y, n / size.x / size.y);
             wrong += known[i] != cubes.at(i);
-            for (int octant = 0; octant < 8; ++octant) wrong += int(cubes.at(i) >> (4 * octant) & 15) != sideAt(occupied, size, brick, octant);
+            for (int octant = 0; octant < 8; ++octant)
+                wrong += int(cubes.at(i) >> (4 * octant) & 15) != sideAt(occupied, size, brick, octant);
         }
         EXPECT_EQ(wrong, 0u) << "round " << round;
     }

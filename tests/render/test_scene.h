@@ -9,7 +9,9 @@ public:
     ShapeHandle add(const VoxelGrid& grid, const Pose& pose, const PaletteRef& palette, float voxelSize = 0.1f) {
         const ShapeHandle handle = ShapeHandle::make(1, 1, m_next++);
         SnapshotShape shape{handle, grid.size(), voxelSize, palette, {}};
-        grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) { shape.bricks.push_back({handle, brick, content}); });
+        grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
+            shape.bricks.push_back({handle, brick, content});
+        });
         m_snapshot.created.push_back(std::move(shape));
         m_snapshot.poses.push_back({handle, pose, pose});
         return handle;

@@ -28,7 +28,8 @@ void main() {
 )";
 
 TEST(UniformsAsVaryings, ReadUniformsComeFromTheVertexProgram) {
-    ShaderSource vertex{"#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n", {}, {}}, fragment{kFragment, {}, {}};
+    ShaderSource vertex{"#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n", {}, {}},
+        fragment{kFragment, {}, {}};
     passUniformsAsVaryings(vertex, fragment);
     EXPECT_EQ(fragment.text, R"(#version 330 core
 flat in vec4 frame_sunColor; layout(std140) uniform FrameBlock {
@@ -66,7 +67,8 @@ void main() {
 }
 
 TEST(UniformsAsVaryings, VertexUniformsAreNotDeclaredTwice) {
-    ShaderSource vertex{"uniform vec3 uTint;\nvoid main() { gl_Position = vec4(uTint, 1.0); }\n", {}, {}}, fragment{kFragment, {}, {}};
+    ShaderSource vertex{"uniform vec3 uTint;\nvoid main() { gl_Position = vec4(uTint, 1.0); }\n", {}, {}},
+        fragment{kFragment, {}, {}};
     passUniformsAsVaryings(vertex, fragment);
     const std::string_view text = vertex.text, declaration = "uniform vec3 uTint;";
     EXPECT_EQ(text.find(declaration), text.rfind(declaration));
@@ -85,7 +87,8 @@ TEST_F(UniformsAsVaryingsGlTest, EveryPassBuilds) {
         ShaderSource vertex = *readShader(shaderFolder(), "lib/fullscreen.vert"), fragment = *source;
         passUniformsAsVaryings(vertex, fragment);
         EXPECT_FALSE(std::regex_search(fragment.text, std::regex(R"(\bframe\.(?!glsl))"))) << file.path();
-        EXPECT_EQ(std::count(fragment.text.begin(), fragment.text.end(), '\n'), std::count(source->text.begin(), source->text.end(), '\n'));
+        EXPECT_EQ(std::count(fragment.text.begin(), fragment.text.end(), '\n'),
+                  std::count(source->text.begin(), source->text.end(), '\n'));
         std::string log;
         bool vertexFailed = false;
         EXPECT_TRUE(Program(vertex.text, fragment.text, log, vertexFailed)) << file.path() << ": " << log;

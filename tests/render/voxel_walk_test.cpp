@@ -24,7 +24,8 @@ CellRay inFloat(const CellRay& ray) {
 /// Rays go in by two textures and come back in others.
 class RayTextures {
 public:
-    explicit RayTextures(int count) : m_size(count, 1), m_origins(GL_RGBA32F, m_size), m_directions(GL_RGBA32F, m_size) {}
+    explicit RayTextures(int count)
+        : m_size(count, 1), m_origins(GL_RGBA32F, m_size), m_directions(GL_RGBA32F, m_size) {}
     void upload(const std::vector<CellRay>& rays) {
         std::vector<glm::vec4> origins, directions;
         for (const CellRay& ray : rays) {
@@ -121,8 +122,9 @@ TEST_P(VoxelWalkClasses, AgreesWithExactSlabs) {
         const std::vector<ShaderHit> found = trace(grid, list);
         for (size_t i = 0; i < list.size(); ++i) {
             checkHit(grid, list[i], found[i]);
-            ASSERT_FALSE(HasFatalFailure()) << text(list[i]) << " cell " << found[i].cell.x << ' ' << found[i].cell.y << ' ' << found[i].cell.z
-                                            << " w " << found[i].cell.w << " t " << found[i].normalT.w;
+            ASSERT_FALSE(HasFatalFailure())
+                << text(list[i]) << " cell " << found[i].cell.x << ' ' << found[i].cell.y << ' ' << found[i].cell.z
+                << " w " << found[i].cell.w << " t " << found[i].normalT.w;
             hits += found[i].cell.w > 0;
         }
     }
@@ -191,14 +193,17 @@ TEST_F(ShadowTraceTest, MatchesTheDoublePrecisionWalk) {
     for (int i = 0; i < kRaysPerGrid; ++i) {
         const glm::dvec3 start = drawPoint(random, -20.0, 160.0);
         const glm::dvec3 direction = i % 5 ? drawDirection(random) : glm::dvec3(i % 3 == 0, i % 3 == 1, i % 3 == 2);
-        list.push_back(inFloat({(start + glm::dvec3(low * 16)) * 0.1, direction, ray_classes::draw(random, 1.0, 20.0)}));
+        list.push_back(
+            inFloat({(start + glm::dvec3(low * 16)) * 0.1, direction, ray_classes::draw(random, 1.0, 20.0)}));
     }
     const auto found = traceShadow(scene, list);
     int differ = 0, hits = 0;
     for (size_t i = 0; i < list.size(); ++i) {
-        const CellHit expected = walkRay(grid, {list[i].origin * 10.0 - glm::dvec3(low * 16), list[i].direction, list[i].tMax * 10.0});
+        const CellHit expected =
+            walkRay(grid, {list[i].origin * 10.0 - glm::dvec3(low * 16), list[i].direction, list[i].tMax * 10.0});
         hits += expected.hit;
-        const bool same = bool(found[i].y) == expected.hit && (!expected.hit || std::abs(found[i].x * 10.0 - expected.t) < 1e-3);
+        const bool same =
+            bool(found[i].y) == expected.hit && (!expected.hit || std::abs(found[i].x * 10.0 - expected.t) < 1e-3);
         differ += !same;
     }
     EXPECT_GT(hits, kRaysPerGrid / 10);

@@ -1,4 +1,5 @@
-// Rays in GLSL through what the shadow worker publishes, against a plain walk in doubles: while the world breaks and bodies move.
+// Rays in GLSL through what the shadow worker publishes, against a plain walk in doubles: while the world breaks and
+// bodies move.
 #include <cmath>
 
 #include "render/gl/framebuffer.h"
@@ -62,7 +63,8 @@ protected:
     /// The ray's answer in doubles does not change when it moves by a hair.
     bool isSure(const MetreRay& ray, bool hit) const {
         for (int i = 0; i < 8; ++i) {
-            const glm::dvec3 moved = glm::dvec3(ray.origin) + 1e-4 * (2.0 * glm::dvec3(i & 1, i >> 1 & 1, i >> 2) - 1.0);
+            const glm::dvec3 moved =
+                glm::dvec3(ray.origin) + 1e-4 * (2.0 * glm::dvec3(i & 1, i >> 1 & 1, i >> 2) - 1.0);
             if (volume.occluded(moved, glm::dvec3(ray.direction), double(ray.maxDistance)) != hit) return false;
         }
         return true;
@@ -74,18 +76,21 @@ protected:
             glm::dvec3 direction = drawPoint(random, -1.0, 1.0);
             if (i % 7 == 0) direction[i % 3] = 0.0;
             if (i % 11 == 0) direction = {0.0, i % 2 ? 1.0 : -1.0, 0.0};
-            rays.push_back({glm::vec3(at), glm::vec3(glm::normalize(direction)), float(1.0 + 20.0 * double(random.unit()))});
+            rays.push_back(
+                {glm::vec3(at), glm::vec3(glm::normalize(direction)), float(1.0 + 20.0 * double(random.unit()))});
         }
         const std::vector<Found> found = trace(rays);
         int wrong = 0, hits = 0, coarse = 0, coarseWrong = 0;
         for (size_t i = 0; i < rays.size(); ++i) {
-            const bool expected = volume.occluded(glm::dvec3(rays[i].origin), glm::dvec3(rays[i].direction), double(rays[i].maxDistance));
+            const bool expected =
+                volume.occluded(glm::dvec3(rays[i].origin), glm::dvec3(rays[i].direction), double(rays[i].maxDistance));
             hits += expected;
             wrong += found[i].exact != expected && isSure(rays[i], expected);
             coarse += found[i].coarse;
             // The coarse one stops wherever the exact one does or before, and only far away before.
             coarseWrong += found[i].exact && (!found[i].coarse || found[i].coarseT > found[i].t);
-            coarseWrong += found[i].coarse && found[i].coarseT < kExactFor && (!found[i].exact || found[i].coarseT != found[i].t);
+            coarseWrong +=
+                found[i].coarse && found[i].coarseT < kExactFor && (!found[i].exact || found[i].coarseT != found[i].t);
         }
         EXPECT_EQ(coarseWrong, 0) << when;
         EXPECT_GE(coarse, hits) << when;
@@ -101,12 +106,14 @@ protected:
 TEST_F(WorldRaysTest, AreExactWhileTheWorldBreaksAndBodiesMove) {
     Random random(21);
     std::vector<LevelBody> bodies;
-    const auto building = [](glm::ivec3 c) { return uint8_t(c.y < 3 || c.y % 30 == 20 || c.x % 70 == 9 || c.z % 90 == 5); };
+    const auto building = [](glm::ivec3 c) {
+        return uint8_t(c.y < 3 || c.y % 30 == 20 || c.x % 70 == 9 || c.z % 90 == 5);
+    };
     bodies.push_back(makeBody(makeGrid({160, 90, 140}, building), {{-5.0, -1.0, -3.0}}, true));
     for (int i = 0; i < 30; ++i) {
         const int side = random.between(3, 20);
-        bodies.push_back(
-            makeBody(makeGrid(glm::ivec3(side), [](glm::ivec3) { return uint8_t(1); }), {drawPoint(random, -3.0, 9.0), drawRotation(random)}, false));
+        bodies.push_back(makeBody(makeGrid(glm::ivec3(side), [](glm::ivec3) { return uint8_t(1); }),
+                                  {drawPoint(random, -3.0, 9.0), drawRotation(random)}, false));
     }
     World world = worldOf(std::move(bodies));
     for (int step = 0; step < 40; ++step) {
@@ -117,7 +124,11 @@ TEST_F(WorldRaysTest, AreExactWhileTheWorldBreaksAndBodiesMove) {
         std::vector<BodyPose> moved;
         world.bodies().forEach([&](BodyHandle handle, const Body& body) {
             if (body.isStatic || random.below(4) == 0) return;
-            moved.push_back({handle, {body.pose.position + drawPoint(random, -0.4, 0.4), drawRotation(random)}, {}, {}, random.below(9) == 0});
+            moved.push_back({handle,
+                             {body.pose.position + drawPoint(random, -0.4, 0.4), drawRotation(random)},
+                             {},
+                             {},
+                             random.below(9) == 0});
         });
         world.setPoses(moved);
         submit(changes, moved, world);
@@ -128,8 +139,10 @@ TEST_F(WorldRaysTest, AreExactWhileTheWorldBreaksAndBodiesMove) {
 TEST_F(WorldRaysTest, AreExactInAWorldTwoKilometresWide) {
     Random random(22);
     std::vector<LevelBody> bodies;
-    const VoxelGrid frameGrid = makeGrid({60, 60, 60}, [](glm::ivec3 c) { return uint8_t(c.x % 20 == 3 || c.y % 25 == 3); });
-    for (const glm::dvec3 place : {glm::dvec3(0.0), glm::dvec3(2000.0, 0.0, 0.0), glm::dvec3(0.0, 10.0, 2000.0), glm::dvec3(2000.0, 0.0, 2000.0)})
+    const VoxelGrid frameGrid =
+        makeGrid({60, 60, 60}, [](glm::ivec3 c) { return uint8_t(c.x % 20 == 3 || c.y % 25 == 3); });
+    for (const glm::dvec3 place : {glm::dvec3(0.0), glm::dvec3(2000.0, 0.0, 0.0), glm::dvec3(0.0, 10.0, 2000.0),
+                                   glm::dvec3(2000.0, 0.0, 2000.0)})
         bodies.push_back(makeBody(frameGrid, {place}, true));
     World world = worldOf(std::move(bodies));
     submit(world.applyEdits({}), {}, world);

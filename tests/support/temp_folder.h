@@ -11,7 +11,8 @@ class TempFolder {
 public:
     TempFolder() {
         static int count = 0;
-        m_path = std::filesystem::temp_directory_path() / ("rubble_test_" + std::to_string(getpid()) + "_" + std::to_string(++count));
+        m_path = std::filesystem::temp_directory_path() /
+                 ("rubble_test_" + std::to_string(getpid()) + "_" + std::to_string(++count));
         std::filesystem::remove_all(m_path);
         std::filesystem::create_directories(m_path);
     }

@@ -32,7 +32,8 @@ public:
     }
 
 private:
-    static constexpr int kSpins = 2000;  ///< looks before it sleeps: work comes in bursts, and waking takes longer than most of it
+    static constexpr int kSpins =
+        2000;  ///< looks before it sleeps: work comes in bursts, and waking takes longer than most of it
     static void pause() { std::this_thread::yield(); }
     void work() {
         for (size_t i = m_next++; i < m_count; i = m_next++) (*m_body)(i);

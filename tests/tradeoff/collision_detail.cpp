@@ -46,7 +46,8 @@ Level coarser(Level level, Shapes shapes) {
             continue;
         }
         CellBox all{glm::ivec3(1 << 20), glm::ivec3(0)};
-        for (const CellBox& box : mergeGrid(shape.grid, solid)) all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
+        for (const CellBox& box : mergeGrid(shape.grid, solid))
+            all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
         shape.local.position += glm::dvec3(all.low) * double(shape.voxelSize);
         shape.grid = blockGrid(all.high - all.low, 1);
     }
@@ -61,7 +62,8 @@ Level apart(const Level& pit) {
     for (size_t i = 1; i < pit.bodies.size(); ++i) {
         LevelBody body = pit.bodies[i];
         const int k = int(i - 1);
-        body.pose.position += glm::dvec3(2.0 * (k % side), 0.6, 2.0 * (k / side)) - body.pose.transformPoint(glm::dvec3(0.4));
+        body.pose.position +=
+            glm::dvec3(2.0 * (k % side), 0.6, 2.0 * (k / side)) - body.pose.transformPoint(glm::dvec3(0.4));
         level.bodies.push_back(std::move(body));
     }
     LevelBody floor;
@@ -135,7 +137,8 @@ Build buildOf(const Level& pieces, const Variant& variant) {
             VoxelPart& part = *parts.emplace_back(std::make_unique<VoxelPart>(shape, Pose{}, world.materials()));
             part.hull();
             if (part.whole()) return;
-            part.grid().forEachBrick([&](glm::ivec3 brick, const BrickRef&) { part.features(brick), part.rows(brick); });
+            part.grid().forEachBrick(
+                [&](glm::ivec3 brick, const BrickRef&) { part.features(brick), part.rows(brick); });
         });
     });
     const double count = double(level.bodies.size());
@@ -165,13 +168,16 @@ void fall(const Level& pit, const Variant& variant, Result& result) {
     if (result.us.size() == 1) result.overlaps = measureOverlaps(pit, run.poses());
 }
 
-/// How the pieces lie, over how they lie by the finest: the heights' median difference, mm, and the share that lies otherwise.
-std::pair<double, double> compareRest(const Level& level, const std::vector<Pose>& rest, const std::vector<Pose>& reference) {
+/// How the pieces lie, over how they lie by the finest: the heights' median difference, mm, and the share that lies
+/// otherwise.
+std::pair<double, double> compareRest(const Level& level, const std::vector<Pose>& rest,
+                                      const std::vector<Pose>& reference) {
     std::vector<double> heights;
     double otherwise = 0.0;
     for (size_t i = 0; i + 1 < level.bodies.size(); ++i) {
         const LevelShape& shape = level.bodies[i].shapes[0];
-        const glm::dvec3 center = massProperties(gridMoments(shape.grid, *shape.palette, level.materials), shape.voxelSize).center;
+        const glm::dvec3 center =
+            massProperties(gridMoments(shape.grid, *shape.palette, level.materials), shape.voxelSize).center;
         heights.push_back(std::abs(rest[i].transformPoint(center).y - reference[i].transformPoint(center).y) * 1e3);
         const glm::dvec3 up = glm::conjugate(rest[i].rotation) * glm::dvec3(0, 1, 0),
                          was = glm::conjugate(reference[i].rotation) * glm::dvec3(0, 1, 0);
@@ -184,14 +190,17 @@ std::pair<double, double> compareRest(const Level& level, const std::vector<Pose
 
 Table collisionTradeoff(const Options& options) {
     const int pieces = options.full ? 144 : 72;
-    Table table{"T3",
-                fmt::format("what pieces collide as: {} pieces of 64 to 600 voxels in a pit, and set down one by one", pieces),
-                {"collides as", "us a pair", "pairs", "build ms a piece", "bytes a piece", "mean overlap mm", "worst overlap mm", "rests off mm",
-                 "lies otherwise %"},
-                {}};
+    Table table{
+        "T3",
+        fmt::format("what pieces collide as: {} pieces of 64 to 600 voxels in a pit, and set down one by one", pieces),
+        {"collides as", "us a pair", "pairs", "build ms a piece", "bytes a piece", "mean overlap mm",
+         "worst overlap mm", "rests off mm", "lies otherwise %"},
+        {}};
     table.note =
-        "Overlap: of the true voxels. Pairs: that touch, mean. Build and bytes: all that collision can need of a piece; ours is found brick by brick "
-        "when something comes near. Rests off: the height of a piece's centre alone on a floor, over every voxel with the accurate preset, median; "
+        "Overlap: of the true voxels. Pairs: that touch, mean. Build and bytes: all that collision can need of a "
+        "piece; ours is found brick by brick "
+        "when something comes near. Rests off: the height of a piece's centre alone on a floor, over every voxel with "
+        "the accurate preset, median; "
         "otherwise: turned by more than 10 degrees.";
     const Level pit = voronoiPit(pieces, options.seed), floor = apart(pit);
     Level onlyPieces = pit;
@@ -221,8 +230,9 @@ Table collisionTradeoff(const Options& options) {
         const Result& r = results[v];
         const Measured us = summary(r.us);
         const auto [off, otherwise] = compareRest(floor, restOf(Run(floor, kVariants[v])), reference);
-        table.add({kVariants[v].name, us.text(), fmt::format("{:.0f}", r.pairs), summary(r.buildMs).text(), fmt::format("{:.0f}", r.bytes),
-                   fmt::format("{:.2f}", r.overlaps.mean * 1e3), fmt::format("{:.1f}", r.overlaps.worst * 1e3), fmt::format("{:.2f}", off),
+        table.add({kVariants[v].name, us.text(), fmt::format("{:.0f}", r.pairs), summary(r.buildMs).text(),
+                   fmt::format("{:.0f}", r.bytes), fmt::format("{:.2f}", r.overlaps.mean * 1e3),
+                   fmt::format("{:.1f}", r.overlaps.worst * 1e3), fmt::format("{:.2f}", off),
                    fmt::format("{:.0f}", otherwise * 100.0)});
         overlap.push_back({kVariants[v].name, {{us.median, std::max(r.overlaps.mean * 1e3, 0.01)}}, true, true});
         rest.push_back({kVariants[v].name, {{us.median, std::max(off, 0.01)}}, true, true});
@@ -230,10 +240,13 @@ Table collisionTradeoff(const Options& options) {
     const double merged = summary(results[4].us).median, voxels = summary(results[0].us).median;
     table.failed = results[0].overlaps.mean > results[4].overlaps.mean;
     table.conclusion = fmt::format(
-        "Every voxel takes {:.1f} us a pair and overlaps by {:.2f} mm; Bullet's merged boxes {:.1f} us ({:.1f} times as long) and {:.2f} mm.", voxels,
-        results[0].overlaps.mean * 1e3, merged, merged / voxels, results[4].overlaps.mean * 1e3);
-    writePlot(options, "T3-overlap", "What pieces collide as: cost against overlap", "us a pair", "mean overlap, mm", overlap);
-    writePlot(options, "T3-rest", "What pieces collide as: cost against where they come to rest", "us a pair", "height off, mm", rest);
+        "Every voxel takes {:.1f} us a pair and overlaps by {:.2f} mm; Bullet's merged boxes {:.1f} us ({:.1f} times "
+        "as long) and {:.2f} mm.",
+        voxels, results[0].overlaps.mean * 1e3, merged, merged / voxels, results[4].overlaps.mean * 1e3);
+    writePlot(options, "T3-overlap", "What pieces collide as: cost against overlap", "us a pair", "mean overlap, mm",
+              overlap);
+    writePlot(options, "T3-rest", "What pieces collide as: cost against where they come to rest", "us a pair",
+              "height off, mm", rest);
     return table;
 }
 

@@ -29,7 +29,8 @@ Level holedBlock(int size) {
 
 /// Spheres that nibble, and every eighth time a slab cut that takes a corner off.
 Edits cutAt(int i, int size, Random& random) {
-    const double side = size * 0.1, x = side * random.unit(), y = side * (0.25 + 0.75 * random.unit()), z = side * random.unit();
+    const double side = size * 0.1, x = side * random.unit(), y = side * (0.25 + 0.75 * random.unit()),
+                 z = side * random.unit();
     CarveEdit cut;
     cut.position = {x, y, z};
     cut.radii = {0.6, 0.6, 0.6};
@@ -57,7 +58,7 @@ uint64_t floodFill(const VoxelGrid& grid) {
 
 struct Run {
     std::vector<double> cutUs, waitUs;  ///< steps with a cut; those between
-    int maxHangingSteps = 0;                 ///< that a loose voxel hung
+    int maxHangingSteps = 0;            ///< that a loose voxel hung
     uint64_t stillLoose = 0;
 };
 
@@ -92,14 +93,16 @@ Run cutUp(int size, size_t partsPerStep, int cuts, uint64_t seed, bool watched) 
             const Shape* shape = standing();
             run.stillLoose = 0;
             if (shape)
-                for (const Component& loose : findDetached(shape->grid, shape->anchors, true).pieces) run.stillLoose += loose.voxels;
+                for (const Component& loose : findDetached(shape->grid, shape->anchors, true).pieces)
+                    run.stillLoose += loose.voxels;
             hanging = run.stillLoose ? hanging + 1 : 0;
             run.maxHangingSteps = std::max(run.maxHangingSteps, hanging);
         }
     return run;
 }
 
-/// A quantile over the steps of equal runs, each step counted with its median: what the machine did meanwhile is left out.
+/// A quantile over the steps of equal runs, each step counted with its median: what the machine did meanwhile is left
+/// out.
 Measured overRuns(const std::vector<Run>& runs, std::vector<double> Run::*list, double share) {
     std::vector<double> typical, each;
     for (size_t i = 0; i < (runs[0].*list).size(); ++i) {
@@ -116,20 +119,25 @@ Measured overRuns(const std::vector<Run>& runs, std::vector<double> Run::*list, 
 Table connectivityTradeoff(const Options& options) {
     Table table{"T5",
                 "when what a cut has loosened comes off: a cut's cost, and how long a loose piece hangs",
-                {"grid", "parts a step", "cut us p50", "cut us p99", "step between us p99", "steps a loose piece hangs", "loose at the end"},
+                {"grid", "parts a step", "cut us p50", "cut us p99", "step between us p99", "steps a loose piece hangs",
+                 "loose at the end"},
                 {}};
-    table.note = "Every step counts with its median over the runs, so that the machine's hiccups are left out; the spread is that of single runs.";
+    table.note =
+        "Every step counts with its median over the runs, so that the machine's hiccups are left out; the spread is "
+        "that of single runs.";
     const int size = options.full ? 256 : 128, cuts = options.full ? 96 : 32;
     double atOnce = 0.0, smallest = 0.0, typical = 0.0;
     int hangs = 0;
     uint64_t stillLoose = 0;
-    std::vector<Series> plot{{"cut, in slices", {}}, {"cut, at once", {}}, {"step between cuts", {}}, {"flood fill", {}}};
+    std::vector<Series> plot{
+        {"cut, in slices", {}}, {"cut, at once", {}}, {"step between cuts", {}}, {"flood fill", {}}};
     for (const size_t parts : {size_t(0), size_t(512), size_t(128), size_t(32), size_t(8), size_t(2)}) {
         std::vector<Run> runs;
         for (int i = 0; i < options.repeats; ++i) runs.push_back(cutUp(size, parts, cuts, options.seed, i == 0));
-        const Measured p50 = overRuns(runs, &Run::cutUs, 0.5), p99 = overRuns(runs, &Run::cutUs, 0.99), wait = overRuns(runs, &Run::waitUs, 0.99);
-        table.add({fmt::format("{}^3", size), parts ? std::to_string(parts) : "at once", p50.text(), p99.text(), wait.text(),
-                   std::to_string(runs[0].maxHangingSteps), std::to_string(runs[0].stillLoose)});
+        const Measured p50 = overRuns(runs, &Run::cutUs, 0.5), p99 = overRuns(runs, &Run::cutUs, 0.99),
+                       wait = overRuns(runs, &Run::waitUs, 0.99);
+        table.add({fmt::format("{}^3", size), parts ? std::to_string(parts) : "at once", p50.text(), p99.text(),
+                   wait.text(), std::to_string(runs[0].maxHangingSteps), std::to_string(runs[0].stillLoose)});
         (parts ? smallest : atOnce) = p99.median;
         if (!parts) typical = p50.median;
         hangs = runs[0].maxHangingSteps, stillLoose = runs[0].stillLoose;
@@ -150,10 +158,12 @@ Table connectivityTradeoff(const Options& options) {
         plot[3].points.emplace_back(parts, flood.median);
     }
     table.conclusion = fmt::format(
-        "A full flood fill takes {:.0f} times as long as the median cut with its split; at once the slowest cuts take {:.0f} us (p99), in the "
+        "A full flood fill takes {:.0f} times as long as the median cut with its split; at once the slowest cuts take "
+        "{:.0f} us (p99), in the "
         "smallest slices {:.0f} us, and then a piece hangs for up to {} steps, and {} voxels still do at the end.",
         flood.median / typical, atOnce, smallest, hangs, stillLoose);
-    writePlot(options, "T5", "Connectivity: what a cut costs, by how much of it a step may look at", "parts a step", "us, p99", plot);
+    writePlot(options, "T5", "Connectivity: what a cut costs, by how much of it a step may look at", "parts a step",
+              "us, p99", plot);
     return table;
 }
 

@@ -67,10 +67,14 @@ T lastThatHolds(std::initializer_list<T> values, Holds&& holds) {
 }
 
 void measureErrors(const PhysicsSettings& settings, Errors& errors) {
-    errors.tower = lastThatHolds({3, 5, 8, 12, 16, 20, 25}, [&](int cubes) { return stack(sleepless(settings), cubes, kTowerSeconds).stands(); });
-    errors.ratio = lastThatHolds({3.0, 10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0}, [&](double ratio) { return sink(settings, ratio) < 0.01; });
-    const double angle = std::atan(kFriction) + glm::radians(5.0), expected = 9.81 * (std::sin(angle) - kFriction * std::cos(angle));
-    errors.incline = std::abs(slideDown(settings, glm::degrees(angle), 0.57, kFriction, 2.0).acceleration / expected - 1.0);
+    errors.tower = lastThatHolds({3, 5, 8, 12, 16, 20, 25},
+                                 [&](int cubes) { return stack(sleepless(settings), cubes, kTowerSeconds).stands(); });
+    errors.ratio = lastThatHolds({3.0, 10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0},
+                                 [&](double ratio) { return sink(settings, ratio) < 0.01; });
+    const double angle = std::atan(kFriction) + glm::radians(5.0),
+                 expected = 9.81 * (std::sin(angle) - kFriction * std::cos(angle));
+    errors.incline =
+        std::abs(slideDown(settings, glm::degrees(angle), 0.57, kFriction, 2.0).acceleration / expected - 1.0);
 }
 
 Setting gridPoint(double hertz, int substeps, int iterations, double stiffness) {
@@ -90,8 +94,10 @@ std::vector<Setting> settingsOf(bool full) {
         for (const int substeps : {1, 2, 4, 8, 16})
             for (const int iterations : {1, 2, 4})
                 for (const double stiffness : {60.0, 240.0}) {
-                    if (stiffness > 0.25 * hertz * substeps && stiffness > 60.0) continue;  // no more than a quarter of the rate counts
-                    const int turned = int(hertz != 60.0) + int(substeps != 4) + int(iterations != 1) + int(stiffness != 60.0);
+                    if (stiffness > 0.25 * hertz * substeps && stiffness > 60.0)
+                        continue;  // no more than a quarter of the rate counts
+                    const int turned =
+                        int(hertz != 60.0) + int(substeps != 4) + int(iterations != 1) + int(stiffness != 60.0);
                     if (full || turned <= 1) all.push_back(gridPoint(hertz, substeps, iterations, stiffness));
                 }
     return all;
@@ -100,17 +106,18 @@ std::vector<Setting> settingsOf(bool full) {
 /// Better in nothing, worse in something, and dearer; by what steps as often at least, since a game sees each step.
 bool isDominated(const Point& point, const Point& by) {
     const Errors &a = point.errors, &b = by.errors;
-    return by.setting.settings.stepSeconds <= 1.001 * point.setting.settings.stepSeconds && by.cost() * (1.0 + kTolerance) < point.cost() &&
-           b.overlap <= a.overlap * (1.0 + kTolerance) && b.tower >= a.tower && b.ratio >= a.ratio &&
-           b.incline <= std::max(a.incline * (1.0 + kTolerance), 1e-3);
+    return by.setting.settings.stepSeconds <= 1.001 * point.setting.settings.stepSeconds &&
+           by.cost() * (1.0 + kTolerance) < point.cost() && b.overlap <= a.overlap * (1.0 + kTolerance) &&
+           b.tower >= a.tower && b.ratio >= a.ratio && b.incline <= std::max(a.incline * (1.0 + kTolerance), 1e-3);
 }
 
 std::string describe(const PhysicsSettings& s) {
-    return fmt::format("{:.0f} Hz, {} substeps, {} iterations, {:.0f} Hz stiff", 1.0 / s.stepSeconds, s.substeps, s.iterations, s.contactHertz);
+    return fmt::format("{:.0f} Hz, {} substeps, {} iterations, {:.0f} Hz stiff", 1.0 / s.stepSeconds, s.substeps,
+                       s.iterations, s.contactHertz);
 }
 
-void plot(const Options& options, const std::vector<Point>& points, const std::string& name, const std::string& title, const std::string& yLabel,
-          double (*error)(const Errors&), bool isBetterHigh) {
+void plot(const Options& options, const std::vector<Point>& points, const std::string& name, const std::string& title,
+          const std::string& yLabel, double (*error)(const Errors&), bool isBetterHigh) {
     Series cloud{"settings", {}, true};
     std::vector<std::pair<double, double>> all;
     std::vector<Series> marks;
@@ -133,51 +140,59 @@ void plot(const Options& options, const std::vector<Point>& points, const std::s
 }  // namespace
 
 const std::vector<Preset>& presets() {
-    static const std::vector<Preset> all{{"fast", fastPhysics()}, {"balanced", balancedPhysics()}, {"accurate", accuratePhysics()}};
+    static const std::vector<Preset> all{
+        {"fast", fastPhysics()}, {"balanced", balancedPhysics()}, {"accurate", accuratePhysics()}};
     return all;
 }
 
 Table contactTradeoff(const Options& options) {
     const int pieces = options.full ? 216 : 72;
-    Table table{
-        "T1",
-        fmt::format("how contacts are stepped: processor time a body and 1/60 s ({} pieces that fall into a pit, nothing asleep) against what "
-                    "is wrong",
-                    pieces),
-        {"preset", "steps a second", "substeps", "iterations", "contacts Hz", "us a body", "mean overlap mm", "worst overlap mm", "cubes that stand",
-         "mass ratio", "incline error %"},
-        {}};
+    Table table{"T1",
+                fmt::format("how contacts are stepped: processor time a body and 1/60 s ({} pieces that fall into a "
+                            "pit, nothing asleep) against what "
+                            "is wrong",
+                            pieces),
+                {"preset", "steps a second", "substeps", "iterations", "contacts Hz", "us a body", "mean overlap mm",
+                 "worst overlap mm", "cubes that stand", "mass ratio", "incline error %"},
+                {}};
     table.note = fmt::format(
-        "Overlap: of each pair that overlaps, measured from the voxels after {:.0f} s; 0 would be right. Cubes: the highest tower awake after {:.0f} "
-        "s, of 3, 5, 8, 12, 16, 20, 25. Mass ratio: the heaviest on a light one that sinks by less than 1 cm in 10 s, up to 3000. Incline: "
+        "Overlap: of each pair that overlaps, measured from the voxels after {:.0f} s; 0 would be right. Cubes: the "
+        "highest tower awake after {:.0f} "
+        "s, of 3, 5, 8, 12, 16, 20, 25. Mass ratio: the heaviest on a light one that sinks by less than 1 cm in 10 s, "
+        "up to 3000. Incline: "
         "acceleration 5 degrees above the angle of friction, over Coulomb's.",
         kPitSeconds, kTowerSeconds);
     const Level pit = voronoiPit(pieces, options.seed);
     std::vector<Point> points;
     for (const Setting& setting : settingsOf(options.full)) points.push_back({setting, {}, {}});
     for (int i = 0; i < options.repeats; ++i)  // in turns: what else the machine does meanwhile meets all alike
-        for (Point& point : points) point.us.push_back(fallIntoPit(pit, point.setting.settings, i ? nullptr : &point.errors));
+        for (Point& point : points)
+            point.us.push_back(fallIntoPit(pit, point.setting.settings, i ? nullptr : &point.errors));
     for (Point& point : points) {
         measureErrors(point.setting.settings, point.errors);
         const PhysicsSettings& s = point.setting.settings;
         const Errors& e = point.errors;
-        table.add({point.setting.name, fmt::format("{:.0f}", 1.0 / s.stepSeconds), std::to_string(s.substeps), std::to_string(s.iterations),
-                   fmt::format("{:.0f}", s.contactHertz), summary(point.us).text(), fmt::format("{:.2f}", e.overlap), fmt::format("{:.1f}", e.worst),
-                   std::to_string(e.tower), fmt::format("{:.0f}", e.ratio), fmt::format("{:.3f}", e.incline * 100.0)});
+        table.add({point.setting.name, fmt::format("{:.0f}", 1.0 / s.stepSeconds), std::to_string(s.substeps),
+                   std::to_string(s.iterations), fmt::format("{:.0f}", s.contactHertz), summary(point.us).text(),
+                   fmt::format("{:.2f}", e.overlap), fmt::format("{:.1f}", e.worst), std::to_string(e.tower),
+                   fmt::format("{:.0f}", e.ratio), fmt::format("{:.3f}", e.incline * 100.0)});
     }
     for (const Point& point : points) {
         if (point.setting.name.empty()) continue;
-        const auto better = std::find_if(points.begin(), points.end(), [&](const Point& by) { return isDominated(point, by); });
+        const auto better =
+            std::find_if(points.begin(), points.end(), [&](const Point& by) { return isDominated(point, by); });
         table.failed |= better != points.end();
         table.conclusion += better == points.end() ? fmt::format("{}: on the front. ", point.setting.name)
-                                                   : fmt::format("{}: {} is {:.0f} % cheaper and nowhere worse. ", point.setting.name,
-                                                                 describe(better->setting.settings), 100.0 * (1.0 - better->cost() / point.cost()));
+                                                   : fmt::format("{}: {} is {:.0f} % cheaper and nowhere worse. ",
+                                                                 point.setting.name, describe(better->setting.settings),
+                                                                 100.0 * (1.0 - better->cost() / point.cost()));
     }
     plot(
-        options, points, "T1-overlap", "Contacts: cost against overlap", "mean overlap, mm", [](const Errors& e) { return e.overlap; }, false);
+        options, points, "T1-overlap", "Contacts: cost against overlap", "mean overlap, mm",
+        [](const Errors& e) { return e.overlap; }, false);
     plot(
-        options, points, "T1-tower", "Contacts: cost against the tower that stands awake", "cubes", [](const Errors& e) { return double(e.tower); },
-        true);
+        options, points, "T1-tower", "Contacts: cost against the tower that stands awake", "cubes",
+        [](const Errors& e) { return double(e.tower); }, true);
     plot(
         options, points, "T1-ratio", "Contacts: cost against heavy on light", "times as heavy",
         [](const Errors& e) { return std::max(e.ratio, 1.0); }, true);

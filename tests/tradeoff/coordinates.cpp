@@ -25,7 +25,8 @@ std::vector<glm::dvec3> tumbleInBullet(glm::dvec3 middle) {
     std::vector<glm::dvec3> places;
     for (size_t i = 1; i < level.bodies.size(); ++i) {
         const LevelShape& shape = level.bodies[i].shapes[0];
-        const glm::dvec3 center = massProperties(gridMoments(shape.grid, *shape.palette, level.materials), shape.voxelSize).center;
+        const glm::dvec3 center =
+            massProperties(gridMoments(shape.grid, *shape.palette, level.materials), shape.voxelSize).center;
         places.push_back(bullet.pose(i).transformPoint(center) - middle);
     }
     return places;
@@ -40,21 +41,25 @@ double farthest(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>&
 }  // namespace
 
 Table coordinateTradeoff(const Options& options) {
-    Table table{"T10-coordinates",
-                "positions in doubles and in floats: where six pieces are that fell, slid and tumbled for 4 s, over the same at the origin",
-                {"km from the origin", "a float's step mm", "bytes a position", "Rubble (doubles) mm", "Bullet (floats) mm"},
-                {}};
+    Table table{
+        "T10-coordinates",
+        "positions in doubles and in floats: where six pieces are that fell, slid and tumbled for 4 s, over the same "
+        "at the origin",
+        {"km from the origin", "a float's step mm", "bytes a position", "Rubble (doubles) mm", "Bullet (floats) mm"},
+        {}};
     table.note =
-        "Bytes a position: 24 in doubles, 12 in floats. Chaos makes metres of what begins as a rounding: the column says whether the outcome is "
+        "Bytes a position: 24 in doubles, 12 in floats. Chaos makes metres of what begins as a rounding: the column "
+        "says whether the outcome is "
         "the same, not how large the error was.";
     const std::vector<glm::dvec3> ours = known::tumble({}, at(0.0)), bullet = tumbleInBullet(at(0.0));
     Series inDoubles{"Rubble, doubles", {}}, inFloats{"Bullet, floats", {}}, step{"a float's step", {}};
     double atTen = 0.0, worst = 0.0;
     for (const double km : kKilometres) {
         const double spacing = double(std::nextafter(float(km * 1e3), 1e30f) - float(km * 1e3)) * 1e3;
-        const double oursOff = farthest(known::tumble({}, at(km)), ours), bulletOff = farthest(tumbleInBullet(at(km)), bullet);
-        table.add({fmt::format("{:.0f}", km), fmt::format("{:.2g}", spacing), "24 or 12", fmt::format("{:.2g}", oursOff),
-                   fmt::format("{:.2g}", bulletOff)});
+        const double oursOff = farthest(known::tumble({}, at(km)), ours),
+                     bulletOff = farthest(tumbleInBullet(at(km)), bullet);
+        table.add({fmt::format("{:.0f}", km), fmt::format("{:.2g}", spacing), "24 or 12",
+                   fmt::format("{:.2g}", oursOff), fmt::format("{:.2g}", bulletOff)});
         if (km == 10.0) atTen = oursOff;
         worst = std::max(worst, oursOff);
         if (km == 0.0) continue;
@@ -63,10 +68,12 @@ Table coordinateTradeoff(const Options& options) {
         step.points.emplace_back(km, spacing);
     }
     table.failed = atTen > kMaxErrorMm;
-    table.conclusion =
-        fmt::format("At 10 km pieces end within {:.2g} mm of where they do at the origin, at worst, up to 1000 km, within {:.2g} mm.", atTen, worst);
-    writePlot(options, "T10-coordinates", "Positions: how far off pieces end, by how far from the origin they fell", "km", "mm",
-              {inDoubles, inFloats, step});
+    table.conclusion = fmt::format(
+        "At 10 km pieces end within {:.2g} mm of where they do at the origin, at worst, up to 1000 km, within {:.2g} "
+        "mm.",
+        atTen, worst);
+    writePlot(options, "T10-coordinates", "Positions: how far off pieces end, by how far from the origin they fell",
+              "km", "mm", {inDoubles, inFloats, step});
     return table;
 }
 

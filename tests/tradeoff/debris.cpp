@@ -121,11 +121,12 @@ std::vector<Setting> settingsOf(bool full) {
 }  // namespace
 
 Table debrisTradeoff(const Options& options) {
-    Table table{"T4",
-                "what is kept of debris: step ms against mass and momentum dropped and what is seen of it, over keeping all",
-                {"turned", "smallest piece voxels", "pieces at most", "settle after steps", "step ms", "pieces", "mass dropped kg",
-                 "momentum dropped kg m/s", "image rms of 255"},
-                {}};
+    Table table{
+        "T4",
+        "what is kept of debris: step ms against mass and momentum dropped and what is seen of it, over keeping all",
+        {"turned", "smallest piece voxels", "pieces at most", "settle after steps", "step ms", "pieces",
+         "mass dropped kg", "momentum dropped kg m/s", "image rms of 255"},
+        {}};
     const Run reference = simulate({"reference", 1, 10'000, kNever}, options.seed, true);
     std::vector<Series> plot;
     double keepAll = 0.0, least = 1e30, dropped = 0.0;
@@ -134,17 +135,19 @@ Table debrisTradeoff(const Options& options) {
         const Measured ms = measure(options.repeats, [&] { return simulate(setting, options.seed, false).stepMs; });
         const double rms = difference(seen.image, reference.image);
         table.add({setting.axis, std::to_string(setting.smallest), std::to_string(setting.bodies),
-                   setting.settleSteps == kNever ? "never" : std::to_string(setting.settleSteps), ms.text(), std::to_string(seen.pieces),
-                   fmt::format("{:.1f}", seen.massLost - reference.massLost), fmt::format("{:.1f}", seen.momentumLost - reference.momentumLost),
-                   fmt::format("{:.2f}", rms)});
+                   setting.settleSteps == kNever ? "never" : std::to_string(setting.settleSteps), ms.text(),
+                   std::to_string(seen.pieces), fmt::format("{:.1f}", seen.massLost - reference.massLost),
+                   fmt::format("{:.1f}", seen.momentumLost - reference.momentumLost), fmt::format("{:.2f}", rms)});
         if (keepAll == 0.0) keepAll = ms.median;  // the reference comes first
         if (ms.median < least) least = ms.median, dropped = seen.massLost - reference.massLost;
         auto series = std::find_if(plot.begin(), plot.end(), [&](const Series& s) { return s.name == setting.axis; });
-        if (series == plot.end()) series = plot.insert(plot.end(), {setting.axis, {}, setting.axis == std::string("several")});
+        if (series == plot.end())
+            series = plot.insert(plot.end(), {setting.axis, {}, setting.axis == std::string("several")});
         series->points.emplace_back(ms.median, seen.massLost - reference.massLost);
     }
     table.conclusion = fmt::format(
-        "Keeping all takes {:.2f} ms a step; the cheapest setting {:.2f} ms, for {:.0f} kg of debris turned to dust. Pieces fall chaotically: any "
+        "Keeping all takes {:.2f} ms a step; the cheapest setting {:.2f} ms, for {:.0f} kg of debris turned to dust. "
+        "Pieces fall chaotically: any "
         "change "
         "moves the image by much the same.",
         keepAll, least, dropped);

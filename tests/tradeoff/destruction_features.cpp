@@ -15,8 +15,8 @@ namespace {
 constexpr int kSteps = 120, kQuietSteps = 60;
 constexpr uint32_t kUnlimited = std::numeric_limits<uint32_t>::max();
 
-/// A yard with something for each feature: a brick wall that is blown, a timber hut that burns, a concrete canopy that loses a
-/// post, and sprays of paint.
+/// A yard with something for each feature: a brick wall that is blown, a timber hut that burns, a concrete canopy that
+/// loses a post, and sprays of paint.
 Level yard() {
     using namespace scenes;
     Level level = makeWall();
@@ -51,8 +51,10 @@ Edits script(int step, const Variant& variant, uint64_t seed) {
     if (step == 10) return {HeatEdit{.position = {1.2, 0.6, 1.2}, .radius = 0.9, .joules = 4e6, .ignite = true}};
     if (step == 20 || step == 22) return blast({7.6, 0.4, step == 20 ? 0.8 : 2.8}, 1.6, variant.fragments);
     if (step < 30 || step >= 90 || !variant.sprays) return {};
-    PaintEdit spray{
-        .position = {2.2 + (step - 30) * 0.06, 0.4 + step % 5 * 0.4, 3.9}, .radius = 0.4, .strength = 96, .seed = uint32_t(seed) + uint32_t(step)};
+    PaintEdit spray{.position = {2.2 + (step - 30) * 0.06, 0.4 + step % 5 * 0.4, 3.9},
+                    .radius = 0.4,
+                    .strength = 96,
+                    .seed = uint32_t(seed) + uint32_t(step)};
     spray.color = {uint8_t(step / 15 * 30), 40, uint8_t(255 - step / 15 * 30)};
     return {spray};
 }
@@ -91,7 +93,8 @@ Run simulate(const Level& level, const Variant& variant, uint64_t seed) {
     if (variant.paintedBefore)
         for (double x = 0.5; x < 8.0; x += 1.0)
             for (double z = 0.5; z < 8.0; z += 1.0)
-                for (double y = 0.5; y < 3.0; y += 1.0) loop.edits().push(PaintEdit{.position = {x, y, z}, .radius = 1.0, .color = {90, 90, 99}});
+                for (double y = 0.5; y < 3.0; y += 1.0)
+                    loop.edits().push(PaintEdit{.position = {x, y, z}, .radius = 1.0, .color = {90, 90, 99}});
     Run run;
     for (int step = 0; step < kQuietSteps; ++step) {  // what was loaded settles, and is weighed
         loop.step();
@@ -122,7 +125,9 @@ Run simulate(const Level& level, const Variant& variant, uint64_t seed) {
 std::vector<Variant> variants() {
     using W = WorldSettings;
     using L = FrameLoopSettings;
-    const auto noBudget = [](W& w, L&) { w.debris.awakeBodies = w.debris.bodies = kUnlimited, w.debris.voxels = w.debris.largestPiece = UINT64_MAX; };
+    const auto noBudget = [](W& w, L&) {
+        w.debris.awakeBodies = w.debris.bodies = kUnlimited, w.debris.voxels = w.debris.largestPiece = UINT64_MAX;
+    };
     return {
         {"stress", "off", [](W& w, L&) { w.stress.on = false; }},
         {"stress", "by rule"},
@@ -137,7 +142,9 @@ std::vector<Variant> variants() {
         {.feature = "fragments", .state = "off", .fragments = false},
         {"fragments", "by rule"},
         {"fragments", "always",
-         [](W& w, L&) { w.debris.fragmentsPerBreak = 100'000, w.impactThreshold = 1.0, w.impactSpeed = 0.0, w.impactsPerStep = 64; }},
+         [](W& w, L&) {
+             w.debris.fragmentsPerBreak = 100'000, w.impactThreshold = 1.0, w.impactSpeed = 0.0, w.impactsPerStep = 64;
+         }},
         {"debris budget", "off", noBudget},
         {"debris budget", "by rule"},
         {"debris budget", "always", [](W& w, L&) { w.debris.awakeBodies = w.debris.bodies = 0; }},
@@ -148,19 +155,22 @@ std::vector<Variant> variants() {
 }
 
 constexpr const char* kMeaning =
-    "stress, always: no limit of work a step; fire, always: no limit of fires, four times the spread; paint, always: all surfaces carry a layer "
-    "beforehand; fragments, off: blasts carve, always: no limit, and every touch breaks; debris budget, by rule: 60 awake and 150 in all, always: "
+    "stress, always: no limit of work a step; fire, always: no limit of fires, four times the spread; paint, always: "
+    "all surfaces carry a layer "
+    "beforehand; fragments, off: blasts carve, always: no limit, and every touch breaks; debris budget, by rule: 60 "
+    "awake and 150 in all, always: "
     "nothing is kept; particles, always: no limit";
 
 }  // namespace
 
 Table featureTradeoff(const Options& options) {
     Table table{"T12",
-                fmt::format("what each feature of destruction costs and does, all others by rule: {} steps of a yard where a wall is blown, a hut "
+                fmt::format("what each feature of destruction costs and does, all others by rule: {} steps of a yard "
+                            "where a wall is blown, a hut "
                             "burns, a canopy loses two posts and paint is sprayed",
                             kSteps),
-                {"feature", "state", "step ms", "over off", "worst step ms", "nothing happens: us a step", "voxels removed", "pieces", "cracks",
-                 "fires", "voxels painted", "merged colours", "bodies left"},
+                {"feature", "state", "step ms", "over off", "worst step ms", "nothing happens: us a step",
+                 "voxels removed", "pieces", "cracks", "fires", "voxels painted", "merged colours", "bodies left"},
                 {}};
     table.note = kMeaning;
     const Level level = yard();
@@ -187,18 +197,21 @@ Table featureTradeoff(const Options& options) {
         const double over = (ms.median / off - 1.0) * 100.0;
         if (variant.state == std::string("by rule") && over > most) most = over, costliest = variant.feature;
         minQuiet = std::min(minQuiet, quantile(quiet, 0.5)), maxQuiet = std::max(maxQuiet, quantile(quiet, 0.5));
-        table.add({variant.feature, variant.state, ms.text(), fmt::format("{:+.0f} %", over), fmt::format("{:.1f}", quantile(worst, 0.5)),
-                   fmt::format("{:.1f}", quantile(quiet, 0.5)), std::to_string(first.removed), std::to_string(first.pieces),
-                   std::to_string(first.cracks), std::to_string(first.fires), std::to_string(first.painted), std::to_string(first.merges),
+        table.add({variant.feature, variant.state, ms.text(), fmt::format("{:+.0f} %", over),
+                   fmt::format("{:.1f}", quantile(worst, 0.5)), fmt::format("{:.1f}", quantile(quiet, 0.5)),
+                   std::to_string(first.removed), std::to_string(first.pieces), std::to_string(first.cracks),
+                   std::to_string(first.fires), std::to_string(first.painted), std::to_string(first.merges),
                    std::to_string(first.left)});
         if (variant.state != std::string("blended instead")) bars.push_back({variant.feature, variant.state, ms});
     }
     table.conclusion = fmt::format(
-        "While nothing happens a step costs {:.1f} to {:.1f} us whatever is on ({} cracks before anything happened); while something does, of the "
+        "While nothing happens a step costs {:.1f} to {:.1f} us whatever is on ({} cracks before anything happened); "
+        "while something does, of the "
         "features by rule {} costs most over off: {:+.0f} %.",
         minQuiet, maxQuiet, early, costliest.empty() ? "none" : costliest, most);
     table.failed = maxQuiet > 50.0 || early > 0;
-    writeBars(options, "T12", "Features of destruction: off, by rule, always", "ms a step, mean of " + std::to_string(kSteps) + " steps", bars);
+    writeBars(options, "T12", "Features of destruction: off, by rule, always",
+              "ms a step, mean of " + std::to_string(kSteps) + " steps", bars);
     return table;
 }
 

@@ -23,7 +23,8 @@ Outcome outcomeOf(double ms) {
 }
 
 std::string countOf(const std::vector<MapCell>& cells, Outcome outcome) {
-    const auto count = std::count_if(cells.begin(), cells.end(), [&](const MapCell& cell) { return cell.outcome == outcome; });
+    const auto count =
+        std::count_if(cells.begin(), cells.end(), [&](const MapCell& cell) { return cell.outcome == outcome; });
     return fmt::format("{} of {}", count, cells.size());
 }
 
@@ -37,7 +38,8 @@ Level block(int size, const scenes::SurfaceStyle& style = scenes::kConcrete) {
     return level;
 }
 
-/// A block in the air over a floor, held at one corner cell only, and the cuts that make count^3 dice of three cells of it.
+/// A block in the air over a floor, held at one corner cell only, and the cuts that make count^3 dice of three cells of
+/// it.
 Level heldBlock(int count) {
     using namespace scenes;
     Level level = makeSingleCube(1, 0.1);
@@ -80,7 +82,8 @@ Level cantilever(int depth, int length) {
 /// Stress over strength at the wall, by beam theory: 3 rho g L^2 / d over the tensile strength as it is scaled.
 double beamTheory(int depth, int length, double scale) {
     const Material& concrete = defaultMaterials()[defaultMaterials().find("concrete")];
-    return 3.0 * double(concrete.density) * 9.81 * std::pow(0.1 * length, 2) / (0.1 * depth) / (double(concrete.tensileStrength) * scale);
+    return 3.0 * double(concrete.density) * 9.81 * std::pow(0.1 * length, 2) / (0.1 * depth) /
+           (double(concrete.tensileStrength) * scale);
 }
 
 }  // namespace
@@ -92,7 +95,8 @@ Table piecesMap(const Options& options) {
                 {}};
     std::vector<MapCell> cells;
     const std::vector<int> counts = options.full ? std::vector<int>{4, 8, 12, 16} : std::vector<int>{3, 5, 8};
-    const std::vector<uint32_t> budgets = options.full ? std::vector<uint32_t>{10'000, 2000, 500, 100} : std::vector<uint32_t>{10'000, 500, 100};
+    const std::vector<uint32_t> budgets =
+        options.full ? std::vector<uint32_t>{10'000, 2000, 500, 100} : std::vector<uint32_t>{10'000, 500, 100};
     const int most = counts.back();
     size_t kept = 0;
     double unlimited = 0.0, tightest = 0.0;
@@ -119,16 +123,18 @@ Table piecesMap(const Options& options) {
             const double p95 = ms.median;
             if (count == most) (budget == budgets.front() ? unlimited : tightest) = p95;
             if (count == most && budget == budgets.back()) kept = left;
-            table.add({std::to_string(count * count * count - 1), std::to_string(budget), ms.text(), std::to_string(left), nameOf(outcomeOf(p95))});
-            cells.push_back(
-                {std::to_string(count * count * count - 1), std::to_string(budget), outcomeOf(p95), fmt::format("{:.1f} ms\n{} left", p95, left)});
+            table.add({std::to_string(count * count * count - 1), std::to_string(budget), ms.text(),
+                       std::to_string(left), nameOf(outcomeOf(p95))});
+            cells.push_back({std::to_string(count * count * count - 1), std::to_string(budget), outcomeOf(p95),
+                             fmt::format("{:.1f} ms\n{} left", p95, left)});
         }
     table.conclusion = fmt::format(
-        "{} points stay within a frame; {} pieces take {:.1f} ms a step if all may move, {:.1f} ms if {} may, and then the rest is dust: {} are "
+        "{} points stay within a frame; {} pieces take {:.1f} ms a step if all may move, {:.1f} ms if {} may, and then "
+        "the rest is dust: {} are "
         "left.",
         countOf(cells, Outcome::Stable), most * most * most - 1, unlimited, tightest, budgets.back(), kept);
-    writeMap(options, "T13-pieces", "Pieces that fall at once, and how many may move: ms a step, p95", "loose pieces", "awake at most", cells,
-             kTimes);
+    writeMap(options, "T13-pieces", "Pieces that fall at once, and how many may move: ms a step, p95", "loose pieces",
+             "awake at most", cells, kTimes);
     return table;
 }
 
@@ -163,17 +169,20 @@ Table splitMap(const Options& options) {
             const Outcome outcome = removed == 0 ? Outcome::Refused : outcomeOf(ms.median);
             if (radius == 16.0) (size == sizes.front() ? inSmallest : inLargest) = ms.median;
             if (std::isnan(radius)) nanTouched += removed;
-            table.add({fmt::format("{}^3", size), fmt::format("{:g}", radius), ms.text(), std::to_string(removed), nameOf(outcome)});
-            cells.push_back(
-                {fmt::format("{:g}", radius), fmt::format("{}^3", size), outcome, removed ? fmt::format("{:.2f} ms", ms.median) : "nothing"});
+            table.add({fmt::format("{}^3", size), fmt::format("{:g}", radius), ms.text(), std::to_string(removed),
+                       nameOf(outcome)});
+            cells.push_back({fmt::format("{:g}", radius), fmt::format("{}^3", size), outcome,
+                             removed ? fmt::format("{:.2f} ms", ms.median) : "nothing"});
         }
     }
     table.conclusion = fmt::format(
-        "{} points stay within a frame; a radius of 16 cells takes {:.2f} ms in the smallest cube and {:.2f} ms in the largest; numbers that are "
+        "{} points stay within a frame; a radius of 16 cells takes {:.2f} ms in the smallest cube and {:.2f} ms in the "
+        "largest; numbers that are "
         "none touch nothing.",
         countOf(cells, Outcome::Stable), inSmallest, inLargest);
     table.failed = inLargest > 4.0 * inSmallest || nanTouched > 0;
-    writeMap(options, "T13-split", "One cut and its split: ms of that step", "radius of the cut, cells", "cube, cells", cells, kTimes);
+    writeMap(options, "T13-split", "One cut and its split: ms of that step", "radius of the cut, cells", "cube, cells",
+             cells, kTimes);
     return table;
 }
 
@@ -186,13 +195,14 @@ Table fragmentMap(const Options& options) {
     std::vector<MapCell> cells;
     uint64_t maxPieces = 0;
     double slowest = 0.0;
-    const std::vector<double> charges =
-        options.full ? std::vector<double>{0.25, 0.5, 1.0, 2.0, 4.0, 1e3, 1e300} : std::vector<double>{0.5, 1.0, 2.0, 4.0, 1e300};
-    for (const scenes::SurfaceStyle& style :
-         {scenes::kLeaves, scenes::kPlaster, scenes::kTimber, scenes::kBrick, scenes::kConcrete, scenes::kSteel, scenes::kRock}) {
+    const std::vector<double> charges = options.full ? std::vector<double>{0.25, 0.5, 1.0, 2.0, 4.0, 1e3, 1e300}
+                                                     : std::vector<double>{0.5, 1.0, 2.0, 4.0, 1e300};
+    for (const scenes::SurfaceStyle& style : {scenes::kLeaves, scenes::kPlaster, scenes::kTimber, scenes::kBrick,
+                                              scenes::kConcrete, scenes::kSteel, scenes::kRock}) {
         const Level level = block(48, style);
         const Material& material = defaultMaterials()[defaultMaterials().find(style.material)];
-        const char* hardness = std::array{"soft", "medium", "hard", "unbreakable", "unphysical"}[size_t(material.hardness)];
+        const char* hardness =
+            std::array{"soft", "medium", "hard", "unbreakable", "unphysical"}[size_t(material.hardness)];
         for (const double charge : charges) {
             uint64_t pieces = 0, dust = 0;
             const Measured ms = measure(options.repeats, [&] {
@@ -212,30 +222,34 @@ Table fragmentMap(const Options& options) {
             });
             const Outcome outcome = pieces + dust == 0 ? Outcome::Refused : outcomeOf(ms.median);
             maxPieces = std::max(maxPieces, pieces), slowest = std::max(slowest, ms.median);
-            table.add({std::string(style.material), hardness, fmt::format("{:g}", charge), ms.text(), std::to_string(pieces), std::to_string(dust),
-                       nameOf(outcome)});
+            table.add({std::string(style.material), hardness, fmt::format("{:g}", charge), ms.text(),
+                       std::to_string(pieces), std::to_string(dust), nameOf(outcome)});
             cells.push_back({fmt::format("{:g}", charge), fmt::format("{}, {}", style.material, hardness), outcome,
                              pieces + dust ? fmt::format("{} pieces\n{:.1f} ms", pieces, ms.median) : "nothing"});
         }
     }
-    table.conclusion = fmt::format("{} points stay within a frame; the largest blast makes {} pieces, the slowest takes {:.0f} ms.",
-                                   countOf(cells, Outcome::Stable), maxPieces, slowest);
-    writeMap(options, "T13-fragments", "One blast: fragments, and ms of that step", "size of the charge: metres that it breaks of what is soft",
-             "material, hardness", cells, kTimes);
+    table.conclusion =
+        fmt::format("{} points stay within a frame; the largest blast makes {} pieces, the slowest takes {:.0f} ms.",
+                    countOf(cells, Outcome::Stable), maxPieces, slowest);
+    writeMap(options, "T13-fragments", "One blast: fragments, and ms of that step",
+             "size of the charge: metres that it breaks of what is soft", "material, hardness", cells, kTimes);
     return table;
 }
 
 Table stressMap(const Options& options) {
     constexpr int kDepth = 4;
-    Table table{"T13-stress",
-                "a concrete cantilever 4 cells deep: strength against span; does it stand, and should it by beam theory?",
-                {"strength scale", "span cells", "stress over strength by beam theory", "stands", "steps until it broke", "worst step us", "outcome"},
-                {}};
+    Table table{
+        "T13-stress",
+        "a concrete cantilever 4 cells deep: strength against span; does it stand, and should it by beam theory?",
+        {"strength scale", "span cells", "stress over strength by beam theory", "stands", "steps until it broke",
+         "worst step us", "outcome"},
+        {}};
     std::vector<MapCell> cells;
-    const std::vector<double> scales =
-        options.full ? std::vector<double>{1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1, 0.3, 1.0, 10.0} : std::vector<double>{1e-3, 0.01, 0.03, 0.1, 1.0};
-    const std::vector<int> spans =
-        options.full ? std::vector<int>{4, 8, 16, 24, 32, 48, 64, 96, 128, 256} : std::vector<int>{8, 12, 16, 24, 32, 38, 48, 64};
+    const std::vector<double> scales = options.full
+                                           ? std::vector<double>{1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1, 0.3, 1.0, 10.0}
+                                           : std::vector<double>{1e-3, 0.01, 0.03, 0.1, 1.0};
+    const std::vector<int> spans = options.full ? std::vector<int>{4, 8, 16, 24, 32, 48, 64, 96, 128, 256}
+                                                : std::vector<int>{8, 12, 16, 24, 32, 38, 48, 64};
     double slowest = 0.0;
     for (const double scale : scales)
         for (const int span : spans) {
@@ -259,17 +273,23 @@ Table stressMap(const Options& options) {
             const bool stands = broke < 0, should = theory<1.0, isNear = theory> 0.9 && theory < 1.1;
             const Outcome outcome = stands == should ? Outcome::Stable : isNear ? Outcome::Degraded : Outcome::Failed;
             slowest = std::max(slowest, *std::max_element(us.begin(), us.end()));
-            table.add({fmt::format("{:g}", scale), std::to_string(span), fmt::format("{:.3g}", theory), stands ? "yes" : "no",
-                       stands ? "" : std::to_string(broke), fmt::format("{:.0f}", *std::max_element(us.begin(), us.end())), nameOf(outcome)});
+            table.add({fmt::format("{:g}", scale), std::to_string(span), fmt::format("{:.3g}", theory),
+                       stands ? "yes" : "no", stands ? "" : std::to_string(broke),
+                       fmt::format("{:.0f}", *std::max_element(us.begin(), us.end())), nameOf(outcome)});
             cells.push_back({std::to_string(span), fmt::format("{:g}", scale), outcome,
-                             fmt::format("{}\n{}", stands ? "stands" : "breaks", theory < 100.0 ? fmt::format("{:.2f}", theory) : ">99")});
+                             fmt::format("{}\n{}", stands ? "stands" : "breaks",
+                                         theory < 100.0 ? fmt::format("{:.2f}", theory) : ">99")});
         }
-    table.failed = std::any_of(cells.begin(), cells.end(), [](const MapCell& cell) { return cell.outcome == Outcome::Failed; });
+    table.failed =
+        std::any_of(cells.begin(), cells.end(), [](const MapCell& cell) { return cell.outcome == Outcome::Failed; });
     table.conclusion = fmt::format(
-        "{} points do what beam theory says (otherwise, but within 10 % of its limit: {}; against it: {}); the slowest step takes {:.1f} ms.",
-        countOf(cells, Outcome::Stable), countOf(cells, Outcome::Degraded), countOf(cells, Outcome::Failed), slowest / 1000.0);
-    writeMap(options, "T13-stress", "A cantilever: what it does, and stress over strength by beam theory", "span, cells of 0.1 m",
-             "strength, of the real one", cells, {"as theory says", "within 10 % of it", "against it", nullptr});
+        "{} points do what beam theory says (otherwise, but within 10 % of its limit: {}; against it: {}); the slowest "
+        "step takes {:.1f} ms.",
+        countOf(cells, Outcome::Stable), countOf(cells, Outcome::Degraded), countOf(cells, Outcome::Failed),
+        slowest / 1000.0);
+    writeMap(options, "T13-stress", "A cantilever: what it does, and stress over strength by beam theory",
+             "span, cells of 0.1 m", "strength, of the real one", cells,
+             {"as theory says", "within 10 % of it", "against it", nullptr});
     return table;
 }
 

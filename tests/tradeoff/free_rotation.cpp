@@ -38,8 +38,10 @@ constexpr Method kMethods[] = {
     {"velocity kept", [](glm::dvec3 inertia, int substeps) { return ours(inertia, substeps, false); }},
     {"momentum kept", [](glm::dvec3 inertia, int substeps) { return ours(inertia, substeps, true); }},
     {"Runge-Kutta", rungeKutta},
-    {"Bullet's default", [](glm::dvec3 inertia, int substeps) { return bulletSpin(BulletGyroscopy::ImplicitInBody, inertia, substeps); }},
-    {"Bullet, explicit", [](glm::dvec3 inertia, int substeps) { return bulletSpin(BulletGyroscopy::Explicit, inertia, substeps); }},
+    {"Bullet's default",
+     [](glm::dvec3 inertia, int substeps) { return bulletSpin(BulletGyroscopy::ImplicitInBody, inertia, substeps); }},
+    {"Bullet, explicit",
+     [](glm::dvec3 inertia, int substeps) { return bulletSpin(BulletGyroscopy::Explicit, inertia, substeps); }},
 };
 
 struct Spinner {
@@ -73,10 +75,12 @@ double costOf(const SpinStep& step, glm::dvec3 w) {
 
 /// How far off the last flip that both have is, in flips.
 double flipPhase(const FreeSpin& spin, const FreeSpin& reference) {
-    const size_t most = std::min(spin.flips.size(), reference.flips.size()), apart = std::max(spin.flips.size(), reference.flips.size()) - most;
+    const size_t most = std::min(spin.flips.size(), reference.flips.size()),
+                 apart = std::max(spin.flips.size(), reference.flips.size()) - most;
     if (reference.flips.size() < 2) return 0.0;
     const double period = (reference.flips.back() - reference.flips.front()) / double(reference.flips.size() - 1);
-    return (most ? std::abs(spin.flips[most - 1] - reference.flips[most - 1]) / period : 0.0) + (apart > 1 ? double(apart) : 0.0);
+    return (most ? std::abs(spin.flips[most - 1] - reference.flips[most - 1]) / period : 0.0) +
+           (apart > 1 ? double(apart) : 0.0);
 }
 
 double bounded(double error) {
@@ -93,18 +97,24 @@ Table rotationTradeoff(const Options& options) {
     const double seconds = options.full ? 60.0 : 20.0;
     Table table{
         "T2",
-        fmt::format("how rotation is stepped: processor time a body and 1/60 s against what a body that spins freely for {:.0f} s loses", seconds),
+        fmt::format("how rotation is stepped: processor time a body and 1/60 s against what a body that spins freely "
+                    "for {:.0f} s loses",
+                    seconds),
         {"step", "substeps", "body", "spin rad/s", "ns a body", "energy", "momentum", "its direction rad", "flips off"},
         {}};
     table.note = fmt::format(
-        "Energy, momentum and its direction: the largest departure from the start, as a share; above {:.0f} nothing is left of it. Flips off: when "
+        "Energy, momentum and its direction: the largest departure from the start, as a share; above {:.0f} nothing is "
+        "left of it. Flips off: when "
         "the T-handle flips for the last time, in flips, over Runge-Kutta in doubles with 64 substeps.",
         kMaxError);
-    std::vector<Spinner> spinners{spinnerOf("rod 1:16", blockGrid({16, 1, 1}, 7), false), spinnerOf("T-handle", tHandle(), true)};
+    std::vector<Spinner> spinners{spinnerOf("rod 1:16", blockGrid({16, 1, 1}, 7), false),
+                                  spinnerOf("T-handle", tHandle(), true)};
     if (options.full)
-        for (const int length : {4, 64, 256}) spinners.push_back(spinnerOf(fmt::format("rod 1:{}", length), blockGrid({length, 1, 1}, 7), false));
+        for (const int length : {4, 64, 256})
+            spinners.push_back(spinnerOf(fmt::format("rod 1:{}", length), blockGrid({length, 1, 1}, 7), false));
     if (options.full) spinners.push_back(spinnerOf("plank 24x5x2", blockGrid({24, 5, 2}, 7), false));
-    const std::vector<double> spins = options.full ? std::vector<double>{1.0, 10.0, 30.0, 100.0} : std::vector<double>{6.0, 30.0};
+    const std::vector<double> spins =
+        options.full ? std::vector<double>{1.0, 10.0, 30.0, 100.0} : std::vector<double>{6.0, 30.0};
     std::vector<Series> energy, momentum, phase;
     Worst kept, bullet;
     for (const Method& method : kMethods) {
@@ -118,15 +128,19 @@ Table rotationTradeoff(const Options& options) {
                     const glm::dvec3 w = spinner.axis * speed;
                     const SpinStep step = method.make(spinner.inertia, substeps);
                     const FreeSpin spin = spinBy(step, spinner.inertia, w, seconds);
-                    const Measured ns = measure(options.repeats, [&] { return costOf(method.make(spinner.inertia, substeps), w); });
-                    const double off = spinner.flips ? flipPhase(spin, spinReference(spinner.inertia, w, seconds, 64)) : 0.0;
+                    const Measured ns =
+                        measure(options.repeats, [&] { return costOf(method.make(spinner.inertia, substeps), w); });
+                    const double off =
+                        spinner.flips ? flipPhase(spin, spinReference(spinner.inertia, w, seconds, 64)) : 0.0;
                     costs.push_back(ns.median);
                     worst.energy = std::max(worst.energy, bounded(spin.energy));
                     worst.momentum = std::max(worst.momentum, bounded(spin.momentum));
                     worst.phase = std::max(worst.phase, bounded(off));
-                    table.add({method.name, std::to_string(substeps), spinner.name, fmt::format("{:.0f}", speed), ns.text(),
-                               fmt::format("{:.1e}", bounded(spin.energy)), fmt::format("{:.1e}", bounded(spin.momentum)),
-                               fmt::format("{:.1e}", bounded(spin.direction)), spinner.flips ? fmt::format("{:.2g}", off) : "-"});
+                    table.add({method.name, std::to_string(substeps), spinner.name, fmt::format("{:.0f}", speed),
+                               ns.text(), fmt::format("{:.1e}", bounded(spin.energy)),
+                               fmt::format("{:.1e}", bounded(spin.momentum)),
+                               fmt::format("{:.1e}", bounded(spin.direction)),
+                               spinner.flips ? fmt::format("{:.2g}", off) : "-"});
                 }
             const double ns = quantile(costs, 0.5);
             energy.back().points.emplace_back(ns, worst.energy);
@@ -138,15 +152,18 @@ Table rotationTradeoff(const Options& options) {
     }
     table.failed = kept.energy > 1e-3 || kept.momentum > 1e-5;
     table.conclusion = fmt::format(
-        "As balanced steps it (momentum kept, 4 substeps), {:.0e} of the energy and {:.0e} of the momentum go at worst, and the T-handle is {:.2g} "
+        "As balanced steps it (momentum kept, 4 substeps), {:.0e} of the energy and {:.0e} of the momentum go at "
+        "worst, and the T-handle is {:.2g} "
         "flips off; Bullet's default loses {:.0f} % and {:.0f} %.",
-        kept.energy, kept.momentum, kept.phase, std::min(100.0, bullet.energy * 100.0), std::min(100.0, bullet.momentum * 100.0));
+        kept.energy, kept.momentum, kept.phase, std::min(100.0, bullet.energy * 100.0),
+        std::min(100.0, bullet.momentum * 100.0));
     const std::string cost = "ns a body and 1/60 s";
-    writePlot(options, "T2-energy", "Free rotation: cost against energy lost or gained, worst of all bodies and spins", cost, "share of the energy",
-              energy);
-    writePlot(options, "T2-momentum", "Free rotation: cost against angular momentum lost or gained, worst of all", cost, "share of the momentum",
-              momentum);
-    writePlot(options, "T2-flips", "Free rotation: cost against when the T-handle flips, worst of its spins", cost, "flips off", phase);
+    writePlot(options, "T2-energy", "Free rotation: cost against energy lost or gained, worst of all bodies and spins",
+              cost, "share of the energy", energy);
+    writePlot(options, "T2-momentum", "Free rotation: cost against angular momentum lost or gained, worst of all", cost,
+              "share of the momentum", momentum);
+    writePlot(options, "T2-flips", "Free rotation: cost against when the T-handle flips, worst of its spins", cost,
+              "flips off", phase);
     return table;
 }
 

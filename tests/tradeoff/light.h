@@ -9,8 +9,8 @@ Table denoiserTradeoff(const Options& options);      ///< T9
 Table gbufferTradeoff(const Options& options);       ///< T10-gbuffer
 Table lightFeatureTradeoff(const Options& options);  ///< T12-light
 Table lightRuleTradeoff(const Options& options);     ///< T12-light-rules
-Table sphereLightMap(const Options& options);               ///< T13-sphere-light
-Table visibilityMap(const Options& options);               ///< T13-visibility
+Table sphereLightMap(const Options& options);        ///< T13-sphere-light
+Table visibilityMap(const Options& options);         ///< T13-visibility
 Table penumbraMap(const Options& options);           ///< T13-penumbra
 Table shadowCellTradeoff(const Options& options);    ///< T6
 

@@ -7,8 +7,8 @@
 
 #include "samples/support/gl_context.h"
 #include "tests/reference/display.h"
-#include "tests/reference/flip.h"
 #include "tests/reference/exr_file.h"
+#include "tests/reference/flip.h"
 #include "tests/reference/relative_error.h"
 
 namespace rubble::tradeoff {
@@ -52,7 +52,8 @@ void LightBench::draw(int frames) {
         m_minMs = std::min(m_minMs, processorMs() - begin);
         for (const auto& [pass, ms] : m_renderer->figures().passMs) {
             const auto found =
-                std::find_if(m_minPassMs.begin(), m_minPassMs.end(), [name = std::string(pass)](const auto& each) { return each.first == name; });
+                std::find_if(m_minPassMs.begin(), m_minPassMs.end(),
+                             [name = std::string(pass)](const auto& each) { return each.first == name; });
             if (found == m_minPassMs.end())
                 m_minPassMs.emplace_back(pass, ms);
             else
@@ -75,7 +76,8 @@ double LightBench::ms(std::string_view pass) const {
 
 Difference differenceOf(const FloatImage& referenceImage, const FloatImage& drawn, float exposureOfLevel) {
     const float exposure = reference::exposureFor(referenceImage, exposureOfLevel);
-    return {reference::flip(reference::displayed(referenceImage, exposure), reference::displayed(drawn, exposure)), reference::relativeError(referenceImage, drawn)};
+    return {reference::flip(reference::displayed(referenceImage, exposure), reference::displayed(drawn, exposure)),
+            reference::relativeError(referenceImage, drawn)};
 }
 
 ReferenceView streetReference(const Options& options, glm::ivec2 size) {
@@ -83,8 +85,9 @@ ReferenceView streetReference(const Options& options, glm::ivec2 size) {
     street.scene.view.size = size;
     const reference::Settings settings{.samples = options.full ? 1024 : 192, .filterPixels = true};
     const reference::Scene scene(street.scene.snapshot);
-    street.referenceImage =
-        reference::cachedRender(scene, street.scene.view, settings, RUBBLE_BINARY_DIR "/reference", "the referenceImage of " + street.scene.name).mean;
+    street.referenceImage = reference::cachedRender(scene, street.scene.view, settings, RUBBLE_BINARY_DIR "/reference",
+                                                    "the referenceImage of " + street.scene.name)
+                                .mean;
     return street;
 }
 

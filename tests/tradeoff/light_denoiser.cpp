@@ -60,11 +60,13 @@ glm::dvec2 middleOf(const FloatImage& image) {
     const glm::ivec2 low = image.size / 3, high = image.size * 2 / 3;
     for (int y = low.y; y < high.y; ++y)
         for (int x = low.x; x < high.x; ++x)
-            sum += glm::dvec2(image.at(x, y).a, glm::dot(glm::vec3(image.at(x, y)), glm::vec3(0.2126f, 0.7152f, 0.0722f)));
+            sum +=
+                glm::dvec2(image.at(x, y).a, glm::dot(glm::vec3(image.at(x, y)), glm::vec3(0.2126f, 0.7152f, 0.0722f)));
     return sum / double((high.x - low.x) * (high.y - low.y));
 }
 
-/// Pictures until 90 % of the new light is there (the later of sun and sky), and the share of it that is wrong after 30.
+/// Pictures until 90 % of the new light is there (the later of sun and sky), and the share of it that is wrong
+/// after 30.
 struct Response {
     int lag = 0;
     double ghost = 0.0;
@@ -91,7 +93,8 @@ Response responseOf(const Setting& setting) {
     return response;
 }
 
-/// Of the still street: how far the mean of many frames is from the converged light, and how much each strays from that mean.
+/// Of the still street: how far the mean of many frames is from the converged light, and how much each strays from that
+/// mean.
 struct Still {
     double bias = 0.0, flicker = 0.0, ms = 0.0;
 };
@@ -103,7 +106,8 @@ Still stillOf(const Setting& setting, const reference::SceneView& street, const 
     for (int i = 0; i < kWatched; ++i) {
         bench.draw();
         const FloatImage image = bench.read("denoisedLight");
-        for (size_t p = 0; p < pixels; ++p) sum[p] += image.pixels[p].g, squares[p] += double(image.pixels[p].g) * image.pixels[p].g;
+        for (size_t p = 0; p < pixels; ++p)
+            sum[p] += image.pixels[p].g, squares[p] += double(image.pixels[p].g) * image.pixels[p].g;
     }
     Still still;
     double light = 0.0;
@@ -135,31 +139,38 @@ FloatImage convergedStreet(const reference::SceneView& street) {
 }  // namespace
 
 Table denoiserTradeoff(const Options& options) {
-    Table table{"T9",
-                "the denoiser's memory, reach and forgetting, against the renderer's own converged light",
-                {"history", "filter passes", "forgets changes", "ms", "bias %", "flicker %", "lag frames", "ghost after 30 %"},
-                {}};
+    Table table{
+        "T9",
+        "the denoiser's memory, reach and forgetting, against the renderer's own converged light",
+        {"history", "filter passes", "forgets changes", "ms", "bias %", "flicker %", "lag frames", "ghost after 30 %"},
+        {}};
     table.note =
-        "Bias and flicker: of the still street's light, in per cent of its mean. Lag: frames after a wall is gone until 90 % of the sun's and "
+        "Bias and flicker: of the still street's light, in per cent of its mean. Lag: frames after a wall is gone "
+        "until 90 % of the sun's and "
         "sky's new "
-        "light is seen and stays; ghost: what is still wrong of it after 30. ms: accumulation and filter at 160x90, the least of 64 frames.";
+        "light is seen and stays; ghost: what is still wrong of it after 30. ms: accumulation and filter at 160x90, "
+        "the least of 64 frames.";
     const reference::SceneView street = reference::tuningViews(false)[0];
     const FloatImage converged = convergedStreet(street);
     Series bias{"bias", {}, true}, flicker{"flicker", {}, true};
     for (const Setting& setting : settingsOf(options)) {
         const Still still = stillOf(setting, street, converged);
         const Response response = responseOf(setting);
-        table.add({std::to_string(setting.history), std::to_string(setting.radius), setting.forgets ? "yes" : "no", fmt::format("{:.2f}", still.ms),
-                   fmt::format("{:.2f}", still.bias * 100), fmt::format("{:.2f}", still.flicker * 100), std::to_string(response.lag),
+        table.add({std::to_string(setting.history), std::to_string(setting.radius), setting.forgets ? "yes" : "no",
+                   fmt::format("{:.2f}", still.ms), fmt::format("{:.2f}", still.bias * 100),
+                   fmt::format("{:.2f}", still.flicker * 100), std::to_string(response.lag),
                    fmt::format("{:.2f}", response.ghost * 100)});
-        bias.points.emplace_back(still.ms, still.bias * 100), flicker.points.emplace_back(still.ms, still.flicker * 100);
+        bias.points.emplace_back(still.ms, still.bias * 100),
+            flicker.points.emplace_back(still.ms, still.flicker * 100);
         if (setting.history != 32 || setting.radius != 4 || !setting.forgets) continue;
-        table.conclusion =
-            fmt::format("Balanced (32 frames, 4 passes): bias {:.1f} %, flicker {:.1f} %, 90 % of new light after {} frames, ghost {:.1f} %.",
-                        still.bias * 100, still.flicker * 100, response.lag, response.ghost * 100);
+        table.conclusion = fmt::format(
+            "Balanced (32 frames, 4 passes): bias {:.1f} %, flicker {:.1f} %, 90 % of new light after {} frames, ghost "
+            "{:.1f} %.",
+            still.bias * 100, still.flicker * 100, response.lag, response.ghost * 100);
         table.failed = response.lag > kMaxLagFrames || response.ghost > 0.02;
     }
-    writePlot(options, "T9", "The denoiser: bias and flicker by what it takes", "ms", "per cent of the light", {bias, flicker});
+    writePlot(options, "T9", "The denoiser: bias and flicker by what it takes", "ms", "per cent of the light",
+              {bias, flicker});
     return table;
 }
 

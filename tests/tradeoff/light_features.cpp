@@ -30,7 +30,8 @@ const Feature kFeatures[] = {
 /// Pictures of each in turns: what else the machine does meets all alike.
 std::vector<std::unique_ptr<LightBench>> drawAll(const ReferenceView& street) {
     std::vector<std::unique_ptr<LightBench>> benches;
-    benches.push_back(std::make_unique<LightBench>(street.scene.snapshot, street.scene.view, kSize, reference::comparedSettings()));
+    benches.push_back(
+        std::make_unique<LightBench>(street.scene.snapshot, street.scene.view, kSize, reference::comparedSettings()));
     for (const Feature& feature : kFeatures) {
         RenderSettings settings = reference::comparedSettings();
         feature.off(settings);
@@ -49,7 +50,8 @@ Table lightFeatureTradeoff(const Options& options) {
                 {"off", "processor ms a frame", "ms saved", "MB of textures", "draw calls", "FLIP", "relMSE"},
                 {}};
     table.note =
-        "The street in the evening, 192x108, 16 frames, against the referenceImage. Each row turns one feature off. By rule means: its passes and targets "
+        "The street in the evening, 192x108, 16 frames, against the referenceImage. Each row turns one feature off. By "
+        "rule means: its passes and targets "
         "are there "
         "only while the scene has something for it; tests/render counts them.";
     const ReferenceView street = streetReference(options, kSize);
@@ -67,14 +69,16 @@ Table lightFeatureTradeoff(const Options& options) {
         const Difference difference = i ? differenceTo(*benches[i]) : best;
         const double ms = benches[i]->ms();
         table.add({name, fmt::format("{:.1f}", ms), fmt::format("{:.1f}", all - ms),
-                   fmt::format("{:.2f}", double(benches[i]->figures().textureBytes) * 1e-6), std::to_string(benches[i]->figures().drawCalls),
-                   fmt::format("{:.4f}", difference.flip), fmt::format("{:.5f}", difference.relative)});
+                   fmt::format("{:.2f}", double(benches[i]->figures().textureBytes) * 1e-6),
+                   std::to_string(benches[i]->figures().drawCalls), fmt::format("{:.4f}", difference.flip),
+                   fmt::format("{:.5f}", difference.relative)});
         if (all - ms > most) most = all - ms, costliest = name;
         if (i == 0) continue;
         bars.push_back({name, "FLIP without", {difference.flip, difference.flip, difference.flip}});
         bars.push_back({name, "FLIP with", {best.flip, best.flip, best.flip}});
     }
-    table.conclusion = fmt::format("All on: {:.1f} ms and a FLIP of {:.4f}; costliest is {}: {:.1f} ms.", all, best.flip, costliest, most);
+    table.conclusion = fmt::format("All on: {:.1f} ms and a FLIP of {:.4f}; costliest is {}: {:.1f} ms.", all,
+                                   best.flip, costliest, most);
     writeBars(options, "T12-light", "What the frame loses without each feature", "FLIP", bars);
     return table;
 }

@@ -41,7 +41,8 @@ std::string stableRange(const std::vector<std::pair<std::string, Outcome>>& row)
     return fmt::format("up to {}, the most that was tried", last);
 }
 
-/// A floor lit by one ball over it, that shines back to the eye: relative difference of the mean radiance from the referenceImage.
+/// A floor lit by one ball over it, that shines back to the eye: relative difference of the mean radiance from the
+/// referenceImage.
 double sphereLightError(uint8_t roughness, float radius) {
     LitScene scene(gray(roughness));
     Environment& air = scene.environment;
@@ -57,7 +58,8 @@ double sphereLightError(uint8_t roughness, float radius) {
     bench.draw(24);
     View view = camera.view(kSize, 0);
     const FloatImage drawn = bench.read("resolved"), depth = bench.read("depth");
-    const FloatImage referenceImage = reference::render(reference::Scene(scene.snapshot()), view, {.samples = 192, .filterPixels = true}).mean;
+    const FloatImage referenceImage =
+        reference::render(reference::Scene(scene.snapshot()), view, {.samples = 192, .filterPixels = true}).mean;
     double off = 0.0, all = 0.0;
     for (size_t p = 0; p < referenceImage.pixels.size(); ++p) {
         if (depth.pixels[p].x > 1e3f) continue;
@@ -66,13 +68,16 @@ double sphereLightError(uint8_t roughness, float radius) {
     return std::abs(off) / std::max(all, 1e-6);
 }
 
-/// Share of pixels that show another surface than the referenceImage, of the street's first view moved away from the origin.
+/// Share of pixels that show another surface than the referenceImage, of the street's first view moved away from the
+/// origin.
 double visibilityError(double away, float degrees) {
     LitScene scene(gray(255));
     const glm::dvec3 origin(away, 0, -away);
     scene.add({60, 2, 60}, {origin + glm::dvec3(-3, -0.2, -3)}, solid);
     scene.add({10, 20, 10}, {origin + glm::dvec3(0.5, 0, -0.5)}, solid);
-    scene.add({6, 6, 6}, {origin + glm::dvec3(-1.2, 0.4, 0.2), glm::angleAxis(0.6, glm::normalize(glm::dvec3(0.3, 1, 0.2)))}, solid);
+    scene.add({6, 6, 6},
+              {origin + glm::dvec3(-1.2, 0.4, 0.2), glm::angleAxis(0.6, glm::normalize(glm::dvec3(0.3, 1, 0.2)))},
+              solid);
     Camera camera;
     camera.position = origin + glm::dvec3(0.2, 1.5, 3.0);
     camera.lookAt(origin + glm::dvec3(0, 0.5, 0));
@@ -112,18 +117,25 @@ double penumbraError(float radians, double height) {
     LightBench bench(scene.snapshot(), view, kSize, settings);
     bench.draw(32);
     const FloatImage light = bench.read("denoisedLight");
-    const FloatImage referenceImage = reference::render(reference::Scene(scene.snapshot()), view, {.term = reference::Term::SunShare, .samples = 192}).mean;
+    const FloatImage referenceImage =
+        reference::render(reference::Scene(scene.snapshot()), view, {.term = reference::Term::SunShare, .samples = 192})
+            .mean;
     double off = 0.0;
-    for (size_t p = 0; p < referenceImage.pixels.size(); ++p) off += std::abs(double(light.pixels[p].a) - referenceImage.pixels[p].x);
+    for (size_t p = 0; p < referenceImage.pixels.size(); ++p)
+        off += std::abs(double(light.pixels[p].a) - referenceImage.pixels[p].x);
     return off / double(referenceImage.pixels.size());
 }
 
 }  // namespace
 
 Table sphereLightMap(const Options& options) {
-    Table table{"T13-sphere-light", "lamps' light on floors of every roughness", {"roughness", "radius m", "error %", "outcome"}, {}};
+    Table table{"T13-sphere-light",
+                "lamps' light on floors of every roughness",
+                {"roughness", "radius m", "error %", "outcome"},
+                {}};
     table.note =
-        "Mean radiance of a floor that one ball lights, one ray a pixel, 24 frames, against the referenceImage. Stable: within 3 %; degraded: 15 %.";
+        "Mean radiance of a floor that one ball lights, one ray a pixel, 24 frames, against the referenceImage. "
+        "Stable: within 3 %; degraded: 15 %.";
     std::vector<MapCell> cells;
     int stable = 0;
     for (const int roughness : {10, 40, 80, 110, 140, 180, 255}) {
@@ -141,14 +153,18 @@ Table sphereLightMap(const Options& options) {
         table.envelope.emplace_back(name, stableRange(row));
     }
     table.conclusion = fmt::format("{} of {} are within 3 %.", stable, cells.size());
-    writeMap(options, "T13-sphere-light", "T13-sphere-light: error of a floor's radiance", "radius of the lamp", "roughness of the floor", cells,
-             {"within 3 %", "within 15 %", "more", nullptr});
+    writeMap(options, "T13-sphere-light", "T13-sphere-light: error of a floor's radiance", "radius of the lamp",
+             "roughness of the floor", cells, {"within 3 %", "within 15 %", "more", nullptr});
     return table;
 }
 
 Table visibilityMap(const Options& options) {
-    Table table{"T13-visibility", "what is seen, by distance from the origin and angle of view", {"vertical angle", "km", "wrong pixels %", "outcome"}, {}};
-    table.note = "Pixels whose depth differs from the exact ray's by more than 2 mm and 0.2 %. Stable: 1 %; degraded: 5 %.";
+    Table table{"T13-visibility",
+                "what is seen, by distance from the origin and angle of view",
+                {"vertical angle", "km", "wrong pixels %", "outcome"},
+                {}};
+    table.note =
+        "Pixels whose depth differs from the exact ray's by more than 2 mm and 0.2 %. Stable: 1 %; degraded: 5 %.";
     std::vector<MapCell> cells;
     int stable = 0;
     for (const float degrees : {1.0f, 10.0f, 60.0f, 120.0f, 160.0f, 179.0f}) {
@@ -166,15 +182,19 @@ Table visibilityMap(const Options& options) {
         table.envelope.emplace_back(name, stableRange(row));
     }
     table.conclusion = fmt::format("{} of {} show at most 1 % of wrong pixels.", stable, cells.size());
-    writeMap(options, "T13-visibility", "T13-visibility: pixels that show the wrong place", "distance from the origin", "vertical angle of view", cells,
-             {"up to 1 %", "up to 5 %", "more", nullptr});
+    writeMap(options, "T13-visibility", "T13-visibility: pixels that show the wrong place", "distance from the origin",
+             "vertical angle of view", cells, {"up to 1 %", "up to 5 %", "more", nullptr});
     return table;
 }
 
 Table penumbraMap(const Options& options) {
-    Table table{"T13-penumbra", "the sun's shadow behind an edge", {"height of the edge", "sun's radius", "error", "outcome"}, {}};
+    Table table{"T13-penumbra",
+                "the sun's shadow behind an edge",
+                {"height of the edge", "sun's radius", "error", "outcome"},
+                {}};
     table.note =
-        "Mean difference of the sun's share from the referenceImage, one ray a pixel, filtered, 32 frames, for edges at a height and suns of an angular "
+        "Mean difference of the sun's share from the referenceImage, one ray a pixel, filtered, 32 frames, for edges "
+        "at a height and suns of an angular "
         "radius. "
         "Stable: 0.02; degraded: 0.06.";
     std::vector<MapCell> cells;
@@ -194,8 +214,8 @@ Table penumbraMap(const Options& options) {
         table.envelope.emplace_back(name, stableRange(row));
     }
     table.conclusion = fmt::format("{} of {} are within 0.02 of the sun's share.", stable, cells.size());
-    writeMap(options, "T13-penumbra", "T13-penumbra: error of the sun's share behind an edge", "angular radius of the sun", "height of the edge",
-             cells, {"within 0.02", "within 0.06", "more", nullptr});
+    writeMap(options, "T13-penumbra", "T13-penumbra: error of the sun's share behind an edge",
+             "angular radius of the sun", "height of the edge", cells, {"within 0.02", "within 0.06", "more", nullptr});
     return table;
 }
 

@@ -27,12 +27,13 @@ struct Rule {
 };
 
 const Rule kRules[] = {
-    {"mirror rays", "where 1.2 % of the light or more is mirrored", "lib/mirror.glsl", "kMinMirrorShare = 0.012", "kMinMirrorShare = -1.0",
-     [](RenderSettings& s) { s.reflections = false; }},
+    {"mirror rays", "where 1.2 % of the light or more is mirrored", "lib/mirror.glsl", "kMinMirrorShare = 0.012",
+     "kMinMirrorShare = -1.0", [](RenderSettings& s) { s.reflections = false; }},
     {"lamps' rays", "each frame where a lamp may give 0.01, else now and then", "passes/local_lights.frag",
-     "min(reservoir.weightSum / (kPi * uFullRayRadiance), 1.0)", "min(1.0 + uFullRayRadiance, 1.0)", [](RenderSettings& s) { s.localLights = false; }},
-    {"wide filter steps", "where there is no past, or noise in spite of it", "passes/filter.frag", "centre.z >= kLongHistory", "centre.z >= 1e9",
-     [](RenderSettings& s) { s.filterPasses = 2; }},
+     "min(reservoir.weightSum / (kPi * uFullRayRadiance), 1.0)", "min(1.0 + uFullRayRadiance, 1.0)",
+     [](RenderSettings& s) { s.localLights = false; }},
+    {"wide filter steps", "where there is no past, or noise in spite of it", "passes/filter.frag",
+     "centre.z >= kLongHistory", "centre.z >= 1e9", [](RenderSettings& s) { s.filterPasses = 2; }},
 };
 
 /// Shaders with one line exchanged, in a folder of their own.
@@ -68,7 +69,8 @@ Unused unusedCost() {
     camera.lookAt({0, 0, 0});
     RenderSettings on = reference::comparedSettings(), off = on;
     off.localLights = off.reflections = false;
-    LightBench with(plain.snapshot(), camera.view(kSize, 0), kSize, on), without(plain.snapshot(), camera.view(kSize, 0), kSize, off);
+    LightBench with(plain.snapshot(), camera.view(kSize, 0), kSize, on),
+        without(plain.snapshot(), camera.view(kSize, 0), kSize, off);
     for (int i = 0; i < 48; ++i) with.draw(), without.draw();
     return {with.ms() / without.ms(), int64_t(with.figures().textureBytes) - int64_t(without.figures().textureBytes),
             with.figures().drawCalls - without.figures().drawCalls};
@@ -79,17 +81,20 @@ Unused unusedCost() {
 Table lightRuleTradeoff(const Options& options) {
     Table table{"T12-light-rules",
                 "features of light where they pay: always on, by rule and off",
-                {"feature", "rule", "ms always", "ms by rule", "ms off", "FLIP always", "FLIP by rule", "FLIP off", "cost kept %", "gain kept %"},
+                {"feature", "rule", "ms always", "ms by rule", "ms off", "FLIP always", "FLIP by rule", "FLIP off",
+                 "cost kept %", "gain kept %"},
                 {}};
     table.note =
-        "The street in the evening, 192x108, 16 frames, against the referenceImage; processor time. Cost kept: of what always on takes over off; gain "
+        "The street in the evening, 192x108, 16 frames, against the referenceImage; processor time. Cost kept: of what "
+        "always on takes over off; gain "
         "kept: of what it brings. A rule should keep 90 % of the gain for 30 % of the cost.";
     const ReferenceView street = streetReference(options, kSize);
     int kept = 0;
     for (const Rule& rule : kRules) {
         RenderSettings off = reference::comparedSettings();
         rule.off(off);
-        LightBench benches[] = {{street.scene.snapshot, street.scene.view, kSize, reference::comparedSettings(), shadersWith(options, rule)},
+        LightBench benches[] = {{street.scene.snapshot, street.scene.view, kSize, reference::comparedSettings(),
+                                 shadersWith(options, rule)},
                                 {street.scene.snapshot, street.scene.view, kSize, reference::comparedSettings()},
                                 {street.scene.snapshot, street.scene.view, kSize, off}};
         for (int i = 0; i < kFrames; ++i)
@@ -97,17 +102,22 @@ Table lightRuleTradeoff(const Options& options) {
         double ms[3], flip[3];
         for (int i = 0; i < 3; ++i) {
             ms[i] = benches[i].ms();
-            flip[i] = differenceOf(street.referenceImage, benches[i].read("resolved"), street.scene.snapshot.environment.exposure).flip;
+            flip[i] = differenceOf(street.referenceImage, benches[i].read("resolved"),
+                                   street.scene.snapshot.environment.exposure)
+                          .flip;
         }
-        const double cost = (ms[1] - ms[2]) / std::max(ms[0] - ms[2], 1e-3), gain = (flip[2] - flip[1]) / std::max(flip[2] - flip[0], 1e-5);
-        table.add({rule.feature, rule.words, fmt::format("{:.1f}", ms[0]), fmt::format("{:.1f}", ms[1]), fmt::format("{:.1f}", ms[2]),
-                   fmt::format("{:.4f}", flip[0]), fmt::format("{:.4f}", flip[1]), fmt::format("{:.4f}", flip[2]), fmt::format("{:.0f}", cost * 100),
+        const double cost = (ms[1] - ms[2]) / std::max(ms[0] - ms[2], 1e-3),
+                     gain = (flip[2] - flip[1]) / std::max(flip[2] - flip[0], 1e-5);
+        table.add({rule.feature, rule.words, fmt::format("{:.1f}", ms[0]), fmt::format("{:.1f}", ms[1]),
+                   fmt::format("{:.1f}", ms[2]), fmt::format("{:.4f}", flip[0]), fmt::format("{:.4f}", flip[1]),
+                   fmt::format("{:.4f}", flip[2]), fmt::format("{:.0f}", cost * 100),
                    fmt::format("{:.0f}", gain * 100)});
         kept += cost <= 0.3 && gain >= 0.9;
     }
     const Unused unused = unusedCost();
     table.conclusion = fmt::format(
-        "{} of {} rules keep 90 % of the gain for 30 % of the cost. Lamps and mirrors that a scene has none of: {:+.2f} % of a frame's time, "
+        "{} of {} rules keep 90 % of the gain for 30 % of the cost. Lamps and mirrors that a scene has none of: "
+        "{:+.2f} % of a frame's time, "
         "{} bytes of textures, {} draw calls.",
         kept, std::size(kRules), (unused.ratio - 1.0) * 100, unused.bytes, unused.draws);
     table.failed = unused.bytes != 0 || unused.draws != 0;

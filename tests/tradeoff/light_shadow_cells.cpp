@@ -26,7 +26,8 @@ VoxelGrid cellsOf(const FrameSnapshot& snapshot, int size) {
         if (!patch.content) continue;
         for (int i = 0; i < 16 * 16 * 16; ++i) {
             const glm::ivec3 cell(i & 15, i >> 4 & 15, i >> 8), word = cell >> 2, bit = cell & 3;
-            if (!(patch.content->cells(word.x + word.y * 4 + word.z * 16) >> (bit.x + bit.y * 4 + bit.z * 16) & 1)) continue;
+            if (!(patch.content->cells(word.x + word.y * 4 + word.z * 16) >> (bit.x + bit.y * 4 + bit.z * 16) & 1))
+                continue;
             const glm::ivec3 at = patch.brick * 16 + cell - kLow;
             writer.set(at / size, 1);
         }
@@ -48,13 +49,14 @@ std::vector<Query> queriesOf(const reference::Scene& scene, int count, uint64_t 
     while (int(queries.size()) < count) {
         const glm::dvec2 p = reference::unitSquare(random) * 2.0 - 1.0;
         const double tanY = std::tan(double(view.verticalFov) * 0.5);
-        const reference::Surface s =
-            scene.closest({view.position, glm::normalize(view.rotation * glm::dvec3(p.x * tanY * 16 / 9, p.y * tanY, -1.0))});
+        const reference::Surface s = scene.closest(
+            {view.position, glm::normalize(view.rotation * glm::dvec3(p.x * tanY * 16 / 9, p.y * tanY, -1.0))});
         if (!s.hit || glm::length(s.position) > 12.0) continue;
         glm::dvec3 direction = reference::cosineDirection(s.normal, reference::unitSquare(random));
         const glm::dvec3 sun = glm::normalize(glm::dvec3(scene.environment().sunDirection));
         if (queries.size() % 2 && glm::dot(sun, s.normal) > 0.0) direction = sun;
-        queries.push_back({s.position, s.normal, direction, scene.transmittance({s.position + s.normal * 1e-6, direction, 24.0}).g > 0.0f});
+        queries.push_back({s.position, s.normal, direction,
+                           scene.transmittance({s.position + s.normal * 1e-6, direction, 24.0}).g > 0.0f});
     }
     return queries;
 }
@@ -93,9 +95,11 @@ Table shadowCellTradeoff(const Options& options) {
                 {"voxels a bit", "steps late", "false shadow %", "false light %", "ns a ray", "KB"},
                 {}};
     table.note =
-        "Sun and sky rays of 24 m from what is seen of the street, against exact visibility through the voxels where they stand (one cube is turned, "
+        "Sun and sky rays of 24 m from what is seen of the street, against exact visibility through the voxels where "
+        "they stand (one cube is turned, "
         "and "
-        "glass stops nothing). Late: that cube falls at 10 m/s and its cells are where they were; of rays near it. KB: 64 bytes for each 8x8x8 bits "
+        "glass stops nothing). Late: that cube falls at 10 m/s and its cells are where they were; of rays near it. KB: "
+        "64 bytes for each 8x8x8 bits "
         "with any.";
     LitScene street = streetScene();
     const int count = options.full ? 400000 : 60000;
@@ -125,14 +129,16 @@ Table shadowCellTradeoff(const Options& options) {
                 if (pose.shape.slot() == kCube) return pose.current;
             return Pose{};
         }();
-        later.move(ShapeHandle::make(1, 1, kCube), {before.position + glm::dvec3(0, kFall * late / 60.0, 0), before.rotation});
+        later.move(ShapeHandle::make(1, 1, kCube),
+                   {before.position + glm::dvec3(0, kFall * late / 60.0, 0), before.rotation});
         std::vector<Query> near;
         for (const Query& q : queriesOf(reference::Scene(later.snapshot()), count, options.seed))
             if (glm::distance(q.position, before.position) < 2.0) near.push_back(q);
         add(1, late, errorsOf(cells, 1, near), cells);
     }
     table.conclusion = fmt::format(
-        "A bit a voxel is wrong for {:.2f} % of rays (the turned cube, whose cells are not its voxels); a bit for 2x2x2, the reference's way, for "
+        "A bit a voxel is wrong for {:.2f} % of rays (the turned cube, whose cells are not its voxels); a bit for "
+        "2x2x2, the reference's way, for "
         "{:.1f} %.",
         (finest.shadow + finest.light) * 100, (coarse.shadow + coarse.light) * 100);
     writePlot(options, "T6", "Shadow cells: wrong rays by the side of a cell", "voxels", "per cent", {wrong});

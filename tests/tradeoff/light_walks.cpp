@@ -40,8 +40,10 @@ Table walkTradeoff(const Options& options) {
                 {"walk", "distance m", "ns a ray", "false light a million", "false shadow a million", "MB"},
                 {}};
     table.note =
-        "Ambient rays from the street view of a city of 1024 x 256 x 1024 cells, 640 x 360, llvmpipe in one thread. Sparse and super sparse "
-        "after the reference: 2x2x2 cells in a byte, full, half and quarter resolution, in a 3D texture or in a buffer. Truth: a walk in doubles, "
+        "Ambient rays from the street view of a city of 1024 x 256 x 1024 cells, 640 x 360, llvmpipe in one thread. "
+        "Sparse and super sparse "
+        "after the reference: 2x2x2 cells in a byte, full, half and quarter resolution, in a 3D texture or in a "
+        "buffer. Truth: a walk in doubles, "
         "cell by cell.";
     disableGlThreads();
     auto context = GlContext::create(GlContext::Kind::OsMesa);
@@ -52,7 +54,8 @@ Table walkTradeoff(const Options& options) {
     }
     const RayScene scene = cityScene();
     Walks walks(scene.bits, scene.patches);
-    std::vector<double> distances = options.full ? std::vector<double>{30, 60, 120, 240, 480, 960} : std::vector<double>{60, 240, 960};
+    std::vector<double> distances =
+        options.full ? std::vector<double>{30, 60, 120, 240, 480, 960} : std::vector<double>{60, 240, 960};
     std::vector<Series> series;
     double exact = 0.0, superSparse = 0.0, wrong = 0.0, missed = 0.0;
     for (const std::string& walk : Walks::names()) series.push_back({walk, {}});
@@ -61,16 +64,19 @@ Table walkTradeoff(const Options& options) {
         for (size_t k = 0; k < Walks::names().size(); ++k) {
             const std::string& walk = Walks::names()[k];
             const Figures figures = figuresOf(walks, walk, set, options.repeats);
-            table.add({walk, fmt::format("{:g}", distance * 0.1), fmt::format("{:.0f}", figures.nanoseconds), fmt::format("{:.0f}", figures.falseLight),
-                       fmt::format("{:.0f}", figures.falseShadow), fmt::format("{:.1f}", double(walks.bytes(walk)) / 1e6)});
+            table.add({walk, fmt::format("{:g}", distance * 0.1), fmt::format("{:.0f}", figures.nanoseconds),
+                       fmt::format("{:.0f}", figures.falseLight), fmt::format("{:.0f}", figures.falseShadow),
+                       fmt::format("{:.1f}", double(walks.bytes(walk)) / 1e6)});
             series[k].points.emplace_back(distance * 0.1, figures.nanoseconds);
             if (k == 0) wrong += figures.falseLight + figures.falseShadow;
             if (distance == 240.0 && k == 0) exact = figures.nanoseconds;
-            if (distance == 240.0 && k == 1) superSparse = figures.nanoseconds, missed = figures.falseLight + figures.falseShadow;
+            if (distance == 240.0 && k == 1)
+                superSparse = figures.nanoseconds, missed = figures.falseLight + figures.falseShadow;
         }
     }
     table.conclusion = fmt::format(
-        "At 24 m the exact walk takes {:.2f} of super sparse's time, which is wrong for {:.0f} rays in a million; the exact one for {:.0f} (grazing "
+        "At 24 m the exact walk takes {:.2f} of super sparse's time, which is wrong for {:.0f} rays in a million; the "
+        "exact one for {:.0f} (grazing "
         "ones).",
         exact / superSparse, missed, wrong);
     writePlot(options, "T7", "Walks: time a ray, by its distance", "m", "ns a ray", series);

@@ -20,8 +20,9 @@ using Row = std::pair<std::string, std::function<Table(const Options&)>>;
 
 std::vector<Row> rowsOf(const std::string& subject) {
     if (subject == "destruction")
-        return {{"T4", debrisTradeoff},    {"T5", connectivityTradeoff}, {"T12", featureTradeoff},      {"T13-stress", stressMap},
-                {"T13-pieces", piecesMap}, {"T13-split", splitMap},      {"T13-fragments", fragmentMap}};
+        return {{"T4", debrisTradeoff},        {"T5", connectivityTradeoff}, {"T12", featureTradeoff},
+                {"T13-stress", stressMap},     {"T13-pieces", piecesMap},    {"T13-split", splitMap},
+                {"T13-fragments", fragmentMap}};
     if (subject == "noisyLight")
         return {{"T6", shadowCellTradeoff},
                 {"T7", walkTradeoff},
@@ -49,7 +50,8 @@ Table makeTable(const Row& row, const Options& options, bool& written) {
     const auto begin = std::chrono::steady_clock::now();
     Table table = row.second(options);
     written &= writeCsv(options, table);
-    fmt::print("{}({:.1f} s)\n\n", markdown(table), std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    fmt::print("{}({:.1f} s)\n\n", markdown(table),
+               std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     std::fflush(stdout);
     return table;
 }
@@ -78,16 +80,21 @@ int main(int argc, char** argv) {
     std::string subject, only, scene;
     bool publish = false;
     CLI::App app{"Trade-off report: what is turned, what it costs, what it gets wrong", "tradeoff"};
-    app.add_option("subject", subject, "destruction, physics or light")->required()->check(CLI::IsMember({"destruction", "physics", "noisyLight"}));
+    app.add_option("subject", subject, "destruction, physics or light")
+        ->required()
+        ->check(CLI::IsMember({"destruction", "physics", "noisyLight"}));
     app.add_flag("--full", options.full, "every combination: minutes instead of seconds");
     app.add_option("--out", options.out, "folder for tables and plots")->capture_default_str();
     app.add_option("--only", only, "the table of this name, or those whose names begin so, as T12");
-    app.add_option("--repeats", options.repeats, "runs of each measurement")->capture_default_str()->check(CLI::PositiveNumber);
+    app.add_option("--repeats", options.repeats, "runs of each measurement")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
     app.add_option("--seed", options.seed)->capture_default_str();
     app.add_flag("--publish", publish, "physics or light: write its part of OPERATING_ENVELOPE.md");
     app.add_option("--feature-scene", scene)->group("");  // this program under valgrind
     CLI11_PARSE(app, argc, argv);
-    rubble::setLogSink([](void*, rubble::LogLevel, std::string_view) {}, nullptr);  // what is pushed until it fails has much to say
+    rubble::setLogSink([](void*, rubble::LogLevel, std::string_view) {},
+                       nullptr);  // what is pushed until it fails has much to say
     if (!scene.empty()) return runFeatureScene(scene) ? 0 : 1;
 
     std::error_code ignored;
@@ -108,7 +115,9 @@ int main(int argc, char** argv) {
     written &= writeText(options.out + "/" + subject + ".md", report);
     if (publish) {
         const std::string path = RUBBLE_SOURCE_DIR "/OPERATING_ENVELOPE.md";
-        written &= writeText(path, envelopeWith(subject, path, subject == "noisyLight" ? lightEnvelope(options, maps) : operatingEnvelope(options, maps)));
+        written &= writeText(path, envelopeWith(subject, path,
+                                                subject == "noisyLight" ? lightEnvelope(options, maps)
+                                                                        : operatingEnvelope(options, maps)));
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print("{}\n{:.0f} s; tables and plots are in {}\n", stamp(options), seconds, options.out);

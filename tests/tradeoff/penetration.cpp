@@ -10,18 +10,22 @@ namespace rubble::tradeoff {
 Table penetrationTradeoff(const Options& options) {
     const int pieces = options.full ? 1000 : 150, steps = options.full ? 480 : 300;
     Table table{"T1-penetration",
-                fmt::format("speed against penetration: {} Voronoi pieces in a pit after {} steps, nothing asleep", pieces, steps),
-                {"engine", "substeps", "iterations", "ms a step", "pairs that overlap", "mean mm", "median mm", "worst voxels", "height m"},
+                fmt::format("speed against penetration: {} Voronoi pieces in a pit after {} steps, nothing asleep",
+                            pieces, steps),
+                {"engine", "substeps", "iterations", "ms a step", "pairs that overlap", "mean mm", "median mm",
+                 "worst voxels", "height m"},
                 {}};
     table.note =
-        "Ms: processor time of one thread, mean of the last quarter of the steps. Overlap is measured from the voxels of each pair, alike for both "
+        "Ms: processor time of one thread, mean of the last quarter of the steps. Overlap is measured from the voxels "
+        "of each pair, alike for both "
         "engines. Bullet: compounds of merged boxes, two friction directions.";
     Series rubble{"Rubble", {}}, bullet{"Bullet", {}};
     for (const known::PenetrationPoint& point : known::sweepPenetration(pieces, steps)) {
         const Overlaps& o = point.overlaps;
-        table.add({point.engine, std::to_string(point.substeps), std::to_string(point.iterations), fmt::format("{:.2f}", point.stepMs),
-                   std::to_string(o.pairs), fmt::format("{:.2f}", o.mean * 1e3), fmt::format("{:.2f}", o.median * 1e3),
-                   fmt::format("{:.3f}", o.worst * 10.0), fmt::format("{:.3f}", o.middle)});
+        table.add({point.engine, std::to_string(point.substeps), std::to_string(point.iterations),
+                   fmt::format("{:.2f}", point.stepMs), std::to_string(o.pairs), fmt::format("{:.2f}", o.mean * 1e3),
+                   fmt::format("{:.2f}", o.median * 1e3), fmt::format("{:.3f}", o.worst * 10.0),
+                   fmt::format("{:.3f}", o.middle)});
         (point.engine == "bullet" ? bullet : rubble).points.emplace_back(point.stepMs, o.mean * 1e3);
     }
     std::sort(bullet.points.begin(), bullet.points.end());

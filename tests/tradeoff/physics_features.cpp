@@ -6,8 +6,8 @@
 
 #include "tests/physics/baseline/voronoi_pit.h"
 #include "tests/physics/scenes/known_scenes.h"
-#include "tests/tradeoff/valgrind_counts.h"
 #include "tests/tradeoff/physics.h"
+#include "tests/tradeoff/valgrind_counts.h"
 
 namespace rubble::tradeoff {
 namespace {
@@ -15,8 +15,9 @@ namespace {
 using namespace known;
 
 constexpr int kSteps = 90;
-constexpr double kMinGainKept = 0.9, kMaxCostShare = 0.3, kNegligible = 0.005;  ///< promised shares; extra cost that is none to speak of
-constexpr double kMaxUnneededCost = 0.001;                           ///< share that a feature may cost where nothing needs it
+constexpr double kMinGainKept = 0.9, kMaxCostShare = 0.3,
+                 kNegligible = 0.005;       ///< promised shares; extra cost that is none to speak of
+constexpr double kMaxUnneededCost = 0.001;  ///< share that a feature may cost where nothing needs it
 
 struct State {
     const char *feature, *state;
@@ -75,12 +76,16 @@ void runYard(const PhysicsSettings& settings, int steps) {
     scene.step(steps);
 }
 
-/// Most bodies need nothing: 64 cubes in towers. Among them two planks that tumble, two shots, and one cube that bears a hundred times its mass.
+/// Most bodies need nothing: 64 cubes in towers. Among them two planks that tumble, two shots, and one cube that bears
+/// a hundred times its mass.
 void runMixed(const PhysicsSettings& settings, int steps) {
     PhysicsScene scene(sleepless(settings));
     const uint8_t light = setMaterial(scene, 7, 0.6f, 0.0f, 20), heavy = setMaterial(scene, 8, 0.6f, 0.0f, 2000);
-    scene.add(blockGrid({200, 80, 200}, 7), {-10, -8, -10}, true);  // so thick that what comes into it stays, and is paid for, in every state
-    const auto addCube = [&](glm::dvec3 corner, uint8_t entry) { scene.add(blockGrid({5, 5, 5}, entry), corner, false); };
+    scene.add(blockGrid({200, 80, 200}, 7), {-10, -8, -10},
+              true);  // so thick that what comes into it stays, and is paid for, in every state
+    const auto addCube = [&](glm::dvec3 corner, uint8_t entry) {
+        scene.add(blockGrid({5, 5, 5}, entry), corner, false);
+    };
     for (int i = 0; i < 64; ++i) addCube({i % 4 * 0.8, 0.5 * (i / 16), i / 4 % 4 * 0.8}, light);
     addCube({-2, 0, 0}, light);
     addCube({-2, 0.5, 0}, heavy);
@@ -97,7 +102,8 @@ void runMixed(const PhysicsSettings& settings, int steps) {
 void runTowers(const PhysicsSettings& settings, int steps) {
     PhysicsScene scene(sleepless(settings));
     scene.addFloor();
-    for (int i = 0; i < 64; ++i) scene.add(blockGrid({5, 5, 5}, 7), {i % 4 * 0.8, 0.5 * (i / 16), i / 4 % 4 * 0.8}, false);
+    for (int i = 0; i < 64; ++i)
+        scene.add(blockGrid({5, 5, 5}, 7), {i % 4 * 0.8, 0.5 * (i / 16), i / 4 % 4 * 0.8}, false);
     scene.load();
     scene.step(steps);
 }
@@ -133,7 +139,8 @@ constexpr Purpose kPurposes[] = {
          const Shots shots = shoot(s, 300, seed, 300.0);
          return 100.0 * shots.through / shots.fired;
      }},
-    {"heavy passes", "100 times as heavy sinks, mm", [](const PhysicsSettings& s, uint64_t) { return sink(s, 100.0) * 1e3; }},
+    {"heavy passes", "100 times as heavy sinks, mm",
+     [](const PhysicsSettings& s, uint64_t) { return sink(s, 100.0) * 1e3; }},
     {"sleep", "pieces that lie creep, mm in 2 s", [](const PhysicsSettings& s, uint64_t) { return creep(s); }},
 };
 
@@ -163,22 +170,28 @@ Table physicsFeatureTradeoff(const Options& options) {
     const bool counts = loading > 0.0;
     Table table{"T12-physics",
                 "what each feature of physics costs and is worth, the others by rule",
-                {"feature", "state", counts ? "million instructions" : "ms", "over off %", "where all need it: over off %", "error", "of what"},
+                {"feature", "state", counts ? "million instructions" : "ms", "over off %",
+                 "where all need it: over off %", "error", "of what"},
                 {}};
     table.note = fmt::format(
-        "Cost: {} steps of 64 cubes that stand in towers, two planks that tumble, two shots and a cube under one a hundred times as heavy{}. Where "
+        "Cost: {} steps of 64 cubes that stand in towers, two planks that tumble, two shots and a cube under one a "
+        "hundred times as heavy{}. Where "
         "all "
-        "need it (with --full): 36 pieces, four shots and an anvil that fall into a pit. Promised: the rule keeps {:.0f} % of what always on gains "
+        "need it (with --full): 36 pieces, four shots and an anvil that fall into a pit. Promised: the rule keeps "
+        "{:.0f} % of what always on gains "
         "in "
         "accuracy for {:.0f} % of what it costs more than off, or costs nothing to speak of ({:.1f} %).",
-        kSteps, counts ? ", instructions counted by valgrind: the same on every run" : " (processor time: valgrind is not installed)", kMinGainKept * 100.0,
-        kMaxCostShare * 100.0, kNegligible * 100.0);
+        kSteps,
+        counts ? ", instructions counted by valgrind: the same on every run"
+               : " (processor time: valgrind is not installed)",
+        kMinGainKept * 100.0, kMaxCostShare * 100.0, kNegligible * 100.0);
     std::vector<Bar> bars;
     std::map<std::string, std::map<std::string, Figures>> all;
     for (const State& state : states()) {
         const PhysicsSettings settings = settingsOf(state);
-        const Purpose& purpose = *std::find_if(std::begin(kPurposes), std::end(kPurposes),
-                                               [&](const Purpose& each) { return each.feature == std::string(state.feature); });
+        const Purpose& purpose = *std::find_if(std::begin(kPurposes), std::end(kPurposes), [&](const Purpose& each) {
+            return each.feature == std::string(state.feature);
+        });
         Figures& figures = all[state.feature][state.state];
         if (counts) {
             const std::string name = std::string(state.feature) + ", " + state.state;
@@ -190,30 +203,36 @@ Table physicsFeatureTradeoff(const Options& options) {
         figures.error = purpose.error(settings, options.seed);
         const double over = figures.cost.median / all[state.feature]["off"].cost.median - 1.0;
         const double overInPit = figures.inPit / all[state.feature]["off"].inPit - 1.0;
-        table.add({state.feature, state.state, counts ? fmt::format("{:.2f}", figures.cost.median) : figures.cost.text(),
-                   fmt::format("{:+.2f}", over * 100.0), figures.inPit > 0.0 ? fmt::format("{:+.2f}", overInPit * 100.0) : "-",
+        table.add({state.feature, state.state,
+                   counts ? fmt::format("{:.2f}", figures.cost.median) : figures.cost.text(),
+                   fmt::format("{:+.2f}", over * 100.0),
+                   figures.inPit > 0.0 ? fmt::format("{:+.2f}", overInPit * 100.0) : "-",
                    fmt::format("{:.3g}", figures.error), purpose.what});
         bars.push_back({state.feature, state.state, {over * 100.0, over * 100.0, over * 100.0}});
     }
     for (auto& [feature, of] : all) {
         if (!of.count("always")) continue;
-        const double gain = of["off"].error - of["always"].error, kept = gain > 0.0 ? (of["off"].error - of["by rule"].error) / gain : 1.0;
-        const double off = of["off"].cost.median, rule = of["by rule"].cost.median - off, always = of["always"].cost.median - off;
+        const double gain = of["off"].error - of["always"].error,
+                     kept = gain > 0.0 ? (of["off"].error - of["by rule"].error) / gain : 1.0;
+        const double off = of["off"].cost.median, rule = of["by rule"].cost.median - off,
+                     always = of["always"].cost.median - off;
         const bool holds = kept >= kMinGainKept && (rule <= kMaxCostShare * always || rule <= kNegligible * off);
         table.failed |= !holds;
-        table.conclusion += fmt::format("{}: the rule keeps {:.1f} % of the accuracy for {:+.2f} % where always on costs {:+.2f} %{}. ", feature,
-                                        kept * 100.0, rule / off * 100.0, always / off * 100.0, holds ? "" : ": NOT AS PROMISED");
+        table.conclusion += fmt::format(
+            "{}: the rule keeps {:.1f} % of the accuracy for {:+.2f} % where always on costs {:+.2f} %{}. ", feature,
+            kept * 100.0, rule / off * 100.0, always / off * 100.0, holds ? "" : ": NOT AS PROMISED");
         if (!counts) continue;
-        const double without = instructionsOf("towers: " + feature + ", off"), with = instructionsOf("towers: " + feature + ", by rule");
+        const double without = instructionsOf("towers: " + feature + ", off"),
+                     with = instructionsOf("towers: " + feature + ", by rule");
         const double unneeded = with / without - 1.0;
-        table.add(
-            {feature, "not needed", fmt::format("{:.2f}", with / 1e6), fmt::format("{:+.3f}", unneeded * 100.0), "-", "-", "towers of equal cubes"});
+        table.add({feature, "not needed", fmt::format("{:.2f}", with / 1e6), fmt::format("{:+.3f}", unneeded * 100.0),
+                   "-", "-", "towers of equal cubes"});
         table.failed |= unneeded > kMaxUnneededCost;
-        table.conclusion +=
-            fmt::format("Where nothing needs it, it costs {:+.3f} %{}. ", unneeded * 100.0, unneeded > kMaxUnneededCost ? ": NOT AS PROMISED" : "");
+        table.conclusion += fmt::format("Where nothing needs it, it costs {:+.3f} %{}. ", unneeded * 100.0,
+                                        unneeded > kMaxUnneededCost ? ": NOT AS PROMISED" : "");
     }
-    writeBars(options, "T12-physics", "Features of physics: off, by rule, always", counts ? "instructions over off, %" : "processor time over off, %",
-              bars);
+    writeBars(options, "T12-physics", "Features of physics: off, by rule, always",
+              counts ? "instructions over off, %" : "processor time over off, %", bars);
     return table;
 }
 

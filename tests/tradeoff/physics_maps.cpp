@@ -45,8 +45,10 @@ std::vector<std::string> namesOf(const std::vector<double>& values, const char* 
 
 Judged judgeSpin(double spin, size_t row, bool full) {
     const int lengths[] = {1, 4, 16, 64};
-    const FreeSpin free = spinFreely({}, blockGrid({lengths[row], 1, 1}, 7), glm::normalize(glm::dvec3(1, 0.9, 0.3)) * spin, full ? 60.0 : 10.0);
-    return judge(std::max(free.energy, free.momentum * 100.0), 1e-3, 0.1, fmt::format("E {:.0e}\nL {:.0e}", free.energy, free.momentum));
+    const FreeSpin free = spinFreely({}, blockGrid({lengths[row], 1, 1}, 7),
+                                     glm::normalize(glm::dvec3(1, 0.9, 0.3)) * spin, full ? 60.0 : 10.0);
+    return judge(std::max(free.energy, free.momentum * 100.0), 1e-3, 0.1,
+                 fmt::format("E {:.0e}\nL {:.0e}", free.energy, free.momentum));
 }
 
 Judged judgeStack(double cubes, size_t row, bool full) {
@@ -82,20 +84,23 @@ Judged judgeDistance(double km, size_t row, bool) {
         off.push_back(0.0);
         for (size_t i = 0; i < here.size(); ++i) off.back() = std::max(off.back(), glm::length(here[i] - there[i]));
     }
-    return judge(quantile(off, 1.0), 1e-3, 1e-2, fmt::format("{:.2g} mm\n{:.2g} at worst", quantile(off, 0.5) * 1e3, quantile(off, 1.0) * 1e3));
+    return judge(quantile(off, 1.0), 1e-3, 1e-2,
+                 fmt::format("{:.2g} mm\n{:.2g} at worst", quantile(off, 0.5) * 1e3, quantile(off, 1.0) * 1e3));
 }
 
 Judged judgeIncline(double degrees, double friction) {
     const double angle = glm::radians(degrees), expected = 9.81 * (std::sin(angle) - friction * std::cos(angle));
     const Slide slide = slideDown({}, degrees, 0.57, friction, 2.0);
-    if (expected <= 0.0) return judge(slide.distance, 1e-3, 1e-2, fmt::format("sticks\n{:.2g} mm", slide.distance * 1e3));
+    if (expected <= 0.0)
+        return judge(slide.distance, 1e-3, 1e-2, fmt::format("sticks\n{:.2g} mm", slide.distance * 1e3));
     const double off = std::abs(slide.acceleration / expected - 1.0);
     return judge(off, 0.01, 0.05, fmt::format("slides\n{:.2g} %", off * 100.0));
 }
 
 Judged judgeCrowd(double side, size_t row, bool) {
     const Container container = fillContainer(presets()[row].settings, int(side), 6.0);
-    const std::string text = fmt::format("{:.2g} mm\n{:.2g} mm", container.meanOverlap * 1e3, container.worstOverlap * 1e3);
+    const std::string text =
+        fmt::format("{:.2g} mm\n{:.2g} mm", container.meanOverlap * 1e3, container.worstOverlap * 1e3);
     return container.allInside ? judge(std::max(container.meanOverlap * 10.0, container.worstOverlap), 0.01, 0.05, text)
                                : Judged{Outcome::Failed, "gets out"};
 }
@@ -196,7 +201,8 @@ std::vector<Map> maps() {
          judgeDistance},
         {"T13-incline",
          "a block on a slope",
-         "below the angle of friction it stays within 1 mm, above it accelerates as Coulomb says within 1 %; degraded: 1 cm, 5 %",
+         "below the angle of friction it stays within 1 mm, above it accelerates as Coulomb says within 1 %; degraded: "
+         "1 cm, 5 %",
          "slope, degrees",
          "degrees",
          {3, 10, 20, 30, 40, 50},
@@ -233,9 +239,11 @@ std::string stableRange(const Map& map, const std::vector<double>& xs, const std
     const std::string upTo = xs.front() < xs.back() ? "stable up to " : "stable down to ";
     size_t stable = 0;
     while (stable < row.size() && row[stable].outcome == Outcome::Stable) ++stable;
-    const auto failed = std::find_if(row.begin(), row.end(), [](const Judged& each) { return each.outcome == Outcome::Failed; });
+    const auto failed =
+        std::find_if(row.begin(), row.end(), [](const Judged& each) { return each.outcome == Outcome::Failed; });
     if (stable == row.size()) return upTo + value(stable - 1) + ", the most that was tried";
-    const std::string fails = failed == row.end() ? ", nowhere fails" : ", fails at " + value(size_t(failed - row.begin()));
+    const std::string fails =
+        failed == row.end() ? ", nowhere fails" : ", fails at " + value(size_t(failed - row.begin()));
     return (stable ? upTo + value(stable - 1) : "nowhere stable from " + value(0) + " on") + fails;
 }
 
@@ -259,7 +267,8 @@ Table draw(const Options& options, const Map& map) {
         words += fmt::format("{}{}: {}", row ? "; " : "", map.rows[row], table.envelope.back().second);
     }
     table.conclusion = words + ".";
-    writeMap(options, map.name, fmt::format("{}: {}", map.name, map.title), map.xLabel, map.yLabel, cells, {"stable", "degraded", "failed", nullptr});
+    writeMap(options, map.name, fmt::format("{}: {}", map.name, map.title), map.xLabel, map.yLabel, cells,
+             {"stable", "degraded", "failed", nullptr});
     return table;
 }
 
@@ -267,7 +276,8 @@ Table draw(const Options& options, const Map& map) {
 
 std::vector<std::pair<std::string, std::function<Table(const Options&)>>> physicsMaps() {
     std::vector<std::pair<std::string, std::function<Table(const Options&)>>> all;
-    for (const Map& map : maps()) all.emplace_back(map.name, [map](const Options& options) { return draw(options, map); });
+    for (const Map& map : maps())
+        all.emplace_back(map.name, [map](const Options& options) { return draw(options, map); });
     return all;
 }
 

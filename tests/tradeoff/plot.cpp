@@ -13,8 +13,8 @@ namespace {
 constexpr double kWidth = 820, kHeight = 440, kLeft = 130, kRight = 170, kTop = 44, kBottom = 56;
 constexpr const char* kColors[] = {"#2f5d8a", "#b23a2e", "#4e7a36", "#c9a227", "#6b4c8a", "#3c7271"};
 
-/// An axis over the values with ticks at round numbers; logarithmic, by decades, where they span more than a factor of 50 and
-/// none is zero or less.
+/// An axis over the values with ticks at round numbers; logarithmic, by decades, where they span more than a factor of
+/// 50 and none is zero or less.
 struct Axis {
     double low = 0.0, high = 1.0, from = 0.0, to = 1.0;
     bool logarithmic = false;
@@ -25,7 +25,8 @@ struct Axis {
         from = fromPixel, to = toPixel;
         logarithmic = mayBeLogarithmic && low > 0.0 && high > 50.0 * low;
         if (logarithmic) {
-            low = std::pow(10.0, std::floor(std::log10(low) + 1e-9)), high = std::pow(10.0, std::ceil(std::log10(high) - 1e-9));
+            low = std::pow(10.0, std::floor(std::log10(low) + 1e-9)),
+            high = std::pow(10.0, std::ceil(std::log10(high) - 1e-9));
             for (double tick = low; tick <= high * 1.001; tick *= 10.0) ticks.push_back(tick);
             return;
         }
@@ -36,25 +37,32 @@ struct Axis {
         low = std::floor(low / step) * step, high = std::ceil(high / step - 1e-9) * step;
         for (int i = 0; low + i * step <= high + 0.001 * step; ++i) ticks.push_back(low + i * step);
     }
-    double shareOf(double v) const { return logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low); }
+    double shareOf(double v) const {
+        return logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
+    }
     double at(double v) const { return from + (to - from) * shareOf(v); }
 };
 
 std::string text(double x, double y, const std::string& words, const char* anchor = "middle", double turn = 0.0) {
-    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" transform=\"rotate({} {:.1f} {:.1f})\">{}</text>\n", x, y, anchor, turn, x,
-                       y, words);
+    return fmt::format(
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" transform=\"rotate({} {:.1f} {:.1f})\">{}</text>\n", x, y,
+        anchor, turn, x, y, words);
 }
 
-std::string frame(const Options& options, const std::string& title, const std::string& xLabel, const std::string& yLabel) {
+std::string frame(const Options& options, const std::string& title, const std::string& xLabel,
+                  const std::string& yLabel) {
     std::string out = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"100%\" "
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"sans-serif\" "
+        "font-size=\"11\">\n<rect width=\"100%\" "
         "height=\"100%\" "
         "fill=\"white\"/>\n",
         kWidth, kHeight);
-    out += fmt::format("<text x=\"{}\" y=\"20\" text-anchor=\"middle\" font-size=\"14\">{}</text>\n", kWidth / 2, title);
-    out += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" font-size=\"7\" fill=\"#777\">{}</text>\n", kWidth / 2, kHeight - 5,
-                       stamp(options));
-    out += text((kLeft + kWidth - kRight) / 2, kHeight - 18, xLabel) + text(16, (kTop + kHeight - kBottom) / 2, yLabel, "middle", -90);
+    out +=
+        fmt::format("<text x=\"{}\" y=\"20\" text-anchor=\"middle\" font-size=\"14\">{}</text>\n", kWidth / 2, title);
+    out += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" font-size=\"7\" fill=\"#777\">{}</text>\n",
+                       kWidth / 2, kHeight - 5, stamp(options));
+    out += text((kLeft + kWidth - kRight) / 2, kHeight - 18, xLabel) +
+           text(16, (kTop + kHeight - kBottom) / 2, yLabel, "middle", -90);
     return out;
 }
 
@@ -72,7 +80,8 @@ std::string grid(const Axis& axis, bool isUpright) {
 
 std::string legend(size_t line, const std::string& name, const char* color) {
     const double x = kWidth - kRight + 14, y = kTop + 16 * double(line);
-    return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"10\" fill=\"{}\"/>\n", x, y, color) + text(x + 16, y + 9, name, "start");
+    return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"10\" height=\"10\" fill=\"{}\"/>\n", x, y, color) +
+           text(x + 16, y + 9, name, "start");
 }
 
 bool write(const Options& options, const std::string& name, const std::string& svg) {
@@ -83,8 +92,8 @@ bool write(const Options& options, const std::string& name, const std::string& s
 
 }  // namespace
 
-bool writePlot(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel, const std::string& yLabel,
-               const std::vector<Series>& series) {
+bool writePlot(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel,
+               const std::string& yLabel, const std::vector<Series>& series) {
     std::vector<double> xs, ys;
     for (const Series& each : series)
         for (const auto& [x, y] : each.points) xs.push_back(x), ys.push_back(y);
@@ -99,8 +108,8 @@ bool writePlot(const Options& options, const std::string& name, const std::strin
         std::string path;
         for (const auto& [x, y] : series[s].points) {
             path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", xAxis.at(x), yAxis.at(y));
-            svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"/>\n", xAxis.at(x), yAxis.at(y), series[s].isMark ? 6 : 3,
-                               color);
+            svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"/>\n", xAxis.at(x), yAxis.at(y),
+                               series[s].isMark ? 6 : 3, color);
             if (series[s].isMark) svg += text(xAxis.at(x) + 8, yAxis.at(y) - 6, series[s].name, "start");
         }
         if (!series[s].isCloud && !series[s].isMark)
@@ -118,7 +127,8 @@ Series paretoFront(const std::string& name, std::vector<std::pair<double, double
     return front;
 }
 
-bool writeBars(const Options& options, const std::string& name, const std::string& title, const std::string& yLabel, const std::vector<Bar>& bars) {
+bool writeBars(const Options& options, const std::string& name, const std::string& title, const std::string& yLabel,
+               const std::vector<Bar>& bars) {
     std::vector<std::string> groups, names;
     std::vector<double> tops;
     for (const Bar& bar : bars) {
@@ -134,12 +144,13 @@ bool writeBars(const Options& options, const std::string& name, const std::strin
         const auto group = std::find(groups.begin(), groups.end(), bar.group) - groups.begin(),
                    one = std::find(names.begin(), names.end(), bar.name) - names.begin();
         const double x = kLeft + slot * (double(group) + 0.1) + width * double(one), y = axis.at(bar.value.median);
-        svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>\n", x, y, width - 1,
-                           kHeight - kBottom - y, kColors[size_t(one) % std::size(kColors)]);
-        svg +=
-            fmt::format("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"#222\"/>\n", x + width / 2, axis.at(bar.value.low), axis.at(bar.value.high));
+        svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>\n", x, y,
+                           width - 1, kHeight - kBottom - y, kColors[size_t(one) % std::size(kColors)]);
+        svg += fmt::format("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"#222\"/>\n", x + width / 2,
+                           axis.at(bar.value.low), axis.at(bar.value.high));
     }
-    for (size_t i = 0; i < groups.size(); ++i) svg += text(kLeft + slot * (double(i) + 0.5), kHeight - kBottom + 14, groups[i]);
+    for (size_t i = 0; i < groups.size(); ++i)
+        svg += text(kLeft + slot * (double(i) + 0.5), kHeight - kBottom + 14, groups[i]);
     for (size_t i = 0; i < names.size(); ++i) svg += legend(i, names[i], kColors[i % std::size(kColors)]);
     return write(options, name, svg);
 }
@@ -149,8 +160,8 @@ const char* nameOf(Outcome outcome) {
     return kNames[size_t(outcome)];
 }
 
-bool writeMap(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel, const std::string& yLabel,
-              const std::vector<MapCell>& cells, const Meanings& meanings) {
+bool writeMap(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel,
+              const std::string& yLabel, const std::vector<MapCell>& cells, const Meanings& meanings) {
     static constexpr const char* kFill[] = {"#9dbf8a", "#e3c766", "#c9685c", "#c4c4c4"};
     std::vector<std::string> xs, ys;
     for (const MapCell& cell : cells) {
@@ -162,15 +173,17 @@ bool writeMap(const Options& options, const std::string& name, const std::string
     for (const MapCell& cell : cells) {
         const double x = kLeft + w * double(std::find(xs.begin(), xs.end(), cell.x) - xs.begin());
         const double y = kHeight - kBottom - h * double(std::find(ys.begin(), ys.end(), cell.y) - ys.begin() + 1);
-        svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" stroke=\"white\"/>\n", x, y, w, h,
-                           kFill[size_t(cell.outcome)]);
+        svg += fmt::format(
+            "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" stroke=\"white\"/>\n", x, y,
+            w, h, kFill[size_t(cell.outcome)]);
         const size_t end = std::min(cell.text.find('\n'), cell.text.size());
         const bool hasTwoLines = end < cell.text.size();
         svg += text(x + w / 2, y + h / 2 + (hasTwoLines ? -3 : 4), cell.text.substr(0, end));
         if (hasTwoLines) svg += text(x + w / 2, y + h / 2 + 11, cell.text.substr(end + 1));
     }
     for (size_t i = 0; i < xs.size(); ++i) svg += text(kLeft + w * (double(i) + 0.5), kHeight - kBottom + 14, xs[i]);
-    for (size_t i = 0; i < ys.size(); ++i) svg += text(kLeft - 6, kHeight - kBottom - h * (double(i) + 0.5) + 4, ys[i], "end");
+    for (size_t i = 0; i < ys.size(); ++i)
+        svg += text(kLeft - 6, kHeight - kBottom - h * (double(i) + 0.5) + 4, ys[i], "end");
     for (size_t i = 0; i < meanings.size(); ++i)
         if (meanings[i]) svg += legend(i, meanings[i], kFill[i]);
     return write(options, name, svg);

@@ -65,9 +65,9 @@ std::string stamp(const Options& options) {
     const std::string cpu = outputOf("sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -1");
     const std::string commit = outputOf("git -C '" RUBBLE_SOURCE_DIR "' describe --always --dirty 2>/dev/null");
     const std::string load = outputOf("cut -d' ' -f1 /proc/loadavg");
-    return fmt::format("machine: {}, {} processors, load {}; commit: {}; seed: {}; {} of {} runs", cpu.empty() ? "unknown" : cpu,
-                       std::thread::hardware_concurrency(), load, commit.empty() ? "unknown" : commit, options.seed, "medians (spread)",
-                       options.repeats);
+    return fmt::format("machine: {}, {} processors, load {}; commit: {}; seed: {}; {} of {} runs",
+                       cpu.empty() ? "unknown" : cpu, std::thread::hardware_concurrency(), load,
+                       commit.empty() ? "unknown" : commit, options.seed, "medians (spread)", options.repeats);
 }
 
 bool writeCsv(const Options& options, const Table& table) {

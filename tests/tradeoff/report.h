@@ -35,7 +35,7 @@ struct Table {
     std::string note = {};                                           ///< what the words in it mean
     std::string conclusion = {};                                     ///< what it comes down to, from its figures
     std::vector<std::pair<std::string, std::string>> envelope = {};  ///< of extreme maps: what, and how far it holds
-    bool failed = false;                                             ///< something that was promised is not so; the bottom line says what
+    bool failed = false;  ///< something that was promised is not so; the bottom line says what
     void add(std::vector<std::string> row) { rows.push_back(std::move(row)); }
 };
 
@@ -53,15 +53,16 @@ struct Series {
 };
 /// The points of `all` that no other is better than in both: the least y for each x, from the least x on.
 Series paretoFront(const std::string& name, std::vector<std::pair<double, double>> all);
-bool writePlot(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel, const std::string& yLabel,
-               const std::vector<Series>& series);
+bool writePlot(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel,
+               const std::string& yLabel, const std::vector<Series>& series);
 
 /// A bar with its spread; bars of one group stand side by side.
 struct Bar {
     std::string group, name;
     Measured value;
 };
-bool writeBars(const Options& options, const std::string& name, const std::string& title, const std::string& yLabel, const std::vector<Bar>& bars);
+bool writeBars(const Options& options, const std::string& name, const std::string& title, const std::string& yLabel,
+               const std::vector<Bar>& bars);
 
 /// How a point of an extreme map came out.
 enum class Outcome { Stable, Degraded, Failed, Refused };
@@ -72,7 +73,7 @@ struct MapCell {
     std::string text;  ///< the figure behind it, in one or two lines
 };
 using Meanings = std::array<const char*, 4>;  ///< of the outcomes, in words for the legend; null: it does not occur
-bool writeMap(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel, const std::string& yLabel,
-              const std::vector<MapCell>& cells, const Meanings& meanings);
+bool writeMap(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel,
+              const std::string& yLabel, const std::vector<MapCell>& cells, const Meanings& meanings);
 
 }  // namespace rubble::tradeoff

@@ -4,8 +4,8 @@
 
 #include "runtime/plugin/frame_loop.h"
 #include "tests/physics/physics_scene.h"
-#include "tests/tradeoff/valgrind_counts.h"
 #include "tests/tradeoff/physics.h"
+#include "tests/tradeoff/valgrind_counts.h"
 
 namespace rubble::tradeoff {
 namespace {
@@ -21,10 +21,12 @@ struct Stages {
 const std::vector<Stages>& stages() {
     static const std::vector<Stages> all{
         {"joints and ropes",
-         {"PhysicsWorld::Impl::applyJoints", "PhysicsWorld::Impl::wakeJointed", "PhysicsWorld::Impl::gatherJoints", "PhysicsWorld::Impl::breakJoints",
-          "PhysicsWorld::Impl::settleJointed", "PhysicsWorld::Impl::moveRopes", "World::setRopes", "EditStep::checkJoints", "EditStep::windRopes"}},
+         {"PhysicsWorld::Impl::applyJoints", "PhysicsWorld::Impl::wakeJointed", "PhysicsWorld::Impl::gatherJoints",
+          "PhysicsWorld::Impl::breakJoints", "PhysicsWorld::Impl::settleJointed", "PhysicsWorld::Impl::moveRopes",
+          "World::setRopes", "EditStep::checkJoints", "EditStep::windRopes"}},
         {"water", {"PhysicsWorld::Impl::applyWater", "PhysicsWorld::Impl::refreshWaters"}},
-        {"characters", {"PhysicsWorld::Impl::moveCharacters", "PhysicsWorld::Impl::refreshCharacters", "World::setCharacters"}},
+        {"characters",
+         {"PhysicsWorld::Impl::moveCharacters", "PhysicsWorld::Impl::refreshCharacters", "World::setCharacters"}},
         {"triggers", {"EditStep::updateTriggers"}},
         {"layers", {"PhysicsWorld::Impl::refreshFilters"}},
         {"stress", {"EditStep::openCracks", "EditStep::weighShapes"}},
@@ -40,8 +42,10 @@ const std::vector<Stages>& stages() {
 void runWithoutFeatures() {
     PhysicsScene scene;
     scene.addFloor();
-    for (int i = 0; i < 64; ++i) scene.add(blockGrid({5, 5, 5}, 7), {i % 4 * 0.8, 0.5 * (i / 16) + 0.1, i / 4 % 4 * 0.8}, false);
-    for (LevelBody& body : scene.level.bodies) body.velocity = body.isStatic ? glm::vec3(0.0f) : glm::vec3(0.0f, -0.1f, 0.0f);
+    for (int i = 0; i < 64; ++i)
+        scene.add(blockGrid({5, 5, 5}, 7), {i % 4 * 0.8, 0.5 * (i / 16) + 0.1, i / 4 % 4 * 0.8}, false);
+    for (LevelBody& body : scene.level.bodies)
+        body.velocity = body.isStatic ? glm::vec3(0.0f) : glm::vec3(0.0f, -0.1f, 0.0f);
     FrameLoopSettings settings;
     settings.publish = settings.shadowVolume = false;
     settings.particles.maxAlive = 0;
@@ -54,12 +58,16 @@ void runWithoutFeatures() {
 Table unusedFeatureTradeoff(const Options& options) {
     Table table{
         "T12-unused",
-        fmt::format("what a feature costs that nothing uses: instructions of its stages in {} steps of 64 cubes that stand, and bytes", kSteps),
+        fmt::format("what a feature costs that nothing uses: instructions of its stages in {} steps of 64 cubes that "
+                    "stand, and bytes",
+                    kSteps),
         {"feature", "instructions a step", "share of all %", "bytes", "stages that are no functions of their own"},
         {}};
     table.note =
-        "Counted by valgrind's callgrind, each stage with all that it calls: the same on every run. Bytes: all that the stages ever asked for, "
-        "loading included, by valgrind's dhat (not what a stage asks for as its very last act). A stage that the compiler made part of its "
+        "Counted by valgrind's callgrind, each stage with all that it calls: the same on every run. Bytes: all that "
+        "the stages ever asked for, "
+        "loading included, by valgrind's dhat (not what a stage asks for as its very last act). A stage that the "
+        "compiler made part of its "
         "caller is named; it has no count of its own.";
     const std::map<std::string, double> counts = instructionsByFunction("nothing used");
     const auto whole = counts.find("rubble::FrameLoop::step");
@@ -87,13 +95,14 @@ Table unusedFeatureTradeoff(const Options& options) {
         if (share >= most) most = share, costliest = each.feature;
         sum += share;
         allBytes += held;
-        table.add({each.feature, fmt::format("{:.0f}", count / kSteps), fmt::format("{:.4f}", share * 100.0), fmt::format("{:.0f}", held),
-                   inlined.empty() ? "-" : inlined});
+        table.add({each.feature, fmt::format("{:.0f}", count / kSteps), fmt::format("{:.4f}", share * 100.0),
+                   fmt::format("{:.0f}", held), inlined.empty() ? "-" : inlined});
         bars.push_back({each.feature, "absent", {share * 100.0, share * 100.0, share * 100.0}});
     }
     table.failed = most > kNegligible || !bytes.contains("rubble::FrameLoop::FrameLoop") || allBytes > 0.0;
-    table.conclusion = fmt::format("The costliest of what is absent, {}, takes {:.4f} % of a step, all together {:.4f} % and {:.0f} bytes.", costliest,
-                                   most * 100.0, sum * 100.0, allBytes);
+    table.conclusion = fmt::format(
+        "The costliest of what is absent, {}, takes {:.4f} % of a step, all together {:.4f} % and {:.0f} bytes.",
+        costliest, most * 100.0, sum * 100.0, allBytes);
     writeBars(options, "T12-unused", "Features that nothing uses", "instructions, % of a step", bars);
     return table;
 }

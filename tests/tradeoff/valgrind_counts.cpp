@@ -50,7 +50,9 @@ std::string functionIn(const std::string& text) {
 double instructionsOf(const std::string& scene) {
     double count = 0.0;
     const std::string command = fmt::format(
-        "valgrind --tool=cachegrind --cache-sim=no --cachegrind-out-file=/dev/null '{}' physics --feature-scene '{}' 2>&1", self(), scene);
+        "valgrind --tool=cachegrind --cache-sim=no --cachegrind-out-file=/dev/null '{}' physics --feature-scene '{}' "
+        "2>&1",
+        self(), scene);
     forEachLine(command, [&](const std::string& line) {
         const size_t at = line.find("refs:");
         if (at != std::string::npos) count = countIn(line.substr(at + 5));
@@ -62,12 +64,15 @@ std::map<std::string, double> instructionsByFunction(const std::string& scene) {
     const std::string out = fileOf("callgrind").string();
     std::map<std::string, double> counts;
     const std::string count =
-        fmt::format("valgrind --tool=callgrind --callgrind-out-file='{}' '{}' physics --feature-scene '{}' 2>&1", out, self(), scene);
+        fmt::format("valgrind --tool=callgrind --callgrind-out-file='{}' '{}' physics --feature-scene '{}' 2>&1", out,
+                    self(), scene);
     forEachLine(count, [](const std::string&) {});
     // "1,234 ( 0.01%)  ???:rubble::EditStep::burn() [/path/of/the/program]"
-    forEachLine(fmt::format("callgrind_annotate --inclusive=yes --threshold=100 '{}' 2>/dev/null", out), [&](const std::string& line) {
-        if (const std::string function = functionIn(line); !function.empty()) counts.emplace(function, countIn(line));
-    });
+    forEachLine(fmt::format("callgrind_annotate --inclusive=yes --threshold=100 '{}' 2>/dev/null", out),
+                [&](const std::string& line) {
+                    if (const std::string function = functionIn(line); !function.empty())
+                        counts.emplace(function, countIn(line));
+                });
     std::filesystem::remove(out);
     return counts;
 }
@@ -75,7 +80,8 @@ std::map<std::string, double> instructionsByFunction(const std::string& scene) {
 std::map<std::string, double> bytesByFunction(const std::string& scene) {
     const std::filesystem::path out = fileOf("dhat");
     const std::string count =
-        fmt::format("valgrind --tool=dhat --num-callers=60 --dhat-out-file='{}' '{}' physics --feature-scene '{}' 2>&1", out.string(), self(), scene);
+        fmt::format("valgrind --tool=dhat --num-callers=60 --dhat-out-file='{}' '{}' physics --feature-scene '{}' 2>&1",
+                    out.string(), self(), scene);
     forEachLine(count, [](const std::string&) {});
     std::map<std::string, double> counts;
     const nlohmann::json all = nlohmann::json::parse(std::ifstream(out), nullptr, false);

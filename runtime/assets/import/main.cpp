@@ -31,7 +31,9 @@ public:
         std::fflush(stderr);
     }
     void end() {
-        if (m_open) fmt::print(stderr, "{:.2f} s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count());
+        if (m_open)
+            fmt::print(stderr, "{:.2f} s\n",
+                       std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count());
         m_open = false;
     }
 
@@ -61,7 +63,8 @@ int main(int argc, char** argv) {
     bool quiet = false;
     app.add_option("in", in, "File to read: .vox, .vdb or .rubble")->required();
     app.add_option("out", out, "File to write: .vdb or .rubble")->required();
-    app.add_flag("--teardown", settings.teardownPalette, ".vox: the rows of the palette name materials, as in Teardown");
+    app.add_flag("--teardown", settings.teardownPalette,
+                 ".vox: the rows of the palette name materials, as in Teardown");
     app.add_flag("--one-body", settings.oneBody, ".vox: all objects on one static body");
     app.add_option("--voxel-size", settings.voxelSize, ".vox: metres")->capture_default_str();
     app.add_flag("--quiet", quiet, "Only the totals");
@@ -70,7 +73,8 @@ int main(int argc, char** argv) {
     Progress progress;
     ImportReport report;
     progress.begin("reading " + in);
-    const Result<Level> level = fs::path(in).extension() == ".vox" ? importVox(in, settings, &report) : readLevel(in, vdbToolPath(), &report);
+    const Result<Level> level =
+        fs::path(in).extension() == ".vox" ? importVox(in, settings, &report) : readLevel(in, vdbToolPath(), &report);
     if (!level) return fail(level.error());
     progress.begin("writing " + out);
     const Result<Done> done = write(out, *level);
@@ -78,7 +82,7 @@ int main(int argc, char** argv) {
     progress.end();
     if (!quiet)
         for (const std::string& line : report.lines) fmt::print("  {}\n", line);
-    fmt::print("{}: {} models -> {} shapes on {} bodies, {} voxels, {} lights; hash {:016x}\n", out, report.models, report.shapes,
-               level->bodies.size(), report.voxels, level->lights.size(), hashLevel(*level));
+    fmt::print("{}: {} models -> {} shapes on {} bodies, {} voxels, {} lights; hash {:016x}\n", out, report.models,
+               report.shapes, level->bodies.size(), report.voxels, level->lights.size(), hashLevel(*level));
     return 0;
 }

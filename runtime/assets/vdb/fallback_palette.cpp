@@ -19,8 +19,9 @@ PaletteEntry entryOf(uint8_t red, uint8_t green, uint8_t blue) {
 
 template <class F>
 void forEachCell(const VoxelGrid& grid, F&& f) {
-    grid.forEachBrick(
-        [&](glm::ivec3 brick, const BrickRef& content) { forEachVoxel(content->occupancy, [&](int i) { f(brick * 8 + voxelInBrick(i)); }); });
+    grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
+        forEachVoxel(content->occupancy, [&](int i) { f(brick * 8 + voxelInBrick(i)); });
+    });
 }
 
 }  // namespace
@@ -36,7 +37,8 @@ PaletteRef voxFallbackPalette(const VoxelGrid& grid) {
     const auto colors = defaultVoxColors();
     forEachCell(grid, [&](glm::ivec3 cell) {
         const uint8_t index = grid.at(cell);
-        if (!(*palette)[index].material) (*palette)[index] = entryOf(colors[index][0], colors[index][1], colors[index][2]);
+        if (!(*palette)[index].material)
+            (*palette)[index] = entryOf(colors[index][0], colors[index][1], colors[index][2]);
     });
     return palette;
 }

@@ -16,7 +16,8 @@ using nlohmann::json;
 
 class JsonOutputArchive {
 public:
-    JsonOutputArchive(PaletteList& palettes, const std::vector<std::string>& gridNames) : m_palettes(palettes), m_gridNames(gridNames) {}
+    JsonOutputArchive(PaletteList& palettes, const std::vector<std::string>& gridNames)
+        : m_palettes(palettes), m_gridNames(gridNames) {}
 
     template <class T>
     void operator()(const char* name, const T& value) {
@@ -36,7 +37,8 @@ public:
     json make(const PaletteRef& palette) { return m_palettes.add(palette); }
     json make(const PaintColorsRef& paint) {
         json list = json::array();
-        for (size_t i = 0; paint && i < paint->count; ++i) list.push_back({paint->colors[i][0], paint->colors[i][1], paint->colors[i][2]});
+        for (size_t i = 0; paint && i < paint->count; ++i)
+            list.push_back({paint->colors[i][0], paint->colors[i][1], paint->colors[i][2]});
         return list;
     }
     template <class T>
@@ -64,7 +66,8 @@ private:
 
 class JsonInputArchive {
 public:
-    JsonInputArchive(const std::vector<PaletteRef>& palettes, std::vector<std::string>& gridNames) : m_palettes(palettes), m_gridNames(gridNames) {}
+    JsonInputArchive(const std::vector<PaletteRef>& palettes, std::vector<std::string>& gridNames)
+        : m_palettes(palettes), m_gridNames(gridNames) {}
 
     template <class T>
     void operator()(const char* name, T& value) {
@@ -92,10 +95,13 @@ public:
     template <class T>
     requires std::is_integral_v<T>
     void get(const json& from, T& value) {
-        const bool fits = from.is_number_unsigned()
-                              ? from.get<uint64_t>() <= uint64_t(std::numeric_limits<T>::max())
-                              : from.is_number_integer() && std::is_signed_v<T> && from.get<int64_t>() >= int64_t(std::numeric_limits<T>::min());
-        if (!fits) return fail(fmt::format("a whole number from {} to {}", std::numeric_limits<T>::min(), std::numeric_limits<T>::max()), from);
+        const bool fits = from.is_number_unsigned() ? from.get<uint64_t>() <= uint64_t(std::numeric_limits<T>::max())
+                                                    : from.is_number_integer() && std::is_signed_v<T> &&
+                                                          from.get<int64_t>() >= int64_t(std::numeric_limits<T>::min());
+        if (!fits)
+            return fail(fmt::format("a whole number from {} to {}", std::numeric_limits<T>::min(),
+                                    std::numeric_limits<T>::max()),
+                        from);
         value = from.get<T>();
     }
     template <class T>
@@ -137,7 +143,8 @@ public:
         palette = m_palettes[number];
     }
     void get(const json& from, PaintColorsRef& paint) {
-        if (!from.is_array() || from.size() > kPaintColors) return fail(fmt::format("a list of at most {} colours", kPaintColors), from);
+        if (!from.is_array() || from.size() > kPaintColors)
+            return fail(fmt::format("a list of at most {} colours", kPaintColors), from);
         PaintColors colors;
         for (const json& color : from) {
             if (!color.is_array() || color.size() != 3) return fail("three numbers", color);
@@ -150,7 +157,8 @@ public:
     void get(const json& from, std::vector<T>& values) {
         if (!from.is_array()) return fail("a list", from);
         values.clear();
-        for (size_t i = 0; i < from.size() && m_error.empty(); ++i) enter(fmt::format("[{}]", i), from[i], values.emplace_back());
+        for (size_t i = 0; i < from.size() && m_error.empty(); ++i)
+            enter(fmt::format("[{}]", i), from[i], values.emplace_back());
     }
     template <class T>
     requires std::is_class_v<T>

@@ -1,4 +1,5 @@
-// rubble-vdb: turns .vdb files into baked .rubble levels and back, in a process of its own that a hostile file may kill.
+// rubble-vdb: turns .vdb files into baked .rubble levels and back, in a process of its own that a hostile file may
+// kill.
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>

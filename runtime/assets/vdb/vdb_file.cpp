@@ -66,7 +66,8 @@ typename Grid::Ptr makeGrid(const LevelShape& shape, const Pose& world, const st
     shape.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         auto leaf = std::make_unique<Leaf>(toCoord(position * 8), grid->background(), false);
         forEachVoxel(brick->occupancy, [&](int i) {
-            if (const auto value = valueOf(*brick, i)) leaf->setValueOn(Leaf::coordToOffset(toCoord(voxelInBrick(i))), *value);
+            if (const auto value = valueOf(*brick, i))
+                leaf->setValueOn(Leaf::coordToOffset(toCoord(voxelInBrick(i))), *value);
         });
         if (!leaf->isEmpty()) grid->tree().addLeaf(leaf.release());
     });
@@ -79,14 +80,17 @@ typename Grid::Ptr makeGrid(const LevelShape& shape, const Pose& world, const st
 void addShapeGrids(const LevelShape& shape, const Pose& world, const std::string& prefix, openvdb::GridPtrVec& out) {
     static const Palette kNoPalette{};
     const Palette& palette = shape.palette ? *shape.palette : kNoPalette;
-    out.push_back(makeGrid<openvdb::Int32Grid>(shape, world, prefix + ".palette_index",
-                                               [](const Brick& brick, int i) { return std::optional<int32_t>(brick.at(i)); }));
-    auto density = makeGrid<openvdb::FloatGrid>(shape, world, prefix + ".density", [](const Brick&, int) { return std::optional<float>(1.0f); });
+    out.push_back(makeGrid<openvdb::Int32Grid>(shape, world, prefix + ".palette_index", [](const Brick& brick, int i) {
+        return std::optional<int32_t>(brick.at(i));
+    }));
+    auto density = makeGrid<openvdb::FloatGrid>(shape, world, prefix + ".density",
+                                                [](const Brick&, int) { return std::optional<float>(1.0f); });
     density->setGridClass(openvdb::GRID_FOG_VOLUME);
     out.push_back(density);
     auto color = makeGrid<openvdb::Vec3SGrid>(shape, world, prefix + ".color", [&](const Brick& brick, int i) {
         const PaletteEntry& entry = palette[brick.at(i)];
-        return std::optional<openvdb::Vec3f>({srgbToLinear(entry.red), srgbToLinear(entry.green), srgbToLinear(entry.blue)});
+        return std::optional<openvdb::Vec3f>(
+            {srgbToLinear(entry.red), srgbToLinear(entry.green), srgbToLinear(entry.blue)});
     });
     color->setSaveFloatAsHalf(true);
     out.push_back(color);
@@ -109,7 +113,8 @@ void addShapeGrids(const LevelShape& shape, const Pose& world, const std::string
 /// A grid name that viewers and scripts can type.
 std::string gridName(const std::string& name) {
     std::string out;
-    for (char c : name) out += (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ? c : '_';
+    for (char c : name)
+        out += (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ? c : '_';
     return out.empty() ? "shape" : out;
 }
 
@@ -131,7 +136,8 @@ public:
         for (int i = 0; i < 3; ++i) {
             const int64_t length = int64_t(solid.box.max()[i]) - solid.box.min()[i] + 1;
             if (length > kMaxGridSize)
-                return Error{fmt::format("grid '{}': expected at most {} cells on a side, found {}", grid.getName(), kMaxGridSize, length)};
+                return Error{fmt::format("grid '{}': expected at most {} cells on a side, found {}", grid.getName(),
+                                         kMaxGridSize, length)};
         }
         solid.grid = VoxelGrid(fromCoord(solid.box.dim()));
         GridWriter writer(solid.grid);
@@ -140,14 +146,16 @@ public:
             const int index = indexOf(value, active);
             if (index == 0) return true;
             if (index < 0 || index > 255)
-                return error = fmt::format("grid '{}': expected values of 0 to 255, found {} at cell ({}, {}, {})", grid.getName(), index,
-                                           cells.min().x(), cells.min().y(), cells.min().z()),
+                return error = fmt::format("grid '{}': expected values of 0 to 255, found {} at cell ({}, {}, {})",
+                                           grid.getName(), index, cells.min().x(), cells.min().y(), cells.min().z()),
                        false;
             openvdb::CoordBBox part = cells;
             part.intersect(solid.box);
             if (part.empty()) return true;
             if ((m_voxels += part.volume()) > kMaxVoxels)
-                return error = fmt::format("grid '{}': expected at most {} voxels in a file, found more", grid.getName(), kMaxVoxels), false;
+                return error = fmt::format("grid '{}': expected at most {} voxels in a file, found more",
+                                           grid.getName(), kMaxVoxels),
+                       false;
             for (auto cell = part.begin(); cell; ++cell) writer.set(fromCoord(*cell - solid.box.min()), uint8_t(index));
             return true;
         };
@@ -167,7 +175,8 @@ private:
 /// Where a grid's cell corners are, if its cells are cubes.
 Result<std::pair<Pose, double>> cornerPose(const openvdb::GridBase& grid, const openvdb::Coord& cell) {
     const auto refuse = [&](const std::string& found) {
-        return Error{fmt::format("grid '{}': expected a transform of turned, equal-sided cells, found {}", grid.getName(), found)};
+        return Error{fmt::format("grid '{}': expected a transform of turned, equal-sided cells, found {}",
+                                 grid.getName(), found)};
     };
     if (!grid.transform().isLinear()) return refuse("a frustum");
     const openvdb::Mat4d matrix = grid.transform().baseMap()->getAffineMap()->getMat4();
@@ -180,7 +189,8 @@ Result<std::pair<Pose, double>> cornerPose(const openvdb::GridBase& grid, const 
     const glm::dmat3 turn = axes * (1.0 / size);
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-            if (std::abs(glm::dot(turn[i], turn[j]) - (i == j ? 1.0 : 0.0)) > 1e-3) return refuse("stretched or sheared cells");
+            if (std::abs(glm::dot(turn[i], turn[j]) - (i == j ? 1.0 : 0.0)) > 1e-3)
+                return refuse("stretched or sheared cells");
     if (glm::dot(glm::cross(turn[0], turn[1]), turn[2]) < 0.0) return refuse("a mirror");
     Pose pose;
     pose.rotation = glm::normalize(glm::quat_cast(turn));
@@ -199,13 +209,15 @@ class VdbReader {
 public:
     VdbReader(const std::string& path, std::vector<std::string>& notes) : m_path(path), m_notes(notes), m_file(path) {}
 
-    /// The library refuses a whole file for one grid type that it does not know. An empty stand-in lets it read the rest.
+    /// The library refuses a whole file for one grid type that it does not know. An empty stand-in lets it read the
+    /// rest.
     void skipUnknownTypes(const std::vector<VdbGridEntry>& entries) {
         for (const VdbGridEntry& entry : entries) {
             const std::string type = entry.type.substr(0, entry.type.find("_HalfFloat"));
             const bool known = openvdb::GridBase::isRegistered(type) && !m_unknownTypes.contains(type);
             if (known) continue;
-            if (m_unknownTypes.insert(type).second) GridTypes::registerGrid(type, [] { return openvdb::GridBase::Ptr(openvdb::BoolGrid::create()); });
+            if (m_unknownTypes.insert(type).second)
+                GridTypes::registerGrid(type, [] { return openvdb::GridBase::Ptr(openvdb::BoolGrid::create()); });
             const std::string name = openvdb::io::GridDescriptor::nameAsString(entry.name);
             m_unknown.insert(name);
             m_notes.push_back(fmt::format("grid '{}': type {} is not known, skipped", name, type));
@@ -220,7 +232,8 @@ public:
         const auto version = metadata->getMetadata<openvdb::Int32Metadata>(kPrefix + "version");
         if (!version) return readWithoutProfile();
         if (version->value() != kProfileVersion)
-            return Error{fmt::format("metadata rubble.version: expected {}, found {}", kProfileVersion, version->value())};
+            return Error{
+                fmt::format("metadata rubble.version: expected {}, found {}", kProfileVersion, version->value())};
         return readProfile(*metadata);
     }
 
@@ -228,14 +241,16 @@ private:
     Result<Level> readProfile(const openvdb::MetaMap& metadata) {
         std::map<std::string, std::string> topics;
         for (auto item = metadata.beginMeta(); item != metadata.endMeta(); ++item)
-            if (item->first.starts_with(kPrefix) && item->second->typeName() == "string" && item->first != kPrefix + "content_hash")
+            if (item->first.starts_with(kPrefix) && item->second->typeName() == "string" &&
+                item->first != kPrefix + "content_hash")
                 topics[item->first.substr(kPrefix.size())] = item->second->str();
         Result<JsonLevel> parsed = levelFromJson(topics);
         if (!parsed) return Error{parsed.error()};
         size_t number = 0;
         for (LevelBody& body : parsed->level.bodies)
             for (LevelShape& shape : body.shapes)
-                if (const Result<Done> done = readShape(body, shape, parsed->gridNames[number++]); !done) return Error{done.error()};
+                if (const Result<Done> done = readShape(body, shape, parsed->gridNames[number++]); !done)
+                    return Error{done.error()};
         noteUnusedGrids(parsed->gridNames);
         const auto hash = metadata.getMetadata<openvdb::StringMetadata>(kPrefix + "content_hash");
         if (!hash || hash->value() != fmt::format("{:016x}", hashLevel(parsed->level)))
@@ -251,7 +266,8 @@ private:
         if (!grid) return Error{fmt::format("grid '{}': expected type Int32, found another", name)};
         openvdb::CoordBBox declared;
         if (shape.grid.size().x > 0) declared = openvdb::CoordBBox(openvdb::Coord(0), toCoord(shape.grid.size() - 1));
-        Result<SolidCells> solid = m_expander.expand(*grid, declared, [](int32_t value, bool active) { return active ? value : 0; });
+        Result<SolidCells> solid =
+            m_expander.expand(*grid, declared, [](int32_t value, bool active) { return active ? value : 0; });
         if (!solid) return Error{solid.error()};
         shape.grid = std::move(solid->grid);
         const openvdb::Coord corner = solid->box.empty() ? openvdb::Coord(0) : solid->box.min();
@@ -305,20 +321,28 @@ private:
         Level level;
         level.name = printableName(std::filesystem::path(m_path).stem().string());
         UniqueNames names;
-        const bool hasDensity = std::any_of(m_names.begin(), m_names.end(),
-                                            [](const std::string& name) { return suffix(name) == "density" || suffix(name) == "palette_index"; });
+        const bool hasDensity = std::any_of(m_names.begin(), m_names.end(), [](const std::string& name) {
+            return suffix(name) == "density" || suffix(name) == "palette_index";
+        });
         for (const std::string& name : m_names) {
-            if (suffix(name) == "color" || suffix(name) == "emission" || suffix(name) == "light_group" || suffix(name) == "paint") continue;
-            if (suffix(name) == "density" && std::find(m_names.begin(), m_names.end(), prefixOf(name) + "palette_index") != m_names.end()) continue;
+            if (suffix(name) == "color" || suffix(name) == "emission" || suffix(name) == "light_group" ||
+                suffix(name) == "paint")
+                continue;
+            if (suffix(name) == "density" &&
+                std::find(m_names.begin(), m_names.end(), prefixOf(name) + "palette_index") != m_names.end())
+                continue;
             const openvdb::GridBase::Ptr grid = m_file.readGrid(name);
             const Result<std::pair<Pose, double>> cubes = cornerPose(*grid, openvdb::Coord(0));
             Result<SolidCells> solid = cubes ? solidOf(*grid, name, hasDensity) : Error{cubes.error()};
             if (!solid || solid->grid.empty()) {
-                m_notes.push_back(solid ? fmt::format("grid '{}': nothing solid, skipped", name) : solid.error() + ", skipped");
+                m_notes.push_back(solid ? fmt::format("grid '{}': nothing solid, skipped", name)
+                                        : solid.error() + ", skipped");
                 continue;
             }
-            const std::string own = prefixOf(name).empty() ? (suffix(name) == "density" || suffix(name) == "palette_index" ? level.name : name)
-                                                           : prefixOf(name).substr(0, prefixOf(name).size() - 1);
+            const std::string own =
+                prefixOf(name).empty()
+                    ? (suffix(name) == "density" || suffix(name) == "palette_index" ? level.name : name)
+                    : prefixOf(name).substr(0, prefixOf(name).size() - 1);
             addGridAsShape(level, names.unique(printableName(own)), *grid, name, std::move(*solid));
         }
         if (level.bodies.empty()) {
@@ -330,25 +354,31 @@ private:
 
     Result<SolidCells> solidOf(const openvdb::GridBase& grid, const std::string& name, bool hasDensity) {
         const openvdb::CoordBBox none;
-        if (const auto* whole = dynamic_cast<const openvdb::Int32Grid*>(&grid); whole && suffix(name) == "palette_index")
+        if (const auto* whole = dynamic_cast<const openvdb::Int32Grid*>(&grid);
+            whole && suffix(name) == "palette_index")
             return m_expander.expand(*whole, none, [](int32_t value, bool active) { return active ? value : 0; });
         if (const auto* flags = dynamic_cast<const openvdb::BoolGrid*>(&grid))
             return m_expander.expand(*flags, none, [](bool value, bool active) { return active && value ? 1 : 0; });
         if (const auto* mask = dynamic_cast<const openvdb::MaskGrid*>(&grid))
             return m_expander.expand(*mask, none, [](bool, bool active) { return active ? 1 : 0; });
         const auto* number = dynamic_cast<const openvdb::FloatGrid*>(&grid);
-        if (!number) return Error{fmt::format("grid '{}': expected Float, Bool or Mask, or Int32 palette_index, found {}", name, grid.type())};
+        if (!number)
+            return Error{fmt::format("grid '{}': expected Float, Bool or Mask, or Int32 palette_index, found {}", name,
+                                     grid.type())};
         if (number->getGridClass() == openvdb::GRID_LEVEL_SET)
             return m_expander.expand(*number, none, [](float value, bool) { return value < 0.0f ? 1 : 0; });
-        if (hasDensity && suffix(name) != "density") return Error{fmt::format("grid '{}': expected density, found another channel", name)};
+        if (hasDensity && suffix(name) != "density")
+            return Error{fmt::format("grid '{}': expected density, found another channel", name)};
         float most = 0.0f;
         for (auto it = number->cbeginValueOn(); it; ++it) most = std::max(most, *it);
         const float threshold = std::min(0.5f, most * 0.5f);
-        return m_expander.expand(*number, none,
-                                 [threshold](float value, bool active) { return active && value > 0.0f && value >= threshold ? 1 : 0; });
+        return m_expander.expand(*number, none, [threshold](float value, bool active) {
+            return active && value > 0.0f && value >= threshold ? 1 : 0;
+        });
     }
 
-    void addGridAsShape(Level& level, const std::string& shapeName, const openvdb::GridBase& grid, const std::string& name, SolidCells solid) {
+    void addGridAsShape(Level& level, const std::string& shapeName, const openvdb::GridBase& grid,
+                        const std::string& name, SolidCells solid) {
         const auto pose = cornerPose(grid, solid.box.min());
         if (!pose) return m_notes.push_back(pose.error() + ", skipped");
         LevelBody& body = level.bodies.emplace_back();
@@ -373,8 +403,9 @@ private:
         } else {
             shape.palette = grayFallbackPalette();
         }
-        m_notes.push_back(fmt::format("grid '{}' -> shape '{}', {} voxels of {} m{}", name, shapeName, shape.grid.voxelCount(), shape.voxelSize,
-                                        color ? ", colours from '" + colorName + "'" : ""));
+        m_notes.push_back(fmt::format("grid '{}' -> shape '{}', {} voxels of {} m{}", name, shapeName,
+                                      shape.grid.voxelCount(), shape.voxelSize,
+                                      color ? ", colours from '" + colorName + "'" : ""));
     }
 
     static std::string suffix(const std::string& name) { return name.substr(name.rfind('.') + 1); }
@@ -414,7 +445,8 @@ Result<Done> writeVdbFile(const std::string& path, const Level& level) try {
     openvdb::MetaMap metadata;
     metadata.insertMeta(kPrefix + "version", openvdb::Int32Metadata(kProfileVersion));
     metadata.insertMeta(kPrefix + "content_hash", openvdb::StringMetadata(fmt::format("{:016x}", hashLevel(level))));
-    for (const auto& [topic, text] : levelToJson(level, prefixes)) metadata.insertMeta(kPrefix + topic, openvdb::StringMetadata(text));
+    for (const auto& [topic, text] : levelToJson(level, prefixes))
+        metadata.insertMeta(kPrefix + topic, openvdb::StringMetadata(text));
     const std::string temporaryPath = fmt::format("{}.{}.part", path, getpid());
     openvdb::io::File file(temporaryPath);
     file.write(grids, metadata);

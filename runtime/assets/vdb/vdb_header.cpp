@@ -30,8 +30,8 @@ VdbGridEntry readGridEntry(ByteReader& in) {
     const auto here = int64_t(in.offset());
     if (in.failed()) return entry;
     if (grid < here || blocks < grid || end < blocks || end - here > int64_t(in.remaining()))
-        in.fail(fmt::format("rising offsets from {} to {}", here, size_t(here) + in.remaining()), fmt::format("{}, {}, {}", grid, blocks, end),
-                start);
+        in.fail(fmt::format("rising offsets from {} to {}", here, size_t(here) + in.remaining()),
+                fmt::format("{}, {}, {}", grid, blocks, end), start);
     else
         in.readBytes(size_t(end - here));
     return entry;

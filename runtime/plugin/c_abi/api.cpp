@@ -50,7 +50,8 @@ rubble_result setHost(const rubble_host* host) {
 
 FrameLoopSettings loopSettings(uint32_t flags) {
     constexpr uint32_t known = RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW;
-    if (flags & ~known) throw ApiError{RUBBLE_ERROR_ARGUMENT, "settings->flags has unknown bits: " + std::to_string(flags)};
+    if (flags & ~known)
+        throw ApiError{RUBBLE_ERROR_ARGUMENT, "settings->flags has unknown bits: " + std::to_string(flags)};
     FrameLoopSettings settings;
     settings.publish = settings.shadowVolume = !(flags & RUBBLE_WORLD_NO_RENDERER);
     settings.shadow = flags & RUBBLE_WORLD_SHADOW_INLINE ? ShadowWorker::Mode::Inline : ShadowWorker::Mode::Thread;
@@ -67,7 +68,8 @@ rubble_result createWorld(const rubble_world_settings* settings, rubble_world* o
 }
 
 rubble_result destroyWorld(rubble_world world) {
-    return guarded("destroy_world", [&] { Registry::instance().destroyWorld(readHandle<HandleType::World>(world, "world")); });
+    return guarded("destroy_world",
+                   [&] { Registry::instance().destroyWorld(readHandle<HandleType::World>(world, "world")); });
 }
 
 rubble_result loadLevel(rubble_world world, const char* path, const char* vdbTool) {
@@ -117,7 +119,8 @@ rubble_result getBodyStates(rubble_world world, rubble_body_state* out, uint32_t
     return guarded("get_body_states", [&] {
         const auto hosted = Registry::instance().world(world);
         RowWriter<rubble_body_state> rows(out, capacity, count);
-        hosted->loop.world().bodies().forEach([&](BodyHandle handle, const Body& body) { rows.add([&] { return bodyState(handle, body); }); });
+        hosted->loop.world().bodies().forEach(
+            [&](BodyHandle handle, const Body& body) { rows.add([&] { return bodyState(handle, body); }); });
         rows.finish();
     });
 }
@@ -135,12 +138,15 @@ rubble_result getBodyState(rubble_world world, rubble_body body, rubble_body_sta
     });
 }
 
-rubble_result getShapeStates(rubble_world world, rubble_body body, rubble_shape_state* out, uint32_t capacity, uint32_t* count) {
+rubble_result getShapeStates(rubble_world world, rubble_body body, rubble_shape_state* out, uint32_t capacity,
+                             uint32_t* count) {
     return guarded("get_shape_states", [&] {
         const auto hosted = Registry::instance().world(world);
         const World& inside = hosted->loop.world();
         RowWriter<rubble_shape_state> rows(out, capacity, count);
-        const auto add = [&](ShapeHandle handle, const Shape& shape) { rows.add([&] { return shapeState(inside, handle, shape); }); };
+        const auto add = [&](ShapeHandle handle, const Shape& shape) {
+            rows.add([&] { return shapeState(inside, handle, shape); });
+        };
         if (body)
             for (const ShapeHandle handle : bodyOf(inside, body).shapes) add(handle, inside.shapes().at(handle));
         else
@@ -149,11 +155,14 @@ rubble_result getShapeStates(rubble_world world, rubble_body body, rubble_shape_
     });
 }
 
-rubble_result raycast(rubble_world world, const double origin[3], const double direction[3], double maxDistance, rubble_hit* out) {
+rubble_result raycast(rubble_world world, const double origin[3], const double direction[3], double maxDistance,
+                      rubble_hit* out) {
     return guarded("raycast", [&] {
         const auto hosted = Registry::instance().world(world);
-        const glm::dvec3 from = readVector(reinterpret_cast<const double(&)[3]>(requireNotNull(origin, "origin")), "origin");
-        const glm::dvec3 along = readVector(reinterpret_cast<const double(&)[3]>(requireNotNull(direction, "direction")), "direction");
+        const glm::dvec3 from =
+            readVector(reinterpret_cast<const double(&)[3]>(requireNotNull(origin, "origin")), "origin");
+        const glm::dvec3 along =
+            readVector(reinterpret_cast<const double(&)[3]>(requireNotNull(direction, "direction")), "direction");
         if (along == glm::dvec3(0.0)) throw ApiError{RUBBLE_ERROR_ARGUMENT, "direction is zero"};
         const double reach = readOrDefault(maxDistance, 1e-6, 1e6, 0.0, "max_distance");
         const World& inside = hosted->loop.world();
@@ -162,7 +171,8 @@ rubble_result raycast(rubble_world world, const double origin[3], const double d
 }
 
 rubble_result getStateHash(rubble_world world, uint64_t* out) {
-    return guarded("get_state_hash", [&] { requireNotNull(out, "out") = Registry::instance().world(world)->loop.world().hash(); });
+    return guarded("get_state_hash",
+                   [&] { requireNotNull(out, "out") = Registry::instance().world(world)->loop.world().hash(); });
 }
 
 rubble_result ledger(rubble_world world, rubble_voxel_accounting* out) {
@@ -204,7 +214,8 @@ rubble_result figures(rubble_world world, rubble_step_stats* out) {
 std::string readPreset(const char* preset) {
     const std::string name = preset ? preset : "balanced";
     if (name != "fast" && name != "balanced" && name != "accurate")
-        throw ApiError{RUBBLE_ERROR_ARGUMENT, "settings->preset is \"" + name + "\", expected fast, balanced or accurate"};
+        throw ApiError{RUBBLE_ERROR_ARGUMENT,
+                       "settings->preset is \"" + name + "\", expected fast, balanced or accurate"};
     return name;
 }
 
@@ -216,20 +227,24 @@ rubble_result createRenderer(rubble_world world, const rubble_renderer_settings*
         const std::string folder = &requireNotNull(read.shader_folder, "settings->shader_folder");
         const RenderSettings preset = RenderSettings::preset(readPreset(read.preset));
         if (!g_host.gl_get_proc_address) throw ApiError{RUBBLE_ERROR_GL, "the host has set no gl_get_proc_address"};
-        if (!hosted->drawable) throw ApiError{RUBBLE_ERROR_ARGUMENT, "the world was created with RUBBLE_WORLD_NO_RENDERER"};
-        if (hosted->hadRenderer) throw ApiError{RUBBLE_ERROR_ARGUMENT, "the world has or had a renderer; it can have one"};
+        if (!hosted->drawable)
+            throw ApiError{RUBBLE_ERROR_ARGUMENT, "the world was created with RUBBLE_WORLD_NO_RENDERER"};
+        if (hosted->hadRenderer)
+            throw ApiError{RUBBLE_ERROR_ARGUMENT, "the world has or had a renderer; it can have one"};
         Result<std::unique_ptr<Renderer>> renderer = Renderer::create(g_host.gl_get_proc_address, folder, preset);
         if (!renderer) throw ApiError{RUBBLE_ERROR_GL, renderer.error()};
         hosted->hadRenderer = true;
-        *out = Registry::instance().addRenderer(std::make_shared<HostedRenderer>(HostedRenderer{hosted, std::move(*renderer)})).bits;
+        *out = Registry::instance()
+                   .addRenderer(std::make_shared<HostedRenderer>(HostedRenderer{hosted, std::move(*renderer)}))
+                   .bits;
     });
 }
 
 View readView(const rubble_view& given) {
     constexpr uint32_t largest = 16384;
     if (given.width < 1 || given.width > largest || given.height < 1 || given.height > largest)
-        throw ApiError{RUBBLE_ERROR_ARGUMENT,
-                      "view is " + std::to_string(given.width) + " x " + std::to_string(given.height) + " pixels, expected 1 to 16384"};
+        throw ApiError{RUBBLE_ERROR_ARGUMENT, "view is " + std::to_string(given.width) + " x " +
+                                                  std::to_string(given.height) + " pixels, expected 1 to 16384"};
     if (given.flags & ~uint32_t(RUBBLE_VIEW_CUT)) throw ApiError{RUBBLE_ERROR_ARGUMENT, "view->flags has unknown bits"};
     View view;
     view.position = readVector(given.position, "position");
@@ -249,7 +264,8 @@ rubble_result draw(rubble_renderer renderer, const rubble_view* view) {
         const rubble_view& given = readStruct(view, "view");
         const double alpha = readOrDefault(given.alpha, 0.0, 1.0, 0.0, "alpha");
         world->loop.draw(*hosted->renderer, readView(given), float(alpha));
-        if (const std::string& lastError = hosted->renderer->lastError(); !lastError.empty()) throw ApiError{RUBBLE_ERROR_GL, lastError};
+        if (const std::string& lastError = hosted->renderer->lastError(); !lastError.empty())
+            throw ApiError{RUBBLE_ERROR_GL, lastError};
         hosted->applyMs = world->loop.times()[Stage::Apply];
         hosted->drawMs = world->loop.times()[Stage::Draw];
     });
@@ -282,7 +298,9 @@ rubble_result getDrawStats(rubble_renderer renderer, rubble_draw_stats* out) {
 }
 
 rubble_result destroyRenderer(rubble_renderer renderer) {
-    return guarded("destroy_renderer", [&] { Registry::instance().destroyRenderer(readHandle<HandleType::Renderer>(renderer, "renderer")); });
+    return guarded("destroy_renderer", [&] {
+        Registry::instance().destroyRenderer(readHandle<HandleType::Renderer>(renderer, "renderer"));
+    });
 }
 
 // ---- saves, recordings, undo ----
@@ -308,7 +326,9 @@ rubble_result loadGame(rubble_world world, const char* path) {
 }
 
 rubble_result startRecording(rubble_world world, const char* path) {
-    return guarded("start_recording", [&] { requireDone(Registry::instance().world(world)->loop.startRecording(&requireNotNull(path, "path"))); });
+    return guarded("start_recording", [&] {
+        requireDone(Registry::instance().world(world)->loop.startRecording(&requireNotNull(path, "path")));
+    });
 }
 
 rubble_result stopRecording(rubble_world world) {
@@ -327,7 +347,8 @@ rubble_result replay(rubble_world world, const char* path, uint64_t* steps) {
             loop.replay(step);
             hosted->events.fill(loop.changes());
             if (loop.world().hash() != step.hash)
-                throw ApiError{RUBBLE_ERROR_FILE, std::string(path) + ": step " + std::to_string(step.step) + " went another way than was recorded"};
+                throw ApiError{RUBBLE_ERROR_FILE, std::string(path) + ": step " + std::to_string(step.step) +
+                                                      " went another way than was recorded"};
             if (steps) ++*steps;
         }
     });
@@ -381,7 +402,9 @@ rubble_result getJointStates(rubble_world world, rubble_joint_state* out, uint32
         const auto hosted = Registry::instance().world(world);
         const World& inside = hosted->loop.world();
         RowWriter<rubble_joint_state> rows(out, capacity, count);
-        inside.joints().forEach([&](JointHandle handle, const Joint& joint) { rows.add([&] { return jointState(inside, handle, joint); }); });
+        inside.joints().forEach([&](JointHandle handle, const Joint& joint) {
+            rows.add([&] { return jointState(inside, handle, joint); });
+        });
         rows.finish();
     });
 }
@@ -476,7 +499,8 @@ extern "C" rubble_result rubble_get_api(uint32_t version, const rubble_api** tab
     return rubble::abi::guarded("rubble_get_api", [&] {
         rubble::abi::requireNotNull(table, "table") = nullptr;
         if (version != RUBBLE_VERSION) {
-            const std::string text = "version " + std::to_string(version) + " asked for, this plugin speaks " + std::to_string(RUBBLE_VERSION);
+            const std::string text = "version " + std::to_string(version) + " asked for, this plugin speaks " +
+                                     std::to_string(RUBBLE_VERSION);
             rubble::logError("rubble_get_api: " + text);  // without a table the host cannot ask for the last error
             throw rubble::abi::ApiError{RUBBLE_ERROR_VERSION, text};
         }

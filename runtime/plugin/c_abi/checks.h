@@ -27,18 +27,19 @@ T& requireNotNull(T* pointer, const char* name) {
     return *pointer;
 }
 
-/// Fields that this version does not know must be zero: a newer host does not get less than it asked for without a word.
+/// Fields that this version does not know must be zero: a newer host does not get less than it asked for without a
+/// word.
 template <class T>
 void checkStructSize(const T& given, const char* name) {
     const uint32_t size = given.struct_size;
     if (size < sizeof(T) || size > kMaxStructSize)
-        throw ApiError{RUBBLE_ERROR_STRUCT_SIZE,
-                      std::string(name) + "->struct_size is " + std::to_string(size) + ", expected " + std::to_string(sizeof(T))};
+        throw ApiError{RUBBLE_ERROR_STRUCT_SIZE, std::string(name) + "->struct_size is " + std::to_string(size) +
+                                                     ", expected " + std::to_string(sizeof(T))};
     const auto* bytes = reinterpret_cast<const unsigned char*>(&given);
     for (size_t i = sizeof(T); i < size; ++i)
         if (bytes[i])
-            throw ApiError{RUBBLE_ERROR_STRUCT_SIZE,
-                          std::string(name) + " sets a field at byte " + std::to_string(i) + " that this plugin does not know"};
+            throw ApiError{RUBBLE_ERROR_STRUCT_SIZE, std::string(name) + " sets a field at byte " + std::to_string(i) +
+                                                         " that this plugin does not know"};
 }
 
 template <class T>
@@ -62,14 +63,16 @@ inline void requireNoError(const std::string& error) {
 inline glm::dvec3 readVector(const double (&values)[3], const char* name) {
     for (int i = 0; i < 3; ++i)
         if (!std::isfinite(values[i]) || std::abs(values[i]) > 1e9)
-            throw ApiError{RUBBLE_ERROR_ARGUMENT, std::string(name) + "[" + std::to_string(i) + "] is " + std::to_string(values[i])};
+            throw ApiError{RUBBLE_ERROR_ARGUMENT,
+                           std::string(name) + "[" + std::to_string(i) + "] is " + std::to_string(values[i])};
     return {values[0], values[1], values[2]};
 }
 
 /// In [low, high]; 0 is a number like any other.
 inline double readInRange(double value, double low, double high, const std::string& name) {
     if (isWithin(value, low, high)) return value;
-    throw ApiError{RUBBLE_ERROR_ARGUMENT, name + " is " + std::to_string(value) + ", expected " + std::to_string(low) + " to " + std::to_string(high)};
+    throw ApiError{RUBBLE_ERROR_ARGUMENT, name + " is " + std::to_string(value) + ", expected " + std::to_string(low) +
+                                              " to " + std::to_string(high)};
 }
 
 /// The same, but a value of 0 stands for `ifZero`.
@@ -83,14 +86,16 @@ inline glm::dquat readRotation(const double (&values)[4], const char* name) {
     const double length = glm::length(rotation);
     if (length == 0.0) return {1.0, 0.0, 0.0, 0.0};
     if (!(std::abs(length - 1.0) < 1e-2))
-        throw ApiError{RUBBLE_ERROR_ARGUMENT, std::string(name) + " has length " + std::to_string(length) + ", expected 1"};
+        throw ApiError{RUBBLE_ERROR_ARGUMENT,
+                       std::string(name) + " has length " + std::to_string(length) + ", expected 1"};
     return rotation / length;
 }
 
 template <HandleType kType>
 Handle<kType> readHandle(uint64_t bits, const char* name) {
     const Handle<kType> handle{bits};
-    if (handle && handle.type() != kType) throw ApiError{RUBBLE_ERROR_STALE, std::string(name) + " is a handle of another type"};
+    if (handle && handle.type() != kType)
+        throw ApiError{RUBBLE_ERROR_STALE, std::string(name) + " is a handle of another type"};
     return handle;
 }
 

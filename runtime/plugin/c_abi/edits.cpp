@@ -10,19 +10,22 @@ namespace {
 constexpr double kMaxBrushSize = 100.0;  // metres
 
 BrushKind readBrush(uint32_t brush) {
-    if (brush > RUBBLE_BRUSH_CAPSULE) throw ApiError{RUBBLE_ERROR_ARGUMENT, "brush is " + std::to_string(brush) + ", expected 0 to 2"};
+    if (brush > RUBBLE_BRUSH_CAPSULE)
+        throw ApiError{RUBBLE_ERROR_ARGUMENT, "brush is " + std::to_string(brush) + ", expected 0 to 2"};
     constexpr BrushKind kinds[] = {BrushKind::Sphere, BrushKind::Box, BrushKind::Capsule};
     return kinds[brush];
 }
 
 Hardness readHardness(uint32_t hardness) {
-    if (hardness > RUBBLE_HARDNESS_HARD) throw ApiError{RUBBLE_ERROR_ARGUMENT, "hardness is " + std::to_string(hardness) + ", expected 0 to 3"};
+    if (hardness > RUBBLE_HARDNESS_HARD)
+        throw ApiError{RUBBLE_ERROR_ARGUMENT, "hardness is " + std::to_string(hardness) + ", expected 0 to 3"};
     constexpr Hardness classes[] = {Hardness::Hard, Hardness::Soft, Hardness::Medium, Hardness::Hard};
     return classes[hardness];
 }
 
 Tool readTool(uint32_t tool) {
-    if (tool > RUBBLE_TOOL_EXPLOSIVE) throw ApiError{RUBBLE_ERROR_ARGUMENT, "tool is " + std::to_string(tool) + ", expected 0 to 4"};
+    if (tool > RUBBLE_TOOL_EXPLOSIVE)
+        throw ApiError{RUBBLE_ERROR_ARGUMENT, "tool is " + std::to_string(tool) + ", expected 0 to 4"};
     return Tool(tool);
 }
 
@@ -30,7 +33,8 @@ std::array<double, 3> readRadii(const double (&given)[3]) {
     std::array<double, 3> radii;
     for (size_t i = 0; i < 3; ++i) radii[i] = readOrDefault(given[i], 1e-3, kMaxBrushSize, 0.0, "radii");
     if (radii[0] == 0.0) throw ApiError{RUBBLE_ERROR_ARGUMENT, "radii[0] is 0: nothing would be removed"};
-    if (!std::is_sorted(radii.rbegin(), radii.rend())) throw ApiError{RUBBLE_ERROR_ARGUMENT, "radii grow: expected that soft >= medium >= hard"};
+    if (!std::is_sorted(radii.rbegin(), radii.rend()))
+        throw ApiError{RUBBLE_ERROR_ARGUMENT, "radii grow: expected that soft >= medium >= hard"};
     return radii;
 }
 
@@ -44,7 +48,8 @@ void readHalfSize(const rubble_carve& carve, CarveEdit& edit) {
     edit.halfSize = readVector(carve.half_size, "half_size");
     for (int i = 0; i < 3; ++i)
         if (!(edit.halfSize[i] > 0.0 && edit.halfSize[i] <= kMaxBrushSize))
-            throw ApiError{RUBBLE_ERROR_ARGUMENT, "half_size is " + std::to_string(edit.halfSize[i]) + ", expected more than 0, at most 100"};
+            throw ApiError{RUBBLE_ERROR_ARGUMENT,
+                           "half_size is " + std::to_string(edit.halfSize[i]) + ", expected more than 0, at most 100"};
 }
 
 uint8_t readByteFraction(uint32_t share, uint8_t ifZero, const char* name) {

@@ -33,7 +33,8 @@ rubble_result guarded(const char* function, F&& body) noexcept try {
 template <class Row>
 class RowWriter {
 public:
-    RowWriter(Row* out, uint32_t capacity, uint32_t* count) : m_out(out), m_capacity(capacity), m_count(requireNotNull(count, "count")) {
+    RowWriter(Row* out, uint32_t capacity, uint32_t* count)
+        : m_out(out), m_capacity(capacity), m_count(requireNotNull(count, "count")) {
         if (capacity) requireNotNull(out, "out");
         m_count = 0;
     }
@@ -44,7 +45,8 @@ public:
     }
     void finish() const {
         if (m_capacity && m_count > m_capacity)
-            throw ApiError{RUBBLE_ERROR_CAPACITY, "there are " + std::to_string(m_count) + " rows, the array holds " + std::to_string(m_capacity)};
+            throw ApiError{RUBBLE_ERROR_CAPACITY, "there are " + std::to_string(m_count) + " rows, the array holds " +
+                                                      std::to_string(m_capacity)};
     }
 
 private:
@@ -70,7 +72,8 @@ void requireAlive(const Map& map, Handle handle, const char* name) {
 
 /// A command for the next step that removes what a handle names in a SlotMap of a World.
 template <class EditType, HandleType kType, class Map>
-rubble_result removeOne(const char* function, rubble_world world, uint64_t bits, const char* name, const Map& (World::*all)() const) {
+rubble_result removeOne(const char* function, rubble_world world, uint64_t bits, const char* name,
+                        const Map& (World::*all)() const) {
     return guarded(function, [&] {
         const auto hosted = Registry::instance().world(world);
         const auto handle = readHandle<kType>(bits, name);
@@ -81,7 +84,8 @@ rubble_result removeOne(const char* function, rubble_world world, uint64_t bits,
 
 /// The handles in a SlotMap of a World, in the order of their slots.
 template <class Map>
-rubble_result listAll(const char* function, rubble_world world, uint64_t* out, uint32_t capacity, uint32_t* count, const Map& (World::*all)() const) {
+rubble_result listAll(const char* function, rubble_world world, uint64_t* out, uint32_t capacity, uint32_t* count,
+                      const Map& (World::*all)() const) {
     return guarded(function, [&] {
         const auto hosted = Registry::instance().world(world);
         RowWriter<uint64_t> rows(out, capacity, count);

@@ -21,17 +21,26 @@ struct Vector {
 };
 
 constexpr Number<Environment, rubble_environment> kEnvironmentScalars[] = {
-    {&Environment::sunAngle, &rubble_environment::sun_angle},     {&Environment::fogDistance, &rubble_environment::fog_distance},
-    {&Environment::fogDensity, &rubble_environment::fog_density}, {&Environment::fogBase, &rubble_environment::fog_base},
-    {&Environment::fogHeight, &rubble_environment::fog_height},   {&Environment::fogForward, &rubble_environment::fog_forward},
-    {&Environment::clouds, &rubble_environment::clouds},          {&Environment::stars, &rubble_environment::stars},
-    {&Environment::exposure, &rubble_environment::exposure},      {&Environment::wetness, &rubble_environment::wetness},
+    {&Environment::sunAngle, &rubble_environment::sun_angle},
+    {&Environment::fogDistance, &rubble_environment::fog_distance},
+    {&Environment::fogDensity, &rubble_environment::fog_density},
+    {&Environment::fogBase, &rubble_environment::fog_base},
+    {&Environment::fogHeight, &rubble_environment::fog_height},
+    {&Environment::fogForward, &rubble_environment::fog_forward},
+    {&Environment::clouds, &rubble_environment::clouds},
+    {&Environment::stars, &rubble_environment::stars},
+    {&Environment::exposure, &rubble_environment::exposure},
+    {&Environment::wetness, &rubble_environment::wetness},
 };
 constexpr Vector<Environment, rubble_environment> kEnvironmentVectors[] = {
-    {&Environment::sunDirection, &rubble_environment::sun_direction}, {&Environment::sunColor, &rubble_environment::sun_color},
-    {&Environment::skyColor, &rubble_environment::sky_color},         {&Environment::horizonColor, &rubble_environment::horizon_color},
-    {&Environment::groundColor, &rubble_environment::ground_color},   {&Environment::fogColor, &rubble_environment::fog_color},
-    {&Environment::fogTint, &rubble_environment::fog_tint},           {&Environment::gravity, &rubble_environment::gravity},
+    {&Environment::sunDirection, &rubble_environment::sun_direction},
+    {&Environment::sunColor, &rubble_environment::sun_color},
+    {&Environment::skyColor, &rubble_environment::sky_color},
+    {&Environment::horizonColor, &rubble_environment::horizon_color},
+    {&Environment::groundColor, &rubble_environment::ground_color},
+    {&Environment::fogColor, &rubble_environment::fog_color},
+    {&Environment::fogTint, &rubble_environment::fog_tint},
+    {&Environment::gravity, &rubble_environment::gravity},
 };
 constexpr Number<Light, rubble_light_state> kLightScalars[] = {
     {&Light::radius, &rubble_light_state::radius},        {&Light::reach, &rubble_light_state::reach},
@@ -108,7 +117,8 @@ Handle<kType> readOptionalHandle(const Map& map, uint64_t bits, const char* name
 
 /// `light`: what the host cannot say stays as it is there.
 Light readLight(const World& world, const rubble_light_state& given, Light light) {
-    if (given.flags & ~uint32_t(RUBBLE_LIGHT_ENABLED | RUBBLE_LIGHT_TWO_SIDED)) throw ApiError{RUBBLE_ERROR_ARGUMENT, "flags has unknown bits"};
+    if (given.flags & ~uint32_t(RUBBLE_LIGHT_ENABLED | RUBBLE_LIGHT_TWO_SIDED))
+        throw ApiError{RUBBLE_ERROR_ARGUMENT, "flags has unknown bits"};
     for (const auto& number : kLightScalars) read(number, given, light);
     for (const auto& vector : kLightVectors) read(vector, given, light);
     light.kind = LightKind(std::min(given.kind, 255u));
@@ -124,18 +134,21 @@ Light readLight(const World& world, const rubble_light_state& given, Light light
 }  // namespace
 
 rubble_result environment(rubble_world world, rubble_environment* out) {
-    return guarded("get_environment", [&] { writeStruct(out, toHost(Registry::instance().world(world)->loop.world().environment())); });
+    return guarded("get_environment",
+                   [&] { writeStruct(out, toHost(Registry::instance().world(world)->loop.world().environment())); });
 }
 
 rubble_result setEnvironment(rubble_world world, const rubble_environment* environment) {
-    return pushEdit("set_environment", world, environment,
-                    [](const World&, const rubble_environment& given) { return SetEnvironmentEdit{readEnvironment(given)}; });
+    return pushEdit("set_environment", world, environment, [](const World&, const rubble_environment& given) {
+        return SetEnvironmentEdit{readEnvironment(given)};
+    });
 }
 
 rubble_result applySkyModel(rubble_environment* environment, const double* toSun) {
     return guarded("compute_sky", [&] {
         Environment now = readEnvironment(readStruct(environment, "get_environment"));
-        const glm::dvec3 direction = readVector(reinterpret_cast<const double(&)[3]>(requireNotNull(toSun, "to_sun")), "to_sun");
+        const glm::dvec3 direction =
+            readVector(reinterpret_cast<const double(&)[3]>(requireNotNull(toSun, "to_sun")), "to_sun");
         if (!(glm::length(direction) > 1e-6)) throw ApiError{RUBBLE_ERROR_ARGUMENT, "to_sun is zero"};
         rubble::applySkyModel(now, glm::vec3(direction));
         writeStruct(environment, toHost(now));
@@ -160,8 +173,9 @@ rubble_result setLight(rubble_world world, const rubble_light_state* light) {
 }
 
 rubble_result addLight(rubble_world world, const rubble_light_state* light) {
-    return pushEdit("add_light", world, light,
-                    [](const World& in, const rubble_light_state& given) { return AddLightEdit{readLight(in, given, {})}; });
+    return pushEdit("add_light", world, light, [](const World& in, const rubble_light_state& given) {
+        return AddLightEdit{readLight(in, given, {})};
+    });
 }
 
 rubble_result removeLight(rubble_world world, rubble_light light) {

@@ -41,8 +41,11 @@ void EventRows::fill(const FrameChanges& changes) {
     }
     m_removed.clear();
     for (const RemovedVoxels& removed : changes.removed)
-        m_removed.push_back(
-            {removed.shape.bits, removed.count, {removed.color[0], removed.color[1], removed.color[2]}, removed.material, removed.entry});
+        m_removed.push_back({removed.shape.bits,
+                             removed.count,
+                             {removed.color[0], removed.color[1], removed.color[2]},
+                             removed.material,
+                             removed.entry});
     m_splits.clear();
     for (const ShapeSplit& split : changes.splits)
         for (size_t i = 0; i < split.children.size(); ++i) {

@@ -6,7 +6,8 @@
 
 namespace rubble::abi {
 
-/// The rows that rubble_events points at, kept until the next step. They keep their memory, so a calm step allocates nothing.
+/// The rows that rubble_events points at, kept until the next step. They keep their memory, so a calm step allocates
+/// nothing.
 class EventRows {
 public:
     void fill(const FrameChanges& changes);

@@ -17,6 +17,7 @@ rubble_result waters(rubble_world world, rubble_water* out, uint32_t capacity, u
 rubble_result triggers(rubble_world world, rubble_trigger* out, uint32_t capacity, uint32_t* count);
 rubble_result getCharacterStates(rubble_world world, rubble_character_state* out, uint32_t capacity, uint32_t* count);
 rubble_result triggerEvents(rubble_world world, rubble_trigger_event* out, uint32_t capacity, uint32_t* count);
-rubble_result getTriggerBodies(rubble_world world, rubble_trigger trigger, rubble_body* out, uint32_t capacity, uint32_t* count);
+rubble_result getTriggerBodies(rubble_world world, rubble_trigger trigger, rubble_body* out, uint32_t capacity,
+                               uint32_t* count);
 
 }  // namespace rubble::abi

@@ -23,7 +23,8 @@ Registry& Registry::instance() {
 
 Registry::~Registry() {
     // A host that ends with living renderers has most likely no GL context any more: their GL objects went with it.
-    m_renderers.forEach([](RendererId, std::shared_ptr<HostedRenderer>& hosted) { static_cast<void>(hosted->renderer.release()); });
+    m_renderers.forEach(
+        [](RendererId, std::shared_ptr<HostedRenderer>& hosted) { static_cast<void>(hosted->renderer.release()); });
 }
 
 WorldId Registry::createWorld(FrameLoopSettings settings, bool drawable) {

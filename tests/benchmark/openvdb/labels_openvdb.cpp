@@ -1,5 +1,5 @@
-// Connected components of whole volumes: ours from bricks, ours from bytes, OpenVDB's segmentActiveVoxels, and, if python3 with
-// SciPy is there, scipy.ndimage.label on the same bytes. Each says what goes in and what comes out.
+// Connected components of whole volumes: ours from bricks, ours from bytes, OpenVDB's segmentActiveVoxels, and, if
+// python3 with SciPy is there, scipy.ndimage.label on the same bytes. Each says what goes in and what comes out.
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetUtil.h>
 #include <tbb/global_control.h>
@@ -28,7 +28,8 @@ double bestMs(int times, Prepare&& prepare, F&& f) {
         auto input = prepare();
         const auto start = std::chrono::steady_clock::now();
         f(input);
-        best = std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        best =
+            std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     }
     return best;
 }
@@ -81,10 +82,12 @@ constexpr size_t kMaxGrids = 4000;
 
 /// SciPy on the bytes, in a process of its own that times itself; 0 if it is not there.
 double scipyMs(const std::vector<uint8_t>& bytes, glm::ivec3 size, size_t& components) {
-    const std::string folder = std::getenv("TMPDIR") ? std::getenv("TMPDIR") : "/tmp", file = folder + "/rubble_labels.raw";
-    std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
-    const std::string command = "/usr/bin/python3 " RUBBLE_LABELS_SCRIPT " " + file + " " + std::to_string(size.z) + " " + std::to_string(size.y) +
-                                " " + std::to_string(size.x) + " 2>/dev/null";
+    const std::string folder = std::getenv("TMPDIR") ? std::getenv("TMPDIR") : "/tmp",
+                      file = folder + "/rubble_labels.raw";
+    std::ofstream(file, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+    const std::string command = "/usr/bin/python3 " RUBBLE_LABELS_SCRIPT " " + file + " " + std::to_string(size.z) +
+                                " " + std::to_string(size.y) + " " + std::to_string(size.x) + " 2>/dev/null";
     double ms = 0.0;
     if (FILE* pipe = popen(command.c_str(), "r")) {
         if (std::fscanf(pipe, "%lf %zu", &ms, &components) != 2) ms = 0.0;
@@ -104,10 +107,12 @@ bool compare(const char* name, const VoxelGrid& grid) {
         5, [] { return 0; }, [&](int) { fromBytes = labelDense(grid.size(), bytes, labels); });
     const auto vdb = vdbOf(grid);
     const bool hasVdb = fromBricks.size() <= kMaxGrids;
-    const double vdb1 = hasVdb ? openVdbMs(*vdb, 1, one) : 0.0, vdbAll = hasVdb ? openVdbMs(*vdb, std::thread::hardware_concurrency(), many) : 0.0;
+    const double vdb1 = hasVdb ? openVdbMs(*vdb, 1, one) : 0.0,
+                 vdbAll = hasVdb ? openVdbMs(*vdb, std::thread::hardware_concurrency(), many) : 0.0;
     size_t scipyCount = 0;
     const double scipy = scipyMs(bytes, grid.size(), scipyCount);
-    const bool isEqual = sorted(fromBricks) == sorted(fromBytes) && (!hasVdb || (sorted(fromBricks) == sorted(one) && sorted(one) == sorted(many))) &&
+    const bool isEqual = sorted(fromBricks) == sorted(fromBytes) &&
+                         (!hasVdb || (sorted(fromBricks) == sorted(one) && sorted(one) == sorted(many))) &&
                          (scipy == 0.0 || scipyCount == fromBricks.size());
     std::printf("%-14s %8zu %9.2f %9.2f", name, fromBricks.size(), bricksMs, denseMs);
     for (const double ms : {vdb1, vdbAll, scipy}) std::printf(ms > 0.0 ? " %9.1f" : "         -", ms);
@@ -126,16 +131,20 @@ bool compare(const char* name, const VoxelGrid& grid) {
 int main(int argc, char** argv) {
     openvdb::initialize();
     std::printf(
-        "destruction/label: milliseconds, best of 3 (OpenVDB, SciPy) and 5 (ours), other figures are times faster. Ours: one thread.\n"
-        "bricks: bits of cold bricks in, components and their voxel counts out. dense: bytes in, labels and counts out.\n"
-        "OpenVDB: a BoolGrid in, a grid for each component out, with 1 thread and with %u; \"-\": too many grids. SciPy: bytes in, labels out, one "
+        "destruction/label: milliseconds, best of 3 (OpenVDB, SciPy) and 5 (ours), other figures are times faster. "
+        "Ours: one thread.\n"
+        "bricks: bits of cold bricks in, components and their voxel counts out. dense: bytes in, labels and counts "
+        "out.\n"
+        "OpenVDB: a BoolGrid in, a grid for each component out, with 1 thread and with %u; \"-\": too many grids. "
+        "SciPy: bytes in, labels out, one "
         "thread.\n",
         std::thread::hardware_concurrency());
-    std::printf("%-14s %8s %9s %9s %9s %9s %9s | %7s %7s %7s | %7s %7s\n", "volume", "parts", "bricks", "dense", "vdb 1", "vdb all", "scipy",
-                "b/vdb1", "b/vdbN", "b/scipy", "d/vdb1", "d/scipy");
+    std::printf("%-14s %8s %9s %9s %9s %9s %9s | %7s %7s %7s | %7s %7s\n", "volume", "parts", "bricks", "dense",
+                "vdb 1", "vdb all", "scipy", "b/vdb1", "b/vdbN", "b/scipy", "d/vdb1", "d/scipy");
     bool isEqual = true;
-    for (const bench::Solid solid : {bench::Solid::Building, bench::Solid::Holed, bench::Solid::Cracked, bench::Solid::Halves, bench::Solid::Voronoi,
-                                     bench::Solid::Noise20, bench::Solid::Noise32})
+    for (const bench::Solid solid :
+         {bench::Solid::Building, bench::Solid::Holed, bench::Solid::Cracked, bench::Solid::Halves,
+          bench::Solid::Voronoi, bench::Solid::Noise20, bench::Solid::Noise32})
         for (const int size : {128, 256}) {
             if (argc > 1 && std::string(bench::kSolidNames[int(solid)]).find(argv[1]) == std::string::npos) continue;
             const std::string name = std::string(bench::kSolidNames[int(solid)]) + "/" + std::to_string(size);

@@ -14,8 +14,9 @@ struct Options {
     bool processorTime = false;  ///< of all threads, instead of the wall's
     std::string shaders = RUBBLE_SOURCE_DIR "/shaders";
     std::string preset = "balanced";  ///< of the renderer, where a whole frame is measured
-    std::string fullscreen = "auto";  ///< what draws full-screen passes, where a whole frame is measured; "both": side by side
-    std::string imageFolder;              ///< folder for PNGs of what was measured; empty: none
+    std::string fullscreen =
+        "auto";               ///< what draws full-screen passes, where a whole frame is measured; "both": side by side
+    std::string imageFolder;  ///< folder for PNGs of what was measured; empty: none
 };
 
 /// Each prints its tables and returns the program's exit code. The context is current.

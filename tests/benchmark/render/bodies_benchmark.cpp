@@ -1,4 +1,5 @@
-// Two thousand bodies in view: our G-buffer against the reference game's whole method, the same imageFolder, in one process.
+// Two thousand bodies in view: our G-buffer against the reference game's whole method, the same imageFolder, in one
+// process.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,22 +47,25 @@ double exactDepth(const std::vector<VoxelGrid>& grids, const std::vector<Pose>& 
     double nearest = INFINITY;
     for (size_t i = 0; i < grids.size(); ++i) {
         const glm::dquat back = glm::conjugate(poses[i].rotation);
-        const CellHit hit = walkRay(grids[i], {back * (ray.origin - poses[i].position) / kVoxelSize, back * ray.direction / kVoxelSize, nearest});
+        const CellHit hit = walkRay(grids[i], {back * (ray.origin - poses[i].position) / kVoxelSize,
+                                               back * ray.direction / kVoxelSize, nearest});
         if (hit.hit) nearest = std::min(nearest, hit.t);
     }
     return nearest;
 }
 
 /// Pixels of which the depths differ.
-Differences differences(const std::vector<glm::vec4>& ours, const std::vector<glm::vec4>& teardown, int width, const FrameBlock& block,
-                        const std::vector<VoxelGrid>& grids, const std::vector<Pose>& poses) {
+Differences differences(const std::vector<glm::vec4>& ours, const std::vector<glm::vec4>& teardown, int width,
+                        const FrameBlock& block, const std::vector<VoxelGrid>& grids, const std::vector<Pose>& poses) {
     Differences count;
     const auto find = [&](const PixelRay& ray) { return exactDepth(grids, poses, ray); };
     for (size_t i = 0; i < ours.size(); ++i) {
         const double a = ours[i].x, b = teardown[i].x;
         if (std::abs(a - b) <= 1e-5 * a) continue;
         const auto is = [](double depth) {
-            return [depth](double found) { return depth > 1e4 ? std::isinf(found) : std::abs(found - depth) <= 1e-5 * depth; };
+            return [depth](double found) {
+                return depth > 1e4 ? std::isinf(found) : std::abs(found - depth) <= 1e-5 * depth;
+            };
         };
         count.add(pixelRay(block, {int(i) % width, int(i) / width}), 0.1, find, is(a), is(b));
     }
@@ -85,8 +89,8 @@ bool benchBodies(const Options& options) {
     const PaletteRef palette = testPalette();
     for (int i = 0; i < kBodies; ++i) {
         grids.push_back(lump(random));
-        const double z = -3.0 - 27.0 * std::sqrt(random.unit()), across = -z * 0.9, x = (random.unit() - 0.5) * across * 1.2,
-                     y = (random.unit() - 0.5) * across * 0.7;
+        const double z = -3.0 - 27.0 * std::sqrt(random.unit()), across = -z * 0.9,
+                     x = (random.unit() - 0.5) * across * 1.2, y = (random.unit() - 0.5) * across * 0.7;
         poses.push_back({{x, y, z}, turned(random)});
         made.add(grids.back(), poses.back(), palette);
     }
@@ -105,12 +109,15 @@ bool benchBodies(const Options& options) {
     const std::vector<int> order = rig.gbuffer.tiles().order();
     const double teardown = medianMs(options.frames, [&] { reference.draw(rig.context(), order); });
     const auto depthTeardown = read(rig.targets.at("depth")), albedoTeardown = read(rig.targets.at("albedo"));
-    const auto seen = std::count_if(albedoOurs.begin(), albedoOurs.end(), [](const glm::vec4& albedo) { return albedo.w > 0.0f; });
+    const auto seen =
+        std::count_if(albedoOurs.begin(), albedoOurs.end(), [](const glm::vec4& albedo) { return albedo.w > 0.0f; });
     const Differences differ = differences(depthOurs, depthTeardown, options.size.x, rig.block, grids, poses);
     fmt::print(
-        "\n{} bodies in view, on {} of {} pixels\n  ours {:.1f} ms, the reference's method {:.1f} ms: {:.2f}x (wanted 3); {} pixels differ; wrong: "
+        "\n{} bodies in view, on {} of {} pixels\n  ours {:.1f} ms, the reference's method {:.1f} ms: {:.2f}x (wanted "
+        "3); {} pixels differ; wrong: "
         "ours {}, teardown {}\n",
-        order.size(), seen, depthOurs.size(), ours, teardown, teardown / ours, differ.all, differ.firstWrong, differ.secondWrong);
+        order.size(), seen, depthOurs.size(), ours, teardown, teardown / ours, differ.all, differ.firstWrong,
+        differ.secondWrong);
     return true;
 }
 

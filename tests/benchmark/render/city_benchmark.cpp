@@ -1,4 +1,5 @@
-// The town again and again, as shapes that share their bricks: what a imageFolder costs at equal pixels from 1e7 to 2e9 voxels.
+// The town again and again, as shapes that share their bricks: what a imageFolder costs at equal pixels from 1e7 to 2e9
+// voxels.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,7 +50,8 @@ FrameSnapshot cityOf(const FrameSnapshot& town, int side) {
     city.environment = town.environment;
     city.materials = town.materials;
     const uint32_t shapes = uint32_t(town.created.size());
-    for (int i = 0; i < side * side; ++i) addTown(city, town, glm::ivec2(i % side, i / side) - side / 2, uint32_t(i) * shapes);
+    for (int i = 0; i < side * side; ++i)
+        addTown(city, town, glm::ivec2(i % side, i / side) - side / 2, uint32_t(i) * shapes);
     return city;
 }
 
@@ -88,7 +90,8 @@ void benchCity(const Options& options, const FrameSnapshot& town) {
 /// Share of the pixels that show a surface: what lies beyond the town is fields in a town, and towns in a city.
 double surfaces(const Renderer& renderer) {
     const FloatImage depth = renderer.readTarget("depth").value();
-    return double(std::count_if(depth.pixels.begin(), depth.pixels.end(), [](glm::vec4 p) { return p.x < GBufferPass::kSkyDepth; })) /
+    return double(std::count_if(depth.pixels.begin(), depth.pixels.end(),
+                                [](glm::vec4 p) { return p.x < GBufferPass::kSkyDepth; })) /
            double(depth.pixels.size());
 }
 
@@ -96,8 +99,9 @@ int benchCityFrames(const Options& options, GlContext& context) {
     const FrameSnapshot town = levelSnapshot(makeTown(1));
     const Offscreen target(options.size);
     std::vector<TownView> places = townViews();
-    places.push_back({"from above", scenes::lookAt({32.0, 40.0, 46.0}, {32.0, 0.0, 34.0}), 0.70f});  // as much surface in each world
-    std::map<std::string, double> first;                                                             // milliseconds by place and pass
+    places.push_back(
+        {"from above", scenes::lookAt({32.0, 40.0, 46.0}, {32.0, 0.0, 34.0}), 0.70f});  // as much surface in each world
+    std::map<std::string, double> first;  // milliseconds by place and pass
     for (const int side : kTownsPerSide) {
         auto renderer = Renderer::create(context.loader(), options.shaders, RenderSettings::preset(options.preset));
         if (!renderer) {
@@ -105,8 +109,8 @@ int benchCityFrames(const Options& options, GlContext& context) {
             return 1;
         }
         (*renderer)->apply(cityOf(town, side));
-        fmt::print("\n{:.2g} voxels, {} lights: the whole frame, milliseconds of processors' time\n", double(voxelsOf(town)) * side * side,
-                   town.lights.size() * size_t(side) * size_t(side));
+        fmt::print("\n{:.2g} voxels, {} lights: the whole frame, milliseconds of processors' time\n",
+                   double(voxelsOf(town)) * side * side, town.lights.size() * size_t(side) * size_t(side));
         for (const TownView& place : places) {
             const View view = place.view(options.size, target.framebuffer());
             std::map<std::string, std::vector<double>> all;
@@ -121,8 +125,8 @@ int benchCityFrames(const Options& options, GlContext& context) {
             for (const auto& [pass, ms] : all) {
                 const double now = median(ms), then = first.emplace(place.name + pass, now).first->second;
                 if (pass == " frame")
-                    fmt::print("  {:<10}{:8.1f}  {:.2f}x, {:.0f} % of the pixels are surfaces;", place.name, now, now / then,
-                               100.0 * surfaces(**renderer));
+                    fmt::print("  {:<10}{:8.1f}  {:.2f}x, {:.0f} % of the pixels are surfaces;", place.name, now,
+                               now / then, 100.0 * surfaces(**renderer));
                 else if (std::abs(now - then) > 0.02 * first.at(place.name + std::string(" frame")))
                     fmt::print("  {} {:.1f} -> {:.1f} ms", pass, then, now);
             }

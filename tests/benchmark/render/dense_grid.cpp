@@ -24,7 +24,8 @@ DenseGrid::DenseGrid(const VoxelGrid& grid) : m_size((grid.size() + 3) / 4 * 4) 
         grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
             forEachVoxel(brick->occupancy, [&](int i) {
                 const glm::ivec3 voxel = position * kBrickSize + voxelInBrick(i), cell = voxel >> level;
-                cells[(size_t(cell.z) * size_t(size.y) + size_t(cell.y)) * size_t(size.x) + size_t(cell.x)] = uint8_t(grid.at(voxel));
+                cells[(size_t(cell.z) * size_t(size.y) + size_t(cell.y)) * size_t(size.x) + size_t(cell.x)] =
+                    uint8_t(grid.at(voxel));
             });
         });
         glTexImage3D(GL_TEXTURE_3D, level, GL_R8, size.x, size.y, size.z, 0, GL_RED, GL_UNSIGNED_BYTE, cells.data());

@@ -6,7 +6,8 @@
 
 namespace rubble::bench {
 
-/// One object as the reference game keeps it: a 3D texture of a byte a voxel and two coarser levels, padded to multiples of 4.
+/// One object as the reference game keeps it: a 3D texture of a byte a voxel and two coarser levels, padded to
+/// multiples of 4.
 class DenseGrid {
 public:
     explicit DenseGrid(const VoxelGrid& grid);

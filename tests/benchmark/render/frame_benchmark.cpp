@@ -53,7 +53,8 @@ void addFrame(Drawn& drawn, const View& view, bool counts, Measured& out) {
     if (!counts) return;
     out.figures = drawn.renderer->figures();
     for (const auto& [name, ms] : out.figures.passMs) {
-        auto found = std::find_if(out.passes.begin(), out.passes.end(), [&, name = name](const auto& pass) { return pass.first == name; });
+        auto found = std::find_if(out.passes.begin(), out.passes.end(),
+                                  [&, name = name](const auto& pass) { return pass.first == name; });
         if (found == out.passes.end()) found = out.passes.insert(found, {name, {}});
         found->second.push_back(ms);
     }
@@ -72,8 +73,8 @@ std::vector<Measured> measure(std::vector<Drawn>& all, const View& given, const 
 }
 
 void print(const char* place, const Measured& m) {
-    fmt::print("\n{}: {:.1f} ms, {} draws ({} of bodies); by compute: {}\n", place, m.sum(), m.figures.drawCalls, m.figures.bodyDraws,
-               fmt::join(m.figures.computePasses, ", "));
+    fmt::print("\n{}: {:.1f} ms, {} draws ({} of bodies); by compute: {}\n", place, m.sum(), m.figures.drawCalls,
+               m.figures.bodyDraws, fmt::join(m.figures.computePasses, ", "));
     for (const auto& [name, ms] : m.passes)
         fmt::print("  {:<14}{:8.1f} ms{:7.1f} %   least {:.1f}\n", name, median(ms), 100.0 * median(ms) / m.sum(),
                    *std::min_element(ms.begin(), ms.end()));
@@ -81,7 +82,9 @@ void print(const char* place, const Measured& m) {
 
 void printSideBySide(const char* place, const Measured& fragment, const Measured& compute) {
     fmt::print("\n{:<14}{:>12}{:>12}{:>10}\n", place, "fragment ms", "compute ms", "ratio");
-    const auto line = [](const std::string& name, double a, double b) { fmt::print("  {:<12}{:>12.2f}{:>12.2f}{:>9.2f}x\n", name, a, b, b / a); };
+    const auto line = [](const std::string& name, double a, double b) {
+        fmt::print("  {:<12}{:>12.2f}{:>12.2f}{:>9.2f}x\n", name, a, b, b / a);
+    };
     for (const char* name : compute.figures.computePasses) line(name, fragment.ms(name), compute.ms(name));
     line("frame", fragment.sum(), compute.sum());
 }

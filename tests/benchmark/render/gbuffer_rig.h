@@ -17,7 +17,8 @@ inline double processMs() {
 /// Scene, camera and the passes of primary visibility, without the rest of a frame.
 class GBufferRig {
 public:
-    GBufferRig(const std::string& shaderFolder, FrameSnapshot&& snapshot) : shaders(shaderFolder), gbuffer(shaders), glass(shaders) {
+    GBufferRig(const std::string& shaderFolder, FrameSnapshot&& snapshot)
+        : shaders(shaderFolder), gbuffer(shaders), glass(shaders) {
         scene.apply(std::move(snapshot));
     }
     void beginFrame(const View& view) {
@@ -29,7 +30,9 @@ public:
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, m_blockBuffer.get());
         figures = {};
     }
-    FrameContext context() { return {block, m_settings, scene, targets, m_outputTargets, m_noise, figures, m_emptyVertexArray}; }
+    FrameContext context() {
+        return {block, m_settings, scene, targets, m_outputTargets, m_noise, figures, m_emptyVertexArray};
+    }
 
     ShaderLibrary shaders;
     GBufferPass gbuffer;

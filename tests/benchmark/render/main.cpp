@@ -1,4 +1,5 @@
-// ./rubble bench frame|city|primary: what a imageFolder costs, pass by pass, in ever larger worlds, and against other ways to draw it.
+// ./rubble bench frame|city|primary: what a imageFolder costs, pass by pass, in ever larger worlds, and against other
+// ways to draw it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -18,21 +19,26 @@ int main(int argc, char** argv) {
     bench::Options options;
     std::string subject, gl = "osmesa", size = "640x360";
     CLI::App app{"What a imageFolder costs", "bench_render"};
-    app.add_option("subject", subject, "frame, city or primary")->required()->check(CLI::IsMember({"frame", "city", "primary"}));
+    app.add_option("subject", subject, "frame, city or primary")
+        ->required()
+        ->check(CLI::IsMember({"frame", "city", "primary"}));
     app.add_option("--frames", options.frames, "measured")->capture_default_str()->check(CLI::PositiveNumber);
     app.add_option("--size", size, "WIDTHxHEIGHT")->capture_default_str();
     app.add_option("--gl", gl, "osmesa, egl or auto")->capture_default_str();
-    app.add_flag("--processor-time", options.processorTime, "milliseconds of all threads together: steady on a busy machine");
+    app.add_flag("--processor-time", options.processorTime,
+                 "milliseconds of all threads together: steady on a busy machine");
     app.add_option("--preset", options.preset, "frame: fast, balanced or accurate")
         ->capture_default_str()
         ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
-    app.add_option("--fullscreen", options.fullscreen, "frame: what draws full-screen passes; both: fragment and compute side by side")
+    app.add_option("--fullscreen", options.fullscreen,
+                   "frame: what draws full-screen passes; both: fragment and compute side by side")
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "fragment", "compute", "fastest", "both"}));
     app.add_option("--shaders", options.shaders, "folder of the shaders")->capture_default_str();
     app.add_option("--images", options.imageFolder, "folder for pictures of what was measured");
     CLI11_PARSE(app, argc, argv);
-    if (std::sscanf(size.c_str(), "%dx%d", &options.size.x, &options.size.y) != 2 || options.size.x < 1 || options.size.y < 1) {
+    if (std::sscanf(size.c_str(), "%dx%d", &options.size.x, &options.size.y) != 2 || options.size.x < 1 ||
+        options.size.y < 1) {
         fmt::print(stderr, "--size: expected WIDTHxHEIGHT, found {}\n", size);
         return 1;
     }

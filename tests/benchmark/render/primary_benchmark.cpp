@@ -25,7 +25,8 @@ void benchTown(const Options& options) {
         rig.beginFrame(place.view(options.size, 0));
         const double gbuffer = medianMs(options.frames, [&] { rig.gbuffer.draw(rig.context()); });
         const double glass = medianMs(options.frames, [&] { rig.glass.draw(rig.context(), rig.gbuffer.tiles()); });
-        fmt::print("  {:<10} gbuffer {:6.1f}   glass {:6.1f}   {} draws of bodies\n", place.name, gbuffer, glass, rig.figures.bodyDraws);
+        fmt::print("  {:<10} gbuffer {:6.1f}   glass {:6.1f}   {} draws of bodies\n", place.name, gbuffer, glass,
+                   rig.figures.bodyDraws);
     }
 }
 

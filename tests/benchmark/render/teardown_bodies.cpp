@@ -5,7 +5,8 @@
 namespace rubble::bench {
 
 TeardownBodies::TeardownBodies(ShaderLibrary& shaders)
-    : m_program(shaders.load("../tests/benchmark/render/shaders/teardown_body.frag", "../tests/benchmark/render/shaders/teardown_body.vert")) {}
+    : m_program(shaders.load("../tests/benchmark/render/shaders/teardown_body.frag",
+                             "../tests/benchmark/render/shaders/teardown_body.vert")) {}
 
 void TeardownBodies::draw(const FrameContext& frame, const std::vector<int>& order) {
     TargetPool& targets = frame.targets;
@@ -43,7 +44,8 @@ void TeardownBodies::draw(const FrameContext& frame, const std::vector<int>& ord
         if (i % batch != batch - 1) continue;
         glBindFramebuffer(GL_READ_FRAMEBUFFER, targets.framebuffer({&depth}).name());
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, targets.framebuffer({&depthSoFar}).name());
-        glBlitFramebuffer(0, 0, depth.size().x, depth.size().y, 0, 0, depth.size().x, depth.size().y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        glBlitFramebuffer(0, 0, depth.size().x, depth.size().y, 0, 0, depth.size().x, depth.size().y,
+                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
         gbuffer.begin();
     }
     glDisable(GL_CULL_FACE);

@@ -7,8 +7,8 @@
 
 namespace rubble::bench {
 
-/// The reference game's whole method for a G-buffer: a 3D texture and a draw call an object, boxes' back faces, from near to
-/// far, and the linear depth copied eight times on the way.
+/// The reference game's whole method for a G-buffer: a 3D texture and a draw call an object, boxes' back faces, from
+/// near to far, and the linear depth copied eight times on the way.
 class TeardownBodies {
 public:
     explicit TeardownBodies(ShaderLibrary& shaders);

@@ -14,13 +14,14 @@ struct PixelRay {
 inline PixelRay pixelRay(const FrameBlock& block, glm::ivec2 pixel) {
     const glm::dvec2 p = (glm::dvec2(pixel) + 0.5) / glm::dvec2(block.targetSize) * 2.0 - 1.0;
     const auto axis = [](const glm::vec4& v) { return glm::dvec3(v); };
-    return {axis(block.cameraPosition), axis(block.cameraForward) + axis(block.cameraRight) * (p.x * double(block.cameraRight.w)) +
+    return {axis(block.cameraPosition), axis(block.cameraForward) +
+                                            axis(block.cameraRight) * (p.x * double(block.cameraRight.w)) +
                                             axis(block.cameraUp) * (p.y * double(block.cameraUp.w))};
 }
 
-/// Pixels for which two ways to draw have different answers, and those of them for which one is wrong: the exact walk does not find
-/// it, neither for the ray itself nor for any of those shifted sideways by up to 1e-4 of a voxel (24, and 1,680 if these do not find it).
-/// Where both are right there is a tie.
+/// Pixels for which two ways to draw have different answers, and those of them for which one is wrong: the exact walk
+/// does not find it, neither for the ray itself nor for any of those shifted sideways by up to 1e-4 of a voxel (24, and
+/// 1,680 if these do not find it). Where both are right there is a tie.
 struct Differences {
     int64_t all = 0, firstWrong = 0, secondWrong = 0;
 
@@ -28,7 +29,8 @@ struct Differences {
     template <class Find, class IsFirst, class IsSecond>
     void add(const PixelRay& ray, double voxelSize, Find&& find, IsFirst&& isFirst, IsSecond&& isSecond) {
         const glm::dvec3 forward = glm::normalize(ray.direction);
-        const glm::dvec3 right = glm::normalize(glm::cross(forward, std::abs(forward.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
+        const glm::dvec3 right =
+            glm::normalize(glm::cross(forward, std::abs(forward.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
         const glm::dvec3 up = glm::cross(right, forward);
         bool first = false, second = false;
         for (const int half : {2, 20}) {

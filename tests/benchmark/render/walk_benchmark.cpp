@@ -48,7 +48,8 @@ Drawn drawRays(GBufferRig& rig, const Program& program, const Texture& target, c
 }
 
 /// Pixels where two walks stop at different voxels.
-Differences differences(const VoxelGrid& grid, const FrameBlock& block, int width, const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+Differences differences(const VoxelGrid& grid, const FrameBlock& block, int width, const std::vector<glm::vec4>& a,
+                        const std::vector<glm::vec4>& b) {
     Differences count;
     const auto find = [&](const PixelRay& ray) {
         const CellHit hit = walkRay(grid, {ray.origin / kVoxelSize, ray.direction / kVoxelSize, 1e30});
@@ -58,8 +59,8 @@ Differences differences(const VoxelGrid& grid, const FrameBlock& block, int widt
         const glm::vec3 first(a[i]), second(b[i]);
         if (first == second) continue;
         count.add(
-            pixelRay(block, {int(i) % width, int(i) / width}), kVoxelSize, find, [&](glm::vec3 cell) { return cell == first; },
-            [&](glm::vec3 cell) { return cell == second; });
+            pixelRay(block, {int(i) % width, int(i) / width}), kVoxelSize, find,
+            [&](glm::vec3 cell) { return cell == first; }, [&](glm::vec3 cell) { return cell == second; });
     }
     return count;
 }
@@ -88,20 +89,24 @@ bool benchWalk(const Options& options) {
         camera.position = eye.from;
         camera.lookAt(eye.to);
         rig.beginFrame(camera.view(options.size, 0));
-        const Drawn a = drawRays(rig, ours, target, dense, options.frames), b = drawRays(rig, dda, target, dense, options.frames),
+        const Drawn a = drawRays(rig, ours, target, dense, options.frames),
+                    b = drawRays(rig, dda, target, dense, options.frames),
                     c = drawRays(rig, reference, target, dense, options.frames);
         const Differences fromDda = differences(grid, rig.block, options.size.x, a.found, b.found),
                           fromTeardown = differences(grid, rig.block, options.size.x, a.found, c.found);
         fmt::print(
-            "  {:<12} ours {:6.1f}   plain DDA {:6.1f} ({:.2f}x)   bits and mips {:6.1f} ({:.2f}x)   other voxels {} and {} of {}; wrong: "
+            "  {:<12} ours {:6.1f}   plain DDA {:6.1f} ({:.2f}x)   bits and mips {:6.1f} ({:.2f}x)   other voxels {} "
+            "and {} of {}; wrong: "
             "ours {} and {}, teardown {} and {}\n",
-            eye.name, a.ms, b.ms, b.ms / a.ms, c.ms, c.ms / a.ms, fromDda.all, fromTeardown.all, a.found.size(), fromDda.firstWrong,
-            fromTeardown.firstWrong, fromDda.secondWrong, fromTeardown.secondWrong);
+            eye.name, a.ms, b.ms, b.ms / a.ms, c.ms, c.ms / a.ms, fromDda.all, fromTeardown.all, a.found.size(),
+            fromDda.firstWrong, fromTeardown.firstWrong, fromDda.secondWrong, fromTeardown.secondWrong);
         sums[0] += a.ms, sums[1] += b.ms, sums[2] += c.ms;
         wrong += fromDda.firstWrong + fromTeardown.firstWrong;
     }
-    fmt::print("  together: {:.2f}x plain DDA (wanted 2.8), {:.2f}x bits and mips (wanted 1.15), {} of our voxels are not the exact walk's\n",
-               sums[1] / sums[0], sums[2] / sums[0], wrong);
+    fmt::print(
+        "  together: {:.2f}x plain DDA (wanted 2.8), {:.2f}x bits and mips (wanted 1.15), {} of our voxels are not the "
+        "exact walk's\n",
+        sums[1] / sums[0], sums[2] / sums[0], wrong);
     return true;
 }
 

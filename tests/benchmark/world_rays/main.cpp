@@ -1,5 +1,5 @@
-// bench_world_rays [SCENE...] [--repeats N] [--edits N] [--worker]: the exact walk against the reference's, on the GL, in one process.
-// See walks.h.
+// bench_world_rays [SCENE...] [--repeats N] [--edits N] [--worker]: the exact walk against the reference's, on the GL,
+// in one process. See walks.h.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -29,7 +29,8 @@ struct Total {
 std::vector<RaySet> setsOf(const RayScene& scene) {
     std::vector<RaySet> sets;
     for (const RayView& view : scene.views)
-        for (const RayKind kind : {RayKind::Ambient, RayKind::Sun, RayKind::Local}) sets.push_back(makeRays(scene.bits, view, kind));
+        for (const RayKind kind : {RayKind::Ambient, RayKind::Sun, RayKind::Local})
+            sets.push_back(makeRays(scene.bits, view, kind));
     return sets;
 }
 
@@ -59,31 +60,37 @@ std::vector<Total> measure(Walks& walks, const WorldBits& bits, glm::ivec3 shift
     return totals;
 }
 
-void print(const std::string& title, const Walks& walks, const std::vector<std::string>& names, const std::vector<Total>& totals) {
+void print(const std::string& title, const Walks& walks, const std::vector<std::string>& names,
+           const std::vector<Total>& totals) {
     fmt::print("{}: {} rays\n", title, totals[0].rays);
     for (size_t k = 0; k < names.size(); ++k) {
         const Total& t = totals[k];
-        fmt::print("  {:20} {:7.1f} ms {:6.0f} ns a ray   exact/this {:.2f}   false light {:6.3f} %  shadow {:6.3f} %   {:.2f} MB{}\n", names[k],
-                   t.milliseconds, t.milliseconds * 1e6 / double(t.rays), totals[0].milliseconds / t.milliseconds,
-                   100.0 * double(t.falseLight) / double(t.rays), 100.0 * double(t.falseShadow) / double(t.rays), double(walks.bytes(names[k])) / 1e6,
-                   k ? "" : fmt::format("   {} wrong, {} grazing", t.falseLight + t.falseShadow, t.grazing));
+        fmt::print(
+            "  {:20} {:7.1f} ms {:6.0f} ns a ray   exact/this {:.2f}   false light {:6.3f} %  shadow {:6.3f} %   "
+            "{:.2f} MB{}\n",
+            names[k], t.milliseconds, t.milliseconds * 1e6 / double(t.rays), totals[0].milliseconds / t.milliseconds,
+            100.0 * double(t.falseLight) / double(t.rays), 100.0 * double(t.falseShadow) / double(t.rays),
+            double(walks.bytes(names[k])) / 1e6,
+            k ? "" : fmt::format("   {} wrong, {} grazing", t.falseLight + t.falseShadow, t.grazing));
     }
 }
 
 /// The same times without what the bench takes itself, and what is left of the exact walk's if it made one step.
-void printNet(const std::vector<std::string>& names, const std::vector<Total>& totals, const Total& setUp, const Total& noWalk) {
+void printNet(const std::vector<std::string>& names, const std::vector<Total>& totals, const Total& setUp,
+              const Total& noWalk) {
     const auto net = [&](const Total& t) { return t.milliseconds - noWalk.milliseconds; };
     fmt::print("  without the bench's own {:.1f} ms:", noWalk.milliseconds);
     for (size_t k = 1; k < names.size(); ++k)
-        fmt::print(" exact/{} {:.2f} ({:.2f} if it made one step),", names[k], net(totals[0]) / net(totals[k]), net(setUp) / net(totals[k]));
+        fmt::print(" exact/{} {:.2f} ({:.2f} if it made one step),", names[k], net(totals[0]) / net(totals[k]),
+                   net(setUp) / net(totals[k]));
     fmt::print("\n");
 }
 
 const std::vector<std::string> kExactOnly(Walks::names().begin(), Walks::names().begin() + 1);
 
 /// The scene's rays in what became of it, and what they would cost if all that moves had come to rest where it is.
-void runChanged(const std::string& what, const RayScene& scene, Walks& walks, Demolition& demolition, std::vector<RaySet> sets, int repeats,
-                double untouchedMs) {
+void runChanged(const std::string& what, const RayScene& scene, Walks& walks, Demolition& demolition,
+                std::vector<RaySet> sets, int repeats, double untouchedMs) {
     walks.apply(demolition.takePatches());
     const WorldBits bits = demolition.bits();
     const glm::ivec3 shift = scene.bits.low - bits.low;
@@ -93,9 +100,10 @@ void runChanged(const std::string& what, const RayScene& scene, Walks& walks, De
     const std::vector<Total> atRest = measure(walks, bits, shift, sets, kExactOnly, repeats);
     walks.apply(demolition.patchesNow());
     const double ms = totals[0].milliseconds;
-    print(fmt::format("{}, {}: worker {:.2f} ms a step; {:.2f} of the time untouched, {:.2f} of that of the same at rest", scene.name, what,
-                      demolition.workerMs(50), ms / untouchedMs, ms / atRest[0].milliseconds),
-          walks, kExactOnly, totals);
+    print(
+        fmt::format("{}, {}: worker {:.2f} ms a step; {:.2f} of the time untouched, {:.2f} of that of the same at rest",
+                    scene.name, what, demolition.workerMs(50), ms / untouchedMs, ms / atRest[0].milliseconds),
+        walks, kExactOnly, totals);
 }
 
 void run(const RayScene& scene, int repeats, int edits) {
@@ -109,7 +117,8 @@ void run(const RayScene& scene, int repeats, int edits) {
     if (!edits) return;
     Demolition demolition(scene, 300);
     for (int i = 0; i < edits; ++i) demolition.step(1, false);
-    runChanged(fmt::format("after {} edits, 300 bodies asleep", edits), scene, walks, demolition, sets, repeats, rest[0].milliseconds);
+    runChanged(fmt::format("after {} edits, 300 bodies asleep", edits), scene, walks, demolition, sets, repeats,
+               rest[0].milliseconds);
     for (int i = 0; i < 60; ++i) demolition.step(0, true);
     runChanged("300 bodies moving", scene, walks, demolition, sets, repeats, rest[0].milliseconds);
 }
@@ -125,7 +134,8 @@ void runWorker(const RayScene& scene) {
             demolition.step(0, true);
             bricks = demolition.takePatches().size();
         }
-        fmt::print("{}, {} pieces of 8^3 to 32^3 moving: worker {:.2f} ms a step, {} bricks\n", scene.name, bodies, demolition.workerMs(40), bricks);
+        fmt::print("{}, {} pieces of 8^3 to 32^3 moving: worker {:.2f} ms a step, {} bricks\n", scene.name, bodies,
+                   demolition.workerMs(40), bricks);
     }
 }
 
@@ -146,7 +156,10 @@ int main(int argc, char** argv) {
     auto context = GlContext::create(GlContext::Kind::OsMesa);
     if (!context || !loadGl(context.value()->loader())) return 1;
     for (const std::string& name : names) {
-        const RayScene scene = name == "town" ? townScene() : name == "city" ? cityScene() : name == "wide" ? wideCityScene(3) : modelScene();
+        const RayScene scene = name == "town"   ? townScene()
+                               : name == "city" ? cityScene()
+                               : name == "wide" ? wideCityScene(3)
+                                                : modelScene();
         if (scene.views.empty()) continue;
         worker ? runWorker(scene) : run(scene, std::max(repeats, 1), edits);
     }

@@ -14,7 +14,8 @@ struct Surface {
     glm::dvec3 position{0.0}, normal{0.0};
 };
 
-bool walk(const WorldBits& bits, glm::dvec3 origin, glm::dvec3 direction, double maxDistance, Surface* surface = nullptr) {
+bool walk(const WorldBits& bits, glm::dvec3 origin, glm::dvec3 direction, double maxDistance,
+          Surface* surface = nullptr) {
     CellWalk w;
     for (bool inside = w.start({origin, direction, maxDistance}, bits.cells()); inside; inside = w.step()) {
         if (!bits.at(w.cell())) continue;
@@ -29,7 +30,8 @@ bool walk(const WorldBits& bits, glm::dvec3 origin, glm::dvec3 direction, double
 }
 
 std::vector<Surface> surfacesOf(const WorldBits& bits, const RayView& view) {
-    const glm::dvec3 forward = glm::normalize(view.along), right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
+    const glm::dvec3 forward = glm::normalize(view.along),
+                     right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
     const glm::dvec3 up = glm::cross(right, forward);
     std::vector<Surface> out(size_t(kImageSize.x * kImageSize.y));
     for (size_t i = 0; i < out.size(); ++i) {
@@ -43,8 +45,8 @@ std::vector<Surface> surfacesOf(const WorldBits& bits, const RayView& view) {
 glm::dvec3 cosineDirection(glm::dvec3 normal, double u, double v) {
     const glm::dvec3 other = std::fabs(normal.y) > 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 a = glm::normalize(glm::cross(normal, other)), b = glm::cross(normal, a);
-    return glm::normalize(a * (std::sqrt(v) * std::cos(6.283185307 * u)) + b * (std::sqrt(v) * std::sin(6.283185307 * u)) +
-                          normal * std::sqrt(1.0 - v));
+    return glm::normalize(a * (std::sqrt(v) * std::cos(6.283185307 * u)) +
+                          b * (std::sqrt(v) * std::sin(6.283185307 * u)) + normal * std::sqrt(1.0 - v));
 }
 
 Ray makeRay(const Surface& from, RayKind kind, double maxDistance, double u, double v) {
@@ -56,7 +58,8 @@ Ray makeRay(const Surface& from, RayKind kind, double maxDistance, double u, dou
         direction = glm::normalize(glm::dvec3(-0.5, 0.7, 0.3)) + 0.01 * (glm::dvec3(u, v, u) - 0.5);
         maxDistance = 2000.0;
     } else {
-        const glm::dvec3 lightPosition((std::floor(origin.x / 128.0) + 0.5) * 128.0, 35.0, (std::floor(origin.z / 128.0) + 0.5) * 128.0);
+        const glm::dvec3 lightPosition((std::floor(origin.x / 128.0) + 0.5) * 128.0, 35.0,
+                                       (std::floor(origin.z / 128.0) + 0.5) * 128.0);
         direction = lightPosition + glm::dvec3(u, v, u) * 2.0 - origin;
         maxDistance = std::min(maxDistance, glm::length(direction) - 1.2);
     }
@@ -71,7 +74,12 @@ bool isStopped(const WorldBits& bits, const Ray& ray, glm::dvec3 moved) {
 }  // namespace
 
 RaySet makeRays(const WorldBits& bits, const RayView& view, RayKind kind, double maxDistance) {
-    RaySet out{view.name + (kind == RayKind::Ambient ? " ambient" : kind == RayKind::Sun ? " sun" : " local"), {}, {}, 0};
+    RaySet out{view.name + (kind == RayKind::Ambient ? " ambient"
+                            : kind == RayKind::Sun   ? " sun"
+                                                     : " local"),
+               {},
+               {},
+               0};
     Random random(uint64_t(kind) + 5);
     for (const Surface& surface : surfacesOf(bits, view)) {
         const double u = double(random.unit()), v = double(random.unit());
@@ -84,14 +92,17 @@ RaySet makeRays(const WorldBits& bits, const RayView& view, RayKind kind, double
 
 void findReference(const WorldBits& bits, RaySet& set, glm::ivec3 shift) {
     set.stopped.clear();
-    for (const Ray& ray : set.rays) set.stopped.push_back(ray.maxDistance >= 0.0f && isStopped(bits, ray, glm::dvec3(shift)));
+    for (const Ray& ray : set.rays)
+        set.stopped.push_back(ray.maxDistance >= 0.0f && isStopped(bits, ray, glm::dvec3(shift)));
 }
 
 bool isGrazing(const WorldBits& bits, const Ray& ray, glm::ivec3 shift) {
     constexpr double kShift = 1e-3;
     const bool here = isStopped(bits, ray, glm::dvec3(shift));
     for (int i = 0; i < 8; ++i)
-        if (isStopped(bits, ray, glm::dvec3(shift) + kShift * (2.0 * glm::dvec3(i & 1, i >> 1 & 1, i >> 2) - 1.0)) != here) return true;
+        if (isStopped(bits, ray, glm::dvec3(shift) + kShift * (2.0 * glm::dvec3(i & 1, i >> 1 & 1, i >> 2) - 1.0)) !=
+            here)
+            return true;
     return false;
 }
 

@@ -29,12 +29,13 @@ struct RayView {
 };
 
 enum class RayKind { Ambient, Sun, Local };
-/// From every surface that a view sees: `maxDistance` cells over the cosine-weighted hemisphere, to the sun, or to the nearest of lamps
-/// that hang every 12.8 m. The truth is a plain walk in doubles, cell by cell.
+/// From every surface that a view sees: `maxDistance` cells over the cosine-weighted hemisphere, to the sun, or to the
+/// nearest of lamps that hang every 12.8 m. The truth is a plain walk in doubles, cell by cell.
 RaySet makeRays(const WorldBits& bits, const RayView& view, RayKind kind, double maxDistance = 240.0);
 /// The truth of `set` in another volume, whose cell 0 lies `shift` cells below that of the rays.
 void findReference(const WorldBits& bits, RaySet& set, glm::ivec3 shift = glm::ivec3(0));
-/// True if the ray's answer in doubles changes when the ray is moved by a thousandth of a cell: it grazes, and floats may differ.
+/// True if the ray's answer in doubles changes when the ray is moved by a thousandth of a cell: it grazes, and floats
+/// may differ.
 bool isGrazing(const WorldBits& bits, const Ray& ray, glm::ivec3 shift);
 
 }  // namespace rubble::rays

@@ -29,7 +29,8 @@ private:
     }
     void block(glm::ivec3 at) {
         for (int i = 0; i < 4; ++i) {
-            const int width = m_random.between(60, 92), depth = m_random.between(60, 92), floors = m_random.between(1, 8);
+            const int width = m_random.between(60, 92), depth = m_random.between(60, 92),
+                      floors = m_random.between(1, 8);
             house(at + glm::ivec3(30 + (i & 1) * 100, 0, 30 + (i >> 1) * 100), {width, floors * kFloor, depth});
         }
         for (int i = 0; i < 10; ++i) {
@@ -53,7 +54,8 @@ private:
     void tree(glm::ivec3 foot) {
         fill(foot, foot + glm::ivec3(2, 30, 2));
         for (int i = 0; i < 900; ++i) {
-            const glm::ivec3 leaf = foot + glm::ivec3(m_random.between(-12, 13), m_random.between(22, 50), m_random.between(-12, 13));
+            const glm::ivec3 leaf =
+                foot + glm::ivec3(m_random.between(-12, 13), m_random.between(22, 50), m_random.between(-12, 13));
             fill(leaf, leaf + 2);
         }
     }
@@ -103,7 +105,8 @@ RayScene cityScene() {
 RayScene wideCityScene(int blocks) {
     RayScene scene{fmt::format("city {0} x {0}", blocks), {}, {}, {}, {}};
     const VoxelGrid city = City().take();
-    for (int i = 0; i < blocks * blocks; ++i) scene.level.bodies.push_back(staticBody(city, glm::dvec3(i % blocks, 0.0, i / blocks) * 102.4));
+    for (int i = 0; i < blocks * blocks; ++i)
+        scene.level.bodies.push_back(staticBody(city, glm::dvec3(i % blocks, 0.0, i / blocks) * 102.4));
     addViews(scene, {51.4, 1.9, 40.0}, {-0.1, 0.06, 1.0});
     return scene;
 }

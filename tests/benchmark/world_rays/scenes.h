@@ -16,7 +16,8 @@ struct RayScene {
 };
 
 RayScene townScene();
-/// Streets 6 m wide and blocks of houses with rooms, windows and walls one cell thick, poles and trees: 1024 x 256 x 1024 cells.
+/// Streets 6 m wide and blocks of houses with rooms, windows and walls one cell thick, poles and trees: 1024 x 256 x
+/// 1024 cells.
 RayScene cityScene();
 /// The same streets over `blocks` x `blocks` of these cities: up to 4 x 4, 4 billion voxels' room.
 RayScene wideCityScene(int blocks);

@@ -29,7 +29,8 @@ std::vector<uint8_t> packLevel(const WorldBits& bits, int level, glm::ivec3& tex
     for (int w = 0; w < n.x * n.y * n.z; ++w)
         for (uint64_t word = bits.bits[size_t(w)]; word; word &= word - 1) {
             const int i = std::countr_zero(word);
-            const glm::ivec3 cell = glm::ivec3(w % n.x, w / n.x % n.y, w / n.x / n.y) * 4 + glm::ivec3(i & 3, i >> 2 & 3, i >> 4);
+            const glm::ivec3 cell =
+                glm::ivec3(w % n.x, w / n.x % n.y, w / n.x / n.y) * 4 + glm::ivec3(i & 3, i >> 2 & 3, i >> 4);
             const glm::ivec3 c = cell >> level, t = c >> 1;
             out[(size_t(t.z) * size_t(texels.y) + size_t(t.y)) * size_t(texels.x) + size_t(t.x)] |=
                 uint8_t(1 << ((c.x & 1) + (c.y & 1) * 2 + (c.z & 1) * 4));
@@ -47,7 +48,8 @@ ShaderSource sourceOf(const std::string& file) {
 }
 
 Program makeProgram(const std::string& walk) {
-    ShaderSource vertex = sourceOf("lib/fullscreen.vert"), fragment = sourceOf("../tests/benchmark/world_rays/shaders/" + walk + ".frag");
+    ShaderSource vertex = sourceOf("lib/fullscreen.vert"),
+                 fragment = sourceOf("../tests/benchmark/world_rays/shaders/" + walk + ".frag");
     fragment.text.insert(fragment.text.find('\n') + 1, "precision highp usampler3D;\n");
     passUniformsAsVaryings(vertex, fragment);  // as the frame does on this GL
     std::string log;
@@ -85,7 +87,8 @@ struct Walks::Volumes {
         for (int level = 0; level < kLevels; ++level) {
             glm::ivec3 n;
             const std::vector<uint8_t> packed = packLevel(bits, level, n);
-            glTexImage3D(GL_TEXTURE_3D, level, GL_R8UI, n.x, n.y, n.z, 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, packed.data());
+            glTexImage3D(GL_TEXTURE_3D, level, GL_R8UI, n.x, n.y, n.z, 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
+                         packed.data());
             levels[size_t(level)] = glm::ivec4(n, int(all.size()));
             all.insert(all.end(), packed.begin(), packed.end());
         }
@@ -104,7 +107,8 @@ void disableGlThreads() {
 }
 
 const std::vector<std::string>& Walks::names() {
-    static const std::vector<std::string> list = {kExact, "super_sparse_3d", "super_sparse_buffer", "sparse_3d", "sparse_buffer", kCoarseFar};
+    static const std::vector<std::string> list = {kExact,      "super_sparse_3d", "super_sparse_buffer",
+                                                  "sparse_3d", "sparse_buffer",   kCoarseFar};
     return list;
 }
 
@@ -148,7 +152,8 @@ void Walks::bind(const std::string& walk, const Program& program) {
     if (walk.ends_with("buffer")) {
         program.set("uVolume", m_volumes->buffer);
         for (int level = 0; level < kLevels; ++level)
-            glUniform4iv(glGetUniformLocation(program.name(), fmt::format("uLevel{}", level).c_str()), 1, &m_volumes->levels[size_t(level)].x);
+            glUniform4iv(glGetUniformLocation(program.name(), fmt::format("uLevel{}", level).c_str()), 1,
+                         &m_volumes->levels[size_t(level)].x);
         return;
     }
     constexpr int kUnit = 8;  // beyond those of the two ray textures

@@ -11,15 +11,15 @@
 
 namespace rubble::rays {
 
-/// What one walk says about a set of rays, and what that costs. Milliseconds of this thread's processor time, the GL's included:
-/// llvmpipe is told to start no threads.
+/// What one walk says about a set of rays, and what that costs. Milliseconds of this thread's processor time, the GL's
+/// included: llvmpipe is told to start no threads.
 struct TraceResult {
     std::vector<uint8_t> stopped;
     double milliseconds = 0.0;
 };
 
-/// Walks of a world's shadow volume on the GL. The reference's are ours to write: 2x2x2 cells in a byte at full, half and quarter
-/// resolution, in a 3D texture or in a buffer.
+/// Walks of a world's shadow volume on the GL. The reference's are ours to write: 2x2x2 cells in a byte at full, half
+/// and quarter resolution, in a 3D texture or in a buffer.
 class Walks {
 public:
     /// Needs a GL context. Copies of `patches` are made.

@@ -18,7 +18,8 @@ WorldBits bitsOf(const std::vector<ShadowPatch>& patches) {
     out.bits.assign(size_t(out.words.x) * size_t(out.words.y) * size_t(out.words.z), 0);
     for (const ShadowPatch& patch : patches)
         for (int i = 0; patch.content && i < 64; ++i)
-            out.bits[out.wordAt((patch.brick - low) * 4 + glm::ivec3(i & 3, i >> 2 & 3, i >> 4))] = patch.content->cells(i);
+            out.bits[out.wordAt((patch.brick - low) * 4 + glm::ivec3(i & 3, i >> 2 & 3, i >> 4))] =
+                patch.content->cells(i);
     return out;
 }
 
@@ -29,7 +30,8 @@ std::vector<ShadowPatch> patchesOf(const Level& level) {
     ShadowWorker worker(ShadowWorker::Mode::Inline);
     worker.submit(changes, {}, world);
     std::vector<ShadowPatch> out;
-    for (ShadowPatches& publication : worker.takePatches()) out.insert(out.end(), publication.patches.begin(), publication.patches.end());
+    for (ShadowPatches& publication : worker.takePatches())
+        out.insert(out.end(), publication.patches.begin(), publication.patches.end());
     return out;
 }
 

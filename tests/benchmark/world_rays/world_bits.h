@@ -15,12 +15,16 @@ struct WorldBits {
     std::vector<uint64_t> bits;
 
     glm::ivec3 cells() const { return words * 4; }
-    size_t wordAt(glm::ivec3 w) const { return (size_t(w.z) * size_t(words.y) + size_t(w.y)) * size_t(words.x) + size_t(w.x); }
+    size_t wordAt(glm::ivec3 w) const {
+        return (size_t(w.z) * size_t(words.y) + size_t(w.y)) * size_t(words.x) + size_t(w.x);
+    }
     bool inside(glm::ivec3 c) const {
         const glm::ivec3 n = cells();
         return c.x >= 0 && c.y >= 0 && c.z >= 0 && c.x < n.x && c.y < n.y && c.z < n.z;
     }
-    bool at(glm::ivec3 c) const { return inside(c) && (bits[wordAt(c >> 2)] >> ((c.x & 3) + (c.y & 3) * 4 + (c.z & 3) * 16) & 1); }
+    bool at(glm::ivec3 c) const {
+        return inside(c) && (bits[wordAt(c >> 2)] >> ((c.x & 3) + (c.y & 3) * 4 + (c.z & 3) * 16) & 1);
+    }
 };
 
 WorldBits bitsOf(const std::vector<ShadowPatch>& patches);

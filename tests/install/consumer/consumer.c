@@ -17,7 +17,8 @@ int main(void) {
         api->state_hash(world, &hash) != RUBBLE_OK)
         return fprintf(stderr, "%s\n", api->last_error()), 1;
     /* rubble-vdb runs: it says that this file is missing, not that it could not be started. */
-    if (api->load_level(world, "missing.vdb", VDB_TOOL) != RUBBLE_ERROR_FILE) return fprintf(stderr, "no error for a missing file\n"), 1;
+    if (api->load_level(world, "missing.vdb", VDB_TOOL) != RUBBLE_ERROR_FILE)
+        return fprintf(stderr, "no error for a missing file\n"), 1;
     printf("consumer: %s\n", api->last_error());
     return api->world_destroy(world) == RUBBLE_OK ? 0 : 1;
 }

@@ -32,7 +32,8 @@ bool readRegion(const VoxelGrid& grid, glm::ivec3 region, const SolidEntries& so
         any = true;
         const std::array<uint64_t, 8> occupancy = solidOccupancy(*brick, solid);
         for (int z = 0; z < 8; ++z)
-            for (int y = 0; y < 8; ++y) bits.rows[at.z * 8 + z][at.y * 8 + y] |= uint32_t(occupancy[size_t(z)] >> (8 * y) & 0xff) << (8 * at.x);
+            for (int y = 0; y < 8; ++y)
+                bits.rows[at.z * 8 + z][at.y * 8 + y] |= uint32_t(occupancy[size_t(z)] >> (8 * y) & 0xff) << (8 * at.x);
     }
     return any;
 }
@@ -60,13 +61,15 @@ CellBox takeBox(RegionBits& bits, int y, int z) {
 
 void joinAlong(std::vector<CellBox>& boxes, int axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const auto key = [&](const CellBox& b) { return std::tuple(b.low[u], b.high[u], b.low[v], b.high[v], b.low[axis]); };
+    const auto key = [&](const CellBox& b) {
+        return std::tuple(b.low[u], b.high[u], b.low[v], b.high[v], b.low[axis]);
+    };
     std::sort(boxes.begin(), boxes.end(), [&](const CellBox& a, const CellBox& b) { return key(a) < key(b); });
     size_t kept = 0;
     for (const CellBox& box : boxes) {
         CellBox* last = kept ? &boxes[kept - 1] : nullptr;
-        if (last && last->low[u] == box.low[u] && last->high[u] == box.high[u] && last->low[v] == box.low[v] && last->high[v] == box.high[v] &&
-            last->high[axis] == box.low[axis])
+        if (last && last->low[u] == box.low[u] && last->high[u] == box.high[u] && last->low[v] == box.low[v] &&
+            last->high[v] == box.high[v] && last->high[axis] == box.low[axis])
             last->high[axis] = box.high[axis];
         else
             boxes[kept++] = box;

@@ -17,7 +17,8 @@ btVector3 toBullet(glm::dvec3 v) {
 }
 btTransform toBullet(const Pose& pose) {
     const glm::dquat& q = pose.rotation;
-    return btTransform(btQuaternion(btScalar(q.x), btScalar(q.y), btScalar(q.z), btScalar(q.w)), toBullet(pose.position));
+    return btTransform(btQuaternion(btScalar(q.x), btScalar(q.y), btScalar(q.z), btScalar(q.w)),
+                       toBullet(pose.position));
 }
 Pose fromBullet(const btTransform& t) {
     const btQuaternion q = t.getRotation();
@@ -61,8 +62,9 @@ struct BulletCompounds::World {
             item->compound.addChildShape(toBullet(item->frameInCenter * shape.local * place), item->boxes.back().get());
         }
         boxes += item->boxes.size();
-        btRigidBody::btRigidBodyConstructionInfo info(body.isStatic ? btScalar(0) : btScalar(mass.mass), nullptr, &item->compound,
-                                                      body.isStatic ? btVector3(0, 0, 0) : toBullet(mass.principalInertia));
+        btRigidBody::btRigidBodyConstructionInfo info(
+            body.isStatic ? btScalar(0) : btScalar(mass.mass), nullptr, &item->compound,
+            body.isStatic ? btVector3(0, 0, 0) : toBullet(mass.principalInertia));
         info.m_startWorldTransform = toBullet(body.pose * center);
         const Material& material = materials[(*shape.palette)[shape.grid.at(firstCell(shape.grid))].material];
         info.m_friction = std::sqrt(material.friction);  // Bullet multiplies: a pair gets the geometric mean
@@ -108,7 +110,8 @@ BulletCompounds::BulletCompounds(const Level& level, const Settings& settings) :
     m_world->settings = settings;
     m_world->bullet.setGravity(toBullet(glm::dvec3(level.environment.gravity)));
     m_world->bullet.getSolverInfo().m_numIterations = settings.iterations;
-    if (settings.frictionDirections == 2) m_world->bullet.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+    if (settings.frictionDirections == 2)
+        m_world->bullet.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
     m_world->bullet.setForceUpdateAllAabbs(false);
     for (const LevelBody& body : level.bodies) m_world->add(body, level.materials);
 }

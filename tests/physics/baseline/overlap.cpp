@@ -38,7 +38,8 @@ std::vector<glm::ivec3> surfaceCells(const VoxelGrid& grid) {
 
 /// Whether any cell within `radius` of a point is solid.
 bool anySolid(const VoxelGrid& grid, const glm::dvec3& p, double radius) {
-    const glm::ivec3 low = glm::max(glm::ivec3(glm::floor(p - radius)), 0), high = glm::min(glm::ivec3(glm::floor(p + radius)), grid.size() - 1);
+    const glm::ivec3 low = glm::max(glm::ivec3(glm::floor(p - radius)), 0),
+                     high = glm::min(glm::ivec3(glm::floor(p + radius)), grid.size() - 1);
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
             for (int x = low.x; x <= high.x; ++x)
@@ -72,7 +73,8 @@ double deepest(const Item& from, const Item& into) {
     const glm::dvec3 size(into.shape->grid.size());
     for (const glm::ivec3& cell : from.surface) {
         const glm::dvec3 middle = corner / intoSize + turn * ((glm::dvec3(cell) + 0.5) * scale);
-        if (glm::any(glm::lessThan(middle, glm::dvec3(-around))) || glm::any(glm::greaterThan(middle, size + around))) continue;
+        if (glm::any(glm::lessThan(middle, glm::dvec3(-around))) || glm::any(glm::greaterThan(middle, size + around)))
+            continue;
         if (!anySolid(into.shape->grid, middle, around)) continue;
         for (int i = 0; i < 125; ++i) {
             const glm::ivec3 at(i % 5, i / 5 % 5, i / 25);
@@ -90,11 +92,12 @@ Overlaps measureOverlaps(const Level& level, std::span<const Pose> poses) {
     std::vector<Item> items;
     for (size_t i = 0; i < level.bodies.size(); ++i) {
         const LevelBody& body = level.bodies[i];
-        Item item{&body.shapes.at(0), body.isStatic, poses[i] * body.shapes.at(0).local, glm::dvec3(1e30), glm::dvec3(-1e30), {}};
+        Item item{&body.shapes.at(0), body.isStatic,     poses[i] * body.shapes.at(0).local,
+                  glm::dvec3(1e30),   glm::dvec3(-1e30), {}};
         const glm::ivec3 size = item.shape->grid.size();
         for (int k = 0; k < 8; ++k) {
-            const glm::dvec3 c =
-                item.pose.transformPoint(glm::dvec3(k & 1 ? size.x : 0, k & 2 ? size.y : 0, k & 4 ? size.z : 0) * double(item.shape->voxelSize));
+            const glm::dvec3 c = item.pose.transformPoint(
+                glm::dvec3(k & 1 ? size.x : 0, k & 2 ? size.y : 0, k & 4 ? size.z : 0) * double(item.shape->voxelSize));
             item.low = glm::min(item.low, c);
             item.high = glm::max(item.high, c);
         }
@@ -115,7 +118,9 @@ Overlaps measureOverlaps(const Level& level, std::span<const Pose> poses) {
     for (size_t i = 0; i < items.size(); ++i)
         for (size_t j = i + 1; j < items.size(); ++j) {
             const Item &a = items[i], &b = items[j];
-            if ((a.isStatic && b.isStatic) || glm::any(glm::lessThan(a.high, b.low)) || glm::any(glm::lessThan(b.high, a.low))) continue;
+            if ((a.isStatic && b.isStatic) || glm::any(glm::lessThan(a.high, b.low)) ||
+                glm::any(glm::lessThan(b.high, a.low)))
+                continue;
             const double depth = std::max(deepest(a, b), deepest(b, a));
             if (depth <= 1e-6) continue;
             depths.push_back(depth);

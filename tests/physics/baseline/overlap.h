@@ -15,9 +15,9 @@ struct Overlaps {
     double middle = 0.0;  ///< mean height of the dynamic bodies' centres
 };
 
-/// Points a quarter of a voxel apart all over the surface voxels of each body against the voxels of every other. How deep a
-/// point is: its distance from the nearest cell of the other that is empty.
-/// Bodies of one shape each, at these poses (of the bodies' frames, world).
+/// Points a quarter of a voxel apart all over the surface voxels of each body against the voxels of every other. How
+/// deep a point is: its distance from the nearest cell of the other that is empty. Bodies of one shape each, at these
+/// poses (of the bodies' frames, world).
 Overlaps measureOverlaps(const Level& level, std::span<const Pose> poses);
 
 }  // namespace rubble

@@ -57,7 +57,8 @@ std::vector<glm::dvec3> edgePoints(const VoxelGrid& grid, double size) {
             if (!exposed(grid, c)) return;
             for (int i = 0; i < 125; ++i) {
                 const glm::ivec3 at(i % 5, i / 5 % 5, i / 25);
-                if ((at.x % 4 == 0) + (at.y % 4 == 0) + (at.z % 4 == 0) >= 2) quarters.emplace(c.x * 4 + at.x, c.y * 4 + at.y, c.z * 4 + at.z);
+                if ((at.x % 4 == 0) + (at.y % 4 == 0) + (at.z % 4 == 0) >= 2)
+                    quarters.emplace(c.x * 4 + at.x, c.y * 4 + at.y, c.z * 4 + at.z);
             }
         });
     });
@@ -97,12 +98,14 @@ void touch(const Part& from, const Part& into, std::vector<Item>& items) {
     bool any = false;
     for (const glm::dvec3& point : from.points) {
         const glm::dvec3 at = from.pose.transformPoint(point);
-        if (glm::any(glm::lessThan(at, into.low - kNear)) || glm::any(glm::greaterThan(at, into.high + kNear))) continue;
+        if (glm::any(glm::lessThan(at, into.low - kNear)) || glm::any(glm::greaterThan(at, into.high + kNear)))
+            continue;
         glm::dvec3 normal;
         if (!nearestExit(*into.grid, into.pose.inversePoint(at) / into.size, kNear / into.size, normal)) continue;
         any = true;
         normal = into.pose.rotation * normal;
-        const glm::dvec3 across = glm::normalize(std::abs(normal.x) > 0.5 ? glm::dvec3(normal.y, -normal.x, 0) : glm::dvec3(0, normal.z, -normal.y));
+        const glm::dvec3 across = glm::normalize(std::abs(normal.x) > 0.5 ? glm::dvec3(normal.y, -normal.x, 0)
+                                                                          : glm::dvec3(0, normal.z, -normal.y));
         const glm::dvec3 other = glm::cross(normal, across);
         for (const glm::dvec3& side : {across, -across, other, -other}) {
             const glm::dvec3 force = normal + side;
@@ -156,10 +159,13 @@ std::vector<Part> partsOf(const World& world, const Body& body, size_t index) {
     std::vector<Part> parts;
     for (const ShapeHandle shapeHandle : body.shapes) {
         const Shape& shape = world.shapes().at(shapeHandle);
-        Part part{&shape.grid, shape.voxelSize, world.shapeToWorld(shapeHandle), glm::dvec3(1e30), glm::dvec3(-1e30), {}, index};
+        Part part{
+            &shape.grid, shape.voxelSize, world.shapeToWorld(shapeHandle), glm::dvec3(1e30), glm::dvec3(-1e30), {},
+            index};
         const glm::dvec3 size = glm::dvec3(shape.grid.size()) * part.size;
         for (int k = 0; k < 8; ++k) {
-            const glm::dvec3 corner = part.pose.transformPoint({k & 1 ? size.x : 0, k & 2 ? size.y : 0, k & 4 ? size.z : 0});
+            const glm::dvec3 corner =
+                part.pose.transformPoint({k & 1 ? size.x : 0, k & 2 ? size.y : 0, k & 4 ? size.z : 0});
             part.low = glm::min(part.low, corner);
             part.high = glm::max(part.high, corner);
         }
@@ -189,7 +195,8 @@ std::vector<BodyHandle> findUnsupported(const World& world) {
         for (size_t k = i + 1; k < parts.size() && parts[k].low.x <= parts[i].high.x + kNear; ++k) {
             const Part &a = parts[i], &b = parts[k];
             if (a.body == b.body || (items[a.body].isStatic && items[b.body].isStatic)) continue;
-            if (glm::any(glm::greaterThan(a.low, b.high + kNear)) || glm::any(glm::greaterThan(b.low, a.high + kNear))) continue;
+            if (glm::any(glm::greaterThan(a.low, b.high + kNear)) || glm::any(glm::greaterThan(b.low, a.high + kNear)))
+                continue;
             touch(a, b, items);
             touch(b, a, items);
         }
@@ -217,7 +224,9 @@ std::vector<BodyHandle> findTouching(const World& world, glm::dvec3 low, glm::dv
         if (body.isStatic) return;
         for (const Part& part : partsOf(world, body, 0)) {
             if (!isNear(part.low, part.high)) continue;
-            const auto touches = [&](const glm::dvec3& point) { return isNear(part.pose.transformPoint(point), part.pose.transformPoint(point)); };
+            const auto touches = [&](const glm::dvec3& point) {
+                return isNear(part.pose.transformPoint(point), part.pose.transformPoint(point));
+            };
             if (std::none_of(part.points.begin(), part.points.end(), touches)) continue;
             touching.push_back(handle);
             return;

@@ -19,7 +19,8 @@ std::vector<VoxelGrid> voronoiPieces(int count, Random& random) {
     std::vector<glm::vec3> seeds;
     for (int i = 0; i < n * n * n; ++i) {
         glm::vec3 seed(i % n, i / n % n, i / n / n);
-        for (int axis = 0; axis < 3; ++axis) seed[axis] = (seed[axis] + 0.5f + float(random.unit() - 0.5) * 0.7f) * kSpacing;
+        for (int axis = 0; axis < 3; ++axis)
+            seed[axis] = (seed[axis] + 0.5f + float(random.unit() - 0.5) * 0.7f) * kSpacing;
         seeds.push_back(seed);
     }
     std::vector<VoxelGrid> pieces;
@@ -32,13 +33,17 @@ std::vector<VoxelGrid> voronoiPieces(int count, Random& random) {
                 for (int y = 0; y < 3 * kSpacing; ++y)
                     for (int x = 0; x < 3 * kSpacing; ++x) {
                         const glm::ivec3 cell = low + glm::ivec3(x, y, z);
-                        if (glm::any(glm::lessThan(cell, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(cell, glm::ivec3(n * kSpacing)))) continue;
+                        if (glm::any(glm::lessThan(cell, glm::ivec3(0))) ||
+                            glm::any(glm::greaterThanEqual(cell, glm::ivec3(n * kSpacing))))
+                            continue;
                         const glm::vec3 center = glm::vec3(cell) + 0.5f;
                         int nearest = -1;
                         float closest = 1e9f;
                         for (int k = 0; k < 27; ++k) {
                             const glm::ivec3 other = home + glm::ivec3(k % 3, k / 3 % 3, k / 9) - 1;
-                            if (glm::any(glm::lessThan(other, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(other, glm::ivec3(n)))) continue;
+                            if (glm::any(glm::lessThan(other, glm::ivec3(0))) ||
+                                glm::any(glm::greaterThanEqual(other, glm::ivec3(n))))
+                                continue;
                             const int at = (other.z * n + other.y) * n + other.x;
                             const glm::vec3 d = seeds[size_t(at)] - center;
                             if (glm::dot(d, d) < closest) closest = glm::dot(d, d), nearest = at;
@@ -97,7 +102,8 @@ Level voronoiPit(int pieces, uint64_t seed, int pit) {
         const MassProperties mass = massProperties(gridMoments(grids[size_t(i)], *palette, level.materials), 0.1);
         const double pitch = double(pit) / 6.0;
         const glm::dvec3 center((i % 6 + 0.5) * pitch, 0.9 + (i / 36) * 1.35, (i / 6 % 6 + 0.5) * pitch);
-        level.bodies.push_back(makeBody("piece", std::move(grids[size_t(i)]), palette, false, {center - turn * mass.center, turn}));
+        level.bodies.push_back(
+            makeBody("piece", std::move(grids[size_t(i)]), palette, false, {center - turn * mass.center, turn}));
     }
     return level;
 }

@@ -3,8 +3,8 @@
 
 namespace rubble {
 
-/// A pit of 8 x 8 m (body 0) and above it, in layers of 6 x 6, this many Voronoi pieces of about 64 to 600 voxels of 0.1 m
-/// each, turned at random. pit: metres on a side.
+/// A pit of 8 x 8 m (body 0) and above it, in layers of 6 x 6, this many Voronoi pieces of about 64 to 600 voxels of
+/// 0.1 m each, turned at random. pit: metres on a side.
 Level voronoiPit(int pieces, uint64_t seed = 1, int pit = 8);
 
 }  // namespace rubble

@@ -31,7 +31,8 @@ LevelJoint& addJoint(Level& level, JointKind kind, int first, int second, const 
 double apart(const World& world) {
     double most = 0.0;
     world.joints().forEach([&](JointHandle, const Joint& joint) {
-        most = std::max(most, glm::length(world.jointToWorld(joint.ends[0]).position - world.jointToWorld(joint.ends[1]).position));
+        most = std::max(
+            most, glm::length(world.jointToWorld(joint.ends[0]).position - world.jointToWorld(joint.ends[1]).position));
     });
     return most;
 }
@@ -59,13 +60,15 @@ Pendulum swing(const PhysicsSettings& settings, double degrees) {
     const double d = glm::length(scene.center(0));
     Pendulum result;
     const double moment = mass.inertia[2] + mass.mass * d * d;
-    double a = 1.0, g = std::cos(0.5 * amplitude);  // the period is 1 / agm(1, cos(amplitude / 2)) times that of small swings
+    double a = 1.0,
+           g = std::cos(0.5 * amplitude);  // the period is 1 / agm(1, cos(amplitude / 2)) times that of small swings
     for (int i = 0; i < 30; ++i) {
         const double mean = 0.5 * (a + g);
         g = std::sqrt(a * g);
         a = mean;
     }
-    result.expected = 2.0 * kPi * std::sqrt(moment / (mass.mass * -double(scene.world.environment().gravity.y) * d)) / a;
+    result.expected =
+        2.0 * kPi * std::sqrt(moment / (mass.mass * -double(scene.world.environment().gravity.y) * d)) / a;
     std::vector<double> crossings;
     double last = angleOf(scene.body(0)), most = 0.0;
     for (int i = 1; i < 60 * 60 && crossings.size() < 21; ++i) {
@@ -203,14 +206,17 @@ RopeSwing swingOnRope(const PhysicsSettings& settings, double ratio) {
         length = joint.rope.length;
         result.stretched = std::max(result.stretched, apart(scene.world) - length);
         double chain = 0.0;
-        for (size_t k = 1; k < joint.points.size(); ++k) chain += glm::length(joint.points[k].position - joint.points[k - 1].position);
+        for (size_t k = 1; k < joint.points.size(); ++k)
+            chain += glm::length(joint.points[k].position - joint.points[k - 1].position);
         result.longest = std::max(result.longest, chain - length);
         const double now = scene.center(0).x;
         if (last * now < 0.0) crossings.push_back((i - 1 + last / (last - now)) / 60.0);
         last = now;
     }
-    result.period = crossings.size() < 3 ? 0.0 : (crossings.back() - crossings.front()) / (0.5 * double(crossings.size() - 1));
-    // Two links: the rope, and the block below it, which turns with it but for its own moment of inertia; and the amplitude's correction.
+    result.period =
+        crossings.size() < 3 ? 0.0 : (crossings.back() - crossings.front()) / (0.5 * double(crossings.size() - 1));
+    // Two links: the rope, and the block below it, which turns with it but for its own moment of inertia; and the
+    // amplitude's correction.
     result.expected = 2.0 * kPi * std::sqrt((length + 0.25) / 9.81) * (1.0 + angle * angle / 16.0);
     return result;
 }
@@ -229,7 +235,7 @@ Pulley hangOver(const PhysicsSettings& settings) {
         const double along = 5.2 * i / 24.0;
         const glm::dvec3 place = along < 2.9   ? glm::dvec3(-0.35 + 0.15 * along / 2.9, 2.4 + along, 0.0)
                                  : along < 3.4 ? glm::dvec3(-0.2 + (along - 2.9), 5.3, 0.0)
-                                             : glm::dvec3(0.3, 5.3 - (along - 3.4), 0.0);
+                                               : glm::dvec3(0.3, 5.3 - (along - 3.4), 0.0);
         rope.joint.points.push_back({place});
     }
     scene.load();
@@ -241,7 +247,8 @@ Pulley hangOver(const PhysicsSettings& settings) {
         if (result.risen > 2.0) break;  // soon it is pulled over the beam
         for (const RopePoint& point : scene.world.joints().at(scene.world.joints().handleAt(0)).points)
             if (std::abs(point.position.z) < 1.0)
-                result.sunk = std::max(result.sunk, std::min({0.1 - std::abs(point.position.x), 5.2 - point.position.y, point.position.y - 5.0}));
+                result.sunk = std::max(result.sunk, std::min({0.1 - std::abs(point.position.x), 5.2 - point.position.y,
+                                                              point.position.y - 5.0}));
     }
     return result;
 }

@@ -28,7 +28,8 @@ double springPeriod(const PhysicsSettings& settings, double hertz);
 /// The force at which a fixed joint broke that bears any less, as a share of what it was to bear.
 double breakFixed(const PhysicsSettings& settings, double force);
 
-/// A chain of links, let go level; the farthest that the ends of a joint are apart after some seconds, and within them, metres.
+/// A chain of links, let go level; the farthest that the ends of a joint are apart after some seconds, and within them,
+/// metres.
 struct Chain {
     double apart = 0.0, worst = 0.0;
 };
@@ -37,8 +38,8 @@ Chain swingChain(const PhysicsSettings& settings, int links, double seconds);
 /// A block that hangs from a link `ratio` times as light: how far the joints are apart at rest, metres.
 double hangHeavy(const PhysicsSettings& settings, int links, double ratio);
 
-/// A block that swings on a rope of 5 m, `ratio` times as heavy as one of its points: how much longer than that the way from end to end was at
-/// most, metres; and the period of its swing.
+/// A block that swings on a rope of 5 m, `ratio` times as heavy as one of its points: how much longer than that the way
+/// from end to end was at most, metres; and the period of its swing.
 struct RopeSwing {
     double stretched = 0.0;
     double longest = 0.0;  ///< of the chain of points, beyond its length, metres
@@ -46,8 +47,8 @@ struct RopeSwing {
 };
 RopeSwing swingOnRope(const PhysicsSettings& settings, double ratio);
 
-/// A rope over a beam with a block on each end, one four times as heavy: how far the light one has risen in 1.5 s, and how far the rope's points are
-/// inside the beam at most, metres.
+/// A rope over a beam with a block on each end, one four times as heavy: how far the light one has risen in 1.5 s, and
+/// how far the rope's points are inside the beam at most, metres.
 struct Pulley {
     double risen = 0.0, sunk = 0.0;
 };

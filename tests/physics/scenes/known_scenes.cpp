@@ -93,9 +93,10 @@ SpinStep rungeKutta(glm::dvec3 inertia, int substeps) {
         const auto alpha = [&](glm::dvec3 v) { return glm::cross(inertia * v, v) / inertia; };
         const auto spin = [](const glm::dquat& r, glm::dvec3 v) { return r * glm::dquat(0.0, v.x, v.y, v.z) * 0.5; };
         for (int k = 0; k < substeps; ++k) {
-            const glm::dvec3 a1 = alpha(w), a2 = alpha(w + a1 * (h / 2)), a3 = alpha(w + a2 * (h / 2)), a4 = alpha(w + a3 * h);
-            const glm::dquat q1 = spin(q, w), q2 = spin(q + q1 * (h / 2), w + a1 * (h / 2)), q3 = spin(q + q2 * (h / 2), w + a2 * (h / 2)),
-                             q4 = spin(q + q3 * h, w + a3 * h);
+            const glm::dvec3 a1 = alpha(w), a2 = alpha(w + a1 * (h / 2)), a3 = alpha(w + a2 * (h / 2)),
+                             a4 = alpha(w + a3 * h);
+            const glm::dquat q1 = spin(q, w), q2 = spin(q + q1 * (h / 2), w + a1 * (h / 2)),
+                             q3 = spin(q + q2 * (h / 2), w + a2 * (h / 2)), q4 = spin(q + q3 * h, w + a3 * h);
             w += (a1 + a2 * 2.0 + a3 * 2.0 + a4) * (h / 6);
             q = glm::normalize(q + (q1 + q2 * 2.0 + q3 * 2.0 + q4) * (h / 6));
         }
@@ -111,18 +112,21 @@ Slide slideDown(const PhysicsSettings& settings, double degrees, double heading,
     const uint8_t entry = setMaterial(scene, 7, float(friction), 0.0f);
     const glm::dvec3 up(0, 1, 0);
     // The plane is turned under the block, so that its cells lie askew to the slope too.
-    const glm::dquat tilt = glm::angleAxis(glm::radians(degrees), glm::dvec3(0, 0, 1)), turn = glm::angleAxis(heading, up);
+    const glm::dquat tilt = glm::angleAxis(glm::radians(degrees), glm::dvec3(0, 0, 1)),
+                     turn = glm::angleAxis(heading, up);
     const glm::dquat plane = tilt * glm::angleAxis(0.37 * heading, up), block = tilt * turn;
     static const VoxelGrid ground = blockGrid({600, 5, 600}, 7);
     scene.add(ground, plane * glm::dvec3(-30, -0.5, -30), true, plane);
-    scene.add(blockGrid({10, 3, 8}, entry), tilt * glm::dvec3(20, 0, 0) + block * glm::dvec3(-0.5, 0, -0.4), false, block);
+    scene.add(blockGrid({10, 3, 8}, entry), tilt * glm::dvec3(20, 0, 0) + block * glm::dvec3(-0.5, 0, -0.4), false,
+              block);
     scene.load();
     std::vector<glm::dvec3> at;
     const int steps = scene.stepsIn(seconds);
     const double h = scene.stepSeconds;
     for (int i = 0; i <= steps; ++i, scene.step()) at.push_back(scene.center(1));
     const auto speed = [&](int i) { return glm::length(at[size_t(i)] - at[size_t(i - 1)]) / h; };
-    return {glm::length(at[size_t(steps)] - at[size_t(steps - scene.stepsIn(1.0))]), (speed(steps) - speed(steps / 2)) / ((steps - steps / 2) * h)};
+    return {glm::length(at[size_t(steps)] - at[size_t(steps - scene.stepsIn(1.0))]),
+            (speed(steps) - speed(steps / 2)) / ((steps - steps / 2) * h)};
 }
 
 Tower stack(const PhysicsSettings& settings, int cubes, double seconds) {
@@ -144,7 +148,8 @@ Tower stack(const PhysicsSettings& settings, int cubes, double seconds) {
 
 double sink(const PhysicsSettings& settings, double ratio) {
     PhysicsScene scene(sleepless(settings));
-    const uint8_t light = setMaterial(scene, 7, 0.6f, 0.0f, 10), heavy = setMaterial(scene, 8, 0.6f, 0.0f, uint32_t(10.0 * ratio));
+    const uint8_t light = setMaterial(scene, 7, 0.6f, 0.0f, 10),
+                  heavy = setMaterial(scene, 8, 0.6f, 0.0f, uint32_t(10.0 * ratio));
     scene.addFloor(light);
     scene.add(blockGrid({5, 5, 5}, light), {0, 0, 0}, false);
     scene.add(blockGrid({5, 5, 5}, heavy), {0, 0.5, 0}, false);
@@ -169,7 +174,8 @@ double unrest(const PhysicsSettings& settings, double voxelSize, glm::ivec3 size
     for (int i = 0; i < 9; ++i) {
         LevelBody& body =
             scene.add(blockGrid(size, 7),
-                      {(i % 3 - 1.5) * voxelSize * (longest + 2.3), voxelSize * (0.5 + 0.06 * longest), (i / 3 - 1.5) * voxelSize * (longest + 2.7)},
+                      {(i % 3 - 1.5) * voxelSize * (longest + 2.3), voxelSize * (0.5 + 0.06 * longest),
+                       (i / 3 - 1.5) * voxelSize * (longest + 2.7)},
                       false, glm::angleAxis(0.1 * i, glm::normalize(glm::dvec3(0.1 * (i % 2), 1, 0.05 * (i % 3)))));
         body.shapes[0].voxelSize = float(voxelSize);
     }
@@ -186,19 +192,23 @@ double unrest(const PhysicsSettings& settings, double voxelSize, glm::ivec3 size
 Shots shoot(const PhysicsSettings& settings, int count, uint64_t seed, double fastest, double slowest, int thickness) {
     Random random(seed);
     Shots shots;
-    const auto uniform = [&](double low, double high) { return low + (high - low) * (double(random.below(1u << 30)) / double(1u << 30)); };
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * (double(random.below(1u << 30)) / double(1u << 30));
+    };
     const VoxelGrid wall = blockGrid({28, thickness, 28}, 7);
     for (; shots.fired < count; ++shots.fired) {
         PhysicsScene scene(sleepless(settings));
         scene.level.environment.gravity = {0, 0, 0};
         scene.add(wall, {-1.4, -0.1 * thickness + 0.05, -1.4}, true);
-        const double speed = uniform(slowest, fastest), lean = uniform(0.0, 1.3), heading = uniform(0.0, 6.28), distance = uniform(1.0, 2.0);
+        const double speed = uniform(slowest, fastest), lean = uniform(0.0, 1.3), heading = uniform(0.0, 6.28),
+                     distance = uniform(1.0, 2.0);
         const glm::dvec3 from(std::sin(lean) * std::cos(heading), std::cos(lean), std::sin(lean) * std::sin(heading));
         const int size = 1 + int(random.below(4));
         const double x = uniform(-1, 1), y = uniform(-1, 1), z = uniform(-1, 1);
         const glm::dquat turn = glm::normalize(glm::dquat(uniform(-1, 1), x, y, z));
         const glm::dvec3 start = from * std::max(distance, 0.5 / from.y);
-        LevelBody& shot = scene.add(blockGrid(glm::ivec3(size), 7), start - turn * glm::dvec3(0.05 * size), false, turn);
+        LevelBody& shot =
+            scene.add(blockGrid(glm::ivec3(size), 7), start - turn * glm::dvec3(0.05 * size), false, turn);
         shot.velocity = from * -speed;
         const double wx = uniform(-30, 30), wy = uniform(-30, 30), wz = uniform(-30, 30);
         shot.angularVelocity = {wx, wy, wz};
@@ -212,7 +222,9 @@ Shots shoot(const PhysicsSettings& settings, int count, uint64_t seed, double fa
 Shots shootPairs(const PhysicsSettings& settings, int count, uint64_t seed, double fastest, double late) {
     Random random(seed);
     Shots shots;
-    const auto uniform = [&](double low, double high) { return low + (high - low) * (double(random.below(1u << 30)) / double(1u << 30)); };
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * (double(random.below(1u << 30)) / double(1u << 30));
+    };
     const VoxelGrid wall = blockGrid({64, 1, 64}, 7);
     for (; shots.fired < count; ++shots.fired) {
         PhysicsScene scene(sleepless(settings));
@@ -221,12 +233,14 @@ Shots shootPairs(const PhysicsSettings& settings, int count, uint64_t seed, doub
         const double soon = uniform(0.02, 0.06);
         for (const int i : {0, 1}) {
             const double speed = uniform(10.0, fastest), lean = uniform(0.0, 1.3), heading = uniform(0.0, 6.28);
-            const glm::dvec3 from(std::sin(lean) * std::cos(heading), std::cos(lean), std::sin(lean) * std::sin(heading));
+            const glm::dvec3 from(std::sin(lean) * std::cos(heading), std::cos(lean),
+                                  std::sin(lean) * std::sin(heading));
             const int size = 1 + int(random.below(4));
             const double x = uniform(-1, 1), y = uniform(-1, 1), z = uniform(-1, 1);
             const glm::dquat turn = glm::normalize(glm::dquat(uniform(-1, 1), x, y, z));
             const glm::dvec3 start = from * std::max(speed * (soon + (i ? uniform(0.0, late) : 0.0)), 0.5 / from.y);
-            LevelBody& shot = scene.add(blockGrid(glm::ivec3(size), 7), start - turn * glm::dvec3(0.05 * size), false, turn);
+            LevelBody& shot =
+                scene.add(blockGrid(glm::ivec3(size), 7), start - turn * glm::dvec3(0.05 * size), false, turn);
             shot.velocity = from * -speed;
             const double wx = uniform(-30, 30), wy = uniform(-30, 30), wz = uniform(-30, 30);
             shot.angularVelocity = {wx, wy, wz};
@@ -271,7 +285,8 @@ SeamRide rideOverSeams(const PhysicsSettings& settings, int voxels, int shapes) 
 Collision collide(const PhysicsSettings& settings, double restitution) {
     PhysicsScene scene(sleepless(settings));
     scene.level.environment.gravity = {0, 0, 0};
-    const uint8_t light = setMaterial(scene, 7, 0.5f, float(restitution), 1000), heavy = setMaterial(scene, 8, 0.5f, float(restitution), 2000);
+    const uint8_t light = setMaterial(scene, 7, 0.5f, float(restitution), 1000),
+                  heavy = setMaterial(scene, 8, 0.5f, float(restitution), 2000);
     scene.add(blockGrid({5, 5, 5}, light), {-1.013, 0, 0}, false).velocity = {3, 0, 0};
     scene.add(blockGrid({5, 5, 5}, heavy), {1.0, 0, 0}, false).velocity = {-1, 0, 0};
     scene.load();
@@ -292,8 +307,8 @@ Container fillContainer(const PhysicsSettings& settings, int count, double secon
     }
     for (int i = 0; i < count * count * count; ++i) {
         const glm::dvec3 cell(i % count, i / (count * count), i / count % count);
-        scene.add(blockGrid({5, 5, 5}, 7), cell * 0.6 + glm::dvec3(0.1 + 0.02 * (i % 3), 0.05, 0.1 + 0.02 * (i % 5)), false,
-                  glm::angleAxis(0.01 * (i % 7), glm::dvec3(0, 1, 0)));
+        scene.add(blockGrid({5, 5, 5}, 7), cell * 0.6 + glm::dvec3(0.1 + 0.02 * (i % 3), 0.05, 0.1 + 0.02 * (i % 5)),
+                  false, glm::angleAxis(0.01 * (i % 7), glm::dvec3(0, 1, 0)));
     }
     scene.load();
     scene.seconds(seconds);
@@ -305,7 +320,8 @@ Container fillContainer(const PhysicsSettings& settings, int count, double secon
         if (body.isStatic) continue;
         result.fastest = std::max(result.fastest, double(glm::length(body.velocity)));
         const glm::dvec3 c = scene.center(i);
-        result.allInside = result.allInside && c.y > 0 && c.x > 0 && c.z > 0 && c.x < inside * 0.1 && c.z < inside * 0.1;
+        result.allInside =
+            result.allInside && c.y > 0 && c.x > 0 && c.z > 0 && c.x < inside * 0.1 && c.z < inside * 0.1;
     }
     const Overlaps overlaps = measureOverlaps(scene.level, poses);
     result.meanOverlap = overlaps.mean;
@@ -322,9 +338,12 @@ Recovery partOverlapping(const PhysicsSettings& settings, double share) {
     Recovery recovery;
     for (int i = 0; i < 180; ++i) {
         scene.step();
-        for (const int k : {1, 2}) recovery.fastest = std::max(recovery.fastest, double(glm::length(scene.body(k).velocity)));
+        for (const int k : {1, 2})
+            recovery.fastest = std::max(recovery.fastest, double(glm::length(scene.body(k).velocity)));
     }
-    recovery.overlap = measureOverlaps(scene.level, std::vector<Pose>{scene.body(0).pose, scene.body(1).pose, scene.body(2).pose}).worst;
+    recovery.overlap =
+        measureOverlaps(scene.level, std::vector<Pose>{scene.body(0).pose, scene.body(1).pose, scene.body(2).pose})
+            .worst;
     return recovery;
 }
 
@@ -332,7 +351,8 @@ Level tumblingLevel(glm::dvec3 middle) {
     PhysicsScene scene;
     scene.addFloor(7, middle);
     for (int i = 0; i < 4; ++i) scene.add(blockGrid({5, 5, 5}, 7), middle + glm::dvec3(0.05 * i, 0.5 * i, 0), false);
-    scene.add(blockGrid({9, 2, 3}, 7), middle + glm::dvec3(-3, 1.5, 1), false, glm::angleAxis(0.5, glm::dvec3(0, 0, 1))).angularVelocity = {1, 2, 5};
+    scene.add(blockGrid({9, 2, 3}, 7), middle + glm::dvec3(-3, 1.5, 1), false, glm::angleAxis(0.5, glm::dvec3(0, 0, 1)))
+        .angularVelocity = {1, 2, 5};
     scene.add(tHandle(), middle + glm::dvec3(2, 2, -2), false).velocity = {-1, 0, 2};
     return scene.level;
 }

@@ -19,7 +19,8 @@ std::map<std::array<int64_t, 3>, std::array<int, 4>> shown(const World& world) {
                 const glm::dvec3 at = glm::round(pose.transformPoint(cell * double(shape.voxelSize)) * 1e4);
                 const uint8_t paint = brick->paintAt(i);
                 const Srgb color = paint ? shape.paintColors->colors[size_t(paintColor(paint) - 1)] : Srgb{};
-                out[{int64_t(at.x), int64_t(at.y), int64_t(at.z)}] = {brick->at(i) | paintSteps(paint) << 8, color[0], color[1], color[2]};
+                out[{int64_t(at.x), int64_t(at.y), int64_t(at.z)}] = {brick->at(i) | paintSteps(paint) << 8, color[0],
+                                                                      color[1], color[2]};
             });
         });
     });
@@ -51,8 +52,8 @@ TEST(PaintedPiece, KeepsItsPaintThroughSplitSaveAndLoad) {
     EXPECT_EQ(painted.paintMerges, 5u) << "five of twenty colours find no place among fifteen";
     const auto before = shown(world);
 
-    const FrameChanges cut =
-        world.applyEdits({CarveEdit{.kind = BrushKind::Box, .position = at(3.0, 1.0, 0.6), .halfSize = {0.15, 5, 5}, .rotation = turned.rotation}});
+    const FrameChanges cut = world.applyEdits({CarveEdit{
+        .kind = BrushKind::Box, .position = at(3.0, 1.0, 0.6), .halfSize = {0.15, 5, 5}, .rotation = turned.rotation}});
     ASSERT_EQ(cut.splits.size(), 1u);
     const auto after = shown(world);
     EXPECT_GT(after.size(), before.size() * 9 / 10);

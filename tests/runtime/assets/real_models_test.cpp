@@ -50,26 +50,28 @@ TEST_P(RealModels, HaveKnownPartsVoxelsAndColours) {
     EXPECT_EQ(report.voxels, known.voxels);
     EXPECT_EQ(voxels, known.voxels);
     EXPECT_EQ(int(colors.size()), known.colors);
-    std::printf("| %s | %d | %d | %llu | %d |\n", known.file, report.models, report.shapes, static_cast<unsigned long long>(voxels),
-                int(colors.size()));
+    std::printf("| %s | %d | %d | %llu | %d |\n", known.file, report.models, report.shapes,
+                static_cast<unsigned long long>(voxels), int(colors.size()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, RealModels,
-                         testing::Values(KnownModel{"axes.vox", 4, 10, 12452, 4}, KnownModel{"chr_cop1.vox", 1, 1, 267, 10},
-                                         KnownModel{"metal-material.vox", 1, 1, 20, 1}, KnownModel{"obj_house3.vox", 1, 1, 119892, 9},
-                                         KnownModel{"obj_store12.vox", 1, 1, 85149, 12}, KnownModel{"obj_store15.vox", 1, 1, 125486, 14},
-                                         KnownModel{"placeholder-with-materials.vox", 1, 1, 4, 4}, KnownModel{"scene_checkpoint.vox", 1, 1, 130774, 44},
-                                         KnownModel{"scene_depot.vox", 1, 1, 120245, 29}, KnownModel{"scene_house6.vox", 1, 1, 207466, 24},
-                                         KnownModel{"scene_store7.vox", 1, 1, 173018, 42}, KnownModel{"scene_theater.vox", 1, 1, 128329, 30},
-                                         KnownModel{"test_multiple_model_scene.vox", 41, 104, 12926, 7}, KnownModel{"veh_bus.vox", 1, 1, 27286, 13},
-                                         KnownModel{"veh_cab1.vox", 1, 1, 3097, 11}, KnownModel{"veh_fire.vox", 1, 1, 15302, 17},
-                                         KnownModel{"veh_police1.vox", 1, 1, 3132, 11}),
-                         [](const auto& parameter) {
-                             std::string name = parameter.param.file;
-                             for (char& c : name)
-                                 if (!isalnum(static_cast<unsigned char>(c))) c = '_';
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Files, RealModels,
+    testing::Values(KnownModel{"axes.vox", 4, 10, 12452, 4}, KnownModel{"chr_cop1.vox", 1, 1, 267, 10},
+                    KnownModel{"metal-material.vox", 1, 1, 20, 1}, KnownModel{"obj_house3.vox", 1, 1, 119892, 9},
+                    KnownModel{"obj_store12.vox", 1, 1, 85149, 12}, KnownModel{"obj_store15.vox", 1, 1, 125486, 14},
+                    KnownModel{"placeholder-with-materials.vox", 1, 1, 4, 4},
+                    KnownModel{"scene_checkpoint.vox", 1, 1, 130774, 44},
+                    KnownModel{"scene_depot.vox", 1, 1, 120245, 29}, KnownModel{"scene_house6.vox", 1, 1, 207466, 24},
+                    KnownModel{"scene_store7.vox", 1, 1, 173018, 42}, KnownModel{"scene_theater.vox", 1, 1, 128329, 30},
+                    KnownModel{"test_multiple_model_scene.vox", 41, 104, 12926, 7},
+                    KnownModel{"veh_bus.vox", 1, 1, 27286, 13}, KnownModel{"veh_cab1.vox", 1, 1, 3097, 11},
+                    KnownModel{"veh_fire.vox", 1, 1, 15302, 17}, KnownModel{"veh_police1.vox", 1, 1, 3132, 11}),
+    [](const auto& parameter) {
+        std::string name = parameter.param.file;
+        for (char& c : name)
+            if (!isalnum(static_cast<unsigned char>(c))) c = '_';
+        return name;
+    });
 
 TEST(RealModels, PartsOfAMultiModelSceneDoNotOverlap) {
     const std::string path = kModels + "test_multiple_model_scene.vox";
@@ -86,7 +88,8 @@ TEST(RealModels, PartsOfAMultiModelSceneDoNotOverlap) {
                 const glm::ivec3 c = corner + brick * 8 + voxelInBrick(i);
                 const auto [at, fresh] = cells.emplace(std::tuple(c.x, c.y, c.z), shape.name);
                 if (!fresh && overlaps++ < 5)
-                    std::printf("overlap of %s and %s at %d %d %d\n", at->second.c_str(), shape.name.c_str(), c.x, c.y, c.z);
+                    std::printf("overlap of %s and %s at %d %d %d\n", at->second.c_str(), shape.name.c_str(), c.x, c.y,
+                                c.z);
             });
         });
     }

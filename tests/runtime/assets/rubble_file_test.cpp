@@ -66,7 +66,8 @@ TEST(RubbleFile, TheHashSeesEveryField) {
             l.bodies[0].shapes[0].paintColors = colors;
         },
         [](Level& l) {
-            l.bodies[0].shapes[0].grid.setBrick({0, 0, 0}, makeBrick(*l.bodies[0].shapes[0].grid.brickAt({0, 0, 0})->paint));
+            l.bodies[0].shapes[0].grid.setBrick({0, 0, 0},
+                                                makeBrick(*l.bodies[0].shapes[0].grid.brickAt({0, 0, 0})->paint));
         },
         [](Level& l) { l.lights[0].light.coneOuter = 0.7f; },
         [](Level& l) { l.lights[0].groupName = "unused"; },
@@ -120,17 +121,25 @@ TEST(RubbleFile, InvalidLevelsAreNotWritten) {
         const Result<Done> done = writeRubble(path, level);
         return done ? "written" : done.error();
     };
-    EXPECT_NE(error([](Level& l) { l.bodies[1].pose.position.y = std::numeric_limits<double>::quiet_NaN(); }).find("bodies[1].pose.position"),
+    EXPECT_NE(error([](Level& l) {
+                  l.bodies[1].pose.position.y = std::numeric_limits<double>::quiet_NaN();
+              }).find("bodies[1].pose.position"),
               std::string::npos);
     EXPECT_NE(error([](Level& l) { l.bodies[0].shapes[1].voxelSize = 0; }).find("voxel size"), std::string::npos);
     EXPECT_NE(error([](Level& l) { l.bodies[0].shapes[1].strength = -1.0f; }).find("strength"), std::string::npos);
-    EXPECT_NE(error([](Level& l) { l.lights[0].light.name = "\xff"; }).find("lights[0].name: expected text in UTF-8"), std::string::npos);
-    EXPECT_NE(error([](Level& l) { l.lights[0].light.reach = -1.0f; }).find("lights[0]: expected a light that can be, found reach is -1"),
+    EXPECT_NE(error([](Level& l) { l.lights[0].light.name = "\xff"; }).find("lights[0].name: expected text in UTF-8"),
               std::string::npos);
-    EXPECT_NE(error([](Level& l) { l.environment.clouds = 2.0f; }).find("environment: expected weather that can be, found clouds is 2"),
+    EXPECT_NE(error([](Level& l) {
+                  l.lights[0].light.reach = -1.0f;
+              }).find("lights[0]: expected a light that can be, found reach is -1"),
+              std::string::npos);
+    EXPECT_NE(error([](Level& l) {
+                  l.environment.clouds = 2.0f;
+              }).find("environment: expected weather that can be, found clouds is 2"),
               std::string::npos);
     EXPECT_NE(error([](Level& l) { l.lightGroups.pop_back(); }).find("light group"), std::string::npos);
-    EXPECT_NE(error([](Level& l) { l.bodies[0].pose.rotation = glm::dquat(2, 0, 0, 0); }).find("rotation"), std::string::npos);
+    EXPECT_NE(error([](Level& l) { l.bodies[0].pose.rotation = glm::dquat(2, 0, 0, 0); }).find("rotation"),
+              std::string::npos);
     EXPECT_FALSE(fs::exists(path));
 }
 
@@ -144,7 +153,8 @@ TEST(RubbleFile, FilesAreReplacedWhole) {
     const Result<Level> back = readLevel(path, "");
     ASSERT_TRUE(back) << back.error();
     EXPECT_EQ(back->name, "second");
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1) << "no neighbours stay";
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1)
+        << "no neighbours stay";
     EXPECT_NE(writeRubble("/no/such/folder/x.rubble", second).error().find("/no/such/folder"), std::string::npos);
 }
 

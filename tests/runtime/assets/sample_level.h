@@ -8,7 +8,8 @@ namespace rubble {
 inline Level sampleLevel() {
     Level level;
     level.name = "sample \"level\" \xc3\xa9";
-    level.materials.materials.push_back({.name = "cheese", .hardness = Hardness::Hard, .density = 950, .friction = 0.123f, .gun = false});
+    level.materials.materials.push_back(
+        {.name = "cheese", .hardness = Hardness::Hard, .density = 950, .friction = 0.123f, .gun = false});
     level.environment.sunDirection = {0.1f, 0.7f, -0.3f};
     level.environment.exposure = 1.25f;
     level.environment.fogDensity = 0.02f;
@@ -19,10 +20,18 @@ inline Level sampleLevel() {
     level.environment.clouds = 0.25f;
     level.environment.stars = 0.5f;
     level.environment.gravity = {0.0f, -1.62f, 0.0f};
-    level.locations.emplace_back("spawn", Pose{{1.0 / 3.0, 2e-7, -12345.678}, glm::angleAxis(0.3, glm::dvec3(0, 1, 0))});
+    level.locations.emplace_back("spawn",
+                                 Pose{{1.0 / 3.0, 2e-7, -12345.678}, glm::angleAxis(0.3, glm::dvec3(0, 1, 0))});
 
     auto shared = std::make_shared<Palette>();
-    (*shared)[1] = {.red = 200, .green = 10, .blue = 30, .opacity = 99, .roughness = 3, .metallic = 250, .reflectivity = 77, .material = 4};
+    (*shared)[1] = {.red = 200,
+                    .green = 10,
+                    .blue = 30,
+                    .opacity = 99,
+                    .roughness = 3,
+                    .metallic = 250,
+                    .reflectivity = 77,
+                    .material = 4};
     (*shared)[255] = {.red = 1, .green = 2, .blue = 3, .material = 18};
     auto glowing = std::make_shared<Palette>(*shared);
     (*glowing)[7] = {.red = 255, .green = 240, .blue = 200, .material = 1, .emission = 6.1f, .lightGroup = 2};
@@ -38,14 +47,17 @@ inline Level sampleLevel() {
         for (int z = 0; z < 33; ++z)
             for (int y = 0; y < 9; ++y)
                 for (int x = 0; x < 20; ++x)
-                    if (x < 8 || (x + y * z) % 3 == 0) writer.set({x, y, z}, x < 8 ? uint8_t(1) : uint8_t(x * 13 + y * 5 + z));
+                    if (x < 8 || (x + y * z) % 3 == 0)
+                        writer.set({x, y, z}, x < 8 ? uint8_t(1) : uint8_t(x * 13 + y * 5 + z));
     }
-    walls.paintColors = std::make_shared<const PaintColors>(PaintColors{.colors = {{{250, 0, 10}, {3, 2, 1}}}, .count = 2});
+    walls.paintColors =
+        std::make_shared<const PaintColors>(PaintColors{.colors = {{{250, 0, 10}, {3, 2, 1}}}, .count = 2});
     VoxelGrid(walls.grid).forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
         if (brick.y > 0) return;
         BrickIndices indices, layer{};
         expandBrick(content.get(), indices);
-        for (size_t i = 0; i < layer.size(); ++i) layer[i] = i % 3 ? paintByte(1 + int(i % 2), int(i % 17)) : uint8_t(0);
+        for (size_t i = 0; i < layer.size(); ++i)
+            layer[i] = i % 3 ? paintByte(1 + int(i % 2), int(i % 17)) : uint8_t(0);
         walls.grid.setBrick(brick, makeBrick(indices, &layer));
     });
     walls.palette = shared;
@@ -84,7 +96,8 @@ inline Level sampleLevel() {
     cart.shapes.push_back(empty);
     level.bodies.push_back(cart);
 
-    level.lightGroups = {{.name = "unused"}, {.name = "bulb", .threshold = 0.6f, .initialVoxels = 1, .removedVoxels = 0, .out = true}};
+    level.lightGroups = {{.name = "unused"},
+                         {.name = "bulb", .threshold = 0.6f, .initialVoxels = 1, .removedVoxels = 0, .out = true}};
     LevelLight light;
     light.light.name = "bulb light";
     light.light.kind = LightKind::Cone;
@@ -145,8 +158,14 @@ inline Level sampleLevel() {
     rope.joint.breakForce = 1e4;
     rope.joint.breakTorque = 2e3;
     rope.joint.steer = 0.2;
-    rope.joint.rope = {
-        .length = 4.0, .slack = 0.5, .points = 2, .radius = 0.05, .massPerMetre = 3.0, .stretch = 0.01, .strength = 9e3, .color = {1, 2, 3}};
+    rope.joint.rope = {.length = 4.0,
+                       .slack = 0.5,
+                       .points = 2,
+                       .radius = 0.05,
+                       .massPerMetre = 3.0,
+                       .stretch = 0.01,
+                       .strength = 9e3,
+                       .color = {1, 2, 3}};
     rope.joint.points = {{{1.0, 2.0, 3.0}, {0.1, 0.2, 0.3}}, {{4.0, 5.0, 6.0}}};
     level.joints.push_back(rope);
     return level;

@@ -35,7 +35,8 @@ World brokenWorld(uint8_t id = 1) {
     world.applyEdits({PaintEdit{.position = {2.0, 1.0, 0.2}, .radius = 1.0, .mode = PaintMode::Layer}});
     std::vector<BodyPose> poses;
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
-        if (!body.isStatic) poses.push_back({handle, {{1.0, 2.0, 3.0}}, {0.5, 0.0, 0.0}, {0.0, 0.1, 0.0}, poses.size() % 2 == 0});
+        if (!body.isStatic)
+            poses.push_back({handle, {{1.0, 2.0, 3.0}}, {0.5, 0.0, 0.0}, {0.0, 0.1, 0.0}, poses.size() % 2 == 0});
     });
     world.setPoses(poses);
     return world;
@@ -62,8 +63,9 @@ Light screen(const World& world) {
 
 SavedGame gameOf(const World& world) {
     return {world.state(),
-            {sphereCarve({1.0, 2.0, 3.0}, 0.5), ExplodeEdit{}, SettingsEdit{world.settings()}, SetEnvironmentEdit{world.environment()},
-             AddLightEdit{screen(world)}, SetLightEdit{world.lights().handleAt(0), screen(world)}, RemoveLightEdit{world.lights().handleAt(0)}}};
+            {sphereCarve({1.0, 2.0, 3.0}, 0.5), ExplodeEdit{}, SettingsEdit{world.settings()},
+             SetEnvironmentEdit{world.environment()}, AddLightEdit{screen(world)},
+             SetLightEdit{world.lights().handleAt(0), screen(world)}, RemoveLightEdit{world.lights().handleAt(0)}}};
 }
 
 TEST(SaveFile, RoundTripKeepsStateSlotsAndPendingEdits) {
@@ -72,7 +74,8 @@ TEST(SaveFile, RoundTripKeepsStateSlotsAndPendingEdits) {
     Result<SavedGame> game = gameFromBytes(bytes, "test", 7);
     ASSERT_TRUE(game) << game.error();
     ASSERT_EQ(game->pending.size(), 7u);
-    const Light &added = std::get<AddLightEdit>(game->pending[4]).light, &set = std::get<SetLightEdit>(game->pending[5]).values;
+    const Light &added = std::get<AddLightEdit>(game->pending[4]).light,
+                &set = std::get<SetLightEdit>(game->pending[5]).values;
     EXPECT_EQ(added.hash(), screen(world).hash());
     EXPECT_EQ(set.hash(), screen(world).hash());
     EXPECT_EQ(set.name, "screen");
@@ -117,7 +120,8 @@ TEST(SaveFile, ANewFieldChangesTheSizesCheckedHere) {
     EXPECT_EQ(sizeof(DebrisSettings), 32u);
     EXPECT_EQ(sizeof(FireSettings), 24u);
     EXPECT_EQ(sizeof(StressSettings), 56u);
-    EXPECT_EQ(sizeof(WorldSettings), 56 + sizeof(DebrisSettings) + sizeof(StressSettings) + sizeof(FireSettings) + sizeof(SplitSettings) + 8u);
+    EXPECT_EQ(sizeof(WorldSettings),
+              56 + sizeof(DebrisSettings) + sizeof(StressSettings) + sizeof(FireSettings) + sizeof(SplitSettings) + 8u);
     EXPECT_EQ(sizeof(Joint), 480u);
     EXPECT_EQ(sizeof(Light), 192u);
     EXPECT_EQ(sizeof(Environment), 136u);
@@ -151,7 +155,9 @@ TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
         RecordedStep record{.step = changes.step};
         record.delta = stepDeltaToBytes(baseline.update(host, changes), changes, host, list);
         host.bodies().forEach([&](BodyHandle handle, const Body& body) {
-            if (!body.isStatic) record.poses.push_back({handle, {body.pose.position + glm::dvec3(0.01)}, body.velocity, body.angularVelocity, false});
+            if (!body.isStatic)
+                record.poses.push_back(
+                    {handle, {body.pose.position + glm::dvec3(0.01)}, body.velocity, body.angularVelocity, false});
         });
         host.setPoses(record.poses);
         SlotValues<BodyHandle, Body> unused;
@@ -166,13 +172,15 @@ TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
         const double x = random.unit() * 4.0, y = random.unit() * 4.0, z = random.unit() * 2.0;
         Edits edits = {sphereCarve({x, y, z}, 0.5)};
         if (random.below(2))
-            edits.push_back(PaintEdit{.position = {y, x, z}, .radius = 0.8, .mode = random.below(2) ? PaintMode::Layer : PaintMode::Blend});
+            edits.push_back(PaintEdit{
+                .position = {y, x, z}, .radius = 0.8, .mode = random.below(2) ? PaintMode::Layer : PaintMode::Blend});
         if (random.below(3) == 0) edits.push_back(ExplodeEdit{.position = {y, x, z}, .size = 1.5});
         Light light = screen(host);
         light.local.position.x = x;
         if (random.below(2)) edits.push_back(AddLightEdit{light});
         const LightHandle any = host.lights().handleAt(random.below(uint32_t(host.lights().slotCount())));
-        if (any && random.below(2)) edits.push_back(random.below(2) ? Edit(RemoveLightEdit{any}) : Edit(SetLightEdit{any, light}));
+        if (any && random.below(2))
+            edits.push_back(random.below(2) ? Edit(RemoveLightEdit{any}) : Edit(SetLightEdit{any, light}));
         Environment weather = host.environment();
         weather.clouds = float(random.unit());
         if (random.below(3) == 0) edits.push_back(SetEnvironmentEdit{weather});
@@ -204,8 +212,9 @@ TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
         joiner.setPoses(sent.value().poses);
         ASSERT_EQ(joiner.hash(), log[i].hash) << "step " << i;
     }
-    joiner.shapes().forEach(
-        [&](ShapeHandle, const Shape& shape) { EXPECT_EQ(shape.moments, gridMoments(shape.grid, *shape.palette, joiner.materials())); });
+    joiner.shapes().forEach([&](ShapeHandle, const Shape& shape) {
+        EXPECT_EQ(shape.moments, gridMoments(shape.grid, *shape.palette, joiner.materials()));
+    });
     EXPECT_TRUE(joiner.voxelAccounting().balances());
     EXPECT_GT(joiner.shapes().size(), 5u);
     EXPECT_EQ(joiner.environment(), host.environment());
@@ -219,7 +228,8 @@ TEST(StepDelta, DamagedStepsAreRefusedAndChangeNothing) {
     const World start = host;
     WorldBaseline baseline(host);
     PaletteList list;
-    const FrameChanges changes = host.applyEdits({sphereCarve({0.2, 2.0, 0.2}, 0.7), PaintEdit{.position = {0.2, 1.0, 0.2}, .radius = 1.0}});
+    const FrameChanges changes =
+        host.applyEdits({sphereCarve({0.2, 2.0, 0.2}, 0.7), PaintEdit{.position = {0.2, 1.0, 0.2}, .radius = 1.0}});
     std::vector<uint8_t> bytes = stepDeltaToBytes(baseline.update(host, changes), changes, host, list);
     Random random(5);
     int refused = 0;
@@ -251,7 +261,8 @@ TEST(StepDelta, InvalidLightsAndWeatherAreRefused) {
     light.reach = 777.0f;
     Environment weather = host.environment();
     weather.fogHeight = 555.0f;
-    for (const auto& [edit, number] : {std::pair{Edit(AddLightEdit{light}), 777.0f}, std::pair{Edit(SetEnvironmentEdit{weather}), 555.0f}}) {
+    for (const auto& [edit, number] :
+         {std::pair{Edit(AddLightEdit{light}), 777.0f}, std::pair{Edit(SetEnvironmentEdit{weather}), 555.0f}}) {
         host = start;
         WorldBaseline baseline(host);
         PaletteList list;

@@ -48,7 +48,8 @@ std::string importError(const VoxWriter& writer) {
 }
 
 bool reportHas(const ImportReport& report, const std::string& text) {
-    return std::any_of(report.lines.begin(), report.lines.end(), [&](const std::string& line) { return line.find(text) != std::string::npos; });
+    return std::any_of(report.lines.begin(), report.lines.end(),
+                       [&](const std::string& line) { return line.find(text) != std::string::npos; });
 }
 
 TEST(VoxImport, OneModelStandsOnTheGroundWithYUp) {
@@ -70,7 +71,8 @@ TEST(VoxImport, OneModelStandsOnTheGroundWithYUp) {
 
 TEST(VoxImport, EveryRotationByteMovesCellCentresByItsMatrix) {
     const glm::ivec3 size(2, 3, 4);
-    const std::vector<std::array<uint8_t, 4>> voxels{{0, 0, 0, 1}, {1, 0, 0, 2}, {0, 2, 0, 3}, {0, 0, 3, 4}, {1, 2, 3, 5}};
+    const std::vector<std::array<uint8_t, 4>> voxels{
+        {0, 0, 0, 1}, {1, 0, 0, 2}, {0, 2, 0, 3}, {0, 0, 3, 4}, {1, 2, 3, 5}};
     int valid = 0;
     for (int byte = 0; byte < 128; ++byte) {
         VoxWriter writer;
@@ -89,7 +91,8 @@ TEST(VoxImport, EveryRotationByteMovesCellCentresByItsMatrix) {
             double in[3], out[3];
             for (int i = 0; i < 3; ++i) in[i] = v[size_t(i)] + 0.5 - size[i] / 2;
             const double offset[3] = {5, -7, 11};
-            for (int row = 0; row < 3; ++row) out[row] = matrix[row][0] * in[0] + matrix[row][1] * in[1] + matrix[row][2] * in[2] + offset[row];
+            for (int row = 0; row < 3; ++row)
+                out[row] = matrix[row][0] * in[0] + matrix[row][1] * in[1] + matrix[row][2] * in[2] + offset[row];
             expected[{int(std::floor(out[0])), int(std::floor(out[2])), int(std::floor(-out[1]))}] = v[3];
         }
         EXPECT_EQ(worldCells(import(writer)), expected) << "rotation byte " << byte;
@@ -100,7 +103,8 @@ TEST(VoxImport, EveryRotationByteMovesCellCentresByItsMatrix) {
 TEST(VoxImport, NestedTransformsApplyInnermostFirst) {
     VoxWriter writer;
     writer.model({1, 1, 1}, {{0, 0, 0, 3}});
-    // Inner: 10 along x. Outer: a quarter turn about z (x -> y): rows (0 -1 0), (1 0 0), (0 0 1) = columns 1, 0; sign of row 0.
+    // Inner: 10 along x. Outer: a quarter turn about z (x -> y): rows (0 -1 0), (1 0 0), (0 0 1) = columns 1, 0; sign
+    // of row 0.
     writer.transform(0, 1, {{{"_r", std::to_string(1 | 0 << 2 | 1 << 4)}, {"_t", "0 0 2"}}}).group(1, {2});
     writer.transform(2, 3, {{{"_t", "10 0 0"}}}, {{"_name", "arm"}}).shape(3, {0});
     const Level level = import(writer);
@@ -184,7 +188,8 @@ TEST(VoxImport, MaterialsOfNewAndOldFiles) {
     writer.described("MATL", 2, {{"_type", "_emit"}, {"_emit", "0.5"}, {"_flux", "1"}});
     writer.described("MATL", 3, {{"_type", "_metal"}, {"_weight", "0.6"}, {"_plastic", "1"}});
     VoxWriter::Bytes old;  // MATT: id, metal, weight 0.5, roughness 0.25
-    VoxWriter::put(old, 4u), VoxWriter::put(old, 1u), VoxWriter::put(old, 0x3f000000u), VoxWriter::put(old, 2u), VoxWriter::put(old, 0x3e800000u);
+    VoxWriter::put(old, 4u), VoxWriter::put(old, 1u), VoxWriter::put(old, 0x3f000000u), VoxWriter::put(old, 2u),
+        VoxWriter::put(old, 0x3e800000u);
     writer.chunk("MATT", old);
     const Level level = import(writer);
     const Palette& palette = *level.bodies.at(0).shapes[0].palette;
@@ -204,7 +209,9 @@ TEST(VoxImport, MaterialsOfNewAndOldFiles) {
 }
 
 TEST(VoxImport, MaterialsFollowColourWithoutThePresetAndRowsWithIt) {
-    const auto guess = [](uint8_t r, uint8_t g, uint8_t b) { return defaultMaterials()[guessMaterial({.red = r, .green = g, .blue = b})].name; };
+    const auto guess = [](uint8_t r, uint8_t g, uint8_t b) {
+        return defaultMaterials()[guessMaterial({.red = r, .green = g, .blue = b})].name;
+    };
     EXPECT_EQ(guess(60, 140, 50), "foliage");
     EXPECT_EQ(guess(120, 80, 40), "wood");
     EXPECT_EQ(guess(150, 60, 50), "brick");
@@ -241,7 +248,10 @@ TEST(VoxImport, OtherChunksAreReadOrCounted) {
     VoxWriter::put(notes, 1u), VoxWriter::put(notes, std::string("grass"));
     VoxWriter::put(settings, VoxWriter::Attributes{{"_type", "_inf"}});
     writer.chunk("PACK", two).model({1, 1, 1}, {{0, 0, 0, 1}}).model({2, 1, 1}, {{0, 0, 0, 1}});
-    writer.chunk("NOTE", notes).chunk("rOBJ", settings).chunk("zzzz", {1, 2, 3}).described("rCAM", 0, {{"_focus", "10 20 30"}});
+    writer.chunk("NOTE", notes)
+        .chunk("rOBJ", settings)
+        .chunk("zzzz", {1, 2, 3})
+        .described("rCAM", 0, {{"_focus", "10 20 30"}});
     ImportReport report;
     const Level level = import(writer, &report);
     EXPECT_TRUE(reportHas(report, "NOTE"));
@@ -258,12 +268,15 @@ TEST(VoxImport, ErrorsNamePlaceExpectedAndFound) {
     };
     VoxWriter outside;
     outside.model({2, 2, 2}, {{0, 0, 0, 1}, {1, 2, 0, 1}});
-    has(importError(outside), {"test.vox", "byte 64", "XYZI", "expected a cell inside the model of 2x2x2", "found cell (1, 2, 0)"});
+    has(importError(outside),
+        {"test.vox", "byte 64", "XYZI", "expected a cell inside the model of 2x2x2", "found cell (1, 2, 0)"});
     VoxWriter huge;
     huge.model({2, 300, 2}, {});
     has(importError(huge), {"byte 36", "0 to 256", "found 300"});
     VoxWriter count;
-    count.model({1, 1, 1}, {}).chunk("SIZE", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}).chunk("XYZI", {255, 255, 255, 127, 0, 0, 0, 0});
+    count.model({1, 1, 1}, {})
+        .chunk("SIZE", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0})
+        .chunk("XYZI", {255, 255, 255, 127, 0, 0, 0, 0});
     has(importError(count), {"expected 2147483647 voxels", "found 4 bytes"});
     VoxWriter child;
     child.model({1, 1, 1}, {}).transform(0, 77, {{}});
@@ -298,8 +311,13 @@ VoxWriter::Bytes everyChunk() {
     for (int i = 0; i < 256; ++i) map.push_back(uint8_t(i + 1));
     VoxWriter::put(old, 4u), VoxWriter::put(old, 1u), VoxWriter::put(old, 0x3f000000u), VoxWriter::put(old, 0u);
     writer.model({2, 2, 2}, {{0, 0, 0, 1}, {1, 1, 1, 4}}).transform(0, 1, {{}}).group(1, {2});
-    writer.transform(2, 3, {{{"_r", "33"}, {"_t", "1 2 3"}}}, {{"_name", "a"}}, 0).shape(3, {0}).described("LAYR", 0, {{"_name", "l"}});
-    writer.described("MATL", 1, {{"_type", "_emit"}, {"_emit", "1"}}).chunk("MATT", old).chunk("NOTE", notes).chunk("rOBJ", settings);
+    writer.transform(2, 3, {{{"_r", "33"}, {"_t", "1 2 3"}}}, {{"_name", "a"}}, 0)
+        .shape(3, {0})
+        .described("LAYR", 0, {{"_name", "l"}});
+    writer.described("MATL", 1, {{"_type", "_emit"}, {"_emit", "1"}})
+        .chunk("MATT", old)
+        .chunk("NOTE", notes)
+        .chunk("rOBJ", settings);
     writer.described("rCAM", 0, {{"_focus", "1 2 3"}}).chunk("IMAP", map);
     return writer.file();
 }

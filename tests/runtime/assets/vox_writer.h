@@ -44,7 +44,8 @@ public:
         for (const auto& voxel : voxels) content.insert(content.end(), voxel.begin(), voxel.end());
         return chunk("XYZI", content);
     }
-    VoxWriter& transform(int id, int child, const std::vector<Attributes>& frames, const Attributes& attributes = {}, int layer = -1) {
+    VoxWriter& transform(int id, int child, const std::vector<Attributes>& frames, const Attributes& attributes = {},
+                         int layer = -1) {
         Bytes content;
         put(content, uint32_t(id)), put(content, attributes), put(content, uint32_t(child)), put(content, uint32_t(-1)),
             put(content, uint32_t(layer));
@@ -61,7 +62,8 @@ public:
     VoxWriter& shape(int id, const std::vector<int>& models) {
         Bytes content;
         put(content, uint32_t(id)), put(content, Attributes{}), put(content, uint32_t(models.size()));
-        for (size_t i = 0; i < models.size(); ++i) put(content, uint32_t(models[i])), put(content, Attributes{{"_f", std::to_string(i * 10)}});
+        for (size_t i = 0; i < models.size(); ++i)
+            put(content, uint32_t(models[i])), put(content, Attributes{{"_f", std::to_string(i * 10)}});
         return chunk("nSHP", content);
     }
     /// A chunk of an id and attributes (LAYR, MATL, rCAM).

@@ -48,12 +48,14 @@ void expectTouched(const Brush& brush, F&& distance, const std::string& what) {
         for (int y = 0; y < bricks.y; ++y)
             for (int x = 0; x < bricks.x; ++x) {
                 const glm::ivec3 brick(x, y, z);
-                const bool inRange = glm::all(glm::greaterThanEqual(brick, range.low)) && glm::all(glm::lessThan(brick, range.high));
+                const bool inRange =
+                    glm::all(glm::greaterThanEqual(brick, range.low)) && glm::all(glm::lessThan(brick, range.high));
                 const BrickBits bits = inRange ? brushBits(brush, brick, brush.radii[0]) : BrickBits{};
                 for (int i = 0; i < kBrickVoxels; ++i) {
                     const bool isTouched = bits[size_t(i >> 6)] >> (i & 63) & 1;
                     const double d = distance(Point(brick * 8 + voxelInBrick(i)) + 0.5);
-                    ASSERT_TRUE(isTouched == (d < 0.0) || std::abs(d) <= 1.0 / 64) << what << ", cell at distance " << d;
+                    ASSERT_TRUE(isTouched == (d < 0.0) || std::abs(d) <= 1.0 / 64)
+                        << what << ", cell at distance " << d;
                 }
             }
 }
@@ -77,21 +79,23 @@ TEST(Brush, TouchesTheCellsThatGeometrySays) {
 TEST(Brush, BricksHoldExactlyTheCellsWhoseCentresAreInside) {
     Random random(3);
     for (int i = 0; i < 60 && !HasFatalFailure(); ++i) {
-        const Point a = randomPoint(random, 14.0) + 12.0, b = randomPoint(random, 14.0) + 12.0, half = glm::abs(randomPoint(random, 12.0));
+        const Point a = randomPoint(random, 14.0) + 12.0, b = randomPoint(random, 14.0) + 12.0,
+                    half = glm::abs(randomPoint(random, 12.0));
         // Upright boxes and ones turned about one axis have shortcuts of their own.
         const glm::dquat upright(1, 0, 0, 0), turned = glm::angleAxis(double(random.unit()), Point(0, 0, 1));
         const double radius = 12.0 * random.unit();
-        for (Brush brush :
-             {sphereBrush(a, {radius, radius, radius}), capsuleBrush(a, b, {radius, radius, radius}), boxBrush(a, half, upright, Hardness::Hard),
-              boxBrush(a, half, turned, Hardness::Hard), boxBrush(a, half, randomRotation(random), Hardness::Hard),
-              boxBrush(glm::round(a), glm::round(half), upright, Hardness::Hard)}) {
+        for (Brush brush : {sphereBrush(a, {radius, radius, radius}), capsuleBrush(a, b, {radius, radius, radius}),
+                            boxBrush(a, half, upright, Hardness::Hard), boxBrush(a, half, turned, Hardness::Hard),
+                            boxBrush(a, half, randomRotation(random), Hardness::Hard),
+                            boxBrush(glm::round(a), glm::round(half), upright, Hardness::Hard)}) {
             if (brush.kind == BrushKind::Box) brush.radii[0] = 128 * (i % 9 - 5);  // shrunk or grown
             for (int n = 0; n < 27; ++n) {
                 const glm::ivec3 brick(n % 3, n / 3 % 3, n / 9);
                 const BrickBits bits = brushBits(brush, brick, brush.radii[0]);
                 for (int v = 0; v < kBrickVoxels; ++v) {
                     const glm::ivec3 cell = brick * 8 + voxelInBrick(v);
-                    const bool isInside = brushContains(brush, {cell.x * 256 + 128, cell.y * 256 + 128, cell.z * 256 + 128}, brush.radii[0]);
+                    const bool isInside = brushContains(
+                        brush, {cell.x * 256 + 128, cell.y * 256 + 128, cell.z * 256 + 128}, brush.radii[0]);
                     ASSERT_EQ(bits[size_t(v >> 6)] >> (v & 63) & 1, uint64_t(isInside)) << "kind " << int(brush.kind);
                 }
             }

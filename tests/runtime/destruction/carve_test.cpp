@@ -69,7 +69,8 @@ TEST(Carve, WhatIsKnownOfNodesIsWhatAFreshGridSays) {
     for (int i = 0; i < 30; ++i) {
         CarveResult carved;
         const double x = 70.0 * random.unit(), y = 40.0 * random.unit(), z = 45.0 * random.unit();
-        carve(grid, boxBrush({x, y, z}, {z / 9, x / 9, y / 9}, {1, 0, 0, 0}, Hardness::Medium), palette, materials, carved);
+        carve(grid, boxBrush({x, y, z}, {z / 9, x / 9, y / 9}, {1, 0, 0, 0}, Hardness::Medium), palette, materials,
+              carved);
         VoxelGrid fresh(grid.size());
         BrickIndices indices;
         grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
@@ -87,12 +88,13 @@ TEST(Carve, ListsExactlyTheBricksThatChanged) {
     const VoxelGrid before = mixedGrid({64, 64, 64}, 7);
     VoxelGrid grid = before;
     CarveResult carved;
-    carve(grid, boxBrush({30, 30, 30}, {9, 9, 9}, glm::normalize(glm::dquat(1, 0.3, 0.2, 0.1)), Hardness::Medium), test::fiveEntries(),
-          test::fiveMaterials(), carved);
+    carve(grid, boxBrush({30, 30, 30}, {9, 9, 9}, glm::normalize(glm::dquat(1, 0.3, 0.2, 0.1)), Hardness::Medium),
+          test::fiveEntries(), test::fiveMaterials(), carved);
     EXPECT_EQ(carved.removed[3], 0u);
     EXPECT_GT(carved.removed[2], 0u);
     size_t changed = 0;
-    before.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) { changed += brick.get() != grid.brickAt(position); });
+    before.forEachBrick(
+        [&](glm::ivec3 position, const BrickRef& brick) { changed += brick.get() != grid.brickAt(position); });
     EXPECT_EQ(changed, carved.bricks.size());
     for (const glm::ivec3 position : carved.bricks) EXPECT_NE(before.brickAt(position), grid.brickAt(position));
 }

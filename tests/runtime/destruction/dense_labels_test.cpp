@@ -9,7 +9,8 @@ namespace {
 
 TEST(DenseLabels, EqualAFloodFillInItsOrder) {
     for (int percent : {0, 5, 31, 60, 95, 100})
-        for (const glm::ivec3 size : {glm::ivec3(1), glm::ivec3(64, 3, 2), glm::ivec3(37, 21, 19), glm::ivec3(133, 9, 7)}) {
+        for (const glm::ivec3 size :
+             {glm::ivec3(1), glm::ivec3(64, 3, 2), glm::ivec3(37, 21, 19), glm::ivec3(133, 9, 7)}) {
             SCOPED_TRACE(testing::Message() << percent << " %, " << size.x << "x" << size.y << "x" << size.z);
             const VoxelGrid grid = test::noiseGrid(size, percent, uint64_t(percent));
             const test::PlainGrid plain(grid);

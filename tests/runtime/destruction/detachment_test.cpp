@@ -18,20 +18,24 @@ BrickSet bricksOf(const std::vector<glm::ivec3>& bricks) {
 }
 
 /// What a flood fill says leaves the grid.
-CellSets detachedByFloodFill(const VoxelGrid& grid, const std::vector<CellBox>& anchors, bool isAnchored, bool* isUnanchored) {
+CellSets detachedByFloodFill(const VoxelGrid& grid, const std::vector<CellBox>& anchors, bool isAnchored,
+                             bool* isUnanchored) {
     const test::PlainGrid plain(grid);
     CellSets sets = test::floodFill(plain);
     const auto isHeld = [&](const std::vector<size_t>& set) {
         for (size_t i : set)
             for (const CellBox& box : anchors)
-                if (glm::all(glm::greaterThanEqual(plain.cell(i), box.low)) && glm::all(glm::lessThan(plain.cell(i), box.high))) return true;
+                if (glm::all(glm::greaterThanEqual(plain.cell(i), box.low)) &&
+                    glm::all(glm::lessThan(plain.cell(i), box.high)))
+                    return true;
         return false;
     };
     const size_t all = sets.size();
     if (isAnchored) std::erase_if(sets, isHeld);
     *isUnanchored = isAnchored && all > 0 && sets.size() == all;
     if ((!isAnchored || *isUnanchored) && !sets.empty())
-        sets.erase(std::max_element(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); }));
+        sets.erase(std::max_element(sets.begin(), sets.end(),
+                                    [](const auto& a, const auto& b) { return a.size() < b.size(); }));
     return sets;
 }
 
@@ -47,7 +51,8 @@ void expectSame(const Detached& detached, const CellSets& expected, bool isUnanc
 }
 
 /// Carves at random places; after each carve the local search must find what a flood fill finds, and takes it away.
-void carveAndCompare(VoxelGrid grid, std::vector<CellBox> anchors, bool isAnchored, uint64_t seed, int carves, double radius) {
+void carveAndCompare(VoxelGrid grid, std::vector<CellBox> anchors, bool isAnchored, uint64_t seed, int carves,
+                     double radius) {
     const Palette palette = test::fiveEntries();
     const MaterialTable materials = test::fiveMaterials();
     Random random(seed);
@@ -62,7 +67,8 @@ void carveAndCompare(VoxelGrid grid, std::vector<CellBox> anchors, bool isAnchor
         }
         bool isUnanchored = false;
         const CellSets expected = detachedByFloodFill(grid, anchors, isAnchored, &isUnanchored);
-        const Detached detached = isKnown ? findDetachedNear(grid, anchors, isAnchored, bricksOf(carved.bricks)) : findDetached(grid, anchors, isAnchored);
+        const Detached detached = isKnown ? findDetachedNear(grid, anchors, isAnchored, bricksOf(carved.bricks))
+                                          : findDetached(grid, anchors, isAnchored);
         expectSame(detached, expected, isUnanchored, grid);
         if (testing::Test::HasFatalFailure()) FAIL() << "seed " << seed << ", carve " << i;
         isKnown = true;
@@ -118,7 +124,8 @@ TEST(Detachment, ALargePieceIsFoundThoughTheFootIsHeldAtOnce) {
                 }
     }
     CarveResult carved;
-    carve(grid, boxBrush({32, 24, 32}, {6, 2, 6}, {1, 0, 0, 0}, Hardness::Hard), test::fiveEntries(), test::fiveMaterials(), carved);
+    carve(grid, boxBrush({32, 24, 32}, {6, 2, 6}, {1, 0, 0, 0}, Hardness::Hard), test::fiveEntries(),
+          test::fiveMaterials(), carved);
     const std::vector<CellBox> anchors = {{{0, 0, 0}, {64, 1, 64}}};
     const Detached detached = findDetachedNear(grid, anchors, true, bricksOf(carved.bricks));
     ASSERT_EQ(detached.pieces.size(), 1u);
@@ -164,7 +171,8 @@ TEST(Detachment, OfEqualPiecesTheLowestStays) {
             if (z != 10) writer.set({4, 4, z}, 1);
     }
     const std::vector<glm::ivec3> carved = {{0, 0, 1}};
-    for (const Detached& detached : {findDetached(grid, {}, false), findDetachedNear(grid, {}, false, bricksOf(carved))}) {
+    for (const Detached& detached :
+         {findDetached(grid, {}, false), findDetachedNear(grid, {}, false, bricksOf(carved))}) {
         ASSERT_EQ(detached.pieces.size(), 1u);
         EXPECT_EQ(detached.pieces[0].lowest, glm::ivec3(4, 4, 11));
     }

@@ -48,7 +48,8 @@ TEST(Fragments, EveryVoxelIsInTheRestOrInOneFragmentOrDust) {
         Random random(3);
         for (int z = 0; z < 40; ++z)
             for (int y = 0; y < 40; ++y)
-                for (int x = 0; x < 40; ++x) writer.set({x, y, z}, x < 3 ? 4 : random.below(8) ? uint8_t(5 + (z / 9) % 4) : uint8_t(0));
+                for (int x = 0; x < 40; ++x)
+                    writer.set({x, y, z}, x < 3 ? 4 : random.below(8) ? uint8_t(5 + (z / 9) % 4) : uint8_t(0));
     }
     const test::PlainGrid before(grid);
     const MassMoments all = gridMoments(grid, materialEntries(), defaultMaterials());
@@ -59,7 +60,9 @@ TEST(Fragments, EveryVoxelIsInTheRestOrInOneFragmentOrDust) {
     MassMoments sum = gridMoments(grid, materialEntries(), defaultMaterials());
     sum += result.dust.moments;
     for (const Fragment& fragment : result.fragments) {
-        EXPECT_EQ(fragment.moments, gridMoments(fragment.piece.grid, materialEntries(), defaultMaterials()).shifted(fragment.piece.offset));
+        EXPECT_EQ(
+            fragment.moments,
+            gridMoments(fragment.piece.grid, materialEntries(), defaultMaterials()).shifted(fragment.piece.offset));
         sum += fragment.moments;
         const test::PlainGrid piece(fragment.piece.grid);
         EXPECT_EQ(test::floodFill(piece).size(), 1u) << "connected";
@@ -90,7 +93,8 @@ TEST(Fragments, OneSeedOneResultAnotherSeedAnother) {
         plan.seed = seed;
         const FractureResult result = fractureGrid(grid, ball({16, 30, 16}, 12.3), plan);
         uint64_t hash = grid.contentHash();
-        for (const Fragment& fragment : result.fragments) hash = hash * 31 + fragment.piece.grid.contentHash() + uint64_t(fragment.piece.offset.x);
+        for (const Fragment& fragment : result.fragments)
+            hash = hash * 31 + fragment.piece.grid.contentHash() + uint64_t(fragment.piece.offset.x);
         return hash;
     };
     EXPECT_EQ(outcome(5), outcome(5));
@@ -99,7 +103,8 @@ TEST(Fragments, OneSeedOneResultAnotherSeedAnother) {
 
 TEST(Fragments, ToolsObeyTheTable) {
     FracturePlan plan;
-    for (const auto& [tool, breaks] : {std::pair(Tool::Sledge, false), {Tool::Torch, true}, {Tool::Gun, true}, {Tool::Any, true}}) {
+    for (const auto& [tool, breaks] :
+         {std::pair(Tool::Sledge, false), {Tool::Torch, true}, {Tool::Gun, true}, {Tool::Any, true}}) {
         VoxelGrid grid = test::solidGrid({16, 16, 16}, entryOf("metal"));
         plan.tool = tool;
         EXPECT_EQ(fractureGrid(grid, ball({8, 8, 8}, 6), plan).dust.bricks.empty(), !breaks) << int(tool);
@@ -140,7 +145,8 @@ TEST(Fragments, GlassGoesByThePane) {
     for (size_t i = 0; i < result.fragments.size(); ++i) {
         const Piece& piece = result.fragments[i].piece;
         piece.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
-            forEachVoxel(content->occupancy, [&](int v) { fragmentAt[key(piece.offset + brick * 8 + voxelInBrick(v))] = i; });
+            forEachVoxel(content->occupancy,
+                         [&](int v) { fragmentAt[key(piece.offset + brick * 8 + voxelInBrick(v))] = i; });
         });
     }
     for (const auto& [cell, fragment] : fragmentAt)
@@ -161,7 +167,8 @@ TEST(Fragments, APaneIsFoundAsAFloodFillFindsIt) {
         std::vector<size_t> found;
         for (const BrickSubset& subset : findPane(
                  grid, start, [](uint8_t entry) { return entry == 2; }, 1u << 30))
-            forEachVoxel(subset.voxels, [&](int i) { found.push_back(plain.index(subset.brick * 8 + voxelInBrick(i))); });
+            forEachVoxel(subset.voxels,
+                         [&](int i) { found.push_back(plain.index(subset.brick * 8 + voxelInBrick(i))); });
         std::sort(found.begin(), found.end());
         EXPECT_EQ(found, set);
     }
@@ -190,7 +197,8 @@ TEST(Fragments, TheirNumberIsBoundedAndMetalGivesAwayLittle) {
     const FractureResult few = fractureGrid(grid, ball({32, 32, 32}, 28), plan);
     EXPECT_LE(few.fragments.size(), 40u);
     EXPECT_GT(few.fragments.size(), 15u);
-    VoxelGrid metal = test::solidGrid({64, 64, 64}, entryOf("metal")), brick = test::solidGrid({64, 64, 64}, entryOf("brick"));
+    VoxelGrid metal = test::solidGrid({64, 64, 64}, entryOf("metal")),
+              brick = test::solidGrid({64, 64, 64}, entryOf("brick"));
     fractureGrid(metal, ball({32, 32, 32}, 20));
     fractureGrid(brick, ball({32, 32, 32}, 20));
     EXPECT_GT(metal.voxelCount() - brick.voxelCount(), 20000u);

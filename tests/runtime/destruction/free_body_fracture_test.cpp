@@ -9,12 +9,14 @@ namespace {
 
 constexpr double kTensile = 2.6e6;
 
-/// A beam of concrete along an axis, and the force across it whose bending moment is `utilization` x strength at F L / divisor.
+/// A beam of concrete along an axis, and the force across it whose bending moment is `utilization` x strength at F L /
+/// divisor.
 struct Beam {
     int axis, length, depth, offset;
     StressFixture fixture{glm::ivec3(140)};
 
-    Beam(int along, int cells, int cellsDeep, int first = 3) : axis(along), length(cells), depth(cellsDeep), offset(first) {
+    Beam(int along, int cells, int cellsDeep, int first = 3)
+        : axis(along), length(cells), depth(cellsDeep), offset(first) {
         CellBox box{glm::ivec3(offset), glm::ivec3(offset + depth)};
         box.high[axis] = offset + length;
         fixture.fill(box);

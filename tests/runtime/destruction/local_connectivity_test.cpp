@@ -45,7 +45,8 @@ TEST(LocalConnectivity, AGlanceAtTheCellsIsEnoughForAHole) {
     const std::array<CellBox, 1> beside{{{{0, 0, 0}, {31, 80, 6}}}}, inside{{{{0, 0, 0}, {32, 80, 6}}}};
     EXPECT_TRUE(isLocallyConnected(grid, hole.cells, beside));
     EXPECT_FALSE(isLocallyConnected(grid, hole.cells, inside));
-    EXPECT_FALSE(isLocallyConnected(grid, cut(grid, boxBrush({40, 40, 3}, {34, 34, 9}, {1, 0, 0, 0}, Hardness::Hard)).cells, {}));
+    EXPECT_FALSE(isLocallyConnected(
+        grid, cut(grid, boxBrush({40, 40, 3}, {34, 34, 9}, {1, 0, 0, 0}, Hardness::Hard)).cells, {}));
 }
 
 TEST(LocalConnectivity, SeesNoWayRoundThatIsFarAway) {
@@ -68,11 +69,13 @@ TEST(LocalConnectivity, IsNeverWrongOnSponges) {
         std::vector<Component> parts = findComponents(grid);  // the largest alone: what stands before a cut is one
         std::sort(parts.begin(), parts.end(), outranks);
         for (size_t p = 1; p < parts.size(); ++p) takePiece(grid, parts[p]);
-        const double x = 48.0 * random.unit(), y = 48.0 * random.unit(), z = 48.0 * random.unit(), radius = 1.0 + 7.0 * random.unit();
+        const double x = 48.0 * random.unit(), y = 48.0 * random.unit(), z = 48.0 * random.unit(),
+                     radius = 1.0 + 7.0 * random.unit();
         const CarveResult gone = cut(grid, sphereBrush({x, y, z}, {radius, radius, radius}));
         BrickSet bricks;
         for (const glm::ivec3 brick : gone.bricks) bricks.insert(brick);
-        const bool isWhole = isLocallyConnected(grid, bricks), isBoxConnected = isLocallyConnected(grid, gone.cells, {});
+        const bool isWhole = isLocallyConnected(grid, bricks),
+                   isBoxConnected = isLocallyConnected(grid, gone.cells, {});
         const size_t count = componentSizes(grid).size();
         ASSERT_TRUE(!isWhole || count <= 1);
         ASSERT_TRUE(!isBoxConnected || count <= 1);

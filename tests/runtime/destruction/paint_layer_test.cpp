@@ -27,7 +27,8 @@ Srgb seen(const VoxelGrid& grid, const Palette& palette, const PaintColors* colo
 VoxelGrid wallOfAllEntries() {
     VoxelGrid grid({64, 64, 8});
     GridWriter writer(grid);
-    for (int i = 0; i < 64 * 64 * 8; ++i) writer.set({i & 63, i >> 6 & 63, i >> 12}, uint8_t(1 + (i * 7 + (i >> 6)) % 255));
+    for (int i = 0; i < 64 * 64 * 8; ++i)
+        writer.set({i & 63, i >> 6 & 63, i >> 12}, uint8_t(1 + (i * 7 + (i >> 6)) % 255));
     return grid;
 }
 
@@ -39,7 +40,9 @@ TEST(PaintLayer, AllEntriesTakeFifteenColoursInSixteenSteps) {
     for (int c = 1; c <= kPaintColors; ++c)
         for (int s = 1; s <= kPaintSteps; ++s) {  // a spot of a few voxels for every colour and number of steps
             const glm::dvec3 spot(4 * c - 1.5, 4 * s - 2.5, 7.5);
-            const Paint paint{.color = {uint8_t(16 * c), uint8_t(255 - 16 * c), 77}, .strength = uint8_t(255 * s / 16), .seed = uint32_t(c)};
+            const Paint paint{.color = {uint8_t(16 * c), uint8_t(255 - 16 * c), 77},
+                              .strength = uint8_t(255 * s / 16),
+                              .seed = uint32_t(c)};
             const PaintResult painted = paintLayer(grid, colors, sphereBrush(spot, {1.6, 1.6, 1.6}), paint);
             if (painted.colors) colors = painted.colors;
             EXPECT_EQ(painted.merges, 0u);
@@ -53,7 +56,8 @@ TEST(PaintLayer, AllEntriesTakeFifteenColoursInSixteenSteps) {
     const test::PlainGrid after(grid);
     EXPECT_EQ(before.cells, after.cells) << "paint beside the palette leaves every entry as it was";
 
-    const PaintResult more = paintLayer(grid, colors, sphereBrush({30, 30, 7.5}, {3, 3, 3}), {.color = {1, 250, 80}, .strength = 255});
+    const PaintResult more =
+        paintLayer(grid, colors, sphereBrush({30, 30, 7.5}, {3, 3, 3}), {.color = {1, 250, 80}, .strength = 255});
     EXPECT_EQ(more.colors, nullptr);
     EXPECT_EQ(more.merges, 1u) << "a sixteenth colour takes the nearest, and says so";
     EXPECT_EQ(paintAt(grid, {30, 30, 7}), paintByte(1, 16));
@@ -61,7 +65,8 @@ TEST(PaintLayer, AllEntriesTakeFifteenColoursInSixteenSteps) {
 
 TEST(PaintLayer, BothModesLookAlike) {
     Palette entries{};
-    for (size_t i = 1; i <= 28; ++i) entries[i] = {.red = uint8_t(9 * i), .green = uint8_t(250 - 5 * i), .blue = uint8_t(40 * i), .material = 1};
+    for (size_t i = 1; i <= 28; ++i)
+        entries[i] = {.red = uint8_t(9 * i), .green = uint8_t(250 - 5 * i), .blue = uint8_t(40 * i), .material = 1};
     VoxelGrid wall({32, 32, 8});
     {
         GridWriter writer(wall);
@@ -81,8 +86,10 @@ TEST(PaintLayer, BothModesLookAlike) {
         int largest = 0, count = 0;
         for (int y = 0; y < 32; ++y)
             for (int x = 0; x < 32; ++x) {
-                const Srgb one = seen(byPalette, *palette, nullptr, {x, y, 7}), two = seen(byLayer, entries, b.colors.get(), {x, y, 7});
-                for (size_t c = 0; c < 3; ++c, ++count) sum += one[c] - two[c], largest = std::max(largest, std::abs(one[c] - two[c]));
+                const Srgb one = seen(byPalette, *palette, nullptr, {x, y, 7}),
+                           two = seen(byLayer, entries, b.colors.get(), {x, y, 7});
+                for (size_t c = 0; c < 3; ++c, ++count)
+                    sum += one[c] - two[c], largest = std::max(largest, std::abs(one[c] - two[c]));
             }
         EXPECT_LE(largest, 255 / 16 + 3 + 2) << "a dithered step and a near entry apart, at step " << step;
         EXPECT_NEAR(sum / count, 0.0, 2.5) << "the same on average, at step " << step;
@@ -91,7 +98,8 @@ TEST(PaintLayer, BothModesLookAlike) {
 
 TEST(PaintLayer, FalloffWeakensAndTheEdgeIsBlue) {
     VoxelGrid grid = test::solidGrid({64, 64, 8});
-    const PaintResult painted = paintLayer(grid, nullptr, sphereBrush({32, 32, 7.5}, {28, 28, 28}), {.color = {9, 9, 9}, .strength = 128, .falloff = 0});
+    const PaintResult painted = paintLayer(grid, nullptr, sphereBrush({32, 32, 7.5}, {28, 28, 28}),
+                                           {.color = {9, 9, 9}, .strength = 128, .falloff = 0});
     ASSERT_TRUE(painted.colors);
     double byRing[4] = {}, count[4] = {};
     for (int y = 0; y < 64; ++y)
@@ -105,8 +113,11 @@ TEST(PaintLayer, FalloffWeakensAndTheEdgeIsBlue) {
 
     // A thinned spray chosen by blue noise: neighbours differ more often than if every voxel drew its own lot.
     VoxelGrid thin = test::solidGrid({64, 64, 8});
-    paintLayer(thin, nullptr, sphereBrush({32, 32, 7.5}, {46, 46, 46}), {.color = {9, 9, 9}, .strength = 255, .probability = 0});
-    const auto share = [](int x, int y) { return std::max(0.0, 1 - (std::pow(x + 0.5 - 32, 2) + std::pow(y + 0.5 - 32, 2)) / (46 * 46)); };
+    paintLayer(thin, nullptr, sphereBrush({32, 32, 7.5}, {46, 46, 46}),
+               {.color = {9, 9, 9}, .strength = 255, .probability = 0});
+    const auto share = [](int x, int y) {
+        return std::max(0.0, 1 - (std::pow(x + 0.5 - 32, 2) + std::pow(y + 0.5 - 32, 2)) / (46 * 46));
+    };
     double chosen = 0, expected = 0, differ = 0, byLot = 0;
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 63; ++x) {
@@ -139,7 +150,8 @@ TEST(PaintLayer, OnePaintCoversAnother) {
     const Brush brush = sphereBrush({16, 16, 7.5}, {9, 9, 9});
     PaintColorsRef colors = paintLayer(grid, nullptr, brush, {.color = {255, 0, 0}, .strength = 255}).colors;
     for (uint32_t seed = 0; seed < 60; ++seed) {
-        const PaintResult painted = paintLayer(grid, colors, brush, {.color = {0, 0, 255}, .strength = 64, .seed = seed});
+        const PaintResult painted =
+            paintLayer(grid, colors, brush, {.color = {0, 0, 255}, .strength = 64, .seed = seed});
         if (painted.colors) colors = painted.colors;
         if (seed != 0) continue;
         int blue = 0, all = 0;
@@ -159,7 +171,8 @@ TEST(PaintLayer, GoesWithPiecesAndCosts512BytesAPaintedBrick) {
             if ((i & 63) < 20 || (i & 63) > 27) writer.set({i & 63, i >> 6 & 15, i >> 10}, 1);
     }
     const size_t plain = grid.memoryBytes();
-    const PaintResult painted = paintLayer(grid, nullptr, sphereBrush({30, 8, 16}, {14, 14, 14}), {.color = {1, 2, 3}, .strength = 200});
+    const PaintResult painted =
+        paintLayer(grid, nullptr, sphereBrush({30, 8, 16}, {14, 14, 14}), {.color = {1, 2, 3}, .strength = 200});
     EXPECT_EQ(grid.memoryBytes(), plain + 512 * painted.bricks.size());
     const VoxelGrid whole = grid;
     const std::vector<Component> parts = findComponents(grid);

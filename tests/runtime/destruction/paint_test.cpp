@@ -43,7 +43,8 @@ struct Crowded {
             entry.lightGroup = i % 7 == 0 ? 1 : 0;
         }
         GridWriter writer(grid);
-        for (int i = 0; i < 32 * 32 * 32; ++i) writer.set({i & 31, i >> 5 & 31, i >> 10}, uint8_t(1 + random.below(uint32_t(entries))));
+        for (int i = 0; i < 32 * 32 * 32; ++i)
+            writer.set({i & 31, i >> 5 & 31, i >> 10}, uint8_t(1 + random.below(uint32_t(entries))));
     }
 };
 
@@ -69,21 +70,24 @@ TEST(Paint, ReachesThePaintAndLeavesEverythingElse) {
             const PaletteEntry& was = original[before.cells[i]];
             const PaletteEntry& is = (*palette)[after.cells[i]];
             ASSERT_EQ(withoutColor(is), withoutColor(was));
-            const bool inside = brushContains(sphere, {cell.x * 256 + 128, cell.y * 256 + 128, cell.z * 256 + 128}, sphere.radii[0]);
+            const bool inside =
+                brushContains(sphere, {cell.x * 256 + 128, cell.y * 256 + 128, cell.z * 256 + 128}, sphere.radii[0]);
             if (inside && isExposed(before, cell)) {
                 ASSERT_EQ(colorOf(is), (std::array<uint8_t, 3>{250, 20, 30})) << entries << " entries";
             } else {
                 ASSERT_EQ(is, was) << "a voxel away from the paint changed";
             }
         }
-        EXPECT_EQ(merges > 0, entries == 200) << "merges are reported when the palette is short of entries, and only then";
+        EXPECT_EQ(merges > 0, entries == 200)
+            << "merges are reported when the palette is short of entries, and only then";
     }
 }
 
 TEST(Paint, AFullPaletteIsReportedAndStaysValid) {
     Crowded scene(255);
     const test::PlainGrid before(scene.grid);
-    const PaintResult painted = paintPalette(scene.grid, shared(scene.palette), sphereBrush({31, 16, 16}, {9, 9, 9}), {{250, 20, 30}, 64, 255, 0});
+    const PaintResult painted = paintPalette(scene.grid, shared(scene.palette), sphereBrush({31, 16, 16}, {9, 9, 9}),
+                                             {{250, 20, 30}, 64, 255, 0});
     EXPECT_GT(painted.merges, 0u);
     EXPECT_EQ(painted.palette, nullptr);
     const test::PlainGrid after(scene.grid);
@@ -95,7 +99,8 @@ TEST(Paint, UnusedEntriesAreFreedForIt) {
     // 255 entries, as every .vox file has, of which the grid uses one.
     Crowded scene(255);
     VoxelGrid grid = test::solidGrid({16, 16, 16}, 9);
-    const PaintResult painted = paintPalette(grid, shared(scene.palette), sphereBrush({16, 8, 8}, {5, 5, 5}), {{1, 2, 3}, 64, 255, 0});
+    const PaintResult painted =
+        paintPalette(grid, shared(scene.palette), sphereBrush({16, 8, 8}, {5, 5, 5}), {{1, 2, 3}, 64, 255, 0});
     ASSERT_NE(painted.palette, nullptr);
     EXPECT_EQ(painted.merges, 0u);
     EXPECT_EQ((*painted.palette)[9], scene.palette[9]);
@@ -103,7 +108,8 @@ TEST(Paint, UnusedEntriesAreFreedForIt) {
 
 TEST(Paint, ProbabilityThinsTheRimOnly) {
     VoxelGrid grid = test::solidGrid({64, 64, 8});
-    const PaintResult painted = paintPalette(grid, shared(test::fiveEntries()), sphereBrush({32, 32, 4}, {24, 24, 24}), {{9, 9, 9}, 255, 30, 7});
+    const PaintResult painted = paintPalette(grid, shared(test::fiveEntries()), sphereBrush({32, 32, 4}, {24, 24, 24}),
+                                             {{9, 9, 9}, 255, 30, 7});
     ASSERT_TRUE(painted.palette);
     int middle = 0, middleAll = 0, rim = 0, rimAll = 0;
     for (int y = 0; y < 64; ++y)

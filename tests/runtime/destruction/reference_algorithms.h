@@ -17,12 +17,15 @@ struct PlainGrid {
 
     explicit PlainGrid(const VoxelGrid& grid) : size(grid.size()), cells(size_t(size.x) * size.y * size.z) {
         grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
-            forEachVoxel(content->occupancy, [&](int i) { cells[index(brick * 8 + voxelInBrick(i))] = content->at(i); });
+            forEachVoxel(content->occupancy,
+                         [&](int i) { cells[index(brick * 8 + voxelInBrick(i))] = content->at(i); });
         });
     }
     size_t index(glm::ivec3 c) const { return (size_t(c.z) * size.y + c.y) * size.x + c.x; }
     glm::ivec3 cell(size_t i) const { return {int(i % size.x), int(i / size.x % size.y), int(i / size.x / size.y)}; }
-    bool contains(glm::ivec3 c) const { return c.x >= 0 && c.y >= 0 && c.z >= 0 && c.x < size.x && c.y < size.y && c.z < size.z; }
+    bool contains(glm::ivec3 c) const {
+        return c.x >= 0 && c.y >= 0 && c.z >= 0 && c.x < size.x && c.y < size.y && c.z < size.z;
+    }
 };
 
 /// Sets of cell indices, each sorted, in the order of their first cell: the plain flood fill.
@@ -99,7 +102,8 @@ inline VoxelGrid towerGrid(glm::ivec3 size, int columnWidth = 3, int storey = 12
 inline MaterialTable fiveMaterials() {
     MaterialTable table;
     table.materials.resize(6);
-    const Hardness classes[6] = {Hardness::Unphysical, Hardness::Soft, Hardness::Medium, Hardness::Hard, Hardness::Unbreakable, Hardness::Unphysical};
+    const Hardness classes[6] = {Hardness::Unphysical, Hardness::Soft,        Hardness::Medium,
+                                 Hardness::Hard,       Hardness::Unbreakable, Hardness::Unphysical};
     for (size_t i = 0; i < 6; ++i) {
         table.materials[i].hardness = classes[i];
         table.materials[i].density = i == 5 || i == 0 ? 0 : uint32_t(300 + 700 * i);
@@ -108,7 +112,8 @@ inline MaterialTable fiveMaterials() {
 }
 inline Palette fiveEntries() {
     Palette palette{};
-    for (size_t i = 1; i < 6; ++i) palette[i] = {.red = uint8_t(40 * i), .green = 100, .blue = 200, .material = uint8_t(i)};
+    for (size_t i = 1; i < 6; ++i)
+        palette[i] = {.red = uint8_t(40 * i), .green = 100, .blue = 200, .material = uint8_t(i)};
     return palette;
 }
 

@@ -24,7 +24,8 @@ TEST(StressAnalysis, CantileverBreaksAtTheWallAsBeamTheorySays) {
                 f.anchor({{offset, 8 + offset, 8 + offset}, {wall, 8 + offset + depth, 8 + offset + depth}});
                 f.fill({{wall, 8 + offset, 8 + offset}, {wall + length, 8 + offset + depth, 8 + offset + depth}});
                 const double l = length * f.voxelSize, d = depth * f.voxelSize;
-                f.strengthScale = kConcreteWeight * 3.0 * l * l / d / kTensile;  // M c / I over the tensile strength: just what breaks it
+                f.strengthScale = kConcreteWeight * 3.0 * l * l / d /
+                                  kTensile;  // M c / I over the tensile strength: just what breaks it
                 f.solve();
                 const StressCrack& worst = f.analysis.worst();
                 EXPECT_NEAR(worst.utilization, 1.0, 0.05) << depth << " " << offset << " " << length;
@@ -64,7 +65,8 @@ TEST(StressAnalysis, SimplySupportedBeamBreaksInTheMiddle) {
         for (const int offset : {0, 3, 5})
             for (const int length : {12 * depth, 20 * depth}) {
                 StressFixture f({280, 40, 40});
-                const glm::ivec3 low(8 + offset), high = low + glm::ivec3(length, depth, depth), middle = low + depth / 2;
+                const glm::ivec3 low(8 + offset), high = low + glm::ivec3(length, depth, depth),
+                                                  middle = low + depth / 2;
                 f.fill({low, high});
                 for (const int x : {low.x, high.x - 1}) f.fill({{x, low.y, low.z}, {x + 1, high.y, high.z}}, 3);
                 for (const int x : {low.x - 1, high.x})  // a pin: one face of a cell that never breaks
@@ -99,7 +101,8 @@ struct PortalStress {
     double most() const { return std::max({middle, beamEnd, columnTop}); }
 };
 
-/// Tension in a portal frame with clamped feet under its beam's weight (Kleinlogel's formulas), at the faces of the joints.
+/// Tension in a portal frame with clamped feet under its beam's weight (Kleinlogel's formulas), at the faces of the
+/// joints.
 PortalStress portalStress(double span, double rise, double depth) {
     const double load = kConcreteWeight * depth * depth, modulus = depth * depth * depth / 6.0, area = depth * depth;
     const double corner = load * span * span / (6.0 * (rise / span + 2.0)), thrust = 1.5 * corner / rise;
@@ -120,7 +123,8 @@ TEST(StressAnalysis, PortalFrameBreaksWhereItsMomentIsLargest) {
                         f.fill({{x, foot, low}, {x + depth, top, low + depth}});
                     }
                     f.fill({{low, top - depth, low}, {low + width, top, low + depth}});
-                    const PortalStress stress = portalStress(span * f.voxelSize, rise * f.voxelSize, depth * f.voxelSize);
+                    const PortalStress stress =
+                        portalStress(span * f.voxelSize, rise * f.voxelSize, depth * f.voxelSize);
                     f.strengthScale = stress.most() / kTensile;
                     f.solve();
                     const StressCrack& worst = f.analysis.worst();
@@ -140,7 +144,8 @@ TEST(StressAnalysis, NeckUnderAHeavyHeadIsCrushedWhereverItLies) {
         for (const int neck : {2, 4, 6})
             for (int offset = 0; offset < 8; ++offset) {
                 StressFixture f({48, 72, 48});
-                const glm::ivec3 low(8 + offset, offset, 8 + offset), waist = low + glm::ivec3(width / 2 - neck / 2, 16, width / 2 - neck / 2);
+                const glm::ivec3 low(8 + offset, offset, 8 + offset),
+                    waist = low + glm::ivec3(width / 2 - neck / 2, 16, width / 2 - neck / 2);
                 f.anchor({low, low + glm::ivec3(width, 1, width)});
                 f.fill({low + glm::ivec3(0, 1, 0), low + glm::ivec3(width, 16, width)});
                 f.fill({waist, waist + glm::ivec3(neck, 2, neck)});

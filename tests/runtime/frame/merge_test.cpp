@@ -27,7 +27,8 @@ struct Receiver {
     void apply(const FrameSnapshot& s) {
         if (s.replacesAll) shapes.clear();
         if (s.shadowReplacesAll) shadow.clear();
-        for (const ShapeHandle shape : s.destroyed) ASSERT_EQ(shapes.erase(shape), 1u) << "destroys what was never created";
+        for (const ShapeHandle shape : s.destroyed)
+            ASSERT_EQ(shapes.erase(shape), 1u) << "destroys what was never created";
         for (const SnapshotShape& created : s.created) {
             ASSERT_TRUE(shapes.emplace(created.shape, Shape{created.palette, {}, {}, {}}).second);
             for (const BrickChange& brick : created.bricks) set(brick);
@@ -80,12 +81,15 @@ public:
         std::map<std::pair<ShapeHandle, int>, bool> touched;
         for (const ShapeHandle shape : old) {
             const int brick = m_random.between(0, 2);
-            if (m_random.below(2)) s.bricks.push_back({shape, {brick, 0, 0}, m_random.below(3) ? std::make_shared<const Brick>() : nullptr});
+            if (m_random.below(2))
+                s.bricks.push_back(
+                    {shape, {brick, 0, 0}, m_random.below(3) ? std::make_shared<const Brick>() : nullptr});
             if (!m_random.below(3)) s.palettes.push_back({shape, std::make_shared<const Palette>()});
             if (m_random.below(2)) s.poses.push_back({shape, drawPose(), drawPose()});
         }
         for (int i = 0; i < 3; ++i)
-            if (m_random.below(2)) s.shadow.push_back({{i, 0, -1}, m_random.below(3) ? std::make_shared<const ShadowBrick>() : nullptr});
+            if (m_random.below(2))
+                s.shadow.push_back({{i, 0, -1}, m_random.below(3) ? std::make_shared<const ShadowBrick>() : nullptr});
         if (!m_random.below(4)) s.lightsChanged = true, s.lights.resize(m_random.below(5));
         if (!m_random.below(4)) s.environmentChanged = true, s.environment.exposure = m_random.unit();
         return s;
@@ -93,12 +97,14 @@ public:
 
 private:
     void create(FrameSnapshot& s) {
-        const ShapeHandle shape = ShapeHandle::make(1, m_step & 0xffffff, uint32_t(m_living.size()) + m_random.below(100) * 1000);
+        const ShapeHandle shape =
+            ShapeHandle::make(1, m_step & 0xffffff, uint32_t(m_living.size()) + m_random.below(100) * 1000);
         if (std::find(m_living.begin(), m_living.end(), shape) != m_living.end()) return;
         m_living.push_back(shape);
         s.created.push_back({shape, {24, 8, 8}, 0.1f, std::make_shared<const Palette>(), {}});
         for (int i = 0; i < 3; ++i)
-            if (m_random.below(2)) s.created.back().bricks.push_back({shape, {i, 0, 0}, std::make_shared<const Brick>()});
+            if (m_random.below(2))
+                s.created.back().bricks.push_back({shape, {i, 0, 0}, std::make_shared<const Brick>()});
         const Pose pose = drawPose();
         s.poses.push_back({shape, pose, pose});
     }

@@ -17,7 +17,8 @@ protected:
     void SetUp() override { world.load(makeSingleCube(2, 0.5)); }
     FrameChanges breaks(const char* material, uint64_t voxels) const {
         FrameChanges changes;
-        changes.dust.push_back({{4.0, 2.0, 4.0}, 0.5, glm::vec3(0.0f), {150, 140, 120}, world.materials().find(material), voxels});
+        changes.dust.push_back(
+            {{4.0, 2.0, 4.0}, 0.5, glm::vec3(0.0f), {150, 140, 120}, world.materials().find(material), voxels});
         return changes;
     }
     static size_t count(const Particles& particles, ParticleKind kind) {

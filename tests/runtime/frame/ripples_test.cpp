@@ -21,8 +21,10 @@ protected:
     void addWater() {
         const WorldBox box = cubeBox();
         Level level = makeSingleCube(2, 0.5);
-        level.waters.push_back(
-            {.name = "pond", .outline = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}}, .surface = 0.5 * (box.low.y + box.high.y), .depth = 1.0});
+        level.waters.push_back({.name = "pond",
+                                .outline = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}},
+                                .surface = 0.5 * (box.low.y + box.high.y),
+                                .depth = 1.0});
         world.load(level);
     }
     WorldBox cubeBox() {

@@ -31,7 +31,9 @@ Level tower() {
 Edits destructionScript(int step) {
     if (step == 2) return {sphereCarve({0.2, 0.5, 0.2}, 0.4), sphereCarve({1.8, 0.5, 0.2}, 0.4)};
     if (step == 10) return {ExplodeEdit{.position = {2.0, 2.0, 2.0}, .size = 2.0}};
-    if (step == 30) return {sphereCarve({0.2, 0.5, 1.8}, 0.5), sphereCarve({3.4, 0.5, 3.4}, 0.5), PaintEdit{.position = {1.0, 1.0, 0.0}}};
+    if (step == 30)
+        return {sphereCarve({0.2, 0.5, 1.8}, 0.5), sphereCarve({3.4, 0.5, 3.4}, 0.5),
+                PaintEdit{.position = {1.0, 1.0, 0.0}}};
     if (step == 45) return {ExplodeEdit{.position = {1.0, 3.0, 1.0}, .size = 2.0}};
     return {};
 }
@@ -42,8 +44,10 @@ Edits lightScript(const World& world, int step) {
     weather.wetness = 0.01f * float(step);
     weather.gravity.y = -9.0f;
     Light light{.local = {{0.1 * step, 2.0, 0.0}}};
-    if (step == 8 || step == 35) return {AddLightEdit{light}, AddLightEdit{{.shape = firstShape(world), .local = light.local}}, AddLightEdit{}};
-    if (step == 20 || step == 70) return {RemoveLightEdit{world.lights().handleAt(2)}, RemoveLightEdit{world.lights().handleAt(0)}};
+    if (step == 8 || step == 35)
+        return {AddLightEdit{light}, AddLightEdit{{.shape = firstShape(world), .local = light.local}}, AddLightEdit{}};
+    if (step == 20 || step == 70)
+        return {RemoveLightEdit{world.lights().handleAt(2)}, RemoveLightEdit{world.lights().handleAt(0)}};
     if (step == 40) return {SetLightEdit{world.lights().handleAt(1), light}, SetEnvironmentEdit{weather}};
     if (step == 46) return {AddLightEdit{light}, SetEnvironmentEdit{weather}};  // between a mark and its undo
     if (step == 80) return {AddLightEdit{light}};
@@ -121,7 +125,8 @@ TEST(FrameLoop, ARecordingReplaysToTheSameHashes) {
 
     std::ifstream in(path, std::ios::binary);
     std::vector<uint8_t> bytes((std::istreambuf_iterator<char>(in)), {});
-    for (size_t length = 0; length < bytes.size(); length += 9973) EXPECT_FALSE(recordingFromBytes(std::span(bytes).first(length), "t", 1));
+    for (size_t length = 0; length < bytes.size(); length += 9973)
+        EXPECT_FALSE(recordingFromBytes(std::span(bytes).first(length), "t", 1));
     for (size_t byte = 0; byte < bytes.size(); byte += 9973) {
         bytes[byte] ^= 16;
         const Result<Recording> damaged = recordingFromBytes(bytes, "t.rubblelog", 1);
@@ -139,7 +144,8 @@ TEST(FrameLoop, UndoRestoresTheTowerWhileItFalls) {
     loop.edits().push(Edits{SettingsEdit{settings}});
     loop.step();
     const uint64_t voxels = loop.world().voxelHash();
-    loop.edits().push(Edits{HistoryEdit{}, sphereCarve({0.2, 0.5, 0.2}, 0.4), ExplodeEdit{.position = {2.0, 2.0, 2.0}, .size = 2.0}});
+    loop.edits().push(
+        Edits{HistoryEdit{}, sphereCarve({0.2, 0.5, 0.2}, 0.4), ExplodeEdit{.position = {2.0, 2.0, 2.0}, .size = 2.0}});
     for (int step = 0; step < 40; ++step) loop.step();
     EXPECT_NE(loop.world().voxelHash(), voxels);
     loop.edits().push(HistoryEdit{HistoryAction::Undo});

@@ -25,7 +25,8 @@ TEST(Rasterize, AlignedShapesAreCopiedBitForBit) {
         size_t wrong = 0;
         for (int z = -2; z < size.z + 2; ++z)
             for (int y = -2; y < size.y + 2; ++y)
-                for (int x = -2; x < size.x + 2; ++x) wrong += volume.at(offset + glm::ivec3(x, y, z)) != (grid.at({x, y, z}) != 0);
+                for (int x = -2; x < size.x + 2; ++x)
+                    wrong += volume.at(offset + glm::ivec3(x, y, z)) != (grid.at({x, y, z}) != 0);
         EXPECT_EQ(wrong, 0u);
         EXPECT_EQ(volume.cellCount(), grid.voxelCount());
     }
@@ -63,7 +64,8 @@ TEST(Rasterize, RotatedShapesFollowTheSamplingRule) {
             bool expected = false, isSure = true;
             for (int s = 0; s < samples * samples * samples; ++s) {
                 const glm::dvec3 sub(s % samples, s / samples % samples, s / samples / samples);
-                const glm::dvec3 local = pose.inversePoint((glm::dvec3(cell) + (sub + 0.5) / double(samples)) * kCell) / double(voxelSize);
+                const glm::dvec3 local =
+                    pose.inversePoint((glm::dvec3(cell) + (sub + 0.5) / double(samples)) * kCell) / double(voxelSize);
                 const glm::dvec3 distance = glm::abs(local - glm::round(local));
                 isSure = isSure && std::min({distance.x, distance.y, distance.z}) > 1e-6;
                 expected = expected || grid.at(glm::ivec3(glm::floor(local)));
@@ -79,7 +81,8 @@ TEST(Rasterize, RotatedShapesFollowTheSamplingRule) {
 }
 
 TEST(Rasterize, GlassLetsLightThrough) {
-    const VoxelGrid grid = makeGrid({16, 16, 1}, [](glm::ivec3 c) { return uint8_t(c.x >= 4 && c.x < 12 && c.y >= 4 && c.y < 12 ? 2 : 1); });
+    const VoxelGrid grid = makeGrid(
+        {16, 16, 1}, [](glm::ivec3 c) { return uint8_t(c.x >= 4 && c.x < 12 && c.y >= 4 && c.y < 12 ? 2 : 1); });
     const Volume volume = rebuild(worldOf({makeBody(grid, {}, true)}));
     EXPECT_EQ(volume.cellCount(), 16u * 16 - 64);
     EXPECT_FALSE(volume.occluded({0.8, 0.8, -1.0}, {0, 0, 1}, 3.0));
@@ -96,7 +99,8 @@ TEST(Rasterize, AClosedRoomIsDark) {
         const VoxelGrid grid = makeGrid(size, [&](glm::ivec3 c) { return uint8_t(isShell(c, size)); });
         glm::dquat rotation = drawRotation(random);
         if (round < 3) rotation = glm::dquat(1, 0, 0, 0);
-        if (round >= 3 && round < 9) rotation = glm::angleAxis(std::acos(-1.0) / 4.0, glm::dvec3(round % 2, 1 - round % 2, 0));
+        if (round >= 3 && round < 9)
+            rotation = glm::angleAxis(std::acos(-1.0) / 4.0, glm::dvec3(round % 2, 1 - round % 2, 0));
         const Pose pose{drawPoint(random, -3.0, 3.0), rotation};
         const Volume volume = rebuild(worldOf({makeBody(grid, pose, true, voxelSize)}));
         for (int i = 0; i < 2000; ++i) {

@@ -31,7 +31,8 @@ public:
         const glm::ivec3 word = cell >> 2 & 3, bit = cell & 3;
         return brick->second[size_t(word.x + 4 * word.y + 16 * word.z)] >> (bit.x + 4 * bit.y + 16 * bit.z) & 1;
     }
-    /// True if a ray from a point in metres meets a cell within `maxDistance` metres (unit direction). Plain walk, cell by cell.
+    /// True if a ray from a point in metres meets a cell within `maxDistance` metres (unit direction). Plain walk, cell
+    /// by cell.
     bool occluded(glm::dvec3 originWorld, glm::dvec3 direction, double maxDistance) const {
         const double cell = double(kShadowCell);
         const int half = int(maxDistance / cell) + 4;

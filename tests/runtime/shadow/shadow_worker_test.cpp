@@ -19,10 +19,12 @@ class Demolition {
 public:
     explicit Demolition(uint64_t seed) : m_random(seed) {
         std::vector<LevelBody> bodies;
-        const auto building = [](glm::ivec3 c) { return uint8_t(c.y < 6 ? 1 : c.y % 30 < 2 || c.x % 40 < 2 ? 1 : c.z % 50 < 1 ? 2 : 0); };
+        const auto building = [](glm::ivec3 c) {
+            return uint8_t(c.y < 6 ? 1 : c.y % 30 < 2 || c.x % 40 < 2 ? 1 : c.z % 50 < 1 ? 2 : 0);
+        };
         bodies.push_back(makeBody(makeGrid({128, 128, 128}, building), {}, true));
-        bodies.push_back(
-            makeBody(makeGrid({20, 60, 3}, [](glm::ivec3) { return uint8_t(1); }), {{3, 1, 9}, glm::angleAxis(0.6, glm::dvec3(0, 1, 0))}, true));
+        bodies.push_back(makeBody(makeGrid({20, 60, 3}, [](glm::ivec3) { return uint8_t(1); }),
+                                  {{3, 1, 9}, glm::angleAxis(0.6, glm::dvec3(0, 1, 0))}, true));
         for (int i = 0; i < 50; ++i) {
             const int size = m_random.between(2, 14);
             const uint8_t entry = uint8_t(1 + m_random.below(8) / 7);
@@ -153,12 +155,15 @@ TEST(ShadowWorker, AStepInWhichNothingHappensIsFree) {
 
 TEST(ShadowWorker, SleepingBodiesCostNothing) {
     const VoxelGrid cube = makeGrid(glm::ivec3(8), [](glm::ivec3) { return uint8_t(1); });
-    World world = worldOf({makeBody(cube, {{1, 1, 1}, glm::angleAxis(0.4, glm::dvec3(0, 1, 0))}, false), makeBody(cube, {{5, 1, 1}}, false)});
+    World world = worldOf({makeBody(cube, {{1, 1, 1}, glm::angleAxis(0.4, glm::dvec3(0, 1, 0))}, false),
+                           makeBody(cube, {{5, 1, 1}}, false)});
     ShadowWorker worker(ShadowWorker::Mode::Inline);
     worker.submit(world.applyEdits({}), {}, world);
     EXPECT_FALSE(worker.takePatches().at(0).patches.empty());
     std::vector<BodyPose> asleep;
-    world.bodies().forEach([&](BodyHandle handle, const Body& body) { asleep.push_back({handle, body.pose, {}, {}, true}); });
+    world.bodies().forEach([&](BodyHandle handle, const Body& body) {
+        asleep.push_back({handle, body.pose, {}, {}, true});
+    });
     worker.submit(world.applyEdits({}), asleep, world);
     const std::vector<ShadowPatches> patches = worker.takePatches();
     ASSERT_EQ(patches.size(), 1u) << "a version for each step that may have changed something";

@@ -28,7 +28,8 @@ struct Piece {
 
 /// Full, with a corner off, hollow, or of noise.
 Piece drawPiece(Random& random) {
-    const glm::ivec3 size(random.between(1, 19), random.between(1, 19), random.between(1, 19));  // with the largest voxels still small enough
+    const glm::ivec3 size(random.between(1, 19), random.between(1, 19),
+                          random.between(1, 19));  // with the largest voxels still small enough
     const uint32_t kind = random.below(4);
     const int corner = random.between(1, 40);
     Piece piece;
@@ -63,7 +64,9 @@ size_t countWrong(const Piece& piece) {
             for (int x = bounds.low.x - 2; x < bounds.high.x + 2; ++x) {
                 const glm::ivec3 cell(x, y, z), word = cell >> 2 & 3, bit = cell & 3;
                 const ShadowWords* words = raster.find(cell >> 4);
-                const bool found = words && (*words)[size_t(word.x + 4 * word.y + 16 * word.z)] >> (bit.x + 4 * bit.y + 16 * bit.z) & 1;
+                const bool found =
+                    words &&
+                    (*words)[size_t(word.x + 4 * word.y + 16 * word.z)] >> (bit.x + 4 * bit.y + 16 * bit.z) & 1;
                 const bool expected = isSet(piece.grid, cellTransform, cell);
                 wrong += found != expected;
                 set += expected;

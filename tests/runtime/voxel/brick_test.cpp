@@ -50,7 +50,8 @@ TEST(Brick, WithoutPaintHasNoPaintBytes) {
     const BrickIndices none{};
     const BrickRef cleaned = makeBrick(noise.indices, &none);
     EXPECT_EQ(cleaned->paint, nullptr);
-    EXPECT_EQ(hashBrick(*cleaned), hashBrick(*makeBrick(noise.indices))) << "the hash is of the content, not of its storage";
+    EXPECT_EQ(hashBrick(*cleaned), hashBrick(*makeBrick(noise.indices)))
+        << "the hash is of the content, not of its storage";
 }
 
 TEST(Brick, WritesLeaveThePaintOfOtherCells) {
@@ -61,7 +62,8 @@ TEST(Brick, WritesLeaveThePaintOfOtherCells) {
     grid.setBrick({0, 0, 0}, makeBrick(solid, &paint));
     GridWriter(grid).set({1, 2, 3}, 4);
     const Brick& after = *grid.brickAt({0, 0, 0});
-    for (int i = 0; i < kBrickVoxels; ++i) ASSERT_EQ(after.paintAt(i), voxelInBrick(i) == glm::ivec3(1, 2, 3) ? 0 : paintByte(2, 7));
+    for (int i = 0; i < kBrickVoxels; ++i)
+        ASSERT_EQ(after.paintAt(i), voxelInBrick(i) == glm::ivec3(1, 2, 3) ? 0 : paintByte(2, 7));
 }
 
 TEST(Brick, PaintBytesSayColourAndStep) {

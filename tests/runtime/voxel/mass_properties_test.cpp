@@ -33,7 +33,8 @@ TEST(MassMoments, EqualABruteForceSum) {
     for (int z = 0; z < 10; ++z)
         for (int y = 0; y < 33; ++y)
             for (int x = 0; x < 19; ++x)
-                if (const uint8_t entry = grid.at({x, y, z})) expected.add({x, y, z}, defaultMaterials()[palette[entry].material].density);
+                if (const uint8_t entry = grid.at({x, y, z}))
+                    expected.add({x, y, z}, defaultMaterials()[palette[entry].material].density);
     EXPECT_EQ(gridMoments(grid, palette, defaultMaterials()), expected);
 }
 
@@ -48,10 +49,12 @@ TEST(MassMoments, OfSomeVoxelsOfABrickEqualABruteForceSum) {
         for (uint8_t& index : indices) index = uint8_t(random.below(kinds + 1));
         const BrickRef brick = makeBrick(indices);
         BrickBits of;
-        for (uint64_t& layer : of) layer = i % 3 == 0 ? ~0ull : i % 3 == 1 ? 0x0f0f0f0f0f0f0f0full : random.next() * 0x9e3779b97f4a7c15ull;
+        for (uint64_t& layer : of)
+            layer = i % 3 == 0 ? ~0ull : i % 3 == 1 ? 0x0f0f0f0f0f0f0f0full : random.next() * 0x9e3779b97f4a7c15ull;
         MassMoments expected;
         for (int v = 0; v < kBrickVoxels; ++v)
-            if (of[size_t(v >> 6)] >> (v & 63) & 1 && brick->at(v)) expected.add(glm::ivec3(8, 16, 24) + voxelInBrick(v), densities.of[brick->at(v)]);
+            if (of[size_t(v >> 6)] >> (v & 63) & 1 && brick->at(v))
+                expected.add(glm::ivec3(8, 16, 24) + voxelInBrick(v), densities.of[brick->at(v)]);
         ASSERT_EQ(brickMoments(*brick, of, {1, 2, 3}, densities), expected);
     }
 }
@@ -89,13 +92,15 @@ TEST(MassProperties, PrincipalAxesRebuildTheTensor) {
     VoxelGrid grid = randomGrid({30, 12, 7}, 9);
     const MassProperties mass = massProperties(gridMoments(grid, palette, defaultMaterials()), 0.1);
     const glm::dmat3 axes = glm::mat3_cast(mass.principalAxes);
-    const glm::dmat3 diagonal(mass.principalInertia.x, 0, 0, 0, mass.principalInertia.y, 0, 0, 0, mass.principalInertia.z);
+    const glm::dmat3 diagonal(mass.principalInertia.x, 0, 0, 0, mass.principalInertia.y, 0, 0, 0,
+                              mass.principalInertia.z);
     const glm::dmat3 rebuilt = axes * diagonal * glm::transpose(axes);
     const double expected[3][3] = {{mass.inertia[0], mass.inertia[3], mass.inertia[5]},
                                    {mass.inertia[3], mass.inertia[1], mass.inertia[4]},
                                    {mass.inertia[5], mass.inertia[4], mass.inertia[2]}};
     for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column) EXPECT_NEAR(rebuilt[column][row], expected[row][column], 1e-9 * mass.principalInertia.x);
+        for (int column = 0; column < 3; ++column)
+            EXPECT_NEAR(rebuilt[column][row], expected[row][column], 1e-9 * mass.principalInertia.x);
 }
 
 }  // namespace

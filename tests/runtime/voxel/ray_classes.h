@@ -9,7 +9,8 @@
 #include "runtime/core/random.h"
 #include "runtime/voxel/ray_walk.h"
 
-/// Rays of the sixteen hard classes in grids of 16^3, and the exact answer to each: what the walks in C++ and GLSL are held to.
+/// Rays of the sixteen hard classes in grids of 16^3, and the exact answer to each: what the walks in C++ and GLSL are
+/// held to.
 namespace rubble::ray_classes {
 
 inline constexpr int kSize = 16;
@@ -24,8 +25,8 @@ inline Interval both(Interval a, Interval b) {
     return {std::max(a.low, b.low), std::min(a.high, b.high)};
 }
 
-/// Where a ray is inside each slab [k, k + 1] of each axis, in long double: 11 bits more than the walk has. A ray that runs
-/// along a face pierces neither voxel; it is asked to find the higher one.
+/// Where a ray is inside each slab [k, k + 1] of each axis, in long double: 11 bits more than the walk has. A ray that
+/// runs along a face pierces neither voxel; it is asked to find the higher one.
 struct Slabs {
     explicit Slabs(const CellRay& ray) {
         for (int a = 0; a < 3; ++a)
@@ -35,16 +36,20 @@ struct Slabs {
                 if (d == 0.0L)
                     slab = o >= k && o < k + 1 ? Interval{0.0L, HUGE_VALL} : Interval{1.0L, 0.0L};
                 else
-                    slab = {std::max(0.0L, std::min((k - o) / d, (k + 1 - o) / d)), std::max((k - o) / d, (k + 1 - o) / d)};
+                    slab = {std::max(0.0L, std::min((k - o) / d, (k + 1 - o) / d)),
+                            std::max((k - o) / d, (k + 1 - o) / d)};
             }
     }
     Interval cell(glm::ivec3 c) const { return both(both(at[0][size_t(c.x)], at[1][size_t(c.y)]), at[2][size_t(c.z)]); }
     std::array<std::array<Interval, kSize>, 3> at;
 };
 
-/// The earliest t at which the ray enters a solid voxel that it pierces by `depth` voxels or more; infinite if there is none.
-inline long double firstPierced(const VoxelGrid& grid, const CellRay& ray, const Slabs& slabs, long double depth = 1e-4L) {
-    const long double length = std::hypot((long double)ray.direction.x, (long double)ray.direction.y, (long double)ray.direction.z);
+/// The earliest t at which the ray enters a solid voxel that it pierces by `depth` voxels or more; infinite if there is
+/// none.
+inline long double firstPierced(const VoxelGrid& grid, const CellRay& ray, const Slabs& slabs,
+                                long double depth = 1e-4L) {
+    const long double length =
+        std::hypot((long double)ray.direction.x, (long double)ray.direction.y, (long double)ray.direction.z);
     long double first = HUGE_VALL;
     for (int z = 0; z < kSize; ++z) {
         if (slabs.at[2][size_t(z)].empty()) continue;
@@ -54,7 +59,8 @@ inline long double firstPierced(const VoxelGrid& grid, const CellRay& ray, const
             for (int x = 0; x < kSize; ++x) {
                 const Interval in = both(row, slabs.at[0][size_t(x)]);
                 if (in.empty() || in.low >= first || !grid.at({x, y, z})) continue;
-                if (length == 0.0L || (std::min<long double>(in.high, ray.tMax) - in.low) * length >= depth) first = in.low;
+                if (length == 0.0L || (std::min<long double>(in.high, ray.tMax) - in.low) * length >= depth)
+                    first = in.low;
             }
         }
     }
@@ -138,7 +144,8 @@ inline CellRay drawRay(RayClass rayClass, Random& random) {
             if (!random.below(4)) ray.direction *= 0x1p-1040, ray.tMax = kInfinity;
             break;
         case RayClass::ThroughCorner: {
-            // From a corner to a corner moved back or forth along the line: the planes are crossed at equal t, often exactly.
+            // From a corner to a corner moved back or forth along the line: the planes are crossed at equal t, often
+            // exactly.
             const glm::dvec3 corner = drawCorner(random), step = drawCorner(random) - drawCorner(random);
             ray.origin = corner - step * draw(random, 0.0, 1.0);
             ray.direction = step;
@@ -199,8 +206,8 @@ inline CellRay drawRay(RayClass rayClass, Random& random) {
 
 inline std::string text(const CellRay& ray) {
     std::ostringstream out;
-    out << std::hexfloat << "origin " << ray.origin.x << ' ' << ray.origin.y << ' ' << ray.origin.z << " direction " << ray.direction.x << ' '
-        << ray.direction.y << ' ' << ray.direction.z << " tMax " << ray.tMax;
+    out << std::hexfloat << "origin " << ray.origin.x << ' ' << ray.origin.y << ' ' << ray.origin.z << " direction "
+        << ray.direction.x << ' ' << ray.direction.y << ' ' << ray.direction.z << " tMax " << ray.tMax;
     return out.str();
 }
 

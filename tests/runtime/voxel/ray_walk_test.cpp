@@ -31,7 +31,8 @@ void checkRay(const VoxelGrid& grid, const CellRay& ray) {
     const CellHit hit = walkRay(grid, ray);
     const CellHit plain = plainWalk(grid, ray);
     ASSERT_LE(hit.steps, 3 * kSize + 3);
-    ASSERT_TRUE(hit.hit == plain.hit && hit.cell == plain.cell && hit.t == plain.t && hit.axis == plain.axis && hit.sign == plain.sign)
+    ASSERT_TRUE(hit.hit == plain.hit && hit.cell == plain.cell && hit.t == plain.t && hit.axis == plain.axis &&
+                hit.sign == plain.sign)
         << "a leap changed the walk";
     if (!isFinite(ray)) {
         ASSERT_FALSE(hit.hit) << "a hit from a NaN or an infinity";
@@ -39,8 +40,10 @@ void checkRay(const VoxelGrid& grid, const CellRay& ray) {
     }
     const Slabs slabs(ray);
     const long double pierced = firstPierced(grid, ray, slabs);
-    const long double reach = std::max({std::fabs(ray.origin.x), std::fabs(ray.origin.y), std::fabs(ray.origin.z), 16.0});
-    const long double length = std::hypot((long double)ray.direction.x, (long double)ray.direction.y, (long double)ray.direction.z);
+    const long double reach =
+        std::max({std::fabs(ray.origin.x), std::fabs(ray.origin.y), std::fabs(ray.origin.z), 16.0});
+    const long double length =
+        std::hypot((long double)ray.direction.x, (long double)ray.direction.y, (long double)ray.direction.z);
     // Half an ulp each of a difference and a quotient, for a place as far away as the origin, and as much again.
     const long double tolerance = length > 0.0L ? reach * 0x1p-51L / length * 4.0L : 0.0L;
     if (!hit.hit) {

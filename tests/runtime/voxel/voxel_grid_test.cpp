@@ -15,7 +15,8 @@ TEST(VoxelGrid, HoldsWhatWasWritten) {
     for (int round = 0; round < 3; ++round) {
         GridWriter writer(grid);
         for (int i = 0; i < 5000; ++i) {
-            const int x = random.between(0, size.x - 1), y = random.between(0, size.y - 1), z = random.between(0, size.z - 1);
+            const int x = random.between(0, size.x - 1), y = random.between(0, size.y - 1),
+                      z = random.between(0, size.z - 1);
             const uint8_t value = uint8_t(random.below(3));
             writer.set({x, y, z}, value);
             plain[(size_t(z) * size.y + y) * size.x + x] = value;

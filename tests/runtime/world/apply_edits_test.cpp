@@ -91,7 +91,8 @@ TEST(ApplyEdits, AFreeShapeKeepsItsLargestPiece) {
     const ShapeHandle parent = test::firstShape(world);
     const FrameChanges changes = world.applyEdits({sphereCarve({0.8, 2.0, 0.8}, 0.4)});
     ASSERT_EQ(changes.splits.size(), 1u);
-    EXPECT_GT(world.shapes().at(parent).grid.voxelCount(), world.shapes().at(changes.splits[0].children[0]).grid.voxelCount());
+    EXPECT_GT(world.shapes().at(parent).grid.voxelCount(),
+              world.shapes().at(changes.splits[0].children[0]).grid.voxelCount());
     EXPECT_TRUE(changes.unanchored.empty());
 }
 
@@ -110,11 +111,13 @@ TEST(ApplyEdits, TwoHalfCutsSplitTogether) {
         World world;
         world.load(oneShapeLevel(bar, false));
         world.applyEdits({});
-        EXPECT_TRUE(world.applyEdits({sphereCarve({5.0, 0.3, 0.3}, 0.1)}).splits.empty());  // a first cut looks at all of it
+        EXPECT_TRUE(
+            world.applyEdits({sphereCarve({5.0, 0.3, 0.3}, 0.1)}).splits.empty());  // a first cut looks at all of it
         if (!isOneStep) {
             EXPECT_TRUE(world.applyEdits({half(0.15)}).splits.empty());
         }
-        const FrameChanges changes = isOneStep ? world.applyEdits({half(0.15), half(0.45)}) : world.applyEdits({half(0.45)});
+        const FrameChanges changes =
+            isOneStep ? world.applyEdits({half(0.15), half(0.45)}) : world.applyEdits({half(0.45)});
         ASSERT_EQ(changes.splits.size(), 1u);
         EXPECT_EQ(world.shapes().size(), 2u);
     }
@@ -134,7 +137,8 @@ TEST(ApplyEdits, ABreakThatDividesAShapeSplitsIt) {
     blow.radii.fill(0.5);
     world.applyEdits({blow});
     EXPECT_GT(world.shapes().size(), 2u);
-    world.shapes().forEach([](ShapeHandle, const Shape& shape) { EXPECT_EQ(test::floodFill(test::PlainGrid(shape.grid)).size(), 1u); });
+    world.shapes().forEach(
+        [](ShapeHandle, const Shape& shape) { EXPECT_EQ(test::floodFill(test::PlainGrid(shape.grid)).size(), 1u); });
 }
 
 TEST(ApplyEdits, AStaticShapeWithoutAnchorsIsDetached) {
@@ -201,8 +205,9 @@ TEST(ApplyEdits, NotANumberChangesNothing) {
     const double nan = std::nan("");
     const uint64_t voxels = world.voxelAccounting().standing;
     CarveEdit box{.kind = BrushKind::Box, .position = {0.8, nan, 0.8}, .halfSize = {1, 1, 1}};
-    world.applyEdits({sphereCarve({nan, 0, 0}, 1.0), sphereCarve({0.8, 2.0, 0.8}, nan), box, PaintEdit{.position = {nan, 0, 0}},
-                      ExplodeEdit{{nan, 0, 0}, 1.0}, sphereCarve({1e300, 0, 0}, 1.0)});
+    world.applyEdits({sphereCarve({nan, 0, 0}, 1.0), sphereCarve({0.8, 2.0, 0.8}, nan), box,
+                      PaintEdit{.position = {nan, 0, 0}}, ExplodeEdit{{nan, 0, 0}, 1.0},
+                      sphereCarve({1e300, 0, 0}, 1.0)});
     EXPECT_EQ(world.voxelAccounting().standing, voxels);
 }
 
@@ -231,9 +236,12 @@ TEST(ApplyEdits, TheSameEditsGiveTheSameHash) {
         for (int step = 0; step < 30; ++step) {
             const double x = random.unit() * 6.4, y = random.unit() * 6.0, z = random.unit() * 4.8;
             if (step % 3 == 0) world.applyEdits({ExplodeEdit{{x, y, z}, 1.3}});
-            if (step % 3 == 1) world.applyEdits({sphereCarve({x, y, z}, 0.8), PaintEdit{.position = {y, x, z}, .probability = 90, .seed = 5}});
+            if (step % 3 == 1)
+                world.applyEdits(
+                    {sphereCarve({x, y, z}, 0.8), PaintEdit{.position = {y, x, z}, .probability = 90, .seed = 5}});
             if (step % 3 == 2)
-                world.applyEdits({CarveEdit{.kind = BrushKind::Capsule, .position = {x, y, z}, .end = {z, x, y}, .radii = {0.2, 0.2, 0.2}}});
+                world.applyEdits({CarveEdit{
+                    .kind = BrushKind::Capsule, .position = {x, y, z}, .end = {z, x, y}, .radii = {0.2, 0.2, 0.2}}});
             hashes.push_back(world.hash());
         }
         EXPECT_TRUE(world.voxelAccounting().balances());

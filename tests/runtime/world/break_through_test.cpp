@@ -66,7 +66,8 @@ TEST(BreakThrough, AThinWallTakesPartOfTheMomentumAThickOneAll) {
     EXPECT_GT(given(Throw("glass", 1, 16), 100'000.0), 99'000.0);
     EXPECT_EQ(given(Throw("glass", 12), 100'000.0), 0.0);
     const double mass = 0.4 * 0.4 * 0.4 * 7850.0;
-    EXPECT_NEAR(given(Throw("brick", 3), 100'000.0, 5.0), mass * 5.0, 1e-3) << "what is pressed through goes on as fast as it came";
+    EXPECT_NEAR(given(Throw("brick", 3), 100'000.0, 5.0), mass * 5.0, 1e-3)
+        << "what is pressed through goes on as fast as it came";
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// P17 and P18 of the accuracy scenes: what a split conserves, over very many random cuts (RUBBLE_LONG=1: a hundred thousand).
+// P17 and P18 of the accuracy scenes: what a split conserves, over very many random cuts (RUBBLE_LONG=1: a hundred
+// thousand).
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -21,7 +22,8 @@ struct Motion {
     void add(const MassProperties& part, const Pose& pose, Vector velocity, Vector spin, Vector pivot) {
         const std::array<double, 6>& t = part.inertia;
         const glm::dmat3 rotation = glm::mat3_cast(pose.rotation);
-        const glm::dmat3 inertia = rotation * glm::dmat3(t[0], t[3], t[5], t[3], t[1], t[4], t[5], t[4], t[2]) * glm::transpose(rotation);
+        const glm::dmat3 inertia =
+            rotation * glm::dmat3(t[0], t[3], t[5], t[3], t[1], t[4], t[5], t[4], t[2]) * glm::transpose(rotation);
         const Vector arm = pose.transformPoint(part.center) - pivot;
         mass += part.mass;
         linear += part.mass * velocity;
@@ -37,8 +39,10 @@ public:
         const glm::ivec3 size(8 + int(m_random.below(30)), 8 + int(m_random.below(30)), 8 + int(m_random.below(20)));
         const bool isNoise = seed % 3 == 0;
         const double w = m_random.unit(), x = m_random.unit(), y = m_random.unit(), z = m_random.unit();
-        const Pose pose{{50.0 * x, -30.0 * y, 20.0 * z}, glm::normalize(glm::dquat(w + 0.1, x - 0.5, y - 0.5, z - 0.5))};
-        Level level = test::oneShapeLevel(isNoise ? test::noiseGrid(size, 45, seed) : test::towerGrid(size, 2, 6), false, pose);
+        const Pose pose{{50.0 * x, -30.0 * y, 20.0 * z},
+                        glm::normalize(glm::dquat(w + 0.1, x - 0.5, y - 0.5, z - 0.5))};
+        Level level =
+            test::oneShapeLevel(isNoise ? test::noiseGrid(size, 45, seed) : test::towerGrid(size, 2, 6), false, pose);
         level.bodies[0].velocity = {3.0 * x, -2.0, 5.0 * z};
         level.bodies[0].angularVelocity = {4.0 * z, 7.0 * w, -3.0 * y};
         m_world.load(level);
@@ -61,7 +65,8 @@ public:
         const MassProperties whole = m_world.bodyMass(shape.body);
         VoxelGrid grid = shape.grid;
         CarveResult carved;
-        carve(grid, resolveBrush(edit, m_world.shapeToWorld(handle), shape.voxelSize), *shape.palette, m_world.materials(), carved);
+        carve(grid, resolveBrush(edit, m_world.shapeToWorld(handle), shape.voxelSize), *shape.palette,
+              m_world.materials(), carved);
         const MassMoments expected = gridMoments(grid, *shape.palette, m_world.materials());
         const FrameChanges changes = m_world.applyEdits({edit});
         ASSERT_TRUE(m_world.voxelAccounting().balances());
@@ -69,7 +74,8 @@ public:
         const MassProperties rest = massProperties(expected, shape.voxelSize);
         const Pose pose = body.pose * shape.local;
         const Vector pivot = pose.transformPoint(rest.center);
-        const Vector velocity = body.velocity + glm::cross(body.angularVelocity, pivot - body.pose.transformPoint(whole.center));
+        const Vector velocity =
+            body.velocity + glm::cross(body.angularVelocity, pivot - body.pose.transformPoint(whole.center));
         Motion before, after;
         before.add(rest, pose, velocity, body.angularVelocity, pivot);
         MassMoments sum;
@@ -79,11 +85,13 @@ public:
             ASSERT_EQ(left->moments, gridMoments(left->grid, *left->palette, m_world.materials()));
             sum += left->moments.shifted(offset);
             const Body& owner = m_world.bodies().at(left->body);
-            after.add(massProperties(left->moments, left->voxelSize), m_world.shapeToWorld(part), owner.velocity, owner.angularVelocity, pivot);
+            after.add(massProperties(left->moments, left->voxelSize), m_world.shapeToWorld(part), owner.velocity,
+                      owner.angularVelocity, pivot);
         };
         count(handle, glm::ivec3(0));
         for (const ShapeSplit& split : changes.splits)
-            for (size_t i = 0; i < split.children.size(); ++i) count(split.children[i], split.parentOffset[i]), ++m_splits;
+            for (size_t i = 0; i < split.children.size(); ++i)
+                count(split.children[i], split.parentOffset[i]), ++m_splits;
         ASSERT_EQ(sum, expected) << "voxels and integer moments";
         ASSERT_NEAR(after.mass, before.mass, 1e-9 * before.mass);
         ASSERT_LE(glm::length(after.linear - before.linear), 1e-6 * after.scale);

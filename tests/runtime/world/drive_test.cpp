@@ -27,7 +27,11 @@ Level cart() {
         LevelJoint joint{{.name = "axle", .kind = JointKind::Wheel}, {"shape", i ? "front" : "back"}};
         joint.joint.ends[0].frame.position = {i ? 1.8 : 0.2, 0.0, 0.2};
         joint.joint.ends[1].frame.position = {0.1, 0.1, 0.1};
-        joint.joint.wheel = {.driveTorque = i ? 200.0 : 0.0, .topSpin = 40.0, .brakeTorque = 500.0, .steerAngle = i ? 0.5 : 0.0, .steerRate = 3.0};
+        joint.joint.wheel = {.driveTorque = i ? 200.0 : 0.0,
+                             .topSpin = 40.0,
+                             .brakeTorque = 500.0,
+                             .steerAngle = i ? 0.5 : 0.0,
+                             .steerRate = 3.0};
         level.joints.push_back(joint);
     }
     return level;
@@ -74,7 +78,8 @@ TEST(Drive, OnlySteeredWheelsSteerAtTheirRate) {
 
 TEST(Drive, DetachedPartsKeepTheirWheels) {
     Cart cart;
-    const FrameChanges cut = cart.world.applyEdits({sphereCarve(cart.world.bodies().at(cart.body).pose.transformPoint({1.0, 0.1, 0.2}), 0.35)});
+    const FrameChanges cut = cart.world.applyEdits(
+        {sphereCarve(cart.world.bodies().at(cart.body).pose.transformPoint({1.0, 0.1, 0.2}), 0.35)});
     ASSERT_EQ(cut.splits.size(), 1u);
     const BodyHandle front = cart.world.shapes().at(cart.wheel(1).ends[0].shape).body,
                      back = cart.world.shapes().at(cart.wheel(0).ends[0].shape).body;

@@ -187,7 +187,8 @@ TEST(Fire, IsTheSameEveryTimeAndGoesOnFromItsState) {
     level.bodies.push_back(bodyOf(wall({32, 8, 16}), {0.3, 3.3, -0.6}));
     World a, b, c;
     a.load(level), b.load(level);
-    const Edits first = {spawnFire({1.6, 0.2, 0.15}), HeatEdit{.position = {0.3, 3.4, 0.0}, .radius = 0.5, .joules = 2e5}};
+    const Edits first = {spawnFire({1.6, 0.2, 0.15}),
+                         HeatEdit{.position = {0.3, 3.4, 0.0}, .radius = 0.5, .joules = 2e5}};
     for (int step = 0; step < 600; ++step) {
         a.applyEdits(step ? Edits{} : first), b.applyEdits(step ? Edits{} : first);
         ASSERT_EQ(a.hash(), b.hash()) << step;
@@ -214,8 +215,10 @@ TEST(Fire, InvalidInputIsRefused) {
     world.load(level);
     const double nan = std::nan("");
     world.applyEdits({HeatEdit{.position = {nan, 0, 0}, .joules = 1e6}, HeatEdit{.position = {0, 0, 0}, .joules = 1e30},
-                      HeatEdit{.position = {0, 0, 0}, .radius = 1e30, .joules = 5}, ExtinguishEdit{.position = {0, nan, 0}},
-                      ExtinguishEdit{.position = {0, 0, 0}, .radius = 1, .wetSeconds = -4}, RemoveFiresEdit{{nan, 0, 0}, {1, 1, 1}}});
+                      HeatEdit{.position = {0, 0, 0}, .radius = 1e30, .joules = 5},
+                      ExtinguishEdit{.position = {0, nan, 0}},
+                      ExtinguishEdit{.position = {0, 0, 0}, .radius = 1, .wetSeconds = -4},
+                      RemoveFiresEdit{{nan, 0, 0}, {1, 1, 1}}});
     EXPECT_FALSE(world.fire().isActive());
 }
 

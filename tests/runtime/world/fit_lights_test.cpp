@@ -35,14 +35,17 @@ TEST(FitLights, OneGroupAndLightPerConnectedGlow) {
     ASSERT_EQ(world.lights().size(), 3u);
     std::vector<Light> lights;
     world.lights().forEach([&](LightHandle, const Light& light) { lights.push_back(light); });
-    std::sort(lights.begin(), lights.end(), [](const Light& a, const Light& b) { return a.local.position.x < b.local.position.x; });
+    std::sort(lights.begin(), lights.end(),
+              [](const Light& a, const Light& b) { return a.local.position.x < b.local.position.x; });
     EXPECT_EQ(lights[0].kind, LightKind::Area);
     EXPECT_EQ(lights[1].kind, LightKind::Capsule);
     EXPECT_EQ(lights[2].kind, LightKind::Sphere);
     EXPECT_NEAR(glm::length(lights[0].local.position - glm::dvec3(1.8, 3.8, 0.35)), 0.0, 1e-6);
     EXPECT_NEAR(glm::length(lights[1].local.position - glm::dvec3(3.0, 1.1, 0.3)), 0.0, 1e-6);
-    EXPECT_NEAR(std::abs((lights[0].local.rotation * glm::dvec3(0, 0, 1)).z), 1.0, 1e-6) << "a panel faces along its thinnest axis";
-    EXPECT_NEAR(std::abs((lights[1].local.rotation * glm::dvec3(1, 0, 0)).x), 1.0, 1e-6) << "a tube lies along its longest";
+    EXPECT_NEAR(std::abs((lights[0].local.rotation * glm::dvec3(0, 0, 1)).z), 1.0, 1e-6)
+        << "a panel faces along its thinnest axis";
+    EXPECT_NEAR(std::abs((lights[1].local.rotation * glm::dvec3(1, 0, 0)).x), 1.0, 1e-6)
+        << "a tube lies along its longest";
     // A cube of 3 cells shows a quarter of its 54 faces on average.
     EXPECT_NEAR(lights[2].radius, std::sqrt(0.25 * 54 * 0.01 / 3.14159265), 0.02);
     EXPECT_GT(lights[0].color.x, lights[0].color.z);

@@ -22,7 +22,8 @@ Structure column(int side, int height) {
 }
 
 /// A blow in an otherwise quiet world of full strength.
-Outcome applyBlow(World& world, const Level& level, glm::dvec3 position, glm::dvec3 impulse, double strengthScale = 1.0) {
+Outcome applyBlow(World& world, const Level& level, glm::dvec3 position, glm::dvec3 impulse,
+                  double strengthScale = 1.0) {
     Outcome before = stand(world, level, strengthScale, 30);
     EXPECT_FALSE(before.isBroken());
     Outcome out;
@@ -126,7 +127,11 @@ struct Collision {
         world.load(level);
         BodyHandle bodies[2];
         world.bodies().forEach([&](BodyHandle handle, const Body& body) { bodies[body.isStatic] = handle; });
-        impact = {.body = bodies[0], .other = bodies[1], .position = {0.8, 5.4, 1.0}, .normal = {-1.0, 0.0, 0.0}, .impulse = 1500.0};
+        impact = {.body = bodies[0],
+                  .other = bodies[1],
+                  .position = {0.8, 5.4, 1.0},
+                  .normal = {-1.0, 0.0, 0.0},
+                  .impulse = 1500.0};
     }
     World world;
     Impact impact;
@@ -168,8 +173,12 @@ TEST(ImpactLoad, BadNumbersAreRefused) {
     stand(world, column(4, 20).level(), 1.0, 10);
     const ShapeHandle shape = firstShape(world);
     Outcome out;
-    step(world, out, {ImpactLoadEdit{shape, {1.0, 1.0, 1.0}, {std::nan(""), 0.0, 0.0}}, ImpactLoadEdit{shape, {1e300, 0.0, 0.0}, {1.0, 0.0, 0.0}}});
-    step(world, out, {ImpactLoadEdit{{}, {1.0, 1.0, 1.0}, {1.0, 0.0, 0.0}}, ImpactLoadEdit{shape, {500.0, 0.0, 0.0}, {1e9, 0.0, 0.0}}});
+    step(world, out,
+         {ImpactLoadEdit{shape, {1.0, 1.0, 1.0}, {std::nan(""), 0.0, 0.0}},
+          ImpactLoadEdit{shape, {1e300, 0.0, 0.0}, {1.0, 0.0, 0.0}}});
+    step(world, out,
+         {ImpactLoadEdit{{}, {1.0, 1.0, 1.0}, {1.0, 0.0, 0.0}},
+          ImpactLoadEdit{shape, {500.0, 0.0, 0.0}, {1e9, 0.0, 0.0}}});
     for (int i = 0; i < 10; ++i) step(world, out);
     EXPECT_FALSE(out.isBroken());
     // A blow beyond all numbers breaks nothing, and the next one is looked at as ever.
@@ -191,7 +200,9 @@ TEST(ImpactLoad, TheSameBlowsGiveTheSameHashes) {
     for (World* world : {&first, &second}) stand(*world, column(8, 60).level(), 1.0, 10);
     for (int i = 0; i < 40; ++i) {
         Edits edits;
-        if (i % 3 == 0) edits.push_back(ImpactLoadEdit{firstShape(first), {1.2, 1.0 + 0.1 * i, 1.2}, {3000.0 + 100.0 * i, 0.0, 50.0 * i}});
+        if (i % 3 == 0)
+            edits.push_back(
+                ImpactLoadEdit{firstShape(first), {1.2, 1.0 + 0.1 * i, 1.2}, {3000.0 + 100.0 * i, 0.0, 50.0 * i}});
         first.applyEdits(edits);
         second.applyEdits(edits);
         ASSERT_EQ(first.hash(), second.hash()) << i;

@@ -43,7 +43,8 @@ TEST(Joint, ComesWithTheLevelAndHoldsOnToVoxels) {
     const Joint& joint = world.joints().at(firstJoint(world));
     EXPECT_EQ(joint.ends[0].cell, glm::ivec3(29, 0, 0));
     EXPECT_EQ(joint.ends[1].cell, glm::ivec3(0, 10, 0));
-    EXPECT_NEAR(glm::length(world.jointToWorld(joint.ends[0]).position - world.jointToWorld(joint.ends[1]).position), 0.0, 1e-6);
+    EXPECT_NEAR(glm::length(world.jointToWorld(joint.ends[0]).position - world.jointToWorld(joint.ends[1]).position),
+                0.0, 1e-6);
     EXPECT_EQ(world.jointsOf(joint.ends[0].shape).size(), 1u);
     EXPECT_TRUE(world.isJointedToStatic(world.shapes().at(joint.ends[0].shape).body));
     World again;
@@ -59,7 +60,8 @@ TEST(Joint, FollowsItsVoxelIntoAPiece) {
     const JointHandle joint = firstJoint(world);
     const ShapeHandle beam = world.joints().at(joint).ends[0].shape;
     const glm::dvec3 before = world.jointToWorld(world.joints().at(joint).ends[0]).position;
-    const FrameChanges changes = world.applyEdits({sphereCarve({2.05, 1.05, 0.05}, 0.2)});  // the end with the joint is the smaller part
+    const FrameChanges changes =
+        world.applyEdits({sphereCarve({2.05, 1.05, 0.05}, 0.2)});  // the end with the joint is the smaller part
     ASSERT_EQ(changes.jointsMoved.size(), 1u);
     EXPECT_EQ(changes.jointsMoved[0].joint, joint);
     EXPECT_EQ(changes.jointsMoved[0].from, beam);
@@ -78,7 +80,8 @@ TEST(Joint, BreaksWithItsVoxelAndWithItsShape) {
         World world;
         world.load(beamAndPost());
         const JointHandle joint = firstJoint(world);
-        const FrameChanges changes = world.applyEdits({x > 1.0 ? sphereCarve({3.0, 1.05, 0.05}, 0.06) : sphereCarve({1.2, 1.05, 0.05}, 1.78)});
+        const FrameChanges changes =
+            world.applyEdits({x > 1.0 ? sphereCarve({3.0, 1.05, 0.05}, 0.06) : sphereCarve({1.2, 1.05, 0.05}, 1.78)});
         ASSERT_EQ(changes.jointsBroken.size(), 1u) << x;
         EXPECT_EQ(changes.jointsBroken[0].joint, joint);
         EXPECT_EQ(changes.jointsBroken[0].reason, JointBreak::VoxelGone);
@@ -101,13 +104,14 @@ TEST(Joint, EditsCreateRemoveAndDriveJoints) {
     EXPECT_EQ(world.joints().at(made).ends[0].cell, glm::ivec3(0));
 
     const uint64_t before = world.resolvedHash();
-    changes =
-        world.applyEdits({SetJointMotorEdit{made, {MotorMode::Speed, 2.0, 100.0}, 5.0}, SetJointMotorEdit{made, {MotorMode::Speed, 1e300, 0.0}}});
+    changes = world.applyEdits({SetJointMotorEdit{made, {MotorMode::Speed, 2.0, 100.0}, 5.0},
+                                SetJointMotorEdit{made, {MotorMode::Speed, 1e300, 0.0}}});
     EXPECT_EQ(changes.jointsChanged, std::vector<JointHandle>{made});
     EXPECT_EQ(world.joints().at(made).motor.target, 2.0);
     EXPECT_NE(world.resolvedHash(), before);
 
-    changes = world.applyEdits({RemoveJointEdit{made, JointBreak::Force}, RemoveJointEdit{made}, DetachJointEdit{made, beam}});
+    changes = world.applyEdits(
+        {RemoveJointEdit{made, JointBreak::Force}, RemoveJointEdit{made}, DetachJointEdit{made, beam}});
     ASSERT_EQ(changes.jointsBroken.size(), 1u);
     EXPECT_EQ(changes.jointsBroken[0].reason, JointBreak::Force);
     EXPECT_EQ(world.joints().size(), 1u);

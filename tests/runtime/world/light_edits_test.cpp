@@ -22,7 +22,8 @@ Level lightPost() {
     palette[6] = {.material = 1, .emission = 4.0f, .lightGroup = 1};
     level.bodies[0].shapes[0].palette = std::make_shared<const Palette>(palette);
     level.lightGroups.push_back({.name = "light", .threshold = 0.4f});
-    level.lights.push_back({.light = {.name = "bulb", .local = {{0.4, 3.7, 0.4}}}, .shapeName = "shape", .groupName = "light"});
+    level.lights.push_back(
+        {.light = {.name = "bulb", .local = {{0.4, 3.7, 0.4}}}, .shapeName = "shape", .groupName = "light"});
     return level;
 }
 
@@ -35,7 +36,8 @@ const Light& firstLight(const World& world) {
 bool anyGlow(const World& world) {
     bool glows = false;
     world.shapes().forEach([&](ShapeHandle, const Shape& shape) {
-        for (const PaletteEntry& entry : *shape.palette) glows = glows || (entry.lightGroup == 1 && entry.emission > 0.0f);
+        for (const PaletteEntry& entry : *shape.palette)
+            glows = glows || (entry.lightGroup == 1 && entry.emission > 0.0f);
     });
     return glows;
 }
@@ -79,7 +81,8 @@ TEST(LightEdits, PiecesGoDarkWithTheirGroup) {
     world.applyEdits({CarveEdit{.kind = BrushKind::Box, .position = {0.4, 3.65, 0.4}, .halfSize = {1.0, 0.06, 1.0}}});
     EXPECT_EQ(world.shapes().size(), 3u);
     EXPECT_TRUE(anyGlow(world));
-    const FrameChanges changes = world.applyEdits({CarveEdit{.kind = BrushKind::Box, .position = {0.4, 3.95, 0.4}, .halfSize = {1.0, 0.11, 1.0}}});
+    const FrameChanges changes = world.applyEdits(
+        {CarveEdit{.kind = BrushKind::Box, .position = {0.4, 3.95, 0.4}, .halfSize = {1.0, 0.11, 1.0}}});
     EXPECT_EQ(changes.groupsOut.size(), 1u);
     EXPECT_EQ(changes.palettes.size(), world.shapes().size());
     EXPECT_FALSE(anyGlow(world));
@@ -88,7 +91,8 @@ TEST(LightEdits, PiecesGoDarkWithTheirGroup) {
 TEST(LightEdits, PaintSurvivesASplit) {
     World world;
     world.load(lightPost());
-    for (int i = 0; i < 20; ++i) world.applyEdits({PaintEdit{.position = {0.2, 2.8, 0.4}, .radius = 0.25, .color = {1, 2, 250}}});
+    for (int i = 0; i < 20; ++i)
+        world.applyEdits({PaintEdit{.position = {0.2, 2.8, 0.4}, .radius = 0.25, .color = {1, 2, 250}}});
     const auto blueVoxels = [&] {
         int count = 0;
         world.shapes().forEach([&](ShapeHandle, const Shape& shape) {
@@ -125,8 +129,10 @@ Level wiredLight(uint32_t flickerSteps) {
     palette[6] = {.material = 1, .emission = 4.0f, .lightGroup = 1};
     palette[7] = {.material = 6};
     level.bodies[0].shapes[0].palette = std::make_shared<const Palette>(palette);
-    level.lightGroups.push_back({.name = "light", .supplyShape = "shape", .supplyCell = {4, 4, 5}, .flickerSteps = flickerSteps});
-    level.lights.push_back({.light = {.name = "bulb", .local = {{1.8, 3.6, 0.6}}}, .shapeName = "shape", .groupName = "light"});
+    level.lightGroups.push_back(
+        {.name = "light", .supplyShape = "shape", .supplyCell = {4, 4, 5}, .flickerSteps = flickerSteps});
+    level.lights.push_back(
+        {.light = {.name = "bulb", .local = {{1.8, 3.6, 0.6}}}, .shapeName = "shape", .groupName = "light"});
     return level;
 }
 
@@ -135,7 +141,8 @@ TEST(LightEdits, CuttingTheWireTurnsTheLightOff) {
     world.load(wiredLight(0));
     EXPECT_TRUE(world.applyEdits({test::sphereCarve({1.0, 1.0, 0.6}, 0.35)}).groupsOut.empty()) << "beside the wire";
     EXPECT_TRUE(anyGlow(world));
-    EXPECT_TRUE(world.applyEdits({test::sphereCarve({0.4, 3.0, 0.6}, 0.35)}).groupsOut.empty()) << "above where it turns";
+    EXPECT_TRUE(world.applyEdits({test::sphereCarve({0.4, 3.0, 0.6}, 0.35)}).groupsOut.empty())
+        << "above where it turns";
     const FrameChanges cut = world.applyEdits({test::sphereCarve({1.2, 2.05, 0.6}, 0.2)});
     EXPECT_EQ(cut.groupsOut.size(), 1u);
     EXPECT_FALSE(anyGlow(world));
@@ -222,7 +229,8 @@ TEST(LightEdits, ALightIsSetAndTheJournalNamesIt) {
 TEST(LightEdits, ALightIsAddedOnAShapeAndFallsWithIt) {
     World world;
     world.load(lightPost());
-    const FrameChanges added = world.applyEdits({AddLightEdit{torch(world)}, AddLightEdit{{.local = {{0.4, 3.9, 0.4}}}}});
+    const FrameChanges added =
+        world.applyEdits({AddLightEdit{torch(world)}, AddLightEdit{{.local = {{0.4, 3.9, 0.4}}}}});
     ASSERT_EQ(added.lightsAdded.size(), 2u);
     EXPECT_EQ(added.lights, added.lightsAdded);
     EXPECT_EQ(world.lights().size(), 3u);
@@ -243,7 +251,8 @@ TEST(LightEdits, ARemovedLightIsGoneAndItsHandleNeverNamesAnother) {
     const LightHandle bulb = firstHandle(world);
     EXPECT_EQ(world.applyEdits({RemoveLightEdit{bulb}}).lights, std::vector<LightHandle>{bulb});
     EXPECT_EQ(world.lights().size(), 0u);
-    EXPECT_NE(warningOf(world, {RemoveLightEdit{bulb}}).find("RemoveLightEdit: the handle of its light is stale"), std::string::npos);
+    EXPECT_NE(warningOf(world, {RemoveLightEdit{bulb}}).find("RemoveLightEdit: the handle of its light is stale"),
+              std::string::npos);
     const LightHandle next = world.applyEdits({AddLightEdit{torch(world)}}).lightsAdded.at(0);
     EXPECT_EQ(next.slot(), bulb.slot());
     EXPECT_FALSE(world.lights().find(bulb));
@@ -300,7 +309,8 @@ TEST(LightEdits, InvalidLightsAreRefusedWithAReason) {
     expectRefused([](Light& l, float) { l.kind = LightKind(77); }, "kind is 77, expected 0 to 4");
     expectRefused([](Light& l, float) { l.image = {3, {1, 2}}; }, "2 texels in rows of 3");
     expectRefused([](Light& l, float) { l.image = {65, std::vector<uint32_t>(65)}; }, "65 texels in rows of 65");
-    expectRefused([](Light& l, float) { l.shape = ShapeHandle::make(l.shape.world(), 9, l.shape.slot()); }, "shape is stale");
+    expectRefused([](Light& l, float) { l.shape = ShapeHandle::make(l.shape.world(), 9, l.shape.slot()); },
+                  "shape is stale");
     expectRefused([](Light& l, float) { l.shape = ShapeHandle::make(77, 1, 0); }, "shape is stale");
     expectRefused([](Light& l, float) { l.group = LightGroupHandle::make(1, 1, 40); }, "light group is stale");
     Light bad = torch(world);
@@ -317,7 +327,8 @@ TEST(LightEdits, LightsAreLimitedToKMaxLights) {
     const Edits some(4096, AddLightEdit{});
     for (size_t i = 0; i < kMaxLights / some.size(); ++i) world.applyEdits(some);
     EXPECT_EQ(world.lights().size(), kMaxLights);
-    EXPECT_NE(warningOf(world, {AddLightEdit{}}).find("expected less than 65536 lights (kMaxLights), found 65536"), std::string::npos);
+    EXPECT_NE(warningOf(world, {AddLightEdit{}}).find("expected less than 65536 lights (kMaxLights), found 65536"),
+              std::string::npos);
     EXPECT_TRUE(world.applyEdits({RemoveLightEdit{firstHandle(world)}, AddLightEdit{torch(world)}}).lightsAdded.at(0));
     EXPECT_EQ(world.lights().size(), kMaxLights);
 }
@@ -339,7 +350,8 @@ TEST(LightEdits, EveryLightFieldIsHashed) {
     differs([](Light& l) { l.local.position.z = 0.5; });
     differs([](Light& l) { l.local.rotation = {0.0, 1.0, 0.0, 0.0}; });
     differs([](Light& l) { l.color.b = 0.5f; });
-    for (float Light::*number : {&Light::radius, &Light::reach, &Light::coneInner, &Light::coneOuter, &Light::width, &Light::height})
+    for (float Light::*number :
+         {&Light::radius, &Light::reach, &Light::coneInner, &Light::coneOuter, &Light::width, &Light::height})
         differs([&](Light& l) { l.*number += 0.25f; });
     differs([](Light& l) { l.twoSided = true; });
     differs([](Light& l) { l.image = {1, {0xff00ffu}}; });

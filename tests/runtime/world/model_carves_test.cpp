@@ -33,7 +33,8 @@ struct Momentum {
     void add(const Pose& pose, const MassProperties& part, Vector velocity, Vector angularVelocity) {
         const std::array<double, 6>& t = part.inertia;
         const glm::dmat3 rotation = glm::mat3_cast(pose.rotation);
-        const glm::dmat3 inertia = rotation * glm::dmat3(t[0], t[3], t[5], t[3], t[1], t[4], t[5], t[4], t[2]) * glm::transpose(rotation);
+        const glm::dmat3 inertia =
+            rotation * glm::dmat3(t[0], t[3], t[5], t[3], t[1], t[4], t[5], t[4], t[2]) * glm::transpose(rotation);
         const Vector center = pose.transformPoint(part.center);
         mass += part.mass;
         linear += part.mass * velocity;
@@ -48,14 +49,16 @@ CellSets expectedPieces(const test::PlainGrid& grid, const Shape& shape, bool is
     const auto isHeld = [&](const std::vector<size_t>& set) {
         return std::any_of(set.begin(), set.end(), [&](size_t i) {
             return std::any_of(shape.anchors.begin(), shape.anchors.end(), [&](const CellBox& box) {
-                return glm::all(glm::greaterThanEqual(grid.cell(i), box.low)) && glm::all(glm::lessThan(grid.cell(i), box.high));
+                return glm::all(glm::greaterThanEqual(grid.cell(i), box.low)) &&
+                       glm::all(glm::lessThan(grid.cell(i), box.high));
             });
         });
     };
     const size_t all = sets.size();
     if (isStatic) std::erase_if(sets, isHeld);
     if (!sets.empty() && (!isStatic || sets.size() == all))
-        sets.erase(std::max_element(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); }));
+        sets.erase(std::max_element(sets.begin(), sets.end(),
+                                    [](const auto& a, const auto& b) { return a.size() < b.size(); }));
     return sets;
 }
 
@@ -106,14 +109,16 @@ private:
         ShapeHandle target = handles[m_random.below(uint32_t(handles.size()))];
         for (int i = 0; i < 2; ++i) {
             const ShapeHandle other = handles[m_random.below(uint32_t(handles.size()))];
-            if (m_world.shapes().at(other).grid.voxelCount() > m_world.shapes().at(target).grid.voxelCount()) target = other;
+            if (m_world.shapes().at(other).grid.voxelCount() > m_world.shapes().at(target).grid.voxelCount())
+                target = other;
         }
         const Shape& shape = m_world.shapes().at(target);
         std::vector<glm::ivec3> bricks;
         shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef&) { bricks.push_back(brick); });
         const glm::ivec3 brick = bricks[m_random.below(uint32_t(bricks.size()))];
         const int x = m_random.between(0, 7), y = m_random.between(0, 7), z = m_random.between(0, 7);
-        const Vector middle = m_world.shapeToWorld(target).transformPoint((Vector(brick * 8 + glm::ivec3(x, y, z)) + 0.3) * double(shape.voxelSize));
+        const Vector middle = m_world.shapeToWorld(target).transformPoint(
+            (Vector(brick * 8 + glm::ivec3(x, y, z)) + 0.3) * double(shape.voxelSize));
         const double radius = shape.voxelSize * (1.0 + 9.0 * m_random.unit());
         CarveEdit edit = test::sphereCarve(middle, radius);
         edit.radii = {radius, 0.8 * radius, 0.6 * radius};
@@ -133,7 +138,8 @@ private:
         const Shape& shape = before.shapes().at(handle);
         grid = shape.grid;
         CarveResult carved;
-        carve(grid, resolveBrush(edit, before.shapeToWorld(handle), shape.voxelSize), *shape.palette, before.materials(), carved);
+        carve(grid, resolveBrush(edit, before.shapeToWorld(handle), shape.voxelSize), *shape.palette,
+              before.materials(), carved);
         return carved;
     }
 
@@ -170,7 +176,8 @@ private:
     static std::vector<size_t> cellsOf(const VoxelGrid& grid, glm::ivec3 offset, const test::PlainGrid& plain) {
         std::vector<size_t> cells;
         grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
-            forEachVoxel(content->occupancy, [&](int i) { cells.push_back(plain.index(offset + brick * 8 + voxelInBrick(i))); });
+            forEachVoxel(content->occupancy,
+                         [&](int i) { cells.push_back(plain.index(offset + brick * 8 + voxelInBrick(i))); });
         });
         std::sort(cells.begin(), cells.end());
         return cells;
@@ -186,19 +193,23 @@ private:
                 const Shape& shape = before.shapes().at(shapeHandle);
                 const bool isCut =
                     std::find(changes.carved.begin(), changes.carved.end(), shapeHandle) != changes.carved.end() ||
-                    std::find(changes.shapesDestroyed.begin(), changes.shapesDestroyed.end(), shapeHandle) != changes.shapesDestroyed.end();
+                    std::find(changes.shapesDestroyed.begin(), changes.shapesDestroyed.end(), shapeHandle) !=
+                        changes.shapesDestroyed.end();
                 MassMoments moments = shape.moments;
                 VoxelGrid grid;
                 if (isCut) moments -= carvedCopy(before, edit, shapeHandle, grid).moments;
                 const MassProperties part = massProperties(moments, shape.voxelSize);
                 const Pose pose = before.shapeToWorld(shapeHandle);
-                expected.add(pose, part, body.velocity + glm::cross(body.angularVelocity, pose.transformPoint(part.center) - center),
-                             body.angularVelocity);
+                expected.add(
+                    pose, part,
+                    body.velocity + glm::cross(body.angularVelocity, pose.transformPoint(part.center) - center),
+                    body.angularVelocity);
             }
         });
         m_world.bodies().forEach([&](BodyHandle handle, const Body& body) {
             const bool wasStatic = body.velocity == Vector(0.0) && body.angularVelocity == Vector(0.0);
-            if (!body.isStatic && !wasStatic) actual.add(body.pose, m_world.bodyMass(handle), body.velocity, body.angularVelocity);
+            if (!body.isStatic && !wasStatic)
+                actual.add(body.pose, m_world.bodyMass(handle), body.velocity, body.angularVelocity);
         });
         EXPECT_LE(glm::length(actual.linear - expected.linear), 1e-6 * expected.scale);
         EXPECT_LE(glm::length(actual.angular - expected.angular), 1e-6 * expected.scale);

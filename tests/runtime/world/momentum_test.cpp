@@ -25,7 +25,8 @@ Rigid rigidOf(const Body& body, const MassProperties& mass) {
     const std::array<double, 6>& t = mass.inertia;
     const glm::dmat3 rotation = glm::mat3_cast(body.pose.rotation);
     const glm::dmat3 inertia(t[0], t[3], t[5], t[3], t[1], t[4], t[5], t[4], t[2]);
-    return {mass.mass, body.pose.transformPoint(mass.center), body.velocity, body.angularVelocity, rotation * inertia * glm::transpose(rotation)};
+    return {mass.mass, body.pose.transformPoint(mass.center), body.velocity, body.angularVelocity,
+            rotation * inertia * glm::transpose(rotation)};
 }
 
 /// A level with one tumbling tower, and the edits that cut it.
@@ -66,7 +67,8 @@ TEST(Momentum, SplitsConserveMomentum) {
         const Palette palette = *world.shapes().at(shape).palette;
         CarveResult carved;
         carve(grid, resolveBrush(cut, pose, world.shapes().at(shape).voxelSize), palette, world.materials(), carved);
-        Rigid expected = rigidOf(before, massProperties(gridMoments(grid, palette, world.materials()), world.shapes().at(shape).voxelSize));
+        Rigid expected = rigidOf(
+            before, massProperties(gridMoments(grid, palette, world.materials()), world.shapes().at(shape).voxelSize));
         expected.velocity = whole.velocity + glm::cross(whole.angularVelocity, expected.center - whole.center);
 
         const FrameChanges changes = world.applyEdits({cut});
@@ -94,7 +96,8 @@ TEST(Momentum, PiecesOfStaticBodiesStartAtRest) {
     world.load(level);
     Edits edits;
     for (int i = 0; i < 12; ++i)
-        edits.push_back(test::sphereCarve(world.shapeToWorld(test::firstShape(world)).transformPoint(Vector(i % 4, i * 0.5, i % 3)), 0.8));
+        edits.push_back(test::sphereCarve(
+            world.shapeToWorld(test::firstShape(world)).transformPoint(Vector(i % 4, i * 0.5, i % 3)), 0.8));
     const FrameChanges changes = world.applyEdits(edits);
     EXPECT_FALSE(changes.bodiesCreated.empty());
     for (const BodyHandle handle : changes.bodiesCreated) EXPECT_EQ(world.bodies().at(handle).velocity, Vector(0.0));

@@ -16,7 +16,10 @@ World paintedWorld(PaintMode mode, size_t undoMarks = 0) {
 }
 
 PaintEdit spray(int i, PaintMode mode = PaintMode::Default) {
-    PaintEdit edit{.position = {0.4 * (i % 9), 0.3 * (i % 7), 1.6}, .radius = 0.5, .color = {uint8_t(20 * i), 9, 200}, .strength = 90};
+    PaintEdit edit{.position = {0.4 * (i % 9), 0.3 * (i % 7), 1.6},
+                   .radius = 0.5,
+                   .color = {uint8_t(20 * i), 9, 200},
+                   .strength = 90};
     edit.mode = mode;
     edit.seed = uint32_t(i);
     return edit;
@@ -45,13 +48,15 @@ TEST(PaintEdit, UndoIsExactInBothModes) {
         std::vector<uint64_t> grids, colors;
         for (int i = 0; i < 30; ++i) {
             grids.push_back(onlyShape(world).grid.contentHash());
-            colors.push_back(hashPalette(*onlyShape(world).palette) + (onlyShape(world).paintColors ? onlyShape(world).paintColors->count : 0u));
+            colors.push_back(hashPalette(*onlyShape(world).palette) +
+                             (onlyShape(world).paintColors ? onlyShape(world).paintColors->count : 0u));
             world.applyEdits({HistoryEdit{HistoryAction::Mark}, spray(i)});
         }
         for (int i = 29; i >= 0; --i) {
             world.applyEdits({HistoryEdit{HistoryAction::Undo}});
             ASSERT_EQ(onlyShape(world).grid.contentHash(), grids[size_t(i)]) << i;
-            ASSERT_EQ(hashPalette(*onlyShape(world).palette) + (onlyShape(world).paintColors ? onlyShape(world).paintColors->count : 0u),
+            ASSERT_EQ(hashPalette(*onlyShape(world).palette) +
+                          (onlyShape(world).paintColors ? onlyShape(world).paintColors->count : 0u),
                       colors[size_t(i)]);
         }
         onlyShape(world).grid.forEachBrick([](glm::ivec3, const BrickRef& brick) { EXPECT_EQ(brick->paint, nullptr); });
@@ -60,8 +65,12 @@ TEST(PaintEdit, UndoIsExactInBothModes) {
 
 TEST(PaintEdit, CapsulesPaintStrokes) {
     World world = paintedWorld(PaintMode::Layer);
-    PaintEdit skid{
-        .position = {0.5, 2.4, 0.3}, .radius = 0.15, .color = {15, 15, 15}, .strength = 200, .kind = BrushKind::Capsule, .end = {3.5, 2.4, 1.2}};
+    PaintEdit skid{.position = {0.5, 2.4, 0.3},
+                   .radius = 0.15,
+                   .color = {15, 15, 15},
+                   .strength = 200,
+                   .kind = BrushKind::Capsule,
+                   .end = {3.5, 2.4, 1.2}};
     const FrameChanges changes = world.applyEdits({skid});
     EXPECT_NEAR(double(changes.paintedVoxels), std::sqrt(30.0 * 30 + 9 * 9) * 3 + 7, 20);
     for (const double x : {0.5, 2.0, 3.4}) {
@@ -91,14 +100,15 @@ TEST(PaintEdit, FragmentsKeepTheirMaterialsWhenTheirPaletteIsFull) {
         writer.flush();
     }
     const auto check = [](const World& world) {
-        world.shapes().forEach(
-            [&](ShapeHandle, const Shape& each) { EXPECT_EQ(each.moments, gridMoments(each.grid, *each.palette, world.materials())); });
+        world.shapes().forEach([&](ShapeHandle, const Shape& each) {
+            EXPECT_EQ(each.moments, gridMoments(each.grid, *each.palette, world.materials()));
+        });
     };
     World world;
     world.load(level);
     check(world);
-    const FrameChanges changes =
-        world.applyEdits({ExplodeEdit{.position = {2.4, 1.2, 1.2}, .size = 0.9}, ExplodeEdit{.position = {0.0, 1.2, 1.2}, .size = 0.9}});
+    const FrameChanges changes = world.applyEdits(
+        {ExplodeEdit{.position = {2.4, 1.2, 1.2}, .size = 0.9}, ExplodeEdit{.position = {0.0, 1.2, 1.2}, .size = 0.9}});
     EXPECT_FALSE(changes.splits.empty());
     EXPECT_GT(changes.paintedVoxels, 0u);
     check(world);

@@ -78,11 +78,12 @@ Scene randomScene(uint64_t seed) {
             for (int y = 0; y < shape.grid.size().y; ++y)
                 for (int x = 0; x < shape.grid.size().x; ++x)
                     if (shape.grid.at({x, y, z}))
-                        scene.cubes.push_back({pose.transformPoint((glm::dvec3(x, y, z) + 0.5) * double(shape.voxelSize)),
-                                               glm::mat3_cast(pose.rotation),
-                                               0.5 * shape.voxelSize,
-                                               handle,
-                                               {x, y, z}});
+                        scene.cubes.push_back(
+                            {pose.transformPoint((glm::dvec3(x, y, z) + 0.5) * double(shape.voxelSize)),
+                             glm::mat3_cast(pose.rotation),
+                             0.5 * shape.voxelSize,
+                             handle,
+                             {x, y, z}});
     });
     return scene;
 }
@@ -110,8 +111,10 @@ bool boxesMeet(const Cube& cube, const QueryShape& box) {
     for (int face = 0; face < 6; ++face) {
         const int a = face >> 1, b = (a + 1) % 3, c = (a + 2) % 3;
         std::vector<glm::dvec3> polygon;
-        for (const auto& [u, v] : {std::pair(-1.0, -1.0), std::pair(1.0, -1.0), std::pair(1.0, 1.0), std::pair(-1.0, 1.0)})
-            polygon.push_back(inBox(cube.middle + cube.half * (cube.axes[a] * (face & 1 ? 1.0 : -1.0) + cube.axes[b] * u + cube.axes[c] * v)));
+        for (const auto& [u, v] :
+             {std::pair(-1.0, -1.0), std::pair(1.0, -1.0), std::pair(1.0, 1.0), std::pair(-1.0, 1.0)})
+            polygon.push_back(inBox(cube.middle + cube.half * (cube.axes[a] * (face & 1 ? 1.0 : -1.0) +
+                                                               cube.axes[b] * u + cube.axes[c] * v)));
         for (int plane = 0; plane < 6 && !polygon.empty(); ++plane) {
             const double side = plane & 1 ? 1.0 : -1.0;
             const auto inside = [&](glm::dvec3 p) { return box.halfSize[plane >> 1] - side * p[plane >> 1]; };
@@ -132,18 +135,21 @@ bool boxesMeet(const Cube& cube, const QueryShape& box) {
 bool boxMeetsAny(const Scene& scene, QueryShape box, glm::dvec3 moved) {
     box.position += moved;
     return std::any_of(scene.cubes.begin(), scene.cubes.end(), [&](const Cube& cube) {
-        return glm::length(cube.middle - box.position) < glm::length(box.halfSize) + 2.0 * cube.half && boxesMeet(cube, box);
+        return glm::length(cube.middle - box.position) < glm::length(box.halfSize) + 2.0 * cube.half &&
+               boxesMeet(cube, box);
     });
 }
 
 double distanceTo(const Cube& cube, const QueryShape& shape, glm::dvec3 moved) {
     const glm::dvec3 b = shape.kind == QueryShapeKind::Capsule ? shape.end : shape.position;
-    return (shape.kind == QueryShapeKind::Sphere ? cube.distance(shape.position + moved) : segmentDistance(cube, shape.position + moved, b + moved)) -
+    return (shape.kind == QueryShapeKind::Sphere ? cube.distance(shape.position + moved)
+                                                 : segmentDistance(cube, shape.position + moved, b + moved)) -
            shape.radius;
 }
 
 /// The first time of impact by stepping as far as nothing can be met. Infinite: none.
-double firstTouch(const Scene& scene, const QueryShape& shape, glm::dvec3 direction, double maxDistance, double accuracy) {
+double firstTouch(const Scene& scene, const QueryShape& shape, glm::dvec3 direction, double maxDistance,
+                  double accuracy) {
     const WorldBox bounds = shape.bounds();
     const glm::dvec3 middle = (bounds.low + bounds.high) * 0.5;
     const double size = glm::length(bounds.high - bounds.low) * 0.5;
@@ -182,10 +188,12 @@ TEST(Query, RaysMatchBruteForce) {
             const double maxDistance = between(random, 1.0, 8.0);
             double expected = std::numeric_limits<double>::infinity();
             for (const Cube& cube : scene.cubes) {
-                const glm::dvec3 o = glm::transpose(cube.axes) * (origin - cube.middle), d = glm::transpose(cube.axes) * direction;
+                const glm::dvec3 o = glm::transpose(cube.axes) * (origin - cube.middle),
+                                 d = glm::transpose(cube.axes) * direction;
                 const glm::dvec3 first = (-cube.half - o) / d, second = (cube.half - o) / d;
                 const glm::dvec3 low = glm::min(first, second), high = glm::max(first, second);
-                const double enter = std::max({low.x, low.y, low.z, 0.0}), leave = std::min({high.x, high.y, high.z, maxDistance});
+                const double enter = std::max({low.x, low.y, low.z, 0.0}),
+                             leave = std::min({high.x, high.y, high.z, maxDistance});
                 if (enter <= leave) expected = std::min(expected, enter);
             }
             const WorldHit hit = castRay(scene.world, {origin, direction * 3.0, maxDistance});
@@ -193,8 +201,8 @@ TEST(Query, RaysMatchBruteForce) {
             if (!hit.hit) continue;
             ++hits;
             ASSERT_NEAR(hit.distance, expected, 1e-9);
-            const auto cube =
-                std::find_if(scene.cubes.begin(), scene.cubes.end(), [&](const Cube& c) { return c.shape == hit.shape && c.cell == hit.cell; });
+            const auto cube = std::find_if(scene.cubes.begin(), scene.cubes.end(),
+                                           [&](const Cube& c) { return c.shape == hit.shape && c.cell == hit.cell; });
             ASSERT_TRUE(cube != scene.cubes.end());
             ASSERT_LT(cube->distance(hit.position), 1e-9);
         }
@@ -216,16 +224,19 @@ void checkCasts(QueryShapeKind kind, int casts, double accuracy) {
             const WorldHit hit = castShape(scene.world, {shape, direction, maxDistance});
             if (hit.hit && hit.distance > maxDistance - 10 * accuracy) continue;
             if (!hit.hit) {  // the reference may count a near miss
-                ASSERT_GT(firstTouch(scene, shape, direction, maxDistance - accuracy, 1e-10), maxDistance - 0.05) << seed << " " << i;
+                ASSERT_GT(firstTouch(scene, shape, direction, maxDistance - accuracy, 1e-10), maxDistance - 0.05)
+                    << seed << " " << i;
                 continue;
             }
             ++hits;
-            if (std::abs(hit.distance - expected) > 20 * accuracy) {  // a graze: the cube must be touched there all the same, and not before
+            if (std::abs(hit.distance - expected) >
+                20 * accuracy) {  // a graze: the cube must be touched there all the same, and not before
                 ASSERT_LT(expected, hit.distance) << seed << " " << i;
-                ASSERT_GT(firstTouch(scene, shape, direction, hit.distance - 1e-3, -1e-7), hit.distance - 1e-3) << seed << " " << i;
+                ASSERT_GT(firstTouch(scene, shape, direction, hit.distance - 1e-3, -1e-7), hit.distance - 1e-3)
+                    << seed << " " << i;
             }
-            const auto cube =
-                std::find_if(scene.cubes.begin(), scene.cubes.end(), [&](const Cube& c) { return c.shape == hit.shape && c.cell == hit.cell; });
+            const auto cube = std::find_if(scene.cubes.begin(), scene.cubes.end(),
+                                           [&](const Cube& c) { return c.shape == hit.shape && c.cell == hit.cell; });
             ASSERT_TRUE(cube != scene.cubes.end());
             ASSERT_LT(distanceTo(*cube, shape, direction * hit.distance), 20 * accuracy) << seed << " " << i;
             if (hit.distance > 0.0) {
@@ -255,11 +266,12 @@ TEST(Query, BoxCastsStopAtTheFirstContact) {
             const double maxDistance = between(random, 0.5, 7.0);
             const WorldHit hit = castShape(scene.world, {box, direction, maxDistance});
             const double free = hit.hit ? hit.distance - 1e-6 : maxDistance;
-            for (int k = 0; k <= 20 && free > 0.0; ++k) ASSERT_FALSE(boxMeetsAny(scene, box, direction * (free * k / 20.0))) << seed << " " << i;
+            for (int k = 0; k <= 20 && free > 0.0; ++k)
+                ASSERT_FALSE(boxMeetsAny(scene, box, direction * (free * k / 20.0))) << seed << " " << i;
             if (!hit.hit) continue;
             ++hits;
-            const auto cube =
-                std::find_if(scene.cubes.begin(), scene.cubes.end(), [&](const Cube& c) { return c.shape == hit.shape && c.cell == hit.cell; });
+            const auto cube = std::find_if(scene.cubes.begin(), scene.cubes.end(),
+                                           [&](const Cube& c) { return c.shape == hit.shape && c.cell == hit.cell; });
             ASSERT_TRUE(cube != scene.cubes.end());
             QueryShape there = box;
             there.position += direction * (hit.distance + 1e-6);
@@ -284,7 +296,8 @@ TEST(Query, OverlapsMatchBruteForce) {
                 bool expected = false;
                 for (const Cube& cube : scene.cubes) {
                     if (cube.shape != handle || expected) continue;
-                    expected = shape.kind == QueryShapeKind::Box ? boxesMeet(cube, shape) : distanceTo(cube, shape, {}) <= 0.0;
+                    expected =
+                        shape.kind == QueryShapeKind::Box ? boxesMeet(cube, shape) : distanceTo(cube, shape, {}) <= 0.0;
                 }
                 const bool overlaps = std::find(shapes.begin(), shapes.end(), handle) != shapes.end();
                 ASSERT_EQ(overlaps, expected) << seed << " " << i;
@@ -332,7 +345,8 @@ TEST(Query, FiltersRejectShapes) {
     world.load(level);
     std::vector<ShapeHandle> shapes;
     std::vector<BodyHandle> bodies;
-    world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) { shapes.push_back(handle), bodies.push_back(shape.body); });
+    world.shapes().forEach(
+        [&](ShapeHandle handle, const Shape& shape) { shapes.push_back(handle), bodies.push_back(shape.body); });
     const auto first = [&](const QueryFilter& filter, double radius) {
         const WorldHit hit = castRay(world, {{-1.0, 0.15, 0.15}, {1.0, 0.0, 0.0}, 10.0, radius}, filter);
         return hit.hit ? int(std::find(shapes.begin(), shapes.end(), hit.shape) - shapes.begin()) : -1;

@@ -129,9 +129,10 @@ TEST(ShapeEdits, InvalidInputIsRefused) {
     World world = worldOf(twoBlocks(), false);
     const ShapeHandle shape = test::firstShape(world);
     const uint64_t hash = world.voxelHash();
-    world.applyEdits({ResizeShapeEdit{shape, {{0, 0, 0}, {0, 5, 5}}}, ResizeShapeEdit{shape, {{0, 0, 0}, {1 << 30, 5, 5}}},
-                      ResizeShapeEdit{shape, {{INT32_MIN, 0, 0}, {INT32_MAX, 5, 5}}}, TrimShapeEdit{{}}, SplitShapeEdit{{}},
-                      MergeShapeEdit{shape, shape}});
+    world.applyEdits({ResizeShapeEdit{shape, {{0, 0, 0}, {0, 5, 5}}},
+                      ResizeShapeEdit{shape, {{0, 0, 0}, {1 << 30, 5, 5}}},
+                      ResizeShapeEdit{shape, {{INT32_MIN, 0, 0}, {INT32_MAX, 5, 5}}}, TrimShapeEdit{{}},
+                      SplitShapeEdit{{}}, MergeShapeEdit{shape, shape}});
     EXPECT_EQ(world.voxelHash(), hash);
 }
 
@@ -166,7 +167,8 @@ TEST(SlicedSplits, ConserveVoxelsAndEndLikeImmediateSplits) {
     const World immediate = run(0, nullptr), sliced = run(2, &hanging), again = run(2, nullptr);
     EXPECT_GT(hanging, 0) << "some piece came off in a later step than its cut";
     EXPECT_EQ(sliced.hash(), again.hash());
-    EXPECT_EQ(sliced.voxelAccounting().removed + sliced.voxelAccounting().standing + sliced.voxelAccounting().inPieces, immediate.voxelAccounting().imported);
+    EXPECT_EQ(sliced.voxelAccounting().removed + sliced.voxelAccounting().standing + sliced.voxelAccounting().inPieces,
+              immediate.voxelAccounting().imported);
     sliced.shapes().forEach([&](ShapeHandle, const Shape& shape) {
         if (shape.isPiece) {
             EXPECT_EQ(findComponents(shape.grid).size(), 1u);

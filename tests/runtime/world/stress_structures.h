@@ -28,7 +28,10 @@ struct Structure {
         Palette palette{};
         palette[1].material = out.materials.find(material);
         palette[2].material = out.materials.find("heavy metal");
-        LevelShape shape{.name = "structure", .voxelSize = float(voxelSize), .grid = grid, .palette = std::make_shared<const Palette>(palette)};
+        LevelShape shape{.name = "structure",
+                         .voxelSize = float(voxelSize),
+                         .grid = grid,
+                         .palette = std::make_shared<const Palette>(palette)};
         shape.anchors = anchors;
         LevelBody body{.name = "structure", .isStatic = isStatic};
         body.shapes.push_back(std::move(shape));

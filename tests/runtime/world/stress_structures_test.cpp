@@ -1,4 +1,5 @@
-// Structures of beam theory in a World: a tenth below what breaks them they stand, a tenth above they break where they should.
+// Structures of beam theory in a World: a tenth below what breaks them they stand, a tenth above they break where they
+// should.
 #include "tests/runtime/world/stress_structures.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,8 @@ TEST(StressStructures, SimplySupportedBeamBreaksInTheMiddle) {
                 beam.anchor({{x, middle.y, middle.z}, {x + 1, middle.y + 1, middle.z + 1}}, 2);
             const double l = length * 0.1, d = depth * 0.1;
             World world;
-            const auto cracks = cracksUnder(overload, world, beam, kConcreteWeight * 0.75 * l * l / d / kConcreteTension);
+            const auto cracks =
+                cracksUnder(overload, world, beam, kConcreteWeight * 0.75 * l * l / d / kConcreteTension);
             if (cracks.empty()) continue;
             EXPECT_NEAR(cracks[0].position.x, 1.1 + l / 2.0, 0.25);
             EXPECT_EQ(cracks[0].cause, FailureMode::Tension);
@@ -52,7 +54,8 @@ TEST(StressStructures, ColumnIsCrushedAtItsFoot) {
             column.anchor({{11, 3, 11}, {19, 4, 19}});
             column.fill({{11, 4, 11}, {19, 4 + height, 19}});
             World world;
-            const auto cracks = cracksUnder(overload, world, column, kConcreteWeight * height * 0.1 / kConcreteCompression);
+            const auto cracks =
+                cracksUnder(overload, world, column, kConcreteWeight * height * 0.1 / kConcreteCompression);
             if (cracks.empty()) continue;
             EXPECT_NEAR(cracks[0].position.y, 0.4, 1e-6);
             EXPECT_EQ(cracks[0].cause, FailureMode::Compression);
@@ -70,14 +73,17 @@ TEST(StressStructures, PortalFrameBreaksWhereItsMomentIsLargest) {
                     frame.fill({{x, foot, low}, {x + depth, top, low + depth}});
                 }
                 frame.fill({{low, top - depth, low}, {low + width, top, low + depth}});
-                // Kleinlogel's formulas, at the faces of the joints: tension in the beam's middle, at its end, on top of a column.
-                const double l = span * 0.1, h = rise * 0.1, d = depth * 0.1, load = kConcreteWeight * d * d, modulus = d * d * d / 6.0;
+                // Kleinlogel's formulas, at the faces of the joints: tension in the beam's middle, at its end, on top
+                // of a column.
+                const double l = span * 0.1, h = rise * 0.1, d = depth * 0.1, load = kConcreteWeight * d * d,
+                             modulus = d * d * d / 6.0;
                 const double corner = load * l * l / (6.0 * (h / l + 2.0)), thrust = 1.5 * corner / h;
                 const double middle = (load * l * l / 8.0 - corner) / modulus - thrust / (d * d);
                 const double end = (corner - load * l * d / 4.0 + load * d * d / 8.0) / modulus - thrust / (d * d);
                 const double columnTop = (corner - thrust * d / 2.0) / modulus - load * l / 2.0 / (d * d);
                 World world;
-                const auto cracks = cracksUnder(overload, world, frame, std::max({middle, end, columnTop}) / kConcreteTension);
+                const auto cracks =
+                    cracksUnder(overload, world, frame, std::max({middle, end, columnTop}) / kConcreteTension);
                 if (cracks.empty()) continue;
                 EXPECT_EQ(cracks[0].cause, FailureMode::Tension);
                 const double away = std::fabs(cracks[0].position.x - 0.1 * (low + width / 2));
@@ -95,7 +101,8 @@ TEST(StressStructures, ANeckBreaksUnderItsHeadAndTheBaseStands) {
         for (const int offset : {0, 3, 5})
             for (const double overload : kTenth) {
                 const int width = 20, below = 20, above = 40;
-                const glm::ivec3 low(8 + offset, offset, 8 + offset), waist = low + glm::ivec3((width - neck) / 2, below, (width - neck) / 2);
+                const glm::ivec3 low(8 + offset, offset, 8 + offset),
+                    waist = low + glm::ivec3((width - neck) / 2, below, (width - neck) / 2);
                 Structure hourglass({48, 80, 48});
                 hourglass.anchor({low, low + glm::ivec3(width, 1, width)});
                 hourglass.fill({low + glm::ivec3(0, 1, 0), low + glm::ivec3(width, below, width)});

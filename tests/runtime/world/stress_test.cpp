@@ -18,7 +18,10 @@ Level cantilever(int length, int depth, float voxelSize = 0.1f) {
     Level level;
     Palette palette{};
     palette[1].material = level.materials.find("concrete");
-    LevelShape shape{.name = "beam", .voxelSize = voxelSize, .grid = std::move(grid), .palette = std::make_shared<const Palette>(palette)};
+    LevelShape shape{.name = "beam",
+                     .voxelSize = voxelSize,
+                     .grid = std::move(grid),
+                     .palette = std::make_shared<const Palette>(palette)};
     shape.anchors = {{{0, 0, 0}, {4, depth, depth}}};
     LevelBody body{.name = "wall", .isStatic = true};
     body.shapes.push_back(std::move(shape));

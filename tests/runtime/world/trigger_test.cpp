@@ -38,7 +38,8 @@ struct Region {
     std::string events(const Edits& edits = {}) {
         std::string text;
         for (const TriggerEvent& event : world.applyEdits(edits).triggerEvents)
-            text += std::to_string(event.trigger.slot()) + (event.entered ? "+" : "-") + std::to_string(event.body.slot()) + " ";
+            text += std::to_string(event.trigger.slot()) + (event.entered ? "+" : "-") +
+                    std::to_string(event.body.slot()) + " ";
         return text;
     }
     Level level;
@@ -48,7 +49,8 @@ struct Region {
 TEST(Trigger, ReportsWhoEntersAndLeavesInSlotOrder) {
     Region region;
     region.level.triggers.push_back({.name = "box", .pose = {{4.25, 0.25, 0.25}}, .halfSize = {2.3, 1.0, 1.0}});
-    region.level.triggers.push_back({.name = "ball", .kind = TriggerKind::Sphere, .pose = {{6.25, 0.25, 0.25}}, .radius = 0.5});
+    region.level.triggers.push_back(
+        {.name = "ball", .kind = TriggerKind::Sphere, .pose = {{6.25, 0.25, 0.25}}, .radius = 0.5});
     region.world.load(region.level);
     EXPECT_EQ(region.events(), "0+1 0+2 0+3 1+3 ") << "those that a level brings, but nothing static";
     EXPECT_EQ(region.events(), "");
@@ -72,10 +74,11 @@ TEST(Trigger, CountsVoxelsAndNotBounds) {
 
 TEST(Trigger, PolygonsHaveAHeight) {
     Region region;
-    region.level.triggers.push_back({.kind = TriggerKind::Polygon,
-                                     .pose = {{2.0, 0.0, 0.0}},
-                                     .outline = {{-1.0, -1.0}, {3.0, -1.0}, {-1.0, 3.0}},  // a triangle: the cube at 4 m is out
-                                     .height = 1.0});
+    region.level.triggers.push_back(
+        {.kind = TriggerKind::Polygon,
+         .pose = {{2.0, 0.0, 0.0}},
+         .outline = {{-1.0, -1.0}, {3.0, -1.0}, {-1.0, 3.0}},  // a triangle: the cube at 4 m is out
+         .height = 1.0});
     region.world.load(region.level);
     EXPECT_EQ(region.events(), "0+1 ");
     region.move(1, {2.0, 1.0, 0.0});
@@ -91,12 +94,14 @@ TEST(Trigger, EditsAddAndRemoveThemAndLayersFilter) {
     EXPECT_EQ(region.events({AddTriggerEdit{trigger}}), "0+1 0+2 ");
     trigger.layers = 2;
     EXPECT_EQ(region.events({AddTriggerEdit{trigger}}), "1+2 ");
-    EXPECT_EQ(region.events({SetCollisionEdit{region.world.bodies().at(region.world.bodies().handleAt(2)).shapes[0], 1, 255}}), "1-2 ");
+    EXPECT_EQ(region.events(
+                  {SetCollisionEdit{region.world.bodies().at(region.world.bodies().handleAt(2)).shapes[0], 1, 255}}),
+              "1-2 ");
     EXPECT_EQ(region.events({RemoveTriggerEdit{region.world.triggers().handleAt(0)}}), "");
     EXPECT_EQ(region.world.triggers().size(), 1u);
     trigger.halfSize = {0.0, 1.0, 1.0};
-    region.world.applyEdits(
-        {AddTriggerEdit{trigger}, RemoveTriggerEdit{}, AddWaterEdit{}, RemoveWaterEdit{}, MoveCharacterEdit{}, SetCollisionEdit{}});
+    region.world.applyEdits({AddTriggerEdit{trigger}, RemoveTriggerEdit{}, AddWaterEdit{}, RemoveWaterEdit{},
+                             MoveCharacterEdit{}, SetCollisionEdit{}});
     EXPECT_EQ(region.world.triggers().size(), 1u) << "nonsense is refused";
 }
 
@@ -114,7 +119,8 @@ TEST(Trigger, SavesAndUndoAgree) {
     const uint64_t marked = region.world.resolvedHash();
     const CharacterHandle who = region.world.characters().handleAt(0);
     Trigger other{.kind = TriggerKind::Sphere, .pose = {{2.0, 0.0, 0.0}}};
-    region.events({AddTriggerEdit{other}, RemoveWaterEdit{region.world.waters().handleAt(0)}, MoveCharacterEdit{who, {1.0, 0.0, 0.0}}});
+    region.events({AddTriggerEdit{other}, RemoveWaterEdit{region.world.waters().handleAt(0)},
+                   MoveCharacterEdit{who, {1.0, 0.0, 0.0}}});
     const CharacterMove move{who, {1.0, 2.0, 3.0}, {0.0, 1.0, 0.0}, true, false, false, {}};
     region.world.setCharacters(std::span(&move, 1));
     region.move(2, {0.0, 5.0, 0.0});

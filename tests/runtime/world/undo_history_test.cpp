@@ -70,13 +70,16 @@ LightHandle anyLight(const World& world, Random& random) {
 /// Lights that come, change and go, and weather.
 void addRandomLights(const World& world, Random& random, Edits& edits) {
     const auto anyHeight = [&] { return Pose{{0.1, random.unit() * 3.0, 0.1}}; };
-    if (random.below(2)) edits.push_back(AddLightEdit{{.shape = random.below(2) ? firstShape(world) : ShapeHandle{}, .local = anyHeight()}});
+    if (random.below(2))
+        edits.push_back(
+            AddLightEdit{{.shape = random.below(2) ? firstShape(world) : ShapeHandle{}, .local = anyHeight()}});
     if (const LightHandle light = anyLight(world, random); light && random.below(3) == 0) {
         Light changed = world.lights().at(light);
         changed.color.r += 1.0f;
         edits.push_back(SetLightEdit{light, changed});
     }
-    if (const LightHandle light = anyLight(world, random); light && random.below(3) == 0) edits.push_back(RemoveLightEdit{light});
+    if (const LightHandle light = anyLight(world, random); light && random.below(3) == 0)
+        edits.push_back(RemoveLightEdit{light});
     if (random.below(3)) return;
     Environment weather = world.environment();
     weather.wetness = float(random.unit());
@@ -124,7 +127,8 @@ TEST(UndoHistory, UndoAndRedoReachEveryMark) {
         const auto step = [&](Edits edits) {
             const FrameChanges changes = world.applyEdits(edits);
             baseline.update(world, changes);
-            ASSERT_EQ(baselineHash(baseline), world.resolvedHash()) << "seed " << seed << ": the journal misses something";
+            ASSERT_EQ(baselineHash(baseline), world.resolvedHash())
+                << "seed " << seed << ": the journal misses something";
         };
         const auto settle = [&](double metres) {
             move(world, metres);
@@ -161,7 +165,8 @@ TEST(UndoHistory, UndoAndRedoReachEveryMark) {
 TEST(UndoHistory, TheSameEditsAfterUndoGiveTheSameSlots) {
     World world = smallWorld();
     // No explosion: the noise of its soot is seeded by the step.
-    const Edits cut = {kMark, sphereCarve({2.0, 1.2, 0.3}, 0.5), sphereCarve({6.1, 1.5, 0.1}, 0.4), sphereCarve({0.6, 4.6, 0.6}, 0.5)};
+    const Edits cut = {kMark, sphereCarve({2.0, 1.2, 0.3}, 0.5), sphereCarve({6.1, 1.5, 0.1}, 0.4),
+                       sphereCarve({0.6, 4.6, 0.6}, 0.5)};
     world.applyEdits({sphereCarve({3.0, 1.2, 0.3}, 0.5), sphereCarve({6.1, 0.5, 0.1}, 0.3)});
     world.applyEdits(cut);
     const uint64_t once = world.voxelHash();  // of voxels by slot: pieces also know the step of their birth
@@ -182,7 +187,8 @@ TEST(UndoHistory, UndoAndRedoCoverLightsAndEnvironment) {
     rain.gravity = {0.0f, -1.6f, 0.0f};
     rain.sunDirection = {0.3f, 0.2f, -0.7f};
     std::vector<uint64_t> hashes = {world.resolvedHash()};
-    const std::vector<Edits> changes = {{SetEnvironmentEdit{rain}}, {SetLightEdit{bulb, dim}}, {AddLightEdit{dim}}, {RemoveLightEdit{bulb}}};
+    const std::vector<Edits> changes = {
+        {SetEnvironmentEdit{rain}}, {SetLightEdit{bulb, dim}}, {AddLightEdit{dim}}, {RemoveLightEdit{bulb}}};
     for (const Edits& each : changes) {  // a mark after each: none rides on what another one has changed
         Edits edits = each;
         edits.insert(edits.begin(), kMark);

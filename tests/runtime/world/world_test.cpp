@@ -29,8 +29,10 @@ TEST(World, ShapesNearDoesNotDependOnPastMotion) {
     for (int i = -30; i <= 120; ++i)
         for (const double reach : {0.0, 0.1}) {
             const glm::dvec3 point(0.01 * i + 0.005, 0.2, 0.2);
-            EXPECT_EQ(moved.shapesNear(point, reach).size(), loaded.shapesNear(point, reach).size()) << point.x << " " << reach;
-            EXPECT_EQ(moved.shapesNear(point, reach).size(), size_t(point.x + reach >= 0.4 && point.x - reach <= 0.8)) << point.x << " " << reach;
+            EXPECT_EQ(moved.shapesNear(point, reach).size(), loaded.shapesNear(point, reach).size())
+                << point.x << " " << reach;
+            EXPECT_EQ(moved.shapesNear(point, reach).size(), size_t(point.x + reach >= 0.4 && point.x - reach <= 0.8))
+                << point.x << " " << reach;
         }
 }
 

@@ -31,7 +31,8 @@ nlohmann::json figuresOf(const fs::path& folder) {
 
 size_t colorsIn(const Image& image) {
     std::set<uint32_t> colors;
-    for (size_t i = 0; i < image.rgb.size(); i += 3) colors.insert(uint32_t(image.rgb[i]) << 16 | uint32_t(image.rgb[i + 1]) << 8 | image.rgb[i + 2]);
+    for (size_t i = 0; i < image.rgb.size(); i += 3)
+        colors.insert(uint32_t(image.rgb[i]) << 16 | uint32_t(image.rgb[i + 1]) << 8 | image.rgb[i + 2]);
     return colors.size();
 }
 
@@ -48,8 +49,9 @@ TEST(Sandbox, WithoutADisplayWritesFramesAndFigures) {
     EXPECT_EQ(figures["state_hash"].size(), 12u);
     EXPECT_LE(figures["series"]["draw calls for bodies"]["max"].get<double>(), 16.0);
     const auto& ledger = figures["ledger"];
-    EXPECT_EQ(ledger["imported"].get<uint64_t>(),
-              ledger["standing"].get<uint64_t>() + ledger["in_pieces"].get<uint64_t>() + ledger["removed"].get<uint64_t>());
+    EXPECT_EQ(
+        ledger["imported"].get<uint64_t>(),
+        ledger["standing"].get<uint64_t>() + ledger["in_pieces"].get<uint64_t>() + ledger["removed"].get<uint64_t>());
 }
 
 TEST(Sandbox, SameSeedSameStateWithTheWorkerOnOrOff) {
@@ -85,8 +87,8 @@ TEST(Sandbox, HelpNamesEveryOption) {
     ASSERT_EQ(std::system((RUBBLE_BINARY_DIR "/bin/sandbox --help >" + text).c_str()), 0);
     std::ifstream file(text);
     const std::string help{std::istreambuf_iterator<char>(file), {}};
-    for (const char* option :
-         {"--model", "--level", "--out", "--size", "--fps", "--seconds", "--preset", "--seed", "--pass", "--headless", "--no-render"})
+    for (const char* option : {"--model", "--level", "--out", "--size", "--fps", "--seconds", "--preset", "--seed",
+                               "--pass", "--headless", "--no-render"})
         EXPECT_NE(help.find(option), std::string::npos) << option;
 }
 
@@ -97,7 +99,8 @@ TEST(Launcher, HelpNamesEveryCommandAndAWrongOneFails) {
     ASSERT_EQ(std::system((launcher + " help >" + text).c_str()), 0);
     std::ifstream file(text);
     const std::string help{std::istreambuf_iterator<char>(file), {}};
-    for (const char* command : {"./rubble sandbox", "./rubble test", "./rubble bench", "./rubble import", "./rubble help"})
+    for (const char* command :
+         {"./rubble sandbox", "./rubble test", "./rubble bench", "./rubble import", "./rubble help"})
         EXPECT_NE(help.find(command), std::string::npos) << command;
     EXPECT_NE(std::system((launcher + " demolisch >/dev/null 2>&1").c_str()), 0);
 }
@@ -107,7 +110,9 @@ TEST(Sandbox, OpensItsWindowUnderXvfb) {
     const fs::path out = outFolder("window");
     fs::create_directories(out);
     const std::string screenshot = (out / "window.png").string();
-    ASSERT_EQ(runSandbox("--size 320x180 --preset fast --screenshot " + screenshot, "xvfb-run -a -s '-screen 0 640x480x24'"), 0);
+    ASSERT_EQ(
+        runSandbox("--size 320x180 --preset fast --screenshot " + screenshot, "xvfb-run -a -s '-screen 0 640x480x24'"),
+        0);
     const Result<Image> image = readPng(screenshot);
     ASSERT_TRUE(image) << image.error();
     EXPECT_EQ(image->width, 320);

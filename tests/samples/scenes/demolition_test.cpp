@@ -20,7 +20,8 @@ struct Tally {
             impulses += std::holds_alternative<ImpulseEdit>(edit);
             std::visit(
                 [&](const auto& each) {
-                    if constexpr (requires { each.position; }) sum += each.position.x + 3.0 * each.position.y + 7.0 * each.position.z;
+                    if constexpr (requires { each.position; })
+                        sum += each.position.x + 3.0 * each.position.y + 7.0 * each.position.z;
                 },
                 edit);
         }
@@ -46,7 +47,8 @@ TEST(Demolition, UsesEveryToolAndStartsUntouched) {
 TEST(Demolition, HitsModelsOfAnySize) {
     for (const double size : {0.5, 4.0, 30.0}) {
         Tally tally;
-        for (int step = 0; step < kSteps; ++step) tally.add(demolishModel(step, {10, 0, 10}, glm::dvec3(10, 0, 10) + size, 1));
+        for (int step = 0; step < kSteps; ++step)
+            tally.add(demolishModel(step, {10, 0, 10}, glm::dvec3(10, 0, 10) + size, 1));
         EXPECT_GE(tally.explosions, 6) << size;
         EXPECT_GT(tally.paints, 20) << size;
         EXPECT_TRUE(std::isfinite(tally.sum));

@@ -35,8 +35,10 @@ TEST(Scenes, HaveDifferentNames) {
 
 bool movesFromTheStart(const Level& level) {
     for (const LevelBody& body : level.bodies)
-        if (!body.isStatic && (glm::length(body.velocity) > 0.0f || glm::length(body.angularVelocity) > 0.0f)) return true;
-    return std::any_of(level.joints.begin(), level.joints.end(), [](const LevelJoint& joint) { return joint.joint.motor.mode != MotorMode::Off; });
+        if (!body.isStatic && (glm::length(body.velocity) > 0.0f || glm::length(body.angularVelocity) > 0.0f))
+            return true;
+    return std::any_of(level.joints.begin(), level.joints.end(),
+                       [](const LevelJoint& joint) { return joint.joint.motor.mode != MotorMode::Off; });
 }
 
 /// The script alone, without physics: what it takes away is accounted for, and the same seed does the same.
@@ -63,7 +65,8 @@ TEST_P(EveryScene, IsSeenByItsCamera) {
     World world;
     world.load(scene.level(1));
     std::set<std::string> names;
-    world.bodies().forEach([&](BodyHandle, const Body& body) { EXPECT_TRUE(names.insert(body.name).second) << body.name << " twice"; });
+    world.bodies().forEach(
+        [&](BodyHandle, const Body& body) { EXPECT_TRUE(names.insert(body.name).second) << body.name << " twice"; });
     for (const double seconds : {0.0, scene.steps / 60.0}) {
         const Pose eye = scene.camera(seconds);
         int seen = 0;

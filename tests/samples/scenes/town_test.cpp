@@ -51,7 +51,8 @@ TEST(Town, EveryVoxelIsConnectedToTheBottomLayer) {
             for (int y = 0; y < size.y; ++y)
                 for (int x = 0; x < size.x; ++x, ++i)
                     if (!anchored[i] && shape.grid.at({x, y, z})) ++loose, example = {x, y, z};
-        EXPECT_EQ(loose, 0u) << shape.name << ": for example cell " << example.x << " " << example.y << " " << example.z;
+        EXPECT_EQ(loose, 0u) << shape.name << ": for example cell " << example.x << " " << example.y << " "
+                             << example.z;
     });
 }
 
@@ -61,7 +62,8 @@ TEST(Town, PalettesLeaveEntriesForPaint) {
         for (size_t i = 1; i < 256; ++i) used += (*shape.palette)[i].material != 0;
         EXPECT_LE(used, 160) << shape.name;
         shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
-            forEachVoxel(brick->occupancy, [&](int cell) { ASSERT_NE((*shape.palette)[brick->at(cell)].material, 0) << shape.name; });
+            forEachVoxel(brick->occupancy,
+                         [&](int cell) { ASSERT_NE((*shape.palette)[brick->at(cell)].material, 0) << shape.name; });
         });
     });
 }
@@ -101,7 +103,8 @@ TEST(Town, EveryLightHasItsHostAndGroup) {
             });
         });
     });
-    for (size_t i = 1; i < voxels.size(); ++i) EXPECT_GT(voxels[i], 3u) << town().lightGroups[i - 1].name << " has no voxels";
+    for (size_t i = 1; i < voxels.size(); ++i)
+        EXPECT_GT(voxels[i], 3u) << town().lightGroups[i - 1].name << " has no voxels";
 }
 
 TEST(StreetStage, PutsAModelOnTheSquare) {
@@ -145,7 +148,8 @@ TEST(StreetStage, LeavesOutWhatTheModelWouldTouch) {
     const Level stage = makeStreetStage(model, 1, low, high);
     for (const LevelLight& light : stage.lights) {
         bool found = false;
-        forEachShape(stage, [&](const LevelBody&, const LevelShape& each) { found = found || each.name == light.shapeName; });
+        forEachShape(stage,
+                     [&](const LevelBody&, const LevelShape& each) { found = found || each.name == light.shapeName; });
         EXPECT_TRUE(found) << light.shapeName;
     }
     EXPECT_LT(stage.bodies.size(), 10u);

@@ -12,18 +12,21 @@
  *  - A struct that has `struct_size` first is filled in by the host: struct_size = sizeof, everything else zero or set.
  *    Zero means default. Such a struct may grow at its end; what the plugin does not know must be zero.
  *    Rows of arrays have no struct_size and never change.
- *  - Handles are values. 0 is nothing. A handle of something that is gone is reported (RUBBLE_ERROR_STALE), never followed.
+ *  - Handles are values. 0 is nothing. A handle of something that is gone is reported (RUBBLE_ERROR_STALE), never
+ * followed.
  *  - Nothing but RUBBLE_OK means that nothing was done; get_last_error() says what was expected and what was found.
  *  - Edits are commands: they wait in a queue and happen in the next step(), in the order given.
- *  - Reads copy out, except events(): its arrays live until the next step(), load_level() or destroy_world() of that world.
- *  - Threads: [main-thread] one thread per world at a time; [render-thread] the thread with the GL context, one at a time,
- *    may run beside the main thread; [any-thread] any. Destroy a world only while its renderer is not drawing.
+ *  - Reads copy out, except events(): its arrays live until the next step(), load_level() or destroy_world() of that
+ * world.
+ *  - Threads: [main-thread] one thread per world at a time; [render-thread] the thread with the GL context, one at a
+ * time, may run beside the main thread; [any-thread] any. Destroy a world only while its renderer is not drawing.
  *  - Lengths are metres, masses kilograms, times seconds, angles radians; y is up; world positions are double.
  *    Rotations are quaternions x, y, z, w; all zero means no rotation.
- *  - The plugin opens no window, makes no GL context, opens no file that the host did not name, and restores the GL state
- *    that it touches.
+ *  - The plugin opens no window, makes no GL context, opens no file that the host did not name, and restores the GL
+ * state that it touches.
  *
- * What it does not do: network, sound, input, textures on triangles, threads of the host's job system, the host's allocator. */
+ * What it does not do: network, sound, input, textures on triangles, threads of the host's job system, the host's
+ * allocator. */
 #ifndef RUBBLE_RUBBLE_H
 #define RUBBLE_RUBBLE_H
 #include <stddef.h>
@@ -55,14 +58,15 @@ typedef uint64_t rubble_character;   /* one who walks */
 typedef int32_t rubble_result;
 enum {
     RUBBLE_OK = 0,
-    RUBBLE_ERROR_NULL = 1,        /* a pointer that must not be null is */
-    RUBBLE_ERROR_VERSION = 2,     /* the plugin does not speak the version asked for */
-    RUBBLE_ERROR_STRUCT_SIZE = 3, /* struct_size is smaller than version 1's, or names fields the plugin does not know */
-    RUBBLE_ERROR_STALE = 4,       /* the handle names nothing, or nothing any more, or something of another world */
-    RUBBLE_ERROR_ARGUMENT = 5,    /* a value is out of range */
-    RUBBLE_ERROR_CAPACITY = 6,    /* the array given is too short; the count says how long it must be */
-    RUBBLE_ERROR_FILE = 7,        /* the file is missing, damaged or of an unknown kind */
-    RUBBLE_ERROR_GL = 8,          /* something of OpenGL is missing, or a shader does not compile */
+    RUBBLE_ERROR_NULL = 1,    /* a pointer that must not be null is */
+    RUBBLE_ERROR_VERSION = 2, /* the plugin does not speak the version asked for */
+    RUBBLE_ERROR_STRUCT_SIZE =
+        3,                     /* struct_size is smaller than version 1's, or names fields the plugin does not know */
+    RUBBLE_ERROR_STALE = 4,    /* the handle names nothing, or nothing any more, or something of another world */
+    RUBBLE_ERROR_ARGUMENT = 5, /* a value is out of range */
+    RUBBLE_ERROR_CAPACITY = 6, /* the array given is too short; the count says how long it must be */
+    RUBBLE_ERROR_FILE = 7,     /* the file is missing, damaged or of an unknown kind */
+    RUBBLE_ERROR_GL = 8,       /* something of OpenGL is missing, or a shader does not compile */
     RUBBLE_ERROR_MEMORY = 9,
     RUBBLE_ERROR_INTERNAL = 10 /* a fault of the plugin: please report get_last_error() */
 };
@@ -81,7 +85,8 @@ typedef struct rubble_host {
 } rubble_host;
 
 enum {
-    RUBBLE_WORLD_NO_RENDERER = 1,    /* for servers and for hosts that draw themselves: nothing is prepared for a renderer */
+    RUBBLE_WORLD_NO_RENDERER =
+        1, /* for servers and for hosts that draw themselves: nothing is prepared for a renderer */
     RUBBLE_WORLD_SHADOW_INLINE = 2,  /* keeps the shadow volume up to date inside step(), without a thread */
     RUBBLE_WORLD_WAIT_FOR_SHADOW = 4 /* step() waits for the shadow volume: pictures that do not depend on timing */
 };
@@ -95,7 +100,13 @@ typedef struct rubble_world_settings {
 
 enum { RUBBLE_BRUSH_SPHERE = 0, RUBBLE_BRUSH_BOX = 1, RUBBLE_BRUSH_CAPSULE = 2 };
 /* A material says which tools break it. RUBBLE_TOOL_ANY breaks all that can be broken. */
-enum { RUBBLE_TOOL_ANY = 0, RUBBLE_TOOL_SLEDGE = 1, RUBBLE_TOOL_TORCH = 2, RUBBLE_TOOL_GUN = 3, RUBBLE_TOOL_EXPLOSIVE = 4 };
+enum {
+    RUBBLE_TOOL_ANY = 0,
+    RUBBLE_TOOL_SLEDGE = 1,
+    RUBBLE_TOOL_TORCH = 2,
+    RUBBLE_TOOL_GUN = 3,
+    RUBBLE_TOOL_EXPLOSIVE = 4
+};
 enum { RUBBLE_HARDNESS_DEFAULT = 0, RUBBLE_HARDNESS_SOFT = 1, RUBBLE_HARDNESS_MEDIUM = 2, RUBBLE_HARDNESS_HARD = 3 };
 
 /* Removes the voxels inside, by the hardness of their material. */
@@ -112,7 +123,8 @@ typedef struct rubble_carve {
     rubble_shape shape;  /* only this one; 0: all */
 } rubble_carve;
 
-/* Breaks what is inside a sphere out, as fragments and dust in the style of each material. Glass goes by the whole pane. */
+/* Breaks what is inside a sphere out, as fragments and dust in the style of each material. Glass goes by the whole
+ * pane. */
 typedef struct rubble_break {
     uint32_t struct_size;
     uint32_t tool; /* RUBBLE_TOOL_... */
@@ -142,26 +154,26 @@ enum {
 /* A joint between two shapes as they are now. It holds on to a voxel of each, and goes with it or breaks with it. */
 typedef struct rubble_joint_settings {
     uint32_t struct_size;
-    uint32_t kind;                       /* RUBBLE_JOINT_BALL ... */
-    rubble_shape shapes[2];              /* 0: the world */
-    double position[3];                  /* world; of a rope: its first end */
-    double rotation[4];                  /* world */
-    double radius;                       /* metres within which a voxel must be; 0: 0.2 */
-    uint32_t flags;                      /* RUBBLE_JOINT_COLLIDES ... */
-    uint32_t motor;                      /* RUBBLE_MOTOR_...; of a rope: a winch */
-    double motor_target;                 /* rad/s or m/s; radians or metres */
-    double motor_max_force;                  /* N m or N */
-    double low, high;                    /* radians or metres */
+    uint32_t kind;                             /* RUBBLE_JOINT_BALL ... */
+    rubble_shape shapes[2];                    /* 0: the world */
+    double position[3];                        /* world; of a rope: its first end */
+    double rotation[4];                        /* world */
+    double radius;                             /* metres within which a voxel must be; 0: 0.2 */
+    uint32_t flags;                            /* RUBBLE_JOINT_COLLIDES ... */
+    uint32_t motor;                            /* RUBBLE_MOTOR_...; of a rope: a winch */
+    double motor_target;                       /* rad/s or m/s; radians or metres */
+    double motor_max_force;                    /* N m or N */
+    double low, high;                          /* radians or metres */
     double spring_hertz, spring_damping_ratio; /* 0 hertz: none, or rigid */
-    double friction;                     /* N m or N; a wheel's brake */
-    double break_force, break_torque;    /* N, N m; 0: never */
-    double rope_end[3];                  /* world: its second end */
-    double rope_length, rope_radius;     /* metres; 0: as far as its ends are apart; 0.03 */
-    double rope_stretch;                 /* share of its length under 10 kN */
-    double rope_strength;                /* N; 0: never breaks */
-    double drive_torque, brake_torque;   /* N m of a wheel at full throttle and brake, see drive() */
-    double max_spin;                     /* rad/s forward, half of it back; 0: 60 */
-    double max_steer_angle, steer_rate;      /* radians either way; rad/s at which it turns there; 0: 2 */
+    double friction;                           /* N m or N; a wheel's brake */
+    double break_force, break_torque;          /* N, N m; 0: never */
+    double rope_end[3];                        /* world: its second end */
+    double rope_length, rope_radius;           /* metres; 0: as far as its ends are apart; 0.03 */
+    double rope_stretch;                       /* share of its length under 10 kN */
+    double rope_strength;                      /* N; 0: never breaks */
+    double drive_torque, brake_torque;         /* N m of a wheel at full throttle and brake, see drive() */
+    double max_spin;                           /* rad/s forward, half of it back; 0: 60 */
+    double max_steer_angle, steer_rate;        /* radians either way; rad/s at which it turns there; 0: 2 */
 } rubble_joint_settings;
 
 /* What drives and brakes a joint from now on. */
@@ -290,8 +302,9 @@ typedef struct rubble_events {
     uint32_t light_groups_out_count;
     uint32_t dust_count;
     const rubble_dust_cloud* dust;
-    const rubble_body* bodies_broken;  /* lost voxels for the first time */
-    const rubble_body* bodies_settled; /* debris that has come to rest for good: only what breaks or moves near it wakes it */
+    const rubble_body* bodies_broken; /* lost voxels for the first time */
+    const rubble_body*
+        bodies_settled; /* debris that has come to rest for good: only what breaks or moves near it wakes it */
     const rubble_body* bodies_unsettled; /* settled debris that something has woken */
     uint32_t bodies_broken_count;
     uint32_t bodies_settled_count;
@@ -455,7 +468,12 @@ typedef struct rubble_character_state {
 
 /* ---- queries ---- */
 
-enum { RUBBLE_FILTER_REJECT_STATIC = 1, RUBBLE_FILTER_REJECT_DYNAMIC = 2, RUBBLE_FILTER_REJECT_TRANSPARENT = 4, RUBBLE_FILTER_REJECT_UNPHYSICAL = 8 };
+enum {
+    RUBBLE_FILTER_REJECT_STATIC = 1,
+    RUBBLE_FILTER_REJECT_DYNAMIC = 2,
+    RUBBLE_FILTER_REJECT_TRANSPARENT = 4,
+    RUBBLE_FILTER_REJECT_UNPHYSICAL = 8
+};
 typedef struct rubble_query_filter {
     uint32_t struct_size;
     uint32_t flags;  /* RUBBLE_FILTER_... */
@@ -517,7 +535,8 @@ typedef struct rubble_environment {
     double ground_color[3]; /* light from below the horizon */
     double fog_color[3];
     double fog_distance; /* metres at which the haze takes half */
-    double fog_density;  /* of fog that lights throw shafts into: share of light it takes in a metre at fog_base; 0: none, and nothing is paid */
+    double fog_density;  /* of fog that lights throw shafts into: share of light it takes in a metre at fog_base; 0:
+                            none, and nothing is paid */
     double fog_base;     /* height */
     double fog_height;   /* metres over fog_base at which it is 1/e as thick */
     double fog_forward;  /* how much it scatters forward, -0.9 to 0.9 */
@@ -529,11 +548,18 @@ typedef struct rubble_environment {
     double gravity[3]; /* m/s2 */
 } rubble_environment;
 
-enum { RUBBLE_LIGHT_SPHERE = 0, RUBBLE_LIGHT_CONE = 1, RUBBLE_LIGHT_CAPSULE = 2, RUBBLE_LIGHT_AREA = 3, RUBBLE_LIGHT_SCREEN = 4 };
+enum {
+    RUBBLE_LIGHT_SPHERE = 0,
+    RUBBLE_LIGHT_CONE = 1,
+    RUBBLE_LIGHT_CAPSULE = 2,
+    RUBBLE_LIGHT_AREA = 3,
+    RUBBLE_LIGHT_SCREEN = 4
+};
 enum { RUBBLE_LIGHT_ENABLED = 1, RUBBLE_LIGHT_TWO_SIDED = 2 };
 
-/* A light as it is, and as it is to be: every field counts, zeros too. set_light() keeps the picture of a screen; one that is added is
- * white. Refused: colours above 1e6, radius, width and height above 1e3 m, reach above 1e5 m, half angles above 3.15, and less than 0. */
+/* A light as it is, and as it is to be: every field counts, zeros too. set_light() keeps the picture of a screen; one
+ * that is added is white. Refused: colours above 1e6, radius, width and height above 1e3 m, reach above 1e5 m, half
+ * angles above 3.15, and less than 0. */
 typedef struct rubble_light_state {
     uint32_t struct_size;
     uint32_t kind;            /* RUBBLE_LIGHT_SPHERE... */
@@ -595,16 +621,19 @@ typedef struct rubble_api {
     uint32_t struct_size;
     uint32_t version;
 
-    /* [any-thread] Why the calling thread's last failed call failed; lives until its next call that fails. Never null. */
+    /* [any-thread] Why the calling thread's last failed call failed; lives until its next call that fails. Never null.
+     */
     const char* (*get_last_error)(void);
-    /* [main-thread] Copies the host's services. Null: the defaults. Call it before anything else, not while worlds step. */
+    /* [main-thread] Copies the host's services. Null: the defaults. Call it before anything else, not while worlds
+     * step. */
     rubble_result (*set_host)(const rubble_host* host);
 
     /* [main-thread] An empty world. settings may be null. At most 255 worlds at a time. */
     rubble_result (*create_world)(const rubble_world_settings* settings, rubble_world* out);
     rubble_result (*destroy_world)(rubble_world world);
-    /* [main-thread] Replaces everything by a level: a .rubble, .vdb or .vox file, by the name's ending (UTF-8). vdb_tool: the
-     * program rubble-vdb, run as a child for .vdb; may be null otherwise. On an error the world is as it was. */
+    /* [main-thread] Replaces everything by a level: a .rubble, .vdb or .vox file, by the name's ending (UTF-8).
+     * vdb_tool: the program rubble-vdb, run as a child for .vdb; may be null otherwise. On an error the world is as it
+     * was. */
     rubble_result (*load_level)(rubble_world world, const char* path, const char* vdb_tool);
     /* [main-thread] 1/60 s: queued edits, then physics. The host decides how many. */
     rubble_result (*step)(rubble_world world);
@@ -618,13 +647,16 @@ typedef struct rubble_api {
     /* [main-thread] */
     rubble_result (*get_events)(rubble_world world, rubble_events* out);
     /* [main-thread] All bodies in a fixed order. Writes up to `capacity` rows and the number there are to *count, which
-     * may be more (RUBBLE_ERROR_CAPACITY). With capacity 0, out may be null: only *count is written, and it is RUBBLE_OK. */
+     * may be more (RUBBLE_ERROR_CAPACITY). With capacity 0, out may be null: only *count is written, and it is
+     * RUBBLE_OK. */
     rubble_result (*get_body_states)(rubble_world world, rubble_body_state* out, uint32_t capacity, uint32_t* count);
     rubble_result (*get_body_state)(rubble_world world, rubble_body body, rubble_body_state* out);
     /* [main-thread] Like get_body_states(), for the shapes of one body, or of all with body 0. */
-    rubble_result (*get_shape_states)(rubble_world world, rubble_body body, rubble_shape_state* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*get_shape_states)(rubble_world world, rubble_body body, rubble_shape_state* out, uint32_t capacity,
+                                      uint32_t* count);
     /* [main-thread] The first voxel that a ray meets. The direction need not be normalised. */
-    rubble_result (*raycast)(rubble_world world, const double origin[3], const double direction[3], double max_distance, rubble_hit* out);
+    rubble_result (*raycast)(rubble_world world, const double origin[3], const double direction[3], double max_distance,
+                             rubble_hit* out);
     /* [main-thread] Of all that decides what happens next: equal worlds have equal hashes. */
     rubble_result (*get_state_hash)(rubble_world world, uint64_t* out);
     rubble_result (*get_voxel_accounting)(rubble_world world, rubble_voxel_accounting* out);
@@ -632,26 +664,32 @@ typedef struct rubble_api {
 
     /* [render-thread] All with the same GL context current (3.3 core or later). A world has one renderer in its life.
      * Destroy it while its context is current. */
-    rubble_result (*create_renderer)(rubble_world world, const rubble_renderer_settings* settings, rubble_renderer* out);
+    rubble_result (*create_renderer)(rubble_world world, const rubble_renderer_settings* settings,
+                                     rubble_renderer* out);
     rubble_result (*draw)(rubble_renderer renderer, const rubble_view* view);
-    /* [render-thread] Which intermediate picture is drawn, for looking into the renderer; null or "final": the picture. */
+    /* [render-thread] Which intermediate picture is drawn, for looking into the renderer; null or "final": the picture.
+     */
     rubble_result (*set_debug_view)(rubble_renderer renderer, const char* name);
     rubble_result (*get_draw_stats)(rubble_renderer renderer, rubble_draw_stats* out);
     rubble_result (*destroy_renderer)(rubble_renderer renderer);
 
-    /* [main-thread] Writes the game as it is between two steps, whole or not at all; goes on from there. Saving is an event:
-     * the next step begins with physics made anew, in the running game too, so that going on and loading are the same. */
+    /* [main-thread] Writes the game as it is between two steps, whole or not at all; goes on from there. Saving is an
+     * event: the next step begins with physics made anew, in the running game too, so that going on and loading are the
+     * same. */
     rubble_result (*save_game)(rubble_world world, const char* path);
     /* [main-thread] On an error the world is as it was. Handles of objects are those of the world that was saved. */
     rubble_result (*load_game)(rubble_world world, const char* path);
-    /* [main-thread] Records every step from here on, beginning with a save; stop_recording() gives the file its name. */
+    /* [main-thread] Records every step from here on, beginning with a save; stop_recording() gives the file its name.
+     */
     rubble_result (*start_recording)(rubble_world world, const char* path);
     rubble_result (*stop_recording)(rubble_world world);
-    /* [main-thread] Begins a recording and steps through all of it. *steps (may be null): how many had the hash that was
-     * recorded; fewer than there are is RUBBLE_ERROR_FILE: it was made by another build of the plugin or of its physics. */
+    /* [main-thread] Begins a recording and steps through all of it. *steps (may be null): how many had the hash that
+     * was recorded; fewer than there are is RUBBLE_ERROR_FILE: it was made by another build of the plugin or of its
+     * physics. */
     rubble_result (*play_recording)(rubble_world world, const char* path, uint64_t* steps);
-    /* [main-thread] Commands for the next step, at most one undo or redo each. set_undo_limit: how many marks are kept; 0, the
-     * default: none, and nothing is paid. undo() takes back all that has happened since the last mark, redo() what undo() did. */
+    /* [main-thread] Commands for the next step, at most one undo or redo each. set_undo_limit: how many marks are kept;
+     * 0, the default: none, and nothing is paid. undo() takes back all that has happened since the last mark, redo()
+     * what undo() did. */
     rubble_result (*set_undo_limit)(rubble_world world, uint32_t marks);
     rubble_result (*add_undo_mark)(rubble_world world);
     rubble_result (*undo)(rubble_world world);
@@ -664,9 +702,11 @@ typedef struct rubble_api {
     rubble_result (*set_joint_motor)(rubble_world world, const rubble_joint_motor* motor);
     rubble_result (*grab_body)(rubble_world world, const rubble_grab* grab);
     rubble_result (*release_body)(rubble_world world, const rubble_release* release);
-    /* [main-thread] All joints in the order of their slots; the points of a rope, three numbers each, from its first end on. */
+    /* [main-thread] All joints in the order of their slots; the points of a rope, three numbers each, from its first
+     * end on. */
     rubble_result (*get_joint_states)(rubble_world world, rubble_joint_state* out, uint32_t capacity, uint32_t* count);
-    rubble_result (*get_rope_points)(rubble_world world, rubble_joint joint, double* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*get_rope_points)(rubble_world world, rubble_joint joint, double* out, uint32_t capacity,
+                                     uint32_t* count);
 
     /* [main-thread] Commands for the next step. */
     rubble_result (*set_collision_filter)(rubble_world world, const rubble_collision_filter* edit);
@@ -678,25 +718,35 @@ typedef struct rubble_api {
     rubble_result (*remove_character)(rubble_world world, rubble_character character);
     rubble_result (*move_character)(rubble_world world, const rubble_character_move* move);
     rubble_result (*teleport_character)(rubble_world world, const rubble_character_teleport* place);
-    /* [main-thread] All of them in a fixed order, with capacity and count as in get_body_states(); a new one is the last but where
-     * an older one was removed. */
+    /* [main-thread] All of them in a fixed order, with capacity and count as in get_body_states(); a new one is the
+     * last but where an older one was removed. */
     rubble_result (*get_waters)(rubble_world world, rubble_water* out, uint32_t capacity, uint32_t* count);
     rubble_result (*get_triggers)(rubble_world world, rubble_trigger* out, uint32_t capacity, uint32_t* count);
-    rubble_result (*get_character_states)(rubble_world world, rubble_character_state* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*get_character_states)(rubble_world world, rubble_character_state* out, uint32_t capacity,
+                                          uint32_t* count);
     /* [main-thread] Who came into triggers and left them in the last step; the bodies with a voxel in one now. */
-    rubble_result (*get_trigger_events)(rubble_world world, rubble_trigger_event* out, uint32_t capacity, uint32_t* count);
-    rubble_result (*get_trigger_bodies)(rubble_world world, rubble_trigger trigger, rubble_body* out, uint32_t capacity, uint32_t* count);
+    rubble_result (*get_trigger_events)(rubble_world world, rubble_trigger_event* out, uint32_t capacity,
+                                        uint32_t* count);
+    rubble_result (*get_trigger_bodies)(rubble_world world, rubble_trigger trigger, rubble_body* out, uint32_t capacity,
+                                        uint32_t* count);
 
-    /* [main-thread] Queries; filter may be null. out[i] answers rays[i], or casts[i]; a cast shape moves without turning. */
-    rubble_result (*cast_rays)(rubble_world world, const rubble_ray* rays, uint32_t count, const rubble_query_filter* filter, rubble_touch* out);
-    rubble_result (*cast_shapes)(rubble_world world, const rubble_shape_cast* casts, uint32_t count, const rubble_query_filter* filter, rubble_touch* out);
-    /* [main-thread] Bodies, or shapes, with a voxel in a region, in a fixed order; capacity and count as in get_body_states(). */
-    rubble_result (*overlap_bodies)(rubble_world world, const rubble_query_shape* region, const rubble_query_filter* filter, rubble_body* out, uint32_t capacity,
+    /* [main-thread] Queries; filter may be null. out[i] answers rays[i], or casts[i]; a cast shape moves without
+     * turning. */
+    rubble_result (*cast_rays)(rubble_world world, const rubble_ray* rays, uint32_t count,
+                               const rubble_query_filter* filter, rubble_touch* out);
+    rubble_result (*cast_shapes)(rubble_world world, const rubble_shape_cast* casts, uint32_t count,
+                                 const rubble_query_filter* filter, rubble_touch* out);
+    /* [main-thread] Bodies, or shapes, with a voxel in a region, in a fixed order; capacity and count as in
+     * get_body_states(). */
+    rubble_result (*overlap_bodies)(rubble_world world, const rubble_query_shape* region,
+                                    const rubble_query_filter* filter, rubble_body* out, uint32_t capacity,
                                     uint32_t* count);
-    rubble_result (*overlap_shapes)(rubble_world world, const rubble_query_shape* region, const rubble_query_filter* filter, rubble_shape* out,
-                                    uint32_t capacity, uint32_t* count);
+    rubble_result (*overlap_shapes)(rubble_world world, const rubble_query_shape* region,
+                                    const rubble_query_filter* filter, rubble_shape* out, uint32_t capacity,
+                                    uint32_t* count);
     /* [main-thread] The point of a voxel that is closest to a point; distance 0 inside a voxel. */
-    rubble_result (*find_closest_point)(rubble_world world, const double position[3], double max_distance, const rubble_query_filter* filter, rubble_touch* out);
+    rubble_result (*find_closest_point)(rubble_world world, const double position[3], double max_distance,
+                                        const rubble_query_filter* filter, rubble_touch* out);
 
     /* [main-thread] A command for the next step. */
     rubble_result (*drive_wheels)(rubble_world world, const rubble_drive* edit);
@@ -704,23 +754,25 @@ typedef struct rubble_api {
     /* [main-thread] Sky, sun, air, exposure and gravity; set_environment is a command for the next step. */
     rubble_result (*get_environment)(rubble_world world, rubble_environment* out);
     rubble_result (*set_environment)(rubble_world world, const rubble_environment* environment);
-    /* [any-thread] Sets the colours of sun, sky, haze and ground light, and the stars, in a struct that is filled in: from where the
-     * sun stands (below the horizon: twilight, then night) and its clouds. */
+    /* [any-thread] Sets the colours of sun, sky, haze and ground light, and the stars, in a struct that is filled in:
+     * from where the sun stands (below the horizon: twilight, then night) and its clouds. */
     rubble_result (*compute_sky)(rubble_environment* environment, const double to_sun[3]);
-    /* [main-thread] All lights, with capacity and count as in get_body_states(); one of them; a command for the next step. */
+    /* [main-thread] All lights, with capacity and count as in get_body_states(); one of them; a command for the next
+     * step. */
     rubble_result (*get_lights)(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
     rubble_result (*get_light_state)(rubble_world world, rubble_light light, rubble_light_state* out);
     rubble_result (*set_light)(rubble_world world, const rubble_light_state* light);
-    /* [main-thread] Commands for the next step. A light on a shape moves with it, and stays where it was, dark, when the shape is gone.
-     * None is added to a world that has 65,536. */
+    /* [main-thread] Commands for the next step. A light on a shape moves with it, and stays where it was, dark, when
+     * the shape is gone. None is added to a world that has 65,536. */
     rubble_result (*add_light)(rubble_world world, const rubble_light_state* light);
     rubble_result (*remove_light)(rubble_world world, rubble_light light);
-    /* [main-thread] The lights that the last step made, one for each add_light() in the order of the calls, with capacity and count
-     * as in get_body_states(); 0 for one that the step refused. */
+    /* [main-thread] The lights that the last step made, one for each add_light() in the order of the calls, with
+     * capacity and count as in get_body_states(); 0 for one that the step refused. */
     rubble_result (*get_added_lights)(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count);
 } rubble_api;
 
-/* [any-thread] The one export: the plugin's table for this version of the interface, or RUBBLE_ERROR_VERSION and null. */
+/* [any-thread] The one export: the plugin's table for this version of the interface, or RUBBLE_ERROR_VERSION and null.
+ */
 RUBBLE_EXPORT rubble_result rubble_get_api(uint32_t version, const rubble_api** table);
 
 #ifdef __cplusplus

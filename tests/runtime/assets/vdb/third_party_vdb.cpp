@@ -64,9 +64,11 @@ openvdb::GridPtrVec gridsOf(const std::string& kind) {
         return {grid};
     }
     if (kind == "level set")
-        return {named<openvdb::FloatGrid>(openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(2.0f, openvdb::Vec3f(1, 2, 3), 0.1f), "surface")};
+        return {named<openvdb::FloatGrid>(
+            openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(2.0f, openvdb::Vec3f(1, 2, 3), 0.1f), "surface")};
     if (kind == "fog")
-        return {fog("density"), twoColors("color"), fog("temperature"), named<openvdb::DoubleGrid>(openvdb::DoubleGrid::create(1.0), "odd")};
+        return {fog("density"), twoColors("color"), fog("temperature"),
+                named<openvdb::DoubleGrid>(openvdb::DoubleGrid::create(1.0), "odd")};
     if (kind == "odd type") {
         using Bytes = openvdb::Grid<openvdb::tree::Tree4<uint8_t, 5, 4, 3>::Type>;
         if (!Bytes::isRegistered()) Bytes::registerGrid();

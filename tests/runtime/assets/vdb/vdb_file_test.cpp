@@ -49,7 +49,8 @@ TEST_F(VdbFile, RoundTripKeepsTheHash) {
     ASSERT_TRUE(back) << back.error();
     EXPECT_EQ(hashLevel(*back), hashLevel(level));
     EXPECT_EQ(notes(report), "");
-    EXPECT_EQ(std::distance(fs::directory_iterator(m_folder.path()), fs::directory_iterator()), 1) << "no neighbours stay";
+    EXPECT_EQ(std::distance(fs::directory_iterator(m_folder.path()), fs::directory_iterator()), 1)
+        << "no neighbours stay";
 }
 
 TEST_F(VdbFile, StrengthAndLoadBearingAreKeptAndHaveDefaults) {
@@ -81,23 +82,27 @@ TEST_F(VdbFile, RoundTripOfARealScene) {
 }
 
 TEST_F(VdbFile, VdbPrintListsTheGrids) {
-    if (std::system("command -v vdb_print >/dev/null") != 0) GTEST_SKIP() << "vdb_print is not installed (libopenvdb-tools)";
+    if (std::system("command -v vdb_print >/dev/null") != 0)
+        GTEST_SKIP() << "vdb_print is not installed (libopenvdb-tools)";
     ASSERT_TRUE(writeVdb(path("a.vdb"), sampleLevel(), kTool));
     ASSERT_EQ(std::system(("vdb_print " + path("a.vdb") + " > " + path("list.txt")).c_str()), 0);
     const auto bytes = readFileBytes(path("list.txt"), 1 << 20);
     ASSERT_TRUE(bytes);
     const std::string list(bytes->begin(), bytes->end());
-    for (const char* grid :
-         {"walls_north.palette_index", "walls_north.density", "walls_north.color", "lantern.emission", "lantern.light_group", "lantern_2.palette_index"})
+    for (const char* grid : {"walls_north.palette_index", "walls_north.density", "walls_north.color",
+                             "lantern.emission", "lantern.light_group", "lantern_2.palette_index"})
         EXPECT_NE(list.find(grid), std::string::npos) << grid << " is not in\n" << list;
 }
 
 TEST_F(VdbFile, BlenderListsTheGrids) {
     if (std::system("command -v blender >/dev/null") != 0) GTEST_SKIP() << "blender is not installed";
     ASSERT_TRUE(writeVdb(path("a.vdb"), sampleLevel(), kTool));
-    std::ofstream(path("list.py")) << "import bpy\nv = bpy.data.volumes.new('v')\nv.filepath = r'" << path("a.vdb")
-                                   << "'\nv.grids.load()\nprint('GRIDS', sorted((g.name, g.data_type) for g in v.grids))\n";
-    ASSERT_EQ(std::system(("blender -b --factory-startup -P " + path("list.py") + " > " + path("list.txt") + " 2>&1").c_str()), 0);
+    std::ofstream(path("list.py"))
+        << "import bpy\nv = bpy.data.volumes.new('v')\nv.filepath = r'" << path("a.vdb")
+        << "'\nv.grids.load()\nprint('GRIDS', sorted((g.name, g.data_type) for g in v.grids))\n";
+    ASSERT_EQ(std::system(
+                  ("blender -b --factory-startup -P " + path("list.py") + " > " + path("list.txt") + " 2>&1").c_str()),
+              0);
     const auto bytes = readFileBytes(path("list.txt"), 1 << 20);
     ASSERT_TRUE(bytes);
     const std::string list(bytes->begin(), bytes->end());
@@ -149,7 +154,8 @@ TEST_F(VdbFile, FogVolumesAreSolidFromHalfDensity) {
     const LevelShape& shape = level->bodies[0].shapes.at(0);
     EXPECT_EQ(shape.name, "foreign");
     EXPECT_EQ(shape.grid.voxelCount(), 500u);
-    const PaletteEntry &blue = (*shape.palette)[shape.grid.at({1, 0, 0})], &red = (*shape.palette)[shape.grid.at({2, 0, 0})];
+    const PaletteEntry &blue = (*shape.palette)[shape.grid.at({1, 0, 0})],
+                       &red = (*shape.palette)[shape.grid.at({2, 0, 0})];
     EXPECT_EQ(int(blue.blue), 255);
     EXPECT_EQ(int(blue.red), 0);
     EXPECT_EQ(int(red.red), 255);
@@ -172,9 +178,11 @@ TEST_F(VdbFile, RotatedGridsKeepTheirPosition) {
     const LevelBody& body = level->bodies.at(0);
     // OpenVDB turns row vectors: x goes to (cos, 0, -sin).
     const glm::dvec3 index(3, 2, 1);
-    const glm::dvec3 turned(std::cos(0.7) * index.x + std::sin(0.7) * index.z, index.y, -std::sin(0.7) * index.x + std::cos(0.7) * index.z);
+    const glm::dvec3 turned(std::cos(0.7) * index.x + std::sin(0.7) * index.z, index.y,
+                            -std::sin(0.7) * index.x + std::cos(0.7) * index.z);
     const glm::dvec3 expected = turned * 0.1 + glm::dvec3(5, 6, 7);
-    const glm::dvec3 centre = body.pose.transformPoint((glm::dvec3(8, 2, 1) + 0.5) * 0.1);  // the same cell in the shape
+    const glm::dvec3 centre =
+        body.pose.transformPoint((glm::dvec3(8, 2, 1) + 0.5) * 0.1);  // the same cell in the shape
     EXPECT_LT(glm::length(centre - expected), 1e-6) << centre.x << " " << centre.y << " " << centre.z;
 }
 
@@ -194,7 +202,8 @@ TEST_F(VdbFile, DamagedFilesCrashAtMostTheChildProcess) {
     ASSERT_TRUE(writeVdb(path("a.vdb"), sampleLevel(), kTool));
     const std::vector<uint8_t> whole = *readFileBytes(path("a.vdb"), 1 << 24);
     const auto read = [&](const std::vector<uint8_t>& bytes) {
-        std::ofstream(path("b.vdb"), std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+        std::ofstream(path("b.vdb"), std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
         ImportReport report;
         return readVdb(path("b.vdb"), kTool, &report);
     };
