@@ -6,7 +6,7 @@
 
 #include "physics/bodies/limits.h"
 #include "runtime/core/parallel_for.h"
-#include "runtime/world/frame_changes.h"
+#include "runtime/world/history/frame_changes.h"
 #include "runtime/world/world.h"
 
 namespace rubble {

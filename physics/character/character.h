@@ -4,7 +4,7 @@
 #include "physics/bodies/dynamic_body.h"
 #include "physics/collision/broadphase.h"
 #include "physics/water/water.h"
-#include "runtime/world/character.h"
+#include "runtime/world/objects/character.h"
 
 namespace rubble {
 

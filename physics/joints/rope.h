@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "physics/collision/broadphase.h"
-#include "runtime/world/joint.h"
+#include "runtime/world/objects/joint.h"
 
 namespace rubble {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "physics/bodies/solver_body.h"
-#include "runtime/world/joint.h"
+#include "runtime/world/objects/joint.h"
 
 namespace rubble {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "physics/bodies/dynamic_body.h"
-#include "runtime/world/water.h"
+#include "runtime/world/objects/water.h"
 
 namespace rubble {
 

@@ -4,7 +4,7 @@
 
 #include "runtime/assets/byte_reader.h"
 #include "runtime/assets/palette_list.h"
-#include "runtime/world/level.h"
+#include "runtime/world/level/level.h"
 
 namespace rubble {
 

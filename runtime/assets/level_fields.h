@@ -4,7 +4,7 @@
 #include <span>
 #include <type_traits>
 
-#include "runtime/world/level.h"
+#include "runtime/world/level/level.h"
 
 namespace rubble {
 

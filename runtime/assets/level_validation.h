@@ -1,6 +1,6 @@
 #pragma once
 #include "runtime/core/result.h"
-#include "runtime/world/level.h"
+#include "runtime/world/level/level.h"
 
 namespace rubble {
 

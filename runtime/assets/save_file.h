@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "runtime/core/result.h"
-#include "runtime/world/world_state.h"
+#include "runtime/world/state/world_state.h"
 
 namespace rubble {
 

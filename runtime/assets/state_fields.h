@@ -1,6 +1,6 @@
 #pragma once
 #include "runtime/assets/level_fields.h"
-#include "runtime/world/world_state.h"
+#include "runtime/world/state/world_state.h"
 
 namespace rubble {
 

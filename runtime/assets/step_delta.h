@@ -6,7 +6,7 @@
 
 #include "runtime/assets/palette_list.h"
 #include "runtime/core/result.h"
-#include "runtime/world/world_delta.h"
+#include "runtime/world/history/world_delta.h"
 
 namespace rubble {
 

@@ -11,9 +11,9 @@
 #include "runtime/voxel/paint_colors.h"
 #include "runtime/voxel/palette.h"
 #include "runtime/voxel/voxel_grid.h"
-#include "runtime/world/frame_changes.h"
-#include "runtime/world/lights.h"
-#include "runtime/world/water.h"
+#include "runtime/world/history/frame_changes.h"
+#include "runtime/world/objects/lights.h"
+#include "runtime/world/objects/water.h"
 
 namespace rubble {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "runtime/core/log.h"
-#include "runtime/world/break_through.h"
+#include "runtime/world/impacts/break_through.h"
 
 namespace rubble {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "runtime/assets/recording_file.h"
-#include "runtime/world/world_baseline.h"
+#include "runtime/world/history/world_baseline.h"
 
 namespace rubble {
 

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "runtime/core/pose.h"
-#include "runtime/world/level.h"
+#include "runtime/world/level/level.h"
 
 namespace rubble {
 

@@ -6,7 +6,7 @@
 #include "runtime/core/pose.h"
 #include "runtime/voxel/palette.h"
 #include "runtime/voxel/voxel_grid.h"
-#include "runtime/world/frame_changes.h"
+#include "runtime/world/history/frame_changes.h"
 #include "runtime/world/world.h"
 
 namespace rubble {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "runtime/shadow/shadow_volume.h"
-#include "runtime/world/frame_changes.h"
+#include "runtime/world/history/frame_changes.h"
 #include "runtime/world/world.h"
 
 namespace rubble {

@@ -7,9 +7,9 @@
 #include "runtime/core/hash.h"
 #include "runtime/core/log.h"
 #include "runtime/destruction/wire.h"
-#include "runtime/world/edit_step.h"
-#include "runtime/world/fit_lights.h"
-#include "runtime/world/undo_history.h"
+#include "runtime/world/stages/edit_step.h"
+#include "runtime/world/level/fit_lights.h"
+#include "runtime/world/history/undo_history.h"
 
 namespace rubble {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "runtime/world/level.h"
+#include "runtime/world/level/level.h"
 #include "samples/scenes/palette_builder.h"
 
 namespace rubble::scenes {

@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "runtime/core/pose.h"
-#include "runtime/world/edit.h"
+#include "runtime/world/edits/edit.h"
 
 /// The scripted demolitions: what the tools do at each step of 1/60 s. Pure functions of their arguments.
 namespace rubble {

@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-#include "runtime/world/sky_model.h"
+#include "runtime/world/level/sky_model.h"
 
 namespace rubble::scenes {
 

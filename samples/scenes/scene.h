@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "runtime/world/level.h"
+#include "runtime/world/level/level.h"
 #include "runtime/world/world.h"
 
 namespace rubble {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/world/edit.h"
+#include "runtime/world/edits/edit.h"
 
 namespace rubble::scenes {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "runtime/world/level.h"
+#include "runtime/world/level/level.h"
 
 /// Small scenes with known answers, for tests and benchmarks. Static things stand on y = 0; a flat floor lies below.
 namespace rubble {

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "runtime/world/level.h"
+#include "runtime/world/level/level.h"
 
 namespace rubble {
 

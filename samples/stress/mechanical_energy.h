@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "runtime/world/frame_changes.h"
+#include "runtime/world/history/frame_changes.h"
 #include "runtime/world/world.h"
 
 namespace rubble {

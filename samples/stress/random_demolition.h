@@ -1,6 +1,6 @@
 #pragma once
 #include "runtime/core/random.h"
-#include "runtime/world/edit.h"
+#include "runtime/world/edits/edit.h"
 #include "runtime/world/world.h"
 
 namespace rubble {

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "runtime/core/random.h"
-#include "runtime/world/query.h"
+#include "runtime/world/queries/query.h"
 
 namespace rubble {
 namespace {

@@ -13,7 +13,7 @@
 #include "runtime/destruction/detachment.h"
 #include "runtime/destruction/local_connectivity.h"
 #include "runtime/destruction/split.h"
-#include "runtime/world/resolve_brush.h"
+#include "runtime/world/edits/resolve_brush.h"
 #include "runtime/world/world.h"
 #include "tests/benchmark/baseline_labels.h"
 #include "tests/benchmark/destruction_scenes.h"

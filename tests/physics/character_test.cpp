@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "runtime/core/random.h"
-#include "runtime/world/query.h"
-#include "runtime/world/world_state.h"
+#include "runtime/world/queries/query.h"
+#include "runtime/world/state/world_state.h"
 #include "tests/physics/physics_scene.h"
 
 namespace rubble {

@@ -1,7 +1,7 @@
 #pragma once
 #include <glm/vec3.hpp>
 
-#include "runtime/world/lights.h"
+#include "runtime/world/objects/lights.h"
 
 namespace rubble::reference {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "runtime/core/result.h"
-#include "runtime/world/level.h"
+#include "runtime/world/level/level.h"
 
 namespace rubble {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "runtime/plugin/c_abi/guard.h"
-#include "runtime/world/sky_model.h"
+#include "runtime/world/level/sky_model.h"
 
 namespace rubble::abi {
 namespace {

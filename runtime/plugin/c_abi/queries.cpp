@@ -1,7 +1,7 @@
 #include "runtime/plugin/c_abi/queries.h"
 
 #include "runtime/plugin/c_abi/guard.h"
-#include "runtime/world/query.h"
+#include "runtime/world/queries/query.h"
 
 namespace rubble::abi {
 namespace {

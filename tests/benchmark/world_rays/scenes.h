@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/world/level.h"
+#include "runtime/world/level/level.h"
 #include "tests/benchmark/world_rays/rays.h"
 
 namespace rubble::rays {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "runtime/shadow/shadow_volume.h"
-#include "runtime/world/level.h"
+#include "runtime/world/level/level.h"
 
 namespace rubble::rays {
 

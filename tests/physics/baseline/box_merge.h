@@ -5,7 +5,7 @@
 #include "runtime/voxel/material.h"
 #include "runtime/voxel/palette.h"
 #include "runtime/voxel/voxel_grid.h"
-#include "runtime/world/level.h"
+#include "runtime/world/level/level.h"
 
 namespace rubble {
 

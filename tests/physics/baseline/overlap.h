@@ -2,7 +2,7 @@
 #include <span>
 
 #include "runtime/core/pose.h"
-#include "runtime/world/level.h"
+#include "runtime/world/level/level.h"
 
 namespace rubble {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "runtime/world/level.h"
+#include "runtime/world/level/level.h"
 
 namespace rubble {
 

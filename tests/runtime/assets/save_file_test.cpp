@@ -8,7 +8,7 @@
 
 #include "runtime/assets/assets.h"
 #include "runtime/assets/recording_file.h"
-#include "runtime/world/world_baseline.h"
+#include "runtime/world/history/world_baseline.h"
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/temp_folder.h"
 

@@ -1,4 +1,4 @@
-#include "runtime/world/break_through.h"
+#include "runtime/world/impacts/break_through.h"
 
 #include <gtest/gtest.h>
 

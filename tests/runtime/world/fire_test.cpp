@@ -1,4 +1,4 @@
-#include "runtime/world/fire.h"
+#include "runtime/world/state/fire_state.h"
 
 #include <gtest/gtest.h>
 

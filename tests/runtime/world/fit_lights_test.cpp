@@ -1,4 +1,4 @@
-#include "runtime/world/fit_lights.h"
+#include "runtime/world/level/fit_lights.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "runtime/world/joint.h"
+#include "runtime/world/objects/joint.h"
 
 #include <gtest/gtest.h>
 
-#include "runtime/world/world_baseline.h"
+#include "runtime/world/history/world_baseline.h"
 #include "tests/runtime/world/worlds.h"
 
 namespace rubble {

@@ -6,7 +6,7 @@
 
 #include "runtime/assets/assets.h"
 #include "runtime/destruction/carve.h"
-#include "runtime/world/resolve_brush.h"
+#include "runtime/world/edits/resolve_brush.h"
 #include "tests/runtime/world/worlds.h"
 
 namespace rubble {

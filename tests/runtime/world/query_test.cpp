@@ -1,4 +1,4 @@
-#include "runtime/world/query.h"
+#include "runtime/world/queries/query.h"
 
 #include <gtest/gtest.h>
 

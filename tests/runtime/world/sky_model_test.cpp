@@ -1,4 +1,4 @@
-#include "runtime/world/sky_model.h"
+#include "runtime/world/level/sky_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "runtime/world/trigger.h"
+#include "runtime/world/objects/trigger.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "runtime/world/world_state.h"
+#include "runtime/world/state/world_state.h"
 #include "tests/runtime/world/worlds.h"
 
 namespace rubble {

@@ -1,4 +1,4 @@
-#include "runtime/world/undo_history.h"
+#include "runtime/world/history/undo_history.h"
 
 #include <gtest/gtest.h>
 

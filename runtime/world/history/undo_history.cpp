@@ -1,0 +1,117 @@
+#include "runtime/world/history/undo_history.h"
+
+#include <iterator>
+#include <utility>
+
+namespace rubble {
+namespace {
+
+template <class Handle, class T>
+void addMissing(SlotValues<Handle, T>& into, SlotValues<Handle, T> from) {
+    into.merge(from);
+}
+
+/// Objects of an earlier moment over those of a later one.
+void addMissing(WorldDelta& into, WorldDelta from) {
+    addMissing(into.bodies, std::move(from.bodies));
+    addMissing(into.shapes, std::move(from.shapes));
+    addMissing(into.lights, std::move(from.lights));
+    addMissing(into.groups, std::move(from.groups));
+    addMissing(into.waters, std::move(from.waters));
+    addMissing(into.triggers, std::move(from.triggers));
+    addMissing(into.characters, std::move(from.characters));
+    addMissing(into.joints, std::move(from.joints));
+    if (!into.environment) into.environment = from.environment;
+}
+
+/// For each slot of `slots`: its value in `first`, else in `second`.
+template <class Handle, class T>
+SlotValues<Handle, T> selectSlots(const SlotValues<Handle, T>& slots, const SlotValues<Handle, T>& first,
+                                  SlotValues<Handle, T>& second) {
+    SlotValues<Handle, T> out;
+    for (const auto& [slot, value] : slots) {
+        const auto found = first.find(slot);
+        out.emplace(slot, found != first.end() ? found->second : std::move(second.at(slot)));
+    }
+    return out;
+}
+
+}  // namespace
+
+UndoHistory::UndoHistory(const World& world) : m_baseline(world), m_current(m_baseline.emptyDelta()) {}
+
+void UndoHistory::mark(size_t limit) {
+    if (m_onlyMotionSinceUndo) {  // what moved since the undo belongs to the mark before it
+        if (!m_marks.empty()) addMissing(m_marks.back(), std::move(m_current));
+        m_onlyMotionSinceUndo = false;
+        m_redo.clear();
+    } else if (!m_current.empty()) {
+        m_marks.push_back(std::move(m_current));
+    }
+    m_current = m_baseline.emptyDelta();
+    while (m_marks.size() + 1 > limit && !m_marks.empty()) m_marks.pop_front();
+}
+
+/// Puts the entry's objects into the World, and what moved since back; returns those of its slots as they were before
+/// that.
+WorldDelta UndoHistory::swapEntry(World& world, WorldDelta entry, FrameChanges& changes) {
+    const WorldDelta slots = entry;
+    const WorldDelta drift = m_onlyMotionSinceUndo ? std::move(m_current) : WorldDelta{};
+    addMissing(entry, drift);
+    WorldDelta was = world.swap(std::move(entry), changes);
+    m_baseline.update(world, changes);
+    WorldDelta out = m_onlyMotionSinceUndo ? drift : was;
+    out.bodies = selectSlots(slots.bodies, drift.bodies, was.bodies);
+    out.shapes = selectSlots(slots.shapes, drift.shapes, was.shapes);
+    out.lights = selectSlots(slots.lights, drift.lights, was.lights);
+    out.groups = selectSlots(slots.groups, drift.groups, was.groups);
+    out.waters = selectSlots(slots.waters, drift.waters, was.waters);
+    out.triggers = selectSlots(slots.triggers, drift.triggers, was.triggers);
+    out.characters = selectSlots(slots.characters, drift.characters, was.characters);
+    out.joints = selectSlots(slots.joints, drift.joints, was.joints);
+    out.environment.reset();
+    if (slots.environment) out.environment = drift.environment ? drift.environment : was.environment;
+    m_current = m_baseline.emptyDelta();
+    m_onlyMotionSinceUndo = true;
+    return out;
+}
+
+bool UndoHistory::undo(World& world, FrameChanges& changes) {
+    if (!m_onlyMotionSinceUndo && !m_current.empty())
+        m_marks.push_back(std::move(m_current)), m_current = m_baseline.emptyDelta();
+    if (m_marks.empty()) return false;
+    WorldDelta entry = std::move(m_marks.back());
+    m_marks.pop_back();
+    m_redo.push_back(swapEntry(world, std::move(entry), changes));
+    return true;
+}
+
+bool UndoHistory::redo(World& world, FrameChanges& changes) {
+    if (m_redo.empty()) return false;
+    WorldDelta entry = std::move(m_redo.back());
+    m_redo.pop_back();
+    m_marks.push_back(swapEntry(world, std::move(entry), changes));
+    return true;
+}
+
+void UndoHistory::recordStep(const World& world, const FrameChanges& changes, bool wasUndoOrRedo) {
+    if (changes.empty()) return;
+    addMissing(m_current, m_baseline.update(world, changes));
+    if (wasUndoOrRedo) return;
+    m_onlyMotionSinceUndo = false;
+    m_redo.clear();
+}
+
+void UndoHistory::recordMoves(const World& world, std::span<const RopeMotion> ropes) {
+    m_baseline.move(world, ropes, m_current.joints);
+}
+
+void UndoHistory::recordMoves(const World& world, std::span<const BodyPose> poses) {
+    m_baseline.move(world, poses, m_current.bodies);
+}
+
+void UndoHistory::recordMoves(const World& world, std::span<const CharacterMove> moves) {
+    m_baseline.move(world, moves, m_current.characters);
+}
+
+}  // namespace rubble

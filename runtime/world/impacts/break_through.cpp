@@ -1,0 +1,128 @@
+#include "runtime/world/impacts/break_through.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "runtime/destruction/fragment_style.h"
+#include "runtime/world/world.h"
+
+namespace rubble {
+namespace {
+
+constexpr double kContactTolerance = 0.2;  ///< metres: how far from the contact that physics reports the surface may be
+constexpr double kSampleSpacingCells = 0.5;
+
+/// What a hole meets on its direction, seen in columns a voxel apart columns the disc that it is.
+struct HoleResistance {
+    const Material* wall = nullptr;  ///< the toughest of it near the middle; null if something stays there, or nothing
+                                     ///< was in the direction
+    double meanToughness = 0.0;      ///< over the disc: a pipe in the open stops less than a wall of pipes
+};
+
+class HoleSampler {
+public:
+    HoleSampler(const World& world, const BreakEdit& hole, glm::dvec3 direction)
+        : m_world(world),
+          m_hole(hole),
+          m_direction(direction),
+          m_shape(world.shapes().at(hole.shape)),
+          m_pose(world.shapeToWorld(hole.shape)) {}
+
+    HoleResistance resistance() {
+        const double voxel = double(m_shape.voxelSize);
+        const glm::dvec3 u = glm::normalize(
+            glm::cross(m_direction, std::abs(m_direction.y) < 0.7 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
+        const glm::dvec3 v = glm::cross(m_direction, u);
+        const int columns = int(m_hole.radii[0] / voxel);
+        for (int j = -columns; j <= columns; ++j)
+            for (int i = -columns; i <= columns; ++i) sampleColumn(u * (double(i) * voxel) + v * (double(j) * voxel));
+        if (m_isBlocked) m_resistance.wall = nullptr;
+        m_resistance.meanToughness /= std::max(m_columns, 1);
+        return m_resistance;
+    }
+
+private:
+    void sampleColumn(glm::dvec3 offset) {
+        const double radius = m_hole.radii[0], out2 = glm::dot(offset, offset);
+        if (out2 > radius * radius) return;
+        ++m_columns;
+        const bool isMiddle = out2 <= kContactTolerance * kContactTolerance;
+        const Material* toughest = nullptr;
+        for (double depth = -kContactTolerance; depth < radius;
+             depth += kSampleSpacingCells * double(m_shape.voxelSize)) {
+            const Material* material = materialAt(m_hole.position + offset + m_direction * depth);
+            if (!material) {
+                if (isMiddle && toughest) break;  // out on the other side
+                continue;
+            }
+            const bool breaks =
+                material->hardness <= Hardness::Hard && out2 + depth * depth < radiusSquared(material->hardness);
+            if (isMiddle && (!breaks || depth + kSampleSpacingCells * double(m_shape.voxelSize) >= radius))
+                m_isBlocked = true;
+            if (breaks && (!toughest || impactToughness(*material) > impactToughness(*toughest))) toughest = material;
+        }
+        if (!toughest) return;
+        m_resistance.meanToughness += impactToughness(*toughest);
+        if (isMiddle && (!m_resistance.wall || impactToughness(*toughest) > impactToughness(*m_resistance.wall)))
+            m_resistance.wall = toughest;
+    }
+    double radiusSquared(Hardness hardness) const {
+        return m_hole.radii[size_t(hardness)] * m_hole.radii[size_t(hardness)];
+    }
+    const Material* materialAt(glm::dvec3 point) const {
+        const uint8_t entry =
+            m_shape.grid.at(glm::ivec3(glm::floor(m_pose.inversePoint(point) / double(m_shape.voxelSize))));
+        return entry ? &m_world.materials()[(*m_shape.palette)[entry].material] : nullptr;
+    }
+
+    const World& m_world;
+    const BreakEdit& m_hole;
+    glm::dvec3 m_direction;
+    const Shape& m_shape;
+    Pose m_pose;
+    HoleResistance m_resistance;
+    int m_columns = 0;
+    bool m_isBlocked = false;
+};
+
+/// N s that a hole takes: the broken area grows with the impulse, as in World::addImpactDamage(). A pane takes no more
+/// than what it breaks at, wherever its cracks end.
+double impulseOf(const BreakEdit& hole, const HoleResistance& resistance, const WorldSettings& settings) {
+    if (fragmentStyle(resistance.wall->fragments).wholePane)
+        return settings.impactThreshold * impactToughness(*resistance.wall);
+    const double ratio = hole.radii[0] / settings.impactRadius;
+    return settings.impactThreshold * resistance.meanToughness * std::max(1.0, ratio * ratio);
+}
+
+}  // namespace
+
+void addBreakThroughImpulses(const World& world, std::span<const Impact> impacts, Edits& damage) {
+    const size_t breaks = damage.size();
+    for (size_t i = 0; i < breaks; ++i) {
+        const auto* edit = std::get_if<BreakEdit>(&damage[i]);
+        const Shape* shape = edit ? world.shapes().find(edit->shape) : nullptr;
+        if (!shape || !world.bodies().at(shape->body).isStatic) continue;
+        const BreakEdit hole = *edit;  // the list grows
+        for (const Impact& impact : impacts) {
+            if (impact.position != hole.position || (impact.body != shape->body && impact.other != shape->body))
+                continue;
+            const bool hitterIsFirst = impact.other == shape->body;
+            const BodyHandle hitter = hitterIsFirst ? impact.body : impact.other;
+            const Body* body = world.bodies().find(hitter);
+            if (!body || body->isStatic) break;
+            const glm::dvec3 direction = hitterIsFirst ? -impact.normal : impact.normal;
+            const HoleResistance resistance = HoleSampler(world, hole, direction).resistance();
+            if (!resistance.wall) break;
+            // No more than it arrivingMomentum with: what something else presses through the wall is not thrown ahead
+            // of that.
+            const double arrivingMomentum = world.bodyMass(hitter).mass * impact.speed;
+            const double remaining =
+                std::min(impact.impulse - impulseOf(hole, resistance, world.settings()), arrivingMomentum);
+            if (remaining > 0.0) damage.emplace_back(ImpulseEdit{hitter, impact.position, direction * remaining});
+            break;
+        }
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,77 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/voxel/cell_box.h"
+#include "runtime/voxel/material.h"
+#include "runtime/voxel/paint_colors.h"
+#include "runtime/voxel/palette.h"
+#include "runtime/voxel/voxel_grid.h"
+#include "runtime/world/objects/character.h"
+#include "runtime/world/objects/joint.h"
+#include "runtime/world/objects/lights.h"
+#include "runtime/world/objects/trigger.h"
+#include "runtime/world/objects/water.h"
+
+namespace rubble {
+
+/// A voxel shape as data: what files hold and scenes make.
+struct LevelShape {
+    std::string name;
+    Pose local;              ///< in its body; the grid's corner is its origin
+    float voxelSize = 0.1f;  ///< metres
+    VoxelGrid grid;
+    PaletteRef palette;
+    std::vector<CellBox> anchors;  ///< cells of a static shape that hold to the world; empty: its bottom layer of cells
+    std::vector<std::string> tags;
+    bool hidden = false;
+    PaintColorsRef paintColors;  ///< null: no voxel has a paint layer
+    float strength = 1.0f;       ///< multiple of its materials' strengths
+    bool loadBearing = true;     ///< false: it never breaks under its load
+    uint8_t collisionLayer = 1;  ///< bits; two shapes touch if each one's layer is in the other's mask
+    uint8_t collisionMask = 255;
+};
+
+struct LevelBody {
+    std::string name;
+    Pose pose;
+    bool isStatic = true;
+    glm::vec3 velocity{0.0f};         ///< m/s
+    glm::vec3 angularVelocity{0.0f};  ///< rad/s
+    std::vector<LevelShape> shapes;
+    std::vector<std::string> tags;
+};
+
+/// Light::shape and Light::group are not set in a level: the names below stand for them.
+struct LevelLight {
+    Light light;
+    std::string shapeName;  ///< "" = fixed in the world
+    std::string groupName;  ///< "" = none
+};
+
+/// JointEnd::shape is not set in a level: the names stand for them.
+struct LevelJoint {
+    Joint joint;
+    std::array<std::string, 2> shapeNames;  ///< "" = fixed in the world
+};
+
+/// A level as data, independent of any World. PaletteEntry::lightGroup is the index into lightGroups plus one.
+struct Level {
+    std::string name;
+    MaterialTable materials = defaultMaterials();
+    std::vector<LevelBody> bodies;
+    std::vector<LevelLight> lights;
+    std::vector<LightGroup> lightGroups;
+    uint32_t autoLightGroups =
+        0;  ///< at most this many groups are made from glowing voxels that have none; see fitLights()
+    Environment environment;
+    std::vector<std::pair<std::string, Pose>> locations;  ///< named places: spawn points, cameras
+    std::vector<Water> waters;
+    std::vector<Trigger> triggers;
+    std::vector<Character> characters;
+    std::vector<LevelJoint> joints;
+};
+
+}  // namespace rubble

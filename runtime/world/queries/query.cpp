@@ -1,0 +1,342 @@
+#include "runtime/world/queries/query.h"
+
+#include <algorithm>
+#include <glm/mat3x3.hpp>
+
+#include "runtime/voxel/ray_walk.h"
+
+namespace rubble {
+namespace {
+
+constexpr size_t kBatch = 64;  ///< queries
+
+/// Whether a ray (unit direction) meets a box within a distance (slabs: Kay & Kajiya 1986).
+bool intersects(const WorldBox& box, glm::dvec3 halfExtent, glm::dvec3 origin, glm::dvec3 direction, double distance) {
+    double enter = 0.0, leave = distance;
+    for (int a = 0; a < 3; ++a) {
+        const double lowest = box.low[a] - halfExtent[a], highest = box.high[a] + halfExtent[a];
+        if (direction[a] == 0.0) {
+            if (origin[a] < lowest || origin[a] > highest) return false;
+            continue;
+        }
+        const double low = (lowest - origin[a]) / direction[a], high = (highest - origin[a]) / direction[a];
+        enter = std::max(enter, std::min(low, high));
+        leave = std::min(leave, std::max(low, high));
+    }
+    return enter <= leave;
+}
+
+/// The filter as it bears on one shape.
+class ShapeFilter {
+public:
+    ShapeFilter(const World& world, const QueryFilter& filter)
+        : m_world(world), m_filter(filter), m_filtersEntries(filter.rejectTransparent || filter.rejectUnphysical) {}
+
+    bool accepts(ShapeHandle handle, const Shape& shape) const {
+        if (!(shape.collisionLayer & m_filter.layers)) return false;
+        if (!m_filter.includeStatic || !m_filter.includeDynamic) {
+            const bool isStatic = m_world.bodies().at(shape.body).isStatic;
+            if (isStatic ? !m_filter.includeStatic : !m_filter.includeDynamic) return false;
+        }
+        return !has(m_filter.rejectedShapes, handle) && !has(m_filter.rejectedBodies, shape.body);
+    }
+    /// Entries of the shape's palette that count; null: all.
+    EntryFilter entries(const Shape& shape) {
+        if (!m_filtersEntries) return nullptr;
+        if (m_palette == shape.palette.get()) return m_all ? nullptr : &m_entries;
+        m_palette = shape.palette.get();
+        for (size_t i = 0; i < 256; ++i) {
+            const PaletteEntry& entry = (*m_palette)[i];
+            const bool isUnphysical = m_world.materials()[entry.material].hardness == Hardness::Unphysical;
+            m_entries[i] =
+                !(m_filter.rejectTransparent && entry.opacity < 255) && !(m_filter.rejectUnphysical && isUnphysical);
+        }
+        m_all = std::all_of(m_entries.begin(), m_entries.end(), [](bool accepted) { return accepted; });
+        return m_all ? nullptr : &m_entries;
+    }
+
+private:
+    template <class Handle>
+    static bool has(const std::vector<Handle>& list, Handle handle) {
+        return std::find(list.begin(), list.end(), handle) != list.end();
+    }
+    const World& m_world;
+    const QueryFilter& m_filter;
+    bool m_filtersEntries, m_all = true;
+    const Palette* m_palette = nullptr;
+    std::array<bool, 256> m_entries{};
+};
+
+/// f(handle, shape) for the accepted shapes whose bounds, a little widened, satisfy isNear(box); in no order.
+template <class IsNear, class F>
+void forEachShape(const World& world, const ShapeFilter& filter, IsNear&& isNear, F&& f) {
+    world.shapeBounds().find(isNear, [&](uint32_t slot) {
+        const ShapeHandle handle = world.shapes().handleAt(slot);
+        const Shape& shape = world.shapes().at(handle);
+        if (filter.accepts(handle, shape)) f(handle, shape);
+    });
+}
+
+/// Whether something at a distance takes the place of the best so far.
+bool isBetter(double distance, uint32_t slot, const WorldHit& best) {
+    if (!best.hit) return distance <= best.distance;
+    return distance < best.distance || (distance == best.distance && slot < best.shape.slot());
+}
+
+WorldHit castRayWith(const World& world, const RayQuery& ray, ShapeFilter& filter) {
+    WorldHit best;
+    const double length = glm::length(ray.direction);
+    if (!(length > 0.0) || !(ray.maxDistance > 0.0)) return best;
+    const glm::dvec3 direction = ray.direction / length;
+    best.distance = ray.maxDistance;
+    const auto visit = [&](ShapeHandle handle, const Shape& shape) {
+        const Pose pose = world.shapeToWorld(handle);
+        const double cellsPerMetre = 1.0 / shape.voxelSize;
+        const CellRay cells{pose.inversePoint(ray.origin) * cellsPerMetre, glm::conjugate(pose.rotation) * direction,
+                            best.distance * cellsPerMetre};
+        const CellHit hit = walkRay(shape.grid, cells, filter.entries(shape));
+        const double distance = hit.t * shape.voxelSize;
+        if (!hit.hit || !isBetter(distance, handle.slot(), best)) return;
+        glm::dvec3 normalLocal(0.0);
+        if (hit.axis >= 0) normalLocal[hit.axis] = hit.sign;
+        best = {true,
+                distance,
+                ray.origin + direction * distance,
+                hit.axis < 0 ? -direction : pose.rotation * normalLocal,
+                handle,
+                hit.cell,
+                shape.grid.at(hit.cell)};
+    };
+    forEachShape(
+        world, filter,
+        [&](const WorldBox& box) { return intersects(box, glm::dvec3(0.0), ray.origin, direction, best.distance); },
+        visit);
+    return best;
+}
+
+WorldHit castShapeWith(const World& world, const CastQuery& cast, ShapeFilter& filter) {
+    WorldHit best;
+    const double length = glm::length(cast.direction);
+    if (!(cast.maxDistance >= 0.0) || !(length > 0.0 || cast.maxDistance == 0.0)) return best;
+    const glm::dvec3 direction = length > 0.0 ? cast.direction / length : glm::dvec3(0.0);
+    best.distance = cast.maxDistance;
+    const WorldBox bounds = cast.shape.bounds();
+    const glm::dvec3 middle = (bounds.low + bounds.high) * 0.5, halfExtent = (bounds.high - bounds.low) * 0.5;
+    const auto visit = [&](ShapeHandle handle, const Shape& shape) {
+        const Pose pose = world.shapeToWorld(handle);
+        const double size = shape.voxelSize;
+        const CellContact touch =
+            castShape(shape.grid, cast.shape.inCells(pose, size), glm::conjugate(pose.rotation) * direction,
+                      best.distance / size, filter.entries(shape));
+        if (!touch.hit || !isBetter(touch.t * size, handle.slot(), best)) return;
+        best = {true,
+                touch.t * size,
+                pose.transformPoint(touch.point * size),
+                pose.rotation * touch.normal,
+                handle,
+                touch.cell,
+                shape.grid.at(touch.cell)};
+    };
+    forEachShape(
+        world, filter,
+        [&](const WorldBox& box) { return intersects(box, halfExtent, middle, direction, best.distance); }, visit);
+    return best;
+}
+
+template <class Query, class Answer>
+void inBatches(std::span<const Query> queries, std::span<WorldHit> out, const ParallelFor& parallelFor,
+               Answer&& answer) {
+    assert(queries.size() == out.size());
+    const size_t count = queries.size();
+    parallelFor((count + kBatch - 1) / kBatch, [&](size_t batch) {
+        answer(queries.subspan(batch * kBatch, std::min(kBatch, count - batch * kBatch)), out.subspan(batch * kBatch));
+    });
+}
+
+template <class Handle>
+void sortUnique(std::vector<Handle>& list) {
+    std::sort(list.begin(), list.end(), [](Handle a, Handle b) { return a.slot() < b.slot(); });
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+std::vector<BodyHandle> bodiesOf(const World& world, const std::vector<ShapeHandle>& shapes) {
+    std::vector<BodyHandle> bodies;
+    for (const ShapeHandle shape : shapes) bodies.push_back(world.shapes().at(shape).body);
+    sortUnique(bodies);
+    return bodies;
+}
+
+/// Cells that hold all solid ones.
+CellBox solidBox(const VoxelGrid& grid) {
+    CellBox box{grid.size(), glm::ivec3(0)};
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        const glm::ivec3 low = position * kBrickSize;
+        if (glm::all(glm::lessThanEqual(box.low, low)) && glm::all(glm::lessThanEqual(low + kBrickSize, box.high)))
+            return;
+        forEachVoxel(brick->occupancy, [&](int i) {
+            box.low = glm::min(box.low, low + voxelInBrick(i));
+            box.high = glm::max(box.high, low + voxelInBrick(i) + 1);
+        });
+    });
+    return box;
+}
+
+}  // namespace
+
+WorldBox QueryShape::bounds() const {
+    if (kind == QueryShapeKind::Sphere) return {position - radius, position + radius};
+    if (kind == QueryShapeKind::Capsule) return {glm::min(position, end) - radius, glm::max(position, end) + radius};
+    const glm::dmat3 axes = glm::mat3_cast(rotation);
+    const glm::dvec3 halfExtent =
+        glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
+    return {position - halfExtent, position + halfExtent};
+}
+
+CellShape QueryShape::inCells(const Pose& gridToWorld, double voxelSize) const {
+    CellShape out;
+    out.a = gridToWorld.inversePoint(position) / voxelSize;
+    out.b = kind == QueryShapeKind::Capsule ? gridToWorld.inversePoint(end) / voxelSize : out.a;
+    out.radius = radius / voxelSize;
+    out.isBox = kind == QueryShapeKind::Box;
+    if (!out.isBox) return out;
+    const glm::dmat3 axes = glm::mat3_cast(glm::conjugate(gridToWorld.rotation) * rotation);
+    for (int i = 0; i < 3; ++i) out.halfAxes[size_t(i)] = axes[i] * (halfSize[i] / voxelSize);
+    return out;
+}
+
+WorldHit castRay(const World& world, const RayQuery& ray, const QueryFilter& filter) {
+    ShapeFilter shapes(world, filter);
+    if (!(ray.radius > 0.0)) return castRayWith(world, ray, shapes);
+    return castShapeWith(world, {{.position = ray.origin, .radius = ray.radius}, ray.direction, ray.maxDistance},
+                         shapes);
+}
+
+void castRays(const World& world, std::span<const RayQuery> rays, std::span<WorldHit> out, const QueryFilter& filter,
+              const ParallelFor& parallelFor) {
+    inBatches(rays, out, parallelFor, [&](std::span<const RayQuery> queries, std::span<WorldHit> hits) {
+        ShapeFilter shapes(world, filter);
+        for (size_t i = 0; i < queries.size(); ++i) {
+            const RayQuery& ray = queries[i];
+            hits[i] = ray.radius > 0.0
+                          ? castShapeWith(
+                                world, {{.position = ray.origin, .radius = ray.radius}, ray.direction, ray.maxDistance},
+                                shapes)
+                          : castRayWith(world, ray, shapes);
+        }
+    });
+}
+
+WorldHit castShape(const World& world, const CastQuery& cast, const QueryFilter& filter) {
+    ShapeFilter shapes(world, filter);
+    return castShapeWith(world, cast, shapes);
+}
+
+void castShapes(const World& world, std::span<const CastQuery> casts, std::span<WorldHit> out,
+                const QueryFilter& filter, const ParallelFor& parallelFor) {
+    inBatches(casts, out, parallelFor, [&](std::span<const CastQuery> queries, std::span<WorldHit> hits) {
+        ShapeFilter shapes(world, filter);
+        for (size_t i = 0; i < queries.size(); ++i) hits[i] = castShapeWith(world, queries[i], shapes);
+    });
+}
+
+std::vector<ShapeHandle> overlappingShapes(const World& world, const QueryShape& region, const QueryFilter& filter) {
+    ShapeFilter shapes(world, filter);
+    const WorldBox bounds = region.bounds();
+    std::vector<ShapeHandle> out;
+    forEachShape(
+        world, shapes, [&](const WorldBox& box) { return box.overlaps(bounds); },
+        [&](ShapeHandle handle, const Shape& shape) {
+            const CellShape cells = region.inCells(world.shapeToWorld(handle), shape.voxelSize);
+            if (findOverlap(shape.grid, cells, shapes.entries(shape))) out.push_back(handle);
+        });
+    sortUnique(out);
+    return out;
+}
+
+std::vector<BodyHandle> overlappingBodies(const World& world, const QueryShape& region, const QueryFilter& filter) {
+    return bodiesOf(world, overlappingShapes(world, region, filter));
+}
+
+bool overlapsBody(const World& world, BodyHandle body, const QueryShape& region, const QueryFilter& filter) {
+    ShapeFilter shapes(world, filter);
+    for (const ShapeHandle handle : world.bodies().at(body).shapes) {
+        const Shape& shape = world.shapes().at(handle);
+        if (!shapes.accepts(handle, shape)) continue;
+        if (findOverlap(shape.grid, region.inCells(world.shapeToWorld(handle), shape.voxelSize), shapes.entries(shape)))
+            return true;
+    }
+    return false;
+}
+
+std::vector<ShapeHandle> shapesInBox(const World& world, const WorldBox& box, const QueryFilter& filter) {
+    const ShapeFilter shapes(world, filter);
+    std::vector<ShapeHandle> out;
+    forEachShape(
+        world, shapes, [&](const WorldBox& bounds) { return bounds.overlaps(box); },
+        [&](ShapeHandle handle, const Shape& shape) {
+            const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
+            const Pose pose = world.shapeToWorld(handle);
+            const QueryShape all{.kind = QueryShapeKind::Box,
+                                 .position = pose.transformPoint(half),
+                                 .halfSize = half,
+                                 .rotation = pose.rotation};
+            if (all.bounds().overlaps(box)) out.push_back(handle);
+        });
+    sortUnique(out);
+    return out;
+}
+
+std::vector<BodyHandle> bodiesInBox(const World& world, const WorldBox& box, const QueryFilter& filter) {
+    return bodiesOf(world, shapesInBox(world, box, filter));
+}
+
+WorldHit closestPoint(const World& world, glm::dvec3 point, double maxDistance, const QueryFilter& filter) {
+    ShapeFilter shapes(world, filter);
+    WorldHit best;
+    if (!(maxDistance >= 0.0)) return best;
+    best.distance = maxDistance;
+    const auto isNear = [&](const WorldBox& box) {
+        return glm::length(point - glm::clamp(point, box.low, box.high)) <= best.distance;
+    };
+    forEachShape(world, shapes, isNear, [&](ShapeHandle handle, const Shape& shape) {
+        const Pose pose = world.shapeToWorld(handle);
+        const double size = shape.voxelSize;
+        const ClosestVoxel closest =
+            findClosest(shape.grid, pose.inversePoint(point) / size, best.distance / size, shapes.entries(shape));
+        if (!closest.found || !isBetter(closest.distance * size, handle.slot(), best)) return;
+        const glm::dvec3 at = pose.transformPoint(closest.point * size);
+        const glm::dvec3 away = point - at;
+        const double length = glm::length(away);
+        best = {true,
+                closest.distance * size,
+                at,
+                closest.distance > 0.0 && length > 0.0 ? away / length : glm::dvec3(0.0),
+                handle,
+                closest.cell,
+                shape.grid.at(closest.cell)};
+    });
+    return best;
+}
+
+WorldBox bodyBounds(const World& world, BodyHandle body) {
+    WorldBox bounds{glm::dvec3(1e300), glm::dvec3(-1e300)};
+    for (const ShapeHandle handle : world.bodies().at(body).shapes) {
+        const Shape& shape = world.shapes().at(handle);
+        if (shape.grid.empty()) continue;
+        const CellBox cells = solidBox(shape.grid);
+        const Pose pose = world.shapeToWorld(handle);
+        const double half = 0.5 * shape.voxelSize;
+        const QueryShape box{.kind = QueryShapeKind::Box,
+                             .position = pose.transformPoint(glm::dvec3(cells.low + cells.high) * half),
+                             .halfSize = glm::dvec3(cells.high - cells.low) * half,
+                             .rotation = pose.rotation};
+        bounds = bounds.merged(box.bounds());
+    }
+    return bounds;
+}
+
+WorldHit World::raycast(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const {
+    return castRay(*this, {origin, direction, maxDistance});
+}
+
+}  // namespace rubble

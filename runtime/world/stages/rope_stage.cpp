@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/world/stages/edit_step.h"
+
+namespace rubble {
+namespace {
+
+constexpr double kSampleSpacing = 0.05;  ///< metres between the places of a rope that are looked at for a cut
+constexpr double kMinRopeLength = 0.3;   ///< metres to which a winch can wind a rope
+constexpr double kWinchSpeed = 1.0;      ///< m/s on the segment to a length
+constexpr double kMinPartLength = 0.02;  ///< of a cut rope, metres: less vanishes
+
+/// Whether a place is within what an edit takes out of soft materials.
+bool isWithin(const CarveEdit& volume, glm::dvec3 place) {
+    const double radius = std::max({volume.radii[0], volume.radii[1], volume.radii[2]});
+    glm::dvec3 away = place - volume.position;
+    if (volume.kind == BrushKind::Box) {
+        const glm::dvec3 local = glm::conjugate(volume.rotation) * away;
+        return std::abs(local.x) <= volume.halfSize.x && std::abs(local.y) <= volume.halfSize.y &&
+               std::abs(local.z) <= volume.halfSize.z;
+    }
+    if (volume.kind == BrushKind::Capsule) {
+        const glm::dvec3 segment = volume.end - volume.position;
+        const double length2 = glm::dot(segment, segment);
+        if (length2 > 0.0) away -= segment * std::clamp(glm::dot(away, segment) / length2, 0.0, 1.0);
+    }
+    return glm::dot(away, away) <= radius * radius;
+}
+
+}  // namespace
+
+/// Cuts every rope that a volume meets, in the middle of where it first does.
+void EditStep::cutRopes(const CarveEdit& volume) {
+    const std::span<const JointHandle> ropes = m_world.m_jointIndex.ropes();
+    if (ropes.empty()) return;
+    for (const JointHandle handle : std::vector<JointHandle>(ropes.begin(), ropes.end())) {
+        const Joint& rope = m_world.m_joints.at(handle);
+        double first = -1.0, last = -1.0;
+        bool isPast = false;
+        for (size_t i = 0; i + 1 < rope.points.size() && !isPast; ++i) {
+            const glm::dvec3 from = rope.points[i].position, segment = rope.points[i + 1].position - from;
+            const int samples = int(std::clamp(std::ceil(glm::length(segment) / kSampleSpacing), 1.0, 1000.0));
+            for (int k = 0; k < samples && !isPast; ++k) {
+                const double along = double(k) / samples;
+                const bool isInside = isWithin(volume, from + segment * along);
+                if (isInside && first < 0.0) first = double(i) + along;
+                if (isInside) last = double(i) + along;
+                isPast = first >= 0.0 && !isInside;
+            }
+        }
+        if (first >= 0.0) cutRope(handle, 0.5 * (first + last), JointBreak::Cut);
+    }
+}
+
+/// Parts a rope between two of its points: the first part keeps the handle, or the second if nothing is left of the
+/// first. False: nothing is left at all, and nothing was done.
+bool EditStep::cutRope(JointHandle handle, double place, JointBreak reason) {
+    const Joint rope = m_world.m_joints.at(handle);
+    const size_t last = rope.points.size() - 1;
+    const size_t before = std::min(size_t(std::max(place, 0.0)), last - 1);
+    const double along = std::clamp(place - double(before), 0.0, 1.0), spacing = rope.rope.length / double(last);
+    const RopePoint &from = rope.points[before], &to = rope.points[before + 1];
+    const RopePoint cut{from.position + (to.position - from.position) * along,
+                        from.velocity + (to.velocity - from.velocity) * along};
+    Joint first = rope, second = rope;
+    first.points.assign(rope.points.begin(), rope.points.begin() + ptrdiff_t(before) + 1);
+    first.points.push_back(cut);
+    second.points.assign(rope.points.begin() + ptrdiff_t(before), rope.points.end());
+    second.points.front() = cut;
+    first.rope.length = spacing * (double(before) + along);
+    second.rope.length = spacing * (double(last - before) - along);
+    first.ends[1] = second.ends[0] = {.frame = {cut.position}, .isFree = true};
+    std::vector<Joint> parts;
+    for (Joint* part : {&first, &second}) {
+        part->rope.points = uint32_t(part->points.size());
+        part->motor = {};
+        const bool hangs = !part->ends[0].isFree || !part->ends[1].isFree;
+        if (hangs && part->rope.length >= kMinPartLength) parts.push_back(std::move(*part));
+    }
+    if (parts.empty()) return false;
+    m_changes.jointsBroken.push_back({handle, reason, cut.position});
+    m_world.m_jointIndex.remove(handle, rope);
+    m_world.m_joints.at(handle) = std::move(parts[0]);
+    m_world.m_jointIndex.add(handle, m_world.m_joints.at(handle));
+    m_changes.jointsChanged.push_back(handle);
+    if (parts.size() > 1) m_changes.jointsCreated.push_back(m_world.addJoint(std::move(parts[1])));
+    return true;
+}
+
+/// Winches change the length of their ropes.
+void EditStep::updateWinches() {
+    for (const JointHandle handle : m_world.m_jointIndex.ropes()) {
+        Joint& rope = m_world.m_joints.at(handle);
+        if (rope.motor.mode == MotorMode::Off) continue;
+        const double maxChange = kWinchSpeed / 60.0;
+        const double change = rope.motor.mode == MotorMode::Speed
+                                  ? std::clamp(rope.motor.target, -100.0, 100.0) / 60.0
+                                  : std::clamp(rope.motor.target - rope.rope.length, -maxChange, maxChange);
+        const double length = std::clamp(rope.rope.length + change, std::min(kMinRopeLength, rope.rope.length), 1e4);
+        if (length == rope.rope.length) continue;
+        rope.rope.length = length;
+        m_changes.jointsChanged.push_back(handle);
+    }
+}
+
+}  // namespace rubble
