@@ -7,7 +7,7 @@ uniform samplerBuffer uTransforms;     // 4 texels an instance: rotation, positi
 uniform usamplerBuffer uLayouts;       // 4 texels an instance: first node, palette, flags; size in nodes; low cell; high cell
 uniform usamplerBuffer uPalettes;      // 256 texels a palette: colour and opacity, surface, emission, detail map
 
-const uint kHasGlass = 1u, kHasPaint = 2u;
+#include "shared/constants.h"
 
 // All fetches go through here: WebGL2 has no buffer textures and will read 2D ones.
 uvec4 fetchNode(int i) { return texelFetch(uNodes, i); }

@@ -1,6 +1,7 @@
 // What a ray sees where it meets the world: the lit colour if the last picture shows that position, else its voxel's emitted colour in the
 // light of sun, sky and lamps. Needs lib/frame, gbuffer, sky, shadow_trace, sampling, brdf.
 #include "lib/surface_history.glsl"
+#include "shared/constants.h"
 #include "lib/color.glsl"
 #include "lib/local_lights.glsl"
 #include "lib/voxel_walk.glsl"
@@ -24,12 +25,11 @@ const float kMaxLightRadiance = 6.0, kMaxLightRadianceRatio = 150.0;
 const float kMaxOpennessRatio = 1.4;
 const vec2 kIndoorProximity = vec2(0.1, 0.3);  // hitProximity from which light comes from all around as well as from above
 const float kMaxReflectance = 0.95;     // back of the light that comes in: what a white room guesses of its emitted light never grows
-const float kShadowCellMetres = 0.1;
 const vec2 kR2Step = vec2(0.7548776662, 0.5698402910);  // R2, as lib/noise
 
 /// The cell face that a ray has come through at a point on the shadow volume's cells.
 vec3 faceNormal(vec3 hitWorld, vec3 direction) {
-    vec3 fromEdge = abs(fract(hitWorld / kShadowCellMetres + 0.5) - 0.5);
+    vec3 fromEdge = abs(fract(hitWorld / kShadowCell + 0.5) - 0.5);
     // An axis along which the ray hardly moves cannot have been entered.
     fromEdge += 1.0 - step(0.02, abs(direction));
     if (fromEdge.x <= fromEdge.y && fromEdge.x <= fromEdge.z) return vec3(-sign(direction.x), 0, 0);
@@ -107,10 +107,10 @@ OffscreenFace shadeOffscreenFace(vec3 hitWorld, vec3 normal, vec3 direction, Pat
 #else
     vec3 localLight = uBounceLights ? localLightOn(hitWorld, normal, start) : vec3(0.0);
     // The cell that was met has its middle in the voxel. What moves is drawn between two steps and may be a little farther on.
-    vec3 middle = (floor((hitWorld - normal * (0.5 * kShadowCellMetres)) / kShadowCellMetres) + 0.5) * kShadowCellMetres;
+    vec3 middle = (floor((hitWorld - normal * (0.5 * kShadowCell)) / kShadowCell) + 0.5) * kShadowCell;
     Entry entry;
     bool found = false;
-    for (int i = 0; i < 2 && !found; ++i) found = voxelAt(middle + direction * (kShadowCellMetres * float(i)), entry);
+    for (int i = 0; i < 2 && !found; ++i) found = voxelAt(middle + direction * (kShadowCell * float(i)), entry);
     if (!found) return OffscreenFace(kDefaultAlbedo * (sun + localLight), vec3(kDefaultAlbedo));
     vec3 albedo = srgbToLinear(entry.color), f0 = mix(vec3(entry.reflectivity), albedo, entry.metallic);
     vec3 emitted = min(albedo * entry.emission, vec3(3.0)) * (frame.counters.z > 0 ? glow : 1.0);

@@ -8,7 +8,7 @@
 //   glassMask R8      1 where a pane stands before the surface or the sky
 //   glassTint RGBA8    rgb share of the light behind that comes through all panes (1 = no glass)
 //   glassSurface RGBA16F xyz normal of the nearest pane, w its linear depth (0 = no glass)
-const float kSkyDepth = 65000.0;
+#include "shared/constants.h"
 
 uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;

@@ -1,6 +1,7 @@
 // Local lights: which are near a pixel (filled by render/scene/light_grid.cpp), what they send there, and random points of
-// them. runtime/world/lights.h says what each kind is. Needs lib/frame, lib/sampling.
+// them. runtime/world/objects/lights.h says what each kind is. Needs lib/frame, lib/sampling.
 #include "lib/color.glsl"
+#include "shared/constants.h"
 
 uniform samplerBuffer uLights;          // kTexelsPerLight a light: see readLight()
 uniform usamplerBuffer uLightCells;     // of the grid: first place in the list, number of lights
@@ -8,9 +9,6 @@ uniform usamplerBuffer uLightList;      // the first kAlwaysWeighed of a cell ar
 uniform samplerBuffer uLightImages;   // linear
 uniform ivec3 uLightGrid;               // tiles across and up, slices of depth; after the last slice one for all depths
 
-const int kTexelsPerLight = 7;  // the first three are all that the reservoir among lights needs: see unshadowedIrradiance()
-const int kTilePixels = 32;
-const int kAlwaysWeighed = 12;  // the same in render/scene/light_grid.cpp
 const int kOthersWeighed = 12;
 const int kSphere = 0, kCapsule = 1, kArea = 2, kScreen = 3;
 

@@ -2,10 +2,11 @@
 // 4^3. One step leaps an empty cube of bricks, an empty box of words, what is left of a word that holds nothing ahead of the ray, 2^3 empty
 // cells or a cell. Needs lib/frame.glsl first.
 
+#include "shared/constants.h"
+
 uniform usamplerBuffer uShadowDirectory;  // a texel a brick. Empty: x eight cubes (SkipDistances). Else: x 16 x slot, yz which words hold anything
 uniform usamplerBuffer uShadowTexels;     // 64 texels a slot (ShadowBrick): the cells of a word, or its empty boxes
 
-const float kShadowCell = 0.1;       // metres
 const float kShadowCellsPerMetre = 10.0;
 
 // All fetches go through current: WebGL2 has no buffer textures and will read 2D ones.

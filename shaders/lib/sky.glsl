@@ -1,6 +1,7 @@
 // The sky and what lies beyond the level. Directions are world space, y up; results are radiance.
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
+#include "shared/constants.h"
 
 /// Haze-coloured light around the sun: what air and thin cloud scatter forward. mu: cosine to the sun.
 vec3 sunGlow(float mu) {
@@ -57,8 +58,6 @@ vec3 withClouds(vec3 sky, vec3 direction) {
 float hillLine(vec2 heading, float frequency, float seed, int octaves) {
     return fractalNoise(heading * frequency + seed, octaves);
 }
-
-const float kMaxHillSlope = 0.16;  // tangent of its elevation; render/passes/background_tiles.cpp knows it too
 
 vec3 withHills(vec3 sky, vec3 direction) {
     vec2 heading = normalize(direction.xz);

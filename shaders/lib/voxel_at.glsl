@@ -1,10 +1,10 @@
 // The voxel at a point of the world (filled by render/scene/body_grid.cpp). Needs lib/voxel_walk, paint.
+#include "shared/constants.h"
 uniform usamplerBuffer uBodyBucketHeads;   // a bucket: number of its first entry plus one, 0 = none
 uniform usamplerBuffer uBodyEntries;  // body, number of the next entry plus one
 uniform int uBodyBuckets;  // a power of two
 uniform int uBodyLevels;   // 0 = no body anywhere
 
-const float kFinestBodyCell = 1.6;  // metres
 const int kMaxBodiesPerPoint = 128;  // that are looked into
 
 uint firstBodyAt(vec3 world, int level) {

@@ -8,6 +8,7 @@
 #include "lib/color.glsl"
 #include "lib/glass_shadow.glsl"
 #include "lib/surface_history.glsl"
+#include "shared/constants.h"
 
 uniform sampler2D uLight;        // rgb mean radiance from sky and highlights, a share of the sun
 uniform bool uBevel;
@@ -25,8 +26,6 @@ uniform sampler2D uGlassSurface;
 in vec2 uv;
 layout(location = 0) out vec4 radiance;
 layout(location = 1) out vec4 diffuseFraction;  // x: the share of it that goes to all sides alike
-
-const float kMaxTilt = 0.3;  // as in render/scene/detail_maps.h
 
 vec3 perturbedNormal(vec3 normal, vec2 tilt) {
     vec3 across = normalize(abs(normal.y) > 0.9 ? cross(normal, vec3(0, 0, 1)) : cross(vec3(0, 1, 0), normal));

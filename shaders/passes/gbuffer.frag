@@ -1,5 +1,6 @@
 // Walks the ray of a pixel through the bodies of its tile, nearest first, and writes the surface it meets. Targets: lib/gbuffer.glsl.
 #include "lib/frame.glsl"
+#include "shared/constants.h"
 #include "lib/voxel_walk.glsl"
 #include "lib/body_tiles.glsl"
 #include "lib/paint.glsl"
@@ -10,8 +11,6 @@ layout(location = 2) out vec4 outMaterial;
 layout(location = 3) out vec2 outMotion;
 layout(location = 4) out float outDepth;
 layout(location = 5) out float outGlass;  // 1 where a pane stands before it: only in scenes with glass
-
-const float kSkyDepth = 65000.0;
 
 // What was at or behind the camera lies far off the screen, but not so far that 16 bits cannot hold it.
 vec2 screenUv(mat4 viewProjection, vec3 world) {

@@ -2,6 +2,7 @@
 // what they remember. Both see the same surfaces, so what differs is noise or a change. Read by accumulate.frag.
 #include "lib/frame.glsl"
 #include "lib/color.glsl"
+#include "shared/constants.h"
 
 uniform sampler2D uLight;
 uniform sampler2D uMotion;
@@ -11,7 +12,7 @@ uniform sampler2D uFastHistory;
 uniform bool uHistoryValid;
 uniform sampler2D uDepth;
 uniform int uDirtyCornerCount;  // corners of boxes, low and high by turns, where what casts shadows has changed since the last picture
-uniform vec4 uDirtyCorners[16];   // of these, world
+uniform vec4 uDirtyCorners[2 * kMaxDirtyRegions];   // of these, world
 
 const float kFastHistoryFrames = 4.0;  // fastFrames that the short memory holds
 
@@ -32,7 +33,7 @@ float confidenceNear(vec3 position) {
 }
 
 void main() {
-    ivec2 tile = ivec2(gl_FragCoord.xy) * 4, high = ivec2(frame.targetSize.xy) - 1;
+    ivec2 tile = ivec2(gl_FragCoord.xy) * kConfidenceTile, high = ivec2(frame.targetSize.xy) - 1;
     vec3 now = vec3(0.0);
     for (int i = 0; i < 16; ++i) {
         vec4 light = texelFetch(uLight, min(tile + ivec2(i & 3, i >> 2), high), 0);

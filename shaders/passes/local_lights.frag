@@ -15,7 +15,7 @@ uniform sampler2D uSurfaceHistory;   // x linear depth, z frames accumulated
 uniform bool uHistoryValid;
 uniform float uMaxHistory;           // frames
 uniform int uLightChangeCount;
-uniform vec4 uLightChange[32];         // by turns: xyz where a light has come or gone out, w how far it reaches; x frames that are remembered there
+uniform vec4 uLightChange[2 * kMaxLightChanges];         // by turns: xyz where a light has come or gone out, w how far it reaches; x frames that are remembered there
 uniform bool uHasReflections;        // mirror rays are sent too
 uniform float uFullRayRadiance;          // radiance of a white surface below which rays are sent only now and then
 

@@ -6,6 +6,7 @@
 #include "lib/color.glsl"
 #include "lib/noise.glsl"
 #include "lib/half.glsl"
+#include "shared/constants.h"
 
 uniform sampler2D uColor;  // a: blend of the surface that shows through particles
 uniform sampler2D uHistory;  // a: how far samples stray from the mean where nothing moves, in compressed luminance
@@ -22,7 +23,6 @@ const float kLongHistory = 6.0;  // frames
 const float kJitterDeviations = 3.0;  // times that, which memory may leave the colours around it
 const float kSubpixelDetail = 0.04;  // of the luminance: what jitterDeviation by more shows details finer than a pixel
 const float kStaticClipScale = 2.5;  // times the box that holds memory, where nothing has moved or changed for long: thin lines live on between samples
-const float kSkyDepth = 65000.0;
 const float kMinBlend = 0.1;
 const float kBlendRamp = 1.6;  // above 1 the first pictures, which know less of the light, count less than the later ones
 const float kMaxBlend = 0.5;  // where memory is short

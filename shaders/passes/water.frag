@@ -7,6 +7,7 @@
 #include "lib/sky.glsl"
 #include "lib/shadow_trace.glsl"
 #include "lib/bounce.glsl"
+#include "shared/constants.h"
 
 uniform sampler2D uBackground;   // the picture without this water
 uniform mat4 uOutline0, uOutline1, uOutline2, uOutline3;  // corners x, z, x, z ...
@@ -16,7 +17,7 @@ uniform vec3 uColor;      // of the light that is left after uClarity metres
 uniform float uClarity;
 uniform vec4 uWaves;      // height, length, speed, direction
 uniform float uSeconds;
-uniform vec4 uRipples[64];  // xy place, z radius of the crest now, w height
+uniform vec4 uRipples[kMaxRipples];  // xy place, z radius of the crest now, w height
 uniform int uRippleCount;
 
 const float kRingWidth = 0.45;      // metres to each side of a crest
