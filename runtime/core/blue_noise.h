@@ -4,11 +4,11 @@
 
 namespace rubble {
 
-inline constexpr int kBlueNoiseSize = 64;  ///< of the renderer's tile
+inline constexpr int kBlueNoiseSize = 64;  ///< side of the renderer's tile, texels
 
-/// A tile of size x size thresholds (a power of two, 16 at least), each of 0..255 equally often, made by
-/// void-and-cluster (Ulichney 1993). In integers: the same everywhere. The time goes with size^4: 2 ms for 32, 40 ms
-/// for 64.
+/// A tile of size x size thresholds, row by row, in which each value 0..255 occurs equally often: void-and-cluster
+/// (Ulichney 1993). `size`: a power of two, at least 16. In integers, so the same everywhere. The time grows with
+/// size^4: 2 ms for 32, 40 ms for 64.
 std::vector<uint8_t> makeBlueNoise(int size = kBlueNoiseSize);
 
 }  // namespace rubble

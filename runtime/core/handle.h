@@ -18,19 +18,25 @@ enum class HandleType : uint8_t {
     Joint
 };
 
-/// A value that names an object of one World: type, world, generation and slot in 64 bits.
-/// A handle whose generation is older than its slot's is stale: it is reported, never followed. Zero is "nothing".
+/// Names an object of one World in 64 bits: from the top 8 bits of type, 8 of world, 24 of generation and 24 of slot.
+/// A handle is stale when its slot has another generation: its object was erased. Lookups of a stale handle fail; they
+/// never return the slot's new object. Zero is no object.
 template <HandleType kType>
 struct Handle {
     uint64_t bits = 0;
 
+    /// A handle of its parts; the upper bits of generation and slot beyond 24 are dropped.
     static constexpr Handle make(uint8_t world, uint32_t generation, uint32_t slot) {
         return {uint64_t(kType) << 56 | uint64_t(world) << 48 | uint64_t(generation & 0xffffffu) << 24 |
                 (slot & 0xffffffu)};
     }
+    /// The index of the object in its SlotMap.
     constexpr uint32_t slot() const { return uint32_t(bits & 0xffffffu); }
+    /// Tells objects apart that used the same slot one after the other.
     constexpr uint32_t generation() const { return uint32_t(bits >> 24 & 0xffffffu); }
+    /// The number of the World that made the handle.
     constexpr uint8_t world() const { return uint8_t(bits >> 48); }
+    /// The kind of object; None for the empty handle.
     constexpr HandleType type() const { return HandleType(bits >> 56); }
     constexpr explicit operator bool() const { return bits != 0; }
     friend constexpr bool operator==(Handle, Handle) = default;

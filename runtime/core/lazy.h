@@ -4,8 +4,8 @@
 
 namespace rubble {
 
-/// A value worked out when first asked for, beside an object that threads share. Any thread may ask; of several that
-/// worked it out at once, one is kept, so the value must depend on nothing but the object.
+/// A value that is computed on first use and cached in an object that several threads share. Two threads may compute it
+/// at the same time: the first result is kept, the other one dropped. The value must depend on the object alone.
 template <class T>
 class Lazy {
 public:
@@ -14,14 +14,15 @@ public:
     Lazy& operator=(const Lazy&) = delete;
     ~Lazy() { delete m_value.load(std::memory_order_relaxed); }
 
-    /// nullptr if nobody has asked yet.
+    /// [any-thread] The cached value; nullptr if keep() was not called yet.
     const T* find() const { return m_value.load(std::memory_order_acquire); }
+    /// [any-thread] Caches a value unless there is one already. Returns the cached one.
     const T& keep(std::unique_ptr<const T> value) {
         const T* expected = nullptr;
         if (m_value.compare_exchange_strong(expected, value.get(), std::memory_order_acq_rel)) return *value.release();
         return *expected;
     }
-    /// For the only holder of the object, when it changes.
+    /// Drops the value, when the object changes. Only for a thread that holds the object alone.
     void forget() { delete m_value.exchange(nullptr, std::memory_order_relaxed); }
 
 private:

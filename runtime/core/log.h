@@ -8,16 +8,19 @@ enum class LogLevel { Info, Warning, Error };
 /// Receives every message of the library. Called from any thread, one message at a time.
 using LogSink = void (*)(void* user, LogLevel level, std::string_view message);
 
-/// [any-thread] Where messages go; a null sink restores the default (stderr).
+/// [any-thread] Sends all later messages to `sink` with `user`. A null sink restores the default (stderr).
 void setLogSink(LogSink sink, void* user);
-/// [any-thread]
+/// [any-thread] Sends a message to the sink. The message says what was expected, what was found and where.
 void log(LogLevel level, std::string_view message);
+/// [any-thread] log() at level Info.
 inline void logInfo(std::string_view message) {
     log(LogLevel::Info, message);
 }
+/// [any-thread] log() at level Warning: the library goes on without what the message names.
 inline void logWarning(std::string_view message) {
     log(LogLevel::Warning, message);
 }
+/// [any-thread] log() at level Error: an operation failed.
 inline void logError(std::string_view message) {
     log(LogLevel::Error, message);
 }

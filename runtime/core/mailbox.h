@@ -8,11 +8,11 @@
 
 namespace rubble {
 
-/// Where one thread leaves values for another. Values are moved in and out; nothing else is shared.
+/// An unbounded queue from one thread to another. Values are moved in and out; nothing else is shared.
 template <class T>
 class Mailbox {
 public:
-    /// [any-thread] A value posted after close() is dropped.
+    /// [any-thread] Appends a value. A value posted after close() is dropped.
     void post(T value) {
         {
             const std::lock_guard lock(m_mutex);
@@ -21,24 +21,25 @@ public:
         }
         m_ready.notify_one();
     }
-    /// [any-thread] The oldest value, or nothing.
+    /// [any-thread] Removes the oldest value; none if the queue is empty.
     std::optional<T> tryTake() {
         const std::lock_guard lock(m_mutex);
         return pop();
     }
-    /// [any-thread] All values, oldest first: no other taker gets one from between them.
+    /// [any-thread] Removes all values, oldest first, in one step: no other reader gets one from between them.
     std::vector<T> takeAll() {
         const std::lock_guard lock(m_mutex);
         std::vector<T> values(std::make_move_iterator(m_values.begin()), std::make_move_iterator(m_values.end()));
         m_values.clear();
         return values;
     }
-    /// [any-thread] Waits for a value; nothing once the box is closed and empty.
+    /// [any-thread] Waits for a value and removes it. None once the queue is closed and empty.
     std::optional<T> take() {
         std::unique_lock lock(m_mutex);
         m_ready.wait(lock, [&] { return m_closed || !m_values.empty(); });
         return pop();
     }
+    /// [any-thread] Accepts no more values and wakes all threads that wait in take().
     void close() {
         {
             const std::lock_guard lock(m_mutex);
@@ -46,6 +47,7 @@ public:
         }
         m_ready.notify_all();
     }
+    /// [any-thread] Values in the queue now.
     size_t size() const {
         const std::lock_guard lock(m_mutex);
         return m_values.size();

@@ -8,7 +8,7 @@ namespace rubble {
 /// Results must not depend on the order or on the number of threads.
 using ParallelFor = std::function<void(size_t count, const std::function<void(size_t)>& body)>;
 
-/// One thread, in order: what is used where a host gives nothing better.
+/// A ParallelFor on the calling thread, in order: the default where a host supplies none.
 inline void serialFor(size_t count, const std::function<void(size_t)>& body) {
     for (size_t i = 0; i < count; ++i) body(i);
 }

@@ -8,27 +8,27 @@
 
 namespace rubble {
 
-/// Objects in numbered slots, named by handles that go stale when their object is erased.
-/// Iteration is in slot order and a freed slot is reused last-in first-out, so that the same calls give the same
-/// handles.
+/// Objects in numbered slots, named by generational handles: erasing an object makes its handle stale. Iteration is in
+/// slot order, and freed slots are used again last in, first out, so the same calls give the same handles.
 template <class Handle, class T>
 class SlotMap {
 public:
     struct Slot {
         std::optional<T> value;
-        uint32_t generation = 1;  ///< of the value; of an empty slot: of its next one
-        uint32_t lastGeneration =
-            1;  ///< no later value gets a generation below: an old handle never names a new object
+        uint32_t generation = 1;      ///< of the value; of an empty slot: of its next value
+        uint32_t lastGeneration = 1;  ///< the highest so far: a later value gets a higher one
     };
 
+    /// `world` is stored in all handles: handles of another world find nothing here.
     explicit SlotMap(uint8_t world = 0) : m_world(world) {}
-    /// From what slots() and freeSlots() of another gave.
+    /// From slots() and freeSlots() of another map, as a saved game stores them.
     SlotMap(uint8_t world, std::vector<Slot> slots, const std::vector<uint32_t>& free)
         : m_slots(std::move(slots)), m_world(world) {
         for (const Slot& slot : m_slots) m_size += slot.value.has_value();
         setFreeSlots(free);
     }
 
+    /// Stores a value and returns its handle. Asserts that fewer than 16,777,215 slots are used.
     Handle insert(T value) {
         uint32_t slot;
         if (m_free.empty()) {
@@ -44,6 +44,7 @@ public:
         return Handle::make(m_world, m_slots[slot].generation, slot);
     }
 
+    /// Destroys the object. Returns false if the handle is stale.
     bool erase(Handle handle) {
         if (!find(handle)) return false;
         Slot& slot = m_slots[handle.slot()];
@@ -54,7 +55,7 @@ public:
         return true;
     }
 
-    /// Erases everything, and gives out slots like a new map again; handles from before are stale.
+    /// Erases all objects. Handles from before are stale; slots are given out as by a new map.
     void clear() {
         m_free.clear();
         for (size_t i = m_slots.size(); i-- > 0;) {
@@ -65,12 +66,11 @@ public:
         m_size = 0;
     }
 
-    /// Puts a value back under a handle that was erased: undo, and replay of what others created. The slot must be
-    /// empty.
+    /// Puts a value back under the handle it had, for undo and replay. The slot must be empty.
     T& restore(Handle handle, T value) {
         const uint32_t slot = handle.slot();
         while (m_slots.size() <= slot) {
-            m_free.insert(m_free.begin(), uint32_t(m_slots.size()));  // used last, as if it had never been
+            m_free.insert(m_free.begin(), uint32_t(m_slots.size()));  // used last, like a slot never used
             m_slots.emplace_back();
         }
         assert(!m_slots[slot].value && "restoring over a living object");
@@ -84,20 +84,23 @@ public:
 
     /// nullptr if the handle is stale, empty or of another world.
     T* find(Handle handle) { return const_cast<T*>(std::as_const(*this).find(handle)); }
+    /// nullptr if the handle is stale, empty or of another world.
     const T* find(Handle handle) const {
         if (!handle || handle.world() != m_world || handle.slot() >= m_slots.size()) return nullptr;
         const Slot& slot = m_slots[handle.slot()];
         if (!slot.value || (slot.generation & 0xffffffu) != handle.generation()) return nullptr;
         return &*slot.value;
     }
+    /// The object of a handle that is known to be valid; asserts that.
     T& at(Handle handle) {
         T* value = find(handle);
         assert(value && "stale handle");
         return *value;
     }
+    /// The object of a handle that is known to be valid; asserts that.
     const T& at(Handle handle) const { return const_cast<SlotMap*>(this)->at(handle); }
 
-    /// The handle of what is in a slot now; empty if nothing is.
+    /// The handle of the object in a slot; empty if the slot is.
     Handle handleAt(uint32_t slot) const {
         return slot < m_slots.size() && m_slots[slot].value ? Handle::make(m_world, m_slots[slot].generation, slot)
                                                             : Handle{};
@@ -109,16 +112,18 @@ public:
         for (uint32_t i = 0; i < m_slots.size(); ++i)
             if (m_slots[i].value) f(Handle::make(m_world, m_slots[i].generation, i), *m_slots[i].value);
     }
+    /// f(handle, value) for every object, in slot order.
     template <class F>
     void forEach(F&& f) const {
         for (uint32_t i = 0; i < m_slots.size(); ++i)
             if (m_slots[i].value) f(Handle::make(m_world, m_slots[i].generation, i), *m_slots[i].value);
     }
 
+    /// All slots, empty ones too, for saving.
     const std::vector<Slot>& slots() const { return m_slots; }
-    /// The order in which freed slots are used again, the last first.
+    /// Empty slots in the order of their use: the last one is used next.
     const std::vector<uint32_t>& freeSlots() const { return m_free; }
-    /// Makes these slots the next to be used, the last of them first; the other empty ones follow from the lowest on.
+    /// Makes these slots the next to be used, the last of them first. Other empty slots follow, lowest first.
     void setFreeSlots(const std::vector<uint32_t>& slots) {
         std::vector<bool> isOther(m_slots.size());
         for (size_t i = 0; i < m_slots.size(); ++i) isOther[i] = !m_slots[i].value;
@@ -131,6 +136,7 @@ public:
         m_free.insert(m_free.end(), next.begin(), next.end());
     }
 
+    /// Objects in the map.
     size_t size() const { return m_size; }
     /// Slots ever used: the length of a side table indexed by Handle::slot().
     size_t slotCount() const { return m_slots.size(); }
