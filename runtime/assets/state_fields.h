@@ -1,4 +1,6 @@
 #pragma once
+#include <type_traits>
+
 #include "runtime/assets/level_fields.h"
 #include "runtime/world/state/world_state.h"
 
@@ -337,6 +339,12 @@ template <class A>
 void fields(A& a, Is<ReleaseEdit> auto& edit) {
     a("impulse", edit.impulse);
     a("hand", edit.hand);
+}
+
+template <class A>
+void fields(A& a, Is<Edit> auto& edit) {
+    using Kinds = std::conditional_t<std::is_const_v<std::remove_reference_t<decltype(edit)>>, const AnyEdit, AnyEdit>;
+    a("kind", static_cast<Kinds&>(edit));
 }
 
 }  // namespace rubble

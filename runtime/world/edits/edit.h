@@ -9,13 +9,13 @@
 
 #include "runtime/core/handle.h"
 #include "runtime/destruction/brush.h"
-#include "runtime/world/objects/character.h"
 #include "runtime/world/edits/joint_edits.h"
 #include "runtime/world/edits/light_edits.h"
-#include "runtime/world/settings/paint_settings.h"
 #include "runtime/world/edits/shape_edits.h"
+#include "runtime/world/objects/character.h"
 #include "runtime/world/objects/trigger.h"
 #include "runtime/world/objects/water.h"
+#include "runtime/world/settings/paint_settings.h"
 #include "runtime/world/settings/world_settings.h"
 
 namespace rubble {
@@ -157,13 +157,26 @@ struct PlaceCharacterEdit {
     glm::dvec3 position{0.0}, velocity{0.0};  ///< of the feet
 };
 
-using Edit =
+using AnyEdit =
     std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit,
                  RemoveFiresEdit, BreakEdit, SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit,
                  ImpactLoadEdit, SetCollisionEdit, AddWaterEdit, RemoveWaterEdit, AddTriggerEdit, RemoveTriggerEdit,
                  AddCharacterEdit, RemoveCharacterEdit, MoveCharacterEdit, PlaceCharacterEdit, AddJointEdit,
                  RemoveJointEdit, SetJointMotorEdit, DetachJointEdit, GrabEdit, ReleaseEdit, DriveEdit,
                  SetEnvironmentEdit, SetLightEdit, AddLightEdit, RemoveLightEdit>;
+/// One command for the World: any of the kinds above. It is a class of its own so that its copies, moves and
+/// destructor, which are long over so many kinds, are compiled once (edit.cpp) and not wherever a list of edits is
+/// held.
+struct Edit : AnyEdit {
+    using AnyEdit::AnyEdit;
+    Edit();  ///< an empty carve, for containers and readers
+    Edit(const Edit&);
+    Edit(Edit&&) noexcept;
+    Edit& operator=(const Edit&);
+    Edit& operator=(Edit&&) noexcept;
+    ~Edit();
+};
+/// Edits in the order in which the step applies them.
 using Edits = std::vector<Edit>;
 
 /// Where a host leaves edits for the next step. [main-thread]
