@@ -1,5 +1,6 @@
-/* The smallest host: loads a level, blows a hole into it and tells what came off. Needs rubble.h and librubble, nothing
- * else. hello LEVEL.rubble|LEVEL.vox hello LEVEL.vdb PATH-OF-rubble-vdb */
+/* The smallest host: it loads a level, blows a hole into it and prints what came off. It needs rubble.h and librubble.
+ *     hello LEVEL.rubble|LEVEL.vox
+ *     hello LEVEL.vdb PATH-OF-rubble-vdb */
 #include <rubble/rubble.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,14 +10,14 @@ static const rubble_api* api;
 static void check(rubble_result result) {
     if (result == RUBBLE_OK) return;
     fprintf(stderr, "hello: error %d: %s\n", (int)result,
-            api ? api->get_last_error() : "the plugin has another version");
+            api ? api->get_last_error() : "librubble and rubble.h are of different versions");
     exit(1);
 }
 
-/* Down onto the level, from above the middle of its first body. */
+/* Casts rays straight down onto the middle of each shape until one hits. */
 static rubble_hit find_roof(rubble_world world) {
     const double down[3] = {0.0, -1.0, 0.0};
-    rubble_hit hit = {sizeof hit};
+    rubble_hit hit = {0};
     rubble_shape_state* shapes;
     uint32_t count, i;
     check(api->get_shape_states(world, 0, NULL, 0, &count));
@@ -26,7 +27,7 @@ static rubble_hit find_roof(rubble_world world) {
         const double half = 0.5 * shapes[i].voxel_size;
         const double above[3] = {shapes[i].position[0] + half * shapes[i].size[0], 500.0,
                                  shapes[i].position[2] + half * shapes[i].size[2]};
-        check(api->raycast(world, above, down, 1000.0, &hit));
+        check(api->cast_ray(world, above, down, 1000.0, &hit));
     }
     free(shapes);
     return hit;
@@ -47,7 +48,7 @@ int main(int argc, char** argv) {
     rubble_world world;
     rubble_explosion explosion = {sizeof explosion};
     rubble_events events = {sizeof events};
-    rubble_voxel_accounting ledger = {sizeof ledger};
+    rubble_voxel_accounting voxels = {sizeof voxels};
     rubble_hit roof;
     uint64_t hash;
     int step, i;
@@ -80,9 +81,9 @@ int main(int argc, char** argv) {
             printf("step %u: %u pieces came off\n", (unsigned)events.step, (unsigned)events.split_count);
     }
     print_poses(world);
-    check(api->get_voxel_accounting(world, &ledger));
-    printf("%u voxels = %u standing + %u in pieces + %u removed\n", (unsigned)ledger.imported,
-           (unsigned)ledger.standing, (unsigned)ledger.in_pieces, (unsigned)ledger.removed);
+    check(api->get_voxel_accounting(world, &voxels));
+    printf("%u voxels = %u standing + %u in pieces + %u removed\n", (unsigned)voxels.imported,
+           (unsigned)voxels.standing, (unsigned)voxels.in_pieces, (unsigned)voxels.removed);
     check(api->get_state_hash(world, &hash));
     printf("state %08x%08x\n", (unsigned)(hash >> 32), (unsigned)hash);
     check(api->destroy_world(world));

@@ -10,6 +10,7 @@
 
 namespace rubble {
 
+/// The function table.
 inline const rubble_api* api() {
     static const rubble_api* table = [] {
         const rubble_api* found = nullptr;
@@ -19,6 +20,7 @@ inline const rubble_api* api() {
     return table;
 }
 
+/// A struct of the interface with its struct_size and zeros.
 template <class T>
 T sized() {
     T value = {};

@@ -22,8 +22,8 @@ TEST_F(Abi, JointsAreMadeReadAndRemoved) {
     ASSERT_EQ(api()->get_joint_states(m_world, joints.data(), 2, &count), RUBBLE_OK);
     ASSERT_EQ(count, 1u);
     EXPECT_EQ(joints[0].shapes[0], shape[0].shape);
-    ASSERT_GE(joints[0].rope_points, 3u);
-    std::vector<double> points(3 * joints[0].rope_points);
+    ASSERT_GE(joints[0].rope_point_count, 3u);
+    std::vector<double> points(3 * joints[0].rope_point_count);
     ASSERT_EQ(api()->get_rope_points(m_world, joints[0].joint, points.data(), uint32_t(points.size()), &count),
               RUBBLE_OK);
     EXPECT_EQ(count, points.size());
@@ -66,8 +66,8 @@ TEST_F(Abi, WheelsAreDriven) {
     const auto stepBoth = [&](rubble_world other) {
         for (const rubble_world world : {m_world, other}) EXPECT_EQ(api()->step(world), RUBBLE_OK);
     };
-    const rubble_world idle = makeWorld();  // the same, but for the drive
-    EXPECT_EQ(addWheel(m_world, -1.0), RUBBLE_ERROR_ARGUMENT) << "either way is as far";
+    const rubble_world idle = makeWorld();  // equal, but nothing drives its wheel
+    EXPECT_EQ(addWheel(m_world, -1.0), RUBBLE_ERROR_ARGUMENT) << "the angle is one for both sides";
     for (const rubble_world world : {m_world, idle})
         ASSERT_EQ(addWheel(world, 0.5), RUBBLE_OK) << api()->get_last_error();
     stepBoth(idle);

@@ -56,21 +56,21 @@ TEST_F(AbiLights, TheWeatherChangesWithTheNextStep) {
     EXPECT_EQ(environment().wetness, 0.0) << "edits wait for the step";
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     EXPECT_EQ(environment().wetness, 1.0);
-    EXPECT_EQ(environment().sun_direction[1], 1.0) << "it is made a direction";
+    EXPECT_EQ(environment().sun_direction[1], 1.0) << "directions are normalised";
     EXPECT_EQ(environment().gravity[1], double(-1.6f));
 }
 
 TEST_F(AbiLights, TheSkyFollowsTheSun) {
     rubble_environment day = environment(), night = day;
     const double up[3] = {0.2, 1.0, 0.1}, down[3] = {0.2, -1.0, 0.1}, none[3] = {};
-    ASSERT_EQ(api()->compute_sky(&day, up), RUBBLE_OK) << api()->get_last_error();
-    ASSERT_EQ(api()->compute_sky(&night, down), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->apply_sky_model(&day, up), RUBBLE_OK) << api()->get_last_error();
+    ASSERT_EQ(api()->apply_sky_model(&night, down), RUBBLE_OK) << api()->get_last_error();
     EXPECT_EQ(day.stars, 0.0);
     EXPECT_GT(night.stars, 0.0);
     EXPECT_GT(day.sky_color[2], 5.0 * night.sky_color[2]);
     EXPECT_EQ(day.struct_size, sizeof day);
-    expectRefused(api()->compute_sky(&day, none), RUBBLE_ERROR_ARGUMENT, "to_sun");
-    EXPECT_EQ(api()->compute_sky(&day, nullptr), RUBBLE_ERROR_NULL);
+    expectRefused(api()->apply_sky_model(&day, none), RUBBLE_ERROR_ARGUMENT, "sun_direction");
+    EXPECT_EQ(api()->apply_sky_model(&day, nullptr), RUBBLE_ERROR_NULL);
 }
 
 TEST_F(AbiLights, ALightIsDimmedMovedAndTurnedOff) {
@@ -121,12 +121,12 @@ TEST_F(AbiLights, ALightIsAddedMovedAndRemoved) {
     carried.shape = table();
     ASSERT_EQ(api()->set_light(m_world, &carried), RUBBLE_OK) << api()->get_last_error();
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    EXPECT_TRUE(listed(api()->get_added_lights).empty()) << "of the last step only";
+    EXPECT_TRUE(listed(api()->get_added_lights).empty()) << "the last step added none";
     EXPECT_EQ(stateOf(added[0]).position[1], 2.0);
     EXPECT_EQ(stateOf(added[0]).shape, table());
 
     ASSERT_EQ(api()->remove_light(m_world, added[0]), RUBBLE_OK) << api()->get_last_error();
-    ASSERT_EQ(api()->remove_light(m_world, added[0]), RUBBLE_OK) << "it is there until the step";
+    ASSERT_EQ(api()->remove_light(m_world, added[0]), RUBBLE_OK) << "edits wait for the step";
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     EXPECT_EQ(listed(api()->get_lights).size(), 2u);
     expectRefused(api()->remove_light(m_world, added[0]), RUBBLE_ERROR_STALE, "light is stale");
@@ -171,7 +171,7 @@ TEST_F(AbiLights, UndoRestoresLightsAndWeather) {
     ASSERT_EQ(api()->undo(m_world), RUBBLE_OK);
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     EXPECT_EQ(environment().wetness, dry.wetness);
-    EXPECT_EQ(levelLight().color[1], 4.0) << "the one there was, as it was";
+    EXPECT_EQ(levelLight().color[1], 4.0) << "the old light has its old colour";
     ASSERT_EQ(api()->redo(m_world), RUBBLE_OK);
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     EXPECT_EQ(environment().wetness, 1.0);
@@ -223,7 +223,7 @@ TEST_F(AbiLights, InvalidLightsAreRefused) {
     none.light = 0;
     expectRefused(api()->set_light(m_world, &none), RUBBLE_ERROR_STALE, "light is 0");
     ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
-    EXPECT_EQ(listed(api()->get_lights).size(), 1u) << "nothing was done";
+    EXPECT_EQ(listed(api()->get_lights).size(), 1u) << "a refused call changes nothing";
     EXPECT_DOUBLE_EQ(levelLight().color[1], 4.0);
 }
 

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 #include <string>
 
@@ -18,9 +20,18 @@ TEST_F(Abi, WrongVersionsAreRefused) {
     EXPECT_EQ(api()->version, RUBBLE_VERSION);
 }
 
+TEST_F(Abi, EveryFunctionOfTheTableIsSet) {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(api());
+    for (size_t at = offsetof(rubble_api, get_last_error); at < sizeof(rubble_api); at += sizeof(void*)) {
+        void* function = nullptr;
+        std::memcpy(&function, bytes + at, sizeof function);
+        EXPECT_NE(function, nullptr) << "at byte " << at;
+    }
+}
+
 TEST_F(Abi, NullPointersAreRefused) {
     const double axis[3] = {1, 0, 0};
-    auto hit = sized<rubble_hit>();
+    rubble_hit hit = {};
     rubble_renderer renderer = 1;
     expectRefused(api()->create_world(nullptr, nullptr), RUBBLE_ERROR_NULL, "out");
     expectRefused(api()->load_level(m_world, nullptr, nullptr), RUBBLE_ERROR_NULL, "path");
@@ -34,9 +45,9 @@ TEST_F(Abi, NullPointersAreRefused) {
     expectRefused(api()->get_body_states(m_world, nullptr, 5, &count), RUBBLE_ERROR_NULL, "out");
     expectRefused(api()->get_body_state(m_world, bodies(m_world)[0].body, nullptr), RUBBLE_ERROR_NULL, "out");
     expectRefused(api()->get_shape_states(m_world, 0, nullptr, 5, &count), RUBBLE_ERROR_NULL, "out");
-    expectRefused(api()->raycast(m_world, nullptr, axis, 1, &hit), RUBBLE_ERROR_NULL, "origin");
-    expectRefused(api()->raycast(m_world, axis, nullptr, 1, &hit), RUBBLE_ERROR_NULL, "direction");
-    expectRefused(api()->raycast(m_world, axis, axis, 1, nullptr), RUBBLE_ERROR_NULL, "out");
+    expectRefused(api()->cast_ray(m_world, nullptr, axis, 1, &hit), RUBBLE_ERROR_NULL, "origin");
+    expectRefused(api()->cast_ray(m_world, axis, nullptr, 1, &hit), RUBBLE_ERROR_NULL, "direction");
+    expectRefused(api()->cast_ray(m_world, axis, axis, 1, nullptr), RUBBLE_ERROR_NULL, "out");
     expectRefused(api()->get_state_hash(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
     expectRefused(api()->get_voxel_accounting(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
     expectRefused(api()->get_step_stats(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
@@ -50,9 +61,9 @@ TEST_F(Abi, WrongStructSizesAreRefused) {
         explosion.struct_size = size;
         expectRefused(api()->explode(m_world, &explosion), RUBBLE_ERROR_STRUCT_SIZE, "struct_size");
     }
-    auto ledger = sized<rubble_voxel_accounting>();
-    ledger.struct_size = 8;
-    expectRefused(api()->get_voxel_accounting(m_world, &ledger), RUBBLE_ERROR_STRUCT_SIZE, "struct_size");
+    auto voxels = sized<rubble_voxel_accounting>();
+    voxels.struct_size = 8;
+    expectRefused(api()->get_voxel_accounting(m_world, &voxels), RUBBLE_ERROR_STRUCT_SIZE, "struct_size");
 }
 
 TEST_F(Abi, ALongerStructIsAcceptedIfItsNewFieldsAreZero) {
@@ -88,7 +99,7 @@ TEST_F(Abi, StaleHandlesAreReported) {
     expectRefused(api()->carve(m_world, &carve), RUBBLE_ERROR_STALE, "type");
     expectRefused(api()->destroy_renderer(0), RUBBLE_ERROR_STALE, "renderer");
 
-    const rubble_world next = makeWorld();  // in the slot of the one that is gone
+    const rubble_world next = makeWorld();  // takes the slot of the destroyed world
     EXPECT_NE(next, gone);
     expectRefused(api()->step(gone), RUBBLE_ERROR_STALE, "world");
     EXPECT_EQ(api()->destroy_world(next), RUBBLE_OK);
@@ -115,8 +126,8 @@ TEST_F(Abi, NonFiniteAndOutOfRangeNumbersAreRefused) {
     carve.brush = 7;
     expectRefused(api()->carve(m_world, &carve), RUBBLE_ERROR_ARGUMENT, "brush");
     const double origin[3] = {0, 0, 0}, nowhere[3] = {0, 0, 0};
-    auto hit = sized<rubble_hit>();
-    expectRefused(api()->raycast(m_world, origin, nowhere, 1, &hit), RUBBLE_ERROR_ARGUMENT, "direction");
+    rubble_hit hit = {};
+    expectRefused(api()->cast_ray(m_world, origin, nowhere, 1, &hit), RUBBLE_ERROR_ARGUMENT, "direction");
     auto settings = sized<rubble_world_settings>();
     settings.flags = 1u << 31;
     rubble_world world = 0;

@@ -10,16 +10,16 @@ TEST_F(Abi, QueriesAreBatched) {
     const std::array<rubble_ray, 3> rays = {rubble_ray{{0.85, 5.0, 0.85}, {0.0, -1.0, 0.0}, 10.0, 0.0},
                                             rubble_ray{{0.85, 5.0, 0.85}, {0.0, -1.0, 0.0}, 10.0, 0.2},
                                             rubble_ray{{5.0, 5.0, 5.0}, {0.0, -1.0, 0.0}, 10.0, 0.0}};
-    std::array<rubble_touch, 3> touches = {};
-    ASSERT_EQ(api()->cast_rays(m_world, rays.data(), 3, nullptr, touches.data()), RUBBLE_OK) << api()->get_last_error();
-    EXPECT_EQ(touches[0].hit, 1u);
-    EXPECT_NEAR(touches[0].distance, 4.0, 1e-6);  // a voxel is 0.1f metres
-    EXPECT_NEAR(touches[1].distance, 3.8, 1e-6);
-    EXPECT_EQ(touches[2].hit, 0u);
+    std::array<rubble_hit, 3> hits = {};
+    ASSERT_EQ(api()->cast_rays(m_world, rays.data(), 3, nullptr, hits.data()), RUBBLE_OK) << api()->get_last_error();
+    EXPECT_EQ(hits[0].hit, 1u);
+    EXPECT_NEAR(hits[0].distance, 4.0, 1e-6);  // a voxel is 0.1f metres
+    EXPECT_NEAR(hits[1].distance, 3.8, 1e-6);
+    EXPECT_EQ(hits[2].hit, 0u);
     auto filter = sized<rubble_query_filter>();
     filter.rejected_shape_count = 1;
-    filter.rejected_shapes = &touches[0].shape;
-    rubble_touch none = {};
+    filter.rejected_shapes = &hits[0].shape;
+    rubble_hit none = {};
     ASSERT_EQ(api()->cast_rays(m_world, rays.data(), 1, &filter, &none), RUBBLE_OK);
     EXPECT_EQ(none.hit, 0u);
 
@@ -36,7 +36,7 @@ TEST_F(Abi, QueriesAreBatched) {
     cast.shape.position[1] = 1.2;
     ASSERT_EQ(api()->overlap_bodies(m_world, &cast.shape, nullptr, &found, 1, &count), RUBBLE_OK);
     EXPECT_EQ(count, 1u);
-    EXPECT_EQ(found, touches[0].body);
+    EXPECT_EQ(found, hits[0].body);
     ASSERT_EQ(api()->overlap_shapes(m_world, &cast.shape, &filter, &found, 1, &count), RUBBLE_OK);
     EXPECT_EQ(count, 0u);
     const double above[3] = {0.85, 1.5, 0.85};
@@ -53,7 +53,7 @@ TEST_F(Abi, ACharacterWalksIntoWaterInATrigger) {
     ASSERT_EQ(api()->add_character(m_world, &person), RUBBLE_OK) << api()->get_last_error();
     const double square[8] = {-5, -5, 5, -5, 5, 5, -5, 5};
     auto water = sized<rubble_water_settings>();
-    water.outline = square, water.outline_count = 4, water.surface = 0.5, water.depth = 30.0;
+    water.outline = square, water.outline_count = 4, water.surface_height = 0.5, water.depth = 30.0;
     ASSERT_EQ(api()->add_water(m_world, &water), RUBBLE_OK) << api()->get_last_error();
     auto trigger = sized<rubble_trigger_settings>();
     trigger.kind = RUBBLE_TRIGGER_SPHERE, trigger.position[1] = 0.9, trigger.radius = 3.0;
@@ -67,7 +67,7 @@ TEST_F(Abi, ACharacterWalksIntoWaterInATrigger) {
     EXPECT_NEAR(state.position[1], 1.0, 0.03);
     auto move = sized<rubble_character_move>();
     move.character = state.character;
-    move.wish[0] = 3.0;
+    move.desired_velocity[0] = 3.0;
     ASSERT_EQ(api()->move_character(m_world, &move), RUBBLE_OK) << api()->get_last_error();
     for (int i = 0; i < 90; ++i) ASSERT_EQ(api()->step(m_world), RUBBLE_OK);
     ASSERT_EQ(api()->get_character_states(m_world, &state, 1, &count), RUBBLE_OK);

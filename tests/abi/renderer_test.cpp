@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/gl/offscreen.h"
+#include "runtime/core/constants.h"
 #include "tests/abi/test_level.h"
 #include "tests/render/gl_fixture.h"
 
@@ -22,7 +23,7 @@ T sized() {
     return value;
 }
 
-/// A host with a GL context without a window, which it hands to the plugin.
+/// A host with a GL context that has no window.
 class AbiRenderer : public GlTest {
 protected:
     void SetUp() override {
@@ -77,14 +78,14 @@ TEST_F(AbiRenderer, DrawsTheLevel) {
     const std::vector<uint8_t> image = target.readRgb();
     std::set<uint8_t> reds;
     for (size_t i = 0; i < image.size(); i += 3) reds.insert(image[i]);
-    EXPECT_GT(reds.size(), 8u) << "a image of one colour";
+    EXPECT_GT(reds.size(), 8u) << "the image has one colour";
     auto figures = sized<rubble_draw_stats>();
     ASSERT_EQ(m_api->get_draw_stats(renderer, &figures), RUBBLE_OK);
     EXPECT_EQ(figures.shapes, 1u);
     EXPECT_GT(figures.draw_calls, 0u);
 
     ASSERT_EQ(m_api->destroy_world(m_world), RUBBLE_OK);
-    EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_ERROR_STALE) << "the world is gone";
+    EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_ERROR_STALE) << "the world is destroyed";
     EXPECT_EQ(m_api->destroy_renderer(renderer), RUBBLE_OK);
     EXPECT_EQ(m_api->draw(renderer, &view), RUBBLE_ERROR_STALE);
 }
@@ -133,12 +134,12 @@ TEST_F(AbiRenderer, AnAddedLightShowsAndARemovedOneDoesNot) {
     for (int times = 0; times < 2; ++times) {
         ASSERT_EQ(m_api->add_light(m_world, &torch), RUBBLE_OK) << m_api->get_last_error();
         const double first = lightAfter(1), settled = lightAfter(20);
-        EXPECT_NEAR(settled, 10.0 / 3.14159, 0.5) << "intensity by the square of a metre, of a white surface";
-        EXPECT_GT(first, 0.9 * settled) << "there with the first image";
+        EXPECT_NEAR(settled, 10.0 / kPi, 0.5) << "radiance of a white diffuse surface at 1 m: intensity / pi";
+        EXPECT_GT(first, 0.9 * settled) << "the first frame shows it";
         ASSERT_EQ(m_api->get_lights(m_world, &light, 1, &count), RUBBLE_OK);
         ASSERT_EQ(m_api->remove_light(m_world, light), RUBBLE_OK) << m_api->get_last_error();
         EXPECT_LT(lightAfter(1), 0.05 * settled);
-        EXPECT_LT(lightAfter(1), 0.01 * settled) << "gone in two frames";
+        EXPECT_LT(lightAfter(1), 0.01 * settled) << "the second frame no longer shows it";
         EXPECT_LT(lightAfter(20), 1e-4 * settled);
     }
     EXPECT_EQ(m_api->destroy_renderer(renderer), RUBBLE_OK);

@@ -1,45 +1,44 @@
-#include "runtime/plugin/c_abi/joints.h"
-
-#include "runtime/plugin/c_abi/checks.h"
+#include "runtime/plugin/c_abi/calls.h"
+#include "runtime/plugin/c_abi/functions.h"
 
 namespace rubble::abi {
 namespace {
 
-constexpr double kMaxMagnitude = 1e12;
+constexpr double kMaxMagnitude = 1e12;  // of forces, torques, lengths and frequencies
 
 double readSize(double value, const char* name) {
     return readOrDefault(value, 0.0, kMaxMagnitude, 0.0, name);
 }
 
-JointMotor readMotor(uint32_t mode, double target, double force) {
-    if (mode > RUBBLE_MOTOR_POSITION)
-        throw ApiError{RUBBLE_ERROR_ARGUMENT, "motor is " + std::to_string(mode) + ", expected 0 to 2"};
-    return {MotorMode(mode), readOrDefault(target, -kMaxMagnitude, kMaxMagnitude, 0.0, "motor_target"),
-            readSize(force, "motor_max_force")};
+double readSigned(double value, const char* name) {
+    return readOrDefault(value, -kMaxMagnitude, kMaxMagnitude, 0.0, name);
 }
 
-}  // namespace
+JointMotor readMotor(uint32_t mode, double target, double maxForce) {
+    return {MotorMode(readEnum(mode, RUBBLE_MOTOR_POSITION, "motor")), readSigned(target, "motor_target"),
+            readSize(maxForce, "motor_max_force")};
+}
 
-AddJointEdit toEdit(const World& world, const rubble_joint_settings& given) {
-    if (given.kind > RUBBLE_JOINT_WHEEL)
-        throw ApiError{RUBBLE_ERROR_ARGUMENT, "kind is " + std::to_string(given.kind) + ", expected 0 to 6"};
+/// The joint with its ends, from where its shapes are now.
+Joint readEnds(const World& world, const rubble_joint_settings& given) {
+    const JointKind kind = JointKind(readEnum(given.kind, RUBBLE_JOINT_WHEEL, "kind"));
     std::array<ShapeHandle, 2> shapes;
-    for (size_t i = 0; i < 2; ++i) {
-        shapes[i] = readHandle<HandleType::Shape>(given.shapes[i], "shapes");
-        if (shapes[i] && !world.shapes().find(shapes[i]))
-            throw ApiError{RUBBLE_ERROR_STALE, "shapes: a shape is stale"};
-    }
-    const JointKind kind = JointKind(given.kind);
+    for (size_t i = 0; i < 2; ++i)
+        shapes[i] = readOptionalHandle<HandleType::Shape>(world.shapes(), given.shapes[i], "shapes");
     const Pose frame{readVector(given.position, "position"), readRotation(given.rotation, "rotation")};
     Joint joint = jointAt(world, kind, shapes[0], shapes[1], frame);
     if (kind == JointKind::Rope)
         joint.ends[1] = jointAt(world, kind, {}, shapes[1], {readVector(given.rope_end, "rope_end")}).ends[1];
-    const double radius = readOrDefault(given.radius, 0.0, 100.0, joint.ends[0].radius, "radius");
+    const double radius = readOrDefault(given.anchor_radius, 0.0, 100.0, joint.ends[0].radius, "anchor_radius");
     joint.ends[0].radius = joint.ends[1].radius = radius;
+    return joint;
+}
+
+AddJointEdit readJoint(const World& world, const rubble_joint_settings& given) {
+    Joint joint = readEnds(world, given);
     joint.collides = given.flags & RUBBLE_JOINT_COLLIDES;
-    joint.limits = {(given.flags & RUBBLE_JOINT_LIMITED) != 0,
-                    readOrDefault(given.low, -kMaxMagnitude, kMaxMagnitude, 0.0, "low"),
-                    readOrDefault(given.high, -kMaxMagnitude, kMaxMagnitude, 0.0, "high")};
+    joint.limits = {(given.flags & RUBBLE_JOINT_LIMITED) != 0, readSigned(given.lower_limit, "lower_limit"),
+                    readSigned(given.upper_limit, "upper_limit")};
     joint.motor = readMotor(given.motor, given.motor_target, given.motor_max_force);
     joint.spring = {readSize(given.spring_hertz, "spring_hertz"),
                     readSize(given.spring_damping_ratio, "spring_damping_ratio")};
@@ -59,51 +58,98 @@ AddJointEdit toEdit(const World& world, const rubble_joint_settings& given) {
     return {joint};
 }
 
-SetJointMotorEdit toEdit(const World& world, const rubble_joint_motor& given) {
-    jointOf(world, given.joint);
-    return {JointHandle{given.joint}, readMotor(given.motor, given.motor_target, given.motor_max_force),
-            readSize(given.friction, "friction"), readOrDefault(given.steer, -3.0, 3.0, 0.0, "steer")};
+SetJointMotorEdit readJointMotor(const World& world, const rubble_joint_motor& given) {
+    return {readLiveHandle<HandleType::Joint>(world.joints(), given.joint, "joint"),
+            readMotor(given.motor, given.motor_target, given.motor_max_force), readSize(given.friction, "friction"),
+            readOrDefault(given.steer, -3.0, 3.0, 0.0, "steer")};
 }
 
-DriveEdit toEdit(const World& world, const rubble_drive& given) {
-    const BodyHandle body = readHandle<HandleType::Body>(given.body, "body");
-    if (!world.bodies().find(body)) throw ApiError{RUBBLE_ERROR_STALE, "body is stale"};
-    return {body, readOrDefault(given.throttle, -1.0, 1.0, 0.0, "throttle"),
+DriveEdit readDrive(const World& world, const rubble_drive& given) {
+    return {readLiveHandle<HandleType::Body>(world.bodies(), given.body, "body"),
+            readOrDefault(given.throttle, -1.0, 1.0, 0.0, "throttle"),
             readOrDefault(given.steer, -1.0, 1.0, 0.0, "steer"), readOrDefault(given.brake, 0.0, 1.0, 0.0, "brake")};
 }
 
-GrabEdit toEdit(const World& world, const rubble_grab& given) {
+GrabEdit readGrab(const World& world, const rubble_grab& given) {
     GrabEdit edit;
-    edit.body = readHandle<HandleType::Body>(given.body, "body");
-    if (!world.bodies().find(edit.body)) throw ApiError{RUBBLE_ERROR_STALE, "body is stale"};
+    edit.body = readLiveHandle<HandleType::Body>(world.bodies(), given.body, "body");
     edit.point = readVector(given.point, "point");
     edit.target = readVector(given.target, "target");
-    edit.maxForce = readOrDefault(given.force, 0.0, 1e9, edit.maxForce, "force");
-    edit.hertz = readOrDefault(given.hertz, 0.1, 60.0, edit.hertz, "hertz");
+    edit.maxForce = readOrDefault(given.max_force, 0.0, 1e9, edit.maxForce, "max_force");
+    edit.hertz = readOrDefault(given.spring_hertz, 0.1, 60.0, edit.hertz, "spring_hertz");
     edit.hand = given.hand;
     return edit;
 }
 
-ReleaseEdit toEdit(const World&, const rubble_release& given) {
+ReleaseEdit readRelease(const World&, const rubble_release& given) {
     return {readVector(given.impulse, "impulse"), given.hand};
 }
 
-const Joint& jointOf(const World& world, rubble_joint bits) {
-    const Joint* joint = world.joints().find(readHandle<HandleType::Joint>(bits, "joint"));
-    if (!joint) throw ApiError{RUBBLE_ERROR_STALE, bits ? "joint is stale" : "joint is 0"};
-    return *joint;
+rubble_result addJoint(rubble_world world, const rubble_joint_settings* settings) {
+    return pushEdit("add_joint", world, settings, readJoint);
+}
+rubble_result removeJoint(rubble_world world, rubble_joint joint) {
+    return removeOne<RemoveJointEdit, HandleType::Joint>("remove_joint", world, joint, "joint", &World::joints);
+}
+rubble_result setJointMotor(rubble_world world, const rubble_joint_motor* motor) {
+    return pushEdit("set_joint_motor", world, motor, readJointMotor);
+}
+rubble_result driveWheels(rubble_world world, const rubble_drive* edit) {
+    return pushEdit("drive_wheels", world, edit, readDrive);
+}
+rubble_result grabBody(rubble_world world, const rubble_grab* edit) {
+    return pushEdit("grab_body", world, edit, readGrab);
+}
+rubble_result releaseBody(rubble_world world, const rubble_release* edit) {
+    return pushEdit("release_body", world, edit, readRelease);
 }
 
 rubble_joint_state jointState(const World& world, JointHandle handle, const Joint& joint) {
     rubble_joint_state state{};
     state.joint = handle.bits;
     state.kind = uint32_t(joint.kind);
-    state.rope_points = uint32_t(joint.points.size());
+    state.rope_point_count = uint32_t(joint.points.size());
     state.rope_length = joint.rope.length;
     for (size_t i = 0; i < 2; ++i) state.shapes[i] = joint.ends[i].shape.bits;
-    writeVector(state.first, world.jointToWorld(joint.ends[0]).position);
-    writeVector(state.second, world.jointToWorld(joint.ends[1]).position);
+    writeVector(state.first_anchor, world.jointToWorld(joint.ends[0]).position);
+    writeVector(state.second_anchor, world.jointToWorld(joint.ends[1]).position);
     return state;
+}
+
+rubble_result getJointStates(rubble_world world, rubble_joint_state* out, uint32_t capacity, uint32_t* count) {
+    return guarded("get_joint_states", [&] {
+        const auto hosted = Registry::instance().world(world);
+        const World& inside = hosted->loop.world();
+        RowWriter<rubble_joint_state> rows(out, capacity, count);
+        inside.joints().forEach([&](JointHandle handle, const Joint& joint) {
+            rows.add([&] { return jointState(inside, handle, joint); });
+        });
+        rows.finish();
+    });
+}
+
+rubble_result getRopePoints(rubble_world world, rubble_joint joint, double* out, uint32_t capacity, uint32_t* count) {
+    return guarded("get_rope_points", [&] {
+        const auto hosted = Registry::instance().world(world);
+        const auto& joints = hosted->loop.world().joints();
+        RowWriter<double> rows(out, capacity, count);
+        for (const RopePoint& point : joints.at(readLiveHandle<HandleType::Joint>(joints, joint, "joint")).points)
+            for (int i = 0; i < 3; ++i) rows.add([&] { return point.position[i]; });
+        rows.finish();
+    });
+}
+
+}  // namespace
+
+void setJointFunctions(rubble_api& api) {
+    api.add_joint = addJoint;
+    api.remove_joint = removeJoint;
+    api.set_joint_motor = setJointMotor;
+    api.drive_wheels = driveWheels;
+    api.grab_body = grabBody;
+    api.release_body = releaseBody;
+    api.get_joint_states = getJointStates;
+    api.get_rope_points = getRopePoints;
 }
 
 }  // namespace rubble::abi

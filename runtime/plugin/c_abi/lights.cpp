@@ -1,26 +1,26 @@
-#include "runtime/plugin/c_abi/lights.h"
-
 #include <algorithm>
 
-#include "runtime/plugin/c_abi/guard.h"
+#include "runtime/plugin/c_abi/calls.h"
+#include "runtime/plugin/c_abi/functions.h"
 #include "runtime/world/level/sky_model.h"
 
 namespace rubble::abi {
 namespace {
 
-/// Where a number, or three, of one struct is in the other.
-template <class Inside, class Outside>
-struct Number {
-    float Inside::*inside;
-    double Outside::*outside;
+/// A number that two structs have: a float of the engine's and a double of the host's.
+template <class Engine, class Host>
+struct Scalar {
+    float Engine::*engine;
+    double Host::*host;
 };
-template <class Inside, class Outside>
+/// The same for three numbers.
+template <class Engine, class Host>
 struct Vector {
-    glm::vec3 Inside::*inside;
-    double (Outside::*outside)[3];
+    glm::vec3 Engine::*engine;
+    double (Host::*host)[3];
 };
 
-constexpr Number<Environment, rubble_environment> kEnvironmentScalars[] = {
+constexpr Scalar<Environment, rubble_environment> kEnvironmentScalars[] = {
     {&Environment::sunAngle, &rubble_environment::sun_angle},
     {&Environment::fogDistance, &rubble_environment::fog_distance},
     {&Environment::fogDensity, &rubble_environment::fog_density},
@@ -42,7 +42,7 @@ constexpr Vector<Environment, rubble_environment> kEnvironmentVectors[] = {
     {&Environment::fogTint, &rubble_environment::fog_tint},
     {&Environment::gravity, &rubble_environment::gravity},
 };
-constexpr Number<Light, rubble_light_state> kLightScalars[] = {
+constexpr Scalar<Light, rubble_light_state> kLightScalars[] = {
     {&Light::radius, &rubble_light_state::radius},        {&Light::reach, &rubble_light_state::reach},
     {&Light::coneInner, &rubble_light_state::cone_inner}, {&Light::coneOuter, &rubble_light_state::cone_outer},
     {&Light::width, &rubble_light_state::width},          {&Light::height, &rubble_light_state::height},
@@ -51,52 +51,50 @@ constexpr Vector<Light, rubble_light_state> kLightVectors[] = {
     {&Light::color, &rubble_light_state::color},
 };
 
-/// What a float cannot hold becomes one that no range has.
+/// Doubles that a float cannot hold become numbers that are out of every range. NaN stays.
 float toFloat(double value) {
     return float(std::clamp(value, -1e30, 1e30));
 }
-template <class Inside, class Outside>
-void read(const Number<Inside, Outside>& number, const Outside& from, Inside& to) {
-    to.*number.inside = toFloat(from.*number.outside);
+template <class Engine, class Host>
+void read(const Scalar<Engine, Host>& field, const Host& from, Engine& to) {
+    to.*field.engine = toFloat(from.*field.host);
 }
-template <class Inside, class Outside>
-void read(const Vector<Inside, Outside>& vector, const Outside& from, Inside& to) {
-    for (int i = 0; i < 3; ++i) (to.*vector.inside)[i] = toFloat((from.*vector.outside)[i]);
+template <class Engine, class Host>
+void read(const Vector<Engine, Host>& field, const Host& from, Engine& to) {
+    for (int i = 0; i < 3; ++i) (to.*field.engine)[i] = toFloat((from.*field.host)[i]);
 }
-template <class Inside, class Outside>
-void write(const Number<Inside, Outside>& number, const Inside& from, Outside& to) {
-    to.*number.outside = double(from.*number.inside);
+template <class Engine, class Host>
+void write(const Scalar<Engine, Host>& field, const Engine& from, Host& to) {
+    to.*field.host = double(from.*field.engine);
 }
-template <class Inside, class Outside>
-void write(const Vector<Inside, Outside>& vector, const Inside& from, Outside& to) {
-    writeVector(to.*vector.outside, glm::dvec3(from.*vector.inside));
+template <class Engine, class Host>
+void write(const Vector<Engine, Host>& field, const Engine& from, Host& to) {
+    writeVector(to.*field.host, glm::dvec3(from.*field.engine));
 }
 
 Environment readEnvironment(const rubble_environment& given) {
     Environment out;
-    for (const auto& number : kEnvironmentScalars) read(number, given, out);
-    for (const auto& vector : kEnvironmentVectors) read(vector, given, out);
+    for (const auto& field : kEnvironmentScalars) read(field, given, out);
+    for (const auto& field : kEnvironmentVectors) read(field, given, out);
     requireNoError(environmentError(out));
     return out;
 }
 
 rubble_environment toHost(const Environment& from) {
     rubble_environment out = {};
-    for (const auto& number : kEnvironmentScalars) write(number, from, out);
-    for (const auto& vector : kEnvironmentVectors) write(vector, from, out);
+    for (const auto& field : kEnvironmentScalars) write(field, from, out);
+    for (const auto& field : kEnvironmentVectors) write(field, from, out);
     return out;
 }
 
 const Light& lightOf(const World& world, rubble_light bits) {
-    const LightHandle handle = readHandle<HandleType::Light>(bits, "light");
-    requireAlive(world.lights(), handle, "light");
-    return world.lights().at(handle);
+    return world.lights().at(readLiveHandle<HandleType::Light>(world.lights(), bits, "light"));
 }
 
 rubble_light_state toHost(LightHandle handle, const Light& from) {
     rubble_light_state out = {};
-    for (const auto& number : kLightScalars) write(number, from, out);
-    for (const auto& vector : kLightVectors) write(vector, from, out);
+    for (const auto& field : kLightScalars) write(field, from, out);
+    for (const auto& field : kLightVectors) write(field, from, out);
     out.light = handle.bits;
     out.kind = uint32_t(from.kind);
     out.flags = (from.enabled ? RUBBLE_LIGHT_ENABLED : 0) | (from.twoSided ? RUBBLE_LIGHT_TWO_SIDED : 0);
@@ -107,21 +105,12 @@ rubble_light_state toHost(LightHandle handle, const Light& from) {
     return out;
 }
 
-/// Its handle must name something, or be 0.
-template <HandleType kType, class Map>
-Handle<kType> readOptionalHandle(const Map& map, uint64_t bits, const char* name) {
-    const Handle<kType> handle = readHandle<kType>(bits, name);
-    if (handle) requireAlive(map, handle, name);
-    return handle;
-}
-
-/// `light`: what the host cannot say stays as it is there.
+/// `light` with all values that the host can give; its name and image stay.
 Light readLight(const World& world, const rubble_light_state& given, Light light) {
-    if (given.flags & ~uint32_t(RUBBLE_LIGHT_ENABLED | RUBBLE_LIGHT_TWO_SIDED))
-        throw ApiError{RUBBLE_ERROR_ARGUMENT, "flags has unknown bits"};
-    for (const auto& number : kLightScalars) read(number, given, light);
-    for (const auto& vector : kLightVectors) read(vector, given, light);
-    light.kind = LightKind(std::min(given.kind, 255u));
+    readFlags(given.flags, RUBBLE_LIGHT_ENABLED | RUBBLE_LIGHT_TWO_SIDED, "flags");
+    for (const auto& field : kLightScalars) read(field, given, light);
+    for (const auto& field : kLightVectors) read(field, given, light);
+    light.kind = LightKind(std::min(given.kind, 255u));  // lightError() refuses unknown kinds
     light.shape = readOptionalHandle<HandleType::Shape>(world.shapes(), given.shape, "shape");
     light.group = readOptionalHandle<HandleType::LightGroup>(world.lightGroups(), given.group, "group");
     light.local = {readVector(given.position, "position"), readRotation(given.rotation, "rotation")};
@@ -131,9 +120,7 @@ Light readLight(const World& world, const rubble_light_state& given, Light light
     return light;
 }
 
-}  // namespace
-
-rubble_result environment(rubble_world world, rubble_environment* out) {
+rubble_result getEnvironment(rubble_world world, rubble_environment* out) {
     return guarded("get_environment",
                    [&] { writeStruct(out, toHost(Registry::instance().world(world)->loop.world().environment())); });
 }
@@ -144,22 +131,22 @@ rubble_result setEnvironment(rubble_world world, const rubble_environment* envir
     });
 }
 
-rubble_result applySkyModel(rubble_environment* environment, const double* toSun) {
-    return guarded("compute_sky", [&] {
-        Environment now = readEnvironment(readStruct(environment, "get_environment"));
-        const glm::dvec3 direction =
-            readVector(reinterpret_cast<const double(&)[3]>(requireNotNull(toSun, "to_sun")), "to_sun");
-        if (!(glm::length(direction) > 1e-6)) throw ApiError{RUBBLE_ERROR_ARGUMENT, "to_sun is zero"};
-        rubble::applySkyModel(now, glm::vec3(direction));
+rubble_result setSky(rubble_environment* environment, const double* sunDirection) {
+    return guarded("apply_sky_model", [&] {
+        Environment now = readEnvironment(readStruct(environment, "environment"));
+        const glm::dvec3 direction = readVectorAt(sunDirection, "sun_direction");
+        if (!(glm::length(direction) > 1e-6))
+            throw ApiError{RUBBLE_ERROR_ARGUMENT, "sun_direction is zero, expected any other length"};
+        applySkyModel(now, glm::vec3(direction));
         writeStruct(environment, toHost(now));
     });
 }
 
-rubble_result lights(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count) {
+rubble_result getLights(rubble_world world, rubble_light* out, uint32_t capacity, uint32_t* count) {
     return listAll("get_lights", world, out, capacity, count, &World::lights);
 }
 
-rubble_result lightState(rubble_world world, rubble_light light, rubble_light_state* out) {
+rubble_result getLightState(rubble_world world, rubble_light light, rubble_light_state* out) {
     return guarded("get_light_state", [&] {
         const auto hosted = Registry::instance().world(world);
         writeStruct(out, toHost(LightHandle{light}, lightOf(hosted->loop.world(), light)));
@@ -189,6 +176,20 @@ rubble_result getAddedLights(rubble_world world, rubble_light* out, uint32_t cap
         for (const LightHandle light : hosted->loop.changes().lightsAdded) rows.add([&] { return light.bits; });
         rows.finish();
     });
+}
+
+}  // namespace
+
+void setLightFunctions(rubble_api& api) {
+    api.get_environment = getEnvironment;
+    api.set_environment = setEnvironment;
+    api.apply_sky_model = setSky;
+    api.get_lights = getLights;
+    api.get_light_state = getLightState;
+    api.set_light = setLight;
+    api.add_light = addLight;
+    api.remove_light = removeLight;
+    api.get_added_lights = getAddedLights;
 }
 
 }  // namespace rubble::abi

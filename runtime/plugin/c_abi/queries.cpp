@@ -1,6 +1,5 @@
-#include "runtime/plugin/c_abi/queries.h"
-
-#include "runtime/plugin/c_abi/guard.h"
+#include "runtime/plugin/c_abi/calls.h"
+#include "runtime/plugin/c_abi/functions.h"
 #include "runtime/world/queries/query.h"
 
 namespace rubble::abi {
@@ -10,17 +9,15 @@ QueryFilter readFilter(const rubble_query_filter* given) {
     QueryFilter filter;
     if (!given) return filter;
     const rubble_query_filter& read = readStruct(given, "filter");
-    constexpr uint32_t known = RUBBLE_FILTER_REJECT_STATIC | RUBBLE_FILTER_REJECT_DYNAMIC |
-                               RUBBLE_FILTER_REJECT_TRANSPARENT | RUBBLE_FILTER_REJECT_UNPHYSICAL;
-    if (read.flags & ~known) throw ApiError{RUBBLE_ERROR_ARGUMENT, "filter->flags has unknown bits"};
-    if (read.layers > 255)
-        throw ApiError{RUBBLE_ERROR_ARGUMENT,
-                       "filter->layers is " + std::to_string(read.layers) + ", expected 0 to 255"};
-    if (read.layers) filter.layers = uint8_t(read.layers);
-    filter.includeStatic = !(read.flags & RUBBLE_FILTER_REJECT_STATIC);
-    filter.includeDynamic = !(read.flags & RUBBLE_FILTER_REJECT_DYNAMIC);
-    filter.rejectTransparent = read.flags & RUBBLE_FILTER_REJECT_TRANSPARENT;
-    filter.rejectUnphysical = read.flags & RUBBLE_FILTER_REJECT_UNPHYSICAL;
+    const uint32_t flags = readFlags(read.flags,
+                                     RUBBLE_FILTER_REJECT_STATIC | RUBBLE_FILTER_REJECT_DYNAMIC |
+                                         RUBBLE_FILTER_REJECT_TRANSPARENT | RUBBLE_FILTER_REJECT_UNPHYSICAL,
+                                     "filter->flags");
+    if (read.layer_mask) filter.layers = uint8_t(readEnum(read.layer_mask, 255, "filter->layer_mask"));
+    filter.includeStatic = !(flags & RUBBLE_FILTER_REJECT_STATIC);
+    filter.includeDynamic = !(flags & RUBBLE_FILTER_REJECT_DYNAMIC);
+    filter.rejectTransparent = flags & RUBBLE_FILTER_REJECT_TRANSPARENT;
+    filter.rejectUnphysical = flags & RUBBLE_FILTER_REJECT_UNPHYSICAL;
     if (read.rejected_body_count) requireNotNull(read.rejected_bodies, "filter->rejected_bodies");
     if (read.rejected_shape_count) requireNotNull(read.rejected_shapes, "filter->rejected_shapes");
     for (uint32_t i = 0; i < read.rejected_body_count; ++i)
@@ -32,43 +29,92 @@ QueryFilter readFilter(const rubble_query_filter* given) {
     return filter;
 }
 
-QueryShape readRegion(const rubble_query_shape& given) {
-    if (given.kind > RUBBLE_QUERY_BOX)
-        throw ApiError{RUBBLE_ERROR_ARGUMENT, "kind is " + std::to_string(given.kind) + ", expected 0 to 2"};
+QueryShape readShape(const rubble_query_shape& given) {
     QueryShape shape;
-    shape.kind = QueryShapeKind(given.kind);
+    shape.kind = QueryShapeKind(readEnum(given.kind, RUBBLE_QUERY_BOX, "kind"));
     shape.position = readVector(given.position, "position");
     shape.end = readVector(given.end, "end");
     shape.radius = readOrDefault(given.radius, 0.0, 1e4, 0.0, "radius");
     shape.halfSize = readVector(given.half_size, "half_size");
-    if (shape.halfSize.x < 0.0 || shape.halfSize.y < 0.0 || shape.halfSize.z < 0.0)
-        throw ApiError{RUBBLE_ERROR_ARGUMENT, "half_size is negative"};
+    for (int i = 0; i < 3; ++i)
+        if (shape.halfSize[i] < 0.0)
+            throw ApiError{RUBBLE_ERROR_ARGUMENT,
+                           "half_size is " + std::to_string(shape.halfSize[i]) + ", expected 0 or more"};
     shape.rotation = readRotation(given.rotation, "rotation");
     return shape;
 }
 
-glm::dvec3 readDirection(const double (&given)[3]) {
-    const glm::dvec3 direction = readVector(given, "direction");
-    if (direction == glm::dvec3(0.0)) throw ApiError{RUBBLE_ERROR_ARGUMENT, "direction is zero"};
-    return direction;
+double readDistance(double given) {
+    return readOrDefault(given, 1e-6, 1e6, 0.0, "max_distance");
 }
 
-rubble_touch hitRow(const World& world, const WorldHit& hit) {
-    rubble_touch row = {};
+rubble_hit hitRow(const World& world, const WorldHit& hit) {
+    rubble_hit row = {};
     if (!hit.hit) return row;
     row.hit = 1;
-    row.entry = hit.entry;
+    row.palette_index = hit.entry;
     row.distance = hit.distance;
     writeVector(row.position, hit.position);
     writeVector(row.normal, hit.normal);
     row.shape = hit.shape.bits;
     row.body = world.shapes().at(hit.shape).body.bits;
-    for (int i = 0; i < 3; ++i) row.cell[i] = hit.cell[i];
+    writeCell(row.cell, hit.cell);
     return row;
 }
 
-void writeHits(const World& world, const std::vector<WorldHit>& hits, rubble_touch* out) {
-    for (size_t i = 0; i < hits.size(); ++i) out[i] = hitRow(world, hits[i]);
+rubble_result castOneRay(rubble_world world, const double origin[3], const double direction[3], double maxDistance,
+                         rubble_hit* out) {
+    return guarded("cast_ray", [&] {
+        const auto hosted = Registry::instance().world(world);
+        const glm::dvec3 from = readVectorAt(origin, "origin");
+        requireNotNull(direction, "direction");
+        const glm::dvec3 along = readDirection(reinterpret_cast<const double(&)[3]>(*direction), "direction");
+        const double distance = readDistance(maxDistance);
+        const World& inside = hosted->loop.world();
+        requireNotNull(out, "out") = hitRow(inside, inside.raycast(from, along, distance));
+    });
+}
+
+/// Answers each row of the host's array by one of `out`: read(row) makes a query, cast() answers them all.
+template <class Query, class Row, class Read, class Cast>
+void castAll(const World& world, const Row* rows, const char* name, uint32_t count, const rubble_query_filter* filter,
+             rubble_hit* out, Read&& read, Cast&& cast) {
+    const QueryFilter rejecting = readFilter(filter);
+    if (count) requireNotNull(rows, name), requireNotNull(out, "out");
+    std::vector<Query> queries(count);
+    std::vector<WorldHit> hits(count);
+    for (uint32_t i = 0; i < count; ++i) queries[i] = read(rows[i]);
+    cast(queries, hits, rejecting);
+    for (uint32_t i = 0; i < count; ++i) out[i] = hitRow(world, hits[i]);
+}
+
+rubble_result castManyRays(rubble_world world, const rubble_ray* rays, uint32_t count,
+                           const rubble_query_filter* filter, rubble_hit* out) {
+    return guarded("cast_rays", [&] {
+        const auto hosted = Registry::instance().world(world);
+        const World& inside = hosted->loop.world();
+        const auto read = [](const rubble_ray& ray) {
+            return RayQuery{readVector(ray.origin, "origin"), readDirection(ray.direction, "direction"),
+                            readDistance(ray.max_distance), readOrDefault(ray.radius, 0.0, 1e3, 0.0, "radius")};
+        };
+        castAll<RayQuery>(inside, rays, "rays", count, filter, out, read,
+                          [&](auto& queries, auto& hits, const auto& with) { castRays(inside, queries, hits, with); });
+    });
+}
+
+rubble_result castManyShapes(rubble_world world, const rubble_shape_cast* casts, uint32_t count,
+                             const rubble_query_filter* filter, rubble_hit* out) {
+    return guarded("cast_shapes", [&] {
+        const auto hosted = Registry::instance().world(world);
+        const World& inside = hosted->loop.world();
+        const auto read = [](const rubble_shape_cast& cast) {
+            return CastQuery{readShape(cast.shape), readDirection(cast.direction, "direction"),
+                             readDistance(cast.max_distance)};
+        };
+        castAll<CastQuery>(
+            inside, casts, "casts", count, filter, out, read,
+            [&](auto& queries, auto& hits, const auto& with) { castShapes(inside, queries, hits, with); });
+    });
 }
 
 template <class Find>
@@ -79,44 +125,9 @@ rubble_result overlap(const char* function, rubble_world world, const rubble_que
         const auto hosted = Registry::instance().world(world);
         RowWriter<uint64_t> rows(out, capacity, count);
         for (const auto handle :
-             find(hosted->loop.world(), readRegion(requireNotNull(region, "region")), readFilter(filter)))
+             find(hosted->loop.world(), readShape(requireNotNull(region, "region")), readFilter(filter)))
             rows.add([&] { return handle.bits; });
         rows.finish();
-    });
-}
-
-}  // namespace
-
-rubble_result castRays(rubble_world world, const rubble_ray* rays, uint32_t count, const rubble_query_filter* filter,
-                       rubble_touch* out) {
-    return guarded("cast_rays", [&] {
-        const auto hosted = Registry::instance().world(world);
-        const QueryFilter read = readFilter(filter);
-        if (count) requireNotNull(rays, "rays"), requireNotNull(out, "out");
-        std::vector<RayQuery> queries(count);
-        std::vector<WorldHit> hits(count);
-        for (uint32_t i = 0; i < count; ++i)
-            queries[i] = {readVector(rays[i].origin, "origin"), readDirection(rays[i].direction),
-                          readOrDefault(rays[i].max_distance, 1e-6, 1e6, 0.0, "max_distance"),
-                          readOrDefault(rays[i].radius, 0.0, 1e3, 0.0, "radius")};
-        castRays(hosted->loop.world(), queries, hits, read);
-        writeHits(hosted->loop.world(), hits, out);
-    });
-}
-
-rubble_result castShapes(rubble_world world, const rubble_shape_cast* casts, uint32_t count,
-                         const rubble_query_filter* filter, rubble_touch* out) {
-    return guarded("cast_shapes", [&] {
-        const auto hosted = Registry::instance().world(world);
-        const QueryFilter read = readFilter(filter);
-        if (count) requireNotNull(casts, "casts"), requireNotNull(out, "out");
-        std::vector<CastQuery> queries(count);
-        std::vector<WorldHit> hits(count);
-        for (uint32_t i = 0; i < count; ++i)
-            queries[i] = {readRegion(casts[i].shape), readDirection(casts[i].direction),
-                          readOrDefault(casts[i].max_distance, 1e-6, 1e6, 0.0, "max_distance")};
-        castShapes(hosted->loop.world(), queries, hits, read);
-        writeHits(hosted->loop.world(), hits, out);
     });
 }
 
@@ -129,16 +140,26 @@ rubble_result overlapShapes(rubble_world world, const rubble_query_shape* region
     return overlap("overlap_shapes", world, region, filter, out, capacity, count, overlappingShapes);
 }
 
-rubble_result closestPoint(rubble_world world, const double position[3], double maxDistance,
-                           const rubble_query_filter* filter, rubble_touch* out) {
+rubble_result findClosestPoint(rubble_world world, const double position[3], double maxDistance,
+                               const rubble_query_filter* filter, rubble_hit* out) {
     return guarded("find_closest_point", [&] {
         const auto hosted = Registry::instance().world(world);
-        const glm::dvec3 point =
-            readVector(reinterpret_cast<const double(&)[3]>(requireNotNull(position, "position")), "position");
-        const double reach = readOrDefault(maxDistance, 0.0, 1e6, 0.0, "max_distance");
-        requireNotNull(out, "out") =
-            hitRow(hosted->loop.world(), closestPoint(hosted->loop.world(), point, reach, readFilter(filter)));
+        const World& inside = hosted->loop.world();
+        const glm::dvec3 point = readVectorAt(position, "position");
+        const double distance = readOrDefault(maxDistance, 0.0, 1e6, 0.0, "max_distance");
+        requireNotNull(out, "out") = hitRow(inside, closestPoint(inside, point, distance, readFilter(filter)));
     });
+}
+
+}  // namespace
+
+void setQueryFunctions(rubble_api& api) {
+    api.cast_ray = castOneRay;
+    api.cast_rays = castManyRays;
+    api.cast_shapes = castManyShapes;
+    api.overlap_bodies = overlapBodies;
+    api.overlap_shapes = overlapShapes;
+    api.find_closest_point = findClosestPoint;
 }
 
 }  // namespace rubble::abi

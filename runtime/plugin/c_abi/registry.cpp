@@ -5,10 +5,10 @@
 namespace rubble::abi {
 namespace {
 
-constexpr uint32_t kMaxWorlds = 255;  // a world's number is eight bits of each handle
+constexpr uint32_t kMaxWorlds = 255;  // a world's number is 8 bits of each handle, and 0 is no world
 
 template <class Map, class Id>
-auto& found(Map& map, Id id, const char* name) {
+auto& lookUp(Map& map, Id id, const char* name) {
     auto* value = map.find(id);
     if (!value) throw ApiError{RUBBLE_ERROR_STALE, std::string(name) + (id ? " is stale" : " is 0")};
     return *value;
@@ -22,15 +22,17 @@ Registry& Registry::instance() {
 }
 
 Registry::~Registry() {
-    // A host that ends with living renderers has most likely no GL context any more: their GL objects went with it.
+    // A host that ends without destroying its renderers has most likely no GL context any more, and their GL objects
+    // went with the context: deleting them would call into nothing.
     m_renderers.forEach(
         [](RendererId, std::shared_ptr<HostedRenderer>& hosted) { static_cast<void>(hosted->renderer.release()); });
 }
 
 WorldId Registry::createWorld(FrameLoopSettings settings, bool drawable) {
     const std::lock_guard lock(m_mutex);
-    if (m_worlds.size() >= kMaxWorlds) throw ApiError{RUBBLE_ERROR_CAPACITY, "255 worlds exist already"};
-    // The slot decides the number that the world's own handles carry, so the world is made after its place.
+    if (m_worlds.size() >= kMaxWorlds)
+        throw ApiError{RUBBLE_ERROR_CAPACITY, "255 worlds exist already: destroy one first"};
+    // The world's number is its slot plus 1, so the slot is taken before the world is made.
     const WorldId id = m_worlds.insert(nullptr);
     settings.worldId = uint8_t(id.slot() + 1);
     try {
@@ -44,15 +46,15 @@ WorldId Registry::createWorld(FrameLoopSettings settings, bool drawable) {
 }
 
 void Registry::destroyWorld(WorldId id) {
-    std::shared_ptr<HostedWorld> last;  // ends outside the lock: it joins a thread
+    std::shared_ptr<HostedWorld> last;  // destroyed after the lock is released, because that joins a thread
     const std::lock_guard lock(m_mutex);
-    last = std::move(found(m_worlds, id, "world"));
+    last = std::move(lookUp(m_worlds, id, "world"));
     m_worlds.erase(id);
 }
 
 std::shared_ptr<HostedWorld> Registry::world(uint64_t handle) {
     const std::lock_guard lock(m_mutex);
-    return found(m_worlds, readHandle<HandleType::World>(handle, "world"), "world");
+    return lookUp(m_worlds, readHandle<HandleType::World>(handle, "world"), "world");
 }
 
 RendererId Registry::addRenderer(std::shared_ptr<HostedRenderer> renderer) {
@@ -63,13 +65,13 @@ RendererId Registry::addRenderer(std::shared_ptr<HostedRenderer> renderer) {
 void Registry::destroyRenderer(RendererId id) {
     std::shared_ptr<HostedRenderer> last;
     const std::lock_guard lock(m_mutex);
-    last = std::move(found(m_renderers, id, "renderer"));
+    last = std::move(lookUp(m_renderers, id, "renderer"));
     m_renderers.erase(id);
 }
 
 std::shared_ptr<HostedRenderer> Registry::renderer(uint64_t handle) {
     const std::lock_guard lock(m_mutex);
-    return found(m_renderers, readHandle<HandleType::Renderer>(handle, "renderer"), "renderer");
+    return lookUp(m_renderers, readHandle<HandleType::Renderer>(handle, "renderer"), "renderer");
 }
 
 }  // namespace rubble::abi

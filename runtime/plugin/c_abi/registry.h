@@ -3,7 +3,7 @@
 #include <mutex>
 
 #include "runtime/core/slot_map.h"
-#include "runtime/plugin/c_abi/reads.h"
+#include "runtime/plugin/c_abi/event_rows.h"
 #include "runtime/plugin/frame_loop.h"
 
 namespace rubble::abi {
@@ -11,8 +11,9 @@ namespace rubble::abi {
 using WorldId = Handle<HandleType::World>;
 using RendererId = Handle<HandleType::Renderer>;
 
-/// A world of the host.
+/// A world of the host and the events of its last step.
 struct HostedWorld {
+    /// Makes an empty world.
     explicit HostedWorld(const FrameLoopSettings& settings) : loop(settings) {}
     FrameLoop loop;
     EventRows events;
@@ -24,22 +25,29 @@ struct HostedWorld {
 struct HostedRenderer {
     std::weak_ptr<HostedWorld> world;
     std::unique_ptr<Renderer> renderer;
-    double applyMs = 0.0, drawMs = 0.0;
+    double applyMs = 0.0, drawMs = 0.0;  ///< of the last draw()
 };
 
-/// All that the host has made, by handle. [any-thread] What is looked up lives on until the caller drops it.
+/// All worlds and renderers of the process, by handle. [any-thread] What a call returns stays alive until the caller
+/// drops it, even if another thread destroys it meanwhile.
 class Registry {
 public:
+    /// The one registry of the process.
     static Registry& instance();
     ~Registry();
 
+    /// Makes a world whose handles carry its number. Throws ApiError if there are 255.
     WorldId createWorld(FrameLoopSettings settings, bool drawable);
-    void destroyWorld(WorldId id);
     /// Throws ApiError for a stale handle.
+    void destroyWorld(WorldId id);
+    /// The world of a handle of any kind. Throws ApiError if it is not that of a world, or stale.
     std::shared_ptr<HostedWorld> world(uint64_t handle);
 
+    /// Takes a renderer over and gives it a handle.
     RendererId addRenderer(std::shared_ptr<HostedRenderer> renderer);
+    /// Throws ApiError for a stale handle. The GL context of the renderer must be current.
     void destroyRenderer(RendererId id);
+    /// The renderer of a handle. Throws ApiError if it is not that of a renderer, or stale.
     std::shared_ptr<HostedRenderer> renderer(uint64_t handle);
 
 private:

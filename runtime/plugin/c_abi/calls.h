@@ -6,43 +6,47 @@
 #include "runtime/plugin/c_abi/checks.h"
 #include "runtime/plugin/c_abi/registry.h"
 
-// What every function of the table is wrapped in.
+// What the functions of the table share. A function is a call of guarded(): inside it a wrong argument throws ApiError,
+// and no exception leaves the plugin.
 namespace rubble::abi {
 
-/// Keeps the reason for get_last_error().
-rubble_result storeLastError(const char* function, const ApiError& refusal);
+/// Keeps "function: text" for get_last_error() of this thread and returns the error's code.
+rubble_result storeLastError(const char* function, const ApiError& error);
 
-/// Makes a result of whatever is thrown inside: nothing gets out of the plugin.
+/// Runs the body of a table function and turns what it throws into a result.
 template <class F>
 rubble_result guarded(const char* function, F&& body) noexcept try {
     try {
         body();
         return RUBBLE_OK;
-    } catch (const ApiError& refusal) {
-        return storeLastError(function, refusal);
+    } catch (const ApiError& error) {
+        return storeLastError(function, error);
     } catch (const std::bad_alloc&) {
         return storeLastError(function, {RUBBLE_ERROR_MEMORY, "out of memory"});
     } catch (const std::exception& error) {
         return storeLastError(function, {RUBBLE_ERROR_INTERNAL, error.what()});
     }
 } catch (...) {
-    return RUBBLE_ERROR_MEMORY;  // even the message found no memory
+    return RUBBLE_ERROR_MEMORY;  // there was no memory for the message
 }
 
-/// Rows for a host's array: counts all, writes those that fit.
+/// Fills a host's array: counts all rows and writes those that fit.
 template <class Row>
 class RowWriter {
 public:
+    /// `out` may be null if the capacity is 0. Throws ApiError for other null pointers.
     RowWriter(Row* out, uint32_t capacity, uint32_t* count)
         : m_out(out), m_capacity(capacity), m_count(requireNotNull(count, "count")) {
         if (capacity) requireNotNull(out, "out");
         m_count = 0;
     }
+    /// Calls make() for the row only if there is room for it.
     template <class Make>
     void add(Make&& make) {
         if (m_count < m_capacity) m_out[m_count] = make();
         ++m_count;
     }
+    /// Throws RUBBLE_ERROR_CAPACITY if some rows did not fit.
     void finish() const {
         if (m_capacity && m_count > m_capacity)
             throw ApiError{RUBBLE_ERROR_CAPACITY, "there are " + std::to_string(m_count) + " rows, the array holds " +
@@ -55,7 +59,7 @@ private:
     uint32_t& m_count;
 };
 
-/// A command for the next step; convert(world, edit) checks it.
+/// Queues an edit for the next step. convert(world, struct) makes it from the host's struct and throws ApiError.
 template <class HostEdit, class Convert>
 rubble_result pushEdit(const char* function, rubble_world world, const HostEdit* edit, Convert&& convert) {
     return guarded(function, [&] {
@@ -64,25 +68,17 @@ rubble_result pushEdit(const char* function, rubble_world world, const HostEdit*
     });
 }
 
-/// Refuses a handle that names nothing in a SlotMap of a World.
-template <class Map, class Handle>
-void requireAlive(const Map& map, Handle handle, const char* name) {
-    if (!map.find(handle)) throw ApiError{RUBBLE_ERROR_STALE, std::string(name) + (handle ? " is stale" : " is 0")};
-}
-
-/// A command for the next step that removes what a handle names in a SlotMap of a World.
+/// Queues an edit that removes the object of a handle. `all`: the World's map of such objects.
 template <class EditType, HandleType kType, class Map>
 rubble_result removeOne(const char* function, rubble_world world, uint64_t bits, const char* name,
                         const Map& (World::*all)() const) {
     return guarded(function, [&] {
         const auto hosted = Registry::instance().world(world);
-        const auto handle = readHandle<kType>(bits, name);
-        requireAlive((hosted->loop.world().*all)(), handle, name);
-        hosted->loop.edits().push(EditType{handle});
+        hosted->loop.edits().push(EditType{readLiveHandle<kType>((hosted->loop.world().*all)(), bits, name)});
     });
 }
 
-/// The handles in a SlotMap of a World, in the order of their slots.
+/// Lists the handles of a map of the World, in the order of their slots.
 template <class Map>
 rubble_result listAll(const char* function, rubble_world world, uint64_t* out, uint32_t capacity, uint32_t* count,
                       const Map& (World::*all)() const) {

@@ -1,0 +1,99 @@
+#include "runtime/plugin/c_abi/calls.h"
+#include "runtime/plugin/c_abi/functions.h"
+
+namespace rubble::abi {
+namespace {
+
+constexpr double kMaxSpeed = 1e3;  // m/s, of a character
+
+glm::dvec3 readVelocity(const double (&given)[3], const char* name) {
+    const glm::dvec3 velocity = readVector(given, name);
+    if (glm::length(velocity) > kMaxSpeed)
+        throw ApiError{RUBBLE_ERROR_ARGUMENT, std::string(name) + " is " + std::to_string(glm::length(velocity)) +
+                                                  " m/s, expected at most 1000"};
+    return velocity;
+}
+
+AddCharacterEdit readCharacter(const World&, const rubble_character_settings& given) {
+    Character c;
+    c.position = readVector(given.position, "position");
+    c.radius = readOrDefault(given.radius, 0.02, 10.0, c.radius, "radius");
+    c.height = readOrDefault(given.height, 2.0 * c.radius, 100.0, c.height, "height");
+    c.crouchedHeight =
+        readOrDefault(given.crouched_height, 2.0 * c.radius, c.height, c.crouchedHeight, "crouched_height");
+    c.stepHeight = readOrDefault(given.step_height, 0.0, c.height, c.stepHeight, "step_height");
+    c.steepest = readOrDefault(given.max_slope, 0.0, 1e3, c.steepest, "max_slope");
+    c.mass = readOrDefault(given.mass, 1e-3, 1e6, c.mass, "mass");
+    c.walkSpeed = readOrDefault(given.walk_speed, 0.0, 100.0, c.walkSpeed, "walk_speed");
+    c.jumpSpeed = readOrDefault(given.jump_speed, 0.0, 100.0, c.jumpSpeed, "jump_speed");
+    c.swimSpeed = readOrDefault(given.swim_speed, 0.0, 100.0, c.swimSpeed, "swim_speed");
+    c.pushForce = readOrDefault(given.max_push_force, 0.0, 1e9, c.pushForce, "max_push_force");
+    if (!(c.height >= c.crouchedHeight && c.crouchedHeight >= 2.0 * c.radius && c.stepHeight <= c.height))
+        throw ApiError{RUBBLE_ERROR_ARGUMENT,
+                       "height is " + std::to_string(c.height) + ", crouched_height " +
+                           std::to_string(c.crouchedHeight) + ", radius " + std::to_string(c.radius) +
+                           ", step_height " + std::to_string(c.stepHeight) +
+                           ": expected height >= crouched_height >= 2 radius, and no higher step"};
+    return {c};
+}
+
+MoveCharacterEdit readMove(const World& world, const rubble_character_move& given) {
+    readFlags(given.flags, RUBBLE_MOVE_JUMP | RUBBLE_MOVE_CROUCH, "flags");
+    return {readLiveHandle<HandleType::Character>(world.characters(), given.character, "character"),
+            readVelocity(given.desired_velocity, "desired_velocity"), (given.flags & RUBBLE_MOVE_JUMP) != 0,
+            (given.flags & RUBBLE_MOVE_CROUCH) != 0};
+}
+
+PlaceCharacterEdit readTeleport(const World& world, const rubble_character_teleport& given) {
+    return {readLiveHandle<HandleType::Character>(world.characters(), given.character, "character"),
+            readVector(given.position, "position"), readVelocity(given.velocity, "velocity")};
+}
+
+rubble_character_state characterState(CharacterHandle handle, const Character& character) {
+    rubble_character_state row = {};
+    row.character = handle.bits;
+    writeVector(row.position, character.position);
+    writeVector(row.velocity, character.velocity);
+    row.ground_body = character.ground.bits;
+    row.flags = (character.grounded ? RUBBLE_CHARACTER_GROUNDED : 0) |
+                (character.crouched ? RUBBLE_CHARACTER_CROUCHED : 0) |
+                (character.swimming ? RUBBLE_CHARACTER_SWIMMING : 0);
+    return row;
+}
+
+rubble_result addCharacter(rubble_world world, const rubble_character_settings* character) {
+    return pushEdit("add_character", world, character, readCharacter);
+}
+rubble_result removeCharacter(rubble_world world, rubble_character character) {
+    return removeOne<RemoveCharacterEdit, HandleType::Character>("remove_character", world, character, "character",
+                                                                 &World::characters);
+}
+rubble_result moveCharacter(rubble_world world, const rubble_character_move* move) {
+    return pushEdit("move_character", world, move, readMove);
+}
+rubble_result teleportCharacter(rubble_world world, const rubble_character_teleport* teleport) {
+    return pushEdit("teleport_character", world, teleport, readTeleport);
+}
+
+rubble_result getCharacterStates(rubble_world world, rubble_character_state* out, uint32_t capacity, uint32_t* count) {
+    return guarded("get_character_states", [&] {
+        const auto hosted = Registry::instance().world(world);
+        RowWriter<rubble_character_state> rows(out, capacity, count);
+        hosted->loop.world().characters().forEach([&](CharacterHandle handle, const Character& character) {
+            rows.add([&] { return characterState(handle, character); });
+        });
+        rows.finish();
+    });
+}
+
+}  // namespace
+
+void setCharacterFunctions(rubble_api& api) {
+    api.add_character = addCharacter;
+    api.remove_character = removeCharacter;
+    api.move_character = moveCharacter;
+    api.teleport_character = teleportCharacter;
+    api.get_character_states = getCharacterStates;
+}
+
+}  // namespace rubble::abi

@@ -1,0 +1,30 @@
+#pragma once
+#include "runtime/plugin/include/rubble/rubble.h"
+
+// The functions of the table in rubble.h, by topic: each file sets its own. What they do stands in rubble.h.
+namespace rubble::abi {
+
+/// Sets get_last_error() and set_host().
+void setHostFunctions(rubble_api& api);
+/// Sets the functions that create, destroy, load and step worlds, and those of undo.
+void setWorldFunctions(rubble_api& api);
+/// Sets the edits of voxels, apply_impulse() and set_collision_filter().
+void setEditFunctions(rubble_api& api);
+/// Sets the functions of joints, ropes, wheels and grabs.
+void setJointFunctions(rubble_api& api);
+/// Sets the functions of water and triggers.
+void setRegionFunctions(rubble_api& api);
+/// Sets the functions of characters.
+void setCharacterFunctions(rubble_api& api);
+/// Sets the functions of the environment and of lights.
+void setLightFunctions(rubble_api& api);
+/// Sets get_events() and the functions that read bodies, shapes, voxel accounting, hash and statistics.
+void setStateFunctions(rubble_api& api);
+/// Sets ray casts, shape casts, overlap queries and find_closest_point().
+void setQueryFunctions(rubble_api& api);
+/// Sets the functions of saved games and recordings.
+void setSaveFunctions(rubble_api& api);
+/// Sets the functions of renderers.
+void setRendererFunctions(rubble_api& api);
+
+}  // namespace rubble::abi

@@ -1,0 +1,111 @@
+#include "runtime/plugin/c_abi/calls.h"
+#include "runtime/plugin/c_abi/functions.h"
+#include "runtime/plugin/c_abi/host.h"
+
+namespace rubble::abi {
+namespace {
+
+constexpr uint32_t kMaxViewSize = 16384;  // pixels
+
+std::string readPreset(const char* preset) {
+    const std::string name = preset ? preset : "balanced";
+    if (name != "fast" && name != "balanced" && name != "accurate")
+        throw ApiError{RUBBLE_ERROR_ARGUMENT,
+                       "settings->preset is \"" + name + "\", expected fast, balanced or accurate"};
+    return name;
+}
+
+rubble_result createRenderer(rubble_world world, const rubble_renderer_settings* settings, rubble_renderer* out) {
+    return guarded("create_renderer", [&] {
+        requireNotNull(out, "out") = 0;
+        const auto hosted = Registry::instance().world(world);
+        const rubble_renderer_settings& read = readStruct(settings, "settings");
+        const std::string folder = &requireNotNull(read.shader_folder, "settings->shader_folder");
+        const RenderSettings preset = RenderSettings::preset(readPreset(read.preset));
+        if (!host().gl_get_proc_address)
+            throw ApiError{RUBBLE_ERROR_GL, "the host has set no gl_get_proc_address: call set_host() with one first"};
+        if (!hosted->drawable)
+            throw ApiError{RUBBLE_ERROR_ARGUMENT, "the world was created with RUBBLE_WORLD_NO_RENDERER"};
+        if (hosted->hadRenderer)
+            throw ApiError{RUBBLE_ERROR_ARGUMENT, "the world has or had a renderer; it can have one in its life"};
+        Result<std::unique_ptr<Renderer>> renderer = Renderer::create(host().gl_get_proc_address, folder, preset);
+        if (!renderer) throw ApiError{RUBBLE_ERROR_GL, renderer.error()};
+        hosted->hadRenderer = true;
+        const auto made = std::make_shared<HostedRenderer>(HostedRenderer{hosted, std::move(*renderer)});
+        *out = Registry::instance().addRenderer(made).bits;
+    });
+}
+
+View readView(const rubble_view& given) {
+    if (given.width < 1 || given.width > kMaxViewSize || given.height < 1 || given.height > kMaxViewSize)
+        throw ApiError{RUBBLE_ERROR_ARGUMENT, "view is " + std::to_string(given.width) + " x " +
+                                                  std::to_string(given.height) + " pixels, expected 1 to " +
+                                                  std::to_string(kMaxViewSize)};
+    View view;
+    view.position = readVector(given.position, "position");
+    view.rotation = readRotation(given.rotation, "rotation");
+    view.verticalFov = float(readOrDefault(given.vertical_fov, 0.01, 3.0, view.verticalFov, "vertical_fov"));
+    view.size = glm::ivec2(given.width, given.height);
+    view.framebuffer = given.framebuffer;
+    view.cut = readFlags(given.flags, RUBBLE_VIEW_CUT, "view->flags") & RUBBLE_VIEW_CUT;
+    return view;
+}
+
+rubble_result draw(rubble_renderer renderer, const rubble_view* view) {
+    return guarded("draw", [&] {
+        const auto hosted = Registry::instance().renderer(renderer);
+        const auto world = hosted->world.lock();
+        if (!world) throw ApiError{RUBBLE_ERROR_STALE, "the renderer's world is destroyed"};
+        const rubble_view& given = readStruct(view, "view");
+        const double alpha = readOrDefault(given.alpha, 0.0, 1.0, 0.0, "alpha");
+        world->loop.draw(*hosted->renderer, readView(given), float(alpha));
+        if (const std::string& error = hosted->renderer->lastError(); !error.empty())
+            throw ApiError{RUBBLE_ERROR_GL, error};
+        hosted->applyMs = world->loop.times()[Stage::Apply];
+        hosted->drawMs = world->loop.times()[Stage::Draw];
+    });
+}
+
+rubble_result setDebugView(rubble_renderer renderer, const char* name) {
+    return guarded("set_debug_view", [&] {
+        const auto hosted = Registry::instance().renderer(renderer);
+        if (hosted->renderer->showPass(name ? name : "final")) return;
+        std::string text = "no view \"" + std::string(name ? name : "final") + "\", expected one of:";
+        for (const std::string& pass : hosted->renderer->passNames()) text += " " + pass;
+        throw ApiError{RUBBLE_ERROR_ARGUMENT, text};
+    });
+}
+
+rubble_result getDrawStats(rubble_renderer renderer, rubble_draw_stats* out) {
+    return guarded("get_draw_stats", [&] {
+        const auto hosted = Registry::instance().renderer(renderer);
+        const RenderFigures& stats = hosted->renderer->figures();
+        rubble_draw_stats row = {};
+        row.draw_calls = uint32_t(stats.drawCalls);
+        row.shapes = uint32_t(stats.shapes);
+        row.bricks = uint32_t(stats.bricks);
+        row.upload_bytes = stats.uploadBytes;
+        row.texture_bytes = stats.textureBytes;
+        row.apply_ms = hosted->applyMs;
+        row.draw_ms = hosted->drawMs;
+        writeStruct(out, row);
+    });
+}
+
+rubble_result destroyRenderer(rubble_renderer renderer) {
+    return guarded("destroy_renderer", [&] {
+        Registry::instance().destroyRenderer(readHandle<HandleType::Renderer>(renderer, "renderer"));
+    });
+}
+
+}  // namespace
+
+void setRendererFunctions(rubble_api& api) {
+    api.create_renderer = createRenderer;
+    api.draw = draw;
+    api.set_debug_view = setDebugView;
+    api.get_draw_stats = getDrawStats;
+    api.destroy_renderer = destroyRenderer;
+}
+
+}  // namespace rubble::abi

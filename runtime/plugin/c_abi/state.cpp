@@ -1,0 +1,126 @@
+#include "runtime/plugin/c_abi/calls.h"
+#include "runtime/plugin/c_abi/functions.h"
+
+namespace rubble::abi {
+namespace {
+
+rubble_result getEvents(rubble_world world, rubble_events* out) {
+    return guarded("get_events", [&] { writeStruct(out, Registry::instance().world(world)->events.view()); });
+}
+
+rubble_body_state bodyState(BodyHandle handle, const Body& body) {
+    rubble_body_state state = {};
+    state.body = handle.bits;
+    writeVector(state.position, body.pose.position);
+    writeRotation(state.rotation, body.pose.rotation);
+    writeVector(state.velocity, body.velocity);
+    writeVector(state.angular_velocity, body.angularVelocity);
+    if (body.isStatic) state.flags |= RUBBLE_BODY_STATIC;
+    if (body.asleep) state.flags |= RUBBLE_BODY_ASLEEP;
+    state.shape_count = uint32_t(body.shapes.size());
+    return state;
+}
+
+rubble_shape_state shapeState(const World& world, ShapeHandle handle, const Shape& shape) {
+    const Pose pose = world.shapeToWorld(handle);
+    rubble_shape_state state = {};
+    state.shape = handle.bits;
+    state.body = shape.body.bits;
+    writeVector(state.position, pose.position);
+    writeRotation(state.rotation, pose.rotation);
+    state.voxel_size = shape.voxelSize;
+    writeCell(state.size, shape.grid.size());
+    state.voxel_count = shape.grid.voxelCount();
+    return state;
+}
+
+const Body& bodyOf(const World& world, rubble_body bits) {
+    return world.bodies().at(readLiveHandle<HandleType::Body>(world.bodies(), bits, "body"));
+}
+
+rubble_result getBodyStates(rubble_world world, rubble_body_state* out, uint32_t capacity, uint32_t* count) {
+    return guarded("get_body_states", [&] {
+        const auto hosted = Registry::instance().world(world);
+        RowWriter<rubble_body_state> rows(out, capacity, count);
+        hosted->loop.world().bodies().forEach(
+            [&](BodyHandle handle, const Body& body) { rows.add([&] { return bodyState(handle, body); }); });
+        rows.finish();
+    });
+}
+
+rubble_result getBodyState(rubble_world world, rubble_body body, rubble_body_state* out) {
+    return guarded("get_body_state", [&] {
+        const auto hosted = Registry::instance().world(world);
+        requireNotNull(out, "out") = bodyState(BodyHandle{body}, bodyOf(hosted->loop.world(), body));
+    });
+}
+
+rubble_result getShapeStates(rubble_world world, rubble_body body, rubble_shape_state* out, uint32_t capacity,
+                             uint32_t* count) {
+    return guarded("get_shape_states", [&] {
+        const auto hosted = Registry::instance().world(world);
+        const World& inside = hosted->loop.world();
+        RowWriter<rubble_shape_state> rows(out, capacity, count);
+        const auto add = [&](ShapeHandle handle, const Shape& shape) {
+            rows.add([&] { return shapeState(inside, handle, shape); });
+        };
+        if (body)
+            for (const ShapeHandle handle : bodyOf(inside, body).shapes) add(handle, inside.shapes().at(handle));
+        else
+            inside.shapes().forEach(add);
+        rows.finish();
+    });
+}
+
+rubble_result getVoxelAccounting(rubble_world world, rubble_voxel_accounting* out) {
+    return guarded("get_voxel_accounting", [&] {
+        const VoxelAccounting all = Registry::instance().world(world)->loop.world().voxelAccounting();
+        rubble_voxel_accounting row = {};
+        row.imported = all.imported;
+        row.standing = all.standing;
+        row.in_pieces = all.inPieces;
+        row.removed = all.removed;
+        writeStruct(out, row);
+    });
+}
+
+rubble_result getStateHash(rubble_world world, uint64_t* out) {
+    return guarded("get_state_hash",
+                   [&] { requireNotNull(out, "out") = Registry::instance().world(world)->loop.world().hash(); });
+}
+
+rubble_result getStepStats(rubble_world world, rubble_step_stats* out) {
+    return guarded("get_step_stats", [&] {
+        const auto hosted = Registry::instance().world(world);
+        FrameLoop& loop = hosted->loop;
+        const PhysicsStats physics = loop.physics().stats();
+        const StageTimes& times = loop.times();
+        rubble_step_stats row = {};
+        row.bodies = uint32_t(physics.bodies);
+        row.bodies_awake = uint32_t(physics.awake);
+        row.contacts = uint32_t(physics.contacts);
+        row.step = loop.world().step();
+        row.shadow_lag = loop.shadowLag();
+        row.edits_ms = times[Stage::ApplyEdits];
+        row.physics_ms = times[Stage::Physics];
+        row.poses_ms = times[Stage::Poses];
+        row.impacts_ms = times[Stage::Impacts];
+        row.shadow_ms = times[Stage::Shadow];
+        row.publish_ms = times[Stage::Publish];
+        writeStruct(out, row);
+    });
+}
+
+}  // namespace
+
+void setStateFunctions(rubble_api& api) {
+    api.get_events = getEvents;
+    api.get_body_states = getBodyStates;
+    api.get_body_state = getBodyState;
+    api.get_shape_states = getShapeStates;
+    api.get_voxel_accounting = getVoxelAccounting;
+    api.get_state_hash = getStateHash;
+    api.get_step_stats = getStepStats;
+}
+
+}  // namespace rubble::abi

@@ -1,0 +1,42 @@
+#include "runtime/core/log.h"
+#include "runtime/plugin/c_abi/calls.h"
+#include "runtime/plugin/c_abi/functions.h"
+
+namespace rubble::abi {
+namespace {
+
+rubble_api makeTable() {
+    rubble_api api = {};
+    api.struct_size = sizeof api;
+    api.version = RUBBLE_VERSION;
+    setHostFunctions(api);
+    setWorldFunctions(api);
+    setEditFunctions(api);
+    setJointFunctions(api);
+    setRegionFunctions(api);
+    setCharacterFunctions(api);
+    setLightFunctions(api);
+    setStateFunctions(api);
+    setQueryFunctions(api);
+    setSaveFunctions(api);
+    setRendererFunctions(api);
+    return api;
+}
+
+}  // namespace
+}  // namespace rubble::abi
+
+extern "C" rubble_result rubble_get_api(uint32_t version, const rubble_api** table) {
+    return rubble::abi::guarded("rubble_get_api", [&] {
+        static const rubble_api api = rubble::abi::makeTable();
+        rubble::abi::requireNotNull(table, "table") = nullptr;
+        if (version != RUBBLE_VERSION) {
+            const std::string text = "version " + std::to_string(version) +
+                                     " asked for, this plugin implements version " + std::to_string(RUBBLE_VERSION) +
+                                     ": use the rubble.h that belongs to it";
+            rubble::logError("rubble_get_api: " + text);  // without a table the host cannot ask for the last error
+            throw rubble::abi::ApiError{RUBBLE_ERROR_VERSION, text};
+        }
+        *table = &api;
+    });
+}

@@ -1,0 +1,86 @@
+#include "runtime/assets/assets.h"
+#include "runtime/plugin/c_abi/calls.h"
+#include "runtime/plugin/c_abi/functions.h"
+
+namespace rubble::abi {
+namespace {
+
+FrameLoopSettings loopSettings(uint32_t flags) {
+    readFlags(flags, RUBBLE_WORLD_NO_RENDERER | RUBBLE_WORLD_SHADOW_INLINE | RUBBLE_WORLD_WAIT_FOR_SHADOW,
+              "settings->flags");
+    FrameLoopSettings settings;
+    settings.publish = settings.shadowVolume = !(flags & RUBBLE_WORLD_NO_RENDERER);
+    settings.shadow = flags & RUBBLE_WORLD_SHADOW_INLINE ? ShadowWorker::Mode::Inline : ShadowWorker::Mode::Thread;
+    settings.waitForShadow = flags & RUBBLE_WORLD_WAIT_FOR_SHADOW;
+    return settings;
+}
+
+rubble_result createWorld(const rubble_world_settings* settings, rubble_world* out) {
+    return guarded("create_world", [&] {
+        requireNotNull(out, "out") = 0;
+        const FrameLoopSettings read = loopSettings(settings ? readStruct(settings, "settings").flags : 0);
+        *out = Registry::instance().createWorld(read, read.publish).bits;
+    });
+}
+
+rubble_result destroyWorld(rubble_world world) {
+    return guarded("destroy_world",
+                   [&] { Registry::instance().destroyWorld(readHandle<HandleType::World>(world, "world")); });
+}
+
+rubble_result loadLevel(rubble_world world, const char* path, const char* vdbTool) {
+    return guarded("load_level", [&] {
+        const auto hosted = Registry::instance().world(world);
+        const Result<Level> level = readLevel(&requireNotNull(path, "path"), vdbTool ? vdbTool : "");
+        if (!level) throw ApiError{RUBBLE_ERROR_FILE, level.error()};
+        hosted->loop.load(*level);
+    });
+}
+
+rubble_result step(rubble_world world) {
+    return guarded("step", [&] {
+        const auto hosted = Registry::instance().world(world);
+        hosted->loop.step();
+        hosted->events.fill(hosted->loop.changes());
+    });
+}
+
+// ---- undo ----
+
+rubble_result setUndoLimit(rubble_world world, uint32_t marks) {
+    return guarded("set_undo_limit", [&] {
+        const auto hosted = Registry::instance().world(world);
+        WorldSettings settings = hosted->loop.world().settings();
+        settings.undoMarks = marks;
+        hosted->loop.edits().push(SettingsEdit{settings});
+    });
+}
+
+rubble_result pushHistory(const char* function, rubble_world world, HistoryAction action) {
+    return guarded(function, [&] { Registry::instance().world(world)->loop.edits().push(HistoryEdit{action}); });
+}
+
+rubble_result addUndoMark(rubble_world world) {
+    return pushHistory("add_undo_mark", world, HistoryAction::Mark);
+}
+rubble_result undo(rubble_world world) {
+    return pushHistory("undo", world, HistoryAction::Undo);
+}
+rubble_result redo(rubble_world world) {
+    return pushHistory("redo", world, HistoryAction::Redo);
+}
+
+}  // namespace
+
+void setWorldFunctions(rubble_api& api) {
+    api.create_world = createWorld;
+    api.destroy_world = destroyWorld;
+    api.load_level = loadLevel;
+    api.step = step;
+    api.set_undo_limit = setUndoLimit;
+    api.add_undo_mark = addUndoMark;
+    api.undo = undo;
+    api.redo = redo;
+}
+
+}  // namespace rubble::abi
