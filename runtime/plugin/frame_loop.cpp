@@ -64,62 +64,67 @@ void FrameLoop::replay(const RecordedStep& step) {
 }
 
 void FrameLoop::stepWith(Edits hostEdits) {
-    std::fill_n(m_times.ms.begin(), size_t(Stage::Apply), 0.0);  // the stages after that are the render thread's
+    std::fill_n(m_times.ms.begin(), size_t(Stage::Apply), 0.0);  // the stages from Apply on are the render thread's
+    applyEdits(hostEdits);
+    stepPhysics();
+    collectDamage();
     {
-        const ScopedTimer timer(m_times[Stage::ApplyEdits]);
-        Edits edits = std::exchange(m_pending, {});
-        edits.insert(edits.end(), hostEdits.begin(), hostEdits.end());
-        m_changes = m_world.applyEdits(edits);
-        if (m_recorder) m_recorder->edited(hostEdits, m_changes, m_world, m_rebuildPhysics);
+        const ScopedTimer timer(m_times[Stage::Shadow]);
+        if (m_shadow) m_shadow->submit(m_changes, changedPoses(), m_world);
     }
+    const ScopedTimer timer(m_times[Stage::Publish]);
+    publish();
+}
+
+void FrameLoop::applyEdits(const Edits& hostEdits) {
+    const ScopedTimer timer(m_times[Stage::ApplyEdits]);
+    Edits edits = std::exchange(m_pending, {});
+    edits.insert(edits.end(), hostEdits.begin(), hostEdits.end());
+    m_changes = m_world.applyEdits(edits);
+    if (m_recorder) m_recorder->recordEdits(hostEdits, m_changes, m_world, m_rebuildPhysics);
+}
+
+void FrameLoop::stepPhysics() {
     {
         const ScopedTimer timer(m_times[Stage::Physics]);
         m_physics.apply(m_changes, m_world, std::exchange(m_rebuildPhysics, false));
         m_physics.step();
     }
-    {
-        const ScopedTimer timer(m_times[Stage::Poses]);
-        m_world.setPoses(m_physics.poses());
-        m_world.setRopes(m_physics.ropes());
-        m_world.setCharacters(m_physics.characters());
-        if (m_recorder) m_recorder->moved(m_physics.poses(), m_physics.characters(), m_world);
-    }
-    {
-        const ScopedTimer timer(m_times[Stage::Impacts]);
-        m_pending = m_world.damageFrom(m_physics.impacts());  // lands next step: no stage runs twice
-        addBreakThroughImpulses(m_world, m_physics.impacts(), m_pending);
-        for (const JointHandle joint : m_physics.jointBreaks())
-            m_pending.emplace_back(RemoveJointEdit{joint, JointBreak::Force});
-    }
-    {
-        const ScopedTimer timer(m_times[Stage::Shadow]);
-        if (m_shadow) m_shadow->submit(m_changes, moved(), m_world);
-    }
-    {
-        const ScopedTimer timer(m_times[Stage::Publish]);
-        publish();
-    }
+    const ScopedTimer timer(m_times[Stage::Poses]);
+    m_world.setPoses(m_physics.poses());
+    m_world.setRopes(m_physics.ropes());
+    m_world.setCharacters(m_physics.characters());
+    if (m_recorder) m_recorder->recordMotion(m_physics.poses(), m_physics.characters(), m_world);
 }
 
-std::span<const BodyPose> FrameLoop::moved() {
+/// What impacts and forces break is carried out in the next step: no stage runs twice in one.
+void FrameLoop::collectDamage() {
+    const ScopedTimer timer(m_times[Stage::Impacts]);
+    m_pending = m_world.damageFrom(m_physics.impacts());
+    addBreakThroughImpulses(m_world, m_physics.impacts(), m_pending);
+    for (const JointHandle joint : m_physics.jointBreaks())
+        m_pending.emplace_back(RemoveJointEdit{joint, JointBreak::Force});
+}
+
+std::span<const BodyPose> FrameLoop::changedPoses() {
     const std::span<const BodyPose> poses = m_physics.poses();
     if (m_changes.teleported.empty()) return poses;
-    m_moved.assign(poses.begin(), poses.end());
+    m_changedPoses.assign(poses.begin(), poses.end());
     for (const BodyHandle handle : m_changes.teleported)
         if (const Body* body = m_world.bodies().find(handle))
-            m_moved.push_back({handle, body->pose, body->velocity, body->angularVelocity, body->asleep});
-    return m_moved;
+            m_changedPoses.push_back({handle, body->pose, body->velocity, body->angularVelocity, body->asleep});
+    return m_changedPoses;
 }
 
 void FrameLoop::publish() {
     if (!m_shadow) {
-        if (m_publish) m_snapshots.publishWithoutShadow(m_changes, moved(), m_world, m_physics.impacts());
+        if (m_publish) m_snapshots.publishWithoutShadow(m_changes, changedPoses(), m_world, m_physics.impacts());
         return;
     }
     m_shadowLag = m_changes.step - m_shadow->publishedVersion();
     if (m_waitForShadow) m_shadow->waitFor(m_changes.step);
     std::vector<ShadowPatches> patches = m_shadow->takePatches();
-    if (m_publish) m_snapshots.publish(m_changes, moved(), m_world, std::move(patches), m_physics.impacts());
+    if (m_publish) m_snapshots.publish(m_changes, changedPoses(), m_world, std::move(patches), m_physics.impacts());
 }
 
 void FrameLoop::draw(Renderer& renderer, const View& view, float alpha) {

@@ -13,64 +13,78 @@
 namespace rubble {
 
 struct FrameLoopSettings {
-    uint8_t worldId = 1;  ///< part of every handle, so that one world's handle is not taken for another's
+    uint8_t worldId = 1;  ///< part of every handle, so that a handle of another world is recognised
     PhysicsSettings physics;
     ShadowWorker::Mode shadow = ShadowWorker::Mode::Thread;
-    bool shadowVolume = true;    ///< off: nothing is drawn with rays, and nothing is paid
-    bool publish = true;         ///< off: for worlds that nobody draws
-    ParticleSettings particles;  ///< for eyes only: they change nothing in the world
-    bool waitForShadow = false;  ///< each step waits for its shadow volume: pictures that do not depend on timing
+    bool shadowVolume = true;    ///< false: nothing is drawn with rays, and step() does no work for them
+    bool publish = true;         ///< false: for worlds that nobody draws
+    ParticleSettings particles;  ///< particles are only drawn: they change nothing in the world
+    bool waitForShadow = false;  ///< each step waits for its shadow volume: frames do not depend on timing
 };
 
-/// The two functions of a frame, and the only place that knows every module.
+/// A world with its physics, shadow volume and snapshots: the only class that knows every module. A frame calls step()
+/// as often as time demands, then draw().
 class FrameLoop {
 public:
+    /// Makes an empty world.
     explicit FrameLoop(const FrameLoopSettings& settings = {});
 
+    /// [main-thread] Replaces the world by a level. Empties the queue of edits and stops a recording.
     void load(const Level& level);
-    /// Continues what was saved.
+    /// [main-thread] Replaces the world by a saved game and its queue of edits. Stops a recording.
     void load(SavedGame game);
-    /// The game as it is now. Saving is an event: the next step makes physics anew from the World, as loading will, so
-    /// that going on and loading are the same. The queue of edits is part of it.
+    /// [main-thread] The game as it is now, with its queue of edits. The next step rebuilds physics from the World, as
+    /// loading does, so that playing on and loading give the same result.
     SavedGame save();
-    /// Records every step from here on; it begins with a save. An error if the file cannot be written.
+    /// [main-thread] Records every step from here on, beginning with a saved game. Stops a recording that is running.
+    /// The file gets its name in stopRecording(); an error if it cannot be written.
     Result<Done> startRecording(const std::string& path);
-    /// Names the file. Nothing is wrong if nothing is recorded.
+    /// [main-thread] Completes the file; without a recording it does nothing.
     Result<Done> stopRecording();
-    bool isRecording() const { return m_recorder != nullptr; }
-    /// A step of a recording again, from its edits: World and physics must be where they were, else the hashes differ.
+    /// [main-thread] Repeats a recorded step from its edits. If World and physics are in the state before that step,
+    /// the hash after it is the recorded one.
     void replay(const RecordedStep& step);
-    /// [main-thread] Exactly 1/60 s; the host or its clock decides how many.
+    /// [main-thread] Advances by exactly 1/60 s: queued edits, physics, damage by impacts, shadow volume, snapshot.
     void step();
-    /// [render-thread] alpha: how far between the last two steps.
+    /// [render-thread] Hands the newest snapshot to the renderer and draws. alpha in [0, 1]: interpolates between the
+    /// poses of the last two steps.
     void draw(Renderer& renderer, const View& view, float alpha);
 
+    /// The queue of the edits for the next step. [main-thread]
     EditQueue& edits() { return m_edits; }
+    /// The world as the last step left it. [main-thread]
     World& world() { return m_world; }
+    /// Its physics, for statistics and settings. [main-thread]
     PhysicsWorld& physics() { return m_physics; }
+    /// Keeps the shadow volume up to date; null without one.
     ShadowWorker* shadow() { return m_shadow.get(); }
-    /// The journal of the last step; valid until the next.
+    /// The journal of the last step's edits; valid until the next step. [main-thread]
     const FrameChanges& changes() const { return m_changes; }
+    /// How long the stages of the last step and the last draw took.
     const StageTimes& times() const { return m_times; }
     /// How many steps the shadow volume was behind when the last step was published, before any waiting.
     uint64_t shadowLag() const { return m_shadowLag; }
 
 private:
     void stepWith(Edits hostEdits);
+    void applyEdits(const Edits& hostEdits);
+    void stepPhysics();
+    void collectDamage();
     void publish();
-    /// The poses that physics has just handed over, and those of bodies that the journal put somewhere.
-    std::span<const BodyPose> moved();
+    /// The poses that physics has just handed over, and those of bodies that edits teleported.
+    std::span<const BodyPose> changedPoses();
 
     World m_world;
     PhysicsWorld m_physics;
     std::unique_ptr<ShadowWorker> m_shadow;
     Snapshots m_snapshots;
     EditQueue m_edits;
-    Edits m_pending;  ///< of the last step's impacts, and what waited when the game was saved: before the host's
-    bool m_rebuildPhysics = false;
+    /// Edits of the last step's impacts, and those that waited when the game was saved. They come before the host's.
+    Edits m_pending;
+    bool m_rebuildPhysics = false;  ///< in the next step
     std::unique_ptr<Recorder> m_recorder;
     FrameChanges m_changes;
-    std::vector<BodyPose> m_moved;
+    std::vector<BodyPose> m_changedPoses;
     StageTimes m_times;
     uint64_t m_shadowLag = 0;
     bool m_publish;

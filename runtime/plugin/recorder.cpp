@@ -2,16 +2,18 @@
 
 namespace rubble {
 
-void Recorder::edited(const Edits& hostEdits, const FrameChanges& changes, const World& world, bool physicsRebuilt) {
+void Recorder::recordEdits(const Edits& hostEdits, const FrameChanges& changes, const World& world,
+                           bool physicsRebuilt) {
     m_step = {.step = changes.step, .physicsRebuilt = physicsRebuilt, .edits = hostEdits};
     m_step.delta = stepDeltaToBytes(m_baseline.update(world, changes), changes, world, m_palettes);
 }
 
-void Recorder::moved(std::span<const BodyPose> poses, std::span<const CharacterMove> characters, const World& world) {
-    SlotValues<BodyHandle, Body> unused;
-    m_baseline.move(world, poses, unused);
-    SlotValues<CharacterHandle, Character> unusedToo;
-    m_baseline.move(world, characters, unusedToo);
+void Recorder::recordMotion(std::span<const BodyPose> poses, std::span<const CharacterMove> characters,
+                            const World& world) {
+    SlotValues<BodyHandle, Body> oldBodies;  // only undo needs the values that move() replaces
+    m_baseline.move(world, poses, oldBodies);
+    SlotValues<CharacterHandle, Character> oldCharacters;
+    m_baseline.move(world, characters, oldCharacters);
     m_step.poses.assign(poses.begin(), poses.end());
     m_step.characters.assign(characters.begin(), characters.end());
     m_step.hash = world.hash();

@@ -4,17 +4,18 @@
 
 namespace rubble {
 
-/// Writes the steps of a FrameLoop to a recording. Costs what each step changed, one copy of the World's objects, and a
-/// hash of the World a step.
+/// Writes the steps of a FrameLoop to a recording. Costs time for what each step changed and for a hash of the World,
+/// and memory for one copy of the World's objects.
 class Recorder {
 public:
-    /// The World must be the one that `writer` was opened with.
+    /// The World must be in the state that `writer` was opened with.
     Recorder(RecordingWriter writer, const World& world) : m_writer(std::move(writer)), m_baseline(world) {}
 
-    /// After applyEdits(). physicsRebuilt: physics is made anew in this step.
-    void edited(const Edits& hostEdits, const FrameChanges& changes, const World& world, bool physicsRebuilt);
-    /// After setPoses() and setCharacters(): the step is done.
-    void moved(std::span<const BodyPose> poses, std::span<const CharacterMove> characters, const World& world);
+    /// Begins a step; call it after World::applyEdits(). physicsRebuilt: this step rebuilds physics from the World.
+    void recordEdits(const Edits& hostEdits, const FrameChanges& changes, const World& world, bool physicsRebuilt);
+    /// Ends the step and writes it; call it after setPoses() and setCharacters().
+    void recordMotion(std::span<const BodyPose> poses, std::span<const CharacterMove> characters, const World& world);
+    /// Completes the file; says what could not be written.
     Result<Done> close() { return m_writer.close(); }
 
 private:
