@@ -1,4 +1,4 @@
-// Counts every operator new of the process, so that the figures can say what a step allocates.
+// Replaces operator new and delete to count allocations, so that the figures can say how many a step makes.
 #include <atomic>
 #include <cstdlib>
 #include <new>

@@ -57,8 +57,8 @@ void Figures::addFrame(const FrameLoop& loop, const Renderer& renderer) {
     series("draw calls for bodies").push_back(figures.bodyDraws);
     series("bytes uploaded").push_back(double(figures.uploadBytes));
     series("texture bytes").push_back(double(figures.textureBytes));
-    series("shapes drawn from").push_back(figures.shapes);
-    series("compute programs held").push_back(figures.computePrograms);
+    series("shapes drawn").push_back(figures.shapes);
+    series("compute programs").push_back(figures.computePrograms);
     m_computePasses.assign(figures.computePasses.begin(), figures.computePasses.end());
 }
 
@@ -70,12 +70,12 @@ std::string Figures::table() const {
                                                  : "{:<28}{:>14.0f}{:>14.0f}{:>14.0f}{:>14.0f}\n";
         out += fmt::format(fmt::runtime(line), s.name, q.p50, q.p95, q.p99, q.max);
     }
-    for (const auto& [name, value] : m_single) out += fmt::format("{:<28}{:>14.3f}\n", name, value);
+
     out += fmt::format("passes drawn by compute: {}\n",
                        m_computePasses.empty() ? "none" : fmt::format("{}", fmt::join(m_computePasses, ", ")));
     out += fmt::format("voxels removed {}, painted {}; splits {}, pieces {}; light groups out {}\n", m_removed,
                        m_painted, m_splits, m_pieces, m_groupsOut);
-    out += fmt::format("ledger: imported {} = standing {} + in pieces {} + removed {}: {}\n", m_accounting.imported,
+    out += fmt::format("voxels: imported {} = standing {} + in pieces {} + removed {}: {}\n", m_accounting.imported,
                        m_accounting.standing, m_accounting.inPieces, m_accounting.removed,
                        m_accounting.balances() ? "balances" : "DOES NOT BALANCE");
     if (!m_hashes.empty()) out += fmt::format("state hash after {} steps: {:016x}\n", m_hashes.size(), m_hashes.back());
@@ -88,14 +88,14 @@ bool Figures::writeJson(const std::string& path) const {
         const Quantiles q = quantilesOf(s.values);
         json["series"][s.name] = {{"p50", q.p50}, {"p95", q.p95}, {"p99", q.p99}, {"max", q.max}, {"values", s.values}};
     }
-    for (const auto& [name, value] : m_single) json["run"][name] = value;
+
     json["compute_passes"] = m_computePasses;
     json["voxels_removed"] = m_removed;
     json["voxels_painted"] = m_painted;
     json["splits"] = m_splits;
     json["pieces"] = m_pieces;
     json["groups_out"] = m_groupsOut;
-    json["ledger"] = {{"imported", m_accounting.imported},
+    json["voxels"] = {{"imported", m_accounting.imported},
                       {"standing", m_accounting.standing},
                       {"in_pieces", m_accounting.inPieces},
                       {"removed", m_accounting.removed}};

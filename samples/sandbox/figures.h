@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -9,19 +8,18 @@
 
 namespace rubble {
 
-/// Collects what a run cost and did, step by step and frame by frame, and prints it.
+/// Collects times, counts and state hashes of a run, step by step and frame by frame.
 class Figures {
 public:
+    /// Takes the figures of the step that `loop` just made; `allocations`: calls of operator new in it.
     void addStep(FrameLoop& loop, uint64_t allocations);
+    /// Takes the figures of the frame that `renderer` just drew.
     void addFrame(const FrameLoop& loop, const Renderer& renderer);
-    /// Figures that are one value for the whole run.
-    void set(const std::string& name, double value) { m_single[name] = value; }
 
-    /// Table for people.
+    /// Quantiles of every series and the totals, for people.
     std::string table() const;
-    /// The same with the state hash of every step, for programs.
+    /// The same with all values and the state hash of every step, for programs; false if `path` cannot be written.
     bool writeJson(const std::string& path) const;
-    const std::vector<uint64_t>& hashes() const { return m_hashes; }
 
 private:
     struct Series {
@@ -29,15 +27,15 @@ private:
         std::vector<double> values;
     };
     std::vector<double>& series(const std::string& name);
-    std::vector<Series> m_series;  ///< in the order first seen
-    std::map<std::string, double> m_single;
+    std::vector<Series> m_series;  ///< in the order in which they first occur
+
     std::vector<uint64_t> m_hashes;
     std::vector<std::string> m_computePasses;  ///< of the last frame
     uint64_t m_removed = 0, m_splits = 0, m_pieces = 0, m_painted = 0, m_groupsOut = 0;
     VoxelAccounting m_accounting;
 };
 
-/// Allocations by operator new in this process so far.
+/// Calls of operator new in this process so far, on all threads.
 uint64_t allocationCount();
 
 }  // namespace rubble

@@ -3,7 +3,8 @@
 
 namespace rubble {
 
-/// The scripted demolition without a window: PNG frames, contact sheet, MP4 where ffmpeg is there, figures. Exit code.
+/// Runs the scripted demolition without a window and writes PNG frames, a contact sheet, an MP4 where ffmpeg is
+/// installed, and figures. Returns the exit code.
 int runHeadless(const SandboxOptions& options);
 
 }  // namespace rubble

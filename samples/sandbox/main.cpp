@@ -1,4 +1,5 @@
-// The sandbox: a town corner to take apart. With a display, a window; without one, a scripted demolition with frames.
+// The sandbox: a town corner to take apart. With a display it opens a window; without one it runs a scripted demolition
+// and writes frames and figures.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
@@ -24,7 +25,7 @@ int listScenes() {
     return 0;
 }
 
-/// Every scene into a folder of its own.
+/// Runs every scene into a folder of its own; the worst exit code.
 int runAllScenes(const SandboxOptions& options) {
     int worst = 0;
     for (const Scene& scene : allScenes()) {
@@ -37,34 +38,40 @@ int runAllScenes(const SandboxOptions& options) {
     return worst;
 }
 
-int run(int argc, char** argv) {
-    SandboxOptions options;
-    bool list = false;
-    options.shaders = RUBBLE_SHADER_DIR;
-    options.tools = std::filesystem::weakly_canonical(std::filesystem::path(argv[0])).parent_path().string();
-    CLI::App app{
-        "Rubble sandbox: a town corner to take apart.\n"
-        "With a display: WASD and mouse fly, Space/Shift up and down, 1 hammer, 2 explosive, 3 spray can, left click "
-        "uses it, G held grabs (with a "
-        "click on letting go: throws), F fly or walk (Space jumps, Shift crouches), T torch, "
-        "R resets, P next pass, Esc leaves.",
-        "sandbox"};
+constexpr const char* kHelp =
+    "Rubble sandbox: a town corner to take apart.\n"
+    "With a display: WASD and mouse fly, Space/Shift up and down, 1 hammer, 2 explosive, 3 spray can, left click uses "
+    "it, G held grabs (with a click on letting go: throws), F fly or walk (Space jumps, Shift crouches), T torch, R "
+    "resets, P next pass, Esc leaves.";
+
+void addSceneOptions(CLI::App& app, SandboxOptions& options) {
     app.add_option("--model", options.model, "put this .vox, .vdb or .rubble on the street and demolish it")
         ->check(CLI::ExistingFile);
     app.add_option("--level", options.level, "open this level instead of the town")->check(CLI::ExistingFile);
-    app.add_option("--scene", options.scene, "one of the scripted scenes instead of the town, or all");
-    app.add_flag("--list-scenes", list, "name the scenes and leave");
-    app.add_option("--time", options.time, "of day: noon, afternoon, dusk, night or rain")
+    app.add_option("--scene", options.scene, "a scripted scene instead of the town; all: one after the other");
+    app.add_option("--time", options.time, "time of day: noon, afternoon, dusk, night or rain")
         ->check(CLI::IsMember({"noon", "afternoon", "dusk", "night", "rain"}));
-    app.add_option("--frames", options.frames, "draw only so many frames, evenly over the run; no MP4")
+    app.add_option("--seconds", options.seconds, "game time (default: as long as the scene says, or 10)")
+        ->check(CLI::Range(0.0, 3600.0));
+    app.add_option("--seed", options.seed, "seed of everything random")->capture_default_str();
+}
+
+void addFrameOptions(CLI::App& app, SandboxOptions& options) {
+    app.add_option("--frames", options.frames, "draw only this many frames, evenly over the run; no MP4")
         ->check(CLI::Range(1, 1000));
     app.add_option("--out", options.out, "folder for frames and figures")->capture_default_str();
     app.add_option("--size", options.size, "frame size, WIDTHxHEIGHT")->capture_default_str();
-    app.add_option("--fps", options.fps, "frames a second of game time (a divisor of 60)")
+    app.add_option("--fps", options.fps, "frames per second of game time (a divisor of 60)")
         ->capture_default_str()
         ->check(CLI::IsMember({1, 2, 3, 4, 5, 6, 10, 12, 15, 20, 30, 60}));
-    app.add_option("--seconds", options.seconds, "game time (10, or as long as the scene says)")
-        ->check(CLI::Range(0.0, 3600.0));
+    app.add_flag("--headless", options.headless, "no window even where there is a display");
+    app.add_flag("--no-render", options.noRender, "no frames: state hashes and figures only");
+    app.add_flag("--all-passes", options.allPasses, "write every pass for the frames of the contact sheet");
+    app.add_flag("--map", options.map, "without a window: the whole level from above");
+    app.add_option("--screenshot", options.screenshot, "window: write this PNG after a few frames and leave");
+}
+
+void addRenderOptions(CLI::App& app, SandboxOptions& options) {
     app.add_option("--preset", options.preset, "fast, balanced or accurate")
         ->capture_default_str()
         ->check(CLI::IsMember({"fast", "balanced", "accurate"}));
@@ -72,26 +79,36 @@ int run(int argc, char** argv) {
                    "what draws full-screen passes: fragment, compute, fastest (measured) or auto")
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "fragment", "compute", "fastest"}));
-    app.add_option("--seed", options.seed, "of everything random")->capture_default_str();
     app.add_option("--pass", options.pass, "show this target of the renderer (an unknown name lists them)")
         ->capture_default_str();
-    app.add_flag("--headless", options.headless, "no window even where there is a display");
-    app.add_flag("--no-render", options.noRender, "no frames: state hashes and figures only");
     app.add_flag("--inline-shadow", options.inlineShadow, "shadow volume on the main thread instead of the worker");
-    app.add_flag("--all-passes", options.allPasses, "write every pass for the frames of the contact sheet");
-    app.add_flag("--map", options.map, "without a window: the whole level from above");
-    app.add_option("--screenshot", options.screenshot, "window: write this PNG after a few frames and leave");
     app.add_option("--gl", options.gl, "without a window: auto, osmesa or egl")
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "osmesa", "egl"}));
     app.add_option("--shaders", options.shaders, "folder of the shaders")->capture_default_str();
+}
+
+/// Reads "WIDTHxHEIGHT" into the options; throws what CLI11 reports as an error of --size.
+void parseSize(SandboxOptions& options) {
+    char end = 0;
+    if (std::sscanf(options.size.c_str(), "%dx%d%c", &options.width, &options.height, &end) != 2 ||
+        options.width < 16 || options.height < 16 || options.width > 8192 || options.height > 8192)
+        throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT from 16x16 to 8192x8192, found " + options.size);
+}
+
+int run(int argc, char** argv) {
+    SandboxOptions options;
+    bool list = false;
+    options.shaders = RUBBLE_SHADER_DIR;
+    options.tools = std::filesystem::weakly_canonical(std::filesystem::path(argv[0])).parent_path().string();
+    CLI::App app{kHelp, "sandbox"};
+    app.add_flag("--list-scenes", list, "name the scripted scenes and leave");
+    addSceneOptions(app, options);
+    addFrameOptions(app, options);
+    addRenderOptions(app, options);
     try {
         app.parse(argc, argv);
-        char end = 0;
-        if (std::sscanf(options.size.c_str(), "%dx%d%c", &options.width, &options.height, &end) != 2 ||
-            options.width < 16 || options.height < 16 || options.width > 8192 || options.height > 8192)
-            throw CLI::ValidationError("--size",
-                                       "expected WIDTHxHEIGHT from 16x16 to 8192x8192, found " + options.size);
+        parseSize(options);
     } catch (const CLI::ParseError& error) {
         return app.exit(error);
     }

@@ -7,13 +7,13 @@ namespace {
 
 constexpr double kEyesBelowTop = 0.12;                // metres from the eyes to the top of the head
 constexpr double kFlySpeed = 8.0, kFastFactor = 3.0;  // m/s
-constexpr double kEyeFollowRate = 14.0;               // 1/s: steps and crouching are no jolts
-constexpr double kMaxPitch = 1.5;                     // radians of pitch
+constexpr double kEyeFollowRate = 14.0;               // 1/s: smooths the eye's height over steps and crouching
+constexpr double kMaxPitch = 1.5;                     // radians
 constexpr const char* kName = "player";
 constexpr const char* kTorchName = "player's torch";
-constexpr glm::dvec3 kTorchOffset(0.25, -0.3, -0.2);  // of the eyes' frame, metres
+constexpr glm::dvec3 kTorchOffset(0.25, -0.3, -0.2);  // from the eyes, in their frame, metres
 
-/// The first of this name; an empty handle if there is none.
+/// The first object of this name; an empty handle if there is none.
 template <class Handle, class T>
 Handle findNamed(const SlotMap<Handle, T>& all, const char* name) {
     Handle found;

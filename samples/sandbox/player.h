@@ -4,24 +4,28 @@
 
 namespace rubble {
 
-/// Which way the player wants to go, each in [-1, 1].
+/// What the player asks for. forward, right, up: in [-1, 1].
 struct PlayerInput {
     double forward = 0.0, right = 0.0, up = 0.0;
     double turnRight = 0.0, turnUp = 0.0;  ///< radians since the last call
     bool fast = false;
 };
 
-/// The eyes of the sandbox: fly freely, or are those of a character that walks, jumps, crouches and swims.
+/// The sandbox's camera: it flies freely, or follows a character that walks, jumps, crouches and swims.
 class Player {
 public:
+    /// Puts the camera at a pose and looks along its -z.
     void place(const Pose& eye);
-    /// Turns and flies the camera, or puts it where the character is. Returns what is to be done to the character.
+    /// Turns and flies the camera, or moves it to the character's eyes. Returns the edits that add, move or remove the
+    /// character. `seconds`: since the last call.
     Edits move(const PlayerInput& input, const World& world, double seconds);
+    /// Switches between flying and walking.
     void toggleWalk() { m_walks = !m_walks; }
+    /// Switches the torch on or off.
     void toggleTorch() { m_hasTorch = !m_hasTorch; }
-    /// Makes, carries or removes the torch: once before each step.
+    /// The edits that add the torch, move it with the camera or remove it. Call once before each step.
     Edits carryTorch(const World& world) const;
-    bool walks() const { return m_walks; }
+    /// Where the player looks from.
     const Camera& camera() const { return m_camera; }
 
 private:
@@ -30,7 +34,7 @@ private:
 
     Camera m_camera;
     bool m_walks = false, m_hasTorch = false;
-    bool m_isSpawning = false;  ///< the character has been asked for
+    bool m_isSpawning = false;  ///< the edit that adds the character is on its way into the next step
 };
 
 }  // namespace rubble

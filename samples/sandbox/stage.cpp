@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The town's file, written if it is missing or older than the program that authors it.
+/// Path of the town's file; writes the file if it is missing or older than this program.
 Result<std::string> townFile(const SandboxOptions& options, const std::string& vdbTool) {
     const fs::path folder = fs::path(options.tools).parent_path() / "levels";
     const fs::path path = folder / ("town-" + std::to_string(options.seed) + ".vdb");
@@ -48,7 +48,7 @@ Result<SandboxStage> modelStage(const SandboxOptions& options, const std::string
 
 Result<SandboxStage> sceneStage(const SandboxOptions& options) {
     const Scene* scene = findScene(options.scene);
-    if (!scene) return Error{"--scene " + options.scene + ": no such scene; --list-scenes names them"};
+    if (!scene) return Error{"--scene " + options.scene + ": no such scene; --list-scenes prints the names"};
     SandboxStage stage;
     stage.level = scene->level(options.seed);
     stage.settings = scene->settings;
@@ -78,7 +78,7 @@ Result<SandboxStage> anyStage(const SandboxOptions& options) {
     return stage;
 }
 
-/// From straight above, so high that all of the level is in view; north (-z) is up.
+/// Puts the camera straight above the level, high enough to see all of it; north (-z) is up.
 void lookFromAbove(SandboxStage& stage, double aspect) {
     glm::dvec3 low(1e30), high(-1e30);
     for (const LevelBody& body : stage.level.bodies)
@@ -88,9 +88,9 @@ void lookFromAbove(SandboxStage& stage, double aspect) {
                     glm::dvec3(shape.grid.size()) * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2);
                 const glm::dvec3 inBody =
                     shape.local.position + shape.local.rotation * (cell * double(shape.voxelSize));
-                const glm::dvec3 place = body.pose.position + body.pose.rotation * inBody;
-                low = glm::min(low, place);
-                high = glm::max(high, place);
+                const glm::dvec3 point = body.pose.position + body.pose.rotation * inBody;
+                low = glm::min(low, point);
+                high = glm::max(high, point);
             }
     if (low.x > high.x) return;
     const double half = std::max(0.5 * (high.z - low.z), 0.5 * (high.x - low.x) / aspect);

@@ -7,16 +7,18 @@
 
 namespace rubble {
 
-/// The level that the options ask for, what shall happen to it, and from where it is seen. The town is written once as
-/// .vdb by our own code and read back; a model is imported and put on the street; a scene is made in place.
+/// A level, the script that breaks it, and the camera that watches.
 struct SandboxStage {
     Level level;
-    WorldSettings settings{
-        .paint = {.mode = PaintMode::Layer}};  ///< soot and sprays keep their colours on full palettes
-    std::function<Edits(int step)> script;
-    std::function<Pose(double seconds)> camera;
-    float verticalFov = 0.7f;  ///< radians
+    /// Paint is a layer of its own: soot and sprays keep their colours on full palettes.
+    WorldSettings settings{.paint = {.mode = PaintMode::Layer}};
+    std::function<Edits(int step)> script;       ///< edits of a step of 1/60 s, from 0
+    std::function<Pose(double seconds)> camera;  ///< pose of the camera after so much game time
+    float verticalFov = 0.7f;                    ///< radians
 };
+
+/// What the options ask for: a scripted scene, a model imported and put on the street, a level file, or the town, which
+/// is built once, written as .vdb and read back. An error says which file or option is wrong.
 Result<SandboxStage> loadStage(const SandboxOptions& options);
 
 }  // namespace rubble

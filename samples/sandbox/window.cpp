@@ -19,16 +19,17 @@ namespace rubble {
 namespace {
 
 constexpr double kStepSeconds = 1.0 / 60.0;
-constexpr int kMaxStepsPerFrame = 4;  ///< slower than that, game time falls behind instead of spiralling
+constexpr int kMaxStepsPerFrame = 4;  ///< a slower machine runs game time slower instead of falling ever further behind
 constexpr double kMouseRadiansPerPixel = 0.0025;
-constexpr int kScreenshotFrames = 12;                 ///< drawn before --screenshot writes its captureFrame
-constexpr double kToolSeconds[] = {0.25, 0.5, 0.03};  ///< between two uses of a tool while the button is held
+constexpr int kScreenshotFrames = 12;                 ///< drawn before --screenshot writes its image
+constexpr double kToolSeconds[] = {0.25, 0.5, 0.03};  ///< between two uses while the button is held
 
 constexpr double kGrabDistance = 4.0, kGrabForce = 3000.0, kThrowImpulse = 250.0;  // metres, N, N s
 
 constexpr const char* kToolNames[] = {"hammer", "explosive", "spray can"};
 
-/// The running game behind one window.
+/// The running game behind one window. Steps have a fixed length of 1/60 s; time that is left over is carried in an
+/// accumulator and drawn by interpolation (Fiedler 2004, "Fix Your Timestep!").
 class Game {
 public:
     Game(const SandboxOptions& options, Window& window, SandboxStage stage, std::unique_ptr<Renderer> renderer)
@@ -42,7 +43,7 @@ public:
         m_passes = m_renderer->passNames();
     }
 
-    /// One turn of the loop; false when the game is over.
+    /// Runs the steps that are due and draws a frame; false when the player has left.
     bool frame() {
         if (!m_window.poll() || m_window.pressed(GLFW_KEY_ESCAPE)) return false;
         const auto now = std::chrono::steady_clock::now();
@@ -110,8 +111,8 @@ private:
         }
     }
 
-    /// G takes hold of what is looked at and carries it along; letting go throws it the way that one looks, if the
-    /// button is held.
+    /// While G is held, the body under the crosshair is held at its distance. Letting go drops it, or throws it along
+    /// the view if the mouse button is held.
     void grab() {
         const glm::dvec3 eye = m_player.camera().position, ahead = m_player.camera().forward();
         if (!m_window.held(GLFW_KEY_G)) {
@@ -132,7 +133,7 @@ private:
                                          .maxForce = kGrabForce});
     }
 
-    /// What is saved in an editor is seen a moment later.
+    /// Reloads shaders whose files have changed, twice a second at most.
     void reloadShaders() {
         const auto now = std::chrono::steady_clock::now();
         if (now - m_shadersCheckedAt < std::chrono::milliseconds(500)) return;
@@ -159,7 +160,7 @@ private:
     Player m_player;
     HandTool m_tool = HandTool::Hammer;
     uint32_t m_seed;
-    int m_step = 0;  ///< of the scene's script
+    int m_step = 0;  ///< next step of the scene's script
     double m_toolCooldown = 0.0, m_accumulator = 0.0;
     bool m_cut = true;
     BodyHandle m_held;            ///< by the hand

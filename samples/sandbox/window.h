@@ -3,7 +3,7 @@
 
 namespace rubble {
 
-/// The game: a window, a camera and three tools. Exit code.
+/// Runs the game in a window until the player leaves. Returns the exit code.
 int runWindow(const SandboxOptions& options);
 
 }  // namespace rubble

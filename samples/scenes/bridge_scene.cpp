@@ -1,4 +1,4 @@
-// A road bridge on four pillars. One of them is blown, and what it carried comes down on the road below.
+// A road bridge on four pillars. One pillar is blown up, and the spans on it fall on the road below.
 #include "runtime/core/random.h"
 #include "samples/scenes/car.h"
 #include "samples/scenes/furniture.h"
@@ -11,18 +11,18 @@ namespace rubble::scenes {
 namespace {
 
 constexpr int kFoot = 3;    // cells of the footings in the ground
-constexpr int kDeck = 66;   // underside of the deck over the ground
+constexpr int kDeck = 66;   // height of the deck's underside over the ground
 constexpr int kWidth = 46;  // of the deck
 constexpr int kSpan = 112;  // from pillar to pillar
 constexpr int kPillars = 4;
-constexpr int kFirst = 10, kZ = 140;  // axis of the first pillar; near edge of the deck
-constexpr int kBlownPillar = 2;       // the pillar that goes
+constexpr int kFirst = 10, kZ = 140;  // x of the first pillar's axis; z of the deck's near edge
+constexpr int kBlownPillar = 2;       // index
 
 constexpr int pillarX(int i) {
     return kFirst + i * kSpan;
 }
 
-/// One pillar with its part of the deck, half a span to either side; the next part begins across an open joint.
+/// One pillar with half a span of deck on either side. An open joint separates it from the next part.
 LevelShape makePart(std::string name) {
     constexpr int kHalf = kSpan / 2, kY = kFoot + kDeck;
     Canvas c({kSpan, kY + 24, kWidth});
@@ -60,7 +60,7 @@ LevelShape makePart(std::string name) {
     return c.finish(std::move(name));
 }
 
-/// Where the road meets the bridge: a stone block with a grassy bank behind it.
+/// The bridge's end: a stone block with a grassy bank behind it.
 LevelShape makeAbutment(std::string name, int length) {
     constexpr int kTop = kFoot + kDeck + 9;
     Canvas c({length, kTop + 12, kWidth + 80});
@@ -74,7 +74,7 @@ LevelShape makeAbutment(std::string name, int length) {
                    : PaletteBuilder::pickFor(stone, hashCell(shifted / 10, row, 0, 191));
     };
     for (int x = 0; x < length; ++x) {
-        // Banks fall off to both sides, and toward the bridge behind the block's wings.
+        // The bank slopes down to both sides, and toward the bridge behind the block's wings.
         for (int z = 0; z < kWidth + 80; ++z) {
             const int aside = std::max({40 - z, z - kWidth - 39, 0}),
                       top = std::min(kTop, kTop - aside * 2 + 4) - std::max(0, 12 - x) * (aside > 0 ? 3 : 0);
@@ -124,7 +124,7 @@ Level bridgeLevel(uint64_t seed) {
 Edits bridgeScript(int step, uint64_t) {
     ScriptClock clock(step);
     const double x = pillarX(kBlownPillar);
-    // Three charges up the shaft, then what still holds between them.
+    // Three charges along the shaft, then a carve of what remains between them.
     for (int i = 0; i < 3; ++i)
         if (clock.at(1.0 + 0.12 * i)) clock.add(ExplodeEdit{atCell(x, 12.0 + i % 2 * 6, kZ + 12.0 + i * 11), 1.8});
     if (clock.at(1.4)) {

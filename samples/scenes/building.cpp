@@ -16,7 +16,7 @@ WallFrames wallFrames(ivec3 low, ivec3 high) {
 
 namespace {
 
-/// Bricks three long with a joint, every course offset; each brick has a colour of its own, some are burnt darker.
+/// Bricks of three cells and a joint, each course shifted by half a brick. Each brick has a colour; some are darker.
 uint8_t stoneEntry(const WallSwatches& s, ivec3 cell, int u, int y) {
     if (!s.courses) return PaletteBuilder::pick(s.stone, cell);
     const int shifted = u + (y % 2) * 2 + 400;
@@ -97,7 +97,7 @@ void drawFloor(Canvas& canvas, ivec3 low, ivec3 high, int y, const FloorSwatches
             const int board = z / 4;
             const bool joist = (x - low.x) % 7 == 3;
             const bool seam = z % 4 == 3;
-            // A board ends on a joist, each row of boards on another one; seams stand open in stretches.
+            // Boards end on joists, each row on other ones; some stretches of the seams are open.
             const uint32_t dice = hashCell(x / 9, board, y, 61);
             const bool end = joist && hashCell(x, board, y, 62) % 3 == 0;
             const bool open = seam && dice % 4 == 0 && !joist;

@@ -23,8 +23,8 @@ struct CarSwatches {
     Swatch paint, seam, black, tyre, steel, iron, glass, seat, head, tail, plate, rust;
 };
 
-void drawArches(Canvas& c, std::initializer_list<int> places, int width) {
-    for (int x : places)
+void drawArches(Canvas& c, std::initializer_list<int> axles, int width) {
+    for (int x : axles)
         for (int z : {0, width - 3})
             c.fill({x - 5, 1, z}, {x + 5, 9, z + 3}, [&](ivec3 cell) {
                 const int dx = 2 * cell.x + 1 - 2 * x, dy = 2 * cell.y + 1 - 8;
@@ -32,18 +32,18 @@ void drawArches(Canvas& c, std::initializer_list<int> places, int width) {
             });
 }
 
-/// Wheels that stand still; an axle ties them to the floor.
-void drawWheels(Canvas& c, const CarSwatches& s, std::initializer_list<int> places, int width) {
-    drawArches(c, places, width);
-    for (int x : places)
+/// Wheels that do not turn; an axle connects them to the floor.
+void drawWheels(Canvas& c, const CarSwatches& s, std::initializer_list<int> axles, int width) {
+    drawArches(c, axles, width);
+    for (int x : axles)
         for (int z : {0, width - 3}) {
             c.ring(2, z, z + 3, {2 * x, 8, 0}, 4, 8, s.tyre);
             c.ring(2, z, z + 3, {2 * x, 8, 0}, -1, 4, s.steel);
         }
-    for (int x : places) c.box({x - 1, 3, 2}, {x + 1, 5, width - 2}, s.iron);
+    for (int x : axles) c.box({x - 1, 3, 2}, {x + 1, 5, width - 2}, s.iron);
 }
 
-/// A cabin whose screens lean: cells x0..x1 at its foot, drawn in by lean cells a layer in front and behind.
+/// A cabin with sloping screens: cells x0..x1 at its foot, shorter by lean / 4 cells per layer in front and behind.
 void drawCabin(Canvas& c, const CarSwatches& s, int low, int top, int x0, int x1, int leanBack, int leanFront,
                int width) {
     for (int y = low; y <= top; ++y) {
@@ -65,7 +65,7 @@ void drawCabin(Canvas& c, const CarSwatches& s, int low, int top, int x0, int x1
     }
 }
 
-/// Bars before the grille and over the screen, on a frame that runs to the rear axle.
+/// A ram: bars in front of the grille on a frame that reaches to the rear axle.
 void drawRam(Canvas& c) {
     const Swatch ram = c.addSurface(kRam);
     const int front = c.size().x, width = c.size().z;
@@ -144,9 +144,9 @@ LevelShape makeCar(std::string name, const SurfaceStyle& paint) {
 }
 
 size_t addDrivenCar(Level& level, const std::string& name, const SurfaceStyle& paint, ivec3 cell, double throttle) {
-    constexpr double kHalf = 0.70710678118654752, kRadius = 0.4, kWide = 0.25;
-    constexpr glm::dquat kLeftward(kHalf, 0.0, kHalf, 0.0);  // x becomes -z: the left of what looks along +x
-    const size_t place = level.bodies.size();
+    constexpr double kRadius = 0.4, kWide = 0.25;
+    constexpr glm::dquat kLeftward(kSqrtHalf, 0.0, kSqrtHalf, 0.0);  // turns +x to -z, the left of a car along +x
+    const size_t index = level.bodies.size();
     addDynamic(level, makeSaloon(name, paint, false), cell);
     const Pose car = level.bodies.back().pose;
     for (const int x : {kRearAxle, kFrontAxle})
@@ -161,7 +161,7 @@ size_t addDrivenCar(Level& level, const std::string& name, const SurfaceStyle& p
             axle.joint.ends[0] = {.frame = {hub, kLeftward}, .radius = 0.4};
             axle.joint.ends[1] = {.frame = {middle, kLeftward}};
             axle.joint.limits = {true, -0.12, 0.12};
-            axle.joint.spring = {8.0, 0.6};  // of a wheel on what it bears: its own weight against the car
+            axle.joint.spring = {8.0, 0.6};  // hertz and damping ratio, of the wheel's mass against the car's
             axle.joint.wheel = {
                 .driveTorque = 16e3, .topSpin = 45.0, .brakeTorque = 12e3, .steerAngle = x == kFrontAxle ? 0.5 : 0.0};
             if (throttle != 0.0)
@@ -169,7 +169,7 @@ size_t addDrivenCar(Level& level, const std::string& name, const SurfaceStyle& p
                                     throttle * axle.joint.wheel.driveTorque};
             level.joints.push_back(std::move(axle));
         }
-    return place;
+    return index;
 }
 
 LevelShape makeVan(std::string name, const SurfaceStyle& paint) {

@@ -1,4 +1,4 @@
-// A chapel with stained glass that throws its colours on the floor, until a charge opens the wall.
+// A chapel whose stained glass colours the sunlight on its floor, until a charge opens the wall.
 #include "runtime/core/random.h"
 #include "samples/scenes/building.h"
 #include "samples/scenes/furniture.h"
@@ -15,19 +15,19 @@ constexpr int kWide = 92, kLong = 120, kTall = 52, kWall = 4;  // cells
 constexpr int kFloor = kFooting + 2;
 constexpr ivec3 kChapel{110, -kFooting, 90};
 
-constexpr int kWindows = 3, kLight = 18, kSill = 9, kSpring = 32, kGap = 16;  // of the wall to the sun
+constexpr int kWindows = 3, kLight = 18, kSill = 9, kSpring = 32, kGap = 16;  // of the sunlit wall, in cells
 constexpr int windowAt(int i) {
     return 14 + i * (kLight + kGap);
 }
 
-/// Is this cell (along the wall, up) inside the pointed arch of a window?
+/// Whether a cell (along the wall, up) lies inside the pointed arch of a window.
 bool inWindow(int along, int up) {
     for (int i = 0; i < kWindows; ++i) {
         const int x = along - windowAt(i);
         if (x < 0 || x >= kLight || up < kSill) continue;
         if (up < kSpring) return true;
         const int left = x, right = kLight - 1 - x,
-                  above = up - kSpring;  // two circles, each about the other side's foot
+                  above = up - kSpring;  // two circles, each around the foot of the other side
         return left * left + above * above < kLight * kLight && right * right + above * above < kLight * kLight;
     }
     return false;
@@ -92,7 +92,7 @@ Level chapelLevel(uint64_t seed) {
     ground.areas = {area(Paving, 146, 0, 166, 90)};
     Level level = makePlot("chapel", ground, seed);
     addChapel(level);
-    level.environment.exposure *= 1.5f;  // the eye is used to the dark in here
+    level.environment.exposure *= 1.5f;  // for the dim interior
     const ivec3 floor = kChapel + ivec3(0, kFloor, 0);
     for (int row = 0; row < 4; ++row)
         addDynamic(level, makeBench("pew " + std::to_string(row + 1)), floor + ivec3(56, 0, 30 + row * 18));

@@ -1,4 +1,4 @@
-// A tower crane turns its jib, and the ball on its rope swings through a brick house.
+// A tower crane turns its jib, and the wrecking ball on its rope swings through a brick house.
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/house.h"
 #include "samples/scenes/plot.h"
@@ -10,9 +10,9 @@ namespace {
 
 constexpr ivec3 kMast{185, 0, 262};         // low corner
 constexpr int kMastSide = 11, kTall = 132;  // cells
-constexpr int kPivot = 56, kTip = 204;      // along the jib
+constexpr int kPivot = 56, kTip = 204;      // cells along the jib
 constexpr int kJibSide = 7;
-constexpr double kRope = 8.6;  // metres
+constexpr double kRope = 8.6;  // length in metres
 
 LevelShape makeMast() {
     constexpr int kLast = kMastSide - 1, kPanel = 10;
@@ -37,7 +37,7 @@ LevelShape makeMast() {
     return mast;
 }
 
-/// Counterweight, cabin, jib and the stays that hold it, along x.
+/// Counterweight, cabin, jib and stays, along x.
 LevelShape makeJib() {
     constexpr int kHigh = 30, kChord = 9, kMiddle = kJibSide / 2;
     Canvas c({kTip + 4, kHigh, kJibSide});
@@ -76,15 +76,14 @@ LevelShape makeWreckingBall() {
     return c.finish("wrecking ball");
 }
 
-/// Joins the jib to the mast by a hinge whose motor turns it, and hangs the ball on its tip.
+/// Connects the jib to the mast by a hinge with a motor, and hangs the ball from the jib's tip by a rope joint.
 void addCrane(Level& level) {
     addStatic(level, makeMast(), kMast);
     const glm::dvec3 pivot = atCell(kMast.x + 0.5 * kMastSide, kTall + 6, kMast.z + 0.5 * kMastSide);
     const glm::dvec3 pivotInJib = atCell(kPivot + 0.5, 0.5, 0.5 * kJibSide),
                      tipInJib = atCell(kTip - 1.5, 0.5, 0.5 * kJibSide);
-    constexpr double kHalf = 0.70710678118654752;
-    const glm::dquat heading(kHalf, 0.0, -kHalf, 0.0);  // the jib begins toward +z
-    const glm::dquat upright(kHalf, 0.0, 0.0, kHalf);   // x becomes y
+    const glm::dquat heading(kSqrtHalf, 0.0, -kSqrtHalf, 0.0);  // turns the jib toward +z
+    const glm::dquat upright(kSqrtHalf, 0.0, 0.0, kSqrtHalf);   // turns x to y
     LevelBody jib{.name = "jib", .pose = {pivot - heading * pivotInJib, heading}, .isStatic = false};
     jib.shapes.push_back(makeJib());
     const glm::dvec3 tip = jib.pose.transformPoint(tipInJib);
@@ -128,7 +127,7 @@ Level craneLevel(uint64_t seed) {
 }
 
 Edits craneScript(int, uint64_t) {
-    return {};  // the motor of the crane turns from the start
+    return {};  // the crane's motor turns from the start
 }
 
 Pose craneCamera(double seconds) {

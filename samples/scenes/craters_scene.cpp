@@ -1,4 +1,4 @@
-// A field of walls, barrels and crates under a walking barrage: craters, and more debris than a world wants to keep.
+// A field of walls, barrels and crates under a barrage: craters, and more debris than the debris budget keeps.
 #include "runtime/core/random.h"
 #include "samples/scenes/fence.h"
 #include "samples/scenes/furniture.h"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kBlasts = 18;
 
-/// A hut of concrete slabs with a slit, half sunk in the field.
+/// A concrete bunker with a slit, half in the ground.
 LevelShape makeBunker(std::string name) {
     constexpr ivec3 kSize{52, 28, 40};
     Canvas c(kSize);

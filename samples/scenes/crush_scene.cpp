@@ -62,7 +62,7 @@ Level crushLevel(uint64_t seed) {
     addDynamic(level, makeBlock("block 2"), kCar + ivec3(22, 150, -1));
     addDynamic(level, makeContainer("falling container", kCarBlue), kCar + ivec3(-8, 330, -3), Turn::Askew);
     for (LevelBody& body : level.bodies)
-        if (!body.isStatic) body.velocity.y = -0.3f;  // what hangs in the air must not sleep there
+        if (!body.isStatic) body.velocity.y = -0.3f;  // a moving body does not fall asleep in the air
     addDynamic(level, makeContainer("container 1", kCarYellow), {60, 0, 100});
     addDynamic(level, makeContainer("container 2", kCarCream), {150, 0, 98}, Turn::Askew);
     addDynamic(level, makeContainer("container 3", kTankPaint), {70, 26, 100});
@@ -70,7 +70,7 @@ Level crushLevel(uint64_t seed) {
     addDynamic(level, makeCar("wreck 2", kCarYellow), {226, 15, 121}, Turn::Quarter);
     addDynamic(level, makeCar("wreck 3", kCarBlue), {252, 0, 124}, Turn::ThreeQuarters);
     addStatic(level, makeConcreteWall("yard wall", 250, 18), {34, -kFenceFoot, 86});
-    addStreetLight(level, "lamp", {214, 0, 176}, true);
+    addStreetLight(level, "street light", {214, 0, 176}, true);
     for (int i = 0; i < 4; ++i)
         addDynamic(level, makeBarrel("barrel " + std::to_string(i), i % 2 ? kCarRed : kCarBlue),
                    {100 + i % 2 * 8, 0, 150 + i / 2 * 9});
@@ -78,7 +78,7 @@ Level crushLevel(uint64_t seed) {
 }
 
 Edits crushScript(int, uint64_t) {
-    return {};  // gravity does it
+    return {};  // gravity does all of it
 }
 
 Pose crushCamera(double seconds) {

@@ -13,7 +13,7 @@ namespace {
 using namespace scenes;
 using glm::dvec3;
 
-/// The model's box, and a size for tools that suits it.
+/// The model's bounds, and a size of tools that suits them.
 struct Target {
     dvec3 low, high;
     dvec3 size() const { return high - low; }
@@ -21,7 +21,7 @@ struct Target {
     double tool() const { return std::clamp(0.11 * (size().x + size().y + size().z) / 1.5, 0.3, 2.2); }
 };
 
-/// A stripe of paint along the front and the sunny side.
+/// A stripe of paint along the front and the sunlit side.
 void spray(ScriptClock& clock, const Target& target) {
     constexpr std::array<uint8_t, 3> kPink{240, 30, 130}, kCyan{30, 190, 220};
     const double radius = target.tool() * 0.4;
@@ -44,7 +44,7 @@ void charge(ScriptClock& clock, const Target& target, double second, dvec3 share
     if (clock.at(second)) clock.add(ExplodeEdit{target.at(share.x, share.y, share.z), 1.3 * size});
 }
 
-/// A horizontal slice right through, a little way up: all above it comes down.
+/// A horizontal cut through the whole model near its foot; everything above it falls.
 void slice(ScriptClock& clock, const Target& target) {
     const double height = std::clamp(target.size().y * 0.2, 0.3, 3.0), radius = 0.13;
     const int rows = std::clamp(int(target.size().z / (1.3 * radius)) + 2, 2, 600);

@@ -15,12 +15,12 @@ namespace {
 using namespace scenes;
 using glm::dvec3;
 
-/// A point of the house's shape, in cells, as metres of the world.
+/// A point in the world, in metres, given in cells of the house's shape.
 dvec3 inHouse(double x, double y, double z) {
     return (dvec3(plan::kHouse) - dvec3(kHouseMargin, kFooting, kHouseMargin) + dvec3(x, y, z)) * kVoxel;
 }
 
-/// A smile on the sunny brick wall, the word BOOM on the concrete one.
+/// A smile on the sunlit brick wall, and the word BOOM on the concrete one.
 void spray(ScriptClock& clock) {
     constexpr std::array<uint8_t, 3> kYellow{250, 205, 30}, kBlue{20, 40, 120}, kPink{240, 30, 130};
     const dvec3 face = inHouse(8.5, 31.0, 45.0);
@@ -53,8 +53,8 @@ void hammer(ScriptClock& clock) {
         clock.add(carveSphere(inHouse(kHits[i][0], kHits[i][1], kHits[i][2]), {0.42, 0.3, 0.0}));
 }
 
-/// The wall that faces the sun: a charge in the room throws it out. Ground floor first, then
-/// the one above, then the front, so that the rooms stand open to the light.
+/// Charges inside the rooms blow out the walls that face the sun: ground floor, upper floor, then the front. Sunlight
+/// enters the rooms.
 void blowWalls(ScriptClock& clock) {
     const dvec3 low = inHouse(9.5, 17.0, 80.0), high = inHouse(9.5, 43.0, 78.0), front = inHouse(34.0, 29.0, 102.5);
     if (clock.at(2.58)) clock.add(ExplodeEdit{low + dvec3(0.9, -0.3, 0.1), 2.5});
@@ -62,8 +62,7 @@ void blowWalls(ScriptClock& clock) {
     if (clock.at(4.36)) clock.add(ExplodeEdit{front + dvec3(0.1, -1.0, -0.9), 2.4});
 }
 
-/// The torch goes round the upper floor of the front room; when the last edge is through, the floor comes down with all
-/// on it.
+/// A cut round the upper floor of the front room; when the last edge is cut, the floor falls with the furniture on it.
 void cutFloor(ScriptClock& clock) {
     const double y = 29.9;
     const dvec3 corners[4] = {inHouse(12.5, y, 58.5), inHouse(12.5, y, 99.5), inHouse(60.5, y, 99.5),
@@ -76,20 +75,20 @@ void cutFloor(ScriptClock& clock) {
             clock.add(carveCapsule(from + (to - from) * (double(i) / kCuts),
                                    from + (to - from) * (double(i + 1) / kCuts), {0.27, 0.0, 0.0}));
     }
-    // What still clings to the bricks' inner faces.
+    // Removes what is still connected to the inner faces of the bricks.
     if (clock.at(5.02))
         for (int side = 0; side < 4; ++side)
             clock.add(carveCapsule(corners[side], corners[(side + 1) % 4], {0.28, 0.12, 0.0}));
 }
 
-/// The street lamp's head and the porch's: their groups go out, and the light on what they lit with them.
+/// Shoots the street light's head and the porch light: their light groups go out.
 void shootLights(ScriptClock& clock) {
     const dvec3 head = (dvec3(plan::kCornerStreetLight) + dvec3(0.5, 51.0, 13.0)) * kVoxel;
     if (clock.at(5.95)) clock.add(carveSphere(head, {0.45, 0.45, 0.45}));
     if (clock.at(6.1)) clock.add(carveSphere(inHouse(93.5, 23.5, 114.5), {0.35, 0.3, 0.0}));
 }
 
-/// A long gap in the leg nearest the shop, a short one in the farthest: the tower leans over and falls on the shop.
+/// Cuts a long gap into the leg next to the shop and a short one into the farthest: the tower tips over onto the shop.
 void fellTower(ScriptClock& clock) {
     const auto leg = [&](int i, double low, double high) {
         const dvec3 foot = (dvec3(plan::kTower) + dvec3(WaterTowerPlan::kLegs[i]) + dvec3(1.5, 0, 1.5)) * kVoxel;
@@ -110,7 +109,7 @@ void breakShop(ScriptClock& clock) {
     if (clock.at(7.15)) clock.add(ExplodeEdit{front + dvec3(1.0, -0.4, -1.2), 1.6});
 }
 
-/// The tower has landed on the shop: its sign goes out.
+/// After the tower has landed on the shop, a charge puts out the shop's sign.
 void breakSign(ScriptClock& clock) {
     const dvec3 sign = (dvec3(plan::kShop) + dvec3(60, 46, ShopPlan::kDepth + 2)) * kVoxel;
     if (clock.at(8.75)) clock.add(ExplodeEdit{sign, 1.8});
@@ -123,7 +122,7 @@ void blowCarAndWall(ScriptClock& clock) {
     if (clock.at(8.88)) clock.add(ExplodeEdit{wall + dvec3(0, -0.2, -0.5), 1.6});
 }
 
-/// The roof over the open rooms goes last: tiles and rafters fly up into the sun.
+/// Last, the roof over the open rooms is blown up.
 void blowRoof(ScriptClock& clock) {
     const dvec3 roof = inHouse(36.0, 70.0, 86.0);
     if (clock.at(9.55)) clock.add(ExplodeEdit{roof - dvec3(0, 0.9, 0.2), 2.3});
@@ -147,8 +146,7 @@ Edits demolition(int step, uint64_t) {
 }
 
 Pose demolitionCamera(double seconds) {
-    const double drift =
-        seconds * 0.06;  // metres: enough for depth, too little to lose the comparison between pictures
+    const double drift = seconds * 0.06;  // metres: a little parallax, with frames that can still be compared
     return lookAt({4.6 + drift, 6.8, 54.0 - drift * 0.5}, {25.0, 3.7, 33.5});
 }
 

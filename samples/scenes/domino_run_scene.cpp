@@ -1,4 +1,4 @@
-// Five hundred stones, to and fro across a square: one push is enough.
+// Five hundred domino stones in rows across a square; the first one is pushed.
 #include <array>
 
 #include "samples/scenes/furniture.h"
@@ -9,8 +9,8 @@
 namespace rubble::scenes {
 namespace {
 
-constexpr int kStones = 500, kRow = 54, kTurn = 9;  // stones of a straight row, and of the half circle to the next
-constexpr ivec3 kStoneSize{1, 8, 4};                // cells: it falls along x
+constexpr int kStones = 500, kRow = 54, kTurn = 9;  // stones in a straight row, and in the half circle to the next row
+constexpr ivec3 kStoneSize{1, 8, 4};                // cells; a stone falls along x
 constexpr double kSpacing = 0.36;                   // metres
 
 LevelShape makeStone(int number) {
@@ -32,7 +32,7 @@ std::array<Pose, kStones> stonePoses() {
     };
     for (int i = 0; i < kStones; ++i) {
         const int place = i % (kRow + kTurn), row = i / (kRow + kTurn);
-        const double side = row % 2 ? -1.0 : 1.0;  // rows go toward -z: the first turn is to the left
+        const double side = row % 2 ? -1.0 : 1.0;  // rows proceed toward -z, so the first turn is to the left
         glm::dvec3 step = ahead;
         if (place >= kRow) {
             step = turned(ahead, kHalfCosine, side * kHalfSine);

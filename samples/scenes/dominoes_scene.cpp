@@ -1,4 +1,4 @@
-// A row of slabs that runs in a curve across a square: the first one tips, the last one falls on a stack of crates.
+// A curved row of slabs on a square: the first one tips over, the last one falls on a stack of crates.
 #include <array>
 #include <glm/geometric.hpp>
 
@@ -12,10 +12,10 @@ namespace rubble::scenes {
 namespace {
 
 constexpr int kSlabs = 30;
-constexpr ivec3 kSlabSize{3, 21, 11};  // cells: it falls along x
+constexpr ivec3 kSlabSize{3, 21, 11};  // cells; a slab falls along x
 constexpr double kSpacing = 0.98;      // metres
 
-/// One slab with a pattern of its own: of one weight, with inlaid dots.
+/// One slab with its own pattern of inlaid dots; all slabs weigh about the same.
 LevelShape makeSlab(int number) {
     static constexpr const SurfaceStyle* kBodies[] = {&kWhiteEnamel, &kClothRed,  &kPlasticGreen,
                                                       &kClothOchre,  &kClothBlue, &kPlasticGrey};
@@ -36,7 +36,7 @@ LevelShape makeSlab(int number) {
     return c.finish("slab " + std::to_string(number));
 }
 
-/// Direction of the row at each slab: a wave, built from square roots only.
+/// Poses along a wavy curve. Only square roots: no sine that differs by library.
 std::array<Pose, kSlabs> slabPoses() {
     std::array<Pose, kSlabs> poses;
     glm::dvec3 foot(5.0, 0.0, 19.5), ahead(1.0, 0.0, 0.0);

@@ -1,4 +1,4 @@
-// A car drives through a wooden house: in by one gable, out by the other, and round it to a stop.
+// A car drives through a wooden house: in at one gable, out at the other, then it turns and stops.
 #include "runtime/core/random.h"
 #include "samples/scenes/building.h"
 #include "samples/scenes/car.h"
@@ -13,9 +13,9 @@
 namespace rubble::scenes {
 namespace {
 
-constexpr int kMargin = 5, kWide = 72, kDeep = 60, kEaves = 30;  // of the house, cells
+constexpr int kMargin = 5, kWide = 72, kDeep = 60, kEaves = 30;  // of the house, in cells
 constexpr ivec3 kHouse{200, 0, 140};
-constexpr int kLane = kHouse.z + kDeep / 2;  // the middle of the lane that the car takes
+constexpr int kLane = kHouse.z + kDeep / 2;  // z of the car's lane
 
 struct HouseSwatches {
     explicit HouseSwatches(Canvas& c)
@@ -31,7 +31,7 @@ struct HouseSwatches {
     RoofSwatches roof;
 };
 
-/// Boards upright on posts and rails, gables up to the roof, corners in white.
+/// Upright boards on posts and rails, with white corners; a gable reaches up to the roof.
 void drawBoards(Canvas& c, const WallFrame& wall, bool isGable, const HouseSwatches& s) {
     for (int u = 0; u < wall.length; ++u) {
         const int top =
@@ -77,12 +77,12 @@ Level driveLevel(uint64_t seed) {
                    {346 + i % 2 * 10, i / 2 * 8, kLane - 8 + i % 2 * 3});
     addDynamic(level, makeTable("table"), {kHouse.x + 30, 0, kLane - 20});
     addDynamic(level, makeBench("bench"), {150, 0, kLane + 34}, Turn::Askew);
-    addStreetLight(level, "lamp", {120, 0, 266}, false);
+    addStreetLight(level, "street light", {120, 0, 266}, false);
     addDynamic(level, makeCar("parked car", kCarBlue), {150, -kRoadDrop, 284});
     return level;
 }
 
-/// The level's bodies have the slots of their places in it.
+/// Handle of the car's body. A level is loaded into slots 0, 1, ... in the order of its bodies.
 BodyHandle drivenCar() {
     const Level level = driveLevel(0);
     for (uint32_t i = 0; i < level.bodies.size(); ++i)
@@ -108,7 +108,7 @@ Scene driveScene() {
     Scene scene{"drive", "a car drives through a house", driveLevel, driveScript, driveCamera};
     scene.verticalFov = 0.75f;
     scene.steps = 540;
-    scene.settings.impactThreshold = 8000.0;  // what a tyre rolls over breaks nothing, fifteen tonnes in a wall do
+    scene.settings.impactThreshold = 8000.0;  // rolling tyres break nothing; the car of 15 t in a wall does
     scene.settings.impactRadius = 0.4;
     scene.settings.impactRadiusLimit = 1.4;
     scene.settings.stress.on = true;

@@ -19,7 +19,7 @@ inline Environment lateAfternoon() {
     return air;
 }
 
-/// The sun is nearly down: what burns or glows is the brightest thing there is.
+/// A very low sun: fire and lights are the brightest things in view.
 inline Environment dusk() {
     Environment air = lateAfternoon();
     air.sunDirection = {-0.90f, 0.14f, 0.42f};
@@ -42,7 +42,7 @@ inline Environment noon() {
     return air;
 }
 
-/// The last of the sun behind the houses: a warm edge of sky, blue above, lamps have taken over, mist in their light.
+/// The last of the sun behind the houses: a warm horizon under a blue sky, lights are on, with fog around them.
 inline Environment sunset() {
     Environment air;
     air.clouds = 0.46f;
@@ -54,7 +54,7 @@ inline Environment sunset() {
     return air;
 }
 
-/// Moon and stars; lamps and windows carry it.
+/// Moon and stars; most light comes from street lights and windows.
 inline Environment night() {
     Environment air;
     air.clouds = 0.40f;
@@ -66,7 +66,7 @@ inline Environment night() {
     return air;
 }
 
-/// Overcast, without shadows, with rain in the distance.
+/// Overcast sky, wet ground, no shadows of the sun.
 inline Environment rain() {
     Environment air;
     air.clouds = 1.0f;
@@ -80,7 +80,7 @@ inline Environment rain() {
     return air;
 }
 
-/// By the name that `sandbox --time` takes; the late afternoon for any other.
+/// The environment of a name that `sandbox --time` takes; lateAfternoon() for any other name.
 inline Environment timeOfDay(std::string_view name) {
     return name == "noon"    ? noon()
            : name == "dusk"  ? sunset()

@@ -14,7 +14,7 @@ LevelShape makeConcreteWall(std::string name, int length, int height) {
                  coping = c.addSurface(kKerb, 108), rebar = c.addSurface(kRebar), moss = c.addSurface(kMoss),
                  dirty = c.addSurface(kConcrete, 82);
     c.box({0, 0, 1}, {length, top, 4}, concrete);
-    // Panels of formwork, with the holes of their ties.
+    // Seams between formwork panels, and their tie holes.
     for (int x = 0; x < length; x += 24) c.box({x, kFenceFoot, 1}, {x + 1, top, 4}, seam);
     for (int x = 6; x < length; x += 12)
         for (int y : {kFenceFoot + height / 3, kFenceFoot + height * 2 / 3}) c.box({x, y, 1}, {x + 1, y + 1, 4}, seam);

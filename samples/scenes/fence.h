@@ -1,7 +1,7 @@
 #pragma once
 #include "samples/scenes/placement.h"
 
-/// What encloses a lot: walls, fences, gates. All reach kFenceFoot cells into the ground.
+/// Walls, fences and gates. All stand kFenceFoot cells deep in the ground.
 namespace rubble::scenes {
 
 inline constexpr int kFenceFoot = 3;

@@ -1,4 +1,4 @@
-// A wooden house that burns down: planks on studs, boards on joists, shingles on rafters. The chimney stays.
+// A wooden house burns down: planks on studs, boards on joists, shingles on rafters. The chimney remains.
 #include <algorithm>
 
 #include "runtime/core/random.h"
@@ -14,12 +14,12 @@
 namespace rubble::scenes {
 namespace {
 
-constexpr int kMargin = 7, kPorch = 18;  // cells of the shape around the walls; before them
+constexpr int kMargin = 7, kPorch = 18;  // cells of the shape around the walls; in front of them
 constexpr int kWide = 78, kDeep = 58, kWallHeight = 26;
 constexpr int kX0 = kMargin, kX1 = kX0 + kWide, kZ0 = kMargin, kZ1 = kZ0 + kDeep;
 constexpr int kFloor = kFooting + 2;          // boards
 constexpr int kEaves = kFloor + kWallHeight;  // underside of the rafters
-constexpr ivec3 kHouse{106, -kFooting, 104};  // of the shape's corner
+constexpr ivec3 kHouse{106, -kFooting, 104};  // low corner of the shape
 
 struct CabinSwatches {
     explicit CabinSwatches(Canvas& c)
@@ -43,7 +43,7 @@ struct CabinSwatches {
     RoofSwatches roof;
 };
 
-/// Planks lie over one another, each row in tones of its own; studs behind, boards inside.
+/// Palette entry of the overlapping planks; each row has its own tones.
 uint8_t plankEntry(const CabinSwatches& s, int u, int y, int side) {
     const int row = y / 3;
     const uint32_t board = hashCell((u + int(hashCell(row, side, 3, 141) % 30)) / 26, row, side, 142);
@@ -96,7 +96,7 @@ void drawVeranda(Canvas& c, const CabinSwatches& s) {
             return PaletteBuilder::pickFor(cell.x % 4 ? s.roof.tile : s.roof.tileDark,
                                            hashCell(cell.x / 4, z / 3, 9, 72));
         });
-        if (z > kZ1 && z % 1 == 0)
+        if (z > kZ1)
             for (int x = kX0 + 1; x < kX1; x += 19) c.box({x, y - 1, z}, {x + 1, y, z + 1}, s.timber);
     }
     for (int y : {4, 9}) {
@@ -159,8 +159,7 @@ glm::dvec3 inCabin(double x, double y, double z) {
     return (glm::dvec3(kHouse) + glm::dvec3(kX0 + x, y, kZ0 + z)) * kVoxel;
 }
 
-/// A spark under the veranda's roof and one in the room; the rest is the fire's own doing. A bucket at the end, too
-/// late.
+/// Fires are lit under the veranda's roof and in the room, and spread by themselves. At the end water is poured.
 Edits fireScript(int step, uint64_t) {
     ScriptClock clock(step);
     if (clock.at(0.5)) clock.add(spawnFire(inCabin(26, kFloor + 2, kDeep + 8), 0.5));
@@ -182,7 +181,7 @@ Pose fireCamera(double seconds) {
 Scene fireScene() {
     Scene scene{"fire", "a wooden house that burns", fireLevel, fireScript, fireCamera};
     scene.steps = 1080;
-    // Eighteen seconds for what takes an hour.
+    // An hour's fire in eighteen seconds.
     scene.settings.fire.spread = 5.0f;
     scene.settings.fire.burnTime = 0.14f;
     scene.settings.stress.on = true;

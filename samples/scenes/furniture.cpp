@@ -220,7 +220,7 @@ LevelShape makePlantPot(std::string name) {
     c.box({3, 4, 3}, {4, 10, 4}, stem);
     for (int y = 5; y < 13; ++y) c.ring(1, y, y + 1, {7, 0, 7}, -1, y < 7 || y > 10 ? 4 : 7, leaf);
     c.fill({0, 4, 0}, {7, 13, 7}, [&](ivec3 cell) {
-        return hashCell(cell.x, cell.y, cell.z, 81) % 3 == 0 && c.holds(cell, leaf) ? uint8_t(0) : c.at(cell);
+        return hashCell(cell.x, cell.y, cell.z, 81) % 3 == 0 && c.hasSwatch(cell, leaf) ? uint8_t(0) : c.at(cell);
     });
     c.removeUnanchored();
     return c.finish(std::move(name));

@@ -1,4 +1,4 @@
-// A model garden: small monuments of fine voxels on plinths, made here, and taken apart by one tool each.
+// A model garden: small monuments of 5 cm voxels on plinths. Each is destroyed with another tool.
 #include <glm/geometric.hpp>
 
 #include "runtime/core/random.h"
@@ -11,8 +11,8 @@
 namespace rubble::scenes {
 namespace {
 
-constexpr double kFine = 0.05;  // metres a voxel
-constexpr int kPlinth = 12;     // cells of 0.1 m over the ground
+constexpr double kFine = 0.05;  // metres per voxel
+constexpr int kPlinth = 12;     // height in cells of 0.1 m
 constexpr ivec3 kPlaces[] = {{92, 0, 176}, {134, 0, 154}, {176, 0, 178}, {218, 0, 152}, {150, 0, 206}};
 constexpr int kModels = 5;
 
@@ -89,7 +89,7 @@ void addShip(Level& level, int i) {
                  mast = c.addSurface(kTimber), red = c.addSurface(kClothRed), stand = c.addSurface(kConcreteDark);
     for (int x : {14, 36}) c.box({x, 0, 6}, {x + 3, 5, 16}, stand);
     for (int x = 0; x < 52; ++x) {
-        // The beam narrows toward bow (high x) and stern.
+        // The hull narrows toward bow (high x) and stern.
         const int along = x - 22, beam = std::max(1, 10 - (x > 22 ? along * along / 95 : along * along / 130));
         const int sheer = 12 + along * along / 130;
         for (int y = 3; y < sheer; ++y) {
@@ -171,8 +171,8 @@ glm::dvec3 onPlinth(int i, double x, double y, double z) {
 
 Edits gardenScript(int step, uint64_t) {
     ScriptClock clock(step);
-    // Castle: a charge in the keep. Globe: sliced like an apple. Ship: shot through. Temple: columns knocked out.
-    // Fountain: sledge.
+    // Castle: a charge in the keep. Globe: cut into slices. Ship: shot through. Temple: its columns are carved away.
+    // Fountain: a charge.
     if (clock.at(1.0)) clock.add(ExplodeEdit{onPlinth(0, 0.3, 0.5, 0.7), 0.9, 250});
     for (int i = 0; i < 4; ++i)
         if (clock.at(1.6 + 0.25 * i)) {

@@ -69,7 +69,7 @@ void drawGables(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s)
                                                             : PaletteBuilder::pick(s.walls.stone, cell));
                 }
         }
-    // A round attic window in the gable that is seen.
+    // An attic window in the gable that the camera sees.
     const WallFrame& left = frame.walls.left;
     drawWindow(canvas, left, left.length / 2 - 5, kFloor2 + 8, 10, 10, s.windows, false);
 }
@@ -131,7 +131,7 @@ void drawRooms(Canvas& canvas, const HouseSwatches& s) {
         // Wallpaper on the inside of the outer walls of the front room, tiles in the room behind.
         const auto paper = [&](ivec3 a, ivec3 b, Swatch swatch) {
             canvas.fill(a, b, [&](ivec3 c) {
-                return canvas.holds(c, s.plaster) ? PaletteBuilder::pick(swatch, c) : canvas.at(c);
+                return canvas.hasSwatch(c, s.plaster) ? PaletteBuilder::pick(swatch, c) : canvas.at(c);
             });
         };
         paper({10, low, 57}, {11, high, 102}, front);
@@ -157,7 +157,7 @@ void drawStairs(Canvas& canvas, const HouseSwatches& s) {
     canvas.box({78, kFloor1 + 10, 62}, {117, kFloor1 + 11, 63}, s.timber);
 }
 
-/// Rugs lie in the boards, one cell thick: they go where the floor goes.
+/// A rug replaces the boards, one cell thick: it is part of the house's shape and moves with the floor.
 void drawRug(Canvas& canvas, ivec3 low, ivec3 high, Swatch field, Swatch edge) {
     canvas.fill(low, high, [&](ivec3 c) {
         const int border = std::min({c.x - low.x, high.x - 1 - c.x, c.z - low.z, high.z - 1 - c.z});
@@ -221,7 +221,7 @@ void drawChimney(Canvas& canvas, const HouseFrame& frame, const HouseSwatches& s
     canvas.clear({low.x + 3, top, low.z + 2}, {low.x + 7, top + 1, low.z + 6});
 }
 
-/// A lamp that hangs from a ceiling: its bulb glows in a group of its own and carries a light.
+/// A light that hangs from a ceiling; the voxels of its bulb glow and belong to the light's group.
 void drawCeilingLight(Level& level, Canvas& canvas, const std::string& house, const std::string& name, ivec3 hook,
                       float strength, const HouseSwatches& s) {
     const uint32_t group = addLightGroup(level, name);
@@ -254,12 +254,12 @@ void addHouse(Level& level, const std::string& name, ivec3 cell, const HouseStyl
         drawPorch(canvas, frame, s);
         drawRug(canvas, {18, kFloor0, 66}, {48, kFloor0 + 1, 92}, s.rug, s.rugEdge);
         drawRug(canvas, {22, kFloor1, 70}, {46, kFloor1 + 1, 90}, s.rugBlue, s.rugEdge);
-        drawCeilingLight(level, canvas, name, name + " living lamp", {36, HouseRooms::kLiving.high.y - 1, 79}, 16.0f,
+        drawCeilingLight(level, canvas, name, name + " living room light", {36, HouseRooms::kLiving.high.y - 1, 79},
+                         16.0f, s);
+        drawCeilingLight(level, canvas, name, name + " bedroom light", {36, HouseRooms::kBedroom.high.y - 1, 79}, 16.0f,
                          s);
-        drawCeilingLight(level, canvas, name, name + " bedroom lamp", {36, HouseRooms::kBedroom.high.y - 1, 79}, 16.0f,
-                         s);
-        drawCeilingLight(level, canvas, name, name + " hall lamp", {92, HouseRooms::kHall.high.y - 1, 84}, 14.0f, s);
-        drawCeilingLight(level, canvas, name, name + " porch lamp", {93, kFloor0 + 23, frame.high.z + 10}, 26.0f, s);
+        drawCeilingLight(level, canvas, name, name + " hall light", {92, HouseRooms::kHall.high.y - 1, 84}, 14.0f, s);
+        drawCeilingLight(level, canvas, name, name + " porch light", {93, kFloor0 + 23, frame.high.z + 10}, 26.0f, s);
     }
     addStatic(level, canvas.finish(name), cell - ivec3(kHouseMargin, kFooting, kHouseMargin));
 }

@@ -20,7 +20,7 @@ void addHouseFurniture(Level& level, ivec3 cell) {
     put(makeShelf("bookshelf 1", 5), 57, kLow, 60, Turn::ThreeQuarters);
     put(makeTelevision("television"), 56, kLow, 76 - 8 + 2, Turn::ThreeQuarters);
     put(makePlantPot("plant 1"), 12, kLow, 92);
-    addFloorLight(level, "floor lamp", corner + ivec3(56, kLow, 95));
+    addFloorLight(level, "floor light", corner + ivec3(56, kLow, 95));
 
     // Kitchen
     put(makeCounter("counter", 32), 14, kLow, 12);

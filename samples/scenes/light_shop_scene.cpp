@@ -1,5 +1,5 @@
-// A lamp shop at night: a dozen lamps in groups of their own. They are shot one after the other, and the room goes dark
-// with them.
+// A light shop at night: a dozen lights, each in a light group of its own. They are shot one after the other, and the
+// shop grows darker with each.
 #include "runtime/core/random.h"
 #include "samples/scenes/building.h"
 #include "samples/scenes/furniture.h"
@@ -126,7 +126,7 @@ Level lightShopLevel(uint64_t seed) {
     using enum GroundPlan::Surface;
     ground.size = {320, 0, 320};
     ground.areas = {area(Paving, 0, 176, 320, 214), area(Road, 0, 214, 320, 320)};
-    Level level = makePlot("lamp shop", ground, seed);
+    Level level = makePlot("light shop", ground, seed);
     Environment& air = level.environment;
     air.sunDirection = {-0.6f, 0.5f, 0.35f};  // the moon
     air.sunColor = {0.10f, 0.13f, 0.19f};
@@ -136,7 +136,7 @@ Level lightShopLevel(uint64_t seed) {
     air.fogColor = {0.02f, 0.024f, 0.036f};
     air.exposure = 1.7f;
     addLightShop(level);
-    addStreetLight(level, "street lamp", {84, 0, 206}, false);
+    addStreetLight(level, "street light", {84, 0, 206}, false);
     addDynamic(level, makeBench("bench"), {226, 0, 192});
     addDynamic(level, makeBin("bin"), {216, 0, 194});
     addDynamic(level, makePlantPot("plant"), {96, 0, 186});
@@ -170,7 +170,7 @@ Pose lightShopCamera(double seconds) {
 }  // namespace
 
 Scene lightShopScene() {
-    Scene scene{"light_shop", "a lamp shop at night whose lights are shot out", lightShopLevel, lightShopScript,
+    Scene scene{"light_shop", "a light shop at night whose lights are shot out", lightShopLevel, lightShopScript,
                 lightShopCamera};
     scene.steps = 450;
     return scene;

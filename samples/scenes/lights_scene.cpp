@@ -1,5 +1,5 @@
-// A workshop at night with one light of each kind, mist in the air, and a floodlight behind a cracked wall. They go out
-// one by one; then the wall gives way.
+// A hall at night with one light of each kind, fog in the air, and a floodlight behind a cracked wall. The lights go
+// out one by one; then the wall is blown open.
 #include "runtime/core/random.h"
 #include "samples/scenes/building.h"
 #include "samples/scenes/environment.h"
@@ -13,9 +13,9 @@ namespace rubble::scenes {
 namespace {
 
 constexpr int kWide = 136, kDeep = 74, kTall = 36, kBehind = 40;
-constexpr int kFloor = kFooting + 1, kCeiling = kFloor + kTall, kBack = kBehind;  // cells of the hall's own grid
+constexpr int kFloor = kFooting + 1, kCeiling = kFloor + kTall, kBack = kBehind;  // in cells of the hall's grid
 constexpr ivec3 kHall{90, -kFooting, 96};
-constexpr int kMiddle = 66;  // of the cracked wall, along x
+constexpr int kMiddle = 66;  // x of the cracked part of the wall
 
 constexpr ivec3 kGlobe{22, kCeiling - 10, kBack + 30};
 constexpr ivec3 kTubes[] = {{44, kFloor + 4, kBack + 4}, {88, kFloor + 4, kBack + 4}};
@@ -24,7 +24,7 @@ constexpr ivec3 kPanel{24, kCeiling - 1, kBack + 46};  // low corner of the ceil
 constexpr ivec3 kScreen{96, kFloor + 10, kBack + 3};   // low corner, 32 x 18 cells
 constexpr glm::vec3 kCyan{0.12f, 0.85f, 1.0f}, kRose{1.0f, 0.16f, 0.42f};
 
-/// A sunset over hills, 16 x 9: what the screen shows.
+/// The image on the screen: a sunset over hills, 16 x 9.
 uint32_t screenColor(int x, int y) {
     static constexpr uint32_t kSky[] = {0x1c2a6a, 0x3a3f8c, 0x6b4a9a, 0xa8558c, 0xe0705c, 0xf79a48, 0xffc45a};
     static constexpr int kHills[] = {6, 6, 5, 5, 5, 6, 6, 7, 7, 6, 6, 5, 4, 5, 6, 6};
@@ -35,10 +35,10 @@ uint32_t screenColor(int x, int y) {
 }
 
 LightImage sunsetImage() {
-    LightImage picture{16, {}};
+    LightImage image{16, {}};
     for (int y = 0; y < 9; ++y)
-        for (int x = 0; x < 16; ++x) picture.texels.push_back(screenColor(x, y));
-    return picture;
+        for (int x = 0; x < 16; ++x) image.texels.push_back(screenColor(x, y));
+    return image;
 }
 
 Light& addTurned(Level& level, uint32_t group, LightKind kind, glm::dvec3 cell, glm::vec3 color, float reach,
@@ -48,9 +48,9 @@ Light& addTurned(Level& level, uint32_t group, LightKind kind, glm::dvec3 cell, 
     return level.lights.back().light;
 }
 
-const glm::dquat kForward{0, 0, 1, 0};                                              // looks along +z
-const glm::dquat kDownward{0.70710678118654752440, -0.70710678118654752440, 0, 0};  // along -y
-const glm::dquat kUpright{0.70710678118654752440, 0, 0, 0.70710678118654752440};    // x goes up
+const glm::dquat kForward{0, 0, 1, 0};                    // points along +z
+const glm::dquat kDownward{kSqrtHalf, -kSqrtHalf, 0, 0};  // points along -y
+const glm::dquat kUpright{kSqrtHalf, 0, 0, kSqrtHalf};    // turns x to y
 
 SurfaceStyle glow(uint32_t color, float emission) {
     return {"glass", {color}, 120, 0, 10, 255, 0, emission};
@@ -111,7 +111,7 @@ void addScreen(Level& level, Canvas& c) {
     light.image = sunsetImage();
 }
 
-/// Lines that a shock has left: each wanders upward and forks, wider here and there.
+/// Cracks: each runs upward with random turns, and is wider or forks in places.
 void crackWall(Canvas& c) {
     for (int crack = 0; crack < 7; ++crack) {
         int x = kMiddle - 15 + crack * 5;
@@ -149,7 +149,7 @@ void addHall(Level& level) {
     const Swatch concrete = c.addSurface(kConcrete), dark = c.addSurface(kConcreteDark),
                  plaster = c.addSurface(kPlaster, 80), brick = c.addSurface(kBrick), joint = c.addSurface(kBrickJoint),
                  steel = c.addSurface(kSteel);
-    // What is smooth underfoot shows the lights.
+    // The smooth floor mirrors the lights.
     const Swatch polished = c.addSurface({"concrete", {0x55565a, 0x5c5d60, 0x4e4f53}, 90, 0, 40, 255, 4});
     c.box({0, 0, 0}, {kWide, kFooting, kBack + kDeep}, dark);
     c.box({0, kFooting, kBack}, {kWide, kFloor, kBack + kDeep}, polished);

@@ -26,7 +26,7 @@ GroundPlan crossingStreets(ivec3 size) {
     ground.lanesAlongX = {groundArea(kSideHigh + 44, middleZ - 1, edge, middleZ + 1)};
     ground.lanesAlongZ = {groundArea(middleX - 1, kSideEnd, middleX + 1, kStreetLow - 44),
                           groundArea(middleX - 1, kStreetHigh + 44, middleX + 1, edge)};
-    // Zebra crossings on the two arms of the corner.
+    // Zebra crossings on two arms of the crossing.
     for (int i = 0; i < 8; ++i) {
         ground.solidLines.push_back(
             groundArea(kSideHigh + 8, kStreetLow + 4 + i * 10, kSideHigh + 32, kStreetLow + 9 + i * 10));
@@ -68,8 +68,8 @@ void addHouses(Level& level) {
 
 void addNeighbourhood(Level& level, uint64_t seed) {
     addHouses(level);
-    addStreetLight(level, "lamp far", {540, 0, 456}, false);
-    addStreetLight(level, "lamp side", {122, 0, 236}, true);
+    addStreetLight(level, "street light far", {540, 0, 456}, false);
+    addStreetLight(level, "street light side", {122, 0, 236}, true);
     addTree(level, "tree far 1", {590, 0, 190}, 96, kLeavesDark, seed + 33);
     addTree(level, "tree far 2", {150, 0, 168}, 80, kLeavesAutumn, seed + 54);
     addTree(level, "tree far 3", {600, 0, 130}, 84, kLeaves, seed + 60);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kEntriesPerSwatch = 6;
 
-// Nothing is pure black or white: linear albedo 0.04 to 0.8 is sRGB 56 to 231, a little darker allowed for one channel.
+// No surface is pure black or white: linear albedo 0.04 to 0.8 is sRGB 56 to 231; a single channel may be darker.
 uint8_t channel(int value, bool emits) {
     return uint8_t(std::clamp(value, emits ? 0 : 28, emits ? 255 : 232));
 }
@@ -59,7 +59,8 @@ Swatch PaletteBuilder::addSurface(const SurfaceStyle& style, int percent, uint32
 }
 
 uint8_t PaletteBuilder::pick(Swatch swatch, glm::ivec3 cell) {
-    // Clumps of about three voxels, their borders jittered so that they do not line up; one voxel in three is its own.
+    // Clumps of about three voxels with jittered borders, so that they do not form a grid; one voxel in three is
+    // random.
     const uint32_t own = hashCell(cell.x, cell.y, cell.z, 11);
     const int jitter = int(own >> 28 & 1);
     const uint32_t clump =

@@ -1,4 +1,4 @@
-// A pavilion with a glass front. A ball comes down the steps and through the middle pane.
+// A pavilion with a glass front. A steel ball is thrown through one of its panes.
 #include "runtime/core/random.h"
 #include "samples/scenes/building.h"
 #include "samples/scenes/furniture.h"
@@ -14,7 +14,7 @@ namespace {
 constexpr int kWide = 124, kDeep = 70, kTall = 34, kMargin = 8;
 constexpr int kFloor = kFooting + 2, kTop = kFloor + kTall;
 constexpr ivec3 kHouse{90, -kFooting, 110};
-constexpr int kPanes = 4, kPane = (kWide - 8) / kPanes;  // cells from post to post
+constexpr int kPanes = 4, kPane = (kWide - 8) / kPanes;  // panes, and cells per pane
 
 void addPavilion(Level& level) {
     Canvas c({kWide + 2 * kMargin, kTop + 6, kDeep + 2 * kMargin});
@@ -83,7 +83,7 @@ Level paneLevel(uint64_t seed) {
     addDynamic(level, makePlantPot("plant 2"), floor + ivec3(104, 0, 54));
     addDynamic(level, makeTelevision("television"), floor + ivec3(44, 0, 6));
     addDynamic(level, makeBench("bench"), {216, 0, 214}, Turn::Askew);
-    addFloorLight(level, "lamp", floor + ivec3(110, 0, 40));
+    addFloorLight(level, "floor light", floor + ivec3(110, 0, 40));
     addStatic(level, makeHedge("hedge in front", {300, 12, 9}), {10, -kHedgeRoot, 300});
     addTree(level, "tree in front 1", {210, 0, 284}, 84, kLeavesAutumn, seed + 20);
     addTree(level, "tree in front 2", {106, 0, 290}, 74, kLeaves, seed + 21);

@@ -5,15 +5,16 @@
 
 namespace rubble::scenes {
 
+namespace {
+
 glm::dquat turnRotation(Turn turn) {
-    constexpr double kHalfRoot = 0.70710678118654752440;
     switch (turn) {
         case Turn::Quarter:
-            return {kHalfRoot, 0, kHalfRoot, 0};
+            return {kSqrtHalf, 0, kSqrtHalf, 0};
         case Turn::Half:
             return {0, 0, 1, 0};
         case Turn::ThreeQuarters:
-            return {kHalfRoot, 0, -kHalfRoot, 0};
+            return {kSqrtHalf, 0, -kSqrtHalf, 0};
         case Turn::Askew:
             return glm::normalize(glm::dquat(1.0, 0, 0.04, 0));
         case Turn::None:
@@ -21,6 +22,8 @@ glm::dquat turnRotation(Turn turn) {
     }
     return {1, 0, 0, 0};
 }
+
+}  // namespace
 
 void addStatic(Level& level, LevelShape shape, ivec3 cell) {
     LevelBody body;
@@ -32,7 +35,7 @@ void addStatic(Level& level, LevelShape shape, ivec3 cell) {
 
 void addDynamic(Level& level, LevelShape shape, ivec3 cell, Turn turn) {
     const glm::dvec3 size = shape.grid.size();
-    // The corner that a quarter turn moves to the low end: about y, x goes to -z and z to x.
+    // A quarter turn about y takes x to -z and z to x: the shift brings the low corner back to the cell.
     glm::dvec3 shift(0.0);
     if (turn == Turn::Quarter) shift.z = size.x;
     if (turn == Turn::Half) shift = {size.x, 0, size.z};
@@ -62,7 +65,7 @@ void addLight(Level& level, const std::string& shape, uint32_t group, LightKind 
     entry.light.name = entry.groupName;
     entry.light.kind = kind;
     entry.light.local.position = cell * kVoxel;
-    if (kind == LightKind::Cone) entry.light.local.rotation = {0.70710678118654752440, -0.70710678118654752440, 0, 0};
+    if (kind == LightKind::Cone) entry.light.local.rotation = {kSqrtHalf, -kSqrtHalf, 0, 0};
     entry.light.color = color;
     entry.light.reach = reach;
     entry.light.radius = radius;
@@ -72,7 +75,8 @@ void addLight(Level& level, const std::string& shape, uint32_t group, LightKind 
 }
 
 Pose lookAt(glm::dvec3 from, glm::dvec3 to) {
-    // From a rotation matrix with columns right, up, back (Shoemake 1987): square roots only, so the same everywhere.
+    // A rotation matrix with columns right, up, back as a quaternion. Only square roots: no sine that differs by
+    // library.
     const glm::dvec3 back = glm::normalize(from - to);
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back));
     const glm::dvec3 up = glm::cross(back, right);

@@ -12,7 +12,7 @@ Level makePlot(std::string name, const GroundPlan& ground, uint64_t seed) {
     Level level;
     level.name = std::move(name);
     level.environment = lateAfternoon();
-    level.environment.sunDirection = {-0.74f, 0.40f, 0.40f};  // also on what faces the camera
+    level.environment.sunDirection = {-0.74f, 0.40f, 0.40f};  // also shines on the sides that face the camera
     addGround(level, ground);
     Random random(seed, 31);
     static constexpr const SurfaceStyle* kCrowns[] = {&kLeaves, &kLeavesDark, &kLeavesAutumn, &kLeaves};

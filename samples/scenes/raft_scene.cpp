@@ -1,4 +1,4 @@
-// A raft of logs with a load on it, in a basin. A charge under its middle takes it apart: what is wood floats.
+// A raft of logs with cargo floats in a basin. A charge under its middle blows it apart; its wood floats.
 #include "runtime/core/random.h"
 #include "samples/scenes/furniture.h"
 #include "samples/scenes/neighbourhood.h"
@@ -10,10 +10,10 @@
 namespace rubble::scenes {
 namespace {
 
-constexpr ivec3 kBasin{60, 0, 100};   // cells: low corner
-constexpr ivec3 kSize{200, 16, 150};  // of the basin, with its walls
-constexpr int kWall = 5, kFloor = 3;  // thickness
-constexpr double kSurface = 1.25;     // metres
+constexpr ivec3 kBasin{60, 0, 100};   // low corner, in cells
+constexpr ivec3 kSize{200, 16, 150};  // of the basin with its walls
+constexpr int kWall = 5, kFloor = 3;  // thickness in cells
+constexpr double kSurface = 1.25;     // height of the water in metres
 constexpr ivec3 kRaft{130, 11, 140};
 
 void addBasin(Level& level) {
@@ -43,7 +43,7 @@ void addBasin(Level& level) {
                             .waves = {.height = 0.02f, .length = 1.6f, .speed = 0.5f, .direction = 0.6f}});
 }
 
-/// Logs side by side, held together by planks across.
+/// Logs side by side with planks across them.
 LevelShape makeRaft() {
     constexpr int kLogs = 9, kLog = 4, kLong = 52;
     Canvas c({kLong, kLog + 2, kLogs * kLog});
@@ -77,7 +77,7 @@ Level raftLevel(uint64_t seed) {
     addDynamic(level, makeTable("floating table"), {90, 14, 200}, Turn::Askew);
     addDynamic(level, makeCrate("floating crate"), {210, 14, 130}, Turn::Askew);
     for (LevelBody& body : level.bodies)
-        if (!body.isStatic) body.velocity.y = -0.1f;  // what is in the water must not sleep there
+        if (!body.isStatic) body.velocity.y = -0.1f;  // a moving body does not fall asleep on the water
     addDynamic(level, makeBench("bench"), {150, 0, 258});
     addTree(level, "bank tree 1", {286, 0, 120}, 80, kLeaves, seed + 3);
     addTree(level, "bank tree 2", {34, 0, 150}, 70, kLeavesAutumn, seed + 4);

@@ -8,42 +8,42 @@
 
 namespace rubble {
 
-/// A level, what happens to it step by step, and where to watch it from: the same for samples, tests and benchmarks.
-/// All functions are pure; steps are 1/60 s from 0.
+/// A scripted scene: a level, the edits of each step, and a camera. Samples, tests and benchmarks share the scenes.
+/// All functions are pure; steps of 1/60 s count from 0.
 struct Scene {
-    std::string_view name;         ///< as commands take it
-    std::string_view description;  ///< one line for people
-    Level (*level)(uint64_t seed);
-    Edits (*script)(int step, uint64_t seed);
-    Pose (*camera)(double seconds);
-    float verticalFov = 0.70f;  ///< radians
-    int steps = 480;            ///< until everything worth seeing has happened
-    WorldSettings settings{};   ///< how its world breaks
+    std::string_view name;                     ///< as `--scene` takes it
+    std::string_view description;              ///< one line for people
+    Level (*level)(uint64_t seed);             ///< builds the level
+    Edits (*script)(int step, uint64_t seed);  ///< edits of a step
+    Pose (*camera)(double seconds);            ///< pose of the camera
+    float verticalFov = 0.70f;                 ///< radians
+    int steps = 480;                           ///< length of the scene
+    WorldSettings settings{};                  ///< settings of its world
 };
 
-/// The scripted scenes, in the order that people should see them.
+/// All scripted scenes, in the order in which `--list-scenes` prints them.
 std::span<const Scene> allScenes();
-/// Null if there is none of that name.
+/// The scene of a name; null if there is none.
 const Scene* findScene(std::string_view name);
 
-/// One function for each, in a file of its own.
+/// The scenes, each in a file of its own; the comment at the top of that file says what happens in the scene.
 namespace scenes {
-Scene towerScene();
-Scene bridgeScene();
-Scene fireScene();
-Scene wallScene();
-Scene paneScene();
-Scene lightShopScene();
-Scene dominoesScene();
-Scene cratersScene();
-Scene crushScene();
-Scene gardenScene();
-Scene craneScene();
-Scene dominoRunScene();
-Scene raftScene();
-Scene driveScene();
-Scene lightsScene();
-Scene chapelScene();
+Scene towerScene();      ///< `tower_scene.cpp`
+Scene bridgeScene();     ///< `bridge_scene.cpp`
+Scene fireScene();       ///< `fire_scene.cpp`
+Scene wallScene();       ///< `wall_scene.cpp`
+Scene paneScene();       ///< `pane_scene.cpp`
+Scene lightShopScene();  ///< `light_shop_scene.cpp`
+Scene dominoesScene();   ///< `dominoes_scene.cpp`
+Scene cratersScene();    ///< `craters_scene.cpp`
+Scene crushScene();      ///< `crush_scene.cpp`
+Scene gardenScene();     ///< `garden_scene.cpp`
+Scene craneScene();      ///< `crane_scene.cpp`
+Scene dominoRunScene();  ///< `domino_run_scene.cpp`
+Scene raftScene();       ///< `raft_scene.cpp`
+Scene driveScene();      ///< `drive_scene.cpp`
+Scene lightsScene();     ///< `lights_scene.cpp`
+Scene chapelScene();     ///< `chapel_scene.cpp`
 }  // namespace scenes
 
 }  // namespace rubble

@@ -6,22 +6,22 @@
 
 namespace rubble::scenes {
 
-/// Which edits of a script fall into one step of 1/60 s.
+/// Collects the edits of a script that fall into one step of 1/60 s.
 class ScriptClock {
 public:
+    /// Collects the edits of `step`, which counts from 0.
     explicit ScriptClock(int step) : m_step(step) {}
 
-    /// Is this the step of that second?
+    /// Whether this is the step at a time in seconds.
     bool at(double seconds) const { return m_step == stepOf(seconds); }
-    /// Of `count` things spread evenly over [from, to): those of this step are first .. last - 1.
+    /// Index of the first edit of this step, of `count` edits that are spread evenly over [from, to) seconds.
     int first(double from, int count, double to) const { return share(m_step, from, count, to); }
+    /// Index after the last one. A step without any of these edits has first() == last().
     int last(double from, int count, double to) const { return share(m_step + 1, from, count, to); }
 
+    /// Adds an edit to this step.
     void add(Edit edit) { m_edits.push_back(std::move(edit)); }
-    void spread(double from, double to, const Edits& edits) {
-        for (int i = first(from, int(edits.size()), to); i < last(from, int(edits.size()), to); ++i)
-            add(edits[size_t(i)]);
-    }
+    /// The edits of this step; the clock is empty afterwards.
     Edits take() { return std::move(m_edits); }
 
 private:
@@ -34,6 +34,7 @@ private:
     Edits m_edits;
 };
 
+/// A carve of a sphere; `radii` in metres for soft, medium and hard materials.
 inline CarveEdit carveSphere(glm::dvec3 position, std::array<double, 3> radii) {
     CarveEdit edit;
     edit.position = position;
@@ -41,6 +42,7 @@ inline CarveEdit carveSphere(glm::dvec3 position, std::array<double, 3> radii) {
     return edit;
 }
 
+/// A carve of a capsule between two points; `radii` as in carveSphere().
 inline CarveEdit carveCapsule(glm::dvec3 from, glm::dvec3 to, std::array<double, 3> radii) {
     CarveEdit edit = carveSphere(from, radii);
     edit.kind = BrushKind::Capsule;

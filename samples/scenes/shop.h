@@ -3,12 +3,12 @@
 
 namespace rubble::scenes {
 
-/// A flat-roofed shop, its glass front toward +z, with goods inside, an awning and a lit sign ("<name> sign" is its
-/// group).
+/// Sizes of the shop, in cells: of its walls, and of the shape around them and in front of them.
 struct ShopPlan {
     static constexpr int kWidth = 120, kDepth = 100, kMargin = 6, kFront = 16;
 };
-/// `cell` is where the low corner of its walls meets the ground.
+/// Adds a static shop with a flat roof: its glass front toward +z, goods inside, an awning, and a lit sign whose light
+/// group is "<name> sign". `cell` is where the low corner of its walls meets the ground.
 void addShop(Level& level, const std::string& name, ivec3 cell);
 
 }  // namespace rubble::scenes

@@ -13,7 +13,7 @@ namespace {
 
 using namespace scenes;
 
-constexpr glm::ivec3 kSquareLow{140, 0, 170}, kSquareHigh{500, 0, 446};  // where the model stands, cells
+constexpr glm::ivec3 kSquareLow{140, 0, 170}, kSquareHigh{500, 0, 446};  // of the square under the model, in cells
 
 struct Bounds {
     glm::dvec3 low{1e30}, high{-1e30};
@@ -36,7 +36,7 @@ struct Bounds {
     }
 };
 
-/// Leaves out what would stand in the model, with the lights that hang on it.
+/// Removes the bodies that would overlap the model, and the lights on their shapes.
 void removeObstructions(Level& level, const Bounds& model) {
     std::vector<std::string> gone;
     std::erase_if(level.bodies, [&](const LevelBody& body) {
@@ -51,17 +51,17 @@ void removeObstructions(Level& level, const Bounds& model) {
     });
 }
 
-/// Paving with seams of concrete.
+/// Adds a square of paving slabs with strips of concrete.
 void addSquare(GroundPlan& ground) {
     ground.areas.push_back({GroundPlan::Surface::Paving, {kSquareLow, kSquareHigh}});
     for (int x = kSquareLow.x; x < kSquareHigh.x; x += 60)
         ground.areas.push_back({GroundPlan::Surface::Concrete, {{x, 0, kSquareLow.z}, {x + 6, 0, kSquareHigh.z}}});
 }
 
-/// A car by the kerb, lamps, a hedge and trees round the square: a measure for the model's size.
+/// Cars, street lights, a hedge and trees round the square; they show how large the model is.
 void addSquareProps(Level& level, uint64_t seed) {
-    addStreetLight(level, "lamp square left", {kSquareLow.x + 8, 0, kSquareHigh.z + 10}, false);
-    addStreetLight(level, "lamp square right", {kSquareHigh.x - 60, 0, kSquareHigh.z + 10}, false);
+    addStreetLight(level, "street light square left", {kSquareLow.x + 8, 0, kSquareHigh.z + 10}, false);
+    addStreetLight(level, "street light square right", {kSquareHigh.x - 60, 0, kSquareHigh.z + 10}, false);
     addTree(level, "tree square left", {kSquareLow.x + 20, 0, kSquareLow.z + 50}, 78, kLeaves, seed + 2);
     addTree(level, "tree square right", {kSquareHigh.x - 30, 0, kSquareLow.z + 30}, 88, kLeavesAutumn, seed + 11);
     addStatic(level, makeHedge("hedge square", {150, 11, 9}), {kSquareLow.x + 110, -kHedgeRoot, kSquareLow.z + 6});
@@ -78,7 +78,7 @@ Level makeStreetStage(const Level& model, uint64_t seed, glm::dvec3& modelLow, g
     if (model.bodies.empty()) bounds = {glm::dvec3(0.0), glm::dvec3(0.0)};
     const glm::dvec3 size = bounds.high - bounds.low;
     const glm::dvec3 center = glm::dvec3(kSquareLow + kSquareHigh) * (0.5 * kVoxel);
-    // Snapped to whole voxels, so that a model that lies on the grid stays on it.
+    // The shift is a whole number of voxels, so that a model that is aligned to the grid stays aligned.
     const glm::dvec3 snapped = glm::floor((center - size * 0.5) / kVoxel + 0.5) * kVoxel;
     const glm::dvec3 shift = glm::dvec3(snapped.x, 0.0, snapped.z) - bounds.low;
 
@@ -86,7 +86,7 @@ Level makeStreetStage(const Level& model, uint64_t seed, glm::dvec3& modelLow, g
     level.name = model.name;
     level.environment = lateAfternoon();
     level.materials = model.materials;
-    level.lightGroups = model.lightGroups;  // first, so that the model's palettes go on naming theirs
+    level.lightGroups = model.lightGroups;  // first: palettes of the model refer to them by index
     const int extent = int(std::max(center.x + size.x, center.z + size.z) / kVoxel);
     const int side = std::clamp((extent + 15) / 16 * 16, 640, 2048);
     GroundPlan ground = crossingStreets({side, 0, side});

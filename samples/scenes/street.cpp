@@ -12,7 +12,7 @@ namespace {
 using Surface = GroundPlan::Surface;
 constexpr int kTile = 160;
 constexpr int kRockTop = 8;
-constexpr int kGroundHeight = kGroundDepth + 4;  // room for tufts
+constexpr int kGroundHeight = kGroundDepth + 4;  // space for tufts of grass
 
 struct GroundSwatches {
     explicit GroundSwatches(Canvas& c)
@@ -50,7 +50,7 @@ Surface surfaceAt(const GroundPlan& plan, int x, int z) {
     return surface;
 }
 
-/// Smooth value noise in [0, 255] on a lattice of `step` cells.
+/// Value noise in [0, 255] on a grid of `step` cells, interpolated bilinearly.
 int softNoise(int x, int z, int step, uint32_t seed) {
     const int cx = x / step, cz = z / step, fx = x % step, fz = z % step;
     const auto corner = [&](int dx, int dz) { return int(hashCell(cx + dx, 0, cz + dz, seed) >> 24); };
@@ -63,7 +63,7 @@ bool onLine(const std::vector<CellBox>& boxes, int x, int z) {
     return std::any_of(boxes.begin(), boxes.end(), [&](const CellBox& box) { return inside(box, x, z); });
 }
 
-/// Cracks run where a wavy noise crosses its middle, in some stretches only.
+/// Cracks follow the level set of a noise at its middle value; a second noise limits them to some areas.
 bool cracked(int x, int z) {
     const int wave = softNoise(x, z, 37, 301) * 2 + softNoise(x, z, 11, 302) / 2;
     return std::abs(wave - 300) < 5 && softNoise(x, z, 60, 303) > 120;
@@ -104,8 +104,8 @@ uint8_t lawnCell(const GroundSwatches& s, ivec3 c) {
 }
 
 struct Column {
-    int top;        ///< cells of ground
-    uint8_t entry;  ///< of the topmost
+    int top;        ///< height of the ground in cells
+    uint8_t entry;  ///< palette entry of the topmost cell
 };
 
 bool besideRoad(const GroundPlan& plan, int x, int z) {
@@ -145,7 +145,7 @@ void drawColumn(Canvas& canvas, const GroundPlan& plan, const GroundSwatches& s,
         if (inside(box, gx, gz)) canvas.clear({x, kGroundDepth + box.low.y, z}, {x + 1, kGroundHeight, z + 1});
 }
 
-/// Tufts stand in drifts, along edges of lawns most.
+/// Tufts of grass and flowers, in patches.
 void drawTufts(Canvas& canvas, const GroundPlan& plan, const GroundSwatches& s, ivec3 corner, ivec3 size) {
     for (int z = 0; z < size.z; ++z)
         for (int x = 0; x < size.x; ++x) {
@@ -164,7 +164,7 @@ LevelShape groundTile(const GroundPlan& plan, ivec3 corner) {
     const ivec3 size(std::min(kTile, plan.size.x - corner.x), kGroundHeight, std::min(kTile, plan.size.z - corner.z));
     Canvas canvas(size);
     const GroundSwatches swatches(canvas);
-    // The rock is one entry, so that its bricks are stored as one byte each.
+    // Rock has one entry, so that each of its bricks is uniform and stored as one byte.
     canvas.fill(ivec3(0), {size.x, kRockTop, size.z}, [&](ivec3) { return swatches.rock.first; });
     for (int z = 0; z < size.z; ++z)
         for (int x = 0; x < size.x; ++x) drawColumn(canvas, plan, swatches, corner, x, z);

@@ -6,10 +6,9 @@
 namespace rubble::scenes {
 
 inline constexpr int kGroundDepth = 16;  ///< cells from the bottom of the ground to the level of lawns and pavements
-inline constexpr int kRoadDrop = 2;      ///< cells that a road lies lower
+inline constexpr int kRoadDrop = 2;      ///< cells that roads lie below lawns and pavements
 
-/// What the ground is made of at a place. Boxes in town cells on the ground, y unused; later ones lie over earlier
-/// ones.
+/// The surfaces of the ground. Boxes are in cells of the level, with y unused; later areas lie over earlier ones.
 struct GroundPlan {
     enum class Surface { Lawn, Paving, Road, Concrete, Earth };
     struct Area {
@@ -22,10 +21,10 @@ struct GroundPlan {
     std::vector<CellBox> lanesAlongZ;
     std::vector<CellBox> solidLines;   ///< stop lines and zebra bars
     std::vector<ivec3> manholes;       ///< centres
-    std::vector<CellBox> foundations;  ///< where buildings stand: the ground leaves them room, y: from this depth up
+    std::vector<CellBox> foundations;  ///< holes for buildings, from the depth low.y upward
 };
 
-/// One static body, "ground", in tiles: unbreakable rock, dirt, and what lies on it. Its lawn is at y = 0.
+/// Adds the static body "ground", in tiles of shapes: unbreakable rock, dirt, and a surface. Lawns lie at y = 0.
 void addGround(Level& level, const GroundPlan& plan);
 
 }  // namespace rubble::scenes

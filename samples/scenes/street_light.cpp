@@ -5,14 +5,14 @@
 namespace rubble::scenes {
 
 ivec3 addStreetLight(Level& level, const std::string& name, ivec3 cell, bool alongX) {
-    constexpr int kBase = 4;  // cells in the ground
+    constexpr int kBase = 4;  // depth in the ground
     constexpr int kTop = kBase + 50;
     constexpr int kArmLength = 17;
     const uint32_t group = addLightGroup(level, name);
     Canvas c(alongX ? ivec3(kArmLength + 3, kTop + 5, 5) : ivec3(5, kTop + 5, kArmLength + 3));
     const Swatch iron = c.addSurface(kDarkSteel), foot = c.addSurface(kConcrete),
                  glow = c.addSurface(kStreetLightGlow, 100, group), rust = c.addSurface(kRust);
-    // Drawn along +z from the post; along -x the same is laid out mirrored.
+    // Drawn along +z from the post; the variant along -x is the same, turned.
     const auto place = [&](ivec3 low, ivec3 high, Swatch swatch) {
         if (alongX) {
             const int sx = kArmLength + 3;
@@ -35,7 +35,7 @@ ivec3 addStreetLight(Level& level, const std::string& name, ivec3 cell, bool alo
     const ivec3 size = c.size();
     const ivec3 corner = cell - (alongX ? ivec3(size.x - 3, kBase, 2) : ivec3(2, kBase, 2));
     LevelShape shape = c.finish(name);
-    shape.loadBearing = false;  // hollow posts of one voxel: thinner than a stress analysis can tell
+    shape.loadBearing = false;  // the post is one voxel thick, too thin for the stress analysis
     addStatic(level, std::move(shape), corner);
     addLight(level, name, group, LightKind::Cone, head, kWarmLight * 240.0f, 15.0f, 0.18f);
     return corner + ivec3(head);

@@ -1,7 +1,7 @@
 #pragma once
 #include "samples/scenes/palette_builder.h"
 
-/// Every colour of the scenes stands here and only here.
+/// All surfaces of the scenes. Colours are written nowhere else.
 namespace rubble::scenes {
 
 // Masonry and plaster
@@ -11,7 +11,7 @@ inline constexpr SurfaceStyle kBrickYellow{"brick", {0xa98c5f, 0xb39668, 0x9b7f5
 inline constexpr SurfaceStyle kBrickGrey{"brick", {0x7d7873, 0x8a847d, 0x726d69}, 225};
 inline constexpr SurfaceStyle kPlaster{"plaster", {0xd9cfbd, 0xd4c9b6, 0xdcd3c3}, 240, 0, 10, 255, 3};
 inline constexpr SurfaceStyle kRender{"brick", {0xd9cfbd, 0xd4c9b6, 0xdcd3c3}, 240, 0, 10, 255,
-                                      3};  // comes off with the bricks
+                                      3};  // breaks together with the bricks
 inline constexpr SurfaceStyle kPlasterBlue{"plaster", {0x93a5ac, 0x8c9fa7}, 240, 0, 10, 255, 4};
 inline constexpr SurfaceStyle kPlasterOchre{"plaster", {0xc9a670, 0xc29e68}, 240, 0, 10, 255, 4};
 inline constexpr SurfaceStyle kPlasterRose{"plaster", {0xbd8f7e, 0xb68877}, 240, 0, 10, 255, 4};
@@ -44,7 +44,7 @@ inline constexpr SurfaceStyle kAsphalt{"concrete", {0x4a4c4f, 0x525457, 0x46484b
 inline constexpr SurfaceStyle kAsphaltPatch{"concrete", {0x3e4043, 0x393b3e}, 215};
 inline constexpr SurfaceStyle kAsphaltCrack{"concrete", {0x2c2d2f, 0x313234}, 245, 0, 10, 255, 2};
 inline constexpr SurfaceStyle kLaneWhite{"concrete", {0xc4c1b6, 0xb3b0a6, 0xcfccc2}, 210, 0, 10, 255, 5};
-inline constexpr SurfaceStyle kLaneYellow{"concrete", {0xc9a23c, 0xb89538}, 210};
+
 inline constexpr SurfaceStyle kKerb{"concrete", {0x9a978f, 0xa5a29a, 0x8e8b84}, 230};
 inline constexpr SurfaceStyle kPaving{"concrete", {0x8d897f, 0x979389, 0x848076, 0x918a7c}, 232, 0, 10, 255, 5};
 inline constexpr SurfaceStyle kPavingJoint{"concrete", {0x66635b, 0x5d5b53}, 245};
@@ -69,7 +69,8 @@ inline constexpr SurfaceStyle kTankPaint{"metal", {0x8fa3a6, 0x98abad, 0x869a9e}
 inline constexpr SurfaceStyle kRust{"metal", {0x8a5a3a, 0x7a4a30, 0x96643f}, 230, 60};
 inline constexpr SurfaceStyle kDarkSteel{"metal", {0x3d4246, 0x454a4f}, 140, 160, 40};
 inline constexpr SurfaceStyle kCastSteel{"heavy metal", {0x4a4d50, 0x54585b, 0x434649}, 110, 160, 40, 255, 4};
-inline constexpr SurfaceStyle kRam{"hard metal", {0x2c2e31, 0x33363a}, 150, 120, 40, 255, 3};  // what it hits breaks
+inline constexpr SurfaceStyle kRam{
+    "hard metal", {0x2c2e31, 0x33363a}, 150, 120, 40, 255, 3};  // harder than what it hits
 inline constexpr SurfaceStyle kBallRed{"heavy metal", {0xa8382c, 0xb23f32}, 120, 40, 40, 255, 2};
 inline constexpr SurfaceStyle kBallCream{"heavy metal", {0xd3cbb8, 0xcbc3b0}, 120, 40, 40, 255, 2};
 inline constexpr SurfaceStyle kCopperPipe{"metal", {0xa86a45, 0x9c6040}, 110, 220, 60};
@@ -100,7 +101,7 @@ inline constexpr SurfaceStyle kCarBlue{"metal", {0x2f5d8a, 0x2b5783}, 50, 40, 40
 inline constexpr SurfaceStyle kCarCream{"metal", {0xd9d4c8, 0xd3cec2}, 55, 20, 40, 255, 2};
 inline constexpr SurfaceStyle kCarYellow{"metal", {0xc9a227, 0xc29b24}, 50, 20, 40, 255, 2};
 
-// What glows: emission is a multiple of the linear colour, which is kept low so that it looks dark when it is out
+// Glowing surfaces. Emission multiplies the linear colour; the colour is dark, so that the surface looks dark when off.
 inline constexpr SurfaceStyle kStreetLightGlow{"glass", {0x9a8468}, 120, 0, 10, 255, 0, 44.0f};
 inline constexpr SurfaceStyle kBulbGlow{"glass", {0xffd9a8}, 120, 0, 10, 255, 0, 7.0f};
 inline constexpr SurfaceStyle kShopGlow{"glass", {0xfff0dc}, 120, 0, 10, 255, 0, 5.0f};

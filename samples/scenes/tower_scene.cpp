@@ -1,5 +1,5 @@
-// A tower of nine storeys, felled at its foot: charges take the columns on one side, and it leans over and falls along
-// the street.
+// A tower of nine storeys is felled: charges destroy the columns on one side of its foot, and it tips over along the
+// street.
 #include "runtime/core/random.h"
 #include "samples/scenes/building.h"
 #include "samples/scenes/car.h"
@@ -42,14 +42,14 @@ struct TowerSwatches {
 void drawColumns(Canvas& c, int y, const TowerSwatches& s) {
     for (int x : kColumns)
         for (int z : kColumns) {
-            if (x == kColumns[1] && z == kColumns[1]) continue;  // the core stands there
+            if (x == kColumns[1] && z == kColumns[1]) continue;  // the lift shaft stands there
             c.box({x, y, z}, {x + kColumn, y + kHeight, z + kColumn}, s.concrete);
             for (int dx : {1, 3})
                 for (int dz : {1, 3}) c.box({x + dx, y, z + dz}, {x + dx + 1, y + kHeight, z + dz + 1}, s.rebar);
         }
 }
 
-/// Between the columns: a brick sill, a band of windows with mullions, a lintel. The ground floor is shops.
+/// Between the columns: a brick sill, a band of windows with mullions, and a lintel. The ground floor has shop windows.
 void drawFacade(Canvas& c, const WallFrame& wall, int y, bool ground, const TowerSwatches& s) {
     const int sill = ground ? 2 : 8, head = ground ? 21 : 19;
     for (int u = kColumn; u < kSide - kColumn; ++u) {
@@ -71,7 +71,7 @@ void drawFacade(Canvas& c, const WallFrame& wall, int y, bool ground, const Towe
     }
 }
 
-/// Desks and shelves, part of the shape: they go where the tower goes.
+/// Desks and shelves. They are part of the tower's shape and move with it.
 void drawOffice(Canvas& c, int y, const TowerSwatches& s) {
     for (int i = 0; i < 8; ++i) {
         const uint32_t dice = hashCell(i, y, 7, 131);
@@ -82,7 +82,7 @@ void drawOffice(Canvas& c, int y, const TowerSwatches& s) {
     }
 }
 
-void drawCore(Canvas& c, int y, const TowerSwatches& s) {
+void drawLiftShaft(Canvas& c, int y, const TowerSwatches& s) {
     constexpr int kLow = 24, kHigh = 40;
     for (int k = 0; k < 2; ++k) {
         c.box({kLow, y, kLow + k}, {kHigh, y + kHeight, kLow + k + 1}, s.concrete);
@@ -123,7 +123,7 @@ void addTower(Level& level) {
             drawFacade(c, *wall, y, storey == 0, s);
         drawColumns(c, y, s);
         drawOffice(c, y, s);
-        drawCore(c, y, s);
+        drawLiftShaft(c, y, s);
         c.box({1, y + kHeight - 3, 1}, {kSide - 1, y + kHeight - 1, kSide - 1}, s.slab);
         c.box({2, y + kHeight - 1, 2}, {kSide - 2, y + kHeight, kSide - 2}, storey + 1 == kStoreys ? s.slab : s.carpet);
         for (int x : kColumns)
@@ -148,8 +148,8 @@ Level towerLevel(uint64_t seed) {
     addDynamic(level, makeCar("car cream", kCarCream), {236, 0, 150}, Turn::Quarter);
     addDynamic(level, makeVan("van", kCarBlue), {282, -kRoadDrop, 216});
     addStatic(level, makeConcreteWall("wall", 96, 14), {330, -kFenceFoot, 120});
-    addStreetLight(level, "lamp 1", {170, 0, 204}, false);
-    addStreetLight(level, "lamp 2", {360, 0, 204}, false);
+    addStreetLight(level, "street light 1", {170, 0, 204}, false);
+    addStreetLight(level, "street light 2", {360, 0, 204}, false);
     for (int i = 0; i < 4; ++i)
         addDynamic(level, makeCrate("crate " + std::to_string(i)), {318 + i % 2 * 10, i / 2 * 8, 150});
     addDynamic(level, makeBench("bench"), {158, 0, 190});
@@ -161,7 +161,7 @@ glm::dvec3 inTower(double x, double y, double z) {
     return (glm::dvec3(kTower) + glm::dvec3(x, y, z)) * kVoxel;
 }
 
-/// A box of the ground floor from x0 to x1 and y0 to y1, all through it.
+/// Carves a box from x0 to x1 and y0 to y1 through the whole depth of the ground floor, in cells of the tower.
 CarveEdit notch(double x0, double x1, double y0, double y1) {
     CarveEdit edit;
     edit.kind = BrushKind::Box;
@@ -172,14 +172,15 @@ CarveEdit notch(double x0, double x1, double y0, double y1) {
 
 Edits towerScript(int step, uint64_t) {
     ScriptClock clock(step);
-    // The columns on the side it shall fall to, then those in the middle, each with the notch that the charge leaves.
+    // First the columns on the side that it shall fall to, then those in the middle; a notch removes what remains of
+    // each.
     for (int i = 0; i < 3; ++i)
         if (clock.at(0.8 + 0.1 * i)) clock.add(ExplodeEdit{inTower(61.5, 9.0, kColumns[i] + 2.5), 1.7});
     if (clock.at(1.1)) clock.add(notch(46, 66, 4, 25));
     for (int i = 0; i < 3; ++i)
         if (clock.at(1.2 + 0.06 * i)) clock.add(ExplodeEdit{inTower(32.0, 8.0, kColumns[i] + 2.5), 1.6});
     if (clock.at(1.4)) clock.add(notch(12, 47, 5, 15));
-    // The hinge: a saw cut through what still holds.
+    // A thin cut through the remaining columns makes the hinge.
     if (clock.at(1.6)) clock.add(notch(-2, 13, 6, 7.4));
     return clock.take();
 }
@@ -195,7 +196,7 @@ Scene towerScene() {
     scene.verticalFov = 0.86f;
     scene.steps = 480;
     scene.settings.stress.on = true;
-    scene.settings.stress.contactTime = 0.0015;  // brittle: it shall break where it lands
+    scene.settings.stress.contactTime = 0.0015;  // s; short, so that the tower breaks where it lands
     return scene;
 }
 

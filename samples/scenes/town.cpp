@@ -27,7 +27,7 @@ GroundPlan townGround() {
                                                         kStreetLow - kPavement)});  // path to the porch
     ground.areas.push_back({Surface::Concrete, groundArea(300, house.z + 20, 330, kStreetLow - kPavement)});  // drive
     ground.areas.push_back({Surface::Paving, groundArea(330, shop.z, shop.x + ShopPlan::kWidth + 20,
-                                                        kStreetLow - kPavement)});  // before the shop
+                                                        kStreetLow - kPavement)});  // in front of the shop
     ground.areas.push_back({Surface::Earth, groundArea(kTower.x - 6, kTower.z - 6, kTower.x + 56, kTower.z + 56)});
     ground.areas.push_back(
         {Surface::Earth, groundArea(kHouse.x + 14, kHouse.z + 100, kHouse.x + 62, kHouse.z + 106)});  // flower bed
@@ -56,7 +56,7 @@ void addYardTrees(Level& level, uint64_t seed) {
 }
 
 void addProps(Level& level) {
-    addStreetLight(level, "lamp corner", kCornerStreetLight, false);
+    addStreetLight(level, "street light corner", kCornerStreetLight, false);
     addDynamic(level, makeCar("car red", kCarRed), kRedCar);
     addDynamic(level, makeCar("car blue", kCarBlue), {300, -2, 528}, Turn::Half);
     addDynamic(level, makeCar("car yellow", kCarYellow), {88, -2, 300}, Turn::Quarter);

@@ -1,8 +1,8 @@
 #pragma once
 #include <glm/vec3.hpp>
 
-/// Where the town's things stand, in cells, so that the demolition finds them. x to the right, z toward the camera, y =
-/// 0 on the lawns.
+/// Positions in the town, in cells; the demolition script aims at them. x points to the right, z toward the camera, and
+/// y = 0 is the height of the lawns.
 namespace rubble::scenes::plan {
 
 inline constexpr glm::ivec3 kHouse{180, 0, 296};  ///< low corner of its walls, 112 x 96
@@ -15,7 +15,7 @@ inline constexpr glm::ivec3 kRedCar{196, -2, 474};
 
 inline constexpr int kStreetLow = 470, kStreetHigh = 552;  ///< z of the street along x
 inline constexpr int kSideLow = 28, kSideHigh = 110;       ///< x of the street along z
-inline constexpr int kSideEnd = 150;                       ///< z at which that one ends
+inline constexpr int kSideEnd = 150;                       ///< z of that street's end
 inline constexpr int kPavement = 24;
 
 }  // namespace rubble::scenes::plan

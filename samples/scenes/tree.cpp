@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "runtime/isInside/random.h"
+#include "runtime/core/random.h"
 #include "samples/scenes/surface_styles.h"
 
 namespace rubble::scenes {
 namespace {
 
-/// A clump of leaves: an ellipsoid with a ragged rim and gaps, so that light comes through.
+/// A clump of leaves: an ellipsoid with a ragged rim and gaps, through which light falls.
 void drawClump(Canvas& c, ivec3 center, ivec3 radius, Swatch leaf, Swatch shade) {
     c.fill(glm::max(center - radius, ivec3(0)), glm::min(center + radius + 1, c.size()), [&](ivec3 cell) {
         if (c.at(cell)) return c.at(cell);
@@ -40,7 +40,7 @@ LevelShape makeTree(std::string name, int height, const SurfaceStyle& leaves, ui
     std::vector<Clump> clumps;
     const int branches = 6 + int(random.below(3));
     for (int i = 0; i < branches; ++i) {
-        // Branches leave in eight directions in turn, jittered.
+        // Branches grow in eight directions in turn, with jitter.
         static constexpr ivec3 kBranchDirections[8] = {{4, 0, 0},  {-3, 0, 3}, {0, 0, -4}, {3, 0, 3},
                                                        {-4, 0, 0}, {3, 0, -3}, {0, 0, 4},  {-3, 0, -3}};
         const int start = fork - int(random.below(uint32_t(height / 7 + 1)));

@@ -1,4 +1,4 @@
-// A brick wall is sprayed with a picture and then shattered: hammer, ball, charge. The paint goes with the pieces.
+// A mural is sprayed on a brick wall; then a hammer, a ball and charges break the wall. The pieces keep the paint.
 #include <glm/geometric.hpp>
 
 #include "runtime/core/random.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kFoot = 3, kLength = 150, kTall = 46, kThick = 4;
 constexpr ivec3 kWall{85, -kFoot, 150};
-constexpr double kFace = (kWall.z + kThick - 0.5) * kVoxel;  // z of the painted face's outer cells
+constexpr double kFace = (kWall.z + kThick - 0.5) * kVoxel;  // z of the outer cells of the painted face
 
 LevelShape makeMuralWall() {
     Canvas c({kLength, kFoot + kTall + 2, kThick + 2});
@@ -34,7 +34,7 @@ LevelShape makeMuralWall() {
                                                                                    : brick,
                                                                   id >> 8));
             }
-    // Worn plaster over most of the face: a ground for the picture.
+    // Worn plaster over most of the face, under the mural.
     c.fill({6, kFoot + 4, kThick}, {kLength - 6, kFoot + kTall - 1, kThick + 1}, [&](ivec3 cell) {
         const int edge = std::min({cell.x - 6, kLength - 7 - cell.x, cell.y - kFoot - 4, kFoot + kTall - 2 - cell.y});
         const int flaked = int(hashCell(cell.x / 5, cell.y / 4, 0, 151) % 100) - edge * 9;
@@ -47,7 +47,7 @@ LevelShape makeMuralWall() {
     return c.finish("mural wall");
 }
 
-/// A ball of heavy steel, thrown from far behind the camera: it comes down on the word.
+/// A ball of heavy steel, thrown from far behind the camera; it hits the word.
 void addBall(Level& level) {
     Canvas c(ivec3(13));
     const Swatch steel = c.addSurface(kCastSteel);
@@ -71,7 +71,7 @@ Level wallLevel(uint64_t seed) {
     addBall(level);
     addStatic(level, makePicketFence("fence left", 72, 14, false), {10, -kFenceFoot, 152});
     addStatic(level, makePicketFence("fence right", 72, 14, false), {238, -kFenceFoot, 152});
-    addStreetLight(level, "lamp", {62, 0, 198}, false);
+    addStreetLight(level, "street light", {62, 0, 198}, false);
     addDynamic(level, makeBench("bench"), {216, 0, 166});
     addDynamic(level, makeBin("bin"), {206, 0, 168});
     for (int i = 0; i < 5; ++i)
@@ -80,7 +80,7 @@ Level wallLevel(uint64_t seed) {
     return level;
 }
 
-/// A point of the wall's face, in cells from its lower left corner.
+/// A point of the wall's face in metres, given in cells from its lower left corner.
 glm::dvec3 onFace(double x, double y) {
     return {(kWall.x + x) * kVoxel, y * kVoxel, kFace};
 }
@@ -90,7 +90,7 @@ constexpr Color kNight{44, 36, 96}, kPurple{126, 44, 132}, kPink{232, 52, 112}, 
     kGold{252, 184, 52}, kSun{255, 232, 150}, kSea{16, 104, 122}, kFoam{30, 164, 160}, kWhite{248, 244, 232},
     kShade{34, 24, 66};
 
-/// A stroke of the can across the wall, a piece a step: full in the middle, its rim breaks up into blue noise.
+/// A stroke of the spray can across the wall, one piece per step; blue noise breaks up its rim.
 void sprayBand(ScriptClock& clock, double from, double to, double y, Color color, uint32_t seed) {
     constexpr int kPieces = 15;
     constexpr double kLeft = 7.0, kPiece = (kLength - 2 * kLeft) / kPieces;
@@ -102,7 +102,7 @@ void sprayBand(ScriptClock& clock, double from, double to, double y, Color color
     }
 }
 
-/// One dot of the can for each pixel of a letter.
+/// One dot of spray for each pixel of a letter.
 void sprayWord(ScriptClock& clock, double from, double to, glm::dvec2 low, Color color, uint32_t seed) {
     constexpr std::string_view kWord = "RUBBLE";
     constexpr double kPixel = 3.0;
@@ -115,7 +115,7 @@ void sprayWord(ScriptClock& clock, double from, double to, glm::dvec2 low, Color
                                         0.22, color, 255, 200, seed, 255});
 }
 
-/// An evening sky from the top down, a sun, the sea before it, and the word with its shade.
+/// An evening sky from the top down, a sun, the sea in front of it, and a word with its shadow.
 void sprayMural(ScriptClock& clock) {
     constexpr Color kSky[] = {kNight, kPurple, kPurple, kPink, kPink, kOrange, kGold};
     for (int row = 0; row < 7; ++row)
@@ -132,7 +132,7 @@ void sprayMural(ScriptClock& clock) {
 Edits wallScript(int step, uint64_t seed) {
     ScriptClock clock(step);
     sprayMural(clock);
-    // The ball does its own damage, at about 2.9 s. Then four blows of a hammer and two charges behind the wall.
+    // The ball hits at about 2.9 s. Then follow four blows of a hammer and two charges behind the wall.
     for (int i = 0; i < 4; ++i)
         if (clock.at(3.5 + 0.16 * i))
             clock.add(

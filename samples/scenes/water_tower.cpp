@@ -7,7 +7,7 @@ namespace rubble::scenes {
 namespace {
 
 using Plan = WaterTowerPlan;
-constexpr int kPad = 3;  // cells of the footings in the ground
+constexpr int kPad = 3;  // depth of the footings in cells
 constexpr int kFoot = kPad + 1;
 constexpr int kTankLow = kFoot + Plan::kLegHeight;
 constexpr int kTankHigh = kTankLow + Plan::kTankHeight;
@@ -18,7 +18,7 @@ void drawLegs(Canvas& c, Swatch steel, Swatch rust, Swatch pad) {
         c.box({leg.x, kFoot, leg.z}, {leg.x + 3, kTankLow, leg.z + 3}, steel);
         c.stain({leg.x, kFoot, leg.z}, {leg.x + 3, kFoot + 12, leg.z + 3}, rust, 55);
     }
-    // Girts at thirds and crossed rods between them on every side.
+    // Horizontal girts at thirds of the height, with crossed rods between them on each side.
     constexpr int kLow = 5, kHigh = 42;
     for (int level = 1; level <= 3; ++level) {
         const int y = kFoot + level * Plan::kLegHeight / 3 - 2, below = kFoot + (level - 1) * Plan::kLegHeight / 3 + 4;
@@ -43,7 +43,7 @@ void drawTank(Canvas& c, Swatch paint, Swatch stripe, Swatch seam, Swatch rust, 
     for (int y : {kTankLow + 9, kTankLow + 19, kTankHigh - 3}) c.ring(1, y, y + 1, middle, 42, 47, seam);
     for (int i = 0; i <= 23; ++i)
         c.ring(1, kTankHigh + i / 2, kTankHigh + i / 2 + 2, middle, i < 21 ? 44 - 2 * i : -1, 48 - 2 * i, roof);
-    // Rust runs down from the seams.
+    // Streaks of rust below the seams.
     c.fill({0, kTankLow, 0}, {Plan::kSide, kTankHigh, Plan::kSide}, [&](ivec3 cell) {
         const uint8_t entry = c.at(cell);
         if (!entry) return entry;
@@ -53,7 +53,7 @@ void drawTank(Canvas& c, Swatch paint, Swatch stripe, Swatch seam, Swatch rust, 
     });
 }
 
-/// Ladder and riser end in the ground's footing like the legs do.
+/// A ladder, and a riser that stands on its own footing.
 void drawPipeAndLadder(Canvas& c, Swatch steel, Swatch iron, Swatch pad) {
     c.box({20, 0, 20}, {28, kFoot, 28}, pad);
     c.box({22, kFoot, 22}, {26, kTankLow, 26}, steel);

@@ -1,6 +1,6 @@
 #include "samples/stress/mechanical_energy.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace rubble {
 
@@ -38,7 +38,6 @@ void MechanicalEnergy::update(const World& world, const FrameChanges& changes) {
     }
     ++m_comparedSteps;
     (change > 0.0 ? m_gained : m_lost) += std::abs(change);
-    m_maxGained = std::max(m_maxGained, change);
 }
 
 }  // namespace rubble

@@ -6,17 +6,16 @@
 
 namespace rubble {
 
-/// Kinetic energy and weight of all dynamic bodies, followed from step to step. Contacts and friction can only take of
-/// it: steps in which nothing was cut, shoved or put anywhere are comparedSteps with the step before.
+/// Kinetic and potential energy of all dynamic bodies, summed over steps. Contacts and friction can only lose energy,
+/// so each step without edits to bodies is compared with the step before it.
 class MechanicalEnergy {
 public:
-    /// After a step; changes: its journal. A new level begins anew.
+    /// Call after each step, with the step's journal. Edits to bodies or a new level start a new comparison.
     void update(const World& world, const FrameChanges& changes);
 
-    double lost() const { return m_lost; }            ///< joules, in all steps that lost some
-    double gained() const { return m_gained; }        ///< and in those that ended with more than they began with
-    double maxGained() const { return m_maxGained; }  ///< joules, in one step
-    int comparedSteps() const { return m_comparedSteps; }
+    double lost() const { return m_lost; }                 ///< joules, summed over the steps that lost energy
+    double gained() const { return m_gained; }             ///< joules, summed over the steps that gained energy
+    int comparedSteps() const { return m_comparedSteps; }  ///< steps that could be compared
 
 private:
     struct BodyEnergy {
@@ -25,12 +24,12 @@ private:
         double energy = 0.0;
         bool awake = false;
     };
-    /// Energy of all that is dynamic, after everything was cut or moved anyhow.
+    /// Takes the energies of all dynamic bodies as the new baseline.
     void reset(const World& world);
     static double energyOf(const World& world, const Body& body, const MassProperties& mass);
 
     std::vector<BodyEnergy> m_bodies;  ///< dynamic bodies, in slot order
-    double m_lost = 0.0, m_gained = 0.0, m_maxGained = 0.0;
+    double m_lost = 0.0, m_gained = 0.0;
     int m_comparedSteps = 0;
     bool m_hasBaseline = false;
 };

@@ -10,13 +10,13 @@
 namespace rubble {
 namespace {
 
-constexpr int kHoppers = 6, kHopperSide = 3;  ///< pieces: side^3 each
+constexpr int kHoppers = 6, kHopperSide = 3;  ///< a hopper has side^3 pieces
 
 std::string hopperName(int hopper) {
     return fmt::format("hopper {}", hopper);
 }
 
-/// Where edits land: a random cell of the grid of a random shape.
+/// A random cell of a shape's grid, in metres in the world.
 glm::dvec3 randomPosition(const World& world, ShapeHandle handle, Random& random) {
     const Shape& shape = world.shapes().at(handle);
     const glm::ivec3 size = shape.grid.size();
@@ -50,7 +50,7 @@ CarveEdit randomCarve(glm::dvec3 place, double radius, Random& random) {
     return carve;
 }
 
-/// Everything in a hopper that is still up there is nudged, and falls.
+/// Wakes the pieces of a hopper that still sleep in the air: a tiny impulse each, and they fall.
 Edits pour(const World& world, int hopper) {
     Edits edits;
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {

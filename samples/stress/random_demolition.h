@@ -5,13 +5,12 @@
 
 namespace rubble {
 
-/// The town with hoppers in the sky: lots of small pieces, asleep until they are poured.
+/// The town with hoppers in the sky: groups of small pieces that sleep until they are poured.
 Level makeStressLevel(uint64_t seed);
-/// Budgets under which demolition can go on for ever, and everything that can break on.
+/// Stress analysis on, and debris budgets that keep an endless demolition bounded.
 WorldSettings stressSettings();
 
-/// What one player too many does to a world: carves, blasts, strikes, shoves, sprays, burns, wets and pours, where
-/// something is.
+/// Random edits at a random shape: carves, explosions, impacts, impulses, paint, heat, water, or a hopper that pours.
 Edits randomEdits(const World& world, Random& random);
 
 }  // namespace rubble

@@ -21,11 +21,11 @@ namespace rubble {
 namespace {
 
 constexpr int kHashInterval = 60;
-/// Joules that may come from nothing in one round, as a share of what contacts and friction take: what a cut left
-/// overlapping is pushed apart. More is something that blew up. For all rounds together see main.cpp.
+/// Joules gained in one round, as a share of the joules lost. Depenetration of pieces that a cut leaves overlapping
+/// gains a little; more than this share is an instability. main.cpp has the limit for all rounds together.
 constexpr double kMaxGainSharePerRound = 2e-2;
 
-/// As a host might supply it at its simplest.
+/// The simplest ParallelFor that a host might supply; none for one thread.
 ParallelFor threadsFor(int count) {
     if (count < 2) return {};
     return [count](size_t items, const std::function<void(size_t)>& body) {
@@ -37,27 +37,28 @@ ParallelFor threadsFor(int count) {
     };
 }
 
-/// Of this thread: what else the machine does is left out.
+/// Processor time of this thread: other load on the machine is not counted.
 double processorMs() {
     timespec t{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
     return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
 }
 
-/// "" if all is well, else what is error.
+/// The first invariant that does not hold; "" if all do.
 std::string brokenInvariant(const World& world) {
     std::string error;
-    if (!world.voxelAccounting().balances()) error = "the ledger does not balance";
+    if (!world.voxelAccounting().balances()) error = "the voxel accounting does not balance";
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
         const double sum = body.pose.position.x + body.pose.position.y + body.pose.position.z +
                            glm::length(body.velocity) + glm::length(body.angularVelocity) + body.pose.rotation.w;
-        if (!std::isfinite(sum)) error = fmt::format("body {:x} is not finite", handle.bits);
+        if (!std::isfinite(sum))
+            error = fmt::format("body {:x} has a position or velocity that is not finite", handle.bits);
         if (body.shapes.empty()) error = fmt::format("body {:x} has no shape", handle.bits);
     });
     return error;
 }
 
-/// The recording again, from its save and its edits: every step must come to the hash that it had.
+/// Replays a recording from its save and edits; "" if every step gives the recorded hash.
 std::string replayError(const std::string& path) {
     FrameLoop loop(stressLoop(1));
     Result<Recording> recording = readRecording(path, loop.world().id());
@@ -66,12 +67,12 @@ std::string replayError(const std::string& path) {
     for (const RecordedStep& step : recording->steps) {
         loop.replay(step);
         if (loop.world().hash() != step.hash)
-            return fmt::format("step {}: saved, loaded and replayError it comes to another hash", step.step);
+            return fmt::format("step {}: replayed from its recording, it gives another hash", step.step);
     }
     return {};
 }
 
-/// A recording in a file that goes with it.
+/// Records some steps in the middle of a round into a temporary file, and replays the file.
 class RecordingCheck {
 public:
     explicit RecordingCheck(const Round& round)
@@ -82,7 +83,7 @@ public:
           m_to(m_from + round.recordedSteps) {}
     ~RecordingCheck() { std::remove(m_path.c_str()); }
 
-    /// Before a step. What is error with what was recorded, if anything.
+    /// Call before each step. After the last recorded step, returns what is wrong with the recording; else "".
     std::string update(FrameLoop& loop, int step) {
         if (m_from < 0) return {};
         if (step == m_from)
@@ -151,7 +152,8 @@ RoundResult playRound(const Round& round, FrameLoop& loop, const std::function<v
     summarizeTimes(std::move(ms), result);
     result.comparedSteps = energy.comparedSteps(), result.lost = energy.lost(), result.gained = energy.gained();
     if (result.error.empty() && result.gained > kMaxGainSharePerRound * result.lost)
-        result.error = fmt::format("energy from nothing: {:.0f} J, and {:.0f} J were lost", result.gained, result.lost);
+        result.error = fmt::format("expected no energy gain, found {:.0f} J gained while {:.0f} J were lost",
+                                   result.gained, result.lost);
     return result;
 }
 
@@ -162,7 +164,7 @@ size_t heapBytes() {
 
 size_t heapBytesWhenEmptied(FrameLoop& loop) {
     loop.load(Level{});
-    for (int i = 0; i < 2; ++i) loop.step();  // the journal of the first says that all is gone
+    for (int i = 0; i < 2; ++i) loop.step();  // the first step's journal removes everything; the second is empty
     return heapBytes();
 }
 

@@ -5,23 +5,26 @@
 
 namespace rubble {
 
-/// A camera on a neck: where it stands and where it looks, in radians. Yaw 0 looks along -z, positive pitch looks up.
+/// A camera by position, yaw and pitch (radians). Yaw 0 looks along -z; positive pitch looks up.
 struct Camera {
     glm::dvec3 position{0.0, 1.7, 0.0};
     double yaw = 0.0, pitch = 0.0;
     float verticalFov = 1.0f;
 
+    /// Rotation from camera space (x right, y up, -z forward) to world space.
     glm::dquat rotation() const {
         return glm::angleAxis(yaw, glm::dvec3(0, 1, 0)) * glm::angleAxis(pitch, glm::dvec3(1, 0, 0));
     }
+    /// Direction of view, of length 1.
     glm::dvec3 forward() const { return rotation() * glm::dvec3(0, 0, -1); }
-    glm::dvec3 right() const { return rotation() * glm::dvec3(1, 0, 0); }
 
+    /// Turns to a point that is not the camera's own position.
     void lookAt(glm::dvec3 target) {
         const glm::dvec3 d = glm::normalize(target - position);
         yaw = std::atan2(-d.x, -d.z);
         pitch = std::asin(d.y);
     }
+    /// The renderer's view from here into a framebuffer of `size` pixels; 0 is the window's.
     View view(glm::ivec2 size, unsigned framebuffer) const {
         View view;
         view.position = position;

@@ -3,13 +3,13 @@
 
 namespace rubble {
 
-/// EGL without a surface: on the first device that gives a core context, or on Mesa's surfaceless platform.
+/// A context by EGL without a surface: on the first device that provides one, else on Mesa's surfaceless platform.
 class EglContext final : public GlContext {
 public:
+    /// An error if no device provides a core context of a wanted version.
     static Result<std::unique_ptr<GlContext>> create();
     ~EglContext() override;
     GlLoader loader() const override;
-    const char* name() const override { return "EGL"; }
 
 private:
     bool open(void* display);

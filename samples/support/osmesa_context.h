@@ -7,17 +7,17 @@ struct osmesa_context;
 
 namespace rubble {
 
-/// Mesa's off-screen software renderer.
+/// A context of Mesa's off-screen software renderer.
 class OsMesaContext final : public GlContext {
 public:
+    /// An error if libosmesa provides no core context of a wanted version.
     static Result<std::unique_ptr<GlContext>> create();
     ~OsMesaContext() override;
     GlLoader loader() const override;
-    const char* name() const override { return "OSMesa"; }
 
 private:
     osmesa_context* m_context = nullptr;
-    std::vector<unsigned char> m_pixels;  ///< OSMesa wants a default framebuffer in our memory, used or not
+    std::vector<unsigned char> m_pixels;  ///< the default framebuffer that OSMesa requires; never drawn into
 };
 
 }  // namespace rubble

@@ -7,10 +7,12 @@
 
 namespace rubble {
 
-/// A progress bar on stderr, redrawn in place on a terminal and in tenths elsewhere.
+/// A progress bar on stderr. On a terminal it is redrawn in place; elsewhere it prints a line for each tenth.
 class Progress {
 public:
+    /// A bar with the label `what` that is full at `total`.
     Progress(std::string what, int total) : m_what(std::move(what)), m_total(total), m_terminal(isatty(2)) {}
+    /// Shows that `done` of the total are done, with the time so far and an estimate of the rest.
     void advance(int done) {
         const double share = m_total > 0 ? double(done) / m_total : 1.0;
         const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();

@@ -10,28 +10,35 @@ struct GLFWwindow;
 
 namespace rubble {
 
-/// A window with a GL core context, current on the thread that made it. Keys by GLFW's names.
+/// A window with a GL core context, current on the thread that created it. Keys are GLFW's key codes.
 class Window {
 public:
+    /// Opens a window of `size` pixels, the cursor captured. An error without a display or without OpenGL 3.3.
     static Result<std::unique_ptr<Window>> create(glm::ivec2 size, const std::string& title);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
     using Loader = void* (*)(const char* name);
+    /// Finds GL functions by name, for Renderer::create().
     Loader loader() const;
     /// Handles events; false once the user has closed the window.
     bool poll();
+    /// Whether a key was down at the last poll().
     bool held(int key) const;
-    /// True in the first poll() that saw the key down.
+    /// Whether a key went down between the last two calls of poll().
     bool pressed(int key) const;
+    /// Whether the left mouse button is down.
     bool mouseHeld() const;
     /// Pixels that the captured mouse moved since the last call.
     glm::dvec2 takeMouseMotion();
+    /// Size of the framebuffer in pixels.
     glm::ivec2 size() const;
+    /// Sets the text of the title bar.
     void setTitle(const std::string& title);
+    /// Shows what was drawn, in step with the display.
     void present();
-    /// What was drawn since the last present().
+    /// The image that was drawn since the last present().
     Image readPixels() const;
 
 private:
