@@ -16,7 +16,7 @@ void storeRow(BrickIndices& indices, size_t row, uint64_t value) {
     std::memcpy(indices.data() + 8 * row, &value, 8);
 }
 
-/// The paint of the solid voxels among it; null if there is none.
+/// The paint of the solid voxels; null if none of them is painted.
 std::unique_ptr<BrickIndices> paintOf(const BrickBits& solid, const BrickIndices& paint) {
     auto out = std::make_unique<BrickIndices>();
     uint64_t any = 0;
@@ -28,11 +28,10 @@ std::unique_ptr<BrickIndices> paintOf(const BrickBits& solid, const BrickIndices
     return any ? std::move(out) : nullptr;
 }
 
-/// The indices of the solid voxels, of which there are some, among them; null, and which one it is, if all have the
-/// same.
+/// The indices of the `solid` voxels (at least one), zero elsewhere. Null if all are the same: then it is `uniform`.
 std::unique_ptr<BrickIndices> maskIndices(const BrickIndices& indices, const BrickBits& solid, uint8_t& uniform) {
     auto out = std::make_unique_for_overwrite<BrickIndices>();
-    uint64_t first = 0, others = 0;  // the first one in eight bytes; where others differ from it
+    uint64_t first = 0, others = 0;  // the first index in all eight bytes; the bits in which others differ from it
     for (size_t row = 0; row < 64; ++row) {
         const uint64_t bits = solid[row / 8] >> 8 * (row % 8) & 0xff;
         const uint64_t cells = spreadBits(bits) * 0xff;
@@ -78,7 +77,7 @@ BrickRef makeBrick(const BrickIndices& indices, const BrickIndices* paint) {
     return brick;
 }
 
-BrickRef maskBrick(const Brick& brick, const std::array<uint64_t, 8>& keep) {
+BrickRef maskBrick(const Brick& brick, const BrickBits& keep) {
     BrickBits kept;
     for (size_t z = 0; z < 8; ++z) kept[z] = brick.occupancy[z] & keep[z];
     if (kept == BrickBits{}) return nullptr;

@@ -1,11 +1,13 @@
 #pragma once
+#include <bit>
+
 #include "runtime/core/byte_bits.h"
 #include "runtime/voxel/brick.h"
 
 namespace rubble {
 
-/// Calls f(entry, layer, bits) for the solid voxels among `voxels`, layer by layer (z), once for each palette entry in
-/// it.
+/// Calls f(entry, layer, bits) for the solid voxels among `voxels`: layer by layer (z), and once in a layer for each
+/// palette entry, with the bits of its voxels.
 template <class F>
 void forEachEntry(const Brick& brick, const BrickBits& voxels, F&& f) {
     for (size_t z = 0; z < 8; ++z) {

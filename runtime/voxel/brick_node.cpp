@@ -15,18 +15,18 @@ void BrickNode::set(int child, BrickRef value) {
     cachedParts.forget();
     cachedMoments.forget();
     const BrickMask bit = BrickMask(1) << child;
-    BrickRef& place = bricks[size_t(child)];
-    if (place) {
-        voxels -= uint32_t(place->count());
-        hash -= hashValue(child, hashBrick(*place));
+    BrickRef& brick = bricks[size_t(child)];
+    if (brick) {
+        voxels -= uint32_t(brick->count());
+        hash -= hashValue(child, hashBrick(*brick));
     }
     mask &= ~bit, full &= ~bit;
-    place = value && value->count() ? std::move(value) : nullptr;
-    if (!place) return;
+    brick = value && value->count() ? std::move(value) : nullptr;
+    if (!brick) return;
     mask |= bit;
-    if (place->full()) full |= bit;
-    voxels += uint32_t(place->count());
-    hash += hashValue(child, hashBrick(*place));
+    if (brick->full()) full |= bit;
+    voxels += uint32_t(brick->count());
+    hash += hashValue(child, hashBrick(*brick));
 }
 
 }  // namespace rubble

@@ -1,14 +1,19 @@
 #include "runtime/voxel/brick_parts.h"
 
+#include "runtime/core/byte_bits.h"
+
+// Connected components of one brick by flood fill on words of occupancy. A layer z of a brick is 64 bits, bit x + 8 y,
+// so a shift by 1 moves all its cells along x, a shift by 8 along y, and the next word is the next layer: one step of
+// the flood moves up to 64 cells at once. Masks of the first and last column stop cells that a shift by 1 would carry
+// into the next row. A component begins with the lowest voxel that is not labelled yet; it floods its layer, then the
+// layers up and down in sweeps until a sweep changes nothing.
+
 namespace rubble {
 namespace {
 
 constexpr size_t kMaxCachedParts = 16;  ///< 112 bytes each: noise would cost far more than its voxels
 
-constexpr uint64_t kFirstColumn = 0x0101010101010101ull;  ///< x = 0 in every row of a word
-constexpr uint64_t kLastColumn = kFirstColumn << 7;
-
-/// All cells of `open` that the seeds reach within one layer.
+/// All cells of `open` that are connected to the seeds within one layer.
 uint64_t fillLayer(uint64_t seeds, uint64_t open) {
     for (;;) {
         uint64_t grown = seeds;
@@ -21,8 +26,8 @@ uint64_t fillLayer(uint64_t seeds, uint64_t open) {
     }
 }
 
-/// All cells of `open` that the seeds reach: sweeps up and down until one finds nothing to grow, or nothing is left to
-/// grow into.
+/// All cells of `open` that are connected to the seeds. Stops when a sweep adds nothing, or when nothing is left to
+/// add.
 void fillBrick(BrickBits& seeds, const BrickBits& open) {
     const auto grow = [&](size_t z) {
         uint64_t from = seeds[z];
@@ -53,7 +58,7 @@ uint64_t lowestRun(uint64_t layer) {
 
 /// Column x = 0 of a layer as eight bits.
 uint64_t gatherColumn(uint64_t layer) {
-    return (layer & kFirstColumn) * 0x0102040810204080ull >> 56;
+    return gatherBits(layer & kFirstColumn);
 }
 
 void findFaces(BrickPart& part) {
@@ -71,10 +76,8 @@ void findFaces(BrickPart& part) {
 }  // namespace
 
 void findBrickParts(const BrickBits& occupancy, std::vector<BrickPart>& out) {
-    constexpr uint64_t kFull = ~uint64_t(0);
-    constexpr BrickBits kFullBrick = {kFull, kFull, kFull, kFull, kFull, kFull, kFull, kFull};
-    if (occupancy == kFullBrick) {
-        out.push_back({kFullBrick, {kFull, kFull, kFull, kFull, kFull, kFull}});
+    if (occupancy == kFullBrickBits) {
+        out.push_back({kFullBrickBits, {~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull}});
         return;
     }
     BrickBits left = occupancy;
@@ -88,13 +91,17 @@ void findBrickParts(const BrickBits& occupancy, std::vector<BrickPart>& out) {
         }
 }
 
-std::span<const BrickPart> brickParts(const Brick& brick, std::vector<BrickPart>& scratch) {
-    static const std::vector<BrickPart> kFullBrick = [] {
+std::span<const BrickPart> fullBrickParts() {
+    static const std::vector<BrickPart> kParts = [] {
         std::vector<BrickPart> out;
-        findBrickParts({~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull}, out);
+        findBrickParts(kFullBrickBits, out);
         return out;
     }();
-    if (brick.full()) return kFullBrick;
+    return kParts;
+}
+
+std::span<const BrickPart> brickParts(const Brick& brick, std::vector<BrickPart>& scratch) {
+    if (brick.full()) return fullBrickParts();
     if (const auto* known = brick.cachedParts.find()) return *known;
     scratch.clear();
     findBrickParts(brick.occupancy, scratch);

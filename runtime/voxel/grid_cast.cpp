@@ -6,19 +6,32 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+// Shape casts against voxels.
+//
+// Bricks are visited in the order in which the shape's bounding box first meets them, in intervals of the path that are
+// as long as a directory node, so a cast that hits early looks at few bricks. Against one voxel, a closed unit cube:
+//   * A box moves without turning, so the separating axis theorem gives the exact time of contact (S. Gottschalk, M.
+//   Lin
+//     and D. Manocha, "OBBTree", SIGGRAPH 1996). Along each of the 15 axes the two projections overlap during an
+//     interval of t; the contact begins at the latest beginning, and its axis is the normal.
+//   * The distance d(t) between a moving segment and a cube is a convex function of t, as both are convex. A sphere or
+//     capsule touches where d(t) = radius. Newton's method, started before that zero, approaches it from one side and
+//     never passes it: conservative advancement (B. Mirtich, PhD thesis, Berkeley 1996) with the exact gradient.
+
 namespace rubble {
 namespace {
 
 constexpr double kContactTolerance = 1e-9;  ///< cells
-constexpr double kMaxCoordinate = 1e7;      ///< cells from the grid: beyond, nothing is looked for
-constexpr int kMaxNewtonSteps = 64;         ///< of Newton's method; it needs three or four, except at a graze
+constexpr double kMaxCoordinate = 1e7;      ///< cells: shapes farther from the grid's origin hit nothing
+constexpr int kMaxNewtonSteps = 64;         ///< three or four are enough, except where the shape grazes the voxel
 
+/// An interval of t.
 struct Span {
     double enter, leave;
     bool empty() const { return !(enter <= leave); }
 };
 
-/// When a point that moves is in a box (slabs: Kay & Kajiya 1986).
+/// The part of `span` in which a moving point is inside a box (slab test: T. Kay and J. Kajiya 1986).
 Span spanInBox(glm::dvec3 point, glm::dvec3 direction, glm::dvec3 low, glm::dvec3 high, Span span) {
     for (int a = 0; a < 3; ++a) {
         if (direction[a] == 0.0) {
@@ -32,13 +45,13 @@ Span spanInBox(glm::dvec3 point, glm::dvec3 direction, glm::dvec3 low, glm::dvec
     return span;
 }
 
-/// Voxels that are not shut in by others of the brick on all six sides.
+/// Voxels of which at least one face is not covered by another voxel of the brick.
 BrickBits outerVoxels(const BrickBits& solid) {
-    constexpr uint64_t kNotFirst = 0xfefefefefefefefeull, kNotLast = 0x7f7f7f7f7f7f7f7full;
     BrickBits outer = solid;
     for (size_t z = 1; z < 7; ++z) {
         const uint64_t w = solid[z];
-        outer[z] &= ~((w << 1 & kNotFirst) & (w >> 1 & kNotLast) & w << 8 & w >> 8 & solid[z - 1] & solid[z + 1]);
+        outer[z] &=
+            ~((w << 1 & ~kFirstColumn) & (w >> 1 & ~kLastColumn) & w << 8 & w >> 8 & solid[z - 1] & solid[z + 1]);
     }
     return outer;
 }
@@ -48,12 +61,12 @@ BrickBits acceptedVoxels(const Brick& brick, EntryFilter accepted) {
     BrickBits bits{};
     if (!brick.indices) return (*accepted)[brick.uniform] ? brick.occupancy : bits;
     forEachVoxel(brick.occupancy, [&](int i) {
-        if ((*accepted)[(*brick.indices)[size_t(i)]]) bits[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
+        if ((*accepted)[(*brick.indices)[size_t(i)]]) setVoxel(bits, i);
     });
     return bits;
 }
 
-/// Drops the voxels of a brick that are outside a box of the grid's cells.
+/// Clears the voxels of a brick that are outside a box. The box is in cells of the grid.
 void clip(BrickBits& bits, glm::ivec3 brick, glm::dvec3 low, glm::dvec3 high) {
     const glm::dvec3 base(brick * kBrickSize);
     const glm::ivec3 from(glm::clamp(glm::floor(low - base), 0.0, 8.0)),
@@ -65,7 +78,7 @@ void clip(BrickBits& bits, glm::ivec3 brick, glm::dvec3 low, glm::dvec3 high) {
     for (int z = 0; z < 8; ++z) bits[size_t(z)] &= z >= from.z && z <= to.z ? layer : 0;
 }
 
-/// f(brick, content) for the bricks of a grid that may have cells in a box of cells.
+/// Calls f(brick, content) for the bricks of a grid that may have cells in a box. The box is in cells of the grid.
 template <class F>
 void forEachBrickIn(const VoxelGrid& grid, glm::dvec3 low, glm::dvec3 high, F&& f) {
     const glm::dvec3 size(grid.size());
@@ -74,25 +87,25 @@ void forEachBrickIn(const VoxelGrid& grid, glm::dvec3 low, glm::dvec3 high, F&& 
     const glm::ivec3 last = grid.sizeInBricks() - 1;
     const glm::ivec3 from(glm::clamp(glm::floor(low / 8.0 - 1e-9), glm::dvec3(0.0), glm::dvec3(last)));
     const glm::ivec3 to(glm::clamp(glm::floor(high / 8.0 + 1e-9), glm::dvec3(0.0), glm::dvec3(last)));
-    for (int nz = from.z >> 2; nz <= to.z >> 2; ++nz)
-        for (int ny = from.y >> 2; ny <= to.y >> 2; ++ny)
-            for (int nx = from.x >> 2; nx <= to.x >> 2; ++nx) {
-                const BrickNode* node = grid.nodeAt({nx, ny, nz});
+    const glm::ivec3 firstNode = nodeOfBrick(from), lastNode = nodeOfBrick(to);
+    for (int z = firstNode.z; z <= lastNode.z; ++z)
+        for (int y = firstNode.y; y <= lastNode.y; ++y)
+            for (int x = firstNode.x; x <= lastNode.x; ++x) {
+                const BrickNode* node = grid.nodeAt({x, y, z});
                 if (!node) continue;
-                for (uint64_t mask = node->mask; mask; mask &= mask - 1) {
-                    const int i = std::countr_zero(mask);
-                    const glm::ivec3 brick = glm::ivec3(nx, ny, nz) * 4 + childPosition(i);
+                forEachChild(node->mask, [&](int child) {
+                    const glm::ivec3 brick = glm::ivec3(x, y, z) * kNodeBricks + childPosition(child);
                     if (glm::all(glm::greaterThanEqual(brick, from)) && glm::all(glm::lessThanEqual(brick, to)))
-                        f(brick, *node->bricks[size_t(i)]);
-                }
+                        f(brick, *node->bricks[size_t(child)]);
+                });
             }
 }
 
-/// The directions along which two boxes can be apart: three of the cells, three of the box, and what is at right angles
-/// to one of each (Gottschalk, Lin & Manocha 1996). Exact for boxes that move without turning.
+/// The axes of the separating axis theorem for a box and a cube: three of the cube, three of the box, and the cross
+/// products of one of each.
 struct BoxAxes {
     std::array<glm::dvec3, 15> axes;
-    std::array<double, 15> shapeRadius;
+    std::array<double, 15> shapeRadius;  ///< half the length of the box's projection on the axis
     int count = 0;
 
     explicit BoxAxes(const CellShape& box) {
@@ -112,6 +125,7 @@ struct BoxAxes {
         for (const glm::dvec3& half : box.halfAxes) shapeRadius[size_t(count)] += std::abs(glm::dot(axis, half));
         ++count;
     }
+    /// Half the sum of the lengths of both projections: within that distance along the axis they overlap.
     double halfExtent(int i, double cubeHalf) const {
         const glm::dvec3& axis = axes[size_t(i)];
         return shapeRadius[size_t(i)] + cubeHalf * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));
@@ -121,16 +135,17 @@ struct BoxAxes {
             if (std::abs(glm::dot(axes[size_t(i)], fromCube)) > halfExtent(i, cubeHalf)) return false;
         return true;
     }
-    /// When the box, `fromCube` away, touches a cube; the axis they are apart on until then.
+    /// When the box, which begins at `fromCube` from the middle of a unit cube, touches it. `normal`: the axis of first
+    /// contact.
     Span touch(glm::dvec3 fromCube, glm::dvec3 direction, Span span, glm::dvec3& normal) const {
         for (int i = 0; i < count; ++i) {
-            const double from = glm::dot(axes[size_t(i)], fromCube), speed = glm::dot(axes[size_t(i)], direction),
-                         most = halfExtent(i, 0.5);
+            const double from = glm::dot(axes[size_t(i)], fromCube), speed = glm::dot(axes[size_t(i)], direction);
+            const double limit = halfExtent(i, 0.5);
             if (std::abs(speed) < 1e-15) {
-                if (std::abs(from) > most) return {1.0, 0.0};
+                if (std::abs(from) > limit) return {1.0, 0.0};
                 continue;
             }
-            const double first = (-most - from) / speed, second = (most - from) / speed;
+            const double first = (-limit - from) / speed, second = (limit - from) / speed;
             if (std::min(first, second) > span.enter) {
                 span.enter = std::min(first, second);
                 normal = speed < 0.0 ? axes[size_t(i)] : -axes[size_t(i)];
@@ -156,17 +171,17 @@ public:
         if (shape.isBox) m_axes.emplace(shape);
     }
 
-    /// A interval of the way after the other, each as long as a directory node: a brick's turn comes where the shape's
-    /// bounds first meet it.
+    /// Visits the path in intervals as long as a directory node. A brick belongs to the interval in which the shape's
+    /// bounding box first meets it.
     CellContact run() {
-        const Span way =
+        const Span path =
             spanInBox(m_middle, m_direction, -m_halfExtent, glm::dvec3(m_grid.size()) + m_halfExtent, {0.0, m_best.t});
-        if (way.empty()) return {};
+        if (path.empty()) return {};
         const double speed = glm::length(m_direction);
         const double interval = speed > 0.0 ? kNodeSize / speed : 1.0;
-        for (double from = way.enter;; from += interval) {
-            visitInterval({from, std::min(from + interval, way.leave)}, from == way.enter);
-            if (!(from + interval < std::min(way.leave, m_best.t))) break;
+        for (double from = path.enter;; from += interval) {
+            visitInterval({from, std::min(from + interval, path.leave)}, from == path.enter);
+            if (!(from + interval < std::min(path.leave, m_best.t))) break;
         }
         if (!m_best.hit) return {};
         if (m_best.normal == glm::dvec3(0.0))
@@ -226,13 +241,12 @@ private:
         castRound(cell, span.enter);
     }
 
-    /// The distance to a convex set is a convex function along the way, so Newton's method comes to its first zero from
-    /// before.
+    /// Newton's method for distance = radius, from t before the contact.
     void castRound(glm::ivec3 cell, double t) {
         const glm::dvec3 low(cell);
         for (int i = 0; i < kMaxNewtonSteps; ++i) {
-            const glm::dvec3 moved = m_direction * t;
-            const SegmentToBox near = closestToBox(m_shape.a + moved, m_shape.b + moved, low, low + 1.0);
+            const glm::dvec3 displacement = m_direction * t;
+            const SegmentToBox near = closestToBox(m_shape.a + displacement, m_shape.b + displacement, low, low + 1.0);
             const double gap = near.distance - m_shape.radius;
             const glm::dvec3 normal =
                 near.distance > 0.0 ? (near.onSegment - near.onBox) / near.distance : glm::dvec3(0.0);
@@ -274,13 +288,15 @@ glm::dvec3 CellShape::halfExtent() const {
     return glm::abs(halfAxes[0]) + glm::abs(halfAxes[1]) + glm::abs(halfAxes[2]);
 }
 
-/// The square of the distance is convex and piecewise quadratic along the segment, divided where it crosses the box's
-/// planes.
+/// The squared distance from a point of the segment to the box is convex and piecewise quadratic in the point's
+/// parameter; the pieces meet where the segment crosses a plane of a face. Its derivative is monotone, so the piece
+/// with the minimum is found by the sign of the derivative at the planes, and the minimum by interpolation, as the
+/// derivative is linear there.
 SegmentToBox closestToBox(glm::dvec3 a, glm::dvec3 b, glm::dvec3 low, glm::dvec3 high) {
-    const glm::dvec3 way = b - a;
+    const glm::dvec3 segment = b - a;
     const auto slope = [&](double s) {
-        const glm::dvec3 p = a + way * s;
-        return glm::dot(p - glm::clamp(p, low, high), way);
+        const glm::dvec3 p = a + segment * s;
+        return glm::dot(p - glm::clamp(p, low, high), segment);
     };
     double first = 0.0, last = 1.0, firstSlope = slope(0.0), lastSlope = slope(1.0), at = 0.0;
     if (firstSlope >= 0.0) {
@@ -290,8 +306,8 @@ SegmentToBox closestToBox(glm::dvec3 a, glm::dvec3 b, glm::dvec3 low, glm::dvec3
     } else {
         for (int i = 0; i < 6; ++i) {
             const int axis = i >> 1;
-            if (way[axis] == 0.0) continue;
-            const double s = ((i & 1 ? high[axis] : low[axis]) - a[axis]) / way[axis];
+            if (segment[axis] == 0.0) continue;
+            const double s = ((i & 1 ? high[axis] : low[axis]) - a[axis]) / segment[axis];
             if (!(s > first && s < last)) continue;
             const double here = slope(s);
             if (here < 0.0)
@@ -301,7 +317,7 @@ SegmentToBox closestToBox(glm::dvec3 a, glm::dvec3 b, glm::dvec3 low, glm::dvec3
         }
         at = first + (last - first) * (firstSlope / (firstSlope - lastSlope));
     }
-    const glm::dvec3 onSegment = a + way * at;
+    const glm::dvec3 onSegment = a + segment * at;
     const glm::dvec3 onBox = glm::clamp(onSegment, low, high);
     return {onSegment, onBox, glm::length(onSegment - onBox)};
 }
@@ -356,11 +372,11 @@ CellContact findDeepest(const VoxelGrid& grid, const CellShape& round) {
     return best;
 }
 
-ClosestVoxel findClosest(const VoxelGrid& grid, glm::dvec3 point, double halfExtent, EntryFilter accepted) {
+ClosestVoxel findClosest(const VoxelGrid& grid, glm::dvec3 point, double maxDistance, EntryFilter accepted) {
     ClosestVoxel best;
-    if (!isNear(point) || !(halfExtent >= 0.0) || grid.empty()) return best;
-    halfExtent = std::min(halfExtent, kMaxCoordinate);
-    best.distance = halfExtent;
+    if (!isNear(point) || !(maxDistance >= 0.0) || grid.empty()) return best;
+    maxDistance = std::min(maxDistance, kMaxCoordinate);
+    best.distance = maxDistance;
     struct BrickCandidate {
         double distance;
         glm::ivec3 position;
@@ -370,9 +386,9 @@ ClosestVoxel findClosest(const VoxelGrid& grid, glm::dvec3 point, double halfExt
         return glm::length(point - glm::clamp(point, low, low + size));
     };
     std::vector<BrickCandidate> candidates;
-    forEachBrickIn(grid, point - halfExtent, point + halfExtent, [&](glm::ivec3 position, const Brick& brick) {
+    forEachBrickIn(grid, point - maxDistance, point + maxDistance, [&](glm::ivec3 position, const Brick& brick) {
         const double distance = distanceTo(glm::dvec3(position * kBrickSize), kBrickSize);
-        if (distance <= halfExtent) candidates.push_back({distance, position, &brick});
+        if (distance <= maxDistance) candidates.push_back({distance, position, &brick});
     });
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const BrickCandidate& a, const BrickCandidate& b) { return a.distance < b.distance; });

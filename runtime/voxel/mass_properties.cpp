@@ -11,9 +11,9 @@
 namespace rubble {
 namespace {
 
-/// Sums over a row of voxels of weight one along x, in doubled cell centres p = 2 x + 1, side by side in one word:
-/// their number, of p from bit 16, of p^2 from bit 32. Rows may be added up, also times p or p^2 of y: no sum of a
-/// layer outgrows its bits.
+/// Three sums over a row of voxels of weight one along x, packed into one word: their number in bits 0 to 15, the sum
+/// of the doubled cell centres p = 2 x + 1 from bit 16, the sum of p^2 from bit 32. Words may be added, and multiplied
+/// by p or p^2 of y: no sum of a layer needs more bits than it has.
 using RowSums = uint64_t;
 constexpr std::array<RowSums, 256> kRowSums = [] {
     std::array<RowSums, 256> out{};
@@ -24,7 +24,7 @@ constexpr std::array<RowSums, 256> kRowSums = [] {
 }();
 /// Sums over one layer of voxels of weight one.
 struct LayerSums {
-    RowSums all = 0, byY = 0, byYY = 0;  ///< rows, and rows times p and p^2 of y
+    RowSums all = 0, byY = 0, byYY = 0;  ///< sums of rows; of rows times p of y; of rows times p^2 of y
 };
 LayerSums sumLayer(uint64_t layer) {
     LayerSums out;
@@ -35,9 +35,9 @@ LayerSums sumLayer(uint64_t layer) {
     return out;
 }
 
-/// Of voxels of one density, in the brick's own cells.
+/// The moments of voxels of one density, in the brick's own cells.
 MassMoments solidMoments(const BrickBits& voxels, int64_t density) {
-    LayerSums layer;  // of the one before: layers often repeat
+    LayerSums layer;  // kept from layer to layer: layers are often equal
     std::array<int64_t, 3> first{};
     std::array<int64_t, 6> second{};
     int64_t count = 0;
@@ -102,24 +102,24 @@ MassMoments MassMoments::shifted(glm::ivec3 offset) const {
 }
 
 Densities::Densities(const Palette& palette, const MaterialTable& materials) {
-    for (size_t i = 0; i < 256; ++i) of[i] = materials[palette[i].material].density;
-    hash = hashBytes(of.data(), sizeof of);
+    for (size_t i = 0; i < 256; ++i) byEntry[i] = materials[palette[i].material].density;
+    hash = hashBytes(byEntry.data(), sizeof byEntry);
 }
 
-MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 brickPosition,
+MassMoments brickMoments(const Brick& brick, const BrickBits& voxels, glm::ivec3 brickPosition,
                          const Densities& densities) {
     MassMoments sums;
-    BrickBits voxels{};  // of one density, not summed up yet
+    BrickBits pending{};  // those of `density` that are not in the sums yet
     std::optional<uint32_t> density;
-    forEachEntry(brick, of, [&](uint8_t entry, size_t z, uint64_t bits) {
-        if (density && *density != densities.of[entry]) {
-            sums += solidMoments(voxels, *density);
-            voxels = {};
+    forEachEntry(brick, voxels, [&](uint8_t entry, size_t z, uint64_t bits) {
+        if (density && *density != densities.byEntry[entry]) {
+            sums += solidMoments(pending, *density);
+            pending = {};
         }
-        density = densities.of[entry];
-        voxels[z] |= bits;
+        density = densities.byEntry[entry];
+        pending[z] |= bits;
     });
-    if (density) sums += solidMoments(voxels, *density);
+    if (density) sums += solidMoments(pending, *density);
     return sums.shifted(brickPosition * kBrickSize);
 }
 

@@ -12,53 +12,62 @@ namespace rubble {
 
 using Int128 = __int128;
 
-/// Exact sums over the solid voxels of a shape, in its own cells: additive, so a split conserves them exactly.
-/// Cell centres are doubled to stay integers (2 c + 1); weights are densities in kg/m3.
+/// The moments of mass of a set of voxels up to second order, in cells of a grid and in integers: exact and additive,
+/// so the moments of two halves add up to those of the whole, bit for bit. Cell centres c + 1/2 are doubled to be
+/// integers 2 c + 1; each voxel weighs its density in kg/m3.
 struct MassMoments {
-    int64_t voxels = 0;
+    int64_t voxels = 0;              ///< their number
     int64_t weight = 0;              ///< sum of densities
     std::array<int64_t, 3> first{};  ///< sum of density * (2 c + 1)
     std::array<Int128, 6> second{};  ///< sum of density * products of (2 c + 1): xx yy zz xy yz zx
 
+    /// Adds one voxel.
     void add(glm::ivec3 cell, uint32_t density);
     MassMoments& operator+=(const MassMoments& other);
     MassMoments& operator-=(const MassMoments& other);
-    /// The same voxels in a grid whose cell 0 is this one's cell -offset (cells become cell + offset).
+    /// The moments of the same voxels moved by `offset` cells: of a piece in the grid that it came from, or back.
     MassMoments shifted(glm::ivec3 offset) const;
     friend bool operator==(const MassMoments&, const MassMoments&) = default;
 };
 
-/// The moments of what a node holds, in its own cells, for one table of densities.
+/// The moments of a node's voxels in the node's own cells, for one table of densities.
 struct NodeMoments {
     uint64_t densities = 0;  ///< a hash of the table
     MassMoments sums;
 };
-/// Density by palette entry, as integer sums need it.
+/// Density by palette entry, kg/m3.
 struct Densities {
-    std::array<uint32_t, 256> of{};
-    uint64_t hash = 0;
+    std::array<uint32_t, 256> byEntry{};
+    uint64_t hash = 0;  ///< of the densities
+    /// The densities of the materials of a palette.
     Densities(const Palette& palette, const MaterialTable& materials);
 };
 
-/// Of a whole node at its place in the grid. Worked out once a node and table of densities.
+/// [any-thread] The moments of a node's voxels, in cells of the grid. Cached in the node for the table of
+/// densities that came first.
 MassMoments nodeMoments(const BrickNode& node, glm::ivec3 nodePosition, const Densities& densities);
-/// Over the solid voxels among `of`, of the brick at the given brick coordinate.
-MassMoments brickMoments(const Brick& brick, const BrickBits& of, glm::ivec3 brickPosition, const Densities& densities);
+/// The moments of the solid voxels among `voxels` of a brick, in cells of the grid in which the brick is at
+/// `brickPosition`.
+MassMoments brickMoments(const Brick& brick, const BrickBits& voxels, glm::ivec3 brickPosition,
+                         const Densities& densities);
+/// The moments of all voxels of a grid.
 MassMoments gridMoments(const VoxelGrid& grid, const Palette& palette, const MaterialTable& materials);
 
-/// What a rigid body needs, from the moments. Metres and kilograms, in the shape's frame.
+/// The mass properties of a rigid body, in the shape's frame.
 struct MassProperties {
-    double mass = 0.0;
-    glm::dvec3 center{0.0};
+    double mass = 0.0;                             ///< kg
+    glm::dvec3 center{0.0};                        ///< centre of mass, m
     glm::dvec3 principalInertia{0.0};              ///< about the centre, kg m2
     glm::dquat principalAxes{1.0, 0.0, 0.0, 0.0};  ///< principal frame -> shape frame
-    std::array<double, 6>
-        inertia{};  ///< tensor about the centre, shape frame: xx yy zz xy yz zx (products negated, as in the matrix)
+    /// Inertia tensor about the centre of mass in the shape's axes, kg m2: xx yy zz xy yz zx. The last three are the
+    /// entries of the matrix: the negated products of inertia.
+    std::array<double, 6> inertia{};
 };
 
-/// Each voxel counts as a solid cube of side voxelSize metres.
+/// Mass properties from moments. Each voxel is a solid cube of side `voxelSize` metres.
 MassProperties massProperties(const MassMoments& moments, double voxelSize);
-/// Diagonalises a symmetric tensor (xx yy zz xy yz zx) by Jacobi rotations (Golub & Van Loan, 8.5).
+/// Diagonalises a symmetric tensor (xx yy zz xy yz zx) by Jacobi rotations (G. Golub and C. Van Loan, Matrix
+/// Computations, 8.5): `values` are its eigenvalues, `axes` turns the principal frame into that of the tensor.
 void principalAxes(const std::array<double, 6>& tensor, glm::dvec3& values, glm::dquat& axes);
 
 }  // namespace rubble

@@ -9,29 +9,30 @@ using enum Hardness;
 // Wood Handbook (wood); EN 1992-1-1 C25/30 (concrete); EN 1996-1-1 (brick and mortar); EN 572 (float glass); EN 10025
 // S235 (steel); Ashby & Jones, Engineering Materials 1 (plastic, rock, ice, plaster).
 std::vector<Material> makeDefaults() {
+    constexpr bool Y = true, n = false;  // whether it breaks under: sledge, torch, gun, explosive
     // clang-format off
     return {
-        //name           hardness     kg/m3  tensile compress. shear   mu     e      J/kgK  ign K  burn  fragments   sledge torch gun explosive
-        {"empty",        Unphysical,     0,  0,      0,        0,      0,     0,     0,     0,     0,    "none",     false, false, false, false},
-        {"glass",        Soft,        2500,  40e6f,  800e6f,   35e6f,  0.40f, 0.10f, 840,   0,     0,    "pane",     true, true, true, true},
-        {"foliage",      Soft,         300,  1e6f,   1e6f,     0.5e6f, 0.60f, 0.05f, 2000,  520,   4,    "crumble",  true, true, true, true},
-        {"dirt",         Soft,        1500,  0.02e6f,0.3e6f,   0.05e6f,0.80f, 0.02f, 1000,  0,     0,    "crumble",  true, false, true, true},
-        {"rock",         Unbreakable, 2700,  10e6f,  150e6f,   20e6f,  0.65f, 0.15f, 800,   0,     0,    "none",     false, false, false, false},
-        {"wood",         Soft,         500,  14e6f,  21e6f,    4e6f,   0.50f, 0.20f, 1700,  570,   20,   "splinter", true, true, true, true},
-        {"concrete",     Medium,      2400,  2.6e6f, 25e6f,    4e6f,   0.65f, 0.10f, 880,   0,     0,    "chunk",    false, false, true, true},
-        {"brick",        Medium,      1900,  0.4e6f, 8e6f,     0.6e6f, 0.65f, 0.10f, 840,   0,     0,    "bond",     false, false, true, true},
-        {"plaster",      Soft,         900,  0.8e6f, 4e6f,     0.8e6f, 0.60f, 0.05f, 1090,  0,     0,    "crumble",  true, false, true, true},
-        {"metal",        Medium,      7850,  235e6f, 235e6f,   135e6f, 0.45f, 0.20f, 490,   0,     0,    "tear",     false, true, true, true},
-        {"heavy metal",  Unbreakable, 7850,  355e6f, 355e6f,   205e6f, 0.45f, 0.20f, 490,   0,     0,    "none",     false, false, false, false},
-        {"plastic",      Soft,        1050,  40e6f,  60e6f,    30e6f,  0.35f, 0.30f, 1400,  650,   12,   "chunk",    true, true, true, true},
-        {"hard metal",   Hard,        7850,  355e6f, 355e6f,   205e6f, 0.45f, 0.20f, 490,   0,     0,    "tear",     false, false, false, true},
-        {"hard masonry", Hard,        2500,  4e6f,   50e6f,    7e6f,   0.65f, 0.10f, 880,   0,     0,    "chunk",    false, false, false, true},
-        {"ice",          Soft,         917,  1e6f,   10e6f,    1e6f,   0.05f, 0.10f, 2050,  0,     0,    "chunk",    true, true, true, true},
-        {"generic",      Medium,      1000,  2e6f,   10e6f,    2e6f,   0.60f, 0.10f, 1000,  0,     0,    "chunk",    false, false, true, true},
-        {"unphysical",   Unphysical,     0,  0,      0,        0,      0,     0,     0,     0,     0,    "none",     false, false, false, false},
-        {"snow",         Soft,         200,  0.01e6f,0.05e6f,  0.01e6f,0.30f, 0.00f, 2090,  0,     0,    "crumble",  true, true, true, true},
-        {"wire",         Soft,        8900,  220e6f, 220e6f,   125e6f, 0.45f, 0.10f, 385,   0,     0,    "tear",     true, true, true, true},
-        {"rubber",       Soft,        1100,  15e6f,  30e6f,    10e6f,  1.00f, 0.30f, 1900,  620,   25,   "chunk",    true, true, true, true},
+    //name           hardness     kg/m3 tensile  compr.   shear    mu     e     J/kgK ign  burn fragments   tools
+    {"empty",        Unphysical,  0,    0,       0,       0,       0,     0,    0,    0,   0,   "none",     n, n, n, n},
+    {"glass",        Soft,        2500, 40e6f,   800e6f,  35e6f,   .40f,  .10f, 840,  0,   0,   "pane",     Y, Y, Y, Y},
+    {"foliage",      Soft,        300,  1e6f,    1e6f,    0.5e6f,  .60f,  .05f, 2000, 520, 4,   "crumble",  Y, Y, Y, Y},
+    {"dirt",         Soft,        1500, 0.02e6f, 0.3e6f,  0.05e6f, .80f,  .02f, 1000, 0,   0,   "crumble",  Y, n, Y, Y},
+    {"rock",         Unbreakable, 2700, 10e6f,   150e6f,  20e6f,   .65f,  .15f, 800,  0,   0,   "none",     n, n, n, n},
+    {"wood",         Soft,        500,  14e6f,   21e6f,   4e6f,    .50f,  .20f, 1700, 570, 20,  "splinter", Y, Y, Y, Y},
+    {"concrete",     Medium,      2400, 2.6e6f,  25e6f,   4e6f,    .65f,  .10f, 880,  0,   0,   "chunk",    n, n, Y, Y},
+    {"brick",        Medium,      1900, 0.4e6f,  8e6f,    0.6e6f,  .65f,  .10f, 840,  0,   0,   "bond",     n, n, Y, Y},
+    {"plaster",      Soft,        900,  0.8e6f,  4e6f,    0.8e6f,  .60f,  .05f, 1090, 0,   0,   "crumble",  Y, n, Y, Y},
+    {"metal",        Medium,      7850, 235e6f,  235e6f,  135e6f,  .45f,  .20f, 490,  0,   0,   "tear",     n, Y, Y, Y},
+    {"heavy metal",  Unbreakable, 7850, 355e6f,  355e6f,  205e6f,  .45f,  .20f, 490,  0,   0,   "none",     n, n, n, n},
+    {"plastic",      Soft,        1050, 40e6f,   60e6f,   30e6f,   .35f,  .30f, 1400, 650, 12,  "chunk",    Y, Y, Y, Y},
+    {"hard metal",   Hard,        7850, 355e6f,  355e6f,  205e6f,  .45f,  .20f, 490,  0,   0,   "tear",     n, n, n, Y},
+    {"hard masonry", Hard,        2500, 4e6f,    50e6f,   7e6f,    .65f,  .10f, 880,  0,   0,   "chunk",    n, n, n, Y},
+    {"ice",          Soft,        917,  1e6f,    10e6f,   1e6f,    .05f,  .10f, 2050, 0,   0,   "chunk",    Y, Y, Y, Y},
+    {"generic",      Medium,      1000, 2e6f,    10e6f,   2e6f,    .60f,  .10f, 1000, 0,   0,   "chunk",    n, n, Y, Y},
+    {"unphysical",   Unphysical,  0,    0,       0,       0,       0,     0,    0,    0,   0,   "none",     n, n, n, n},
+    {"snow",         Soft,        200,  0.01e6f, 0.05e6f, 0.01e6f, .30f,  .00f, 2090, 0,   0,   "crumble",  Y, Y, Y, Y},
+    {"wire",         Soft,        8900, 220e6f,  220e6f,  125e6f,  .45f,  .10f, 385,  0,   0,   "tear",     Y, Y, Y, Y},
+    {"rubber",       Soft,        1100, 15e6f,   30e6f,   10e6f,   1.00f, .30f, 1900, 620, 25,  "chunk",    Y, Y, Y, Y},
     };
     // clang-format on
 }

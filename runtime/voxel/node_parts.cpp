@@ -2,22 +2,15 @@
 
 #include "runtime/core/union_find.h"
 
+// Connected components of a node: union-find over the parts of its bricks. Full bricks are connected by a flood on the
+// node's mask, 64 bricks at a time; other neighbours by an AND of the faces of their parts.
+
 namespace rubble {
 namespace {
 
-/// The one part of a full brick, for nodes, which know their full bricks without a look at them.
-std::span<const BrickPart> fullBrick() {
-    static const std::vector<BrickPart> kParts = [] {
-        std::vector<BrickPart> out;
-        findBrickParts({~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull}, out);
-        return out;
-    }();
-    return kParts;
-}
-
 using PartSets = UnionFind<uint16_t>;
 
-/// The full bricks that a full one reaches through full ones, all at once.
+/// All full bricks that are connected to the seeds through full bricks.
 BrickMask fillFull(BrickMask seeds, BrickMask full) {
     for (;;) {
         BrickMask grown = seeds;
@@ -43,24 +36,23 @@ void uniteAcross(const BrickNode& node, size_t face, BrickPartCache& bricks, con
                  PartSets& sets) {
     const int step = face == 1 ? 1 : face == 3 ? 4 : 16;
     BrickMask pairs = node.mask & ~kFaceBricks[face] & node.mask >> step;
-    pairs &= ~(node.full & node.full >> step);  // known already
+    pairs &= ~(node.full & node.full >> step);  // uniteFull() has united these
     forEachChild(pairs, [&](int child) {
-        const auto a = bricks[child], b = bricks[child + step];
-        for (size_t i = 0; i < a.size(); ++i)
-            for (size_t j = 0; a[i].faces[face] && j < b.size(); ++j)
-                if (a[i].faces[face] & b[j].faces[face ^ 1])
-                    sets.unite(uint16_t(firstPart[size_t(child)] + i), uint16_t(firstPart[size_t(child + step)] + j));
+        forEachTouchingPair(bricks[child], bricks[child + step], face, [&](size_t i, size_t j) {
+            sets.unite(uint16_t(firstPart[size_t(child)] + i), uint16_t(firstPart[size_t(child + step)] + j));
+            return true;
+        });
     });
 }
 
 std::unique_ptr<const NodeParts> findNodeParts(const BrickNode& node) {
     auto out = std::make_unique<NodeParts>();
-    forEachChild(node.mask & ~node.full,
-                 [&](int child) {  // bricks lie all over the memory: have them fetched side by side
-                     const Brick* brick = node.bricks[size_t(child)].get();
-                     __builtin_prefetch(&brick->occupancy);
-                     __builtin_prefetch(&brick->cachedParts);
-                 });
+    // Bricks are scattered in memory: fetch all of them into the cache at the same time.
+    forEachChild(node.mask & ~node.full, [&](int child) {
+        const Brick* brick = node.bricks[size_t(child)].get();
+        __builtin_prefetch(&brick->occupancy);
+        __builtin_prefetch(&brick->cachedParts);
+    });
     BrickPartCache bricks(node);
     auto detail = std::make_unique<NodeParts::Detail>();
     for (int child = 0; child < 64; ++child)
@@ -71,7 +63,7 @@ std::unique_ptr<const NodeParts> findNodeParts(const BrickNode& node) {
     for (const size_t face : {1, 3, 5}) uniteAcross(node, face, bricks, detail->firstPart, sets);
     detail->component.resize(sets.size());
     for (size_t i = 0; i < sets.size(); ++i) {
-        const uint16_t root = sets.root(uint16_t(i));  // never above i
+        const uint16_t root = sets.root(uint16_t(i));  // <= i, so it has its component already
         detail->component[i] = root == i ? uint16_t(out->count++) : detail->component[root];
     }
     if (out->count == 1) {
@@ -96,19 +88,19 @@ std::unique_ptr<const NodeParts> findNodeParts(const BrickNode& node) {
 }  // namespace
 
 std::span<const BrickPart> BrickPartCache::operator[](int child) {
-    auto& place = m_parts[size_t(child)];
+    auto& parts = m_parts[size_t(child)];
     const BrickMask bit = BrickMask(1) << child;
-    if (m_known & bit) return place;
+    if (m_known & bit) return parts;
     m_known |= bit;
-    if (m_node.full & bit) return place = fullBrick();
-    place = brickParts(*m_node.bricks[size_t(child)], m_scratch);
-    if (place.data() == m_scratch.data()) place = m_kept.emplace_back(std::move(m_scratch));
-    return place;
+    if (m_node.full & bit) return parts = fullBrickParts();  // without a look at the brick itself
+    parts = brickParts(*m_node.bricks[size_t(child)], m_scratch);
+    if (parts.data() == m_scratch.data()) parts = m_kept.emplace_back(std::move(m_scratch));
+    return parts;
 }
 
 const NodeParts& nodeParts(const BrickNode& node) {
     if (const NodeParts* known = node.cachedParts.find()) return *known;
-    if (node.full == kAllBricks) {  // the commonest of all
+    if (node.full == kAllBricks) {  // the most frequent node
         auto out = std::make_unique<NodeParts>();
         out->count = 1, out->voxels = {node.voxels};
         return node.cachedParts.keep(std::move(out));

@@ -5,30 +5,32 @@
 
 namespace rubble {
 
-/// The paint layer: a byte beside a voxel's palette index, 0 = unpainted, else a colour of the shape (high four bits, 1
-/// to 15) and how far the voxel's own colour has gone toward it (low four bits: 0 to 15 are 1/16 to 16/16 of the way).
-inline constexpr int kPaintColors = 15;
-inline constexpr int kPaintSteps = 16;
+// The paint layer: a byte for each voxel beside its palette index. 0 is unpainted; else the high four bits are a colour
+// of the shape (1 to 15), and the low four bits, plus one, are the weight of that colour over the voxel's own, in
+// sixteenths.
+inline constexpr int kPaintColors = 15;  ///< colours of a shape
+inline constexpr int kPaintSteps = 16;   ///< blend weights: 1/16 to 16/16
 
+/// The paint byte of a colour (1 to 15) with a weight in sixteenths; 0 for no weight.
 constexpr uint8_t paintByte(int color, int steps) {
     return steps > 0 ? uint8_t(color << 4 | (steps - 1)) : uint8_t(0);
 }
-/// 1 to 15; 0 = unpainted.
+/// The colour of a paint byte, 1 to 15; 0 if it is unpainted.
 constexpr int paintColor(uint8_t paint) {
     return paint >> 4;
 }
-/// Sixteenths of the way, 0 to 16.
+/// The weight of a paint byte in sixteenths, 1 to 16; 0 if it is unpainted.
 constexpr int paintSteps(uint8_t paint) {
     return paint ? (paint & 15) + 1 : 0;
 }
 
 using Srgb = std::array<uint8_t, 3>;
 
-/// The colours of a shape's paint layer. Never changed once a shape holds it: pieces share it, a change makes a new
+/// The colours of a shape's paint layer. Immutable once a shape holds it: shapes share it, and a change makes a new
 /// one.
 struct PaintColors {
     std::array<Srgb, kPaintColors> colors{};  ///< colour c of a paint byte is colors[c - 1]
-    uint8_t count = 0;                        ///< how many are in use
+    uint8_t count = 0;                        ///< colours in use
 
     friend bool operator==(const PaintColors&, const PaintColors&) = default;
 };

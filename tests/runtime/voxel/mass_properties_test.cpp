@@ -41,7 +41,7 @@ TEST(MassMoments, EqualABruteForceSum) {
 TEST(MassMoments, OfSomeVoxelsOfABrickEqualABruteForceSum) {
     Palette palette = paletteOf({"wood", "metal"});  // entry 3 weighs as much as air
     Densities densities(palette, defaultMaterials());
-    densities.of[3] = 0;
+    densities.byEntry[3] = 0;
     Random random(5);
     for (int i = 0; i < 300; ++i) {
         BrickIndices indices;
@@ -54,7 +54,7 @@ TEST(MassMoments, OfSomeVoxelsOfABrickEqualABruteForceSum) {
         MassMoments expected;
         for (int v = 0; v < kBrickVoxels; ++v)
             if (of[size_t(v >> 6)] >> (v & 63) & 1 && brick->at(v))
-                expected.add(glm::ivec3(8, 16, 24) + voxelInBrick(v), densities.of[brick->at(v)]);
+                expected.add(glm::ivec3(8, 16, 24) + voxelInBrick(v), densities.byEntry[brick->at(v)]);
         ASSERT_EQ(brickMoments(*brick, of, {1, 2, 3}, densities), expected);
     }
 }
