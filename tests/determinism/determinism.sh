@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# Runs the scripted scenes in nine ways and compares their hashes: every pair of compiler, optimisation, threads, renderer and
-# mode of getting there (playing, from a save half-mode, from a recording) occurs in at least one. Builds what it needs.
-#   tests/determinism/determinism.sh [--steps N] [--long SCENE] [SCENE...]      (all ten scenes, 600 steps, tower for 3,600)
+# Runs scripted scenes in nine configurations and compares their state hashes. Each pair of values of compiler,
+# optimisation, threads, renderer and mode (play, load a save half-way, replay a recording) occurs in at least one of
+# the nine (pairwise testing). Builds what it needs.
+#   tests/determinism/determinism.sh [--steps N] [--long SCENE] [SCENE...]
+# By default: ten scenes for 600 steps, and the tower for 3,600. --long SCENE runs another scene six times as long.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.." && pwd)
 
@@ -38,7 +40,7 @@ build() {
     cmake --build "$folder" --target hash_scene >/dev/null
 }
 
-# check SCENE STEPS: all rows of the table give the hashes of the first.
+# check SCENE STEPS: fails unless all configurations give the hashes of the first one.
 check() {
     local first='' cxx opt threads renderer mode hashes options
     while read -r cxx opt threads renderer mode; do

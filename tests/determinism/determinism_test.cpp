@@ -1,4 +1,4 @@
-// A little of what determinism.sh does in full: one build, few steps.
+// A short version of determinism.sh: one build, few steps.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -28,7 +28,8 @@ TEST(Determinism, PlayingLoadingAndReplayingAreTheSame) {
     expectSameInEveryMode("dominoes", 80);
 }
 
-/// What the town comes to. It changes when destruction or physics do, and then on purpose: take over the new number.
+/// State hash of the town's demolition. A deliberate change of physics or destruction changes it: then set kTownHash to
+/// the new number.
 TEST(Determinism, TheTownsHashAfterSixtySteps) {
     const Result<Hashes> hashes = runScene({.scene = "town", .steps = 60, .every = 60, .threads = 1});
     ASSERT_TRUE(hashes) << hashes.error();

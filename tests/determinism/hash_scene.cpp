@@ -1,4 +1,4 @@
-// Prints the hash of a scripted scene's World every few steps, made in one of the ways that must all give the same.
+// Prints the state hash of a scripted scene every few steps. All modes must give the same hashes.
 
 #include <fmt/format.h>
 
@@ -10,17 +10,19 @@
 int main(int argc, char** argv) {
     using namespace rubble;
     SceneRun run;
-    CLI::App app{"The hash of a scripted scene, step by step"};
+    CLI::App app{"Prints the state hashes of a scripted scene"};
     app.add_option("--scene", run.scene, "one of the scripted scenes, or town");
-    app.add_option("--mode", run.mode, "play, load (from a save half-mode) or replay (a recording)")
+    app.add_option("--mode", run.mode, "play, load (a save half-way) or replay (a recording)")
         ->check(CLI::IsMember({"play", "load", "replay"}));
-    app.add_option("--steps", run.steps, "how many steps");
-    app.add_option("--every", run.every, "steps between two hashes")->check(CLI::PositiveNumber);
-    app.add_option("--threads", run.threads, "1: no worker; 2: a shadow worker; more: other worlds beside it");
+    app.add_option("--steps", run.steps, "steps of 1/60 s");
+    app.add_option("--every", run.every, "steps between hashes")->check(CLI::PositiveNumber);
+    app.add_option("--threads", run.threads,
+                   "1: none beside the main thread; 2: a shadow worker; more: further worlds at the same time");
     app.add_flag("--renderer", run.renderer, "draw every step at 64x36");
-    app.add_option("--shaders", run.shaders, "where the shaders are");
+    app.add_option("--shaders", run.shaders, "folder of the shaders");
     CLI11_PARSE(app, argc, argv);
-    if (!sceneExists(run.scene)) return logError("no such scene: " + run.scene), 2;
+    if (!sceneExists(run.scene))
+        return logError("--scene " + run.scene + ": no such scene; `sandbox --list-scenes` prints the names"), 2;
     const Result<Hashes> hashes = runScene(run);
     if (!hashes) return logError(run.scene + ": " + hashes.error()), 1;
     int step = 0;

@@ -65,12 +65,12 @@ public:
     }
 
 private:
-    std::unique_ptr<GlContext> m_context;  // first made, last destroyed
+    std::unique_ptr<GlContext> m_context;  // declared first: what draws with it is destroyed before it
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<Offscreen> m_target;
 };
 
-/// A file of this process that goes with it.
+/// A path in the folder of temporary files; the destructor removes the file.
 class TemporaryFile {
 public:
     explicit TemporaryFile(const char* ending) {
@@ -86,7 +86,8 @@ private:
     std::string m_path;
 };
 
-/// Every mode saves half-mode, for saving is an event; "load" goes on in a new world from the file.
+/// All modes save half-way, because saving has side effects on the world; "load" continues in a new world from the
+/// file.
 Result<Hashes> play(const SceneRun& options, OffscreenRenderer* offscreen, const std::string& recordTo) {
     auto loop = makeLoop(options);
     loop->load(levelOf(options));
@@ -104,7 +105,7 @@ Result<Hashes> play(const SceneRun& options, OffscreenRenderer* offscreen, const
                 if (!game) return Error{game.error()};
                 next->load(std::move(*game));
                 loop = std::move(next);
-                offscreen = nullptr;  // a world has one renderer in its life
+                offscreen = nullptr;  // a renderer belongs to one world
             }
         }
         loop->edits().push(scriptOf(options, step));
@@ -116,7 +117,8 @@ Result<Hashes> play(const SceneRun& options, OffscreenRenderer* offscreen, const
     return hashes;
 }
 
-/// From edits with physics, and from the resolved edits alone: each step must have the hash that was recorded.
+/// Replays a recording twice at once: from the edits with physics, and from the resolved edits and poses alone. Each
+/// step must give the recorded hashes.
 Result<Hashes> replay(const SceneRun& options, const std::string& path) {
     auto loop = makeLoop(options);
     Result<Recording> recording = readRecording(path, loop->world().id());
@@ -131,12 +133,13 @@ Result<Hashes> replay(const SceneRun& options, const std::string& path) {
         const Result<FrameChanges> applied = applyStepDelta(step.delta, path, follower, palettes);
         if (!applied) return Error{applied.error()};
         if (follower.voxelHash() != step.voxelHash)
-            return Error{fmt::format("step {}: the resolved edits give other voxels", step.step)};
+            return Error{fmt::format("step {}: the resolved edits give other voxels than were recorded", step.step)};
         follower.setPoses(step.poses);
         if (follower.resolvedHash() != step.resolvedHash)
-            return Error{fmt::format("step {}: the resolved edits and poses give another world", step.step)};
+            return Error{
+                fmt::format("step {}: the resolved edits and poses give another world than was recorded", step.step)};
         if (loop->world().hash() != step.hash)
-            return Error{fmt::format("step {}: the replay went another mode", step.step)};
+            return Error{fmt::format("step {}: the replay gives another state hash than was recorded", step.step)};
         if (step.step % uint64_t(options.every) == 0) hashes.push_back(step.hash);
     }
     return hashes;
@@ -154,7 +157,7 @@ Result<Hashes> run(const SceneRun& options) {
     Result<Hashes> played = play(options, offscreen.get(), file.path());
     if (!played) return played;
     Result<Hashes> replayed = replay(options, file.path());
-    if (replayed && *replayed != *played) return Error{"the replay has other hashes"};
+    if (replayed && *replayed != *played) return Error{"the replay gives other hashes than the run that it recorded"};
     return replayed;
 }
 
@@ -164,7 +167,6 @@ bool sceneExists(const std::string& name) {
     return name == "town" || findScene(name);
 }
 
-/// More than two threads: worlds beside it that do the same must come to the same.
 Result<Hashes> runScene(const SceneRun& options) {
     std::vector<Result<Hashes>> others(size_t(std::max(0, options.threads - 2)), Error{"not run"});
     std::vector<std::thread> threads;
@@ -174,7 +176,7 @@ Result<Hashes> runScene(const SceneRun& options) {
     Result<Hashes> hashes = run(options);
     for (std::thread& thread : threads) thread.join();
     for (Result<Hashes>& other : others)
-        if (hashes && (!other || *other != *hashes)) return Error{"a world on another thread has other hashes"};
+        if (hashes && (!other || *other != *hashes)) return Error{"a world on another thread gives other hashes"};
     return hashes;
 }
 

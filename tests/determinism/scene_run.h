@@ -7,21 +7,22 @@
 
 namespace rubble {
 
-/// A scripted scene, and one of the ways to go through it that must all give the same.
+/// How to run a scripted scene. All modes and numbers of threads must give the same hashes.
 struct SceneRun {
     std::string scene = "tower";  ///< one of allScenes(), or "town"
-    std::string mode = "play";    ///< or "load" (from a save half-mode) or "replay" (of a recording)
+    std::string mode = "play";    ///< or "load" (a save half-way) or "replay" (a recording)
     std::string shaders = RUBBLE_SOURCE_DIR "/shaders";
-    int steps = 600, every = 60;  ///< steps between two hashes
-    int threads = 2;              ///< 1: no worker; 2: a shadow worker; more: other worlds beside it
+    int steps = 600, every = 60;  ///< steps; steps between hashes
+    int threads = 2;              ///< 1: no worker; 2: a shadow worker; more: further worlds that run the same scene
     bool renderer = false;        ///< draws every step at 64x36
 };
 
 using Hashes = std::vector<uint64_t>;
 
-/// The hash of the World every few steps. Every mode saves half-mode, for saving is an event. An error if a save or a
-/// recording does not come to the same as the run that it was made of.
+/// Runs a scene and returns its state hash every `every` steps. An error if a recording or a world on another thread
+/// gives other hashes than the run itself.
 Result<Hashes> runScene(const SceneRun& run);
+/// Whether there is a scripted scene of this name; "town" is one too.
 bool sceneExists(const std::string& name);
 
 }  // namespace rubble

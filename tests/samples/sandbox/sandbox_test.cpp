@@ -1,4 +1,4 @@
-// The sandbox as a user starts it: as a program, with its files read back.
+// Runs the sandbox as a user does, as a program, and reads its files.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -42,16 +42,16 @@ TEST(Sandbox, WithoutADisplayWritesFramesAndFigures) {
     const Result<Image> frame = readPng((out / "frames" / "0001.png").string());
     ASSERT_TRUE(frame) << frame.error();
     EXPECT_EQ(frame->width, 160);
-    EXPECT_GT(colorsIn(*frame), 1000u) << "a lit scene has many colours";
+    EXPECT_GT(colorsIn(*frame), 1000u) << "expected many colours in a lit scene";
     EXPECT_TRUE(readPng((out / "contact_sheet.png").string()));
     const nlohmann::json figures = figuresOf(out);
     ASSERT_FALSE(figures.is_discarded());
     EXPECT_EQ(figures["state_hash"].size(), 12u);
     EXPECT_LE(figures["series"]["draw calls for bodies"]["max"].get<double>(), 16.0);
-    const auto& ledger = figures["ledger"];
+    const auto& voxels = figures["voxels"];
     EXPECT_EQ(
-        ledger["imported"].get<uint64_t>(),
-        ledger["standing"].get<uint64_t>() + ledger["in_pieces"].get<uint64_t>() + ledger["removed"].get<uint64_t>());
+        voxels["imported"].get<uint64_t>(),
+        voxels["standing"].get<uint64_t>() + voxels["in_pieces"].get<uint64_t>() + voxels["removed"].get<uint64_t>());
 }
 
 TEST(Sandbox, SameSeedSameStateWithTheWorkerOnOrOff) {
@@ -61,7 +61,7 @@ TEST(Sandbox, SameSeedSameStateWithTheWorkerOnOrOff) {
     const nlohmann::json a = figuresOf(threaded), b = figuresOf(inlined);
     ASSERT_EQ(a["state_hash"].size(), 150u);
     EXPECT_EQ(a["state_hash"], b["state_hash"]);
-    EXPECT_NE(a["state_hash"].front(), a["state_hash"].back()) << "something must have happened";
+    EXPECT_NE(a["state_hash"].front(), a["state_hash"].back()) << "expected the demolition to change the state";
     EXPECT_GT(a["voxels_removed"].get<uint64_t>(), 0u);
 }
 
@@ -75,7 +75,7 @@ TEST(Sandbox, ALevelFileBreaksAsTheSceneItWasWrittenFrom) {
     const fs::path built = outFolder("built"), opened = outFolder("opened");
     ASSERT_EQ(runSandbox("--no-render --seconds 1 --out " + built.string()), 0);
     const std::string level = RUBBLE_BINARY_DIR "/levels/town-1.vdb";
-    ASSERT_TRUE(fs::exists(level)) << "the sandbox opens the town from a file that it writes first";
+    ASSERT_TRUE(fs::exists(level)) << "expected the sandbox to write the town to this file";
     ASSERT_EQ(runSandbox("--no-render --seconds 1 --level " + level + " --out " + opened.string()), 0);
     EXPECT_EQ(figuresOf(built)["state_hash"], figuresOf(opened)["state_hash"]);
 }
@@ -87,8 +87,8 @@ TEST(Sandbox, HelpNamesEveryOption) {
     ASSERT_EQ(std::system((RUBBLE_BINARY_DIR "/bin/sandbox --help >" + text).c_str()), 0);
     std::ifstream file(text);
     const std::string help{std::istreambuf_iterator<char>(file), {}};
-    for (const char* option : {"--model", "--level", "--out", "--size", "--fps", "--seconds", "--preset", "--seed",
-                               "--pass", "--headless", "--no-render"})
+    for (const char* option : {"--model", "--level", "--out", "--size", "--fps", "--frames", "--seconds", "--preset",
+                               "--seed", "--pass", "--headless", "--no-render"})
         EXPECT_NE(help.find(option), std::string::npos) << option;
 }
 

@@ -11,7 +11,7 @@ constexpr int kSteps = 600;
 
 struct Tally {
     int carves = 0, explosions = 0, paints = 0, impulses = 0;
-    double sum = 0.0;  // of all positions: changes if any of them does
+    double sum = 0.0;  // of all positions, weighted by axis: it changes if any position does
     void add(const Edits& edits) {
         for (const Edit& edit : edits) {
             carves += std::holds_alternative<CarveEdit>(edit);

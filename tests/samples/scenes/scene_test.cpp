@@ -8,7 +8,7 @@
 
 namespace rubble {
 
-/// What GoogleTest calls a scene in its lines.
+/// How GoogleTest prints a scene.
 void PrintTo(const Scene& scene, std::ostream* out) {
     *out << scene.name;
 }
@@ -41,7 +41,7 @@ bool movesFromTheStart(const Level& level) {
                        [](const LevelJoint& joint) { return joint.joint.motor.mode != MotorMode::Off; });
 }
 
-/// The script alone, without physics: what it takes away is accounted for, and the same seed does the same.
+/// Runs the script without physics: removed voxels are accounted for, and the same seed gives the same hash.
 TEST_P(EveryScene, BreaksSomethingAndLosesNothing) {
     const Scene& scene = GetParam();
     const Level level = scene.level(1);
@@ -55,7 +55,8 @@ TEST_P(EveryScene, BreaksSomethingAndLosesNothing) {
         for (const RemovedVoxels& each : first.applyEdits(scene.script(step, 1)).removed) removed += each.count;
         second.applyEdits(scene.script(step, 1));
     }
-    EXPECT_TRUE(removed > 0 || movesFromTheStart(level)) << "nothing ever happens";
+    EXPECT_TRUE(removed > 0 || movesFromTheStart(level))
+        << "expected edits that remove voxels, or a body that moves from the start";
     EXPECT_TRUE(first.voxelAccounting().balances());
     EXPECT_EQ(first.hash(), second.hash());
 }
@@ -74,9 +75,10 @@ TEST_P(EveryScene, IsSeenByItsCamera) {
             const glm::dvec3 direction(0.25 * (i % 3 - 1), 0.15 * (i / 3 - 1), -1.0);
             const WorldHit hit = world.raycast(eye.position, eye.rotation * direction, 100.0);
             seen += hit.hit;
-            EXPECT_TRUE(!hit.hit || hit.distance > 2.0) << "something stands in the camera's direction";
+            EXPECT_TRUE(!hit.hit || hit.distance > 2.0)
+                << "expected nothing within 2 m of the camera, found a hit at " << hit.distance;
         }
-        EXPECT_GE(seen, 4) << "the camera looks at nothing";
+        EXPECT_GE(seen, 4) << "expected at least 4 of 9 rays of the camera to hit";
     }
 }
 

@@ -109,7 +109,7 @@ TEST(Town, EveryLightHasItsHostAndGroup) {
 
 TEST(StreetStage, PutsAModelOnTheSquare) {
     Level model;
-    model.lightGroups.push_back({"its own lamp"});
+    model.lightGroups.push_back({"its own light"});
     LevelBody body;
     body.pose.position = {-3.0, 5.0, 100.0};
     LevelShape shape;
@@ -129,7 +129,7 @@ TEST(StreetStage, PutsAModelOnTheSquare) {
     EXPECT_NEAR(high.y, 4.0, 1e-6);
     EXPECT_GT(low.x, 14.0);
     EXPECT_LT(high.z, 44.6);
-    EXPECT_EQ(stage.lightGroups.front().name, "its own lamp");
+    EXPECT_EQ(stage.lightGroups.front().name, "its own light");
     EXPECT_GT(stage.lightGroups.size(), 1u);
     EXPECT_EQ(stage.bodies.back().shapes.front().name, "model");
     EXPECT_NEAR(stage.bodies.back().pose.position.y, 0.0, 1e-9);
