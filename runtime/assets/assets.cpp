@@ -2,17 +2,15 @@
 
 #include <filesystem>
 
-#include "runtime/assets/vdb_tool.h"
-
 namespace rubble {
 
-void addLevelCounts(const Level& level, ImportReport& report) {
+void ImportReport::count(const Level& level) {
     for (const LevelBody& body : level.bodies)
         for (const LevelShape& shape : body.shapes) {
-            ++report.shapes;
-            report.voxels += shape.grid.voxelCount();
+            ++shapes;
+            voxels += shape.grid.voxelCount();
         }
-    report.models = report.shapes;
+    models = shapes;
 }
 
 Result<Level> readLevel(const std::string& path, const std::string& vdbTool, ImportReport* report) {
@@ -22,7 +20,7 @@ Result<Level> readLevel(const std::string& path, const std::string& vdbTool, Imp
     if (ending != ".rubble")
         return Error{path + ": expected a name ending in .rubble, .vdb or .vox, found '" + ending + "'"};
     Result<Level> level = readRubble(path);
-    if (level && report) addLevelCounts(*level, *report);
+    if (level && report) report->count(*level);
     return level;
 }
 

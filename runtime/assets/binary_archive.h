@@ -11,104 +11,124 @@
 
 namespace rubble {
 
-inline constexpr uint64_t kMaxDirectoryNodes = 1u << 24;  // of all grids together: 128 MiB; a grid of 4096^3 takes 2^21
+/// How many nodes the directories of all grids of a file may have together: 128 MiB of pointers. A grid of 4096^3 cells
+/// has 2^21 of them.
+inline constexpr uint64_t kMaxDirectoryNodes = 1u << 24;
 
-/// An archive that writes fields, little-endian, in their order.
+/// Writes values in the order of the calls, little-endian, without padding. Vectors, lists and texts begin with a count
+/// of 32 bits, variants with their index. Palettes become numbers of a PaletteList; handles lose the world's number.
 class BinaryOutputArchive {
 public:
-    static constexpr bool kIsBinary = true;
+    static constexpr bool kIsBinary = true;  ///< fields() visits some fields for binary archives only
+    /// Appends to `bytes`, and new palettes to `palettes`. Both must outlive the archive.
     BinaryOutputArchive(std::vector<uint8_t>& bytes, PaletteList& palettes) : m_bytes(bytes), m_palettes(palettes) {}
 
     template <class T>
     void operator()(const char*, const T& value) {
-        put(value);
+        write(value);
     }
+    /// Appends one value.
+    template <class T>
+    void put(const T& value) {
+        write(value);
+    }
+
+private:
     template <class T>
     requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-    void put(T value) {
+    void write(T value) {
         const auto* raw = reinterpret_cast<const uint8_t*>(&value);
         m_bytes.insert(m_bytes.end(), raw, raw + sizeof value);
     }
-    void put(const std::string& text) {
-        put(uint32_t(text.size()));
+    void write(const std::string& text) {
+        write(uint32_t(text.size()));
         m_bytes.insert(m_bytes.end(), text.begin(), text.end());
     }
     template <class T>
-    void put(const glm::vec<3, T>& v) {
-        put(v.x), put(v.y), put(v.z);
+    void write(const glm::vec<3, T>& v) {
+        write(v.x), write(v.y), write(v.z);
     }
-    void put(const glm::dquat& q) { put(q.w), put(q.x), put(q.y), put(q.z); }
-    void put(const VoxelGrid& grid) { put(grid.size()); }
-    void put(const PaletteRef& palette) { put(m_palettes.add(palette)); }
-    void put(const PaintColorsRef& colors) {
-        put(colors ? colors->count : uint8_t(0));
+    void write(const glm::dquat& q) { write(q.w), write(q.x), write(q.y), write(q.z); }
+    void write(const VoxelGrid& grid) { write(grid.size()); }
+    void write(const PaletteRef& palette) { write(m_palettes.add(palette)); }
+    void write(const PaintColorsRef& colors) {
+        write(colors ? colors->count : uint8_t(0));
         if (colors && colors->count)
-            for (const Srgb& color : colors->colors) put(color);
+            for (const Srgb& color : colors->colors) write(color);
     }
     template <HandleType kType>
-    void put(Handle<kType> handle) {
-        put(uint64_t(handle ? Handle<kType>::make(0, handle.generation(), handle.slot()).bits : 0));
+    void write(Handle<kType> handle) {
+        write(uint64_t(handle ? Handle<kType>::make(0, handle.generation(), handle.slot()).bits : 0));
     }
     template <class T, size_t kSize>
-    void put(const std::array<T, kSize>& values) {
-        for (const T& value : values) put(value);
+    void write(const std::array<T, kSize>& values) {
+        for (const T& value : values) write(value);
     }
     template <class... T>
-    void put(const std::variant<T...>& value) {
-        put(uint8_t(value.index()));
-        std::visit([&](const auto& each) { put(each); }, value);
+    void write(const std::variant<T...>& value) {
+        write(uint8_t(value.index()));
+        std::visit([&](const auto& each) { write(each); }, value);
     }
     template <class T>
-    void put(const std::vector<T>& values) {
-        put(uint32_t(values.size()));
-        for (const T& value : values) put(value);
+    void write(const std::vector<T>& values) {
+        write(uint32_t(values.size()));
+        for (const T& value : values) write(value);
     }
     template <class T>
     requires std::is_class_v<T>
-    void put(const T& value) { fields(*this, value); }
+    void write(const T& value) { fields(*this, value); }
 
-private:
     std::vector<uint8_t>& m_bytes;
     PaletteList& m_palettes;
 };
 
-/// An archive that reads them back. Handles become those of the world with the given number. Fails in the reader.
+/// Reads values that BinaryOutputArchive has written. A value that cannot be valid is a failure of the reader, after
+/// which everything reads as zero.
 class BinaryInputArchive {
 public:
-    static constexpr bool kIsBinary = true;
+    static constexpr bool kIsBinary = true;  ///< see BinaryOutputArchive
+    /// `palettes`: those that palette numbers mean. `world`: whose handles the handles become. All must outlive the
+    /// archive.
     BinaryInputArchive(ByteReader& in, const std::vector<PaletteRef>& palettes, uint8_t world = 0)
         : m_in(in), m_palettes(palettes), m_world(world) {}
 
     template <class T>
     void operator()(const char*, T& value) {
-        get(value);
+        read(value);
     }
+    /// Reads one value.
+    template <class T>
+    void get(T& value) {
+        read(value);
+    }
+
+private:
     template <class T>
     requires std::is_arithmetic_v<T>
-    void get(T& value) { value = m_in.read<T>(); }
-    void get(bool& value) {
+    void read(T& value) { value = m_in.read<T>(); }
+    void read(bool& value) {
         const auto byte = m_in.read<uint8_t>();
         if (byte > 1) m_in.fail("0 or 1", std::to_string(byte), m_in.offset() - 1);
         value = byte == 1;
     }
     template <class T>
     requires std::is_enum_v<T>
-    void get(T& value) {
+    void read(T& value) {
         const auto byte = m_in.read<uint8_t>();
         if (byte >= enumNames(value).size())
             return m_in.fail(fmt::format("a value below {}", enumNames(value).size()), std::to_string(byte),
                              m_in.offset() - 1);
         value = T(byte);
     }
-    void get(std::string& text) { text = m_in.readString(); }
+    void read(std::string& text) { text = m_in.readString(); }
     template <class T>
-    void get(glm::vec<3, T>& v) {
-        get(v.x), get(v.y), get(v.z);
+    void read(glm::vec<3, T>& v) {
+        read(v.x), read(v.y), read(v.z);
     }
-    void get(glm::dquat& q) { get(q.w), get(q.x), get(q.y), get(q.z); }
-    void get(VoxelGrid& grid) {
+    void read(glm::dquat& q) { read(q.w), read(q.x), read(q.y), read(q.z); }
+    void read(VoxelGrid& grid) {
         glm::ivec3 size(0);
-        get(size);
+        read(size);
         if (size == glm::ivec3(0)) return;
         for (int i = 0; i < 3; ++i)
             if (size[i] < 1 || size[i] > kMaxGridSize)
@@ -119,7 +139,7 @@ public:
         if (m_nodes > kMaxDirectoryNodes) return m_in.fail("grids of 2^39 cells in all", "more", m_in.offset() - 12);
         grid = VoxelGrid(size);
     }
-    void get(PaletteRef& palette) {
+    void read(PaletteRef& palette) {
         const auto number = m_in.read<uint32_t>();
         if (number < m_palettes.size())
             palette = m_palettes[number];
@@ -127,20 +147,20 @@ public:
             m_in.fail(fmt::format("a palette number below {}", m_palettes.size()), std::to_string(number),
                       m_in.offset() - 4);
     }
-    void get(PaintColorsRef& colors) {
+    void read(PaintColorsRef& colors) {
         const auto count = m_in.read<uint8_t>();
         colors = nullptr;
         if (count == 0) return;
         if (count > kPaintColors)
             return m_in.fail(fmt::format("at most {} colours of paint", kPaintColors), std::to_string(count),
                              m_in.offset() - 1);
-        auto read = std::make_shared<PaintColors>();
-        read->count = count;
-        get(read->colors);
-        colors = std::move(read);
+        auto paint = std::make_shared<PaintColors>();
+        paint->count = count;
+        read(paint->colors);
+        colors = std::move(paint);
     }
     template <HandleType kType>
-    void get(Handle<kType>& handle) {
+    void read(Handle<kType>& handle) {
         const auto bits = m_in.read<uint64_t>();
         handle = {bits};
         if (bits && (handle.type() != kType || handle.world() != 0))
@@ -148,26 +168,25 @@ public:
         if (bits) handle = Handle<kType>::make(m_world, handle.generation(), handle.slot());
     }
     template <class T, size_t kSize>
-    void get(std::array<T, kSize>& values) {
-        for (T& value : values) get(value);
+    void read(std::array<T, kSize>& values) {
+        for (T& value : values) read(value);
     }
     template <class... T>
-    void get(std::variant<T...>& value) {
+    void read(std::variant<T...>& value) {
         const auto index = m_in.read<uint8_t>();
         size_t i = 0;
-        const bool isKnown = ((index == i++ ? (get(value.template emplace<T>()), true) : false) || ...);
+        const bool isKnown = ((index == i++ ? (read(value.template emplace<T>()), true) : false) || ...);
         if (!isKnown) m_in.fail(fmt::format("a kind below {}", sizeof...(T)), std::to_string(index), m_in.offset() - 1);
     }
     template <class T>
-    void get(std::vector<T>& values) {
+    void read(std::vector<T>& values) {
         const uint32_t count = m_in.readCount(1, "elements");
-        for (uint32_t i = 0; i < count && !m_in.failed(); ++i) get(values.emplace_back());
+        for (uint32_t i = 0; i < count && !m_in.failed(); ++i) read(values.emplace_back());
     }
     template <class T>
     requires std::is_class_v<T>
-    void get(T& value) { fields(*this, value); }
+    void read(T& value) { fields(*this, value); }
 
-private:
     ByteReader& m_in;
     const std::vector<PaletteRef>& m_palettes;
     uint8_t m_world;

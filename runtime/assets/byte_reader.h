@@ -10,14 +10,19 @@
 
 namespace rubble {
 
-/// Reads little-endian values from a file's bytes and never past their end. The first failure is kept, with its place;
-/// after it everything reads as zero, so a parser checks failed() where it loops and once at its end.
+/// Reads little-endian values from a file's bytes and never past their end. The first failure is kept, with its offset;
+/// after it everything reads as zero, so a parser checks failed() in its loops and once at its end.
 /// Offsets count from the start of the file, also in a reader of a part of it.
 class ByteReader {
 public:
+    /// `context` names what the bytes are, in messages. fileOffset: where they begin in the file. The bytes must
+    /// outlive the reader.
     ByteReader(std::span<const uint8_t> bytes, std::string context, size_t fileOffset = 0)
         : m_bytes(bytes), m_context(std::move(context)), m_fileOffset(fileOffset) {}
 
+    /// The next value, or zero.
+    /// The next value, or zero.
+    /// The next value, or zero.
     template <class T>
     T read() {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -26,7 +31,8 @@ public:
             std::memcpy(&value, m_bytes.data() + m_position, sizeof(T)), m_position += sizeof(T);
         return value;
     }
-    /// An element count that the remaining bytes can hold at `bytesEach` bytes an element.
+    /// A count of 32 bits. Fails if the remaining bytes cannot hold that many elements of `bytesEach` bytes at least,
+    /// so a damaged count cannot make the caller allocate more than a small multiple of the file.
     uint32_t readCount(size_t bytesEach, const char* what) {
         const size_t start = m_position;
         const uint32_t count = read<uint32_t>();
@@ -36,12 +42,18 @@ public:
              fmt::format("{} bytes", m_bytes.size() - start - 4));
         return 0;
     }
+    /// A count of 32 bits and as many bytes of text.
+    /// A count of 32 bits and as many bytes of text.
+    /// A count of 32 bits and as many bytes of text.
     std::string readString() {
         const uint32_t length = readCount(1, "characters");
         std::string text(reinterpret_cast<const char*>(m_bytes.data()) + m_position, length);
         m_position += length;
         return text;
     }
+    /// The next `count` bytes, in place; empty if there are fewer.
+    /// The next `count` bytes, in place; empty if there are fewer.
+    /// The next `count` bytes, in place; empty if there are fewer.
     std::span<const uint8_t> readBytes(size_t count) {
         if (!need(count, "a block")) return {};
         m_position += count;
@@ -53,17 +65,29 @@ public:
         return ByteReader(readBytes(count), std::move(context), start);
     }
 
+    /// Bytes to the end; 0 after a failure.
+    /// Bytes to the end; 0 after a failure.
+    /// Bytes to the end; 0 after a failure.
     size_t remaining() const { return failed() ? 0 : m_bytes.size() - m_position; }
+    /// Where the next byte lies in the file.
+    /// Where the next byte lies in the file.
+    /// Where the next byte lies in the file.
     size_t offset() const { return m_fileOffset + m_position; }
+    /// Whether anything has failed so far.
+    /// Whether anything has failed so far.
+    /// Whether anything has failed so far.
     bool failed() const { return !m_error.empty(); }
+    /// The first failure as "byte N, context: expected ..., found ..."; empty if there is none.
+    /// The first failure as "byte N, context: expected ..., found ..."; empty if there is none.
+    /// The first failure as "byte N, context: expected ..., found ..."; empty if there is none.
     const std::string& error() const { return m_error; }
-    /// Keeps the first failure only. `offset`: where in the file; the current place if not given.
+    /// Records a failure, unless one is recorded. `offset`: where it is in the file; SIZE_MAX: at offset().
     void fail(const std::string& expected, const std::string& found, size_t offset = SIZE_MAX) {
         if (failed()) return;
         m_error = fmt::format("byte {}, {}: expected {}, found {}", offset == SIZE_MAX ? this->offset() : offset,
                               m_context, expected, found);
     }
-    /// Takes over the failure of a reader of a part.
+    /// Takes over the failure of a reader of a part, if it has one.
     void takeErrorOf(const ByteReader& part) {
         if (!failed()) m_error = part.m_error;
     }

@@ -82,7 +82,8 @@ FileHeader readFileHeader(ByteReader& in) {
     if (!in.failed() && header.magic != kFileMagic) in.fail("a baked level (\"RUBBLE\")", "other bytes", 0);
     if (header.version != kFileVersion)
         in.fail(fmt::format("version {}", kFileVersion), std::to_string(header.version), 8);
-    if (header.headerHash != hashHeader(header)) in.fail("a header whose checksum fits", "a damaged one", 0);
+    if (header.headerHash != hashHeader(header))
+        in.fail("a header whose checksum fits", "another checksum: the file is damaged", 0);
     return header;
 }
 
@@ -96,8 +97,9 @@ std::vector<uint8_t> readChunk(ByteReader& in, ChunkHeader& header) {
                std::vector<uint8_t>{};
     const auto stored = in.readBytes(size_t(header.storedBytes));
     if (hashBytes(stored.data(), stored.size(), hashHeader(header)) != header.hash)
-        return in.fail("a chunk whose checksum fits", "a damaged one", start), std::vector<uint8_t>{};
-    // LZ4 cannot pack by more than 255 to 1: a larger claim is a lie that would only cost memory.
+        return in.fail("a chunk whose checksum fits", "another checksum: the file is damaged", start),
+               std::vector<uint8_t>{};
+    // LZ4 packs at most 255 to 1: a larger size cannot be right and would only cost memory.
     if (header.rawBytes > kMaxChunkBytes || header.rawBytes > header.storedBytes * 255 + 64 || header.codec > 1 ||
         (header.codec == 0 && header.rawBytes != header.storedBytes))
         return in.fail("a possible size and codec",

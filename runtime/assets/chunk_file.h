@@ -10,39 +10,59 @@
 
 namespace rubble {
 
-// What all of Rubble's files are made of: a header and chunks, each with kind, codec, sizes and an XXH3 hash over its
-// header and stored bytes, so that no flipped bit passes. A reader skips chunks of kinds that it does not know.
+// The container of all of Rubble's binary files (levels, saved games, recordings): a header, then chunks. Each chunk
+// has a kind, a codec, its sizes and an XXH3 hash over its header and its stored bytes, so that every flipped bit is
+// noticed. A reader skips chunks of kinds that it does not know.
 
 inline constexpr std::array<char, 8> kFileMagic = {'R', 'U', 'B', 'B', 'L', 'E', '\r', '\n'};
 inline constexpr uint32_t kFileVersion = 5;
-inline constexpr uint64_t kMaxFileBytes = uint64_t(8) << 30;
-inline constexpr size_t kGridChunkBytes = 8u << 20;  ///< a GRID chunk is closed once it holds this much
+inline constexpr uint64_t kMaxFileBytes =
+    uint64_t(8) << 30;  ///< larger files are refused  ///< larger files are refused  ///< larger files are refused
+inline constexpr size_t kGridChunkBytes = 8u << 20;  ///< a GRID chunk ends once it holds this much
 
+/// The first 32 bytes of a file.
+/// The first 32 bytes of a file.
+/// The first 32 bytes of a file.
 struct FileHeader {
     std::array<char, 8> magic = kFileMagic;
     uint32_t version = kFileVersion;
     uint32_t chunks = 0;
-    uint64_t contentHash = 0;
-    uint64_t headerHash = 0;
+    uint64_t contentHash = 0;  ///< of what the file describes: hashLevel(), World::hash()
+    uint64_t headerHash = 0;   ///< of the bytes before it
 };
+/// The 32 bytes before the stored bytes of a chunk.
+/// The 32 bytes before the stored bytes of a chunk.
+/// The 32 bytes before the stored bytes of a chunk.
 struct ChunkHeader {
     std::array<char, 4> kind{};
-    uint32_t codec = 0;  ///< 0: as it is, 1: LZ4 block
+    uint32_t codec = 0;  ///< of the stored bytes; 0: none, 1: one LZ4 block
     uint64_t rawBytes = 0;
     uint64_t storedBytes = 0;
-    uint64_t hash = 0;
+    uint64_t hash = 0;  ///< of the fields before it and the stored bytes
 };
 static_assert(sizeof(FileHeader) == 32 && sizeof(ChunkHeader) == 32);
 
+/// A header with its hash.
+/// A header with its hash.
+/// A header with its hash.
 FileHeader makeFileHeader(uint32_t chunks, uint64_t contentHash);
 
-/// Packs chunks one behind the other.
+/// Packs chunks one after the other.
 class ChunkWriter {
 public:
+    /// Adds a chunk of raw bytes, packed with LZ4 if that makes them fewer.
+    /// Adds a chunk of raw bytes, packed with LZ4 if that makes them fewer.
+    /// Adds a chunk of raw bytes, packed with LZ4 if that makes them fewer.
     void add(std::array<char, 4> kind, const std::vector<uint8_t>& raw);
-    /// The chunks behind a header.
+    /// A whole file: a header and the chunks.
     std::vector<uint8_t> file(uint64_t contentHash) const;
+    /// The chunks alone.
+    /// The chunks alone.
+    /// The chunks alone.
     const std::vector<uint8_t>& bytes() const { return m_bytes; }
+    /// How many chunks there are.
+    /// How many chunks there are.
+    /// How many chunks there are.
     uint32_t count() const { return m_count; }
 
 private:
@@ -50,10 +70,17 @@ private:
     uint32_t m_count = 0;
 };
 
-/// Collects GRID chunks: u32 shape, u32 bricks, then each brick.
+/// Writes the bricks of grids as GRID chunks: the shape's number and the number of bricks (32 bits each), then each
+/// brick as appendBrick() writes it.
 class GridChunkWriter {
 public:
+    /// `out` must outlive it.
+    /// `out` must outlive it.
+    /// `out` must outlive it.
     explicit GridChunkWriter(ChunkWriter& out) : m_out(out) {}
+    /// Adds one chunk or more; none for an empty grid.
+    /// Adds one chunk or more; none for an empty grid.
+    /// Adds one chunk or more; none for an empty grid.
     void addGrid(uint32_t shape, const VoxelGrid& grid);
 
 private:
@@ -63,14 +90,15 @@ private:
     std::vector<uint8_t> m_raw;
     uint32_t m_bricks = 0;
 };
-/// The bricks of one such chunk, into the grids by number.
+/// Puts the bricks of one GRID chunk into the grid that the chunk's shape number means. Fails in the reader.
 void readGridChunk(ByteReader& in, const std::vector<VoxelGrid*>& grids);
 
-/// Checked; fails in the reader.
+/// The header of a file. Fails in the reader if magic, version or hash are wrong.
 FileHeader readFileHeader(ByteReader& in);
-/// Bytes of one chunk, checked and unpacked.
+/// The raw bytes of the next chunk, and its header. Fails in the reader if sizes or hash are wrong.
 std::vector<uint8_t> readChunk(ByteReader& in, ChunkHeader& header);
-/// A whole file: its header, and read(header, raw bytes, index) for each chunk, until something fails in the reader.
+/// Reads a whole file: calls read(header, raw bytes, index) for each chunk until something fails in the reader, and
+/// returns the file's header.
 template <class F>
 FileHeader readChunkFile(ByteReader& in, F&& read) {
     const FileHeader file = readFileHeader(in);

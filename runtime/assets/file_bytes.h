@@ -8,9 +8,10 @@
 
 namespace rubble {
 
-/// A whole file in memory; an error if it cannot be read or is larger than `limit`.
+/// Reads a whole file. An error if it is no regular file, cannot be read, or is larger than `limit` bytes.
 Result<std::vector<uint8_t>> readFileBytes(const std::string& path, uint64_t limit);
-/// Writes a neighbour, then renames it: readers see the old file or the whole new one.
+/// Writes a temporary file beside `path`, flushes it to the disk and renames it: readers see the old file or the whole
+/// new one, even after a power failure.
 Result<Done> writeFileAtomically(const std::string& path, std::span<const uint8_t> bytes);
 
 }  // namespace rubble

@@ -7,7 +7,7 @@ namespace rubble {
 namespace {
 
 enum BrickKind : uint8_t { kFull, kUniform, kMixed };
-constexpr uint8_t kPainted = 4;  ///< added to the kind: 512 bytes of paint follow
+constexpr uint8_t kPainted = 4;  // added to the kind: 512 bytes of paint follow
 
 bool fitsGrid(const Brick& brick, glm::ivec3 position, glm::ivec3 size) {
     const glm::ivec3 remaining = size - position * 8;

@@ -4,8 +4,9 @@
 
 namespace rubble {
 
-/// Whether a level makes sense: numbers finite, names UTF-8, rotations of length 1, sizes positive, indices in range.
-/// Every reader and writer of level files calls it.
+/// Checks that a level is valid: numbers are finite, names are UTF-8, rotations have length 1, sizes are positive,
+/// indices are in range. The error names the first bad field by its path ("bodies[1].pose.position"), what was expected
+/// and what was found. Every reader and writer of level files calls it.
 Result<Done> validateLevel(const Level& level);
 
 }  // namespace rubble

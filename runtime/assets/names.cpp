@@ -6,7 +6,7 @@
 namespace rubble {
 namespace {
 
-/// Bytes of the well-formed UTF-8 character at `at` (Unicode 15, table 3-7); 0 if there is none.
+/// How many bytes the UTF-8 character at `at` has; 0 if it is not well-formed.
 size_t characterLength(const std::string& text, size_t at) {
     const auto byte = [&](size_t i) { return i < text.size() ? uint8_t(text[i]) : uint8_t(0); };
     const auto isTail = [&](size_t i) { return (byte(i) & 0xc0) == 0x80; };

@@ -5,13 +5,20 @@
 
 namespace rubble {
 
-/// The name in valid UTF-8 without control characters, at most 200 bytes; "unnamed" if nothing is left.
+/// The name as valid UTF-8 of at most 200 bytes, with "?" for each invalid byte and control character; "unnamed" for an
+/// empty one.
 std::string printableName(const std::string& name);
+/// Whether a text is well-formed UTF-8 (Unicode 15, table 3-7).
+/// Whether a text is well-formed UTF-8 (Unicode 15, table 3-7).
+/// Whether a text is well-formed UTF-8 (Unicode 15, table 3-7).
 bool isUtf8(const std::string& text);
 
-/// Hands out names once each: "door", "door 2", "door 3".
+/// Makes names unique by numbering them: "door", "door 2", "door 3".
 class UniqueNames {
 public:
+    /// The name, or the name and the lowest number from 2 on that makes it a new one.
+    /// The name, or the name and the lowest number from 2 on that makes it a new one.
+    /// The name, or the name and the lowest number from 2 on that makes it a new one.
     std::string unique(const std::string& name);
 
 private:

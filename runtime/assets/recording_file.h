@@ -11,26 +11,30 @@
 
 namespace rubble {
 
-/// One step of a recording: what the host asked for, and what became of it.
+/// One step of a recording: the edits of the host, and what they came to.
 struct RecordedStep {
     uint64_t step = 0;
-    bool physicsRebuilt = false;  ///< physics was made anew from the World before this step
-    Edits edits;                  ///< the host's alone; what impacts did is in the delta, and follows from physics
-    std::vector<uint8_t> delta;   ///< see stepDeltaToBytes()
-    std::vector<BodyPose> poses;  ///< that physics handed over
+    bool physicsRebuilt = false;  ///< physics was rebuilt from the World before this step
+    Edits edits;  ///< of the host; those of impacts follow from physics, and their effect is in the delta
+    std::vector<uint8_t> delta;   ///< what the edits changed, see stepDeltaToBytes()
+    std::vector<BodyPose> poses;  ///< of bodies that physics moved
     std::vector<CharacterMove> characters;
-    uint64_t hash = 0;          ///< of the World after the step
-    uint64_t resolvedHash = 0;  ///< what the delta and the poses must come to
-    uint64_t voxelHash = 0;     ///< what the delta alone must come to
+    uint64_t hash = 0;          ///< World::hash() after the step
+    uint64_t resolvedHash = 0;  ///< World::resolvedHash(): what delta, poses and characters alone must come to
+    uint64_t voxelHash = 0;     ///< World::voxelHash(): what the delta alone must come to
 };
 
-/// Writes a recording: a save, then the steps, each a chunk. The file gets its name when it is closed; until then it
-/// has a neighbour's name, ending in .part.
+/// Writes a recording: a chunk file with a saved game (GAME) and a chunk for each step (STEP). Until close() the file's
+/// name ends in ".part".
 class RecordingWriter {
 public:
+    /// Opens the file and writes the saved game.
+    /// Opens the file and writes the saved game.
     static Result<RecordingWriter> open(const std::string& path, const SavedGame& start);
-    /// Failures are kept for close().
+    /// Appends a step. close() reports what could not be written.
     void add(const RecordedStep& step);
+    /// Completes the file and gives it its name, or removes it and says why it could not be written.
+    /// Completes the file and gives it its name, or removes it and says why it could not be written.
     Result<Done> close();
 
 private:
@@ -52,11 +56,17 @@ struct Recording {
     std::vector<RecordedStep> steps;
 };
 
-/// A step as the payload of a chunk: what goes over a wire to one who joins late.
+/// The content of a STEP chunk. A network host can send it to a client that joins late.
 std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step);
+/// Reads it. `world`: number of the World whose handles the handles become.
+/// Reads it. `world`: number of the World whose handles the handles become.
 Result<RecordedStep> recordedStepFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world);
 
+/// Reads a whole recording. Steps must follow each other without a gap. `name`: of the file, for messages.
+/// Reads a whole recording. Steps must follow each other without a gap. `name`: of the file, for messages.
 Result<Recording> recordingFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world);
+/// Reads a recording from a file; see recordingFromBytes().
+/// Reads a recording from a file; see recordingFromBytes().
 Result<Recording> readRecording(const std::string& path, uint8_t world);
 
 }  // namespace rubble

@@ -7,11 +7,11 @@
 
 namespace rubble {
 
-/// The baked format in memory. A header (magic "RUBBLE\r\n", version, number of chunks, hashLevel(), hash of the
-/// header), then chunks, each with kind, codec, sizes and an XXH3 hash over its header and stored bytes: no flipped bit
-/// passes. PALT: palettes; LEVL: everything but voxels; GRID: bricks of one shape, repeated when large. Unknown kinds
-/// are skipped.
+/// A baked level in memory: a chunk file (chunk_file.h) whose content hash is hashLevel(). Chunks: PALT, the palettes;
+/// LEVL, everything but voxels; GRID, bricks of one shape, several for large shapes.
 std::vector<uint8_t> levelToRubble(const Level& level);
+/// Reads a baked level. `name`: of the file, for messages. Any bytes give a valid level or an error.
+/// Reads a baked level. `name`: of the file, for messages. Any bytes give a valid level or an error.
 Result<Level> levelFromRubble(std::span<const uint8_t> bytes, const std::string& name);
 
 }  // namespace rubble

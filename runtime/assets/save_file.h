@@ -15,14 +15,17 @@ struct SavedGame {
     Edits pending;
 };
 
-/// A save in memory: chunks PALT, SAVE (everything but voxels) and GRID, under the hash that the World has.
+/// A saved game in memory: a chunk file (chunk_file.h) with chunks PALT, SAVE (everything but voxels) and GRID, whose
+/// content hash is World::hash().
 std::vector<uint8_t> gameToBytes(const SavedGame& game);
-/// For a World with this number: handles are made its own. The error names file, place, what was expected and what was
-/// found.
+/// Reads a saved game. Its handles become those of the World with the number `world`. `name`: of the file, for
+/// messages.
 Result<SavedGame> gameFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world);
 
-/// Written atomically.
+/// Writes a saved game, whole or not at all.
 Result<Done> writeSave(const std::string& path, const SavedGame& game);
+/// Reads a saved game from a file; see gameFromBytes().
+/// Reads a saved game from a file; see gameFromBytes().
 Result<SavedGame> readSave(const std::string& path, uint8_t world);
 
 }  // namespace rubble

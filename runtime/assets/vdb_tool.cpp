@@ -1,5 +1,4 @@
-#include "runtime/assets/vdb_tool.h"
-
+// Runs the program rubble-vdb as a child process: OpenVDB trusts what it reads, and a damaged file may crash it.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -24,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr size_t kMaxOutput = 64 << 10;
+constexpr size_t kMaxOutput = 64 << 10;  // bytes of the child's output that are kept
 
 /// A positive number from the environment, or the default.
 uint64_t environmentLimit(const char* name, uint64_t fallback) {
@@ -33,7 +32,7 @@ uint64_t environmentLimit(const char* name, uint64_t fallback) {
     return value ? value : fallback;
 }
 
-/// A folder of our own that goes when the object does.
+/// A new folder that is removed with everything in it when the object is destroyed.
 class TemporaryFolder {
 public:
     TemporaryFolder() {
@@ -93,8 +92,17 @@ std::string describeExit(int status, bool inTime, uint64_t seconds) {
     return fmt::format("ended with code {}", WEXITSTATUS(status));
 }
 
-}  // namespace
+/// Waits for the child and releases it. False if the host ignores SIGCHLD: then there is no status.
+bool waitForExit(pid_t child, int& status) {
+    pid_t waited;
+    do {
+        waited = waitpid(child, &status, 0);
+    } while (waited < 0 && errno == EINTR);
+    return waited >= 0;
+}
 
+/// Runs rubble-vdb under limits of memory (environment variable RUBBLE_VDB_MEMORY_MIB, 4096) and time
+/// (RUBBLE_VDB_SECONDS, 120). Returns what it printed, or as an error the message that it printed or how it ended.
 Result<std::string> runVdbTool(const std::string& tool, const std::vector<std::string>& arguments) {
     const uint64_t seconds = environmentLimit("RUBBLE_VDB_SECONDS", 120);
     std::vector<std::string> command{tool, "--memory-mib",
@@ -102,29 +110,43 @@ Result<std::string> runVdbTool(const std::string& tool, const std::vector<std::s
                                      std::to_string(seconds)};
     command.insert(command.end(), arguments.begin(), arguments.end());
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) return Error{fmt::format("{}: no pipe: {}", tool, std::strerror(errno))};
+    if (pipe2(ends, O_CLOEXEC) != 0)
+        return Error{fmt::format("{}: cannot make a pipe for it: {}", tool, std::strerror(errno))};
     const pid_t child = spawnTool(command, ends[1]);
     close(ends[1]);
     if (child < 0) {
         close(ends[0]);
-        return Error{fmt::format("{}: cannot spawnTool: {}", tool, std::strerror(-child))};
+        return Error{fmt::format("{}: cannot start it: {}", tool, std::strerror(-child))};
     }
     std::string output;
     const bool inTime = readUntil(ends[0], Clock::now() + std::chrono::seconds(seconds), output);
     close(ends[0]);
     if (!inTime) kill(child, SIGKILL);
     int status = 0;
-    pid_t waited;
-    while ((waited = waitpid(child, &status, 0)) < 0 && errno == EINTR) {
-    }
+    const bool hasStatus = waitForExit(child, status);
     while (!output.empty() && output.back() == '\n') output.pop_back();
-    // Where a host ignores SIGCHLD there is no status; what the tool wrote decides then.
-    if (inTime && (waited < 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 0))) return output;
+    // Without a status the file that the tool should have written decides.
+    if (inTime && (!hasStatus || (WIFEXITED(status) && WEXITSTATUS(status) == 0))) return output;
     if (inTime && WIFEXITED(status) && output.find("error: ") != std::string::npos)
         return Error{output.substr(output.find("error: ") + 7)};
     return Error{fmt::format("{}: {}{}{}", fs::path(tool).filename().string(), describeExit(status, inTime, seconds),
                              output.empty() ? "" : ": ", output)};
 }
+
+/// Takes the lines "note: ..." from the tool's output.
+void reportNotes(const std::string& output, const std::string& path, ImportReport* report) {
+    std::string line;
+    for (size_t at = 0; at < output.size(); at += line.size() + 1) {
+        line = output.substr(at, output.find('\n', at) - at);
+        if (!line.starts_with("note: ")) continue;
+        if (report)
+            report->lines.push_back(line.substr(6));
+        else
+            logWarning(path + ": " + line.substr(6));
+    }
+}
+
+}  // namespace
 
 Result<Level> readVdb(const std::string& path, const std::string& vdbTool, ImportReport* report) {
     const TemporaryFolder folder;
@@ -132,22 +154,10 @@ Result<Level> readVdb(const std::string& path, const std::string& vdbTool, Impor
     const Result<std::string> output = runVdbTool(vdbTool, {"to-rubble", path, baked});
     if (!output)
         return Error{output.error().find(path) == std::string::npos ? path + ": " + output.error() : output.error()};
-    std::string line;
-    for (size_t at = 0; at < output->size(); at += line.size() + 1) {
-        line = output->substr(at, output->find('\n', at) - at);
-        if (!line.starts_with("note: ")) continue;
-        if (report)
-            report->lines.push_back(line.substr(6));
-        else
-            logWarning(path + ": " + line.substr(6));
-    }
+    reportNotes(*output, path, report);
     Result<Level> level = readRubble(baked);
-    if (level && report) addLevelCounts(*level, *report);
+    if (level && report) report->count(*level);
     return level;
-}
-
-Result<Level> readVdb(const std::string& path, const std::string& vdbTool) {
-    return readVdb(path, vdbTool, nullptr);
 }
 
 Result<Done> writeVdb(const std::string& path, const Level& level, const std::string& vdbTool) {

@@ -8,7 +8,6 @@
 
 #include "runtime/assets/assets.h"
 #include "runtime/assets/file_bytes.h"
-#include "runtime/assets/vdb_tool.h"
 #include "tests/runtime/assets/sample_level.h"
 #include "tests/runtime/assets/vdb/third_party_vdb.h"
 #include "tests/support/temp_folder.h"
