@@ -22,7 +22,7 @@ struct UnionFind {
     }
 };
 
-/// The first byte at or after x that is (or is not) zero; eight at a time where they agree.
+/// The first x where the run of zeros (or of non-zeros) ends; compares eight bytes at a time where possible.
 int skip(const uint8_t* row, int x, int end, bool zeros) {
     for (; x + 8 <= end; x += 8) {
         uint64_t word;
@@ -34,7 +34,7 @@ int skip(const uint8_t* row, int x, int end, bool zeros) {
     return x;
 }
 
-/// Unites the runs of one row with those of another that touch them.
+/// Unites the runs of two rows that overlap.
 void uniteRows(const std::vector<Run>& runs, uint32_t a, uint32_t aEnd, uint32_t b, uint32_t bEnd, UnionFind& sets) {
     while (a < aEnd && b < bEnd) {
         if (runs[a].begin < runs[b].end && runs[b].begin < runs[a].end) sets.unite(a, b);

@@ -35,7 +35,8 @@ bool inHalves(glm::ivec3 c, int size) {
     return c.x < size / 2 - 8 || c.x >= size / 2 + 8 || (c.y / 4 == size / 8 && c.z / 4 == size / 8);
 }
 
-/// Whether the two nearest of a jittered grid of points are not about equally far offset.
+/// Whether a cell lies inside a Voronoi cell of jittered points: not in the gap where its two nearest points are about
+/// equally far.
 bool inVoronoi(glm::ivec3 c) {
     constexpr int kCell = 20;
     int64_t nearest = INT64_MAX, second = INT64_MAX;
@@ -85,7 +86,7 @@ VoxelGrid makeSolid(Solid solid, int size) {
         BrickIndices indices;
         for (int i = 0; i < kBrickVoxels; ++i) {
             const glm::ivec3 c = brick * kBrickSize + voxelInBrick(i);
-            // Every other storey of one colour: some bricks uniform, some not, as in models.
+            // Every other storey has one colour: some bricks are uniform, some are not, as in real models.
             const uint32_t entry = c.y / 32 & 1 ? 1 : 1 + hashCell(c.x, c.y, c.z) % 3;
             indices[size_t(i)] = isSolid(solid, c, size) ? uint8_t(entry) : uint8_t(0);
         }

@@ -4,7 +4,7 @@
 
 namespace rubble {
 
-/// A block of houses for rays: walls one voxel thick, windows, floors, streets between the houses.
+/// A block of houses to cast rays through: walls one voxel thick, windows, floors, streets between the houses.
 inline VoxelGrid makeHouses() {
     const glm::ivec3 size(256, 128, 256);
     VoxelGrid grid(size);

@@ -11,7 +11,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 struct FloatRay {
     glm::vec3 origin, direction, inverse;
-    float low = 0.0f, high;  ///< inside the grid
+    float low = 0.0f, high;  ///< interval of t inside the grid
 };
 
 bool clip(const MipGrid& grid, const CellRay& ray, FloatRay& out) {

@@ -1,4 +1,4 @@
-// The two modes of paint on the same wall with the same sprays, and a wooden block on fire.
+// The two modes of paint, on the same wall with the same sprays; and a burning block of wood.
 #include <benchmark/benchmark.h>
 
 #include "runtime/core/random.h"
@@ -31,7 +31,7 @@ VoxelGrid solid(glm::ivec3 size, int entries) {
     return grid;
 }
 
-/// 64 sprays of eight colours over a wall; then what that took.
+/// 64 sprays of eight colours over a wall; counts painted voxels, merged palette entries and bytes.
 void sprays(benchmark::State& state, bool byLayer) {
     const int entries = int(state.range(0));
     const VoxelGrid clean = solid(kWall, entries);

@@ -1,3 +1,4 @@
+// Steps of PhysicsWorld with piles of pieces, compared with Bullet where the name says so.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Milliseconds of this thread's processor time that something takes.
+/// Milliseconds of this thread's processor time in f().
 double cpuMs(const std::function<void()>& f) {
     const auto now = [] {
         timespec t{};
@@ -53,7 +54,7 @@ PhysicsSettings sleepless() {
     return settings;
 }
 
-/// Ours: the first `woken` bodies are awake from the start.
+/// A level in our physics; the first `woken` bodies are awake from the start.
 struct Pile {
     Pile(const Level& level, const PhysicsSettings& settings, size_t woken = ~size_t(0)) : physics(settings) {
         world.load(level);
@@ -101,7 +102,7 @@ void reportPile(benchmark::State& state, const std::string& who, const std::vect
 }
 
 /// Awake Voronoi pieces in a pit: ours, and Bullet's compounds of merged boxes with one and with two friction
-/// directions, step by step in turn, in processor time. From the second second on, when the first pieces lie.
+/// directions. Steps alternate, in processor time; the first two seconds, before the first pieces lie, do not count.
 void voronoiPieces(benchmark::State& state) {
     const Level level = voronoiPit(int(state.range(0)));
     Pile ours(level, sleepless());
@@ -133,7 +134,7 @@ BENCHMARK(voronoiPieces)
     ->Iterations(1)
     ->UseManualTime();
 
-/// How high a pile is that Bullet has solved to the end: 8 substeps of 30 iterations with two friction directions.
+/// Height and overlap of a pile compared with a nearly converged one: Bullet with 8 substeps of 30 iterations.
 void convergedPile(benchmark::State& state) {
     const Level level = voronoiPit(int(state.range(0)));
     Pile ours(level, sleepless());
@@ -149,7 +150,7 @@ void convergedPile(benchmark::State& state) {
 }
 BENCHMARK(convergedPile)->Name("physics/convergedPile")->Args({144, 480})->Unit(benchmark::kMillisecond)->Iterations(1);
 
-/// A pit of pieces, and around it others that sleep on a plain.
+/// A pit of pieces, and around it other pieces that sleep on a plain.
 Level pitInAPlain(int pieces, int sleepers) {
     Level level = voronoiPit(pieces);
     const int side = int(std::ceil(std::sqrt(double(sleepers))));
@@ -172,7 +173,7 @@ Level pitInAPlain(int pieces, int sleepers) {
     return level;
 }
 
-/// 10,000 pieces in the world of which some are awake: the step's processor time.
+/// Processor time of a step with 10,000 pieces, some of which are awake.
 void awakeAmongSleepers(benchmark::State& state) {
     const int awake = int(state.range(0));
     Pile pile(pitInAPlain(awake, 10'000 - awake), sleepless(), size_t(awake) + 1);
@@ -208,8 +209,8 @@ void sleepers(benchmark::State& state) {
 }
 BENCHMARK(sleepers)->Name("physics/sleepers")->Arg(10'000)->Unit(benchmark::kMicrosecond);
 
-/// The same pile with one and with two threads, step by step in turn, on the wall's clock: means little on a busy
-/// machine. What a step runs in parallel first is its narrowphase; what follows are strips of the solver.
+/// The same pile with one and with two threads in alternation, in wall-clock time: meaningless on a busy machine. The
+/// first call of parallelFor in a step is the narrowphase; later calls are the solver's.
 void twoThreads(benchmark::State& state) {
     const Level level = voronoiPit(int(state.range(0)));
     double narrow[2] = {0.0, 0.0};
@@ -240,9 +241,9 @@ void twoThreads(benchmark::State& state) {
 }
 BENCHMARK(twoThreads)->Name("physics/twoThreads")->Arg(500)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-/// How long after the last of them has landed (nothing is faster than 3 m/s) pieces sleep, and whether anything floats
-/// then; then a hole of 3 x 3 m in the floor: how many of those that lay on it wake within a step, and what floats in
-/// the end.
+/// Seconds from the landing of the last piece (no piece is faster than 3 m/s) until 99 % of the pieces sleep, and how
+/// many then sleep without support. Then a hole of 3 x 3 m is cut into the floor: how many pieces above it wake within
+/// a step, and how many sleep without support in the end.
 void sleepingPile(benchmark::State& state) {
     const int pieces = int(state.range(0));
     Pile pile(voronoiPit(pieces, 1, int(state.range(1))), {});
@@ -284,7 +285,7 @@ BENCHMARK(sleepingPile)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
 
-/// Cuts of a body of 256^3 voxels that lies among moving pieces: what physics takes for the journal of one.
+/// Cuts of a body of 256^3 voxels among moving pieces: the time that physics takes to apply a cut's journal.
 void cutOfALargeBody(benchmark::State& state) {
     Level level = voronoiPit(100, 1, 40);
     LevelBody block = level.bodies[1];

@@ -1,4 +1,4 @@
-// Rays and casts through a World of many shapes: one by one, and as a batch over threads.
+// Rays and sphere casts through a World of many shapes: one by one, and as a batch over threads.
 #include <benchmark/benchmark.h>
 
 #include <thread>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kRays = 4096;
 
-/// A field of 20 x 20 turned blocks over a floor.
+/// A field of 20 x 20 rotated blocks over a floor.
 World makeField() {
     Random random(3);
     Level level;
@@ -73,7 +73,7 @@ void castBatch(benchmark::State& state) {
         castRays(world, rays, hits, {}, state.range(1) == 2 ? ParallelFor(twoThreads) : ParallelFor(serialFor));
     state.SetItemsProcessed(state.iterations() * kRays);
 }
-// Radius in centimetres; threads.
+// Arguments: radius in centimetres; number of threads.
 BENCHMARK(castOneByOne)->Arg(0)->Arg(20)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(castBatch)
     ->Args({0, 1})

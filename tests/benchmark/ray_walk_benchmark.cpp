@@ -1,4 +1,4 @@
-// The exact walk over bricks, against the reference's walk over an object's mips and against every voxel in turn.
+// The exact walk over bricks, compared with Teardown's walk over an object's mips and with a plain 3D-DDA.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
@@ -16,7 +16,7 @@ const VoxelGrid& houses() {
     return grid;
 }
 
-/// From points around and inside, to points inside: what a camera sees.
+/// Rays from points around and inside the grid to points inside it, as a camera casts them.
 const std::vector<CellRay>& rays() {
     static const std::vector<CellRay> all = [] {
         std::vector<CellRay> out;
@@ -38,7 +38,7 @@ template <class F>
 void run(benchmark::State& state, F&& walk) {
     int hits = 0;
     size_t different = 0;
-    rays();  // made before the clock runs
+    rays();  // builds them before the timing starts
     for (auto _ : state)
         for (const CellRay& ray : rays()) hits += walk(ray);
     for (const CellRay& ray : rays()) different += walk(ray) != walkRay(houses(), ray).hit;
@@ -62,7 +62,7 @@ BENCHMARK(rayWalkBricks)->Unit(benchmark::kMillisecond);
 BENCHMARK(rayWalkMips)->Unit(benchmark::kMillisecond);
 BENCHMARK(rayWalkVoxels)->Unit(benchmark::kMillisecond);
 
-/// The ratios in one process and in turns, as a machine's speed drifts.
+/// Ratios of times from one process, measured in alternation: the speed of a machine drifts.
 void rayWalkRatios(benchmark::State& state) {
     const MipGrid grid(houses());
     double bricks = 0.0, mips = 0.0, voxels = 0.0;

@@ -1,4 +1,4 @@
-// The shadow worker with bodies of 16^3 voxels that all move: what an update costs, and how old the volume is at 60 Hz.
+// The shadow worker with moving bodies of 16^3 voxels: cost of an update, and age of the shadow volume at 60 Hz.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 #include <time.h>
@@ -41,7 +41,7 @@ LevelBody makeBody(VoxelGrid grid, glm::dvec3 position, bool isStatic) {
     return body;
 }
 
-/// Bodies over a floor, falling at about 10 m/s and turning.
+/// Bodies over a floor that fall at about 10 m/s and rotate.
 class Fall {
 public:
     explicit Fall(int bodies) {
@@ -77,7 +77,7 @@ private:
     std::vector<BodyPose> m_moved;
 };
 
-/// The worker's time for one step.
+/// Time of the worker for one step.
 void shadowUpdate(benchmark::State& state) {
     Fall fall(int(state.range(0)));
     ShadowWorker worker(ShadowWorker::Mode::Inline);
@@ -104,16 +104,16 @@ double cpuMs(clockid_t clock) {
     clock_gettime(clock, &time);
     return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
 }
-/// How often the system took a processor away from a thread of this program that wanted to go on.
+/// Involuntary context switches of this process: how often the system preempted one of its threads.
 long preemptions() {
     rusage usage;
     getrusage(RUSAGE_SELF, &usage);
     return usage.ru_nivcsw;
 }
 
-/// Ten seconds at 60 Hz. Age: steps between the world and the newest publication, when the step asks for patches. It
-/// asks right after its submission, so 1 is the least: all but the step of this moment. On a machine that others use,
-/// look at `preemptions` before believing the ages, and at `worker_cpu_ms`, which is the worker's own time for a step.
+/// Ten seconds at 60 Hz. Age: steps between the world and the newest publication when a step takes the patches. A step
+/// takes them right after its submission, so the minimum is 1: everything but the current step. On a busy machine check
+/// `preemptions` before relying on the ages; `worker_cpu_ms` is the worker's own processor time for a step.
 void shadowLag(benchmark::State& state) {
     Fall fall(int(state.range(0)));
     ShadowWorker worker(ShadowWorker::Mode::Thread);

@@ -1,5 +1,5 @@
-// Splits after carves of radius 6, and cuts clean in two, against relabelling the whole grid from bytes in the same
-// process with the same compiler. One thread on both sides.
+// Splits after carves of radius 6 and after cuts in two, compared with a relabelling of the whole grid from bytes: in
+// the same process, by the same compiler, with one thread each.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -41,11 +41,11 @@ const Palette& stone() {
     return palette;
 }
 
-/// A static shape in which nothing is loose, and what holds it.
+/// A static grid whose voxels are all connected to its anchors.
 struct AnchoredSolid {
     VoxelGrid grid;
     std::vector<CellBox> anchors;
-    double relabelMs = 0.0;  ///< of relabelling all of it: the median of five
+    double relabelMs = 0.0;  ///< a relabelling of the whole grid: median of five
 
     AnchoredSolid(VoxelGrid whole, const CellBox& anchor) : grid(std::move(whole)), anchors{anchor} {
         for (const Component& loose : findDetached(grid, anchors, true).pieces) takePiece(grid, loose);
@@ -64,15 +64,15 @@ const AnchoredSolid& anchoredSolid(bench::Solid solid, int size) {
     static std::map<std::pair<bench::Solid, int>, AnchoredSolid> known;
     const auto found = known.find({solid, size});
     if (found != known.end()) return found->second;
-    if (size >= 512) known.clear();  // memory
+    if (size >= 512) known.clear();  // to limit memory
     const CellBox bottom{{0, 0, 0}, {size, 1, size}}, side{{0, 0, 0}, {1, size, size}};
     return known
         .try_emplace({solid, size}, bench::makeSolid(solid, size), solid == bench::Solid::Halves ? side : bottom)
         .first->second;
 }
 
-/// Times one carve and its split on a copy of the grid. `minMs`: what it takes to label the carved bricks, each by
-/// itself, and to move what came off into grids of its own: no split can be had for less.
+/// Times of one carve and its split. `minMs` is a lower bound for any split: labelling the carved bricks, each on its
+/// own, and moving the pieces into grids of their own.
 struct Timed {
     double carveMs, minMs, splitMs;
     size_t pieces;
@@ -107,7 +107,7 @@ Timed carveAndSplit(const AnchoredSolid& anchored, const Brush& brush) {
     return {carveMs, labelMs + msSince(found), msSince(start), loose.pieces.size()};
 }
 
-/// A solid cell, found by chance.
+/// A random solid cell.
 glm::ivec3 randomVoxel(const VoxelGrid& grid, Random& random) {
     for (;;) {
         const int x = int(random.below(uint32_t(grid.size().x))), y = int(random.below(uint32_t(grid.size().y))),
@@ -127,7 +127,7 @@ void report(benchmark::State& state, const std::vector<double>& splits, const st
     state.counters["times_faster"] = relabelMs / median(splits);
 }
 
-/// Two hundred carves at random voxels, each of the whole solid; the split alone is what is timed.
+/// Two hundred carves at random voxels, each of a fresh copy; only the split is timed.
 void carveSplit(benchmark::State& state, bench::Solid solid, int size) {
     const AnchoredSolid& anchored = anchoredSolid(solid, size);
     Random random(1);
@@ -144,10 +144,10 @@ void carveSplit(benchmark::State& state, bench::Solid solid, int size) {
     report(state, splits, carves, anchored.relabelMs);
 }
 
-/// The same on the shapes of the models of at least a thousand voxels, those of up to 64^3 cells apart: a full relabel
-/// of them takes 4 to 100 us, in the cache, which leaves a split no room. Ratios per shape, their median; how many
-/// shapes are split twenty times as fast as they are relabelled, and how many could be, at the least that a split of
-/// them takes.
+/// The same on the shapes of real models with at least a thousand voxels. Small shapes, up to 64^3 cells, are a
+/// benchmark of their own: a full relabelling takes 4 to 100 us in the cache, which leaves little to save. Counters:
+/// the median ratio of the shapes; how many shapes are split at least 20 times as fast as relabelled; and the same for
+/// the lower bound of a split's time.
 void modelSplit(benchmark::State& state, bool areLarge) {
     std::vector<AnchoredSolid> shapes;
     const std::filesystem::path folder = RUBBLE_SOURCE_DIR "/../shared/models";
@@ -197,9 +197,9 @@ void modelSplit(benchmark::State& state, bool areLarge) {
     state.counters["shapes"] = double(shapes.size());
 }
 
-/// A block cut clean in two by World::applyEdits; `step_ms` is all of that step, `carve_ms` the same carve alone.
-/// "halves": by one ball on the bridge between them; "block": by a slab through the middle. Cold: nothing is known of
-/// the grid, it is its first cut.
+/// A block is cut in two by World::applyEdits(): "halves" by a ball on the bridge between them, "block" by a slab
+/// through the middle. `step_ms` is the whole step, `carve_ms` the carve alone. Cold: the first cut, without cached
+/// results.
 void cutInTwo(benchmark::State& state, bench::Solid solid, bool isCold) {
     const int size = 256;
     const AnchoredSolid& anchored = anchoredSolid(solid, size);
@@ -237,8 +237,7 @@ void cutInTwo(benchmark::State& state, bench::Solid solid, bool isCold) {
         state.SetIterationTime(steps.back() * 1e-3);
     }
     state.counters["step_ms"] = median(steps);
-    state.counters["best_ms"] =
-        *std::min_element(steps.begin(), steps.end());  // what other programs leave of the machine
+    state.counters["best_ms"] = *std::min_element(steps.begin(), steps.end());  // the least disturbed by other programs
     state.counters["carve_ms"] = median(carves);
     state.counters["relabel_ms"] = anchored.relabelMs;
 }

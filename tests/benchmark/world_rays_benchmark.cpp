@@ -1,5 +1,5 @@
-// Rays through the world's occupancy: the exact walk against the two approximate ones that renderers use, with what
-// these get wrong.
+// Rays through the world's occupancy: time of the exact walk and of two approximate walks that renderers use, and the
+// errors of the approximate ones.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -17,10 +17,10 @@ namespace {
 constexpr glm::ivec3 kSize(384, 96, 384);
 constexpr int kLevels = 3;
 constexpr int kRays = 20000;
-constexpr double kMaxDistance = 240.0;  // cells: 24 m
+constexpr double kMaxDistance = 240.0;  // cells, 24 m
 constexpr int kRuns = 9;
 
-/// Occupancy at full, half and quarter resolution: a byte a cell, solid if anything in it is.
+/// Occupancy at full, half and quarter resolution, a byte per cell; a coarse cell is solid if any of its cells is.
 class MipOccupancy {
 public:
     explicit MipOccupancy(const VoxelGrid& grid) {
@@ -48,7 +48,7 @@ private:
     std::array<std::vector<uint8_t>, kLevels> m_levels;
 };
 
-/// Fixed steps, a level finer where something is and a level coarser where nothing is.
+/// Steps of fixed length: a level finer where a cell is solid, a level coarser where it is empty.
 bool sparseHit(const MipOccupancy& world, const CellRay& ray) {
     int level = 0;
     for (double t = 0.5; t < ray.tMax;) {
@@ -64,7 +64,7 @@ bool sparseHit(const MipOccupancy& world, const CellRay& ray) {
     return false;
 }
 
-/// Five single steps, three double ones, then half and quarter resolution to the end.
+/// Five single and three double steps at full resolution, then eight at half and the rest at quarter resolution.
 bool superSparseHit(const MipOccupancy& world, const CellRay& ray) {
     double t = 0.5;
     for (int step = 0; t < ray.tMax; ++step) {
@@ -101,7 +101,7 @@ VoxelGrid makeCity() {
     return grid;
 }
 
-/// Rays upward from the free cell above random floors, as light is gathered there.
+/// Rays upward from free cells above random floors, as ambient light is gathered.
 std::vector<CellRay> makeRays(const VoxelGrid& grid) {
     std::vector<CellRay> rays;
     Random random(12);
@@ -114,7 +114,7 @@ std::vector<CellRay> makeRays(const VoxelGrid& grid) {
     return rays;
 }
 
-/// Nanoseconds a ray, median of the runs, and the answers.
+/// Nanoseconds per ray, median of the runs; `hits` receives the results.
 template <class Hit>
 double medianNs(const std::vector<CellRay>& rays, std::vector<uint8_t>& hits, Hit&& hit) {
     std::vector<double> runs;
@@ -129,7 +129,7 @@ double medianNs(const std::vector<CellRay>& rays, std::vector<uint8_t>& hits, Hi
     return runs[kRuns / 2];
 }
 
-/// Percent of rays for which `hits` says `said` where the exact walk says otherwise.
+/// Percentage of rays whose result is `said` but not in the exact walk.
 double wrongPercent(const std::vector<uint8_t>& hits, const std::vector<uint8_t>& exact, bool said) {
     size_t wrong = 0;
     for (size_t i = 0; i < hits.size(); ++i) wrong += hits[i] == said && exact[i] != said;

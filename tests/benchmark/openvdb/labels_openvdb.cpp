@@ -1,5 +1,5 @@
-// Connected components of whole volumes: ours from bricks, ours from bytes, OpenVDB's segmentActiveVoxels, and, if
-// python3 with SciPy is there, scipy.ndimage.label on the same bytes. Each says what goes in and what comes out.
+// Connected components of whole volumes: ours from bricks, ours from bytes, OpenVDB's segmentActiveVoxels, and
+// scipy.ndimage.label on the same bytes if python3 with SciPy is installed.
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetUtil.h>
 #include <tbb/global_control.h>
@@ -77,10 +77,10 @@ double openVdbMs(const openvdb::BoolGrid& grid, size_t threads, Sizes& sizes) {
     return ms;
 }
 
-/// OpenVDB makes a grid of about a third of a megabyte for each component: of more than this many there is no room.
+/// OpenVDB makes a grid of about a third of a megabyte for each component: more components than this exhaust memory.
 constexpr size_t kMaxGrids = 4000;
 
-/// SciPy on the bytes, in a process of its own that times itself; 0 if it is not there.
+/// Milliseconds of SciPy on the bytes, timed by its own process; 0 if SciPy is not installed.
 double scipyMs(const std::vector<uint8_t>& bytes, glm::ivec3 size, size_t& components) {
     const std::string folder = std::getenv("TMPDIR") ? std::getenv("TMPDIR") : "/tmp",
                       file = folder + "/rubble_labels.raw";
@@ -127,17 +127,18 @@ bool compare(const char* name, const VoxelGrid& grid) {
 
 }  // namespace
 
-/// With an argument: only volumes whose name holds it.
+/// With an argument: only volumes whose names contain it.
 int main(int argc, char** argv) {
     openvdb::initialize();
     std::printf(
-        "destruction/label: milliseconds, best of 3 (OpenVDB, SciPy) and 5 (ours), other figures are times faster. "
-        "Ours: one thread.\n"
-        "bricks: bits of cold bricks in, components and their voxel counts out. dense: bytes in, labels and counts "
-        "out.\n"
-        "OpenVDB: a BoolGrid in, a grid for each component out, with 1 thread and with %u; \"-\": too many grids. "
-        "SciPy: bytes in, labels out, one "
-        "thread.\n",
+        "destruction/label: milliseconds, best of 3 (OpenVDB, SciPy) and of 5 (ours); behind |: how many times faster "
+        "we "
+        "are. Ours: one thread.\n"
+        "bricks: from the bits of cold bricks to components and their voxel counts. dense: from bytes to labels and "
+        "counts.\n"
+        "OpenVDB: from a BoolGrid to a grid for each component, with 1 thread and with %u; \"-\": too many grids. "
+        "SciPy: "
+        "from bytes to labels, one thread.\n",
         std::thread::hardware_concurrency());
     std::printf("%-14s %8s %9s %9s %9s %9s %9s | %7s %7s %7s | %7s %7s\n", "volume", "parts", "bricks", "dense",
                 "vdb 1", "vdb all", "scipy", "b/vdb1", "b/vdbN", "b/scipy", "d/vdb1", "d/scipy");

@@ -1,4 +1,4 @@
-"""Milliseconds (best of 3) and components of scipy.ndimage.label: labels_scipy.py FILE Z Y X. Without SciPy it fails, and is left out."""
+"""Prints the milliseconds (best of 3) and the number of components of scipy.ndimage.label: labels_scipy.py FILE Z Y X"""
 import sys
 import time
 
