@@ -4,12 +4,23 @@
 #include <glm/common.hpp>
 
 #include "runtime/destruction/local_connectivity.h"
+#include "runtime/voxel/brick_box.h"
+
+// Which parts does a cut detach? Incremental connectivity by search from the cut.
+//
+// Before the cut, every voxel was connected to what stays. Whatever the cut detached therefore borders on it. One set
+// of voxels grows from each component around the carved bricks, all sets in turns, by one part (component of a
+// directory node) at a time, so that a set costs at most about as much as the smallest ones: searching the two sides of
+// a cut in parallel costs only the smaller side (S. Even and Y. Shiloach, "An on-line edge-deletion problem", JACM 28,
+// 1981). Sets that meet are united (union-find). A set that reaches an anchor stays; a set that cannot grow any more
+// and has no anchor is detached. Parts near anchors grow first, so most sets are decided early. The search ends when at
+// most one set is undecided and it must be what stays: because no other set can hold the anchors, or because it has
+// more voxels left than the largest detached one.
 
 namespace rubble {
 namespace {
 
-constexpr BrickBits kEveryCell = {~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull};
-
+/// Whether a box overlaps the cube of cells [low, low + size).
 bool meets(const CellBox& box, glm::ivec3 low, int size) {
     return glm::all(glm::lessThan(box.low, low + size)) && glm::all(glm::greaterThan(box.high, low)) && !box.empty();
 }
@@ -21,19 +32,15 @@ bool nodeMeets(glm::ivec3 node, std::span<const CellBox> anchors) {
 
 /// Whether some of a brick's voxels lie in one of the boxes.
 bool holds(glm::ivec3 brick, const BrickBits& voxels, std::span<const CellBox> anchors) {
-    const glm::ivec3 base = brick * kBrickSize;
     for (const CellBox& anchor : anchors) {
-        const glm::ivec3 low = glm::max(anchor.low - base, 0), high = glm::min(anchor.high - base, kBrickSize);
-        if (low.x >= high.x || low.y >= high.y || low.z >= high.z) continue;
-        const uint64_t row = (uint64_t(1) << high.x) - (uint64_t(1) << low.x);
-        uint64_t layer = 0;
-        for (int y = low.y; y < high.y; ++y) layer |= row << 8 * y;
-        for (int z = low.z; z < high.z; ++z)
-            if (voxels[size_t(z)] & layer) return true;
+        const BrickBits inside = cellsInBox(brick, anchor);
+        for (size_t z = 0; z < 8; ++z)
+            if (voxels[z] & inside[z]) return true;
     }
     return false;
 }
 
+/// Whether a component of the node has a cell in one of the boxes.
 bool partTouches(const BrickNode& node, glm::ivec3 position, uint32_t part, std::span<const CellBox> anchors) {
     if (!nodeMeets(position, anchors)) return false;
     const NodeParts& parts = nodeParts(node);
@@ -50,6 +57,7 @@ bool partTouches(const BrickNode& node, glm::ivec3 position, uint32_t part, std:
     return false;
 }
 
+/// From the middle of a node to the nearest box, in cells along the axes; 0 if there is none.
 int anchorDistance(glm::ivec3 node, std::span<const CellBox> anchors) {
     int nearest = anchors.empty() ? 0 : INT32_MAX;
     const glm::ivec3 middle = node * kNodeSize + kNodeSize / 2;
@@ -60,13 +68,13 @@ int anchorDistance(glm::ivec3 node, std::span<const CellBox> anchors) {
     return nearest;
 }
 
-/// The bricks of a node that subset a face with one of `bricks`, which lie in the neighbour beyond `face` of it.
+/// The bricks of a node that touch one of `bricks`, which lie in the neighbouring node beyond `face`.
 BrickMask facingBricks(BrickMask bricks, size_t face) {
     const int shift = kNeighborShift[face];
     return shift > 0 ? (bricks & kFaceBricks[face ^ 1]) >> shift : (bricks & kFaceBricks[face ^ 1]) << -shift;
 }
 
-/// The same within one node.
+/// The bricks of a node beyond `face` of the given ones, in the same node.
 BrickMask stepped(BrickMask bricks, size_t face) {
     constexpr std::array<int, 3> kSteps = {1, 4, 16};
     const BrickMask inside = bricks & ~kFaceBricks[face];
@@ -102,12 +110,12 @@ AttachmentSearch::AttachmentSearch(const VoxelGrid& grid, std::span<const CellBo
         if (m_anchorsCarved || !nodeMeets(node, view.anchors)) return;
         forEachChild(bricks, [&](int child) {
             m_anchorsCarved =
-                m_anchorsCarved || holds(node * kNodeBricks + childPosition(child), kEveryCell, view.anchors);
+                m_anchorsCarved || holds(node * kNodeBricks + childPosition(child), kFullBrickBits, view.anchors);
         });
     });
     if (!m_anchorsCarved && isLocallyConnected(grid, carved)) return;
     nodes.forEachNode([&](glm::ivec3 node, BrickMask bricks) { seed(view, node, bricks, carved); });
-    // What already meets among the seedParts is one set before anything grows.
+    // Seeds that touch are united before anything grows.
     const uint32_t seedParts = uint32_t(m_parts.size());
     for (uint32_t part = 0; part < seedParts; ++part)
         for (size_t face = 1; face < 6; face += 2)
@@ -116,7 +124,7 @@ AttachmentSearch::AttachmentSearch(const VoxelGrid& grid, std::span<const CellBo
         if (root(set) == set) updateSetState(set);
 }
 
-/// Starts a set for each part of the node that may have touched what was removed.
+/// Starts a set for each part of the node that may have touched a removed voxel.
 void AttachmentSearch::seed(const View& view, glm::ivec3 position, BrickMask carved, const BrickSet& all) {
     const std::optional<uint32_t> first = firstPartOf(view, position);
     if (!first) return;
@@ -127,7 +135,7 @@ void AttachmentSearch::seed(const View& view, glm::ivec3 position, BrickMask car
         m_sets.push_back({.parent = uint32_t(m_sets.size())});
         addPart(view, uint32_t(m_sets.size() - 1), *first + component);
     };
-    std::array<BrickMask, 6> beside;  // bricks with a carved one beyond this face
+    std::array<BrickMask, 6> beside;  // by face: bricks with a carved brick beyond it
     BrickMask near = carved;
     for (size_t face = 0; face < 6; ++face) {
         beside[face] = stepped(carved, face ^ 1) | facingBricks(all.at(position + kFaceOffsets[face]), face);
@@ -198,7 +206,7 @@ void AttachmentSearch::join(uint32_t a, uint32_t b) {
     from.frontier = {};
 }
 
-/// Joins a part with what it touches beyond a face; `onlyKnown`: leaves alone what no set has yet.
+/// Unites a part with those it touches beyond a face. `onlyKnown`: only with parts that are in a set already.
 void AttachmentSearch::visitNeighbour(const View& view, uint32_t index, size_t face, bool onlyKnown) {
     const Part part = m_parts[index];
     const glm::ivec3 position = part.node + kFaceOffsets[face];
@@ -230,7 +238,7 @@ bool AttachmentSearch::isOpen(uint32_t set) const {
     return m_sets[set].parent == set && !m_sets[set].isAnchored && !m_sets[set].frontier.empty();
 }
 
-/// Lists a set as open, or counts it if it can grow no further: then nothing will ever join it.
+/// Lists a set as open if it can grow; counts it as finished if it is whole and without an anchor.
 void AttachmentSearch::updateSetState(uint32_t index) {
     Set& set = m_sets[index];
     if (isOpen(index)) return m_open.push_back(index);
@@ -240,11 +248,12 @@ void AttachmentSearch::updateSetState(uint32_t index) {
     m_largestFinished = std::max(m_largestFinished, set.voxels);
 }
 
-/// Whether the one set that may still grow can only be what stays.
+/// Whether what stays is known: no set is open, or the only open one must be it.
 bool AttachmentSearch::isDecided(const View& view) const {
     if (m_open.empty()) return true;
     if (m_open.size() > 1) return false;
-    // Everything that was cut hung on an anchor; if no anchor was cut and no other set has it, the last one does.
+    // Every set was connected to an anchor before the cut. If no anchor was carved and none was found, the last set has
+    // it.
     if (m_isAnchored) return !m_anchorsCarved && !m_anchorFound;
     return view.grid.voxelCount() - m_finishedVoxels > m_largestFinished;
 }
@@ -269,14 +278,14 @@ bool AttachmentSearch::run(const VoxelGrid& grid, std::span<const CellBox> ancho
 std::vector<Component> AttachmentSearch::finished(const VoxelGrid& grid) {
     std::vector<Component> out(
         size_t(std::count_if(m_sets.begin(), m_sets.end(), [](const Set& set) { return set.isFinished; })));
-    std::vector<std::pair<uint32_t, Component*>> owned;  // by part
+    std::vector<std::pair<uint32_t, Component*>> owned;  // part and its component
     size_t next = 0;
     for (const Set& set : m_sets) {
         if (!set.isFinished) continue;
         for (const uint32_t part : set.parts) owned.emplace_back(part, &out[next]);
         ++next;
     }
-    // A node's parts are numbered one after the other, so they come together here.
+    // The parts of a node have consecutive numbers: sorted, they are adjacent.
     std::sort(owned.begin(), owned.end());
     std::vector<Component*> byPart;
     for (size_t i = 0; i < owned.size();) {

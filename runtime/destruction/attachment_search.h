@@ -13,40 +13,44 @@ namespace rubble {
 /// Whether a component of a grid has a cell in one of the boxes.
 bool touchesAnchor(const VoxelGrid& grid, const Component& component, std::span<const CellBox> anchors);
 
-/// Grows a set of voxels from everything that the carved bricks' neighbours hold, a part of a directory node (see
-/// NodeParts) at a time, all sets in turns, and joins those that meet. A set is done when nothing is left to grow into,
-/// or when it has reached an anchor. A value: it may rest and go on later, on the same grid, as long as no voxel comes
-/// or goes.
+/// Finds which parts of a grid a cut has detached, by search from the cut outward; the algorithm is at the top of
+/// attachment_search.cpp. A value: it may be copied, and go on later on the same grid as long as no voxel changes.
 class AttachmentSearch {
 public:
+    /// Starts at the bricks `carved`, which have lost voxels. Nothing may have been detached before that cut.
+    /// isAnchored: whether anchors decide what stays; else the largest component does.
     AttachmentSearch(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored, const BrickSet& carved);
 
-    /// Grows until each set is done or is known to be what all the others came off; false if `budget` parts were not
-    /// enough. Takes from the budget what was used.
+    /// Goes on with the grid and the anchors of the constructor. `budget`: parts it may expand; what it used is
+    /// subtracted. Returns true when the result is known, false if the budget was not enough.
     bool run(const VoxelGrid& grid, std::span<const CellBox> anchors, size_t& budget);
-    /// Parts visitedParts so far.
+    /// Parts (components of nodes) seen so far.
     size_t visitedParts() const { return m_parts.size(); }
-    /// Whether a set stopped before it could grow no further: it is what stays.
+    /// Whether one set stopped early, because it must be what stays.
     bool hasUnfinished() const { return !m_open.empty(); }
-    /// The sets that could grow no further and hold no anchor, ordered by their lowest cell.
+    /// The sets that are whole components without an anchor, ordered by their lowest cell. After run() has returned
+    /// true.
     std::vector<Component> finished(const VoxelGrid& grid);
 
 private:
     static constexpr uint32_t kNone = ~0u;
+    /// A component of one node (see NodeParts): the unit that sets grow by.
     struct Part {
         glm::ivec3 node;
-        uint32_t component = 0;  ///< of the node's parts
+        uint32_t component = 0;  ///< its number in the node
         uint32_t set = kNone;
     };
+    /// A part of a set whose neighbours have not been visited.
     struct Frontier {
-        int distance;  ///< from the nearest anchor, in cells along the axes
+        int distance;  ///< from its node to the nearest anchor, in cells along the axes
         uint32_t part;
         friend auto operator<=>(const Frontier&, const Frontier&) = default;
     };
+    /// Connected parts. Sets that meet are united (union-find).
     struct Set {
         uint32_t parent;
-        bool isAnchored = false;
-        bool isFinished = false;
+        bool isAnchored = false;  ///< one of its cells lies in an anchor
+        bool isFinished = false;  ///< a whole component without an anchor
         uint64_t voxels = 0;
         std::vector<uint32_t> parts;
         std::vector<Frontier> frontier;  ///< a heap, nearest first
@@ -70,12 +74,13 @@ private:
     std::unordered_map<uint32_t, uint32_t> m_nodes;  ///< a node's first part; looked up, never iterated
     std::vector<Part> m_parts;
     std::vector<Set> m_sets;
-    std::vector<uint32_t> m_open;  ///< sets that may still grow
-    size_t m_turn = 0;             ///< whose turn in m_open it is
-    uint64_t m_finishedVoxels = 0, m_largestFinished = 0;
-    bool m_isAnchored = false;     ///< whether anchors decide what stays
-    bool m_anchorsCarved = false;  ///< by the cut
-    bool m_anchorFound = false;
+    std::vector<uint32_t> m_open;    ///< sets that may still grow
+    size_t m_turn = 0;               ///< index in m_open of the set that grows next
+    uint64_t m_finishedVoxels = 0;   ///< of all finished sets
+    uint64_t m_largestFinished = 0;  ///< voxels of the largest finished set
+    bool m_isAnchored = false;       ///< whether anchors decide what stays
+    bool m_anchorsCarved = false;    ///< whether a carved brick reaches into an anchor
+    bool m_anchorFound = false;      ///< whether a set is anchored
 };
 
 }  // namespace rubble

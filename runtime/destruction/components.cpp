@@ -5,32 +5,40 @@
 #include "runtime/core/union_find.h"
 #include "runtime/destruction/run_label_sizes.h"
 
+// Connected component labelling in three levels, each cached where it does not change: the components of each brick
+// (flood fill on words of bits, brick_parts.cpp), those of each node (union-find over its bricks' components,
+// node_parts.cpp), and here a union-find over the nodes' components. Two components of neighbouring nodes are one if
+// the AND of their cells on the common face is not zero. After an edit only changed bricks and nodes are labelled
+// again. Roots are lowest members (see UnionFind) and nodes are visited in order, so the result depends on the grid
+// alone. Two-pass labelling with union-find: A. Rosenfeld and J. Pfaltz, "Sequential operations in digital picture
+// processing", JACM 13 (1966).
+
 namespace rubble {
 namespace {
 
-/// The nodes of a grid, their parts numbered one after the other, and which of these hang together.
+/// The nodes of a grid with their components numbered consecutively, and which of those are connected.
 struct GridNodes {
     std::vector<glm::ivec3> positions;
     std::vector<const BrickNode*> nodes;
-    std::vector<uint32_t> firstPart;  ///< by node; one more at the end
-    UnionFind<> sets;                 ///< of parts
+    std::vector<uint32_t> firstPart;  ///< by node: the number of its first component; one more entry at the end
+    UnionFind<> sets;                 ///< of node components
 
     explicit GridNodes(const VoxelGrid& grid) : firstPart(1) {
         const glm::ivec3 size = grid.sizeInNodes();
-        const auto place = [&](glm::ivec3 node) { return (size_t(node.z) * size.y + node.y) * size.x + node.x; };
-        std::vector<uint32_t> numbers(size_t(size.x) * size.y * size.z);  // by place
+        const auto index = [&](glm::ivec3 node) { return (size_t(node.z) * size.y + node.y) * size.x + node.x; };
+        std::vector<uint32_t> numbers(size_t(size.x) * size.y * size.z);  // in `nodes`, by index of the node
         grid.forEachNode([&](glm::ivec3 position, const BrickNode& node) {
             const uint32_t first = firstPart.back();
-            numbers[place(position)] = uint32_t(nodes.size());
+            numbers[index(position)] = uint32_t(nodes.size());
             positions.push_back(position);
             nodes.push_back(&node);
             firstPart.push_back(first + nodeParts(node).count);
             sets.grow(firstPart.back());
-            for (const size_t face : {0, 2, 4}) {  // where a node came before
+            for (const size_t face : {0, 2, 4}) {  // towards the nodes visited before
                 const glm::ivec3 neighbor = position + kFaceOffsets[face];
                 if (const BrickNode* other = grid.nodeAt(neighbor))
                     forEachContact(node, *other, face, [&](uint16_t a, uint16_t b) {
-                        sets.unite(first + a, firstPart[numbers[place(neighbor)]] + b);
+                        sets.unite(first + a, firstPart[numbers[index(neighbor)]] + b);
                         return true;
                     });
             }
@@ -42,10 +50,10 @@ glm::ivec3 lowestCell(glm::ivec3 brick, const BrickBits& voxels) {
     int z = 0;
     while (!voxels[size_t(z)]) ++z;
     const int bit = std::countr_zero(voxels[size_t(z)]);
-    return brick * kBrickSize + glm::ivec3(bit & 7, bit >> 3, z);
+    return brick * kBrickSize + voxelInBrick(64 * z + bit);
 }
 
-/// Whether bricks hold so many parts that parts are no short cut; by a look at some of them.
+/// Whether bricks have so many components, on average over a sample of bricks, that run-length labelling is faster.
 bool hasManyParts(const VoxelGrid& grid) {
     constexpr size_t kSampleStride = 251, kMaxMeanParts = 12;
     size_t bricks = 0, sampled = 0, parts = 0;
@@ -79,7 +87,7 @@ CellBox voxelBounds(glm::ivec3 brick, const BrickBits& voxels) {
     return {brick * kBrickSize + low, brick * kBrickSize + high};
 }
 
-bool outranks(const Component& a, const Component& b) {
+bool isLargerComponent(const Component& a, const Component& b) {
     return a.voxels != b.voxels ? a.voxels > b.voxels : cellBefore(a.lowest, b.lowest);
 }
 
@@ -143,7 +151,7 @@ std::vector<Component> findComponents(const VoxelGrid& grid) {
     std::vector<Component*> owners(sets.size());
     size_t next = 0;
     for (uint32_t i = 0; i < owners.size(); ++i) {
-        const uint32_t root = sets.root(i);  // a set's root is its first part
+        const uint32_t root = sets.root(i);  // <= i, so it has its component already
         owners[i] = root == i ? &out[next++] : owners[root];
     }
     for (uint32_t n = 0; n < all.nodes.size(); ++n)

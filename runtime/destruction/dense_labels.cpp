@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-/// One bit a cell.
+/// A row of cells as one bit for each.
 void readRow(std::span<const uint8_t> cells, std::vector<uint64_t>& out) {
     const size_t whole = cells.size() / 64;
     for (size_t w = 0; w < whole; ++w) out[w] = ~equalBits(cells.data() + 64 * w, 0);
@@ -17,7 +17,7 @@ void readRow(std::span<const uint8_t> cells, std::vector<uint64_t>& out) {
     for (size_t x = 64 * whole; x < cells.size(); ++x) out[whole] |= uint64_t(cells[x] != 0) << (x & 63);
 }
 
-/// Fills a run, and up to three cells after it with 0, without asking which are which: see fillRun().
+/// fillRun() for a row that begins with zeros: writes zeros beyond the run, by masks instead of branches.
 void writeRun(uint32_t* out, uint32_t length, uint32_t value) {
     constexpr uint64_t kNone = 0, kOne = 0xffffffff, kTwo = ~0ull;
     static constexpr uint64_t kMasks[5][2] = {{kNone, kNone}, {kOne, kNone}, {kTwo, kNone}, {kTwo, kOne}, {kTwo, kTwo}};

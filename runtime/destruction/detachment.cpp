@@ -7,10 +7,10 @@
 namespace rubble {
 namespace {
 
-/// Takes the component that keeps the name out of the list.
-void removeKeeper(std::vector<Component>& pieces) {
+/// Removes the largest component from the list: it stays.
+void removeLargest(std::vector<Component>& pieces) {
     if (pieces.empty()) return;
-    pieces.erase(std::min_element(pieces.begin(), pieces.end(), outranks));
+    pieces.erase(std::min_element(pieces.begin(), pieces.end(), isLargerComponent));
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ Detached findDetached(const VoxelGrid& grid, std::span<const CellBox> anchors, b
         detached.isUnanchored = detached.pieces.size() == all && all > 0;
         if (!detached.isUnanchored) return detached;
     }
-    removeKeeper(detached.pieces);
+    removeLargest(detached.pieces);
     return detached;
 }
 
@@ -41,7 +41,7 @@ Detached detachedFrom(AttachmentSearch& search, const VoxelGrid& grid, bool isAn
     uint64_t rest = grid.voxelCount();
     for (const Component& piece : detached.pieces) rest -= piece.voxels;
     detached.isUnanchored = isAnchored && rest == 0 && !detached.pieces.empty();
-    if (detached.isUnanchored || (!isAnchored && !search.hasUnfinished())) removeKeeper(detached.pieces);
+    if (detached.isUnanchored || (!isAnchored && !search.hasUnfinished())) removeLargest(detached.pieces);
     return detached;
 }
 

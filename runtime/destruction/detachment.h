@@ -10,24 +10,23 @@ namespace rubble {
 
 class AttachmentSearch;
 
-/// What no longer belongs to a shape.
+/// The parts of a shape that are no longer connected to it.
 struct Detached {
-    std::vector<Component> pieces;  ///< that leave it, ordered by their lowest cell
-    bool isUnanchored = false;      ///< nothing holds to an anchor any more: what stays is the largest component
+    std::vector<Component> pieces;  ///< that leave the shape, ordered by their lowest cell
+    bool isUnanchored = false;      ///< no component touches an anchor any more; the largest one stays
 };
 
-/// What a shape's grid loses. `anchors`: a component that has a cell in one of them stays. None are given for a shape
-/// that is free to move: there, and where no component is anchored, the largest stays, else the one with the lowest
-/// cell.
+/// Finds what leaves a grid, from all of its voxels. A component stays if one of its cells lies in one of the
+/// `anchors`. Where no component does, and in a shape that is free to move (not `isAnchored`), the largest stays; of
+/// equal ones that with the lowest cell.
 Detached findDetached(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored);
 
-/// The same, for a grid in which nothing was detached before the bricks `carved` lost voxels. Searches from there,
-/// nearest to the anchors first, until what was cut is known to be held or all found: costs the cut and the smaller
-/// sides of it.
+/// The same for a grid in which nothing was detached before the bricks `carved` lost voxels. Searches outward from the
+/// cut (AttachmentSearch), so the cost grows with the cut and the smaller sides of it, not with the grid.
 Detached findDetachedNear(const VoxelGrid& grid, std::span<const CellBox> anchors, bool isAnchored,
                           const BrickSet& carved);
 
-/// What a search has found that has run to its end.
+/// The result of a search whose run() has returned true.
 Detached detachedFrom(AttachmentSearch& search, const VoxelGrid& grid, bool isAnchored);
 
 }  // namespace rubble

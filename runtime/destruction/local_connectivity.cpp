@@ -9,19 +9,23 @@
 #include "runtime/destruction/box_connectivity.h"
 #include "runtime/voxel/cell_box.h"
 
+// Most cuts detach nothing, and a look at their surroundings proves it: union-find over the components of the carved
+// bricks and of the bricks that share a face with one. If all components that touch a carved brick are in one set,
+// whatever was connected through the removed voxels is still connected.
+
 namespace rubble {
 namespace {
 
-constexpr int kMaxBricks = 343;      ///< of bricks in the box around the cut: a larger cut is better searched by nodes
-constexpr uint8_t kCarved = 1 << 6;  ///< a brick that was carved; lower bits: its faces that look at one
-constexpr uint8_t kAllFaces = 0x3f;
+constexpr int kMaxBricks = 343;      ///< in the box around the cut: AttachmentSearch is better for a larger cut
+constexpr uint8_t kCarved = 1 << 6;  ///< a role: the brick was carved
+constexpr uint8_t kAllFaces = 0x3f;  ///< a role: one bit for each face beyond which a carved brick lies
 
-/// The bricks around a cut: the carved ones, and those that share a face with one.
+/// The bricks around a cut: the carved bricks, and those that share a face with one. Arrays are by brickIndex().
 struct Surroundings {
-    CellBox box;  ///< of bricks
-    std::array<uint8_t, kMaxBricks> roles{};
-    std::array<std::span<const BrickPart>, kMaxBricks> parts;
-    std::array<uint16_t, kMaxBricks + 1> firstPart{};
+    CellBox box;                                               ///< of bricks
+    std::array<uint8_t, kMaxBricks> roles{};                   ///< 0: neither carved nor beside a carved brick
+    std::array<std::span<const BrickPart>, kMaxBricks> parts;  ///< components of the bricks with a role
+    std::array<uint16_t, kMaxBricks + 1> firstPart{};          ///< number of a brick's first component
 
     glm::ivec3 size() const { return box.high - box.low; }
     int brickCount() const { return size().x * size().y * size().z; }
@@ -34,6 +38,7 @@ struct Surroundings {
     }
 };
 
+/// The bricks within one brick of a carved one.
 CellBox boxAround(const VoxelGrid& grid, const BrickSet& carved) {
     CellBox box{grid.sizeInBricks(), glm::ivec3(0)};
     carved.forEachNode([&](glm::ivec3 node, BrickMask bricks) {
@@ -45,7 +50,7 @@ CellBox boxAround(const VoxelGrid& grid, const BrickSet& carved) {
     return {glm::max(box.low, 0), glm::min(box.high, grid.sizeInBricks())};
 }
 
-/// False if some brick has too many parts to keep them.
+/// Labels the bricks. False if one has so many components that it does not cache them.
 bool findParts(const VoxelGrid& grid, Surroundings& near) {
     std::vector<BrickPart> scratch;
     int brickIndex = 0;
@@ -61,6 +66,7 @@ bool findParts(const VoxelGrid& grid, Surroundings& near) {
     return true;
 }
 
+/// Unites the components that touch along an axis.
 void joinAlong(const Surroundings& near, size_t axis, UnionFind<uint16_t>& sets) {
     const int step = axis == 0 ? 1 : axis == 1 ? near.size().x : near.size().x * near.size().y;
     const size_t face = 2 * axis + 1;
@@ -68,11 +74,11 @@ void joinAlong(const Surroundings& near, size_t axis, UnionFind<uint16_t>& sets)
         const auto a = near.parts[size_t(brickIndex)], b = near.parts[size_t(brickIndex + step)];
         if (a.empty() || b.empty() || brickIndex / step % near.size()[int(axis)] == near.size()[int(axis)] - 1)
             continue;
-        for (size_t i = 0; i < a.size(); ++i)
-            for (size_t j = 0; a[i].faces[face] && j < b.size(); ++j)
-                if (a[i].faces[face] & b[j].faces[face ^ 1])
-                    sets.unite(uint16_t(near.firstPart[size_t(brickIndex)] + i),
-                               uint16_t(near.firstPart[size_t(brickIndex + step)] + j));
+        forEachTouchingPair(a, b, face, [&](size_t i, size_t j) {
+            sets.unite(uint16_t(near.firstPart[size_t(brickIndex)] + i),
+                       uint16_t(near.firstPart[size_t(brickIndex + step)] + j));
+            return true;
+        });
     }
 }
 

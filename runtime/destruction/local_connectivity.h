@@ -6,12 +6,13 @@
 
 namespace rubble {
 
-/// Whether all that borders on carved bricks still hangs together close by, through these bricks and their neighbours:
-/// then the cut has taken nothing apart. False says nothing: what is apart here may meet farther away.
+/// A conservative connectivity test near a cut. True: all voxels that border on the carved bricks are connected through
+/// these bricks and their neighbours, so the cut has detached nothing. False: unknown; they may be connected farther
+/// away.
 bool isLocallyConnected(const VoxelGrid& grid, const BrickSet& carved);
 
-/// The same for a small cut, by a look at its cells alone: whether all that is solid around the box in which voxels
-/// went hangs together there, and no anchor reaches into it.
+/// The same test for a small cut, on cells alone. `lost`: the box of the removed voxels. True if the solid cells in and
+/// around it are connected within one cell of it, and no anchor overlaps it.
 bool isLocallyConnected(const VoxelGrid& grid, const CellBox& lost, std::span<const CellBox> anchors);
 
 }  // namespace rubble

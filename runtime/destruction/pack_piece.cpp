@@ -26,9 +26,9 @@ Piece packPiece(const VoxelGrid& grid, std::span<const BrickSubset> subsets) {
         const Brick& from = *grid.brickAt(subset.brick);
         const glm::ivec3 shift = subset.brick * kBrickSize - low;
         forEachVoxel(subset.voxels, [&](int i) {
-            const glm::ivec3 cell = voxelInBrick(i) + shift, brick = cell >> 3;
+            const glm::ivec3 cell = voxelInBrick(i) + shift, brick = brickOfCell(cell);
             const size_t at = (size_t(brick.z) * bricks.y + brick.y) * bricks.x + brick.x;
-            const size_t voxel = size_t(voxelIndex(cell & 7));
+            const size_t voxel = size_t(voxelIndex(cellInBrick(cell)));
             indices[at][voxel] = from.at(i);
             if (isPainted) paint[at][voxel] = from.paintAt(i);
         });

@@ -6,8 +6,8 @@
 
 namespace rubble {
 
-/// Copies voxels into a grid as small as they are: its offset is their lowest cell along each axis, whatever the bricks
-/// they were in. For pieces of a few hundred voxels, which would otherwise straddle up to eight bricks.
+/// Copies voxels into a grid as small as they are: its offset is their lowest cell along each axis. For pieces of a few
+/// hundred voxels, which would otherwise occupy up to eight bricks.
 Piece packPiece(const VoxelGrid& grid, std::span<const BrickSubset> subsets);
 
 }  // namespace rubble

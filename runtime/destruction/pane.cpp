@@ -7,13 +7,12 @@
 namespace rubble {
 namespace {
 
-constexpr uint64_t kLowX = 0x0101010101010101ull, kHighX = kLowX << 7;
-
+/// Adds the neighbours of all cells, in a brick.
 BrickBits grownOnce(const BrickBits& bits, const BrickBits& within) {
     BrickBits out;
     for (size_t z = 0; z < 8; ++z) {
         const uint64_t w = bits[z];
-        uint64_t grown = w | (w & ~kHighX) << 1 | (w & ~kLowX) >> 1 | w << 8 | w >> 8;
+        uint64_t grown = w | (w & ~kLastColumn) << 1 | (w & ~kFirstColumn) >> 1 | w << 8 | w >> 8;
         if (z > 0) grown |= bits[z - 1];
         if (z < 7) grown |= bits[z + 1];
         out[z] = grown & within[z];
@@ -21,15 +20,15 @@ BrickBits grownOnce(const BrickBits& bits, const BrickBits& within) {
     return out;
 }
 
-/// The cells of the neighbour across a face that these cells touch. face: as kFaceOffsets.
+/// The cells of the neighbouring brick beyond `face` that these cells touch. `face`: as in kFaceOffsets.
 BrickBits across(const BrickBits& bits, size_t face) {
     BrickBits out{};
     for (size_t z = 0; z < 8; ++z) switch (face) {
             case 0:
-                out[z] = (bits[z] & kLowX) << 7;
+                out[z] = (bits[z] & kFirstColumn) << 7;
                 break;
             case 1:
-                out[z] = (bits[z] & kHighX) >> 7;
+                out[z] = (bits[z] & kLastColumn) >> 7;
                 break;
             case 2:
                 out[z] = bits[z] << 56;
@@ -50,16 +49,15 @@ BrickBits across(const BrickBits& bits, size_t face) {
 std::vector<BrickSubset> findPane(const VoxelGrid& grid, glm::ivec3 cell, const std::function<bool(uint8_t)>& isOfPane,
                                   uint64_t limit) {
     struct Seen {
-        BrickBits pane{};  ///< voxels of the kind
-        size_t subset = 0;
+        BrickBits pane{};   ///< voxels of the kind
+        size_t subset = 0;  ///< index in the result
     };
     std::vector<BrickSubset> out;
     std::map<std::tuple<int, int, int>, Seen> seen;
-    std::deque<BrickSubset> open;  ///< cells to grow from
+    std::deque<BrickSubset> open;  // cells to grow from
     uint64_t count = 0;
-    const int start = voxelIndex(cell & 7);
-    open.push_back({cell >> 3, {}});
-    open.back().voxels[size_t(start >> 6)] = uint64_t(1) << (start & 63);
+    open.push_back({brickOfCell(cell), {}});
+    setVoxel(open.back().voxels, voxelIndex(cellInBrick(cell)));
     while (!open.empty() && count < limit) {
         const BrickSubset from = open.front();
         open.pop_front();
@@ -71,7 +69,7 @@ std::vector<BrickSubset> findPane(const VoxelGrid& grid, glm::ivec3 cell, const 
             known.subset = out.size();
             out.push_back({from.brick, {}});
             forEachVoxel(brick->occupancy, [&](int i) {
-                if (isOfPane(brick->at(i))) known.pane[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
+                if (isOfPane(brick->at(i))) setVoxel(known.pane, i);
             });
         }
         BrickBits& taken = out[known.subset].voxels;

@@ -11,14 +11,14 @@
 namespace rubble {
 namespace {
 
-/// The bits of eight planes of a grid as rows along x.
+/// Eight planes of a grid as rows of bits along x.
 class Slab {
 public:
     explicit Slab(const VoxelGrid& grid)
         : m_rows(size_t(grid.sizeInBricks().y) * kBrickSize),
           m_words((size_t(grid.sizeInBricks().x) + 7) / 8),
           m_bits(kBrickSize * m_rows * m_words) {}
-    /// Empty outside of the grid.
+    /// Reads the planes of one layer of bricks; empty outside of the grid.
     void read(const VoxelGrid& grid, int brickZ) {
         std::fill(m_bits.begin(), m_bits.end(), 0);
         uint8_t* bytes = reinterpret_cast<uint8_t*>(m_bits.data());
@@ -44,7 +44,7 @@ private:
     std::vector<uint64_t> m_bits;
 };
 
-/// Takes cells without a neighbour out of a row; returns how many.
+/// Removes the cells without a neighbour from a row and returns their number. `around`: the rows beside it.
 uint64_t removeIsolatedCells(std::span<uint64_t> row, const std::array<std::span<const uint64_t>, 4>& around) {
     uint64_t count = 0, before = 0;
     for (size_t w = 0; w < row.size(); ++w) {
@@ -63,7 +63,7 @@ uint64_t removeIsolatedCells(std::span<uint64_t> row, const std::array<std::span
 std::vector<uint64_t> componentSizesByRuns(const VoxelGrid& grid) {
     const glm::ivec3 bricks = grid.sizeInBricks();
     RunLabels sets(bricks * kBrickSize, false);
-    std::array<Slab, 3> slabs{Slab(grid), Slab(grid), Slab(grid)};  // below, here, above
+    std::array<Slab, 3> slabs{Slab(grid), Slab(grid), Slab(grid)};  // below, current, above
     slabs[2].read(grid, 0);
     const std::vector<uint64_t> none(sets.wordsPerRow());
     std::vector<uint64_t> row;

@@ -6,8 +6,8 @@
 
 namespace rubble {
 
-/// What componentSizes() says, without parts of bricks, for noise: the bricks' bits, eight planes at a time, as rows
-/// across the grid (see RunLabels); cells without a neighbour are counted, not labelled.
+/// componentSizes() by run-length labelling (RunLabels): faster than components of bricks where the voxels are noise.
+/// Cells without a neighbour are counted, not labelled.
 std::vector<uint64_t> componentSizesByRuns(const VoxelGrid& grid);
 
 }  // namespace rubble

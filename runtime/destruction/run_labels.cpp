@@ -3,22 +3,31 @@
 #include <algorithm>
 #include <utility>
 
+// Run-based two-scan labelling (L. He, Y. Chao and K. Suzuki, "A run-based two-scan labeling algorithm", IEEE Trans.
+// Image Processing 17, 2008), extended from four neighbours in a plane to six in a volume.
+//
+// A run is a maximal row of solid cells along x. The first scan gives each run the label of a run that it touches in
+// the row before or in the plane below, or a new label if it touches none. Where it touches runs of other labels, these
+// labels are united (union-find). Two runs touch where the AND of their rows has a bit; the first bit of each run of
+// that AND stands for the whole contact. The second scan maps each label to the number of its set. Roots are lowest
+// labels, so components are numbered in the order of their first cells.
+
 namespace rubble {
 namespace {
 
-/// The first bit of every run of bits; `before`: whether the bit below the lowest is set.
+/// The first bit of every run of bits. `before`: whether the bit below the lowest is set.
 uint64_t firstBits(uint64_t bits, uint64_t before) {
     return bits & ~(bits << 1 | before);
 }
 
-/// `a` if the lowest bit is set, else `b`, without a jump: noise cannot be foreseen.
+/// `a` if the lowest bit is set, else `b`, without a branch: in noise it would be predicted badly.
 uint32_t choose(uint64_t bit, uint32_t a, uint32_t b) {
     return b ^ ((a ^ b) & (0 - uint32_t(bit & 1)));
 }
 
 }  // namespace
 
-// One row more than two planes: of no cells, for what lies outside.
+// The row after the two planes stays empty: it stands for the rows outside of the volume.
 RunLabels::RunLabels(glm::ivec3 size, bool keepsRuns)
     : m_length(size_t(size.x)),
       m_rowsPerPlane(size_t(size.y)),
@@ -27,7 +36,7 @@ RunLabels::RunLabels(glm::ivec3 size, bool keepsRuns)
       m_bits((2 * m_rowsPerPlane + 1) * m_words),
       m_cells((2 * m_rowsPerPlane + 1) * m_words * 64 + kFillPadding) {}
 
-/// For the most runs that a row can have.
+/// Makes space for the labels and runs of one more row, of which at most every other cell begins one.
 void RunLabels::reserveRow() {
     const auto enough = [&](size_t have, size_t used) { return have >= used + m_length / 2 + 1; };
     const auto more = [&](size_t have) { return 2 * have + 64 * m_length; };
@@ -47,7 +56,7 @@ void RunLabels::add(std::span<const uint64_t> row) {
     const uint32_t *cellsBefore = m_cells.data() + before * m_words * 64,
                    *cellsBelow = m_cells.data() + below * m_words * 64;
     uint32_t* cells = m_cells.data() + place * m_words * 64;
-    uint64_t last = 0, lastBefore = 0, lastBelow = 0;  // bit 63 of the word before, alone and together with the others
+    uint64_t last = 0, lastBefore = 0, lastBelow = 0;  // bit 63 of the last word, alone and in the ANDs
     uint32_t label = 0, labels = m_labels, *labelOf = m_keepsRuns ? m_labelOf.data() : nullptr;
     uint64_t* sizes = m_sizes.data();
     size_t runs = m_runs;
@@ -90,8 +99,8 @@ std::vector<uint64_t> RunLabels::countComponents() {
         const uint32_t parent = m_sets.parent(label), number = parent == label ? components : numbers[parent];
         components += parent == label;
         numbers[label] = number;
-        const uint64_t size = std::exchange(m_sizes[label], 0);  // where a component's number is, sizes have been read
-        m_sizes[number] += size;
+        const uint64_t size = std::exchange(m_sizes[label], 0);
+        m_sizes[number] += size;  // number <= label: that label's own size has been read
     }
     for (size_t run = 0; run < m_runs; ++run) m_labelOf[run] = numbers[m_labelOf[run]];
     m_sizes.resize(components);

@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-/// The cells that hold the component; only bricks that can widen the box are looked into.
+/// The smallest box that holds a component. Looks only into bricks that can widen it.
 CellBox componentBounds(const VoxelGrid& grid, const Component& component) {
     CellBox bounds{component.lowest, component.lowest + 1};
     const auto isInside = [&](glm::ivec3 low, int size) {
@@ -29,6 +29,7 @@ CellBox componentBounds(const VoxelGrid& grid, const Component& component) {
     return bounds;
 }
 
+/// Whether a node with several bricks belongs to the component as a whole.
 bool hasWholeNode(const VoxelGrid& grid, const Component& component) {
     for (const NodeSubset& subset : component.nodes)
         if (std::popcount(subset.bricks) > 1 && grid.nodeAt(subset.node)->mask == subset.bricks) return true;
@@ -78,12 +79,12 @@ CellBox filledBounds(const VoxelGrid& grid) {
 VoxelGrid cropped(const VoxelGrid& grid, const CellBox& box) {
     VoxelGrid out(box.high - box.low);
     GridWriter writer(out);
-    const bool isAligned = (box.low & (kBrickSize - 1)) == glm::ivec3(0);
+    const bool isAligned = cellInBrick(box.low) == glm::ivec3(0);
     grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         const glm::ivec3 cell = position * kBrickSize;
         const bool isInside =
             glm::all(glm::greaterThanEqual(cell, box.low)) && glm::all(glm::lessThanEqual(cell + kBrickSize, box.high));
-        if (isAligned && isInside) return out.setBrick((cell - box.low) >> 3, brick);
+        if (isAligned && isInside) return out.setBrick(brickOfCell(cell - box.low), brick);
         forEachVoxel(brick->occupancy,
                      [&](int i) { writer.set(cell + voxelInBrick(i) - box.low, brick->at(i), brick->paintAt(i)); });
     });

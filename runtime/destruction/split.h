@@ -4,21 +4,21 @@
 
 namespace rubble {
 
-/// A component in a grid of its own. Cell c of it was cell c + offset of the grid it came from; the offset is a
-/// multiple of the brick size, so that whole bricks are taken over by reference.
+/// Voxels in a grid of their own. Its cell c was cell c + offset of the grid it came from.
 struct Piece {
     VoxelGrid grid;
     glm::ivec3 offset{0};
 };
 
-/// Moves a component out of the grid. Bricks that belong wholly to it are shared, not copied.
+/// Moves a component out of a grid into a grid of its own. Bricks, and in large pieces nodes, that belong to it as a
+/// whole are shared, not copied: so the offset is a multiple of the brick size, or of the node size.
 Piece takePiece(VoxelGrid& grid, const Component& component);
 
 /// The smallest box that holds all voxels of a grid that is not empty.
 CellBox filledBounds(const VoxelGrid& grid);
 
-/// The cells of a box of a grid, which may reach beyond it, as a grid of their own: cell c was cell c + box.low. Shares
-/// the bricks where it can: all but those at the border, if the low corner is a multiple of the brick size.
+/// The cells of a box, which may reach beyond the grid, as a grid of their own: its cell c was cell c + box.low. If
+/// box.low is a multiple of the brick size, bricks inside the box are shared; others are copied.
 VoxelGrid cropped(const VoxelGrid& grid, const CellBox& box);
 
 }  // namespace rubble

@@ -7,23 +7,24 @@
 namespace rubble {
 namespace {
 
-struct BrickPlaceHash {
+struct BrickHash {
     size_t operator()(glm::ivec3 brick) const { return hashCell(brick.x, brick.y, brick.z); }
 };
 
-/// Cells that were seen. Only asked, never walked through: its order decides nothing.
+/// The cells visited so far. It is only looked up, never iterated, so the order of its buckets decides nothing.
 class CellSet {
 public:
-    /// False if it was there.
+    /// Adds a cell. False if it was in the set.
     bool add(glm::ivec3 cell) {
-        const int index = voxelIndex(cell & 7);
-        uint64_t& word = m_bricks[cell >> 3][size_t(index >> 6)];
-        const uint64_t bit = uint64_t(1) << (index & 63);
-        return !(word & bit) && (word |= bit);
+        BrickBits& bits = m_bricks[brickOfCell(cell)];
+        const int index = voxelIndex(cellInBrick(cell));
+        if (hasVoxel(bits, index)) return false;
+        setVoxel(bits, index);
+        return true;
     }
 
 private:
-    std::unordered_map<glm::ivec3, BrickBits, BrickPlaceHash> m_bricks;
+    std::unordered_map<glm::ivec3, BrickBits, BrickHash> m_bricks;
 };
 
 }  // namespace

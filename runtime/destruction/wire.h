@@ -7,10 +7,10 @@
 
 namespace rubble {
 
-using EntrySet = std::array<bool, 256>;
+using EntrySet = std::array<bool, 256>;  ///< by palette entry
 
-/// Whether a path of voxels of `wire`, face to face, leads from a cell to one that touches a voxel of `goal`. The cell
-/// itself must be wire or goal. Costs the length of the wire.
+/// Whether a path of face-connected voxels of `wire` leads from a cell to one that touches a voxel of `goal`. The first
+/// cell must be of `wire` or `goal` itself. The cost grows with the length of the wire.
 bool isWireConnected(const VoxelGrid& grid, glm::ivec3 from, const EntrySet& wire, const EntrySet& goal);
 
 }  // namespace rubble

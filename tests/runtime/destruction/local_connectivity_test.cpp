@@ -67,7 +67,7 @@ TEST(LocalConnectivity, IsNeverWrongOnSponges) {
             if (random.below(100) < fill) writer.set({c % 48, c / 48 % 48, c / 48 / 48}, 1);
         writer.flush();
         std::vector<Component> parts = findComponents(grid);  // the largest alone: what stands before a cut is one
-        std::sort(parts.begin(), parts.end(), outranks);
+        std::sort(parts.begin(), parts.end(), isLargerComponent);
         for (size_t p = 1; p < parts.size(); ++p) takePiece(grid, parts[p]);
         const double x = 48.0 * random.unit(), y = 48.0 * random.unit(), z = 48.0 * random.unit(),
                      radius = 1.0 + 7.0 * random.unit();
