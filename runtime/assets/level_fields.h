@@ -1,335 +1,317 @@
 #pragma once
-#include <array>
-#include <concepts>
-#include <span>
-#include <type_traits>
+#include <string>
+#include <utility>
 
+#include "runtime/assets/fields.h"
 #include "runtime/world/level/level.h"
 
+// What a level holds (see fields.h). The voxels of a grid are no field: archives see its size here and store its bricks
+// apart.
 namespace rubble {
 
-// The one list of what a level holds. An archive is called with a name and a value for each field; the baked format,
-// the metadata of .vdb files, the hash of a level and its check are archives, so none can forget a field that another
-// has. A grid's voxels are no field: archives see its size here and its bricks apart.
+template <>
+inline constexpr std::array<const char*, 5> kEnumNames<LightKind> = {"sphere", "cone", "capsule", "area", "screen"};
+template <>
+inline constexpr std::array<const char*, 5> kEnumNames<Hardness> = {"soft", "medium", "hard", "unbreakable",
+                                                                    "unphysical"};
+template <>
+inline constexpr std::array<const char*, 7> kEnumNames<JointKind> = {"ball",  "hinge", "prismatic", "cone",
+                                                                     "fixed", "rope",  "wheel"};
+template <>
+inline constexpr std::array<const char*, 3> kEnumNames<MotorMode> = {"off", "speed", "position"};
+template <>
+inline constexpr std::array<const char*, 3> kEnumNames<TriggerKind> = {"sphere", "box", "polygon"};
 
-template <class T, class Named>
-concept Is = std::same_as<std::remove_const_t<T>, Named>;
-
-inline constexpr std::array<const char*, 5> kLightKindNames = {"sphere", "cone", "capsule", "area", "screen"};
-inline constexpr std::array<const char*, 5> kHardnessNames = {"soft", "medium", "hard", "unbreakable", "unphysical"};
-inline constexpr std::array<const char*, 7> kJointKindNames = {"ball",  "hinge", "prismatic", "cone",
-                                                               "fixed", "rope",  "wheel"};
-inline constexpr std::array<const char*, 3> kMotorModeNames = {"off", "speed", "position"};
-inline std::span<const char* const> enumNames(JointKind) {
-    return kJointKindNames;
+template <>
+inline constexpr auto kFields<Pose> = std::tuple{
+    Field{"position", &Pose::position},
+    Field{"rotation", &Pose::rotation},
+};
+template <>
+inline constexpr auto kFields<CellBox> = std::tuple{
+    Field{"low", &CellBox::low},
+    Field{"high", &CellBox::high},
+};
+template <>
+inline constexpr auto kFields<PaletteEntry> = std::tuple{
+    Field{"red", &PaletteEntry::red},
+    Field{"green", &PaletteEntry::green},
+    Field{"blue", &PaletteEntry::blue},
+    Field{"opacity", &PaletteEntry::opacity},
+    Field{"roughness", &PaletteEntry::roughness},
+    Field{"metallic", &PaletteEntry::metallic},
+    Field{"reflectivity", &PaletteEntry::reflectivity},
+    Field{"material", &PaletteEntry::material},
+    Field{"emission", &PaletteEntry::emission},
+    Field{"light_group", &PaletteEntry::lightGroup},
+};
+template <>
+inline constexpr auto kFields<Material> = std::tuple{
+    Field{"name", &Material::name},
+    Field{"hardness", &Material::hardness},
+    Field{"density", &Material::density},
+    Field{"tensile_strength", &Material::tensileStrength},
+    Field{"compressive_strength", &Material::compressiveStrength},
+    Field{"shear_strength", &Material::shearStrength},
+    Field{"friction", &Material::friction},
+    Field{"restitution", &Material::restitution},
+    Field{"heat_capacity", &Material::heatCapacity},
+    Field{"ignition_temperature", &Material::ignitionTemperature},
+    Field{"burn_time", &Material::burnTime},
+    Field{"fragments", &Material::fragments},
+    Field{"sledge", &Material::sledge},
+    Field{"torch", &Material::torch},
+    Field{"gun", &Material::gun},
+    Field{"explosive", &Material::explosive},
+};
+template <>
+inline constexpr auto kFields<LevelShape> = std::tuple{
+    Field{"name", &LevelShape::name},
+    Field{"local", &LevelShape::local},
+    Field{"voxel_size", &LevelShape::voxelSize},
+    Field{"size", &LevelShape::grid},
+    Field{"palette", &LevelShape::palette},
+    Field{"anchors", &LevelShape::anchors},
+    Field{"tags", &LevelShape::tags},
+    Field{"hidden", &LevelShape::hidden},
+    Field{"paint_colors", &LevelShape::paintColors},
+    Field{"strength", &LevelShape::strength},
+    Field{"bears_load", &LevelShape::loadBearing},
+    Field{"collision_layer", &LevelShape::collisionLayer},
+    Field{"collision_mask", &LevelShape::collisionMask},
+};
+template <>
+inline constexpr auto kFields<LevelBody> = std::tuple{
+    Field{"name", &LevelBody::name},
+    Field{"pose", &LevelBody::pose},
+    Field{"static", &LevelBody::isStatic},
+    Field{"velocity", &LevelBody::velocity},
+    Field{"angular_velocity", &LevelBody::angularVelocity},
+    Field{"shapes", &LevelBody::shapes},
+    Field{"tags", &LevelBody::tags},
+};
+template <>
+inline constexpr auto kFields<LightImage> = std::tuple{
+    Field{"width", &LightImage::width},
+    Field{"texels", &LightImage::texels},
+};
+/// The table of a light. of(&Light::x): where x is in the stored type; `shape` and `group`: its members that say what
+/// the light is fixed to, which are names in a level and handles in a saved game.
+template <class Of, class Shape, class Group>
+constexpr auto lightTable(Of of, Shape shape, Group group) {
+    return std::tuple{
+        Field{"name", of(&Light::name)},
+        Field{"kind", of(&Light::kind)},
+        Field{"shape", shape},
+        Field{"group", group},
+        Field{"local", of(&Light::local)},
+        Field{"color", of(&Light::color)},
+        Field{"radius", of(&Light::radius)},
+        Field{"reach", of(&Light::reach)},
+        Field{"cone_inner", of(&Light::coneInner)},
+        Field{"cone_outer", of(&Light::coneOuter)},
+        Field{"width", of(&Light::width)},
+        Field{"height", of(&Light::height)},
+        Field{"two_sided", of(&Light::twoSided)},
+        Field{"picture", of(&Light::image)},
+        Field{"enabled", of(&Light::enabled)},
+    };
 }
-inline std::span<const char* const> enumNames(MotorMode) {
-    return kMotorModeNames;
+template <>
+inline constexpr auto kFields<LevelLight> = lightTable(
+    [](auto member) {
+        return [member](auto& light) -> auto& {
+            return light.light.*member;
+        };
+    },
+    &LevelLight::shapeName, &LevelLight::groupName);
+template <>
+inline constexpr auto kFields<LightGroup> = std::tuple{
+    Field{"name", &LightGroup::name},
+    Field{"threshold", &LightGroup::threshold},
+    Field{"initial_voxels", &LightGroup::initialVoxels},
+    Field{"removed_voxels", &LightGroup::removedVoxels},
+    Field{"out", &LightGroup::out},
+    Field{"supply_shape", &LightGroup::supplyShape},
+    Field{"supply_cell", &LightGroup::supplyCell},
+    Field{"flicker_steps", &LightGroup::flickerSteps},
+    Field{"dying_since", &LightGroup::failingSince},
+    Field{"dark", &LightGroup::dark},
+    BinaryField{"supply", &LightGroup::supply},
+};
+template <>
+inline constexpr auto kFields<Environment> = std::tuple{
+    Field{"sun_direction", &Environment::sunDirection},
+    Field{"sun_color", &Environment::sunColor},
+    Field{"sun_angle", &Environment::sunAngle},
+    Field{"sky_color", &Environment::skyColor},
+    Field{"horizon_color", &Environment::horizonColor},
+    Field{"ground_color", &Environment::groundColor},
+    Field{"fog_color", &Environment::fogColor},
+    Field{"fog_distance", &Environment::fogDistance},
+    Field{"fog_density", &Environment::fogDensity},
+    Field{"fog_base", &Environment::fogBase},
+    Field{"fog_height", &Environment::fogHeight},
+    Field{"fog_forward", &Environment::fogForward},
+    Field{"fog_tint", &Environment::fogTint},
+    Field{"clouds", &Environment::clouds},
+    Field{"stars", &Environment::stars},
+    Field{"exposure", &Environment::exposure},
+    Field{"wetness", &Environment::wetness},
+    Field{"gravity", &Environment::gravity},
+};
+template <>
+inline constexpr auto kFields<GroundPoint> = std::tuple{
+    Field{"x", &GroundPoint::x},
+    Field{"z", &GroundPoint::z},
+};
+template <>
+inline constexpr auto kFields<WaterWaves> = std::tuple{
+    Field{"height", &WaterWaves::height},
+    Field{"length", &WaterWaves::length},
+    Field{"speed", &WaterWaves::speed},
+    Field{"direction", &WaterWaves::direction},
+};
+template <>
+inline constexpr auto kFields<Water> = std::tuple{
+    Field{"name", &Water::name},
+    Field{"outline", &Water::outline},
+    Field{"surface", &Water::surface},
+    Field{"depth", &Water::depth},
+    Field{"density", &Water::density},
+    Field{"linear_drag", &Water::linearDrag},
+    Field{"angular_drag", &Water::angularDrag},
+    Field{"flow", &Water::flow},
+    Field{"color", &Water::color},
+    Field{"clarity", &Water::clarity},
+    Field{"waves", &Water::waves},
+};
+template <>
+inline constexpr auto kFields<Trigger> = std::tuple{
+    Field{"name", &Trigger::name},          Field{"kind", &Trigger::kind},
+    Field{"pose", &Trigger::pose},          Field{"radius", &Trigger::radius},
+    Field{"half_size", &Trigger::halfSize}, Field{"outline", &Trigger::outline},
+    Field{"height", &Trigger::height},      Field{"layers", &Trigger::layers},
+    Field{"tags", &Trigger::tags},          BinaryField{"inside", &Trigger::inside},
+};
+template <>
+inline constexpr auto kFields<Character> = std::tuple{
+    Field{"name", &Character::name},
+    Field{"radius", &Character::radius},
+    Field{"height", &Character::height},
+    Field{"crouched_height", &Character::crouchedHeight},
+    Field{"step_height", &Character::stepHeight},
+    Field{"steepest", &Character::steepest},
+    Field{"mass", &Character::mass},
+    Field{"walk_speed", &Character::walkSpeed},
+    Field{"crouch_speed", &Character::crouchSpeed},
+    Field{"jump_speed", &Character::jumpSpeed},
+    Field{"swim_speed", &Character::swimSpeed},
+    Field{"push_force", &Character::pushForce},
+    Field{"collision_layer", &Character::collisionLayer},
+    Field{"collision_mask", &Character::collisionMask},
+    Field{"wish", &Character::wish},
+    Field{"wants_jump", &Character::wantsJump},
+    Field{"wants_crouch", &Character::wantsCrouch},
+    Field{"position", &Character::position},
+    Field{"velocity", &Character::velocity},
+    Field{"grounded", &Character::grounded},
+    Field{"crouched", &Character::crouched},
+    Field{"swimming", &Character::swimming},
+    BinaryField{"ground", &Character::ground},
+};
+template <>
+inline constexpr auto kFields<JointEnd> = std::tuple{
+    BinaryField{"shape", &JointEnd::shape}, Field{"frame", &JointEnd::frame},  Field{"cell", &JointEnd::cell},
+    Field{"radius", &JointEnd::radius},     Field{"loose", &JointEnd::isFree},
+};
+template <>
+inline constexpr auto kFields<JointLimits> = std::tuple{
+    Field{"on", &JointLimits::on},
+    Field{"low", &JointLimits::low},
+    Field{"high", &JointLimits::high},
+};
+template <>
+inline constexpr auto kFields<JointMotor> = std::tuple{
+    Field{"mode", &JointMotor::mode},
+    Field{"target", &JointMotor::target},
+    Field{"most_force", &JointMotor::maxForce},
+};
+template <>
+inline constexpr auto kFields<JointSpring> = std::tuple{
+    Field{"hertz", &JointSpring::hertz},
+    Field{"damping_ratio", &JointSpring::dampingRatio},
+};
+template <>
+inline constexpr auto kFields<WheelSettings> = std::tuple{
+    Field{"drive_torque", &WheelSettings::driveTorque}, Field{"top_spin", &WheelSettings::topSpin},
+    Field{"brake_torque", &WheelSettings::brakeTorque}, Field{"steer_angle", &WheelSettings::steerAngle},
+    Field{"steer_rate", &WheelSettings::steerRate},
+};
+template <>
+inline constexpr auto kFields<RopeSettings> =
+    std::tuple{Field{"length", &RopeSettings::length}, Field{"slack", &RopeSettings::slack},
+               Field{"points", &RopeSettings::points}, Field{"radius", &RopeSettings::radius},
+               Field{"mass_per_metre", &RopeSettings::massPerMetre}, Field{"stretch", &RopeSettings::stretch},
+               Field{"strength", &RopeSettings::strength}, Field{"red", [](auto& value) -> auto& {return value.color[0];
+}  // namespace rubble
 }
-inline std::span<const char* const> enumNames(LightKind) {
-    return kLightKindNames;
+, Field{"green", [](auto& value) -> auto& {return value.color[1];
 }
-inline constexpr std::array<const char*, 3> kTriggerKindNames = {"sphere", "box", "polygon"};
-inline std::span<const char* const> enumNames(TriggerKind) {
-    return kTriggerKindNames;
 }
-inline std::span<const char* const> enumNames(Hardness) {
-    return kHardnessNames;
+, Field{"blue", [](auto& value) -> auto& {return value.color[2];
 }
-
-template <class A>
-void fields(A& a, Is<Pose> auto& pose) {
-    a("position", pose.position);
-    a("rotation", pose.rotation);
 }
-template <class A>
-void fields(A& a, Is<CellBox> auto& box) {
-    a("low", box.low);
-    a("high", box.high);
+,
 }
-template <class A>
-void fields(A& a, Is<PaletteEntry> auto& entry) {
-    a("red", entry.red);
-    a("green", entry.green);
-    a("blue", entry.blue);
-    a("opacity", entry.opacity);
-    a("roughness", entry.roughness);
-    a("metallic", entry.metallic);
-    a("reflectivity", entry.reflectivity);
-    a("material", entry.material);
-    a("emission", entry.emission);
-    a("light_group", entry.lightGroup);
+;
+template <>
+inline constexpr auto kFields<RopePoint> = std::tuple{
+    Field{"position", &RopePoint::position},
+    Field{"velocity", &RopePoint::velocity},
+};
+template <>
+inline constexpr auto kFields<Joint> = std::tuple{Field{"name", &Joint::name}, Field{"kind", &Joint::kind},
+                                                  Field{"first", [](auto& value) -> auto& {return value.ends[0];
 }
-template <class A>
-void fields(A& a, Is<Material> auto& material) {
-    a("name", material.name);
-    a("hardness", material.hardness);
-    a("density", material.density);
-    a("tensile_strength", material.tensileStrength);
-    a("compressive_strength", material.compressiveStrength);
-    a("shear_strength", material.shearStrength);
-    a("friction", material.friction);
-    a("restitution", material.restitution);
-    a("heat_capacity", material.heatCapacity);
-    a("ignition_temperature", material.ignitionTemperature);
-    a("burn_time", material.burnTime);
-    a("fragments", material.fragments);
-    a("sledge", material.sledge);
-    a("torch", material.torch);
-    a("gun", material.gun);
-    a("explosive", material.explosive);
 }
-template <class A>
-void fields(A& a, Is<LevelShape> auto& shape) {
-    a("name", shape.name);
-    a("local", shape.local);
-    a("voxel_size", shape.voxelSize);
-    a("size", shape.grid);
-    a("palette", shape.palette);
-    a("anchors", shape.anchors);
-    a("tags", shape.tags);
-    a("hidden", shape.hidden);
-    a("paint_colors", shape.paintColors);
-    a("strength", shape.strength);
-    a("bears_load", shape.loadBearing);
-    a("collision_layer", shape.collisionLayer);
-    a("collision_mask", shape.collisionMask);
+, Field{"second", [](auto& value) -> auto& {return value.ends[1];
 }
-template <class A>
-void fields(A& a, Is<LevelBody> auto& body) {
-    a("name", body.name);
-    a("pose", body.pose);
-    a("static", body.isStatic);
-    a("velocity", body.velocity);
-    a("angular_velocity", body.angularVelocity);
-    a("shapes", body.shapes);
-    a("tags", body.tags);
 }
-template <class A>
-void fields(A& a, Is<LightImage> auto& picture) {
-    a("width", picture.width);
-    a("texels", picture.texels);
+, Field{"collides", &Joint::collides}, Field{"limits", &Joint::limits}, Field{"motor", &Joint::motor},
+    Field{"spring", &Joint::spring}, Field{"friction", &Joint::friction}, Field{"most_force", &Joint::maxForce},
+    Field{"break_force", &Joint::breakForce}, Field{"break_torque", &Joint::breakTorque}, Field{"steer", &Joint::steer},
+    Field{"wheel", &Joint::wheel}, Field{"hand", &Joint::hand}, Field{"rope", &Joint::rope},
+    Field{"points", &Joint::points},
 }
-/// Of a light, with what names its shape and its group: names in a level, handles in a save.
-template <class A>
-void lightFields(A& a, Is<Light> auto& light, auto& shape, auto& group) {
-    a("name", light.name);
-    a("kind", light.kind);
-    a("shape", shape);
-    a("group", group);
-    a("local", light.local);
-    a("color", light.color);
-    a("radius", light.radius);
-    a("reach", light.reach);
-    a("cone_inner", light.coneInner);
-    a("cone_outer", light.coneOuter);
-    a("width", light.width);
-    a("height", light.height);
-    a("two_sided", light.twoSided);
-    a("picture", light.image);
-    a("enabled", light.enabled);
+;
+template <>
+inline constexpr auto kFields<LevelJoint> =
+    std::tuple{Field{"first_shape", [](auto& value) -> auto& {return value.shapeNames[0];
 }
-template <class A>
-void fields(A& a, Is<LevelLight> auto& light) {
-    lightFields(a, light.light, light.shapeName, light.groupName);
 }
-template <class A>
-void fields(A& a, Is<LightGroup> auto& group) {
-    a("name", group.name);
-    a("threshold", group.threshold);
-    a("initial_voxels", group.initialVoxels);
-    a("removed_voxels", group.removedVoxels);
-    a("out", group.out);
-    a("supply_shape", group.supplyShape);
-    a("supply_cell", group.supplyCell);
-    a("flicker_steps", group.flickerSteps);
-    a("dying_since", group.failingSince);
-    a("dark", group.dark);
-    if constexpr (requires { A::kIsBinary; }) a("supply", group.supply);
+, Field{"second_shape", [](auto& value) -> auto& {return value.shapeNames[1];
 }
-template <class A>
-void fields(A& a, Is<Environment> auto& environment) {
-    a("sun_direction", environment.sunDirection);
-    a("sun_color", environment.sunColor);
-    a("sun_angle", environment.sunAngle);
-    a("sky_color", environment.skyColor);
-    a("horizon_color", environment.horizonColor);
-    a("ground_color", environment.groundColor);
-    a("fog_color", environment.fogColor);
-    a("fog_distance", environment.fogDistance);
-    a("fog_density", environment.fogDensity);
-    a("fog_base", environment.fogBase);
-    a("fog_height", environment.fogHeight);
-    a("fog_forward", environment.fogForward);
-    a("fog_tint", environment.fogTint);
-    a("clouds", environment.clouds);
-    a("stars", environment.stars);
-    a("exposure", environment.exposure);
-    a("wetness", environment.wetness);
-    a("gravity", environment.gravity);
 }
-template <class A>
-void fields(A& a, Is<GroundPoint> auto& point) {
-    a("x", point.x);
-    a("z", point.z);
+, Field{"joint", &LevelJoint::joint},
 }
-template <class A>
-void fields(A& a, Is<WaterWaves> auto& waves) {
-    a("height", waves.height);
-    a("length", waves.length);
-    a("speed", waves.speed);
-    a("direction", waves.direction);
-}
-template <class A>
-void fields(A& a, Is<Water> auto& water) {
-    a("name", water.name);
-    a("outline", water.outline);
-    a("surface", water.surface);
-    a("depth", water.depth);
-    a("density", water.density);
-    a("linear_drag", water.linearDrag);
-    a("angular_drag", water.angularDrag);
-    a("flow", water.flow);
-    a("color", water.color);
-    a("clarity", water.clarity);
-    a("waves", water.waves);
-}
-template <class A>
-void fields(A& a, Is<Trigger> auto& trigger) {
-    a("name", trigger.name);
-    a("kind", trigger.kind);
-    a("pose", trigger.pose);
-    a("radius", trigger.radius);
-    a("half_size", trigger.halfSize);
-    a("outline", trigger.outline);
-    a("height", trigger.height);
-    a("layers", trigger.layers);
-    a("tags", trigger.tags);
-    if constexpr (requires { A::kIsBinary; }) a("inside", trigger.inside);
-}
-template <class A>
-void fields(A& a, Is<Character> auto& character) {
-    a("name", character.name);
-    a("radius", character.radius);
-    a("height", character.height);
-    a("crouched_height", character.crouchedHeight);
-    a("step_height", character.stepHeight);
-    a("steepest", character.steepest);
-    a("mass", character.mass);
-    a("walk_speed", character.walkSpeed);
-    a("crouch_speed", character.crouchSpeed);
-    a("jump_speed", character.jumpSpeed);
-    a("swim_speed", character.swimSpeed);
-    a("push_force", character.pushForce);
-    a("collision_layer", character.collisionLayer);
-    a("collision_mask", character.collisionMask);
-    a("wish", character.wish);
-    a("wants_jump", character.wantsJump);
-    a("wants_crouch", character.wantsCrouch);
-    a("position", character.position);
-    a("velocity", character.velocity);
-    a("grounded", character.grounded);
-    a("crouched", character.crouched);
-    a("swimming", character.swimming);
-    if constexpr (requires { A::kIsBinary; }) a("ground", character.ground);
-}
-template <class A>
-void fields(A& a, Is<JointEnd> auto& end) {
-    if constexpr (requires { A::kIsBinary; }) a("shape", end.shape);
-    a("frame", end.frame);
-    a("cell", end.cell);
-    a("radius", end.radius);
-    a("loose", end.isFree);
-}
-template <class A>
-void fields(A& a, Is<JointLimits> auto& limits) {
-    a("on", limits.on);
-    a("low", limits.low);
-    a("high", limits.high);
-}
-template <class A>
-void fields(A& a, Is<JointMotor> auto& motor) {
-    a("mode", motor.mode);
-    a("target", motor.target);
-    a("most_force", motor.maxForce);
-}
-template <class A>
-void fields(A& a, Is<JointSpring> auto& spring) {
-    a("hertz", spring.hertz);
-    a("damping_ratio", spring.dampingRatio);
-}
-template <class A>
-void fields(A& a, Is<WheelSettings> auto& wheel) {
-    a("drive_torque", wheel.driveTorque);
-    a("top_spin", wheel.topSpin);
-    a("brake_torque", wheel.brakeTorque);
-    a("steer_angle", wheel.steerAngle);
-    a("steer_rate", wheel.steerRate);
-}
-template <class A>
-void fields(A& a, Is<RopeSettings> auto& rope) {
-    a("length", rope.length);
-    a("slack", rope.slack);
-    a("points", rope.points);
-    a("radius", rope.radius);
-    a("mass_per_metre", rope.massPerMetre);
-    a("stretch", rope.stretch);
-    a("strength", rope.strength);
-    a("red", rope.color[0]);
-    a("green", rope.color[1]);
-    a("blue", rope.color[2]);
-}
-template <class A>
-void fields(A& a, Is<RopePoint> auto& point) {
-    a("position", point.position);
-    a("velocity", point.velocity);
-}
-template <class A>
-void fields(A& a, Is<Joint> auto& joint) {
-    a("name", joint.name);
-    a("kind", joint.kind);
-    a("first", joint.ends[0]);
-    a("second", joint.ends[1]);
-    a("collides", joint.collides);
-    a("limits", joint.limits);
-    a("motor", joint.motor);
-    a("spring", joint.spring);
-    a("friction", joint.friction);
-    a("most_force", joint.maxForce);
-    a("break_force", joint.breakForce);
-    a("break_torque", joint.breakTorque);
-    a("steer", joint.steer);
-    a("wheel", joint.wheel);
-    a("hand", joint.hand);
-    a("rope", joint.rope);
-    a("points", joint.points);
-}
-template <class A>
-void fields(A& a, Is<LevelJoint> auto& joint) {
-    a("first_shape", joint.shapeNames[0]);
-    a("second_shape", joint.shapeNames[1]);
-    a("joint", joint.joint);
-}
+;
 using NamedPose = std::pair<std::string, Pose>;
-template <class A>
-void fields(A& a, Is<NamedPose> auto& location) {
-    a("name", location.first);
-    a("pose", location.second);
+template <>
+inline constexpr auto kFields<NamedPose> = std::tuple{
+    Field{"name", &NamedPose::first},
+    Field{"pose", &NamedPose::second},
+};
+template <>
+inline constexpr auto kFields<Level> = std::tuple{
+    Field{"name", &Level::name}, Field{"materials", [](auto& value) -> auto& {return value.materials.materials;
 }
-template <class A>
-void fields(A& a, Is<Level> auto& level) {
-    a("name", level.name);
-    a("materials", level.materials.materials);
-    a("environment", level.environment);
-    a("light_groups", level.lightGroups);
-    a("auto_light_groups", level.autoLightGroups);
-    a("lights", level.lights);
-    a("locations", level.locations);
-    a("bodies", level.bodies);
-    a("waters", level.waters);
-    a("triggers", level.triggers);
-    a("characters", level.characters);
-    a("joints", level.joints);
 }
+, Field{"environment", &Level::environment}, Field{"light_groups", &Level::lightGroups},
+    Field{"auto_light_groups", &Level::autoLightGroups}, Field{"lights", &Level::lights},
+    Field{"locations", &Level::locations}, Field{"bodies", &Level::bodies}, Field{"waters", &Level::waters},
+    Field{"triggers", &Level::triggers}, Field{"characters", &Level::characters}, Field{"joints", &Level::joints},
+}
+;
 
 }  // namespace rubble

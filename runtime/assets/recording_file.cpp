@@ -13,36 +13,31 @@
 
 namespace rubble {
 
-template <class A>
-void fields(A& a, Is<BodyPose> auto& pose) {
-    a("body", pose.body);
-    a("pose", pose.pose);
-    a("velocity", pose.velocity);
-    a("angular_velocity", pose.angularVelocity);
-    a("asleep", pose.asleep);
-}
-template <class A>
-void fields(A& a, Is<CharacterMove> auto& move) {
-    a("character", move.character);
-    a("position", move.position);
-    a("velocity", move.velocity);
-    a("grounded", move.grounded);
-    a("crouched", move.crouched);
-    a("swimming", move.swimming);
-    a("ground", move.ground);
-}
-template <class A>
-void fields(A& a, Is<RecordedStep> auto& step) {
-    a("step", step.step);
-    a("saved_before", step.physicsRebuilt);
-    a("edits", step.edits);
-    a("delta", step.delta);
-    a("poses", step.poses);
-    a("characters", step.characters);
-    a("hash", step.hash);
-    a("resolved_hash", step.resolvedHash);
-    a("voxel_hash", step.voxelHash);
-}
+template <>
+inline constexpr auto kFields<BodyPose> = std::tuple{
+    Field{"body", &BodyPose::body},         Field{"pose", &BodyPose::pose},
+    Field{"velocity", &BodyPose::velocity}, Field{"angular_velocity", &BodyPose::angularVelocity},
+    Field{"asleep", &BodyPose::asleep},
+};
+template <>
+inline constexpr auto kFields<CharacterMove> = std::tuple{
+    Field{"character", &CharacterMove::character}, Field{"position", &CharacterMove::position},
+    Field{"velocity", &CharacterMove::velocity},   Field{"grounded", &CharacterMove::grounded},
+    Field{"crouched", &CharacterMove::crouched},   Field{"swimming", &CharacterMove::swimming},
+    Field{"ground", &CharacterMove::ground},
+};
+template <>
+inline constexpr auto kFields<RecordedStep> = std::tuple{
+    Field{"step", &RecordedStep::step},
+    Field{"physics_rebuilt", &RecordedStep::physicsRebuilt},
+    Field{"edits", &RecordedStep::edits},
+    Field{"delta", &RecordedStep::delta},
+    Field{"poses", &RecordedStep::poses},
+    Field{"characters", &RecordedStep::characters},
+    Field{"hash", &RecordedStep::hash},
+    Field{"resolved_hash", &RecordedStep::resolvedHash},
+    Field{"voxel_hash", &RecordedStep::voxelHash},
+};
 
 Result<RecordingWriter> RecordingWriter::open(const std::string& path, const SavedGame& start) {
     RecordingWriter writer;

@@ -1,350 +1,325 @@
 #pragma once
-#include <type_traits>
-
 #include "runtime/assets/level_fields.h"
 #include "runtime/world/state/world_state.h"
 
+// What saved games and recordings hold beside what levels do (see fields.h). A shape's voxels and their mass properties
+// are no fields.
 namespace rubble {
 
-// What saves and recordings hold beside what levels do, as fields (see level_fields.h). A shape's voxels and their
-// moments are no fields.
+template <>
+inline constexpr std::array<const char*, 3> kEnumNames<BrushKind> = {"sphere", "box", "capsule"};
+template <>
+inline constexpr std::array<const char*, 3> kEnumNames<PaintMode> = {"default", "blend", "layer"};
+template <>
+inline constexpr std::array<const char*, 3> kEnumNames<HistoryAction> = {"mark", "undo", "redo"};
+template <>
+inline constexpr std::array<const char*, 5> kEnumNames<Tool> = {"any", "sledge", "torch", "gun", "explosive"};
+template <>
+inline constexpr std::array<const char*, 4> kEnumNames<JointBreak> = {"voxel gone", "force", "removed", "cut"};
 
-inline constexpr std::array<const char*, 3> kBrushKindNames = {"sphere", "box", "capsule"};
-inline constexpr std::array<const char*, 3> kPaintModeNames = {"default", "blend", "layer"};
-inline constexpr std::array<const char*, 3> kHistoryActionNames = {"mark", "undo", "redo"};
-inline constexpr std::array<const char*, 5> kToolNames = {"any", "sledge", "torch", "gun", "explosive"};
-inline std::span<const char* const> enumNames(Tool) {
-    return kToolNames;
-}
-inline constexpr std::array<const char*, 4> kJointBreakNames = {"voxel gone", "force", "removed", "cut"};
-inline std::span<const char* const> enumNames(JointBreak) {
-    return kJointBreakNames;
-}
-inline std::span<const char* const> enumNames(BrushKind) {
-    return kBrushKindNames;
-}
-inline std::span<const char* const> enumNames(PaintMode) {
-    return kPaintModeNames;
-}
-inline std::span<const char* const> enumNames(HistoryAction) {
-    return kHistoryActionNames;
-}
+template <>
+inline constexpr auto kFields<Body> = std::tuple{
+    Field{"name", &Body::name},
+    Field{"pose", &Body::pose},
+    Field{"velocity", &Body::velocity},
+    Field{"angular_velocity", &Body::angularVelocity},
+    Field{"is_static", &Body::isStatic},
+    Field{"asleep", &Body::asleep},
+    Field{"shapes", &Body::shapes},
+    Field{"tags", &Body::tags},
+    Field{"settled", &Body::settled},
+    Field{"broken", &Body::broken},
+    Field{"created_step", &Body::createdStep},
+    Field{"resting_since", &Body::restingSince},
+};
+template <>
+inline constexpr auto kFields<Shape> = std::tuple{
+    Field{"name", &Shape::name},
+    Field{"body", &Shape::body},
+    Field{"local", &Shape::local},
+    Field{"voxel_size", &Shape::voxelSize},
+    Field{"grid", &Shape::grid},
+    Field{"palette", &Shape::palette},
+    Field{"paint_colors", &Shape::paintColors},
+    Field{"anchors", &Shape::anchors},
+    Field{"tags", &Shape::tags},
+    Field{"is_piece", &Shape::isPiece},
+    Field{"known_connected", &Shape::knownConnected},
+    Field{"load_bearing", &Shape::loadBearing},
+    Field{"strength", &Shape::strength},
+    Field{"collision_layer", &Shape::collisionLayer},
+    Field{"collision_mask", &Shape::collisionMask},
+};
+template <>
+inline constexpr auto kFields<Light> = lightTable([](auto member) { return member; }, &Light::shape, &Light::group);
 
-template <class A>
-void fields(A& a, Is<Body> auto& body) {
-    a("name", body.name);
-    a("pose", body.pose);
-    a("velocity", body.velocity);
-    a("angular_velocity", body.angularVelocity);
-    a("static", body.isStatic);
-    a("asleep", body.asleep);
-    a("shapes", body.shapes);
-    a("tags", body.tags);
-    a("settled", body.settled);
-    a("broken", body.broken);
-    a("born", body.createdStep);
-    a("resting_since", body.restingSince);
-}
-template <class A>
-void fields(A& a, Is<Shape> auto& shape) {
-    a("name", shape.name);
-    a("body", shape.body);
-    a("local", shape.local);
-    a("voxel_size", shape.voxelSize);
-    a("grid", shape.grid);
-    a("palette", shape.palette);
-    a("paint_colors", shape.paintColors);
-    a("anchors", shape.anchors);
-    a("tags", shape.tags);
-    a("piece", shape.isPiece);
-    a("nothing_loose", shape.knownConnected);
-    a("bears_load", shape.loadBearing);
-    a("strength", shape.strength);
-    a("collision_layer", shape.collisionLayer);
-    a("collision_mask", shape.collisionMask);
-}
-template <class A>
-void fields(A& a, Is<Light> auto& light) {
-    lightFields(a, light, light.shape, light.group);
-}
+template <>
+inline constexpr auto kFields<HotBrick> = std::tuple{
+    Field{"brick", &HotBrick::brick},   Field{"heat", &HotBrick::heat},
+    Field{"burned", &HotBrick::burned}, Field{"burning_for", &HotBrick::burningFor},
+    Field{"wet", &HotBrick::wet},       Field{"charred", &HotBrick::charred},
+};
+template <>
+inline constexpr auto kFields<HeatField> = std::tuple{
+    Field{"shape", &HeatField::shape},
+    Field{"bricks", &HeatField::bricks},
+};
 
-template <class A>
-void fields(A& a, Is<HotBrick> auto& hot) {
-    a("brick", hot.brick);
-    a("heat", hot.heat);
-    a("burned", hot.burned);
-    a("burning_for", hot.burningFor);
-    a("wet", hot.wet);
-    a("charred", hot.charred);
-}
-template <class A>
-void fields(A& a, Is<HeatField> auto& field) {
-    a("shape", field.shape);
-    a("bricks", field.bricks);
-}
+template <>
+inline constexpr auto kFields<DebrisSettings> = std::tuple{
+    Field{"awake_bodies", &DebrisSettings::awakeBodies},
+    Field{"bodies", &DebrisSettings::bodies},
+    Field{"voxels", &DebrisSettings::voxels},
+    Field{"largest_piece", &DebrisSettings::largestPiece},
+    Field{"settle_steps", &DebrisSettings::settleSteps},
+    Field{"fragments_per_break", &DebrisSettings::fragmentsPerBreak},
+};
+template <>
+inline constexpr auto kFields<StressSettings> = std::tuple{
+    Field{"on", &StressSettings::on},
+    Field{"strength_scale", &StressSettings::strengthScale},
+    Field{"work_per_step", &StressSettings::workPerStep},
+    Field{"cracks_per_step", &StressSettings::cracksPerStep},
+    Field{"contact_time", &StressSettings::contactTime},
+    Field{"min_impulse", &StressSettings::minImpulse},
+    Field{"min_struck_voxels", &StressSettings::minStruckVoxels},
+    Field{"largest_shape", &StressSettings::largestShape},
+};
+template <>
+inline constexpr auto kFields<SplitSettings> = std::tuple{
+    Field{"parts_per_step", &SplitSettings::partsPerStep},
+};
+template <>
+inline constexpr auto kFields<PaintSettings> = std::tuple{
+    Field{"mode", &PaintSettings::mode},
+};
+template <>
+inline constexpr auto kFields<FireSettings> = std::tuple{
+    Field{"enabled", &FireSettings::enabled}, Field{"max_fires", &FireSettings::maxFires},
+    Field{"max_hot", &FireSettings::maxHot},  Field{"max_lights", &FireSettings::maxLights},
+    Field{"spread", &FireSettings::spread},   Field{"burn_time", &FireSettings::burnTime},
+};
+template <>
+inline constexpr auto kFields<WorldSettings> = std::tuple{
+    Field{"min_piece_voxels", &WorldSettings::minPieceVoxels},
+    Field{"impact_threshold", &WorldSettings::impactThreshold},
+    Field{"impact_speed", &WorldSettings::impactSpeed},
+    Field{"impact_radius", &WorldSettings::impactRadius},
+    Field{"impact_radius_limit", &WorldSettings::impactRadiusLimit},
+    Field{"impacts_per_step", &WorldSettings::impactsPerStep},
+    Field{"undo_marks", &WorldSettings::undoMarks},
+    Field{"debris", &WorldSettings::debris},
+    Field{"stress", &WorldSettings::stress},
+    Field{"paint", &WorldSettings::paint},
+    Field{"fire", &WorldSettings::fire},
+    Field{"split", &WorldSettings::split},
+};
 
-template <class A>
-void fields(A& a, Is<DebrisSettings> auto& settings) {
-    a("awake_bodies", settings.awakeBodies);
-    a("bodies", settings.bodies);
-    a("voxels", settings.voxels);
-    a("largest_piece", settings.largestPiece);
-    a("settle_steps", settings.settleSteps);
-    a("fragments_a_break", settings.fragmentsPerBreak);
-}
-template <class A>
-void fields(A& a, Is<StressSettings> auto& settings) {
-    a("on", settings.on);
-    a("strength_scale", settings.strengthScale);
-    a("work_a_step", settings.workPerStep);
-    a("cracks_a_step", settings.cracksPerStep);
-    a("contact_time", settings.contactTime);
-    a("least_blow", settings.minImpulse);
-    a("smallest_struck", settings.minStruckVoxels);
-    a("largest_shape", settings.largestShape);
-}
-template <class A>
-void fields(A& a, Is<SplitSettings> auto& settings) {
-    a("parts_a_step", settings.partsPerStep);
-}
-template <class A>
-void fields(A& a, Is<PaintSettings> auto& settings) {
-    a("mode", settings.mode);
-}
-template <class A>
-void fields(A& a, Is<FireSettings> auto& settings) {
-    a("enabled", settings.enabled);
-    a("max_fires", settings.maxFires);
-    a("max_hot", settings.maxHot);
-    a("max_lights", settings.maxLights);
-    a("spread", settings.spread);
-    a("burn_time", settings.burnTime);
-}
-template <class A>
-void fields(A& a, Is<WorldSettings> auto& settings) {
-    a("min_piece_voxels", settings.minPieceVoxels);
-    a("impact_threshold", settings.impactThreshold);
-    a("impact_speed", settings.impactSpeed);
-    a("impact_radius", settings.impactRadius);
-    a("impact_radius_limit", settings.impactRadiusLimit);
-    a("impacts_a_step", settings.impactsPerStep);
-    a("undo_marks", settings.undoMarks);
-    a("debris", settings.debris);
-    a("load", settings.stress);
-    a("paint", settings.paint);
-    a("fire", settings.fire);
-    a("split", settings.split);
-}
+template <>
+inline constexpr auto kFields<CarveEdit> = std::tuple{
+    Field{"kind", &CarveEdit::kind},
+    Field{"position", &CarveEdit::position},
+    Field{"end", &CarveEdit::end},
+    Field{"half_size", &CarveEdit::halfSize},
+    Field{"rotation", &CarveEdit::rotation},
+    Field{"radii", &CarveEdit::radii},
+    Field{"hardness_limit", &CarveEdit::hardnessLimit},
+    Field{"shape", &CarveEdit::shape},
+    Field{"tool", &CarveEdit::tool},
+};
+template <>
+inline constexpr auto kFields<BreakEdit> = std::tuple{
+    Field{"position", &BreakEdit::position}, Field{"radii", &BreakEdit::radii}, Field{"tool", &BreakEdit::tool},
+    Field{"seed", &BreakEdit::seed},         Field{"shape", &BreakEdit::shape},
+};
+template <>
+inline constexpr auto kFields<ExplodeEdit> = std::tuple{
+    Field{"position", &ExplodeEdit::position},
+    Field{"size", &ExplodeEdit::size},
+    Field{"impulse", &ExplodeEdit::impulse},
+};
+template <>
+inline constexpr auto kFields<PaintEdit> = std::tuple{
+    Field{"position", &PaintEdit::position},
+    Field{"radius", &PaintEdit::radius},
+    Field{"color", &PaintEdit::color},
+    Field{"strength", &PaintEdit::strength},
+    Field{"probability", &PaintEdit::probability},
+    Field{"seed", &PaintEdit::seed},
+    Field{"falloff", &PaintEdit::falloff},
+    Field{"mode", &PaintEdit::mode},
+    Field{"kind", &PaintEdit::kind},
+    Field{"end", &PaintEdit::end},
+    Field{"shape", &PaintEdit::shape},
+};
+template <>
+inline constexpr auto kFields<ImpactLoadEdit> = std::tuple{
+    Field{"shape", &ImpactLoadEdit::shape},
+    Field{"position", &ImpactLoadEdit::position},
+    Field{"impulse", &ImpactLoadEdit::impulse},
+};
+template <>
+inline constexpr auto kFields<ImpulseEdit> = std::tuple{
+    Field{"body", &ImpulseEdit::body},
+    Field{"position", &ImpulseEdit::position},
+    Field{"impulse", &ImpulseEdit::impulse},
+};
+template <>
+inline constexpr auto kFields<SettingsEdit> = std::tuple{
+    Field{"settings", &SettingsEdit::settings},
+};
+template <>
+inline constexpr auto kFields<HistoryEdit> = std::tuple{
+    Field{"action", &HistoryEdit::action},
+};
 
-template <class A>
-void fields(A& a, Is<CarveEdit> auto& edit) {
-    a("kind", edit.kind);
-    a("position", edit.position);
-    a("end", edit.end);
-    a("half_size", edit.halfSize);
-    a("rotation", edit.rotation);
-    a("radii", edit.radii);
-    a("hardness_limit", edit.hardnessLimit);
-    a("shape", edit.shape);
-    a("tool", edit.tool);
-}
-template <class A>
-void fields(A& a, Is<BreakEdit> auto& edit) {
-    a("position", edit.position);
-    a("radii", edit.radii);
-    a("tool", edit.tool);
-    a("seed", edit.seed);
-    a("shape", edit.shape);
-}
-template <class A>
-void fields(A& a, Is<ExplodeEdit> auto& edit) {
-    a("position", edit.position);
-    a("size", edit.size);
-    a("impulse", edit.impulse);
-}
-template <class A>
-void fields(A& a, Is<PaintEdit> auto& edit) {
-    a("position", edit.position);
-    a("radius", edit.radius);
-    a("color", edit.color);
-    a("strength", edit.strength);
-    a("probability", edit.probability);
-    a("seed", edit.seed);
-    a("falloff", edit.falloff);
-    a("mode", edit.mode);
-    a("kind", edit.kind);
-    a("end", edit.end);
-    a("shape", edit.shape);
-}
-template <class A>
-void fields(A& a, Is<ImpactLoadEdit> auto& edit) {
-    a("shape", edit.shape);
-    a("position", edit.position);
-    a("impulse", edit.impulse);
-}
-template <class A>
-void fields(A& a, Is<ImpulseEdit> auto& edit) {
-    a("body", edit.body);
-    a("position", edit.position);
-    a("impulse", edit.impulse);
-}
-template <class A>
-void fields(A& a, Is<SettingsEdit> auto& edit) {
-    a("settings", edit.settings);
-}
-template <class A>
-void fields(A& a, Is<HistoryEdit> auto& edit) {
-    a("action", edit.action);
-}
+template <>
+inline constexpr auto kFields<HeatEdit> = std::tuple{
+    Field{"position", &HeatEdit::position}, Field{"radius", &HeatEdit::radius}, Field{"joules", &HeatEdit::joules},
+    Field{"ignite", &HeatEdit::ignite},     Field{"shape", &HeatEdit::shape},
+};
+template <>
+inline constexpr auto kFields<ExtinguishEdit> = std::tuple{
+    Field{"position", &ExtinguishEdit::position},
+    Field{"radius", &ExtinguishEdit::radius},
+    Field{"wet_seconds", &ExtinguishEdit::wetSeconds},
+};
+template <>
+inline constexpr auto kFields<RemoveFiresEdit> = std::tuple{
+    Field{"low", &RemoveFiresEdit::low},
+    Field{"high", &RemoveFiresEdit::high},
+};
+template <>
+inline constexpr auto kFields<SplitShapeEdit> = std::tuple{
+    Field{"shape", &SplitShapeEdit::shape},
+    Field{"remove_residual", &SplitShapeEdit::removeResidual},
+    Field{"residual_voxels", &SplitShapeEdit::residualVoxels},
+};
+template <>
+inline constexpr auto kFields<MergeShapeEdit> = std::tuple{
+    Field{"shape", &MergeShapeEdit::shape},
+    Field{"into", &MergeShapeEdit::into},
+};
+template <>
+inline constexpr auto kFields<TrimShapeEdit> = std::tuple{
+    Field{"shape", &TrimShapeEdit::shape},
+};
+template <>
+inline constexpr auto kFields<ResizeShapeEdit> = std::tuple{
+    Field{"shape", &ResizeShapeEdit::shape},
+    Field{"box", &ResizeShapeEdit::box},
+};
+template <>
+inline constexpr auto kFields<SetCollisionEdit> = std::tuple{
+    Field{"shape", &SetCollisionEdit::shape},
+    Field{"layer", &SetCollisionEdit::layer},
+    Field{"mask", &SetCollisionEdit::mask},
+};
+template <>
+inline constexpr auto kFields<AddWaterEdit> = std::tuple{
+    Field{"water", &AddWaterEdit::water},
+};
+template <>
+inline constexpr auto kFields<RemoveWaterEdit> = std::tuple{
+    Field{"water", &RemoveWaterEdit::water},
+};
+template <>
+inline constexpr auto kFields<AddTriggerEdit> = std::tuple{
+    Field{"trigger", &AddTriggerEdit::trigger},
+};
+template <>
+inline constexpr auto kFields<RemoveTriggerEdit> = std::tuple{
+    Field{"trigger", &RemoveTriggerEdit::trigger},
+};
+template <>
+inline constexpr auto kFields<AddCharacterEdit> = std::tuple{
+    Field{"character", &AddCharacterEdit::character},
+};
+template <>
+inline constexpr auto kFields<RemoveCharacterEdit> = std::tuple{
+    Field{"character", &RemoveCharacterEdit::character},
+};
+template <>
+inline constexpr auto kFields<MoveCharacterEdit> = std::tuple{
+    Field{"character", &MoveCharacterEdit::character},
+    Field{"wish", &MoveCharacterEdit::wish},
+    Field{"jump", &MoveCharacterEdit::jump},
+    Field{"crouch", &MoveCharacterEdit::crouch},
+};
+template <>
+inline constexpr auto kFields<PlaceCharacterEdit> = std::tuple{
+    Field{"character", &PlaceCharacterEdit::character},
+    Field{"position", &PlaceCharacterEdit::position},
+    Field{"velocity", &PlaceCharacterEdit::velocity},
+};
 
-template <class A>
-void fields(A& a, Is<HeatEdit> auto& edit) {
-    a("position", edit.position);
-    a("radius", edit.radius);
-    a("joules", edit.joules);
-    a("ignite", edit.ignite);
-    a("shape", edit.shape);
-}
-template <class A>
-void fields(A& a, Is<ExtinguishEdit> auto& edit) {
-    a("position", edit.position);
-    a("radius", edit.radius);
-    a("wet_seconds", edit.wetSeconds);
-}
-template <class A>
-void fields(A& a, Is<RemoveFiresEdit> auto& edit) {
-    a("low", edit.low);
-    a("high", edit.high);
-}
-template <class A>
-void fields(A& a, Is<SplitShapeEdit> auto& edit) {
-    a("shape", edit.shape);
-    a("remove_residual", edit.removeResidual);
-    a("residual_voxels", edit.residualVoxels);
-}
-template <class A>
-void fields(A& a, Is<MergeShapeEdit> auto& edit) {
-    a("shape", edit.shape);
-    a("into", edit.into);
-}
-template <class A>
-void fields(A& a, Is<TrimShapeEdit> auto& edit) {
-    a("shape", edit.shape);
-}
-template <class A>
-void fields(A& a, Is<ResizeShapeEdit> auto& edit) {
-    a("shape", edit.shape);
-    a("box", edit.box);
-}
-template <class A>
-void fields(A& a, Is<SetCollisionEdit> auto& edit) {
-    a("shape", edit.shape);
-    a("layer", edit.layer);
-    a("mask", edit.mask);
-}
-template <class A>
-void fields(A& a, Is<AddWaterEdit> auto& edit) {
-    a("water", edit.water);
-}
-template <class A>
-void fields(A& a, Is<RemoveWaterEdit> auto& edit) {
-    a("water", edit.water);
-}
-template <class A>
-void fields(A& a, Is<AddTriggerEdit> auto& edit) {
-    a("trigger", edit.trigger);
-}
-template <class A>
-void fields(A& a, Is<RemoveTriggerEdit> auto& edit) {
-    a("trigger", edit.trigger);
-}
-template <class A>
-void fields(A& a, Is<AddCharacterEdit> auto& edit) {
-    a("character", edit.character);
-}
-template <class A>
-void fields(A& a, Is<RemoveCharacterEdit> auto& edit) {
-    a("character", edit.character);
-}
-template <class A>
-void fields(A& a, Is<MoveCharacterEdit> auto& edit) {
-    a("character", edit.character);
-    a("wish", edit.wish);
-    a("jump", edit.jump);
-    a("crouch", edit.crouch);
-}
-template <class A>
-void fields(A& a, Is<PlaceCharacterEdit> auto& edit) {
-    a("character", edit.character);
-    a("position", edit.position);
-    a("velocity", edit.velocity);
-}
+template <>
+inline constexpr auto kFields<AddJointEdit> = std::tuple{
+    Field{"joint", &AddJointEdit::joint},
+};
+template <>
+inline constexpr auto kFields<RemoveJointEdit> = std::tuple{
+    Field{"joint", &RemoveJointEdit::joint},
+    Field{"reason", &RemoveJointEdit::reason},
+    Field{"place", &RemoveJointEdit::place},
+};
+template <>
+inline constexpr auto kFields<SetJointMotorEdit> = std::tuple{
+    Field{"joint", &SetJointMotorEdit::joint},
+    Field{"motor", &SetJointMotorEdit::motor},
+    Field{"friction", &SetJointMotorEdit::friction},
+    Field{"steer", &SetJointMotorEdit::steer},
+};
+template <>
+inline constexpr auto kFields<DriveEdit> = std::tuple{
+    Field{"body", &DriveEdit::body},
+    Field{"throttle", &DriveEdit::throttle},
+    Field{"steer", &DriveEdit::steer},
+    Field{"brake", &DriveEdit::brake},
+};
+template <>
+inline constexpr auto kFields<SetEnvironmentEdit> = std::tuple{
+    Field{"environment", &SetEnvironmentEdit::environment},
+};
+template <>
+inline constexpr auto kFields<AddLightEdit> = std::tuple{
+    Field{"light", &AddLightEdit::light},
+};
+template <>
+inline constexpr auto kFields<SetLightEdit> = std::tuple{
+    Field{"light", &SetLightEdit::light},
+    Field{"values", &SetLightEdit::values},
+};
+template <>
+inline constexpr auto kFields<RemoveLightEdit> = std::tuple{
+    Field{"light", &RemoveLightEdit::light},
+};
+template <>
+inline constexpr auto kFields<DetachJointEdit> = std::tuple{
+    Field{"joint", &DetachJointEdit::joint},
+    Field{"shape", &DetachJointEdit::shape},
+};
+template <>
+inline constexpr auto kFields<GrabEdit> = std::tuple{
+    Field{"body", &GrabEdit::body},          Field{"point", &GrabEdit::point}, Field{"target", &GrabEdit::target},
+    Field{"max_force", &GrabEdit::maxForce}, Field{"hertz", &GrabEdit::hertz}, Field{"hand", &GrabEdit::hand},
+};
+template <>
+inline constexpr auto kFields<ReleaseEdit> = std::tuple{
+    Field{"impulse", &ReleaseEdit::impulse},
+    Field{"hand", &ReleaseEdit::hand},
+};
 
-template <class A>
-void fields(A& a, Is<AddJointEdit> auto& edit) {
-    a("joint", edit.joint);
+template <>
+inline constexpr auto kFields<Edit> = std::tuple{Field{
+    "kind",
+    [](auto& edit) -> auto& {using Kinds = std::conditional_t<std::is_const_v<std::remove_reference_t<decltype(edit)>>,
+                                                              const AnyEdit, AnyEdit>;
+return static_cast<Kinds&>(edit);
+}  // namespace rubble
 }
-template <class A>
-void fields(A& a, Is<RemoveJointEdit> auto& edit) {
-    a("joint", edit.joint);
-    a("reason", edit.reason);
-    a("place", edit.place);
+,
 }
-template <class A>
-void fields(A& a, Is<SetJointMotorEdit> auto& edit) {
-    a("joint", edit.joint);
-    a("motor", edit.motor);
-    a("friction", edit.friction);
-    a("steer", edit.steer);
-}
-template <class A>
-void fields(A& a, Is<DriveEdit> auto& edit) {
-    a("body", edit.body);
-    a("throttle", edit.throttle);
-    a("steer", edit.steer);
-    a("brake", edit.brake);
-}
-template <class A>
-void fields(A& a, Is<SetEnvironmentEdit> auto& edit) {
-    a("environment", edit.environment);
-}
-template <class A>
-void fields(A& a, Is<AddLightEdit> auto& edit) {
-    a("light", edit.light);
-}
-template <class A>
-void fields(A& a, Is<SetLightEdit> auto& edit) {
-    a("light", edit.light);
-    a("values", edit.values);
-}
-template <class A>
-void fields(A& a, Is<RemoveLightEdit> auto& edit) {
-    a("light", edit.light);
-}
-template <class A>
-void fields(A& a, Is<DetachJointEdit> auto& edit) {
-    a("joint", edit.joint);
-    a("shape", edit.shape);
-}
-template <class A>
-void fields(A& a, Is<GrabEdit> auto& edit) {
-    a("body", edit.body);
-    a("point", edit.point);
-    a("target", edit.target);
-    a("most_force", edit.maxForce);
-    a("hertz", edit.hertz);
-    a("hand", edit.hand);
-}
-template <class A>
-void fields(A& a, Is<ReleaseEdit> auto& edit) {
-    a("impulse", edit.impulse);
-    a("hand", edit.hand);
-}
-
-template <class A>
-void fields(A& a, Is<Edit> auto& edit) {
-    using Kinds = std::conditional_t<std::is_const_v<std::remove_reference_t<decltype(edit)>>, const AnyEdit, AnyEdit>;
-    a("kind", static_cast<Kinds&>(edit));
-}
+;
 
 }  // namespace rubble
