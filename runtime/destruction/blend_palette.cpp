@@ -6,9 +6,9 @@
 namespace rubble {
 namespace {
 
-constexpr int kMinStep = 8;        ///< bytes of a channel: bounds how many entries a blend can use
-constexpr int kNearColor = 3;      ///< channels this close count as the same blend
-constexpr int kPaintReserve = 24;  ///< entries kept for the paint itself
+constexpr int kMinStep = 8;        ///< change of a channel in one step: bounds how many entries a blend can use
+constexpr int kNearColor = 3;      ///< channels that differ by no more count as equal
+constexpr int kPaintReserve = 24;  ///< free entries kept for the paint itself
 
 int distance2(const PaletteEntry& a, const PaletteEntry& b) {
     const int red = a.red - b.red, green = a.green - b.green, blue = a.blue - b.blue;
@@ -65,8 +65,8 @@ uint8_t BlendPalette::choose(uint8_t source) {
     return nearest.value_or(source);
 }
 
-/// Entries may stand in for a blend only if they bring the colour nearer to the paint: otherwise it would never get
-/// there.
+/// An entry of nearly the wanted colour. Only one that is closer to the paint than the source: else the paint would
+/// never be reached.
 std::optional<uint8_t> BlendPalette::findNear(uint8_t source, const PaletteEntry& wanted) const {
     const auto near = nearestCloser(source, wanted);
     if (!near) return std::nullopt;

@@ -7,15 +7,19 @@
 
 namespace rubble {
 
-/// Finds or makes the palette entries that one step of paint needs.
+/// Finds or makes the palette entries for one step of paint (see paintPalette()).
 class BlendPalette {
 public:
+    /// `grid` and `paint` must outlive it; the palette is copied.
     BlendPalette(const VoxelGrid& grid, const Palette& palette, const Paint& paint);
 
-    /// The entry that voxels of `source` take in this step; `source` itself once it has the paint's colour.
+    /// The entry that voxels of entry `source` get in this step; `source` itself once it has the paint's colour.
     uint8_t blended(uint8_t source);
+    /// The palette with the new entries.
     const Palette& palette() const { return m_palette; }
+    /// Whether the palette has new entries.
     bool hasChanged() const { return m_hasChanged; }
+    /// Blends that found no free entry and took the nearest one.
     uint64_t merges() const { return m_merges; }
 
 private:
@@ -29,8 +33,8 @@ private:
     const VoxelGrid& m_grid;
     Palette m_palette;
     const Paint& m_paint;
-    std::array<int16_t, 256> m_blended;  ///< -1: not asked for yet
-    std::array<bool, 256> m_isTaken{};   ///< chosen in this step: not to be freed
+    std::array<int16_t, 256> m_blended;  ///< by source entry: the result of blended(); -1: none yet
+    std::array<bool, 256> m_isTaken{};   ///< entries chosen in this step: they must not be freed
     bool m_hasFreedUnused = false;
     bool m_hasChanged = false;
     uint64_t m_merges = 0;

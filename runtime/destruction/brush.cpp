@@ -41,7 +41,7 @@ bool inCapsule(const Brush& brush, const Point& point, int64_t radius) {
     }
     if (along <= 0) return fromA2 <= radius * radius;
     if (along >= length2) return fromB2 <= radius * radius;
-    // |fromA|^2 - along^2 / length^2 <= r^2, without dividing: 128 bits hold the products.
+    // |fromA|^2 - along^2 / length^2 <= r^2 without a division; the products need 128 bits.
     using Wide = __int128;
     return Wide(fromA2) * length2 - Wide(along) * along <= Wide(radius) * radius * length2;
 }
@@ -55,16 +55,16 @@ bool inBox(const Brush& brush, const Point& point, int64_t grow) {
     return true;
 }
 
-constexpr BrickBits kNoCell{}, kEveryCell = {~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull};
+constexpr BrickBits kNoCell{};
 constexpr int64_t kLast = kBrickSize - 1;
 
-/// The cells of a brick on which a linear function, `first` in its first cell and growing by `steps` a cell, is within
-/// +-limit.
+/// The cells of a brick where a linear function is in [-limit, limit]. Its value in the first cell is `first`; from
+/// cell to cell it grows by `steps` along each axis.
 BrickBits linearBits(int64_t first, const Point& steps, int64_t limit) {
     int64_t low = first, high = first;
     for (const int64_t step : steps) (step < 0 ? low : high) += kLast * step;
     if (low > limit || high < -limit) return kNoCell;
-    if (low >= -limit && high <= limit) return kEveryCell;
+    if (low >= -limit && high <= limit) return kFullBrickBits;
     const auto row = [&](int64_t value) {
         uint64_t bits = 0;
         for (int x = 0; x < kBrickSize; ++x, value += steps[0]) bits |= uint64_t(std::abs(value) <= limit) << x;
@@ -72,7 +72,7 @@ BrickBits linearBits(int64_t first, const Point& steps, int64_t limit) {
     };
     BrickBits out{};
     if (steps[1] == 0 && steps[2] == 0) {
-        out.fill(row(first) * 0x0101010101010101ull);
+        out.fill(row(first) * kFirstColumn);
         return out;
     }
     for (int64_t z = 0; z < kBrickSize; ++z)
@@ -81,7 +81,7 @@ BrickBits linearBits(int64_t first, const Point& steps, int64_t limit) {
 }
 
 BrickBits boxBits(const Brush& brush, const Point& first, int64_t grow) {
-    BrickBits out = kEveryCell;
+    BrickBits out = kFullBrickBits;
     for (size_t i = 0; i < 3; ++i) {
         int64_t along = 0;
         Point steps;
@@ -97,7 +97,7 @@ BrickBits boxBits(const Brush& brush, const Point& first, int64_t grow) {
 }
 
 BrickBits sphereBits(const Brush& brush, const Point& first, int64_t radius) {
-    std::array<std::array<int64_t, kBrickSize>, 3> squares;  // of the distance to the centre along each axis
+    std::array<std::array<int64_t, kBrickSize>, 3> squares;  // squared distance to the centre along each axis
     int64_t nearest = 0, farthest = 0;
     for (size_t j = 0; j < 3; ++j) {
         for (size_t i = 0; i < kBrickSize; ++i)
@@ -107,7 +107,7 @@ BrickBits sphereBits(const Brush& brush, const Point& first, int64_t radius) {
         farthest += std::max(squares[j].front(), squares[j].back());
     }
     if (nearest > radius * radius) return kNoCell;
-    if (farthest <= radius * radius) return kEveryCell;
+    if (farthest <= radius * radius) return kFullBrickBits;
     BrickBits out{};
     for (size_t z = 0; z < kBrickSize; ++z)
         for (size_t y = 0; y < kBrickSize; ++y) {
@@ -119,8 +119,8 @@ BrickBits sphereBits(const Brush& brush, const Point& first, int64_t radius) {
 }
 
 BrickBits capsuleBits(const Brush& brush, const Point& first, int64_t radius) {
-    // The cell centres lie within sqrt(3) * 3.5 cells of the brick's middle, and a convex brush that holds the eight
-    // outermost ones holds them all.
+    // All cell centres lie within sqrt(3) * 3.5 cells of the brick's centre. A convex brush that holds the eight
+    // outermost cell centres holds them all.
     constexpr int64_t kBrickCircumradius = 1552, kMiddle = kLast * kBrushUnit / 2;
     if (!inCapsule(brush, {first[0] + kMiddle, first[1] + kMiddle, first[2] + kMiddle}, radius + kBrickCircumradius))
         return kNoCell;
@@ -131,11 +131,11 @@ BrickBits capsuleBits(const Brush& brush, const Point& first, int64_t radius) {
     bool isWhole = true;
     for (int corner = 0; corner < 8 && isWhole; ++corner)
         isWhole = isTouched(corner & 1 ? kLast : 0, corner & 2 ? kLast : 0, corner & 4 ? kLast : 0);
-    if (isWhole) return kEveryCell;
+    if (isWhole) return kFullBrickBits;
     BrickBits out{};
     for (int i = 0; i < kBrickVoxels; ++i) {
         const glm::ivec3 cell = voxelInBrick(i);
-        if (isTouched(cell.x, cell.y, cell.z)) out[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
+        if (isTouched(cell.x, cell.y, cell.z)) setVoxel(out, i);
     }
     return out;
 }
@@ -160,8 +160,8 @@ Brush capsuleBrush(glm::dvec3 from, glm::dvec3 to, std::array<double, 3> radii) 
 Brush boxBrush(glm::dvec3 center, glm::dvec3 halfSize, glm::dquat rotation, Hardness limit) {
     Brush brush{.kind = BrushKind::Box};
     brush.radii.fill(kBrushEmptyRadius);
-    const bool isTurned = !std::isnan(rotation.w + rotation.x + rotation.y + rotation.z);
-    if (!isNumber(center) || !isNumber(halfSize) || !isTurned) return brush;
+    const bool isRotation = !std::isnan(rotation.w + rotation.x + rotation.y + rotation.z);
+    if (!isNumber(center) || !isNumber(halfSize) || !isRotation) return brush;
     brush.a = quantise(center);
     brush.b = quantise(halfSize);
     for (int i = 0; i < 3; ++i) {
@@ -196,7 +196,7 @@ CellBox brushBricks(const Brush& brush, glm::ivec3 sizeInBricks) {
             int64_t halfExtent = 0;
             for (size_t i = 0; i < 3; ++i)
                 halfExtent += std::abs(int64_t(brush.axes[3 * i + j])) * (brush.b[i] + radius);
-            halfExtent = halfExtent / 65536 + 3;  // the rounded axes may be short of a unit
+            halfExtent = halfExtent / 65536 + 3;  // rounding may have shortened the axes
             low = brush.a[j] - halfExtent, high = brush.a[j] + halfExtent;
         }
         constexpr int64_t kUnitsPerBrick = kBrushUnit * kBrickSize;

@@ -10,6 +10,7 @@ namespace {
 
 using EntryClasses = std::array<uint8_t, 256>;
 
+/// By palette entry: its Hardness; Unbreakable if the tool does not break it.
 EntryClasses entryClasses(const Palette& palette, const MaterialTable& materials, Tool tool) {
     EntryClasses classes{};
     for (size_t i = 0; i < 256; ++i) {
@@ -28,8 +29,8 @@ BrickBits bitsToRemove(const Brick& brick, const std::array<BrickBits, 3>& touch
     return out;
 }
 
-/// Empties cells of bricks of one node, and keeps its moments (see nodeMoments()) if they are known: what is left is
-/// the difference.
+/// Removes voxels of bricks of one node. If the node's moments are cached (see nodeMoments()), subtracts the removed
+/// ones and caches the rest: cheaper than summing again.
 void removeFromNode(VoxelGrid& grid, glm::ivec3 position, std::span<const BrickSubset> cells,
                     const Densities& densities, CarveResult& out) {
     NodeRef node = grid.takeNode(position);
@@ -60,7 +61,7 @@ void removeFromNode(VoxelGrid& grid, glm::ivec3 position, std::span<const BrickS
     if (changed.mask) grid.putNode(position, std::move(node));
 }
 
-/// The cells of a node's bricks that the brush takes.
+/// Appends the voxels of a node's bricks that the brush removes. `touched` by radius; equal radii share the work.
 void findCells(const BrickNode& node, glm::ivec3 position, const CellBox& range, const Brush& brush,
                const EntryClasses& classes, std::vector<BrickSubset>& out) {
     forEachChild(node.mask, [&](int child) {
@@ -83,11 +84,11 @@ void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const Ma
     if (range.empty()) return;
     const EntryClasses classes = entryClasses(palette, materials, tool);
     const Densities densities(palette, materials);
-    const glm::ivec3 last = (range.high - 1) >> 2;
+    const glm::ivec3 first = nodeOfBrick(range.low), last = nodeOfBrick(range.high - 1);
     std::vector<BrickSubset> cells;
-    for (glm::ivec3 node = range.low >> 2; node.z <= last.z; ++node.z)
-        for (node.y = range.low.y >> 2; node.y <= last.y; ++node.y)
-            for (node.x = range.low.x >> 2; node.x <= last.x; ++node.x) {
+    for (glm::ivec3 node = first; node.z <= last.z; ++node.z)
+        for (node.y = first.y; node.y <= last.y; ++node.y)
+            for (node.x = first.x; node.x <= last.x; ++node.x) {
                 const BrickNode* content = grid.nodeAt(node);
                 if (!content) continue;
                 cells.clear();
@@ -101,7 +102,7 @@ void removeCells(VoxelGrid& grid, const BrickSubset& cells, const Densities& den
     if (!brick) return;
     BrickSubset gone{cells.brick, cells.voxels};
     for (size_t z = 0; z < 8; ++z) gone.voxels[z] &= brick->occupancy[z];
-    if (gone.voxels != BrickBits{}) removeFromNode(grid, cells.brick >> 2, {&gone, 1}, densities, out);
+    if (gone.voxels != BrickBits{}) removeFromNode(grid, nodeOfBrick(cells.brick), {&gone, 1}, densities, out);
 }
 
 }  // namespace rubble

@@ -11,27 +11,28 @@
 
 namespace rubble {
 
-/// What carves took out of one grid; several carves add up.
+/// The voxels that carves removed from one grid. Several carves add up.
 struct CarveResult {
-    std::vector<glm::ivec3> bricks;       ///< that changed; a brick may occur once a carve
+    std::vector<glm::ivec3> bricks;       ///< that lost voxels; a brick may occur once in each carve
     std::array<uint64_t, 256> removed{};  ///< voxels by palette entry
-    uint64_t voxels = 0;
-    CellBox cells;        ///< that held what was removed
-    MassMoments moments;  ///< of what was removed
+    uint64_t voxels = 0;                  ///< sum of `removed`
+    CellBox cells;                        ///< the smallest box of all removed voxels
+    MassMoments moments;                  ///< of all removed voxels, in cells of the grid
 
-    /// Notes a brick and where in it voxels went.
+    /// Adds a brick and the box of its removed voxels.
     void addBrick(const BrickSubset& gone) {
         bricks.push_back(gone.brick);
         cells = joined(cells, voxelBounds(gone.brick, gone.voxels));
     }
 };
 
-/// Empties the cells that the brush touches, each class of hardness within its own radius; unbreakable and unphysical
-/// voxels stay, and those that the tool does not break. Costs the bricks within the brush's bounds.
+/// Removes the voxels that the brush touches, each class of hardness within its own radius. Unbreakable and unphysical
+/// voxels stay, and those that the tool does not break. Adds to `out`. The cost grows with the bricks in the brush's
+/// bounds.
 void carve(VoxelGrid& grid, const Brush& brush, const Palette& palette, const MaterialTable& materials,
            CarveResult& out, Tool tool = Tool::Any);
 
-/// Empties exactly these cells, whatever they are made of.
+/// Removes exactly these voxels, of any material. Adds to `out`.
 void removeCells(VoxelGrid& grid, const BrickSubset& cells, const Densities& densities, CarveResult& out);
 
 }  // namespace rubble

@@ -11,7 +11,7 @@ namespace {
 using enum FragmentPattern;
 
 constexpr auto kStyles = std::to_array<FragmentStyle>({
-    //  name        pattern size grain rough dust breakRadius pane  toughness
+    //  name, pattern, size, elongation, roughness, dust, break radius, whole pane, toughness
     {"none", None, 300, 1, 0, 0, 0, false, 1e9},
     {"chunk", Cells, 450, 1, 90, 128, 255, false, 1.0},
     {"bond", Bond, 300, 1, 40, 120, 255, false, 0.8},
@@ -21,7 +21,7 @@ constexpr auto kStyles = std::to_array<FragmentStyle>({
     {"crumble", Cells, 250, 1, 160, 190, 255, false, 0.4},
 });
 
-/// A hit must be this many times as hard as for soft materials.
+/// By Hardness: multiplies the toughness of the style.
 constexpr std::array<double, 3> kClassToughness = {1.0, 2.0, 8.0};
 
 }  // namespace

@@ -4,32 +4,32 @@
 
 namespace rubble {
 
-/// How the voxels of a style are shared out among fragments.
+/// How the voxels of a zone that breaks are assigned to fragments.
 enum class FragmentPattern : uint8_t {
-    None,   ///< it does not come apart
+    None,   ///< it does not break
     Cells,  ///< cells of a seeded Voronoi diagram, stretched along the grain
-    Bond,   ///< bricks of two to one to one in running bond
+    Bond,   ///< blocks of proportions 2 : 1 : 1 in running bond, as in a brick wall
 };
 
-/// How a material comes apart: what Material::fragments names. Data; integers, so that it breaks alike everywhere.
+/// How a material breaks, by the name in Material::fragments. Integers, so that it breaks the same on every machine.
 struct FragmentStyle {
     std::string_view name;
     FragmentPattern pattern = FragmentPattern::Cells;
-    int size = 300;         ///< of a fragment, mm; half of that near the hit
-    int elongation = 1;     ///< times as long along the grain: the longest axis of what is hit
-    int roughness = 64;     ///< how far its borders stray, of 255 of its size
-    int dust = 128;         ///< share of the broken radius within which only dust is left, of 255
-    int breakRadius = 255;  ///< share of the broken radius within which it breaks, of 255
-    bool wholePane =
-        false;  ///< all that is connected to the hit and of its material breaks with it; cracks are a cell of dust wide
-    double toughness = 1.0;  ///< times WorldSettings::impactThreshold before an impact breaks it
+    int size = 300;          ///< of a fragment, mm; half of that near the hit
+    int elongation = 1;      ///< length of a fragment over its width; the grain is the longest axis of what is hit
+    int roughness = 64;      ///< displacement of the borders, in 1/255 of a fragment's size
+    int dust = 128;          ///< radius within which all becomes dust, in 1/255 of the brush's radius
+    int breakRadius = 255;   ///< radius within which it breaks, in 1/255 of the brush's radius
+    bool wholePane = false;  ///< the whole pane that is hit breaks (findPane()); its cracks are one cell wide
+    double toughness = 1.0;  ///< the impact that breaks it, in multiples of WorldSettings::impactThreshold
 };
 
-/// The style of this name; that of "chunk" if there is none.
+/// The style of this name; "chunk" if there is none.
 const FragmentStyle& fragmentStyle(std::string_view name);
 
 struct Material;
-/// How many times WorldSettings::impactThreshold an impact must be to break a material up to Hardness::Hard.
+/// The impact that breaks a material, in multiples of WorldSettings::impactThreshold. For materials up to
+/// Hardness::Hard.
 double impactToughness(const Material& material);
 
 }  // namespace rubble

@@ -10,23 +10,34 @@
 #include "runtime/destruction/pack_piece.h"
 #include "runtime/destruction/pane.h"
 
+// Voronoi fracture on voxels, in integers.
+//
+// Every voxel of the zone gets the label of its nearest site, and the voxels of one label are one fragment. Sites are
+// the points of a lattice, one in each lattice cell, moved inside it by a hash of the cell and the seed (S. Worley, "A
+// cellular texture basis function", SIGGRAPH 1996). So the nearest site is one of eight, and no list of sites is
+// needed. Lattice cells have a fragment's size; they are stretched along the grain for splinters, half as large near
+// the hit, and all grow if more fragments than allowed would come out. A hash of the voxel displaces it before the
+// search: rough borders. Bricks in bond are a lattice with shifted rows instead. Materials never share a fragment.
+// Voxels near the hit become dust, as do fragments that are too small; a fragment of several components is split into
+// them. Coordinates are in 1/256 of a cell.
+
 namespace rubble {
 namespace {
 
 using Point = std::array<int64_t, 3>;
 
 constexpr size_t kNoGroup = 255;
-constexpr int kMaxGrainCells = 64;  ///< cells that are looked at along each axis to find the grain
+constexpr int kMaxGrainCells = 64;  ///< from the hit along each axis, to find the grain
 
-/// Voxels of one material: they break alike, and never together with others.
+/// The voxels of one material in the zone.
 struct Group {
     const FragmentStyle* style = nullptr;
     uint8_t material = 0;
-    int64_t breakRadius2 = 0, dust2 = 0;  ///< squared radii, in 1/256 of a cell
+    int64_t breakRadius2 = 0, dust2 = 0;  ///< squared radii around the hit, in 1/256 of a cell
     Point size{};                         ///< of a fragment along each axis, in 1/256 of a cell
-    uint64_t voxels = 0;                  ///< in the zone
-    glm::ivec3 nearest{0};                ///< cell of the zone nearest to the hit
-    int64_t nearest2 = INT64_MAX;
+    uint64_t voxels = 0;                  ///< their number
+    glm::ivec3 nearest{0};                ///< the cell nearest to the hit
+    int64_t nearest2 = INT64_MAX;         ///< its squared distance
 
     /// Voxels of an average fragment.
     uint64_t fragmentVoxels() const {
@@ -38,6 +49,35 @@ int64_t floorDivide(int64_t a, int64_t b) {
     return a / b - (a % b < 0);
 }
 
+/// A position in the lattice of sites, in 1/256 of a lattice cell.
+using LatticePoint = std::array<int32_t, 3>;
+
+/// The lattice cell of the site that is nearest to a point. Sites stay within 96/256 of the middle of their lattice
+/// cell.
+glm::ivec3 nearestSite(const LatticePoint& point, uint32_t seed) {
+    glm::ivec3 best(0);
+    int64_t best2 = INT64_MAX;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 site(((point[0] - 128) >> 8) + (corner & 1), ((point[1] - 128) >> 8) + (corner >> 1 & 1),
+                              ((point[2] - 128) >> 8) + (corner >> 2));
+        const uint32_t hash = hashCell(site.x, site.y, site.z, seed);
+        int64_t away2 = 0;
+        for (int a = 0; a < 3; ++a) {
+            const int64_t at = site[a] * 256 + 128 + int32_t((hash >> 8 * a & 255) * 3 / 4) - 96;
+            away2 += (point[size_t(a)] - at) * (point[size_t(a)] - at);
+        }
+        if (away2 < best2) best2 = away2, best = site;
+    }
+    return best;
+}
+
+/// The brick that holds a point: two lattice cells long, every other row shifted by half of that.
+glm::ivec3 brickInBond(const LatticePoint& point) {
+    const int row = point[1] >> 8;
+    return {(point[0] + (row & 1) * 256) >> 9, row, point[2] >> 8};
+}
+
+/// One call of fracture().
 class Fracturer {
 public:
     Fracturer(VoxelGrid& grid, const Brush& sphere, const Palette& palette, const MaterialTable& materials,
@@ -63,6 +103,7 @@ public:
     }
 
 private:
+    /// The voxels of one label.
     struct Cluster {
         size_t group;
         uint64_t voxels = 0;
@@ -78,7 +119,7 @@ private:
     void addFragment(const Cluster& cluster);
     void addPiece(Piece&& piece, const Group& group);
     void addDust(const Brick& brick, const BrickBits& bits, glm::ivec3 position);
-    /// Too small to be a fragment, or one too many.
+    /// Whether it becomes dust: too small for a fragment, or one too many.
     bool isTooSmall(uint64_t voxels, const Group& group) const {
         return voxels * 16 < group.fragmentVoxels() || voxels < m_plan.minVoxels ||
                m_out.fragments.size() >= m_plan.maxFragments;
@@ -104,12 +145,13 @@ private:
     const FracturePlan& m_plan;
     std::array<uint8_t, 256> m_groupOf{};  ///< by palette entry
     std::vector<Group> m_groups;
-    std::vector<BrickSubset> m_zone;                     ///< what breaks, each brick once, by cellBefore
+    std::vector<BrickSubset> m_zone;                     ///< voxels that break; each brick once, by cellBefore()
     std::vector<Cluster> m_clusters;                     ///< in the order of their first voxel
     std::unordered_map<uint64_t, uint32_t> m_clusterOf;  ///< by label; looked up, never iterated
     FractureResult m_out;
 };
 
+/// Lists the materials of the palette that break.
 void Fracturer::makeGroups() {
     std::array<uint8_t, 256> groupOfMaterial;
     groupOfMaterial.fill(kNoGroup);
@@ -133,6 +175,7 @@ void Fracturer::makeGroups() {
     }
 }
 
+/// Lists the voxels within the break radius of their material.
 void Fracturer::collectZone() {
     const CellBox range = brushBricks(m_sphere, m_grid.sizeInBricks());
     for (int z = range.low.z; z < range.high.z; ++z)
@@ -148,7 +191,7 @@ void Fracturer::collectZone() {
                     const glm::ivec3 cell = subset.brick * kBrickSize + voxelInBrick(i);
                     const int64_t away2 = distance2(cell);
                     if (away2 > group.breakRadius2) return;
-                    subset.voxels[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
+                    setVoxel(subset.voxels, i);
                     ++group.voxels;
                     if (away2 < group.nearest2) group.nearest2 = away2, group.nearest = cell;
                 });
@@ -156,10 +199,11 @@ void Fracturer::collectZone() {
             }
 }
 
+/// Adds the whole pane that was hit to the zone.
 void Fracturer::growPane(size_t g) {
     const auto isOfPane = [&](uint8_t entry) { return m_groupOf[entry] == g; };
     m_groups[g].voxels = 0;
-    for (const BrickSubset& subset : findPane(m_grid, m_groups[g].nearest, isOfPane, m_plan.largestPane)) {
+    for (const BrickSubset& subset : findPane(m_grid, m_groups[g].nearest, isOfPane, m_plan.maxPaneVoxels)) {
         for (const uint64_t layer : subset.voxels) m_groups[g].voxels += uint64_t(std::popcount(layer));
         auto known = std::find_if(m_zone.begin(), m_zone.end(),
                                   [&](const BrickSubset& other) { return other.brick == subset.brick; });
@@ -170,7 +214,7 @@ void Fracturer::growPane(size_t g) {
               [](const BrickSubset& a, const BrickSubset& b) { return cellBefore(a.brick, b.brick); });
 }
 
-/// The axis along which the material goes on farthest from the hit.
+/// The axis along which the material extends farthest from the hit.
 int Fracturer::grainOf(const Group& group) const {
     int longest = 0, grain = 0;
     for (int a = 0; a < 3; ++a) {
@@ -187,6 +231,7 @@ int Fracturer::grainOf(const Group& group) const {
     return grain;
 }
 
+/// Sizes of the fragments of each material, so that at most about maxFragments are expected.
 void Fracturer::chooseSizes() {
     for (Group& group : m_groups) {
         group.size.fill(std::max<int64_t>(m_plan.unitsPerMetre * group.style->size / 1000, kBrushUnit));
@@ -202,40 +247,25 @@ void Fracturer::chooseSizes() {
             for (int64_t& size : group.size) size = size * 5 / 4;
 }
 
+/// The fragment that a voxel belongs to: its material, whether it is near the hit, and its site.
 uint64_t Fracturer::labelOf(size_t g, glm::ivec3 cell, bool isNear) const {
     const Group& group = m_groups[g];
-    const FragmentStyle& style = *group.style;
     const uint32_t jitter = hashCell(cell.x, cell.y, cell.z, m_plan.seed ^ 0x7f4a7c15u);
-    std::array<int32_t, 3> place{};  // in 1/256 of a fragment
+    LatticePoint point{};
     for (size_t a = 0; a < 3; ++a) {
         const int64_t size = isNear ? std::max<int64_t>(group.size[a] / 2, kBrushUnit) : group.size[a];
-        const int64_t point = int64_t(cell[int(a)]) * kBrushUnit + kBrushUnit / 2;
-        place[a] =
-            int32_t(floorDivide(point * 256, size)) + (int32_t(jitter >> 8 * a & 255) - 128) * style.roughness / 255;
+        const int64_t center = int64_t(cell[int(a)]) * kBrushUnit + kBrushUnit / 2;
+        const int32_t displacement = (int32_t(jitter >> 8 * a & 255) - 128) * group.style->roughness / 255;
+        point[a] = int32_t(floorDivide(center * 256, size)) + displacement;
     }
-    glm::ivec3 best(0);
-    if (style.pattern == FragmentPattern::Bond) {
-        const int row = place[1] >> 8;
-        best = {(place[0] + (row & 1) * 256) >> 9, row, place[2] >> 8};
-    } else {
-        int64_t best2 = INT64_MAX;
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::ivec3 site(((place[0] - 128) >> 8) + (corner & 1), ((place[1] - 128) >> 8) + (corner >> 1 & 1),
-                                  ((place[2] - 128) >> 8) + (corner >> 2));
-            const uint32_t shift = hashCell(site.x, site.y, site.z, m_plan.seed + uint32_t(isNear));
-            int64_t away2 = 0;
-            for (int a = 0; a < 3; ++a) {
-                const int64_t seed = site[a] * 256 + 128 + int32_t((shift >> 8 * a & 255) * 3 / 4) - 96;
-                away2 += (place[size_t(a)] - seed) * (place[size_t(a)] - seed);
-            }
-            if (away2 < best2) best2 = away2, best = site;
-        }
-    }
+    const bool isBond = group.style->pattern == FragmentPattern::Bond;
+    const glm::ivec3 site = isBond ? brickInBond(point) : nearestSite(point, m_plan.seed + uint32_t(isNear));
     const auto bits = [](int v) { return uint64_t(uint32_t(v) & 0x3ffffu); };
-    return uint64_t(g) << 55 | uint64_t(isNear) << 54 | bits(best.x) << 36 | bits(best.y) << 18 | bits(best.z);
+    return uint64_t(g) << 55 | uint64_t(isNear) << 54 | bits(site.x) << 36 | bits(site.y) << 18 | bits(site.z);
 }
 
-/// Next to another fragment of its pane: were they to touch, they would stand wedged in the frame.
+/// Whether the next voxel along some axis belongs to another fragment of the pane. Such voxels become dust: without a
+/// gap the fragments would be stuck in the frame.
 bool Fracturer::isOnCrack(size_t g, glm::ivec3 cell, bool isNear, uint64_t label) const {
     for (int a = 0; a < 3; ++a) {
         glm::ivec3 next = cell;
@@ -246,7 +276,7 @@ bool Fracturer::isOnCrack(size_t g, glm::ivec3 cell, bool isNear, uint64_t label
     return false;
 }
 
-/// Dust or a fragment for each voxel of a brick's subset of the zone.
+/// Makes each voxel of a brick dust, or part of the cluster of its label.
 void Fracturer::assignClusters(const BrickSubset& subset) {
     const Brick& brick = *m_grid.brickAt(subset.brick);
     BrickBits dust{};
@@ -257,17 +287,10 @@ void Fracturer::assignClusters(const BrickSubset& subset) {
         const Group& group = m_groups[g];
         const glm::ivec3 cell = subset.brick * kBrickSize + voxelInBrick(i);
         const int64_t away2 = distance2(cell);
-        const uint64_t bit = uint64_t(1) << (i & 63);
-        if (away2 <= group.dust2) {
-            dust[size_t(i >> 6)] |= bit;
-            return;
-        }
+        if (away2 <= group.dust2) return setVoxel(dust, i);
         const bool isNear = away2 * 4 < group.breakRadius2;
         const uint64_t label = labelOf(g, cell, isNear);
-        if (group.style->wholePane && isOnCrack(g, cell, isNear, label)) {
-            dust[size_t(i >> 6)] |= bit;
-            return;
-        }
+        if (group.style->wholePane && isOnCrack(g, cell, isNear, label)) return setVoxel(dust, i);
         if (label != lastLabel) {
             cluster = m_clusterOf.try_emplace(label, uint32_t(m_clusters.size())).first->second;
             if (cluster == m_clusters.size()) m_clusters.push_back({g, 0, {}});
@@ -276,7 +299,7 @@ void Fracturer::assignClusters(const BrickSubset& subset) {
         Cluster& into = m_clusters[cluster];
         if (into.subsets.empty() || into.subsets.back().brick != subset.brick)
             into.subsets.push_back({subset.brick, {}});
-        into.subsets.back().voxels[size_t(i >> 6)] |= bit;
+        setVoxel(into.subsets.back().voxels, i);
         ++into.voxels;
     });
     addDust(brick, dust, subset.brick);
@@ -288,6 +311,7 @@ void Fracturer::addDust(const Brick& brick, const BrickBits& bits, glm::ivec3 po
     m_out.dust.moments += brickMoments(brick, bits, position, m_densities);
 }
 
+/// Makes a cluster fragments: one for each of its components.
 void Fracturer::addFragment(const Cluster& cluster) {
     const Group& group = m_groups[cluster.group];
     if (isTooSmall(cluster.voxels, group)) {
@@ -305,6 +329,7 @@ void Fracturer::addFragment(const Cluster& cluster) {
     }
 }
 
+/// Makes a connected piece a fragment, or dust if it is too small.
 void Fracturer::addPiece(Piece&& piece, const Group& group) {
     MassMoments moments;
     piece.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
@@ -321,6 +346,7 @@ void Fracturer::addPiece(Piece&& piece, const Group& group) {
     m_out.dust.moments += moments;
 }
 
+/// Makes the fragments, and removes the zone from the grid.
 void Fracturer::removeZone() {
     for (const Cluster& cluster : m_clusters) addFragment(cluster);
     for (const BrickSubset& subset : m_zone) {

@@ -6,29 +6,31 @@
 
 namespace rubble {
 
-/// What decides how a zone breaks, besides the zone and the materials in it.
+/// Parameters of fracture(), beside the sphere and the materials in it.
 struct FracturePlan {
     Tool tool = Tool::Any;
     uint32_t seed = 0;
-    int64_t unitsPerMetre = 2560;   ///< in 1/256 of a cell
-    size_t maxFragments = 300;      ///< larger fragments are made so that there are about as many, and never more
-    uint64_t minVoxels = 1;         ///< smaller fragments are dust
-    uint64_t largestPane = 20'000;  ///< voxels of a pane that break at once
+    int64_t unitsPerMetre = 2560;     ///< 1/256 of a cell each
+    size_t maxFragments = 300;        ///< fragments get larger until about this many are expected; the rest is dust
+    uint64_t minVoxels = 1;           ///< smaller fragments become dust
+    uint64_t maxPaneVoxels = 20'000;  ///< how much of a pane breaks at once
 };
 
+/// A connected piece that broke off.
 struct Fragment {
     Piece piece;          ///< packed: its offset is its lowest cell
-    MassMoments moments;  ///< in the cells of the grid that it came from
+    MassMoments moments;  ///< in cells of the grid that it came from
 };
 
-/// What broke out of one grid: fragments and dust, and nothing is lost.
+/// What broke out of one grid: every voxel that is missing is in a fragment or is dust.
 struct FractureResult {
     std::vector<Fragment> fragments;
-    CarveResult dust;  ///< its bricks are all that changed
+    CarveResult dust;  ///< its `bricks` and `cells` are those of all that broke, fragments included
 };
 
-/// Takes the voxels within a sphere out of the grid, each class of hardness within its own radius, as fragments and
-/// dust in the style of their materials (see FragmentStyle). Each fragment is connected. Costs the voxels that break.
+/// Breaks the voxels within a sphere out of a grid, each class of hardness within its own radius, as fragments and dust
+/// in the styles of their materials (see FragmentStyle). Each fragment is connected. The cost grows with the voxels
+/// that break. The algorithm is at the top of fragments.cpp.
 FractureResult fracture(VoxelGrid& grid, const Brush& sphere, const Palette& palette, const MaterialTable& materials,
                         const FracturePlan& plan);
 

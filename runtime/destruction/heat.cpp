@@ -9,18 +9,21 @@
 namespace rubble {
 namespace {
 
-constexpr double kSkin = 0.0008;      // metres of a surface that follow the heat at once
-constexpr double kFlux = 400e3;       // W/m2 of burning surface; real fires give 100 to 300, and nobody waits for those
-constexpr int kCoolingShift = 9;      // 1/512 an update: a time constant of 51 s
-constexpr int kNegligibleKelvin = 2;  // K above ambient
-constexpr int kGrowthUpdates = 20;    // until a fire is at its strongest
-constexpr int kCharEvery = 4;         // updates
-constexpr int kCharShare = 160;       // of 255 voxels in a round
-constexpr int kMinFrontVoxels = 8;    // voxels that always burn away together: the last ones do not take for ever
-constexpr int kMaxFlameBricks = 3;    // bricks that flames bridge upwards
-constexpr int kShareUp = 72, kShareUpAside = 14, kShareAside = 24,
-              kShareDown = 8;                           // shares of what is emitted, of 256; the rest is smoke
-constexpr int kSteelWeakens = 380, kSteelIsSoft = 900;  // K above ambient: EN 1993-1-2, table 3.1, between its ends
+constexpr double kSkin = 0.0008;      ///< m: depth of the surface layer that heats up at once
+constexpr double kFlux = 400e3;       ///< W/m2 of burning surface; real fires release 100e3 to 300e3 and are slower
+constexpr int kCoolingShift = 9;      ///< a brick loses 1/512 of its heat per update: a time constant of 51 s
+constexpr int kNegligibleKelvin = 2;  ///< above ambient: a cooler brick is forgotten
+constexpr int kGrowthUpdates = 20;    ///< until a fire reaches its full power
+constexpr int kCharEvery = 4;         ///< updates between two rounds of charring
+constexpr int kCharShare = 160;       ///< voxels that get darker in a round, of 255
+constexpr int kMinFrontVoxels = 8;    ///< fewer burnable voxels burn as fast as this many, so that the last ones go too
+constexpr int kMaxFlameBricks = 3;    ///< how far up flames heat the next brick
+constexpr int kShareUp = 72;        ///< of emitted heat, in 1/256: to the next brick above; what is left over is smoke
+constexpr int kShareUpAside = 14;   ///< to each of the four bricks diagonally above
+constexpr int kShareAside = 24;     ///< to each of the four bricks at the side
+constexpr int kShareDown = 8;       ///< to the brick below
+constexpr int kSteelWeakens = 380;  ///< K above ambient: steel has its full strength (EN 1993-1-2, table 3.1)
+constexpr int kSteelIsSoft = 900;   ///< K above ambient: steel has almost none; linear between the two
 
 int32_t whole(double value) {
     return int32_t(std::clamp(std::floor(value), 0.0, 1e9));
@@ -61,7 +64,7 @@ HeatSkin heatSkin(const VoxelGrid& grid, glm::ivec3 position, const HeatTable& t
         skin.ignition = skin.ignition ? std::min(skin.ignition, entry.ignition) : entry.ignition;
         skin.burnRate += entry.burnRate;
         skin.power += entry.power;
-        skin.burnable[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
+        setVoxel(skin.burnable, i);
         ++front;
     });
     if (front > 0 && front < kMinFrontVoxels) skin.burnRate = skin.burnRate * kMinFrontVoxels / front;
@@ -112,7 +115,7 @@ BrickBits charredCells(const HeatSkin& skin, glm::ivec3 brick, int round) {
     forEachVoxel(skin.burnable, [&](int i) {
         const glm::ivec3 cell = brick * kBrickSize + voxelInBrick(i);
         const bool isHit = int(hashCell(cell.x, cell.y, cell.z, uint32_t(round)) & 255) < kCharShare;
-        if (isHit) out[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
+        if (isHit) setVoxel(out, i);
     });
     return out;
 }
@@ -128,7 +131,7 @@ BrickBits consumedCells(const VoxelGrid& grid, glm::ivec3 brick, const HeatSkin&
     const size_t taken = std::min(order.size(), size_t(count));
     std::partial_sort(order.begin(), order.begin() + ptrdiff_t(taken), order.end());
     BrickBits out{};
-    for (size_t n = 0; n < taken; ++n) out[size_t(order[n].second >> 6)] |= uint64_t(1) << (order[n].second & 63);
+    for (size_t n = 0; n < taken; ++n) setVoxel(out, order[n].second);
     return out;
 }
 
@@ -138,8 +141,9 @@ void spreadHeat(const VoxelGrid& grid, glm::ivec3 brick, int64_t emitted, std::v
         out.push_back({to, emitted * share / 256});
         return true;
     };
-    for (int up = 1; up <= kMaxFlameBricks && !give(brick + glm::ivec3(0, up, 0), kShareUp / up); ++up) {
-    }
+    bool isGiven = false;  // to the first brick above
+    for (int up = 1; up <= kMaxFlameBricks && !isGiven; ++up)
+        isGiven = give(brick + glm::ivec3(0, up, 0), kShareUp / up);
     give(brick - glm::ivec3(0, 1, 0), kShareDown);
     for (const glm::ivec3 aside :
          {glm::ivec3(-1, 0, 0), glm::ivec3(1, 0, 0), glm::ivec3(0, 0, -1), glm::ivec3(0, 0, 1)}) {

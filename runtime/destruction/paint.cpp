@@ -6,22 +6,22 @@
 namespace rubble {
 namespace {
 
-constexpr uint32_t kSecondNoise = 0x51ed270bu;  ///< a pattern that has nothing to do with the first
+constexpr uint32_t kSecondNoise = 0x51ed270bu;  ///< makes a pattern that is independent of the first
 
-/// What of a spray reaches one voxel.
+/// What a spray does to one voxel.
 struct SpraySample {
-    int strength;  ///< 0..255, less toward the rim
+    int strength;  ///< 0..255, smaller toward the rim
     int rim;       ///< see rimFraction()
     glm::ivec3 cell;
     int axis;
 };
 
-/// Whether the spray touches a cell at all: always in the middle, at the rim with the given probability.
+/// Whether the spray touches a cell: always in the centre, at the rim with the paint's probability.
 bool isTouched(const SpraySample& sample, const Paint& paint) {
     return surfaceNoise(sample.cell, sample.axis, paint.seed) < 255 - (255 - paint.probability) * sample.rim / 255;
 }
 
-/// What a brush covers: the exposed voxels within it.
+/// The exposed voxels within a brush.
 struct SprayedVoxels {
     const Brush& brush;
     const Paint& paint;
@@ -51,7 +51,7 @@ struct SprayedVoxels {
     }
 };
 
-/// The voxels that a caller names.
+/// The voxels that a caller lists.
 struct ListedVoxels {
     std::span<const BrickSubset> cells;
     const Paint& paint;
@@ -71,7 +71,7 @@ struct ListedVoxels {
     }
 };
 
-/// Repaints every brick by repaint(subset, brick), which returns null for one that does not change.
+/// Replaces every brick of an area by repaint(subset, brick), which returns null for a brick that does not change.
 template <class Area, class F>
 void forEachBrickOf(VoxelGrid& grid, const Area& area, PaintResult& out, F&& repaint) {
     std::vector<std::pair<glm::ivec3, BrickRef>> repainted;
@@ -88,7 +88,7 @@ void forEachBrickOf(VoxelGrid& grid, const Area& area, PaintResult& out, F&& rep
 uint8_t paintedByte(uint8_t before, int color, const SpraySample& sample, uint32_t seed) {
     const int noise = surfaceNoise(sample.cell, sample.axis, seed ^ kSecondNoise);
     const int steps = paintSteps(before);
-    const int amount = (kPaintSteps - steps) * sample.strength;  // in 255ths of a step, dithered to whole ones
+    const int amount = (kPaintSteps - steps) * sample.strength;  // in 1/255 of a step; dithered to whole steps below
     const int added = std::min(kPaintSteps - steps, std::max(1, (amount + noise) / 255));
     const bool keepsColor =
         steps > 0 && paintColor(before) != color && noise >= std::max(sample.strength, 255 / kPaintSteps);
@@ -101,7 +101,7 @@ int distance2(Srgb a, Srgb b) {
     return sum;
 }
 
-/// The number of a colour, 1 to 15: that of an equal one, else a new one, else the nearest.
+/// The number of a colour, 1 to 15: that of an equal one, else of a new one, else of the nearest.
 int findColor(PaintColors& colors, Srgb color, uint64_t& merges) {
     int nearest = 0;
     for (int i = 1; i < colors.count; ++i)

@@ -15,41 +15,42 @@ namespace rubble {
 /// One step of a spray toward a colour.
 struct Paint {
     Srgb color{};
-    uint8_t strength =
-        64;  ///< share of the way in one step, of 255; never less than a sixteenth (a palette: eight steps of a byte)
-    uint8_t probability = 255;  ///< share of voxels touched at the rim, of 255; in the middle all are
+    uint8_t strength = 64;      ///< blend weight of one step, in 1/255; at least 1/16, or 8 values of a palette colour
+    uint8_t probability = 255;  ///< share of the voxels touched at the rim, in 1/255; in the centre all are
     uint32_t seed = 0;
-    uint8_t falloff = 255;  ///< share of the strength that is left at the rim, of 255
+    uint8_t falloff = 255;  ///< share of the strength at the rim, in 1/255
 };
 
+/// What a step of paint changed.
 struct PaintResult {
     std::vector<glm::ivec3> bricks;  ///< that changed, each once
     PaletteRef palette;              ///< the shape's new palette; null if it needs none
     PaintColorsRef colors;           ///< the shape's new colours of its paint layer; null if it needs none
-    uint64_t voxels = 0;
-    uint64_t merges = 0;  ///< colours that found no free entry and took the nearest
+    uint64_t voxels = 0;             ///< that changed
+    uint64_t merges = 0;             ///< colours that found no free entry and took the nearest one
 };
 
-/// Blends the colours of the voxels within a brush that show a face to empty cells one step toward the paint. A voxel
-/// changes its palette entry, never its material or anything but its colour. Blended colours take an equal or near
-/// entry that differs in colour only, else a free one (unused entries are freed when none is left), else the nearest
-/// that is closer to the paint. The last entries go to the paint itself, so that a full palette still reaches it.
-/// Falloff thins the spray: every voxel that is touched takes the whole step.
+/// Blends the colours of the exposed voxels within a brush one step toward the paint. A voxel gets another palette
+/// entry that differs in colour only. That is an entry of an equal or nearly equal colour; else a free entry (unused
+/// ones are freed when none is left); else the nearest one that is closer to the paint. The last free entries are kept
+/// for the paint itself, so that it is reached in a full palette too. Falloff thins the spray: every touched voxel
+/// takes a whole step.
 PaintResult paintPalette(VoxelGrid& grid, const PaletteRef& palette, const Brush& brush, const Paint& paint);
 
-/// The same in the paint layer beside the palette, in sixteenths of the way, whatever the palette holds. A voxel with
-/// another paint's colour changes to this one with a chance of the step's size, so that areas of voxels blend. `colors`
-/// may be null; where all 15 are taken by others, the nearest stands in.
+/// The same in the paint layer (paint_colors.h): blend weights in sixteenths, and the palette does not matter. A voxel
+/// with the colour of another paint changes to this one with a probability equal to the strength, so areas blend by
+/// dithering. `colors`: the shape's; may be null. Where all 15 colours are in use, the nearest stands in.
 PaintResult paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Brush& brush, const Paint& paint);
 
-/// One step at full strength on these voxels alone, exposed or not: charring. Paint's probability and falloff do
-/// nothing.
+/// One step on exactly these voxels, exposed or not, in the palette. Ignores Paint::probability and falloff. For
+/// charring.
 PaintResult paintPalette(VoxelGrid& grid, const PaletteRef& palette, std::span<const BrickSubset> cells,
                          const Paint& paint);
+/// One step on exactly these voxels, exposed or not, in the paint layer. Ignores Paint::probability and falloff.
 PaintResult paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, std::span<const BrickSubset> cells,
                        const Paint& paint);
 
-/// An sRGB colour with some of the paint layer's sixteenths of another over it; shaders/lib/paint.glsl does the same.
+/// Blends `paint` over an sRGB colour with a weight of `steps` sixteenths; shaders/lib/paint.glsl does the same.
 Srgb paintOver(Srgb base, Srgb paint, int steps);
 
 }  // namespace rubble

@@ -8,8 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr uint64_t kFirstColumn = 0x0101010101010101ull;
-constexpr int kTile = 32;
+constexpr int kTile = 32;  ///< side of the blue-noise tile
 
 }  // namespace
 
@@ -20,9 +19,7 @@ BrickBits ExposedBits::all() const {
 }
 
 int ExposedBits::axis(int voxel) const {
-    const size_t word = size_t(voxel >> 6);
-    if (z[word] >> (voxel & 63) & 1) return 2;
-    return y[word] >> (voxel & 63) & 1 ? 1 : 0;
+    return hasVoxel(z, voxel) ? 2 : hasVoxel(y, voxel) ? 1 : 0;
 }
 
 ExposedBits exposedBits(const VoxelGrid& grid, glm::ivec3 position, const Brick& brick) {
@@ -37,7 +34,7 @@ ExposedBits exposedBits(const VoxelGrid& grid, glm::ivec3 position, const Brick&
     for (size_t z = 0; z < 8; ++z) {
         const uint64_t own = brick.occupancy[z];
         const uint64_t fromLeft = (own << 1 & ~kFirstColumn) | (left[z] >> 7 & kFirstColumn);
-        const uint64_t fromRight = (own >> 1 & ~(kFirstColumn << 7)) | (right[z] & kFirstColumn) << 7;
+        const uint64_t fromRight = (own >> 1 & ~kLastColumn) | (right[z] & kFirstColumn) << 7;
         out.x[z] = own & ~(fromLeft & fromRight);
         out.y[z] = own & ~((own << 8 | below[z] >> 56) & (own >> 8 | above[z] << 56));
         out.z[z] = own & ~((z > 0 ? brick.occupancy[z - 1] : back[7]) & (z < 7 ? brick.occupancy[z + 1] : front[0]));
@@ -68,7 +65,8 @@ int rimFraction(const Brush& brush, glm::ivec3 cell) {
     const int64_t radius2 = brush.radii[0] * brush.radii[0];
     if (along <= 0) return int(std::min<int64_t>(255, fromA2 * 255 / radius2));
     if (along >= length2) return int(std::min<int64_t>(255, fromB2 * 255 / radius2));
-    const Wide away = Wide(fromA2) * length2 - Wide(along) * along;  // the square distance from the axis times length2
+    const Wide away =
+        Wide(fromA2) * length2 - Wide(along) * along;  // the squared distance from the axis, times length2
     return int(std::min<Wide>(255, away / length2 * 255 / radius2));
 }
 
