@@ -1,4 +1,5 @@
-// Rounded edges for near voxels: normals blended with those around within a few millimetres, where the depth is one surface.
+// Rounded edges of near voxels: the normal is blended with the normals around it within a few millimetres, where the
+// depth says that it is the same surface. The taps lie on a spiral that turns by the golden angle.
 const float kBevelMetres = 0.012;
 
 vec3 bevelledNormal(Surface s, ivec2 pixel) {
@@ -8,11 +9,12 @@ vec3 bevelledNormal(Surface s, ivec2 pixel) {
     radius = clamp(radius, 1.0, 12.0);
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec3 sum = s.normal * 2.0;
-    int taps = strength > 0.0 ? 8 : 0;  // a loop is left where a branch would be walked through
+    int taps = strength > 0.0 ? 8 : 0;  // no branch: compilers flatten it and fetch all the same
     vec2 spiral = vec2(1.0, 0.0);
     for (int i = 0; i < taps; ++i) {
         vec2 offset = spiral * radius * sqrt((float(i) + 0.5) / 8.0);
-        spiral = vec2(dot(spiral, vec2(-0.7373688, -0.6754903)), dot(spiral, vec2(0.6754903, -0.7373688)));  // by the golden angle
+        // Rotates by the golden angle.
+        spiral = vec2(dot(spiral, vec2(-0.7373688, -0.6754903)), dot(spiral, vec2(0.6754903, -0.7373688)));
         ivec2 p = clamp(pixel + ivec2(floor(offset + 0.5)), ivec2(0), high);
         if (abs(texelFetch(uDepth, p, 0).r - s.depth) < 0.05 + 4.0 * pixelMetres) sum += texelFetch(uNormal, p, 0).xyz;
     }

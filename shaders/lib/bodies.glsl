@@ -1,34 +1,37 @@
-// The bodies' buffers (filled by render/scene/bodies.cpp) and what one texel of each means.
-uniform usamplerBuffer uNodes;         // a node of 4x4x4 bricks: 64-bit mask of its bricks, number of its table
-uniform usamplerBuffer uTables;        // 64 texels a table: slot << 8 | mask of the brick's occupied 4x4x4 words
-uniform usamplerBuffer uBrickWords;    // 8 texels a brick: 64-bit words of 4x4x4 cells
+// The buffers of all bodies (filled by render/scene/bodies.cpp) and the meaning of their texels. A shape is a grid of
+// nodes of 32^3 cells; a node holds 4^3 bricks of 8^3 cells; a brick holds 2^3 words of 4^3 cells, one bit a cell.
+#include "lib/constants.glsl"
+uniform usamplerBuffer uNodes;         // a node: 64-bit mask of its bricks, number of its brick table
+uniform usamplerBuffer uTables;        // 64 texels a table: brick slot << 8 | mask of the brick's occupied words
+uniform usamplerBuffer uBrickWords;    // 8 texels a brick: its words, 64 bits each
 uniform usamplerBuffer uBrickIndices;  // 128 texels a brick: 512 palette indices, four a texel
-uniform samplerBuffer uTransforms;     // 4 texels an instance: rotation, position and voxel size, and both as they were last frame
-uniform usamplerBuffer uLayouts;       // 4 texels an instance: first node, palette, flags; size in nodes; low cell; high cell
+uniform samplerBuffer uTransforms;     // 4 texels an instance: see readTransform()
+uniform usamplerBuffer uLayouts;       // 4 texels an instance: first node, palette, flags; nodes; low cell; high cell
 uniform usamplerBuffer uPalettes;      // 256 texels a palette: colour and opacity, surface, emission, detail map
 
-#include "shared/constants.h"
-
-// All fetches go through here: WebGL2 has no buffer textures and will read 2D ones.
+// The only fetches from these buffers: WebGL2 has no buffer textures and will read 2D textures here.
 uvec4 fetchNode(int i) { return texelFetch(uNodes, i); }
 uint fetchTable(int i) { return texelFetch(uTables, i).r; }
 uvec2 fetchWord(int i) { return texelFetch(uBrickWords, i).rg; }
 uint fetchIndices(int i) { return texelFetch(uBrickIndices, i).r; }
 
+/// Where an instance is in this frame and was in the previous one.
 struct InstanceTransform {
-    vec4 rotation;
-    vec3 position;    // of cell 0's corner, world
+    vec4 rotation;    // quaternion, body -> world
+    vec3 position;    // of the corner of cell 0, world
     float voxelSize;  // metres
     vec4 lastRotation;
     vec3 lastPosition;
-    float moved;      // 1 if it differs from last frame's
+    float moved;  // 1 if it differs from the previous frame's
 };
 
 InstanceTransform readTransform(int instance) {
     vec4 p = texelFetch(uTransforms, instance * 4 + 1), q = texelFetch(uTransforms, instance * 4 + 3);
-    return InstanceTransform(texelFetch(uTransforms, instance * 4), p.xyz, p.w, texelFetch(uTransforms, instance * 4 + 2), q.xyz, q.w);
+    return InstanceTransform(texelFetch(uTransforms, instance * 4), p.xyz, p.w,
+                             texelFetch(uTransforms, instance * 4 + 2), q.xyz, q.w);
 }
 
+/// The voxels of an instance: its nodes, and the box [low, high) of its occupied cells.
 struct Layout {
     int node, palette;
     uint flags;
@@ -37,14 +40,15 @@ struct Layout {
 
 Layout readLayout(int instance) {
     uvec4 a = texelFetch(uLayouts, instance * 4);
-    return Layout(int(a.x), int(a.y), a.z, ivec3(texelFetch(uLayouts, instance * 4 + 1).xyz), ivec3(texelFetch(uLayouts, instance * 4 + 2).xyz),
-                  ivec3(texelFetch(uLayouts, instance * 4 + 3).xyz));
+    return Layout(int(a.x), int(a.y), a.z, ivec3(texelFetch(uLayouts, instance * 4 + 1).xyz),
+                  ivec3(texelFetch(uLayouts, instance * 4 + 2).xyz), ivec3(texelFetch(uLayouts, instance * 4 + 3).xyz));
 }
 
+/// A palette entry: the material of a voxel.
 struct Entry {
-    vec3 color;       // sRGB
+    vec3 color;  // sRGB
     float opacity, roughness, metallic, reflectivity, emission;
-    uint detail;      // number of its detail map, 0 = none
+    uint detail;  // number of its detail map, 0 = none
 };
 
 Entry readEntry(int palette, int index) {
@@ -54,7 +58,9 @@ Entry readEntry(int palette, int index) {
     return Entry(a.rgb, a.a, b.r, b.g, b.b, uintBitsToFloat(v.z), v.w);
 }
 
+/// Glass is what has an opacity below 255.
 bool isGlass(int palette, int index) { return texelFetch(uPalettes, palette * 256 + index).x >> 24 < 255u; }
 
+/// A vector rotated by a unit quaternion, and by its inverse.
 vec3 rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 vec3 rotateBack(vec4 q, vec3 v) { return rotate(vec4(-q.xyz, q.w), v); }

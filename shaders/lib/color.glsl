@@ -1,13 +1,19 @@
+// Colour spaces.
+
+/// Relative luminance of linear Rec. 709 colour.
 float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
-vec3 toYCoCg(vec3 c) { return vec3(0.25 * c.r + 0.5 * c.g + 0.25 * c.b, 0.5 * c.r - 0.5 * c.b, -0.25 * c.r + 0.5 * c.g - 0.25 * c.b); }
+/// The YCoCg space: luma and two chroma axes (Malvar and Sullivan 2003).
+vec3 toYCoCg(vec3 c) {
+    return vec3(0.25 * c.r + 0.5 * c.g + 0.25 * c.b, 0.5 * c.r - 0.5 * c.b, -0.25 * c.r + 0.5 * c.g - 0.25 * c.b);
+}
 vec3 fromYCoCg(vec3 c) { return vec3(c.x + c.y - c.z, c.x + c.z, c.x - c.y - c.z); }
 
-/// Linear to display, IEC 61966-2-1.
+/// Linear to sRGB, IEC 61966-2-1.
 vec3 linearToSrgb(vec3 c) {
     c = clamp(c, 0.0, 1.0);
     return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, vec3(lessThan(c, vec3(0.0031308))));
 }
 
-/// Nothing downstream survives a NaN: history would keep it for ever.
+/// Black instead of NaN, infinity or what overflows a half float: history would keep such a value for ever.
 vec3 onlyFinite(vec3 c) { return all(lessThan(abs(c), vec3(60000.0))) ? max(c, vec3(0.0)) : vec3(0.0); }

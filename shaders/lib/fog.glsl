@@ -1,25 +1,33 @@
-// Fog that is thickest at its base and thins with height, so that how much of it lies along a ray has a closed form.
-// frame.fog: x share taken in a metre at the base, y height of the base, z metres for 1/e, w mean cosine of scattering.
+// Fog whose density falls exponentially with height: s(y) = s0 exp((base - y) / h). Extinction s0, base, scale height h
+// and mean cosine of scattering are the components of the frame's fog.
+//
+// Along a ray from the camera at height y0 with direction d the density is s(y0) exp(-k t), k = d.y / h. So the optical
+// depth of its first t metres has a closed form, and so has its inverse, by which distances are drawn:
+//   tau(t) = s(y0) (1 - exp(-k t)) / k        t(tau) = -log(1 - k tau / s(y0)) / k
+// Both go over into tau = s(y0) t where k is near 0. Transmittance is exp(-tau) (Beer-Lambert).
+#include "lib/constants.glsl"
 #include "lib/frame.glsl"
 
-const float kMaxFogDistance = 400.0;  // metres: beyond it fog hides nothing that haze does not
+const float kMaxFogDistance = 400.0;  // metres: beyond it the haze hides everything
 
+/// Extinction at a height, 1 / m.
 float fogDensity(float height) { return frame.fog.x * exp(clamp((frame.fog.y - height) / frame.fog.z, -60.0, 4.0)); }
 
-/// Optical depth of the first metres of a ray from the eye; directionY: its direction's y.
+/// Optical depth of the first metres of a camera ray.
 float fogOpticalDepth(float directionY, float metres) {
     float density = fogDensity(frame.cameraPosition.y), k = directionY / frame.fog.z;
     return density * (abs(k) * metres < 1e-3 ? metres : (1.0 - exp(clamp(-k * metres, -60.0, 30.0))) / k);
 }
 
-/// How far along the ray that optical depth lies.
+/// Distance along a camera ray at which it has an optical depth, metres.
 float fogDistance(float directionY, float opticalDepth) {
-    float density = max(fogDensity(frame.cameraPosition.y), 1e-9), k = directionY / frame.fog.z, straight = opticalDepth / density;
+    float density = max(fogDensity(frame.cameraPosition.y), 1e-9), k = directionY / frame.fog.z,
+          straight = opticalDepth / density;
     return abs(k) * straight < 1e-3 ? straight : -log(max(1.0 - k * straight, 1e-6)) / k;
 }
 
-/// Share of the light a steradian that goes on at this cosine to where it came from (Henyey and Greenstein 1941).
+/// The phase function of Henyey and Greenstein (1941), 1 / sr. cosine: between the ray and the direction to the light.
 float henyeyGreenstein(float cosine) {
     float g = frame.fog.w, a = 1.0 + g * g - 2.0 * g * cosine;
-    return (1.0 - g * g) / (4.0 * 3.14159265 * a * sqrt(a));
+    return (1.0 - g * g) / (4.0 * kPi * a * sqrt(a));
 }

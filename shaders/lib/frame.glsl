@@ -1,13 +1,23 @@
-// The frame's uniforms, and the way between pixels and the world.
+// The uniforms of a frame, and the mapping between pixels and the world.
+// render/shader_library looks for the first line of this block as it stands.
+// clang-format off
 layout(std140) uniform FrameBlock {
 #include "shared/frame_block.h"
 } frame;
+// clang-format on
 
-// Direction through a point of the screen (uv in [0, 1], jitter included by the caller's uv), with 1 along the view axis:
-// position = camera + viewRay * linear depth.
+/// Direction through a point of the screen (uv in [0, 1], without jitter) with a length of 1 along the view axis:
+/// position = camera + viewRay(uv) * linear depth.
 vec3 viewRay(vec2 uv) {
     vec2 p = (uv + frame.jitter.xy) * 2.0 - 1.0;
-    return frame.cameraForward.xyz + frame.cameraRight.xyz * (p.x * frame.cameraRight.w) + frame.cameraUp.xyz * (p.y * frame.cameraUp.w);
+    return frame.cameraForward.xyz + frame.cameraRight.xyz * (p.x * frame.cameraRight.w) +
+           frame.cameraUp.xyz * (p.y * frame.cameraUp.w);
+}
+
+/// Depth buffer value of a linear depth, by the projection of render/frame/frame_camera.cpp.
+float depthBufferValue(float linear) {
+    float near = frame.cameraPosition.w, far = frame.cameraForward.w;
+    return far * (linear - near) / (linear * (far - near));
 }
 
 vec3 worldFromDepth(vec2 uv, float depth) { return frame.cameraPosition.xyz + viewRay(uv) * depth; }

@@ -1,4 +1,4 @@
-// One triangle that covers the view: no vertex data.
+// One triangle that covers the view. It needs no vertex data.
 out vec2 uv;
 void main() {
     uv = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);

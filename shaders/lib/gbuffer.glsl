@@ -1,14 +1,15 @@
-// What the G-buffer holds and how to read it. Targets (render/passes/gbuffer_pass.h makes them):
-//   albedo    RGBA8    rgb sRGB-encoded colour; a palette index / 255 (0 = sky)
-//   normal    RGBA16F  xyz world normal, unit length; w emission, a multiple of the linear colour
-//   material  RGBA8    r roughness, g metallic, b reflectivity (0.08 = 1/12.5 at 1.0: see reflectanceOf), a tilt of the face: see decodeTilt; 1 less that if the body moves
-//   motion    RG16F    uv of the point now minus its uv in the last frame, both without jitter
-//   depth     R32F     linear: metres along the view axis; kSkyDepth where nothing was hit
-// Glass (opacity < 255) is not in these. Where the scene has some, there are also:
-//   glassMask R8      1 where a pane stands before the surface or the sky
-//   glassTint RGBA8    rgb share of the light behind that comes through all panes (1 = no glass)
-//   glassSurface RGBA16F xyz normal of the nearest pane, w its linear depth (0 = no glass)
-#include "shared/constants.h"
+// What the G-buffer holds and how to read it. Targets (made by render/passes/gbuffer_pass.h):
+//   albedo        RGBA8    rgb sRGB colour; a palette index / 255 (0 = sky)
+//   normal        RGBA16F  xyz world normal, unit length; w emission: a multiple of the linear colour
+//   material      RGBA8    r roughness, g metallic, b reflectivity: reflectance at normal incidence; a tilt of the face
+//                          as decodeTilt() reads it, or 1 less that value if the body moves
+//   motion        RG16F    uv of the point now minus its uv in the previous frame, both without jitter
+//   depth         R32F     linear: metres along the view axis; kSkyDepth where there is no surface
+// Glass (opacity below 255) is not in these. Scenes with glass have three more:
+//   glassMask     R8       1 where glass lies before the surface or the sky
+//   glassTint     RGBA8    rgb transmittance of all panes before it (1 = no glass)
+//   glassSurface  RGBA16F  xyz normal of the nearest pane, w its linear depth (0 = no glass)
+#include "lib/constants.glsl"
 
 uniform sampler2D uAlbedo;
 uniform sampler2D uNormal;
@@ -20,17 +21,19 @@ vec3 srgbToLinear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(
 
 struct Surface {
     bool sky;
-    float depth;        // metres along the view axis
-    vec3 albedo;        // linear
-    vec3 normal;        // world
-    float emission;     // radiance = albedo * emission
+    float depth;     // metres along the view axis
+    vec3 albedo;     // linear
+    vec3 normal;     // world
+    float emission;  // radiance = albedo * emission
     float roughness, metallic, reflectivity;
-    float moving;       // 1 if its body moved since the last frame
-    vec2 tilt;          // of a face with grain, along two axes of its own: -1 to 1
+    float moving;  // 1 if its body moved since the previous frame
+    vec2 tilt;     // of a face with detail, along two axes of its own: -1 to 1
 };
 
-/// From the whole number that lib/detail.glsl makes of it.
-vec2 decodeTilt(float code) { return code < 0.5 ? vec2(0.0) : vec2(mod(code - 1.0, 11.0), floor((code - 0.5) / 11.0)) / 5.0 - 1.0; }
+/// The inverse of encodeTilt() in lib/detail.glsl.
+vec2 decodeTilt(float code) {
+    return code < 0.5 ? vec2(0.0) : vec2(mod(code - 1.0, 11.0), floor((code - 0.5) / 11.0)) / 5.0 - 1.0;
+}
 
 Surface readSurface(ivec2 pixel) {
     Surface s;

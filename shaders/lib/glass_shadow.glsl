@@ -1,16 +1,19 @@
-// What the sun's light has become on its way through glass: see render/passes/glass_shadow_pass.h.
+// Transmittance of glass for sunlight, from the map of render/passes/glass_shadow_pass.h. The map is a shadow map with
+// colours: a texel holds the product of the tints of all panes on its sun ray and the depth of the last one. As with
+// percentage-closer filtering (Reeves et al. 1987) each of four texels is compared first and the results are blended.
 uniform bool uGlassShadow;
-uniform sampler2D uGlassShadowMap;               // rgb share that comes through, a how far toward the sun the last pane is
-uniform vec4 uGlassShadowRight, uGlassShadowUp;  // place in the map = dot(xyz, position) + w
-uniform vec4 uGlassShadowSun;                    // distance toward the sun, as in the map
+uniform sampler2D uGlassShadowMap;               // rgb transmittance, a distance of the last pane toward the sun
+uniform vec4 uGlassShadowRight, uGlassShadowUp;  // uv in the map = dot(xyz, position) + w
+uniform vec4 uGlassShadowSun;                    // distance toward the sun = dot(xyz, position) + w
 
 vec3 sunThroughGlass(vec3 position) {
     if (!uGlassShadow) return vec3(1.0);
-    vec2 place = vec2(dot(uGlassShadowRight.xyz, position) + uGlassShadowRight.w, dot(uGlassShadowUp.xyz, position) + uGlassShadowUp.w);
+    vec2 place = vec2(dot(uGlassShadowRight.xyz, position) + uGlassShadowRight.w,
+                      dot(uGlassShadowUp.xyz, position) + uGlassShadowUp.w);
     vec2 edge = min(place, 1.0 - place);
     if (min(edge.x, edge.y) <= 0.0) return vec3(1.0);
     float toward = dot(uGlassShadowSun.xyz, position) + uGlassShadowSun.w;
-    // Not what lies before the last pane: what opaque things hide from the sun is not in the map, so there is none behind.
+    // Positions on the sunny side of the last pane are clear. Panes behind opaque things are not in the map.
     vec2 size = vec2(textureSize(uGlassShadowMap, 0));
     vec2 corner = place * size - 0.5;
     vec2 f = fract(corner);

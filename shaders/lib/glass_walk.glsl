@@ -1,12 +1,15 @@
 // A ray through the glass of one body. Needs lib/frame, voxel_walk, paint.
+
+/// The panes that a ray crosses.
 struct Panes {
-    vec3 tint;          // share of the light that comes through all of them
-    float first, last;  // where the ray meets the nearest and the farthest, in lengths of its direction; kFarthest, 0 without any
-    vec3 normal;        // of the nearest, in the body
+    vec3 tint;  // transmittance of all of them
+    float first,
+        last;     // t of the nearest and the farthest, in lengths of the direction; kFarthest and 0 if there is none
+    vec3 normal;  // of the nearest, in the body's space
 };
 const Panes kNoPanes = Panes(vec3(1.0), kFarthest, 0.0, vec3(0.0));
 
-/// What a voxel of glass lets through; glass is tinted by its colour, not by how dark that is.
+/// Transmittance of a voxel of glass. Its hue tints the light; its brightness does not darken it.
 vec3 transmittance(int body, Layout shape, int index, int slot, ivec3 cell) {
     Entry entry = readEntry(shape.palette, index);
     vec3 linear = pow(paintedColor(body, shape, slot, cell, entry.color), vec3(2.2));
@@ -14,7 +17,7 @@ vec3 transmittance(int body, Layout shape, int index, int slot, ivec3 cell) {
     return (1.0 - entry.opacity) * mix(vec3(1.0), hue, 0.7);
 }
 
-/// Up to the first opaque voxel, or tMax.
+/// The panes up to the first opaque voxel, or to tMax.
 Panes walkGlass(int body, Layout shape, vec3 originCells, vec3 rayCells, float tMax) {
     Panes panes = kNoPanes;
     CellWalk w;

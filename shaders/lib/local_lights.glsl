@@ -1,50 +1,62 @@
-// Local lights: which are near a pixel (filled by render/scene/light_grid.cpp), what they send there, and random points of
-// them. runtime/world/objects/lights.h says what each kind is. Needs lib/frame, lib/sampling.
+// Local lights: which of them are near a pixel (lists made by render/scene/light_grid.cpp), how one is chosen, and what
+// it sends. runtime/world/objects/lights.h describes the kinds.
+//
+// Direct light is a sum over lights of integrals over directions: E / pi = sum_i integral L_i cos / pi. One ray a pixel
+// must do for any number of lights, so one light and one direction to it are drawn:
+//   1. Each candidate i gets the weight w_i = an estimate of its unshadowed irradiance (unshadowedIrradiance()).
+//   2. A reservoir keeps one candidate with the probability w_i / sum w, in one pass (Chao 1982; resampled importance
+//      sampling: Talbot, Cline, Egbert 2005). Where there are more than 24, the first 12 are always candidates and 12
+//      of the others are taken at a stride, each standing for `stride` of them.
+//   3. A direction to that light is drawn with density p over solid angle, uniform over the cone of a sphere, or by
+//      area over a rectangle.
+// The estimate L cos / (pi p) * (sum w / w_i) has the right mean if w_i > 0 wherever light i sends anything. Its noise
+// is small where w_i is nearly proportional to the light's true contribution. Needs lib/frame, lib/sampling.
+#include "lib/constants.glsl"
 #include "lib/color.glsl"
-#include "shared/constants.h"
 
-uniform samplerBuffer uLights;          // kTexelsPerLight a light: see readLight()
-uniform usamplerBuffer uLightCells;     // of the grid: first place in the list, number of lights
-uniform usamplerBuffer uLightList;      // the first kAlwaysWeighed of a cell are those that may matter most there
-uniform samplerBuffer uLightImages;   // linear
-uniform ivec3 uLightGrid;               // tiles across and up, slices of depth; after the last slice one for all depths
+uniform samplerBuffer uLights;       // kTexelsPerLight a light: see readLight()
+uniform usamplerBuffer uLightCells;  // a cell of the grid: first entry in the list, number of lights
+uniform usamplerBuffer uLightList;   // light numbers; the first kAlwaysWeighed of a cell are its strongest
+uniform samplerBuffer uLightImages;  // texels of screens, linear colour
+uniform ivec3 uLightGrid;            // tiles across and up, slices of depth; one more slice lists lights of all depths
 
-const int kOthersWeighed = 12;
+const int kOthersWeighed = 12;  // beside the kAlwaysWeighed first ones of a cell
 const int kSphere = 0, kCapsule = 1, kArea = 2, kScreen = 3;
 
 struct LocalLight {
     vec3 position;
-    float extent;     // all of it lies within this of its place
-    vec3 color;
-    float reach;
-    vec3 axis;        // where it looks
+    float extent;  // radius around the position that holds all of it
+    vec3 color;    // radiant intensity
+    float reach;   // metres beyond which it sends nothing
+    vec3 axis;     // its direction
     int kind;
-    vec2 cone;        // cosine of the outer half angle; 1 / (cosine of the inner - cosine of the outer). Lies beyond all directions without one
+    vec2 cone;  // cosine of the outer half angle (below -1 without a cone); 1 / (inner cosine - outer cosine)
     float radius;
     vec3 right;
-    vec2 halfSize;    // along right and up
+    vec2 halfSize;  // along right and up
     bool twoSided;
-    ivec3 image;    // first texel, columns, rows
+    ivec3 image;  // of a screen: first texel, columns, rows
 };
 
 LocalLight readLight(int i) {
     i *= kTexelsPerLight;
-    vec4 a = texelFetch(uLights, i), c = texelFetch(uLights, i + 2), d = texelFetch(uLights, i + 3), e = texelFetch(uLights, i + 4),
-         f = texelFetch(uLights, i + 5), g = texelFetch(uLights, i + 6);
+    vec4 a = texelFetch(uLights, i), c = texelFetch(uLights, i + 2), d = texelFetch(uLights, i + 3),
+         e = texelFetch(uLights, i + 4), f = texelFetch(uLights, i + 5), g = texelFetch(uLights, i + 6);
     return LocalLight(a.xyz, a.w, d.rgb, c.y, e.xyz, int(d.w), vec2(e.w, g.x), c.z, f.xyz, vec2(f.w, c.w), g.w > 0.0,
                       ivec3(int(g.y), int(g.z) & 255, int(g.z) >> 8));
 }
 
-/// The lights that may reach a pixel: x first place in the list, y number. Depth below 0: at any depth.
+/// The lights that may reach a pixel: x first entry in the list, y number. A negative depth stands for any depth.
 ivec2 lightsAt(ivec2 pixel, float depth) {
     int slice = depth < 0.0 ? uLightGrid.z : clamp(int(floor(2.0 * log2(max(depth, 1.0)))), 0, uLightGrid.z - 1);
     ivec2 tile = min(pixel / kTilePixels, uLightGrid.xy - 1);
     return ivec2(texelFetch(uLightCells, tile.x + uLightGrid.x * (tile.y + uLightGrid.y * slice)).xy);
 }
 
-/// Where to look for the i-th of those that a pixel weighs: the first ones always, of the stride every so many from a random one on,
-/// so that hundreds cost no more than some. x: the light, y: for how many it multiplicity.
+/// How many of `count` lights become candidates.
 int candidateCount(int count) { return min(count, kAlwaysWeighed + kOthersWeighed); }
+
+/// Candidate i of a list. x: the light, y: for how many lights it stands. random: where the strided ones begin.
 vec2 candidateLight(ivec2 cell, int i, float random) {
     float stride = float(cell.y - kAlwaysWeighed) / float(kOthersWeighed);
     bool counted = stride <= 1.0 || i < kAlwaysWeighed;
@@ -52,48 +64,54 @@ vec2 candidateLight(ivec2 cell, int i, float random) {
     return vec2(texelFetch(uLightList, cell.x + min(place, cell.y - 1)).x, counted ? 1.0 : stride);
 }
 
+/// Falls smoothly to 0 at a light's reach (Karis 2013, "Real Shading in Unreal Engine 4", inverse-square falloff).
 float lightWindow(float distanceMetres, float reach) {
     float x = distanceMetres / reach;
     float w = clamp(1.0 - x * x * x * x, 0.0, 1.0);
     return w * w;
 }
 
+/// cosine: between a light's axis and the direction from it.
 float coneAttenuation(LocalLight light, float cosine) {
     float e = clamp((cosine - light.cone.x) * light.cone.y, 0.0, 1.0);
     return e * e;
 }
 
-/// Luminance of about what a light sends to a surface without shadows: never 0 where it may send some.
+/// The weight w of a candidate: about the luminance of a light's irradiance on a surface without shadows. It is above 0
+/// wherever the light may send anything, as `wide` adds the angle that the light's extent takes.
 float unshadowedIrradiance(int i, vec3 position, vec3 normal) {
     i *= kTexelsPerLight;
     vec4 a = texelFetch(uLights, i), b = texelFetch(uLights, i + 1), c = texelFetch(uLights, i + 2);
     vec3 toCentre = a.xyz - position;
-    float range2 = dot(toCentre, toCentre), extent = a.w, inverse = inversesqrt(max(range2, extent * extent)), wide = extent * inverse;
+    float range2 = dot(toCentre, toCentre), extent = a.w, inverse = inversesqrt(max(range2, extent * extent)),
+          wide = extent * inverse;
     float facing = clamp(dot(normal, toCentre) * inverse + wide, 0.0, 1.0);
     float edge = clamp(b.w - dot(toCentre, b.xyz) * inverse + wide, 0.0, 1.0);
     float far = max(sqrt(range2) - extent, 0.0) / c.y, far2 = far * far, window = max(1.0 - far2 * far2, 0.0);
     return c.x * facing * edge * edge * window * window * inverse * inverse;
 }
 
-/// Keeps one of the lights that are offered one after the other, each in proportion to its weight.
+/// Weighted reservoir sampling of one light (Chao 1982).
 struct Reservoir {
-    int light;      // -1: none
-    float weight;   // about what it sends
-    float weightSum;    // of all that were offered
-    float random;   // serves again and again: what is left of it after a draw is as random
+    int light;        // -1: none
+    float weight;     // w of that light
+    float weightSum;  // of all candidates so far
+    float random;     // reused: its remainder after a decision is uniform in [0, 1) again
 };
 void updateReservoir(inout Reservoir reservoir, int light, float weight, float multiplicity) {
     float share = weight * multiplicity;
     reservoir.weightSum += share;
     float place = reservoir.random * reservoir.weightSum;
     bool accepted = place < share;
-    // A light that sends nothing is no draw.
-    reservoir.random = share > 0.0 ? (accepted ? place : place - share) / max(accepted ? share : reservoir.weightSum - share, 1e-20) : reservoir.random;
+    // A light of weight 0 decides nothing, and the random number stays.
+    reservoir.random =
+        share > 0.0 ? (accepted ? place : place - share) / max(accepted ? share : reservoir.weightSum - share, 1e-20)
+                    : reservoir.random;
     reservoir.light = accepted ? light : reservoir.light;
     reservoir.weight = accepted ? weight : reservoir.weight;
 }
 
-/// One of a list, as lightsAt() gives it.
+/// One light of a list as lightsAt() gives it.
 Reservoir chooseLight(ivec2 cell, vec3 position, vec3 normal, vec2 random) {
     int candidates = candidateCount(cell.y);
     Reservoir reservoir = Reservoir(-1, 1.0, 0.0, random.x);
@@ -104,25 +122,27 @@ Reservoir chooseLight(ivec2 cell, vec3 position, vec3 normal, vec2 random) {
     return reservoir;
 }
 
+/// Colour of a screen at a place of its face, -1 to 1 along right and up. A viewer has the light's right on the left.
 vec3 screenImageAt(LocalLight light, vec2 place) {
     if (light.image.y == 0) return vec3(1.0);
     ivec2 texel = clamp(ivec2((0.5 - 0.5 * place) * vec2(light.image.yz)), ivec2(0), light.image.yz - 1);
     return texelFetch(uLightImages, light.image.x + texel.x + texel.y * light.image.y).rgb;
 }
 
-/// From a position to a light, to a random one of a capsule's balls.
+/// From a position to a light's centre; of a capsule, to a random one of the spheres on its axis.
 vec3 toLight(LocalLight light, vec3 position, float u) {
-    return light.position + light.right * (light.kind == kCapsule ? light.halfSize.x * (2.0 * u - 1.0) : 0.0) - position;
+    return light.position + light.right * (light.kind == kCapsule ? light.halfSize.x * (2.0 * u - 1.0) : 0.0) -
+           position;
 }
 
-/// 1 - cosine of the angle that a ball takes from its middle to its edge: its solid angle / 2 pi.
+/// Solid angle of a sphere / 2 pi, which is 1 - cosine of its half angle. Written as sine^2 / (1 + cosine), which loses
+/// no digits for small spheres.
 float hemisphereFraction(float radius, float range2) {
     float sine2 = min(radius * radius / range2, 1.0);
     return sine2 / (1.0 + sqrt(1.0 - sine2));
 }
 
-/// To a random point of a light: of a ball by the solid angle that each takes, so that its light arrives as exactly as its shadow; of a
-/// rectangle by area.
+/// A direction to a random point of a light: of a sphere uniform over its cone, of a rectangle uniform over its area.
 vec3 sampleLightDirection(LocalLight light, vec3 toCentre, vec2 u) {
     float range2 = max(dot(toCentre, toCentre), 1e-6);
     float fall = u.y * hemisphereFraction(light.radius, range2), angle = 2.0 * kPi * u.x;
@@ -135,22 +155,27 @@ vec3 sampleLightDirection(LocalLight light, vec3 toCentre, vec2 u) {
 
 /// What a light sends to a position along a direction.
 struct LightSample {
-    float range;     // metres to its point
-    float clearance;       // of these, the last ones are the light's clearance
+    float range;      // metres to the light's surface
+    float clearance;  // the last metres of a shadow ray, which the light's own voxels may fill
     vec3 radiance;
-    float pdf;   // of sampleLightDirection(), by solid angle
+    float pdf;  // of sampleLightDirection(), over solid angle
 };
 
-/// isHit: the direction is known to meet it, but for rounding.
+/// A sphere of even radiance intensity / (pi radius^2). isHit: the direction meets it by construction, whatever
+/// rounding says.
 LightSample evaluateSphere(LocalLight light, vec3 toCentre, vec3 direction, bool isHit) {
-    float along = dot(direction, toCentre), range2 = max(dot(toCentre, toCentre), 1e-6), radius2 = light.radius * light.radius;
+    float along = dot(direction, toCentre), range2 = max(dot(toCentre, toCentre), 1e-6),
+          radius2 = light.radius * light.radius;
     vec3 aside = toCentre - direction * along;
     float chord2 = radius2 - dot(aside, aside), range = max(along - sqrt(max(chord2, 0.0)), 0.0);
     float edge = coneAttenuation(light, -dot(toCentre, light.axis) * inversesqrt(range2));
-    float strength = isHit || (chord2 >= 0.0 && along > 0.0) ? edge * lightWindow(range, light.reach) / (kPi * radius2) : 0.0;
-    return LightSample(range, max(light.radius, 0.12), light.color * strength, 1.0 / (2.0 * kPi * hemisphereFraction(light.radius, range2)));
+    float strength =
+        isHit || (chord2 >= 0.0 && along > 0.0) ? edge * lightWindow(range, light.reach) / (kPi * radius2) : 0.0;
+    return LightSample(range, max(light.radius, 0.12), light.color * strength,
+                       1.0 / (2.0 * kPi * hemisphereFraction(light.radius, range2)));
 }
 
+/// A rectangle of radiance intensity / area. Its density by area becomes one over solid angle: range^2 / (cosine area).
 LightSample evaluateArea(LocalLight light, vec3 toCentre, vec3 direction, bool isHit) {
     float turned = -dot(direction, light.axis), cosine = max(light.twoSided ? abs(turned) : turned, 1e-5);
     float range = -dot(toCentre, light.axis) / (turned < 0.0 ? -cosine : cosine);
@@ -158,9 +183,10 @@ LightSample evaluateArea(LocalLight light, vec3 toCentre, vec3 direction, bool i
     vec2 halfSize = max(light.halfSize, vec2(1e-3));
     vec2 place = vec2(dot(onFace, light.right), dot(onFace, cross(light.right, light.axis))) / halfSize;
     float area = 4.0 * halfSize.x * halfSize.y;
-    bool strength = cosine > 1e-5 && range > 0.0 && (isHit || max(abs(place.x), abs(place.y)) <= 1.0);
+    bool isVisible = cosine > 1e-5 && range > 0.0 && (isHit || max(abs(place.x), abs(place.y)) <= 1.0);
     vec3 color = light.kind == kScreen ? light.color * screenImageAt(light, place) : light.color;
-    return LightSample(range, max(light.radius, 0.12) / max(cosine, 0.1), strength ? color * (lightWindow(range, light.reach) / area) : vec3(0.0),
+    return LightSample(range, max(light.radius, 0.12) / max(cosine, 0.1),
+                       isVisible ? color * (lightWindow(range, light.reach) / area) : vec3(0.0),
                        max(range * range, 1e-4) / (cosine * area));
 }
 

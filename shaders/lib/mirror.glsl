@@ -1,17 +1,17 @@
-// Which pixels mirror enough to be worth a ray, and how they do. Needs lib/gbuffer, frame, brdf.
+// Which pixels reflect enough to be worth a mirror ray. Needs lib/gbuffer, frame, brdf.
 uniform sampler2D uGlassSurface;
 uniform bool uHasGlass;
 
-const float kMinMirrorShare = 0.012;  // share of light
+const float kMinMirrorShare = 0.012;  // share of the light that is reflected
 const float kPaneReflectance = 0.05;
 
 struct Mirror {
     vec3 position, normal, view;
     float roughness;
-    float share;   // of the light that it mirrors
+    float share;  // of the light that it reflects toward the camera; 0 if it is too rough
 };
 
-/// The nearest pane, else the surface.
+/// The nearest pane of a pixel, else its surface.
 Mirror mirrorAt(ivec2 pixel, vec2 uv) {
     Surface s = readSurface(pixel);
     float f0 = max(s.reflectivity, s.metallic * max(s.albedo.r, max(s.albedo.g, s.albedo.b)));

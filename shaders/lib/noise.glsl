@@ -1,8 +1,14 @@
-// Blue noise on a 64x64 tile, animated by the R2 sequence (Martin Roberts, "The unreasonable effectiveness of
-// quasirandom sequences"): low discrepancy over time at each pixel, blue over the screen at each time.
+// Random numbers for sampling, and noise for textures.
+//
+// Sampling uses blue noise with a low-discrepancy sequence over time. A 64x64 tile of blue noise gives each pixel a
+// phase, so that the error of neighbouring pixels differs and filters remove it (Georgiev and Fajardo 2016, "Blue-noise
+// dithered sampling"). Sample n of a pixel is that phase plus n times the R2 step, modulo 1: a Cranley-Patterson
+// rotation of the R2 sequence, whose points stay evenly spread for every n (Roberts 2018). So each pixel converges
+// faster than with white noise, while each frame is blue over the screen.
+#include "lib/constants.glsl"
 uniform sampler2D uBlueNoise;
 
-/// A well mixed hash of 32 bits (the "lowbias32" constants found by Chris Wellons' prospector).
+/// A hash of 32 bits: "lowbias32", found with Chris Wellons' hash prospector.
 uint hashBits(uint x) {
     x ^= x >> 16;
     x *= 0x7feb352du;
@@ -11,24 +17,28 @@ uint hashBits(uint x) {
     return x ^ (x >> 16);
 }
 
-/// Two numbers in [0, 1) for a pixel. `dimension` tells the draws of one frame apart; `index` counts draws over time.
-/// White where the settings say so.
+/// Two numbers in [0, 1) for a pixel. `dimension` must differ between the uses in one frame; `index` counts the samples
+/// over time. White noise if the settings say so.
 vec2 blueNoise(ivec2 pixel, int dimension, int index) {
     if (frame.counters.w == 1) {
-        uint seed = hashBits(uint(index) + hashBits(uint(dimension) + hashBits(uint(pixel.x) + hashBits(uint(pixel.y)))));
+        uint seed =
+            hashBits(uint(index) + hashBits(uint(dimension) + hashBits(uint(pixel.x) + hashBits(uint(pixel.y)))));
         return vec2(uvec2(seed, hashBits(seed ^ 0x9e3779b9u)) >> 8u) * (1.0 / 16777216.0);
     }
     ivec2 first = (pixel + dimension * ivec2(23, 41)) & 63;
     ivec2 second = (pixel + dimension * ivec2(23, 41) + ivec2(37, 11)) & 63;
     vec2 base = vec2(texelFetch(uBlueNoise, first, 0).r, texelFetch(uBlueNoise, second, 0).r);
-    // The index wraps so that the product keeps its fraction's bits in float.
-    return fract(base + float(index & 1023) * vec2(0.7548776662, 0.5698402910));
+    // The index wraps, so that the product keeps enough bits for its fraction.
+    return fract(base + float(index & 1023) * kR2Step);
 }
 
+/// White noise in [0, 1) for a cell.
 float hash01(ivec2 p) { return float(hashBits(uint(p.x) + hashBits(uint(p.y))) >> 8) * (1.0 / 16777216.0); }
-float hash01(ivec3 p) { return float(hashBits(uint(p.x) + hashBits(uint(p.y) + hashBits(uint(p.z)))) >> 8) * (1.0 / 16777216.0); }
+float hash01(ivec3 p) {
+    return float(hashBits(uint(p.x) + hashBits(uint(p.y) + hashBits(uint(p.z)))) >> 8) * (1.0 / 16777216.0);
+}
 
-/// Smooth noise in [0, 1] with features of size 1.
+/// Value noise: smooth, in [0, 1], with features of size 1.
 float valueNoise(vec2 p) {
     vec2 cell = floor(p);
     vec2 f = p - cell;
@@ -39,7 +49,7 @@ float valueNoise(vec2 p) {
     return mix(low, high, f.y);
 }
 
-/// Sum of octaves in [0, 1], each turned so that no axis shows.
+/// Fractal noise: octaves of value noise in [0, 1], each rotated so that the grid does not show.
 float fractalNoise(vec2 p, int octaves) {
     float sum = 0.0, weight = 0.5, total = 0.0;
     for (int i = 0; i < octaves; ++i) {

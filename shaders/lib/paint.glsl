@@ -1,16 +1,17 @@
-// The paint layer of bodies (filled by render/scene/paint_atlas.cpp): there only while a shape has paint. Needs lib/bodies.glsl.
-uniform usamplerBuffer uPaintSlots;   // a texel a brick: its number in uPaint plus one, 0 = unpainted
-uniform usamplerBuffer uPaint;        // 128 texels a painted brick: a byte a voxel, colour << 4 | steps - 1; 0 = unpainted
+// The paint layer of bodies (filled by render/scene/paint_atlas.cpp), for shapes that have paint. Needs lib/bodies.
+uniform usamplerBuffer uPaintSlots;  // a texel a brick: its number in uPaint plus one, 0 = unpainted
+uniform usamplerBuffer uPaint;  // 128 texels a painted brick, a byte a voxel: colour << 4 | steps - 1; 0 = unpainted
 uniform usamplerBuffer uPaintColors;  // 16 texels a shape: sRGB colours 1 to 15
 
-// The colour (sRGB) that a voxel shows: its own one, some sixteenths of the way to its paint's. As paintOver() in
-// runtime/destruction/paint.cpp. slot: its brick's.
+/// Colour (sRGB) of a voxel: its material's colour, mixed with its paint by steps of a sixteenth. The same as
+/// paintOver() in runtime/destruction/paint.cpp. slot: of the voxel's brick.
 vec3 paintedColor(int body, Layout shape, int slot, ivec3 cell, vec3 color) {
     if ((shape.flags & kHasPaint) == 0u) return color;
     uint brick = texelFetch(uPaintSlots, slot).r;
     if (brick == 0u) return color;
     ivec3 c = cell & 7;
-    uint paint = (texelFetch(uPaint, int(brick - 1u) * 128 + (c.x >> 2) + c.y * 2 + c.z * 16).r >> uint((c.x & 3) * 8)) & 255u;
+    uint paint =
+        (texelFetch(uPaint, int(brick - 1u) * 128 + (c.x >> 2) + c.y * 2 + c.z * 16).r >> uint((c.x & 3) * 8)) & 255u;
     if (paint == 0u) return color;
     uint table = texelFetch(uPaintColors, body * 16 + int(paint >> 4)).r;
     vec3 over = vec3((uvec3(table) >> uvec3(0u, 8u, 16u)) & 255u) / 255.0;

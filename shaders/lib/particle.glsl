@@ -1,8 +1,10 @@
-// What passes/particles.vert hands to the fragment shaders of particles. Their colour is premultiplied.
+// What passes/particles.vert passes on to the fragment shaders of particles. Their colour is premultiplied by alpha.
+#include "lib/constants.glsl"
+#include "lib/particle_kinds.glsl"
 #include "lib/frame.glsl"
 
 uniform sampler2D uDepth;
-uniform sampler2D uPuffNoise;  // tiles: r noise, gb its slope around one half
+uniform sampler2D uPuffNoise;  // tiles: r noise, gb its gradient around one half
 
 in vec2 corner;
 in vec4 noiseUv;
@@ -18,8 +20,8 @@ out vec4 color;
 
 float surfaceDepth() { return texelFetch(uDepth, ivec2(gl_FragCoord.xy), 0).r; }
 
-/// Share of a sphere's chord through this pixel that lies before the surface behind and in front of the eye: no hard edge
-/// where gas meets a wall.
+/// The fade of "soft particles": the share of a sphere's chord through this pixel that lies before the surface and in
+/// front of the camera, so that gas has no hard edge at a wall.
 float softFade(float halfChord) {
     float front = max(depths.x - halfChord, 0.15), back = min(depths.x + halfChord, surfaceDepth());
     return clamp((back - front) / max(2.0 * particle.w, 1e-3), 0.0, 1.0) * depths.y;

@@ -1,60 +1,105 @@
-// Exact rays through the world's shadow volume (filled by render/scene/gpu_shadow_volume.cpp): bricks of 16^3 cells of 0.1 m, words of
-// 4^3. One step leaps an empty cube of bricks, an empty box of words, what is left of a word that holds nothing ahead of the ray, 2^3 empty
-// cells or a cell. Needs lib/frame.glsl first.
+// Exact rays through the world's shadow volume (filled by render/scene/gpu_shadow_volume.cpp): bricks of 16^3 cells of
+// 0.1 m, each of 4^3 words of 4^3 cells (one bit a cell). It is a grid walk as in lib/cell_walk.glsl, with empty space
+// skipped. Each step leaves the largest block around the present cell that is known to be empty ahead of the ray:
+//   - a cube of up to 15^3 empty bricks: for each octant of directions a brick stores the side of the empty cube that
+//     begins with it (like the distance to the nearest obstacle in Cohen and Sheffer 1994, but by octant);
+//   - in an occupied brick, a box of empty words, stored by octant in the empty word itself;
+//   - the rest of a word, if none of its cells ahead of the ray is occupied;
+//   - an aligned 2x2x2 of empty cells, or one cell.
+// The ray is mirrored so that it goes up on every axis: cell c of a mirrored axis is cell size - 1 - c of the volume.
+// Then a step is the same for all octants: the planes that bound a block are those above it, the ray crosses the
+// nearest one, and the number of a word or cell is mirrored with one XOR. All branches are selections, as lanes of a
+// GPU wait for each other anyway. Needs lib/frame first.
+#include "lib/constants.glsl"
 
-#include "shared/constants.h"
+// A texel a brick. Empty brick: x has the empty cubes' sides, 4 bits an octant (render/scene/skip_distances.h).
+// Occupied brick: x is 16 x its slot, yz says which of its words are occupied.
+uniform usamplerBuffer uShadowDirectory;
+// 64 texels a slot: the cells of an occupied word, or the empty boxes of an empty one (runtime/shadow/shadow_volume.h).
+uniform usamplerBuffer uShadowTexels;
 
-uniform usamplerBuffer uShadowDirectory;  // a texel a brick. Empty: x eight cubes (SkipDistances). Else: x 16 x slot, yz which words hold anything
-uniform usamplerBuffer uShadowTexels;     // 64 texels a slot (ShadowBrick): the cells of a word, or its empty boxes
-
-const float kShadowCellsPerMetre = 10.0;
-
-// All fetches go through current: WebGL2 has no buffer textures and will read 2D ones.
+// The only fetches from these buffers: WebGL2 has no buffer textures and will read 2D textures here.
 uvec4 fetchShadowDirectory(int i) { return texelFetch(uShadowDirectory, i); }
 uvec2 fetchShadowTexel(int i) { return texelFetch(uShadowTexels, i).rg; }
 
-// A point of the world (from the render origin) in the directory's cells.
-vec3 shadowCells(vec3 positionWorld) { return positionWorld * kShadowCellsPerMetre - vec3(frame.shadowSectorLow.xyz * 64); }
+/// A world position in the directory's cells.
+vec3 shadowCells(vec3 positionWorld) {
+    return positionWorld * kShadowCellsPerMetre - vec3(frame.shadowSectorLow.xyz * 64);
+}
 
 const float kAlwaysExact = 1.0e30;
 
-// True if the ray from originWorld (metres, from the render origin) meets an occupied cell within tMax metres along the unit
-// vector `direction`; t is where. An origin in an occupied cell is a hit at 0: see shadowOrigin().
-// Beyond exactDistance metres a word of 4^3 cells that holds anything stops it: no light where there is none, some shadow too much.
-bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exactDistance, out float t) {
-    t = tMax;
-    bool coarse = exactDistance < kAlwaysExact;  // known when the shader is built
-    exactDistance *= kShadowCellsPerMetre;
-    ivec3 bricks = frame.shadowSectorCount.xyz * 4;
-    // All axes are turned so that the ray goes up: cell c of a turned axis is cell (size - 1 - c) of the volume.
-    bvec3 isDown = lessThan(direction, vec3(0.0));
-    ivec3 down = ivec3(isDown);
+/// A mirrored ray, clipped to the box of all occupied cells. Everything in cells.
+struct ShadowRay {
+    bvec3 isDown;                     // the axes that are mirrored
+    vec3 origin, direction, inverse;  // the direction's components are above 0
+    float begin, end;
+    ivec3 cell;  // at begin
+};
+
+/// False if the ray misses all occupied cells, or is NaN.
+bool startShadowRay(vec3 originWorld, vec3 direction, float tMax, ivec3 bricks, out ShadowRay ray) {
+    ray.isDown = lessThan(direction, vec3(0.0));
     vec3 size = vec3(bricks * 16);
-    vec3 along = max(abs(direction), vec3(1.0e-20));
+    ray.direction = max(abs(direction), vec3(1.0e-20));
     vec3 origin = shadowCells(originWorld);
-    origin = mix(origin, size - origin, isDown);
-    vec3 inverse = 1.0 / along;
-    vec3 low = mix(frame.shadowLow.xyz, size - frame.shadowHigh.xyz, isDown);
-    vec3 high = mix(frame.shadowHigh.xyz, size - frame.shadowLow.xyz, isDown);
-    vec3 enter = (low - origin) * inverse, leave = (high - origin) * inverse;
-    float current = max(max(enter.x, enter.y), max(enter.z, 0.0));
+    ray.origin = mix(origin, size - origin, ray.isDown);
+    ray.inverse = 1.0 / ray.direction;
+    vec3 low = mix(frame.shadowLow.xyz, size - frame.shadowHigh.xyz, ray.isDown);
+    vec3 high = mix(frame.shadowHigh.xyz, size - frame.shadowLow.xyz, ray.isDown);
+    vec3 enter = (low - ray.origin) * ray.inverse, leave = (high - ray.origin) * ray.inverse;
+    ray.begin = max(max(enter.x, enter.y), max(enter.z, 0.0));
     float end = tMax * kShadowCellsPerMetre;
     end = leave.x < end ? leave.x : end;
     end = leave.y < end ? leave.y : end;
-    end = leave.z < end ? leave.z : end;
-    if (!(current < end)) return false;  // a NaN too
-    ivec3 cell = clamp(ivec3(origin + along * current), ivec3(low), ivec3(high) - 1);
+    ray.end = leave.z < end ? leave.z : end;
+    if (!(ray.begin < ray.end)) return false;
+    ray.cell = clamp(ivec3(ray.origin + ray.direction * ray.begin), ivec3(low), ivec3(high) - 1);
+    return true;
+}
 
+/// Which cells of a word are ahead of a ray: those at or beyond its cell on every axis.
+struct AheadMasks {
+    uint columns, slices;
+    int rowsTurned, rowsFirst;
+};
+
+AheadMasks aheadMasks(bvec3 isDown) {
+    int down = int(isDown.y);
+    return AheadMasks(isDown.x ? 0x137fu : 0x8cefu, isDown.z ? 0xffffu : 0xffff0000u, down - 1, 13 - down);
+}
+
+/// Whether no occupied cell of a word is ahead of a cell. nearHalf: the half of the word that holds the cell.
+bool nothingAheadOf(ivec3 cell, uint nearHalf, uint farHalf, AheadMasks ahead) {
+    uint columns = (ahead.columns >> uint((cell.x & 3) << 2) & 15u) * 0x11111111u;
+    uint rows = (0x0ffff000u >> uint(ahead.rowsFirst + ((cell.y & 3) << 2 ^ ahead.rowsTurned)) & 0xffffu) * 0x10001u;
+    uint slices = (nearHalf & ((cell.z & 1) == 0 ? 0xffffffffu : ahead.slices)) | ((cell.z & 2) == 0 ? farHalf : 0u);
+    return (slices & rows & columns) == 0u;
+}
+
+/// True if the ray from originWorld (metres, from the render origin) meets an occupied cell within tMax metres along
+/// the unit vector `direction`; t is the distance. An origin in an occupied cell is a hit at 0: see shadowOrigin().
+/// Beyond exactDistance metres any word with an occupied cell stops the ray: too much shadow there, never too little.
+bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exactDistance, out float t) {
+    t = tMax;
+    bool coarse = exactDistance < kAlwaysExact;  // known at compile time
+    exactDistance *= kShadowCellsPerMetre;
+    ivec3 bricks = frame.shadowSectorCount.xyz * 4;
+    ShadowRay ray;
+    if (!startShadowRay(originWorld, direction, tMax, bricks, ray)) return false;
     ivec3 pitch = ivec3(1, bricks.x, bricks.x * bricks.y);
     ivec3 farthest = pitch * (bricks - 1);
-    int first = (isDown.x ? farthest.x : 0) + (isDown.y ? farthest.y : 0) + (isDown.z ? farthest.z : 0);
-    pitch = ivec3(isDown.x ? -pitch.x : pitch.x, isDown.y ? -pitch.y : pitch.y, isDown.z ? -pitch.z : pitch.z);
-    int turned = 3 * (down.x + 4 * down.y + 16 * down.z);  // turns the number of a word in its brick, and of a cell in its word
+    int first = (ray.isDown.x ? farthest.x : 0) + (ray.isDown.y ? farthest.y : 0) + (ray.isDown.z ? farthest.z : 0);
+    pitch =
+        ivec3(ray.isDown.x ? -pitch.x : pitch.x, ray.isDown.y ? -pitch.y : pitch.y, ray.isDown.z ? -pitch.z : pitch.z);
+    ivec3 down = ivec3(ray.isDown);
+    int turned =
+        3 * (down.x + 4 * down.y + 16 * down.z);  // mirrors the number of a word in its brick or a cell in its word
     int octant = down.x + 2 * down.y + 4 * down.z;
     uint cubeShift = uint(octant * 4), boxShift = uint(octant * 2);
-    // Which columns, rows and slices of a word a ray can still reach from each of the four: all ahead of it.
-    uint columnsAhead = isDown.x ? 0x137fu : 0x8cefu, slicesAhead = isDown.z ? 0xffffu : 0xffff0000u;
-    int rowsTurned = down.y - 1, rowsFirst = 13 - down.y;
+    AheadMasks ahead = aheadMasks(ray.isDown);
+    ivec3 cell = ray.cell;
+    float current = ray.begin;
     bool stopped = false;
     do {
         t = current;
@@ -65,37 +110,40 @@ bool shadowTraceCoarse(vec3 originWorld, vec3 direction, float tMax, float exact
         bool emptyWord = ((word < 32 ? entry.y : entry.z) >> uint(word & 31) & 1u) == 0u;
         uvec2 texel = fetchShadowTexel(emptyBrick ? 0 : int(entry.x >> 4) * 64 + word);
         int inWord = ((cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4) ^ turned;
-        uint nearHalf = inWord < 32 ? texel.x : texel.y, farHalf = inWord < 32 ? texel.y : texel.x;  // the two halves of the word
+        uint nearHalf = inWord < 32 ? texel.x : texel.y, farHalf = inWord < 32 ? texel.y : texel.x;
         stopped = !emptyWord && ((nearHalf >> uint(inWord & 31) & 1u) != 0u || (coarse && current > exactDistance));
-        uint columns = (columnsAhead >> uint((cell.x & 3) << 2) & 15u) * 0x11111111u;
-        uint rows = (0x0ffff000u >> uint(rowsFirst + ((cell.y & 3) << 2 ^ rowsTurned)) & 0xffffu) * 0x10001u;
-        uint slices = (nearHalf & ((cell.z & 1) == 0 ? 0xffffffffu : slicesAhead)) | ((cell.z & 2) == 0 ? farHalf : 0u);
-        bool nothingAhead = emptyWord || (slices & rows & columns) == 0u;
-        bool emptyEight = (nearHalf >> uint(inWord & 10) & 0x00330033u) == 0u;  // the 2x2x2 cells that hold this one
+        bool nothingAhead = emptyWord || nothingAheadOf(cell, nearHalf, farHalf, ahead);
+        bool emptyEight = (nearHalf >> uint(inWord & 10) & 0x00330033u) == 0u;  // the aligned 2x2x2 cells around it
         ivec3 box = ivec3(uvec3(texel.x >> boxShift, texel.x >> (boxShift + 16u), texel.y >> boxShift) & 3u) + 1;
-        ivec3 leap = emptyBrick ? ivec3(entry.x >> cubeShift & 15u) : emptyWord ? box : ivec3(1);
+        // The block is `skip` units a side, of 2^unit cells each.
+        ivec3 skip = emptyBrick ? ivec3(entry.x >> cubeShift & 15u) : emptyWord ? box : ivec3(1);
         int unit = emptyBrick ? 4 : nothingAhead ? 2 : emptyEight ? 1 : 0;
-        ivec3 plane = ((cell >> unit) + leap) << unit;
-        leave = (vec3(plane) - origin) * inverse;
+        ivec3 plane = ((cell >> unit) + skip) << unit;
+        vec3 leave = (vec3(plane) - ray.origin) * ray.inverse;
         float next = leave.y < leave.z ? leave.y : leave.z;
         next = leave.x < next ? leave.x : next;
-        ivec3 beside = clamp(ivec3(origin + along * next), cell, plane - 1);  // never back: a point is rounded
-        // Round corners, never through them.
+        ivec3 beside =
+            clamp(ivec3(ray.origin + ray.direction * next), cell, plane - 1);  // never back: a point is rounded
+        // Across one plane at a time: a ray through an edge visits a cell beside it and never slips between two.
         bool acrossX = leave.x <= next, acrossY = !acrossX && leave.y <= next;
-        cell = ivec3(acrossX ? plane.x : beside.x, acrossY ? plane.y : beside.y, acrossX || acrossY ? beside.z : plane.z);
+        cell =
+            ivec3(acrossX ? plane.x : beside.x, acrossY ? plane.y : beside.y, acrossX || acrossY ? beside.z : plane.z);
         current = next;
-    } while (!stopped && current < end);
+    } while (!stopped && current < ray.end);
     t = stopped ? t * kShadowCell : tMax;
     return stopped;
 }
 
-/// The exact one.
-bool shadowTrace(vec3 originWorld, vec3 direction, float tMax, out float t) { return shadowTraceCoarse(originWorld, direction, tMax, kAlwaysExact, t); }
+/// The exact walk over the whole length.
+bool shadowTrace(vec3 originWorld, vec3 direction, float tMax, out float t) {
+    return shadowTraceCoarse(originWorld, direction, tMax, kAlwaysExact, t);
+}
 
-// THE rule for leaving one's own surface. A body sets the cells whose centres lie in it. A face along the grid therefore ends in
-// the cells at the boundary nearest to it: the ray starts there, exactly. The cells of a turned body reach up to half a cell's
-// extent along the normal out of its faces, vec3(1) dot |normal| being 1 to 1.73 cells: from there (and a hair) a ray that does
-// not go down never meets them, however the body is turned.
+/// Where a ray starts that leaves a surface: outside the surface's own shadow cells. A body occupies the cells whose
+/// centres lie in it. A face that is aligned with the grid therefore ends at a cell boundary, the nearest one, and the
+/// ray starts exactly there. The cells of a rotated face stick out of it by at most half a cell's extent along the
+/// normal n, which is 0.5 (|n.x| + |n.y| + |n.z|) cells. A ray that starts a little beyond that and does not go down
+/// misses them, however the body is rotated.
 const float kNormalOffsetCells = 0.52;
 vec3 shadowOrigin(vec3 positionWorld, vec3 normalWorld) {
     vec3 along = abs(normalWorld);

@@ -1,9 +1,10 @@
-// The sky and what lies beyond the level. Directions are world space, y up; results are radiance.
+// The sky and the landscape around the level, all of them painted by formula, not physical models. Directions are unit
+// vectors in world space, y up; results are radiance.
+#include "lib/constants.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
-#include "shared/constants.h"
 
-/// Haze-coloured light around the sun: what air and thin cloud scatter forward. mu: cosine to the sun.
+/// The glow around the sun: light that air and thin cloud scatter forward. mu: cosine of the angle to the sun.
 vec3 sunGlow(float mu) {
     float m = max(mu, 0.0);
     float m2 = m * m;
@@ -13,7 +14,8 @@ vec3 sunGlow(float mu) {
     return frame.sunColor.rgb * (0.012 * m2 + 0.035 * m8 + 0.10 * m32 + 0.45 * m256);
 }
 
-/// The clear sky without sun disc, clouds and hills: smooth, for the rays that leave the world.
+/// The clear sky without sun disc, clouds and hills. It is smooth, so that rays which leave the world make little
+/// noise.
 vec3 skyRadiance(vec3 direction) {
     float mu = dot(direction, frame.sunDirection.xyz);
     float up = max(direction.y, 0.0);
@@ -22,22 +24,21 @@ vec3 skyRadiance(vec3 direction) {
     return mix(frame.groundColor.rgb, sky, smoothstep(-0.06, 0.02, direction.y));
 }
 
-/// The air's own light between the eye and a far point in this direction.
-vec3 hazeRadiance(vec3 direction) {
-    return frame.fogColor.rgb + sunGlow(dot(direction, frame.sunDirection.xyz)) * 0.5;
-}
+/// Light that the haze scatters into a ray toward a far point.
+vec3 hazeRadiance(vec3 direction) { return frame.fogColor.rgb + sunGlow(dot(direction, frame.sunDirection.xyz)) * 0.5; }
 
-/// Share of light that the air takes over a distance: half at fogDistance, little near by.
+/// Share of light that the haze takes over a distance: a half at the environment's fogDistance, little nearby.
 float hazeAmount(float distanceMetres) {
     float ratio = distanceMetres / frame.fogColor.w;
     return 1.0 - exp2(-ratio * sqrt(ratio));
 }
 
+/// Adds clouds: fractal noise on a plane overhead, lit by the difference of thickness toward the sun.
 vec3 withClouds(vec3 sky, vec3 direction) {
     float height = direction.y + 0.06;
     if (height < 0.07) return sky;
     vec2 place = direction.xz / height * 1.3 + 40.0;
-    // Streets of cloud: stretched along one axis, fading where the foreshortening would crowd them.
+    // Stretched along one axis, and faded toward the horizon, where perspective would crowd them.
     vec2 stretched = place * vec2(0.75, 1.25);
     float density = fractalNoise(stretched, 6) * 0.75 + valueNoise(stretched * 0.35 + 9.1) * 0.35;
     float more = (frame.skyCover.x - 0.5) * 0.9;
@@ -54,18 +55,19 @@ vec3 withClouds(vec3 sky, vec3 direction) {
     return mix(sky, cloud, cover * 0.85 * fade);
 }
 
-/// Height of a hill layer as the tangent of its elevation: periodic around the horizon.
+/// Outline of a range of hills: tangent of its elevation in a direction of the compass, periodic around the horizon.
 float hillLine(vec2 heading, float frequency, float seed, int octaves) {
     return fractalNoise(heading * frequency + seed, octaves);
 }
 
+/// Adds three ranges of hills, the farthest first, each mixed with the haze. None is higher than kMaxHillSlope.
 vec3 withHills(vec3 sky, vec3 direction) {
     vec2 heading = normalize(direction.xz);
     float slope = direction.y / max(length(direction.xz), 1e-4);
     if (slope > kMaxHillSlope) return sky;
     vec3 haze = hazeRadiance(direction);
     vec3 light = frame.sunColor.rgb * 0.06 + frame.skyColor.rgb * 0.35;
-    float pixel = 0.0022;   // softens the outline by about a pixel
+    float pixel = 0.0022;  // softens the outline by about a pixel
     float far = 0.035 + 0.085 * hillLine(heading, 3.1, 11.0, 4);
     sky = mix(sky, mix(vec3(0.16, 0.20, 0.24) * light, haze, 0.86), smoothstep(pixel, -pixel, slope - far));
     float middle = 0.015 + 0.060 * hillLine(heading, 5.7, 47.0, 5);
@@ -76,26 +78,27 @@ vec3 withHills(vec3 sky, vec3 direction) {
     return sky;
 }
 
-/// Fields from the level's edge to the horizon: a plane a little under the ground, so that a level is no table in the void.
+/// Fields from the level's edge to the horizon, on a plane a little below the ground. eyeHeight: over that plane.
 vec3 fieldsBelow(vec3 direction, float eyeHeight) {
     float distanceMetres = eyeHeight / max(-direction.y, 1e-4);
     vec2 place = direction.xz * distanceMetres + frame.cameraPosition.xz;
     float detail = exp2(-distanceMetres * 0.02);
     float patches = fractalNoise(place * 0.02, 3);
     float tufts = mix(0.5, fractalNoise(place * 0.9, 3), detail);
-    vec3 albedo = mix(vec3(0.115, 0.155, 0.055), vec3(0.22, 0.20, 0.085), smoothstep(0.35, 0.7, patches)) * (0.75 + 0.5 * tufts);
-    vec3 light = frame.sunColor.rgb * max(frame.sunDirection.y, 0.0) * 0.3183 + skyRadiance(vec3(0, 1, 0)) * 0.8;
-    // The far fields keep some colour: a white band under the hills would look like water.
+    vec3 albedo =
+        mix(vec3(0.115, 0.155, 0.055), vec3(0.22, 0.20, 0.085), smoothstep(0.35, 0.7, patches)) * (0.75 + 0.5 * tufts);
+    vec3 light = frame.sunColor.rgb * max(frame.sunDirection.y, 0.0) * kInversePi + skyRadiance(vec3(0, 1, 0)) * 0.8;
+    // Haze is limited, as a white band below the hills would look like water.
     return mix(albedo * light, hazeRadiance(direction), min(hazeAmount(distanceMetres), 0.72));
 }
 
-/// Stars of the clear night: a few in each patch of sky, some brighter, fainter toward the horizon.
+/// Stars of a clear night, fainter toward the horizon: at most one in each cell of a cube map, by a hash of the cell.
 vec3 starsIn(vec3 direction) {
     if (frame.skyCover.y <= 0.0 || direction.y < 0.02) return vec3(0.0);
-    // Patches of equal size on a cube around the eye.
     vec3 a = abs(direction);
-    vec3 face = a.x > max(a.y, a.z) ? vec3(direction.yz / a.x, sign(direction.x)) : a.y > a.z ? vec3(direction.xz / a.y, 3.0 * sign(direction.y))
-                                                                                             : vec3(direction.xy / a.z, 5.0 * sign(direction.z));
+    vec3 face = a.x > max(a.y, a.z) ? vec3(direction.yz / a.x, sign(direction.x))
+                : a.y > a.z         ? vec3(direction.xz / a.y, 3.0 * sign(direction.y))
+                                    : vec3(direction.xy / a.z, 5.0 * sign(direction.z));
     vec2 place = face.xy * 90.0;
     ivec2 patch_ = ivec2(floor(place));
     uint dice = hashBits(uint(patch_.x + 512) + hashBits(uint(patch_.y + 512) * 16u + uint(face.z + 8.0)));
@@ -111,14 +114,16 @@ vec3 starsIn(vec3 direction) {
 /// The sky as the camera sees it: with stars, clouds and the sun's disc.
 vec3 skyBehind(vec3 direction) {
     float mu = dot(direction, frame.sunDirection.xyz);
-    vec3 sky = withClouds(skyRadiance(vec3(direction.x, max(direction.y, 0.02), direction.z)) + starsIn(direction), direction);
-    // The disc itself, a little larger than life and far from its true radiance: it must bloom, not flicker.
+    vec3 sky =
+        withClouds(skyRadiance(vec3(direction.x, max(direction.y, 0.02), direction.z)) + starsIn(direction), direction);
+    // The disc is drawn twice as wide as it is and far darker, so that it blooms and does not flicker.
     float edge = 1.0 - 0.5 * frame.sunDirection.w * frame.sunDirection.w * 4.0;
-    sky += frame.sunColor.rgb * 12.0 * smoothstep(edge, 1.0 - (1.0 - edge) * 0.6, mu) * (1.0 - smoothstep(0.6, 0.95, frame.skyCover.x));
+    sky += frame.sunColor.rgb * 12.0 * smoothstep(edge, 1.0 - (1.0 - edge) * 0.6, mu) *
+           (1.0 - smoothstep(0.6, 0.95, frame.skyCover.x));
     return sky;
 }
 
-/// Everything behind the level as the camera sees it. eyeHeight: over the plane of the fields.
+/// All that lies behind the level as the camera sees it. eyeHeight: over the plane of the fields.
 vec3 backgroundRadiance(vec3 direction, float eyeHeight) {
     if (direction.y < 0.0 && eyeHeight > 0.0) return fieldsBelow(direction, eyeHeight);
     return withHills(skyBehind(direction), direction);

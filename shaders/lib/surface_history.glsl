@@ -1,15 +1,20 @@
-// The target `surface`: what light accumulation remembers of each pixel, and what the filters compare.
-//   x linear depth (65000: sky) · y normal, packed (-1: sky) · z frames accumulated, a whole number, plus the mean of `hitProximity` (sky.frag) · w mean of the squared luminance of `light` (-1: glows)
-// Needs lib/frame.glsl.
+// The target "surface": what temporal accumulation remembers of each pixel, and what the filters compare.
+//   x linear depth (kSkyDepth: sky)
+//   y normal, packed by packNormal() (-1: sky)
+//   z frames accumulated, a whole number, plus the mean hit proximity (passes/sky.frag), a fraction below 1
+//   w mean squared luminance of the light (-1: the surface emits)
+// Needs lib/frame.
 
-/// How far apart the depths of one surface may lie in pixels beside each other, metres.
+/// Largest difference of depth between neighbouring pixels of one surface, metres.
 float depthTolerance(vec3 position, vec3 normal, float depth) {
     float slant = max(0.08, abs(dot(normal, normalize(position - frame.cameraPosition.xyz))));
     float pixelMetres = 2.0 * frame.cameraUp.w * frame.targetSize.w * depth;
     return 0.03 + 2.0 * pixelMetres / slant;
 }
 
-/// A unit vector as a whole number below 2^24, which float holds exactly: octahedral, 12 bits an axis.
+/// A unit vector as a whole number below 2^24, which a float holds exactly: octahedral, 12 bits an axis. The sphere is
+/// projected onto the octahedron |x| + |y| + |z| = 1 and its lower half is folded over the square's corners (Meyer et
+/// al. 2010; Cigolle et al. 2014, "A survey of efficient representations for independent unit vectors").
 float packNormal(vec3 n) {
     vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
     if (n.z < 0.0) p = (1.0 - abs(p.yx)) * vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);

@@ -1,12 +1,16 @@
-// The voxel at a point of the world (filled by render/scene/body_grid.cpp). Needs lib/voxel_walk, paint.
-#include "shared/constants.h"
-uniform usamplerBuffer uBodyBucketHeads;   // a bucket: number of its first entry plus one, 0 = none
-uniform usamplerBuffer uBodyEntries;  // body, number of the next entry plus one
-uniform int uBodyBuckets;  // a power of two
-uniform int uBodyLevels;   // 0 = no body anywhere
+// The voxel at a point of the world, found with a hierarchical hash grid of bodies (filled by
+// render/scene/body_grid.cpp; Ericson 2004, "Real-Time Collision Detection", 7.2). A body is listed in the few cells
+// that its box touches, at the level whose cells are about as large as the body. So a point asks one bucket of each
+// level and looks into the bodies listed there. Needs lib/voxel_walk, paint.
+#include "lib/constants.glsl"
+uniform usamplerBuffer uBodyBucketHeads;  // a bucket: number of its first entry plus one, 0 = none
+uniform usamplerBuffer uBodyEntries;      // an entry: body, number of the next entry plus one
+uniform int uBodyBuckets;                 // a power of two
+uniform int uBodyLevels;                  // 0 = no bodies
 
-const int kMaxBodiesPerPoint = 128;  // that are looked into
+const int kMaxBodiesPerPoint = 128;  // no more are looked into
 
+/// First entry of the bucket for a point's cell at a level.
 uint firstBodyAt(vec3 world, int level) {
     uvec3 c = uvec3(ivec3(floor(world / (kFinestBodyCell * float(1 << (2 * level))))));
     uint hash = c.x * 0x8da6b343u ^ c.y * 0xd8163841u ^ c.z * 0xcb1ab31fu ^ uint(level) * 0x9e3779b9u;
@@ -14,11 +18,12 @@ uint firstBodyAt(vec3 world, int level) {
     return texelFetch(uBodyBucketHeads, int(hash & uint(uBodyBuckets - 1))).r;
 }
 
-/// Whether a body has a voxel in a cell; slot is its brick's then.
+/// Whether a body has a voxel in a cell. slot: of the voxel's brick.
 bool solidAt(Layout body, ivec3 cell, out int slot) {
     ivec3 node = cell >> 5;
     uvec4 n = fetchNode(body.node + node.x + body.sizeInNodes.x * (node.y + body.sizeInNodes.y * node.z));
-    int brick = childOf(cell >> 3), word = (cell.x >> 2 & 1) + (cell.y >> 2 & 1) * 2 + (cell.z >> 2 & 1) * 4, child = childOf(cell);
+    int brick = childOf(cell >> 3), word = (cell.x >> 2 & 1) + (cell.y >> 2 & 1) * 2 + (cell.z >> 2 & 1) * 4,
+        child = childOf(cell);
     bool filled = ((brick < 32 ? n.x : n.y) >> uint(brick & 31) & 1u) != 0u;
     uint entry = filled ? fetchTable(int(n.z) * 64 + brick) : 0u;
     slot = int(entry >> 8);
@@ -26,11 +31,11 @@ bool solidAt(Layout body, ivec3 cell, out int slot) {
     return ((child < 32 ? cells.x : cells.y) >> uint(child & 31) & 1u) != 0u;
 }
 
-/// The next body listed for a point whose box holds it, and the point's cell there; -1: no more.
 struct BodySearch {
-    uint next;
-    int level, left;
+    uint next;        // entry plus one
+    int level, left;  // next level; bodies that may still be looked into
 };
+/// The next body whose box holds a point, and the point's cell in it; -1 if there are no more.
 int nextBodyAt(inout BodySearch search, vec3 world, out ivec3 cell) {
     int body = -1;
     while (body < 0 && search.left > 0) {
@@ -40,7 +45,8 @@ int nextBodyAt(inout BodySearch search, vec3 world, out ivec3 cell) {
         int candidate = int(listed.x);
         vec4 place = texelFetch(uTransforms, candidate * 4 + 1);
         cell = ivec3(floor(rotateBack(texelFetch(uTransforms, candidate * 4), world - place.xyz) / place.w));
-        ivec3 low = ivec3(texelFetch(uLayouts, candidate * 4 + 2).xyz), high = ivec3(texelFetch(uLayouts, candidate * 4 + 3).xyz);
+        ivec3 low = ivec3(texelFetch(uLayouts, candidate * 4 + 2).xyz),
+              high = ivec3(texelFetch(uLayouts, candidate * 4 + 3).xyz);
         if (insideCells(cell, low, high)) body = candidate;
         search.next = listed.y;
         --search.left;
@@ -48,10 +54,10 @@ int nextBodyAt(inout BodySearch search, vec3 world, out ivec3 cell) {
     return body;
 }
 
-/// Its palette entry, painted, if an opaque voxel is there.
+/// The painted palette entry of the opaque voxel at a point; false if there is none.
 bool voxelAt(vec3 world, out Entry entry) {
     BodySearch search = BodySearch(0u, 0, kMaxBodiesPerPoint);
-    // Loops within loops, as what is in a loop costs every lane each of its steps.
+    // The search is a loop of its own: all lanes of a GPU pay for the whole body of a loop in each step.
     for (;;) {
         ivec3 cell;
         int slot, body = nextBodyAt(search, world, cell);

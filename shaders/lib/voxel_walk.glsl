@@ -1,32 +1,34 @@
-// The first voxel of one body that a ray meets: nodes of 32^3 cells, bricks of 8^3, words of 4^3, cells. Exact: no cell that
-// the ray passes is left out, and what is empty is leapt.
+// The first voxel of one body on a ray: the walk of lib/cell_walk.glsl down a tree of bit masks. Nodes have 32^3 cells,
+// bricks 8^3, words 4^3. At each step the masks say how large the empty block around the present cell is (32, 16, 8, 4,
+// 2 or 1 cells a side), and the ray leaves it in one go. The walk is exact: no cell on the ray is left out.
 #include "lib/bodies.glsl"
 #include "lib/cell_walk.glsl"
 
 // What a walk stops at.
-const int kStopAtSolid = 0;   // every voxel
+const int kStopAtSolid = 0;   // any voxel
 const int kStopAtOpaque = 1;  // voxels of opacity 255
-const int kStopAtGlass = 2;   // the others
+const int kStopAtGlass = 2;   // voxels of lower opacity
 
 const int kMaxSteps = 8192;
 
 struct VoxelHit {
     bool hit;
     ivec3 cell;
-    int index;      // palette entry
-    int slot;       // of its brick
-    float t;        // in lengths of the direction
-    vec3 normal;    // of the face entered through, in the body; 0 if the ray begins inside the voxel
+    int index;    // palette entry
+    int slot;     // of its brick
+    float t;      // in lengths of the direction
+    vec3 normal;  // of the face that was entered through, in the body; 0 if the ray begins inside the voxel
     int steps;
-    float glassT;   // of the first voxel of glass that was passed by; tMax or more if there was none
+    float glassT;  // of the first voxel of glass before it; tMax or more if there is none
 };
 
+/// Palette index of a voxel. slot: of its brick.
 int indexAt(int slot, ivec3 cell) {
     ivec3 c = cell & 7;
     return int((fetchIndices(slot * 128 + (c.x >> 2) + c.y * 2 + c.z * 16) >> uint((c.x & 3) * 8)) & 255u);
 }
 
-// Side of the empty block that holds the cell; 0 if the cell is solid, and then slot is its brick's.
+/// Side of the empty block that holds a cell; 0 if the cell is solid. slot: of a solid cell's brick.
 int emptySizeAt(Layout body, ivec3 cell, out int slot) {
     slot = 0;
     ivec3 node = cell >> 5;
@@ -41,8 +43,8 @@ int emptySizeAt(Layout body, ivec3 cell, out int slot) {
     return emptyChildren(fetchWord(slot * 8 + word), cell);
 }
 
-// On to the first solid cell from the one that the walk is in, itself included. False if there is none up to tMax.
-// As leaveBlock() would go, but mirrored so that every ray goes up on all axes, and with nothing in the loop that can wait.
+/// Walks on to the first solid cell, the present one included. False if there is none up to tMax. It goes as
+/// leaveBlock() does, but mirrored so that the ray goes up on all axes, and with only what each step needs in the loop.
 bool findSolid(inout CellWalk w, Layout body, float tMax, out int slot, inout int steps) {
     ivec3 flip = w.ahead - 1;  // 0 where the ray goes up, ~0 where it goes down
     vec3 stepSign = vec3(2 * w.ahead - 1);
@@ -71,7 +73,9 @@ bool findSolid(inout CellWalk w, Layout body, float tMax, out int slot, inout in
     }
     if (i > 0) {
         vec3 enter = (vec3(cell) - origin) * inverse - w.never;
-        w.axis = enter.x >= max(enter.y, enter.z) ? ivec3(1, 0, 0) : enter.y >= enter.z ? ivec3(0, 1, 0) : ivec3(0, 0, 1);
+        w.axis = enter.x >= max(enter.y, enter.z) ? ivec3(1, 0, 0)
+                 : enter.y >= enter.z             ? ivec3(0, 1, 0)
+                                                  : ivec3(0, 0, 1);
     }
     steps += i + 1;
     w.cell = cell ^ flip;
@@ -79,7 +83,7 @@ bool findSolid(inout CellWalk w, Layout body, float tMax, out int slot, inout in
     return found;
 }
 
-// originCells and direction in the body's cells; tMin and tMax in lengths of the direction.
+/// originCells and direction in the body's cells; tMin and tMax in lengths of the direction.
 VoxelHit walkVoxels(Layout body, vec3 originCells, vec3 direction, float tMin, float tMax, int stopAt) {
     VoxelHit result = VoxelHit(false, ivec3(0), 0, 0, tMax, vec3(0.0), 0, kFarthest);
     CellWalk w;
@@ -87,14 +91,15 @@ VoxelHit walkVoxels(Layout body, vec3 originCells, vec3 direction, float tMin, f
     tMax = min(tMax, kFarthest);
     if (!startWalk(w, originCells, direction, tMin, tMax, body.low, body.high)) return result;
     bool plain = stopAt == kStopAtSolid || (stopAt == kStopAtOpaque && (body.flags & kHasGlass) == 0u);
-    // Two loops, as what is inside a loop costs every step of it, needed or not.
+    // findSolid() is a loop of its own: all lanes of a GPU pay for the whole body of a loop in each step.
     for (int i = 0; i < kMaxSteps; ++i) {
         int slot;
         if (!findSolid(w, body, tMax, slot, result.steps)) break;
         int index = indexAt(slot, w.cell);
         if (plain || isGlass(body.palette, index) == (stopAt == kStopAtGlass)) {
             vec3 outward = vec3(1 - 2 * w.ahead);
-            return VoxelHit(true, w.cell, index, slot, max(w.t, 0.0), vec3(w.axis) * outward, result.steps, result.glassT);
+            return VoxelHit(true, w.cell, index, slot, max(w.t, 0.0), vec3(w.axis) * outward, result.steps,
+                            result.glassT);
         }
         result.glassT = min(result.glassT, w.t);
         leaveBlock(w, 1);

@@ -1,5 +1,12 @@
-// Mixes this frame's light with last frame's at the same place in the world. History is dropped where the place was not
-// seen, and where the light has changed (light_change.frag): the change shows at once, the filter hides the noise.
+// Temporal accumulation of light (reprojection; as in SVGF, Schied et al. 2017). The light of this frame is mixed with
+// the history of the same place of the world:
+//   L' = mix(H, L, blend),   H = bilinear mean of the previous frame's four pixels at uv - motion
+// A tap counts only if it lies on the same surface: its depth must be what this place had in the previous frame and its
+// normal must agree; else it was hidden then (disocclusion). With n frames of history a mean has blend = 1 / n. Here it
+// is (1 + 1 / n) / n, which lets the first frames count less, as they know less of bounced light. n is limited by
+// uMaxHistory and by the history confidence (passes/light_change.frag): where the light has changed, history is
+// dropped, and the filter hides the noise. The second moment of luminance is accumulated likewise, for the filter's
+// variance.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
@@ -9,7 +16,7 @@
 
 uniform sampler2D uLight;
 uniform sampler2D uHitProximity;
-uniform bool uHasHitProximity;  // there is that
+uniform bool uHasHitProximity;
 uniform sampler2D uLightHistory;
 uniform sampler2D uSurfaceHistory;
 uniform sampler2D uHistoryConfidence;
@@ -21,7 +28,7 @@ in vec2 uv;
 layout(location = 0) out vec4 accumulated;
 layout(location = 1) out vec4 surface;
 
-const float kMaxProximity = 0.99;  // what fits behind the point
+const float kMaxProximity = 0.99;  // it is stored as a fraction
 
 struct History {
     vec4 light;
@@ -31,7 +38,7 @@ struct History {
     float weight;
 };
 
-/// The four pixels around the place in the last frame, those of the same surface only.
+/// The history of a place, interpolated between those of four pixels that show the same surface. Weight 0: none does.
 History reprojectHistory(Surface s, float packed_, vec3 position) {
     History history = History(vec4(0.0), 0.0, 0.0, 0.0, 0.0);
     vec2 lastUv = uv - texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg;
@@ -44,10 +51,11 @@ History reprojectHistory(Surface s, float packed_, vec3 position) {
     for (int i = 0; i < 4; ++i) {
         ivec2 offset = ivec2(i & 1, i >> 1);
         float w = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
-        if (w < 0.004) continue;  // where the camera stands still one pixel is enough
+        if (w < 0.004) continue;  // one tap is enough where the camera stands still
         ivec2 p = clamp(base + offset, ivec2(0), ivec2(frame.targetSize.xy) - 1);
         vec4 there = texelFetch(uSurfaceHistory, p, 0);
-        if (abs(there.x - expected) > tolerance || (there.y != packed_ && dot(unpackNormal(there.y), s.normal) < 0.9)) continue;
+        if (abs(there.x - expected) > tolerance || (there.y != packed_ && dot(unpackNormal(there.y), s.normal) < 0.9))
+            continue;
         history.light += w * texelFetch(uLightHistory, p, 0);
         history.frames += w * floor(there.z);
         history.hitProximity += w * fract(there.z);
@@ -77,7 +85,6 @@ void main() {
     if (history.weight == 0.0) return;
     float confidence = uHasConfidence ? texture(uHistoryConfidence, uv).x : 1.0;
     float frames = min(min(history.frames, confidence * uMaxHistory) + 1.0, uMaxHistory);
-    // The first pictures know less of bounced light and count less.
     float blend = min((1.0 + 1.0 / frames) / frames, 1.0);
     accumulated = stochasticRoundToHalf(mix(history.light, now, blend), pixel, 0);
     surface.z = floor(frames + 0.01) + min(mix(history.hitProximity, hitProximity, blend), kMaxProximity);

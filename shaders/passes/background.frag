@@ -1,4 +1,4 @@
-// What lies behind everything: sky, clouds, hills, fields.
+// The background where there is no surface: sky, clouds, hills, fields.
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 #include "lib/sky.glsl"

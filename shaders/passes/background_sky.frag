@@ -1,4 +1,4 @@
-// The background where no hill reaches: see background.frag.
+// The background above all hills: see background.frag.
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 #include "lib/sky.glsl"

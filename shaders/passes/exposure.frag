@@ -1,4 +1,6 @@
-// One texel: how much brighter or darker than the level's exposure the picture is shown. The eye adapts slowly and only in part.
+// Automatic exposure, in one texel: a factor on the level's exposure. As in Reinhard et al. 2002 the key of the image
+// is its log-average luminance exp2(mean(log2 L)), here weighted toward the centre. The factor (target / key)^strength
+// moves the key only partly to the target, as the eye adapts, and approaches it exponentially over time.
 #include "lib/frame.glsl"
 #include "lib/color.glsl"
 
@@ -9,9 +11,9 @@ uniform bool uHistoryValid;
 out vec4 exposure;
 
 const ivec2 kTaps = ivec2(32, 18);
-const float kTargetLuminance = 0.34;     // mean luminance that needs no correction
-const float kAdaptationStrength = 0.45;   // of the adaptation: 1 would bring every picture to the same mean
-const float kAdaptationSpeed = 0.05;      // a frame
+const float kTargetLuminance = 0.34;     // log-average luminance that needs no correction
+const float kAdaptationStrength = 0.45;  // 1 would bring every image to the same key
+const float kAdaptationSpeed = 0.05;     // per frame
 
 void main() {
     float sum = 0.0, total = 0.0;

@@ -1,18 +1,26 @@
-// One step of an edge-stopping a-trous filter on light (Dammertz et al. 2010; variance guidance after Schied et al. 2017):
-// five taps, at a stride along the rows and columns or along the diagonals by turns, each weighted by plane distance and by how far its light differs from the centre's in standard
-// deviations; only taps of the same orientation count, which for voxels is the same number. What one pixel takes of its neighbour the
-// neighbour takes of it, as far as both see the same deviation: light is moved, and hardly any is lost. A constant stays itself.
+// One pass of an edge-avoiding a-trous wavelet filter on light (Dammertz et al. 2010; guided by variance as in SVGF,
+// Schied et al. 2017). With holes between its taps that grow from pass to pass, a filter of five taps reaches far.
+//
+// A pass adds to a pixel p the weighted differences of its four neighbours q at the stride:
+//   L'(p) = L(p) + sum_q w(p, q) (L(q) - L(p)),   w = w_plane w_light w_proximity / (1.5 + 4)
+//   w_plane      1 - height of q over p's plane / scale, and 0 for another normal (voxels have few: they are equal)
+//   w_light      biweight of the difference of luminance in standard deviations, which stops at edges of light
+//   w_proximity  biweight of the difference of hit proximity, which stops at creases that hide the sky
+// The deviation comes from the moments over time (Schied), or from those of the neighbours while history is short. The
+// sum above, instead of a normalised mean, makes w(p, q) nearly equal w(q, p): what p takes from q, q takes from p. So
+// light is moved and hardly any is lost, and a constant stays constant. Taps lie on rows and columns or on diagonals by
+// turns.
 #include "lib/frame.glsl"
 #include "lib/color.glsl"
 #include "lib/noise.glsl"
 #include "lib/half.glsl"
 #include "lib/surface_history.glsl"
 
-uniform sampler2D uLight;
-uniform sampler2D uSurface;   // lib/surface_history.glsl
-uniform int uStride;
+uniform sampler2D uLight;    // rgb light, a share of the sun
+uniform sampler2D uSurface;  // lib/surface_history.glsl
+uniform int uStride;         // pixels
 uniform bool uDiagonal;
-uniform float uSunRays;
+uniform float uSunRays;  // a pixel and frame
 
 in vec2 uv;
 out vec4 filtered;
@@ -20,50 +28,72 @@ out vec4 filtered;
 const int kTaps = 5;  // the first is the pixel itself
 const float kCentreWeight = 1.5;
 const float kLongHistory = 12.0;  // frames
-const float kLowNoise = 0.10;     // deviation of what is accumulated, as a share of it
-const float kProximityDeviation = 0.3;  // one sample of it, times the most that a number from 0 to 1 of its mean can; the first ones tell little
+const float kLowNoise = 0.10;     // relative standard deviation of the accumulated light
+// Deviation of one sample of hit proximity, relative to the largest that a number in [0, 1] with its mean can have.
+const float kProximityDeviation = 0.3;
 
-/// 1 for no difference, 0 from twice the scale on: a biweight without an exponential.
+/// Tukey's biweight: 1 for no difference, 0 from twice the scale on.
 float biweight(float x) {
     float y = max(0.0, 1.0 - 0.25 * x * x);
     return y * y;
+}
+
+/// 1 / the difference of hit proximity that counts as one deviation. Early samples say little about the deviation.
+float proximityScaleOf(vec4 centre) {
+    float frames = floor(centre.z), hitProximity = fract(centre.z);
+    float proximityDeviation = mix(1.0, kProximityDeviation * sqrt(hitProximity * (1.0 - hitProximity)),
+                                   clamp((frames - 1.0) / 4.0, 0.0, 1.0));
+    return 1.0 / (2.0 * proximityDeviation * inversesqrt(max(frames, 1.0)) + 0.03);
+}
+
+/// The plane of the pixel's surface. Height of a tap over it = dot(normal, ray) x depth - the pixel's own, and
+/// dot(normal, ray) is linear in pixels.
+struct Plane {
+    float facing, facingX, facingY;  // dot(normal, ray) of the pixel, and its change a pixel
+    float depth, scale;
+};
+
+Plane planeOf(vec4 centre) {
+    vec3 normal = unpackNormal(centre.y);
+    float facing = dot(normal, viewRay(uv));
+    float facingX = dot(normal, frame.cameraRight.xyz) * 2.0 * frame.cameraRight.w * frame.targetSize.z;
+    float facingY = dot(normal, frame.cameraUp.xyz) * 2.0 * frame.cameraUp.w * frame.targetSize.w;
+    return Plane(facing, facingX, facingY, centre.x, 1.0 / (0.01 + 0.0015 * centre.x));
+}
+
+float planeWeight(Plane plane, vec2 away, float depth) {
+    float height =
+        (plane.facing + plane.facingX * away.x + plane.facingY * away.y) * depth - plane.facing * plane.depth;
+    return max(0.0, 1.0 - abs(height) * plane.scale);
+}
+
+/// Offset of tap i in strides.
+ivec2 tapOffset(int i) {
+    ivec2 offset = ivec2(i == 1 ? 1 : i == 2 ? -1 : 0, i == 3 ? 1 : i == 4 ? -1 : 0);
+    return uDiagonal ? ivec2(offset.x + offset.y, offset.x - offset.y) : offset;
 }
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 high = ivec2(frame.targetSize.xy) - 1;
     vec4 centre = texelFetch(uSurface, pixel, 0);
-    float frames = floor(centre.z), hitProximity = fract(centre.z);
-    float proximityDeviation = mix(1.0, kProximityDeviation * sqrt(hitProximity * (1.0 - hitProximity)), clamp((frames - 1.0) / 4.0, 0.0, 1.0));
-    float proximityScale = 1.0 / (2.0 * proximityDeviation * inversesqrt(max(frames, 1.0)) + 0.03);
+    float hitProximity = fract(centre.z), proximityScale = proximityScaleOf(centre);
     vec4 centreLight = texelFetch(uLight, pixel, 0);
-    // Wide steps are for places without a past, or that are noisy in spite of it: they cost detail that time keeps.
+    // Wide strides are for pixels with a short history or with noise in spite of it: they blur detail that time keeps.
     float centreSquared = luminance(centreLight.rgb) * luminance(centreLight.rgb);
     bool isLowNoise = centre.w - centreSquared < kLowNoise * kLowNoise * centreSquared * centre.z;
     if (uStride > 2 && centre.z >= kLongHistory && isLowNoise) {
         filtered = centreLight;
         return;
     }
-    vec3 normal = unpackNormal(centre.y);
-    // Height of a tap over the centre's plane = dot(normal, ray) x depth - centreLight height, and dot(normal, ray) is linear in pixels.
-    float facing = dot(normal, viewRay(uv));
-    float facingX = dot(normal, frame.cameraRight.xyz) * 2.0 * frame.cameraRight.w * frame.targetSize.z;
-    float facingY = dot(normal, frame.cameraUp.xyz) * 2.0 * frame.cameraUp.w * frame.targetSize.w;
-    float planeScale = 1.0 / (0.01 + 0.0015 * centre.x);
-
+    Plane plane = planeOf(centre);
     vec4 lights[kTaps];
-    float lums[kTaps];
-    float weights[kTaps];
-    float proximityWeights[kTaps];
+    float lums[kTaps], weights[kTaps], proximityWeights[kTaps];
     float sun = 0.0, total = 0.0, lum = 0.0, squares = 0.0, temporal = 0.0;
     for (int i = 0; i < kTaps; ++i) {
-        ivec2 offset = ivec2(i == 1 ? 1 : i == 2 ? -1 : 0, i == 3 ? 1 : i == 4 ? -1 : 0);
-        if (uDiagonal) offset = ivec2(offset.x + offset.y, offset.x - offset.y);
-        ivec2 p = clamp(pixel + offset * uStride, ivec2(0), high);
+        ivec2 p = clamp(pixel + tapOffset(i) * uStride, ivec2(0), high);
         vec4 there = i == 0 ? centre : texelFetch(uSurface, p, 0);
-        vec2 away = vec2(p - pixel);
-        float height = (facing + facingX * away.x + facingY * away.y) * there.x - facing * centre.x;
-        float w = i == 0 ? kCentreWeight : there.y == centre.y ? max(0.0, 1.0 - abs(height) * planeScale) : 0.0;
+        float w = i == 0 ? kCentreWeight : there.y == centre.y ? planeWeight(plane, vec2(p - pixel), there.x) : 0.0;
         proximityWeights[i] = biweight((fract(there.z) - hitProximity) * proximityScale);
         vec4 light = i == 0 ? centreLight : texelFetch(uLight, p, 0);
         float l = luminance(light.rgb);
@@ -78,15 +108,15 @@ void main() {
     }
     sun /= total;
     lum /= total;
-    // Deviation of the accumulated value: from moments over time once there are some (of the neighbours too: one pixel's centreLight
-    // few samples may agree by chance), else from how the neighbours differ.
+    // Standard deviation of the accumulated light. The moments over time are averaged over the taps too, as a few
+    // samples of one pixel may agree by chance.
     float centreLum = lums[0];
     float spatial = max(squares / total - lum * lum, 0.0);
     float skyDeviation = sqrt(mix(spatial, temporal / total, clamp((centre.z - 3.0) / 6.0, 0.0, 1.0)));
     float sunDeviation = sqrt(max(sun * (1.0 - sun), 1e-6) / max(uSunRays * centre.z, 1.0));
-    // In shares of the pair's mean, so that both see the same difference.
+    // Relative to the mean of the pair, so that both pixels see the same difference.
     float skyShare = 2.0 * skyDeviation / max(lum, 1e-5) + 0.025;
-    // The sun's noise lies in narrow penumbras: wide steps would only soften shadows.
+    // The sun is noisy in narrow penumbras only: wide strides would soften shadows.
     float sunScale = uStride > 1 ? 1e4 : 1.0 / (1.5 * sunDeviation + 0.004);
 
     filtered = centreLight;
@@ -94,7 +124,8 @@ void main() {
         float sky = biweight((lums[i] - centreLum) / (skyShare * (lums[i] + centreLum) + 1e-4));
         float w = weights[i] / (kCentreWeight + float(kTaps - 1));
         sky *= proximityWeights[i];
-        filtered += (lights[i] - centreLight) * vec2(w * sky, w * biweight((lights[i].a - centreLight.a) * sunScale)).xxxy;
+        filtered +=
+            (lights[i] - centreLight) * vec2(w * sky, w * biweight((lights[i].a - centreLight.a) * sunScale)).xxxy;
     }
     filtered = stochasticRoundToHalf(filtered, pixel, uStride);
 }

@@ -1,8 +1,9 @@
-// What fog takes from the picture and what it adds: blended as colour + alpha x picture.
+// Applies fog: in-scattered light x (1 - transmittance), and the transmittance as alpha. Blended as colour + alpha x
+// image.
 #include "lib/frame.glsl"
 #include "lib/fog.glsl"
 
-uniform sampler2D uLight;   // at half the size: mean light of the fog in front
+uniform sampler2D uLight;  // at half the size: mean light that the fog scatters (passes/fog_light.frag)
 uniform sampler2D uDepth;
 
 in vec2 uv;

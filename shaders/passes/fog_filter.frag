@@ -1,4 +1,4 @@
-// Smooths the light of fog over what lies about as far away: taps two texels apart, each the mean of four.
+// A bilateral filter on the light of fog: 3x3 bilinear taps, each the mean of four texels, weighted by relative depth.
 #include "lib/frame.glsl"
 
 uniform sampler2D uLight;
@@ -7,7 +7,9 @@ uniform sampler2D uDepth;
 in vec2 uv;
 out vec4 filtered;
 
-float depthAt(ivec2 halfPixel) { return texelFetch(uDepth, clamp(halfPixel * 2, ivec2(0), ivec2(frame.targetSize.xy) - 1), 0).r; }
+float depthAt(ivec2 halfPixel) {
+    return texelFetch(uDepth, clamp(halfPixel * 2, ivec2(0), ivec2(frame.targetSize.xy) - 1), 0).r;
+}
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

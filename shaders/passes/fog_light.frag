@@ -1,5 +1,13 @@
-// Light that fog sends to the eye, as the mean over the fog in front of each pixel, at half the size: one ray to the sun from a
-// random place in it, one to a local light or into the sky. Averaged over time.
+// In-scattering of fog: the mean radiance that the fog in front of each pixel sends to the camera, at half resolution,
+// with two shadow rays a pixel and averaged over time. The single-scattering integral along a ray is
+//   L = integral_0^end  s(t) T(t) [sum over lights of phase L_i(t)] dt,   T = exp(-tau(t))
+// passes/fog.frag multiplies the mean of the bracket by the share 1 - T(end) of light that the fog takes. So a distance
+// t is drawn in proportion to s T (the inverse of tau, lib/fog.glsl), and the sample is just phase times light; the sky
+// is sampled evenly, as if scattering were isotropic. Local lights vary as 1 / d^2 along the ray, so for them t is
+// drawn equi-angularly: with D the light's distance from the ray and t measured from the nearest point, t = D
+// tan(angle), angle uniform between those of both ends, the density is p(t) = D / ((angle_b - angle_a) (D^2 + t^2)),
+// which cancels 1 / d^2 (Kulla and Fajardo 2012). One ray goes to the sun, one to a local light or the sky, chosen by
+// weighted reservoir sampling.
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 #include "lib/sampling.glsl"
@@ -9,11 +17,11 @@
 #include "lib/local_lights.glsl"
 
 uniform sampler2D uDepth;
-uniform sampler2D uHistory;      // rgb mean light, a frames
+uniform sampler2D uHistory;  // rgb mean light, a frames
 uniform bool uHistoryValid;
 uniform bool uSunUp;
 uniform bool uHasLocalLights;
-uniform float uMaxHistory;       // frames
+uniform float uMaxHistory;  // frames
 
 in vec2 uv;
 out vec4 light;
@@ -22,12 +30,14 @@ const float kSunRayDistance = 80.0, kSkyRayDistance = 16.0;  // metres
 
 struct FogRay {
     vec3 direction;
-    float end;       // metres
-    float share;     // of light that its fog takes
+    float end;    // metres
+    float share;  // of light that its fog takes: 1 - T(end)
 };
 
-/// A place in the fog, as likely as light from there would come to the eye.
-float sampleFogDistance(FogRay ray, float u) { return min(fogDistance(ray.direction.y, -log(1.0 - u * ray.share)), ray.end); }
+/// A distance with a density in proportion to s T.
+float sampleFogDistance(FogRay ray, float u) {
+    return min(fogDistance(ray.direction.y, -log(1.0 - u * ray.share)), ray.end);
+}
 
 vec3 sunInscatter(FogRay ray, float u) {
     vec3 place = frame.cameraPosition.xyz + ray.direction * sampleFogDistance(ray, u);
@@ -37,12 +47,11 @@ vec3 sunInscatter(FogRay ray, float u) {
     return frame.sunColor.rgb * (henyeyGreenstein(dot(ray.direction, frame.sunDirection.xyz)) * exp(-above));
 }
 
-/// The part of a ray that a light's reach holds, in angles as the light sees it: places even in these angles follow 1 / d^2
-/// (Kulla and Fajardo 2012).
+/// The part of a ray within a light's reach, as angles seen from the light.
 struct LightSegment {
-    float nearest;   // metres along the ray
-    float aside;     // of the light from there
-    float from, to;  // radians
+    float nearest;   // the ray's point nearest to the light, metres along it
+    float aside;     // D: distance of the light from there
+    float from, to;  // angles of both ends, radians
 };
 LightSegment lightSegment(FogRay ray, vec3 place, float reach) {
     vec3 toCentre = place - frame.cameraPosition.xyz;
@@ -53,7 +62,7 @@ LightSegment lightSegment(FogRay ray, vec3 place, float reach) {
     return LightSegment(along, aside, atan(first - along, aside), atan(last - along, aside));
 }
 
-/// A place in the fog, what would come to the eye from there, and the chosen that must be free for it. As the mean over the ray's fog.
+/// A place in the fog, the shadow ray from there, and the in-scattered light if nothing blocks it.
 struct FogSample {
     vec3 place, direction;
     float range;
@@ -66,7 +75,7 @@ FogSample sampleTowardLight(FogRay ray, LocalLight light, vec2 u) {
     vec3 place = frame.cameraPosition.xyz + ray.direction * metres;
     vec3 up = cross(light.right, light.axis);
     vec3 fromMiddle = place - light.position;
-    // The light's point that is nearest.
+    // As if all light came from the light's nearest point.
     vec2 limit = light.kind == kSphere ? vec2(0.0) : light.halfSize;
     vec2 on = clamp(vec2(dot(fromMiddle, light.right), dot(fromMiddle, up)), -limit, limit);
     vec3 toLight = on.x * light.right + on.y * up - fromMiddle;
@@ -74,7 +83,8 @@ FogSample sampleTowardLight(FogRay ray, LocalLight light, vec2 u) {
     toLight /= range;
     float cosine = -dot(toLight, light.axis);
     float edge = light.kind < kArea ? coneAttenuation(light, cosine) : light.twoSided ? abs(cosine) : max(cosine, 0.0);
-    float strength = edge * lightWindow(range, light.reach) * henyeyGreenstein(dot(ray.direction, toLight)) * (p.to - p.from) / p.aside;
+    float strength = edge * lightWindow(range, light.reach) * henyeyGreenstein(dot(ray.direction, toLight)) *
+                     (p.to - p.from) / p.aside;
     float fog = fogDensity(place.y);
     strength *= fog * exp(-fogOpticalDepth(ray.direction.y, metres) - fog * range) / ray.share;
     return FogSample(place, toLight, max(range - max(light.radius, 0.12), 0.0), light.color * strength);
@@ -82,22 +92,26 @@ FogSample sampleTowardLight(FogRay ray, LocalLight light, vec2 u) {
 
 FogSample sampleTowardSky(FogRay ray, vec3 u) {
     vec3 direction = uniformSphere(u.xy);
-    return FogSample(frame.cameraPosition.xyz + ray.direction * sampleFogDistance(ray, u.z), direction, kSkyRayDistance, skyRadiance(direction));
+    return FogSample(frame.cameraPosition.xyz + ray.direction * sampleFogDistance(ray, u.z), direction, kSkyRayDistance,
+                     skyRadiance(direction));
 }
 
-/// Luminance of about what a light sends to the eye.
+/// The weight of a candidate: about the luminance of a light's in-scattering without shadows.
 float unshadowedFogRadiance(FogRay ray, int i) {
     i *= kTexelsPerLight;
     vec4 a = texelFetch(uLights, i), c = texelFetch(uLights, i + 2);
     vec3 toCentre = a.xyz - frame.cameraPosition.xyz;
-    float along = dot(toCentre, ray.direction), aside2 = max(dot(toCentre, toCentre) - along * along, 0.01), reach = c.y + a.w;
-    float halfChord = sqrt(max(reach * reach - aside2, 0.0)), first = max(-halfChord, -along), last = min(halfChord, ray.end - along), aside = sqrt(aside2);
+    float along = dot(toCentre, ray.direction), aside2 = max(dot(toCentre, toCentre) - along * along, 0.01),
+          reach = c.y + a.w;
+    float halfChord = sqrt(max(reach * reach - aside2, 0.0)), first = max(-halfChord, -along),
+          last = min(halfChord, ray.end - along), aside = sqrt(aside2);
     // The angle between both ends, as the light sees it.
     float angle = last > first ? atan(aside * (last - first), aside2 + first * last) : 0.0;
-    return c.x * angle / aside * fogDensity(frame.cameraPosition.y + ray.direction.y * max(along, 0.0)) * 0.08 / ray.share;
+    return c.x * angle / aside * fogDensity(frame.cameraPosition.y + ray.direction.y * max(along, 0.0)) * 0.08 /
+           ray.share;
 }
 
-/// One local light or the sky, in proportion to what each would send.
+/// In-scattering of local lights and sky, estimated with one of them.
 vec3 otherInscatter(FogRay ray, ivec2 pixel, vec2 random, vec3 u) {
     float sky = luminance(mix(frame.skyColor.rgb, frame.horizonColor.rgb, 0.5)) * 0.5 + 1e-5;
     Reservoir reservoir = Reservoir(-1, sky, sky, random.x);
@@ -107,7 +121,7 @@ vec3 otherInscatter(FogRay ray, ivec2 pixel, vec2 random, vec3 u) {
         vec2 next = candidateLight(cell, i, random.y);
         updateReservoir(reservoir, int(next.x), unshadowedFogRadiance(ray, int(next.x)), next.y);
     }
-    // One walk for whichever it is.
+    // One call, as lanes of a GPU would run two one after the other.
     bool isSky = reservoir.light < 0;
     FogSample chosen = isSky ? sampleTowardSky(ray, u) : sampleTowardLight(ray, readLight(reservoir.light), u.xy);
     float t;
@@ -124,8 +138,9 @@ void main() {
     ray.direction = toPixel / stretch;
     ray.end = min(texelFetch(uDepth, pixel, 0).r * stretch, kMaxFogDistance);
     ray.share = max(1.0 - exp(-fogOpticalDepth(ray.direction.y, ray.end)), 1e-5);
-    ivec2 halfChord = ivec2(gl_FragCoord.xy);
-    vec2 u = blueNoise(halfChord, 30, frame.counters.x), v = blueNoise(halfChord, 31, frame.counters.x), w = blueNoise(halfChord, 32, frame.counters.x);
+    ivec2 halfPixel = ivec2(gl_FragCoord.xy);
+    vec2 u = blueNoise(halfPixel, 30, frame.counters.x), v = blueNoise(halfPixel, 31, frame.counters.x),
+         w = blueNoise(halfPixel, 32, frame.counters.x);
     vec3 now = sunInscatter(ray, u.x) + otherInscatter(ray, pixel, v, vec3(w, u.y));
     light = vec4(min(now, vec3(1000.0)), 1.0);
 

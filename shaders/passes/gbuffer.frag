@@ -1,6 +1,7 @@
-// Walks the ray of a pixel through the bodies of its tile, nearest first, and writes the surface it meets. Targets: lib/gbuffer.glsl.
+// Primary visibility: walks the ray of a pixel through the bodies of its tile, nearest first, and writes the surface
+// that it meets. Targets: lib/gbuffer.glsl.
+#include "lib/constants.glsl"
 #include "lib/frame.glsl"
-#include "shared/constants.h"
 #include "lib/voxel_walk.glsl"
 #include "lib/body_tiles.glsl"
 #include "lib/paint.glsl"
@@ -10,18 +11,12 @@ layout(location = 1) out vec4 outNormal;
 layout(location = 2) out vec4 outMaterial;
 layout(location = 3) out vec2 outMotion;
 layout(location = 4) out float outDepth;
-layout(location = 5) out float outGlass;  // 1 where a pane stands before it: only in scenes with glass
+layout(location = 5) out float outGlass;  // 1 where glass lies before it; only in scenes with glass
 
-// What was at or behind the camera lies far off the screen, but not so far that 16 bits cannot hold it.
+/// uv of a world position. Positions at or behind the camera are clamped to what a half float holds.
 vec2 screenUv(mat4 viewProjection, vec3 world) {
     vec4 clip = viewProjection * vec4(world, 1.0);
     return clamp(clip.xy / max(clip.w, 1e-4) * 0.5 + 0.5, -8.0, 8.0);
-}
-
-// What the depth buffer holds for a linear depth, as the projection of render/frame/frame_camera.cpp makes it.
-float depthBufferValue(float linear) {
-    float near = frame.cameraPosition.w, far = frame.cameraForward.w;
-    return far * (linear - near) / (linear * (far - near));
 }
 
 void main() {
@@ -51,11 +46,14 @@ void main() {
 
     float voxelPixels = place.voxelSize * frame.targetSize.y / (2.0 * frame.cameraUp.w * max(best.t, 1e-3));
     Detail detail = detailAt(entry.detail, best.cell, best.normal, voxelPixels);
-    vec3 color = paintedColor(nearestView.instance, nearestView.shape, best.slot, best.cell, entry.color) * detail.color;
+    vec3 color =
+        paintedColor(nearestView.instance, nearestView.shape, best.slot, best.cell, entry.color) * detail.color;
     outAlbedo = vec4(color, float(best.index) / 255.0);
     outNormal = vec4(rotate(place.rotation, normal), entry.emission);
-    outMaterial = vec4(entry.roughness * detail.roughness, entry.metallic, entry.reflectivity, abs(place.moved - encodeTilt(detail.tilt) / 255.0));
-    outMotion = gl_FragCoord.xy * frame.targetSize.zw + frame.jitter.xy - screenUv(frame.previousViewProjection, lastWorld);
+    outMaterial = vec4(entry.roughness * detail.roughness, entry.metallic, entry.reflectivity,
+                       abs(place.moved - encodeTilt(detail.tilt) / 255.0));
+    outMotion =
+        gl_FragCoord.xy * frame.targetSize.zw + frame.jitter.xy - screenUv(frame.previousViewProjection, lastWorld);
     outDepth = best.t;
     outGlass = float(behindGlass);
     if (!best.hit) {

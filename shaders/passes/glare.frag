@@ -1,4 +1,4 @@
-// Falls off from a small bright middle, with a few faint rays.
+// A small bright centre with a halo and a few faint rays.
 in vec2 corner;
 flat in vec3 glare;
 out vec4 color;

@@ -1,22 +1,29 @@
-// A quad around each lamp in view for what the eye's own lens scatters of it, as bright as the part of it that is not hidden.
+// A quad around each local light in view, for the glare that the eye's lens scatters. Its brightness follows the part
+// of the light that is visible, by four rays.
 #include "lib/frame.glsl"
 #include "lib/sampling.glsl"
 #include "lib/shadow_trace.glsl"
 #include "lib/local_lights.glsl"
 
 out vec2 corner;
-flat out vec3 glare;   // radiance in its middle
+flat out vec3 glare;  // radiance at its centre
 
-const float kAngle = 0.055;   // radians from middle to edge
-const float kScatteredShare = 0.0035;  // of a lamp's light that is scattered that far
+const float kAngle = 0.055;            // radians from centre to edge
+const float kScatteredShare = 0.0035;  // of a light's light
 const int kRays = 4;
 
+/// Share of a light's sphere that the camera sees.
 float visibilityOf(LocalLight light) {
     float open = 0.0;
     for (int i = 0; i < kRays; ++i) {
-        vec3 toPoint = light.position + light.radius * uniformSphere(vec2(0.25 * float(i), (float(i) + 0.5) / float(kRays))) - frame.cameraPosition.xyz;
+        vec3 toPoint = light.position +
+                       light.radius * uniformSphere(vec2(0.25 * float(i), (float(i) + 0.5) / float(kRays))) -
+                       frame.cameraPosition.xyz;
         float range = length(toPoint), t;
-        open += shadowTrace(frame.cameraPosition.xyz, toPoint / range, max(range - max(2.0 * light.radius, 0.25), 0.0), t) ? 0.0 : 1.0;
+        open +=
+            shadowTrace(frame.cameraPosition.xyz, toPoint / range, max(range - max(2.0 * light.radius, 0.25), 0.0), t)
+                ? 0.0
+                : 1.0;
     }
     return open / float(kRays);
 }
@@ -28,8 +35,10 @@ void main() {
     vec3 toLight = light.position - frame.cameraPosition.xyz;
     float range = length(toLight);
     vec4 clip = frame.viewProjection * vec4(light.position, 1.0);
-    // Large lights are seen as what they are; of a cone's lamp some light goes to all sides.
-    float seen = light.kind >= kArea || clip.w < 0.3 ? 0.0 : 0.12 + 0.88 * coneAttenuation(light, -dot(toLight, light.axis) / range);
+    // Areas have no glare, as their surface is seen; a cone's bulb is seen a little from all sides.
+    float seen = light.kind >= kArea || clip.w < 0.3
+                     ? 0.0
+                     : 0.12 + 0.88 * coneAttenuation(light, -dot(toLight, light.axis) / range);
     if (seen > 0.0) seen *= visibilityOf(light) * smoothstep(0.3, 1.5, range);
     glare = light.color * (seen * kScatteredShare / (range * range * kPi * kAngle * kAngle));
     bool any_ = luminance(glare) * frame.exposure.x > 0.002;

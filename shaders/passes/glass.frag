@@ -1,4 +1,5 @@
-// Walks the ray of a pixel through the glass of its tile's bodies, up to what the G-buffer shows. Targets: lib/gbuffer.glsl.
+// Walks the ray of a pixel through the glass of its tile's bodies, up to the G-buffer's surface. Targets:
+// lib/gbuffer.glsl.
 #include "lib/frame.glsl"
 #include "lib/voxel_walk.glsl"
 #include "lib/body_tiles.glsl"

@@ -1,4 +1,10 @@
-// Panes over a copy of the picture: what is behind, tinted and shifted as a plate of glass shifts it, and what the nearest one mirrors.
+// Composites glass over a copy of the image: what is behind, tinted and refracted, and what the nearest pane reflects.
+//
+// A pane is a plane-parallel plate of thickness d and index n. A ray that meets it at the angle a runs inside at b with
+// sin a = n sin b (Snell) and leaves parallel to itself, displaced along the plate by d (tan b - tan a). With the
+// tangential part of the direction (length sin a) that is
+//   offset = tangential * d (1 / sqrt(n^2 - 1 + cos^2 a) - 1 / cos a)
+// The background is read where the displaced point lies on the screen.
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
 #include "lib/brdf.glsl"
@@ -13,21 +19,21 @@ uniform bool uHasReflections;
 uniform sampler2D uReflection;
 uniform bool uRefraction;
 
-const float kThickness = 0.06;   // metres of glass in a pane: less than its voxel, a window is no aquarium
-const float kRefractiveIndexSquared = 2.25;  // of refraction, 1.5
-const float kMinCosine = 0.2;     // cosine: what is seen at a flatter angle is shifted no more
+const float kThickness = 0.06;               // metres: thinner than a voxel, or windows would look like blocks
+const float kRefractiveIndexSquared = 2.25;  // 1.5 squared
+const float kMinCosine = 0.2;                // limits the offset at grazing angles
 
 in vec2 uv;
 out vec4 radiance;
 
-/// How far a plate moves what lies behind it: the ray leaves as it came, beside its old line.
+/// World offset of what lies behind a pane.
 vec3 refractionOffset(vec3 direction, vec3 normal) {
     float cosine = max(abs(dot(direction, normal)), kMinCosine);
     vec3 along = direction - normal * dot(direction, normal);
     return along * (kThickness * (inversesqrt(kRefractiveIndexSquared - 1.0 + cosine * cosine) - 1.0 / cosine));
 }
 
-/// Which pixel shows what the bent ray meets.
+/// The pixel that shows what the refracted ray meets.
 ivec2 refractedPixel(ivec2 pixel, vec3 ray, vec4 pane, vec3 normal) {
     float depth = texelFetch(uDepth, pixel, 0).r;
     vec3 place = frame.cameraPosition.xyz + ray * depth;
@@ -35,7 +41,7 @@ ivec2 refractedPixel(ivec2 pixel, vec3 ray, vec4 pane, vec3 normal) {
     vec4 bent = frame.viewProjection * vec4(place + refractionOffset(normalize(ray), normal), 1.0);
     vec2 moved = (bent.xy / max(bent.w, 1e-3) - straight.xy / max(straight.w, 1e-3)) * 0.5 * frame.targetSize.xy;
     ivec2 there = clamp(pixel + ivec2(floor(moved + 0.5)), ivec2(0), ivec2(frame.targetSize.xy) - 1);
-    // What stands before the pane is not seen through it.
+    // Not a pixel that shows something in front of the pane.
     return texelFetch(uDepth, there, 0).r > pane.w ? there : pixel;
 }
 
@@ -50,6 +56,6 @@ void main() {
     float share = min(1.6 * fresnel(vec3(0.05), abs(dot(normal, direction))).x, 1.0);
     vec3 mirrored = uHasReflections ? texelFetch(uReflection, pixel, 0).rgb : skyRadiance(reflect(direction, normal));
     vec3 color = mix(behind * texelFetch(uGlassTint, pixel, 0).rgb, mirrored, share);
-    // What is mirrored does not move with what is behind: anti-aliasing trusts its past the less, the more there is of it.
+    // The reflection does not move with what is behind: the larger its share, the less TAA relies on history.
     radiance = vec4(onlyFinite(color), seen.a * (1.0 - share));
 }

@@ -1,4 +1,4 @@
-// Marks, in the depth buffer, the pixels that the G-buffer saw through glass.
+// Marks the pixels that have glass in the depth buffer.
 uniform sampler2D uGlassMask;
 
 void main() {

@@ -1,12 +1,14 @@
-// Walks a ray of the sun through the glass of one body, as far as the sun gets. Blended: colours multiply, of alphas the least stays.
+// Walks a sun ray through the glass of one body, up to the first opaque surface. Blending multiplies the colours of all
+// bodies and keeps the least alpha.
 #include "lib/frame.glsl"
 #include "lib/voxel_walk.glsl"
 #include "lib/paint.glsl"
 #include "lib/glass_walk.glsl"
 #include "lib/shadow_trace.glsl"
 
-uniform vec3 uMapCorner, uTexelRight, uTexelUp;  // world place of a texel = corner + along x * column + along y * row, high over everything
-uniform float uMapHeight;                     // metres from there to where alpha counts from
+// World position of a texel, above everything = uMapCorner + uTexelRight * column + uTexelUp * row.
+uniform vec3 uMapCorner, uTexelRight, uTexelUp;
+uniform float uMapHeight;  // metres from there down to the zero of alpha
 flat in int body;
 out vec4 shadow;
 

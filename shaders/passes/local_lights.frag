@@ -1,6 +1,13 @@
-// Light of spheres, capsules, cones, areas and screens: one ray to a random point of one light, chosen in proportion to what each
-// would send here without shadows (resampling, Talbot et al. 2005): right on average, at one price whatever their number.
-// Irradiance / pi is added to the colour of `light`; what shines back to the eye is averaged over time in `specular`.
+// Direct light of local lights with one shadow ray a pixel. lib/local_lights.glsl derives how one light is chosen.
+//
+// The ray's direction serves the diffuse light and the highlight, and they want different densities: the diffuse light
+// that of the light's solid angle (p_light), the highlight that of the BRDF's lobe (p_lobe). So with the probability q
+// the direction is drawn from the lobe, else from the light; either way its density is
+//   p = (1 - q) p_light + q p_lobe
+// and the sample counts f L cos / p: one-sample multiple importance sampling with the balance heuristic (Veach and
+// Guibas 1995). It is unbiased for any q; lobeProbability() chooses q by how much the highlight matters.
+// Light too faint to be worth a ray in each frame is sampled by Russian roulette (Arvo and Kirk 1990).
+// Irradiance / pi is added to the colour of `light`; the highlight is averaged over time in `specular`.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
@@ -11,52 +18,56 @@
 #include "lib/local_lights.glsl"
 
 uniform sampler2D uSpecularHistory;
-uniform sampler2D uSurfaceHistory;   // x linear depth, z frames accumulated
+uniform sampler2D uSurfaceHistory;  // x linear depth, z frames accumulated
 uniform bool uHistoryValid;
-uniform float uMaxHistory;           // frames
+uniform float uMaxHistory;  // frames
 uniform int uLightChangeCount;
-uniform vec4 uLightChange[2 * kMaxLightChanges];         // by turns: xyz where a light has come or gone out, w how far it reaches; x frames that are remembered there
-uniform bool uHasReflections;        // mirror rays are sent too
-uniform float uFullRayRadiance;          // radiance of a white surface below which rays are sent only now and then
+// By turns: xyz where a light has come or gone, w its reach; x how many frames are remembered there.
+uniform vec4 uLightChange[2 * kMaxLightChanges];
+uniform bool uHasReflections;    // mirror rays are traced too
+uniform float uFullRayRadiance;  // radiance of a white surface below which Russian roulette begins
 
 in vec2 uv;
 layout(location = 0) out vec4 light;
-layout(location = 1) out vec4 specular;  // rgb radiance, a luminance of the light that came in
+layout(location = 1) out vec4 specular;  // rgb radiance of the highlight, a luminance of the light that arrives
 
 const float kMaxHistoryInMotion = 16.0;  // frames
-const float kMaxSpecular = 1000.0;  // of a highlight's sample: a last guard
+const float kMaxSpecular = 1000.0;       // of a highlight's sample
 
-/// One of the lights near a pixel, and by what its sample is to be multiplied: 0 for none.
+/// Draws one of the lights near a pixel. Returns 1 / its probability, or 0 if no ray is to be sent.
 float sampleLight(ivec2 cell, vec3 position, vec3 normal, vec2 random, out int light) {
     Reservoir reservoir = chooseLight(cell, position, normal, random);
     light = max(reservoir.light, 0);
-    // Faint light is candidates for now and then, and counts for more.
     float chance = min(reservoir.weightSum / (kPi * uFullRayRadiance), 1.0);
-    return reservoir.random < chance && reservoir.weightSum > 0.0 ? reservoir.weightSum / (reservoir.weight * chance) : 0.0;
+    return reservoir.random < chance && reservoir.weightSum > 0.0 ? reservoir.weightSum / (reservoir.weight * chance)
+                                                                  : 0.0;
 }
 
-/// How often a direction of the lobe is asked instead of a point of the localLight: by how much of the highlight is shown against the diffuse
-/// light, which loses samples by it. Never where the lobe hardly changes over the localLight.
+/// Probability q of a direction from the lobe: the highlight's share of what the pixel shows of this light, as the
+/// diffuse light loses samples by it. 0 where the lobe hardly varies over the light, for there p_light does as well.
 float lobeProbability(LocalLight localLight, vec3 toCentre, Surface s, vec3 view, vec3 f0) {
     float extent = localLight.kind >= kArea ? localLight.extent : localLight.radius;
     float subtended = hemisphereFraction(extent, max(dot(toCentre, toCentre), 1e-6));
-    // Where the lobe is densest: to the point nearest to the mirrored ray (Karis 2013, "Real Shading in Unreal Engine 4").
+    // The lobe is densest toward the light's point nearest to the mirrored ray (Karis 2013, the representative point).
     vec3 mirrored = reflect(-view, s.normal), aside = mirrored * max(dot(toCentre, mirrored), 1e-3) - toCentre;
     vec3 nearest = normalize(toCentre + aside * min(extent * inversesqrt(max(dot(aside, aside), 1e-12)), 1.0));
-    float densityRatio = ggxVndfPdf(s.normal, view, nearest, s.roughness) * 2.0 * kPi * subtended;  // than samples of the localLight
-    float highlight = luminance(fresnel(f0, dot(view, s.normal))) * (1.0 - 2.0 / max(densityRatio, 2.0)) * (uHasReflections ? analyticHighlightShare(s.roughness) : 1.0);
-    return min(highlight / (highlight + subtended), 0.75);  // a surface that scatters half gives the localLight's radiance times `subtended`
+    float densityRatio = ggxVndfPdf(s.normal, view, nearest, s.roughness) * 2.0 * kPi * subtended;  // p_lobe / p_light
+    float highlight = luminance(fresnel(f0, dot(view, s.normal))) * (1.0 - 2.0 / max(densityRatio, 2.0)) *
+                      (uHasReflections ? analyticHighlightShare(s.roughness) : 1.0);
+    // A diffuse surface of albedo one half shows the light's radiance times `subtended`.
+    return min(highlight / (highlight + subtended), 0.75);
 }
 
-/// Frames that highlights of a place are averaged over.
+/// How many frames the highlights of a place are averaged over.
 float maxHistoryAt(vec3 position) {
     float maxFrames = uMaxHistory;
     for (int i = 0; i < uLightChangeCount; i += 2)
-        if (distance(position, uLightChange[i].xyz) < uLightChange[i].w) maxFrames = min(maxFrames, uLightChange[i + 1].x);
+        if (distance(position, uLightChange[i].xyz) < uLightChange[i].w)
+            maxFrames = min(maxFrames, uLightChange[i + 1].x);
     return maxFrames;
 }
 
-/// This frame's highlight, averaged with those of the same place in the frames before.
+/// This frame's highlight, averaged with the history of the same place.
 vec4 accumulateSpecular(vec4 now, vec3 position, Surface s) {
     vec2 motion = texelFetch(uMotion, ivec2(gl_FragCoord.xy), 0).rg, lastUv = uv - motion;
     if (!uHistoryValid || any(lessThan(lastUv, vec2(0.0))) || any(greaterThanEqual(lastUv, vec2(1.0)))) return now;
@@ -65,18 +76,21 @@ vec4 accumulateSpecular(vec4 now, vec3 position, Surface s) {
     float expected = (frame.previousViewProjection * vec4(position, 1.0)).w;
     float tolerance = depthTolerance(position, s.normal, s.depth) + s.moving * 0.5;
     if (abs(surface.x - expected) > tolerance || dot(unpackNormal(surface.y), s.normal) < 0.9) return now;
-    // A highlight moves over its surface as soon as the eye does.
-    float maxFrames = length(motion * frame.targetSize.xy) < 0.05 ? maxHistoryAt(position) : min(maxHistoryAt(position), kMaxHistoryInMotion);
+    // A highlight moves over its surface as soon as the camera does.
+    float maxFrames = length(motion * frame.targetSize.xy) < 0.05 ? maxHistoryAt(position)
+                                                                  : min(maxHistoryAt(position), kMaxHistoryInMotion);
     return mix(texelFetch(uSpecularHistory, last, 0), now, 1.0 / clamp(floor(surface.z) + 1.0, 1.0, maxFrames));
 }
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    if (lightsAt(pixel, -1.0).y == 0) discard;  // local_lights.vert leaves these tiles out; compute has none
+    // local_lights.vert skips such tiles, but compute programs draw no quads.
+    if (lightsAt(pixel, -1.0).y == 0) discard;
     Surface s = readSurface(pixel);
     vec3 position = worldFromDepth(uv, s.depth);
     int chosen;
-    float sampleWeight = sampleLight(lightsAt(pixel, s.depth), position, s.normal, blueNoise(pixel, 2, frame.counters.x), chosen);
+    float sampleWeight =
+        sampleLight(lightsAt(pixel, s.depth), position, s.normal, blueNoise(pixel, 2, frame.counters.x), chosen);
     LocalLight localLight = readLight(chosen);
     vec2 random = blueNoise(pixel, 3, frame.counters.x), more = blueNoise(pixel, 4, frame.counters.x);
     vec3 view = normalize(frame.cameraPosition.xyz - position), toCentre = toLight(localLight, position, more.x);
@@ -93,10 +107,13 @@ void main() {
     vec3 origin = shadowOrigin(position, s.normal), shadowRay = position + direction * point.range - origin;
     float shadowRayLength = max(length(shadowRay), 1e-4), t;
     light = specular = vec4(0.0);
-    // Where nothing would arrive the ray has no length.
-    if (!shadowTrace(origin, shadowRay / shadowRayLength, dark ? -1.0 : max(shadowRayLength - point.clearance, 0.0), t) && !dark) {
+    // Where nothing would arrive the ray has no length, and costs little.
+    float tMax = dark ? -1.0 : max(shadowRayLength - point.clearance, 0.0);
+    bool isBlocked = shadowTrace(origin, shadowRay / shadowRayLength, tMax, t);
+    if (!isBlocked && !dark) {
         light.rgb = arriving;
-        vec3 mirroredShare = fresnel(f0, dot(view, normalize(view + direction))) * specularLobe(s.normal, view, direction, s.roughness);
+        vec3 mirroredShare =
+            fresnel(f0, dot(view, normalize(view + direction))) * specularLobe(s.normal, view, direction, s.roughness);
         specular = vec4(min(mirroredShare * arriving * kPi, vec3(kMaxSpecular)), luminance(arriving));
     }
     specular = accumulateSpecular(specular, position, s);

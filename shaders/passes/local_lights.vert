@@ -1,4 +1,5 @@
-// The tiles of the view that a local light may reach; the others collapse. At the far plane: see lib/fullscreen_far.vert.
+// A quad for each tile that a local light may reach, at the far plane as lib/fullscreen_far.vert. Other quads have no
+// area.
 #include "lib/frame.glsl"
 #include "lib/sampling.glsl"
 #include "lib/local_lights.glsl"

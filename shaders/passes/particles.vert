@@ -1,4 +1,6 @@
-// A quad that covers a particle, turned to the camera and moved to its near side, with the light that reaches it.
+// A quad that covers a particle: it faces the camera, lies at the particle's near side and carries the light there.
+#include "lib/constants.glsl"
+#include "lib/particle_kinds.glsl"
 #include "lib/frame.glsl"
 #include "lib/sky.glsl"
 #include "lib/shadow_trace.glsl"
@@ -7,24 +9,23 @@
 layout(location = 0) in vec4 place;   // xyz from the render origin, w radius
 layout(location = 1) in vec4 tint;    // rgb linear, a opacity
 layout(location = 2) in vec4 motion;  // xyz velocity, w kind
-layout(location = 3) in vec4 state;   // x age, yzw numbers of its own
+layout(location = 3) in vec4 state;   // x age, yzw random numbers of its own
 
 uniform vec4 uLightPosition0, uLightPosition1, uLightPosition2, uLightPosition3;  // xyz from the render origin, w reach
 uniform vec3 uLightColor0, uLightColor1, uLightColor2, uLightColor3;
 
-out vec2 corner;           // in radii
-out vec4 noiseUv;      // where the two layers of noise are read
-out vec3 sunLight;         // irradiance / pi from the sun, if it shines position
-out vec3 airLight;         // mean radiance from all around
-flat out vec4 particle;    // xyz centre, w radius
+out vec2 corner;         // in radii
+out vec4 noiseUv;        // of the two layers of noise
+out vec3 sunLight;       // irradiance / pi of the sun
+out vec3 airLight;       // mean radiance from all around
+flat out vec4 particle;  // xyz centre, w radius
 flat out vec4 tintOut;
 flat out vec4 stateOut;
-flat out vec4 haze;         // rgb the haze's own light, a its share
-flat out vec3 depths;      // of the centre; how near the eye (0 = in it); light through thin parts
+flat out vec4 haze;    // rgb radiance of the haze, a its share
+flat out vec3 depths;  // x depth of the centre; y fade near the camera (0 = at it); z light through thin parts
 flat out int kind;
 
-const int kFlame = 2, kSpark = 3, kCrumb = 4, kGlint = 5, kEmber = 6;
-
+/// Mean radiance that a point light adds.
 vec3 fromLight(vec4 lightPlace, vec3 color, vec3 position) {
     vec3 away = lightPlace.xyz - position;
     float d2 = dot(away, away), ratio = d2 / (lightPlace.w * lightPlace.w);
@@ -32,7 +33,8 @@ vec3 fromLight(vec4 lightPlace, vec3 color, vec3 position) {
     return color * (window * window / (max(d2, 0.16) * 12.566));
 }
 
-/// Quads meet the shadow where their corners are, so a puff may stand half in the sun. A corner inside something asks its centre.
+/// 1 in the sun. Each corner of a quad asks for itself, so that a puff may be half in shadow; a corner inside a solid
+/// asks for the centre.
 float sunAt(vec3 position, vec3 center) {
     float t;
     if (frame.sunDirection.y <= 0.0) return 0.0;
@@ -50,7 +52,7 @@ void main() {
     vec3 right = frame.cameraRight.xyz, up = frame.cameraUp.xyz;
     vec3 toEye = normalize(frame.cameraPosition.xyz - place.xyz);
     float depth = dot(place.xyz - frame.cameraPosition.xyz, frame.cameraForward.xyz);
-    // Never thinner than a pixel: what would be, gets fainter instead.
+    // Never smaller than a pixel: it gets fainter instead.
     float pixelMetres = frame.cameraUp.w * frame.targetSize.w * max(depth, 0.1);
     float radius = place.w, solidity = 1.0;
     if (kind >= kSpark) {
@@ -62,18 +64,19 @@ void main() {
     float extent = kind == kCrumb || kind == kGlint ? 1.75 : 1.1;
     vec3 offset = (right * corner.x + up * corner.y) * (radius * extent);
     if (kind == kSpark) {
-        // A streak as long as a spark flies in a hundredth of a second or so.
+        // A streak as long as its path in 14 ms.
         vec3 streak = motion.xyz * 0.014;
         vec3 along = normalize(streak + vec3(0, 1e-4, 0)), side = normalize(cross(along, toEye) + vec3(1e-5));
         offset = side * (corner.x * radius) + streak * (corner.y * 0.5) + along * (corner.y * radius);
     }
     if (kind == kFlame) offset = right * (corner.x * radius * 1.1) + vec3(0, 1, 0) * (corner.y * radius * 1.55);
     corner *= extent;
-    float turn = (state.y + (state.z - 0.5) * 0.35 * state.x) * 6.2831853;
+    float turn = (state.y + (state.z - 0.5) * 0.35 * state.x) * kTwoPi;
     vec2 turned = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * corner * 0.22;
     noiseUv = vec4(turned + state.zw * 7.0, turned * 2.3 - state.zw * 7.0 + vec2(0.05, 0.09) * state.x);
     if (kind == kFlame)
-        noiseUv = vec4(corner * vec2(0.30, 0.20) + state.zw * 5.0 - vec2(0.0, state.x * 0.55), corner * vec2(0.62, 0.36) - state.zw * 5.0 - vec2(0.0, state.x * 0.9));
+        noiseUv = vec4(corner * vec2(0.30, 0.20) + state.zw * 5.0 - vec2(0.0, state.x * 0.55),
+                       corner * vec2(0.62, 0.36) - state.zw * 5.0 - vec2(0.0, state.x * 0.9));
     float range = length(place.xyz - frame.cameraPosition.xyz);
     float towardSun = max(-dot(toEye, frame.sunDirection.xyz), 0.0);
     haze = vec4(hazeRadiance(-toEye), hazeAmount(range));
@@ -84,10 +87,11 @@ void main() {
     sunLight = airLight = vec3(0.0);
     if (kind == kSpark || kind == kEmber || kind == kFlame) return;
     float clear = sunThroughSmoke(lit);
-    sunLight = frame.sunColor.rgb * (sunAt(lit, place.xyz) * clear / 3.14159265);
+    sunLight = frame.sunColor.rgb * (sunAt(lit, place.xyz) * clear / kPi);
     float t;
     bool roof = shadowTrace(place.xyz, vec3(0.0, 1.0, 0.0), 12.0, t);
-    airLight = mix(skyRadiance(vec3(0, 1, 0)), frame.groundColor.rgb + frame.sunColor.rgb * 0.05, 0.4) * ((roof ? 0.25 : 0.9) * (0.4 + 0.6 * clear));
-    airLight += fromLight(uLightPosition0, uLightColor0, lit) + fromLight(uLightPosition1, uLightColor1, lit) + fromLight(uLightPosition2, uLightColor2, lit) +
-                fromLight(uLightPosition3, uLightColor3, lit);
+    airLight = mix(skyRadiance(vec3(0, 1, 0)), frame.groundColor.rgb + frame.sunColor.rgb * 0.05, 0.4) *
+               ((roof ? 0.25 : 0.9) * (0.4 + 0.6 * clear));
+    airLight += fromLight(uLightPosition0, uLightColor0, lit) + fromLight(uLightPosition1, uLightColor1, lit) +
+                fromLight(uLightPosition2, uLightColor2, lit) + fromLight(uLightPosition3, uLightColor3, lit);
 }

@@ -1,4 +1,4 @@
-// Lets depth be written where a reflection ray is worth its price: the pass "reflections" then draws only there.
+// Writes depth where a mirror ray is worth its cost: the pass "reflections" then draws only there.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/brdf.glsl"

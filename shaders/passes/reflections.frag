@@ -1,4 +1,7 @@
-// What smooth surfaces and glass mirror: one ray a pixel, spread by roughness. rgb radiance, a 1 where a ray was sent.
+// Reflections of smooth surfaces and glass: one mirror ray a pixel. The reflected radiance is the integral of L times
+// the specular lobe. Its direction is drawn by reflecting the view about a visible GGX normal (lib/sampling.glsl),
+// whose density is nearly the lobe itself, so that the sample is just the radiance of the ray. rgb radiance, a 1 where
+// a ray was traced.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
@@ -16,11 +19,13 @@ out vec4 reflection;
 
 const float kMaxRayDistance = 40.0;
 
-/// Radiance of a mirror ray. The sun's disc is left to the specular lobe, which has no noise.
-vec3 mirrored(vec3 origin, vec3 direction, PathStart start, float glow) {
+/// Radiance of a mirror ray, without the sun's disc: the analytic highlight has that, and without noise.
+vec3 mirrored(vec3 origin, vec3 direction, PathStart start, float emissionWeight) {
     float t;
-    if (shadowTrace(origin, direction, kMaxRayDistance, t)) return radianceAt(origin + direction * t, direction, start, glow);
-    vec3 sky = direction.y > 0.0 ? withHills(withClouds(skyRadiance(direction), direction), direction) : skyRadiance(direction);
+    if (shadowTrace(origin, direction, kMaxRayDistance, t))
+        return radianceAt(origin + direction * t, direction, start, emissionWeight);
+    vec3 sky = direction.y > 0.0 ? withHills(withClouds(skyRadiance(direction), direction), direction)
+                                 : skyRadiance(direction);
     return sky;
 }
 
@@ -30,12 +35,18 @@ void main() {
     vec3 halfVector = m.normal;
     if (m.roughness > 0.03) {
         mat3 basis = orthonormalBasis(m.normal);
-        halfVector = basis * sampleVisibleNormal(m.view * basis, m.roughness * m.roughness, blueNoise(pixel, 20, frame.counters.x));
+        halfVector = basis * sampleVisibleNormal(m.view * basis, m.roughness * m.roughness,
+                                                 blueNoise(pixel, 20, frame.counters.x));
     }
     vec3 direction = reflect(-m.view, halfVector);
     direction += m.normal * max(0.0, 0.02 - dot(direction, m.normal));
     vec3 more = vec3(blueNoise(pixel, 21, frame.counters.x), blueNoise(pixel, 22, frame.counters.x).x);
-    PathStart start = startPath(texelFetch(uLight, pixel, 0).rgb, m.normal, uBounceLights ? lightsAt(pixel, dot(m.position - frame.cameraPosition.xyz, frame.cameraForward.xyz)) : ivec2(0));
+    PathStart start =
+        startPath(texelFetch(uLight, pixel, 0).rgb, m.normal,
+                  uBounceLights ? lightsAt(pixel, dot(m.position - frame.cameraPosition.xyz, frame.cameraForward.xyz))
+                                : ivec2(0));
     start.random = more;
-    reflection = vec4(mirrored(shadowOrigin(m.position, m.normal), normalize(direction), start, 1.0 - analyticHighlightShare(m.roughness)), 1.0);
+    reflection = vec4(mirrored(shadowOrigin(m.position, m.normal), normalize(direction), start,
+                               1.0 - analyticHighlightShare(m.roughness)),
+                      1.0);
 }

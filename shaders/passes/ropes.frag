@@ -1,4 +1,4 @@
-// A round rope of twisted strands on its quad. Targets: lib/gbuffer.glsl.
+// A round rope of twisted strands, shaded on its quad. Targets: lib/gbuffer.glsl.
 #include "lib/frame.glsl"
 
 in vec3 place;
@@ -18,11 +18,6 @@ layout(location = 4) out float outDepth;
 vec2 screenUv(mat4 viewProjection, vec3 world) {
     vec4 clip = viewProjection * vec4(world, 1.0);
     return clip.xy / clip.w * 0.5 + 0.5;
-}
-
-float depthBufferValue(float linear) {
-    float near = frame.cameraPosition.w, far = frame.cameraForward.w;
-    return far * (linear - near) / (linear * (far - near));
 }
 
 void main() {

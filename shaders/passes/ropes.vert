@@ -1,18 +1,18 @@
-// A straight bit of rope as a quad along it, turned to the camera.
+// A straight segment of rope: a quad along it that faces the camera.
 #include "lib/frame.glsl"
 
-layout(location = 0) in vec4 from;      // xyz from the render origin, w metres along the rope
+layout(location = 0) in vec4 from;  // xyz from the render origin, w metres along the rope
 layout(location = 1) in vec4 to;
-layout(location = 2) in vec4 lastFrom;  // where they were in the last frame; w radius
+layout(location = 2) in vec4 lastFrom;  // xyz of both ends in the previous frame; w radius
 layout(location = 3) in vec4 lastTo;
-layout(location = 4) in vec4 tint;      // rgb sRGB
+layout(location = 4) in vec4 tint;  // rgb sRGB
 
-out vec3 place;      // on the quad
+out vec3 place;  // on the quad
 out vec3 lastPlace;
-out float across;    // -1 to 1
-out float metres;    // along the rope
+out float across;  // -1 to 1
+out float metres;  // along the rope
 flat out vec3 side;
-flat out vec3 front; // to the eye, at right angles to the rope
+flat out vec3 front;  // to the camera, at right angles to the rope
 flat out float radiusDrawn;
 flat out vec3 tintOut;
 
@@ -27,7 +27,7 @@ void main() {
     side = normalize(cross(along, toEye) + vec3(1e-6));
     front = cross(side, along);
     float depth = max(dot(middle - frame.cameraPosition.xyz, frame.cameraForward.xyz), 0.1);
-    // Never thinner than most of a pixel: it would fall to pieces.
+    // Never thinner than 0.6 of a pixel, or it would have gaps.
     radiusDrawn = max(lastFrom.w, 0.6 * frame.cameraUp.w * frame.targetSize.w * depth);
     vec3 overlap = along * ((end * 2.0 - 1.0) * radiusDrawn * 0.35);
     place = middle + side * (across * radiusDrawn) + overlap;

@@ -1,20 +1,20 @@
-// Any target, made visible. Modes as in render/passes/show_pass.h.
+// Shows any target. The modes are those of render/passes/show_pass.h.
 uniform sampler2D uTarget;
 uniform int uMode;
-uniform vec4 uStatusDot;  // rgb, a 1 if one is drawn: shaders were reloaded, or do not build
+uniform vec4 uStatusDot;  // rgb, a 1 if it is drawn: shaders were reloaded, or failed to build
 in vec2 uv;
 out vec4 color;
 
 void main() {
     vec4 v = texture(uTarget, uv);
     vec3 c = v.rgb;
-    if (uMode == 1) c = pow(c / (1.0 + c), vec3(1.0 / 2.2));           // unbounded light
-    if (uMode == 2) c = v.rgb * 0.5 + 0.5;                             // directions
-    if (uMode == 3) c = vec3(1.0 - exp(-v.r / 20.0));                  // metres
-    if (uMode == 4) c = vec3(v.rg * 10.0 + 0.5, 0.5);                  // uv a frame
+    if (uMode == 1) c = pow(c / (1.0 + c), vec3(1.0 / 2.2));  // radiance
+    if (uMode == 2) c = v.rgb * 0.5 + 0.5;                    // directions
+    if (uMode == 3) c = vec3(1.0 - exp(-v.r / 20.0));         // metres
+    if (uMode == 4) c = vec3(v.rg * 10.0 + 0.5, 0.5);         // motion, uv per frame
     if (uMode == 5) c = vec3(v.a);
     if (uMode == 6) c = v.rrr;
-    if (uMode == 7) c = vec3(v.b / 32.0);                              // frames accumulated
+    if (uMode == 7) c = vec3(v.b / 32.0);  // frames accumulated
     if (uStatusDot.a > 0.0 && distance(gl_FragCoord.xy, vec2(12.0)) < 6.0) c = uStatusDot.rgb;
     color = vec4(c, 1.0);
 }

@@ -1,4 +1,9 @@
-// Mean radiance from the sky and from what hides it, over the cosine-weighted hemisphere, in the colour of `light`; how near that is, in `hitProximity`.
+// Indirect light: the mean radiance from sky and surfaces over the cosine-weighted hemisphere, which is irradiance /
+// pi:
+//   E / pi = integral L(d) cos / pi dd  ~  1 / n sum L(d_i),   d_i drawn with the density cos / pi
+// Rays that leave see the sky; rays that hit bring the radiance of lib/bounce.glsl. `hitProximity` is the mean of
+// 1 / (1 + t / 1 m) over the rays, with 0 for those that leave: an ambient obscurance (Zhukov et al. 1998) which guides
+// the filter and says how much a place is enclosed.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
@@ -14,9 +19,9 @@ uniform sampler2D uLightHistory;
 
 in vec2 uv;
 layout(location = 0) out vec4 light;
-layout(location = 1) out vec4 hitProximity;  // x: 1 where rays meet something at once, 0 where nothing
+layout(location = 1) out vec4 hitProximity;  // x: 1 where rays hit at once, 0 where they leave
 
-const float kHalfProximityDistance = 1.0;  // metres at which it is a half
+const float kHalfProximityDistance = 1.0;  // metres: a hit at this distance counts a half
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -28,10 +33,13 @@ void main() {
     bool known = uHistoryValid && lastUv == clamp(lastUv, vec2(0.0), vec2(0.999));
     ivec2 last = ivec2(lastUv * frame.targetSize.xy);
     PathStart start = startPath(vec3(0.0), s.normal, uBounceLights ? lightsAt(pixel, s.depth) : ivec2(0));
-    if (known) start.light = texelFetch(uLightHistory, last, 0).rgb, start.hitProximity = fract(texelFetch(uSurfaceHistory, last, 0).z);
+    if (known)
+        start.light = texelFetch(uLightHistory, last, 0).rgb,
+        start.hitProximity = fract(texelFetch(uSurfaceHistory, last, 0).z);
     for (int i = 0; i < uRayCount; ++i) {
         vec3 direction = cosineDirection(s.normal, blueNoise(pixel, 1, frame.counters.x * uRayCount + i));
-        start.random = vec3(blueNoise(pixel, 5, frame.counters.x * uRayCount + i), blueNoise(pixel, 6, frame.counters.x * uRayCount + i).x);
+        start.random = vec3(blueNoise(pixel, 5, frame.counters.x * uRayCount + i),
+                            blueNoise(pixel, 6, frame.counters.x * uRayCount + i).x);
         start.directionSample = blueNoise(pixel, 7, frame.counters.x * uRayCount + i);
         float t;
         if (shadowTraceCoarse(origin, direction, uMaxDistance, uExactDistance, t)) {

@@ -1,4 +1,6 @@
-// Share of the sun's disc that each pixel sees, in the alpha of `light`: rays to random points of the disc.
+// Soft shadows of the sun: the share of its disc that each pixel sees, in the alpha of `light`. It is the mean
+// visibility of rays drawn evenly over the disc's cone (distributed ray tracing: Cook, Porter, Carpenter 1984). A
+// penumbra behind an occluder at distance d is d 2 tan(angle) wide.
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
@@ -21,7 +23,8 @@ void main() {
     for (int i = 0; i < uRayCount; ++i) {
         vec2 u = blueNoise(pixel, 0, frame.counters.x * uRayCount + i);
         float t;
-        if (!shadowTrace(origin, coneDirection(frame.sunDirection.xyz, frame.sunDirection.w, u), uMaxDistance, t)) light.a += 1.0;
+        if (!shadowTrace(origin, coneDirection(frame.sunDirection.xyz, frame.sunDirection.w, u), uMaxDistance, t))
+            light.a += 1.0;
     }
     light.a *= sunThroughSmoke(origin) / float(uRayCount);
 }

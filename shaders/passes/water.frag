@@ -1,4 +1,7 @@
-// The surface of a water over a copy of the picture: what is below it, bent and tinted by the way through it, and what it mirrors.
+// Composites a water surface over a copy of the image. It is a horizontal plane within a polygon, with a normal from
+// sums of sines and of rings. What is below is refracted (displaced by the slope) and absorbed: left^(path / clarity),
+// Beer- Lambert. Fresnel's reflectance (f0 = 0.02) mixes it with the reflection of one ray, the sun's glint and foam.
+#include "lib/constants.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"
 #include "lib/noise.glsl"
@@ -7,34 +10,35 @@
 #include "lib/sky.glsl"
 #include "lib/shadow_trace.glsl"
 #include "lib/bounce.glsl"
-#include "shared/constants.h"
 
-uniform sampler2D uBackground;   // the picture without this water
+uniform sampler2D uBackground;                            // the image without this water
 uniform mat4 uOutline0, uOutline1, uOutline2, uOutline3;  // corners x, z, x, z ...
 uniform int uCornerCount;
-uniform float uSurface;   // height
-uniform vec3 uColor;      // of the light that is left after uClarity metres
+uniform float uSurface;  // height
+uniform vec3 uColor;     // transmittance of uClarity metres
 uniform float uClarity;
-uniform vec4 uWaves;      // height, length, speed, direction
+uniform vec4 uWaves;  // height, wavelength, speed, direction
 uniform float uSeconds;
-uniform vec4 uRipples[kMaxRipples];  // xy place, z radius of the crest now, w height
+uniform vec4 uRipples[kMaxRipples];  // xy centre, z radius of the crest now, w height
 uniform int uRippleCount;
 
-const float kRingWidth = 0.45;      // metres to each side of a crest
-const float kRefraction = 0.35;     // metres that a slope of 1 shifts what lies a metre below
-const float kReactive = 0.6;        // how far anti-aliasing may trust its past start: waves leave no motion behind
-const float kMinMirrorShare = 0.05;  // share of light
-const float kMaxMirrorDistance = 40.0;    // metres
+const float kRingWidth = 0.45;          // metres to each side of a crest
+const float kRefraction = 0.35;         // metres of displacement for a slope of 1 and a metre of depth
+const float kReactive = 0.6;            // weight of history in TAA, as waves have no motion vectors
+const float kMinMirrorShare = 0.05;     // share of light that is worth a ray
+const float kMaxMirrorDistance = 40.0;  // metres
 
 in vec2 uv;
 out vec4 color;
 
+/// Corner i of the outline: x, z.
 vec2 cornerAt(int i) {
     mat4 part = i < 8 ? uOutline0 : i < 16 ? uOutline1 : i < 24 ? uOutline2 : uOutline3;
     vec4 pair = part[(i & 7) >> 1];
     return (i & 1) == 0 ? pair.xy : pair.zw;
 }
 
+/// Even-odd rule: counts the edges that a horizontal ray crosses.
 bool insideOutline(vec2 p) {
     bool inside = false;
     for (int i = 0, j = uCornerCount - 1; i < uCornerCount; j = i++) {
@@ -44,7 +48,7 @@ bool insideOutline(vec2 p) {
     return inside;
 }
 
-/// Slope of the rings that run over the water, and in z how high the nearest crest is.
+/// xy: slope of the rings on the water; z: height of their crests here.
 vec3 ringSlope(vec2 p) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < uRippleCount; ++i) {
@@ -59,15 +63,17 @@ vec3 ringSlope(vec2 p) {
     return sum;
 }
 
-/// Slopes of a few sines, the longest first: each turned from the last and a little shorter.
+/// Slope of seven sines, the longest first, each rotated by the golden angle.
 vec2 rippleSlope(vec2 p, float far) {
     vec2 slope = vec2(0.0);
     float angle = uWaves.w, wavelength = uWaves.y, height = uWaves.x * 0.5;
     for (int i = 0; i < 7; ++i) {
         vec2 along = vec2(cos(angle), sin(angle));
-        float k = 6.2831853 / wavelength;
-        float fade = 1.0 / (1.0 + far * far * k * k * 2e-4);  // ripples smaller than a pixel average out
-        slope += along * (k * height * fade * cos(k * (dot(p, along) - uWaves.z * sqrt(wavelength / uWaves.y) * uSeconds) + float(i) * 2.1));
+        float k = kTwoPi / wavelength;
+        float fade = 1.0 / (1.0 + far * far * k * k * 2e-4);  // ripples below a pixel average out
+        slope +=
+            along * (k * height * fade *
+                     cos(k * (dot(p, along) - uWaves.z * sqrt(wavelength / uWaves.y) * uSeconds) + float(i) * 2.1));
         angle += 2.3999632;
         wavelength *= 0.71;
         height *= 0.60;
@@ -75,7 +81,7 @@ vec2 rippleSlope(vec2 p, float far) {
     return slope;
 }
 
-/// Where the ray of a pixel meets what is below, shifted by the waves: its colour, and its way through the water in w.
+/// What is seen through the surface: rgb colour, w length of the path through the water, metres.
 vec4 refractedBelow(vec3 place, vec2 slope, float t, float behind, float stretch) {
     float deep = min(behind - t, 3.0);
     vec4 clip = frame.viewProjection * vec4(place - vec3(slope.x, 0.0, slope.y) * (kRefraction * deep), 1.0);
@@ -84,7 +90,7 @@ vec4 refractedBelow(vec3 place, vec2 slope, float t, float behind, float stretch
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 bent = clamp(pixel + shift, ivec2(0), ivec2(frame.targetSize.xy) - 1);
     float bentDepth = texelFetch(uDepth, bent, 0).r;
-    // What stands before the water is not seen through it.
+    // Not a pixel that shows something in front of the water.
     if (bentDepth <= t) {
         bent = pixel;
         bentDepth = behind;
@@ -92,18 +98,20 @@ vec4 refractedBelow(vec3 place, vec2 slope, float t, float behind, float stretch
     return vec4(texelFetch(uBackground, bent, 0).rgb, min((bentDepth - t) * stretch, 50.0));
 }
 
-/// share: of the light that is mirrored. Where it is little, no ray is worth its price.
+/// Reflected radiance. share: of the light that is reflected; little of it is not worth a ray, and the sky must do.
 vec3 mirroredRadiance(vec3 place, vec3 normal, vec3 direction, float share) {
     vec3 mirror = reflect(direction, normal);
     mirror = normalize(vec3(mirror.x, max(mirror.y, 0.03), mirror.z));
     if (share < kMinMirrorShare) return skyRadiance(mirror);
     float t;
     vec3 origin = place + vec3(0.0, 0.01, 0.0);
-    if (shadowTrace(origin, mirror, kMaxMirrorDistance, t)) return radianceAt(origin + mirror * t, mirror, startPath(0.4 * skyRadiance(vec3(0, 1, 0)), vec3(0, 1, 0), ivec2(0)), 1.0);
+    if (shadowTrace(origin, mirror, kMaxMirrorDistance, t))
+        return radianceAt(origin + mirror * t, mirror,
+                          startPath(0.4 * skyRadiance(vec3(0, 1, 0)), vec3(0, 1, 0), ivec2(0)), 1.0);
     return withHills(withClouds(skyRadiance(mirror), mirror), mirror);
 }
 
-/// Share of white on the water: a line along what it touches, and on steep rings.
+/// Share of foam: along the shore, and on high rings.
 float foamAt(vec2 place, float below, float crest) {
     float bubbles = fractalNoise(place * 7.0 + uSeconds * 0.15, 3);
     float shore = (1.0 - smoothstep(0.0, 0.14, below)) * 0.9;
@@ -127,11 +135,12 @@ void main() {
     float mirrored = fresnel(vec3(0.02), max(dot(normal, -direction), 0.0)).r;
     vec4 below = refractedBelow(place, slope, t, behind, stretch);
     vec3 left = pow(uColor, vec3(below.w / uClarity));
-    vec3 light = skyRadiance(vec3(0, 1, 0)) + frame.sunColor.rgb * max(frame.sunDirection.y, 0.0) * 0.3183;
+    vec3 light = skyRadiance(vec3(0, 1, 0)) + frame.sunColor.rgb * max(frame.sunDirection.y, 0.0) * kInversePi;
     vec3 scattered = uColor * light * 0.35 * (1.0 - left);
     vec3 glint = frame.sunColor.rgb * min(specularLobe(normal, -direction, frame.sunDirection.xyz, 0.12), 30.0) *
                  max(dot(normal, frame.sunDirection.xyz), 0.0) * mirrored;
-    vec3 water = (below.rgb * left + scattered) * (1.0 - mirrored) + mirroredRadiance(place, normal, direction, mirrored) * mirrored + min(glint, vec3(20.0));
+    vec3 water = (below.rgb * left + scattered) * (1.0 - mirrored) +
+                 mirroredRadiance(place, normal, direction, mirrored) * mirrored + min(glint, vec3(20.0));
     float foam = foamAt(place.xz, (behind - t) * -ray.y, rings.z);
     color = vec4(mix(water, 0.75 * light, foam), kReactive);
 }

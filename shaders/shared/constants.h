@@ -5,18 +5,18 @@
 #define SHARED_CONSTANT const
 #endif
 
-SHARED_CONSTANT float kSkyDepth = 65000.0;  // linear depth where no surface was hit; a half float holds it
+SHARED_CONSTANT float kSkyDepth = 65000.0;  // linear depth of pixels without a surface, metres; a half float holds it
 SHARED_CONSTANT float kShadowCell = 0.1;    // metres: side of a cell of the shadow volume
 SHARED_CONSTANT uint kHasGlass = 1u;        // flags of a shape's layout (lib/bodies.glsl)
 SHARED_CONSTANT uint kHasPaint = 2u;
-SHARED_CONSTANT float kMaxTilt = 0.3;         // tangent of the largest tilt of a face with a detail map
-SHARED_CONSTANT float kFinestBodyCell = 1.6;  // metres: side of a cell of the body grid at level 0; four times that at each next one
-SHARED_CONSTANT float kMaxHillSlope = 0.16;   // tangent of the elevation below which hills can hide the sky
+SHARED_CONSTANT float kMaxTilt = 0.3;  // tangent of the largest tilt of a face with a detail map
+SHARED_CONSTANT float kFinestBodyCell = 1.6;  // side of a body grid cell at level 0, metres; then four times as large
+SHARED_CONSTANT float kMaxHillSlope = 0.16;  // tangent of the elevation below which hills can hide the sky
 
 // The light grid (lib/local_lights.glsl).
 SHARED_CONSTANT int kTilePixels = 32;     // side of a tile of the view
-SHARED_CONSTANT int kTexelsPerLight = 7;  // the first three are all that the choice among lights reads
-SHARED_CONSTANT int kAlwaysWeighed = 12;  // lights of a cell that every pixel weighs; of the others it weighs a random subset
+SHARED_CONSTANT int kTexelsPerLight = 7;  // the choice among lights reads the first three only
+SHARED_CONSTANT int kAlwaysWeighed = 12;  // lights of a cell that each pixel weighs; of the others a random subset
 
 // Lengths of uniform arrays, and the size of a texel of the history confidence in pixels.
 SHARED_CONSTANT int kMaxDirtyRegions = 8;

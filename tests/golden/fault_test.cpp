@@ -10,8 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A mistake that someone could make in a shader: `good` stands in the file once or more, and its first place becomes
-/// `bad`.
+/// A mistake in a shader: the first occurrence of `good` in the file becomes `bad`.
 struct Fault {
     const char* name;
     const char* file;
@@ -27,27 +26,27 @@ constexpr Fault kFaults[] = {
     {"sky rays that leave see nothing", "passes/sky.frag", "light.rgb += skyRadiance(direction)",
      "light.rgb += vec3(0.0)"},
     {"colours are not made linear", "lib/gbuffer.glsl", "vec3(2.4)", "vec3(1.4)"},
-    {"bodies turn the wrong way", "lib/bodies.glsl", "+ q.w * v)", "- q.w * v)"},
-    {"sunlight without the one over pi", "passes/composite.frag", "sun / 3.14159265", "sun"},
-    {"nothing glows", "passes/composite.frag", "s.albedo * s.emission", "s.albedo * 0.0"},
+    {"bodies rotate in the wrong direction", "lib/bodies.glsl", "+ q.w * v)", "- q.w * v)"},
+    {"sunlight without the one over pi", "passes/composite.frag", "sun / kPi", "sun"},
+    {"nothing emits", "passes/composite.frag", "s.albedo * s.emission", "s.albedo * 0.0"},
     {"no fresnel", "lib/brdf.glsl", "return f0 + (max(vec3(smoothness * smoothness), f0) - f0) * m2 * m2 * m",
      "return f0"},
-    {"panes do not tint", "passes/glass_composite.frag", "behind * texelFetch(uGlassTint, pixel, 0).rgb", "behind"},
+    {"glass does not tint", "passes/glass_composite.frag", "behind * texelFetch(uGlassTint, pixel, 0).rgb", "behind"},
     {"no haze", "lib/sky.glsl", "return 1.0 - exp2(-ratio * sqrt(ratio))", "return 0.0"},
     {"exposure off by a tenth", "passes/tonemap.frag", "c * 0.5", "c * 0.55"},
     {"the filter crosses edges", "passes/filter.frag",
-     "there.y == centre.y ? max(0.0, 1.0 - abs(height) * planeScale) : 0.0", "1.0"},
+     "there.y == centre.y ? planeWeight(plane, vec2(p - pixel), there.x) : 0.0", "1.0"},
     {"history counts for nothing", "passes/accumulate.frag", "mix(history.light, now, blend)", "now"},
     {"empty blocks are too large", "lib/cell_walk.glsl", "return 2;", "return 4;"},
     {"palette indices from the wrong row", "lib/voxel_walk.glsl", "(c.x >> 2) + c.y * 2", "(c.x >> 2) + c.y * 4"},
-    {"mirrors look inward", "passes/reflections.frag", "reflect(-m.view", "reflect(m.view"},
-    {"what rays hit shines too much", "lib/bounce.glsl", "vec3 diffuse = albedo", "vec3 diffuse = 5.0 * albedo"},
+    {"mirror rays go inward", "passes/reflections.frag", "reflect(-m.view", "reflect(m.view"},
+    {"what rays hit reflects too much", "lib/bounce.glsl", "vec3 diffuse = albedo", "vec3 diffuse = 5.0 * albedo"},
     {"the eye does not adapt", "passes/exposure.frag", "kAdaptationStrength = 0.45", "kAdaptationStrength = 0.0"},
     {"highlights forty times too weak", "lib/brdf.glsl", "distribution * 0.5", "distribution * 0.0125"},
     {"edges are not smoothed", "passes/taa.frag", "across[i % 3] * up[i / 3]", "(i == 4 ? 1.0 : 0.0)"},
 };
 
-/// What the street shows small: a turned block close by, something that glows, a floor that mirrors at a flat angle,
+/// What is small in the street scene: a rotated block close by, an emissive one, a floor that mirrors at grazing angles,
 /// thin slats.
 LitScene closeUp() {
     auto palette = std::make_shared<Palette>();
@@ -72,7 +71,7 @@ LitScene closeUp() {
     return scene;
 }
 
-/// Each fault must be seen in one of three drawImages, by the measure that golden drawImages are compared with.
+/// Each fault must be visible in at least one of three images, by the measure that golden images are compared with.
 class FaultTest : public Drawing {
 protected:
     static constexpr glm::ivec2 kSize{160, 90};
@@ -111,10 +110,10 @@ TEST_F(FaultTest, ImagesRejectEachOfTwentyFaults) {
     const Images good = drawImages(shaderFolder());
     const Images again = drawImages(shaderFolder());
     for (size_t i = 0; i < good.size(); ++i)
-        ASSERT_TRUE(looksAlike(compare(again[i], good[i]))) << "the same shaders draw the same drawImage";
+        ASSERT_TRUE(looksAlike(compare(again[i], good[i]))) << "the same shaders draw another image";
     for (size_t i = 0; i < good.size(); ++i) {
         for (size_t k = 0; k < i; ++k)
-            EXPECT_FALSE(looksAlike(compare(good[i], good[k]))) << "two drawImages that do not reject each other";
+            EXPECT_FALSE(looksAlike(compare(good[i], good[k]))) << "images " << i << " and " << k << " look alike: each must show something of its own";
     }
 
     const TempFolder made;
@@ -126,7 +125,8 @@ TEST_F(FaultTest, ImagesRejectEachOfTwentyFaults) {
         std::string text((std::istreambuf_iterator<char>(in)), {});
         const size_t place = text.find(fault.good);
         ASSERT_NE(place, std::string::npos)
-            << fault.name << ": " << fault.file << " does not say \"" << fault.good << "\" any more: seed it anew";
+            << fault.name << ": expected \"" << fault.good << "\" in " << fault.file
+            << ", found none: adapt the fault to the shader";
         std::ofstream(folder / fault.file) << text.replace(place, std::string(fault.good).size(), fault.bad);
         const Images bad = drawImages(folder.string());
         std::string seen;
@@ -137,7 +137,7 @@ TEST_F(FaultTest, ImagesRejectEachOfTwentyFaults) {
             seen += " " + std::to_string(difference.share * 100) + " % clearly, " + std::to_string(difference.mean) +
                     " of 255 on average;";
         }
-        EXPECT_FALSE(alike) << fault.name << " is not seen:" << seen;
+        EXPECT_FALSE(alike) << fault.name << " is not visible:" << seen;
     }
 }
 

@@ -1,0 +1,12 @@
+// Constants of the shaders alone; those that C++ knows too are in shared/constants.h.
+#include "shared/constants.h"
+
+const float kPi = 3.14159265;
+const float kTwoPi = 6.2831853;
+const float kInversePi = 0.3183;
+
+const float kShadowCellsPerMetre = 10.0;
+
+/// The step of the R2 sequence: 1 / p and 1 / p^2 of the plastic number p (Martin Roberts 2018, "The unreasonable
+/// effectiveness of quasirandom sequences").
+const vec2 kR2Step = vec2(0.7548776662, 0.5698402910);
