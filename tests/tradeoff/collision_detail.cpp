@@ -34,7 +34,7 @@ constexpr Variant kVariants[] = {
     {"Bullet, one box", true, {}, Detail::OneBox},
 };
 
-/// The level with its moving grids made coarser, as collision detail would.
+/// The level with coarser grids of its dynamic bodies.
 Level coarser(Level level, Shapes shapes) {
     for (LevelBody& body : level.bodies) {
         LevelShape& shape = body.shapes[0];
@@ -54,7 +54,7 @@ Level coarser(Level level, Shapes shapes) {
     return level;
 }
 
-/// Pieces of a pit set down one by one on a floor, a little above it.
+/// The pieces of a pit, each on its own a little above a floor.
 Level apart(const Level& pit) {
     Level level;
     level.materials = pit.materials;
@@ -79,7 +79,7 @@ Level apart(const Level& pit) {
     return level;
 }
 
-/// A level in one of the two worlds.
+/// A level simulated by one of the two engines.
 class Run {
 public:
     Run(const Level& level, const Variant& variant) {
@@ -110,14 +110,14 @@ private:
     std::vector<size_t> m_bodies;
 };
 
-/// Of a world of Bullet's that nothing is in.
+/// Heap bytes of an empty Bullet world.
 double emptyWorldBytes() {
     const size_t before = mallinfo2().uordblks;
     const auto world = std::make_unique<BulletCompounds>(Level{}, BulletCompounds::Settings{});
     return double(mallinfo2().uordblks - before);
 }
 
-/// What collision needs for a piece that touches on all sides.
+/// Time and memory per piece of the collision data of a piece that touches others on all sides.
 struct Build {
     double ms = 0.0, bytes = 0.0;
 };
@@ -168,8 +168,8 @@ void fall(const Level& pit, const Variant& variant, Result& result) {
     if (result.us.size() == 1) result.overlaps = measureOverlaps(pit, run.poses());
 }
 
-/// How the pieces lie, over how they lie by the finest: the heights' median difference, mm, and the share that lies
-/// otherwise.
+/// Rest poses compared with the reference: median difference of the heights in mm, and share of pieces with another
+/// pose.
 std::pair<double, double> compareRest(const Level& level, const std::vector<Pose>& rest,
                                       const std::vector<Pose>& reference) {
     std::vector<double> heights;
@@ -186,50 +186,64 @@ std::pair<double, double> compareRest(const Level& level, const std::vector<Pose
     return {quantile(heights, 0.5), otherwise / double(heights.size())};
 }
 
+/// Where the pieces lie after four seconds on a floor, each on its own.
+std::vector<Pose> restPoses(Run&& run) {
+    for (int i = 0; i < 240; ++i) run.step(), run.afterStep();
+    return run.poses();
+}
+
+/// The same with every voxel and the accurate preset.
+std::vector<Pose> accurateRest(const Level& floor) {
+    PhysicsScene accurate(known::sleepless(accuratePhysics()));
+    accurate.level = floor;
+    accurate.load();
+    accurate.seconds(4.0);
+    std::vector<Pose> poses;
+    accurate.world.bodies().forEach([&](BodyHandle, const Body& body) { poses.push_back(body.pose); });
+    return poses;
+}
+
+/// Runs all variants in alternation, so that other load on the machine affects them alike.
+std::vector<Result> measureVariants(const Options& options, const Level& pit) {
+    Level onlyPieces = pit;
+    onlyPieces.bodies.erase(onlyPieces.bodies.begin());
+    std::vector<Result> results(std::size(kVariants));
+    for (int i = 0; i < options.repeats; ++i)
+        for (size_t v = 0; v < results.size(); ++v) {
+            if (kVariants[v].detail == Detail::EveryVoxel && kVariants[v].isBullet && i > 0 && !options.full)
+                continue;  // takes as long as all others together
+            fall(pit, kVariants[v], results[v]);
+            const Build build = buildOf(onlyPieces, kVariants[v]);
+            results[v].buildMs.push_back(build.ms), results[v].bytes = build.bytes;
+        }
+    return results;
+}
+
+constexpr const char* kNote =
+    "Overlap: of the original voxels. Pairs: mean number of touching pairs. Build and bytes: all that collision can "
+    "need of a piece; ours is computed brick by brick when another body comes near. Rest error: difference in height "
+    "of a piece's centre when it lies alone on a floor, from every voxel with the accurate preset, median. Other pose: "
+    "rotated by more than 10 degrees.";
+
 }  // namespace
 
 Table collisionTradeoff(const Options& options) {
     const int pieces = options.full ? 144 : 72;
     Table table{
         "T3",
-        fmt::format("what pieces collide as: {} pieces of 64 to 600 voxels in a pit, and set down one by one", pieces),
-        {"collides as", "us a pair", "pairs", "build ms a piece", "bytes a piece", "mean overlap mm",
-         "worst overlap mm", "rests off mm", "lies otherwise %"},
+        fmt::format("collision shapes: {} pieces of 64 to 600 voxels in a pit, and one by one on a floor", pieces),
+        {"collision shape", "us per pair", "pairs", "build ms per piece", "bytes per piece", "mean overlap mm",
+         "max overlap mm", "rest error mm", "other pose %"},
         {}};
-    table.note =
-        "Overlap: of the true voxels. Pairs: that touch, mean. Build and bytes: all that collision can need of a "
-        "piece; ours is found brick by brick "
-        "when something comes near. Rests off: the height of a piece's centre alone on a floor, over every voxel with "
-        "the accurate preset, median; "
-        "otherwise: turned by more than 10 degrees.";
+    table.note = kNote;
     const Level pit = voronoiPit(pieces, options.seed), floor = apart(pit);
-    Level onlyPieces = pit;
-    onlyPieces.bodies.erase(onlyPieces.bodies.begin());
-    const auto restOf = [&](Run&& run) {
-        for (int i = 0; i < 240; ++i) run.step(), run.afterStep();
-        return run.poses();
-    };
-    PhysicsScene accurate(known::sleepless(accuratePhysics()));
-    accurate.level = floor;
-    accurate.load();
-    accurate.seconds(4.0);
-    std::vector<Pose> reference;
-    accurate.world.bodies().forEach([&](BodyHandle, const Body& body) { reference.push_back(body.pose); });
-
-    std::vector<Result> results(std::size(kVariants));
-    for (int i = 0; i < options.repeats; ++i)
-        for (size_t v = 0; v < results.size(); ++v) {
-            if (kVariants[v].detail == Detail::EveryVoxel && kVariants[v].isBullet && i > 0 && !options.full)
-                continue;  // it takes as long as all others
-            fall(pit, kVariants[v], results[v]);
-            const Build build = buildOf(onlyPieces, kVariants[v]);
-            results[v].buildMs.push_back(build.ms), results[v].bytes = build.bytes;
-        }
+    const std::vector<Pose> reference = accurateRest(floor);
+    const std::vector<Result> results = measureVariants(options, pit);
     std::vector<Series> overlap, rest;
     for (size_t v = 0; v < results.size(); ++v) {
         const Result& r = results[v];
         const Measured us = summary(r.us);
-        const auto [off, otherwise] = compareRest(floor, restOf(Run(floor, kVariants[v])), reference);
+        const auto [off, otherwise] = compareRest(floor, restPoses(Run(floor, kVariants[v])), reference);
         table.add({kVariants[v].name, us.text(), fmt::format("{:.0f}", r.pairs), summary(r.buildMs).text(),
                    fmt::format("{:.0f}", r.bytes), fmt::format("{:.2f}", r.overlaps.mean * 1e3),
                    fmt::format("{:.1f}", r.overlaps.worst * 1e3), fmt::format("{:.2f}", off),
@@ -240,13 +254,13 @@ Table collisionTradeoff(const Options& options) {
     const double merged = summary(results[4].us).median, voxels = summary(results[0].us).median;
     table.failed = results[0].overlaps.mean > results[4].overlaps.mean;
     table.conclusion = fmt::format(
-        "Every voxel takes {:.1f} us a pair and overlaps by {:.2f} mm; Bullet's merged boxes {:.1f} us ({:.1f} times "
-        "as long) and {:.2f} mm.",
+        "Every voxel takes {:.1f} us per pair and overlaps by {:.2f} mm; Bullet's merged boxes take {:.1f} us ({:.1f} "
+        "times as long) and overlap by {:.2f} mm.",
         voxels, results[0].overlaps.mean * 1e3, merged, merged / voxels, results[4].overlaps.mean * 1e3);
-    writePlot(options, "T3-overlap", "What pieces collide as: cost against overlap", "us a pair", "mean overlap, mm",
+    writePlot(options, "T3-overlap", "Collision shapes: cost against overlap", "us per pair", "mean overlap, mm",
               overlap);
-    writePlot(options, "T3-rest", "What pieces collide as: cost against where they come to rest", "us a pair",
-              "height off, mm", rest);
+    writePlot(options, "T3-rest", "Collision shapes: cost against rest pose", "us per pair", "error of height, mm",
+              rest);
     return table;
 }
 

@@ -14,7 +14,7 @@
 namespace rubble::tradeoff {
 namespace {
 
-/// A block with storeys of holes, as a building has rooms.
+/// A block with rows of cavities, as a building has rooms.
 Level holedBlock(int size) {
     using namespace scenes;
     Canvas canvas{ivec3(size)};
@@ -27,7 +27,7 @@ Level holedBlock(int size) {
     return level;
 }
 
-/// Spheres that nibble, and every eighth time a slab cut that takes a corner off.
+/// Small spheres, and every eighth time slabs that cut off a corner.
 Edits cutAt(int i, int size, Random& random) {
     const double side = size * 0.1, x = side * random.unit(), y = side * (0.25 + 0.75 * random.unit()),
                  z = side * random.unit();
@@ -50,26 +50,26 @@ Edits cutAt(int i, int size, Random& random) {
     return {cut};
 }
 
-/// Voxels that no path through faces joins to the bottom layer: the plain way, every cell.
+/// Voxels that are not connected to the bottom layer, by a plain flood fill over all cells.
 uint64_t floodFill(const VoxelGrid& grid) {
     const std::vector<bool> anchored = scenes::anchoredCells(grid);
     return grid.voxelCount() - uint64_t(std::count(anchored.begin(), anchored.end(), true));
 }
 
 struct Run {
-    std::vector<double> cutUs, waitUs;  ///< steps with a cut; those between
-    int maxHangingSteps = 0;            ///< that a loose voxel hung
+    std::vector<double> cutUs, waitUs;  ///< steps with a cut; steps between cuts
+    int maxHangingSteps = 0;            ///< longest time that an unanchored voxel stayed attached
     uint64_t stillLoose = 0;
 };
 
-/// watched: after every step all components are looked at for what hangs, which takes far longer than the step.
+/// `watched`: after every step looks for unanchored components in the whole grid, which takes far longer than the step.
 Run cutUp(int size, size_t partsPerStep, int cuts, uint64_t seed, bool watched) {
     World world;
     WorldSettings settings;
     settings.split.partsPerStep = partsPerStep;
     world.setSettings(settings);
     world.load(holedBlock(size));
-    world.applyEdits({CarveEdit{.radii = {0.1, 0.1, 0.1}}});  // a shape's first cut looks at all of it
+    world.applyEdits({CarveEdit{.radii = {0.1, 0.1, 0.1}}});  // the first cut of a shape examines all of it
     const auto standing = [&]() -> const Shape* {
         const Shape* found = nullptr;
         world.shapes().forEach([&](ShapeHandle, const Shape& shape) {
@@ -101,8 +101,8 @@ Run cutUp(int size, size_t partsPerStep, int cuts, uint64_t seed, bool watched) 
     return run;
 }
 
-/// A quantile over the steps of equal runs, each step counted with its median: what the machine did meanwhile is left
-/// out.
+/// A quantile over the steps of equal runs. Each step counts with its median over the runs, which removes other load on
+/// the machine.
 Measured overRuns(const std::vector<Run>& runs, std::vector<double> Run::*list, double share) {
     std::vector<double> typical, each;
     for (size_t i = 0; i < (runs[0].*list).size(); ++i) {
@@ -118,13 +118,13 @@ Measured overRuns(const std::vector<Run>& runs, std::vector<double> Run::*list, 
 
 Table connectivityTradeoff(const Options& options) {
     Table table{"T5",
-                "when what a cut has loosened comes off: a cut's cost, and how long a loose piece hangs",
-                {"grid", "parts a step", "cut us p50", "cut us p99", "step between us p99", "steps a loose piece hangs",
-                 "loose at the end"},
+                "splits at once or in slices: cost of a cut, and how long an unanchored piece stays attached",
+                {"grid", "parts per step", "cut us p50", "cut us p99", "step between us p99",
+                 "steps a piece stays attached", "unanchored at the end"},
                 {}};
     table.note =
-        "Every step counts with its median over the runs, so that the machine's hiccups are left out; the spread is "
-        "that of single runs.";
+        "Every step counts with its median over the runs, which removes other load on the machine; the spread is that "
+        "of single runs.";
     const int size = options.full ? 256 : 128, cuts = options.full ? 96 : 32;
     double atOnce = 0.0, smallest = 0.0, typical = 0.0;
     int hangs = 0;
@@ -158,11 +158,11 @@ Table connectivityTradeoff(const Options& options) {
         plot[3].points.emplace_back(parts, flood.median);
     }
     table.conclusion = fmt::format(
-        "A full flood fill takes {:.0f} times as long as the median cut with its split; at once the slowest cuts take "
-        "{:.0f} us (p99), in the "
-        "smallest slices {:.0f} us, and then a piece hangs for up to {} steps, and {} voxels still do at the end.",
+        "A full flood fill takes {:.0f} times as long as the median cut with its split; done at once, the slowest cuts "
+        "take {:.0f} us (p99); in the smallest slices {:.0f} us, but then a piece stays attached for up to {} steps, "
+        "and {} voxels remain attached at the end.",
         flood.median / typical, atOnce, smallest, hangs, stillLoose);
-    writePlot(options, "T5", "Connectivity: what a cut costs, by how much of it a step may look at", "parts a step",
+    writePlot(options, "T5", "Connectivity: cost of a cut, by how much of it a step may examine", "parts per step",
               "us, p99", plot);
     return table;
 }

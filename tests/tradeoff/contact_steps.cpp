@@ -14,29 +14,29 @@ namespace {
 using namespace known;
 
 constexpr double kFriction = 0.6, kPitSeconds = 2.0, kTowerSeconds = 10.0;
-constexpr double kTolerance = 0.05;  ///< share of cost and error within which a preset counts as on the front
+constexpr double kTolerance = 0.05;  ///< relative difference of cost and error that does not count
 
 struct Setting {
     std::string name;  ///< of a preset; "": a point of the grid
     PhysicsSettings settings;
 };
 
-/// What a setting gets wrong; smaller is better in all but towers and ratios.
+/// Errors of a setting; smaller is better, except for towers and mass ratios.
 struct Errors {
-    double overlap = 0.0, worst = 0.0;  ///< mm, in the pit
-    int tower = 0;                      ///< cubes that stand awake
-    double ratio = 0.0;                 ///< times as heavy as what bears it
-    double incline = 0.0;               ///< share of the acceleration
+    double overlap = 0.0, worst = 0.0;  ///< mm, of the pieces in the pit
+    int tower = 0;                      ///< cubes of the highest tower that stands awake
+    double ratio = 0.0;                 ///< largest ratio of a body's mass to the mass that supports it
+    double incline = 0.0;               ///< relative error of the acceleration
 };
 
 struct Point {
     Setting setting;
-    std::vector<double> us;  ///< a body and 1/60 s, of each run
+    std::vector<double> us;  ///< per body and 1/60 s, of each run
     Errors errors;
     double cost() const { return quantile(us, 0.5); }
 };
 
-/// Processor time of pieces that fall into a pit, us a body and 1/60 s; what they overlap by in the end.
+/// Processor time of pieces that fall into a pit, in us per body and 1/60 s; fills in their overlap if `errors`.
 double fallIntoPit(const Level& level, const PhysicsSettings& settings, Errors* errors) {
     PhysicsScene scene(sleepless(settings));
     scene.level = level;
@@ -55,7 +55,7 @@ double fallIntoPit(const Level& level, const PhysicsSettings& settings, Errors* 
     return ms * 1e3 / double(level.bodies.size() - 1) / (kPitSeconds * 60.0);
 }
 
-/// The last of `values`, in ascending order, before the first for which it does not hold.
+/// The last of the ascending `values` before the first one for which `holds` is false.
 template <class T, class Holds>
 T lastThatHolds(std::initializer_list<T> values, Holds&& holds) {
     T most{};
@@ -95,7 +95,7 @@ std::vector<Setting> settingsOf(bool full) {
             for (const int iterations : {1, 2, 4})
                 for (const double stiffness : {60.0, 240.0}) {
                     if (stiffness > 0.25 * hertz * substeps && stiffness > 60.0)
-                        continue;  // no more than a quarter of the rate counts
+                        continue;  // stiffness above a quarter of the substep rate has no effect
                     const int turned =
                         int(hertz != 60.0) + int(substeps != 4) + int(iterations != 1) + int(stiffness != 60.0);
                     if (full || turned <= 1) all.push_back(gridPoint(hertz, substeps, iterations, stiffness));
@@ -103,7 +103,8 @@ std::vector<Setting> settingsOf(bool full) {
     return all;
 }
 
-/// Better in nothing, worse in something, and dearer; by what steps as often at least, since a game sees each step.
+/// Whether `by` costs less and is at least as good in every error (Pareto dominance). Only a setting with as many steps
+/// per second can dominate: a game sees every step.
 bool isDominated(const Point& point, const Point& by) {
     const Errors &a = point.errors, &b = by.errors;
     return by.setting.settings.stepSeconds <= 1.001 * point.setting.settings.stepSeconds &&
@@ -134,7 +135,7 @@ void plot(const Options& options, const std::vector<Point>& points, const std::s
         for (auto& [x, y] : front.points) y = -y;
     std::vector<Series> series{cloud, front};
     series.insert(series.end(), marks.begin(), marks.end());
-    writePlot(options, name, title, "us a body and 1/60 s", yLabel, series);
+    writePlot(options, name, title, "us per body and 1/60 s", yLabel, series);
 }
 
 }  // namespace
@@ -148,24 +149,22 @@ const std::vector<Preset>& presets() {
 Table contactTradeoff(const Options& options) {
     const int pieces = options.full ? 216 : 72;
     Table table{"T1",
-                fmt::format("how contacts are stepped: processor time a body and 1/60 s ({} pieces that fall into a "
-                            "pit, nothing asleep) against what "
-                            "is wrong",
+                fmt::format("contact solver settings: processor time per body and 1/60 s ({} pieces that fall into a "
+                            "pit, none asleep) against errors",
                             pieces),
-                {"preset", "steps a second", "substeps", "iterations", "contacts Hz", "us a body", "mean overlap mm",
-                 "worst overlap mm", "cubes that stand", "mass ratio", "incline error %"},
+                {"preset", "steps per second", "substeps", "iterations", "contacts Hz", "us per body",
+                 "mean overlap mm", "max overlap mm", "cubes that stand", "mass ratio", "incline error %"},
                 {}};
     table.note = fmt::format(
-        "Overlap: of each pair that overlaps, measured from the voxels after {:.0f} s; 0 would be right. Cubes: the "
-        "highest tower awake after {:.0f} "
-        "s, of 3, 5, 8, 12, 16, 20, 25. Mass ratio: the heaviest on a light one that sinks by less than 1 cm in 10 s, "
-        "up to 3000. Incline: "
-        "acceleration 5 degrees above the angle of friction, over Coulomb's.",
+        "Overlap: of each overlapping pair, measured from the voxels after {:.0f} s; 0 is right. Cubes: the highest "
+        "tower that stands awake after {:.0f} s, of 3, 5, 8, 12, 16, 20, 25. Mass ratio: the heaviest cube that sinks "
+        "into a light one by less than 1 cm in 10 s, up to 3000. Incline: acceleration 5 degrees above the angle of "
+        "friction, compared with Coulomb's law.",
         kPitSeconds, kTowerSeconds);
     const Level pit = voronoiPit(pieces, options.seed);
     std::vector<Point> points;
     for (const Setting& setting : settingsOf(options.full)) points.push_back({setting, {}, {}});
-    for (int i = 0; i < options.repeats; ++i)  // in turns: what else the machine does meanwhile meets all alike
+    for (int i = 0; i < options.repeats; ++i)  // in alternation: other load on the machine affects all alike
         for (Point& point : points)
             point.us.push_back(fallIntoPit(pit, point.setting.settings, i ? nullptr : &point.errors));
     for (Point& point : points) {

@@ -11,13 +11,13 @@ namespace rubble::tradeoff {
 namespace {
 
 constexpr double kKilometres[] = {0.0, 1.0, 10.0, 65.0, 100.0, 1000.0};
-constexpr double kMaxErrorMm = 1.0;  ///< mm at 10 km
+constexpr double kMaxErrorMm = 1.0;  ///< at 10 km
 
 glm::dvec3 at(double kilometres) {
     return {kilometres * 1e3, 0.0, kilometres * 1e3 * 0.625};
 }
 
-/// The same by stock Bullet, whose positions are floats.
+/// The same with stock Bullet, whose positions are floats.
 std::vector<glm::dvec3> tumbleInBullet(glm::dvec3 middle) {
     const Level level = known::tumblingLevel(middle);
     BulletCompounds bullet(level, {});
@@ -43,14 +43,13 @@ double farthest(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>&
 Table coordinateTradeoff(const Options& options) {
     Table table{
         "T10-coordinates",
-        "positions in doubles and in floats: where six pieces are that fell, slid and tumbled for 4 s, over the same "
-        "at the origin",
-        {"km from the origin", "a float's step mm", "bytes a position", "Rubble (doubles) mm", "Bullet (floats) mm"},
+        "positions in doubles and in floats: end positions of six pieces after 4 s, compared with the same at the "
+        "origin",
+        {"km from the origin", "a float's step mm", "bytes per position", "Rubble (doubles) mm", "Bullet (floats) mm"},
         {}};
     table.note =
-        "Bytes a position: 24 in doubles, 12 in floats. Chaos makes metres of what begins as a rounding: the column "
-        "says whether the outcome is "
-        "the same, not how large the error was.";
+        "Bytes per position: 24 in doubles, 12 in floats. Chaos turns a rounding error into metres: the columns say "
+        "whether the outcome is the same, not how large the rounding error was.";
     const std::vector<glm::dvec3> ours = known::tumble({}, at(0.0)), bullet = tumbleInBullet(at(0.0));
     Series inDoubles{"Rubble, doubles", {}}, inFloats{"Bullet, floats", {}}, step{"a float's step", {}};
     double atTen = 0.0, worst = 0.0;
@@ -69,11 +68,10 @@ Table coordinateTradeoff(const Options& options) {
     }
     table.failed = atTen > kMaxErrorMm;
     table.conclusion = fmt::format(
-        "At 10 km pieces end within {:.2g} mm of where they do at the origin, at worst, up to 1000 km, within {:.2g} "
-        "mm.",
-        atTen, worst);
-    writePlot(options, "T10-coordinates", "Positions: how far off pieces end, by how far from the origin they fell",
-              "km", "mm", {inDoubles, inFloats, step});
+        "At 10 km pieces end within {:.2g} mm of where they end at the origin; up to 1000 km, within {:.2g} mm.", atTen,
+        worst);
+    writePlot(options, "T10-coordinates", "Positions: error of the end position, by distance from the origin", "km",
+              "mm", {inDoubles, inFloats, step});
     return table;
 }
 

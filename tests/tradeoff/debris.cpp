@@ -30,7 +30,7 @@ struct Run {
     Image image;
 };
 
-/// A brick wall that is blown in two places.
+/// Two explosions at a brick wall.
 Edits script(int step, uint64_t) {
     Edits edits;
     for (int i = 0; i < 2; ++i)
@@ -91,7 +91,7 @@ Run simulate(const Setting& setting, uint64_t seed, bool drawn) {
     return run;
 }
 
-/// Root mean square difference of two images, 0 to 255.
+/// Root mean square difference of two images, from 0 to 255.
 double difference(const Image& a, const Image& b) {
     if (a.rgb.empty() || a.rgb.size() != b.rgb.size()) return std::nan("");
     double sum = 0.0;
@@ -121,12 +121,11 @@ std::vector<Setting> settingsOf(bool full) {
 }  // namespace
 
 Table debrisTradeoff(const Options& options) {
-    Table table{
-        "T4",
-        "what is kept of debris: step ms against mass and momentum dropped and what is seen of it, over keeping all",
-        {"turned", "smallest piece voxels", "pieces at most", "settle after steps", "step ms", "pieces",
-         "mass dropped kg", "momentum dropped kg m/s", "image rms of 255"},
-        {}};
+    Table table{"T4",
+                "debris budgets: step ms against mass, momentum and image lost, compared with keeping all debris",
+                {"varied", "smallest piece voxels", "max pieces", "settle after steps", "step ms", "pieces",
+                 "mass dropped kg", "momentum dropped kg m/s", "image rms of 255"},
+                {}};
     const Run reference = simulate({"reference", 1, 10'000, kNever}, options.seed, true);
     std::vector<Series> plot;
     double keepAll = 0.0, least = 1e30, dropped = 0.0;
@@ -146,13 +145,11 @@ Table debrisTradeoff(const Options& options) {
         series->points.emplace_back(ms.median, seen.massLost - reference.massLost);
     }
     table.conclusion = fmt::format(
-        "Keeping all takes {:.2f} ms a step; the cheapest setting {:.2f} ms, for {:.0f} kg of debris turned to dust. "
-        "Pieces fall chaotically: any "
-        "change "
-        "moves the image by much the same.",
+        "Keeping all debris takes {:.2f} ms per step; the cheapest setting takes {:.2f} ms and turns {:.0f} kg of "
+        "debris to dust. Pieces fall chaotically: any change of settings changes the image by a similar amount.",
         keepAll, least, dropped);
-    writePlot(options, "T4", "Debris: what a step costs against what is turned to dust to save it", "ms a step",
-              "kg turned to dust, over keeping all", plot);
+    writePlot(options, "T4", "Debris: cost of a step against mass turned to dust", "ms per step",
+              "kg turned to dust, compared with keeping all", plot);
     return table;
 }
 

@@ -15,8 +15,8 @@ namespace {
 constexpr int kSteps = 120, kQuietSteps = 60;
 constexpr uint32_t kUnlimited = std::numeric_limits<uint32_t>::max();
 
-/// A yard with something for each feature: a brick wall that is blown, a timber hut that burns, a concrete canopy that
-/// loses a post, and sprays of paint.
+/// A yard that uses each feature: a brick wall is blown up, a timber hut burns, a concrete canopy loses posts, and
+/// paint is sprayed.
 Level yard() {
     using namespace scenes;
     Level level = makeWall();
@@ -96,7 +96,7 @@ Run simulate(const Level& level, const Variant& variant, uint64_t seed) {
                 for (double y = 0.5; y < 3.0; y += 1.0)
                     loop.edits().push(PaintEdit{.position = {x, y, z}, .radius = 1.0, .color = {90, 90, 99}});
     Run run;
-    for (int step = 0; step < kQuietSteps; ++step) {  // what was loaded settles, and is weighed
+    for (int step = 0; step < kQuietSteps; ++step) {  // bodies come to rest, and the stress analysis finishes
         loop.step();
         run.early += loop.changes().cracks.size();
     }
@@ -155,32 +155,30 @@ std::vector<Variant> variants() {
 }
 
 constexpr const char* kMeaning =
-    "stress, always: no limit of work a step; fire, always: no limit of fires, four times the spread; paint, always: "
-    "all surfaces carry a layer "
-    "beforehand; fragments, off: blasts carve, always: no limit, and every touch breaks; debris budget, by rule: 60 "
-    "awake and 150 in all, always: "
-    "nothing is kept; particles, always: no limit";
+    "stress, always: no limit of work per step; fire, always: no limit of fires, four times the spread; paint, always: "
+    "all surfaces have a paint layer from the start; fragments, off: explosions only carve, always: no limit, and "
+    "every contact breaks; debris budget, by rule: 60 awake and 150 in all, always: no debris is kept; particles, "
+    "always: no limit";
 
 }  // namespace
 
 Table featureTradeoff(const Options& options) {
     Table table{"T12",
-                fmt::format("what each feature of destruction costs and does, all others by rule: {} steps of a yard "
-                            "where a wall is blown, a hut "
-                            "burns, a canopy loses two posts and paint is sprayed",
+                fmt::format("cost and effect of each feature of destruction, with the others by rule: {} steps of a "
+                            "yard where a wall is blown up, a hut burns, a canopy loses two posts and paint is sprayed",
                             kSteps),
-                {"feature", "state", "step ms", "over off", "worst step ms", "nothing happens: us a step",
+                {"feature", "state", "step ms", "over off", "max step ms", "nothing happens: us per step",
                  "voxels removed", "pieces", "cracks", "fires", "voxels painted", "merged colours", "bodies left"},
                 {}};
     table.note = kMeaning;
     const Level level = yard();
     std::vector<Bar> bars;
-    uint64_t early = 0;  // cracks before anything has happened: there should be none
+    uint64_t early = 0;  // cracks before the first edit: expected none
     double off = 0.0, minQuiet = 1e30, maxQuiet = 0.0, most = 0.0;
     std::string costliest;
     const std::vector<Variant> all = variants();
     std::vector<std::vector<Run>> runs(all.size());
-    for (int i = 0; i < options.repeats; ++i)  // in turns: what else the machine does meanwhile meets all alike
+    for (int i = 0; i < options.repeats; ++i)  // in alternation: other load on the machine affects all alike
         for (size_t v = 0; v < all.size(); ++v) runs[v].push_back(simulate(level, all[v], options.seed));
     for (size_t v = 0; v < all.size(); ++v) {
         const Variant& variant = all[v];
@@ -205,13 +203,12 @@ Table featureTradeoff(const Options& options) {
         if (variant.state != std::string("blended instead")) bars.push_back({variant.feature, variant.state, ms});
     }
     table.conclusion = fmt::format(
-        "While nothing happens a step costs {:.1f} to {:.1f} us whatever is on ({} cracks before anything happened); "
-        "while something does, of the "
-        "features by rule {} costs most over off: {:+.0f} %.",
+        "While nothing happens, a step costs {:.1f} to {:.1f} us with any feature on ({} cracks before the first "
+        "edit). Of the features by rule, {} costs most compared with off: {:+.0f} %.",
         minQuiet, maxQuiet, early, costliest.empty() ? "none" : costliest, most);
     table.failed = maxQuiet > 50.0 || early > 0;
     writeBars(options, "T12", "Features of destruction: off, by rule, always",
-              "ms a step, mean of " + std::to_string(kSteps) + " steps", bars);
+              "ms per step, mean of " + std::to_string(kSteps) + " steps", bars);
     return table;
 }
 

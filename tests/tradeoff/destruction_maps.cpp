@@ -14,7 +14,7 @@
 namespace rubble::tradeoff {
 namespace {
 
-constexpr double kStable = 1000.0 / 60.0, kDegraded = 100.0;  // ms a step
+constexpr double kStable = 1000.0 / 60.0, kDegraded = 100.0;  // ms per step
 
 constexpr Meanings kTimes = {"up to 16.7 ms", "up to 100 ms", "more", "nothing breaks"};
 
@@ -38,8 +38,7 @@ Level block(int size, const scenes::SurfaceStyle& style = scenes::kConcrete) {
     return level;
 }
 
-/// A block in the air over a floor, held at one corner cell only, and the cuts that make count^3 dice of three cells of
-/// it.
+/// A block in the air over a floor, anchored at one corner cell; dice() cuts it into count^3 cubes of three cells.
 Level heldBlock(int count) {
     using namespace scenes;
     Level level = makeSingleCube(1, 0.1);
@@ -67,7 +66,7 @@ Edits dice(int count) {
     return edits;
 }
 
-/// A beam of `depth` x `depth` cells that grows `length` cells out of a wall.
+/// A beam of `depth` x `depth` cells that extends `length` cells from a wall.
 Level cantilever(int depth, int length) {
     using namespace scenes;
     Canvas canvas({length + 4, depth, depth});
@@ -79,7 +78,7 @@ Level cantilever(int depth, int length) {
     return level;
 }
 
-/// Stress over strength at the wall, by beam theory: 3 rho g L^2 / d over the tensile strength as it is scaled.
+/// Stress over strength at the wall by beam theory: 3 rho g L^2 / d, divided by the scaled tensile strength.
 double beamTheory(int depth, int length, double scale) {
     const Material& concrete = defaultMaterials()[defaultMaterials().find("concrete")];
     return 3.0 * double(concrete.density) * 9.81 * std::pow(0.1 * length, 2) / (0.1 * depth) /
@@ -90,8 +89,8 @@ double beamTheory(int depth, int length, double scale) {
 
 Table piecesMap(const Options& options) {
     Table table{"T13-pieces",
-                "loose pieces that fall together, against the budget of those that move",
-                {"pieces", "awake at most", "step ms p95", "left", "outcome"},
+                "loose pieces that fall at once, against the budget of awake pieces",
+                {"pieces", "max awake", "step ms p95", "left", "outcome"},
                 {}};
     std::vector<MapCell> cells;
     const std::vector<int> counts = options.full ? std::vector<int>{4, 8, 12, 16} : std::vector<int>{3, 5, 8};
@@ -129,18 +128,17 @@ Table piecesMap(const Options& options) {
                              fmt::format("{:.1f} ms\n{} left", p95, left)});
         }
     table.conclusion = fmt::format(
-        "{} points stay within a frame; {} pieces take {:.1f} ms a step if all may move, {:.1f} ms if {} may, and then "
-        "the rest is dust: {} are "
-        "left.",
+        "{} points stay within 1/60 s; {} pieces take {:.1f} ms per step if all may be awake, {:.1f} ms if {} may: "
+        "then the others turn to dust, and {} are left.",
         countOf(cells, Outcome::Stable), most * most * most - 1, unlimited, tightest, budgets.back(), kept);
-    writeMap(options, "T13-pieces", "Pieces that fall at once, and how many may move: ms a step, p95", "loose pieces",
-             "awake at most", cells, kTimes);
+    writeMap(options, "T13-pieces", "Pieces that fall at once, and how many may be awake: ms per step, p95",
+             "loose pieces", "awake at most", cells, kTimes);
     return table;
 }
 
 Table splitMap(const Options& options) {
     Table table{"T13-split",
-                "one cut and its split: radius against size of the object, and numbers no brush should have",
+                "one cut and its split: radius against size of the object, and invalid radii",
                 {"grid", "radius cells", "ms", "voxels", "outcome"},
                 {}};
     std::vector<MapCell> cells;
@@ -154,7 +152,7 @@ Table splitMap(const Options& options) {
             const Measured ms = measure(options.repeats, [&] {
                 World world;
                 world.load(level);
-                world.applyEdits({CarveEdit{.radii = {0.1, 0.1, 0.1}}});  // a shape's first cut looks at all of it
+                world.applyEdits({CarveEdit{.radii = {0.1, 0.1, 0.1}}});  // the first cut of a shape examines all of it
                 CarveEdit carve;
                 carve.position = glm::dvec3(size * 0.05, size * 0.1, size * 0.05);
                 carve.radii = {radius * 0.1, radius * 0.1, radius * 0.1};
@@ -176,9 +174,8 @@ Table splitMap(const Options& options) {
         }
     }
     table.conclusion = fmt::format(
-        "{} points stay within a frame; a radius of 16 cells takes {:.2f} ms in the smallest cube and {:.2f} ms in the "
-        "largest; numbers that are "
-        "none touch nothing.",
+        "{} points stay within 1/60 s; a radius of 16 cells takes {:.2f} ms in the smallest cube and {:.2f} ms in the "
+        "largest; a radius of NaN removes nothing.",
         countOf(cells, Outcome::Stable), inSmallest, inLargest);
     table.failed = inLargest > 4.0 * inSmallest || nanTouched > 0;
     writeMap(options, "T13-split", "One cut and its split: ms of that step", "radius of the cut, cells", "cube, cells",
@@ -186,11 +183,10 @@ Table splitMap(const Options& options) {
     return table;
 }
 
-/// A block that is blown: how much comes off, of what.
 Table fragmentMap(const Options& options) {
     Table table{"T13-fragments",
-                "one blast at a block of 48^3 cells: energy against hardness",
-                {"material", "hardness", "size of the charge", "ms", "fragments", "voxels of dust", "outcome"},
+                "one explosion at a block of 48^3 cells: size against hardness",
+                {"material", "hardness", "size of the explosion", "ms", "fragments", "voxels of dust", "outcome"},
                 {}};
     std::vector<MapCell> cells;
     uint64_t maxPieces = 0;
@@ -228,11 +224,10 @@ Table fragmentMap(const Options& options) {
                              pieces + dust ? fmt::format("{} pieces\n{:.1f} ms", pieces, ms.median) : "nothing"});
         }
     }
-    table.conclusion =
-        fmt::format("{} points stay within a frame; the largest blast makes {} pieces, the slowest takes {:.0f} ms.",
-                    countOf(cells, Outcome::Stable), maxPieces, slowest);
-    writeMap(options, "T13-fragments", "One blast: fragments, and ms of that step",
-             "size of the charge: metres that it breaks of what is soft", "material, hardness", cells, kTimes);
+    table.conclusion = fmt::format("{} points stay within 1/60 s; at most {} pieces, at most {:.0f} ms.",
+                                   countOf(cells, Outcome::Stable), maxPieces, slowest);
+    writeMap(options, "T13-fragments", "One explosion: fragments, and ms of that step",
+             "size of the explosion: radius in metres in soft material", "material, hardness", cells, kTimes);
     return table;
 }
 
@@ -240,9 +235,9 @@ Table stressMap(const Options& options) {
     constexpr int kDepth = 4;
     Table table{
         "T13-stress",
-        "a concrete cantilever 4 cells deep: strength against span; does it stand, and should it by beam theory?",
+        "a concrete cantilever 4 cells deep: whether it stands, by strength and span, compared with beam theory",
         {"strength scale", "span cells", "stress over strength by beam theory", "stands", "steps until it broke",
-         "worst step us", "outcome"},
+         "max step us", "outcome"},
         {}};
     std::vector<MapCell> cells;
     const std::vector<double> scales = options.full
@@ -283,13 +278,13 @@ Table stressMap(const Options& options) {
     table.failed =
         std::any_of(cells.begin(), cells.end(), [](const MapCell& cell) { return cell.outcome == Outcome::Failed; });
     table.conclusion = fmt::format(
-        "{} points do what beam theory says (otherwise, but within 10 % of its limit: {}; against it: {}); the slowest "
+        "{} points agree with beam theory (disagree, but within 10 % of its limit: {}; contradict it: {}); the slowest "
         "step takes {:.1f} ms.",
         countOf(cells, Outcome::Stable), countOf(cells, Outcome::Degraded), countOf(cells, Outcome::Failed),
         slowest / 1000.0);
-    writeMap(options, "T13-stress", "A cantilever: what it does, and stress over strength by beam theory",
-             "span, cells of 0.1 m", "strength, of the real one", cells,
-             {"as theory says", "within 10 % of it", "against it", nullptr});
+    writeMap(options, "T13-stress", "A cantilever: whether it stands, and stress over strength by beam theory",
+             "span, cells of 0.1 m", "strength, as a share of the real one", cells,
+             {"agrees with theory", "within 10 % of it", "contradicts it", nullptr});
     return table;
 }
 

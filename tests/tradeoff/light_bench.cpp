@@ -14,14 +14,14 @@
 namespace rubble::tradeoff {
 namespace {
 
-/// Of this process, in all its threads: what else the machine does is left out.
+/// Processor time of all threads of this process: other load on the machine is not counted.
 double processorMs() {
     timespec t{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
 }
 
-/// One for all: the software renderer, so that every machine measures the same thing.
+/// The one context of this process: software GL, so that all machines measure the same renderer.
 GlContext& context() {
     static const auto made = [] {
         auto context = GlContext::create(GlContext::Kind::OsMesa);

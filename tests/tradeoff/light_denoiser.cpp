@@ -37,7 +37,7 @@ RenderSettings renderSettings(const Setting& setting) {
     return settings;
 }
 
-/// A floor in the shade of a screen that can be taken away.
+/// A floor in the shadow of a wall that can be removed.
 struct RemovableScreen {
     LitScene scene;
     ShapeHandle screen;
@@ -54,7 +54,7 @@ struct RemovableScreen {
     }
 };
 
-/// Mean of the sun's share and of the light's luminance in the middle of the frame.
+/// Mean of the sun's share and of the light's luminance, in the middle of the frame.
 glm::dvec2 middleOf(const FloatImage& image) {
     glm::dvec2 sum(0.0);
     const glm::ivec2 low = image.size / 3, high = image.size * 2 / 3;
@@ -65,8 +65,8 @@ glm::dvec2 middleOf(const FloatImage& image) {
     return sum / double((high.x - low.x) * (high.y - low.y));
 }
 
-/// Pictures until 90 % of the new light is there (the later of sun and sky), and the share of it that is wrong
-/// after 30.
+/// Frames until 90 % of the new light has arrived (the later of sun and sky), and the share that is wrong after 30
+/// frames.
 struct Response {
     int lag = 0;
     double ghost = 0.0;
@@ -80,7 +80,7 @@ Response responseOf(const Setting& setting) {
     bench.apply(opening.scene.step());
     std::vector<glm::dvec2> after;
     for (int i = 0; i < kAfter; ++i) bench.draw(), after.push_back(middleOf(bench.read("denoisedLight")));
-    glm::dvec2 settled(0.0);  // over many frames: one has noise
+    glm::dvec2 settled(0.0);  // mean of 40 frames, against noise
     for (int i = kAfter - 40; i < kAfter; ++i) settled += after[size_t(i)] / 40.0;
     Response response;
     for (int c = 0; c < 2; ++c) {
@@ -93,7 +93,7 @@ Response responseOf(const Setting& setting) {
     return response;
 }
 
-/// Of the still street: how far the mean of many frames is from the converged light, and how much each strays from that
+/// Of a still view: bias of the mean of many frames from the converged light, and flicker of single frames around their
 /// mean.
 struct Still {
     double bias = 0.0, flicker = 0.0, ms = 0.0;
@@ -141,15 +141,13 @@ FloatImage convergedStreet(const reference::SceneView& street) {
 Table denoiserTradeoff(const Options& options) {
     Table table{
         "T9",
-        "the denoiser's memory, reach and forgetting, against the renderer's own converged light",
+        "the denoiser's history, filter and response to changes, against the renderer's converged light",
         {"history", "filter passes", "forgets changes", "ms", "bias %", "flicker %", "lag frames", "ghost after 30 %"},
         {}};
     table.note =
-        "Bias and flicker: of the still street's light, in per cent of its mean. Lag: frames after a wall is gone "
-        "until 90 % of the sun's and "
-        "sky's new "
-        "light is seen and stays; ghost: what is still wrong of it after 30. ms: accumulation and filter at 160x90, "
-        "the least of 64 frames.";
+        "Bias and flicker: of a still view's light, in per cent of its mean. Lag: frames after a wall is removed until "
+        "90 % of the sun's and sky's new light has arrived; ghost: what is still wrong of it after 30 frames. ms: "
+        "accumulation and filter at 160x90, the minimum of 64 frames.";
     const reference::SceneView street = reference::tuningViews(false)[0];
     const FloatImage converged = convergedStreet(street);
     Series bias{"bias", {}, true}, flicker{"flicker", {}, true};
@@ -169,8 +167,7 @@ Table denoiserTradeoff(const Options& options) {
             still.bias * 100, still.flicker * 100, response.lag, response.ghost * 100);
         table.failed = response.lag > kMaxLagFrames || response.ghost > 0.02;
     }
-    writePlot(options, "T9", "The denoiser: bias and flicker by what it takes", "ms", "per cent of the light",
-              {bias, flicker});
+    writePlot(options, "T9", "The denoiser: bias and flicker by time", "ms", "per cent of the light", {bias, flicker});
     return table;
 }
 

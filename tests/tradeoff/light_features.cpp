@@ -27,7 +27,7 @@ const Feature kFeatures[] = {
     {"bloom", [](RenderSettings& s) { s.bloom = 0.0f; }},
 };
 
-/// Pictures of each in turns: what else the machine does meets all alike.
+/// Draws frames of all renderers in alternation: other load on the machine affects all alike.
 std::vector<std::unique_ptr<LightBench>> drawAll(const ReferenceView& street) {
     std::vector<std::unique_ptr<LightBench>> benches;
     benches.push_back(
@@ -46,14 +46,12 @@ std::vector<std::unique_ptr<LightBench>> drawAll(const ReferenceView& street) {
 
 Table lightFeatureTradeoff(const Options& options) {
     Table table{"T12-light",
-                "features of light: what each takes, and what the frame loses without it",
-                {"off", "processor ms a frame", "ms saved", "MB of textures", "draw calls", "FLIP", "relMSE"},
+                "features of light: cost of each, and error of the frame without it",
+                {"off", "processor ms per frame", "ms saved", "MB of textures", "draw calls", "FLIP", "relMSE"},
                 {}};
     table.note =
-        "The street in the evening, 192x108, 16 frames, against the referenceImage. Each row turns one feature off. By "
-        "rule means: its passes and targets "
-        "are there "
-        "only while the scene has something for it; tests/render counts them.";
+        "The street in the evening, 192x108, 16 frames, against the reference. Each row turns one feature off. Passes "
+        "and targets of a feature exist only while the scene needs it; tests/render counts them.";
     const ReferenceView street = streetReference(options, kSize);
     const auto benches = drawAll(street);
     const double all = benches[0]->ms();
@@ -79,7 +77,7 @@ Table lightFeatureTradeoff(const Options& options) {
     }
     table.conclusion = fmt::format("All on: {:.1f} ms and a FLIP of {:.4f}; costliest is {}: {:.1f} ms.", all,
                                    best.flip, costliest, most);
-    writeBars(options, "T12-light", "What the frame loses without each feature", "FLIP", bars);
+    writeBars(options, "T12-light", "Error of the frame without each feature", "FLIP", bars);
     return table;
 }
 

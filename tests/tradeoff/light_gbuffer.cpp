@@ -29,7 +29,7 @@ glm::vec3 octahedral(glm::vec3 n, float steps) {
     return glm::normalize(v);
 }
 
-/// Mean and largest error of what a format makes of each pixel.
+/// Mean and largest error of a format over all pixels that show a surface.
 struct Errors {
     double mean = 0.0, largest = 0.0;
 };
@@ -47,18 +47,34 @@ Errors errorsOf(const FloatImage& image, const FloatImage& depth,
     return errors;
 }
 
+double degreesBetween(glm::vec3 a, glm::vec3 b) {
+    return glm::degrees(std::acos(std::min(1.0, double(glm::dot(glm::normalize(a), glm::normalize(b))))));
+}
+
+/// How far a format moves the displayed radiance, in steps of 255.
+Errors displayErrors(const FloatImage& radiance, const FloatImage& depth,
+                     const std::function<glm::vec3(glm::vec3)>& store) {
+    FloatImage stored = radiance;
+    for (glm::vec4& p : stored.pixels) p = glm::vec4(store(glm::vec3(p)), 1.0f);
+    const FloatImage a = reference::displayed(radiance, 1.0f), b = reference::displayed(stored, 1.0f);
+    FloatImage off(kSize);
+    for (size_t i = 0; i < off.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            off.pixels[i].x = std::max(off.pixels[i].x, 255.0f * std::abs(a.pixels[i][c] - b.pixels[i][c]));
+    return errorsOf(off, depth, [](const glm::vec4& v) { return double(v.x); });
+}
+
 }  // namespace
 
 Table gbufferTradeoff(const Options&) {
     Table table{"T10-gbuffer",
-                "what each format of the G-buffer and of light makes of what it is given",
-                {"target", "format", "bytes", "unit", "mean error", "largest"},
+                "formats of the G-buffer and of light: error of the stored values",
+                {"target", "format", "bytes", "unit", "mean error", "max error"},
                 {}};
     table.note =
-        "The street in the evening, 320x180: values as drawn, rounded to each format. A shadow ray leaves within 1 mm "
-        "of where it should, or faces "
-        "shadow "
-        "themselves. Steps of 255: how far a format moves what is displayed, beyond one it can be seen as banding.";
+        "The street in the evening, 320x180: values as drawn, rounded to each format. A shadow ray must start within 1 "
+        "mm of its surface, or surfaces shadow themselves. Steps of 255: how far a format moves displayed values; "
+        "banding is visible beyond one step.";
     const reference::SceneView street = reference::tuningViews(false)[0];
     RenderSettings settings = reference::comparedSettings();
     LightBench bench(street.snapshot, street.view, kSize, settings);
@@ -77,36 +93,24 @@ Table gbufferTradeoff(const Options&) {
             errorsOf(depth, depth, [](const glm::vec4& v) { return 1e3 * std::abs(half(v.x) - v.x); }));
     add("depth", "R16F of 1/depth", 2, "mm",
         errorsOf(depth, depth, [](const glm::vec4& v) { return 1e3 * std::abs(1.0 / half(1.0f / v.x) - v.x); }));
-    const auto angle = [](glm::vec3 a, glm::vec3 b) {
-        return std::acos(std::min(1.0, double(glm::dot(glm::normalize(a), glm::normalize(b))))) * 57.29578;
-    };
-    add("normal", "RGBA16F (drawn)", 8, "degrees", errorsOf(normal, depth, [&](const glm::vec4& v) {
-            return angle({half(v.x), half(v.y), half(v.z)}, glm::vec3(v));
+    add("normal", "RGBA16F (drawn)", 8, "degrees", errorsOf(normal, depth, [](const glm::vec4& v) {
+            return degreesBetween({half(v.x), half(v.y), half(v.z)}, glm::vec3(v));
         }));
     for (const auto& [name, bytes, steps] :
          {std::tuple{"octahedral 2x16", 4, 65535.0f}, {"octahedral 2x12", 3, 4095.0f}, {"octahedral 2x8", 2, 255.0f}})
-        add("normal", name, bytes, "degrees", errorsOf(normal, depth, [&, s = steps](const glm::vec4& v) {
-                return angle(octahedral(glm::vec3(v), s), glm::vec3(v));
+        add("normal", name, bytes, "degrees", errorsOf(normal, depth, [s = steps](const glm::vec4& v) {
+                return degreesBetween(octahedral(glm::vec3(v), s), glm::vec3(v));
             }));
-    const auto steps = [&](const std::function<glm::vec3(glm::vec3)>& store) {
-        FloatImage stored = radiance;
-        for (glm::vec4& p : stored.pixels) p = glm::vec4(store(glm::vec3(p)), 1.0f);
-        const FloatImage a = reference::displayed(radiance, 1.0f), b = reference::displayed(stored, 1.0f);
-        FloatImage off(kSize);
-        for (size_t i = 0; i < off.pixels.size(); ++i)
-            for (int c = 0; c < 3; ++c)
-                off.pixels[i].x = std::max(off.pixels[i].x, 255.0f * std::abs(a.pixels[i][c] - b.pixels[i][c]));
-        return errorsOf(off, depth, [](const glm::vec4& v) { return double(v.x); });
+    const auto addRadiance = [&](const char* format, int bytes, const std::function<glm::vec3(glm::vec3)>& store) {
+        return add("radiance", format, bytes, "steps of 255", displayErrors(radiance, depth, store));
     };
-    add("radiance", "RGBA16F (drawn)", 8, "steps of 255",
-        steps([](glm::vec3 v) { return glm::vec3(half(v.x), half(v.y), half(v.z)); }));
-    add("radiance", "R11F_G11F_B10F", 4, "steps of 255",
-        steps([](glm::vec3 v) { return glm::unpackF2x11_1x10(glm::packF2x11_1x10(v)); }));
-    const Errors shared = add("radiance", "RGB9_E5", 4, "steps of 255",
-                              steps([](glm::vec3 v) { return glm::unpackF3x9_E1x5(glm::packF3x9_E1x5(v)); }));
+    addRadiance("RGBA16F (drawn)", 8, [](glm::vec3 v) { return glm::vec3(half(v.x), half(v.y), half(v.z)); });
+    addRadiance("R11F_G11F_B10F", 4, [](glm::vec3 v) { return glm::unpackF2x11_1x10(glm::packF2x11_1x10(v)); });
+    const Errors shared =
+        addRadiance("RGB9_E5", 4, [](glm::vec3 v) { return glm::unpackF3x9_E1x5(glm::packF3x9_E1x5(v)); });
     table.conclusion = fmt::format(
-        "Depth needs 32 bits: in 16 it is off by up to {:.1f} mm. Radiance would lose at most {:.2f} steps in RGB9_E5 "
-        "at half the bytes.",
+        "Depth needs 32 bits: in 16 its error is up to {:.1f} mm. Radiance would change by at most {:.2f} steps in "
+        "RGB9_E5 at half the bytes.",
         halfDepth.largest, shared.largest);
     return table;
 }

@@ -29,7 +29,7 @@ uint8_t solid(glm::ivec3) {
     return 1;
 }
 
-/// How far a row of a map holds, for the envelope: the last value before the first that is not stable.
+/// The stable range of a map's row as text: up to the last value before the first one that is not stable.
 std::string stableRange(const std::vector<std::pair<std::string, Outcome>>& row) {
     std::string last;
     for (const auto& [value, outcome] : row) {
@@ -38,11 +38,10 @@ std::string stableRange(const std::vector<std::pair<std::string, Outcome>>& row)
                                 : fmt::format("up to {}, {} at {}", last, nameOf(outcome), value);
         last = value;
     }
-    return fmt::format("up to {}, the most that was tried", last);
+    return fmt::format("up to {}, the largest value tried", last);
 }
 
-/// A floor lit by one ball over it, that shines back to the eye: relative difference of the mean radiance from the
-/// referenceImage.
+/// Relative error of the mean radiance of a floor that one sphere light over it lights.
 double sphereLightError(uint8_t roughness, float radius) {
     LitScene scene(gray(roughness));
     Environment& air = scene.environment;
@@ -68,11 +67,11 @@ double sphereLightError(uint8_t roughness, float radius) {
     return std::abs(off) / std::max(all, 1e-6);
 }
 
-/// Share of pixels that show another surface than the referenceImage, of the street's first view moved away from the
+/// Share of pixels that show another surface than an exact ray hits, in a view that is `distance` metres from the
 /// origin.
-double visibilityError(double away, float degrees) {
+double visibilityError(double distance, float degrees) {
     LitScene scene(gray(255));
-    const glm::dvec3 origin(away, 0, -away);
+    const glm::dvec3 origin(distance, 0, -distance);
     scene.add({60, 2, 60}, {origin + glm::dvec3(-3, -0.2, -3)}, solid);
     scene.add({10, 20, 10}, {origin + glm::dvec3(0.5, 0, -0.5)}, solid);
     scene.add({6, 6, 6},
@@ -81,28 +80,28 @@ double visibilityError(double away, float degrees) {
     Camera camera;
     camera.position = origin + glm::dvec3(0.2, 1.5, 3.0);
     camera.lookAt(origin + glm::dvec3(0, 0.5, 0));
-    camera.verticalFov = degrees * 3.14159265f / 180.0f;
+    camera.verticalFov = glm::radians(degrees);
     RenderSettings settings = reference::comparedSettings();
     settings.temporal = false;
     View view = camera.view(kSize, 0);
     LightBench bench(scene.snapshot(), view, kSize, settings);
     bench.draw(1);
     const FloatImage depth = bench.read("depth");
-    const reference::Scene referenceImage(scene.snapshot());
+    const reference::Scene exact(scene.snapshot());
     int differ = 0;
     for (int y = 0; y < kSize.y; ++y)
         for (int x = 0; x < kSize.x; ++x) {
             const glm::dvec2 p = (glm::dvec2(x, y) + 0.5) / glm::dvec2(kSize) * 2.0 - 1.0;
             const double tanY = std::tan(double(camera.verticalFov) * 0.5), tanX = tanY * kSize.x / kSize.y;
             const glm::dvec3 ray = camera.rotation() * glm::dvec3(p.x * tanX, p.y * tanY, -1.0);
-            const reference::Surface s = referenceImage.closest({camera.position, glm::normalize(ray)});
+            const reference::Surface s = exact.closest({camera.position, glm::normalize(ray)});
             const double expected = s.t / glm::length(ray), drawn = depth.at(x, y).x;
             differ += s.hit ? std::abs(expected - drawn) > 2e-3 * expected + 2e-3 : drawn < 1e4;
         }
     return double(differ) / (kSize.x * kSize.y);
 }
 
-/// Mean difference of the sun's share from that in the referenceImage, behind the edge of a roof.
+/// Mean error of the sun's share behind the edge of a roof.
 double penumbraError(float radians, double height) {
     LitScene scene(gray(255));
     scene.environment.sunDirection = {0.0f, 1.0f, 0.0f};
@@ -130,11 +129,11 @@ double penumbraError(float radians, double height) {
 
 Table sphereLightMap(const Options& options) {
     Table table{"T13-sphere-light",
-                "lamps' light on floors of every roughness",
+                "sphere lights over floors of any roughness",
                 {"roughness", "radius m", "error %", "outcome"},
                 {}};
     table.note =
-        "Mean radiance of a floor that one ball lights, one ray a pixel, 24 frames, against the referenceImage. "
+        "Mean radiance of a floor that one sphere light lights, one ray per pixel, 24 frames, against the reference. "
         "Stable: within 3 %; degraded: 15 %.";
     std::vector<MapCell> cells;
     int stable = 0;
@@ -153,14 +152,14 @@ Table sphereLightMap(const Options& options) {
         table.envelope.emplace_back(name, stableRange(row));
     }
     table.conclusion = fmt::format("{} of {} are within 3 %.", stable, cells.size());
-    writeMap(options, "T13-sphere-light", "T13-sphere-light: error of a floor's radiance", "radius of the lamp",
+    writeMap(options, "T13-sphere-light", "T13-sphere-light: error of a floor's radiance", "radius of the light",
              "roughness of the floor", cells, {"within 3 %", "within 15 %", "more", nullptr});
     return table;
 }
 
 Table visibilityMap(const Options& options) {
     Table table{"T13-visibility",
-                "what is seen, by distance from the origin and angle of view",
+                "visible surfaces, by distance from the origin and angle of view",
                 {"vertical angle", "km", "wrong pixels %", "outcome"},
                 {}};
     table.note =
@@ -170,12 +169,13 @@ Table visibilityMap(const Options& options) {
     for (const float degrees : {1.0f, 10.0f, 60.0f, 120.0f, 160.0f, 179.0f}) {
         std::vector<std::pair<std::string, Outcome>> row;
         const std::string name = fmt::format("{:g} degrees", degrees);
-        for (const double away : {0.0, 1e3, 1e4, 1e5, 1e6, 1e7}) {
-            const double error = visibilityError(away, degrees);
+        for (const double distance : {0.0, 1e3, 1e4, 1e5, 1e6, 1e7}) {
+            const double error = visibilityError(distance, degrees);
             const Outcome outcome = judge(error, 0.01, 0.05);
-            const std::string x = fmt::format("{:g} km", away * 1e-3);
+            const std::string x = fmt::format("{:g} km", distance * 1e-3);
             cells.push_back({x, name, outcome, fmt::format("{:.2f} %", error * 100)});
-            table.add({name, fmt::format("{:g}", away * 1e-3), fmt::format("{:.2f}", error * 100), nameOf(outcome)});
+            table.add(
+                {name, fmt::format("{:g}", distance * 1e-3), fmt::format("{:.2f}", error * 100), nameOf(outcome)});
             row.emplace_back(x, outcome);
             stable += outcome == Outcome::Stable;
         }
@@ -193,10 +193,8 @@ Table penumbraMap(const Options& options) {
                 {"height of the edge", "sun's radius", "error", "outcome"},
                 {}};
     table.note =
-        "Mean difference of the sun's share from the referenceImage, one ray a pixel, filtered, 32 frames, for edges "
-        "at a height and suns of an angular "
-        "radius. "
-        "Stable: 0.02; degraded: 0.06.";
+        "Mean error of the sun's share against the reference, one ray per pixel, filtered, 32 frames, by the height of "
+        "the edge and the angular radius of the sun. Stable: 0.02; degraded: 0.06.";
     std::vector<MapCell> cells;
     int stable = 0;
     for (const double height : {0.4, 1.6, 6.4, 25.6}) {

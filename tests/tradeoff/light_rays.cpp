@@ -14,7 +14,7 @@ const float kBalancedLength = RenderSettings{}.skyDistance;
 
 struct Setting {
     int rays;
-    float scale, length;  // of each side; metres
+    float scale, length;  // of each side; in metres
     Noise noise;
     const char* axis;
     std::string text() const {
@@ -23,7 +23,7 @@ struct Setting {
     }
 };
 
-/// Along each axis from the middle; every combination with --full.
+/// Varies one setting at a time; every combination with --full.
 std::vector<Setting> settingsOf(const Options& options) {
     const float lengths[] = {6, 12, 24, kBalancedLength, 200};
     std::vector<Setting> all;
@@ -47,55 +47,68 @@ std::vector<Setting> settingsOf(const Options& options) {
     return all;
 }
 
-}  // namespace
+/// A renderer with one of the settings, and its difference from the reference after the first frame.
+struct Bench {
+    std::unique_ptr<LightBench> renderer;
+    Difference first;
+};
 
-Table rayTradeoff(const Options& options) {
-    Table table{
-        "T8",
-        "sky rays a pixel, their length, their noise and the resolution scale, against the converged referenceImage",
-        {"sky rays", "length m", "noise", "scale", "processor ms a frame", "FLIP after 1 frame", "FLIP after 16",
-         "relMSE after 16", "relMSE x ms"},
-        {}};
-    table.note =
-        "The street in the evening, 192x108, software GL. FLIP and relMSE of the anti-aliased frame; relMSE x ms: "
-        "error at equal time, the less "
-        "the better. What does not fall with the rays is the shortcuts' bias: light that bounces off what no frame "
-        "shows, half a voxel of shadow. "
-        "Scale: of each side, what is traced; the temporal "
-        "pass brings it to the whole.";
-    const ReferenceView street = streetReference(options, kSize);
-    std::vector<Series> series;
-    std::vector<std::pair<double, double>> cloud;
-    double oneRay = 0.0, best = 1e30;
-    std::string bestAtEqualTime;
-    const std::vector<Setting> all = settingsOf(options);
-    std::vector<std::unique_ptr<LightBench>> benches;
-    std::vector<Difference> first;
-    const float exposure = street.scene.snapshot.environment.exposure;
-    const auto differenceTo = [&](const LightBench& bench) {
-        return differenceOf(street.referenceImage, bench.read("resolved"), exposure);
-    };
+Difference differenceTo(const ReferenceView& street, const LightBench& bench) {
+    return differenceOf(street.referenceImage, bench.read("resolved"), street.scene.snapshot.environment.exposure);
+}
+
+/// Draws kFrames frames with every setting.
+std::vector<Bench> drawAll(const ReferenceView& street, const std::vector<Setting>& all) {
+    std::vector<Bench> benches;
     for (const Setting& setting : all) {
         RenderSettings settings = reference::comparedSettings();
         settings.skyRays = settings.sunRays = setting.rays;
         settings.skyDistance = setting.length;
         settings.noise = setting.noise;
         settings.resolutionScale = setting.scale;
-        benches.push_back(std::make_unique<LightBench>(street.scene.snapshot, street.scene.view, kSize, settings));
-        benches.back()->draw();
-        first.push_back(differenceTo(*benches.back()));
-        benches.back()->resetTimes();
+        Bench& bench = benches.emplace_back();
+        bench.renderer = std::make_unique<LightBench>(street.scene.snapshot, street.scene.view, kSize, settings);
+        bench.renderer->draw();
+        bench.first = differenceTo(street, *bench.renderer);
+        bench.renderer->resetTimes();
     }
-    for (int i = 1; i < kFrames; ++i)  // in turns: what else the machine does meets all alike
-        for (const auto& bench : benches) bench->draw();
+    for (int i = 1; i < kFrames; ++i)  // in alternation: other load on the machine affects all alike
+        for (const Bench& bench : benches) bench.renderer->draw();
+    return benches;
+}
+
+constexpr const char* kNote =
+    "The street in the evening, 192x108, software GL. FLIP and relMSE of the anti-aliased frame; relMSE x ms is the "
+    "error at equal time, smaller is better. What more rays do not reduce is bias: light that bounces off surfaces "
+    "that are not in view, and half a voxel of shadow. Scale: resolution of the traced light, per side; the temporal "
+    "pass upscales it.";
+
+}  // namespace
+
+Table rayTradeoff(const Options& options) {
+    Table table{
+        "T8",
+        "sky rays per pixel, their length, their noise and the resolution scale, against the converged reference",
+        {"sky rays", "length m", "noise", "scale", "processor ms per frame", "FLIP after 1 frame", "FLIP after 16",
+         "relMSE after 16", "relMSE x ms"},
+        {}};
+    table.note = kNote;
+    const ReferenceView street = streetReference(options, kSize);
+    std::vector<Series> series;
+    std::vector<std::pair<double, double>> cloud;
+    double oneRay = 0.0, best = 1e30;
+    std::string bestAtEqualTime;
+    const std::vector<Setting> all = settingsOf(options);
+    const std::vector<Bench> benches = drawAll(street, all);
     for (size_t i = 0; i < all.size(); ++i) {
         const Setting& setting = all[i];
-        const Difference later = differenceTo(*benches[i]);
-        const double ms = benches[i]->ms();
+        const Difference later = differenceTo(street, *benches[i].renderer);
+        const double ms = benches[i].renderer->ms();
         table.add({std::to_string(setting.rays), fmt::format("{:g}", setting.length),
                    setting.noise == Noise::Blue ? "blue" : "white", fmt::format("{:g}", setting.scale),
-                   fmt::format("{:.1f}", ms), fmt::format("{:.4f}", first[i].flip), fmt::format("{:.4f}", later.flip),
-                   fmt::format("{:.5f}", later.relative), fmt::format("{:.3f}", later.relative * ms)});
+                   fmt::format("{:.1f}", ms), fmt::format("{:.4f}", benches[i].first.flip),
+                   fmt::format("{:.4f}", later.flip), fmt::format("{:.5f}", later.relative),
+                   fmt::format("{:.3f}", later.relative * ms)});
         if (series.empty() || series.back().name != setting.axis) series.push_back({setting.axis, {}});
         series.back().points.emplace_back(ms, later.flip);
         series.back().isCloud = options.full;
@@ -107,9 +120,9 @@ Table rayTradeoff(const Options& options) {
     }
     series.insert(series.begin(), paretoFront("front", cloud));
     table.conclusion = fmt::format(
-        "Balanced (1 ray of {:g} m, blue noise) comes to a FLIP of {:.4f}; the least error at equal time has {}.",
+        "Balanced (1 ray of {:g} m, blue noise) has a FLIP of {:.4f}; the smallest error at equal time has {}.",
         kBalancedLength, oneRay, bestAtEqualTime);
-    writePlot(options, "T8", "Rays: FLIP after 16 frames, by what a frame takes", "processor ms a frame", "FLIP",
+    writePlot(options, "T8", "Rays: FLIP after 16 frames, by the time of a frame", "processor ms per frame", "FLIP",
               series);
     return table;
 }

@@ -16,10 +16,10 @@ namespace {
 constexpr glm::ivec2 kSize(192, 108);
 constexpr int kFrames = 16;
 
-/// A rule is a line of a shader: what to put in its place so that the feature is always on.
+/// A rule is a line of a shader. `always` replaces the line so that the feature is always on.
 struct Rule {
     const char* feature;
-    const char* words;  ///< what the rule says
+    const char* words;  ///< the rule in words
     const char* file;
     const char* line;
     const char* always;
@@ -29,14 +29,14 @@ struct Rule {
 const Rule kRules[] = {
     {"mirror rays", "where 1.2 % of the light or more is mirrored", "lib/mirror.glsl", "kMinMirrorShare = 0.012",
      "kMinMirrorShare = -1.0", [](RenderSettings& s) { s.reflections = false; }},
-    {"lamps' rays", "each frame where a lamp may give 0.01, else now and then", "passes/local_lights.frag",
+    {"light rays", "every frame where a light may give 0.01, else at random", "passes/local_lights.frag",
      "min(reservoir.weightSum / (kPi * uFullRayRadiance), 1.0)", "min(1.0 + uFullRayRadiance, 1.0)",
      [](RenderSettings& s) { s.localLights = false; }},
-    {"wide filter steps", "where there is no past, or noise in spite of it", "passes/filter.frag",
+    {"wide filter steps", "where there is no history, or noise in spite of it", "passes/filter.frag",
      "centre.z >= kLongHistory", "centre.z >= 1e9", [](RenderSettings& s) { s.filterPasses = 2; }},
 };
 
-/// Shaders with one line exchanged, in a folder of their own.
+/// Copies the shaders to a folder and replaces the rule's line. Returns the folder.
 std::string shadersWith(const Options& options, const Rule& rule) {
     namespace fs = std::filesystem;
     const fs::path folder = fs::path(options.out) / "always" / fs::path(rule.file).stem();
@@ -47,13 +47,13 @@ std::string shadersWith(const Options& options, const Rule& rule) {
     std::ifstream in(folder / rule.file);
     std::string text{std::istreambuf_iterator<char>(in), {}};
     const size_t at = text.find(rule.line);
-    if (at == std::string::npos) fmt::print("{} no longer says \"{}\"\n", rule.file, rule.line), std::exit(1);
+    if (at == std::string::npos) fmt::print("{} no longer contains \"{}\"\n", rule.file, rule.line), std::exit(1);
     text.replace(at, std::string(rule.line).size(), rule.always);
     std::ofstream(folder / rule.file) << text;
     return folder.string();
 }
 
-/// A scene that uses none of the features: what they cost all the same.
+/// Costs of lights and mirrors in a scene that has none.
 struct Unused {
     double ratio = 0.0;
     int64_t bytes = 0;
@@ -80,14 +80,14 @@ Unused unusedCost() {
 
 Table lightRuleTradeoff(const Options& options) {
     Table table{"T12-light-rules",
-                "features of light where they pay: always on, by rule and off",
+                "features of light that a rule limits: always on, by rule and off",
                 {"feature", "rule", "ms always", "ms by rule", "ms off", "FLIP always", "FLIP by rule", "FLIP off",
                  "cost kept %", "gain kept %"},
                 {}};
     table.note =
-        "The street in the evening, 192x108, 16 frames, against the referenceImage; processor time. Cost kept: of what "
-        "always on takes over off; gain "
-        "kept: of what it brings. A rule should keep 90 % of the gain for 30 % of the cost.";
+        "The street in the evening, 192x108, 16 frames, against the reference; processor time. Cost kept and gain "
+        "kept: shares of the cost and of the gain of always on. A rule should keep 90 % of the gain for 30 % of the "
+        "cost.";
     const ReferenceView street = streetReference(options, kSize);
     int kept = 0;
     for (const Rule& rule : kRules) {
@@ -116,9 +116,8 @@ Table lightRuleTradeoff(const Options& options) {
     }
     const Unused unused = unusedCost();
     table.conclusion = fmt::format(
-        "{} of {} rules keep 90 % of the gain for 30 % of the cost. Lamps and mirrors that a scene has none of: "
-        "{:+.2f} % of a frame's time, "
-        "{} bytes of textures, {} draw calls.",
+        "{} of {} rules keep 90 % of the gain for 30 % of the cost. In a scene without lights and mirrors: {:+.2f} % "
+        "of a frame's time, {} bytes of textures, {} draw calls.",
         kept, std::size(kRules), (unused.ratio - 1.0) * 100, unused.bytes, unused.draws);
     table.failed = unused.bytes != 0 || unused.draws != 0;
     return table;

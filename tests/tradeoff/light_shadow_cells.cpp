@@ -14,11 +14,11 @@ namespace rubble::tradeoff {
 namespace {
 
 constexpr double kVoxel = 0.1;    // metres
-constexpr double kFall = 10.0;    // m/s: of the cube whose shadow is late
+constexpr double kFall = 10.0;    // m/s, of the cube whose shadow is late
 constexpr glm::ivec3 kLow(-128);  // voxels: the street lies within 256^3 from here
-constexpr uint32_t kCube = 5;     // of streetScene's shapes
+constexpr uint32_t kCube = 5;     // slot of the cube in streetScene()
 
-/// The shadow volume's cells again, with a bit for `size`^3 voxels that is set where any of them is.
+/// The shadow volume with one bit per `size`^3 voxels, set where any of them is solid.
 VoxelGrid cellsOf(const FrameSnapshot& snapshot, int size) {
     VoxelGrid grid(glm::ivec3(256 / size));
     GridWriter writer(grid);
@@ -36,10 +36,10 @@ VoxelGrid cellsOf(const FrameSnapshot& snapshot, int size) {
     return grid;
 }
 
-/// A face that is seen, and a ray from it that light might come along.
+/// A visible point, and a ray from it toward the sun or the sky.
 struct Query {
     glm::dvec3 position, normal, direction;
-    bool open;  ///< in referenceScene
+    bool open;  ///< whether light passes, in the exact scene
 };
 
 std::vector<Query> queriesOf(const reference::Scene& scene, int count, uint64_t seed) {
@@ -62,10 +62,11 @@ std::vector<Query> queriesOf(const reference::Scene& scene, int count, uint64_t 
 }
 
 struct Errors {
-    double shadow = 0.0, light = 0.0, ns = 0.0;  ///< shares of rays that are wrongly dark, wrongly lit; time of one
+    double shadow = 0.0, light = 0.0, ns = 0.0;  ///< shares of rays that are wrongly dark and wrongly lit; ns per ray
 };
 
-/// As shadowOrigin() and shadowTrace() of shaders/lib/shadow_trace.glsl, with cells of that many voxels.
+/// Traces the rays as shadowOrigin() and shadowTrace() of shaders/lib/shadow_trace.glsl do, with cells of `size`
+/// voxels.
 Errors errorsOf(const VoxelGrid& cells, int size, const std::vector<Query>& queries) {
     Errors errors;
     const double cell = kVoxel * size;
@@ -91,16 +92,13 @@ Errors errorsOf(const VoxelGrid& cells, int size, const std::vector<Query>& quer
 
 Table shadowCellTradeoff(const Options& options) {
     Table table{"T6",
-                "voxels a bit of the shadow volume, and how many steps it is late: rays that are wrong",
-                {"voxels a bit", "steps late", "false shadow %", "false light %", "ns a ray", "KB"},
+                "voxels per bit of the shadow volume, and its delay in steps, against wrong rays",
+                {"voxels per bit", "steps late", "false shadow %", "false light %", "ns per ray", "KB"},
                 {}};
     table.note =
-        "Sun and sky rays of 24 m from what is seen of the street, against exact visibility through the voxels where "
-        "they stand (one cube is turned, "
-        "and "
-        "glass stops nothing). Late: that cube falls at 10 m/s and its cells are where they were; of rays near it. KB: "
-        "64 bytes for each 8x8x8 bits "
-        "with any.";
+        "Sun and sky rays of 24 m from visible points of the street, against exact visibility (one cube is rotated; "
+        "glass blocks nothing). Late: the cube falls at 10 m/s and its cells are still where it was; only rays near it "
+        "count. KB: 64 bytes for each block of 8x8x8 bits that is not empty.";
     LitScene street = streetScene();
     const int count = options.full ? 400000 : 60000;
     const FrameSnapshot now = street.snapshot();
@@ -137,11 +135,10 @@ Table shadowCellTradeoff(const Options& options) {
         add(1, late, errorsOf(cells, 1, near), cells);
     }
     table.conclusion = fmt::format(
-        "A bit a voxel is wrong for {:.2f} % of rays (the turned cube, whose cells are not its voxels); a bit for "
-        "2x2x2, the reference's way, for "
-        "{:.1f} %.",
+        "One bit per voxel is wrong for {:.2f} % of rays (at the rotated cube, whose cells are not its voxels); one "
+        "bit per 2x2x2 voxels, as Teardown has it, for {:.1f} %.",
         (finest.shadow + finest.light) * 100, (coarse.shadow + coarse.light) * 100);
-    writePlot(options, "T6", "Shadow cells: wrong rays by the side of a cell", "voxels", "per cent", {wrong});
+    writePlot(options, "T6", "Shadow cells: wrong rays by size of a cell", "voxels", "per cent", {wrong});
     return table;
 }
 

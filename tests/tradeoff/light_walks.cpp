@@ -14,7 +14,7 @@ namespace {
 using namespace rays;
 
 struct Figures {
-    double nanoseconds = 0.0, falseLight = 0.0, falseShadow = 0.0;  ///< a ray; of a million
+    double nanoseconds = 0.0, falseLight = 0.0, falseShadow = 0.0;  ///< ns per ray; rays in a million
 };
 
 Figures figuresOf(Walks& walks, const std::string& walk, const RaySet& set, int repeats) {
@@ -36,20 +36,18 @@ Figures figuresOf(Walks& walks, const std::string& walk, const RaySet& set, int 
 
 Table walkTradeoff(const Options& options) {
     Table table{"T7",
-                "walks through the shadow volume: the exact one and the reference's, by how far rays go",
-                {"walk", "distance m", "ns a ray", "false light a million", "false shadow a million", "MB"},
+                "walks through the shadow volume: the exact walk and Teardown's, by length of the rays",
+                {"walk", "distance m", "ns per ray", "false light per million", "false shadow per million", "MB"},
                 {}};
     table.note =
         "Ambient rays from the street view of a city of 1024 x 256 x 1024 cells, 640 x 360, llvmpipe in one thread. "
-        "Sparse and super sparse "
-        "after the reference: 2x2x2 cells in a byte, full, half and quarter resolution, in a 3D texture or in a "
-        "buffer. Truth: a walk in doubles, "
-        "cell by cell.";
+        "Sparse and super sparse as in Teardown: 2x2x2 cells in a byte, full, half and quarter resolution, in a 3D "
+        "texture or in a buffer. Reference: a walk in doubles, cell by cell.";
     disableGlThreads();
     auto context = GlContext::create(GlContext::Kind::OsMesa);
     if (!context || !loadGl(context.value()->loader())) {
         table.failed = true;
-        table.conclusion = "No OpenGL context.";
+        table.conclusion = "Not measured: no OpenGL context by OSMesa (Debian package libosmesa6).";
         return table;
     }
     const RayScene scene = cityScene();
@@ -75,11 +73,10 @@ Table walkTradeoff(const Options& options) {
         }
     }
     table.conclusion = fmt::format(
-        "At 24 m the exact walk takes {:.2f} of super sparse's time, which is wrong for {:.0f} rays in a million; the "
-        "exact one for {:.0f} (grazing "
-        "ones).",
+        "At 24 m the exact walk takes {:.2f} of the time of super sparse, which is wrong for {:.0f} rays in a million; "
+        "the exact walk is wrong for {:.0f} (grazing rays).",
         exact / superSparse, missed, wrong);
-    writePlot(options, "T7", "Walks: time a ray, by its distance", "m", "ns a ray", series);
+    writePlot(options, "T7", "Walks: time per ray, by its length", "m", "ns per ray", series);
     return table;
 }
 

@@ -56,7 +56,7 @@ Table makeTable(const Row& row, const Options& options, bool& written) {
     return table;
 }
 
-/// The document's parts: physics first, then light. Each subject publishes its own and keeps the other's.
+/// The document with the subject's part replaced: physics comes first, then light.
 std::string envelopeWith(const std::string& subject, const std::string& path, const std::string& part) {
     std::ifstream file(path);
     const std::string before{std::istreambuf_iterator<char>(file), {}};
@@ -79,22 +79,22 @@ int main(int argc, char** argv) {
     Options options;
     std::string subject, only, scene;
     bool publish = false;
-    CLI::App app{"Trade-off report: what is turned, what it costs, what it gets wrong", "tradeoff"};
+    CLI::App app{"Measures what accuracy costs and where the engine's limits are", "tradeoff"};
     app.add_option("subject", subject, "destruction, physics or light")
         ->required()
         ->check(CLI::IsMember({"destruction", "physics", "noisyLight"}));
     app.add_flag("--full", options.full, "every combination: minutes instead of seconds");
     app.add_option("--out", options.out, "folder for tables and plots")->capture_default_str();
-    app.add_option("--only", only, "the table of this name, or those whose names begin so, as T12");
+    app.add_option("--only", only, "only the table of this name, or those whose names begin with it, such as T12");
     app.add_option("--repeats", options.repeats, "runs of each measurement")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
-    app.add_option("--seed", options.seed)->capture_default_str();
+    app.add_option("--seed", options.seed, "seed of everything random")->capture_default_str();
     app.add_flag("--publish", publish, "physics or light: write its part of OPERATING_ENVELOPE.md");
-    app.add_option("--feature-scene", scene)->group("");  // this program under valgrind
+    app.add_option("--feature-scene", scene)->group("");  // for this program under valgrind
     CLI11_PARSE(app, argc, argv);
     rubble::setLogSink([](void*, rubble::LogLevel, std::string_view) {},
-                       nullptr);  // what is pushed until it fails has much to say
+                       nullptr);  // the extreme settings log many warnings
     if (!scene.empty()) return runFeatureScene(scene) ? 0 : 1;
 
     std::error_code ignored;
@@ -121,6 +121,6 @@ int main(int argc, char** argv) {
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fmt::print("{}\n{:.0f} s; tables and plots are in {}\n", stamp(options), seconds, options.out);
-    if (!holds) fmt::print("Some tables FAILED: see their bottom lines.\n");
+    if (!holds) fmt::print("Some tables FAILED: their conclusions say why.\n");
     return written && holds ? 0 : 1;
 }

@@ -10,15 +10,14 @@ namespace rubble::tradeoff {
 Table penetrationTradeoff(const Options& options) {
     const int pieces = options.full ? 1000 : 150, steps = options.full ? 480 : 300;
     Table table{"T1-penetration",
-                fmt::format("speed against penetration: {} Voronoi pieces in a pit after {} steps, nothing asleep",
+                fmt::format("speed against penetration depth: {} Voronoi pieces in a pit after {} steps, none asleep",
                             pieces, steps),
-                {"engine", "substeps", "iterations", "ms a step", "pairs that overlap", "mean mm", "median mm",
-                 "worst voxels", "height m"},
+                {"engine", "substeps", "iterations", "ms per step", "pairs that overlap", "mean mm", "median mm",
+                 "max voxels", "height m"},
                 {}};
     table.note =
         "Ms: processor time of one thread, mean of the last quarter of the steps. Overlap is measured from the voxels "
-        "of each pair, alike for both "
-        "engines. Bullet: compounds of merged boxes, two friction directions.";
+        "of each pair, in the same way for both engines. Bullet: compounds of merged boxes, two friction directions.";
     Series rubble{"Rubble", {}}, bullet{"Bullet", {}};
     for (const known::PenetrationPoint& point : known::sweepPenetration(pieces, steps)) {
         const Overlaps& o = point.overlaps;
@@ -29,7 +28,8 @@ Table penetrationTradeoff(const Options& options) {
         (point.engine == "bullet" ? bullet : rubble).points.emplace_back(point.stepMs, o.mean * 1e3);
     }
     std::sort(bullet.points.begin(), bullet.points.end());
-    writePlot(options, table.name, "Speed against penetration", "ms a step", "mean overlap, mm", {rubble, bullet});
+    writePlot(options, table.name, "Speed against penetration depth", "ms per step", "mean overlap, mm",
+              {rubble, bullet});
     return table;
 }
 

@@ -1,37 +1,44 @@
 #pragma once
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "physics/physics_world.h"
 #include "tests/tradeoff/report.h"
 
-/// The physics rows of the trade-off report. Each makes its tables, and writes its plots on the way.
+/// The physics tables of the trade-off report. Each function returns its table and writes its plots to options.out.
 namespace rubble::tradeoff {
 
 struct Preset {
     const char* name;
     PhysicsSettings settings;
 };
+/// The presets fast, balanced and accurate.
 const std::vector<Preset>& presets();
 
-/// Length of a step, substeps, iterations, stiffness: us a body against penetration, towers, mass ratio and incline.
+/// Step length, substeps, iterations and stiffness: us per body against overlap, towers, mass ratio and incline.
 Table contactTradeoff(const Options& options);
-/// Substeps of ours and of Bullet's: ms a step of pieces in a pit against how deep they overlap.
+/// Substeps of ours and of Bullet's: ms per step of pieces in a pit against their penetration depth.
 Table penetrationTradeoff(const Options& options);
-/// How rotation is stepped: ns a body against energy, angular momentum and when a T-handle flips.
+/// Integration of rotation: ns per body against energy, angular momentum and the flips of a T-handle.
 Table rotationTradeoff(const Options& options);
-/// A box, merged boxes, every voxel: us a pair, build, bytes against overlap and where things come to rest.
+/// Collision by a box, merged boxes or every voxel: us per pair, build time and bytes against overlap and rest pose.
 Table collisionTradeoff(const Options& options);
 
-/// Doubles and floats: how far off pieces end, by how far from the origin they fell.
+/// Positions in doubles and floats: error of the end position, by distance from the origin.
 Table coordinateTradeoff(const Options& options);
-/// Each feature of physics always on, by rule, and off: instructions, and the accuracy that they buy.
+/// Each feature of physics always on, by rule and off: instructions against accuracy.
 Table physicsFeatureTradeoff(const Options& options);
-/// What the stages of features cost that nothing uses, as a share of a step; and a run of that scene.
+/// Cost of features that a scene does not use, as a share of a step.
 Table unusedFeatureTradeoff(const Options& options);
+/// Runs the scene of unusedFeatureTradeoff(), for valgrind to count.
 void runWithoutFeatures();
-/// Runs a scene of these tables with one of its settings, for valgrind to count; false: there is no such.
+/// Runs a scene of these tables with one of its settings, for valgrind to count; false if there is no such setting.
 bool runFeatureScene(const std::string& setting);
-/// Pushed until they fail, in two dimensions; by name.
+/// The maps by name: two parameters are increased until physics fails.
 std::vector<std::pair<std::string, std::function<Table(const Options&)>>> physicsMaps();
-/// The operating envelope as Markdown: what the maps found, and what is clamped.
+/// The physics part of OPERATING_ENVELOPE.md, as Markdown: results of the maps, and limits that are clamped.
 std::string operatingEnvelope(const Options& options, const std::vector<Table>& maps);
 
 }  // namespace rubble::tradeoff

@@ -16,8 +16,8 @@ using namespace known;
 
 constexpr int kSteps = 90;
 constexpr double kMinGainKept = 0.9, kMaxCostShare = 0.3,
-                 kNegligible = 0.005;       ///< promised shares; extra cost that is none to speak of
-constexpr double kMaxUnneededCost = 0.001;  ///< share that a feature may cost where nothing needs it
+                 kNegligible = 0.005;       ///< promised shares; negligible extra cost
+constexpr double kMaxUnneededCost = 0.001;  ///< allowed cost in a scene that does not need the feature
 
 struct State {
     const char *feature, *state;
@@ -48,7 +48,7 @@ PhysicsSettings settingsOf(const State& state) {
     return settings;
 }
 
-/// Something for each feature: pieces that tumble into a pit, shots among them, and an anvil that lands on all.
+/// A level that uses each feature: pieces tumble into a pit, with shots among them, and an anvil lands on all.
 Level yard() {
     Level level = voronoiPit(36);
     const auto add = [&](glm::ivec3 size, glm::dvec3 corner, uint8_t entry) -> LevelBody& {
@@ -76,13 +76,13 @@ void runYard(const PhysicsSettings& settings, int steps) {
     scene.step(steps);
 }
 
-/// Most bodies need nothing: 64 cubes in towers. Among them two planks that tumble, two shots, and one cube that bears
-/// a hundred times its mass.
+/// Most bodies need no feature: 64 cubes in towers. Among them are two tumbling planks, two shots, and one cube that
+/// supports a hundred times its mass.
 void runMixed(const PhysicsSettings& settings, int steps) {
     PhysicsScene scene(sleepless(settings));
     const uint8_t light = setMaterial(scene, 7, 0.6f, 0.0f, 20), heavy = setMaterial(scene, 8, 0.6f, 0.0f, 2000);
     scene.add(blockGrid({200, 80, 200}, 7), {-10, -8, -10},
-              true);  // so thick that what comes into it stays, and is paid for, in every state
+              true);  // so thick that shots stay in it in every state
     const auto addCube = [&](glm::dvec3 corner, uint8_t entry) {
         scene.add(blockGrid({5, 5, 5}, entry), corner, false);
     };
@@ -98,7 +98,7 @@ void runMixed(const PhysicsSettings& settings, int steps) {
     scene.step(steps);
 }
 
-/// Towers of equal cubes that stand: nothing spins, nothing is fast, nothing is heavy.
+/// Towers of equal cubes at rest, which need no feature.
 void runTowers(const PhysicsSettings& settings, int steps) {
     PhysicsScene scene(sleepless(settings));
     scene.addFloor();
@@ -108,7 +108,7 @@ void runTowers(const PhysicsSettings& settings, int steps) {
     scene.step(steps);
 }
 
-/// How far the pieces of the yard still creep when they have lain for a while: mean, mm in 2 s.
+/// Mean distance in mm that the resting pieces of the yard creep in 2 s.
 double creep(const PhysicsSettings& settings) {
     PhysicsScene scene(settings);
     scene.level = yard();
@@ -123,14 +123,14 @@ double creep(const PhysicsSettings& settings) {
     return sum * 1e3 / (count - 1);
 }
 
-/// What each feature is for, as an error that it makes smaller.
+/// The error that each feature reduces.
 struct Purpose {
     const char* feature;
     const char* what;
     double (*error)(const PhysicsSettings&, uint64_t seed);
 };
 constexpr Purpose kPurposes[] = {
-    {"conserving rotation", "momentum of a plank turned aside in 20 s, rad",
+    {"conserving rotation", "direction of a plank's momentum after 20 s, rad",
      [](const PhysicsSettings& s, uint64_t) {
          return spinFreely(s, blockGrid({24, 5, 2}, 7), {6, 9, 5}, 20.0).direction;
      }},
@@ -139,9 +139,9 @@ constexpr Purpose kPurposes[] = {
          const Shots shots = shoot(s, 300, seed, 300.0);
          return 100.0 * shots.through / shots.fired;
      }},
-    {"heavy passes", "100 times as heavy sinks, mm",
+    {"heavy passes", "100 times as heavy a body sinks in, mm",
      [](const PhysicsSettings& s, uint64_t) { return sink(s, 100.0) * 1e3; }},
-    {"sleep", "pieces that lie creep, mm in 2 s", [](const PhysicsSettings& s, uint64_t) { return creep(s); }},
+    {"sleep", "resting pieces creep, mm in 2 s", [](const PhysicsSettings& s, uint64_t) { return creep(s); }},
 };
 
 struct Figures {
@@ -149,6 +149,68 @@ struct Figures {
     double inPit = 0.0;  ///< instructions
     double error = 0.0;
 };
+
+using States = std::map<std::string, Figures>;  ///< of one feature, by the name of the state
+
+std::string noteText(bool counts) {
+    return fmt::format(
+        "Cost: {} steps of 64 cubes that stand in towers, two planks that tumble, two shots and a cube under one a "
+        "hundred times as heavy{}. Where all need it (with --full): 36 pieces, four shots and an anvil that fall into "
+        "a pit. Promised: the rule keeps {:.0f} % of the accuracy that always on gains, for {:.0f} % of its extra cost "
+        "over off or for a negligible cost ({:.1f} %).",
+        kSteps,
+        counts ? ", instructions counted by valgrind: the same on every run"
+               : " (processor time: valgrind is not installed)",
+        kMinGainKept * 100.0, kMaxCostShare * 100.0, kNegligible * 100.0);
+}
+
+const Purpose& purposeOf(const char* feature) {
+    return *std::find_if(std::begin(kPurposes), std::end(kPurposes),
+                         [&](const Purpose& each) { return each.feature == std::string(feature); });
+}
+
+/// Cost and error of a feature in one state. `loading`: instructions of loading the scene, 0 without valgrind.
+Figures measureState(const Options& options, const State& state, const Purpose& purpose, double loading,
+                     double loadingPit) {
+    const PhysicsSettings settings = settingsOf(state);
+    Figures figures;
+    if (loading > 0.0) {
+        const std::string name = std::string(state.feature) + ", " + state.state;
+        const double millions = (instructionsOf(name) - loading) / 1e6;
+        figures.cost = {millions, millions, millions};
+        if (options.full) figures.inPit = instructionsOf("pit: " + name) - loadingPit;
+    } else {
+        figures.cost = measure(options.repeats, [&] { return cpuMs([&] { runMixed(settings, kSteps); }); });
+    }
+    figures.error = purpose.error(settings, options.seed);
+    return figures;
+}
+
+/// Whether the rule keeps the promised share of the accuracy at the promised cost.
+void judgeRule(const std::string& feature, const States& of, Table& table) {
+    const Figures &off = of.at("off"), &rule = of.at("by rule"), &always = of.at("always");
+    const double gain = off.error - always.error, kept = gain > 0.0 ? (off.error - rule.error) / gain : 1.0;
+    const double ruleCost = rule.cost.median - off.cost.median, alwaysCost = always.cost.median - off.cost.median;
+    const bool holds =
+        kept >= kMinGainKept && (ruleCost <= kMaxCostShare * alwaysCost || ruleCost <= kNegligible * off.cost.median);
+    table.failed |= !holds;
+    table.conclusion +=
+        fmt::format("{}: the rule keeps {:.1f} % of the accuracy for {:+.2f} % where always on costs {:+.2f} %{}. ",
+                    feature, kept * 100.0, ruleCost / off.cost.median * 100.0, alwaysCost / off.cost.median * 100.0,
+                    holds ? "" : ": NOT AS PROMISED");
+}
+
+/// What the rule costs in a scene that does not need the feature.
+void addUnneededRow(const std::string& feature, Table& table) {
+    const double without = instructionsOf("towers: " + feature + ", off"),
+                 with = instructionsOf("towers: " + feature + ", by rule");
+    const double unneeded = with / without - 1.0;
+    table.add({feature, "not needed", fmt::format("{:.2f}", with / 1e6), fmt::format("{:+.3f}", unneeded * 100.0), "-",
+               "-", "towers of equal cubes"});
+    table.failed |= unneeded > kMaxUnneededCost;
+    table.conclusion += fmt::format("In a scene that does not need it, it costs {:+.3f} %{}. ", unneeded * 100.0,
+                                    unneeded > kMaxUnneededCost ? ": NOT AS PROMISED" : "");
+}
 
 }  // namespace
 
@@ -169,40 +231,19 @@ Table physicsFeatureTradeoff(const Options& options) {
     const double loading = instructionsOf("nothing"), loadingPit = options.full ? instructionsOf("pit: nothing") : 0.0;
     const bool counts = loading > 0.0;
     Table table{"T12-physics",
-                "what each feature of physics costs and is worth, the others by rule",
+                "cost and benefit of each feature of physics, with the others by rule",
                 {"feature", "state", counts ? "million instructions" : "ms", "over off %",
                  "where all need it: over off %", "error", "of what"},
                 {}};
-    table.note = fmt::format(
-        "Cost: {} steps of 64 cubes that stand in towers, two planks that tumble, two shots and a cube under one a "
-        "hundred times as heavy{}. Where "
-        "all "
-        "need it (with --full): 36 pieces, four shots and an anvil that fall into a pit. Promised: the rule keeps "
-        "{:.0f} % of what always on gains "
-        "in "
-        "accuracy for {:.0f} % of what it costs more than off, or costs nothing to speak of ({:.1f} %).",
-        kSteps,
-        counts ? ", instructions counted by valgrind: the same on every run"
-               : " (processor time: valgrind is not installed)",
-        kMinGainKept * 100.0, kMaxCostShare * 100.0, kNegligible * 100.0);
+    table.note = noteText(counts);
     std::vector<Bar> bars;
     std::map<std::string, std::map<std::string, Figures>> all;
     for (const State& state : states()) {
-        const PhysicsSettings settings = settingsOf(state);
-        const Purpose& purpose = *std::find_if(std::begin(kPurposes), std::end(kPurposes), [&](const Purpose& each) {
-            return each.feature == std::string(state.feature);
-        });
+        const Purpose& purpose = purposeOf(state.feature);
         Figures& figures = all[state.feature][state.state];
-        if (counts) {
-            const std::string name = std::string(state.feature) + ", " + state.state;
-            const double millions = (instructionsOf(name) - loading) / 1e6;
-            figures.cost = {millions, millions, millions};
-            if (options.full) figures.inPit = instructionsOf("pit: " + name) - loadingPit;
-        } else
-            figures.cost = measure(options.repeats, [&] { return cpuMs([&] { runMixed(settings, kSteps); }); });
-        figures.error = purpose.error(settings, options.seed);
-        const double over = figures.cost.median / all[state.feature]["off"].cost.median - 1.0;
-        const double overInPit = figures.inPit / all[state.feature]["off"].inPit - 1.0;
+        figures = measureState(options, state, purpose, loading, loadingPit);
+        const Figures& off = all[state.feature]["off"];
+        const double over = figures.cost.median / off.cost.median - 1.0, overInPit = figures.inPit / off.inPit - 1.0;
         table.add({state.feature, state.state,
                    counts ? fmt::format("{:.2f}", figures.cost.median) : figures.cost.text(),
                    fmt::format("{:+.2f}", over * 100.0),
@@ -210,26 +251,10 @@ Table physicsFeatureTradeoff(const Options& options) {
                    fmt::format("{:.3g}", figures.error), purpose.what});
         bars.push_back({state.feature, state.state, {over * 100.0, over * 100.0, over * 100.0}});
     }
-    for (auto& [feature, of] : all) {
+    for (const auto& [feature, of] : all) {
         if (!of.count("always")) continue;
-        const double gain = of["off"].error - of["always"].error,
-                     kept = gain > 0.0 ? (of["off"].error - of["by rule"].error) / gain : 1.0;
-        const double off = of["off"].cost.median, rule = of["by rule"].cost.median - off,
-                     always = of["always"].cost.median - off;
-        const bool holds = kept >= kMinGainKept && (rule <= kMaxCostShare * always || rule <= kNegligible * off);
-        table.failed |= !holds;
-        table.conclusion += fmt::format(
-            "{}: the rule keeps {:.1f} % of the accuracy for {:+.2f} % where always on costs {:+.2f} %{}. ", feature,
-            kept * 100.0, rule / off * 100.0, always / off * 100.0, holds ? "" : ": NOT AS PROMISED");
-        if (!counts) continue;
-        const double without = instructionsOf("towers: " + feature + ", off"),
-                     with = instructionsOf("towers: " + feature + ", by rule");
-        const double unneeded = with / without - 1.0;
-        table.add({feature, "not needed", fmt::format("{:.2f}", with / 1e6), fmt::format("{:+.3f}", unneeded * 100.0),
-                   "-", "-", "towers of equal cubes"});
-        table.failed |= unneeded > kMaxUnneededCost;
-        table.conclusion += fmt::format("Where nothing needs it, it costs {:+.3f} %{}. ", unneeded * 100.0,
-                                        unneeded > kMaxUnneededCost ? ": NOT AS PROMISED" : "");
+        judgeRule(feature, of, table);
+        if (counts) addUnneededRow(feature, table);
     }
     writeBars(options, "T12-physics", "Features of physics: off, by rule, always",
               counts ? "instructions over off, %" : "processor time over off, %", bars);

@@ -16,16 +16,16 @@ struct Judged {
     std::string text;
 };
 
-/// Stable up to one limit, degraded up to another, failed beyond and where it is no number.
+/// Stable up to one limit, degraded up to the next, else failed; NaN fails.
 Judged judge(double value, double stable, double degraded, const std::string& text) {
     return {value <= stable ? Outcome::Stable : value <= degraded ? Outcome::Degraded : Outcome::Failed, text};
 }
 
-/// A map in two dimensions: one of them is pushed until it fails.
+/// A map of two parameters; x increases until physics fails.
 struct Map {
     const char *name, *title, *criterion;
     const char *xLabel, *xUnit;
-    std::vector<double> pushed, pushedFull;  ///< from easy to hard; Full: beyond those, with --full
+    std::vector<double> pushed, pushedFull;  ///< values of x from easy to hard; further ones for --full
     const char* yLabel;
     std::vector<std::string> rows;
     std::function<Judged(double x, size_t row, bool full)> evaluate;
@@ -73,19 +73,19 @@ Judged judgeShots(double speed, size_t row, bool full) {
     return judge(double(shots.through) / shots.fired, 0.0, 0.02, fmt::format("{} of {}", shots.through, shots.fired));
 }
 
-/// At several places as far away: whether a rounding there turns a decision, as when something falls asleep, is chance.
+/// Tries several places at the distance: whether rounding changes a decision, such as when to sleep, is chance.
 Judged judgeDistance(double km, size_t row, bool) {
-    constexpr int kPlaces = 8;
+    constexpr int kSites = 8;
     const std::vector<glm::dvec3> here = tumble(presets()[row].settings, glm::dvec3(0.0));
     std::vector<double> off;
-    for (int place = 0; place < kPlaces; ++place) {
-        const double far = km * 1e3 * (1.0 + 0.0137 * place);
+    for (int site = 0; site < kSites; ++site) {
+        const double far = km * 1e3 * (1.0 + 0.0137 * site);
         const std::vector<glm::dvec3> there = tumble(presets()[row].settings, {far, 0, far * 0.625});
         off.push_back(0.0);
         for (size_t i = 0; i < here.size(); ++i) off.back() = std::max(off.back(), glm::length(here[i] - there[i]));
     }
     return judge(quantile(off, 1.0), 1e-3, 1e-2,
-                 fmt::format("{:.2g} mm\n{:.2g} at worst", quantile(off, 0.5) * 1e3, quantile(off, 1.0) * 1e3));
+                 fmt::format("{:.2g} mm\nmax {:.2g}", quantile(off, 0.5) * 1e3, quantile(off, 1.0) * 1e3));
 }
 
 Judged judgeIncline(double degrees, double friction) {
@@ -111,13 +111,12 @@ Judged judgeOverlap(double share, size_t row, bool) {
                  fmt::format("{:.1f} m/s\n{:.1f} mm", recovery.fastest, recovery.overlap * 1e3));
 }
 
-std::vector<Map> maps() {
-    const std::vector<double> sizes{0.01, 0.1, 1.0}, frictions{0.1, 0.3, 0.6, 1.0}, ratios{3, 10, 30, 100, 300, 1000};
-    const std::vector<glm::ivec3> shapes{{1, 1, 1}, {3, 3, 3}, {20, 1, 20}, {10, 1, 1}};
+/// Free rotation, and towers.
+std::vector<Map> spinAndStackMaps() {
     return {
         {"T13-spin",
-         "free spin of rods",
-         "energy kept within 0.1 %, momentum within 1e-5; degraded: 10 %, 0.1 %",
+         "free rotation of rods",
+         "energy conserved within 0.1 %, momentum within 1e-5; degraded: 10 %, 0.1 %",
          "spin, rad/s",
          "rad/s",
          {1, 10, 30, 100, 300},
@@ -126,8 +125,8 @@ std::vector<Map> maps() {
          {"1:1", "1:4", "1:16", "1:64"},
          judgeSpin},
         {"T13-stack",
-         "towers of half-metre cubes that nothing lets sleep",
-         "10 s (30 s with --full) later at most 2 cm lower; degraded: it stands",
+         "towers of half-metre cubes, without sleep",
+         "at most 2 cm lower after 10 s (30 s with --full); degraded: it stands",
          "cubes",
          "cubes",
          {5, 10, 15, 20, 30, 40},
@@ -135,6 +134,13 @@ std::vector<Map> maps() {
          "preset",
          presetNames(),
          judgeStack},
+    };
+}
+
+/// Heavy bodies on light ones.
+std::vector<Map> massMaps() {
+    const std::vector<double> ratios{3, 10, 30, 100, 300, 1000};
+    return {
         {"T13-mass",
          "heavy cube on a light one",
          "sinks by less than 1 cm in 10 s; degraded: half a voxel",
@@ -159,10 +165,18 @@ std::vector<Map> maps() {
              settings.substeps = int(substeps);
              return judgeRatio(settings, ratios[row]);
          }},
+    };
+}
+
+/// Bodies at rest.
+std::vector<Map> restMaps() {
+    const std::vector<double> sizes{0.01, 0.1, 1.0};
+    const std::vector<glm::ivec3> shapes{{1, 1, 1}, {3, 3, 3}, {20, 1, 20}, {10, 1, 1}};
+    return {
         {"T13-size",
-         "things at rest, by size",
-         "slower than 1 mm/s, for voxels above 10 cm by their size more; degraded: ten times that",
-         "a voxel, m",
+         "bodies at rest, by size",
+         "slower than 1 mm/s, in proportion to the voxel size above 10 cm; degraded: ten times that",
+         "voxel size, m",
          "m",
          {0.001, 0.003, 0.01, 0.1, 1, 10},
          {30},
@@ -171,14 +185,21 @@ std::vector<Map> maps() {
          [shapes](double size, size_t row, bool) { return judgeRest(size, 9.81, shapes[row]); }},
         {"T13-gravity",
          "cubes of 3x3x3 voxels at rest, by gravity",
-         "slower than 1 mm/s, for voxels above 10 cm by their size more; degraded: ten times that",
+         "slower than 1 mm/s, in proportion to the voxel size above 10 cm; degraded: ten times that",
          "gravity, m/s2",
          "m/s2",
          {0.1, 1, 9.81, 30, 100, 300},
          {1000},
-         "a voxel, m",
+         "voxel size, m",
          namesOf(sizes),
          [sizes](double gravity, size_t row, bool) { return judgeRest(sizes[row], gravity, glm::ivec3(3)); }},
+    };
+}
+
+/// Fast, distant and sliding bodies.
+std::vector<Map> motionMaps() {
+    const std::vector<double> frictions{0.1, 0.3, 0.6, 1.0};
+    return {
         {"T13-tunnel",
          "shots of one to four voxels at a wall",
          "none goes through; degraded: 2 %",
@@ -190,8 +211,8 @@ std::vector<Map> maps() {
          {"1", "2", "4"},
          judgeShots},
         {"T13-distance",
-         "six pieces that fall, slide and tumble, far away",
-         "end within 1 mm of where they do at the origin, at the worst of eight places as far away; degraded: 1 cm",
+         "six pieces that fall, slide and tumble, far from the origin",
+         "end within 1 mm of where they end at the origin, at all of eight places at the distance; degraded: 1 cm",
          "distance, km",
          "km",
          {1, 10, 100, 1000, 10000},
@@ -201,8 +222,8 @@ std::vector<Map> maps() {
          judgeDistance},
         {"T13-incline",
          "a block on a slope",
-         "below the angle of friction it stays within 1 mm, above it accelerates as Coulomb says within 1 %; degraded: "
-         "1 cm, 5 %",
+         "below the angle of friction it stays within 1 mm, above it its acceleration is within 1 % of Coulomb's law; "
+         "degraded: 1 cm, 5 %",
          "slope, degrees",
          "degrees",
          {3, 10, 20, 30, 40, 50},
@@ -210,9 +231,15 @@ std::vector<Map> maps() {
          "friction",
          namesOf(frictions),
          [frictions](double degrees, size_t row, bool) { return judgeIncline(degrees, frictions[row]); }},
+    };
+}
+
+/// Crowded and overlapping bodies.
+std::vector<Map> overlapMaps() {
+    return {
         {"T13-crowd",
          "cubes of half a metre in a box of walls",
-         "overlap by 1 mm on average and 1 cm at most, none gets out; degraded: 5 times that",
+         "overlap by at most 1 mm on average and 1 cm in any pair, none gets out; degraded: 5 times that",
          "cubes along a side",
          "cubes",
          {2, 3, 4},
@@ -221,9 +248,9 @@ std::vector<Map> maps() {
          presetNames(),
          judgeCrowd},
         {"T13-overlap",
-         "two cubes that start in each other",
-         "part slower than 4 m/s and are apart within 2 mm after 3 s; degraded: three times that",
-         "share of one in the other",
+         "two cubes that overlap at the start",
+         "separate at less than 4 m/s and overlap by less than 2 mm after 3 s; degraded: three times that",
+         "share of one cube in the other",
          "",
          {0.1, 0.3, 0.5, 0.7, 0.9},
          {0.99},
@@ -233,7 +260,14 @@ std::vector<Map> maps() {
     };
 }
 
-/// How far a row holds: "stable up to 20 cubes, fails at 40".
+std::vector<Map> maps() {
+    std::vector<Map> all;
+    for (const auto& group : {spinAndStackMaps(), massMaps(), restMaps(), motionMaps(), overlapMaps()})
+        all.insert(all.end(), group.begin(), group.end());
+    return all;
+}
+
+/// The stable range of a row as text: "stable up to 20 cubes, fails at 40".
 std::string stableRange(const Map& map, const std::vector<double>& xs, const std::vector<Judged>& row) {
     const auto value = [&](size_t i) { return fmt::format("{:g} {}", xs[i], map.xUnit); };
     const std::string upTo = xs.front() < xs.back() ? "stable up to " : "stable down to ";
@@ -241,7 +275,7 @@ std::string stableRange(const Map& map, const std::vector<double>& xs, const std
     while (stable < row.size() && row[stable].outcome == Outcome::Stable) ++stable;
     const auto failed =
         std::find_if(row.begin(), row.end(), [](const Judged& each) { return each.outcome == Outcome::Failed; });
-    if (stable == row.size()) return upTo + value(stable - 1) + ", the most that was tried";
+    if (stable == row.size()) return upTo + value(stable - 1) + ", the largest value tried";
     const std::string fails =
         failed == row.end() ? ", nowhere fails" : ", fails at " + value(size_t(failed - row.begin()));
     return (stable ? upTo + value(stable - 1) : "nowhere stable from " + value(0) + " on") + fails;

@@ -1,4 +1,4 @@
-// Plots as SVG text: axes, lines, coloured cells. Small enough to read, and no library for it.
+// Plots as SVG text, without a library: axes, lines, coloured cells.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace {
 constexpr double kWidth = 820, kHeight = 440, kLeft = 130, kRight = 170, kTop = 44, kBottom = 56;
 constexpr const char* kColors[] = {"#2f5d8a", "#b23a2e", "#4e7a36", "#c9a227", "#6b4c8a", "#3c7271"};
 
-/// An axis over the values with ticks at round numbers; logarithmic, by decades, where they span more than a factor of
-/// 50 and none is zero or less.
+/// An axis over the values with ticks at round numbers; logarithmic, by decades, if all are positive and span more than
+/// a factor of 50.
 struct Axis {
     double low = 0.0, high = 1.0, from = 0.0, to = 1.0;
     bool logarithmic = false;
@@ -53,9 +53,7 @@ std::string frame(const Options& options, const std::string& title, const std::s
                   const std::string& yLabel) {
     std::string out = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"sans-serif\" "
-        "font-size=\"11\">\n<rect width=\"100%\" "
-        "height=\"100%\" "
-        "fill=\"white\"/>\n",
+        "font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
         kWidth, kHeight);
     out +=
         fmt::format("<text x=\"{}\" y=\"20\" text-anchor=\"middle\" font-size=\"14\">{}</text>\n", kWidth / 2, title);

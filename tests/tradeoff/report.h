@@ -7,52 +7,58 @@
 
 namespace rubble::tradeoff {
 
-/// What the command line asked for.
+/// Options of the command line.
 struct Options {
     std::string out = "out/tradeoff";
     uint64_t seed = 1;
     int repeats = 5;
-    bool full = false;  ///< every combination; else a cut through them that takes under a minute
+    bool full = false;  ///< every combination; else a selection that takes under a minute
 };
 
-/// Repeated measurement of one thing.
+/// Median and range of repeated measurements.
 struct Measured {
     double median = 0.0, low = 0.0, high = 0.0;
     std::string text() const;  ///< "1.20 (1.15 to 1.31)"
 };
+/// Median and range of values.
 Measured summary(const std::vector<double>& values);
+/// Median and range of `repeats` results of once().
 Measured measure(int repeats, const std::function<double()>& once);
+/// The value below which a share (0 to 1) of the values lies; 0 without values.
 double quantile(std::vector<double> values, double share);
-/// Milliseconds of this thread's processor time that something takes: what else the machine does is left out.
+/// Milliseconds of this thread's processor time in f(): other load on the machine is not counted.
 double cpuMs(const std::function<void()>& f);
 
-/// A table of one report: what is turned, what it costs, what it gets wrong.
+/// A table of the report: settings, their costs and their errors.
 struct Table {
-    std::string name;   ///< of its files
+    std::string name;   ///< name of the table and of its files
     std::string title;  ///< a sentence
     std::vector<std::string> columns;
     std::vector<std::vector<std::string>> rows;
-    std::string note = {};                                           ///< what the words in it mean
-    std::string conclusion = {};                                     ///< what it comes down to, from its figures
-    std::vector<std::pair<std::string, std::string>> envelope = {};  ///< of extreme maps: what, and how far it holds
-    bool failed = false;  ///< something that was promised is not so; the bottom line says what
+    std::string note = {};                                           ///< explains the columns
+    std::string conclusion = {};                                     ///< the result in a sentence, with its figures
+    std::vector<std::pair<std::string, std::string>> envelope = {};  ///< of maps: a row and its stable range
+    bool failed = false;  ///< a promise does not hold; the conclusion says which
+    /// Adds a row with as many cells as there are columns.
     void add(std::vector<std::string> row) { rows.push_back(std::move(row)); }
 };
 
-/// Machine, processors, commit, date-free: what a figure depends on.
+/// What the figures depend on: machine, processors, load, commit, seed and repeats.
 std::string stamp(const Options& options);
-/// NAME.csv with the stamp in its first line; false if it cannot be written.
+/// Writes NAME.csv with the stamp in its first line; false if it cannot be written.
 bool writeCsv(const Options& options, const Table& table);
+/// The table as Markdown, with note and conclusion.
 std::string markdown(const Table& table);
 
-/// Points, joined by lines unless they are a cloud; marks are large and named beside them. Drawn as SVG text.
+/// Points of a plot, connected by lines unless they are a cloud; marks are large points with their name beside them.
 struct Series {
     std::string name;
     std::vector<std::pair<double, double>> points;
     bool isCloud = false, isMark = false;
 };
-/// The points of `all` that no other is better than in both: the least y for each x, from the least x on.
+/// The Pareto front of points: those for which no other point is smaller in both x and y.
 Series paretoFront(const std::string& name, std::vector<std::pair<double, double>> all);
+/// Writes NAME.svg with series of points; false if it cannot be written.
 bool writePlot(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel,
                const std::string& yLabel, const std::vector<Series>& series);
 
@@ -61,18 +67,22 @@ struct Bar {
     std::string group, name;
     Measured value;
 };
+/// Writes NAME.svg with groups of bars; false if it cannot be written.
 bool writeBars(const Options& options, const std::string& name, const std::string& title, const std::string& yLabel,
                const std::vector<Bar>& bars);
 
-/// How a point of an extreme map came out.
+/// Outcome of a point of a map. Refused: the input was rejected without effect.
 enum class Outcome { Stable, Degraded, Failed, Refused };
+/// The outcome's name in tables, in lower case.
 const char* nameOf(Outcome outcome);
+
 struct MapCell {
     std::string x, y;
     Outcome outcome;
-    std::string text;  ///< the figure behind it, in one or two lines
+    std::string text;  ///< its figures, in one or two lines
 };
-using Meanings = std::array<const char*, 4>;  ///< of the outcomes, in words for the legend; null: it does not occur
+using Meanings = std::array<const char*, 4>;  ///< legend of the outcomes; null: not in this map
+/// Writes NAME.svg with a map's coloured cells; false if it cannot be written.
 bool writeMap(const Options& options, const std::string& name, const std::string& title, const std::string& xLabel,
               const std::string& yLabel, const std::vector<MapCell>& cells, const Meanings& meanings);
 

@@ -11,9 +11,9 @@ namespace rubble::tradeoff {
 namespace {
 
 constexpr int kSteps = 120;
-constexpr double kNegligible = 0.001;  ///< share of a step that is none to speak of
+constexpr double kNegligible = 0.001;  ///< share of a step
 
-/// What each feature has in every step, wherever it is asked for.
+/// The functions of a feature that run in every step, used or not.
 struct Stages {
     const char* feature;
     std::vector<const char*> functions;
@@ -29,7 +29,7 @@ const std::vector<Stages>& stages() {
          {"PhysicsWorld::Impl::moveCharacters", "PhysicsWorld::Impl::refreshCharacters", "World::setCharacters"}},
         {"triggers", {"EditStep::updateTriggers"}},
         {"layers", {"PhysicsWorld::Impl::refreshFilters"}},
-        {"stress", {"EditStep::openCracks", "EditStep::weighShapes"}},
+        {"stress", {"EditStep::openCracks", "EditStep::runStressAnalysis"}},
         {"fire and heat", {"EditStep::burn", "EditStep::moveHeat"}},
         {"light groups", {"EditStep::updateLightGroups"}},
         {"debris budget", {"EditStep::limitDebris"}},
@@ -56,23 +56,20 @@ void runWithoutFeatures() {
 }
 
 Table unusedFeatureTradeoff(const Options& options) {
-    Table table{
-        "T12-unused",
-        fmt::format("what a feature costs that nothing uses: instructions of its stages in {} steps of 64 cubes that "
-                    "stand, and bytes",
-                    kSteps),
-        {"feature", "instructions a step", "share of all %", "bytes", "stages that are no functions of their own"},
-        {}};
+    Table table{"T12-unused",
+                fmt::format("cost of features that a scene does not use: instructions of their stages in {} steps of "
+                            "64 standing cubes, and bytes",
+                            kSteps),
+                {"feature", "instructions per step", "share of all %", "bytes", "stages inlined into their callers"},
+                {}};
     table.note =
-        "Counted by valgrind's callgrind, each stage with all that it calls: the same on every run. Bytes: all that "
-        "the stages ever asked for, "
-        "loading included, by valgrind's dhat (not what a stage asks for as its very last act). A stage that the "
-        "compiler made part of its "
-        "caller is named; it has no count of its own.";
+        "Instructions: counted by valgrind's callgrind, each stage with all functions that it calls: the same on every "
+        "run. Bytes: all that the stages ever allocated, loading included, counted by valgrind's dhat (without "
+        "allocations in tail calls). Stages that the compiler inlined are named; they have no count of their own.";
     const std::map<std::string, double> counts = instructionsByFunction("nothing used");
     const auto whole = counts.find("rubble::FrameLoop::step");
     if (whole == counts.end()) {
-        table.conclusion = "Not measured: it takes Debian's package valgrind.";
+        table.conclusion = "Not measured: valgrind is not installed (Debian package valgrind).";
         return table;
     }
     const std::map<std::string, double> bytes = bytesByFunction("nothing used");
@@ -97,13 +94,13 @@ Table unusedFeatureTradeoff(const Options& options) {
         allBytes += held;
         table.add({each.feature, fmt::format("{:.0f}", count / kSteps), fmt::format("{:.4f}", share * 100.0),
                    fmt::format("{:.0f}", held), inlined.empty() ? "-" : inlined});
-        bars.push_back({each.feature, "absent", {share * 100.0, share * 100.0, share * 100.0}});
+        bars.push_back({each.feature, "unused", {share * 100.0, share * 100.0, share * 100.0}});
     }
     table.failed = most > kNegligible || !bytes.contains("rubble::FrameLoop::FrameLoop") || allBytes > 0.0;
     table.conclusion = fmt::format(
-        "The costliest of what is absent, {}, takes {:.4f} % of a step, all together {:.4f} % and {:.0f} bytes.",
+        "The costliest unused feature, {}, takes {:.4f} % of a step; all together take {:.4f} % and {:.0f} bytes.",
         costliest, most * 100.0, sum * 100.0, allBytes);
-    writeBars(options, "T12-unused", "Features that nothing uses", "instructions, % of a step", bars);
+    writeBars(options, "T12-unused", "Unused features", "instructions, % of a step", bars);
     return table;
 }
 

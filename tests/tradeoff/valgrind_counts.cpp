@@ -28,7 +28,7 @@ std::string self() {
     return readlink("/proc/self/exe", path, sizeof path - 1) < 0 ? "" : path;
 }
 
-/// "1,234,567" at the beginning of a text; 0 if there is none.
+/// The number at the beginning of a text, written as "1,234,567"; 0 if there is none.
 double countIn(const std::string& text) {
     std::string digits = text.substr(0, text.find_first_not_of("0123456789, "));
     digits.erase(std::remove_if(digits.begin(), digits.end(), [](char c) { return c < '0' || c > '9'; }), digits.end());
@@ -39,7 +39,7 @@ std::filesystem::path fileOf(const char* tool) {
     return std::filesystem::temp_directory_path() / fmt::format("rubble_{}_{}", tool, getpid());
 }
 
-/// "rubble::EditStep::burn" out of "... rubble::EditStep::burn() ..."; empty if no function of ours is named.
+/// The first function of ours in a text: "rubble::World::hash" in "... rubble::World::hash() ..."; else "".
 std::string functionIn(const std::string& text) {
     const size_t name = text.find("rubble::"), end = text.find('(', name);
     return name == std::string::npos || end == std::string::npos ? "" : text.substr(name, end - name);
@@ -67,7 +67,7 @@ std::map<std::string, double> instructionsByFunction(const std::string& scene) {
         fmt::format("valgrind --tool=callgrind --callgrind-out-file='{}' '{}' physics --feature-scene '{}' 2>&1", out,
                     self(), scene);
     forEachLine(count, [](const std::string&) {});
-    // "1,234 ( 0.01%)  ???:rubble::EditStep::burn() [/path/of/the/program]"
+    // A line looks like "1,234 ( 0.01%)  ???:rubble::World::hash() [/path/of/the/program]".
     forEachLine(fmt::format("callgrind_annotate --inclusive=yes --threshold=100 '{}' 2>/dev/null", out),
                 [&](const std::string& line) {
                     if (const std::string function = functionIn(line); !function.empty())
