@@ -89,8 +89,8 @@ public:
                 fmt::format("expected at most {} J gained for each J lost, found {}", kMaxGainShare, m_gained / m_lost);
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         fmt::print(
-            "stress: {} steps in {} rounds, {} of them twice, seed {}, {:.0f} s; {:.0f} kJ lost, {:.1f} kJ "
-            "gained: {}\n",
+            "stress: {} steps in {} rounds, {} of them twice, seed {}, {:.0f} s; {:.0f} kJ lost, {:.1f} kJ gained: "
+            "{}\n",
             m_emptied.size() * size_t(m_round.steps), m_emptied.size(), m_repeated, m_round.seed, seconds, m_lost / 1e3,
             m_gained / 1e3,
             m_error.empty() ? "all invariants held"

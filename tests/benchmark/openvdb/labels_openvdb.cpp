@@ -132,13 +132,11 @@ int main(int argc, char** argv) {
     openvdb::initialize();
     std::printf(
         "destruction/label: milliseconds, best of 3 (OpenVDB, SciPy) and of 5 (ours); behind |: how many times faster "
-        "we "
-        "are. Ours: one thread.\n"
+        "we are. Ours: one thread.\n"
         "bricks: from the bits of cold bricks to components and their voxel counts. dense: from bytes to labels and "
         "counts.\n"
         "OpenVDB: from a BoolGrid to a grid for each component, with 1 thread and with %u; \"-\": too many grids. "
-        "SciPy: "
-        "from bytes to labels, one thread.\n",
+        "SciPy: from bytes to labels, one thread.\n",
         std::thread::hardware_concurrency());
     std::printf("%-14s %8s %9s %9s %9s %9s %9s | %7s %7s %7s | %7s %7s\n", "volume", "parts", "bricks", "dense",
                 "vdb 1", "vdb all", "scipy", "b/vdb1", "b/vdbN", "b/scipy", "d/vdb1", "d/scipy");
