@@ -18,6 +18,7 @@ struct Field {
     Member member;
     static constexpr bool kBinaryOnly = false;
 };
+/// Clang before version 17 needs this to deduce Member.
 template <class Member>
 Field(const char*, Member) -> Field<Member>;
 
@@ -28,6 +29,7 @@ struct BinaryField {
     Member member;
     static constexpr bool kBinaryOnly = true;
 };
+/// See Field.
 template <class Member>
 BinaryField(const char*, Member) -> BinaryField<Member>;
 

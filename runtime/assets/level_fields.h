@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "runtime/assets/fields.h"

@@ -11,9 +11,19 @@
 namespace rubble {
 namespace {
 
-/// Visits all fields and keeps the path to the first bad one.
+/// An archive that checks all fields and keeps the path to the first bad one.
 class LevelValidator {
 public:
+    Result<Done> run(const Level& level) {
+        m_lightGroups = level.lightGroups.size();
+        m_materials = level.materials.materials.size();
+        if (m_materials < 1 || m_materials > 256)
+            return Error{fmt::format("materials: expected 1 to 256, found {}", m_materials)};
+        check(level);
+        if (!m_error.empty()) return Error{m_error};
+        return Done{};
+    }
+
     template <class T>
     void operator()(const char* name, const T& value) {
         if (!m_error.empty()) return;
@@ -22,6 +32,8 @@ public:
         check(value);
         m_path.resize(length);
     }
+
+private:
     template <class T>
     requires std::is_arithmetic_v<T> || std::is_enum_v<T>
     void check(T value) {
@@ -41,17 +53,6 @@ public:
     }
     void check(const VoxelGrid&) {}
     void check(const PaintColorsRef&) {}
-    void validatePaint(const LevelShape& shape) {
-        const int colors = shape.paintColors ? shape.paintColors->count : 0;
-        int most = 0;
-        shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
-            if (!brick->paint) return;
-            for (const uint8_t paint : *brick->paint)
-                most = std::max(most, paint > 0 && paint < 16 ? 16 : paintColor(paint));
-        });
-        if (most > colors)
-            fail(fmt::format("paint of the {} colours that the shape has", colors), std::to_string(most));
-    }
     void check(const PaletteRef& palette) {
         if (!palette) return;
         for (size_t i = 0; i < palette->size(); ++i) {
@@ -77,56 +78,67 @@ public:
     template <class T>
     requires std::is_class_v<T>
     void check(const T& value) {
-        if constexpr (std::is_same_v<T, LevelShape>)
-            if (!(value.voxelSize > 0.0f && value.voxelSize <= 1000.0f))
-                fail("a voxel size above 0 and up to 1000 m", fmt::format("{}", value.voxelSize));
-        if constexpr (std::is_same_v<T, LevelShape>)
-            if (!(value.strength > 0.0f && value.strength <= 1e6f))
-                fail("a strength above 0 and up to 1e6 times its materials'", fmt::format("{}", value.strength));
-        if constexpr (std::is_same_v<T, LevelShape>) validatePaint(value);
-        if constexpr (std::is_same_v<T, Water>) {
-            if (value.outline.size() < 3)
-                fail("an outline of 3 points or more", fmt::format("{}", value.outline.size()));
-            if (!(value.depth > 0.0 && value.density >= 0.0 && value.linearDrag >= 0.0 && value.angularDrag >= 0.0))
-                fail("a depth above 0, a density and drags of 0 or more",
-                     fmt::format("{} m, {} kg/m3", value.depth, value.density));
-        }
-        if constexpr (std::is_same_v<T, LightImage>)
-            if (!value.isWhole())
-                fail(fmt::format("a picture of at most {} x {} texels", kMaxLightImageSide, kMaxLightImageSide),
-                     fmt::format("{} texels in rows of {}", value.texels.size(), value.width));
-        if constexpr (std::is_same_v<T, LevelLight>)
-            if (const std::string error = lightError(value.light); !error.empty()) fail("a light that can be", error);
-        if constexpr (std::is_same_v<T, Environment>)
-            if (const std::string error = environmentError(value); !error.empty()) fail("weather that can be", error);
-        if constexpr (std::is_same_v<T, Trigger>)
-            if (value.kind == TriggerKind::Polygon && value.outline.size() < 3)
-                fail("an outline of 3 points or more", fmt::format("{}", value.outline.size()));
-        if constexpr (std::is_same_v<T, Character>)
-            if (!(value.radius >= 0.02 && value.crouchedHeight >= 2.0 * value.radius &&
-                  value.height >= value.crouchedHeight && value.mass > 0.0))
-                fail("a radius of 0.02 m or more, crouched and standing height of two radii or more, a mass above 0",
-                     fmt::format("{} m, {} m, {} m, {} kg", value.radius, value.crouchedHeight, value.height,
-                                 value.mass));
-        if constexpr (std::is_same_v<T, Joint>)
-            if (const std::string error = jointError(value); !error.empty()) fail("a joint that can be", error);
+        checkRanges(value);
         fields(*this, value);
     }
 
-    Result<Done> run(const Level& level) {
-        m_lightGroups = level.lightGroups.size();
-        m_materials = level.materials.materials.size();
-        if (m_materials < 1 || m_materials > 256)
-            return Error{fmt::format("materials: expected 1 to 256, found {}", m_materials)};
-        check(level);
-        if (!m_error.empty()) return Error{m_error};
-        return Done{};
+    // Rules of one type, beside those of its fields.
+    template <class T>
+    void checkRanges(const T&) {}
+    void checkRanges(const LevelShape& shape) {
+        if (!(shape.voxelSize > 0.0f && shape.voxelSize <= 1000.0f))
+            fail("a voxel size above 0 and up to 1000 m", fmt::format("{}", shape.voxelSize));
+        if (!(shape.strength > 0.0f && shape.strength <= 1e6f))
+            fail("a strength above 0 and up to 1e6 times its materials'", fmt::format("{}", shape.strength));
+        checkPaint(shape);
+    }
+    void checkRanges(const Water& water) {
+        if (water.outline.size() < 3) fail("an outline of 3 points or more", fmt::format("{}", water.outline.size()));
+        if (!(water.depth > 0.0 && water.density >= 0.0 && water.linearDrag >= 0.0 && water.angularDrag >= 0.0))
+            fail("a depth above 0, a density and drags of 0 or more",
+                 fmt::format("{} m, {} kg/m3, drags of {} and {} 1/s", water.depth, water.density, water.linearDrag,
+                             water.angularDrag));
+    }
+    void checkRanges(const LightImage& image) {
+        if (!image.isWhole())
+            fail(
+                fmt::format("whole rows of an image of at most {} x {} texels", kMaxLightImageSide, kMaxLightImageSide),
+                fmt::format("{} texels in rows of {}", image.texels.size(), image.width));
+    }
+    void checkRanges(const LevelLight& light) { require("a valid light", lightError(light.light)); }
+    void checkRanges(const Environment& environment) { require("a valid environment", environmentError(environment)); }
+    void checkRanges(const Joint& joint) { require("a valid joint", jointError(joint)); }
+    void checkRanges(const Trigger& trigger) {
+        if (trigger.kind == TriggerKind::Polygon && trigger.outline.size() < 3)
+            fail("an outline of 3 points or more", fmt::format("{}", trigger.outline.size()));
+    }
+    void checkRanges(const Character& character) {
+        if (!(character.radius >= 0.02 && character.crouchedHeight >= 2.0 * character.radius &&
+              character.height >= character.crouchedHeight && character.mass > 0.0))
+            fail("a radius of 0.02 m or more, crouched and standing height of two radii or more, a mass above 0",
+                 fmt::format("{} m, {} m, {} m, {} kg", character.radius, character.crouchedHeight, character.height,
+                             character.mass));
+    }
+    /// Painted voxels must have one of the shape's colours. Bytes of 1 to 15 are no paint at all.
+    void checkPaint(const LevelShape& shape) {
+        const int colors = shape.paintColors ? shape.paintColors->count : 0;
+        int highest = 0;
+        shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+            if (!brick->paint) return;
+            for (const uint8_t paint : *brick->paint)
+                highest = std::max(highest, paint > 0 && paint < 16 ? 16 : paintColor(paint));
+        });
+        if (highest > colors)
+            fail(fmt::format("paint of the {} colours that the shape has", colors), fmt::format("colour {}", highest));
     }
 
-private:
+    void require(const char* expected, const std::string& error) {
+        if (!error.empty()) fail(expected, error);
+    }
     void fail(const std::string& expected, const std::string& found) {
         if (m_error.empty()) m_error = fmt::format("{}: expected {}, found {}", m_path, expected, found);
     }
+
     std::string m_path, m_error;
     size_t m_lightGroups = 0, m_materials = 0;
 };

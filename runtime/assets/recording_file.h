@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 

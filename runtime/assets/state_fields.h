@@ -1,4 +1,8 @@
 #pragma once
+#include <array>
+#include <tuple>
+#include <type_traits>
+
 #include "runtime/assets/level_fields.h"
 #include "runtime/world/state/world_state.h"
 

@@ -49,7 +49,8 @@ void readVoxels(ByteReader& in, VoxFile& file, size_t sizesUsed) {
 void readColors(ByteReader& in, VoxFile& file) {
     for (int i = 0; i < 256; ++i) {
         const auto color = in.read<std::array<uint8_t, 4>>();
-        if (i < 255) file.colors[size_t(i) + 1] = color;  // colour i is index i + 1; the last one is never used
+        if (i < 255)
+            file.colors[size_t(i) + 1] = color;  // the i-th colour belongs to index i + 1; the last one is never used
     }
     file.defaultColors = false;
 }
@@ -89,7 +90,7 @@ void readLayer(ByteReader& in, VoxFile& file) {
     file.layers[id].attributes = readAttributes(in);
 }
 
-/// The old material chunk, as the attributes that MATL would have.
+/// The old material chunk, stored as the attributes that MATL would have.
 void readOldMaterial(ByteReader& in, VoxFile& file) {
     static constexpr const char* kTypes[] = {"_diffuse", "_metal", "_glass", "_emit"};
     static constexpr const char* kProperties[] = {"_plastic", "_rough", "_spec", "_ior", "_att", "_flux", "_glow"};
@@ -116,7 +117,7 @@ void readCamera(ByteReader& in, VoxFile& file) {
     file.cameras[id] = readAttributes(in);
 }
 
-/// MATL ids: palette index, 256 standing for 0 in some versions.
+/// The id of a MATL chunk is a stored colour index; some versions write 256 for 0.
 void readMaterial(ByteReader& in, VoxFile& file) {
     const auto id = in.read<int32_t>();
     file.materials[id & 255] = readAttributes(in);
@@ -129,13 +130,13 @@ void readIndexMap(ByteReader& in, VoxFile& file) {
     for (bool present : seen)
         if (!present) {
             file.warnings.push_back(
-                "IMAP: not a permutation of 0 to 255, ignored (it orders the palette, colours do not depend on it)");
+                "IMAP: expected a permutation of 0 to 255, found another table: ignored, colours do not depend on it");
             return;
         }
     file.indexMap = map;
 }
 
-/// Reads chunks one after another; `xyziCount`: those read so far.
+/// Reads chunks one after another.
 class ChunkParser {
 public:
     explicit ChunkParser(VoxFile& file) : m_file(file) {}
@@ -149,7 +150,7 @@ public:
                     fmt::format("{} SIZE and {} XYZI chunks", m_file.models.size(), m_modelsRead));
         if (m_file.models.empty()) in.fail("at least one model", "none");
         if (m_packed && *m_packed != m_modelsRead)
-            m_file.warnings.push_back(fmt::format("PACK: says {} models, the file holds {}", *m_packed, m_modelsRead));
+            m_file.warnings.push_back(fmt::format("PACK: expected {} models, found {}", *m_packed, m_modelsRead));
     }
 
 private:

@@ -13,23 +13,25 @@
 #include "runtime/assets/names.h"
 #include "runtime/assets/vox_palette.h"
 #include "runtime/assets/vox_scene.h"
+#include "runtime/core/constants.h"
 
 namespace rubble {
 namespace {
 
 constexpr uint64_t kMaxFileBytes = uint64_t(1) << 30;
-// Z up, Y away becomes Y up, Z near.
+// MagicaVoxel: z up, y away from the viewer. Rubble: y up, z towards the viewer.
 constexpr VoxTransform kZUpToYUp{{0, 2, 1}, {1, 1, -1}, {}};
 
-/// A model rotated as an instance wants it, cut down to the voxels it has.
+/// A model in the orientation of an instance, in the smallest grid that holds its voxels.
 struct RotatedModel {
     VoxelGrid grid;
-    std::array<int64_t, 3> low{};  ///< of the grid's cell 0, relative to the transform's offset
+    std::array<int64_t, 3> low{};  ///< cell 0 of the grid, relative to the transform's offset
 };
 
+/// `slots`: the palette index for each stored colour index; 0 for those that are empty.
 RotatedModel rotateModel(const VoxModel& model, const VoxTransform& rotation, const std::array<uint8_t, 256>& slots) {
     const glm::ivec3 pivot = model.size / 2;
-    // sign +: cell v spans [v - pivot, v + 1 - pivot]; sign -: the same mirrored.
+    // Cell v spans [v - pivot, v + 1 - pivot] along its axis; a negative sign mirrors that interval.
     const auto rotated = [&](const std::array<uint8_t, 4>& voxel) {
         glm::ivec3 cell;
         for (int i = 0; i < 3; ++i) {
@@ -64,7 +66,8 @@ std::array<uint64_t, 256> countEntries(const VoxelGrid& grid) {
     return counts;
 }
 
-/// Makes the level of one file; a value that lives as long as importVoxBytes().
+/// Turns one parsed file into a level: an object of the scene becomes a shape, glowing voxels become light groups,
+/// cameras become locations. Every decision is a line of the report.
 class Importer {
 public:
     Importer(const VoxFile& file, const std::string& stem, const VoxImportSettings& settings, ImportReport& report)
@@ -116,7 +119,7 @@ private:
                         shape.grid.voxelCount(), size.x, size.y, size.z, corner.x, corner.y, corner.z);
         for (const std::string& tag : shape.tags) line += ", " + tag;
         if (shape.hidden) line += ", hidden";
-        if (instance.frame > 0) line += " (kept as a hidden shape: the first frame is what stands)";
+        if (instance.frame > 0) line += " (kept as a hidden shape: the level shows the first frame)";
         if (instance.skippedPoses > 0)
             line += fmt::format(" ({} later poses of its animation left out)", instance.skippedPoses);
         addLine(std::move(line));
@@ -143,7 +146,7 @@ private:
             for (LevelShape& shape : body.shapes) f(body, shape);
     }
 
-    /// One palette that all shapes share.
+    /// Makes the one palette that all shapes share.
     void choosePalette() {
         std::array<uint64_t, 256> counts{};
         forEachShape([&](LevelBody&, LevelShape& shape) {
@@ -166,7 +169,7 @@ private:
         }
     }
 
-    /// One light group a glowing shape, and a sphere light in the middle of what glows.
+    /// Each shape with glowing voxels gets a light group and a sphere light at the centroid of those voxels.
     void addLights() {
         forEachShape([&](LevelBody&, LevelShape& shape) {
             glm::dvec3 sum(0.0), radiance(0.0);
@@ -186,6 +189,7 @@ private:
         });
     }
 
+    /// centerCells: centroid in cells of the grid. radiance: mean of the glowing voxels, linear.
     void addLight(LevelShape& shape, glm::dvec3 centerCells, glm::dvec3 radiance, uint64_t count) {
         LightGroup group;
         group.name = shape.name;
@@ -204,7 +208,7 @@ private:
         const double radius =
             std::min(0.5 * m_settings.voxelSize * std::sqrt(double(count)), 5.0 * m_settings.voxelSize);
         light.light.radius = float(radius);
-        light.light.color = glm::vec3(radiance * (3.14159265358979 * radius * radius));  // of a sphere of that radiance
+        light.light.color = glm::vec3(radiance * (kPi * radius * radius));  // intensity = radiance * projected area
         m_level.lights.push_back(light);
         addLine(fmt::format("'{}': {} glowing voxels -> light group '{}' with a sphere light", shape.name, count,
                             group.name));
@@ -228,17 +232,17 @@ private:
         std::set<int> placed;
         for (const VoxInstance& instance : instances) placed.insert(instance.model);
         for (int i = 0; i < int(m_file.models.size()); ++i)
-            if (!placed.contains(i)) addLine(fmt::format("model {}: in no object of the scene, left out", i));
+            if (!placed.contains(i)) addLine(fmt::format("model {}: no object of the scene uses it, left out", i));
         if (m_file.defaultColors) addLine("no RGBA chunk: MagicaVoxel's default colours");
         if (m_file.indexMap) addLine("IMAP: entries are numbered as MagicaVoxel shows them");
         if (!m_file.renderSettings.empty())
-            addLine(fmt::format("{} render settings (rOBJ): left out, the level keeps its own sun and sky",
+            addLine(fmt::format("{} render settings (rOBJ): left out, the level has its own sun and sky",
                                 m_file.renderSettings.size()));
         int named = 0;
         for (const std::string& note : m_file.colorNotes) named += note.empty() ? 0 : 1;
         if (named) addLine(fmt::format("{} names of colour rows (NOTE): left out", named));
         for (const auto& [kind, count] : m_file.skippedChunks)
-            addLine(fmt::format("{} {} chunks: not known, left out", count, kind));
+            addLine(fmt::format("{} {} chunks: unknown kind, left out", count, kind));
         for (const std::string& warning : m_file.warnings) addLine(warning);
     }
 

@@ -1,12 +1,14 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "runtime/assets/assets.h"
 
 namespace rubble {
 
-/// importVox() of bytes in memory; `name` is the file's, for messages and for objects without a name.
+/// importVox() of a file in memory. `name`: of the file, for messages and for objects without a name. Any bytes give a
+/// valid level or an error.
 Result<Level> importVoxBytes(std::span<const uint8_t> bytes, const std::string& name, const VoxImportSettings& settings,
                              ImportReport* report = nullptr);
 

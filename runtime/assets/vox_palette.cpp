@@ -8,12 +8,12 @@
 namespace rubble {
 namespace {
 
-// MagicaVoxel's emission has no unit. A fully emissive colour of power 0 becomes this many times its linear colour:
-// a lamp that outshines a sunlit wall of the default environment.
+// MagicaVoxel's emission has no unit. A fully emissive colour of power 0 gets this factor on its linear colour: such a
+// light is brighter than a sunlit wall of the default environment.
 constexpr float kEmissionScale = 5.0f;
-constexpr uint8_t kMinOpacity = 26;  // clear glass can still be seen
+constexpr uint8_t kMinOpacity = 26;  // of 255: clear glass stays visible
 
-/// A number in [low, high]; `fallback` if it is missing or no number.
+/// An attribute as a number in [low, high]; `fallback` if it is missing or no number.
 float number(const VoxAttributes& attributes, const char* key, float fallback, float low, float high) {
     const auto found = attributes.find(key);
     if (found == attributes.end()) return fallback;
@@ -27,7 +27,9 @@ uint8_t toByte(float fraction) {
     return uint8_t(fraction * 255.0f + 0.5f);
 }
 
-/// Old files hold one `_weight`, newer ones a value a property.
+/// Sets the optical properties that a MATL chunk gives. Old files have one `_weight` for the property that `_type`
+/// names, newer files have an attribute for each property. Reflectivity is that of Fresnel at normal incidence: ((n -
+/// 1) / (n + 1))^2.
 void applyMaterial(const VoxAttributes& attributes, PaletteEntry& entry) {
     const auto found = attributes.find("_type");
     const std::string type = found == attributes.end() ? "" : found->second;

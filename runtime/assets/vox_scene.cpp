@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMaxDepth = 64;
 constexpr size_t kMaxInstances = 65536;
-constexpr size_t kMaxVisits = 1u << 20;     // groups can share children: a short file can spell a huge tree
+constexpr size_t kMaxVisits = 1u << 20;     // nodes can share children, so a short file can describe a huge tree
 constexpr int64_t kMaxOffset = 10'000'000;  // cells: 1,000 km of 0.1 m
 
 std::string attribute(const VoxAttributes& attributes, const char* key) {
@@ -18,7 +18,8 @@ std::string attribute(const VoxAttributes& attributes, const char* key) {
     return found == attributes.end() ? "" : found->second;
 }
 
-/// The rotation byte: two bits each for the column of the first and second row's entry, then a sign bit a row.
+/// Parses the rotation byte: the column of the non-zero entry in rows 0 and 1 (two bits each), then a sign bit for each
+/// row.
 bool parseRotation(const std::string& text, VoxTransform& out) {
     unsigned bits = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), bits);
@@ -42,7 +43,7 @@ bool parseOffset(const std::string& text, VoxTransform& out) {
     return at == end;
 }
 
-/// Depth first, in the file's order of children.
+/// Visits the scene graph depth first, children in the file's order.
 class SceneWalker {
 public:
     SceneWalker(const VoxFile& file, const std::string& fileName) : m_file(file), m_fileName(fileName) {}
@@ -167,7 +168,7 @@ Result<std::vector<VoxInstance>> voxInstances(const VoxFile& file, const std::st
     for (const auto& [id, node] : file.nodes)
         if (!children.contains(id)) walker.visit(id, {}, node.offset), anyRoot = true;
     if (!anyRoot)
-        return Error{fmt::format("{}: byte {}, scene node: expected one that is nobody's child, found a cycle",
+        return Error{fmt::format("{}: byte {}, scene node: expected a node that is no child of another, found a cycle",
                                  fileName, file.nodes.begin()->second.offset)};
     return walker.take();
 }

@@ -131,11 +131,11 @@ TEST(RubbleFile, InvalidLevelsAreNotWritten) {
               std::string::npos);
     EXPECT_NE(error([](Level& l) {
                   l.lights[0].light.reach = -1.0f;
-              }).find("lights[0]: expected a light that can be, found reach is -1"),
+              }).find("lights[0]: expected a valid light, found reach is -1"),
               std::string::npos);
     EXPECT_NE(error([](Level& l) {
                   l.environment.clouds = 2.0f;
-              }).find("environment: expected weather that can be, found clouds is 2"),
+              }).find("environment: expected a valid environment, found clouds is 2"),
               std::string::npos);
     EXPECT_NE(error([](Level& l) { l.lightGroups.pop_back(); }).find("light group"), std::string::npos);
     EXPECT_NE(error([](Level& l) { l.bodies[0].pose.rotation = glm::dquat(2, 0, 0, 0); }).find("rotation"),
