@@ -1,5 +1,5 @@
 // One step up the bloom pyramid: a level is blurred and blended onto the next larger one (Jimenez 2014, "Next
-// generation post processing in Call of Duty"). Four bilinear taps are as wide as a 3x3 tent filter.
+// generation post processing in Call of Duty"). The four bilinear taps are as wide as a 3x3 tent filter.
 uniform sampler2D uSource;
 uniform vec2 uTexel;  // 1 / size of the source
 in vec2 uv;

@@ -1,4 +1,4 @@
-// Whatever the camera looks at and from wherever, no target holds a NaN or an infinity. RUBBLE_LONG=1: 10,000 views.
+// No view, however odd, leaves a NaN or an infinity in any target. RUBBLE_LONG=1 tries 10,000 views.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -14,8 +14,8 @@ namespace rubble {
 namespace {
 
 constexpr glm::ivec2 kSize(160, 90);
-constexpr int kViewsPerWorld = 250;  // then the rubble is cleared away
-constexpr int kViewsPerReport = 50;  // of what a long run says while it runs
+constexpr int kViewsPerWorld = 250;  // then the level is loaded again
+constexpr int kViewsPerReport = 50;  // of a long run
 
 int viewCount() {
     return std::getenv("RUBBLE_LONG") ? 3334 : 12;
@@ -42,7 +42,7 @@ const Weather kWeathers[] = {{"evening", [](Environment&) {}},
 
 class RandomView : public GlTest, public testing::WithParamInterface<int> {};
 
-/// From the air, from within the ground and the houses, from far away; from 1 to 179 degrees wide.
+/// From the air, from inside the ground and the houses, from far away; field of view 1 to 179 degrees.
 View randomView(Random& random, unsigned framebuffer) {
     View view;
     for (int a = 0; a < 3; ++a) view.position[a] = random.unit() * 70.0 - 3.0;

@@ -3,16 +3,17 @@
 
 namespace rubble {
 
-/// How two pictures of one size differ.
+/// How two images of one size differ.
 struct Difference {
-    Image image;       ///< four times as strong as it is
-    double share = 0;  ///< of pixels that differ clearly: by more than 24 of 255
-    double mean = 0;   ///< of all channels, of 255
+    Image image;       ///< the differences of each channel, times four
+    double share = 0;  ///< of pixels that differ by more than 24 of 255 in a channel
+    double mean = 0;   ///< mean difference of all channels, of 255
 };
+/// The images must have the same size.
 Difference compare(const Image& actual, const Image& expected);
 
-/// Compilers and GL versions round differently, and a rounded ray may miss a corner: a few pixels may differ, all
-/// together may not.
+/// True if at most 0.5 % of the pixels differ clearly and the mean is at most 1. Compilers and GL versions round
+/// differently, and a rounded ray may miss a corner.
 bool looksAlike(const Difference& difference);
 
 }  // namespace rubble

@@ -1,6 +1,8 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "render/gl/offscreen.h"
 #include "render/renderer.h"
 #include "samples/support/image.h"
@@ -9,9 +11,10 @@
 
 namespace rubble {
 
-/// A renderer, a target, and pictures of any pass of them.
+/// A test fixture with a renderer and an offscreen target, which draws scenes and reads what any pass has written.
 class Drawing : public GlTest {
 protected:
+    /// Makes the renderer and the target and loads the scene.
     void start(const LitScene& scene, glm::ivec2 size, const RenderSettings& settings = {}) {
         auto made = Renderer::create(testContext().loader(), shaderFolder(), settings);
         ASSERT_TRUE(made) << made.error();
@@ -19,7 +22,7 @@ protected:
         renderer->apply(scene.snapshot());
         target = std::make_unique<Offscreen>(size);
     }
-    /// Draws `frames` pictures and returns the last, as `pass` shows it.
+    /// Draws `frames` frames and returns the last one as the view `pass` shows it.
     Image draw(const Camera& camera, int frames = 1, const char* pass = "final") {
         EXPECT_TRUE(renderer->showPass(pass)) << pass;
         for (int i = 0; i < frames; ++i) renderer->draw(camera.view(target->size(), target->framebuffer()), 1.0f);
@@ -27,7 +30,7 @@ protected:
         image.rgb = target->readRgb();
         return image;
     }
-    /// A target as numbers. A name that no pass has drawn fails the test; the image is empty then.
+    /// A target's numbers. A name that no pass has drawn fails the test and gives an empty image.
     FloatImage read(const char* name) const {
         auto image = renderer->readTarget(name);
         EXPECT_TRUE(image) << image.error();

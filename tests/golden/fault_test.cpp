@@ -46,8 +46,8 @@ constexpr Fault kFaults[] = {
     {"edges are not smoothed", "passes/taa.frag", "across[i % 3] * up[i / 3]", "(i == 4 ? 1.0 : 0.0)"},
 };
 
-/// What is small in the street scene: a rotated block close by, an emissive one, a floor that mirrors at grazing angles,
-/// thin slats.
+/// What is small in the street scene: a rotated block close by, an emissive one, a floor that mirrors at grazing
+/// angles, thin slats.
 LitScene closeUp() {
     auto palette = std::make_shared<Palette>();
     const auto entry = [&](int index, uint8_t grey, uint8_t roughness, uint8_t reflectivity, float emission) {
@@ -113,7 +113,8 @@ TEST_F(FaultTest, ImagesRejectEachOfTwentyFaults) {
         ASSERT_TRUE(looksAlike(compare(again[i], good[i]))) << "the same shaders draw another image";
     for (size_t i = 0; i < good.size(); ++i) {
         for (size_t k = 0; k < i; ++k)
-            EXPECT_FALSE(looksAlike(compare(good[i], good[k]))) << "images " << i << " and " << k << " look alike: each must show something of its own";
+            EXPECT_FALSE(looksAlike(compare(good[i], good[k])))
+                << "images " << i << " and " << k << " look alike: each must show something of its own";
     }
 
     const TempFolder made;
@@ -124,9 +125,8 @@ TEST_F(FaultTest, ImagesRejectEachOfTwentyFaults) {
         std::ifstream in(folder / fault.file);
         std::string text((std::istreambuf_iterator<char>(in)), {});
         const size_t place = text.find(fault.good);
-        ASSERT_NE(place, std::string::npos)
-            << fault.name << ": expected \"" << fault.good << "\" in " << fault.file
-            << ", found none: adapt the fault to the shader";
+        ASSERT_NE(place, std::string::npos) << fault.name << ": expected \"" << fault.good << "\" in " << fault.file
+                                            << ", found none: adapt the fault to the shader";
         std::ofstream(folder / fault.file) << text.replace(place, std::string(fault.good).size(), fault.bad);
         const Images bad = drawImages(folder.string());
         std::string seen;

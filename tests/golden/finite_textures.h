@@ -8,7 +8,7 @@
 
 namespace rubble {
 
-/// The float textures of the context that hold a NaN or an infinity, in words; empty if none does.
+/// Describes the float textures of the context that hold a NaN or an infinity; empty if there is none.
 inline std::string nonFiniteTextures(GLuint namesBelow = 512) {
     std::string bad;
     std::vector<float> values;
@@ -17,7 +17,7 @@ inline std::string nonFiniteTextures(GLuint namesBelow = 512) {
         while (glGetError() != GL_NO_ERROR) {
         }
         glBindTexture(GL_TEXTURE_2D, name);
-        if (glGetError() != GL_NO_ERROR) continue;  // of another kind
+        if (glGetError() != GL_NO_ERROR) continue;  // not a 2D texture
         GLint width = 0, height = 0, format = 0;
         glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
         glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
@@ -29,7 +29,8 @@ inline std::string nonFiniteTextures(GLuint namesBelow = 512) {
         const auto count = std::count_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
         if (count)
             bad += "texture " + std::to_string(name) + ", format " + std::to_string(format) + ", " +
-                   std::to_string(width) + "x" + std::to_string(height) + ": " + std::to_string(count) + " numbers; ";
+                   std::to_string(width) + "x" + std::to_string(height) + ": " + std::to_string(count) +
+                   " values are not finite; ";
     }
     return bad;
 }

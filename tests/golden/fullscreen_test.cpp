@@ -1,4 +1,4 @@
-// Full-screen passes by fragments and by compute programs: the same numbers in every target.
+// Full-screen passes must write the same numbers as fragment and as compute programs, in every target.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr glm::ivec2 kSize(96, 64);
 
-/// In the order drawn: the first that differs names the pass.
+/// In drawing order: the first that differs names the pass.
 constexpr const char* kTargets[] = {"albedo",        "material",          "noisyLight",       "specular",
                                     "fastHistory",   "historyConfidence", "accumulatedLight", "surface",
                                     "denoisedLight", "reflection",        "radiance",         "fogLight",
@@ -25,7 +25,7 @@ const std::vector<std::string> kPasses = {"wetness", "sun",         "sky",      
                                           "filter",  "reflections", "composite", "fog",          "taa",
                                           "bloom",   "exposure",    "tonemap"};
 
-/// Sun and sky, lamps, wet ground, panes, mirrors, fog.
+/// A scene that needs every pass: sun, sky, lights, wet ground, glass, mirrors, fog.
 LitScene fullScene() {
     LitScene scene = streetScene();
     scene.environment.wetness = 0.8f;
@@ -44,9 +44,9 @@ FrameSnapshot withWater(const LitScene& scene) {
     return snapshot;
 }
 
-/// How far two targets lie targetDifference, and in how many numbers.
+/// How many numbers of two targets differ, and by how much at most.
 struct TargetDifference {
-    int numbers = 0, clearly = 0;  ///< clearly: by more than rounding
+    int numbers = 0, clearly = 0;  ///< clearly: by more than 1 %
     float largest = 0.0f;
 };
 
@@ -111,7 +111,7 @@ protected:
         camera.position.x += 0.02 * frame;
         renderer.draw(camera.view(size, target.framebuffer()), 1.0f);
     }
-    /// Draws the same pictures with both and compares every target after each.
+    /// Draws the same frames with both and compares every target after each.
     static void expectSame(Renderer& a, Renderer& b, glm::ivec2 size, int frames, float tolerance = 0.0f) {
         for (int frame = 0; frame < frames; ++frame) {
             for (Renderer* each : {&a, &b}) draw(*each, size, frame);
@@ -122,8 +122,7 @@ protected:
                 if (!first) continue;
                 ASSERT_EQ(first->size, second->size);
                 const TargetDifference found = targetDifference(*first, *second);
-                // Compilers for GPUs may fuse and order the same sums in two ways: a ray that is rounded may miss a
-                // corner.
+                // GPU compilers may fuse and order sums in two ways, and a rounded ray may miss a corner.
                 const bool isSame = !isSoftwareGl()    ? found.clearly <= int(first->pixels.size() * 4 / 50)
                                     : tolerance > 0.0f ? found.largest <= tolerance
                                                        : found.numbers == 0;
@@ -159,7 +158,7 @@ TEST_F(FullscreenTest, ComputeDrawsWhatFragmentsDrawWhereLessIsTracedThanShown) 
 }
 
 TEST_F(FullscreenTest, ComputeKeepsPixelsThatAreNotDrawn) {
-    // Dry, by night, without lamps and panes: what largest passes leave alone, and a view of nothing but sky.
+    // Dry, at night, without lights and glass: most passes write little. The second view shows nothing but sky.
     LitScene scene = streetScene();
     scene.environment.sunDirection = {0.1f, -0.5f, 0.2f};
     RenderSettings settings;
@@ -180,9 +179,8 @@ TEST_F(FullscreenTest, ComputeKeepsPixelsThatAreNotDrawn) {
     }
 }
 
-/// Waves are sums of sines of sums of products, which a GL may fuse as it likes: llvmpipe does not do the same in both
-/// programs, and their slopes differ in the last bit. Now and then it rounds another way in a target of 16 bits: 2^-12
-/// of numbers about 0.5.
+/// A GL may fuse the products and sums of the waves in different ways: llvmpipe does so in the two programs, and slopes
+/// differ in the last bit. Rounded to 16 bits that is 2^-12 for numbers near 0.5.
 TEST_F(FullscreenTest, WaterIsTheSameButForTheLastBit) {
     const auto fragment = make(Fullscreen::Fragment, withWater(fullScene())),
                compute = make(Fullscreen::Compute, withWater(fullScene()));
@@ -205,7 +203,7 @@ TEST_F(FullscreenTest, FragmentModeAllocatesNothingForCompute) {
     EXPECT_GE(compute->figures().computePrograms, int(kPasses.size()));
     EXPECT_EQ(fragment->figures().textureBytes, compute->figures().textureBytes);
     EXPECT_EQ(automatic->figures().computePrograms > 0, !isSoftwareGl())
-        << "compute is slower on software renderers: see DECISIONS.md";
+        << "compute is slower on software renderers: see docs/decisions/light.md";
 }
 
 TEST_F(FullscreenTest, ReloadedShadersDrawTheSame) {
@@ -239,7 +237,7 @@ TEST_F(FullscreenTest, ReloadedShadersDrawTheSame) {
     for (Renderer* each : {fragment.get(), compute.get()}) EXPECT_TRUE(each->reloadShaders());
     expectSame(*fragment, *compute, kSize, 2);
     EXPECT_GT(targetDifference(*before, *compute->readTarget("noisyLight")).largest, 0.05f)
-        << "the new shader does not draw";
+        << "the reloaded shader is not in use";
 }
 
 TEST_F(FullscreenTest, AContextBelowFourPointThreeDrawsByFragmentsAndWarns) {
@@ -251,7 +249,7 @@ TEST_F(FullscreenTest, AContextBelowFourPointThreeDrawsByFragmentsAndWarns) {
     EXPECT_TRUE(byCompute(*renderer).empty());
     for (const Fullscreen quiet : {Fullscreen::Auto, Fullscreen::Fragment})
         make(quiet, fullScene().snapshot(), {}, loaderWithOtherVersion);
-    EXPECT_EQ(logCount("compute programs need GL 4.3"), 1) << "nobody has asked for it";
+    EXPECT_EQ(logCount("compute programs need GL 4.3"), 1) << "a warning that nobody needs";
     renderer.reset();
     g_minor = 3;
     renderer = make(Fullscreen::Compute, fullScene().snapshot(), {}, loaderWithOtherVersion);
@@ -266,22 +264,22 @@ TEST_F(FullscreenTest, TheFastestIsMeasuredWhileTheImageIsTheSame) {
                fastest = make(Fullscreen::Fastest, fullScene().snapshot());
     constexpr int kFrames = 2 * (FullscreenChoice::kWarmUpFrames + FullscreenChoice::kTimedFrames);
     expectSame(*fragment, *fastest, kSize, 2);
-    EXPECT_EQ(byCompute(*fastest), kPasses) << "every other frame is by compute";
+    EXPECT_EQ(byCompute(*fastest), kPasses) << "every other frame is drawn by compute";
     const int atFirst = fastest->figures().computePrograms;
     for (int frame = 2; frame < kFrames; ++frame) draw(*fastest, kSize, frame);
     EXPECT_EQ(fastest->figures().computePrograms, atFirst);
-    EXPECT_EQ(logCount("drawn by what was faster"), 0);
+    EXPECT_EQ(logCount("drawn by the faster method"), 0);
     std::vector<std::string> chosen;
     for (int frame = 0; frame < 3; ++frame) {
         draw(*fastest, kSize, frame);
         if (frame == 0) chosen = byCompute(*fastest);
         EXPECT_EQ(byCompute(*fastest), chosen);
     }
-    EXPECT_EQ(logCount("drawn by what was faster"), 1);
+    EXPECT_EQ(logCount("drawn by the faster method"), 1);
     for (const std::string& pass : kPasses) EXPECT_EQ(logCount(pass + " by "), 1) << pass;
     if (!isSoftwareGl()) return;
-    EXPECT_LT(chosen.size(), kPasses.size()) << "llvmpipe is no faster at fullScene by compute";
-    EXPECT_LT(fastest->figures().computePrograms, atFirst) << "what lost is kept";
+    EXPECT_LT(chosen.size(), kPasses.size()) << "llvmpipe is not faster by compute in every pass";
+    EXPECT_LT(fastest->figures().computePrograms, atFirst) << "the slower programs are kept";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Panes one behind the other, of one body and of several, and what they do to what is behind them.
+// Glass: panes one behind the other, of one body and of several, their tint and their refraction.
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +30,7 @@ PaletteRef wallAndPanes() {
     return palette;
 }
 
-/// What one pane lets through: as lib/glass_walk.glsl describes it.
+/// Transmittance of one pane, as in lib/glass_walk.glsl.
 glm::vec3 paneTransmittance(int pane) {
     const Tint t = kTints[pane];
     const glm::vec3 linear = glm::pow(glm::vec3(t.red, t.green, t.blue) / 255.0f, glm::vec3(2.2f));
@@ -48,7 +48,7 @@ protected:
     }
 };
 
-/// Panes 0 and 2 are one body's, pane 1 another's that stands between them, and pane 3 is behind a wall.
+/// Panes 0 and 2 belong to one body, pane 1 to another between them, and pane 3 is behind a wall.
 TEST_F(GlassTest, PanesOfInterleavedBodiesTintOnceAndTheNearestIsTheSurface) {
     LitScene scene(wallAndPanes());
     scene.add({20, 20, 21}, {{-1, -1, 0}, kLevel}, [](glm::ivec3 c) {
@@ -67,10 +67,10 @@ TEST_F(GlassTest, PanesOfInterleavedBodiesTintOnceAndTheNearestIsTheSurface) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(tint.at(48, 32)[i], expected[i], 0.006f) << "channel " << i;
     EXPECT_NEAR(surface.at(48, 32).w, 4.0f - 2.1f, 0.01f);
     EXPECT_NEAR(surface.at(48, 32).z, 1.0f, 0.01f);
-    EXPECT_EQ(surface.at(8, 32).w, 0.0f) << "a pane behind the wall is seen";
+    EXPECT_EQ(surface.at(8, 32).w, 0.0f) << "a pane behind the wall is visible";
 }
 
-/// A step of the wall from dark to light behind a slanted pane: where it is seen with and without refraction.
+/// An edge from dark to light on a wall behind a slanted pane: where it appears with and without refraction.
 TEST_F(GlassTest, RefractsLikeAParallelPlate) {
     const auto edgeAt = [&](bool refraction) {
         LitScene scene(wallAndPanes());
@@ -97,7 +97,8 @@ TEST_F(GlassTest, RefractsLikeAParallelPlate) {
         }
         return edge;
     };
-    // A plate of index n shifts a ray by d (tan a - tan b), here along the wall by that over cos a: from Snell's law.
+    // Snell's law: a plate of index n displaces a ray by d (tan a - tan b) along itself, which is that times cos a
+    // along the wall.
     const double a = 0.9, b = std::asin(std::sin(a) / 1.5), across = 0.06 * (std::tan(a) - std::tan(b)) * std::cos(a);
     const double pixels = across / (2.0 * std::tan(0.5 * camera().verticalFov) * 2.5) * 256.0;
     const int shift = edgeAt(true) - edgeAt(false);
@@ -110,7 +111,7 @@ TEST_F(GlassTest, DoesNotSmearWhatStandsInFront) {
     scene.add({60, 60, 2}, {{-3, -3, -3.2}, kLevel}, [](glm::ivec3) { return kDark; });
     scene.add({60, 30, 1}, {{-2, -1.5, 1}, glm::angleAxis(0.8, glm::dvec3(0, 1, 0))},
               [](glm::ivec3) { return uint8_t(kFirstPane + 2); });
-    scene.add({2, 40, 2}, {{-0.1, -2, 2.4}, kLevel}, [](glm::ivec3) { return kGlow; });  // a bright bar before the pane
+    scene.add({2, 40, 2}, {{-0.1, -2, 2.4}, kLevel}, [](glm::ivec3) { return kGlow; });  // a bright bar in front
     RenderSettings settings;
     settings.temporal = settings.reflections = settings.fog = settings.glare = false;
     settings.bloom = 0.0f;

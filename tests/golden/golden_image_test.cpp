@@ -9,8 +9,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Compares with tests/golden/images/NAME.png; a failure writes actual, expected and difference under the build folder.
-/// RUBBLE_UPDATE_GOLDEN=1 writes the golden picture instead: look at it before you commit it.
+/// Compares with tests/golden/images/NAME.png. On failure it writes actual, expected and difference under the build
+/// folder. RUBBLE_UPDATE_GOLDEN=1 writes the golden image instead: look at it before you commit it.
 void expectGoldenImage(const Image& actual, const std::string& name) {
     const std::string golden = RUBBLE_SOURCE_DIR "/tests/golden/images/" + name + ".png";
     if (std::getenv("RUBBLE_UPDATE_GOLDEN")) {

@@ -29,7 +29,7 @@ Camera lookingAt(glm::dvec3 from, glm::dvec3 at) {
     return camera;
 }
 
-/// Share of the lit among the pixels that face the sun: show pass "normal" and "noisySun" side by side.
+/// Share of lit pixels among those that face the sun, from the views "normal" and "noisySun".
 double litShare(const Image& normals, const Image& albedo, const Image& sun, glm::vec3 toSun) {
     int facing = 0, lit = 0;
     for (size_t i = 0; i < sun.rgb.size(); i += 3) {
@@ -78,7 +78,7 @@ TEST_F(LightTest, AClosedRoomOfOneVoxelIsDark) {
         return int(*std::max_element(image.rgb.begin(), image.rgb.end()));
     };
     EXPECT_EQ(brightest("noisySun"), 0);
-    // 4 of 255 is a radiance of 1e-4 under a sky of 0.7: what half floats leave of the haze that is taken out again.
+    // 4 of 255 is a radiance of 1e-4 under a sky of 0.7: the rounding error of half floats when haze is subtracted.
     EXPECT_LE(brightest("noisySky"), 4);
     EXPECT_LE(brightest("denoisedLight"), 4);
 }
@@ -96,7 +96,7 @@ TEST_F(LightTest, PassesThatASceneDoesNotNeedDoNotRun) {
     }
 }
 
-/// Every pixel of a floor under a sky that is the same everywhere must show that sky's radiance after the filter.
+/// Under a uniform sky every pixel of a floor must have the sky's radiance after the filter.
 TEST_F(LightTest, AnEvenSkySurvivesTheDenoiser) {
     LitScene scene(plain());
     Environment& air = scene.environment;
@@ -153,7 +153,8 @@ TEST_F(LightTest, AWallThatOpensIsSeenInTwelveFrames) {
     EXPECT_NEAR(skyThirty, skyConverged, 0.02 * (skyConverged - skyBefore)) << "a ghost";
 }
 
-/// Of a white room only the ceiling is seen: what its rays meet is guessed by the light of the ceiling itself.
+/// Only the ceiling of a white room is visible. What its rays hit is off screen, so that the last bounce takes the
+/// ceiling's own light as an estimate.
 TEST_F(LightTest, TheBounceEstimateOfAWhiteRoomConverges) {
     auto white = std::make_shared<Palette>(*plain());
     (*white)[1].red = (*white)[1].green = (*white)[1].blue = 255;
@@ -178,10 +179,10 @@ TEST_F(LightTest, TheBounceEstimateOfAWhiteRoomConverges) {
     };
     const double first = brightness(1);
     EXPECT_GT(first, 1e-3);
-    EXPECT_LT(brightness(300), 25.0 * first) << "20 times is the sum of all bounces that each lose a twentieth";
+    EXPECT_LT(brightness(300), 25.0 * first) << "all bounces that each lose a twentieth sum up to 20 times";
 }
 
-/// A floor under a plate that lets light in from its sides only: the filter may not carry light into the dark.
+/// Under a plate close to a floor light comes from the sides only: the filter must not blur light into the dark.
 TEST_F(LightTest, WhatIsUnderAPlateStaysDark) {
     LitScene scene(plain());
     scene.environment.sunColor = glm::vec3(0.0f);
@@ -190,7 +191,7 @@ TEST_F(LightTest, WhatIsUnderAPlateStaysDark) {
     scene.add({120, 2, 120}, {{-6, -0.2, -6}, kLevel}, solid);
     scene.add({30, 1, 30}, {{-1.5, 0.2, -1.5}, kLevel}, solid);
     Camera camera = lookingAt({0.0, 0.13, 6.0}, {0.0, 0.1, 0.0});
-    camera.verticalFov = 0.2f;  // several rows of pixels look under it
+    camera.verticalFov = 0.2f;  // so that several rows of pixels see the gap
     const auto mean = [&](int passes) {
         RenderSettings settings;
         settings.bounce = false, settings.filterPasses = passes;
@@ -207,8 +208,8 @@ TEST_F(LightTest, WhatIsUnderAPlateStaysDark) {
         return sum / count;
     };
     const double raw = mean(0), filtered = mean(4);
-    EXPECT_LT(raw, 0.25) << "it is dark there";
-    EXPECT_NEAR(filtered / raw, 1.0, 0.35) << "without a guide by hitProximity it is eight times as bright";
+    EXPECT_LT(raw, 0.25) << "the gap is not dark";
+    EXPECT_NEAR(filtered / raw, 1.0, 0.35) << "without hit proximity as a guide it is eight times as bright";
 }
 
 }  // namespace

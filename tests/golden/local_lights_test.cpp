@@ -3,12 +3,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "runtime/core/constants.h"
 #include "tests/golden/drawing.h"
 
 namespace rubble {
 namespace {
 
-constexpr double kPi = 3.14159265358979;
 constexpr glm::ivec2 kSize(48, 32);
 constexpr glm::vec3 kDown(0, -1, 0);
 
@@ -22,7 +22,7 @@ PaletteRef gray(uint8_t roughness = 230) {
     return palette;
 }
 
-/// A floor whose top is at height 0, under a black sky.
+/// A floor with its top at height 0, under a black sky.
 LitScene floorScene(uint8_t roughness = 230) {
     LitScene scene(gray(roughness));
     scene.add({120, 2, 120}, {{-6, -0.2, -6}}, [](glm::ivec3) { return uint8_t(1); });
@@ -47,7 +47,7 @@ protected:
         settings.sky = settings.sun = false;
         Drawing::start(scene, kSize, settings);
     }
-    /// The floor from straight above: a few centimetres of it, so that every pixel's answer is that of the point below.
+    /// Sees a few centimetres of the floor from straight above, so that every pixel has the light of one point.
     static Camera above(glm::dvec3 point) {
         Camera camera;
         camera.position = point + glm::dvec3(0, 5, 0.001);
@@ -55,7 +55,7 @@ protected:
         camera.verticalFov = 0.005f;
         return camera;
     }
-    /// Irradiance / pi at a point of the floor (red, green and blue), the mean of many random samples.
+    /// Irradiance / pi at a point of the floor, as rgb: the mean over all pixels of some frames.
     glm::dvec3 lightOn(glm::dvec3 point, int frames = 8) {
         glm::dvec3 sum(0.0);
         for (int i = 0; i < frames; ++i) {
@@ -88,7 +88,7 @@ TEST_F(LocalLightsTest, FallOffWithTheSquareOfTheDistance) {
         const double expected = 3.0 / (height * height) / kPi;
         EXPECT_NEAR(lightOf(lightAt(LightKind::Sphere, {0, height, 0}, 3.0f)), expected, 0.01 * expected) << height;
     }
-    // Aside: cosine too.
+    // To the side the cosine counts too.
     const double expected = 3.0 * 2.0 / std::pow(2.0 * 2.0 + 1.5 * 1.5, 1.5) / kPi;
     EXPECT_NEAR(lightOf(lightAt(LightKind::Sphere, {0, 2, 0}, 3.0f), {1.5, 0, 0}), expected, 0.01 * expected);
 }
@@ -97,7 +97,7 @@ TEST_F(LocalLightsTest, ALargeBallShinesLikeASmallOneOfTheSameIntensity) {
     SnapshotLight light = lightAt(LightKind::Sphere, {0, 2, 0}, 3.0f);
     light.radius = 1.0f;
     EXPECT_NEAR(lightOf(light), 3.0 / 4.0 / kPi,
-                0.01 * 3.0 / 4.0 / kPi);  // exact for a Lambertian ball over the horizon
+                0.01 * 3.0 / 4.0 / kPi);  // exact for a Lambertian sphere above the horizon
 }
 
 TEST_F(LocalLightsTest, AreaHasTheFormFactorOfAParallelRectangle) {
@@ -110,7 +110,7 @@ TEST_F(LocalLightsTest, AreaHasTheFormFactorOfAParallelRectangle) {
         const double expected = 6.0 / (2.0 * 1.2) * factor;
         EXPECT_NEAR(lightOf(light, {0, 0, 0}, 24), expected, 0.01 * expected) << height;
         light.direction = -kDown;
-        EXPECT_EQ(lightOf(light), 0.0) << "its back is dark";
+        EXPECT_EQ(lightOf(light), 0.0) << "its back emits";
         light.twoSided = true;
         EXPECT_NEAR(lightOf(light, {0, 0, 0}, 24), expected, 0.01 * expected);
     }
@@ -153,7 +153,7 @@ TEST_F(LocalLightsTest, ScreenEmitsItsImagesColors) {
     LitScene scene = floorScene();
     scene.addLight(light);
     start(scene);
-    // It looks down, its x is the world's: who lies below with the head toward +z has +x to the left.
+    // It faces down with its x along the world's: a viewer below with the head toward +z has +x on the left.
     const glm::dvec3 left = lightOn({1.5, 0, 0}, 16), right = lightOn({-1.5, 0, 0}, 16);
     EXPECT_GT(left.r, 3.0 * left.b);
     EXPECT_GT(right.b, 3.0 * right.r);
@@ -164,7 +164,7 @@ TEST_F(LocalLightsTest, ScreenEmitsItsImagesColors) {
 TEST_F(LocalLightsTest, HalfHiddenByAnEdgeGivesHalf) {
     LitScene scene = floorScene();
     scene.add({40, 2, 60}, {{-4, 1, -3}},
-              [](glm::ivec3) { return uint8_t(1); });  // a shelf from x = -4 to 0, at 1 to 1.2 m
+              [](glm::ivec3) { return uint8_t(1); });  // a shelf from x = -4 to 0, 1 to 1.2 m high
     SnapshotLight panel = lightAt(LightKind::Area, {0, 2.6, 0}, 3.0f);
     panel.width = panel.height = 1.0f;
     scene.addLight(panel);
@@ -208,7 +208,7 @@ TEST_F(LocalLightsTest, HundredsAreUnbiasedAtTheCostOfAFew) {
     const double some = fastest();
     const double expected = withLights(300), many = fastest();
     EXPECT_NEAR(lightOn({0, 0, 0}, 32).g, expected, 0.02 * expected);
-    EXPECT_LT(many, 4.0 * some) << "on an idle machine it is below 2";
+    EXPECT_LT(many, 4.0 * some) << "it is below 2 on an idle machine";
     std::printf("300 lights over each other: %.2f times the time of 8\n", many / some);
 }
 
@@ -231,7 +231,7 @@ TEST_F(LocalLightsTest, SmoothFloorsShineBack) {
     EXPECT_GT(smooth, 5.0f * rough);
 }
 
-/// What the host changes between two frames of a floor with a history: from one set of lights to another.
+/// A floor with a history, whose lights are replaced between two frames.
 class LightChangeTest : public LocalLightsTest {
 protected:
     void SetUp() override {
@@ -250,14 +250,14 @@ protected:
         for (const SnapshotLight& light : lights) scene.addLight(light);
         return scene;
     }
-    /// Brightest pixel of a target after so many frames.
+    /// Brightest pixel of a target after some frames.
     float brightest(const char* name, int frames) {
         draw(m_camera, frames);
         float best = 0.0f;
         for (const glm::vec4& pixel : read(name).pixels) best = std::max(best, pixel.g);
         return best;
     }
-    /// How much of a target's brightest pixel is left so many frames after the change.
+    /// How much of a target's brightest pixel is left some frames after the change.
     float leftOf(const char* name, LitScene before, LitScene after, int frames) {
         Drawing::start(before, kSize);
         const float lit = brightest(name, 24);
@@ -274,11 +274,10 @@ TEST_F(LightChangeTest, ALightThatGoesOutTakesItsHighlightAlong) {
                         other = named(2, {3, 2, -3}, 0.05f);
     EXPECT_LT(leftOf("specular", sceneOf({bright, faint}), sceneOf({faint}), 1), 0.1f);
     EXPECT_LT(leftOf("specular", sceneOf({bright, faint}), sceneOf({other, faint}), 1), 0.1f)
-        << "another one came in its place";
+        << "another light was added at once";
 }
 
-/// Noise of a highlight that is averaged over many frames, in the picture in which a bright far away goes out: as
-/// before.
+/// When a light far away goes out, the averaged highlight of another one must not become noisier.
 TEST_F(LightChangeTest, ALightThatGoesOutKeepsTheHighlightsOfOthers) {
     const auto reaching = [](SnapshotLight light) {
         light.reach = 2.0f;
@@ -308,7 +307,7 @@ TEST_F(LightChangeTest, TheFloorUnderARemovedLightIsDark) {
     EXPECT_LT(leftOf("denoisedLight", sceneOf({bright, faint}), sceneOf({faint}), 1), 0.05f);
 }
 
-/// Glare, bloom and what the temporal pass remembers included.
+/// The final image includes glare, bloom and the history of the temporal pass.
 TEST_F(LightChangeTest, AnImageWithoutItsLightIsBlackAndWithANewOneLit) {
     const SnapshotLight bright = named(0, {0, 1, -1}, 20.0f), next = named(1, {0, 1, -1}, 20.0f);
     for (const float fog : {0.0f, 0.2f}) {
@@ -367,9 +366,9 @@ TEST_F(LocalLightsTest, FogMatchesItsClosedForms) {
         const auto fog = renderer->readTarget("fogLight");
         for (const glm::vec4& pixel : fog->pixels) sum += glm::dvec3(pixel) / double(16 * fog->pixels.size());
     }
-    EXPECT_NEAR(sum.g, 0.5, 0.005) << "in light that is the same from everywhere fog looks the same";
+    EXPECT_NEAR(sum.g, 0.5, 0.005) << "in uniform light fog is invisible";
 
-    // A bright in the fog: what it sends along a ray that passes at a metre, by the sum of small steps.
+    // In-scattering from a light along a ray that passes it at about a metre, by a sum of small steps.
     air.skyColor = air.horizonColor = air.groundColor = glm::vec3(0.0f);
     scene.environment.fogForward = 0.0f;
     scene.addLight(lightAt(LightKind::Sphere, {1, 40.1, 10}, 8.0f));

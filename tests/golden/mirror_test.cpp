@@ -1,4 +1,4 @@
-// What mirrors show of places that the picture does not.
+// What mirrors show of surfaces that are off screen.
 #include <glm/gtc/constants.hpp>
 
 #include "tests/golden/drawing.h"
@@ -28,7 +28,7 @@ PaletteRef steelAndPaints(bool mirrors = true) {
     return palette;
 }
 
-/// A mirror stands before the camera, and behind it a wall that the sun shines on from the front.
+/// A mirror in front of the camera, and behind the camera a sunlit wall.
 class MirrorTest : public Drawing {
 protected:
     static constexpr float kSunHeight = 0.8f;
@@ -52,7 +52,7 @@ protected:
         camera.lookAt({0, 1, -2});
         return camera;
     }
-    /// Mean of what the mirror shows in the picture's middle.
+    /// Mean reflected radiance in the middle of the image.
     glm::vec3 mirrored() {
         draw(camera(), 3);
         const auto image = renderer->readTarget("reflection");
@@ -62,13 +62,13 @@ protected:
             for (int x = 40; x < 56; ++x) sum += glm::vec3(image->at(x, y));
         return sum / (8.0f * 16.0f);
     }
-    /// What a face of this colour gives back of the sun: Lambert.
+    /// Radiance of a Lambertian face of this colour in the sun.
     static glm::vec3 lit(uint8_t red, uint8_t green, uint8_t blue) {
         const glm::vec3 albedo(srgbToLinear(red), srgbToLinear(green), srgbToLinear(blue));
         return albedo * (4.0f / glm::pi<float>() / std::sqrt(1.0f + kSunHeight * kSunHeight));
     }
-    /// Of this colour, and as bright; granted are the sun's highlight, which is white, and light that the steel sends
-    /// back to the wall.
+    /// The hue must agree, and the brightness but for the sun's white highlight and what the steel reflects to the
+    /// wall.
     static void expectNear(glm::vec3 value, glm::vec3 expected) {
         EXPECT_GT(value.r, 0.95f * expected.r);
         EXPECT_LT(value.r, 1.22f * expected.r);
@@ -94,7 +94,7 @@ TEST_F(MirrorTest, AWallThatHasMovedIsMirroredWhereItIs) {
     scene.move(wall, {turn * glm::dvec3(-4, -1, 4.03), turn});
     renderer->apply(scene.step());
     expectNear(mirrored(), lit(200, 60, 40));
-    scene.move(wall, {{-4, -1, 60}, turn});  // too far for a mirror ray
+    scene.move(wall, {{-4, -1, 60}, turn});  // beyond the length of mirror rays
     renderer->apply(scene.step());
     const glm::vec3 hills = mirrored();
     EXPECT_LT(hills.r, 2.0f * hills.b);
@@ -112,13 +112,13 @@ TEST_F(MirrorTest, WithoutMirrorsNothingIsAllocatedForThem) {
         LitScene scene(steelAndPaints(mirrors));
         scene.add({60, 40, 2}, {{-3, -0.5, -2.2}, {1, 0, 0, 0}}, steel);
         RenderSettings settings;
-        settings.reflections = false;  // no targets either way
+        settings.reflections = false;  // so that neither has targets for them
         settings.bounceColors = false;
         start(scene, kSize, settings);
         draw(camera(), 2);
         return renderer->figures().textureBytes;
     };
-    EXPECT_GT(bytes(true), bytes(false)) << "the test does not see the grid";
+    EXPECT_GT(bytes(true), bytes(false)) << "the body grid of mirror rays is not counted";
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 constexpr glm::ivec2 kSize(64, 48);
 
-int g_refusals = 0;  ///< framebuffers that the GL will still refuse
+int g_refusals = 0;  ///< how many framebuffers the GL will still refuse
 GLenum refuseSome(GLenum) {
     return g_refusals-- > 0 ? GL_FRAMEBUFFER_UNSUPPORTED : GL_FRAMEBUFFER_COMPLETE;
 }
@@ -29,7 +29,7 @@ void* loaderOfALostContext(const char* name) {
     return testContext().loader()(name);
 }
 
-/// What can go wrong around the renderer: there is a message and a picture, or a message and none.
+/// Failures around the renderer: there is always a message, and an image where that is possible.
 class ResilienceTest : public Drawing {
 protected:
     void SetUp() override {
@@ -78,7 +78,7 @@ TEST_F(ResilienceTest, AFramebufferThatTheGlRefusesIsDrawnSmaller) {
     g_refusals = 2;
     const Image image = draw(streetCamera(0));
     glad_glCheckFramebufferStatus = real;
-    EXPECT_TRUE(wasLogged("drawn at 1/2")) << "no warning";
+    EXPECT_TRUE(wasLogged("drawn at 1/2")) << "no warning was logged";
     EXPECT_EQ(renderer->lastError(), "");
     EXPECT_GT(colors(image), 50u);
 }
@@ -127,9 +127,9 @@ TEST_F(ResilienceTest, ABrokenShaderKeepsTheImageAndShowsARedDot) {
     EXPECT_NE(renderer->shaderErrors()[0].find("passes/tonemap.frag:"), std::string::npos)
         << renderer->shaderErrors()[0];
     const Image broken = draw(streetCamera(0));
-    EXPECT_GT(broken.at(12, kSize.y - 13)[0], 200) << "no dot";
+    EXPECT_GT(broken.at(12, kSize.y - 13)[0], 200) << "no red dot";
     EXPECT_LT(broken.at(12, kSize.y - 13)[2], 60);
-    EXPECT_EQ(colors(before) > 50, colors(broken) > 50) << "the last good program is kept";
+    EXPECT_EQ(colors(before) > 50, colors(broken) > 50) << "the last good program is not in use";
 
     std::ofstream(file) << good;
     fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(10));

@@ -1,4 +1,4 @@
-// Fewer pixels traced than shown: the temporal pass makes up for it, and everything before it costs less.
+// Fewer pixels traced than displayed: TAA reconstructs the image.
 #include "tests/golden/compare.h"
 #include "tests/golden/drawing.h"
 
@@ -9,7 +9,7 @@ constexpr glm::ivec2 kSize(96, 54);
 
 class ResolutionTest : public Drawing {
 protected:
-    /// What the street shows after some pictures with this much of it traced.
+    /// The street after some frames at this resolution scale.
     Image street(float scale, int frames) {
         RenderSettings settings;
         settings.resolutionScale = scale;
@@ -29,9 +29,9 @@ TEST_F(ResolutionTest, HalfResolutionConvergesToFull) {
     EXPECT_EQ(all, kSize.x * kSize.y);
     const double soft = compare(street(0.5f, 1), whole).mean, converged = compare(street(0.5f, 64), whole).mean;
     EXPECT_EQ(traced() * 4, all);
-    EXPECT_LT(converged, 0.6 * soft) << "several pictures show what one cannot";
+    EXPECT_LT(converged, 0.6 * soft) << "more frames must add detail";
     EXPECT_LT(converged, 4.0) << "of 255";
-    EXPECT_GT(soft, 1.0) << "half the pixels cannot show as much at once";
+    EXPECT_GT(soft, 1.0) << "one frame at half resolution must differ";
 }
 
 TEST_F(ResolutionTest, FractionalScalesKeepPositions) {

@@ -63,7 +63,7 @@ uint8_t roomAt(glm::ivec3 c) {
     const bool wall = c.x < 2 || c.z < 2 || c.x >= size.x - 2 || c.z >= size.z - 2;
     if (c.y < 1) return c.x % 4 == 0 ? TimberDark : Timber;
     if (c.y >= 27) return c.y == 29 ? (c.x + c.z / 3 * 5) % 9 < 1 ? RoofDark : Roof : c.y < 29 ? Timber : 0;
-    // The front wall (low z) has a window and a hole; the sunny side (low x) a door.
+    // The front wall (low z) has a window and a hole, the sunny wall (low x) a door.
     if (c.z < 2 && c.x > 8 && c.x < 24 && c.y > 8 && c.y < 20) {
         const bool frame = c.x == 9 || c.x == 23 || c.y == 9 || c.y == 19 || c.x == 16;
         return frame ? Timber : c.z == 1 ? Glass : 0;

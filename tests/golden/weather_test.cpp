@@ -1,4 +1,4 @@
-// Wet ground and coloured sunlight: where they must be, and where they must not.
+// Wet ground and sunlight through glass: where they must be, and where they must not.
 #include "tests/golden/drawing.h"
 
 namespace rubble {
@@ -44,7 +44,7 @@ double meanOf(const FloatImage& image, glm::ivec2 low, glm::ivec2 high, int chan
     return sum / ((high.x - low.x) * (high.y - low.y));
 }
 
-/// A floor whose left half (seen from above) lies under a roof.
+/// A floor whose left half, seen from above, is under a roof.
 LitScene halfUnderRoof(float wetness) {
     LitScene scene(stoneAndGlass());
     scene.environment.wetness = wetness;
@@ -52,7 +52,7 @@ LitScene halfUnderRoof(float wetness) {
     scene.add({60, 2, 80}, {{-6, 3.0, -4}, {1, 0, 0, 0}}, [](glm::ivec3) { return kStone; });
     return scene;
 }
-// From under the roof's edge, toward -z: x grows to the right.
+// From below the roof's edge toward -z: x grows to the right.
 const Camera kUnderTheEdge = lookingAt({0, 1.6, 3.5}, {0, 0.0, 0.0});
 
 TEST_F(WeatherTest, RainWetsOpenGroundOnly) {
@@ -61,7 +61,7 @@ TEST_F(WeatherTest, RainWetsOpenGroundOnly) {
     const FloatImage wet = read("material"), wetColor = read("albedo");
     start(halfUnderRoof(0.0f), kSize);
     draw(kUnderTheEdge, 2);
-    EXPECT_FALSE(ran("wetness")) << "a dry level pays for rain";
+    EXPECT_FALSE(ran("wetness")) << "the pass runs in a dry level";
     const FloatImage dry = read("material"), dryColor = read("albedo");
     const glm::ivec2 leftLow(4, 6), leftHigh(30, 28), rightLow(66, 6), rightHigh(92, 28);
     EXPECT_NEAR(meanOf(wet, leftLow, leftHigh, 0), meanOf(dry, leftLow, leftHigh, 0), 0.01)
@@ -74,7 +74,7 @@ TEST_F(WeatherTest, RainWetsOpenGroundOnly) {
         << "palette indices were blended";
 }
 
-/// A floor, and an upright pane of red glass that the sun comes through from -z.
+/// A floor, and an upright pane of red glass with the sun behind it at -z.
 LitScene paneInTheSun(bool glass) {
     LitScene scene(stoneAndGlass(glass));
     scene.environment.sunDirection = {0.0f, 1.0f, -1.0f};
@@ -96,7 +96,7 @@ TEST_F(WeatherTest, SunThroughRedGlassIsRedAndOnlyThere) {
     draw(above, 4);
     EXPECT_FALSE(ran("glass shadow"));
     const FloatImage clear = read("radiance");
-    // Seen from above with -z up: the light falls from the pane, at the middle, two metres toward the lower edge.
+    // Seen from above with -z up. The pane is in the middle; its tinted light reaches two metres toward the lower edge.
     const auto share = [&](glm::ivec2 low, glm::ivec2 high, int channel) {
         return meanOf(tinted, low, high, channel) / meanOf(clear, low, high, channel);
     };
