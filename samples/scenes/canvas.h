@@ -1,5 +1,7 @@
 #pragma once
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "runtime/world/level/level.h"
 #include "samples/scenes/palette_builder.h"

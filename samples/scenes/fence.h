@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "samples/scenes/placement.h"
 
 /// Walls, fences and gates. All stand kFenceFoot cells deep in the ground.

@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "samples/scenes/canvas.h"
 
 /// Furniture and other props: shapes that stand on their lowest layer, for addDynamic(). The caller chooses unique

@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "samples/scenes/placement.h"
 #include "samples/scenes/street.h"
 

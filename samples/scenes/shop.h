@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "samples/scenes/building.h"
 
 namespace rubble::scenes {

@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "samples/scenes/canvas.h"
 
 namespace rubble::scenes {

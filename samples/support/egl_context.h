@@ -1,4 +1,6 @@
 #pragma once
+#include <memory>
+
 #include "samples/support/gl_context.h"
 
 namespace rubble {

@@ -11,6 +11,7 @@
 #include "runtime/shadow/shadow_worker.h"
 #include "runtime/world/world.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
@@ -21,29 +22,9 @@ PaletteRef brickPalette() {
     return palette;
 }
 
-/// A grid filled with one entry; all full bricks share one brick.
-VoxelGrid block(glm::ivec3 size) {
-    VoxelGrid grid(size);
-    BrickIndices full;
-    full.fill(1);
-    const BrickRef whole = makeBrick(full);
-    const glm::ivec3 bricks = grid.sizeInBricks();
-    for (int z = 0; z < bricks.z; ++z)
-        for (int y = 0; y < bricks.y; ++y)
-            for (int x = 0; x < bricks.x; ++x) {
-                BrickIndices indices{};
-                const glm::ivec3 low = glm::ivec3(x, y, z) * kBrickSize;
-                const bool isWhole = low.x + 8 <= size.x && low.y + 8 <= size.y && low.z + 8 <= size.z;
-                for (int i = 0; i < kBrickVoxels && !isWhole; ++i)
-                    indices[size_t(i)] = grid.contains(low + voxelInBrick(i)) ? 1 : 0;
-                grid.setBrick({x, y, z}, isWhole ? whole : makeBrick(indices));
-            }
-    return grid;
-}
-
 LevelBody blockBody(glm::ivec3 size, glm::dvec3 corner, bool isStatic, const PaletteRef& palette) {
     LevelBody body{.name = "block", .pose = {corner}, .isStatic = isStatic};
-    LevelShape shape{.name = "block", .grid = block(size), .palette = palette};
+    LevelShape shape{.name = "block", .grid = solidGridOfSharedBricks(size), .palette = palette};
     body.shapes.push_back(std::move(shape));
     return body;
 }

@@ -4,6 +4,7 @@
 #include "runtime/core/random.h"
 #include "runtime/destruction/paint.h"
 #include "runtime/world/world.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
@@ -21,20 +22,15 @@ Palette someEntries(int count, const char* material) {
     return palette;
 }
 
-VoxelGrid solid(glm::ivec3 size, int entries) {
-    VoxelGrid grid(size);
-    GridWriter writer(grid);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) writer.set({x, y, z}, uint8_t(1 + (x / 3 + y * 5 + z) % entries));
-    writer.flush();
-    return grid;
+/// A solid grid with a pattern of entries from 1 on.
+VoxelGrid patternGrid(glm::ivec3 size, int entries) {
+    return gridOf(size, [entries](glm::ivec3 c) { return uint8_t(1 + (c.x / 3 + c.y * 5 + c.z) % entries); });
 }
 
 /// 64 sprays of eight colours over a wall; counts painted voxels, merged palette entries and bytes.
 void sprays(benchmark::State& state, bool byLayer) {
     const int entries = int(state.range(0));
-    const VoxelGrid clean = solid(kWall, entries);
+    const VoxelGrid clean = patternGrid(kWall, entries);
     const PaletteRef palette = std::make_shared<const Palette>(someEntries(entries, "brick"));
     uint64_t voxels = 0, merges = 0;
     size_t bytes = 0;
@@ -65,7 +61,7 @@ void sprays(benchmark::State& state, bool byLayer) {
 void fires(benchmark::State& state) {
     Level level;
     LevelBody body{.name = "wood"};
-    LevelShape shape{.name = "wood", .grid = solid({160, 160, 24}, 3)};
+    LevelShape shape{.name = "wood", .grid = patternGrid({160, 160, 24}, 3)};
     shape.palette = std::make_shared<const Palette>(someEntries(3, "wood"));
     body.shapes.push_back(shape);
     level.bodies.push_back(body);

@@ -16,6 +16,7 @@
 #include "tests/physics/baseline/pile_support.h"
 #include "tests/physics/baseline/voronoi_pit.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/grids.h"
 #include "tests/support/thread_pool.h"
 
 namespace rubble {
@@ -154,16 +155,9 @@ BENCHMARK(convergedPile)->Name("physics/convergedPile")->Args({144, 480})->Unit(
 Level pitInAPlain(int pieces, int sleepers) {
     Level level = voronoiPit(pieces);
     const int side = int(std::ceil(std::sqrt(double(sleepers))));
-    VoxelGrid floor(glm::ivec3(side * 20, 8, side * 20));
-    auto full = std::make_shared<Brick>();
-    full->occupancy.fill(~uint64_t(0));
-    full->uniform = 7;
-    const glm::ivec3 bricks = floor.sizeInBricks();
-    for (int z = 0; z < floor.size().z / 8; ++z)
-        for (int x = 0; x < bricks.x && x < floor.size().x / 8; ++x) floor.setBrick({x, 0, z}, full);
     LevelBody plain = level.bodies[0];
     plain.pose.position = {20.0, -0.8, 0.0};
-    plain.shapes[0].grid = std::move(floor);
+    plain.shapes[0].grid = solidGridOfSharedBricks({side * 20, 8, side * 20}, 7);
     for (int i = 0; i < sleepers; ++i) {
         LevelBody body = level.bodies[1 + size_t(i % pieces)];
         body.pose = {{20.2 + (i % side) * 1.98, 0.0, 0.2 + (i / side) * 1.98}, {1, 0, 0, 0}};
@@ -289,12 +283,7 @@ BENCHMARK(sleepingPile)
 void cutOfALargeBody(benchmark::State& state) {
     Level level = voronoiPit(100, 1, 40);
     LevelBody block = level.bodies[1];
-    VoxelGrid grid(glm::ivec3(256));
-    auto full = std::make_shared<Brick>();
-    full->occupancy.fill(~uint64_t(0));
-    full->uniform = 7;
-    for (int i = 0; i < 32 * 32 * 32; ++i) grid.setBrick({i % 32, i / 32 % 32, i / 1024}, full);
-    block.shapes[0].grid = std::move(grid);
+    block.shapes[0].grid = solidGridOfSharedBricks(glm::ivec3(256), 7);
     block.pose = {{7.0, 0.0, 7.0}, {1, 0, 0, 0}};
     level.bodies.push_back(std::move(block));
     Pile pile(level, sleepless());

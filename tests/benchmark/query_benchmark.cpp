@@ -5,6 +5,7 @@
 
 #include "runtime/core/random.h"
 #include "runtime/world/queries/query.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
@@ -19,13 +20,7 @@ World makeField() {
     (*palette)[1].material = level.materials.find("brick");
     const auto add = [&](glm::ivec3 size, glm::dvec3 at, double turn) {
         LevelBody body{.name = "block", .pose = {at, glm::angleAxis(turn, glm::dvec3(0.6, 0.8, 0.0))}};
-        LevelShape shape{.name = "block", .grid = VoxelGrid(size), .palette = palette};
-        {
-            GridWriter writer(shape.grid);
-            for (int z = 0; z < size.z; ++z)
-                for (int y = 0; y < size.y; ++y)
-                    for (int x = 0; x < size.x; ++x) writer.set({x, y, z}, 1);
-        }
+        LevelShape shape{.name = "block", .grid = solidGrid(size), .palette = palette};
         body.shapes.push_back(std::move(shape));
         level.bodies.push_back(std::move(body));
     };

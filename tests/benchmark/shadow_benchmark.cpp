@@ -9,6 +9,7 @@
 
 #include "runtime/core/random.h"
 #include "runtime/shadow/shadow_worker.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
@@ -16,16 +17,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 double msSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-VoxelGrid solid(glm::ivec3 size) {
-    VoxelGrid grid(size);
-    GridWriter writer(grid);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) writer.set({x, y, z}, 1);
-    writer.flush();
-    return grid;
 }
 
 LevelBody makeBody(VoxelGrid grid, glm::dvec3 position, bool isStatic) {
@@ -46,11 +37,11 @@ class Fall {
 public:
     explicit Fall(int bodies) {
         Level level;
-        level.bodies.push_back(makeBody(solid({512, 8, 512}), {0, 0, 0}, true));
+        level.bodies.push_back(makeBody(solidGrid({512, 8, 512}), {0, 0, 0}, true));
         for (int i = 0; i < bodies; ++i) {
             glm::dvec3 position;
             for (int a = 0; a < 3; ++a) position[a] = 50.0 * double(m_random.unit());
-            level.bodies.push_back(makeBody(solid(glm::ivec3(16)), position * glm::dvec3(1.0, 0.2, 1.0), false));
+            level.bodies.push_back(makeBody(solidGrid(glm::ivec3(16)), position * glm::dvec3(1.0, 0.2, 1.0), false));
         }
         m_world.load(level);
         m_world.bodies().forEach([&](BodyHandle handle, const Body& body) {

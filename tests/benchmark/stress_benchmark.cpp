@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "runtime/world/world.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
@@ -12,16 +13,12 @@ namespace {
 constexpr int kSide = 40, kWall = 4, kStorey = 32, kHeight = 165;
 
 Level tower(int offset, bool isStatic = true) {
-    VoxelGrid grid(glm::ivec3(kSide, kHeight, kSide) + offset);
-    {
-        GridWriter writer(grid);
-        const auto isWall = [](int c) { return c < kWall || c >= kSide - kWall; };
-        for (int z = 0; z < kSide; ++z)
-            for (int y = 0; y < kHeight; ++y)
-                for (int x = 0; x < kSide; ++x)
-                    if (isWall(x) || isWall(z) || y % kStorey == kStorey - 1)
-                        writer.set(glm::ivec3(x, y, z) + offset, 1);
-    }
+    const auto isWall = [](int c) { return c < kWall || c >= kSide - kWall; };
+    VoxelGrid grid = gridOf(glm::ivec3(kSide, kHeight, kSide) + offset, [&](glm::ivec3 cell) {
+        const glm::ivec3 c = cell - offset;
+        if (c.x < 0 || c.y < 0 || c.z < 0) return uint8_t(0);
+        return uint8_t(isWall(c.x) || isWall(c.z) || c.y % kStorey == kStorey - 1);
+    });
     Level level;
     Palette palette{};
     palette[1].material = level.materials.find("concrete");
