@@ -5,7 +5,7 @@
 
 namespace rubble {
 
-/// A level as it is drawn when it was just loaded, with its shadow volume.
+/// The first snapshot of a level, with its shadow volume.
 inline FrameSnapshot levelSnapshot(const Level& level) {
     World world;
     world.load(level);

@@ -6,9 +6,10 @@
 
 namespace rubble {
 
-/// A folder of this process and this object alone: empty at first, gone with all that is in it at the end.
+/// An empty folder of its own in the folder of temporary files; the destructor removes it with its contents.
 class TempFolder {
 public:
+    /// Creates the folder. Not safe to call from several threads at once.
     TempFolder() {
         static int count = 0;
         m_path = std::filesystem::temp_directory_path() /
@@ -23,6 +24,7 @@ public:
     TempFolder(const TempFolder&) = delete;
     TempFolder& operator=(const TempFolder&) = delete;
 
+    /// The folder.
     const std::filesystem::path& path() const { return m_path; }
     std::string operator/(const std::string& file) const { return (m_path / file).string(); }
 

@@ -8,13 +8,15 @@
 
 namespace rubble {
 
-/// The simplest ParallelFor with threads, as a host may supply one: the caller works too.
+/// A simple ParallelFor with threads, as a host may supply one. The calling thread works too.
 class ThreadPool {
 public:
+    /// Starts threads - 1 workers.
     explicit ThreadPool(int threads) {
         for (int i = 1; i < threads; ++i) m_threads.emplace_back([this](const std::stop_token& stop) { serve(stop); });
     }
 
+    /// Calls body(0) to body(count - 1) on all threads and returns when all calls have returned.
     void run(size_t count, const std::function<void(size_t)>& body) {
         {
             const std::lock_guard lock(m_mutex);
@@ -32,8 +34,8 @@ public:
     }
 
 private:
-    static constexpr int kSpins =
-        2000;  ///< looks before it sleeps: work comes in bursts, and waking takes longer than most of it
+    /// Checks for work before a thread sleeps: work comes in bursts, and waking takes longer than most of it.
+    static constexpr int kSpins = 2000;
     static void pause() { std::this_thread::yield(); }
     void work() {
         for (size_t i = m_next++; i < m_count; i = m_next++) (*m_body)(i);
@@ -59,7 +61,8 @@ private:
     size_t m_count = 0;
     std::atomic<size_t> m_next = 0, m_busy = 0;
     std::atomic<uint64_t> m_round = 0;
-    std::vector<std::jthread> m_threads;  ///< last: they end before what they use
+    std::vector<std::jthread>
+        m_threads;  ///< declared last: they are joined before the members that they use are destroyed
 };
 
 }  // namespace rubble
