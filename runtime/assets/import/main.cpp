@@ -1,4 +1,4 @@
-// rubble-import: brings a model into the formats of Rubble and says what became what.
+// rubble-import: converts a model to the formats of Rubble and reports what became what.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -14,13 +14,13 @@ namespace {
 using namespace rubble;
 namespace fs = std::filesystem;
 
-/// rubble-vdb lies beside this program.
+/// The path of rubble-vdb, which is installed beside this program.
 std::string vdbToolPath() {
     std::error_code code;
     return (fs::read_symlink("/proc/self/exe", code).parent_path() / "rubble-vdb").string();
 }
 
-/// One line a stage on stderr, with its time.
+/// Writes a line with name and time of each stage to stderr.
 class Progress {
 public:
     void begin(const std::string& what) {
@@ -46,7 +46,7 @@ Result<Done> write(const std::string& path, const Level& level) {
     const std::string ending = fs::path(path).extension().string();
     if (ending == ".rubble") return writeRubble(path, level);
     if (ending == ".vdb") return writeVdb(path, level, vdbToolPath());
-    return Error{path + ": expected a name ending in .vdb or .rubble"};
+    return Error{path + ": expected a name ending in .vdb or .rubble, found '" + ending + "'"};
 }
 
 int fail(const std::string& text) {
@@ -57,17 +57,17 @@ int fail(const std::string& text) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Imports a .vox, .vdb or .rubble file and reports what became what", "rubble import");
+    CLI::App app("Converts a .vox, .vdb or .rubble file and reports what became what", "rubble import");
     std::string in, out;
     VoxImportSettings settings;
     bool quiet = false;
     app.add_option("in", in, "File to read: .vox, .vdb or .rubble")->required();
     app.add_option("out", out, "File to write: .vdb or .rubble")->required();
     app.add_flag("--teardown", settings.teardownPalette,
-                 ".vox: the rows of the palette name materials, as in Teardown");
-    app.add_flag("--one-body", settings.oneBody, ".vox: all objects on one static body");
-    app.add_option("--voxel-size", settings.voxelSize, ".vox: metres")->capture_default_str();
-    app.add_flag("--quiet", quiet, "Only the totals");
+                 ".vox: take materials from the rows of the palette, as Teardown does");
+    app.add_flag("--one-body", settings.oneBody, ".vox: put all objects on one static body");
+    app.add_option("--voxel-size", settings.voxelSize, ".vox: size of a voxel in metres")->capture_default_str();
+    app.add_flag("--quiet", quiet, "Print the totals only");
     CLI11_PARSE(app, argc, argv);
 
     Progress progress;

@@ -7,14 +7,14 @@
 
 namespace rubble {
 
-/// Palettes for .vdb files that bring none.
+// Palettes for .vdb files without one.
 
-/// One grey entry of concrete, number 1.
+/// A palette with entry 1 alone: grey concrete.
 PaletteRef grayFallbackPalette();
-/// MagicaVoxel's default colours, with materials guessed for the entries that the grid uses.
+/// MagicaVoxel's default colours, with guessed materials, for the entries that the grid uses.
 PaletteRef voxFallbackPalette(const VoxelGrid& grid);
-/// Gives each solid voxel an entry near its colour (linear RGB) and returns the palette: exact up to 255 colours,
-/// with fewer bits a channel beyond.
+/// Gives each solid voxel the entry of its colour, colorAt(cell) in linear RGB, and returns the palette. With more than
+/// 255 different colours each channel loses low bits until 255 are left.
 PaletteRef quantiseColors(VoxelGrid& grid, const std::function<glm::vec3(glm::ivec3)>& colorAt);
 
 }  // namespace rubble

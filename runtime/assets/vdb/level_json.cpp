@@ -14,6 +14,7 @@ namespace {
 
 using nlohmann::json;
 
+/// An archive that makes JSON objects: enums as names, palettes as numbers, grids as sizes.
 class JsonOutputArchive {
 public:
     JsonOutputArchive(PaletteList& palettes, const std::vector<std::string>& gridNames)
@@ -64,6 +65,7 @@ private:
     json* m_object = nullptr;
 };
 
+/// An archive that reads them back and keeps the path to the first error.
 class JsonInputArchive {
 public:
     JsonInputArchive(const std::vector<PaletteRef>& palettes, std::vector<std::string>& gridNames)
@@ -188,7 +190,7 @@ private:
     std::string m_path, m_error;
 };
 
-/// Entries that differ from the default, each with its number.
+/// The entries that differ from the default, each with its "index".
 json paletteToJson(const Palette& palette, JsonOutputArchive& out) {
     json list = json::array();
     for (size_t i = 0; i < palette.size(); ++i) {

@@ -1,5 +1,5 @@
-// rubble-vdb: turns .vdb files into baked .rubble levels and back, in a process of its own that a hostile file may
-// kill.
+// // rubble-vdb: converts .vdb files to baked .rubble levels and back. The runtime starts it as a child process,
+// because OpenVDB may crash on a damaged file.
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
@@ -50,7 +50,7 @@ int toRubble(const std::string& in, const std::string& out) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Turns OpenVDB files into baked Rubble levels and back");
+    CLI::App app("Converts OpenVDB files to baked Rubble levels and back");
     std::string in, out;
     uint64_t memoryMib = 4096, seconds = 120;
     app.add_option("--memory-mib", memoryMib, "Address space it may use")->capture_default_str();

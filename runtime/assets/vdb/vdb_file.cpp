@@ -1,6 +1,6 @@
 #include "runtime/assets/vdb/vdb_file.h"
 
-// The only file that includes OpenVDB: it costs seconds and half a gigabyte to compile.
+// The only file that includes OpenVDB, which takes long and half a gigabyte of memory to compile.
 #include <fmt/format.h>
 #include <openvdb/openvdb.h>
 #include <tbb/global_control.h>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kProfileVersion = 1;
 constexpr uint64_t kMaxFileBytes = uint64_t(2) << 30;
-constexpr uint64_t kMaxVoxels = uint64_t(1) << 28;  // of one file, tiles expanded
+constexpr uint64_t kMaxVoxels = uint64_t(1) << 28;  // in one file, tiles expanded
 const std::string kPrefix = "rubble.";
 
 openvdb::Vec3d toVdb(glm::dvec3 v) {
@@ -40,7 +40,7 @@ glm::ivec3 fromCoord(const openvdb::Coord& c) {
     return {c.x(), c.y(), c.z()};
 }
 
-/// Index -> world with cell i covering [i, i + 1] voxels: the transform of cell centres.
+/// The index-to-world transform of cell centres, for cells of which i covers [i, i + 1] voxels from the corner.
 openvdb::math::Transform::Ptr gridTransform(const Pose& corner, double voxelSize) {
     const glm::dvec3 origin = corner.transformPoint(glm::dvec3(0.5 * voxelSize));
     if (corner.rotation == glm::dquat(1, 0, 0, 0)) {
@@ -48,7 +48,7 @@ openvdb::math::Transform::Ptr gridTransform(const Pose& corner, double voxelSize
         transform->postTranslate(toVdb(origin));
         return transform;
     }
-    openvdb::Mat4d matrix = openvdb::Mat4d::identity();  // row vectors: row i is the image of axis i
+    openvdb::Mat4d matrix = openvdb::Mat4d::identity();  // OpenVDB multiplies row vectors: row i is the image of axis i
     for (int i = 0; i < 3; ++i) {
         glm::dvec3 axis(0.0);
         axis[i] = voxelSize;
@@ -59,6 +59,7 @@ openvdb::math::Transform::Ptr gridTransform(const Pose& corner, double voxelSize
     return openvdb::math::Transform::createLinearTransform(matrix);
 }
 
+/// A grid with a value for each voxel of which valueOf(brick, index in the brick) has one.
 template <class Grid, class ValueOf>
 typename Grid::Ptr makeGrid(const LevelShape& shape, const Pose& world, const std::string& name, ValueOf valueOf) {
     using Leaf = typename Grid::TreeType::LeafNodeType;
@@ -77,6 +78,7 @@ typename Grid::Ptr makeGrid(const LevelShape& shape, const Pose& world, const st
     return grid;
 }
 
+/// Adds the grids of one shape; see writeVdbFile().
 void addShapeGrids(const LevelShape& shape, const Pose& world, const std::string& prefix, openvdb::GridPtrVec& out) {
     static const Palette kNoPalette{};
     const Palette& palette = shape.palette ? *shape.palette : kNoPalette;
@@ -110,7 +112,7 @@ void addShapeGrids(const LevelShape& shape, const Pose& world, const std::string
     }));
 }
 
-/// A grid name that viewers and scripts can type.
+/// The name with an underscore for everything but letters, digits and hyphens, so that viewers and scripts can type it.
 std::string gridName(const std::string& name) {
     std::string out;
     for (char c : name)
@@ -121,12 +123,14 @@ std::string gridName(const std::string& name) {
 /// The solid cells of one grid of the file.
 struct SolidCells {
     openvdb::CoordBBox box;
-    VoxelGrid grid;  ///< its cell 0 is box.min()
+    VoxelGrid grid;  ///< whose cell 0 is box.min()
 };
 
-/// Expands active voxels and tiles (of level sets also what is inactive and inside). indexOf: value -> palette index.
+/// Expands the values and tiles of grids to voxels, and counts them over all grids of a file.
 class VoxelExpander {
 public:
+    /// indexOf(value, active): the palette index of a value, 0 for empty. Inactive values inside level sets count too.
+    /// `atLeast`: a box that the result covers at least.
     template <class Grid, class IndexOf>
     Result<SolidCells> expand(const Grid& grid, const openvdb::CoordBBox& atLeast, IndexOf indexOf) {
         SolidCells solid;
@@ -172,45 +176,46 @@ private:
     uint64_t m_voxels = 0;
 };
 
-/// Where a grid's cell corners are, if its cells are cubes.
+/// The minimum corner of a cell as a pose in the world, and the size of cells in metres. An error if cells are not
+/// cubes.
 Result<std::pair<Pose, double>> cornerPose(const openvdb::GridBase& grid, const openvdb::Coord& cell) {
     const auto refuse = [&](const std::string& found) {
-        return Error{fmt::format("grid '{}': expected a transform of turned, equal-sided cells, found {}",
-                                 grid.getName(), found)};
+        return Error{fmt::format("grid '{}': expected a transform with cubic cells, found {}", grid.getName(), found)};
     };
-    if (!grid.transform().isLinear()) return refuse("a frustum");
+    if (!grid.transform().isLinear()) return refuse("a frustum transform");
     const openvdb::Mat4d matrix = grid.transform().baseMap()->getAffineMap()->getMat4();
     for (int i = 0; i < 16; ++i)
-        if (!(std::abs(matrix.asPointer()[i]) <= 1e9)) return refuse(fmt::format("{}", matrix.asPointer()[i]));
+        if (!(std::abs(matrix.asPointer()[i]) <= 1e9))
+            return refuse(fmt::format("{}", matrix.asPointer()[i]));
     glm::dmat3 axes;
     for (int i = 0; i < 3; ++i) axes[i] = {matrix(i, 0), matrix(i, 1), matrix(i, 2)};
     const double size = glm::length(axes[0]);
     if (!(size > 1e-6 && size <= 1000.0)) return refuse(fmt::format("cells of {} m", size));
-    const glm::dmat3 turn = axes * (1.0 / size);
+    const glm::dmat3 rotation = axes * (1.0 / size);
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-            if (std::abs(glm::dot(turn[i], turn[j]) - (i == j ? 1.0 : 0.0)) > 1e-3)
+            if (std::abs(glm::dot(rotation[i], rotation[j]) - (i == j ? 1.0 : 0.0)) > 1e-3)
                 return refuse("stretched or sheared cells");
-    if (glm::dot(glm::cross(turn[0], turn[1]), turn[2]) < 0.0) return refuse("a mirror");
+    if (glm::dot(glm::cross(rotation[0], rotation[1]), rotation[2]) < 0.0) return refuse("mirrored cells");
     Pose pose;
-    pose.rotation = glm::normalize(glm::quat_cast(turn));
-    if (turn == glm::dmat3(1.0)) pose.rotation = glm::dquat(1, 0, 0, 0);
+    pose.rotation = glm::normalize(glm::quat_cast(rotation));
+    if (rotation == glm::dmat3(1.0)) pose.rotation = glm::dquat(1, 0, 0, 0);
     pose.position = fromVdb(grid.transform().indexToWorld(toVdb(glm::dvec3(fromCoord(cell)) - 0.5)));
     return std::pair(pose, size);
 }
 
-/// Opens the library's list of grid types, which it closes to all but grids.
+/// Gives access to the library's registration of grid types, which is protected.
 struct GridTypes : openvdb::GridBase {
     using openvdb::GridBase::registerGrid;
 };
 
-/// One open file.
+/// Reads one file.
 class VdbReader {
 public:
     VdbReader(const std::string& path, std::vector<std::string>& notes) : m_path(path), m_notes(notes), m_file(path) {}
 
-    /// The library refuses a whole file for one grid type that it does not know. An empty stand-in lets it read the
-    /// rest.
+    /// The library refuses a whole file for one grid type that it does not know. Registers an empty grid for such
+    /// types, so that it reads the others.
     void skipUnknownTypes(const std::vector<VdbGridEntry>& entries) {
         for (const VdbGridEntry& entry : entries) {
             const std::string type = entry.type.substr(0, entry.type.find("_HalfFloat"));
@@ -220,7 +225,7 @@ public:
                 GridTypes::registerGrid(type, [] { return openvdb::GridBase::Ptr(openvdb::BoolGrid::create()); });
             const std::string name = openvdb::io::GridDescriptor::nameAsString(entry.name);
             m_unknown.insert(name);
-            m_notes.push_back(fmt::format("grid '{}': type {} is not known, skipped", name, type));
+            m_notes.push_back(fmt::format("grid '{}': type {} is unknown, skipped", name, type));
         }
     }
 
@@ -238,6 +243,7 @@ public:
     }
 
 private:
+    /// A file that writeVdbFile() has written, perhaps changed by other programs.
     Result<Level> readProfile(const openvdb::MetaMap& metadata) {
         std::map<std::string, std::string> topics;
         for (auto item = metadata.beginMeta(); item != metadata.endMeta(); ++item)
@@ -254,13 +260,15 @@ private:
         noteUnusedGrids(parsed->gridNames);
         const auto hash = metadata.getMetadata<openvdb::StringMetadata>(kPrefix + "content_hash");
         if (!hash || hash->value() != fmt::format("{:016x}", hashLevel(parsed->level)))
-            m_notes.push_back("the content differs from its hash: edited by another program, or damaged");
+            m_notes.push_back(
+                "the content does not have the recorded hash: another program changed it, or it is damaged");
         return std::move(parsed->level);
     }
 
+    /// Fills the voxels of a shape. If another program moved or extended its grid, the shape follows.
     Result<Done> readShape(const LevelBody& body, LevelShape& shape, const std::string& prefix) {
         const std::string name = prefix + ".palette_index";
-        if (std::find(m_names.begin(), m_names.end(), name) == m_names.end())
+        if (!hasGrid(name))
             return Error{fmt::format("expected a grid '{}' for shape '{}', found none", name, shape.name)};
         const auto grid = openvdb::gridPtrCast<openvdb::Int32Grid>(m_file.readGrid(name));
         if (!grid) return Error{fmt::format("grid '{}': expected type Int32, found another", name)};
@@ -285,9 +293,10 @@ private:
         return Done{};
     }
 
-    /// Values are paint bytes (runtime/voxel/paint_colors.h); those of empty cells are left out.
+    /// Reads the paint bytes (runtime/voxel/paint_colors.h) of solid cells. Values that are no colour of the shape are
+    /// ignored.
     Result<Done> readPaint(LevelShape& shape, const std::string& name, const openvdb::Coord& corner) {
-        if (std::find(m_names.begin(), m_names.end(), name) == m_names.end()) return Done{};
+        if (!hasGrid(name)) return Done{};
         const auto grid = openvdb::gridPtrCast<openvdb::Int32Grid>(m_file.readGrid(name));
         if (!grid) return Error{fmt::format("grid '{}': expected type Int32, found another", name)};
         const auto values = grid->getConstAccessor();
@@ -317,41 +326,35 @@ private:
         }
     }
 
+    /// A file of another program: every grid that gives occupancy becomes a shape on a static body.
     Result<Level> readWithoutProfile() {
         Level level;
         level.name = printableName(std::filesystem::path(m_path).stem().string());
         UniqueNames names;
-        const bool hasDensity = std::any_of(m_names.begin(), m_names.end(), [](const std::string& name) {
-            return suffix(name) == "density" || suffix(name) == "palette_index";
-        });
+        const bool hasDensity = std::any_of(m_names.begin(), m_names.end(), isOccupancy);
         for (const std::string& name : m_names) {
-            if (suffix(name) == "color" || suffix(name) == "emission" || suffix(name) == "light_group" ||
-                suffix(name) == "paint")
-                continue;
-            if (suffix(name) == "density" &&
-                std::find(m_names.begin(), m_names.end(), prefixOf(name) + "palette_index") != m_names.end())
-                continue;
+            if (isAttribute(name) || (suffix(name) == "density" && hasGrid(prefixOf(name) + "palette_index"))) continue;
             const openvdb::GridBase::Ptr grid = m_file.readGrid(name);
             const Result<std::pair<Pose, double>> cubes = cornerPose(*grid, openvdb::Coord(0));
             Result<SolidCells> solid = cubes ? solidOf(*grid, name, hasDensity) : Error{cubes.error()};
             if (!solid || solid->grid.empty()) {
-                m_notes.push_back(solid ? fmt::format("grid '{}': nothing solid, skipped", name)
+                m_notes.push_back(solid ? fmt::format("grid '{}': no solid voxels, skipped", name)
                                         : solid.error() + ", skipped");
                 continue;
             }
-            const std::string own =
-                prefixOf(name).empty()
-                    ? (suffix(name) == "density" || suffix(name) == "palette_index" ? level.name : name)
-                    : prefixOf(name).substr(0, prefixOf(name).size() - 1);
+            const std::string prefix = name.substr(0, prefixOf(name).size() - (prefixOf(name).empty() ? 0 : 1));
+            const std::string own = !prefix.empty() ? prefix : isOccupancy(name) ? level.name : name;
             addGridAsShape(level, names.unique(printableName(own)), *grid, name, std::move(*solid));
         }
         if (level.bodies.empty()) {
-            std::string why = m_notes.empty() ? "it holds no grids" : m_notes.front();
+            std::string why = m_notes.empty() ? "the file has no grids" : m_notes.front();
             return Error{"expected at least one grid of voxels, found none: " + why};
         }
         return level;
     }
 
+    /// Palette indices as they are; 1 for Bool and Mask that are on, the inside of level sets, and density of at least
+    /// half the maximum, or at least 0.5. hasDensity: other Float grids are channels of other meaning.
     Result<SolidCells> solidOf(const openvdb::GridBase& grid, const std::string& name, bool hasDensity) {
         const openvdb::CoordBBox none;
         if (const auto* whole = dynamic_cast<const openvdb::Int32Grid*>(&grid);
@@ -369,9 +372,9 @@ private:
             return m_expander.expand(*number, none, [](float value, bool) { return value < 0.0f ? 1 : 0; });
         if (hasDensity && suffix(name) != "density")
             return Error{fmt::format("grid '{}': expected density, found another channel", name)};
-        float most = 0.0f;
-        for (auto it = number->cbeginValueOn(); it; ++it) most = std::max(most, *it);
-        const float threshold = std::min(0.5f, most * 0.5f);
+        float maximum = 0.0f;
+        for (auto it = number->cbeginValueOn(); it; ++it) maximum = std::max(maximum, *it);
+        const float threshold = std::min(0.5f, maximum * 0.5f);
         return m_expander.expand(*number, none, [threshold](float value, bool active) {
             return active && value > 0.0f && value >= threshold ? 1 : 0;
         });
@@ -390,8 +393,7 @@ private:
         shape.grid = std::move(solid.grid);
         openvdb::Vec3SGrid::Ptr color;
         const std::string colorName = prefixOf(name) + "color";
-        if (std::find(m_names.begin(), m_names.end(), colorName) != m_names.end())
-            color = openvdb::gridPtrCast<openvdb::Vec3SGrid>(m_file.readGrid(colorName));
+        if (hasGrid(colorName)) color = openvdb::gridPtrCast<openvdb::Vec3SGrid>(m_file.readGrid(colorName));
         if (suffix(name) == "palette_index") {
             shape.palette = voxFallbackPalette(shape.grid);
         } else if (color) {
@@ -408,8 +410,19 @@ private:
                                       color ? ", colours from '" + colorName + "'" : ""));
     }
 
+    bool hasGrid(const std::string& name) const {
+        return std::find(m_names.begin(), m_names.end(), name) != m_names.end();
+    }
+    static bool isOccupancy(const std::string& name) {
+        return suffix(name) == "density" || suffix(name) == "palette_index";
+    }
+    /// Whether the grid gives a property of voxels that another grid makes solid.
+    static bool isAttribute(const std::string& name) {
+        return suffix(name) == "color" || suffix(name) == "emission" || suffix(name) == "light_group" ||
+               suffix(name) == "paint";
+    }
     static std::string suffix(const std::string& name) { return name.substr(name.rfind('.') + 1); }
-    /// With its dot; "" if there is none.
+    /// Everything before the suffix with its dot; "" if there is none.
     static std::string prefixOf(const std::string& name) { return name.substr(0, name.rfind('.') + 1); }
 
     const std::string& m_path;

@@ -7,14 +7,15 @@
 
 namespace rubble {
 
-/// A level in the OpenVDB profile: for each shape palette_index (Int32, the authority), density (float), color (Vec3S)
-/// and, where used, emission and light_group; all else as JSON in the file's metadata, field by field as in
-/// level_fields.h. A field that is missing has its default: a shape without "strength" has that of its materials, one
-/// without "bears_load" is weighed. Written to a neighbour, then renamed.
+/// Writes a level as grids and metadata, whole or not at all. Each shape has grids named after it: palette_index
+/// (Int32, what readers go by), density (Float, what viewers show), color (Vec3S, linear RGB, a preview) and, where
+/// used, emission (Float), light_group and paint (Int32). Everything else is JSON in the file's metadata "rubble.*",
+/// field by field as in level_fields.h.
 Result<Done> writeVdbFile(const std::string& path, const Level& level);
 
-/// Reads the profile, or any other .vdb file as occupancy (Float fog and level sets, Bool, Mask). Trusts nothing but
-/// the library itself: run it in a process that may die. `notes`: what was skipped, guessed or changed by others.
+/// Reads such a file; a field that is missing in the JSON has its default. Reads any other .vdb file as occupancy:
+/// Float fog volumes and level sets, Bool and Mask. `notes`: what was skipped, guessed or changed by other programs.
+/// OpenVDB trusts what it reads and may crash on a damaged file: call this in a process of its own.
 Result<Level> readVdbFile(const std::string& path, std::vector<std::string>& notes);
 
 }  // namespace rubble

@@ -6,7 +6,7 @@ namespace rubble {
 namespace {
 
 constexpr int64_t kMagic = 0x56444220;
-constexpr uint32_t kOldest = 222, kNewest = 224;  // OpenVDB 1.2 to 12
+constexpr uint32_t kOldest = 222, kNewest = 224;  // file versions of OpenVDB 1.2 to 12
 constexpr uint32_t kMaxGrids = 1u << 20;
 constexpr size_t kUuidCharacters = 36;
 
@@ -19,12 +19,12 @@ void skipMetadata(ByteReader& in) {
     }
 }
 
-/// Leaves the reader behind the grid.
+/// Reads a row of the grid table and skips the grid.
 VdbGridEntry readGridEntry(ByteReader& in) {
     VdbGridEntry entry;
     entry.name = in.readString();
     entry.type = in.readString();
-    in.readString();  // the grid that it is an instance of
+    in.readString();  // the grid that this one is an instance of
     const size_t start = in.offset();
     const auto grid = in.read<int64_t>(), blocks = in.read<int64_t>(), end = in.read<int64_t>();
     const auto here = int64_t(in.offset());

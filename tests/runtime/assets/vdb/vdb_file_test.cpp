@@ -190,7 +190,7 @@ TEST_F(VdbFile, InvalidGridsAreRefusedWithAReason) {
         const Result<Level> level = foreign(kind);
         return level ? "no error" : level.error();
     };
-    EXPECT_NE(error("stretched").find("equal-sided cells, found stretched"), std::string::npos) << error("stretched");
+    EXPECT_NE(error("stretched").find("cubic cells, found stretched"), std::string::npos) << error("stretched");
     EXPECT_NE(error("far away").find("found 1000000000000"), std::string::npos) << error("far away");
     EXPECT_NE(error("huge box").find("at most 4096 cells on a side"), std::string::npos) << error("huge box");
     EXPECT_NE(error("huge tile").find("voxels"), std::string::npos) << error("huge tile");
