@@ -7,7 +7,7 @@ namespace rubble {
 Block6 rigidBlock(glm::dvec3 arm) {
     Block6 out;
     for (size_t i = 0; i < 6; ++i) out.at(i, i) = 1.0;
-    // turn x arm
+    // rotation x arm
     out.at(0, 4) = arm.z, out.at(0, 5) = -arm.y;
     out.at(1, 3) = -arm.z, out.at(1, 5) = arm.x;
     out.at(2, 3) = arm.y, out.at(2, 4) = -arm.x;
@@ -94,9 +94,9 @@ BlockMatrix transposed(const BlockMatrix& a, size_t columns) {
     std::vector<uint32_t> next(out.start.begin(), out.start.end() - 1);
     for (size_t row = 0; row < a.rows(); ++row)
         for (uint32_t i = a.start[row]; i < a.start[row + 1]; ++i) {
-            const uint32_t place = next[a.column[i]]++;
-            out.column[place] = uint32_t(row);
-            out.block[place] = transposed(a.block[i]);
+            const uint32_t index = next[a.column[i]]++;
+            out.column[index] = uint32_t(row);
+            out.block[index] = transposed(a.block[i]);
         }
     return out;
 }

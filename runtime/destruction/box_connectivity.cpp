@@ -22,7 +22,7 @@ struct Window {
     std::array<uint64_t, 18 * kPlane> words{};
 };
 
-/// Four rows of eight cells as rows of sixteen.
+/// 4 rows of 8 cells as rows of 16.
 uint64_t spreadRows(uint64_t rows) {
     rows = (rows | rows << 16) & 0x0000ffff0000ffffull;
     return (rows | rows << 8) & 0x00ff00ff00ff00ffull;

@@ -10,8 +10,7 @@
 // node_parts.cpp), and here a union-find over the nodes' components. Two components of neighbouring nodes are one if
 // the AND of their cells on the common face is not zero. After an edit only changed bricks and nodes are labelled
 // again. Roots are lowest members (see UnionFind) and nodes are visited in order, so the result depends on the grid
-// alone. Two-pass labelling with union-find: A. Rosenfeld and J. Pfaltz, "Sequential operations in digital picture
-// processing", JACM 13 (1966).
+// alone. Labelling with union-find: A. Rosenfeld and J. Pfaltz, JACM 13 (1966), 471-494.
 
 namespace rubble {
 namespace {

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "runtime/core/byte_bits.h"
+
 namespace rubble {
 namespace {
 
-/// The axes that u and v of a section run along.
-constexpr int kAxisU[3] = {1, 0, 0}, kAxisV[3] = {2, 2, 1};
+constexpr int kAxisU[3] = {1, 0, 0}, kAxisV[3] = {2, 2, 1};  ///< axes of u and v, by the axis of a section
 
 /// Normal stress at (du, dv) from the centroid: mean + u du + v dv.
 struct LinearStress {
@@ -17,7 +18,8 @@ struct LinearStress {
 };
 
 LinearStress normalStress(const Section& section, const SectionShape& shape, const SectionForce& load) {
-    // The moment of a stress s n at du u + dv v is s (du u x n + dv v x n).
+    // A stress s along the normal n at du u + dv v has the moment s (du u x n + dv v x n). The moments of mean + a du +
+    // b dv over the section are mu = a uu + b uv and mv = a uv + b vv: solved for a and b.
     const glm::dvec3& m = load.moment;
     const double mu = section.axis == 0 ? -m.z : section.axis == 1 ? m.z : -m.y;
     const double mv = section.axis == 0 ? m.y : section.axis == 1 ? -m.x : m.x;
@@ -31,8 +33,8 @@ LinearStress normalStress(const Section& section, const SectionShape& shape, con
 glm::ivec3 Section::cellBelow(int bit) const {
     glm::ivec3 cell = brick * kBrickSize;
     cell[axis] += plane - 1;
-    cell[kAxisU[axis]] += bit & 7;
-    cell[kAxisV[axis]] += bit >> 3;
+    cell[kAxisU[axis]] += bit % kBrickSize;
+    cell[kAxisV[axis]] += bit / kBrickSize;
     return cell;
 }
 
@@ -40,8 +42,7 @@ uint64_t brickLayer(const BrickBits& bits, int axis, int layer) {
     if (axis == 2) return bits[size_t(layer)];
     uint64_t out = 0;
     for (size_t z = 0; z < 8; ++z) {
-        const uint64_t row = axis == 1 ? bits[z] >> 8 * layer & 0xff
-                                       : (bits[z] >> layer & 0x0101010101010101ull) * 0x0102040810204080ull >> 56;
+        const uint64_t row = axis == 1 ? bits[z] >> 8 * layer & 0xff : gatherBits(bits[z] >> layer & kFirstColumn);
         out |= row << 8 * z;
     }
     return out;
@@ -50,7 +51,7 @@ uint64_t brickLayer(const BrickBits& bits, int axis, int layer) {
 BrickBits bitsFrom(const BrickBits& bits, int axis, int layer) {
     BrickBits out{};
     const uint64_t row = 0xffull << layer & 0xff;
-    const uint64_t keep = axis == 0 ? row * 0x0101010101010101ull : ~uint64_t(0) << 8 * layer;
+    const uint64_t keep = axis == 0 ? row * kFirstColumn : ~uint64_t(0) << 8 * layer;
     for (size_t z = 0; z < 8; ++z) out[z] = axis == 2 ? (int(z) >= layer ? bits[z] : 0) : bits[z] & keep;
     return out;
 }
@@ -64,7 +65,8 @@ SectionShape sectionShape(const Section& section, std::span<const SectionTile> t
     int64_t n = 0, u = 0, v = 0, uu = 0, vv = 0, uv = 0;
     for (const SectionTile& tile : tiles)
         for (uint64_t left = tile.cells; left; left &= left - 1) {
-            const int bit = std::countr_zero(left), cu = (bit & 7) + 8 * tile.u, cv = (bit >> 3) + 8 * tile.v;
+            const int bit = std::countr_zero(left);
+            const int cu = bit % kBrickSize + kBrickSize * tile.u, cv = bit / kBrickSize + kBrickSize * tile.v;
             ++n, u += cu, v += cv, uu += cu * cu, vv += cv * cv, uv += cu * cv;
         }
     SectionShape shape;
@@ -74,7 +76,7 @@ SectionShape sectionShape(const Section& section, std::span<const SectionTile> t
     shape.centroid[section.axis] += section.plane;
     shape.centroid[kAxisU[section.axis]] += double(u) / area + 0.5;
     shape.centroid[kAxisV[section.axis]] += double(v) / area + 0.5;
-    // n S - F F is exact; a cell's own moment is 1/12.
+    // n S - F F is exact in integers; the second moment of one cell about its own centre is 1/12.
     shape.uu = double(n * uu - u * u) / area + area / 12.0;
     shape.vv = double(n * vv - v * v) / area + area / 12.0;
     shape.uv = double(n * uv - u * v) / area;

@@ -12,14 +12,14 @@
 
 // Voronoi fracture on voxels, in integers.
 //
-// Every voxel of the zone gets the label of its nearest site, and the voxels of one label are one fragment. Sites are
-// the points of a lattice, one in each lattice cell, moved inside it by a hash of the cell and the seed (S. Worley, "A
-// cellular texture basis function", SIGGRAPH 1996). So the nearest site is one of eight, and no list of sites is
-// needed. Lattice cells have a fragment's size; they are stretched along the grain for splinters, half as large near
-// the hit, and all grow if more fragments than allowed would come out. A hash of the voxel displaces it before the
-// search: rough borders. Bricks in bond are a lattice with shifted rows instead. Materials never share a fragment.
-// Voxels near the hit become dust, as do fragments that are too small; a fragment of several components is split into
-// them. Coordinates are in 1/256 of a cell.
+// Every voxel of the zone gets the label of its nearest site, and the voxels of one label are one fragment. Space is
+// divided into cubes of a fragment's size with one site in each, moved inside its cube by a hash of the cube and the
+// seed (S. Worley, "A cellular texture basis function", SIGGRAPH 1996). So the nearest site is taken from eight cubes,
+// and no list of sites is needed. The cubes are stretched along the grain for splinters and half as large near the hit;
+// all grow if more fragments than allowed would come out. A hash of the voxel displaces it before the search: rough
+// borders. Bricks in bond take cubes in shifted rows instead. Materials never share a fragment. Voxels near the hit
+// become dust, as do fragments that are too small; a fragment of several components is split into them. Coordinates are
+// in 1/256 of a cell.
 
 namespace rubble {
 namespace {
@@ -49,12 +49,11 @@ int64_t floorDivide(int64_t a, int64_t b) {
     return a / b - (a % b < 0);
 }
 
-/// A position in the lattice of sites, in 1/256 of a lattice cell.
-using LatticePoint = std::array<int32_t, 3>;
+/// A position in units of the cubes that hold the sites, in 1/256 of a cube.
+using CubePoint = std::array<int32_t, 3>;
 
-/// The lattice cell of the site that is nearest to a point. Sites stay within 96/256 of the middle of their lattice
-/// cell.
-glm::ivec3 nearestSite(const LatticePoint& point, uint32_t seed) {
+/// The cube of the site that is nearest to a point. A site stays within 96/256 of the middle of its cube.
+glm::ivec3 nearestSite(const CubePoint& point, uint32_t seed) {
     glm::ivec3 best(0);
     int64_t best2 = INT64_MAX;
     for (int corner = 0; corner < 8; ++corner) {
@@ -71,8 +70,8 @@ glm::ivec3 nearestSite(const LatticePoint& point, uint32_t seed) {
     return best;
 }
 
-/// The brick that holds a point: two lattice cells long, every other row shifted by half of that.
-glm::ivec3 brickInBond(const LatticePoint& point) {
+/// The brick of a running bond that holds a point: two cubes long, every other row shifted by one.
+glm::ivec3 brickInBond(const CubePoint& point) {
     const int row = point[1] >> 8;
     return {(point[0] + (row & 1) * 256) >> 9, row, point[2] >> 8};
 }
@@ -251,7 +250,7 @@ void Fracturer::chooseSizes() {
 uint64_t Fracturer::labelOf(size_t g, glm::ivec3 cell, bool isNear) const {
     const Group& group = m_groups[g];
     const uint32_t jitter = hashCell(cell.x, cell.y, cell.z, m_plan.seed ^ 0x7f4a7c15u);
-    LatticePoint point{};
+    CubePoint point{};
     for (size_t a = 0; a < 3; ++a) {
         const int64_t size = isNear ? std::max<int64_t>(group.size[a] / 2, kBrushUnit) : group.size[a];
         const int64_t center = int64_t(cell[int(a)]) * kBrushUnit + kBrushUnit / 2;

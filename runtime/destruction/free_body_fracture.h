@@ -1,23 +1,25 @@
 #pragma once
+#include <vector>
+
 #include "runtime/destruction/stress_analysis.h"
 
 namespace rubble {
 
-/// Plane of a body's cells, from the low side: between the layers plane - 1 and plane along an axis.
+/// A plane through a body at which it breaks: between the layers plane - 1 and plane of its cells along an axis.
 struct FracturePlane {
     int axis = 0, plane = 0;
     double utilization = 0.0;  ///< stress over strength
     FailureMode cause = FailureMode::Tension;
-    double width = 0.0;  ///< cells: the root of the rectangle around its faces
+    double width = 0.0;  ///< cells: square root of the area of the bounding rectangle of its faces
 };
 
-/// What a impact does to a body that nothing holds: each part follows as fast as the whole does, and the plane between
-/// two parts passes on what that takes. `planes` sorted by place along one axis: the largest loaded, and others, by
-/// `seed`, so that what is left between them bears the impact: a beam's bending goes with the square of its length.
-/// Empty if it bears it whole. Costs three sums a voxel.
+/// Where an impact breaks a body that is not anchored. Returns the plane of the highest utilization and others parallel
+/// to it, sorted by plane, so that no part between them breaks again; empty if the body withstands the impact. `seed`
+/// moves the other planes. The cost is three sums over the voxels. The algorithm is at the top of
+/// free_body_fracture.cpp.
 std::vector<FracturePlane> findFracturePlanes(const StressedShape& body, const ImpactForce& impact, uint32_t seed);
 
-/// The sections of a plane, brick by brick, in the order of cellBefore().
+/// The sections of a plane, one for each brick, in the order of cellBefore().
 std::vector<Section> sectionsInPlane(const VoxelGrid& grid, const StrengthTable& entries, int axis, int plane);
 
 }  // namespace rubble

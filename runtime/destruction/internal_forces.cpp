@@ -9,10 +9,10 @@ void InternalForces::addBond(const StressBond& bond, const SectionForce& load, b
     const Section& section = bond.section;
     const double sign = nodeIsBelow ? 1.0 : -1.0;
     const glm::dvec3 arm = bond.shape.centroid - m_node.center;
-    add(section.axis, nodeIsBelow ? section.plane - 1 : section.plane & 7, sign * load.force,
+    add(section.axis, nodeIsBelow ? section.plane - 1 : cellInBrick(section.plane), sign * load.force,
         sign * (load.moment + glm::cross(arm, load.force)));
-    // Along the other two axes, each face loads its own layer. What the faces' forces leave of the moment turns each
-    // face.
+    // Along the other two axes, each face loads its own layer. The part of the moment that the faces' forces do not
+    // produce is spread over the faces.
     glm::dvec3 rest = load.moment;
     std::array<glm::dvec3, 64> forces;
     const auto faceCenter = [&](int bit) {
@@ -31,7 +31,7 @@ void InternalForces::addBond(const StressBond& bond, const SectionForce& load, b
         const int bit = std::countr_zero(left);
         const glm::dvec3 force = sign * forces[size_t(bit)];
         const glm::dvec3 moment = sign * rest + glm::cross(faceCenter(bit) - m_node.center, force);
-        const glm::ivec3 cell = section.cellBelow(bit) & 7;
+        const glm::ivec3 cell = cellInBrick(section.cellBelow(bit));
         for (int axis = 0; axis < 3; ++axis)
             if (axis != section.axis) add(axis, cell[axis], force, moment);
     }
@@ -40,7 +40,7 @@ void InternalForces::addBond(const StressBond& bond, const SectionForce& load, b
 void InternalForces::addWeight(const Brick& content, const StrengthTable& entries, glm::dvec3 gravity) {
     struct Sum {
         int64_t weight = 0;
-        glm::i64vec3 first{0};  ///< of twice the cell centres
+        glm::i64vec3 first{0};  ///< sum of density times twice the cell centre
     };
     std::array<std::array<Sum, 8>, 3> sums{};
     forEachVoxel(m_node.cells, [&](int i) {
@@ -63,7 +63,7 @@ void InternalForces::addWeight(const Brick& content, const StrengthTable& entrie
 
 void InternalForces::addForce(glm::ivec3 cell, glm::dvec3 force) {
     const glm::dvec3 moment = glm::cross(glm::dvec3(cell) + 0.5 - m_node.center, force);
-    for (int axis = 0; axis < 3; ++axis) add(axis, cell[axis] & 7, force, moment);
+    for (int axis = 0; axis < 3; ++axis) add(axis, cellInBrick(cell[axis]), force, moment);
 }
 
 SectionForce InternalForces::forceAt(int axis, int plane, glm::dvec3 about) const {

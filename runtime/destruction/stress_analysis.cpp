@@ -7,28 +7,42 @@
 #include <utility>
 
 #include "runtime/core/hash.h"
-#include "runtime/core/random.h"
 #include "runtime/destruction/internal_forces.h"
+
+// Stress analysis of an anchored shape: a model of rigid bodies and springs, solved by conjugate gradients, and beam
+// theory.
+//
+// Nodes are rigid parts of the shape, bonds are the sections between them (stress_graph.h). Node i moves by a
+// translation u_i and a rotation r_i. At the centroid s of a bond's section, with area A and second moments I, the node
+// above moves against the node below by
+//     d = (u_b + r_b x (s - c_b)) - (u_a + r_a x (s - c_a)),   q = r_b - r_a,
+// and an elastic bar of length L between the centres c_a and c_b resists with
+//     N = E A d_n / L,  V = G A d_t / L,  M = E I q_t / L,  T = G (I_u + I_v) q_n / L.
+// Equilibrium of the forces of all bonds on each free node with its weight and impacts is K x = f, one 6x6 block for
+// each node and pair of bonded nodes. K is symmetric positive definite, as every row's node is connected to a fixed
+// one: preconditioned conjugate gradients (M. Hestenes and E. Stiefel 1952; stress_multigrid.h). E cancels out of the
+// forces, so E = 1. From x follow the forces in all bonds, by the method of sections those between the layers inside a
+// node (internal_forces.h), and by beam theory the stress in each section (stressed_sections.h). Sections whose stress
+// exceeds their strength are cracks. The analysis advances row by row in slices of work; all of its state is in the
+// class, so the size of the slices does not change the result.
 
 namespace rubble {
 namespace {
 
 constexpr uint32_t kNone = ~0u;
-constexpr double kShearRatio = 0.4;  ///< shear modulus over Young's modulus
-constexpr double kTolerance = 1e-6;  ///< of the energy of the error: forces to about a thousandth
-constexpr int kMaxIterations = 400;  ///< beyond which it is given up: nothing breaks
-constexpr double kSimultaneousRatio =
-    0.9;  ///< utilization of the worst overload from which others break in the same step
-constexpr double kMinOwnUtilization =
-    0.8;  ///< stress over strength that a section must have ownUtilization too: a window may see tension beside a press
-constexpr double kMinSlicedUtilization =
-    0.2;  ///< of a bond, from which the layers of its nodes and those around are looked at
+constexpr double kShearRatio = 0.4;            ///< shear modulus over Young's modulus
+constexpr double kTolerance = 1e-6;            ///< energy of the error over that of the solution: forces to about 0.1 %
+constexpr int kMaxIterations = 400;            ///< after more the analysis fails: nothing breaks
+constexpr double kSimultaneousRatio = 0.9;     ///< of the highest utilization: sections above it break in the same step
+constexpr double kMinOwnUtilization = 0.8;     ///< on its own cells too: a window may see tension beside compression
+constexpr double kMinSlicedUtilization = 0.2;  ///< of a bond from which the layers of the nodes around it are evaluated
 constexpr int kMaxImpactRounds = 24;
 constexpr int kWindowRadius = StressedSections::kWindowRadius;
-constexpr int kMinCrackSpacing = 8;  ///< cells between two sections, one behind the other, that break in the same step
+constexpr int kMinCrackSpacing = 8;  ///< cells between parallel sections, one behind the other, that break together
 constexpr int64_t kBrickWork = 450, kRowWork = 350;
 
-/// What a unit of motion across a bond does to it, with E = 1: forces, and moments as rows of a symmetric matrix.
+/// The force of a bond for a unit of d along each axis, and its moment for a unit of q (a symmetric matrix), with E
+/// = 1.
 struct BondStiffness {
     glm::dvec3 force;
     double moment[3][3] = {};
@@ -40,13 +54,13 @@ BondStiffness bondStiffness(const StressBond& bond) {
     BondStiffness out{glm::dvec3(kShearRatio * bond.shape.area * perLength), {}};
     out.force[a] = bond.shape.area * perLength;
     out.moment[a][a] = kShearRatio * (bond.shape.uu + bond.shape.vv) * perLength;
-    out.moment[v][v] = bond.shape.uu * perLength;  // about v, the lever is along u
+    out.moment[v][v] = bond.shape.uu * perLength;  // a rotation about v has its lever along u
     out.moment[u][u] = bond.shape.vv * perLength;
     out.moment[u][v] = out.moment[v][u] = -bond.shape.uv * perLength;
     return out;
 }
 
-/// Stiffness between the motions of two bodies whose section is at `armA` and `armB` from them.
+/// The block of K of a bond between two nodes. armA, armB: from their centres to the section's centroid.
 Block6 stiffnessBlock(const BondStiffness& bond, glm::dvec3 armA, glm::dvec3 armB) {
     Block6 middle;
     for (size_t i = 0; i < 3; ++i) {
@@ -59,12 +73,42 @@ Block6 stiffnessBlock(const BondStiffness& bond, glm::dvec3 armA, glm::dvec3 arm
     return out;
 }
 
+/// Whether a cell is one of the node's.
 bool holds(const StressNode& node, glm::ivec3 cell) {
-    return cell >> 3 == node.brick && (node.cells[size_t(cell.z & 7)] >> ((cell.x & 7) + 8 * (cell.y & 7)) & 1);
+    return brickOfCell(cell) == node.brick && hasVoxel(node.cells, voxelIndex(cellInBrick(cell)));
 }
 
+/// The translation of a node, which moves as a rigid body, at a point.
 glm::dvec3 displacementAt(const StressNode& node, glm::dvec3 point) {
     return node.translation + glm::cross(node.rotation, point - node.center);
+}
+
+/// The strength a brick has left, in 1/256.
+int remainingStrength(std::span<const WeakBrick> weak, glm::ivec3 brick) {
+    const auto found = std::lower_bound(weak.begin(), weak.end(), brick,
+                                        [](const WeakBrick& a, glm::ivec3 b) { return cellBefore(a.brick, b); });
+    return found != weak.end() && found->brick == brick ? found->left : 256;
+}
+
+/// Strength in units of section forces per area. A section between two bricks has the strength of the weaker one.
+SectionStrength scaled(const SectionStrength& s, const Section& section, const StressedShape& shape) {
+    double scale = shape.strengthScale / shape.voxelSize;
+    if (!shape.weak.empty()) {
+        glm::ivec3 above = section.brick;
+        above[section.axis] += section.plane == 8;
+        scale *= double(std::min(remainingStrength(shape.weak, section.brick), remainingStrength(shape.weak, above))) /
+                 256.0;
+    }
+    return {s.tensile * scale, s.compressive * scale, s.shear * scale};
+}
+
+/// Whether one of two sections is a few cells behind the other: then they are the same crack.
+bool areSameCrack(const Section& a, const Section& b) {
+    if (a.axis != b.axis) return false;
+    glm::ivec3 away = (a.brick - b.brick) * kBrickSize;
+    away[a.axis] += a.plane - b.plane;
+    const int behind = std::exchange(away[a.axis], 0);
+    return away == glm::ivec3(0) && behind != 0 && std::abs(behind) < kMinCrackSpacing;
 }
 
 }  // namespace
@@ -85,7 +129,7 @@ int64_t StressAnalysis::stepWork() const {
         return (m_inverse.applyWork() + int64_t(m_inverse.stiffness().block.size() + 2 * m_nodeOf.size())) * 3 / 4;
     };
     switch (m_phase) {
-        case Phase::Start:  // it has to fetch what an iteration finds in the cache
+        case Phase::Start:  // reads from memory what an iteration finds in the cache
             return 2 * solverWork();
         case Phase::Iterate:
             return solverWork();
@@ -97,83 +141,94 @@ int64_t StressAnalysis::stepWork() const {
 void StressAnalysis::run(const StressedShape& shape, int64_t& work, size_t maxCracks,
                          std::vector<StressCrack>& cracks) {
     cracks.clear();
-    // What was put by is for the step that waits, no more: no run does much more than it has.
+    // Saved work is for the step that waits: no run does much more than its own work.
     work = std::min(work + std::exchange(m_savedWork, 0), std::max(work, stepWork()));
     while (!isIdle() && work > 0) {
-        const int64_t cost = stepWork();
-        if (work < cost) {  // a step of the solver is not stressed in two: it waits until it is paid for
+        if (work < stepWork()) {  // a step of the solver is not divided: it waits until enough work is saved
             m_savedWork = work;
             work = 0;
             return;
         }
-        switch (m_phase) {
-            case Phase::Idle:
-                m_phase = Phase::Graph;
-                break;
-            case Phase::Graph:
-                if (!m_changed.empty()) {
-                    m_graph.setBrick(shape.grid, shape.anchors, shape.entries, m_changed.front());
-                    m_changed.pop_front();
-                    work -= kBrickWork;
-                    break;
-                }
-                numberRows();
-                work -= int64_t(m_nodeOf.size());
-                m_phase = Phase::Rows;
-                if (m_nodeOf.empty()) finish(false);
-                break;
-            case Phase::Rows:
-                assembleRow(m_nodeOf[m_next]);
-                assembleLoad(shape, m_next);
-                work -= kRowWork;
-                if (++m_next < m_nodeOf.size()) break;
-                {
-                    std::vector<glm::dvec3> centers;
-                    for (const uint32_t node : m_nodeOf) centers.push_back(m_graph.nodes()[node].center);
-                    m_inverse.begin(std::move(m_stiffness), std::move(centers));
-                }
-                m_phase = Phase::MultigridSetup;
-                break;
-            case Phase::MultigridSetup:
-                if (m_inverse.setUp(work)) m_phase = Phase::Start;
-                break;
-            case Phase::Start:
-                start();
-                work -= cost;
-                m_phase = Phase::Iterate;
-                break;
-            case Phase::Iterate:
-                work -= cost;
-                if (!iterate()) break;
-                finishSolution();
-                m_phase = Phase::Bonds;
-                if (!m_hasConverged) finish(false);
-                break;
-            case Phase::Bonds:
-                work -= evaluateBonds(shape, m_nodeOf[m_next]);
-                if (++m_next < m_nodeOf.size()) break;
-                dilateSliced();
-                work -= int64_t(m_nodeOf.size());
-                m_next = 0;
-                m_phase = Phase::Layers;
-                break;
-            case Phase::Layers:
-                work -= evaluateLayers(shape, m_nodeOf[m_next]);
-                if (++m_next < m_nodeOf.size()) break;
-                m_next = 0;
-                m_phase = Phase::Check;
-                break;
-            case Phase::Check:
-                work -= checkSection(m_next);
-                if (++m_next < m_sections.size()) break;
-                chooseCracks(maxCracks, cracks);
-                finish(!cracks.empty());
-                return;
-        }
+        if (advance(shape, work, maxCracks, cracks)) return;
     }
 }
 
-/// What a impact breaks does not end it: it is looked at again once the cracks are open.
+/// One step of the current phase. Returns whether the analysis has come to its end, with cracks or without.
+bool StressAnalysis::advance(const StressedShape& shape, int64_t& work, size_t maxCracks,
+                             std::vector<StressCrack>& cracks) {
+    switch (m_phase) {
+        case Phase::Idle:
+            m_phase = Phase::Graph;
+            return false;
+        case Phase::Graph:
+            work -= updateGraph(shape);
+            return false;
+        case Phase::Rows:
+            assembleNextRow(shape);
+            work -= kRowWork;
+            return false;
+        case Phase::MultigridSetup:
+            if (m_inverse.setUp(work)) m_phase = Phase::Start;
+            return false;
+        case Phase::Start:
+            work -= stepWork();
+            start();
+            m_phase = Phase::Iterate;
+            return false;
+        case Phase::Iterate:
+            work -= stepWork();
+            if (iterate()) finishSolution();
+            return false;
+        case Phase::Bonds:
+            work -= evaluateBonds(shape, m_nodeOf[m_next]);
+            if (++m_next < m_nodeOf.size()) return false;
+            dilateSliced();
+            work -= int64_t(m_nodeOf.size());
+            m_next = 0;
+            m_phase = Phase::Layers;
+            return false;
+        case Phase::Layers:
+            work -= evaluateLayers(shape, m_nodeOf[m_next]);
+            if (++m_next < m_nodeOf.size()) return false;
+            m_next = 0;
+            m_phase = Phase::Check;
+            return false;
+        case Phase::Check:
+            work -= checkSection(m_next);
+            if (++m_next < m_sections.size()) return false;
+            chooseCracks(maxCracks, cracks);
+            finish(!cracks.empty());
+            return true;
+    }
+    return false;
+}
+
+/// Rebuilds one changed brick of the graph; after the last one, numbers the rows of K. Returns the work.
+int64_t StressAnalysis::updateGraph(const StressedShape& shape) {
+    if (!m_changed.empty()) {
+        m_graph.setBrick(shape.grid, shape.anchors, shape.entries, m_changed.front());
+        m_changed.pop_front();
+        return kBrickWork;
+    }
+    numberRows();
+    m_phase = Phase::Rows;
+    const int64_t work = int64_t(m_nodeOf.size());
+    if (m_nodeOf.empty()) finish(false);
+    return work;
+}
+
+/// Assembles a row of K and f; after the last one, begins the setup of the preconditioner.
+void StressAnalysis::assembleNextRow(const StressedShape& shape) {
+    assembleRow(m_nodeOf[m_next]);
+    assembleLoad(shape, m_next);
+    if (++m_next < m_nodeOf.size()) return;
+    std::vector<glm::dvec3> centers;
+    for (const uint32_t node : m_nodeOf) centers.push_back(m_graph.nodes()[node].center);
+    m_inverse.begin(std::move(m_stiffness), std::move(centers));
+    m_phase = Phase::MultigridSetup;
+}
+
+/// An impact that has broken something is analysed again once the cracks are open.
 void StressAnalysis::finish(bool hasCracks) {
     m_phase = Phase::Idle;
     if (m_impacts.empty()) return;
@@ -183,26 +238,26 @@ void StressAnalysis::finish(bool hasCracks) {
         m_impacts.clear();
 }
 
-/// Rows for all free nodes that something fixed holds, in the order of their slots.
+/// Gives a row to each free node that is connected to a fixed one, in the order of the slots.
 void StressAnalysis::numberRows() {
     const std::vector<StressNode>& nodes = m_graph.nodes();
-    std::vector<bool> isHeld(nodes.size());
+    std::vector<bool> isConnected(nodes.size());
     std::vector<uint32_t> open;
     for (uint32_t i = 0; i < nodes.size(); ++i)
-        if (nodes[i].isUsed && nodes[i].isFixed) isHeld[i] = true, open.push_back(i);
+        if (nodes[i].isUsed && nodes[i].isFixed) isConnected[i] = true, open.push_back(i);
     while (!open.empty()) {
         const uint32_t node = open.back();
         open.pop_back();
         for (const uint32_t bond : nodes[node].bonds) {
             const StressBond& each = m_graph.bonds()[bond];
             const uint32_t other = each.below == node ? each.above : each.below;
-            if (!isHeld[other]) isHeld[other] = true, open.push_back(other);
+            if (!isConnected[other]) isConnected[other] = true, open.push_back(other);
         }
     }
     m_rowOf.assign(nodes.size(), kNone);
     m_nodeOf.clear();
     for (uint32_t i = 0; i < nodes.size(); ++i)
-        if (isHeld[i] && !nodes[i].isFixed) m_rowOf[i] = uint32_t(m_nodeOf.size()), m_nodeOf.push_back(i);
+        if (isConnected[i] && !nodes[i].isFixed) m_rowOf[i] = uint32_t(m_nodeOf.size()), m_nodeOf.push_back(i);
     m_isRestartRequested = false;
     if (m_impacts.empty()) m_impactRounds = 0;
     m_impacts.insert(m_impacts.end(), m_pendingImpacts.begin(), m_pendingImpacts.end());
@@ -212,6 +267,7 @@ void StressAnalysis::numberRows() {
     m_next = 0;
 }
 
+/// A row of K: the blocks of the node's bonds.
 void StressAnalysis::assembleRow(uint32_t index) {
     const StressNode& node = m_graph.nodes()[index];
     m_stiffness.open(m_rowOf[index]);
@@ -231,7 +287,7 @@ void StressAnalysis::assembleRow(uint32_t index) {
     m_stiffness.endRow();
 }
 
-/// f(cell, force) for each impact on a node, in the unit of its weight.
+/// Calls f(cell, force) for each impact on a node. The force is in the units of assembleLoad().
 template <class F>
 void StressAnalysis::forEachImpact(const StressedShape& shape, const StressNode& node, F&& f) const {
     const double unit = 1.0 / (shape.voxelSize * shape.voxelSize * shape.voxelSize);
@@ -239,7 +295,7 @@ void StressAnalysis::forEachImpact(const StressedShape& shape, const StressNode&
         if (holds(node, impact.cell)) f(impact.cell, impact.force * unit);
 }
 
-/// Forces in densities times m/s2 a cell: stresses come out in Pa over the size of a voxel.
+/// A row of f. The unit of force is density times m/s2 times cell volume, so stresses are in Pa over the voxel size.
 void StressAnalysis::assembleLoad(const StressedShape& shape, size_t row) {
     const StressNode& node = m_graph.nodes()[m_nodeOf[row]];
     glm::dvec3 force = node.weight * shape.gravity;
@@ -251,6 +307,7 @@ void StressAnalysis::assembleLoad(const StressedShape& shape, size_t row) {
     m_load[row] = {force.x, force.y, force.z, moment.x, moment.y, moment.z};
 }
 
+/// Begins the solver at the displacements of the last analysis.
 void StressAnalysis::start() {
     const size_t n = m_nodeOf.size();
     m_displacement.resize(n), m_residual.resize(n), m_direction.resize(n), m_preconditioned.resize(n),
@@ -269,7 +326,7 @@ void StressAnalysis::start() {
     m_iterations = 0;
 }
 
-/// One step of preconditioned conjugate gradients (Hestenes & Stiefel 1952); true at the end.
+/// One step of preconditioned conjugate gradients. Returns true when it has converged or failed.
 bool StressAnalysis::iterate() {
     const size_t n = m_nodeOf.size();
     m_hasConverged = m_rz <= kTolerance * std::fabs(dot(m_load, m_displacement));
@@ -292,6 +349,7 @@ bool StressAnalysis::iterate() {
     return false;
 }
 
+/// Stores the displacements and begins the evaluation of the sections.
 void StressAnalysis::finishSolution() {
     for (size_t row = 0; row < m_nodeOf.size(); ++row) {
         const Vector6& m = m_displacement[row];
@@ -302,14 +360,16 @@ void StressAnalysis::finishSolution() {
     m_isSliced.assign(m_graph.nodes().size(), false);
     m_worst = {};
     m_next = 0;
+    m_phase = Phase::Bonds;
+    if (!m_hasConverged) finish(false);
 }
 
+/// The force of a bond from the displacements of its nodes.
 SectionForce StressAnalysis::bondForce(const StressBond& bond) const {
     const StressNode &below = m_graph.nodes()[bond.below], &above = m_graph.nodes()[bond.above];
     const BondStiffness stiffness = bondStiffness(bond);
-    const glm::dvec3 translation =
-                         displacementAt(above, bond.shape.centroid) - displacementAt(below, bond.shape.centroid),
-                     rotation = above.rotation - below.rotation;
+    const glm::dvec3 point = bond.shape.centroid, rotation = above.rotation - below.rotation;
+    const glm::dvec3 translation = displacementAt(above, point) - displacementAt(below, point);
     SectionForce out{stiffness.force * translation, glm::dvec3(0.0)};
     for (int i = 0; i < 3; ++i)
         out.moment[i] = stiffness.moment[i][0] * rotation[0] + stiffness.moment[i][1] * rotation[1] +
@@ -317,38 +377,7 @@ SectionForce StressAnalysis::bondForce(const StressBond& bond) const {
     return out;
 }
 
-namespace {
-
-int remainingStrength(std::span<const WeakBrick> weak, glm::ivec3 brick) {
-    const auto found = std::lower_bound(weak.begin(), weak.end(), brick,
-                                        [](const WeakBrick& a, glm::ivec3 b) { return cellBefore(a.brick, b); });
-    return found != weak.end() && found->brick == brick ? found->left : 256;
-}
-
-/// In the unit of forces an area; a section between two bricks is as strong as the weaker.
-SectionStrength scaled(const SectionStrength& s, const Section& section, const StressedShape& shape) {
-    double scale = shape.strengthScale / shape.voxelSize;
-    if (!shape.weak.empty()) {
-        glm::ivec3 above = section.brick;
-        above[section.axis] += section.plane == 8;
-        scale *= double(std::min(remainingStrength(shape.weak, section.brick), remainingStrength(shape.weak, above))) /
-                 256.0;
-    }
-    return {s.tensile * scale, s.compressive * scale, s.shear * scale};
-}
-
-/// Whether one of two sections lies just behind the other: what breaks there is one crack.
-bool areSameCrack(const Section& a, const Section& b) {
-    if (a.axis != b.axis) return false;
-    glm::ivec3 away = (a.brick - b.brick) * kBrickSize;
-    away[a.axis] += a.plane - b.plane;
-    const int behind = std::exchange(away[a.axis], 0);
-    return away == glm::ivec3(0) && behind != 0 && std::abs(behind) < kMinCrackSpacing;
-}
-
-}  // namespace
-
-/// Lists the bonds of a node, each once.
+/// Adds the sections of a node's bonds; each bond belongs to one node. Returns the work.
 int64_t StressAnalysis::evaluateBonds(const StressedShape& shape, uint32_t index) {
     const StressNode& node = m_graph.nodes()[index];
     for (const uint32_t bondIndex : node.bonds) {
@@ -362,7 +391,7 @@ int64_t StressAnalysis::evaluateBonds(const StressedShape& shape, uint32_t index
     return 30 * int64_t(node.bonds.size());
 }
 
-/// Nodes that utilization a window with one under stress are sliced too.
+/// Windows reach into other bricks: also slices the nodes within two windows of one under stress.
 void StressAnalysis::dilateSliced() {
     std::vector<uint32_t> ring;
     for (uint32_t node = 0; node < m_isSliced.size(); ++node)
@@ -379,7 +408,7 @@ void StressAnalysis::dilateSliced() {
     }
 }
 
-/// Lists the sections between the layers of a node. Returns the work.
+/// Adds the sections between the layers of a node. Returns the work.
 int64_t StressAnalysis::evaluateLayers(const StressedShape& shape, uint32_t index) {
     const StressNode& node = m_graph.nodes()[index];
     const Brick* content = shape.grid.brickAt(node.brick);
@@ -407,7 +436,7 @@ int64_t StressAnalysis::evaluateLayers(const StressedShape& shape, uint32_t inde
     return work;
 }
 
-/// Whether its voxels changed since the analysis began.
+/// Whether voxels beside a section have changed since the analysis began.
 bool StressAnalysis::isStale(const Section& section) const {
     glm::ivec3 above = section.brick;
     above[section.axis] += section.plane == 8;
@@ -415,6 +444,7 @@ bool StressAnalysis::isStale(const Section& section) const {
                        [&](glm::ivec3 brick) { return brick == section.brick || brick == above; });
 }
 
+/// Lists a section as overloaded if it is. Returns the work.
 int64_t StressAnalysis::checkSection(size_t index) {
     const StressedSection& stressed = m_sections[index];
     if (!stressed.canBreak || !(stressed.ownUtilization >= kMinOwnUtilization) || isStale(stressed.section)) return 1;
@@ -424,6 +454,7 @@ int64_t StressAnalysis::checkSection(size_t index) {
     return 200;
 }
 
+/// The worst overloaded sections, without those that are part of the same crack.
 void StressAnalysis::chooseCracks(size_t maxCracks, std::vector<StressCrack>& cracks) {
     std::stable_sort(m_overloaded.begin(), m_overloaded.end(),
                      [](const StressCrack& a, const StressCrack& b) { return a.utilization > b.utilization; });
@@ -444,40 +475,6 @@ uint64_t StressAnalysis::hash() const {
         for (const ImpactForce& impact : *impacts)
             out = hashBytes(&impact.force, sizeof impact.force, hashBytes(&impact.cell, sizeof impact.cell, out));
     return hashValue(uint64_t(m_changed.size()), out);
-}
-
-std::vector<BrickSubset> crackCells(const VoxelGrid& grid, std::span<const CellBox> anchors,
-                                    const StrengthTable& entries, const Section& section) {
-    std::vector<BrickSubset> out;
-    glm::ivec3 step(0);
-    step[section.axis] = 1;
-    const auto isAnchored = [&](glm::ivec3 cell) {
-        return std::any_of(anchors.begin(), anchors.end(), [&](const CellBox& box) {
-            return cell.x >= box.low.x && cell.y >= box.low.y && cell.z >= box.low.z && cell.x < box.high.x &&
-                   cell.y < box.high.y && cell.z < box.high.z;
-        });
-    };
-    for (uint64_t left = section.cells; left; left &= left - 1) {
-        const glm::ivec3 below = section.cellBelow(std::countr_zero(left)), above = below + step;
-        const EntryStrength &lower = entries[grid.at(below)], &upper = entries[grid.at(above)];
-        const bool canLower = lower.canBreak && !isAnchored(below), canUpper = upper.canBreak && !isAnchored(above);
-        if (!lower.isSolid || !upper.isSolid || (!canLower && !canUpper)) continue;
-        const glm::ivec3 clump = below >> 1;
-        const bool takesLower = canLower != canUpper             ? canLower
-                                : lower.tensile != upper.tensile ? lower.tensile < upper.tensile
-                                                                 : (hashCell(clump.x, clump.y, clump.z) & 1) != 0;
-        const glm::ivec3 cell = takesLower ? below : above;
-        if (out.empty() || out.back().brick != cell >> 3) {
-            const auto same = std::find_if(out.begin(), out.end(),
-                                           [&](const BrickSubset& subset) { return subset.brick == cell >> 3; });
-            if (same != out.end())
-                std::swap(*same, out.back());
-            else
-                out.push_back({cell >> 3, {}});
-        }
-        out.back().voxels[size_t(cell.z & 7)] |= uint64_t(1) << ((cell.x & 7) + 8 * (cell.y & 7));
-    }
-    return out;
 }
 
 }  // namespace rubble

@@ -9,24 +9,25 @@
 
 namespace rubble {
 
-/// A brick that fire has left less of its strength. Lists of them are in the order of cellBefore().
+/// A brick that fire has weakened. Lists of them are in the order of cellBefore().
 struct WeakBrick {
     glm::ivec3 brick{0};
-    int left = 256;  ///< of 256
+    int left = 256;  ///< the strength it has left, in 1/256
 };
 
-/// A shape as the load analysis sees it. What it refers to must be what it was told of last.
+/// The input of a stress analysis. The grid may differ from that of the last run() only in bricks given to
+/// markChanged().
 struct StressedShape {
     const VoxelGrid& grid;
     std::span<const CellBox> anchors;
     const StrengthTable& entries;
     glm::dvec3 gravity{0.0};     ///< m/s2, in the shape's frame
     double voxelSize = 0.1;      ///< metres
-    double strengthScale = 1.0;  ///< of all strengths
+    double strengthScale = 1.0;  ///< multiplies all strengths
     std::span<const WeakBrick> weak = {};
 };
 
-/// A section that is to break.
+/// A section that breaks.
 struct StressCrack {
     Section section;
     double utilization = 0.0;  ///< stress over strength
@@ -34,45 +35,51 @@ struct StressCrack {
     friend bool operator==(const StressCrack&, const StressCrack&) = default;
 };
 
-/// A impact that a shape takes. It lasts until an analysis finds that it breaks nothing, for kMaxImpactRounds analyses
-/// at most.
+/// An impact on a shape. It is part of every analysis until one finds that it breaks nothing, at most kMaxImpactRounds
+/// times.
 struct ImpactForce {
     glm::ivec3 cell{0};
     glm::dvec3 force{0.0};  ///< N, in the shape's frame
 };
 
-/// Finds what in one anchored shape stands on too little: the forces between its parts under gravity, by conjugate
-/// gradients, and the sections that they overload. Works in slices; once it knows, it is idle until something changes.
+/// Finds where an anchored shape breaks under its weight and under impacts; the algorithm is at the top of
+/// stress_analysis.cpp. Works in slices; once the result is known, it is idle until something changes. One thread.
 class StressAnalysis {
 public:
-    /// These bricks changed, or are new. An analysis that has begun goes on and leaves them to the next.
+    /// Bricks that have changed or are new. A running analysis goes on without them; another one follows.
     void markChanged(std::span<const glm::ivec3> bricks);
-    /// Part of the next analysis to begin.
+    /// An impact for the next analysis.
     void applyImpact(const ImpactForce& impact);
-    /// Weighs all sections again, for another gravity or strength.
+    /// Requests another analysis, for another gravity or other strengths.
     void restart() { m_isRestartRequested = true; }
+    /// Whether there is nothing to do.
     bool isIdle() const { return m_phase == Phase::Idle && !m_isRestartRequested; }
 
-    /// Goes on until it is idle or `work` (about a 6x6 product with a vector each, 20 ns) is spent. What it may not
-    /// finish at once it saves up for. Fills in `cracks` when it has come to an end: the most overloaded sections,
-    /// worst first.
+    /// Goes on until it is idle, an analysis has ended, or `work` is spent, and subtracts the work done (one unit is a
+    /// product of a 6x6 block with a vector, about 20 ns). Work that is too little for the next step is saved for the
+    /// next call. `cracks`: empty, or at the end of an analysis the most overloaded sections, worst first.
     void run(const StressedShape& shape, int64_t& work, size_t maxCracks, std::vector<StressCrack>& cracks);
 
+    /// The model of the shape.
     const StressGraph& graph() const { return m_graph; }
-    /// The largest stress over strength that the last analysis found, and where; none below 0.8.
+    /// The section of the highest utilization in the last analysis. Utilizations below 0.8 are not found.
     const StressCrack& worst() const { return m_worst; }
-    /// All sections and what they carry, from the last analysis.
+    /// All sections that the last analysis has evaluated.
     const StressedSections& sections() const { return m_sections; }
-    /// Steps of the solver in the last analysis.
+    /// Iterations of the solver in the last analysis.
     int iterations() const { return m_iterations; }
+    /// Whether the solver of the last analysis has converged; if not, nothing breaks.
     bool hasConverged() const { return m_hasConverged; }
-    /// Of all that the next results depend on.
+    /// A hash of the state that later results depend on.
     uint64_t hash() const;
 
 private:
     enum class Phase : uint8_t { Idle, Graph, Rows, MultigridSetup, Start, Iterate, Bonds, Layers, Check };
 
+    bool advance(const StressedShape& shape, int64_t& work, size_t maxCracks, std::vector<StressCrack>& cracks);
+    int64_t updateGraph(const StressedShape& shape);
     void numberRows();
+    void assembleNextRow(const StressedShape& shape);
     void assembleRow(uint32_t node);
     template <class F>
     void forEachImpact(const StressedShape& shape, const StressNode& node, F&& f) const;
@@ -84,36 +91,35 @@ private:
     int64_t evaluateBonds(const StressedShape& shape, uint32_t node);
     void dilateSliced();
     int64_t evaluateLayers(const StressedShape& shape, uint32_t node);
-    int64_t checkSection(size_t stressed);
+    int64_t checkSection(size_t index);
     bool isStale(const Section& section) const;
     void finish(bool hasCracks);
     void chooseCracks(size_t maxCracks, std::vector<StressCrack>& cracks);
     int64_t stepWork() const;
 
     StressGraph m_graph;
-    std::deque<glm::ivec3> m_changed;
-    std::vector<ImpactForce> m_pendingImpacts, m_impacts;  ///< that wait, and that the analysis is about
-    int m_impactRounds = 0;                                ///< analyses that the impacts have lasted for
+    std::deque<glm::ivec3> m_changed;           ///< bricks that the graph does not know yet
+    std::vector<ImpactForce> m_pendingImpacts;  ///< for the next analysis
+    std::vector<ImpactForce> m_impacts;         ///< of this analysis
+    int m_impactRounds = 0;                     ///< analyses so far with these impacts
     Phase m_phase = Phase::Idle;
-    bool m_isRestartRequested = false;  ///< another analysis after this one
-    size_t m_next = 0;                  ///< row, within a phase
-    int64_t m_savedWork = 0;            ///< work put by for a step that takes more than one run has
+    bool m_isRestartRequested = false;  ///< another analysis follows this one
+    size_t m_next = 0;                  ///< the next row or section of the phase
+    int64_t m_savedWork = 0;            ///< for a step of the solver that needs more than one run
 
-    std::vector<uint32_t> m_rowOf, m_nodeOf;  ///< node -> row, row -> node
-    BlockMatrix m_stiffness;
-    StressMultigrid m_inverse;
-    std::vector<Vector6> m_load, m_displacement, m_residual, m_direction, m_preconditioned, m_product;
-    double m_rz = 0.0;
+    std::vector<uint32_t> m_rowOf, m_nodeOf;                                    ///< row by node, node by row
+    BlockMatrix m_stiffness;                                                    ///< K, during its assembly
+    StressMultigrid m_inverse;                                                  ///< the preconditioner; it holds K
+    std::vector<Vector6> m_load;                                                ///< f, by row
+    std::vector<Vector6> m_displacement;                                        ///< x, by row
+    std::vector<Vector6> m_residual, m_direction, m_preconditioned, m_product;  ///< of conjugate gradients
+    double m_rz = 0.0;  ///< scalar product of the residual and the preconditioned residual
     int m_iterations = 0;
     bool m_hasConverged = false;
     StressedSections m_sections;
-    std::vector<bool> m_isSliced;  ///< nodes whose layers are looked at
+    std::vector<bool> m_isSliced;  ///< by node: whether the sections between its layers are evaluated
     std::vector<StressCrack> m_overloaded;
     StressCrack m_worst;
 };
-
-/// The cells that open along a section: one of each pair that touches, the weaker, else by chance, in clumps.
-std::vector<BrickSubset> crackCells(const VoxelGrid& grid, std::span<const CellBox> anchors,
-                                    const StrengthTable& entries, const Section& section);
 
 }  // namespace rubble

@@ -5,23 +5,25 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "runtime/voxel/brick_box.h"
+
 namespace rubble {
 namespace {
 
-constexpr double kMaxNeckRatio =
-    0.6;  ///< of the smaller cross-section beside it: below that, a neck is a bond of its own
+constexpr double kMaxNeckRatio = 0.6;  ///< area of a neck over that of the widest layer on its narrower side
 
 uint32_t brickKey(glm::ivec3 brick) {
     static_assert(kMaxGridSize / kBrickSize <= 1024, "ten bits an axis");
     return uint32_t(brick.x) | uint32_t(brick.y) << 10 | uint32_t(brick.z) << 20;
 }
 
+/// A plane between two layers of a brick. ratio: its area over that of the widest layer on its narrower side.
 struct Neck {
     int axis = 0, plane = 0;
     double ratio = 1.0;
 };
 
-/// The plane that leaves smallest of the cross-sections on both of its sides.
+/// The plane of the smallest ratio; of several that follow each other, the one in the middle.
 Neck narrowest(const BrickBits& cells) {
     Neck best;
     for (int axis = 0; axis < 3; ++axis) {
@@ -66,20 +68,16 @@ BrickBits solidCells(const Brick& brick, const StrengthTable& entries) {
     if (!brick.indices) return entries[brick.uniform].isSolid ? brick.occupancy : BrickBits{};
     BrickBits out = brick.occupancy;
     forEachVoxel(brick.occupancy, [&](int i) {
-        if (!entries[(*brick.indices)[size_t(i)]].isSolid) out[size_t(i >> 6)] &= ~(uint64_t(1) << (i & 63));
+        if (!entries[(*brick.indices)[size_t(i)]].isSolid) clearVoxel(out, i);
     });
     return out;
 }
 
 BrickBits anchoredCells(glm::ivec3 brick, std::span<const CellBox> anchors) {
     BrickBits out{};
-    const glm::ivec3 base = brick * kBrickSize;
     for (const CellBox& anchor : anchors) {
-        const glm::ivec3 low = glm::max(anchor.low - base, 0), high = glm::min(anchor.high - base, kBrickSize);
-        if (low.x >= high.x || low.y >= high.y || low.z >= high.z) continue;
-        const uint64_t row = (uint64_t(1) << high.x) - (uint64_t(1) << low.x);
-        for (int y = low.y; y < high.y; ++y)
-            for (int z = low.z; z < high.z; ++z) out[size_t(z)] |= row << 8 * y;
+        const BrickBits inside = cellsInBox(brick, anchor);
+        for (size_t z = 0; z < 8; ++z) out[z] |= inside[z];
     }
     return out;
 }
@@ -107,7 +105,7 @@ SectionStrength sectionStrength(const VoxelGrid& grid, const StrengthTable& entr
     const Brick* high = section.plane < 8 ? low : grid.brickAt(section.brick + step);
     SectionStrength sum;
     canBreak = false;
-    if (!low || !high) return {};  // one of them is waiting to be made anew
+    if (!low || !high) return {};  // the bricks have changed since the section was made
     int faces = 0;
     const auto add = [&](const EntryStrength& a, const EntryStrength& b, int count) {
         canBreak = canBreak || a.canBreak || b.canBreak;
@@ -121,7 +119,7 @@ SectionStrength sectionStrength(const VoxelGrid& grid, const StrengthTable& entr
     else
         for (uint64_t left = section.cells; left; left &= left - 1) {
             const glm::ivec3 cell = section.cellBelow(std::countr_zero(left));
-            add(entries[low->at(cell & 7)], entries[high->at((cell + step) & 7)], 1);
+            add(entries[low->at(cellInBrick(cell))], entries[high->at(cellInBrick(cell + step))], 1);
         }
     return {sum.tensile / faces, sum.compressive / faces, sum.shear / faces};
 }
@@ -172,7 +170,7 @@ void StressGraph::addNode(const Brick& content, const StrengthTable& entries, gl
 void StressGraph::connect(const VoxelGrid& grid, const StrengthTable& entries, uint32_t below, uint32_t above, int axis,
                           int plane) {
     const uint64_t cells =
-        brickLayer(m_nodes[below].cells, axis, plane - 1) & brickLayer(m_nodes[above].cells, axis, plane & 7);
+        brickLayer(m_nodes[below].cells, axis, plane - 1) & brickLayer(m_nodes[above].cells, axis, cellInBrick(plane));
     if (!cells) return;
     uint32_t index = uint32_t(m_bonds.size());
     if (m_freeBonds.empty())
@@ -184,7 +182,7 @@ void StressGraph::connect(const VoxelGrid& grid, const StrengthTable& entries, u
     bond.section = {m_nodes[below].brick, axis, plane, cells};
     bond.shape = sectionShape(bond.section);
     bond.strength = sectionStrength(grid, entries, bond.section, bond.canBreak);
-    // What is fixed gives way nowhere: there, the bond begins at the section.
+    // A fixed node does not deform: on its side, the bond begins at the section.
     const double from = m_nodes[below].isFixed ? bond.shape.centroid[axis] : m_nodes[below].center[axis];
     const double to = m_nodes[above].isFixed ? bond.shape.centroid[axis] : m_nodes[above].center[axis];
     bond.length = std::max(0.5, to - from);
@@ -221,8 +219,14 @@ void StressGraph::setBrick(const VoxelGrid& grid, std::span<const CellBox> ancho
     for (const BrickPart& part : parts) splitAtNecks(part.voxels, bodies);
     for (const BrickBits& cells : bodies) addNode(*content, entries, brick, cells, false);
     if (hasFixed) addNode(*content, entries, brick, fixed, true);
+    if (!nodesOf(brick)) return;
+    connectBrick(grid, entries, brick);
+    for (const uint32_t index : *nodesOf(brick)) inheritDisplacement(m_nodes[index], old);
+}
+
+/// Makes the bonds between the nodes of a brick, and to those of its neighbours.
+void StressGraph::connectBrick(const VoxelGrid& grid, const StrengthTable& entries, glm::ivec3 brick) {
     const std::vector<uint32_t>* own = nodesOf(brick);
-    if (!own) return;
     for (size_t i = 0; i < own->size(); ++i)
         for (size_t j = i + 1; j < own->size(); ++j) connectInside(grid, entries, (*own)[i], (*own)[j]);
     for (size_t face = 0; face < 6; ++face)
@@ -232,17 +236,18 @@ void StressGraph::setBrick(const VoxelGrid& grid, std::span<const CellBox> ancho
                     if (m_nodes[mine].isFixed && m_nodes[other].isFixed) continue;
                     connect(grid, entries, face & 1 ? mine : other, face & 1 ? other : mine, int(face / 2), 8);
                 }
-    for (const uint32_t index : *own) {
-        StressNode& node = m_nodes[index];
-        int mostShared = 0;
-        for (const StressNode& from : old) {
-            int shared = 0;
-            for (size_t z = 0; z < 8; ++z) shared += std::popcount(from.cells[z] & node.cells[z]);
-            if (shared <= mostShared || node.isFixed) continue;
-            mostShared = shared;
-            node.translation = from.translation + glm::cross(from.rotation, node.center - from.center);
-            node.rotation = from.rotation;
-        }
+}
+
+/// The displacement of the old node that shares most cells with it, as a rigid body at the new centre.
+void StressGraph::inheritDisplacement(StressNode& node, const std::vector<StressNode>& old) {
+    int mostShared = 0;
+    for (const StressNode& from : old) {
+        int shared = 0;
+        for (size_t z = 0; z < 8; ++z) shared += std::popcount(from.cells[z] & node.cells[z]);
+        if (shared <= mostShared || node.isFixed) continue;
+        mostShared = shared;
+        node.translation = from.translation + glm::cross(from.rotation, node.center - from.center);
+        node.rotation = from.rotation;
     }
 }
 

@@ -12,48 +12,56 @@
 
 namespace rubble {
 
-/// What a palette entry weighs and withstands. SI units.
+/// The density and strength of a palette entry. SI units.
 struct EntryStrength {
-    double density = 0.0, tensile = 0.0, compressive = 0.0, shear = 0.0;
-    bool isSolid = false;   ///< carries; unphysical voxels do not
-    bool canBreak = false;  ///< unbreakable ones carry whatever comes
+    double density = 0.0;                                  ///< kg/m3
+    double tensile = 0.0, compressive = 0.0, shear = 0.0;  ///< Pa
+    bool isSolid = false;                                  ///< load-bearing; unphysical voxels are not
+    bool canBreak = false;                                 ///< unbreakable ones never do
 };
-using StrengthTable = std::array<EntryStrength, 256>;
+using StrengthTable = std::array<EntryStrength, 256>;  ///< by palette entry
+/// The strengths of the materials of a palette.
 StrengthTable makeStrengthTable(const Palette& palette, const MaterialTable& materials);
 
-/// A rigid part of a shape: a connected set of cells of one brick, without necks. Lengths in cells of the grid.
+/// A rigid part of a shape: connected cells of one brick without a neck between them. Lengths in cells of the grid.
 struct StressNode {
     glm::ivec3 brick{0};
     BrickBits cells{};
-    glm::dvec3 center{0.0};  ///< of its cells
-    glm::dvec3 massCenter{0.0};
+    glm::dvec3 center{0.0};                      ///< of its cells
+    glm::dvec3 massCenter{0.0};                  ///< centre of mass
     double weight = 0.0;                         ///< sum of densities
     bool isFixed = false;                        ///< made of anchored cells: it never moves
-    bool isUsed = false;                         ///< or a free place in the list
-    glm::dvec3 translation{0.0}, rotation{0.0};  ///< how it gives way, from the last solution: the start of the next
-    std::vector<uint32_t> bonds;
+    bool isUsed = false;                         ///< false: a free slot of the list
+    glm::dvec3 translation{0.0}, rotation{0.0};  ///< displacement of the last solution: the next one starts from it
+    std::vector<uint32_t> bonds;                 ///< all bonds of the node
 };
 
-/// Two nodes hold to each other through the cell faces that they ratio: springs spread over the section.
+/// A connection of two nodes through the cell faces they share: springs spread over the section.
 struct StressBond {
-    uint32_t below = 0, above = 0;  ///< nodes, along the section's axis
+    uint32_t below = 0, above = 0;  ///< the nodes on either side of the section, along its axis
     Section section;
     SectionShape shape;
-    SectionStrength strength;  ///< Pa: the mean over its faces, each as weak as the weaker of its two cells
-    double length = 1.0;       ///< between the nodes' centres, along the axis
+    SectionStrength strength;  ///< Pa: the mean over its faces; a face has the strength of its weaker cell
+    double length = 1.0;       ///< between the nodes' centres along the axis, in cells
     bool canBreak = true;
     bool isUsed = false;
 };
 
-/// A shape's parts and what holds them together: rigid bodies and springs (Kawai 1978). Changed a brick at a time.
+/// The rigid parts of a shape and the bonds between them: a rigid bodies-spring model (T. Kawai, "New discrete models
+/// and their application to seismic response analysis of structures", Nuclear Engineering and Design 48, 1978). Updated
+/// brick by brick. Slots of removed nodes and bonds are used again, so indices stay valid.
 class StressGraph {
 public:
-    /// Makes the nodes and bonds of one brick anew from the grid, also after it lost all of its voxels.
+    /// Rebuilds the nodes and bonds of one brick from the grid, also after it lost all of its voxels. New nodes take
+    /// over the displacement of the old node that they share most cells with.
     void setBrick(const VoxelGrid& grid, std::span<const CellBox> anchors, const StrengthTable& entries,
                   glm::ivec3 brick);
 
+    /// All slots of nodes; see StressNode::isUsed.
     const std::vector<StressNode>& nodes() const { return m_nodes; }
+    /// All slots of bonds; see StressBond::isUsed.
     const std::vector<StressBond>& bonds() const { return m_bonds; }
+    /// Stores the solution for a node. translation: of its centre.
     void setDisplacement(uint32_t node, glm::dvec3 translation, glm::dvec3 rotation) {
         m_nodes[node].translation = translation, m_nodes[node].rotation = rotation;
     }
@@ -61,6 +69,8 @@ public:
 private:
     void addNode(const Brick& content, const StrengthTable& entries, glm::ivec3 brick, const BrickBits& cells,
                  bool isFixed);
+    void connectBrick(const VoxelGrid& grid, const StrengthTable& entries, glm::ivec3 brick);
+    static void inheritDisplacement(StressNode& node, const std::vector<StressNode>& old);
     void connectInside(const VoxelGrid& grid, const StrengthTable& entries, uint32_t a, uint32_t b);
     void connect(const VoxelGrid& grid, const StrengthTable& entries, uint32_t below, uint32_t above, int axis,
                  int plane);
@@ -70,18 +80,18 @@ private:
     std::vector<StressNode> m_nodes;
     std::vector<StressBond> m_bonds;
     std::vector<uint32_t> m_freeNodes, m_freeBonds;
-    std::unordered_map<uint32_t, std::vector<uint32_t>> m_bricks;  ///< nodes of a brick; looked up, never iterated
+    std::unordered_map<uint32_t, std::vector<uint32_t>> m_bricks;  ///< nodes by brick; looked up, never iterated
 };
 
-/// The cells of a brick that carry.
+/// The load-bearing cells of a brick.
 BrickBits solidCells(const Brick& brick, const StrengthTable& entries);
-/// Which of a node's cells lie in anchors: bits of a brick.
+/// The cells of a brick that lie in an anchor.
 BrickBits anchoredCells(glm::ivec3 brick, std::span<const CellBox> anchors);
-/// Parts a connected set of cells where it is narrow inside: a neck is a body of its own on either side, so that it
-/// yields.
+/// Appends the parts of a connected set of cells, which it cuts at necks: planes with much less area than the widest
+/// layers on both sides. A rigid node cannot deform at a neck, a bond can.
 void splitAtNecks(const BrickBits& cells, std::vector<BrickBits>& out);
 
-/// The strength of the cell faces of a section.
+/// The mean strength of the cell faces of a section, in Pa. canBreak: whether one of its cells can break.
 SectionStrength sectionStrength(const VoxelGrid& grid, const StrengthTable& entries, const Section& section,
                                 bool& canBreak);
 

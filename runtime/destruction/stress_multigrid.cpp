@@ -3,20 +3,32 @@
 #include <cmath>
 #include <utility>
 
+// Algebraic multigrid by smoothed aggregation (P. Vanek, J. Mandel and M. Brezina, "Algebraic multigrid by smoothed
+// aggregation for second and fourth order elliptic problems", Computing 56, 1996).
+//
+// Gauss-Seidel removes the errors that bend bonds strongly in a few passes, but hardly those in which large parts of
+// the structure move almost like rigid bodies. Such errors are represented on a coarser level. There, strongly coupled
+// nodes form an aggregate, and an aggregate is a rigid body with six degrees of freedom again:
+//   * T maps the motion of an aggregate to that of its nodes; it holds the rigid body modes exactly.
+//   * P = (1 - w D^-1 A) T is one Jacobi step on T: it lowers the energy at the borders of the aggregates.
+//   * The coarse matrix is P^T A P (Galerkin). Coarsening repeats until a level is small enough for a dense Cholesky.
+// One V-cycle: a forward Gauss-Seidel pass, the correction of the coarse level for the residual P^T (r - A x), a
+// backward pass. Both passes together are symmetric, as the preconditioner of conjugate gradients must be.
+
 namespace rubble {
 namespace {
 
-constexpr size_t kDenseNodes = 20;  ///< a level this small is solved directly
-constexpr double kSmoothing =
-    2.0 / 3;  ///< 4/3 over the largest eigenvalue of D^-1 A, which for springs between pairs is at most 2
-constexpr double kStrong = 0.02;  ///< coupling of two nodes, as a share of their own stiffness, that may join them
+constexpr size_t kDenseNodes = 20;      ///< a level of at most this many nodes is solved directly
+constexpr double kSmoothing = 2.0 / 3;  ///< w = 4/3 / lambda, lambda <= 2 being the largest eigenvalue of D^-1 A
+constexpr double kStrong = 0.02;        ///< relative coupling from which two nodes may share an aggregate
 constexpr uint32_t kNone = ~0u;
 
+/// A measure of a block's stiffness that does not depend on the axes: the trace for translations.
 double stiffnessOf(const Block6& block) {
     return std::fabs(block.at(0, 0) + block.at(1, 1) + block.at(2, 2));
 }
 
-/// One pass of block Gauss-Seidel.
+/// Block Gauss-Seidel on one row of a x = r.
 void relax(const BlockMatrix& a, const std::vector<Block6>& inverse, const std::vector<Vector6>& r,
            std::vector<Vector6>& x, size_t row) {
     Vector6 sum = r[row];
@@ -42,6 +54,7 @@ bool StressMultigrid::setUp(int64_t& work) {
     return m_phase == Phase::Done;
 }
 
+/// The next row of the setup, or a step between two phases.
 void StressMultigrid::stepRow(int64_t& work) {
     Level& level = m_levels.back();
     const size_t rows = m_phase == Phase::Coarse ? level.aggregates : level.a.rows();
@@ -76,13 +89,7 @@ void StressMultigrid::stepRow(int64_t& work) {
         case Phase::Coarse:
             work -= kBlockProduct * int64_t(appendProductRow(m_coarse, level.restriction, level.ap, m_row));
             if (++m_row < rows) return;
-            {
-                Level next;
-                next.a = std::exchange(m_coarse, {});
-                next.center = level.coarseCenter;
-                level.ap = {};
-                m_levels.push_back(std::move(next));
-            }
+            addCoarseLevel();
             enter(Phase::Diagonal);
             return;
         case Phase::Done:
@@ -90,7 +97,16 @@ void StressMultigrid::stepRow(int64_t& work) {
     }
 }
 
-/// The diagonal is there: coarsen further, or end here. Returns the work.
+void StressMultigrid::addCoarseLevel() {
+    Level& level = m_levels.back();
+    Level next;
+    next.a = std::exchange(m_coarse, {});
+    next.center = level.coarseCenter;
+    level.ap = {};
+    m_levels.push_back(std::move(next));
+}
+
+/// After the diagonal of a level: coarsens further, or factors the level and ends. Returns the work.
 int64_t StressMultigrid::nextLevel() {
     Level& level = m_levels.back();
     const size_t rows = level.a.rows();
@@ -103,9 +119,11 @@ int64_t StressMultigrid::nextLevel() {
     }
     factor(level.a);
     enter(Phase::Done);
-    return int64_t(rows * rows * rows);  // (6 n)^3 / 6 steps of a block's 36
+    return int64_t(rows * rows * rows);  // (6 n)^3 / 6 operations, 36 in a block product
 }
 
+/// Greedy aggregation: first each node whose strong neighbours are all free takes them; then each node that is left
+/// joins the aggregate of its strongest neighbour.
 void StressMultigrid::aggregate(Level& level) {
     const BlockMatrix& a = level.a;
     const size_t n = a.rows();
@@ -117,7 +135,7 @@ void StressMultigrid::aggregate(Level& level) {
     };
     level.aggregate.assign(n, kNone);
     uint32_t count = 0;
-    for (size_t i = 0; i < n; ++i) {  // a node and all that it holds on to, where all are free
+    for (size_t i = 0; i < n; ++i) {
         bool isFree = level.aggregate[i] == kNone;
         for (uint32_t e = a.start[i]; isFree && e < a.start[i + 1]; ++e)
             isFree = level.aggregate[a.column[e]] == kNone || strength(i, e) < kStrong * kStrong;
@@ -128,12 +146,12 @@ void StressMultigrid::aggregate(Level& level) {
         ++count;
     }
     const std::vector<uint32_t> seeds = level.aggregate;
-    for (size_t i = 0; i < n; ++i) {  // the others join the one they hold on to most
+    for (size_t i = 0; i < n; ++i) {
         if (seeds[i] != kNone) continue;
-        double most = 0.0;
+        double strongest = 0.0;
         for (uint32_t e = a.start[i]; e < a.start[i + 1]; ++e)
-            if (seeds[a.column[e]] != kNone && strength(i, e) > most)
-                most = strength(i, e), level.aggregate[i] = seeds[a.column[e]];
+            if (seeds[a.column[e]] != kNone && strength(i, e) > strongest)
+                strongest = strength(i, e), level.aggregate[i] = seeds[a.column[e]];
         if (level.aggregate[i] == kNone) level.aggregate[i] = count++;
     }
     level.aggregates = count;
@@ -144,7 +162,7 @@ void StressMultigrid::aggregate(Level& level) {
     for (size_t i = 0; i < count; ++i) level.coarseCenter[i] /= members[i];
 }
 
-/// (1 - w D^-1 A) times the rigid motions of the aggregates.
+/// A row of P = (1 - w D^-1 A) T.
 void StressMultigrid::appendProlongationRow(Level& level, size_t row) {
     const BlockMatrix& a = level.a;
     Block6 scaled = level.inverse[row];
@@ -154,13 +172,14 @@ void StressMultigrid::appendProlongationRow(Level& level, size_t row) {
     };
     level.p.open(level.aggregate[row]) = rigid(uint32_t(row));
     for (uint32_t e = a.start[row]; e < a.start[row + 1]; ++e) {
-        Block6 moved;
-        addProduct(moved, a.block[e], rigid(a.column[e]));
-        addProduct(level.p.open(level.aggregate[a.column[e]]), scaled, moved);
+        Block6 at;
+        addProduct(at, a.block[e], rigid(a.column[e]));
+        addProduct(level.p.open(level.aggregate[a.column[e]]), scaled, at);
     }
     level.p.endRow();
 }
 
+/// Dense Cholesky factorisation of the last level.
 void StressMultigrid::factor(const BlockMatrix& a) {
     const size_t n = a.rows() * 6;
     m_factor.assign(n * n, 0.0);
@@ -192,6 +211,7 @@ void StressMultigrid::solveCoarsest(const std::vector<Vector6>& r, std::vector<V
     }
 }
 
+/// x = approximate inverse times r on a level, by one V-cycle from there down.
 void StressMultigrid::cycle(size_t index) {
     Level& level = m_levels[index];
     const size_t n = level.a.rows();

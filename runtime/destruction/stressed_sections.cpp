@@ -8,26 +8,26 @@ namespace rubble {
 namespace {
 
 constexpr uint32_t kNone = ~0u;
-constexpr uint64_t kFirstColumn = 0x0101010101010101ull;
 
 uint64_t planeKey(glm::ivec3 brick, int axis, int plane) {
     return uint64_t(brick.x & 0x3ff) | uint64_t(brick.y & 0x3ff) << 10 | uint64_t(brick.z & 0x3ff) << 20 |
            uint64_t(axis) << 30 | uint64_t(plane) << 32;
 }
 
-/// Whether cells of a touch cells of b, which lies (u, v) bricks further on.
+/// Whether cells `a` of a plane touch cells `b` in the brick (u, v) bricks further on in the plane.
 bool touches(uint64_t a, uint64_t b, int u, int v) {
     if (u * u + v * v > 1) return false;
     if (u) return u > 0 ? (a >> 7 & b & kFirstColumn) != 0 : (b >> 7 & a & kFirstColumn) != 0;
     if (v) return v > 0 ? (a >> 56 & b & 0xff) != 0 : (b >> 56 & a & 0xff) != 0;
-    const uint64_t spread = (a << 1 & ~kFirstColumn) | (a >> 1 & ~(kFirstColumn << 7)) | a << 8 | a >> 8;
+    const uint64_t spread = (a << 1 & ~kFirstColumn) | (a >> 1 & ~kLastColumn) | a << 8 | a >> 8;
     return (spread & b) != 0;
 }
 
+/// A section that may belong to a window.
 struct Member {
-    uint32_t stressed;
-    int u, v;  ///< of its brick, from the middle one
-    bool isIn = false;
+    uint32_t index;
+    int u, v;           ///< bricks from that of the window's section
+    bool isIn = false;  ///< connected to the window's section
 };
 
 }  // namespace
@@ -61,17 +61,16 @@ SectionUtilization StressedSections::windowUtilization(size_t index) const {
             glm::ivec3 brick = middle.section.brick;
             brick[axisU] += u, brick[axisV] += v;
             const auto found = m_inPlane.find(planeKey(brick, axis, middle.section.plane));
-            for (uint32_t stressed = found == m_inPlane.end() ? kNone : found->second; stressed != kNone;
-                 stressed = m_next[stressed])
-                members.push_back({stressed, u, v, stressed == index});
+            for (uint32_t i = found == m_inPlane.end() ? kNone : found->second; i != kNone; i = m_next[i])
+                members.push_back({i, u, v, i == index});
         }
-    for (bool hasGrown = true; hasGrown;) {
+    for (bool hasGrown = true; hasGrown;) {  // flood fill from the section
         hasGrown = false;
         for (Member& next : members) {
             for (const Member& in : members)
                 if (!next.isIn && in.isIn &&
-                    touches(m_sections[in.stressed].section.cells, m_sections[next.stressed].section.cells,
-                            next.u - in.u, next.v - in.v))
+                    touches(m_sections[in.index].section.cells, m_sections[next.index].section.cells, next.u - in.u,
+                            next.v - in.v))
                     next.isIn = hasGrown = true;
         }
     }
@@ -79,7 +78,7 @@ SectionUtilization StressedSections::windowUtilization(size_t index) const {
     SectionForce load;
     for (const Member& member : members) {
         if (!member.isIn) continue;
-        const StressedSection& stressed = m_sections[member.stressed];
+        const StressedSection& stressed = m_sections[member.index];
         tiles.push_back({stressed.section.cells, member.u, member.v});
         const glm::dvec3 arm((stressed.section.brick - middle.section.brick) * kBrickSize);
         load.force += stressed.load.force;

@@ -6,36 +6,38 @@
 
 namespace rubble {
 
-/// A section with what it carries and withstands.
+/// A section with its load and its strength.
 struct StressedSection {
     Section section;
     SectionForce load;  ///< the moment about the low corner of the section's brick
     SectionStrength strength;
     bool canBreak = true;
-    double ownUtilization = 0.0;  ///< stress over strength by beam theory for this section ownUtilization
+    double ownUtilization = 0.0;  ///< stress over strength, by beam theory on the section's own cells
 };
 
-/// All sections of a shape. A stress is judged over a window: the section together with those in the same plane that
-/// touch it in the bricks around. Within that, beam theory holds wherever the bricks lie; beyond it, stresses are
-/// local.
+/// All sections of a shape. The plane of a beam's cross-section runs through several bricks, so its stress is computed
+/// over a window: a section together with those that are connected to it in the same plane of the bricks around it.
+/// Within a window beam theory holds wherever the borders of bricks are; farther away, stresses are not related.
 class StressedSections {
 public:
-    static constexpr int kWindowRadius = 3;  ///< bricks on each side of one that belong to its window
+    static constexpr int kWindowRadius = 3;  ///< bricks on each side of a section that belong to its window
 
+    /// Removes all sections.
     void clear();
-    /// `load` about the centroid of the section's own cells.
-    /// Returns its stress over strength, ownUtilization.
+    /// Adds a section. `load` is about the centroid of the section's own cells, of which `shape` are the moments of
+    /// area. Returns its own utilization.
     double add(const Section& section, const SectionShape& shape, const SectionForce& load,
                const SectionStrength& strength, bool canBreak);
+    /// Number of sections.
     size_t size() const { return m_sections.size(); }
     const StressedSection& operator[](size_t i) const { return m_sections[i]; }
-    /// How a section is used as a part of its window.
-    SectionUtilization windowUtilization(size_t stressed) const;
+    /// The utilization of a section as a part of its window.
+    SectionUtilization windowUtilization(size_t index) const;
 
 private:
     std::vector<StressedSection> m_sections;
-    std::vector<uint32_t> m_next;                      ///< the next one in the same plane of the same brick
-    std::unordered_map<uint64_t, uint32_t> m_inPlane;  ///< the last one; looked up, never iterated
+    std::vector<uint32_t> m_next;                      ///< by section: the one before it in the same plane and brick
+    std::unordered_map<uint64_t, uint32_t> m_inPlane;  ///< by plane of a brick: the last one; looked up, never iterated
 };
 
 }  // namespace rubble

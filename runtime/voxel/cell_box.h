@@ -10,6 +10,11 @@ struct CellBox {
     glm::ivec3 high{0};
     /// Whether it holds no cell.
     bool empty() const { return low.x >= high.x || low.y >= high.y || low.z >= high.z; }
+    /// Whether it holds a cell.
+    bool contains(glm::ivec3 cell) const {
+        return cell.x >= low.x && cell.y >= low.y && cell.z >= low.z && cell.x < high.x && cell.y < high.y &&
+               cell.z < high.z;
+    }
     friend bool operator==(const CellBox&, const CellBox&) = default;
 };
 

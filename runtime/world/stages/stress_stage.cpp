@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "runtime/core/log.h"
+#include "runtime/destruction/crack_cells.h"
 #include "runtime/world/stages/edit_step.h"
 
 namespace rubble {
