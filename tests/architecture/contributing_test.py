@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Follows the recipes of CONTRIBUTING.md: paths exist, and a name in a step occurs in a file of that step.
 
-A recipe is a section of level 2, a step an item of its numbered list. In a step, text in backticks is a path (it contains a
-slash), a command (./rubble ...), an option, or a name. NAME stands for the name of what is added: the rest of such a path
-must exist as a folder.
+A recipe is a section of level 2, a step an item of its numbered list. In a step, text in backticks is a path (it
+contains a slash), a command (./rubble ...), or a name. NAME stands for the name of what is added: of such a path the
+folder must exist.
 """
 
 import re
