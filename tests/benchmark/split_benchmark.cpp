@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <map>
 
 #include "runtime/assets/assets.h"
@@ -17,6 +16,7 @@
 #include "runtime/world/world.h"
 #include "tests/benchmark/baseline_labels.h"
 #include "tests/benchmark/destruction_scenes.h"
+#include "tests/support/models.h"
 
 namespace rubble {
 namespace {
@@ -150,13 +150,7 @@ void carveSplit(benchmark::State& state, bench::Solid solid, int size) {
 /// the lower bound of a split's time.
 void modelSplit(benchmark::State& state, bool areLarge) {
     std::vector<AnchoredSolid> shapes;
-    const std::filesystem::path folder = RUBBLE_SOURCE_DIR "/../shared/models";
-    std::vector<std::filesystem::path> files;
-    if (std::filesystem::is_directory(folder))
-        for (const auto& entry : std::filesystem::directory_iterator(folder))
-            if (entry.path().extension() == ".vox") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    for (const auto& file : files)
+    for (const auto& file : modelPaths())
         if (const Result<Level> level = importVox(file, {}))
             for (const LevelBody& body : level->bodies)
                 for (const LevelShape& shape : body.shapes)
@@ -167,7 +161,7 @@ void modelSplit(benchmark::State& state, bool areLarge) {
                                                    CellBox{{0, 0, 0}, {shape.grid.size().x, 2, shape.grid.size().z}});
                             !anchored.grid.empty())
                             shapes.push_back(std::move(anchored));
-    if (shapes.empty()) return state.SkipWithError("no models in ../shared/models");
+    if (shapes.empty()) return state.SkipWithError("the test models are missing (tests/support/models.h)");
     Random random(2);
     std::vector<double> splits, carves, references;
     std::vector<std::vector<double>> times(shapes.size()), minTimes(shapes.size());

@@ -4,7 +4,8 @@
 #include "runtime/assets/level_bytes.h"
 #include "runtime/assets/rubble_file.h"
 
-// Two ways in: a file as it is, and (the first byte says) bytes past the checksums, straight into what reads a chunk.
+// The first byte selects what reads the rest: the reader of whole files, or, behind the checksums, that of a level's
+// fields or that of bricks.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     using namespace rubble;
     if (size == 0) return 0;

@@ -5,6 +5,7 @@
 #include "runtime/assets/assets.h"
 #include "runtime/core/random.h"
 #include "samples/scenes/town.h"
+#include "tests/support/models.h"
 
 namespace rubble::rays {
 namespace {
@@ -113,7 +114,7 @@ RayScene wideCityScene(int blocks) {
 
 RayScene modelScene() {
     RayScene scene{"model", {}, {}, {}, {}};
-    Result<Level> level = importVox(RUBBLE_SOURCE_DIR "/../shared/models/scene_theater.vox", {});
+    Result<Level> level = importVox(modelPath("scene_theater.vox"), {});
     if (!level) return scene;
     scene.level = std::move(level.value());
     addViews(scene, {}, {0.1, 0.0, -1.0});

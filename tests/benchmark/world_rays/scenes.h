@@ -21,7 +21,7 @@ RayScene townScene();
 RayScene cityScene();
 /// The same streets over `blocks` x `blocks` of these cities: up to 4 x 4, 4 billion voxels' room.
 RayScene wideCityScene(int blocks);
-/// A model of ../shared/models; without views if it is not there.
+/// A model of the tests (tests/support/models.h); without views if it is missing.
 RayScene modelScene();
 
 }  // namespace rubble::rays

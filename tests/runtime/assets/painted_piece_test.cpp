@@ -8,8 +8,8 @@
 namespace rubble {
 namespace {
 
-/// What every voxel of a world shows, by the place of its middle in the world, in tenths of a millimetre.
-std::map<std::array<int64_t, 3>, std::array<int, 4>> shown(const World& world) {
+/// Palette index, paint steps and paint colour of every voxel, by the position of its centre in tenths of a millimetre.
+std::map<std::array<int64_t, 3>, std::array<int, 4>> voxelLooks(const World& world) {
     std::map<std::array<int64_t, 3>, std::array<int, 4>> out;
     world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
         const Pose pose = world.shapeToWorld(handle);
@@ -49,22 +49,22 @@ TEST(PaintedPiece, KeepsItsPaintThroughSplitSaveAndLoad) {
                                    .mode = PaintMode::Layer});
     const FrameChanges painted = world.applyEdits(paints);
     EXPECT_GT(painted.paintedVoxels, 500u);
-    EXPECT_EQ(painted.paintMerges, 5u) << "five of twenty colours find no place among fifteen";
-    const auto before = shown(world);
+    EXPECT_EQ(painted.paintMerges, 5u) << "a shape has 15 colours of paint: five of twenty are merged";
+    const auto before = voxelLooks(world);
 
     const FrameChanges cut = world.applyEdits({CarveEdit{
         .kind = BrushKind::Box, .position = at(3.0, 1.0, 0.6), .halfSize = {0.15, 5, 5}, .rotation = turned.rotation}});
     ASSERT_EQ(cut.splits.size(), 1u);
-    const auto after = shown(world);
+    const auto after = voxelLooks(world);
     EXPECT_GT(after.size(), before.size() * 9 / 10);
-    for (const auto& [place, look] : after) ASSERT_EQ(before.at(place), look) << "a piece keeps its paint";
+    for (const auto& [position, look] : after) ASSERT_EQ(before.at(position), look) << "a piece keeps its paint";
 
     const std::vector<uint8_t> bytes = levelToRubble(world.toLevel());
     const Result<Level> back = levelFromRubble(bytes, "painted.rubble");
     ASSERT_TRUE(back) << back.error();
     World loaded;
     loaded.load(*back);
-    EXPECT_EQ(shown(loaded), after);
+    EXPECT_EQ(voxelLooks(loaded), after);
 }
 
 }  // namespace

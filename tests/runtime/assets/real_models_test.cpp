@@ -1,18 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <map>
 #include <tuple>
 
 #include "runtime/assets/assets.h"
+#include "tests/support/models.h"
 
 namespace rubble {
 namespace {
 
-const std::string kModels = RUBBLE_SOURCE_DIR "/../shared/models/";
-
-/// Counted by an independent script, one line a file.
+/// What a model holds, counted by an independent script.
 struct KnownModel {
     const char* file;
     int models, shapes;
@@ -28,8 +26,8 @@ class RealModels : public testing::TestWithParam<KnownModel> {};
 
 TEST_P(RealModels, HaveKnownPartsVoxelsAndColours) {
     const KnownModel& known = GetParam();
-    const std::string path = kModels + known.file;
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+    const std::string path = modelPath(known.file);
+    RUBBLE_REQUIRE_MODELS(path);
     ImportReport report;
     const Result<Level> level = importVox(path, {}, &report);
     ASSERT_TRUE(level) << level.error();
@@ -74,8 +72,8 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(RealModels, PartsOfAMultiModelSceneDoNotOverlap) {
-    const std::string path = kModels + "test_multiple_model_scene.vox";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+    const std::string path = modelPath("test_multiple_model_scene.vox");
+    RUBBLE_REQUIRE_MODELS(path);
     const Result<Level> level = importVox(path, {});
     ASSERT_TRUE(level) << level.error();
     std::map<std::tuple<int, int, int>, std::string> cells;

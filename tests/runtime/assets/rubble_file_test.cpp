@@ -94,7 +94,7 @@ TEST(RubbleFile, EveryTruncationAndEveryBitFlipIsRefused) {
         }
 }
 
-/// The file with one value of its chunk header changed and all its checksums made right again: a liar, not damage.
+/// The file with one value of its first chunk header changed and all checksums recomputed.
 std::vector<uint8_t> withForgedHeader(std::vector<uint8_t> bytes, size_t offsetInHeader, uint64_t value) {
     std::memcpy(bytes.data() + 32 + offsetInHeader, &value, 8);
     uint64_t stored;
@@ -154,7 +154,7 @@ TEST(RubbleFile, FilesAreReplacedWhole) {
     ASSERT_TRUE(back) << back.error();
     EXPECT_EQ(back->name, "second");
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1)
-        << "no neighbours stay";
+        << "no temporary files stay";
     EXPECT_NE(writeRubble("/no/such/folder/x.rubble", second).error().find("/no/such/folder"), std::string::npos);
 }
 

@@ -3,8 +3,8 @@
 
 namespace rubble {
 
-/// A level in which nothing has its default: turned and moving bodies, shared and own palettes, lights with groups, odd
-/// names, an empty grid, uniform, full and mixed bricks.
+/// A level in which every field has a value that is not its default: rotated and moving bodies, shared and own
+/// palettes, lights with groups, unusual names, an empty grid, uniform, full and mixed bricks.
 inline Level sampleLevel() {
     Level level;
     level.name = "sample \"level\" \xc3\xa9";

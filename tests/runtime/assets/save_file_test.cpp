@@ -17,7 +17,7 @@ namespace {
 
 using namespace test;
 
-/// A wall that was shot at, pieces of it that move, and a lantern.
+/// A damaged wall, moving pieces of it, a light and a rope.
 World brokenWorld(uint8_t id = 1) {
     Level level = oneShapeLevel(towerGrid({40, 40, 20}), true);
     level.lightGroups.push_back({"lantern"});
@@ -42,7 +42,7 @@ World brokenWorld(uint8_t id = 1) {
     return world;
 }
 
-/// A light of which every field is set.
+/// A light with a value in every field.
 Light screen(const World& world) {
     return {"screen",
             LightKind::Screen,
@@ -79,7 +79,7 @@ TEST(SaveFile, RoundTripKeepsStateSlotsAndPendingEdits) {
     EXPECT_EQ(added.hash(), screen(world).hash());
     EXPECT_EQ(set.hash(), screen(world).hash());
     EXPECT_EQ(set.name, "screen");
-    EXPECT_EQ(set.group.world(), 7u) << "handles are those of the world that reads";
+    EXPECT_EQ(set.group.world(), 7u) << "handles become those of the world that reads";
     EXPECT_EQ(std::get<RemoveLightEdit>(game->pending[6]).light, std::get<SetLightEdit>(game->pending[5]).light);
     EXPECT_EQ(std::get<SetEnvironmentEdit>(game->pending[3]).environment, world.environment());
     EXPECT_EQ(std::get<CarveEdit>(game->pending[0]).position, glm::dvec3(1.0, 2.0, 3.0));
@@ -94,7 +94,7 @@ TEST(SaveFile, RoundTripKeepsStateSlotsAndPendingEdits) {
         ASSERT_TRUE(other);
         EXPECT_EQ(other->moments, shape.moments);
     });
-    // And it goes on the same.
+    // Both worlds behave the same from here on.
     World first = world;
     const Edits edits = {sphereCarve({0.2, 2.0, 0.2}, 0.7), ExplodeEdit{.position = {3.0, 1.0, 0.2}}};
     first.applyEdits(edits);
@@ -116,7 +116,7 @@ TEST(SaveFile, EveryTruncationAndEveryBitFlipIsRefused) {
 }
 
 TEST(SaveFile, ANewFieldChangesTheSizesCheckedHere) {
-    // A new setting changes the size: add it to state_fields.h, then here.
+    // A new field changes a size: add the field to level_fields.h or state_fields.h, then the size here.
     EXPECT_EQ(sizeof(DebrisSettings), 32u);
     EXPECT_EQ(sizeof(FireSettings), 24u);
     EXPECT_EQ(sizeof(StressSettings), 56u);
@@ -144,7 +144,7 @@ TEST(SaveFile, FilesOfOtherKindsAreRefused) {
     EXPECT_FALSE(readSave(path, 1));
 }
 
-/// What the host of a game would send: a snapshot to those who join, and each step's resolved edits to all.
+/// What a network host would send: a snapshot to a client that joins, and the delta of each step to all.
 TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
     World host = brokenWorld();
     PaletteList list;
@@ -189,12 +189,13 @@ TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
     for (int i = 0; i < 10; ++i) step(randomEdits());
     const std::vector<uint8_t> snapshot = gameToBytes({host.state(), {}});
     const size_t joined = log.size();
-    list = {};  // whoever joins knows no palette yet
+    list = {};  // the client knows no palettes yet
     for (int i = 0; i < 30; ++i) step(i % 4 == 3 ? Edits{} : randomEdits());
     step({AddLightEdit{}, AddLightEdit{}});
     std::vector<LightHandle> lights;
     host.lights().forEach([&](LightHandle handle, const Light&) { lights.push_back(handle); });
-    step({RemoveLightEdit{lights.at(0)}, RemoveLightEdit{lights.at(1)}});  // the next light takes not the lowest slot
+    step({RemoveLightEdit{lights.at(0)},
+          RemoveLightEdit{lights.at(1)}});  // now the next light does not take the lowest free slot
 
     World joiner(9);
     Result<SavedGame> game = gameFromBytes(snapshot, "snapshot", 9);
@@ -220,7 +221,7 @@ TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
     EXPECT_EQ(joiner.environment(), host.environment());
     ASSERT_GT(joiner.lights().size(), 3u);
     EXPECT_EQ(joiner.lights().freeSlots(), host.lights().freeSlots());
-    RecordProperty("bytes_a_step", int(bytes / 30));
+    RecordProperty("bytes_per_step", int(bytes / 30));
 }
 
 TEST(StepDelta, DamagedStepsAreRefusedAndChangeNothing) {
@@ -239,7 +240,7 @@ TEST(StepDelta, DamagedStepsAreRefusedAndChangeNothing) {
         EXPECT_FALSE(applyStepDelta(std::span(bytes).first(length), "t", world, palettes));
         EXPECT_EQ(world.hash(), start.hash());
     }
-    for (int i = 0; i < 400; ++i) {  // without checksums: some flips make another, sound step
+    for (int i = 0; i < 400; ++i) {  // deltas have no checksums, so some flips give another valid step
         std::vector<uint8_t> other = bytes;
         other[random.below(uint32_t(other.size()))] ^= uint8_t(1 + random.below(255));
         World world = start;

@@ -16,7 +16,7 @@ namespace {
 
 using Cell = std::tuple<int, int, int>;
 
-/// Every voxel of a level in cells of the world, with its entry; fails on overlap and on places between cells.
+/// The palette index of every voxel by its cell in the world. Fails if voxels overlap or lie between cells.
 std::map<Cell, int> worldCells(const Level& level) {
     std::map<Cell, int> cells;
     for (const LevelBody& body : level.bodies)
@@ -103,8 +103,8 @@ TEST(VoxImport, EveryRotationByteMovesCellCentresByItsMatrix) {
 TEST(VoxImport, NestedTransformsApplyInnermostFirst) {
     VoxWriter writer;
     writer.model({1, 1, 1}, {{0, 0, 0, 3}});
-    // Inner: 10 along x. Outer: a quarter turn about z (x -> y): rows (0 -1 0), (1 0 0), (0 0 1) = columns 1, 0; sign
-    // of row 0.
+    // Inner: 10 along x. Outer: a quarter turn about z (x -> y): rows (0 -1 0), (1 0 0), (0 0 1), so columns 1 and 0,
+    // and the sign bit of row 0.
     writer.transform(0, 1, {{{"_r", std::to_string(1 | 0 << 2 | 1 << 4)}, {"_t", "0 0 2"}}}).group(1, {2});
     writer.transform(2, 3, {{{"_t", "10 0 0"}}}, {{"_name", "arm"}}).shape(3, {0});
     const Level level = import(writer);
@@ -141,7 +141,7 @@ TEST(VoxImport, LayersHiddenFlagsNamesAndFrames) {
     EXPECT_TRUE(reportHas(report, "1 later poses"));
     EXPECT_TRUE(reportHas(report, "model 2: no voxels"));
 
-    World world;  // what is hidden is kept in files, but is no part of the world
+    World world;  // files keep hidden shapes, a World leaves them out
     world.load(level);
     EXPECT_EQ(world.bodies().size(), 2u);
     EXPECT_EQ(world.voxelAccounting().imported, 2u);
@@ -168,7 +168,7 @@ TEST(VoxImport, ColoursShiftByOneAndIndexMapRenumbersThem) {
 
     VoxWriter::Bytes map;
     for (int i = 0; i < 256; ++i) map.push_back(uint8_t(i + 1));
-    std::swap(map[7], map[99]);  // slot 8 shows stored 100, slot 100 shows stored 8
+    std::swap(map[7], map[99]);  // slot 8 shows stored colour 100, slot 100 shows stored colour 8
     plain.chunk("IMAP", map).described("MATL", 8, {{"_type", "_metal"}, {"_metal", "1"}, {"_rough", "0.2"}});
     const Level level = import(plain);
     const LevelShape& shape = level.bodies.at(0).shapes[0];
@@ -178,7 +178,7 @@ TEST(VoxImport, ColoursShiftByOneAndIndexMapRenumbersThem) {
     EXPECT_EQ(int(entry.metallic), 255);
     EXPECT_EQ(int(entry.roughness), 51);
     EXPECT_EQ(level.materials[entry.material].name, "metal");
-    EXPECT_EQ(int((*shape.palette)[8].material), 0) << "unused entries stay free";
+    EXPECT_EQ(int((*shape.palette)[8].material), 0) << "unused entries have no material";
 }
 
 TEST(VoxImport, MaterialsOfNewAndOldFiles) {

@@ -9,24 +9,28 @@
 
 namespace rubble {
 
-/// Spells .vox files for tests, chunk by chunk and without sense of its own, so that it can also spell wrong ones.
+/// Writes .vox files chunk by chunk. It checks nothing, so it can write invalid files too.
 class VoxWriter {
 public:
     using Bytes = std::vector<uint8_t>;
     using Attributes = std::map<std::string, std::string>;
 
+    /// Appends 32 bits, little-endian.
     static void put(Bytes& out, uint32_t value) {
         for (int i = 0; i < 4; ++i) out.push_back(uint8_t(value >> (8 * i)));
     }
+    /// Appends a length and a text.
     static void put(Bytes& out, const std::string& text) {
         put(out, uint32_t(text.size()));
         out.insert(out.end(), text.begin(), text.end());
     }
+    /// Appends a number of pairs and the pairs.
     static void put(Bytes& out, const Attributes& attributes) {
         put(out, uint32_t(attributes.size()));
         for (const auto& [key, value] : attributes) put(out, key), put(out, value);
     }
 
+    /// Adds a chunk of any kind.
     VoxWriter& chunk(const char* kind, const Bytes& content) {
         m_chunks.insert(m_chunks.end(), kind, kind + 4);
         put(m_chunks, uint32_t(content.size()));
@@ -34,7 +38,7 @@ public:
         m_chunks.insert(m_chunks.end(), content.begin(), content.end());
         return *this;
     }
-    /// SIZE and XYZI; voxels as x, y, z, colour index.
+    /// Adds SIZE and XYZI; voxels as x, y, z, colour index.
     VoxWriter& model(glm::ivec3 size, const std::vector<std::array<uint8_t, 4>>& voxels) {
         Bytes content;
         for (int i = 0; i < 3; ++i) put(content, uint32_t(size[i]));
@@ -44,6 +48,7 @@ public:
         for (const auto& voxel : voxels) content.insert(content.end(), voxel.begin(), voxel.end());
         return chunk("XYZI", content);
     }
+    /// Adds an nTRN node: a pose for each frame.
     VoxWriter& transform(int id, int child, const std::vector<Attributes>& frames, const Attributes& attributes = {},
                          int layer = -1) {
         Bytes content;
@@ -53,12 +58,14 @@ public:
         for (const auto& frame : frames) put(content, frame);
         return chunk("nTRN", content);
     }
+    /// Adds an nGRP node.
     VoxWriter& group(int id, const std::vector<int>& children) {
         Bytes content;
         put(content, uint32_t(id)), put(content, Attributes{}), put(content, uint32_t(children.size()));
         for (int child : children) put(content, uint32_t(child));
         return chunk("nGRP", content);
     }
+    /// Adds an nSHP node: a model for each frame.
     VoxWriter& shape(int id, const std::vector<int>& models) {
         Bytes content;
         put(content, uint32_t(id)), put(content, Attributes{}), put(content, uint32_t(models.size()));
@@ -66,18 +73,20 @@ public:
             put(content, uint32_t(models[i])), put(content, Attributes{{"_f", std::to_string(i * 10)}});
         return chunk("nSHP", content);
     }
-    /// A chunk of an id and attributes (LAYR, MATL, rCAM).
+    /// Adds a chunk of an id and attributes (LAYR, MATL, rCAM).
     VoxWriter& described(const char* kind, int id, const Attributes& attributes) {
         Bytes content;
         put(content, uint32_t(id)), put(content, attributes);
         if (std::string(kind) == "LAYR") put(content, uint32_t(-1));
         return chunk(kind, content);
     }
+    /// Adds RGBA.
     VoxWriter& colors(const std::array<std::array<uint8_t, 4>, 256>& colors) {
         Bytes content;
         for (const auto& color : colors) content.insert(content.end(), color.begin(), color.end());
         return chunk("RGBA", content);
     }
+    /// The file: header, MAIN and all chunks.
     Bytes file(uint32_t version = 150) const {
         Bytes out{'V', 'O', 'X', ' '};
         put(out, version);

@@ -38,7 +38,7 @@ Edits destructionScript(int step) {
     return {};
 }
 
-/// Lamps that are built and taken down, and weather.
+/// Edits that add, change and remove lights, and change the weather.
 Edits lightScript(const World& world, int step) {
     Environment weather = world.environment();
     weather.wetness = 0.01f * float(step);
@@ -66,7 +66,7 @@ TEST(FrameLoop, ContinuingAfterASaveEqualsLoadingIt) {
     }
     ASSERT_GT(loop.world().bodies().size(), 3u);
     ASSERT_EQ(loop.world().lights().size(), 4u);
-    // Into a new world, and into one with a past.
+    // Load it into a new world, and into the one that has played on.
     FrameLoop fresh(headlessSettings());
     for (FrameLoop* other : {&fresh, &loop}) {
         const uint64_t expected = other == &fresh ? loop.world().hash() : fresh.world().hash();

@@ -8,6 +8,7 @@
 #include "runtime/destruction/carve.h"
 #include "runtime/world/edits/resolve_brush.h"
 #include "tests/runtime/world/worlds.h"
+#include "tests/support/models.h"
 
 namespace rubble {
 namespace {
@@ -15,16 +16,6 @@ namespace {
 using Vector = glm::dvec3;
 using CellSets = std::vector<std::vector<size_t>>;
 constexpr int kCarves = 1000;
-
-std::vector<std::filesystem::path> modelFiles() {
-    const std::filesystem::path folder = RUBBLE_SOURCE_DIR "/../shared/models";
-    std::vector<std::filesystem::path> files;
-    if (!std::filesystem::is_directory(folder)) return files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-        if (entry.path().extension() == ".vox") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
 
 struct Momentum {
     double mass = 0.0, scale = 0.0;
@@ -222,8 +213,8 @@ private:
 };
 
 TEST(ModelCarves, AThousandCarvesMatchAFloodFill) {
-    const auto files = modelFiles();
-    if (files.empty()) GTEST_SKIP() << "no ../shared/models beside the project";
+    RUBBLE_REQUIRE_MODELS(modelPath(""));
+    const auto files = modelPaths();
     size_t cuts = 0, pieces = 0;
     for (size_t i = 0; i < files.size() && !HasFatalFailure(); ++i) {
         SCOPED_TRACE(files[i].filename().string());

@@ -95,7 +95,7 @@ openvdb::GridPtrVec gridsOf(const std::string& kind) {
         transform->postTranslate(openvdb::Vec3d(5, 6, 7));
         grid->setTransform(transform);
     } else {
-        throw std::invalid_argument("no foreign file called " + kind);
+        throw std::invalid_argument("unknown kind of file: " + kind);
     }
     return {grid};
 }

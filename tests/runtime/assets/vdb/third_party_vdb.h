@@ -3,9 +3,9 @@
 
 namespace rubble {
 
-/// Files as other programs write them, each with cells that the tests know.
+/// Writes a file as other programs write them. `kind`: one of the names in third_party_vdb.cpp.
 void writeThirdPartyVdb(const std::string& kind, const std::string& path);
-/// Takes a field with a number or a truth out of the profile's metadata, as if whoever wrote the file did not know it.
+/// Removes a number or boolean from the JSON metadata, as if an older program had written the file.
 void removeField(const std::string& path, const std::string& field);
 
 }  // namespace rubble

@@ -10,6 +10,7 @@
 #include "runtime/assets/file_bytes.h"
 #include "tests/runtime/assets/sample_level.h"
 #include "tests/runtime/assets/vdb/third_party_vdb.h"
+#include "tests/support/models.h"
 #include "tests/support/temp_folder.h"
 
 namespace rubble {
@@ -17,14 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 const std::string kTool = RUBBLE_BINARY_DIR "/bin/rubble-vdb";
-const std::string kModels = RUBBLE_SOURCE_DIR "/../shared/models/";
 
 class VdbFile : public testing::Test {
 protected:
     std::string path(const std::string& name) const { return m_folder / name; }
 
-    /// What is read from a file of another program; the notes in `report`.
-    Result<Level> foreign(const std::string& kind, ImportReport* report = nullptr) const {
+    /// The level of a file as another program writes it; see writeThirdPartyVdb().
+    Result<Level> readThirdParty(const std::string& kind, ImportReport* report = nullptr) const {
         writeThirdPartyVdb(kind, path("foreign.vdb"));
         ImportReport unused;
         return readVdb(path("foreign.vdb"), kTool, report ? report : &unused);
@@ -49,7 +49,7 @@ TEST_F(VdbFile, RoundTripKeepsTheHash) {
     EXPECT_EQ(hashLevel(*back), hashLevel(level));
     EXPECT_EQ(notes(report), "");
     EXPECT_EQ(std::distance(fs::directory_iterator(m_folder.path()), fs::directory_iterator()), 1)
-        << "no neighbours stay";
+        << "no temporary files stay";
 }
 
 TEST_F(VdbFile, StrengthAndLoadBearingAreKeptAndHaveDefaults) {
@@ -70,8 +70,8 @@ TEST_F(VdbFile, StrengthAndLoadBearingAreKeptAndHaveDefaults) {
 }
 
 TEST_F(VdbFile, RoundTripOfARealScene) {
-    const std::string model = kModels + "test_multiple_model_scene.vox";
-    if (!fs::exists(model)) GTEST_SKIP() << model << " is not there";
+    const std::string model = modelPath("test_multiple_model_scene.vox");
+    RUBBLE_REQUIRE_MODELS(model);
     const Result<Level> level = importVox(model, {});
     ASSERT_TRUE(level) << level.error();
     ASSERT_TRUE(writeVdb(path("scene.vdb"), *level, kTool));
@@ -110,7 +110,7 @@ TEST_F(VdbFile, BlenderListsTheGrids) {
 }
 
 TEST_F(VdbFile, BoolGridsAreOccupancy) {
-    const Result<Level> level = foreign("bool");
+    const Result<Level> level = readThirdParty("bool");
     ASSERT_TRUE(level) << level.error();
     ASSERT_EQ(level->bodies.size(), 1u);
     const LevelShape& shape = level->bodies[0].shapes.at(0);
@@ -119,27 +119,27 @@ TEST_F(VdbFile, BoolGridsAreOccupancy) {
     EXPECT_EQ(shape.grid.size(), glm::ivec3(9, 3, 3));
     EXPECT_EQ(int(shape.grid.at({8, 2, 2})), 1);
     EXPECT_FLOAT_EQ(shape.voxelSize, 0.25f);
-    // Cell centres lie at whole indices there: the corner of cell -5 is at -5.5.
+    // In OpenVDB cell centres lie at whole indices: the minimum corner of cell -5 is at -5.5.
     EXPECT_EQ(level->bodies[0].pose.position, glm::dvec3(-5.5, -0.5, -0.5) * 0.25);
     EXPECT_NE((*shape.palette)[1].material, 0);
 }
 
 TEST_F(VdbFile, GridsOfUnknownTypesAreSkipped) {
     ImportReport report;
-    const Result<Level> level = foreign("odd type", &report);
+    const Result<Level> level = readThirdParty("odd type", &report);
     ASSERT_TRUE(level) << level.error();
     EXPECT_EQ(level->bodies.size(), 1u);
     EXPECT_NE(notes(report).find("'bytes': type Tree_uint8_5_4_3"), std::string::npos) << notes(report);
 }
 
 TEST_F(VdbFile, TilesAreExpanded) {
-    const Result<Level> level = foreign("mask tile");
+    const Result<Level> level = readThirdParty("mask tile");
     ASSERT_TRUE(level) << level.error();
     EXPECT_EQ(level->bodies.at(0).shapes.at(0).grid.voxelCount(), 128u * 128 * 128);
 }
 
 TEST_F(VdbFile, LevelSetsAreFilled) {
-    const Result<Level> level = foreign("level set");
+    const Result<Level> level = readThirdParty("level set");
     ASSERT_TRUE(level) << level.error();
     const double expected = 4.0 / 3.0 * M_PI * 8.0 / 0.001;
     EXPECT_NEAR(double(level->bodies.at(0).shapes.at(0).grid.voxelCount()), expected, expected * 0.01);
@@ -147,9 +147,9 @@ TEST_F(VdbFile, LevelSetsAreFilled) {
 
 TEST_F(VdbFile, FogVolumesAreSolidFromHalfDensity) {
     ImportReport report;
-    const Result<Level> level = foreign("fog", &report);
+    const Result<Level> level = readThirdParty("fog", &report);
     ASSERT_TRUE(level) << level.error();
-    ASSERT_EQ(level->bodies.size(), 1u) << "other channels are no shapes";
+    ASSERT_EQ(level->bodies.size(), 1u) << "other channels become no shapes";
     const LevelShape& shape = level->bodies[0].shapes.at(0);
     EXPECT_EQ(shape.name, "foreign");
     EXPECT_EQ(shape.grid.voxelCount(), 500u);
@@ -163,7 +163,7 @@ TEST_F(VdbFile, FogVolumesAreSolidFromHalfDensity) {
 }
 
 TEST_F(VdbFile, PaletteIndexWithoutMetadata) {
-    const Result<Level> level = foreign("indices");
+    const Result<Level> level = readThirdParty("indices");
     ASSERT_TRUE(level) << level.error();
     const LevelShape& shape = level->bodies.at(0).shapes.at(0);
     EXPECT_EQ(shape.name, "door");
@@ -172,22 +172,22 @@ TEST_F(VdbFile, PaletteIndexWithoutMetadata) {
 }
 
 TEST_F(VdbFile, RotatedGridsKeepTheirPosition) {
-    const Result<Level> level = foreign("turned");
+    const Result<Level> level = readThirdParty("turned");
     ASSERT_TRUE(level) << level.error();
     const LevelBody& body = level->bodies.at(0);
-    // OpenVDB turns row vectors: x goes to (cos, 0, -sin).
+    // OpenVDB multiplies row vectors: the rotation takes x to (cos, 0, -sin).
     const glm::dvec3 index(3, 2, 1);
     const glm::dvec3 turned(std::cos(0.7) * index.x + std::sin(0.7) * index.z, index.y,
                             -std::sin(0.7) * index.x + std::cos(0.7) * index.z);
     const glm::dvec3 expected = turned * 0.1 + glm::dvec3(5, 6, 7);
     const glm::dvec3 centre =
-        body.pose.transformPoint((glm::dvec3(8, 2, 1) + 0.5) * 0.1);  // the same cell in the shape
+        body.pose.transformPoint((glm::dvec3(8, 2, 1) + 0.5) * 0.1);  // of the same cell in the shape
     EXPECT_LT(glm::length(centre - expected), 1e-6) << centre.x << " " << centre.y << " " << centre.z;
 }
 
 TEST_F(VdbFile, InvalidGridsAreRefusedWithAReason) {
     const auto error = [&](const char* kind) {
-        const Result<Level> level = foreign(kind);
+        const Result<Level> level = readThirdParty(kind);
         return level ? "no error" : level.error();
     };
     EXPECT_NE(error("stretched").find("cubic cells, found stretched"), std::string::npos) << error("stretched");
@@ -214,7 +214,7 @@ TEST_F(VdbFile, DamagedFilesCrashAtMostTheChildProcess) {
     }
     EXPECT_FALSE(read(std::vector<uint8_t>(100000, 0xa5)));
     uint32_t state = 1;
-    for (int round = 0; round < 25; ++round) {  // whatever happens in there, we live and get a level or a reason
+    for (int round = 0; round < 25; ++round) {  // the child may crash: the caller gets a level or an error
         std::vector<uint8_t> bytes = whole;
         for (int i = 0; i < 8; ++i) {
             state = state * 1664525u + 1013904223u;
