@@ -11,7 +11,7 @@
 namespace rubble::scenes {
 namespace {
 
-constexpr int kWide = 92, kLong = 120, kTall = 52, kWall = 4;  // cells
+constexpr int kWidth = 92, kLength = 120, kHeight = 52, kWall = 4;  // cells
 constexpr int kFloor = kFooting + 2;
 constexpr ivec3 kChapel{110, -kFooting, 90};
 
@@ -39,8 +39,8 @@ void addGlass(Canvas& c, int x, int kFloorAt) {
                                           c.addSurface(kGlassGold),   c.addSurface(kGlassGreen),
                                           c.addSurface(kGlassViolet), c.addSurface(kGlass)};
     const Swatch lead = c.addSurface(kDarkSteel);
-    for (int z = 0; z < kLong; ++z)
-        for (int y = 0; y < kTall; ++y) {
+    for (int z = 0; z < kLength; ++z)
+        for (int y = 0; y < kHeight; ++y) {
             if (!inWindow(z, y)) continue;
             const int window = (z - windowAt(0)) / (kLight + kGap);
             const int u = z - windowAt(window) - kLight / 2, v = y - 22;
@@ -57,31 +57,31 @@ void addGlass(Canvas& c, int x, int kFloorAt) {
 }
 
 void addChapel(Level& level) {
-    Canvas c({kWide, kFloor + kTall + 36, kLong});
+    Canvas c({kWidth, kFloor + kHeight + 36, kLength});
     const Swatch stone = c.addSurface(kRender), base = c.addSurface(kConcrete), joint = c.addSurface(kPavingJoint),
                  flag = c.addSurface(kPaving), beam = c.addSurface(kDarkWood), tile = c.addSurface(kRoofTile);
-    const int top = kFloor + kTall;
-    c.box({0, 0, 0}, {kWide, kFloor, kLong}, base);
-    c.fill({kWall, kFloor - 1, kWall}, {kWide - kWall, kFloor, kLong - kWall}, [&](ivec3 cell) {
+    const int top = kFloor + kHeight;
+    c.box({0, 0, 0}, {kWidth, kFloor, kLength}, base);
+    c.fill({kWall, kFloor - 1, kWall}, {kWidth - kWall, kFloor, kLength - kWall}, [&](ivec3 cell) {
         return PaletteBuilder::pick(cell.x % 8 == 0 || (cell.z + cell.x / 8 % 2 * 4) % 8 == 0 ? joint : flag, cell);
     });
-    c.box({0, kFloor, 0}, {kWall, top, kLong}, stone);
-    c.box({kWide - kWall, kFloor, 0}, {kWide, top, kLong}, stone);
-    c.box({0, kFloor, 0}, {kWide, top, kWall}, stone);
-    c.box({0, kFloor, kLong - kWall}, {kWide, top, kLong}, stone);
-    for (int z = 0; z < kLong; ++z)
-        for (int y = 0; y < kTall; ++y)
+    c.box({0, kFloor, 0}, {kWall, top, kLength}, stone);
+    c.box({kWidth - kWall, kFloor, 0}, {kWidth, top, kLength}, stone);
+    c.box({0, kFloor, 0}, {kWidth, top, kWall}, stone);
+    c.box({0, kFloor, kLength - kWall}, {kWidth, top, kLength}, stone);
+    for (int z = 0; z < kLength; ++z)
+        for (int y = 0; y < kHeight; ++y)
             if (inWindow(z, y)) c.clear({0, kFloor + y, z}, {kWall, kFloor + y + 1, z + 1});
     addGlass(c, kWall / 2, kFloor);
     // A steep roof over open beams.
-    for (int i = 0; i < kWide / 2; ++i) {
+    for (int i = 0; i < kWidth / 2; ++i) {
         const int y = top + i * 3 / 4;
-        for (const int x : {i, kWide - 1 - i}) c.box({x, y, 0}, {x + 1, y + 2, kLong}, tile);
-        for (const int x : {i, kWide - 1 - i})
-            for (const int z : {0, kLong - kWall}) c.box({x, top, z}, {x + 1, y, z + kWall}, stone);
+        for (const int x : {i, kWidth - 1 - i}) c.box({x, y, 0}, {x + 1, y + 2, kLength}, tile);
+        for (const int x : {i, kWidth - 1 - i})
+            for (const int z : {0, kLength - kWall}) c.box({x, top, z}, {x + 1, y, z + kWall}, stone);
     }
-    for (int z = 12; z < kLong; z += 24) c.box({0, top - 2, z}, {kWide, top + 2, z + 3}, beam);
-    c.clear({kWide / 2 - 8, kFloor, 0}, {kWide / 2 + 8, kFloor + 24, kWall});
+    for (int z = 12; z < kLength; z += 24) c.box({0, top - 2, z}, {kWidth, top + 2, z + 3}, beam);
+    c.clear({kWidth / 2 - 8, kFloor, 0}, {kWidth / 2 + 8, kFloor + 24, kWall});
     addStatic(level, c.finish("chapel"), kChapel);
 }
 
@@ -96,7 +96,7 @@ Level chapelLevel(uint64_t seed) {
     const ivec3 floor = kChapel + ivec3(0, kFloor, 0);
     for (int row = 0; row < 4; ++row)
         addDynamic(level, makeBench("pew " + std::to_string(row + 1)), floor + ivec3(56, 0, 30 + row * 18));
-    addDynamic(level, makeTable("altar"), floor + ivec3(38, 0, kLong - 24));
+    addDynamic(level, makeTable("altar"), floor + ivec3(38, 0, kLength - 24));
     return level;
 }
 

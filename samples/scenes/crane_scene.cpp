@@ -8,20 +8,20 @@
 namespace rubble::scenes {
 namespace {
 
-constexpr ivec3 kMast{185, 0, 262};         // low corner
-constexpr int kMastSide = 11, kTall = 132;  // cells
-constexpr int kPivot = 56, kTip = 204;      // cells along the jib
+constexpr ivec3 kMast{185, 0, 262};           // low corner
+constexpr int kMastSide = 11, kHeight = 132;  // cells
+constexpr int kPivot = 56, kTip = 204;        // cells along the jib
 constexpr int kJibSide = 7;
 constexpr double kRope = 8.6;  // length in metres
 
 LevelShape makeMast() {
     constexpr int kLast = kMastSide - 1, kPanel = 10;
-    Canvas c({kMastSide, kTall + 6, kMastSide});
+    Canvas c({kMastSide, kHeight + 6, kMastSide});
     const Swatch steel = c.addSurface(kCarYellow), foot = c.addSurface(kConcrete);
     c.box({0, 0, 0}, {kMastSide, 8, kMastSide}, foot);
     for (int x : {0, kLast - 1})
-        for (int z : {0, kLast - 1}) c.box({x, 8, z}, {x + 2, kTall, z + 2}, steel);
-    for (int y = 10; y + kPanel <= kTall; y += kPanel) {
+        for (int z : {0, kLast - 1}) c.box({x, 8, z}, {x + 2, kHeight, z + 2}, steel);
+    for (int y = 10; y + kPanel <= kHeight; y += kPanel) {
         const bool isOdd = y / kPanel % 2 != 0;
         for (int side : {0, kLast}) {
             c.box({0, y, side}, {kMastSide, y + 1, side + 1}, steel);
@@ -30,8 +30,8 @@ LevelShape makeMast() {
             c.bar({side, y, isOdd ? kLast : 0}, {side, y + kPanel, isOdd ? 0 : kLast}, 1, steel);
         }
     }
-    c.box({0, kTall - 2, 0}, {kMastSide, kTall, kMastSide}, steel);
-    c.box({3, kTall, 3}, {8, kTall + 6, 8}, c.addSurface(kDarkSteel));
+    c.box({0, kHeight - 2, 0}, {kMastSide, kHeight, kMastSide}, steel);
+    c.box({3, kHeight, 3}, {8, kHeight + 6, 8}, c.addSurface(kDarkSteel));
     LevelShape mast = c.finish("mast");
     mast.loadBearing = false;
     return mast;
@@ -79,7 +79,7 @@ LevelShape makeWreckingBall() {
 /// Connects the jib to the mast by a hinge with a motor, and hangs the ball from the jib's tip by a rope joint.
 void addCrane(Level& level) {
     addStatic(level, makeMast(), kMast);
-    const glm::dvec3 pivot = atCell(kMast.x + 0.5 * kMastSide, kTall + 6, kMast.z + 0.5 * kMastSide);
+    const glm::dvec3 pivot = atCell(kMast.x + 0.5 * kMastSide, kHeight + 6, kMast.z + 0.5 * kMastSide);
     const glm::dvec3 pivotInJib = atCell(kPivot + 0.5, 0.5, 0.5 * kJibSide),
                      tipInJib = atCell(kTip - 1.5, 0.5, 0.5 * kJibSide);
     const glm::dquat heading(kSqrtHalf, 0.0, -kSqrtHalf, 0.0);  // turns the jib toward +z

@@ -13,9 +13,9 @@
 namespace rubble::scenes {
 namespace {
 
-constexpr int kMargin = 5, kWide = 72, kDeep = 60, kEaves = 30;  // of the house, in cells
+constexpr int kMargin = 5, kWidth = 72, kDepth = 60, kEaves = 30;  // of the house, in cells
 constexpr ivec3 kHouse{200, 0, 140};
-constexpr int kLane = kHouse.z + kDeep / 2;  // z of the car's lane
+constexpr int kLane = kHouse.z + kDepth / 2;  // z of the car's lane
 
 struct HouseSwatches {
     explicit HouseSwatches(Canvas& c)
@@ -35,7 +35,7 @@ struct HouseSwatches {
 void drawBoards(Canvas& c, const WallFrame& wall, bool isGable, const HouseSwatches& s) {
     for (int u = 0; u < wall.length; ++u) {
         const int top =
-            isGable ? kEaves + gableHeight(wall.cell(u, 0, 0).z, kMargin - 4, kMargin + kDeep + 4) : kEaves + 2;
+            isGable ? kEaves + gableHeight(wall.cell(u, 0, 0).z, kMargin - 4, kMargin + kDepth + 4) : kEaves + 2;
         for (int y = 0; y < top; ++y) {
             const Swatch& board = u % 4 == 0 ? s.plankDark : s.plank;
             c.setEntry(wall.cell(u, y, 0), PaletteBuilder::pickFor(board, hashCell(u / 4, isGable, y / 24, 61)));
@@ -48,16 +48,16 @@ void drawBoards(Canvas& c, const WallFrame& wall, bool isGable, const HouseSwatc
 
 /// A wooden house of one room on bare ground.
 void addWoodenHouse(Level& level) {
-    Canvas c({kWide + 2 * kMargin, kEaves + gableHeight(kMargin + kDeep / 2, kMargin - 4, kMargin + kDeep + 4) + 4,
-              kDeep + 2 * kMargin});
+    Canvas c({kWidth + 2 * kMargin, kEaves + gableHeight(kMargin + kDepth / 2, kMargin - 4, kMargin + kDepth + 4) + 4,
+              kDepth + 2 * kMargin});
     const HouseSwatches s(c);
-    const WallFrames walls = wallFrames({kMargin, 0, kMargin}, {kMargin + kWide, 0, kMargin + kDeep});
+    const WallFrames walls = wallFrames({kMargin, 0, kMargin}, {kMargin + kWidth, 0, kMargin + kDepth});
     for (const WallFrame* wall : {&walls.left, &walls.right}) drawBoards(c, *wall, true, s);
     for (const WallFrame* wall : {&walls.back, &walls.front}) drawBoards(c, *wall, false, s);
-    drawGableRoof(c, {kMargin - 4, 0, kMargin - 4}, {kMargin + kWide + 4, 0, kMargin + kDeep + 4}, kEaves, s.roof);
+    drawGableRoof(c, {kMargin - 4, 0, kMargin - 4}, {kMargin + kWidth + 4, 0, kMargin + kDepth + 4}, kEaves, s.roof);
     for (const int u : {8, 52}) drawWindow(c, walls.front, u, 9, 11, 12, s.windows, true);
     for (const WallFrame* wall : {&walls.left, &walls.right})
-        drawWindow(c, *wall, kDeep / 2 - 5, kEaves + 4, 9, 8, s.windows, false);
+        drawWindow(c, *wall, kDepth / 2 - 5, kEaves + 4, 9, 8, s.windows, false);
     drawDoor(c, walls.front, 31, 0, c.addSurface(kGreenWood), s.white, c.addSurface(kDarkSteel));
     addStatic(level, c.finish("house"), kHouse - ivec3(kMargin, 0, kMargin));
 }

@@ -15,8 +15,8 @@ namespace rubble::scenes {
 namespace {
 
 constexpr int kMargin = 7, kPorch = 18;  // cells of the shape around the walls; in front of them
-constexpr int kWide = 78, kDeep = 58, kWallHeight = 26;
-constexpr int kX0 = kMargin, kX1 = kX0 + kWide, kZ0 = kMargin, kZ1 = kZ0 + kDeep;
+constexpr int kWidth = 78, kDepth = 58, kWallHeight = 26;
+constexpr int kX0 = kMargin, kX1 = kX0 + kWidth, kZ0 = kMargin, kZ1 = kZ0 + kDepth;
 constexpr int kFloor = kFooting + 2;          // boards
 constexpr int kEaves = kFloor + kWallHeight;  // underside of the rafters
 constexpr ivec3 kHouse{106, -kFooting, 104};  // low corner of the shape
@@ -109,8 +109,8 @@ void drawVeranda(Canvas& c, const CabinSwatches& s) {
 }
 
 void addCabin(Level& level) {
-    const int peak = kEaves + gableHeight(kDeep / 2 + 4, 0, kDeep + 8) + 12;
-    Canvas c({kWide + 2 * kMargin, peak, kDeep + kMargin + kPorch});
+    const int peak = kEaves + gableHeight(kDepth / 2 + 4, 0, kDepth + 8) + 12;
+    Canvas c({kWidth + 2 * kMargin, peak, kDepth + kMargin + kPorch});
     const CabinSwatches s(c);
     const WallFrames walls = wallFrames({kX0, 0, kZ0}, {kX1, 0, kZ1});
     for (int x : {kX0, kX0 + 36, kX1 - 6})
@@ -126,7 +126,7 @@ void addCabin(Level& level) {
     for (int u : {8, 26, 60}) drawWindow(c, walls.front, u, kFloor + 9, 11, 12, s.windows, true);
     for (int u : {10, 36}) drawWindow(c, walls.left, u, kFloor + 9, 11, 12, s.windows, true);
     for (int u : {14, 34}) drawWindow(c, walls.right, u, kFloor + 9, 11, 12, s.windows, true);
-    drawWindow(c, walls.left, kDeep / 2 - 5, kEaves + 4, 9, 8, s.windows, false);
+    drawWindow(c, walls.left, kDepth / 2 - 5, kEaves + 4, 9, 8, s.windows, false);
     drawDoor(c, walls.front, 42, kFloor + 1, s.red, s.white, s.iron);
     drawVeranda(c, s);
     drawChimney(c, s);
@@ -162,13 +162,13 @@ glm::dvec3 inCabin(double x, double y, double z) {
 /// Fires are lit under the veranda's roof and in the room, and spread by themselves. At the end water is poured.
 Edits fireScript(int step, uint64_t) {
     ScriptClock clock(step);
-    if (clock.at(0.5)) clock.add(spawnFire(inCabin(26, kFloor + 2, kDeep + 8), 0.5));
-    if (clock.at(0.8)) clock.add(spawnFire(inCabin(31, kFloor + 14, kDeep - 1), 0.5));
+    if (clock.at(0.5)) clock.add(spawnFire(inCabin(26, kFloor + 2, kDepth + 8), 0.5));
+    if (clock.at(0.8)) clock.add(spawnFire(inCabin(31, kFloor + 14, kDepth - 1), 0.5));
     if (clock.at(1.0)) clock.add(spawnFire(inCabin(46, kFloor + 4, 38), 0.6));
     if (clock.at(2.0))
-        clock.add(HeatEdit{.position = inCabin(26, kFloor + 22, kDeep + 6), .radius = 1.2, .joules = 4.0e6});
+        clock.add(HeatEdit{.position = inCabin(26, kFloor + 22, kDepth + 6), .radius = 1.2, .joules = 4.0e6});
     for (int i = clock.first(15.5, 12, 16.7); i < clock.last(15.5, 12, 16.7); ++i)
-        clock.add(pourWater(inCabin(60 + i % 4 * 4, kFloor + 4 + i, kDeep + 6), 0.8));
+        clock.add(pourWater(inCabin(60 + i % 4 * 4, kFloor + 4 + i, kDepth + 6), 0.8));
     return clock.take();
 }
 

@@ -13,8 +13,8 @@
 namespace rubble::scenes {
 namespace {
 
-constexpr int kWide = 110, kDeep = 60, kTall = 32, kMargin = 4;
-constexpr int kFloor = kFooting + 1, kCeiling = kFloor + kTall;
+constexpr int kWidth = 110, kDepth = 60, kHeight = 32, kMargin = 4;
+constexpr int kFloor = kFooting + 1, kCeiling = kFloor + kHeight;
 constexpr ivec3 kShopLow{105, -kFooting, 120};
 constexpr int kGlobes = 5, kCubes = 4;
 
@@ -71,7 +71,7 @@ void addShopFront(Level& level, Canvas& c) {
     const uint32_t group = addLightGroup(level, "sign", 0.2f);
     const Swatch board = c.addSurface(kPlasticBlack),
                  glow = c.addSurface({"glass", {0x1a7068}, 120, 0, 10, 255, 0, 9.0f}, 100, group);
-    const int z = kMargin + kDeep;
+    const int z = kMargin + kDepth;
     c.box({kMargin + 10, kCeiling + 3, z}, {kMargin + 100, kCeiling + 22, z + 2}, board);
     drawLettering(c, {kMargin + 20, kCeiling + 6, z + 2}, "RUBBLE", 2, glow);
     for (int x : {30, 78})
@@ -80,7 +80,7 @@ void addShopFront(Level& level, Canvas& c) {
 }
 
 void addLightShop(Level& level) {
-    Canvas c({kWide + 2 * kMargin, kCeiling + 24, kDeep + 2 * kMargin + 4});
+    Canvas c({kWidth + 2 * kMargin, kCeiling + 24, kDepth + 2 * kMargin + 4});
     const Swatch concrete = c.addSurface(kConcrete), plaster = c.addSurface(kPlaster),
                  tile = c.addSurface(kTileWhite, 90), tileDark = c.addSurface(kTileWhite, 66),
                  wood = c.addSurface(kDarkWood), steel = c.addSurface(kDarkSteel), wire = c.addSurface(kWire),
@@ -92,7 +92,7 @@ void addLightShop(Level& level) {
                        wire,
                        c.addSurface(kCopperPipe),
                        true};
-    const int x0 = kMargin, x1 = x0 + kWide, z0 = kMargin, z1 = z0 + kDeep;
+    const int x0 = kMargin, x1 = x0 + kWidth, z0 = kMargin, z1 = z0 + kDepth;
     c.box({x0, 0, z0}, {x1, kFloor, z1}, concrete);
     const WallFrames frames = wallFrames({x0, 0, z0}, {x1, 0, z1});
     for (const WallFrame* wall : {&frames.left, &frames.right, &frames.back})
@@ -157,7 +157,7 @@ Edits lightShopScript(int step, uint64_t) {
     for (int i = 0; i < kCubes; ++i)
         if (clock.at(3.9 + 0.4 * i))
             clock.add(ExplodeEdit{inShop(cubeX(i) + 3.0, kFloor + 15.0, kMargin + 20.0), 0.5, 60.0});
-    if (clock.at(5.6)) clock.add(ExplodeEdit{inShop(48, kCeiling + 12.0, kMargin + kDeep + 3.0), 1.3, 900.0});
+    if (clock.at(5.6)) clock.add(ExplodeEdit{inShop(48, kCeiling + 12.0, kMargin + kDepth + 3.0), 1.3, 900.0});
     if (clock.at(6.3))
         clock.add(carveSphere((glm::dvec3(84, 0, 206) + glm::dvec3(0.5, 51.0, 13.0)) * kVoxel, {0.45, 0.45, 0.45}));
     return clock.take();

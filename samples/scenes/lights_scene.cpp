@@ -12,8 +12,8 @@
 namespace rubble::scenes {
 namespace {
 
-constexpr int kWide = 136, kDeep = 74, kTall = 36, kBehind = 40;
-constexpr int kFloor = kFooting + 1, kCeiling = kFloor + kTall, kBack = kBehind;  // in cells of the hall's grid
+constexpr int kWidth = 136, kDepth = 74, kHeight = 36, kBehind = 40;
+constexpr int kFloor = kFooting + 1, kCeiling = kFloor + kHeight, kBack = kBehind;  // in cells of the hall's grid
 constexpr ivec3 kHall{90, -kFooting, 96};
 constexpr int kMiddle = 66;  // x of the cracked part of the wall
 
@@ -145,22 +145,22 @@ void addFlood(Level& level, Canvas& c) {
 }
 
 void addHall(Level& level) {
-    Canvas c({kWide + 4, kCeiling + 4, kBack + kDeep + 4});
+    Canvas c({kWidth + 4, kCeiling + 4, kBack + kDepth + 4});
     const Swatch concrete = c.addSurface(kConcrete), dark = c.addSurface(kConcreteDark),
                  plaster = c.addSurface(kPlaster, 80), brick = c.addSurface(kBrick), joint = c.addSurface(kBrickJoint),
                  steel = c.addSurface(kSteel);
     // The smooth floor mirrors the lights.
     const Swatch polished = c.addSurface({"concrete", {0x55565a, 0x5c5d60, 0x4e4f53}, 90, 0, 40, 255, 4});
-    c.box({0, 0, 0}, {kWide, kFooting, kBack + kDeep}, dark);
-    c.box({0, kFooting, kBack}, {kWide, kFloor, kBack + kDeep}, polished);
-    c.fill({0, kFloor, kBack}, {kWide, kCeiling, kBack + 3}, [&](ivec3 cell) {
+    c.box({0, 0, 0}, {kWidth, kFooting, kBack + kDepth}, dark);
+    c.box({0, kFooting, kBack}, {kWidth, kFloor, kBack + kDepth}, polished);
+    c.fill({0, kFloor, kBack}, {kWidth, kCeiling, kBack + 3}, [&](ivec3 cell) {
         const int shifted = cell.x + cell.y % 2 * 2;
         return PaletteBuilder::pickFor(shifted % 4 == 0 ? joint : brick, hashCell(shifted / 4, cell.y, 0, 42) >> 8);
     });
-    c.box({0, kFloor, kBack}, {3, kCeiling, kBack + kDeep}, plaster);
-    c.box({kWide - 3, kFloor, kBack}, {kWide, kCeiling, kBack + kDeep}, plaster);
-    c.box({0, kCeiling, kBack}, {kWide, kCeiling + 3, kBack + kDeep}, concrete);
-    for (int x = 18; x < kWide; x += 33) c.box({x, kCeiling - 3, kBack + 3}, {x + 2, kCeiling, kBack + kDeep}, steel);
+    c.box({0, kFloor, kBack}, {3, kCeiling, kBack + kDepth}, plaster);
+    c.box({kWidth - 3, kFloor, kBack}, {kWidth, kCeiling, kBack + kDepth}, plaster);
+    c.box({0, kCeiling, kBack}, {kWidth, kCeiling + 3, kBack + kDepth}, concrete);
+    for (int x = 18; x < kWidth; x += 33) c.box({x, kCeiling - 3, kBack + 3}, {x + 2, kCeiling, kBack + kDepth}, steel);
     crackWall(c);
     addHallLights(level, c);
     addScreen(level, c);

@@ -11,18 +11,18 @@
 namespace rubble::scenes {
 namespace {
 
-constexpr int kWide = 124, kDeep = 70, kTall = 34, kMargin = 8;
-constexpr int kFloor = kFooting + 2, kTop = kFloor + kTall;
+constexpr int kWidth = 124, kDepth = 70, kHeight = 34, kMargin = 8;
+constexpr int kFloor = kFooting + 2, kTop = kFloor + kHeight;
 constexpr ivec3 kHouse{90, -kFooting, 110};
-constexpr int kPanes = 4, kPane = (kWide - 8) / kPanes;  // panes, and cells per pane
+constexpr int kPanes = 4, kPane = (kWidth - 8) / kPanes;  // panes, and cells per pane
 
 void addPavilion(Level& level) {
-    Canvas c({kWide + 2 * kMargin, kTop + 6, kDeep + 2 * kMargin});
+    Canvas c({kWidth + 2 * kMargin, kTop + 6, kDepth + 2 * kMargin});
     const Swatch concrete = c.addSurface(kConcrete), board = c.addSurface(kFloorBoard), seam = c.addSurface(kFloorSeam),
                  steel = c.addSurface(kDarkSteel), glass = c.addSurface(kGlass), wood = c.addSurface(kDarkWood),
                  white = c.addSurface(kPlaster), felt = c.addSurface(kRoofFelt), brick = c.addSurface(kBrick),
                  joint = c.addSurface(kBrickJoint);
-    const int x0 = kMargin, x1 = x0 + kWide, z0 = kMargin, z1 = z0 + kDeep;
+    const int x0 = kMargin, x1 = x0 + kWidth, z0 = kMargin, z1 = z0 + kDepth;
     c.box({x0 - 4, 0, z0 - 2}, {x1 + 4, kFloor, z1 + 6}, concrete);
     c.fill({x0, kFloor, z0}, {x1, kFloor + 1, z1}, [&](ivec3 cell) {
         const int plank = cell.z / 4;

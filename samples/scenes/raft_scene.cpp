@@ -45,15 +45,15 @@ void addBasin(Level& level) {
 
 /// Logs side by side with planks across them.
 LevelShape makeRaft() {
-    constexpr int kLogs = 9, kLog = 4, kLong = 52;
-    Canvas c({kLong, kLog + 2, kLogs * kLog});
+    constexpr int kLogs = 9, kLog = 4, kLength = 52;
+    Canvas c({kLength, kLog + 2, kLogs * kLog});
     const Swatch bark = c.addSurface(kBark), timber = c.addSurface(kTimber), board = c.addSurface(kFenceWood);
     for (int i = 0; i < kLogs; ++i)
-        c.fill({i % 2, 0, i * kLog}, {kLong - (i + 1) % 2, kLog, (i + 1) * kLog}, [&](ivec3 cell) {
+        c.fill({i % 2, 0, i * kLog}, {kLength - (i + 1) % 2, kLog, (i + 1) * kLog}, [&](ivec3 cell) {
             const int y = cell.y, z = cell.z - i * kLog;
             const bool isCorner = (y == 0 || y == kLog - 1) && (z == 0 || z == kLog - 1);
             if (isCorner && y == 0) return uint8_t(0);
-            const bool isEnd = cell.x < 2 || cell.x >= kLong - 2;
+            const bool isEnd = cell.x < 2 || cell.x >= kLength - 2;
             return PaletteBuilder::pick(isEnd ? timber : bark, cell);
         });
     for (const int x : {6, 18, 30, 42}) c.box({x, kLog, 0}, {x + 4, kLog + 2, kLogs * kLog}, board);

@@ -15,18 +15,18 @@
 namespace rubble::scenes {
 namespace {
 
-constexpr int kFoot = 3, kLength = 150, kTall = 46, kThick = 4;
+constexpr int kFoot = 3, kLength = 150, kHeight = 46, kThickness = 4;
 constexpr ivec3 kWall{85, -kFoot, 150};
-constexpr double kFace = (kWall.z + kThick - 0.5) * kVoxel;  // z of the outer cells of the painted face
+constexpr double kFace = (kWall.z + kThickness - 0.5) * kVoxel;  // z of the outer cells of the painted face
 
 LevelShape makeMuralWall() {
-    Canvas c({kLength, kFoot + kTall + 2, kThick + 2});
+    Canvas c({kLength, kFoot + kHeight + 2, kThickness + 2});
     const Swatch brick = c.addSurface(kBrick), joint = c.addSurface(kBrickJoint), dirty = c.addSurface(kBrick, 78),
                  stone = c.addSurface(kKerb), plaster = c.addSurface(kRender), grey = c.addSurface(kRender, 90),
                  moss = c.addSurface(kMoss);
     for (int x = 0; x < kLength; ++x)
-        for (int y = 0; y < kFoot + kTall; ++y)
-            for (int k = 0; k < kThick; ++k) {
+        for (int y = 0; y < kFoot + kHeight; ++y)
+            for (int k = 0; k < kThickness; ++k) {
                 const int shifted = x + y % 2 * 2 + k / 2 * 4;
                 const uint32_t id = hashCell(shifted / 4, y, k / 2, 42);
                 c.setEntry({x, y, 1 + k}, PaletteBuilder::pickFor(shifted % 4 == 0 ? joint
@@ -35,15 +35,15 @@ LevelShape makeMuralWall() {
                                                                   id >> 8));
             }
     // Worn plaster over most of the face, under the mural.
-    c.fill({6, kFoot + 4, kThick}, {kLength - 6, kFoot + kTall - 1, kThick + 1}, [&](ivec3 cell) {
-        const int edge = std::min({cell.x - 6, kLength - 7 - cell.x, cell.y - kFoot - 4, kFoot + kTall - 2 - cell.y});
+    c.fill({6, kFoot + 4, kThickness}, {kLength - 6, kFoot + kHeight - 1, kThickness + 1}, [&](ivec3 cell) {
+        const int edge = std::min({cell.x - 6, kLength - 7 - cell.x, cell.y - kFoot - 4, kFoot + kHeight - 2 - cell.y});
         const int flaked = int(hashCell(cell.x / 5, cell.y / 4, 0, 151) % 100) - edge * 9;
         if (flaked > 10 || hashCell(cell.x / 9, cell.y / 6, 1, 152) % 17 == 0) return c.at(cell);
         return PaletteBuilder::pick(hashCell(cell.x / 12, cell.y / 9, 2, 153) % 5 ? plaster : grey, cell);
     });
-    c.box({0, kFoot + kTall, 0}, {kLength, kFoot + kTall + 2, kThick + 2}, stone);
-    for (int x : {0, kLength - 3}) c.box({x, 0, 0}, {x + 3, kFoot + kTall, kThick + 2}, brick);
-    c.stain({0, kFoot, 0}, {kLength, kFoot + 4, kThick + 2}, moss, 30);
+    c.box({0, kFoot + kHeight, 0}, {kLength, kFoot + kHeight + 2, kThickness + 2}, stone);
+    for (int x : {0, kLength - 3}) c.box({x, 0, 0}, {x + 3, kFoot + kHeight, kThickness + 2}, brick);
+    c.stain({0, kFoot, 0}, {kLength, kFoot + 4, kThickness + 2}, moss, 30);
     return c.finish("mural wall");
 }
 

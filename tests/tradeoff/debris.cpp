@@ -65,11 +65,11 @@ Run simulate(const Setting& setting, uint64_t seed, bool drawn) {
     settings.shadowVolume = settings.publish = drawn;
     settings.particles.maxAlive = 0;
     FrameLoop loop(settings);
-    WorldSettings how;
-    how.minPieceVoxels = setting.smallest;
-    how.debris.bodies = setting.bodies;
-    how.debris.settleSteps = setting.settleSteps;
-    loop.world().setSettings(how);
+    WorldSettings worldSettings;
+    worldSettings.minPieceVoxels = setting.smallest;
+    worldSettings.debris.bodies = setting.bodies;
+    worldSettings.debris.settleSteps = setting.settleSteps;
+    loop.world().setSettings(worldSettings);
     loop.load(makeWall());
     Run run;
     for (int step = 0; step < kSteps; ++step) {

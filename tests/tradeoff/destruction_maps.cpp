@@ -106,9 +106,9 @@ Table piecesMap(const Options& options) {
                 FrameLoopSettings settings;
                 settings.shadowVolume = settings.publish = false;
                 FrameLoop loop(settings);
-                WorldSettings how;
-                how.debris.awakeBodies = budget;
-                loop.world().setSettings(how);
+                WorldSettings worldSettings;
+                worldSettings.debris.awakeBodies = budget;
+                loop.world().setSettings(worldSettings);
                 loop.load(heldBlock(count));
                 loop.edits().push(dice(count));
                 std::vector<double> steps;
