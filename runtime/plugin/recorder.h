@@ -1,4 +1,6 @@
 #pragma once
+#include <span>
+
 #include "runtime/assets/recording_file.h"
 #include "runtime/world/history/world_baseline.h"
 

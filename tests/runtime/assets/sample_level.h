@@ -1,15 +1,12 @@
 #pragma once
+#include <memory>
+
 #include "runtime/world/level/level.h"
 
 namespace rubble {
 
-/// A level in which every field has a value that is not its default: rotated and moving bodies, shared and own
-/// palettes, lights with groups, unusual names, an empty grid, uniform, full and mixed bricks.
-inline Level sampleLevel() {
-    Level level;
-    level.name = "sample \"level\" \xc3\xa9";
-    level.materials.materials.push_back(
-        {.name = "cheese", .hardness = Hardness::Hard, .density = 950, .friction = 0.123f, .gun = false});
+/// Sets fields of a level's environment.
+inline void setSampleEnvironment(Level& level) {
     level.environment.sunDirection = {0.1f, 0.7f, -0.3f};
     level.environment.exposure = 1.25f;
     level.environment.fogDensity = 0.02f;
@@ -20,25 +17,32 @@ inline Level sampleLevel() {
     level.environment.clouds = 0.25f;
     level.environment.stars = 0.5f;
     level.environment.gravity = {0.0f, -1.62f, 0.0f};
-    level.locations.emplace_back("spawn",
-                                 Pose{{1.0 / 3.0, 2e-7, -12345.678}, glm::angleAxis(0.3, glm::dvec3(0, 1, 0))});
+}
 
-    auto shared = std::make_shared<Palette>();
-    (*shared)[1] = {.red = 200,
-                    .green = 10,
-                    .blue = 30,
-                    .opacity = 99,
-                    .roughness = 3,
-                    .metallic = 250,
-                    .reflectivity = 77,
-                    .material = 4};
-    (*shared)[255] = {.red = 1, .green = 2, .blue = 3, .material = 18};
-    auto glowing = std::make_shared<Palette>(*shared);
+/// A palette of two entries.
+inline std::shared_ptr<Palette> samplePalette() {
+    auto palette = std::make_shared<Palette>();
+    (*palette)[1] = {.red = 200,
+                     .green = 10,
+                     .blue = 30,
+                     .opacity = 99,
+                     .roughness = 3,
+                     .metallic = 250,
+                     .reflectivity = 77,
+                     .material = 4};
+    (*palette)[255] = {.red = 1, .green = 2, .blue = 3, .material = 18};
+    return palette;
+}
+
+/// The same with a glowing entry.
+inline std::shared_ptr<Palette> sampleGlowingPalette() {
+    auto glowing = std::make_shared<Palette>(*samplePalette());
     (*glowing)[7] = {.red = 255, .green = 240, .blue = 200, .material = 1, .emission = 6.1f, .lightGroup = 2};
+    return glowing;
+}
 
-    LevelBody house;
-    house.name = "house";
-    house.tags = {"a=b", ""};
+/// A painted shape with bricks of all kinds.
+inline LevelShape sampleWalls(const PaletteRef& palette) {
     LevelShape walls;
     walls.name = "walls.north";
     walls.grid = VoxelGrid({20, 9, 33});
@@ -60,9 +64,13 @@ inline Level sampleLevel() {
             layer[i] = i % 3 ? paintByte(1 + int(i % 2), int(i % 17)) : uint8_t(0);
         walls.grid.setBrick(brick, makeBrick(indices, &layer));
     });
-    walls.palette = shared;
+    walls.palette = palette;
     walls.anchors = {{{0, 0, 0}, {20, 1, 33}}, {{4, 0, 4}, {5, 9, 6}}};
-    house.shapes.push_back(walls);
+    return walls;
+}
+
+/// A small rotated shape with a glowing voxel.
+inline LevelShape sampleLantern() {
     LevelShape lantern;
     lantern.name = "lantern";
     lantern.local = {{0.3, 4.0, -2.5}, glm::angleAxis(1.1, glm::normalize(glm::dvec3(1, 2, 3)))};
@@ -73,15 +81,17 @@ inline Level sampleLevel() {
         writer.set({0, 4, 0}, 7);
         writer.set({2, 0, 1}, 1);
     }
-    lantern.palette = glowing;
+    lantern.palette = sampleGlowingPalette();
     lantern.tags = {"light"};
     lantern.strength = 0.75f;
     lantern.loadBearing = false;
     lantern.collisionLayer = 4;
     lantern.collisionMask = 12;
-    house.shapes.push_back(lantern);
-    level.bodies.push_back(house);
+    return lantern;
+}
 
+/// Adds a moving body with a hidden shape without voxels.
+inline void addSampleCart(Level& level, const PaletteRef& palette) {
     LevelBody cart;
     cart.name = "cart";
     cart.pose = {{-1000.25, 0.1, 3.75}, glm::angleAxis(-2.0, glm::normalize(glm::dvec3(0.2, 1, 0)))};
@@ -91,11 +101,14 @@ inline Level sampleLevel() {
     LevelShape empty;
     empty.name = "lantern";  // names need not be unique in a level
     empty.grid = VoxelGrid({40, 1, 1});
-    empty.palette = shared;
+    empty.palette = palette;
     empty.hidden = true;
     cart.shapes.push_back(empty);
     level.bodies.push_back(cart);
+}
 
+/// Adds light groups, a cone light and a screen.
+inline void addSampleLights(Level& level) {
     level.lightGroups = {{.name = "unused"},
                          {.name = "bulb", .threshold = 0.6f, .initialVoxels = 1, .removedVoxels = 0, .out = true}};
     LevelLight light;
@@ -115,7 +128,10 @@ inline Level sampleLevel() {
     light.light.twoSided = true;
     light.light.image = {2, {0xff0000, 0x123456, 0, 0xffffff}};
     level.lights.push_back(light);
+}
 
+/// Adds water, a trigger and a character.
+inline void addSampleRegions(Level& level) {
     level.waters.push_back({.name = "pond",
                             .outline = {{0.0, 0.1}, {5.0, 0.0}, {2.0, 7.5}},
                             .surface = -0.3,
@@ -127,7 +143,7 @@ inline Level sampleLevel() {
                             .color = {0.2f, 0.3f, 0.1f},
                             .clarity = 1.5f,
                             .waves = {0.1f, 3.0f, 1.0f, 0.5f}});
-    level.triggers.push_back({.name = "door way",
+    level.triggers.push_back({.name = "doorway",
                               .kind = TriggerKind::Polygon,
                               .pose = {{1.0, 2.0, 3.0}, glm::angleAxis(0.4, glm::dvec3(0, 1, 0))},
                               .radius = 0.5,
@@ -147,6 +163,10 @@ inline Level sampleLevel() {
     player.velocity = {0.0, -1.0, 0.0};
     player.grounded = true;
     level.characters.push_back(player);
+}
+
+/// Adds a rope.
+inline void addSampleJoint(Level& level) {
     LevelJoint rope{{.name = "line", .kind = JointKind::Rope}, {"walls.north", ""}};
     rope.joint.ends[0].frame = {{0.1, 0.2, 0.3}, glm::angleAxis(0.4, glm::dvec3(0, 0, 1))};
     rope.joint.ends[1] = {.frame = {{3.0, 4.0, 5.0}}, .cell = {1, 2, 3}, .radius = 0.7, .isFree = true};
@@ -168,6 +188,28 @@ inline Level sampleLevel() {
                        .color = {1, 2, 3}};
     rope.joint.points = {{{1.0, 2.0, 3.0}, {0.1, 0.2, 0.3}}, {{4.0, 5.0, 6.0}}};
     level.joints.push_back(rope);
+}
+
+/// A level in which every field has a value that is not its default: rotated and moving bodies, shared and own
+/// palettes, lights with groups, unusual names, an empty grid, uniform, full and mixed bricks.
+inline Level sampleLevel() {
+    Level level;
+    level.name = "sample \"level\" \xc3\xa9";
+    level.materials.materials.push_back(
+        {.name = "cheese", .hardness = Hardness::Hard, .density = 950, .friction = 0.123f, .gun = false});
+    setSampleEnvironment(level);
+    level.locations.emplace_back("spawn",
+                                 Pose{{1.0 / 3.0, 2e-7, -12345.678}, glm::angleAxis(0.3, glm::dvec3(0, 1, 0))});
+    const PaletteRef palette = samplePalette();
+    LevelBody house;
+    house.name = "house";
+    house.tags = {"a=b", ""};
+    house.shapes = {sampleWalls(palette), sampleLantern()};
+    level.bodies.push_back(house);
+    addSampleCart(level, palette);
+    addSampleLights(level);
+    addSampleRegions(level);
+    addSampleJoint(level);
     return level;
 }
 

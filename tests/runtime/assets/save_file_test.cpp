@@ -144,58 +144,73 @@ TEST(SaveFile, FilesOfOtherKindsAreRefused) {
     EXPECT_FALSE(readSave(path, 1));
 }
 
-/// What a network host would send: a snapshot to a client that joins, and the delta of each step to all.
-TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
-    World host = brokenWorld();
-    PaletteList list;
-    WorldBaseline baseline(host);
-    std::vector<RecordedStep> log;
-    const auto step = [&](const Edits& edits) {
-        const FrameChanges changes = host.applyEdits(edits);
+/// A network host: it sends a snapshot to a client that joins, and the delta of each step to all.
+class Host {
+public:
+    Host() : world(brokenWorld()), m_baseline(world) {}
+
+    void step(const Edits& edits) {
+        const FrameChanges changes = world.applyEdits(edits);
         RecordedStep record{.step = changes.step};
-        record.delta = stepDeltaToBytes(baseline.update(host, changes), changes, host, list);
-        host.bodies().forEach([&](BodyHandle handle, const Body& body) {
+        record.delta = stepDeltaToBytes(m_baseline.update(world, changes), changes, world, palettes);
+        world.bodies().forEach([&](BodyHandle handle, const Body& body) {
             if (!body.isStatic)
                 record.poses.push_back(
                     {handle, {body.pose.position + glm::dvec3(0.01)}, body.velocity, body.angularVelocity, false});
         });
-        host.setPoses(record.poses);
-        SlotValues<BodyHandle, Body> unused;
-        baseline.move(host, record.poses, unused);
-        record.hash = host.hash();
-        record.voxelHash = host.voxelHash();
-        record.resolvedHash = host.resolvedHash();
+        world.setPoses(record.poses);
+        SlotValues<BodyHandle, Body> oldBodies;
+        m_baseline.move(world, record.poses, oldBodies);
+        record.hash = world.hash();
+        record.voxelHash = world.voxelHash();
+        record.resolvedHash = world.resolvedHash();
         log.push_back(record);
-    };
+    }
+    /// Two added lights, then both lights of the lowest slots removed: the next light does not take the lowest free
+    /// slot.
+    void shuffleLightSlots() {
+        step({AddLightEdit{}, AddLightEdit{}});
+        std::vector<LightHandle> lights;
+        world.lights().forEach([&](LightHandle handle, const Light&) { lights.push_back(handle); });
+        step({RemoveLightEdit{lights.at(0)}, RemoveLightEdit{lights.at(1)}});
+    }
+
+    World world;
+    PaletteList palettes;  ///< those that the clients know
+    std::vector<RecordedStep> log;
+
+private:
+    WorldBaseline m_baseline;
+};
+
+Edits randomEdits(const World& world, Random& random) {
+    const double x = random.unit() * 4.0, y = random.unit() * 4.0, z = random.unit() * 2.0;
+    Edits edits = {sphereCarve({x, y, z}, 0.5)};
+    if (random.below(2))
+        edits.push_back(PaintEdit{
+            .position = {y, x, z}, .radius = 0.8, .mode = random.below(2) ? PaintMode::Layer : PaintMode::Blend});
+    if (random.below(3) == 0) edits.push_back(ExplodeEdit{.position = {y, x, z}, .size = 1.5});
+    Light light = screen(world);
+    light.local.position.x = x;
+    if (random.below(2)) edits.push_back(AddLightEdit{light});
+    const LightHandle any = world.lights().handleAt(random.below(uint32_t(world.lights().slotCount())));
+    if (any && random.below(2))
+        edits.push_back(random.below(2) ? Edit(RemoveLightEdit{any}) : Edit(SetLightEdit{any, light}));
+    Environment weather = world.environment();
+    weather.clouds = float(random.unit());
+    if (random.below(3) == 0) edits.push_back(SetEnvironmentEdit{weather});
+    return edits;
+}
+
+TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
+    Host host;
     Random random(3);
-    const auto randomEdits = [&] {
-        const double x = random.unit() * 4.0, y = random.unit() * 4.0, z = random.unit() * 2.0;
-        Edits edits = {sphereCarve({x, y, z}, 0.5)};
-        if (random.below(2))
-            edits.push_back(PaintEdit{
-                .position = {y, x, z}, .radius = 0.8, .mode = random.below(2) ? PaintMode::Layer : PaintMode::Blend});
-        if (random.below(3) == 0) edits.push_back(ExplodeEdit{.position = {y, x, z}, .size = 1.5});
-        Light light = screen(host);
-        light.local.position.x = x;
-        if (random.below(2)) edits.push_back(AddLightEdit{light});
-        const LightHandle any = host.lights().handleAt(random.below(uint32_t(host.lights().slotCount())));
-        if (any && random.below(2))
-            edits.push_back(random.below(2) ? Edit(RemoveLightEdit{any}) : Edit(SetLightEdit{any, light}));
-        Environment weather = host.environment();
-        weather.clouds = float(random.unit());
-        if (random.below(3) == 0) edits.push_back(SetEnvironmentEdit{weather});
-        return edits;
-    };
-    for (int i = 0; i < 10; ++i) step(randomEdits());
-    const std::vector<uint8_t> snapshot = gameToBytes({host.state(), {}});
-    const size_t joined = log.size();
-    list = {};  // the client knows no palettes yet
-    for (int i = 0; i < 30; ++i) step(i % 4 == 3 ? Edits{} : randomEdits());
-    step({AddLightEdit{}, AddLightEdit{}});
-    std::vector<LightHandle> lights;
-    host.lights().forEach([&](LightHandle handle, const Light&) { lights.push_back(handle); });
-    step({RemoveLightEdit{lights.at(0)},
-          RemoveLightEdit{lights.at(1)}});  // now the next light does not take the lowest free slot
+    for (int i = 0; i < 10; ++i) host.step(randomEdits(host.world, random));
+    const std::vector<uint8_t> snapshot = gameToBytes({host.world.state(), {}});
+    const size_t joined = host.log.size();
+    host.palettes = {};  // the client that joins knows none
+    for (int i = 0; i < 30; ++i) host.step(i % 4 == 3 ? Edits{} : randomEdits(host.world, random));
+    host.shuffleLightSlots();
 
     World joiner(9);
     Result<SavedGame> game = gameFromBytes(snapshot, "snapshot", 9);
@@ -203,24 +218,25 @@ TEST(StepDelta, ALateJoinerCatchesUpFromSnapshotAndLog) {
     joiner.setState(std::move(game->world));
     std::vector<PaletteRef> palettes;
     size_t bytes = 0;
-    for (size_t i = joined; i < log.size(); ++i) {
-        const Result<RecordedStep> sent = recordedStepFromBytes(recordedStepToBytes(log[i]), "wire", 9);
+    for (size_t i = joined; i < host.log.size(); ++i) {
+        const RecordedStep& step = host.log[i];
+        const Result<RecordedStep> sent = recordedStepFromBytes(recordedStepToBytes(step), "wire", 9);
         ASSERT_TRUE(sent) << sent.error();
         bytes += sent.value().delta.size();
         const Result<FrameChanges> applied = applyStepDelta(sent.value().delta, "wire", joiner, palettes);
         ASSERT_TRUE(applied) << "step " << i << ": " << applied.error();
-        ASSERT_EQ(joiner.voxelHash(), log[i].voxelHash) << "step " << i;
+        ASSERT_EQ(joiner.voxelHash(), step.voxelHash) << "step " << i;
         joiner.setPoses(sent.value().poses);
-        ASSERT_EQ(joiner.hash(), log[i].hash) << "step " << i;
+        ASSERT_EQ(joiner.hash(), step.hash) << "step " << i;
     }
     joiner.shapes().forEach([&](ShapeHandle, const Shape& shape) {
         EXPECT_EQ(shape.moments, gridMoments(shape.grid, *shape.palette, joiner.materials()));
     });
     EXPECT_TRUE(joiner.voxelAccounting().balances());
     EXPECT_GT(joiner.shapes().size(), 5u);
-    EXPECT_EQ(joiner.environment(), host.environment());
+    EXPECT_EQ(joiner.environment(), host.world.environment());
     ASSERT_GT(joiner.lights().size(), 3u);
-    EXPECT_EQ(joiner.lights().freeSlots(), host.lights().freeSlots());
+    EXPECT_EQ(joiner.lights().freeSlots(), host.world.lights().freeSlots());
     RecordProperty("bytes_per_step", int(bytes / 30));
 }
 
