@@ -1,4 +1,4 @@
-// Light that has met several walls on its way, against the reference.
+// Indirect light after several bounces, against the reference.
 #include "tests/golden/drawing.h"
 #include "tests/reference/brightness.h"
 #include "tests/reference/path_tracer.h"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr glm::ivec2 kSize(48, 32);
 
-/// A room that the sun enters by a hole behind the camera: all that is seen is lit by what is not.
+/// Sunlight enters a room through a hole behind the camera: what is visible is lit by surfaces that are off screen.
 class RoomBehindAHole : public Drawing {
 protected:
     static LitScene scene() {
@@ -34,7 +34,7 @@ protected:
         camera.lookAt({-0.3, 1.6, -3.0});
         return camera;
     }
-    /// Mean radiance of all that is seen, over the reference's.
+    /// Mean radiance of the image over that of the reference.
     double ratio(const LitScene& made, const FloatImage& reference, int bounces) {
         RenderSettings settings = comparedSettings();
         settings.bounces = bounces;
@@ -52,10 +52,10 @@ TEST_F(RoomBehindAHole, IsAsBrightAsTheReference) {
     RecordProperty("drawn_over_true", std::to_string(one) + " " + std::to_string(two) + " " + std::to_string(three));
     EXPECT_NEAR(two, 1.0, 0.25);
     EXPECT_NEAR(three, 1.0, 0.1);
-    EXPECT_GT(std::abs(one - 1.0), 1.8 * std::abs(two - 1.0)) << "what the second bounce is for";
+    EXPECT_GT(std::abs(one - 1.0), 1.8 * std::abs(two - 1.0)) << "the second bounce does not help";
 }
 
-/// A wall that looks along z, on a wide floor.
+/// A wall that faces +z, on a wide floor.
 class WallTest : public Drawing {
 protected:
     static LitScene scene(uint8_t floorReflectivity) {
@@ -71,7 +71,7 @@ protected:
         made.add({30, 8, 2}, {{-1.5, 0, 0}}, [](glm::ivec3) { return uint8_t(2); });
         return made;
     }
-    /// Mean radiance of the wall, drawn over true, away from its edges.
+    /// Mean radiance of the wall over that of the reference, away from its edges.
     double ratio(const LitScene& made) {
         Camera camera;
         camera.position = {0, 1.2, 4.0};
@@ -85,7 +85,7 @@ protected:
     }
 };
 
-/// Seen against the sun over a floor that shines toward the eye: that shine is the eye's alone.
+/// The floor reflects the sun toward the camera. That highlight is view-dependent and must not light the wall.
 TEST_F(WallTest, AHighlightLightsNobodyElse) {
     LitScene made = scene(120);
     made.environment.sunDirection = glm::normalize(glm::vec3(0.2f, 0.4f, -1.0f));

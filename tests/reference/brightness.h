@@ -6,8 +6,8 @@
 
 namespace rubble::reference {
 
-/// Mean radiance drawn over mean radiance true, of the pixels that lie on something with all their neighbours: which
-/// pixels of its edges do is up to the last picture's jitter. isOn(pixel's index).
+/// Mean radiance of the drawn image over that of the reference, over the pixels that are on an object with all their
+/// neighbours: edge pixels depend on the last frame's jitter. isOn(index of a pixel) tells which are. NaN if none is.
 template <class F>
 glm::dvec3 brightnessRatio(const FloatImage& drawn, const FloatImage& reference, F&& isOn) {
     glm::dvec3 sum(0.0), sumReference(0.0);
@@ -19,7 +19,7 @@ glm::dvec3 brightnessRatio(const FloatImage& drawn, const FloatImage& reference,
             const auto p = size_t(x + y * drawn.size.x);
             sum += glm::dvec3(drawn.pixels[p]), sumReference += glm::dvec3(reference.pixels[p]);
         }
-    return sum / sumReference;  // no number if nothing is inside: no test passes then
+    return sum / sumReference;  // NaN fails every test
 }
 
 }  // namespace rubble::reference

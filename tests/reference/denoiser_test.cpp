@@ -1,4 +1,4 @@
-// The denoised picture against the reference, and how soon it follows what changes.
+// The denoised image against the reference, and how soon it follows changes of light.
 #include <cmath>
 #include <cstdlib>
 
@@ -15,7 +15,7 @@ constexpr int kFrames = 16;
 
 class DenoiserTest : public Drawing {
 protected:
-    /// FLIP of the view after 16 frames of one ray a pixel, standing still.
+    /// FLIP of the view after 16 frames of one ray a pixel with a camera that stands still.
     double flipOf(SceneView& each, glm::ivec2 size, int samples) {
         each.view.size = size;
         const Estimate reference =
@@ -35,7 +35,7 @@ protected:
 };
 
 TEST_F(DenoiserTest, OneRayPerPixelComesNearTheReference) {
-    if (!std::getenv("RUBBLE_LONG")) GTEST_SKIP() << "minutes; set RUBBLE_LONG=1";
+    if (!std::getenv("RUBBLE_LONG")) GTEST_SKIP() << "takes minutes: set RUBBLE_LONG=1";
     for (SceneView& each : heldOutViews()) {
         const double difference = flipOf(each, {640, 360}, 1024);
         printf("%s: FLIP %.4f\n", each.name.c_str(), difference);
@@ -43,7 +43,7 @@ TEST_F(DenoiserTest, OneRayPerPixelComesNearTheReference) {
     }
 }
 
-/// A floor under a weak sky, seen from above, and a region of its pixels whose light is about to change.
+/// A floor under a weak sky, seen from above, whose light changes.
 class ChangeTest : public Drawing {
 protected:
     static constexpr glm::ivec2 kSize{96, 64};
@@ -71,7 +71,7 @@ protected:
         renderer->draw(above().view(kSize, target->framebuffer()), 1.0f);
         return std::move(*renderer->readTarget("resolved"));
     }
-    /// The mean of some frames.
+    /// Mean of the next frames.
     FloatImage meanOf(int frames) {
         FloatImage sum(kSize);
         for (int i = 0; i < frames; ++i) {
@@ -80,8 +80,8 @@ protected:
         }
         return sum;
     }
-    /// Draws what is there, changes it, and expects 90 % of the new light within 12 frames and less than 2 % of the old
-    /// after 30: of the pixels that change by more than half of the largest change.
+    /// Calls change() and expects 90 % of the new light within 12 frames, and less than 2 % of the old light after 30,
+    /// over the pixels that change by more than half of the largest change.
     template <class F>
     void expectToFollow(F&& change) {
         for (int i = 0; i < 40; ++i) next();
@@ -103,7 +103,7 @@ protected:
             }
             return sum / all;
         };
-        ASSERT_GT(largest, 0.1f) << "nothing changes";
+        ASSERT_GT(largest, 0.1f) << "the change has no effect on the light";
         RecordProperty("left_after_12", std::to_string(left(after[11])));
         RecordProperty("left_after_30", std::to_string(left(after[29])));
         EXPECT_LT(std::abs(left(after[11])), 0.1);
@@ -132,11 +132,11 @@ TEST_F(ChangeTest, ABodyThatIsGoneTakesItsShadowAlong) {
     expectToFollow([&] {
         scene.move(box, {{-1.6, 0, -30.0}});
         renderer->apply(scene.step());
-        renderer->apply(scene.step());  // it lies still where it is now
+        renderer->apply(scene.step());  // the second one says that it rests
     });
 }
 
-/// The same small, where the reference has noise of its own.
+/// A quick version with small images, whose reference has noise of its own.
 TEST_F(DenoiserTest, ASmallImageComesNearTheReference) {
     SceneView each = std::move(tuningViews(false)[0]);
     const double difference = flipOf(each, {96, 54}, 48);

@@ -4,12 +4,12 @@
 
 namespace rubble::reference {
 
-/// Linear radiance as shaders/passes/tonemap.frag shows it at this exposure, sRGB-coded in [0, 1], without bloom,
-/// sharpening, vignette and dither: what pictures are compared in.
+/// Linear radiance tone-mapped as in shaders/passes/tonemap.frag, as sRGB in [0, 1], for comparisons: without bloom,
+/// sharpening, vignette and dither.
 FloatImage displayed(const FloatImage& radiance, float exposure);
-/// The exposure that shaders/passes/exposure.frag comes to for a picture that stands still.
+/// The exposure that shaders/passes/exposure.frag converges to for a still image. ofLevel: the level's own exposure.
 float exposureFor(const FloatImage& radiance, float ofLevel);
-/// In 8 bits, rows from the top.
+/// sRGB in [0, 1] as 8 bits, rows from the top.
 Image toImage(const FloatImage& srgb);
 
 }  // namespace rubble::reference

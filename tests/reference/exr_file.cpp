@@ -15,10 +15,10 @@
 namespace rubble::reference {
 namespace {
 
-constexpr uint64_t kTracerVersion = 4;  // raise it when the same settings give another estimate
+constexpr uint64_t kTracerVersion = 4;  // raise it when the tracer changes, so that no cached file is used
 constexpr const char* kNames[6] = {"R", "G", "B", "variance.R", "variance.G", "variance.B"};
 
-/// Slices over the estimate's channels. The first row in memory is the lowest: strides go backwards from the last.
+/// Slices over the channels. OpenEXR wants the top row first, which is last in memory: the strides are negative.
 Imf::FrameBuffer slicesOf(Estimate& estimate) {
     Imf::FrameBuffer slices;
     const glm::ivec2 size = estimate.mean.size;
@@ -83,7 +83,7 @@ Estimate cachedRender(const Scene& scene, const View& view, const Settings& sett
         if (auto found = readExr(path); found && found->mean.size == view.size) return *found;
     Estimate estimate = render(scene, view, settings, what);
     std::filesystem::create_directories(folder);
-    // Under another name first: a run that is cut off leaves no half file to be found.
+    // Written under another name first, so that an interrupted run leaves no incomplete file.
     if (writeExr(path + ".part", estimate)) std::filesystem::rename(path + ".part", path);
     return estimate;
 }

@@ -8,22 +8,23 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "runtime/core/constants.h"
+
 namespace rubble::reference {
 namespace {
 
 using glm::dvec3;
 
-constexpr double kPi = 3.14159265358979323846;
-// The paper's constants: exponents of colour and feature differences; where the linear map of colours bends, and to
-// what.
+// The paper's constants: exponents of colour and feature differences (q_c, q_f), and the knee of the error map (p_c,
+// p_t).
 constexpr double kColorExponent = 0.7, kFeatureExponent = 0.5, kBendAt = 0.4, kBendTo = 0.95;
 constexpr double kFeatureWidth = 0.082;  // degrees
 
-/// A image of three numbers a pixel.
+/// An image of three numbers a pixel.
 struct Plane {
     glm::ivec2 size;
     std::vector<dvec3> values;
-    const dvec3& at(int x, int y) const {  // the border goes on for ever
+    const dvec3& at(int x, int y) const {  // clamped to the border
         return values[size_t(std::clamp(y, 0, size.y - 1)) * size_t(size.x) + size_t(std::clamp(x, 0, size.x - 1))];
     }
 };
@@ -36,7 +37,7 @@ Plane map(const Plane& from, F&& f) {
     return to;
 }
 
-// sRGB primaries, D65. Rows are made so that white comes to kWhite.
+// Linear sRGB to CIE XYZ, D65.
 const glm::dmat3 kToXyz =
     glm::transpose(glm::dmat3(10135552.0 / 24577794.0, 8788810.0 / 24577794.0, 4435075.0 / 24577794.0,  //
                               2613072.0 / 12288897.0, 8788810.0 / 12288897.0, 887015.0 / 12288897.0,    //
@@ -49,7 +50,7 @@ dvec3 linear(dvec3 srgb) {
     return srgb;
 }
 
-/// The opponent space that contrast sensitivity is known in.
+/// YCxCz, the opponent space in which contrast sensitivity is measured.
 dvec3 toYCxCz(dvec3 linearRgb) {
     const dvec3 n = kToXyz * linearRgb / kWhite;
     return {116.0 * n.y - 16.0, 500.0 * (n.x - n.y), 200.0 * (n.y - n.z)};
@@ -61,7 +62,7 @@ dvec3 fromYCxCz(dvec3 v) {
     return back * (dvec3(y + v.y / 500.0, y, y - v.z / 200.0) * kWhite);
 }
 
-/// CIELAB with Hunt's adjustment: dark colours are less colourful.
+/// CIELAB with Hunt's adjustment: dark colours have less chroma.
 dvec3 toHuntLab(dvec3 linearRgb) {
     dvec3 n = kToXyz * linearRgb / kWhite;
     constexpr double delta = 6.0 / 29.0;
@@ -71,12 +72,13 @@ dvec3 toHuntLab(dvec3 linearRgb) {
     return {lightness, 0.01 * lightness * 500.0 * (n.x - n.y), 0.01 * lightness * 200.0 * (n.y - n.z)};
 }
 
+/// City-block distance in lightness plus Euclidean distance in chroma (Abasi et al. 2020).
 double hyab(dvec3 a, dvec3 b) {
     const dvec3 d = a - b;
     return std::abs(d.x) + std::sqrt(d.y * d.y + d.z * d.z);
 }
 
-/// One filter for each channel, in two dimensions that are not always separable: sums of Gaussians are.
+/// A filter for each channel: a sum of two Gaussians, which are separable.
 struct Gaussians {
     dvec3 a1, b1, a2, b2;
 };
@@ -103,11 +105,12 @@ Plane blurred(const Plane& from, dvec3 b, int radius, double pixelsPerDegree) {
     return out;
 }
 
-/// What is left of the details for an eye at that distance.
+/// Removes the detail that a viewer at this distance cannot see (contrast sensitivity), and converts to Hunt-adjusted
+/// CIELAB.
 Plane contrastFiltered(const Plane& opponent, double pixelsPerDegree) {
     const Gaussians& g = kSensitivity;
     const int radius = int(std::ceil(3.0 * std::sqrt(0.04 / (2.0 * kPi * kPi)) * pixelsPerDegree));
-    const Plane one{{1, 1}, {dvec3(1.0)}};  // its border goes on: the filters' sums
+    const Plane one{{1, 1}, {dvec3(1.0)}};  // filtered, it gives the sums of the filters
     const dvec3 w1 = g.a1 * glm::sqrt(kPi / g.b1), w2 = g.a2 * glm::sqrt(kPi / g.b2);
     const dvec3 total = w1 * blurred(one, g.b1, radius, pixelsPerDegree).values[0] +
                         w2 * blurred(one, g.b2, radius, pixelsPerDegree).values[0];
@@ -119,13 +122,14 @@ Plane contrastFiltered(const Plane& opponent, double pixelsPerDegree) {
     return map(out, [](const dvec3& v) { return toHuntLab(glm::clamp(fromYCxCz(v), 0.0, 1.0)); });
 }
 
+/// The HyAB difference, raised to q_c and mapped so that it is 1 between pure green and pure blue.
 double colorDifference(dvec3 a, dvec3 b) {
     static const double largest = std::pow(hyab(toHuntLab({0, 1, 0}), toHuntLab({0, 0, 1})), kColorExponent);
     const double d = std::pow(hyab(a, b), kColorExponent), bend = kBendAt * largest;
     return d < bend ? kBendTo / bend * d : kBendTo + (d - bend) / (largest - bend) * (1.0 - kBendTo);
 }
 
-/// Derivative filters along x and y (in x and y of the result): the first finds edges, the second points.
+/// First (edges) or second (points) Gaussian derivatives along x and y, in x and y of the result.
 Plane features(const Plane& gray, bool points, double pixelsPerDegree) {
     const double deviation = 0.5 * kFeatureWidth * pixelsPerDegree;
     const int radius = int(std::ceil(3.0 * deviation));

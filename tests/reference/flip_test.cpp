@@ -27,8 +27,8 @@ FloatImage noise(uint64_t seed, glm::ivec2 size = {40, 24}) {
     return image;
 }
 
-/// The paper normalises colour differences by the one that is largest for it, between pure green and pure blue: there
-/// the metric is one. Even images have no features, so its map of colour differences is seen alone.
+/// The paper normalises colour differences by the largest one, between pure green and pure blue: there FLIP is 1.
+/// Uniform images have no features, so only the colour difference counts.
 TEST(Flip, GreenAgainstBlueIsTheLargestDifference) {
     EXPECT_NEAR(flip(plain({0, 1, 0}), plain({0, 0, 1})), 1.0, 1e-6);
     for (const glm::vec3 a : {glm::vec3(0), glm::vec3(1), glm::vec3(1, 0, 0), glm::vec3(1, 1, 0), glm::vec3(0, 1, 1)})
@@ -36,9 +36,9 @@ TEST(Flip, GreenAgainstBlueIsTheLargestDifference) {
             EXPECT_LT(flip(plain(a), plain(b)), 1.0);
 }
 
-/// CIELAB by CIE 15: mid grey 119/255 has a lightness of 50.03, white 100. HyAB of grays is the lightness alone; the
-/// paper's map is then known but for the largest difference, whose CIELAB values are published: green (87.73,
-/// -86.18, 83.18), blue (32.30, 79.19, -107.86) under D65.
+/// CIELAB by CIE 15: mid grey 119/255 has a lightness of 50.03, white 100. HyAB of greys is the difference in
+/// lightness. The largest difference follows from published CIELAB values under D65: green (87.73, -86.18, 83.18), blue
+/// (32.30, 79.19, -107.86).
 TEST(Flip, GraysMatchPublishedCielabValues) {
     const auto hunt = [](double l, double a, double b) { return glm::dvec3(l, 0.01 * l * a, 0.01 * l * b); };
     const glm::dvec3 d = hunt(87.73, -86.18, 83.18) - hunt(32.30, 79.19, -107.86);
@@ -69,7 +69,7 @@ TEST(Flip, MoreDifferenceIsMore) {
     }
 }
 
-/// What is too fine for the eye counts less the farther away it is.
+/// Fine detail counts less, the farther the viewer is.
 TEST(Flip, DistanceHidesFineDetail) {
     FloatImage checker(glm::ivec2(64, 64));
     for (int y = 0; y < 64; ++y)
@@ -78,7 +78,7 @@ TEST(Flip, DistanceHidesFineDetail) {
     EXPECT_GT(flip(even, checker, 20.0), 2.0 * flip(even, checker));
 }
 
-/// A thin line is noticed more than its colour difference alone: features sharpen it.
+/// A thin line counts for more than its colour difference: it is a feature.
 TEST(Flip, LinesAreNoticedMoreThanTheirColor) {
     FloatImage line = plain(glm::vec3(0.5f), {48, 48});
     for (int y = 0; y < 48; ++y) line.at(24, y) = glm::vec4(0.9f, 0.9f, 0.9f, 1.0f);
@@ -88,11 +88,10 @@ TEST(Flip, LinesAreNoticedMoreThanTheirColor) {
 }
 
 /// NVIDIA's own test pair (images/reference.png and test.png of github.com/NVlabs/flip) has a published mean of
-/// 0.159691 at 67 pixels a degree. The images are theirs and not here: RUBBLE_FLIP_IMAGES names the folder where they
-/// are.
+/// 0.159691 at 67 pixels a degree. The images are not in this source tree: RUBBLE_FLIP_IMAGES names their folder.
 TEST(Flip, PublishedMeanOfThePublishedImages) {
     const char* folder = std::getenv("RUBBLE_FLIP_IMAGES");
-    if (!folder) GTEST_SKIP() << "RUBBLE_FLIP_IMAGES is not set";
+    if (!folder) GTEST_SKIP() << "set RUBBLE_FLIP_IMAGES to a folder with reference.png and test.png of NVlabs/flip";
     FloatImage images[2];
     for (int i = 0; i < 2; ++i) {
         const auto read = readPng(std::string(folder) + (i ? "/test.png" : "/reference.png"));

@@ -1,4 +1,4 @@
-// Glass in motion: a camera that strafes past windows sees what one sees that stands there.
+// Ghosting behind glass: a camera that strafes past windows must see what a still camera sees.
 #include <cstdio>
 #include <cstdlib>
 
@@ -27,8 +27,7 @@ PaletteRef palette(bool glass) {
     return palette;
 }
 
-/// A front with windows in frames, a room with things of strong contrast behind it, and a free-standing tinted pane
-/// before it.
+/// A front with framed windows, high contrast behind it, and a free-standing tinted pane before it.
 LitScene shopFront(bool glass) {
     LitScene scene(palette(glass));
     scene.environment.sunDirection = {0.4f, 0.6f, 0.5f};
@@ -58,7 +57,7 @@ protected:
         camera.lookAt({x - 0.6, 1.3, 0});
         return camera;
     }
-    /// The picture of the eye at one exposure, so that it does not matter how far the eye has got used to it.
+    /// The last of some frames at a fixed exposure, so that adaptation does not matter.
     FloatImage last(const Camera& camera, int frames) {
         draw(camera, frames);
         const auto resolved = renderer->readTarget("resolved");
@@ -68,8 +67,7 @@ protected:
                              reference::toImage(shown)));
         return shown;
     }
-    /// FLIP of the last picture of a ride of so many metres a frame against a camera that has stood at its end for
-    /// long.
+    /// FLIP between the last frame of a moving camera and a camera that has long stood at the same place.
     double trail(bool glass, double metresPerFrame, glm::ivec2 size = kSize) {
         constexpr int kFrames = 8;
         start(shopFront(glass), size);

@@ -1,4 +1,4 @@
-// A floor under one light, as the whole renderer shows it, against the reference: its diffuse light and its highlight.
+// A floor under one light, drawn by the whole renderer, against the reference: diffuse light and highlight.
 #include "tests/golden/drawing.h"
 #include "tests/reference/brightness.h"
 #include "tests/reference/path_tracer.h"
@@ -8,7 +8,7 @@ namespace rubble::reference {
 namespace {
 
 constexpr glm::ivec2 kSize(48, 32);
-constexpr int kJitterPeriod = 16;  // pictures
+constexpr int kJitterPeriod = 16;  // frames
 
 class FloorUnderALight : public Drawing {
 protected:
@@ -31,7 +31,7 @@ protected:
         made.addLight({LightKind::Sphere, {0.3, 1.2, -1.0}, {0, -1, 0}, floor.light, floor.radius, 100.0f, 0.6f, 1.1f});
         return made;
     }
-    /// Mean radiance of the floor, drawn over true.
+    /// Mean radiance of the floor over that of the reference.
     glm::dvec3 ratio(const Floor& floor, glm::dvec3 eye = {0.0, 1.6, 2.2}) {
         const LitScene made = scene(floor);
         Camera camera;
@@ -58,7 +58,7 @@ TEST_F(FloorUnderALight, IsAsBrightAsTheReference) {
     EXPECT_NEAR(ratio({.roughness = 255}).y, 1.0, 0.01) << "rough";
 }
 
-/// A dark floor mirrors as much as it scatters: what it mirrors is the sky, as lamps have highlights of their own.
+/// A dark floor reflects as much as it scatters. It must reflect the sky, as local lights have highlights of their own.
 TEST_F(FloorUnderALight, MirrorsTheSkyAndNotTheLightsColor) {
     const glm::dvec3 found = ratio({.gray = 60,
                                     .roughness = 200,
@@ -70,7 +70,8 @@ TEST_F(FloorUnderALight, MirrorsTheSkyAndNotTheLightsColor) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], 1.0, 0.02) << c;
 }
 
-/// A steel post of one voxel close to a light, before a dark wall far away: the wall does not shine beside it.
+/// A steel post of one voxel close to a light, in front of a dark wall far away: its highlight must not blur onto the
+/// wall.
 class PostByALight : public Drawing {
 protected:
     FloatImage image(uint8_t metallic) {

@@ -39,7 +39,7 @@ TEST(RelativeError, AFewSpecksAreLeftOut) {
     EXPECT_GT(relativeError(image, specks), 0.0);
 }
 
-/// Of two even pictures only the means differ: (2ab + C1) / (a^2 + b^2 + C1), C1 = 0.0001 (equation 6 of the paper).
+/// Two uniform images differ only in their means: (2ab + C1) / (a^2 + b^2 + C1), C1 = 0.0001 (equation 6 of the paper).
 TEST(Ssim, UniformImagesHaveAClosedForm) {
     EXPECT_NEAR(ssim(plain(0.5f), plain(0.5f)), 1.0, 1e-12);
     EXPECT_NEAR(ssim(plain(0.5f), plain(0.25f)), (2 * 0.125 + 1e-4) / (0.3125 + 1e-4), 1e-6);

@@ -16,10 +16,10 @@ namespace {
 using glm::dvec3;
 using glm::vec3;
 
-constexpr double kSurfaceOffset = 1e-6;    // metres off a surface: doubles need no more
+constexpr double kSurfaceOffset = 1e-6;    // metres, enough in double precision
 constexpr double kPlaneHeight = -0.05;     // render/passes/composite_pass.cpp
 constexpr float kPaneReflectance = 0.05f;  // shaders/passes/glass_composite.frag
-constexpr double kLightClearance = 0.12;   // metres around a light in which its own voxels do not hide it
+constexpr double kLightClearance = 0.12;   // metres around a light where its own voxels do not block it
 constexpr int kRouletteFrom = 4;           // bounces
 constexpr double kFilterRadius = 1.5;      // pixels, with exp(-2.3 r^2): shaders/passes/taa.frag
 
@@ -45,7 +45,7 @@ float ggxAlpha(float roughness) {
     return std::max(roughness * roughness, 0.003f);
 }
 
-/// The GGX distribution of ggxDistribution' normals (Walter et al. 2007).
+/// D of the GGX distribution at the half vector (Walter et al. 2007).
 float ggxDistribution(vec3 n, vec3 v, vec3 l, float a2) {
     const float nh = std::clamp(glm::dot(n, glm::normalize(v + l)), 0.0f, 1.0f);
     const float d = nh * nh * (a2 - 1.0f) + 1.0f;
@@ -60,20 +60,20 @@ float specularLobe(vec3 n, vec3 v, vec3 l, float roughness) {
     return ggxDistribution(n, v, l, a2) * 0.5f / std::max(masking, 1e-5f);
 }
 
-/// Density of directions that sampleVisibleNormal() mirrors v to: D G1 / (4 n.v) (Heitz 2018), with Smith's G1.
+/// Density of directions reflected about sampleVisibleNormal(): D G1 / (4 n.v) (Heitz 2018), with Smith's G1.
 float ggxVndfPdf(vec3 n, vec3 v, vec3 l, float roughness) {
     const float alpha = ggxAlpha(roughness), a2 = alpha * alpha;
     const float nv = std::clamp(glm::dot(n, v), 1e-4f, 1.0f);
     return ggxDistribution(n, v, l, a2) * 0.5f / (nv + std::sqrt(nv * nv * (1.0f - a2) + a2));
 }
 
-/// How much a surface gives of each kind of light that reaches it: surfaceRadiance() of shaders/passes/composite.frag.
+/// How a surface reflects each kind of light: surfaceRadiance() of shaders/passes/composite.frag.
 struct Response {
     vec3 f0, share;
-    vec3 diffuse;        ///< of mean radiance
-    vec3 mirror;         ///< of what a mirror ray brings
-    vec3 diffuseAlbedo;  ///< of irradiance / pi from sun and lights, which have highlights of their own
-    float lobe;          ///< of lamps, by their highlights; mirror rays bring the rest from their glowing voxels
+    vec3 diffuse;        ///< factor of the mean radiance from all around
+    vec3 mirror;         ///< factor of a mirror ray's radiance
+    vec3 diffuseAlbedo;  ///< factor of irradiance / pi of sun and lights, which have highlights of their own
+    float lobe;          ///< share of a light's highlight that is analytic; mirror rays bring the rest
 };
 
 Response responseOf(const Surface& s, vec3 view) {
@@ -129,13 +129,13 @@ private:
         return coneDirection(m_sun, std::cos(double(m_air.sunAngle)), unitSquare(random));
     }
 
-    /// One of the lights, and by what its light is to be multiplied.
+    /// One of the lights, and 1 / its probability.
     struct LightChoice {
         const SnapshotLight* light = nullptr;
         float weight = 0.0f;
-        dvec3 toCentre;  ///< from where the surface is left; of a capsule, to one of its balls
+        dvec3 toCentre;  ///< from the surface; of a capsule, to one of the spheres on its axis
     };
-    /// By how much each would give if nothing stood between.
+    /// In proportion to what each would give without occlusion.
     LightChoice chooseLight(const Surface& s, Random& random) const {
         const auto& lights = m_scene.lights();
         float sum = 0.0f;
@@ -157,7 +157,7 @@ private:
         return {&light, sum / unshadowedWeight(light, s), toCentre};
     }
 
-    /// Irradiance / pi.
+    /// Irradiance of one local light / pi, divided by its probability.
     vec3 localLights(const Surface& s, Random& random) const {
         const LightChoice chosen = chooseLight(s, random);
         if (!chosen.light) return vec3(0.0f);
@@ -168,7 +168,7 @@ private:
                    : vec3(0.0f);
     }
 
-    /// What of a light's reach is left at a distance.
+    /// Falls smoothly to 0 at a light's reach: lightWindow() of shaders/lib/local_lights.glsl.
     static float distanceWindow(const SnapshotLight& light, double distance) {
         const double ratio = distance / light.reach;
         const float window = float(std::clamp(1.0 - ratio * ratio * ratio * ratio, 0.0, 1.0));
@@ -187,13 +187,13 @@ private:
         return light.kind == LightKind::Area || light.kind == LightKind::Screen;
     }
 
-    /// Distance from its place within which all of a light lies.
+    /// Radius around a light's position that holds all of it.
     static double extentOf(const SnapshotLight& light) {
         if (isFlat(light)) return 0.5 * std::hypot(light.width, light.height);
         return light.radius + (light.kind == LightKind::Capsule ? 0.5 * light.width : 0.0);
     }
 
-    /// What decides how often a light is sampled: never zero where it gives anything.
+    /// Weight of a light in the choice: above 0 wherever it may send anything.
     static float unshadowedWeight(const SnapshotLight& light, const Surface& s) {
         const dvec3 toCentre = light.position - s.position;
         const double range = glm::length(toCentre), extent = extentOf(light);
@@ -205,13 +205,13 @@ private:
                distanceWindow(light, std::max(range - extent, 0.0)) * coneAttenuation(light, toCentre);
     }
 
-    /// Share of the light that gets from where a surface is left to within what a light's own voxels may fill.
+    /// Transmittance of a shadow ray that ends before a light's own voxels.
     vec3 visibility(const Surface& s, dvec3 direction, double clear) const {
         return clear > 0.0 ? m_scene.transmittance({offsetOrigin(s), direction, clear}) : vec3(1.0f);
     }
 
-    /// To a point of a light: of a ball evenly over the directions in which it is visibility, of a rectangle evenly
-    /// over its face.
+    /// A direction to a random point of a light: of a sphere uniform over its cone, of a rectangle uniform over its
+    /// area.
     static dvec3 sampleLightDirection(const LightChoice& chosen, Random& random) {
         const SnapshotLight& light = *chosen.light;
         const glm::dvec2 u = unitSquare(random);
@@ -224,15 +224,15 @@ private:
                               up * ((u.y - 0.5) * light.height));
     }
 
-    /// Of the angle at which a ball is visibility; never from inside.
+    /// Sine of the half angle of a sphere's cone; the surface counts as outside the sphere.
     static double sineOf(const SnapshotLight& light, double range) {
         return std::min(light.radius / range, 1.0 / 1.001);
     }
 
     /// What a chosen light sends to a surface along a direction.
     struct LightSample {
-        vec3 radiance{0.0f};  ///< times the light's weight
-        double pdf = 0.0;     ///< of sampleLightDirection(), by solid angle; 0: nothing comes from there
+        vec3 radiance{0.0f};  ///< divided by the light's probability
+        double pdf = 0.0;     ///< of sampleLightDirection(), over solid angle; 0: the direction misses the light
     };
     LightSample evaluateLight(const LightChoice& chosen, const Surface& s, dvec3 direction) const {
         if (glm::dot(direction, s.normal) <= 0.0) return {};
@@ -242,7 +242,7 @@ private:
         return lightSample;
     }
 
-    /// A ball of even radiance color / (pi radius^2).
+    /// A sphere of even radiance color / (pi radius^2).
     LightSample evaluateSphere(const LightChoice& chosen, const Surface& s, dvec3 direction) const {
         const SnapshotLight& light = *chosen.light;
         const double radius = light.radius, sine = sineOf(light, glm::length(chosen.toCentre)), range = radius / sine;
@@ -250,7 +250,7 @@ private:
         const double off = glm::dot(aside, aside), cosine = glm::dot(direction, axis);
         if (cosine <= 0.0 || off > sine * sine) return {};
         const double near = std::max(range * cosine - std::sqrt(radius * radius - range * range * off), 0.0);
-        // 1 - cos without cancelling, as sin^2 / (1 + cos).
+        // 1 - cos as sin^2 / (1 + cos), which loses no digits.
         const double solidAngle = 2.0 * kPi * sine * sine / (1.0 + std::sqrt(1.0 - sine * sine));
         return {visibility(s, direction, near - std::max(kLightClearance, radius)) * light.color *
                     float(1.0 / (kPi * radius * radius)) * distanceWindow(light, near) *
@@ -258,7 +258,7 @@ private:
                 1.0 / solidAngle};
     }
 
-    /// A rectangle of radiance color / its area, times its picture.
+    /// A rectangle of radiance color / its area, times its image.
     LightSample evaluateRectangle(const LightChoice& chosen, const Surface& s, dvec3 direction) const {
         const SnapshotLight& light = *chosen.light;
         const dvec3 right(light.right), axis(light.direction), up = glm::cross(right, axis);
@@ -276,17 +276,17 @@ private:
                 range * range / (cosine * area)};
     }
 
-    /// u: along `right` and up. Who looks at a screen has its right on the left.
+    /// u: along `right` and up. A viewer has the screen's right on the left.
     static vec3 screenImageAt(const SnapshotLight& light, glm::dvec2 u) {
-        const LightImage& picture = light.image;
-        if (light.kind != LightKind::Screen || picture.texels.empty()) return vec3(1.0f);
-        const uint32_t column = std::min(uint32_t((1.0 - u.x) * picture.width), picture.width - 1);
-        const uint32_t row = std::min(uint32_t((1.0 - u.y) * picture.height()), picture.height() - 1);
-        const uint32_t texel = picture.texels[column + row * picture.width];
+        const LightImage& image = light.image;
+        if (light.kind != LightKind::Screen || image.texels.empty()) return vec3(1.0f);
+        const uint32_t column = std::min(uint32_t((1.0 - u.x) * image.width), image.width - 1);
+        const uint32_t row = std::min(uint32_t((1.0 - u.y) * image.height()), image.height() - 1);
+        const uint32_t texel = image.texels[column + row * image.width];
         return linear(vec3(float(texel >> 16 & 255), float(texel >> 8 & 255), float(texel & 255)) / 255.0f);
     }
 
-    /// From sun and lights, as the surface sends it on.
+    /// Direct light of sun and local lights, as the surface reflects it.
     vec3 direct(const Surface& s, const Response& r, vec3 view, Random& random) const {
         vec3 sum(0.0f);
         if (m_air.sunDirection.y > 0.0f) {
@@ -303,8 +303,8 @@ private:
         }
         const LightChoice chosen = chooseLight(s, random);
         if (!chosen.light) return sum;
-        // The highlight by a sample of the light and one of the lobe, each weighed by the densities of both (the
-        // balance heuristic: Veach & Guibas 1995).
+        // The highlight takes one sample of the light and one of the lobe, weighted by the balance heuristic (Veach
+        // and Guibas 1995).
         const bool byLobe = r.lobe > 0.0f && m_settings.lobeSamples;
         const auto lobePdf = [&](vec3 l) { return byLobe ? ggxVndfPdf(vec3(s.normal), view, l, s.roughness) : 0.0f; };
         const auto highlight = [&](vec3 l) {
@@ -328,7 +328,7 @@ private:
         return sum;
     }
 
-    /// A mirror ray of a surface.
+    /// A direction reflected about a visible normal.
     dvec3 mirrorDirection(dvec3 normal, dvec3 view, float roughness, Random& random) const {
         dvec3 half = normal;
         if (roughness > 0.03f) {
@@ -340,12 +340,12 @@ private:
         return glm::normalize(direction);
     }
 
-    /// The next ray of a path and what its radiance counts for.
+    /// The next ray of a path.
     struct Next {
         Ray ray;
         vec3 weight;
         bool diffuse;
-        float glow;  ///< share that counts of voxels that have a light
+        float emissionWeight;  ///< factor for the emission of voxels that have a light of their own
     };
     Next next(const Surface& s, const Response& r, dvec3 view, Random& random) const {
         const float diffuse = maxComponent(r.diffuse), mirror = maxComponent(r.mirror), all = diffuse + mirror;
@@ -361,12 +361,12 @@ private:
                 1.0f - r.lobe};
     }
 
-    /// Radiance along a ray of light's. Without the air: it does not light a closed room.
+    /// Radiance along a ray of a path. Without haze, which would light closed rooms.
     vec3 incoming(const Next& first, Random& random) const {
         vec3 sum(0.0f), weight(1.0f);
         Ray ray = first.ray;
         bool diffuse = first.diffuse;
-        float glow = first.glow;
+        float emissionWeight = first.emissionWeight;
         for (int bounce = 0;; ++bounce) {
             ray.tMax = m_settings.maxDistance;
             const Surface s = m_scene.closest(ray);
@@ -377,7 +377,7 @@ private:
             if (bounce == m_settings.bounces) return sum;
             const dvec3 view = -ray.direction;
             const Response response = responseOf(s, vec3(view));
-            sum += weight * s.albedo * s.emission * (s.hasLight ? glow : 1.0f);
+            sum += weight * s.albedo * s.emission * (s.hasLight ? emissionWeight : 1.0f);
             sum += weight * direct(s, response, vec3(view), random);
             const Next n = next(s, response, view, random);
             weight *= n.weight;
@@ -387,28 +387,28 @@ private:
                 weight /= survival;
             }
             if (maxComponent(weight) <= 0.0f) return sum;
-            ray = n.ray, diffuse = n.diffuse, glow = n.glow;
+            ray = n.ray, diffuse = n.diffuse, emissionWeight = n.emissionWeight;
         }
     }
 
-    /// As shaders/lib/mirror.glsl and passes/reflections.frag.
+    /// As in shaders/lib/mirror.glsl and passes/reflections.frag.
     vec3 reflection(const Ray& ray, const Surface& s, Random& random) const {
         const Panes pane = m_scene.panes({ray.origin, ray.direction, s.t});
         if (!pane.any && !s.hit) return vec3(0.0f);
         Surface at = s;
         if (pane.any) at.position = pane.position, at.normal = pane.normal, at.roughness = 0.0f;
-        const float glow = 1.0f - glm::smoothstep(0.1f, 0.25f, at.roughness);
+        const float emissionWeight = 1.0f - glm::smoothstep(0.1f, 0.25f, at.roughness);
         return incoming({{offsetOrigin(at), mirrorDirection(at.normal, -ray.direction, at.roughness, random)},
                          vec3(1.0f),
                          false,
-                         glow},
+                         emissionWeight},
                         random);
     }
 
     vec3 fullRadiance(const Ray& ray, const Surface& s, Random& random) const {
         const vec3 direction(ray.direction);
         const Panes pane = m_scene.panes({ray.origin, ray.direction, s.t});
-        // What panes mirror and what lies behind, as often as each counts.
+        // The pane's reflection or what lies behind, drawn by Fresnel's share.
         if (pane.any) {
             const float share =
                 fresnel(vec3(kPaneReflectance), std::abs(float(glm::dot(pane.normal, ray.direction)))).x;

@@ -14,7 +14,7 @@ namespace {
 
 const glm::dquat kLevel(1, 0, 0, 0);
 
-/// A closed room of one grey, 0.5 linear, that glows.
+/// A closed emissive room of one grey, 0.5 linear.
 LitScene furnace() {
     auto palette = std::make_shared<Palette>();
     PaletteEntry& e = (*palette)[1];
@@ -41,13 +41,13 @@ double meanOf(const FloatImage& image) {
     return sum / double(image.pixels.size());
 }
 
-/// L = e (1 - a^(b + 1)) / (1 - a) where every face gives e and sends a of what it gets on, after b bounces.
+/// Where every face emits e and reflects the share a, L = e (1 - a^(b + 1)) / (1 - a) after b bounces.
 TEST(PathTracer, AClosedFurnaceGlowsAsItsSeriesSays) {
     const Scene scene(furnace().snapshot());
     const double albedo = std::pow((188.0 / 255.0 + 0.055) / 1.055, 2.4);
     for (const int bounces : {1, 2, 4, 64}) {
         const double expected = albedo * (1.0 - std::pow(albedo, bounces + 1)) / (1.0 - albedo);
-        // A path of b bounces sees b + 1 surfaces after the first.
+        // A path of b bounces meets b + 1 surfaces.
         const Estimate estimate = render(scene, insideView({16, 16}), {.samples = 256, .bounces = bounces});
         EXPECT_NEAR(meanOf(estimate.mean), expected, 0.01 * expected) << bounces;
     }
@@ -84,7 +84,8 @@ TEST(PathTracer, RaysMeetTurnedVoxelsWhereTheyAre) {
     EXPECT_NEAR(glm::dot(s.normal, axis), 1.0, 1e-9);
     EXPECT_EQ(scene.transmittance({middle + axis * 3.0, -axis}), glm::vec3(0.0f));
     EXPECT_EQ(scene.transmittance({middle + axis * 3.0, axis}), glm::vec3(1.0f));
-    EXPECT_EQ(scene.transmittance({middle + axis * 3.0, -axis, 2.4}), glm::vec3(1.0f)) << "it ends before";
+    EXPECT_EQ(scene.transmittance({middle + axis * 3.0, -axis, 2.4}), glm::vec3(1.0f))
+        << "the ray ends before the voxel";
 }
 
 TEST(ExrFile, KeepsEveryNumber) {

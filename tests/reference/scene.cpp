@@ -16,14 +16,14 @@ namespace {
 constexpr int kShapesPerLeaf = 2;
 constexpr int kMaxDepth = 64;
 
-/// A colour of a voxel as paintedColor() in shaders/lib/paint.glsl mixes it, sRGB in [0, 1].
+/// Colour of a painted voxel as in paintedColor() of shaders/lib/paint.glsl, sRGB in [0, 1].
 glm::vec3 paintedSrgb(glm::vec3 own, const PaintColorsRef& colors, uint8_t paint) {
     if (!paint || !colors) return own;
     const Srgb& over = colors->colors[size_t(paintColor(paint) - 1)];
     return glm::mix(own, glm::vec3(over[0], over[1], over[2]) / 255.0f, float(paintSteps(paint)) / 16.0f);
 }
 
-/// As transmittance() in shaders/passes/glass.frag.
+/// As transmittance() in shaders/lib/glass_walk.glsl.
 glm::vec3 glassTransmittance(const PaletteEntry& e) {
     const glm::vec3 color = glm::pow(glm::vec3(e.red, e.green, e.blue) / 255.0f, glm::vec3(2.2f));
     const glm::vec3 hue = color / std::max(std::max(color.r, color.g), std::max(color.b, 0.01f));
@@ -38,7 +38,7 @@ bool rayHitsBox(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3&
     return first <= std::min(std::min(leave.x, leave.y), std::min(leave.z, tMax));
 }
 
-/// Hash of bytes that may hold padding is never taken: values one by one.
+/// Hashes value by value, as structs may have padding.
 void add(uint64_t& hash, double value) {
     hash = hashValue(value, hash);
 }
@@ -116,7 +116,7 @@ size_t Scene::paletteIndex(const PaletteRef& palette) {
     return m_palettes.size() - 1;
 }
 
-/// Halves the shapes at the median of the widest axis.
+/// A bounding volume hierarchy: splits the shapes at the median along the widest axis.
 void Scene::build(int node, int first, int count) {
     glm::dvec3 low(1e30), high(-1e30);
     for (int i = first; i < first + count; ++i)
@@ -137,11 +137,10 @@ void Scene::build(int node, int first, int count) {
     build(child + 1, first + count / 2, count - count / 2);
 }
 
-/// f(shape) for each whose box the ray rayHitsBox before tMax, which f may bring nearer. f returns false to stop.
+/// Calls f(shape) for each shape whose box the ray hits before tMax, which f may lower. f returns false to stop.
 template <class F>
 void Scene::forEachShapeOnRay(const Ray& ray, const double& tMax, F&& f) const {
-    // An infinite inverse times a distance of zero would be no number: such a ray counts as one that is a hair off the
-    // axis.
+    // An infinite inverse times 0 would be NaN: such a ray is tilted a little off the axis.
     glm::dvec3 inverse;
     for (int a = 0; a < 3; ++a) inverse[a] = 1.0 / (std::abs(ray.direction[a]) < 1e-18 ? 1e-18 : ray.direction[a]);
     int stack[kMaxDepth], depth = 0;
@@ -163,7 +162,7 @@ void Scene::forEachShapeOnRay(const Ray& ray, const double& tMax, F&& f) const {
 
 namespace {
 
-/// A world ray in a shape's cells; t stays metres.
+/// A world ray in a shape's cells; t stays in metres.
 CellRay cellRay(const Pose& pose, double voxelSize, const Ray& ray, double tMax) {
     return {pose.inversePoint(ray.origin) / voxelSize, glm::conjugate(pose.rotation) * ray.direction / voxelSize, tMax};
 }
@@ -211,7 +210,7 @@ Surface Scene::closest(const Ray& ray) const {
     return s;
 }
 
-/// Neighbouring cells of glass are one pane, tinted by the first (shaders/passes/glass.frag).
+/// Neighbouring cells of glass are one pane, tinted by the first cell (shaders/lib/glass_walk.glsl).
 void Scene::addPanes(const Shape& shape, const Ray& ray, Panes& panes) const {
     const PaletteTable& table = m_palettes[shape.palette];
     CellRay cells = cellRay(shape.pose, shape.voxelSize, ray, ray.tMax);

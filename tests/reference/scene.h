@@ -13,17 +13,17 @@ struct Ray {
     double tMax = 1e30;
 };
 
-/// What a ray rayHitsBox, with the numbers of its palette entry as shaders/lib/gbuffer.glsl gives them to light.
+/// What a ray hits, with the material as shaders/lib/gbuffer.glsl reads it.
 struct Surface {
     bool hit = false;
     double t = 1e30;
     glm::dvec3 position{0.0}, normal{0.0};
     glm::vec3 albedo{0.0f};  ///< linear
     float emission = 0.0f, roughness = 1.0f, metallic = 0.0f, reflectivity = 0.0f;
-    bool hasLight = false;  ///< a light was placed with these glowing voxels: it lights what is around, they do not
+    bool hasLight = false;  ///< its light group has a light, which does the lighting instead of these voxels
 };
 
-/// The nearest pane before a surface, and what comes through all of them.
+/// The nearest pane on a ray, and the transmittance of all of them.
 struct Panes {
     bool any = false;
     double t = 0.0;
@@ -31,26 +31,28 @@ struct Panes {
     glm::vec3 tint{1.0f};
 };
 
-/// Of a colour as it is displayed, channels in [0, 1].
+/// sRGB to linear, channels in [0, 1].
 glm::vec3 linear(glm::vec3 srgb);
 
-/// What a FrameSnapshot shows, for rays on the CPU: through the voxels of each shape where it really stands, not
-/// through the shadow volume. Bodies and lights only: no ropes, water or particles. May be read by many threads.
+/// A FrameSnapshot for rays on the CPU, which go through the voxels of each shape in its exact pose, not through the
+/// shadow volume. Bodies and lights only: no ropes, water or particles. Many threads may read it at once.
 class Scene {
 public:
-    /// The snapshot must hold everything (replacesAll).
+    /// The snapshot must be complete (replacesAll).
     explicit Scene(const FrameSnapshot& snapshot);
 
     /// The nearest opaque voxel.
     Surface closest(const Ray& ray) const;
-    /// Share of light that comes along the ray: 0 behind anything opaque, coloured by panes.
+    /// Transmittance of the ray up to tMax: 0 if anything opaque is on it, tinted by glass.
     glm::vec3 transmittance(const Ray& ray) const;
-    /// The panes within tMax.
+    /// The glass up to tMax.
     Panes panes(const Ray& ray) const;
 
+    /// Sun, sky and haze of the snapshot.
     const Environment& environment() const { return m_environment; }
+    /// The local lights of the snapshot.
     const std::vector<SnapshotLight>& lights() const { return m_lights; }
-    /// Of all that is seen: the key of cached pictures.
+    /// Hash of everything visible: the key of cached estimates.
     uint64_t hash() const { return m_hash; }
 
 private:

@@ -1,6 +1,6 @@
-// Pictures for eyes: what the renderer draws beside the reference. Only with RUBBLE_IMAGES=FOLDER;
-// RUBBLE_WITHOUT=sun,sky,lamps,bounce, mirrors,glow leaves parts of the light out of both,
-// RUBBLE_PART=sun|sky|lamps|mirrors shows one estimator.
+// Images to look at: the renderer beside the reference. Only with RUBBLE_IMAGES=FOLDER.
+// RUBBLE_WITHOUT=sun,sky,lights,bounce,mirrors,emission leaves parts of the light out of both;
+// RUBBLE_PART=sun|sky|lights|mirrors shows one estimator.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ FloatImage asGray(const FloatImage& map) {
     return out;
 }
 
-/// Least milliseconds of each pass over the pictures drawn: what else the machine does is left out as far as it can be.
+/// Least milliseconds of each pass over the frames, which other work on the machine disturbs least.
 class MinTimes {
 public:
     void add(const RenderFigures& figures) {
@@ -57,27 +57,27 @@ int numberFrom(const char* name, int otherwise) {
     return text ? std::atoi(text) : otherwise;
 }
 
-/// Takes a part of the light out of the scene, for both: what is wrong then is not that part's.
+/// Takes a part of the light out of both images, to see whether it causes a difference.
 void remove(SceneView& each, RenderSettings& drawn, Settings& traced, const std::string& part) {
     FrameSnapshot& s = each.snapshot;
     if (part == "sun") s.environment.sunColor = glm::vec3(0.0f);
     if (part == "sky")
         s.environment.skyColor = s.environment.horizonColor = s.environment.groundColor = glm::vec3(0.0f);
-    if (part == "lamps") s.lights.clear();
+    if (part == "lights") s.lights.clear();
     if (part == "bounce") drawn.bounce = false, traced.bounces = 0;
-    if (part != "mirrors" && part != "glow") return;
+    if (part != "mirrors" && part != "emission") return;
     for (SnapshotShape& shape : s.created) {
         auto palette = std::make_shared<Palette>(*shape.palette);
         for (size_t i = 1; i < 256; ++i) {
             PaletteEntry& e = (*palette)[i];
             if (part == "mirrors") e.reflectivity = e.metallic = 0;
-            if (part == "glow") e.emission = 0.0f;
+            if (part == "emission") e.emission = 0.0f;
         }
         shape.palette = palette;
     }
 }
 
-/// What a part of the light is called here, in the reference, and in the renderer's targets.
+/// A part of the light: its name here, its term in the reference, its target in the renderer.
 struct Part {
     const char* name;
     Term term;
@@ -87,7 +87,7 @@ struct Part {
 constexpr Part kParts[] = {{"whole", Term::Full, "resolved", false},
                            {"sun", Term::SunShare, "noisyLight", true},
                            {"sky", Term::Sky, "noisyLight", false},
-                           {"lamps", Term::LocalLights, "noisyLight", false},
+                           {"lights", Term::LocalLights, "noisyLight", false},
                            {"mirrors", Term::Reflection, "reflection", false}};
 
 const Part& partNamed(const std::string& name) {
@@ -96,7 +96,7 @@ const Part& partNamed(const std::string& name) {
     return kParts[0];
 }
 
-/// One estimator alone, as it is before any filter, at the centres of the pixels.
+/// Sets both up for one estimator alone, before any filter, at the centres of the pixels.
 void select(const Part& part, RenderSettings& drawn, Settings& traced) {
     traced.term = part.term;
     if (part.term == Term::Full) return;
@@ -106,7 +106,7 @@ void select(const Part& part, RenderSettings& drawn, Settings& traced) {
     drawn.sky = part.term == Term::Sky;
 }
 
-/// The last picture, or of one estimator the mean of all.
+/// The last frame; for one estimator, the mean of all frames.
 FloatImage drawnPart(Renderer& renderer, const View& view, const Part& part, int frames, MinTimes& times) {
     FloatImage sum;
     for (int i = 0; i < frames; ++i) {
@@ -122,8 +122,7 @@ FloatImage drawnPart(Renderer& renderer, const View& view, const Part& part, int
     return sum;
 }
 
-/// As it might have come out with other random numbers: what FLIP makes of it is the noise that is left in the
-/// reference.
+/// The reference with other random numbers: FLIP between the two measures the noise that is left in it.
 FloatImage withOtherNoise(const Estimate& reference) {
     FloatImage again = reference.mean;
     Random random(1, 1);
@@ -137,7 +136,7 @@ FloatImage withOtherNoise(const Estimate& reference) {
 
 TEST_F(SideBySide, BesideTheReference) {
     const char* folder = std::getenv("RUBBLE_IMAGES");
-    if (!folder) GTEST_SKIP() << "set RUBBLE_IMAGES to a folder to draw the views beside the reference";
+    if (!folder) GTEST_SKIP() << "set RUBBLE_IMAGES to a folder for images of the renderer beside the reference";
     const int width = numberFrom("RUBBLE_WIDTH", 320), samples = numberFrom("RUBBLE_SAMPLES", 64),
               frames = numberFrom("RUBBLE_FRAMES", 16);
     std::vector<SceneView> views = tuningViews();

@@ -5,14 +5,16 @@
 
 namespace rubble::reference {
 
-/// The functions of shaders/lib/sky.glsl on the CPU, without stars; sky_test compares them with what the shaders draw.
-/// Directions are unit vectors, y up; results are radiance.
+/// The clear sky without sun disc. This and the functions below are those of shaders/lib/sky.glsl, without stars;
+/// sky_test compares them with the shaders. Directions are unit vectors, y up; results are linear radiance.
 glm::vec3 skyRadiance(const Environment& air, glm::vec3 direction);
-/// What mirrors show of it: with clouds and hills.
+/// The sky in mirrors: with clouds and hills.
 glm::vec3 mirroredSky(const Environment& air, glm::vec3 direction);
-/// What the camera sees behind the level. eyeHeight: metres over the plane of the fields.
+/// What the camera sees behind the level. eye: world position; eyeHeight: metres above the plane of the fields.
 glm::vec3 backgroundRadiance(const Environment& air, glm::vec3 direction, glm::vec3 eye, float eyeHeight);
+/// Light that the haze scatters into a ray toward a far point.
 glm::vec3 hazeRadiance(const Environment& air, glm::vec3 direction);
+/// Share of light that the haze takes over a distance, 0 to 1.
 float hazeAmount(const Environment& air, float distanceMetres);
 
 }  // namespace rubble::reference

@@ -9,8 +9,7 @@ namespace {
 
 class SkyTest : public Drawing {};
 
-/// Sky, clouds, hills and fields as the shaders draw them, pixel by pixel: whoever changes lib/sky.glsl changes
-/// sky.cpp.
+/// sky.cpp must equal shaders/lib/sky.glsl: sky, clouds, hills and fields, pixel by pixel.
 TEST_F(SkyTest, IsWhatTheShadersDraw) {
     LitScene scene(streetPalette());
     scene.environment = streetScene().environment;

@@ -48,7 +48,7 @@ std::vector<SceneView> heldOutViews() {
 
 RenderSettings comparedSettings() {
     RenderSettings settings;
-    settings.refraction = settings.detail = false;  // the reference does without
+    settings.refraction = settings.detail = false;  // the reference has neither
     settings.skyRays = 1;
     settings.sunRays = 1;
     settings.bevel = settings.fog = settings.glare = false;

@@ -7,21 +7,22 @@
 
 namespace rubble::reference {
 
-/// A scene and where it is seen from.
+/// A scene and a camera.
 struct SceneView {
     std::string name;
     FrameSnapshot snapshot;
     View view;  ///< without size and framebuffer
 };
 
-/// The sandbox town, all of it, as it stands before anything breaks.
+/// The whole sandbox town, undamaged.
 FrameSnapshot townSnapshot();
-/// What the denoiser is tuned with, and what it is judged by: chosen unseen, never to be looked at for a cause. Who
-/// does moves them to the others and chooses new ones. withTown: the town takes a second to make.
+/// The views that the denoiser is tuned with. withTown: the town takes a second to make.
 std::vector<SceneView> tuningViews(bool withTown = true);
+/// The views that the denoiser is evaluated with, as a test set is in machine learning: chosen unseen, and never looked
+/// at to find the cause of an error. A view that was used so moves to tuningViews(), and a new one is chosen.
 std::vector<SceneView> heldOutViews();
-/// What is compared with the reference: no rounded edges and glare, which are a look and not an error, and no shafts of
-/// light in the air.
+/// Settings for comparisons with the reference: without rounded edges, glare, fog, refraction and detail, which the
+/// reference does not have.
 RenderSettings comparedSettings();
 
 }  // namespace rubble::reference
