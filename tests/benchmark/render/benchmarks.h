@@ -10,23 +10,29 @@ namespace rubble::bench {
 
 struct Options {
     glm::ivec2 size{640, 360};
-    int frames = 15;             ///< of which the median is told
-    bool processorTime = false;  ///< of all threads, instead of the wall's
+    int frames = 15;             ///< measured; the median is printed
+    bool processorTime = false;  ///< of all threads, instead of wall time
     std::string shaders = RUBBLE_SOURCE_DIR "/shaders";
-    std::string preset = "balanced";  ///< of the renderer, where a whole frame is measured
-    std::string fullscreen =
-        "auto";               ///< what draws full-screen passes, where a whole frame is measured; "both": side by side
-    std::string imageFolder;  ///< folder for PNGs of what was measured; empty: none
+    std::string preset = "balanced";  ///< of the renderer, for whole frames
+    std::string fullscreen = "auto";  ///< what draws full-screen passes of whole frames; "both": side by side
+    std::string imageFolder;          ///< for PNGs of the measured views; empty: none
 };
 
-/// Each prints its tables and returns the program's exit code. The context is current.
+/// Benchmarks print tables and need a current GL context. This one times each pass of whole frames of the town; it
+/// returns the program's exit code.
 int benchFrame(const Options& options, GlContext& context);
+/// One object: our walk against two over 3D textures. False if a shader does not build.
 bool benchWalk(const Options& options);
+/// Two thousand bodies: our G-buffer against Teardown's method. False if a shader does not build.
 bool benchBodies(const Options& options);
+/// G-buffer and glass of ever larger cities made of copies of the town.
 void benchCity(const Options& options, const FrameSnapshot& town);
+/// Whole frames of these cities; returns the program's exit code.
 int benchCityFrames(const Options& options, GlContext& context);
+/// benchWalk(), benchBodies(), the town and benchCity(); returns the program's exit code.
 int benchPrimary(const Options& options);
 
+/// The upper median. values must not be empty.
 double median(std::vector<double> values);
 
 }  // namespace rubble::bench

@@ -1,5 +1,4 @@
-// The town again and again, as shapes that share their bricks: what a imageFolder costs at equal pixels from 1e7 to 2e9
-// voxels.
+// Cities of copies of the town that share their bricks: the cost of a frame at equal pixels from 1e7 to 2e9 voxels.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,11 +14,11 @@
 namespace rubble::bench {
 namespace {
 
-constexpr double kTownMetres = 64.0;  // metres
+constexpr double kTownMetres = 64.0;
 constexpr int kTownsPerSide[] = {1, 4, 16};
-constexpr int kWarmUp = 20;  // pictures, until memory of light is long
+constexpr int kWarmUp = 20;  // frames, until the history of light is long
 
-/// The shapes, shadows and lights of one town, moved by whole towns, under handles of their own.
+/// Adds a copy of the town's shapes, shadows and lights under new handles. place: in towns.
 void addTown(FrameSnapshot& to, const FrameSnapshot& town, glm::ivec2 place, uint32_t firstSlot) {
     const glm::dvec3 offset(place.x * kTownMetres, 0.0, place.y * kTownMetres);
     std::map<uint32_t, ShapeHandle> renamed;
@@ -87,7 +86,7 @@ void benchCity(const Options& options, const FrameSnapshot& town) {
     }
 }
 
-/// Share of the pixels that show a surface: what lies beyond the town is fields in a town, and towns in a city.
+/// Share of the pixels that show a surface: beyond one town there are fields, in a city more towns.
 double surfaces(const Renderer& renderer) {
     const FloatImage depth = renderer.readTarget("depth").value();
     return double(std::count_if(depth.pixels.begin(), depth.pixels.end(),
@@ -99,9 +98,9 @@ int benchCityFrames(const Options& options, GlContext& context) {
     const FrameSnapshot town = levelSnapshot(makeTown(1));
     const Offscreen target(options.size);
     std::vector<TownView> places = townViews();
-    places.push_back(
-        {"from above", scenes::lookAt({32.0, 40.0, 46.0}, {32.0, 0.0, 34.0}), 0.70f});  // as much surface in each world
-    std::map<std::string, double> first;  // milliseconds by place and pass
+    places.push_back({"from above", scenes::lookAt({32.0, 40.0, 46.0}, {32.0, 0.0, 34.0}),
+                      0.70f});            // the same surfaces in each city
+    std::map<std::string, double> first;  // milliseconds by view and pass
     for (const int side : kTownsPerSide) {
         auto renderer = Renderer::create(context.loader(), options.shaders, RenderSettings::preset(options.preset));
         if (!renderer) {

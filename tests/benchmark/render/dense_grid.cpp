@@ -6,7 +6,7 @@ namespace rubble::bench {
 namespace {
 
 constexpr int kLevels = 3;
-constexpr int kUnit = 14;  // no program of ours has so many samplers
+constexpr int kUnit = 14;  // beyond the samplers of these programs
 
 }  // namespace
 

@@ -16,7 +16,7 @@ namespace {
 constexpr int kWarmUp = 4;
 constexpr int kUntilChosen = 24;  ///< frames of "fastest": see render/shader_library/fullscreen_choice.h
 
-/// One way to draw the town.
+/// The town and a renderer with one method for full-screen passes.
 struct Drawn {
     std::string name;
     std::unique_ptr<FrameLoop> loop;
@@ -60,7 +60,7 @@ void addFrame(Drawn& drawn, const View& view, bool counts, Measured& out) {
     }
 }
 
-/// Frame by frame in turn, so that all see the same machine.
+/// Draws a frame of each by turns, so that other work on the machine disturbs all alike.
 std::vector<Measured> measure(std::vector<Drawn>& all, const View& given, const Options& options) {
     View view = given;
     view.cut = true;

@@ -1,5 +1,4 @@
-// ./rubble bench frame|city|primary: what a imageFolder costs, pass by pass, in ever larger worlds, and against other
-// ways to draw it.
+// ./rubble bench frame|city|primary: the cost of a frame by pass, in ever larger worlds, and against other methods.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -35,7 +34,7 @@ int main(int argc, char** argv) {
         ->capture_default_str()
         ->check(CLI::IsMember({"auto", "fragment", "compute", "fastest", "both"}));
     app.add_option("--shaders", options.shaders, "folder of the shaders")->capture_default_str();
-    app.add_option("--images", options.imageFolder, "folder for pictures of what was measured");
+    app.add_option("--images", options.imageFolder, "folder for images of the measured views");
     CLI11_PARSE(app, argc, argv);
     if (std::sscanf(size.c_str(), "%dx%d", &options.size.x, &options.size.y) != 2 || options.size.x < 1 ||
         options.size.y < 1) {

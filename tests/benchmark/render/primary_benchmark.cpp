@@ -1,4 +1,4 @@
-// Primary visibility: the town's G-buffer and glass alone, and our walk and whole method against the reference game's.
+// Primary visibility: G-buffer and glass of the town, and our walk and G-buffer against Teardown's.
 #include <fmt/format.h>
 
 #include "tests/benchmark/render/gbuffer_rig.h"
@@ -7,7 +7,7 @@
 namespace rubble::bench {
 namespace {
 
-/// A level as it is when it was just loaded.
+/// A level that was just loaded.
 FrameSnapshot snapshotOf(const Level& level) {
     World world;
     world.load(level);

@@ -6,11 +6,12 @@
 
 namespace rubble::bench {
 
-/// The ray of a pixel as shaders have it: metres from the render origin, a length of 1 along the view axis.
+/// The ray of a pixel as in the shaders: metres from the render origin, with a length of 1 along the view axis.
 struct PixelRay {
     glm::dvec3 origin, direction;
 };
 
+/// Through the centre of a pixel, without jitter.
 inline PixelRay pixelRay(const FrameBlock& block, glm::ivec2 pixel) {
     const glm::dvec2 p = (glm::dvec2(pixel) + 0.5) / glm::dvec2(block.targetSize) * 2.0 - 1.0;
     const auto axis = [](const glm::vec4& v) { return glm::dvec3(v); };
@@ -19,13 +20,13 @@ inline PixelRay pixelRay(const FrameBlock& block, glm::ivec2 pixel) {
                                             axis(block.cameraUp) * (p.y * double(block.cameraUp.w))};
 }
 
-/// Pixels for which two ways to draw have different answers, and those of them for which one is wrong: the exact walk
-/// does not find it, neither for the ray itself nor for any of those shifted sideways by up to 1e-4 of a voxel (24, and
-/// 1,680 if these do not find it). Where both are right there is a tie.
+/// Counts pixels where two methods disagree, and how many of the answers are wrong. An answer is wrong if the exact
+/// walk finds it neither for the ray itself nor for rays shifted sideways by up to 1e-4 of a voxel (24 of them, then
+/// 1,680). If both are right, the ray grazes an edge and there is a tie.
 struct Differences {
     int64_t all = 0, firstWrong = 0, secondWrong = 0;
 
-    /// find(ray) walks in double; isFirst and isSecond know the two answers.
+    /// Adds a pixel. find(ray) walks in double precision; isFirst and isSecond compare with the two answers.
     template <class Find, class IsFirst, class IsSecond>
     void add(const PixelRay& ray, double voxelSize, Find&& find, IsFirst&& isFirst, IsSecond&& isSecond) {
         const glm::dvec3 forward = glm::normalize(ray.direction);

@@ -1,4 +1,4 @@
-// One big object: our walk against two over 3D textures, the same rays, in one process.
+// One large object: our walk against two walks over 3D textures, with the same rays, in one process.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace rubble::bench {
 namespace {
 
-constexpr double kVoxelSize = 0.1f;  // metres, as the shaders have it
+constexpr double kVoxelSize = 0.1f;  // metres; a float, as in the shaders
 
 struct Eye {
     const char* name;
@@ -47,7 +47,7 @@ Drawn drawRays(GBufferRig& rig, const Program& program, const Texture& target, c
     return drawn;
 }
 
-/// Pixels where two walks stop at different voxels.
+/// Pixels where two walks hit different voxels.
 Differences differences(const VoxelGrid& grid, const FrameBlock& block, int width, const std::vector<glm::vec4>& a,
                         const std::vector<glm::vec4>& b) {
     Differences count;
@@ -97,7 +97,7 @@ bool benchWalk(const Options& options) {
         fmt::print(
             "  {:<12} ours {:6.1f}   plain DDA {:6.1f} ({:.2f}x)   bits and mips {:6.1f} ({:.2f}x)   other voxels {} "
             "and {} of {}; wrong: "
-            "ours {} and {}, teardown {} and {}\n",
+            "ours {} and {}, theirs {} and {}\n",
             eye.name, a.ms, b.ms, b.ms / a.ms, c.ms, c.ms / a.ms, fromDda.all, fromTeardown.all, a.found.size(),
             fromDda.firstWrong, fromTeardown.firstWrong, fromDda.secondWrong, fromTeardown.secondWrong);
         sums[0] += a.ms, sums[1] += b.ms, sums[2] += c.ms;

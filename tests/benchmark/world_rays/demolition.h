@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <map>
+#include <vector>
 
 #include "runtime/core/random.h"
 #include "runtime/shadow/shadow_worker.h"
@@ -8,19 +10,22 @@
 
 namespace rubble::rays {
 
-/// A scene's world with cubes of 8^3 to 32^3 voxels in it, which is carved, and in which these fly about.
+/// A scene's world with additional cubes of 8^3 to 32^3 voxels, which is carved while the cubes move at random.
 class Demolition {
 public:
+    /// Adds `bodies` cubes at random positions.
     Demolition(const RayScene& scene, int bodies);
+    /// One step with some random carves; moving: the cubes move too.
     void step(int carves, bool moving);
-    /// What the worker published since the last call.
+    /// The patches that the shadow worker has published since the last call.
     std::vector<ShadowPatch> takePatches();
-    /// Every brick as it is, and as it would be if nothing moved.
+    /// All bricks as published.
     std::vector<ShadowPatch> patchesNow() const;
+    /// All bricks as they would be published if nothing moved, with the largest empty boxes.
     std::vector<ShadowPatch> patchesAtRest() const;
-    /// The volume now, in a box of its own: pieces reach out of the scene's.
+    /// The present volume in a box of its own, as cubes may leave the scene's.
     WorldBits bits() const;
-    /// Median over the last `steps`, of this thread's processor time.
+    /// Median processor milliseconds of the shadow worker over the last `steps`.
     double workerMs(size_t steps) const;
 
 private:

@@ -1,5 +1,5 @@
-// bench_world_rays [SCENE...] [--repeats N] [--edits N] [--worker]: the exact walk against the reference's, on the GL,
-// in one process. See walks.h.
+// bench_world_rays [SCENE...] [--repeats N] [--edits N] [--worker]: the exact walk against Teardown's on the GL, in one
+// process. See walks.h.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -34,7 +34,7 @@ std::vector<RaySet> setsOf(const RayScene& scene) {
     return sets;
 }
 
-/// All rays of all sets; the walks take turns, so that what else the machine does hits all alike.
+/// Traces all rays of all sets. The walks take turns, so that other work on the machine disturbs all alike.
 std::vector<Total> measure(Walks& walks, const WorldBits& bits, glm::ivec3 shift, const std::vector<RaySet>& sets,
                            const std::vector<std::string>& names, int repeats) {
     std::vector<Total> totals(names.size());
@@ -75,7 +75,7 @@ void print(const std::string& title, const Walks& walks, const std::vector<std::
     }
 }
 
-/// The same times without what the bench takes itself, and what is left of the exact walk's if it made one step.
+/// Prints the ratios again without the benchmark's own time, and with the exact walk reduced to one step.
 void printNet(const std::vector<std::string>& names, const std::vector<Total>& totals, const Total& setUp,
               const Total& noWalk) {
     const auto net = [&](const Total& t) { return t.milliseconds - noWalk.milliseconds; };
@@ -88,7 +88,7 @@ void printNet(const std::vector<std::string>& names, const std::vector<Total>& t
 
 const std::vector<std::string> kExactOnly(Walks::names().begin(), Walks::names().begin() + 1);
 
-/// The scene's rays in what became of it, and what they would cost if all that moves had come to rest where it is.
+/// Traces the scene's rays in the changed world, and in the same world as if all that moves were at rest.
 void runChanged(const std::string& what, const RayScene& scene, Walks& walks, Demolition& demolition,
                 std::vector<RaySet> sets, int repeats, double untouchedMs) {
     walks.apply(demolition.takePatches());
@@ -123,7 +123,7 @@ void run(const RayScene& scene, int repeats, int edits) {
     runChanged("300 bodies moving", scene, walks, demolition, sets, repeats, rest[0].milliseconds);
 }
 
-/// What moving pieces cost the worker.
+/// Times the shadow worker with moving cubes.
 void runWorker(const RayScene& scene) {
     for (const int bodies : {50, 150, 300, 1000}) {
         constexpr int kSteps = 45;
@@ -147,9 +147,10 @@ int main(int argc, char** argv) {
     bool worker = false;
     CLI::App app{"Rays through the shadow volume", "bench_world_rays"};
     app.add_option("scenes", names, "town, city, model, wide")->capture_default_str();
-    app.add_option("--repeats", repeats)->capture_default_str();
-    app.add_option("--edits", edits, "then so many edits, then 300 moving bodies")->capture_default_str();
-    app.add_flag("--worker", worker, "only what moving pieces cost the worker");
+    app.add_option("--repeats", repeats, "of each measurement; the median counts")->capture_default_str();
+    app.add_option("--edits", edits, "measure again after so many edits, and with 300 moving bodies")
+        ->capture_default_str();
+    app.add_flag("--worker", worker, "only time the shadow worker with moving bodies");
     CLI11_PARSE(app, argc, argv);
     setvbuf(stdout, nullptr, _IOLBF, 0);
     disableGlThreads();

@@ -78,7 +78,7 @@ LevelBody staticBody(VoxelGrid grid, glm::dvec3 position) {
     return body;
 }
 
-/// Fills in the shadow volume and looks along a street, and down on all from a corner.
+/// Fills in the shadow volume and adds two views: along a street, and down from a corner.
 void addViews(RayScene& scene, glm::dvec3 streetWorld, glm::dvec3 along) {
     scene.patches = patchesOf(scene.level);
     scene.bits = bitsOf(scene.patches);

@@ -7,6 +7,7 @@
 
 namespace rubble::rays {
 
+/// A level, its shadow volume and views of it.
 struct RayScene {
     std::string name;
     Level level;
@@ -15,11 +16,12 @@ struct RayScene {
     std::vector<RayView> views;
 };
 
+/// The sandbox town.
 RayScene townScene();
-/// Streets 6 m wide and blocks of houses with rooms, windows and walls one cell thick, poles and trees: 1024 x 256 x
+/// Streets 6 m wide and blocks of houses with rooms, windows and walls one cell thick, poles and trees, in 1024 x 256 x
 /// 1024 cells.
 RayScene cityScene();
-/// The same streets over `blocks` x `blocks` of these cities: up to 4 x 4, 4 billion voxels' room.
+/// `blocks` x `blocks` of these cities, up to 4 x 4: a volume of 4 billion voxels.
 RayScene wideCityScene(int blocks);
 /// A model of the tests (tests/support/models.h); without views if it is missing.
 RayScene modelScene();

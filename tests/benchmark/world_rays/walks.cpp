@@ -21,7 +21,7 @@ bool isEngineWalk(const std::string& walk) {
     return walk == kExact || walk == kCoarseFar || walk == kSetUp;
 }
 
-/// Volumes of the reference's walks: a byte holds 2x2x2 cells of its level.
+/// A level of the volume of Teardown's walks: a byte holds 2x2x2 cells.
 std::vector<uint8_t> packLevel(const WorldBits& bits, int level, glm::ivec3& texels) {
     texels = bits.cells() >> (level + 1);
     std::vector<uint8_t> out(size_t(texels.x) * size_t(texels.y) * size_t(texels.z));
@@ -51,7 +51,7 @@ Program makeProgram(const std::string& walk) {
     ShaderSource vertex = sourceOf("lib/fullscreen.vert"),
                  fragment = sourceOf("../tests/benchmark/world_rays/shaders/" + walk + ".frag");
     fragment.text.insert(fragment.text.find('\n') + 1, "precision highp usampler3D;\n");
-    passUniformsAsVaryings(vertex, fragment);  // as the frame does on this GL
+    passUniformsAsVaryings(vertex, fragment);  // as the renderer does on this GL
     std::string log;
     bool vertexFailed = false;
     Program program(vertex.text, fragment.text, log, vertexFailed);
@@ -73,7 +73,7 @@ double processorMs() {
 struct Walks::Volumes {
     GlName<TextureKind> texture3d = GlName<TextureKind>::make();
     BufferTexture buffer{GL_R8UI};
-    std::array<glm::ivec4, kLevels> levels{};  ///< xyz texels, w the first
+    std::array<glm::ivec4, kLevels> levels{};  ///< xyz size in texels, w first texel
     uint64_t bytes = 0;
     Texture origins{GL_RGBA32F, kImageSize}, directions{GL_RGBA32F, kImageSize}, answers{GL_RGBA16F, kImageSize};
     Framebuffer framebuffer{{&answers}};

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "render/frame/frame_context.h"
 #include "render/gl/program.h"
@@ -11,29 +12,32 @@
 
 namespace rubble::rays {
 
-/// What one walk says about a set of rays, and what that costs. Milliseconds of this thread's processor time, the GL's
-/// included: llvmpipe is told to start no threads.
+/// The answers of one walk to a set of rays, and their processor time in this thread. It includes the GL's, as llvmpipe
+/// is told to start no threads.
 struct TraceResult {
     std::vector<uint8_t> stopped;
     double milliseconds = 0.0;
 };
 
-/// Walks of a world's shadow volume on the GL. The reference's are ours to write: 2x2x2 cells in a byte at full, half
-/// and quarter resolution, in a 3D texture or in a buffer.
+/// Walks through a world's shadow volume on the GL: the renderer's, and our versions of Teardown's, which store 2x2x2
+/// cells in a byte at full, half and quarter resolution, in a 3D texture or in a buffer.
 class Walks {
 public:
-    /// Needs a GL context. Copies of `patches` are made.
+    /// Needs a current GL context.
     Walks(const WorldBits& bits, const std::vector<ShadowPatch>& patches);
     ~Walks();
     Walks(const Walks&) = delete;
     Walks& operator=(const Walks&) = delete;
 
-    static const std::vector<std::string>& names();  ///< the exact one first
-    /// What no walk can do without: the exact one's way to its first step; the bench's own work.
+    /// All walks, the exact one first.
+    static const std::vector<std::string>& names();
+    /// Lower bounds: the exact walk with only one step, and the benchmark without any walk.
     static const std::vector<std::string>& baselines();
+    /// GPU memory of a walk's data.
     uint64_t bytes(const std::string& walk) const;
-    /// Brings the exact walk's structure up to date; the others' stay as they were.
+    /// Updates the data of the exact walk; that of the others stays.
     void apply(std::vector<ShadowPatch> patches);
+    /// Traces all rays of a set once.
     TraceResult trace(const std::string& walk, const RaySet& set);
 
 private:
@@ -45,7 +49,7 @@ private:
     std::map<std::string, Program> m_programs;
 };
 
-/// Tells llvmpipe to work in the calling thread: before a context is made.
+/// Makes llvmpipe work in the calling thread. Call it before a context is made.
 void disableGlThreads();
 
 }  // namespace rubble::rays

@@ -1,4 +1,5 @@
-// A ray from the camera for each pixel; the body lies unturned at the origin. Writes cell and t of the first voxel, -1 for a miss.
+// A camera ray for each pixel; the body lies unrotated at the origin. Writes cell and t of the first voxel, -1 for a
+// miss.
 #include "lib/frame.glsl"
 uniform float uVoxelSize;
 in vec2 uv;

@@ -4,7 +4,7 @@
 #include "../tests/benchmark/render/shaders/dense_grid.glsl"
 #include "../tests/benchmark/render/shaders/teardown_walk.glsl"
 uniform int uBody;
-uniform sampler2D uDepthSoFar;  // linear depth of what was drawn before the last copy
+uniform sampler2D uDepthSoFar;  // linear depth as of the last copy
 flat in vec3 cameraCells;
 layout(location = 0) out vec4 outAlbedo;
 layout(location = 1) out vec4 outNormal;

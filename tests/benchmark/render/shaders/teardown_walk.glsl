@@ -1,5 +1,5 @@
-// The reference game's walk: a level finer where a cell holds something, a level coarser where an empty cell's parent is left.
-// Gives cell and t, -1 for a miss.
+// Teardown's walk: a level finer where a cell is occupied, a level coarser where the ray leaves an empty cell's parent.
+// Returns cell and t, -1 for a miss.
 vec4 firstVoxel(vec3 origin, vec3 given, float tMax, out vec3 normal) {
     vec3 direction, inverse;
     float tEnter, tLeave;
@@ -17,7 +17,8 @@ vec4 firstVoxel(vec3 origin, vec3 given, float tMax, out vec3 normal) {
             if (level == 0) {
                 vec3 enter = (vec3(voxel) + 1.0 - ahead - origin) * inverse;
                 float last = max(enter.x, max(enter.y, enter.z));
-                normal = -sign(direction) * vec3(enter.x >= last, enter.y >= last && enter.x < last, enter.z >= last && max(enter.x, enter.y) < last);
+                normal = -sign(direction) * vec3(enter.x >= last, enter.y >= last && enter.x < last,
+                                                 enter.z >= last && max(enter.x, enter.y) < last);
                 return vec4(voxel, t);
             }
             --level;

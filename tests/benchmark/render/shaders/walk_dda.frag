@@ -1,4 +1,4 @@
-// Every voxel in turn, with accumulated differences (Amanatides & Woo 1987), over a 3D texture.
+// The plain 3D DDA, voxel by voxel with accumulated differences (Amanatides and Woo 1987), over a 3D texture.
 #include "../tests/benchmark/render/shaders/one_ray.glsl"
 #include "../tests/benchmark/render/shaders/dense_grid.glsl"
 
@@ -15,8 +15,10 @@ vec4 firstVoxel(vec3 origin, vec3 given) {
         if (texelFetch(uVoxels, cell, 0).r > 0.0) return vec4(cell, max(t, 0.0));
         t = min(next.x, min(next.y, next.z));
         vec3 crossed = vec3(lessThanEqual(next, vec3(t)));
-        if (crossed.x > 0.0) crossed.yz = vec2(0.0);
-        else if (crossed.y > 0.0) crossed.z = 0.0;
+        if (crossed.x > 0.0)
+            crossed.yz = vec2(0.0);
+        else if (crossed.y > 0.0)
+            crossed.z = 0.0;
         next += crossed * delta;
         cell += ivec3(crossed) * stepSign;
         if (any(lessThan(cell, ivec3(0))) || any(greaterThanEqual(cell, uSize))) break;

@@ -1,4 +1,4 @@
-// One ray a pixel through body 0 by the walk that the renderer uses.
+// The renderer's own walk, one ray a pixel through body 0.
 #include "lib/voxel_walk.glsl"
 #include "../tests/benchmark/render/shaders/one_ray.glsl"
 

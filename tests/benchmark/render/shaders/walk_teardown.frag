@@ -1,4 +1,4 @@
-// The reference game's walk, a ray a pixel.
+// Teardown's walk, one ray a pixel.
 #include "../tests/benchmark/render/shaders/one_ray.glsl"
 #include "../tests/benchmark/render/shaders/dense_grid.glsl"
 #include "../tests/benchmark/render/shaders/teardown_walk.glsl"

@@ -1,4 +1,4 @@
-// The frame's own walk, coarse where rays have come far: as the sky rays of the preset "fast".
+// The renderer's walk, coarse beyond 1.6 m: as the sky rays of the preset "fast".
 #include "lib/frame.glsl"
 #include "lib/shadow_trace.glsl"
 bool traceCells(vec3 origin, vec3 direction, float tMax) {

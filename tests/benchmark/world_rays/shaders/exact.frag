@@ -1,4 +1,4 @@
-// The frame's own walk.
+// The renderer's walk.
 #include "lib/frame.glsl"
 #include "lib/shadow_trace.glsl"
 bool traceCells(vec3 origin, vec3 direction, float tMax) {

@@ -1,4 +1,4 @@
-// What the frame's own walk takes to set up and make one step: the least that a ray can take.
+// The renderer's walk with its set-up and one step: the least that a ray can cost.
 #include "lib/frame.glsl"
 #include "lib/shadow_trace.glsl"
 bool traceCells(vec3 origin, vec3 direction, float tMax) {

@@ -1,4 +1,4 @@
-// Fixed steps, a level finer where something is and a level coarser where nothing is.
+// Teardown's sparse walk: fixed steps, a level finer where a cell is occupied and a level coarser where it is empty.
 bool traceCells(vec3 origin, vec3 direction, float tMax) {
     tMax = leaveVolume(origin, direction, tMax);
     int level = 0;

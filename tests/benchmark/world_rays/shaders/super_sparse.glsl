@@ -1,4 +1,4 @@
-// Five single steps, three double ones, then half and quarter resolution to the end.
+// Teardown's super-sparse walk: five single steps, three double ones, then half and quarter resolution to the end.
 bool traceCells(vec3 origin, vec3 direction, float tMax) {
     tMax = leaveVolume(origin, direction, tMax);
     float t = 0.5;

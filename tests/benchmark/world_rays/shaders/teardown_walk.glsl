@@ -1,5 +1,5 @@
-// The reference's walks: 2x2x2 cells in a byte, at full, half and quarter resolution. Cells are told apart at full resolution
-// only; coarser levels are read a whole byte at a time, 4 and 8 cells wide, which is also how far they step.
+// What Teardown's walks share: 2x2x2 cells in a byte, at full, half and quarter resolution. Only the full resolution
+// tests single cells; coarser levels test a whole byte, 4 and 8 cells wide, which is also their step.
 uniform ivec3 uCells;
 
 bool solidAt(vec3 point, int level) {
@@ -8,7 +8,7 @@ bool solidAt(vec3 point, int level) {
     uint bit = level == 0 ? 1u << uint((cell.x & 1) + (cell.y & 1) * 2 + (cell.z & 1) * 4) : 255u;
     return (texel & bit) != 0u;
 }
-// Where the ray leaves the volume, in cells of the way.
+/// Distance at which the ray leaves the volume, in cells.
 float leaveVolume(vec3 origin, vec3 direction, float tMax) {
     vec3 d = mix(direction, vec3(1e-20), equal(direction, vec3(0.0)));
     vec3 leave = (step(vec3(0.0), d) * vec3(uCells) - origin) / d;

@@ -1,5 +1,5 @@
-// One ray a pixel, from the textures: r 1 where it is stopped.
-uniform sampler2D uOrigins;     // xyz cells, w longest way in cells (negative: no ray)
+// One ray a pixel, from textures. r is 1 where it is stopped.
+uniform sampler2D uOrigins;     // xyz cells, w maximum distance in cells (negative: no ray)
 uniform sampler2D uDirections;  // xyz unit vector
 out vec4 result;
 

@@ -1,5 +1,5 @@
 uniform usamplerBuffer uVolume;
-uniform ivec4 uLevel0;  // xyz texels, w first
+uniform ivec4 uLevel0;  // xyz size in texels, w first texel
 uniform ivec4 uLevel1;
 uniform ivec4 uLevel2;
 uint fetchLevel(ivec3 texel, int level) {
