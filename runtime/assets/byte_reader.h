@@ -87,6 +87,10 @@ public:
         m_error = fmt::format("byte {}, {}: expected {}, found {}", offset == SIZE_MAX ? this->offset() : offset,
                               m_context, expected, found);
     }
+    /// Fails if bytes are left. `what`: of which the end is expected.
+    void expectEnd(const char* what) {
+        if (remaining() > 0) fail(fmt::format("the end of the {}", what), fmt::format("{} more bytes", remaining()));
+    }
     /// Takes over the failure of a reader of a part, if it has one.
     void takeErrorOf(const ByteReader& part) {
         if (!failed()) m_error = part.m_error;

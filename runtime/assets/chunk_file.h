@@ -107,7 +107,7 @@ FileHeader readChunkFile(ByteReader& in, F&& read) {
         const std::vector<uint8_t> raw = readChunk(in, chunk);
         if (!in.failed()) read(chunk, raw, i);
     }
-    if (in.remaining() > 0) in.fail("the end of the file", std::to_string(in.remaining()) + " more bytes");
+    in.expectEnd("file");
     return file;
 }
 

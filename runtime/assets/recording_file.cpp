@@ -88,7 +88,7 @@ Result<RecordedStep> recordedStepFromBytes(std::span<const uint8_t> bytes, const
     ByteReader reader(bytes, "recorded step");
     RecordedStep step;
     BinaryInputArchive(reader, {}, world).get(step);
-    if (reader.remaining() > 0) reader.fail("the end of the step", fmt::format("{} more bytes", reader.remaining()));
+    reader.expectEnd("step");
     if (reader.failed()) return Error{name + ": " + reader.error()};
     return step;
 }
@@ -100,15 +100,15 @@ Result<Recording> recordingFromBytes(std::span<const uint8_t> bytes, const std::
     bool haveStart = false;
     for (uint32_t i = 0; i < header.chunks && !in.failed(); ++i) {
         ChunkHeader chunk;
-        const size_t place = in.offset();
+        const size_t start = in.offset();
         const std::vector<uint8_t> raw = readChunk(in, chunk);
         if (in.failed()) break;
         const std::string kind(chunk.kind.data(), 4),
-            part = fmt::format("{}: byte {}, chunk {} ({}) unpacked", name, place, i, kind);
+            part = fmt::format("{}: byte {}, chunk {} ({}) unpacked", name, start, i, kind);
         if (kind == "GAME") {
-            Result<SavedGame> start = gameFromBytes(raw, part, world);
-            if (!start) return Error{start.error()};
-            recording.start = std::move(*start);
+            Result<SavedGame> game = gameFromBytes(raw, part, world);
+            if (!game) return Error{game.error()};
+            recording.start = std::move(*game);
             haveStart = true;
         } else if (kind == "STEP") {
             Result<RecordedStep> step = recordedStepFromBytes(raw, part, world);
@@ -119,7 +119,7 @@ Result<Recording> recordingFromBytes(std::span<const uint8_t> bytes, const std::
             recording.steps.push_back(std::move(*step));
         }
     }
-    if (in.remaining() > 0) in.fail("the end of the file", fmt::format("{} more bytes", in.remaining()));
+    in.expectEnd("file");
     if (!haveStart) in.fail("a GAME chunk", "none");
     if (in.failed()) return Error{name + ": " + in.error()};
     return recording;

@@ -11,13 +11,15 @@
 namespace rubble {
 namespace {
 
+/// What the chunks read so far have given.
 struct Parsed {
     std::vector<PaletteRef> palettes;
     Level level;
-    std::vector<VoxelGrid*> grids;
+    std::vector<VoxelGrid*> grids;  ///< of all shapes, by the numbers that GRID chunks use
     bool haveLevel = false;
 };
 
+/// Reads the content of one chunk. Failures go to the reader of the file.
 void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, size_t chunk, Parsed& out,
                  ByteReader& file) {
     const std::string kind(header.kind.data(), 4);
@@ -35,8 +37,7 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
     } else {
         return;
     }
-    if (!in.failed() && in.remaining() > 0)
-        in.fail("the end of the chunk", fmt::format("{} more bytes", in.remaining()));
+    in.expectEnd("chunk");
     file.takeErrorOf(in);
 }
 

@@ -13,6 +13,7 @@
 namespace rubble {
 namespace {
 
+/// All slots of a map with their generations, empty ones too: handles stay the same in a loaded game.
 template <class Handle, class T>
 void putSlots(BinaryOutputArchive& out, const SlotMap<Handle, T>& map) {
     out.put(uint32_t(map.slots().size()));
@@ -90,12 +91,13 @@ SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& pale
     return game;
 }
 
-/// What a World asserts: every shape on one body, and that body knows it once.
+/// Checks what a World takes for granted: every shape is on one body that lists it once, joints and heat name shapes
+/// that exist, heat lies inside its shape and is sorted.
 Result<Done> validateHandles(const WorldState& world) {
     std::string error;
     const auto fail = [&](const char* what, uint32_t slot) {
         if (error.empty())
-            error = fmt::format("{} {}: expected handles and bricks that are there, found others", what, slot);
+            error = fmt::format("{} {}: expected handles of objects and bricks that exist, found others", what, slot);
     };
     size_t named = 0;
     world.bodies.forEach([&](BodyHandle handle, const Body& body) {
@@ -134,14 +136,16 @@ Result<Done> validateHandles(const WorldState& world) {
     return Done{};
 }
 
+/// What the chunks read so far have given.
 struct Parsed {
     std::vector<PaletteRef> palettes;
     SavedGame game;
     std::vector<Shape*> shapes;
-    std::vector<VoxelGrid*> grids;
+    std::vector<VoxelGrid*> grids;  ///< of all shapes, by the numbers that GRID chunks use
     bool haveState = false;
 };
 
+/// Reads the content of one chunk. Failures go to the reader of the file.
 void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, size_t chunk, uint8_t world, Parsed& out,
                  ByteReader& file) {
     const std::string kind(header.kind.data(), 4);
@@ -159,12 +163,11 @@ void readContent(const ChunkHeader& header, const std::vector<uint8_t>& raw, siz
     } else {
         return;
     }
-    if (!in.failed() && in.remaining() > 0)
-        in.fail("the end of the chunk", fmt::format("{} more bytes", in.remaining()));
+    in.expectEnd("chunk");
     file.takeErrorOf(in);
 }
 
-/// Whether a World can be in this state, and has the hash that the file says.
+/// Checks that a World can be in this state and then has the hash that the file has.
 Result<Done> validateState(const WorldState& state, uint8_t number, uint64_t hash) {
     if (Result<Done> checked = validateHandles(state); !checked) return checked;
     World world(number);
