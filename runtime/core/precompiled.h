@@ -1,5 +1,6 @@
 #pragma once
-// What most sources include and nobody changes: compiled once (CMake option RUBBLE_PRECOMPILE). Not included by any source.
+// Headers that most sources include and that never change: compiled once (CMake option RUBBLE_PRECOMPILE). No source
+// includes this file.
 #include <algorithm>
 #include <array>
 #include <bit>

@@ -3,7 +3,7 @@
 
 namespace rubble {
 
-/// How often this program has called operator new, on any thread.
+/// How often this program has called operator new, on all threads.
 size_t allocationCount();
 
 }  // namespace rubble

@@ -3,10 +3,24 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "runtime/core/random.h"
+#include "runtime/voxel/cell_box.h"
 #include "runtime/voxel/voxel_grid.h"
 
 /// Grids that tests and benchmarks of several modules need.
 namespace rubble {
+
+/// Sets all cells of a box to an entry; 0 empties them.
+inline void fillBox(GridWriter& writer, const CellBox& box, uint8_t entry) {
+    for (int z = box.low.z; z < box.high.z; ++z)
+        for (int y = box.low.y; y < box.high.y; ++y)
+            for (int x = box.low.x; x < box.high.x; ++x) writer.set({x, y, z}, entry);
+}
+/// Sets all cells of a box to an entry; 0 empties them.
+inline void fillBox(VoxelGrid& grid, const CellBox& box, uint8_t entry) {
+    GridWriter writer(grid);
+    fillBox(writer, box, entry);
+}
 
 /// A grid whose cells are f(cell), a palette entry; 0 is empty.
 template <class F>
@@ -25,7 +39,22 @@ inline VoxelGrid solidGrid(glm::ivec3 size, uint8_t entry = 1) {
     return gridOf(size, [entry](glm::ivec3) { return entry; });
 }
 
-/// The same for large sizes: all full bricks share one brick.
+/// Noise: each cell is solid with a probability of `percent`, with an entry of 1 to 3.
+inline VoxelGrid noiseGrid(glm::ivec3 size, int percent, uint64_t seed) {
+    Random random(seed);
+    return gridOf(
+        size, [&](glm::ivec3) { return int(random.below(100)) < percent ? uint8_t(1 + random.below(3)) : uint8_t(0); });
+}
+
+/// Floors (entry 1) on columns (entry 2), as in a building.
+inline VoxelGrid towerGrid(glm::ivec3 size, int columnWidth = 3, int storey = 12) {
+    return gridOf(size, [=](glm::ivec3 c) {
+        const bool isFloor = c.y % storey >= storey - 2, isColumn = c.x % 16 < columnWidth && c.z % 16 < columnWidth;
+        return uint8_t(isFloor ? 1 : isColumn ? 2 : 0);
+    });
+}
+
+/// solidGrid() for large sizes: all full bricks share one brick.
 inline VoxelGrid solidGridOfSharedBricks(glm::ivec3 size, uint8_t entry = 1) {
     VoxelGrid grid(size);
     BrickIndices full;

@@ -5,7 +5,7 @@
 
 namespace rubble {
 
-/// The first snapshot of a level, with its shadow volume.
+/// The first frame of a level, with its shadow volume.
 inline FrameSnapshot levelSnapshot(const Level& level) {
     World world;
     world.load(level);

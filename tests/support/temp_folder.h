@@ -6,10 +6,11 @@
 
 namespace rubble {
 
-/// An empty folder of its own in the folder of temporary files; the destructor removes it with its contents.
+/// A folder of this process and this object alone: empty at first, removed with its content at the end.
 class TempFolder {
 public:
     /// Creates the folder. Not safe to call from several threads at once.
+    /// Creates the folder.
     TempFolder() {
         static int count = 0;
         m_path = std::filesystem::temp_directory_path() /

@@ -8,15 +8,16 @@
 
 namespace rubble {
 
-/// A simple ParallelFor with threads, as a host may supply one. The calling thread works too.
+/// A simple ParallelFor with threads, as a host may supply. The calling thread works too.
 class ThreadPool {
 public:
     /// Starts threads - 1 workers.
+    /// `threads`: with the calling thread.
     explicit ThreadPool(int threads) {
         for (int i = 1; i < threads; ++i) m_threads.emplace_back([this](const std::stop_token& stop) { serve(stop); });
     }
 
-    /// Calls body(0) to body(count - 1) on all threads and returns when all calls have returned.
+    /// Calls body(i) for i in [0, count) on all threads; returns when all calls have returned.
     void run(size_t count, const std::function<void(size_t)>& body) {
         {
             const std::lock_guard lock(m_mutex);
@@ -35,6 +36,7 @@ public:
 
 private:
     /// Checks for work before a thread sleeps: work comes in bursts, and waking takes longer than most of it.
+    /// Checks before a thread sleeps: work comes in bursts, and waking takes longer than most of it.
     static constexpr int kSpins = 2000;
     static void pause() { std::this_thread::yield(); }
     void work() {

@@ -87,7 +87,7 @@ TEST(SlotMap, RestoredObjectsKeepTheirHandlesAndNewOnesGetFreshOnes) {
     EXPECT_NE(fourth, third) << "an old handle must not name a new object";
     EXPECT_NE(fourth, first);
 
-    SlotMap<BodyHandle, int> other;  // as a replay does: into slots that were never used here
+    SlotMap<BodyHandle, int> other;  // as replay does: into slots that were never used
     other.restore(BodyHandle::make(0, 7, 2), 5);
     EXPECT_EQ(other.slotCount(), 3u);
     EXPECT_EQ(other.insert(6).slot(), 0u);

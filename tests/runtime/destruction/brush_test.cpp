@@ -25,7 +25,7 @@ glm::dquat randomRotation(Random& random) {
     return glm::normalize(glm::dquat(w, x, y, z + 1e-3));
 }
 
-/// Signed distance in cells to the surface, in doubles, by the textbook.
+/// Signed distances to the surfaces, in cells.
 double toSphere(Point p, Point center, double radius) {
     return glm::length(p - center) - radius;
 }
@@ -39,7 +39,7 @@ double toBox(Point p, Point center, Point half, glm::dquat rotation) {
     return std::max({q.x, q.y, q.z});
 }
 
-/// Compares every cell of a 5x5x5 brick grid; cells within the rounding of the brush (1/64 cell) may go either way.
+/// Compares every cell of a grid of 5x5x5 bricks. Cells within the rounding of the brush (1/64 cell) are not tested.
 template <class F>
 void expectTouched(const Brush& brush, F&& distance, const std::string& what) {
     const glm::ivec3 bricks(5);
@@ -52,15 +52,15 @@ void expectTouched(const Brush& brush, F&& distance, const std::string& what) {
                     glm::all(glm::greaterThanEqual(brick, range.low)) && glm::all(glm::lessThan(brick, range.high));
                 const BrickBits bits = inRange ? brushBits(brush, brick, brush.radii[0]) : BrickBits{};
                 for (int i = 0; i < kBrickVoxels; ++i) {
-                    const bool isTouched = bits[size_t(i >> 6)] >> (i & 63) & 1;
-                    const double d = distance(Point(brick * 8 + voxelInBrick(i)) + 0.5);
+                    const bool isTouched = hasVoxel(bits, i);
+                    const double d = distance(Point(brick * kBrickSize + voxelInBrick(i)) + 0.5);
                     ASSERT_TRUE(isTouched == (d < 0.0) || std::abs(d) <= 1.0 / 64)
                         << what << ", cell at distance " << d;
                 }
             }
 }
 
-TEST(Brush, TouchesTheCellsThatGeometrySays) {
+TEST(Brush, TouchesTheCellsWithinTheExactDistance) {
     Random random(1);
     for (int i = 0; i < 80 && !HasFatalFailure(); ++i) {
         const Point a = randomPoint(random, 24.0) + 20.0, b = randomPoint(random, 24.0) + 20.0;
@@ -81,7 +81,7 @@ TEST(Brush, BricksHoldExactlyTheCellsWhoseCentresAreInside) {
     for (int i = 0; i < 60 && !HasFatalFailure(); ++i) {
         const Point a = randomPoint(random, 14.0) + 12.0, b = randomPoint(random, 14.0) + 12.0,
                     half = glm::abs(randomPoint(random, 12.0));
-        // Upright boxes and ones turned about one axis have shortcuts of their own.
+        // Axis-aligned boxes, and boxes rotated about one axis, take shorter code paths.
         const glm::dquat upright(1, 0, 0, 0), turned = glm::angleAxis(double(random.unit()), Point(0, 0, 1));
         const double radius = 12.0 * random.unit();
         for (Brush brush : {sphereBrush(a, {radius, radius, radius}), capsuleBrush(a, b, {radius, radius, radius}),
@@ -93,17 +93,17 @@ TEST(Brush, BricksHoldExactlyTheCellsWhoseCentresAreInside) {
                 const glm::ivec3 brick(n % 3, n / 3 % 3, n / 9);
                 const BrickBits bits = brushBits(brush, brick, brush.radii[0]);
                 for (int v = 0; v < kBrickVoxels; ++v) {
-                    const glm::ivec3 cell = brick * 8 + voxelInBrick(v);
+                    const glm::ivec3 cell = brick * kBrickSize + voxelInBrick(v);
                     const bool isInside = brushContains(
                         brush, {cell.x * 256 + 128, cell.y * 256 + 128, cell.z * 256 + 128}, brush.radii[0]);
-                    ASSERT_EQ(bits[size_t(v >> 6)] >> (v & 63) & 1, uint64_t(isInside)) << "kind " << int(brush.kind);
+                    ASSERT_EQ(hasVoxel(bits, v), isInside) << "kind " << int(brush.kind);
                 }
             }
         }
     }
 }
 
-TEST(Brush, RadiiAreOrderedAndNothingMeansNothing) {
+TEST(Brush, RadiiAreOrderedAndInvalidBrushesTouchNothing) {
     const Brush sphere = sphereBrush({4.5, 4.5, 4.5}, {2.0, 5.0, 0.0});
     EXPECT_EQ(sphere.radii[1], sphere.radii[0]);
     EXPECT_EQ(sphere.radii[2], kBrushEmptyRadius);
@@ -115,7 +115,7 @@ TEST(Brush, RadiiAreOrderedAndNothingMeansNothing) {
     EXPECT_TRUE(brushBricks(boxBrush({4, 4, 4}, {1, 1, 1}, {1, 0, 0, 0}, Hardness::Hard), {0, 0, 0}).empty());
 }
 
-TEST(Brush, FarAndHugeBrushesNeitherOverflowNorMiss) {
+TEST(Brush, FarAndHugeBrushesDoNotOverflow) {
     const double infinity = std::numeric_limits<double>::infinity();
     const Brush everything = sphereBrush({16, 16, 16}, {infinity, infinity, infinity});
     EXPECT_EQ(brushBricks(everything, {4, 4, 4}).high, glm::ivec3(4));

@@ -8,14 +8,8 @@ namespace rubble {
 namespace {
 
 VoxelGrid mixedGrid(glm::ivec3 size, uint64_t seed) {
-    VoxelGrid grid(size);
-    GridWriter writer(grid);
     Random random(seed);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) writer.set({x, y, z}, uint8_t(random.below(6)));
-    writer.flush();
-    return grid;
+    return gridOf(size, [&](glm::ivec3) { return uint8_t(random.below(6)); });
 }
 
 TEST(Carve, RemovesEachClassWithinItsOwnRadius) {
@@ -43,7 +37,7 @@ TEST(Carve, RemovesEachClassWithinItsOwnRadius) {
     EXPECT_EQ(removed[4] + removed[5], 0u);
 }
 
-TEST(Carve, MomentsOfWhatIsLeftAndWhatWasRemovedAddUp) {
+TEST(Carve, MomentsOfTheRestAndOfRemovedVoxelsAddUp) {
     const Palette palette = test::fiveEntries();
     const MaterialTable materials = test::fiveMaterials();
     VoxelGrid grid = mixedGrid({70, 20, 45}, 6);
@@ -60,11 +54,11 @@ TEST(Carve, MomentsOfWhatIsLeftAndWhatWasRemovedAddUp) {
     EXPECT_EQ(sum, all);
 }
 
-TEST(Carve, WhatIsKnownOfNodesIsWhatAFreshGridSays) {
+TEST(Carve, CachedValuesOfNodesEqualThoseOfANewGrid) {
     const Palette palette = test::fiveEntries();
     const MaterialTable materials = test::fiveMaterials();
     VoxelGrid grid = mixedGrid({70, 40, 45}, 8);
-    gridMoments(grid, palette, materials);  // from now on known
+    gridMoments(grid, palette, materials);  // computes and caches the moments of all nodes
     Random random(3);
     for (int i = 0; i < 30; ++i) {
         CarveResult carved;

@@ -23,12 +23,12 @@ TEST(Components, EqualAFloodFillOfNoiseOfEveryDensity) {
     for (int percent : {0, 1, 5, 20, 31, 40, 60, 90, 100})
         for (const glm::ivec3 size : {glm::ivec3(8), glm::ivec3(37, 21, 19), glm::ivec3(33, 9, 70)}) {
             SCOPED_TRACE(testing::Message() << percent << " %, " << size.x << "x" << size.y << "x" << size.z);
-            expectFloodFill(test::noiseGrid(size, percent, uint64_t(percent)));
+            expectFloodFill(noiseGrid(size, percent, uint64_t(percent)));
         }
 }
 
 TEST(Components, FollowASnakeThroughOneBrick) {
-    // Every other row and layer is open, joined at alternating ends: the longest way a brick can hold.
+    // Every other row and layer is solid, connected at alternating ends: the longest path in a brick.
     VoxelGrid grid(glm::ivec3(8));
     {
         GridWriter writer(grid);

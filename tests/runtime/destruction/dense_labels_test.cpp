@@ -12,7 +12,7 @@ TEST(DenseLabels, EqualAFloodFillInItsOrder) {
         for (const glm::ivec3 size :
              {glm::ivec3(1), glm::ivec3(64, 3, 2), glm::ivec3(37, 21, 19), glm::ivec3(133, 9, 7)}) {
             SCOPED_TRACE(testing::Message() << percent << " %, " << size.x << "x" << size.y << "x" << size.z);
-            const VoxelGrid grid = test::noiseGrid(size, percent, uint64_t(percent));
+            const VoxelGrid grid = noiseGrid(size, percent, uint64_t(percent));
             const test::PlainGrid plain(grid);
             const auto expected = test::floodFill(plain);
             std::vector<uint32_t> labels(plain.cells.size(), 77), expectedLabels(plain.cells.size());

@@ -17,7 +17,7 @@ BrickSet bricksOf(const std::vector<glm::ivec3>& bricks) {
     return out;
 }
 
-/// What a flood fill says leaves the grid.
+/// What leaves the grid, by flood fill.
 CellSets detachedByFloodFill(const VoxelGrid& grid, const std::vector<CellBox>& anchors, bool isAnchored,
                              bool* isUnanchored) {
     const test::PlainGrid plain(grid);
@@ -50,7 +50,7 @@ void expectSame(const Detached& detached, const CellSets& expected, bool isUnanc
     }
 }
 
-/// Carves at random places; after each carve the local search must find what a flood fill finds, and takes it away.
+/// Carves at random positions. After each carve the local search must find what a flood fill finds; that is removed.
 void carveAndCompare(VoxelGrid grid, std::vector<CellBox> anchors, bool isAnchored, uint64_t seed, int carves,
                      double radius) {
     const Palette palette = test::fiveEntries();
@@ -82,16 +82,16 @@ TEST(Detachment, LocalSearchEqualsAFloodFill) {
     const std::vector<CellBox> bottom = {{{0, 0, 0}, {40, 1, 36}}};
     const std::vector<CellBox> corners = {{{0, 0, 0}, {3, 38, 3}}, {{36, 30, 30}, {40, 38, 36}}};
     for (uint64_t seed = 1; seed <= 2; ++seed) {
-        carveAndCompare(test::towerGrid(size), bottom, true, seed, 40, 3.0);
-        carveAndCompare(test::towerGrid(size), corners, true, seed, 40, 4.0);
-        carveAndCompare(test::towerGrid(size), {}, false, seed, 40, 4.0);
-        carveAndCompare(test::noiseGrid(size, 40, seed), bottom, true, seed, 25, 2.5);
-        carveAndCompare(test::noiseGrid(size, 33, seed), {}, false, seed, 25, 2.5);
-        carveAndCompare(test::solidGrid({40, 40, 40}), bottom, true, seed, 25, 9.0);
+        carveAndCompare(towerGrid(size), bottom, true, seed, 40, 3.0);
+        carveAndCompare(towerGrid(size), corners, true, seed, 40, 4.0);
+        carveAndCompare(towerGrid(size), {}, false, seed, 40, 4.0);
+        carveAndCompare(noiseGrid(size, 40, seed), bottom, true, seed, 25, 2.5);
+        carveAndCompare(noiseGrid(size, 33, seed), {}, false, seed, 25, 2.5);
+        carveAndCompare(solidGrid({40, 40, 40}), bottom, true, seed, 25, 9.0);
     }
 }
 
-TEST(Detachment, WhatLosesItsOnlyAnchorIsFound) {
+TEST(Detachment, LosingTheOnlyAnchorDetaches) {
     VoxelGrid grid({24, 40, 8});
     {
         GridWriter writer(grid);
@@ -111,7 +111,7 @@ TEST(Detachment, WhatLosesItsOnlyAnchorIsFound) {
     EXPECT_TRUE(detached.pieces.empty());
 }
 
-TEST(Detachment, ALargePieceIsFoundThoughTheFootIsHeldAtOnce) {
+TEST(Detachment, ALargePieceIsFoundAfterTheAnchoredSide) {
     VoxelGrid grid({64, 56, 64});
     {
         GridWriter writer(grid);
@@ -133,7 +133,7 @@ TEST(Detachment, ALargePieceIsFoundThoughTheFootIsHeldAtOnce) {
     EXPECT_EQ(detached.pieces[0].voxels, uint64_t(32 * 24 * 32 + 4 * 4 * 6));
 }
 
-TEST(Detachment, ALongThinRestIsNotTakenForTheLargest) {
+TEST(Detachment, ALongThinPieceIsNotMistakenForTheLargest) {
     VoxelGrid grid({400, 24, 24});
     {
         GridWriter writer(grid);

@@ -42,7 +42,7 @@ glm::ivec3 extent(const Fragment& fragment) {
 }
 
 TEST(Fragments, EveryVoxelIsInTheRestOrInOneFragmentOrDust) {
-    VoxelGrid grid = test::solidGrid({40, 40, 40});
+    VoxelGrid grid = solidGrid({40, 40, 40});
     {
         GridWriter writer(grid);
         Random random(3);
@@ -86,9 +86,9 @@ TEST(Fragments, EveryVoxelIsInTheRestOrInOneFragmentOrDust) {
     EXPECT_EQ(std::accumulate(result.dust.removed.begin(), result.dust.removed.end(), uint64_t(0)), result.dust.voxels);
 }
 
-TEST(Fragments, OneSeedOneResultAnotherSeedAnother) {
+TEST(Fragments, TheSeedDecidesTheResult) {
     const auto outcome = [](uint32_t seed) {
-        VoxelGrid grid = test::solidGrid({32, 32, 32}, entryOf("concrete"));
+        VoxelGrid grid = solidGrid({32, 32, 32}, entryOf("concrete"));
         FracturePlan plan;
         plan.seed = seed;
         const FractureResult result = fractureGrid(grid, ball({16, 30, 16}, 12.3), plan);
@@ -101,15 +101,15 @@ TEST(Fragments, OneSeedOneResultAnotherSeedAnother) {
     EXPECT_NE(outcome(5), outcome(6));
 }
 
-TEST(Fragments, ToolsObeyTheTable) {
+TEST(Fragments, ToolsBreakMaterialsByTheTable) {
     FracturePlan plan;
     for (const auto& [tool, breaks] :
          {std::pair(Tool::Sledge, false), {Tool::Torch, true}, {Tool::Gun, true}, {Tool::Any, true}}) {
-        VoxelGrid grid = test::solidGrid({16, 16, 16}, entryOf("metal"));
+        VoxelGrid grid = solidGrid({16, 16, 16}, entryOf("metal"));
         plan.tool = tool;
         EXPECT_EQ(fractureGrid(grid, ball({8, 8, 8}, 6), plan).dust.bricks.empty(), !breaks) << int(tool);
     }
-    VoxelGrid hard = test::solidGrid({16, 16, 16}, entryOf("hard masonry"));
+    VoxelGrid hard = solidGrid({16, 16, 16}, entryOf("hard masonry"));
     CarveResult carved;
     carve(hard, ball({8, 8, 8}, 6), materialEntries(), defaultMaterials(), carved, Tool::Gun);
     EXPECT_EQ(carved.voxels, 0u);
@@ -117,7 +117,7 @@ TEST(Fragments, ToolsObeyTheTable) {
     EXPECT_GT(carved.voxels, 0u);
 }
 
-/// Two panes in a frame of wood, touching nothing else.
+/// Two panes in a wooden frame.
 VoxelGrid window() {
     VoxelGrid grid({45, 22, 3});
     GridWriter writer(grid);
@@ -130,7 +130,7 @@ VoxelGrid window() {
     return grid;
 }
 
-TEST(Fragments, GlassGoesByThePane) {
+TEST(Fragments, GlassBreaksByThePane) {
     VoxelGrid grid = window();
     const uint64_t before = grid.voxelCount();
     const FractureResult result = fractureGrid(grid, ball({10, 10, 1.5}, 2.0));
@@ -139,14 +139,14 @@ TEST(Fragments, GlassGoesByThePane) {
     EXPECT_EQ(grid.at({30, 3, 1}), entryOf("glass"));
     EXPECT_GT(result.fragments.size(), 8u);
     EXPECT_LT(result.dust.voxels, 21u * 20 / 2);
-    // Nothing wedges: between any two fragments there is a gap.
+    // Between any two fragments there is a gap, so they cannot get stuck.
     std::map<std::array<int, 3>, size_t> fragmentAt;
     const auto key = [](glm::ivec3 cell) { return std::array<int, 3>{cell.x, cell.y, cell.z}; };
     for (size_t i = 0; i < result.fragments.size(); ++i) {
         const Piece& piece = result.fragments[i].piece;
         piece.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
             forEachVoxel(content->occupancy,
-                         [&](int v) { fragmentAt[key(piece.offset + brick * 8 + voxelInBrick(v))] = i; });
+                         [&](int v) { fragmentAt[key(piece.offset + brick * kBrickSize + voxelInBrick(v))] = i; });
         });
     }
     for (const auto& [cell, fragment] : fragmentAt)
@@ -159,7 +159,7 @@ TEST(Fragments, GlassGoesByThePane) {
 }
 
 TEST(Fragments, APaneIsFoundAsAFloodFillFindsIt) {
-    const VoxelGrid grid = test::noiseGrid({40, 40, 24}, 55, 9);
+    const VoxelGrid grid = noiseGrid({40, 40, 24}, 55, 9);
     test::PlainGrid plain(grid);
     for (uint8_t& cell : plain.cells) cell = cell == 2 ? 2 : 0;
     for (const std::vector<size_t>& set : test::floodFill(plain)) {
@@ -168,7 +168,7 @@ TEST(Fragments, APaneIsFoundAsAFloodFillFindsIt) {
         for (const BrickSubset& subset : findPane(
                  grid, start, [](uint8_t entry) { return entry == 2; }, 1u << 30))
             forEachVoxel(subset.voxels,
-                         [&](int i) { found.push_back(plain.index(subset.brick * 8 + voxelInBrick(i))); });
+                         [&](int i) { found.push_back(plain.index(subset.brick * kBrickSize + voxelInBrick(i))); });
         std::sort(found.begin(), found.end());
         EXPECT_EQ(found, set);
     }
@@ -178,7 +178,7 @@ TEST(Fragments, WoodSplintersAlongItsLongestAxis) {
     for (const int axis : {0, 1, 2}) {
         glm::ivec3 size(6);
         size[axis] = 90;
-        VoxelGrid grid = test::solidGrid(size, entryOf("wood"));
+        VoxelGrid grid = solidGrid(size, entryOf("wood"));
         const FractureResult result = fractureGrid(grid, ball(glm::dvec3(size) * 0.5, 15));
         ASSERT_GT(result.fragments.size(), 5u);
         int longAlong = 0;
@@ -190,21 +190,20 @@ TEST(Fragments, WoodSplintersAlongItsLongestAxis) {
     }
 }
 
-TEST(Fragments, TheirNumberIsBoundedAndMetalGivesAwayLittle) {
-    VoxelGrid grid = test::solidGrid({64, 64, 64}, entryOf("concrete"));
+TEST(Fragments, TheirNumberIsBoundedAndMetalLosesLittle) {
+    VoxelGrid grid = solidGrid({64, 64, 64}, entryOf("concrete"));
     FracturePlan plan;
     plan.maxFragments = 40;
     const FractureResult few = fractureGrid(grid, ball({32, 32, 32}, 28), plan);
     EXPECT_LE(few.fragments.size(), 40u);
     EXPECT_GT(few.fragments.size(), 15u);
-    VoxelGrid metal = test::solidGrid({64, 64, 64}, entryOf("metal")),
-              brick = test::solidGrid({64, 64, 64}, entryOf("brick"));
+    VoxelGrid metal = solidGrid({64, 64, 64}, entryOf("metal")), brick = solidGrid({64, 64, 64}, entryOf("brick"));
     fractureGrid(metal, ball({32, 32, 32}, 20));
     fractureGrid(brick, ball({32, 32, 32}, 20));
     EXPECT_GT(metal.voxelCount() - brick.voxelCount(), 20000u);
 }
 
-TEST(Fragments, CarryTheirPaint) {
+TEST(Fragments, KeepTheirPaint) {
     BrickIndices indices, paint;
     indices.fill(entryOf("concrete"));
     for (size_t i = 0; i < paint.size(); ++i) paint[i] = uint8_t(i * 7 % 251);
@@ -214,14 +213,14 @@ TEST(Fragments, CarryTheirPaint) {
     for (const Fragment& fragment : fractureGrid(grid, ball({8, 8, 8}, 7)).fragments)
         fragment.piece.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
             forEachVoxel(brick->occupancy, [&](int i) {
-                const glm::ivec3 cell = position * 8 + voxelInBrick(i) + fragment.piece.offset;
-                EXPECT_EQ(brick->paintAt(i), before.brickAt(cell >> 3)->paintAt(voxelIndex(cell & 7)));
+                const glm::ivec3 cell = position * kBrickSize + voxelInBrick(i) + fragment.piece.offset;
+                EXPECT_EQ(brick->paintAt(i), before.brickAt(brickOfCell(cell))->paintAt(voxelIndex(cellInBrick(cell))));
             });
         });
 }
 
-TEST(Fragments, NothingInReachNothingDone) {
-    VoxelGrid grid = test::solidGrid({16, 16, 16}, entryOf("concrete"));
+TEST(Fragments, NothingBreaksOutsideOfTheSphere) {
+    VoxelGrid grid = solidGrid({16, 16, 16}, entryOf("concrete"));
     EXPECT_TRUE(fractureGrid(grid, ball({80, 8, 8}, 6)).dust.bricks.empty());
     EXPECT_TRUE(fractureGrid(grid, ball({8, std::nan(""), 8}, 6)).dust.bricks.empty());
     EXPECT_EQ(fragmentVoxels(fractureGrid(grid, ball({8, 8, 8}, -1))), 0u);

@@ -9,8 +9,7 @@ namespace {
 
 constexpr double kTensile = 2.6e6;
 
-/// A beam of concrete along an axis, and the force across it whose bending moment is `utilization` x strength at F L /
-/// divisor.
+/// A concrete beam along an axis, and the force across it that has the bending moment force * length / divisor.
 struct Beam {
     int axis, length, depth, offset;
     StressFixture fixture{glm::ivec3(140)};
@@ -56,7 +55,7 @@ TEST(FreeBodyFracture, AFreeBeamHitInItsMiddleBreaksThere) {
     EXPECT_NEAR(planes[0].plane, beam.offset + 60, 2);
 }
 
-TEST(FreeBodyFracture, PartsAreAsManyAsBearTheBlow) {
+TEST(FreeBodyFracture, ThePartsWithstandTheImpact) {
     const Beam beam(2, 120, 8);
     for (const auto& [utilization, parts] : {std::pair{1.5, 2u}, {4.5, 3u}, {9.5, 4u}}) {
         const std::vector<FracturePlane> planes = beam.hit(60, utilization * beam.force(8.0));
@@ -81,12 +80,12 @@ TEST(FreeBodyFracture, ANeckBreaksFirst) {
     EXPECT_NEAR(planes[0].plane, 71, 1);
 }
 
-TEST(FreeBodyFracture, WhatIsShortOrUnbreakableStaysWhole) {
+TEST(FreeBodyFracture, ShortAndUnbreakableBodiesStayWhole) {
     const Beam cube(0, 8, 8);
     EXPECT_TRUE(cube.hit(4, 1e12).empty());
-    Beam dough(0, 120, 8);
-    dough.fixture.entries[1].tensile = dough.fixture.entries[1].compressive = dough.fixture.entries[1].shear = 0.0;
-    EXPECT_FALSE(dough.hit(60, 1.0).empty()) << "no strength at all is no number that breaks it";
+    Beam weak(0, 120, 8);
+    weak.fixture.entries[1].tensile = weak.fixture.entries[1].compressive = weak.fixture.entries[1].shear = 0.0;
+    EXPECT_FALSE(weak.hit(60, 1.0).empty()) << "a strength of zero must not give a NaN";
     Beam steel(0, 120, 8);
     steel.fixture.fill({{3, 3, 3}, {123, 11, 11}}, 3);
     EXPECT_TRUE(steel.hit(60, 1e12).empty());

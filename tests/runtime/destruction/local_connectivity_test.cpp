@@ -25,19 +25,15 @@ BrickSet carved(VoxelGrid& grid, const Brush& brush) {
 }
 
 VoxelGrid wall() {
-    VoxelGrid grid(glm::ivec3(80, 80, 6));
-    GridWriter writer(grid);
-    for (int i = 0; i < 80 * 80 * 6; ++i) writer.set({i % 80, i / 80 % 80, i / 6400}, 1);
-    writer.flush();
-    return grid;
+    return solidGrid({80, 80, 6});
 }
 
-TEST(LocalConnectivity, AHoleInAWallTakesNothingApart) {
+TEST(LocalConnectivity, AHoleInAWallDetachesNothing) {
     VoxelGrid grid = wall();
     EXPECT_TRUE(isLocallyConnected(grid, carved(grid, sphereBrush({37, 44, 3}, {6, 6, 6}))));
 }
 
-TEST(LocalConnectivity, AGlanceAtTheCellsIsEnoughForAHole) {
+TEST(LocalConnectivity, TheBoxTestIsEnoughForASmallHole) {
     VoxelGrid grid = wall();
     const CarveResult hole = cut(grid, sphereBrush({37, 44, 3}, {6, 6, 6}));
     EXPECT_EQ(hole.cells, (CellBox{{31, 38, 0}, {43, 50, 6}}));
@@ -49,14 +45,14 @@ TEST(LocalConnectivity, AGlanceAtTheCellsIsEnoughForAHole) {
         grid, cut(grid, boxBrush({40, 40, 3}, {34, 34, 9}, {1, 0, 0, 0}, Hardness::Hard)).cells, {}));
 }
 
-TEST(LocalConnectivity, SeesNoWayRoundThatIsFarAway) {
+TEST(LocalConnectivity, DoesNotSeeConnectionsFarAway) {
     VoxelGrid ring = wall();
     carved(ring, boxBrush({40, 40, 3}, {34, 34, 9}, {1, 0, 0, 0}, Hardness::Hard));
     EXPECT_FALSE(isLocallyConnected(ring, carved(ring, sphereBrush({3, 40, 3}, {6, 6, 6}))));
     EXPECT_EQ(componentSizes(ring).size(), 1u);
 }
 
-TEST(LocalConnectivity, IsNeverWrongOnSponges) {
+TEST(LocalConnectivity, IsNeverWrongInNoise) {
     Random random(4);
     int whole = 0, boxesConnected = 0, apart = 0;
     for (int i = 0; i < 300; ++i) {
@@ -66,7 +62,7 @@ TEST(LocalConnectivity, IsNeverWrongOnSponges) {
         for (int c = 0; c < 48 * 48 * 48; ++c)
             if (random.below(100) < fill) writer.set({c % 48, c / 48 % 48, c / 48 / 48}, 1);
         writer.flush();
-        std::vector<Component> parts = findComponents(grid);  // the largest alone: what stands before a cut is one
+        std::vector<Component> parts = findComponents(grid);  // only the largest: before a cut all is connected
         std::sort(parts.begin(), parts.end(), isLargerComponent);
         for (size_t p = 1; p < parts.size(); ++p) takePiece(grid, parts[p]);
         const double x = 48.0 * random.unit(), y = 48.0 * random.unit(), z = 48.0 * random.unit(),

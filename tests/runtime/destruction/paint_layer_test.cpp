@@ -11,11 +11,11 @@ namespace rubble {
 namespace {
 
 uint8_t paintAt(const VoxelGrid& grid, glm::ivec3 cell) {
-    const Brick* brick = grid.brickAt(cell >> 3);
-    return brick ? brick->paintAt(voxelIndex(cell & 7)) : uint8_t(0);
+    const Brick* brick = grid.brickAt(brickOfCell(cell));
+    return brick ? brick->paintAt(voxelIndex(cellInBrick(cell))) : uint8_t(0);
 }
 
-/// The colour that a voxel shows.
+/// The visible colour of a voxel.
 Srgb seen(const VoxelGrid& grid, const Palette& palette, const PaintColors* colors, glm::ivec3 cell) {
     const PaletteEntry& entry = palette[grid.at(cell)];
     const uint8_t paint = paintAt(grid, cell);
@@ -23,7 +23,7 @@ Srgb seen(const VoxelGrid& grid, const Palette& palette, const PaintColors* colo
     return paint ? paintOver(own, colors->colors[size_t(paintColor(paint) - 1)], paintSteps(paint)) : own;
 }
 
-/// A wall in whose face every one of 255 entries is seen.
+/// A wall that shows all 255 entries.
 VoxelGrid wallOfAllEntries() {
     VoxelGrid grid({64, 64, 8});
     GridWriter writer(grid);
@@ -54,12 +54,12 @@ TEST(PaintLayer, AllEntriesTakeFifteenColoursInSixteenSteps) {
     EXPECT_EQ(colors->count, kPaintColors);
     EXPECT_EQ(bytes.size(), size_t(kPaintColors * kPaintSteps));
     const test::PlainGrid after(grid);
-    EXPECT_EQ(before.cells, after.cells) << "paint beside the palette leaves every entry as it was";
+    EXPECT_EQ(before.cells, after.cells) << "the paint layer must not change palette indices";
 
     const PaintResult more =
         paintLayer(grid, colors, sphereBrush({30, 30, 7.5}, {3, 3, 3}), {.color = {1, 250, 80}, .strength = 255});
     EXPECT_EQ(more.colors, nullptr);
-    EXPECT_EQ(more.merges, 1u) << "a sixteenth colour takes the nearest, and says so";
+    EXPECT_EQ(more.merges, 1u) << "a sixteenth colour takes the nearest one and is counted";
     EXPECT_EQ(paintAt(grid, {30, 30, 7}), paintByte(1, 16));
 }
 
@@ -91,13 +91,13 @@ TEST(PaintLayer, BothModesLookAlike) {
                 for (size_t c = 0; c < 3; ++c, ++count)
                     sum += one[c] - two[c], largest = std::max(largest, std::abs(one[c] - two[c]));
             }
-        EXPECT_LE(largest, 255 / 16 + 3 + 2) << "a dithered step and a near entry apart, at step " << step;
+        EXPECT_LE(largest, 255 / 16 + 3 + 2) << "at most a dithered step and a near entry apart, at step " << step;
         EXPECT_NEAR(sum / count, 0.0, 2.5) << "the same on average, at step " << step;
     }
 }
 
-TEST(PaintLayer, FalloffWeakensAndTheEdgeIsBlue) {
-    VoxelGrid grid = test::solidGrid({64, 64, 8});
+TEST(PaintLayer, FalloffWeakensAndTheRimIsBlueNoise) {
+    VoxelGrid grid = solidGrid({64, 64, 8});
     const PaintResult painted = paintLayer(grid, nullptr, sphereBrush({32, 32, 7.5}, {28, 28, 28}),
                                            {.color = {9, 9, 9}, .strength = 128, .falloff = 0});
     ASSERT_TRUE(painted.colors);
@@ -111,27 +111,27 @@ TEST(PaintLayer, FalloffWeakensAndTheEdgeIsBlue) {
     EXPECT_NEAR(byRing[0], 8.0, 0.5);
     for (int r = 1; r < 4; ++r) EXPECT_LT(byRing[r], byRing[r - 1] - 0.5);
 
-    // A thinned spray chosen by blue noise: neighbours differ more often than if every voxel drew its own lot.
-    VoxelGrid thin = test::solidGrid({64, 64, 8});
+    // A sparse spray is dithered by blue noise: neighbours differ more often than with independent random numbers.
+    VoxelGrid thin = solidGrid({64, 64, 8});
     paintLayer(thin, nullptr, sphereBrush({32, 32, 7.5}, {46, 46, 46}),
                {.color = {9, 9, 9}, .strength = 255, .probability = 0});
     const auto share = [](int x, int y) {
         return std::max(0.0, 1 - (std::pow(x + 0.5 - 32, 2) + std::pow(y + 0.5 - 32, 2)) / (46 * 46));
     };
-    double chosen = 0, expected = 0, differ = 0, byLot = 0;
+    double chosen = 0, expected = 0, differ = 0, independent = 0;
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 63; ++x) {
             const bool here = paintAt(thin, {x, y, 7}), next = paintAt(thin, {x + 1, y, 7});
             const double p = share(x, y), q = share(x + 1, y);
             chosen += here, expected += p;
-            differ += here != next, byLot += p * (1 - q) + q * (1 - p);
+            differ += here != next, independent += p * (1 - q) + q * (1 - p);
         }
     EXPECT_NEAR(chosen / expected, 1.0, 0.02);
-    EXPECT_GT(differ / byLot, 1.15);
+    EXPECT_GT(differ / independent, 1.15);
 }
 
 TEST(PaintLayer, AStrokeIsAsWideAsItsRadius) {
-    VoxelGrid grid = test::solidGrid({80, 32, 8});
+    VoxelGrid grid = solidGrid({80, 32, 8});
     const glm::dvec3 from(10, 10, 7.5), to(70, 20, 7.5);
     paintLayer(grid, nullptr, capsuleBrush(from, to, {4, 4, 4}), {.color = {20, 20, 20}, .strength = 255});
     for (int y = 0; y < 32; ++y)
@@ -146,7 +146,7 @@ TEST(PaintLayer, AStrokeIsAsWideAsItsRadius) {
 }
 
 TEST(PaintLayer, OnePaintCoversAnother) {
-    VoxelGrid grid = test::solidGrid({32, 32, 8});
+    VoxelGrid grid = solidGrid({32, 32, 8});
     const Brush brush = sphereBrush({16, 16, 7.5}, {9, 9, 9});
     PaintColorsRef colors = paintLayer(grid, nullptr, brush, {.color = {255, 0, 0}, .strength = 255}).colors;
     for (uint32_t seed = 0; seed < 60; ++seed) {

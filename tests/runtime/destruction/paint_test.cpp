@@ -27,11 +27,11 @@ bool isExposed(const test::PlainGrid& grid, glm::ivec3 cell) {
     return false;
 }
 
-/// A palette of every kind of entry in many colours, all of it in use by the grid.
-struct Crowded {
+/// A palette of many colours and all kinds of entries, and a grid that uses all of them.
+struct UsedPalette {
     VoxelGrid grid{glm::ivec3(32)};
     Palette palette{};
-    explicit Crowded(int entries) {
+    explicit UsedPalette(int entries) {
         Random random(4);
         for (int i = 1; i <= entries; ++i) {
             PaletteEntry& entry = palette[size_t(i)];
@@ -50,14 +50,14 @@ struct Crowded {
 
 TEST(Paint, ReachesThePaintAndLeavesEverythingElse) {
     for (const int entries : {3, 28, 40, 200}) {
-        Crowded scene(entries);
+        UsedPalette scene(entries);
         const test::PlainGrid before(scene.grid);
         const Palette original = scene.palette;
         const Brush sphere = sphereBrush({31, 16, 16}, {9, 9, 9});
         PaletteRef palette = shared(scene.palette);
         uint64_t voxels = 1, merges = 0;
         for (int step = 0; voxels > 0; ++step) {
-            ASSERT_LT(step, 64) << "it never gets there";
+            ASSERT_LT(step, 64) << "the paint is never reached";
             const PaintResult painted = paintPalette(scene.grid, palette, sphere, {{250, 20, 30}, 64, 255, 0});
             if (painted.palette) palette = painted.palette;
             voxels = painted.voxels;
@@ -75,16 +75,15 @@ TEST(Paint, ReachesThePaintAndLeavesEverythingElse) {
             if (inside && isExposed(before, cell)) {
                 ASSERT_EQ(colorOf(is), (std::array<uint8_t, 3>{250, 20, 30})) << entries << " entries";
             } else {
-                ASSERT_EQ(is, was) << "a voxel away from the paint changed";
+                ASSERT_EQ(is, was) << "a voxel outside of the brush changed";
             }
         }
-        EXPECT_EQ(merges > 0, entries == 200)
-            << "merges are reported when the palette is short of entries, and only then";
+        EXPECT_EQ(merges > 0, entries == 200) << "merges are counted only when the palette has too few free entries";
     }
 }
 
 TEST(Paint, AFullPaletteIsReportedAndStaysValid) {
-    Crowded scene(255);
+    UsedPalette scene(255);
     const test::PlainGrid before(scene.grid);
     const PaintResult painted = paintPalette(scene.grid, shared(scene.palette), sphereBrush({31, 16, 16}, {9, 9, 9}),
                                              {{250, 20, 30}, 64, 255, 0});
@@ -95,10 +94,10 @@ TEST(Paint, AFullPaletteIsReportedAndStaysValid) {
         ASSERT_EQ(withoutColor(scene.palette[after.cells[i]]), withoutColor(scene.palette[before.cells[i]]));
 }
 
-TEST(Paint, UnusedEntriesAreFreedForIt) {
-    // 255 entries, as every .vox file has, of which the grid uses one.
-    Crowded scene(255);
-    VoxelGrid grid = test::solidGrid({16, 16, 16}, 9);
+TEST(Paint, UnusedEntriesAreFreed) {
+    // A .vox file has 255 entries; the grid uses one.
+    UsedPalette scene(255);
+    VoxelGrid grid = solidGrid({16, 16, 16}, 9);
     const PaintResult painted =
         paintPalette(grid, shared(scene.palette), sphereBrush({16, 8, 8}, {5, 5, 5}), {{1, 2, 3}, 64, 255, 0});
     ASSERT_NE(painted.palette, nullptr);
@@ -107,7 +106,7 @@ TEST(Paint, UnusedEntriesAreFreedForIt) {
 }
 
 TEST(Paint, ProbabilityThinsTheRimOnly) {
-    VoxelGrid grid = test::solidGrid({64, 64, 8});
+    VoxelGrid grid = solidGrid({64, 64, 8});
     const PaintResult painted = paintPalette(grid, shared(test::fiveEntries()), sphereBrush({32, 32, 4}, {24, 24, 24}),
                                              {{9, 9, 9}, 255, 30, 7});
     ASSERT_TRUE(painted.palette);

@@ -7,28 +7,33 @@
 #include "runtime/voxel/material.h"
 #include "runtime/voxel/palette.h"
 #include "runtime/voxel/voxel_grid.h"
+#include "tests/support/grids.h"
 
 namespace rubble::test {
 
-/// A grid as a plain array, and the slow, obvious versions of what runtime/destruction does.
+/// A grid as a plain array, for simple and slow reference algorithms.
 struct PlainGrid {
     glm::ivec3 size;
     std::vector<uint8_t> cells;
 
+    /// Copies the cells of a grid.
     explicit PlainGrid(const VoxelGrid& grid) : size(grid.size()), cells(size_t(size.x) * size.y * size.z) {
         grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
             forEachVoxel(content->occupancy,
-                         [&](int i) { cells[index(brick * 8 + voxelInBrick(i))] = content->at(i); });
+                         [&](int i) { cells[index(brick * kBrickSize + voxelInBrick(i))] = content->at(i); });
         });
     }
+    /// The index of a cell in `cells`.
     size_t index(glm::ivec3 c) const { return (size_t(c.z) * size.y + c.y) * size.x + c.x; }
+    /// The cell of an index.
     glm::ivec3 cell(size_t i) const { return {int(i % size.x), int(i / size.x % size.y), int(i / size.x / size.y)}; }
+    /// Whether a cell is inside.
     bool contains(glm::ivec3 c) const {
         return c.x >= 0 && c.y >= 0 && c.z >= 0 && c.x < size.x && c.y < size.y && c.z < size.z;
     }
 };
 
-/// Sets of cell indices, each sorted, in the order of their first cell: the plain flood fill.
+/// The components as sets of cell indices, each sorted, in the order of their first cell: a plain flood fill.
 inline std::vector<std::vector<size_t>> floodFill(const PlainGrid& grid) {
     std::vector<std::vector<size_t>> out;
     std::vector<bool> seen(grid.cells.size());
@@ -51,54 +56,17 @@ inline std::vector<std::vector<size_t>> floodFill(const PlainGrid& grid) {
     return out;
 }
 
+/// The cell indices of a component, sorted.
 inline std::vector<size_t> cellsOf(const Component& component, const VoxelGrid& in, const PlainGrid& grid) {
     std::vector<size_t> out;
     forEachSubset(in, component, [&](glm::ivec3 brick, const Brick&, const BrickBits& voxels) {
-        forEachVoxel(voxels, [&](int i) { out.push_back(grid.index(brick * 8 + voxelInBrick(i))); });
+        forEachVoxel(voxels, [&](int i) { out.push_back(grid.index(brick * kBrickSize + voxelInBrick(i))); });
     });
     std::sort(out.begin(), out.end());
     return out;
 }
 
-/// Noise of a density given in 1/100, with entries 1 to 3.
-inline VoxelGrid noiseGrid(glm::ivec3 size, int percent, uint64_t seed) {
-    VoxelGrid grid(size);
-    GridWriter writer(grid);
-    Random random(seed);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x)
-                if (int(random.below(100)) < percent) writer.set({x, y, z}, uint8_t(1 + random.below(3)));
-    writer.flush();
-    return grid;
-}
-
-inline VoxelGrid solidGrid(glm::ivec3 size, uint8_t entry = 1) {
-    VoxelGrid grid(size);
-    GridWriter writer(grid);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) writer.set({x, y, z}, entry);
-    writer.flush();
-    return grid;
-}
-
-/// Floors on columns, two rooms a side: what cuts come off in real ways.
-inline VoxelGrid towerGrid(glm::ivec3 size, int columnWidth = 3, int storey = 12) {
-    VoxelGrid grid(size);
-    GridWriter writer(grid);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) {
-                const bool isFloor = y % storey >= storey - 2;
-                const bool isColumn = x % 16 < columnWidth && z % 16 < columnWidth;
-                if (isFloor || isColumn) writer.set({x, y, z}, uint8_t(isFloor ? 1 : 2));
-            }
-    writer.flush();
-    return grid;
-}
-
-/// Entries 1 soft, 2 medium, 3 hard, 4 unbreakable, 5 unphysical; five materials of the same order.
+/// Materials 1 soft, 2 medium, 3 hard, 4 unbreakable, 5 unphysical.
 inline MaterialTable fiveMaterials() {
     MaterialTable table;
     table.materials.resize(6);
@@ -110,6 +78,7 @@ inline MaterialTable fiveMaterials() {
     }
     return table;
 }
+/// Entry i is of material i of fiveMaterials().
 inline Palette fiveEntries() {
     Palette palette{};
     for (size_t i = 1; i < 6; ++i)

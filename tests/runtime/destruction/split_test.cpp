@@ -9,7 +9,7 @@ namespace {
 
 TEST(Split, PiecesHoldTheirCellsAndTheGridTheRest) {
     for (const int percent : {20, 30, 45}) {
-        VoxelGrid grid = test::noiseGrid({45, 26, 33}, percent, 9);
+        VoxelGrid grid = noiseGrid({45, 26, 33}, percent, 9);
         const test::PlainGrid before(grid);
         const auto components = findComponents(grid);
         uint64_t voxels = grid.voxelCount();

@@ -10,7 +10,7 @@ namespace {
 constexpr double kConcreteWeight = 2400.0 * 9.81;  ///< of concrete, N/m3
 constexpr double kTensile = 2.6e6, kCompressive = 25e6;
 
-/// Where a section is, along its axis.
+/// The position of a section along its axis, in cells.
 int planeOf(const StressCrack& crack) {
     return crack.section.brick[crack.section.axis] * kBrickSize + crack.section.plane;
 }
@@ -24,8 +24,7 @@ TEST(StressAnalysis, CantileverBreaksAtTheWallAsBeamTheorySays) {
                 f.anchor({{offset, 8 + offset, 8 + offset}, {wall, 8 + offset + depth, 8 + offset + depth}});
                 f.fill({{wall, 8 + offset, 8 + offset}, {wall + length, 8 + offset + depth, 8 + offset + depth}});
                 const double l = length * f.voxelSize, d = depth * f.voxelSize;
-                f.strengthScale = kConcreteWeight * 3.0 * l * l / d /
-                                  kTensile;  // M c / I over the tensile strength: just what breaks it
+                f.strengthScale = kConcreteWeight * 3.0 * l * l / d / kTensile;  // M c / I over the tensile strength
                 f.solve();
                 const StressCrack& worst = f.analysis.worst();
                 EXPECT_NEAR(worst.utilization, 1.0, 0.05) << depth << " " << offset << " " << length;
@@ -35,10 +34,10 @@ TEST(StressAnalysis, CantileverBreaksAtTheWallAsBeamTheorySays) {
             }
 }
 
-TEST(StressAnalysis, AxesAndTheSizeOfVoxelsDoNotMatter) {
+TEST(StressAnalysis, ResultsDoNotDependOnAxisAndVoxelSize) {
     for (const double voxelSize : {0.05, 0.1, 0.25})
         for (int axis = 0; axis < 3; ++axis)
-            for (const int loadAxis : {1, 2, 4, 5}) {  // across the beam, up and down each of the other axes
+            for (const int loadAxis : {1, 2, 4, 5}) {  // gravity along both of the other axes, in both directions
                 StressFixture f({100, 100, 100});
                 const int across = (axis + (loadAxis % 3)) % 3;
                 const auto box = [&](int from, int to) {

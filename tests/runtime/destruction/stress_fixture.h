@@ -1,12 +1,12 @@
 #pragma once
-#include <functional>
 #include <vector>
 
 #include "runtime/destruction/stress_analysis.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 
-/// A structure of boxes of concrete, anchored boxes among them, for comparison with beam theory.
+/// A structure of concrete boxes, some of them anchored, to compare with beam theory.
 struct StressFixture {
     VoxelGrid grid;
     std::vector<CellBox> anchors;
@@ -16,6 +16,7 @@ struct StressFixture {
     glm::dvec3 gravity{0.0, -9.81, 0.0};
     StressAnalysis analysis;
 
+    /// Entry 1 is concrete, 2 metal, 3 metal that never breaks.
     explicit StressFixture(glm::ivec3 size) : grid(size) {
         Palette palette{};
         palette[1].material = defaultMaterials().find("concrete");
@@ -23,18 +24,16 @@ struct StressFixture {
         palette[3].material = defaultMaterials().find("heavy metal");
         entries = makeStrengthTable(palette, defaultMaterials());
     }
-    void fill(CellBox box, uint8_t entry = 1) {
-        GridWriter writer(grid);
-        for (int z = box.low.z; z < box.high.z; ++z)
-            for (int y = box.low.y; y < box.high.y; ++y)
-                for (int x = box.low.x; x < box.high.x; ++x) writer.set({x, y, z}, entry);
-    }
+    /// Fills a box with an entry; 0 empties it.
+    void fill(CellBox box, uint8_t entry = 1) { fillBox(grid, box, entry); }
+    /// Fills a box and anchors it.
     void anchor(CellBox box, uint8_t entry = 1) {
         fill(box, entry);
         anchors.push_back(box);
     }
+    /// The input of the analysis.
     StressedShape shape() const { return {grid, anchors, entries, gravity, voxelSize, strengthScale}; }
-    /// Analyses everything; the cracks that it wants.
+    /// Analyses all bricks; returns the cracks.
     std::vector<StressCrack> solve() {
         std::vector<glm::ivec3> bricks;
         grid.forEachBrick([&](glm::ivec3 brick, const BrickRef&) { bricks.push_back(brick); });

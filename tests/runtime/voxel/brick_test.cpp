@@ -20,7 +20,7 @@ struct Noise {
     }
 };
 
-TEST(Brick, KeepsThePaintOfItsSolidVoxelsAlone) {
+TEST(Brick, KeepsThePaintOfSolidVoxelsOnly) {
     const Noise noise(1);
     const BrickRef brick = makeBrick(noise.indices, &noise.paint);
     for (int i = 0; i < kBrickVoxels; ++i) {
@@ -30,7 +30,7 @@ TEST(Brick, KeepsThePaintOfItsSolidVoxelsAlone) {
     EXPECT_NE(hashBrick(*brick), hashBrick(*makeBrick(noise.indices)));
 }
 
-TEST(Brick, AMaskTakesPaintAlong) {
+TEST(Brick, MasksKeepPaint) {
     const Noise noise(2);
     const BrickRef brick = makeBrick(noise.indices, &noise.paint);
     BrickBits keep;
@@ -38,7 +38,7 @@ TEST(Brick, AMaskTakesPaintAlong) {
     for (uint64_t& word : keep) word = random.next();
     const BrickRef part = maskBrick(*brick, keep);
     for (int i = 0; i < kBrickVoxels; ++i) {
-        const bool isKept = keep[size_t(i >> 6)] >> (i & 63) & 1;
+        const bool isKept = hasVoxel(keep, i);
         ASSERT_EQ(part->at(i), isKept ? brick->at(i) : 0) << i;
         ASSERT_EQ(part->paintAt(i), isKept ? brick->paintAt(i) : 0) << i;
     }
@@ -51,10 +51,10 @@ TEST(Brick, WithoutPaintHasNoPaintBytes) {
     const BrickRef cleaned = makeBrick(noise.indices, &none);
     EXPECT_EQ(cleaned->paint, nullptr);
     EXPECT_EQ(hashBrick(*cleaned), hashBrick(*makeBrick(noise.indices)))
-        << "the hash is of the content, not of its storage";
+        << "the hash depends on the content, not on its storage";
 }
 
-TEST(Brick, WritesLeaveThePaintOfOtherCells) {
+TEST(Brick, WritesKeepThePaintOfOtherCells) {
     BrickIndices solid, paint;
     solid.fill(3);
     paint.fill(paintByte(2, 7));
@@ -66,7 +66,7 @@ TEST(Brick, WritesLeaveThePaintOfOtherCells) {
         ASSERT_EQ(after.paintAt(i), voxelInBrick(i) == glm::ivec3(1, 2, 3) ? 0 : paintByte(2, 7));
 }
 
-TEST(Brick, PaintBytesSayColourAndStep) {
+TEST(Brick, PaintBytesHoldColourAndWeight) {
     EXPECT_EQ(paintSteps(0), 0);
     for (int color = 1; color <= kPaintColors; ++color)
         for (int steps = 1; steps <= kPaintSteps; ++steps) {

@@ -9,25 +9,29 @@
 #include "runtime/core/random.h"
 #include "runtime/voxel/ray_walk.h"
 
-/// Rays of the sixteen hard classes in grids of 16^3, and the exact answer to each: what the walks in C++ and GLSL are
-/// held to.
+/// Rays of sixteen difficult classes in grids of 16^3, and the exact first hit of each: the walks in C++ and GLSL are
+/// compared with it.
 namespace rubble::ray_classes {
 
 inline constexpr int kSize = 16;
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+/// A closed interval of t.
 struct Interval {
     long double low, high;
+    /// Whether it holds no t.
     bool empty() const { return !(low <= high); }
 };
+/// The intersection.
 inline Interval both(Interval a, Interval b) {
     return {std::max(a.low, b.low), std::min(a.high, b.high)};
 }
 
 /// Where a ray is inside each slab [k, k + 1] of each axis, in long double: 11 bits more than the walk has. A ray that
-/// runs along a face pierces neither voxel; it is asked to find the higher one.
+/// runs along a face pierces neither voxel; the walk finds the higher one.
 struct Slabs {
+    /// Computes all slabs.
     explicit Slabs(const CellRay& ray) {
         for (int a = 0; a < 3; ++a)
             for (int k = 0; k < kSize; ++k) {
@@ -40,8 +44,9 @@ struct Slabs {
                             std::max((k - o) / d, (k + 1 - o) / d)};
             }
     }
+    /// When the ray is in a cell.
     Interval cell(glm::ivec3 c) const { return both(both(at[0][size_t(c.x)], at[1][size_t(c.y)]), at[2][size_t(c.z)]); }
-    std::array<std::array<Interval, kSize>, 3> at;
+    std::array<std::array<Interval, kSize>, 3> at;  ///< by axis and k
 };
 
 /// The earliest t at which the ray enters a solid voxel that it pierces by `depth` voxels or more; infinite if there is
@@ -67,28 +72,32 @@ inline long double firstPierced(const VoxelGrid& grid, const CellRay& ray, const
     return first <= ray.tMax ? first : HUGE_VALL;
 }
 
+/// Solid with a probability of one in `oneIn`, and one brick empty.
 inline VoxelGrid randomGrid(Random& random, int oneIn) {
     VoxelGrid grid({kSize, kSize, kSize});
     GridWriter writer(grid);
-    const int emptyBrick = int(random.below(8));  // so that leaps happen
+    const int emptyBrick = int(random.below(8));  // so that the walk can skip it
     for (int i = 0; i < kSize * kSize * kSize; ++i) {
         const glm::ivec3 cell(i & 15, i >> 4 & 15, i >> 8);
-        const bool isEmpty = (cell.x >> 3) + (cell.y >> 3) * 2 + (cell.z >> 3) * 4 == emptyBrick;
+        const bool isEmpty = brickOfCell(cell.x) + brickOfCell(cell.y) * 2 + brickOfCell(cell.z) * 4 == emptyBrick;
         if (!random.below(uint32_t(oneIn)) && !isEmpty) writer.set(cell, 1);
     }
     return grid;
 }
 
+/// Uniform in [low, high).
 inline double draw(Random& random, double low, double high) {
     return low + (high - low) * double(random.unit());
 }
 
+/// Uniform in the cube [low, high)^3.
 inline glm::dvec3 drawPoint(Random& random, double low, double high) {
     glm::dvec3 p;
     for (int a = 0; a < 3; ++a) p[a] = draw(random, low, high);
     return p;
 }
 
+/// A uniformly distributed unit vector.
 inline glm::dvec3 drawDirection(Random& random) {
     for (;;) {
         const glm::dvec3 d = drawPoint(random, -1.0, 1.0);
@@ -97,12 +106,14 @@ inline glm::dvec3 drawDirection(Random& random) {
     }
 }
 
+/// A corner of a cell.
 inline glm::dvec3 drawCorner(Random& random) {
     glm::dvec3 p;
     for (int a = 0; a < 3; ++a) p[a] = random.between(0, kSize);
     return p;
 }
 
+/// What is difficult about a ray.
 enum class RayClass {
     AxisParallel,
     SignedZero,
@@ -122,30 +133,24 @@ enum class RayClass {
     NotANumber,
     kCount
 };
+/// By RayClass.
 inline constexpr std::array<const char*, size_t(RayClass::kCount)> kClassNames = {
     "AxisParallel", "SignedZero",  "Denormal",  "ThroughCorner", "AlongEdge", "InFace",     "FromFace", "FromEdge",
     "FromCorner",   "InsideSolid", "FarOrigin", "Scaled",        "Rotated",   "ZeroLength", "Infinite", "NotANumber"};
 
-inline CellRay drawRay(RayClass rayClass, Random& random) {
-    const int axis = int(random.below(3)), other = (axis + 1 + int(random.below(2))) % 3;
-    const double side = random.below(2) ? 1.0 : -1.0;
-    const double small = std::ldexp(1.0 + double(random.unit()), -random.between(0, 1080));
-    CellRay ray{drawPoint(random, -6.0, kSize + 6.0), drawDirection(random), draw(random, 0.0, 60.0)};
+/// The random choices of a ray.
+struct RayDraw {
+    int axis, other;  ///< two different axes
+    double side;      ///< 1 or -1
+    double small;     ///< denormal or nearly so
+};
+
+/// Moves the origin of a random ray for the classes that are about where a ray starts.
+inline void setOrigin(RayClass rayClass, const RayDraw& drawn, Random& random, CellRay& ray) {
+    const auto [axis, other, side, small] = drawn;
     switch (rayClass) {
-        case RayClass::AxisParallel:
-            ray.direction = glm::dvec3(0.0), ray.direction[axis] = side * draw(random, 0.1, 3.0);
-            break;
-        case RayClass::SignedZero:
-            ray.direction[axis] = side * 0.0;
-            break;
-        case RayClass::Denormal:
-            ray.direction[axis] = side * small;
-            if (random.below(2)) ray.direction[other] = -side * small * 0.3;
-            if (!random.below(4)) ray.direction *= 0x1p-1040, ray.tMax = kInfinity;
-            break;
         case RayClass::ThroughCorner: {
-            // From a corner to a corner moved back or forth along the line: the planes are crossed at equal t, often
-            // exactly.
+            // Along a line between two corners: planes are crossed at equal t, often exactly.
             const glm::dvec3 corner = drawCorner(random), step = drawCorner(random) - drawCorner(random);
             ray.origin = corner - step * draw(random, 0.0, 1.0);
             ray.direction = step;
@@ -176,13 +181,31 @@ inline CellRay drawRay(RayClass rayClass, Random& random) {
             ray.tMax = 2e7;
             break;
         }
+        default:
+            break;
+    }
+}
+
+/// Changes the direction or the length of a random ray for the other classes.
+inline void setDirection(RayClass rayClass, const RayDraw& drawn, Random& random, CellRay& ray) {
+    const auto [axis, other, side, small] = drawn;
+    switch (rayClass) {
+        case RayClass::AxisParallel:
+            ray.direction = glm::dvec3(0.0), ray.direction[axis] = side * draw(random, 0.1, 3.0);
+            break;
+        case RayClass::SignedZero:
+            ray.direction[axis] = side * 0.0;
+            break;
+        case RayClass::Denormal:
+            ray.direction[axis] = side * small;
+            if (random.below(2)) ray.direction[other] = -side * small * 0.3;
+            if (!random.below(4)) ray.direction *= 0x1p-1040, ray.tMax = kInfinity;
+            break;
         case RayClass::Scaled: {
             const double scale = std::pow(10.0, draw(random, -4.0, 4.0));
             ray.direction *= scale, ray.tMax /= scale;
             break;
         }
-        case RayClass::Rotated:
-            break;
         case RayClass::ZeroLength:
             if (random.below(2))
                 ray.tMax = 0.0;
@@ -198,12 +221,25 @@ inline CellRay drawRay(RayClass rayClass, Random& random) {
             (place < 3 ? ray.origin[int(place)] : place < 6 ? ray.direction[int(place) - 3] : ray.tMax) = value;
             break;
         }
-        case RayClass::kCount:
+        default:
             break;
     }
+}
+
+/// A random ray of a class.
+inline CellRay drawRay(RayClass rayClass, Random& random) {
+    RayDraw drawn{};
+    drawn.axis = int(random.below(3));
+    drawn.other = (drawn.axis + 1 + int(random.below(2))) % 3;
+    drawn.side = random.below(2) ? 1.0 : -1.0;
+    drawn.small = std::ldexp(1.0 + double(random.unit()), -random.between(0, 1080));
+    CellRay ray{drawPoint(random, -6.0, kSize + 6.0), drawDirection(random), draw(random, 0.0, 60.0)};
+    setOrigin(rayClass, drawn, random, ray);
+    setDirection(rayClass, drawn, random, ray);
     return ray;
 }
 
+/// The exact numbers of a ray, for messages.
 inline std::string text(const CellRay& ray) {
     std::ostringstream out;
     out << std::hexfloat << "origin " << ray.origin.x << ' ' << ray.origin.y << ' ' << ray.origin.z << " direction "
@@ -211,7 +247,7 @@ inline std::string text(const CellRay& ray) {
     return out.str();
 }
 
-/// tMax may be infinite.
+/// Whether origin and direction are finite; tMax may be infinite.
 inline bool isFinite(const CellRay& ray) {
     for (int a = 0; a < 3; ++a)
         if (!std::isfinite(ray.origin[a]) || !std::isfinite(ray.direction[a])) return false;

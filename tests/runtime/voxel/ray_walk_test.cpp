@@ -19,7 +19,7 @@ int raysPerClass() {
     return std::getenv("RUBBLE_LONG") ? 10'000'000 : 100'000;
 }
 
-/// The walk without any leap.
+/// The walk by single steps only.
 CellHit plainWalk(const VoxelGrid& grid, const CellRay& ray) {
     CellWalk walk;
     for (bool inside = walk.start(ray, grid.size()); inside; inside = walk.step())
@@ -33,25 +33,25 @@ void checkRay(const VoxelGrid& grid, const CellRay& ray) {
     ASSERT_LE(hit.steps, 3 * kSize + 3);
     ASSERT_TRUE(hit.hit == plain.hit && hit.cell == plain.cell && hit.t == plain.t && hit.axis == plain.axis &&
                 hit.sign == plain.sign)
-        << "a leap changed the walk";
+        << "skipping empty bricks changed the walk";
     if (!isFinite(ray)) {
         ASSERT_FALSE(hit.hit) << "a hit from a NaN or an infinity";
         return;
     }
     const Slabs slabs(ray);
     const long double pierced = firstPierced(grid, ray, slabs);
-    const long double reach =
+    const long double extent =
         std::max({std::fabs(ray.origin.x), std::fabs(ray.origin.y), std::fabs(ray.origin.z), 16.0});
     const long double length =
         std::hypot((long double)ray.direction.x, (long double)ray.direction.y, (long double)ray.direction.z);
-    // Half an ulp each of a difference and a quotient, for a place as far away as the origin, and as much again.
-    const long double tolerance = length > 0.0L ? reach * 0x1p-51L / length * 4.0L : 0.0L;
+    // Half an ulp each for a difference and a quotient at the distance of the origin, and a margin of two.
+    const long double tolerance = length > 0.0L ? extent * 0x1p-51L / length * 4.0L : 0.0L;
     if (!hit.hit) {
         ASSERT_EQ(pierced, HUGE_VALL) << "missed a pierced voxel";
         return;
     }
     ASSERT_TRUE(grid.at(hit.cell));
-    if (std::isinf(hit.t)) {  // the hit is real, but its t is beyond any double
+    if (std::isinf(hit.t)) {  // the hit is real, but no double can hold its t
         ASSERT_FALSE(slabs.cell(hit.cell).empty());
         ASSERT_LE(slabs.cell(hit.cell).low, pierced);
         return;
@@ -59,15 +59,15 @@ void checkRay(const VoxelGrid& grid, const CellRay& ray) {
     ASSERT_LE(hit.t, pierced + tolerance) << "an earlier voxel was pierced";
     ASSERT_GE(hit.t, 0.0);
     ASSERT_LE(hit.t, ray.tMax);
-    // Touched: within the tolerance (in voxels, along each axis) of the closed cell at the reported t.
+    // The ray touches the cell: at the reported t it is within the tolerance of the closed cell along each axis.
     for (int a = 0; a < 3; ++a) {
         const long double p = ray.origin[a] + (long double)ray.direction[a] * hit.t;
-        ASSERT_GE(p, hit.cell[a] - reach * 0x1p-49L) << "axis " << a;
-        ASSERT_LE(p, hit.cell[a] + 1 + reach * 0x1p-49L) << "axis " << a;
+        ASSERT_GE(p, hit.cell[a] - extent * 0x1p-49L) << "axis " << a;
+        ASSERT_LE(p, hit.cell[a] + 1 + extent * 0x1p-49L) << "axis " << a;
     }
     if (hit.axis >= 0) {
         const long double p = ray.origin[hit.axis] + (long double)ray.direction[hit.axis] * hit.t;
-        ASSERT_NEAR(double(p - hit.cell[hit.axis]), hit.sign > 0 ? 1.0 : 0.0, double(reach * 0x1p-49L));
+        ASSERT_NEAR(double(p - hit.cell[hit.axis]), hit.sign > 0 ? 1.0 : 0.0, double(extent * 0x1p-49L));
         ASSERT_LT(hit.sign * ray.direction[hit.axis], 0.0);
     } else {
         ASSERT_EQ(hit.t, 0.0);
@@ -100,7 +100,7 @@ TEST_P(RayWalk, AgreesWithExactSlabs) {
 INSTANTIATE_TEST_SUITE_P(Classes, RayWalk, testing::Range(0, int(RayClass::kCount)),
                          [](const auto& tested) { return kClassNames[size_t(tested.param)]; });
 
-TEST(RayWalkShell, NothingLeaksThroughOneVoxel) {
+TEST(RayWalkShell, NoRayLeavesAShellOneVoxelThick) {
     VoxelGrid grid({kSize, kSize, kSize});
     {
         GridWriter writer(grid);
@@ -123,7 +123,7 @@ TEST(RayWalkShell, NothingLeaksThroughOneVoxel) {
     }
 }
 
-TEST(RayWalkRules, FacesBelongToTheCellTheRayGoesInto) {
+TEST(RayWalkRules, FacesBelongToTheCellThatTheRayEnters) {
     VoxelGrid grid({4, 4, 4});
     GridWriter(grid).set({2, 1, 1}, 1);
     const glm::dvec3 right(1, 0, 0), left(-1, 0, 0);
@@ -143,7 +143,7 @@ TEST(RayWalkRules, FacesBelongToTheCellTheRayGoesInto) {
     EXPECT_FALSE(walkRay(VoxelGrid(), {{0.0, 0.0, 0.0}, right, 1.0}).hit);
 }
 
-TEST(RayWalkRules, EmptySpaceIsLeaptOver) {
+TEST(RayWalkRules, EmptySpaceIsSkipped) {
     VoxelGrid grid({1024, 64, 64});
     GridWriter(grid).set({1020, 33, 30}, 1);
     const CellHit hit = walkRay(grid, {{-5.0, 33.5, 30.5}, {1, 0, 0}, kInfinity});
