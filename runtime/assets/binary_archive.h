@@ -6,15 +6,12 @@
 #include <vector>
 
 #include "runtime/assets/byte_reader.h"
+#include "runtime/assets/grid_limits.h"
 #include "runtime/assets/level_fields.h"
 #include "runtime/assets/palette_list.h"
 #include "runtime/core/handle.h"
 
 namespace rubble {
-
-/// How many nodes the directories of all grids of a file may have together: 128 MiB of pointers. A grid of 4096^3 cells
-/// has 2^21 of them.
-inline constexpr uint64_t kMaxDirectoryNodes = 1u << 24;
 
 /// Writes values in the order of the calls, little-endian, without padding. Vectors, lists and texts begin with a count
 /// of 32 bits, variants with their index. Palettes become numbers of a PaletteList; handles lose the world's number.
@@ -135,8 +132,7 @@ private:
             if (size[i] < 1 || size[i] > kMaxGridSize)
                 return m_in.fail(fmt::format("a grid size of 1 to {}", kMaxGridSize), std::to_string(size[i]),
                                  m_in.offset() - 12);
-        const glm::ivec3 nodes = (size + 31) / 32;
-        m_nodes += uint64_t(nodes.x) * uint64_t(nodes.y) * uint64_t(nodes.z);
+        m_nodes += directoryNodes(size);
         if (m_nodes > kMaxDirectoryNodes) return m_in.fail("grids of 2^39 cells in all", "more", m_in.offset() - 12);
         grid = VoxelGrid(size);
     }

@@ -10,8 +10,8 @@ enum BrickKind : uint8_t { kFull, kUniform, kMixed };
 constexpr uint8_t kPainted = 4;  // added to the kind: 512 bytes of paint follow
 
 bool fitsGrid(const Brick& brick, glm::ivec3 position, glm::ivec3 size) {
-    const glm::ivec3 remaining = size - position * 8;
-    if (remaining.x >= 8 && remaining.y >= 8 && remaining.z >= 8) return true;
+    const glm::ivec3 remaining = size - position * kBrickSize;
+    if (remaining.x >= kBrickSize && remaining.y >= kBrickSize && remaining.z >= kBrickSize) return true;
     bool fits = true;
     forEachVoxel(brick.occupancy, [&](int i) {
         const glm::ivec3 cell = voxelInBrick(i);

@@ -178,7 +178,7 @@ private:
                 forEachVoxel(content->occupancy, [&](int i) {
                     const PaletteEntry& entry = (*m_palette)[content->at(i)];
                     if (entry.emission <= 0.0f) return;
-                    sum += glm::dvec3(brick * 8 + voxelInBrick(i)) + 0.5;
+                    sum += glm::dvec3(brick * kBrickSize + voxelInBrick(i)) + 0.5;
                     radiance += double(entry.emission) * glm::dvec3(srgbToLinear(entry.red), srgbToLinear(entry.green),
                                                                     srgbToLinear(entry.blue));
                     ++count;

@@ -20,7 +20,7 @@ PaletteEntry entryOf(uint8_t red, uint8_t green, uint8_t blue) {
 template <class F>
 void forEachCell(const VoxelGrid& grid, F&& f) {
     grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
-        forEachVoxel(content->occupancy, [&](int i) { f(brick * 8 + voxelInBrick(i)); });
+        forEachVoxel(content->occupancy, [&](int i) { f(brick * kBrickSize + voxelInBrick(i)); });
     });
 }
 

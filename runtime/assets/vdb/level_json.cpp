@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "runtime/assets/grid_limits.h"
 #include "runtime/assets/level_fields.h"
 #include "runtime/assets/palette_list.h"
 
@@ -131,10 +132,9 @@ public:
         glm::ivec3 size(0);
         get(from, size);
         if (!m_error.empty() || size == glm::ivec3(0)) return;
-        const glm::i64vec3 nodes = (glm::i64vec3(size) + 31l) / 32l;
         for (int i = 0; i < 3; ++i)
             if (size[i] < 1 || size[i] > kMaxGridSize) return fail(fmt::format("sizes of 1 to {}", kMaxGridSize), from);
-        if ((m_nodes += nodes.x * nodes.y * nodes.z) > 1 << 24) return fail("grids of 2^39 cells in all", from);
+        if ((m_nodes += directoryNodes(size)) > kMaxDirectoryNodes) return fail("grids of 2^39 cells in all", from);
         grid = VoxelGrid(size);
     }
     void get(const json& from, PaletteRef& palette) {
@@ -185,7 +185,7 @@ private:
     }
     const std::vector<PaletteRef>& m_palettes;
     std::vector<std::string>& m_gridNames;
-    int64_t m_nodes = 0;
+    uint64_t m_nodes = 0;
     const json* m_object = nullptr;
     std::string m_path, m_error;
 };

@@ -65,7 +65,7 @@ typename Grid::Ptr makeGrid(const LevelShape& shape, const Pose& world, const st
     using Leaf = typename Grid::TreeType::LeafNodeType;
     auto grid = Grid::create(typename Grid::ValueType(0));
     shape.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
-        auto leaf = std::make_unique<Leaf>(toCoord(position * 8), grid->background(), false);
+        auto leaf = std::make_unique<Leaf>(toCoord(position * kBrickSize), grid->background(), false);
         forEachVoxel(brick->occupancy, [&](int i) {
             if (const auto value = valueOf(*brick, i))
                 leaf->setValueOn(Leaf::coordToOffset(toCoord(voxelInBrick(i))), *value);
@@ -185,8 +185,7 @@ Result<std::pair<Pose, double>> cornerPose(const openvdb::GridBase& grid, const 
     if (!grid.transform().isLinear()) return refuse("a frustum transform");
     const openvdb::Mat4d matrix = grid.transform().baseMap()->getAffineMap()->getMat4();
     for (int i = 0; i < 16; ++i)
-        if (!(std::abs(matrix.asPointer()[i]) <= 1e9))
-            return refuse(fmt::format("{}", matrix.asPointer()[i]));
+        if (!(std::abs(matrix.asPointer()[i]) <= 1e9)) return refuse(fmt::format("{}", matrix.asPointer()[i]));
     glm::dmat3 axes;
     for (int i = 0; i < 3; ++i) axes[i] = {matrix(i, 0), matrix(i, 1), matrix(i, 2)};
     const double size = glm::length(axes[0]);
@@ -305,7 +304,7 @@ private:
             BrickIndices indices, paint{};
             bool isPainted = false;
             forEachVoxel(brick->occupancy, [&](int i) {
-                const int32_t value = values.getValue(toCoord(position * 8 + voxelInBrick(i)) + corner);
+                const int32_t value = values.getValue(toCoord(position * kBrickSize + voxelInBrick(i)) + corner);
                 if (value < 16 || paintColor(uint8_t(value)) > shape.paintColors->count || value > 255) return;
                 paint[size_t(i)] = uint8_t(value);
                 isPainted = true;

@@ -15,7 +15,7 @@ std::map<std::array<int64_t, 3>, std::array<int, 4>> voxelLooks(const World& wor
         const Pose pose = world.shapeToWorld(handle);
         shape.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
             forEachVoxel(brick->occupancy, [&](int i) {
-                const glm::dvec3 cell = glm::dvec3(position * 8 + voxelInBrick(i)) + 0.5;
+                const glm::dvec3 cell = glm::dvec3(position * kBrickSize + voxelInBrick(i)) + 0.5;
                 const glm::dvec3 at = glm::round(pose.transformPoint(cell * double(shape.voxelSize)) * 1e4);
                 const uint8_t paint = brick->paintAt(i);
                 const Srgb color = paint ? shape.paintColors->colors[size_t(paintColor(paint) - 1)] : Srgb{};

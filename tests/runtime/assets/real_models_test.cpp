@@ -83,7 +83,7 @@ TEST(RealModels, PartsOfAMultiModelSceneDoNotOverlap) {
         const glm::ivec3 corner(glm::round(body.pose.position / 0.1));
         shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
             forEachVoxel(content->occupancy, [&](int i) {
-                const glm::ivec3 c = corner + brick * 8 + voxelInBrick(i);
+                const glm::ivec3 c = corner + brick * kBrickSize + voxelInBrick(i);
                 const auto [at, fresh] = cells.emplace(std::tuple(c.x, c.y, c.z), shape.name);
                 if (!fresh && overlaps++ < 5)
                     std::printf("overlap of %s and %s at %d %d %d\n", at->second.c_str(), shape.name.c_str(), c.x, c.y,

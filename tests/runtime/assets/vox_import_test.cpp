@@ -28,7 +28,7 @@ std::map<Cell, int> worldCells(const Level& level) {
             EXPECT_LT(glm::length(corner - glm::dvec3(rounded)), 1e-9);
             shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
                 forEachVoxel(content->occupancy, [&](int i) {
-                    const glm::ivec3 c = rounded + brick * 8 + voxelInBrick(i);
+                    const glm::ivec3 c = rounded + brick * kBrickSize + voxelInBrick(i);
                     EXPECT_TRUE(cells.emplace(Cell{c.x, c.y, c.z}, content->at(i)).second) << "overlap";
                 });
             });

@@ -8,6 +8,7 @@
 
 #include "runtime/assets/assets.h"
 #include "runtime/assets/file_bytes.h"
+#include "runtime/core/constants.h"
 #include "tests/runtime/assets/sample_level.h"
 #include "tests/runtime/assets/vdb/third_party_vdb.h"
 #include "tests/support/models.h"
@@ -141,7 +142,7 @@ TEST_F(VdbFile, TilesAreExpanded) {
 TEST_F(VdbFile, LevelSetsAreFilled) {
     const Result<Level> level = readThirdParty("level set");
     ASSERT_TRUE(level) << level.error();
-    const double expected = 4.0 / 3.0 * M_PI * 8.0 / 0.001;
+    const double expected = 4.0 / 3.0 * kPi * 8.0 / 0.001;
     EXPECT_NEAR(double(level->bodies.at(0).shapes.at(0).grid.voxelCount()), expected, expected * 0.01);
 }
 
