@@ -143,20 +143,20 @@ private:
     template <class F>
     void forEachShape(F&& f) {
         for (LevelBody& body : m_level.bodies)
-            for (LevelShape& shape : body.shapes) f(body, shape);
+            for (LevelShape& shape : body.shapes) f(shape);
     }
 
     /// Makes the one palette that all shapes share.
     void choosePalette() {
         std::array<uint64_t, 256> counts{};
-        forEachShape([&](LevelBody&, LevelShape& shape) {
+        forEachShape([&](LevelShape& shape) {
             const auto own = countEntries(shape.grid);
             for (size_t i = 1; i < 256; ++i) counts[i] += own[i];
         });
         std::array<bool, 256> used{};
         for (size_t i = 1; i < 256; ++i) used[i] = counts[i] > 0;
         m_palette = std::make_shared<Palette>(voxPalette(m_file, used, m_settings.teardownPalette));
-        forEachShape([&](LevelBody&, LevelShape& shape) { shape.palette = m_palette; });
+        forEachShape([&](LevelShape& shape) { shape.palette = m_palette; });
         for (size_t i = 1; i < 256; ++i) {
             if (!used[i]) continue;
             const PaletteEntry& entry = (*m_palette)[i];
@@ -171,7 +171,7 @@ private:
 
     /// Each shape with glowing voxels gets a light group and a sphere light at the centroid of those voxels.
     void addLights() {
-        forEachShape([&](LevelBody&, LevelShape& shape) {
+        forEachShape([&](LevelShape& shape) {
             glm::dvec3 sum(0.0), radiance(0.0);
             uint64_t count = 0;
             shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
