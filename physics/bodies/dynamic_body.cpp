@@ -7,15 +7,16 @@
 namespace rubble {
 namespace {
 
+/// Whether each coordinate is a number below the limit.
 bool finiteBelow(glm::dvec3 v, double limit) {
     return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.z) < limit;
 }
 
-/// False if it is shorter than `most` already.
-bool shorten(glm::dvec3& v, double most) {
+/// Shortens a vector that is longer than maxLength; false if it is not.
+bool clampLength(glm::dvec3& v, double maxLength) {
     const double length2 = glm::dot(v, v);
-    if (length2 <= most * most * (1.0 + 1e-9)) return false;  // what has been shortened is not too long
-    v *= most / std::sqrt(length2);
+    if (length2 <= maxLength * maxLength * (1.0 + 1e-9)) return false;  // a clamped vector is not clamped again
+    v *= maxLength / std::sqrt(length2);
     return true;
 }
 
@@ -39,15 +40,15 @@ DynamicBody::DynamicBody(const World& world, BodyHandle handle)
 void DynamicBody::takeState(const World& world) {
     const Body& body = world.bodies().at(m_handle);
     m_mass = world.bodyMass(m_handle);
-    if (!(m_mass.mass > 0.0)) {  // nothing but weightless materials: it must weigh something to be moved
+    if (!(m_mass.mass > 0.0)) {  // all its materials are weightless, but only a mass can be moved
         m_mass = MassProperties{};
         m_mass.mass = 1.0;
         m_mass.principalInertia = glm::dvec3(1.0);
     }
-    const double weight = std::clamp(m_mass.mass, limits::kMinMass, limits::kMaxMass);
-    m_hasOddMass = weight != m_mass.mass;
-    m_mass.principalInertia *= weight / m_mass.mass;
-    m_mass.mass = weight;
+    const double mass = std::clamp(m_mass.mass, limits::kMinMass, limits::kMaxMass);
+    m_hasClampedMass = mass != m_mass.mass;
+    m_mass.principalInertia *= mass / m_mass.mass;
+    m_mass.mass = mass;
     m_state = {m_handle, body.pose, body.velocity, body.angularVelocity, body.asleep};
     const Pose centerInBody{m_mass.center, m_mass.principalAxes};
     m_bodyInCenter = inverse(centerInBody);
@@ -115,11 +116,11 @@ bool DynamicBody::isFartherThan(double distance, glm::dvec3 origin) const {
 }
 
 bool DynamicBody::clamp(LimitCounts& counts) {
-    const bool speed = shorten(motion.velocity, limits::kMaxSpeed),
-               spin = shorten(motion.angularVelocity, limits::kMaxAngularSpeed);
+    const bool speed = clampLength(motion.velocity, limits::kMaxSpeed),
+               spin = clampLength(motion.angularVelocity, limits::kMaxAngularSpeed);
     counts[size_t(LimitKind::Speed)] += speed;
     counts[size_t(LimitKind::Spin)] += spin;
-    const bool mass = std::exchange(m_hasOddMass, false);
+    const bool mass = std::exchange(m_hasClampedMass, false);
     counts[size_t(LimitKind::Mass)] += mass;
     return speed || spin || mass;
 }
@@ -143,6 +144,12 @@ bool DynamicBody::refresh() {
 void DynamicBody::applyImpulse(glm::dvec3 impulse, glm::dvec3 position) {
     motion.velocity += impulse * motion.inverseMass;
     motion.angularVelocity += worldInverseInertia(motion) * glm::cross(position - motion.position, impulse);
+}
+
+glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point) {
+    if (!object.dynamic || object.dynamic->asleep()) return glm::dvec3(0.0);
+    const SolverBody& motion = object.dynamic->motion;
+    return motion.velocity + glm::cross(motion.angularVelocity, point - motion.position);
 }
 
 }  // namespace rubble

@@ -1,83 +1,100 @@
 #pragma once
+#include <vector>
+
+#include "physics/bodies/collision_object.h"
 #include "physics/bodies/limits.h"
 #include "physics/bodies/sleep_timer.h"
-#include "physics/collision/broadphase.h"
-#include "physics/solver/contact_solver.h"
+#include "physics/bodies/solver_body.h"
 #include "runtime/world/world.h"
 
 namespace rubble {
 
-/// A dynamic body of World as physics moves it. Its frame is the centre of mass in principal axes. Asleep, it is in the
-/// broadphase and in nothing else: it costs nothing until something comes near.
+/// A dynamic body of World as physics moves it. The frame of `motion` is the centre of mass in principal axes; World's
+/// frame of the body is elsewhere. A sleeping body is in the broadphase and in nothing else, so it costs nothing until
+/// something comes near. [main-thread]
 class DynamicBody {
 public:
+    /// As World has it now; awake, and in no broadphase.
     DynamicBody(const World& world, BodyHandle handle);
     DynamicBody(const DynamicBody&) = delete;
     DynamicBody& operator=(const DynamicBody&) = delete;
 
-    /// Takes over that its shapes' voxels have changed, with its mass and frame, and is awake as if made anew; false,
-    /// and nothing has changed, if its shapes or their cells are not the same any more.
+    /// Takes over a change of its shapes' voxels, with the new mass and frame, and wakes. False, without a change, if
+    /// it has other shapes now or shapes of other size.
     bool updateShape(const World& world, const FrameChanges& changes);
 
+    /// Of one of its shapes; takes effect with the collision object's next pose.
     void setFilter(ShapeHandle shape, CollisionFilter filter);
+    /// Falling asleep stops it; both restart its sleep timer. The broadphase is not told.
     void setAsleep(bool asleep);
+    /// See setAsleep().
     bool asleep() const { return m_asleep; }
+    /// Takes it out of the simulation for good.
     void quarantine() { m_quarantined = true; }
+    /// Its numbers were invalid: it is not simulated.
     bool quarantined() const { return m_quarantined; }
-    /// No NaN, no infinity, nothing absurd: numbers to compute with.
+    /// Whether pose and velocities are numbers to compute with: no NaN, no infinity, nothing beyond kInvalidSpeed.
     bool finite() const;
+    /// By any coordinate, metres, world.
     bool isFartherThan(double distance, glm::dvec3 origin) const;
-    /// Brings what is beyond the envelope back to it; true if anything was. counts: by kind.
+    /// Clamps to the limits; true if anything was beyond. counts: incremented by kind.
     bool clamp(LimitCounts& counts);
-    /// Where the last finite step left it.
+    /// Goes back to the pose of the last refresh(), at rest.
     void restore();
 
-    /// The body's frame in the world, its motion and sleep, as of the last refresh.
+    /// What World is to know, as of the last refresh().
     const BodyPose& state() const { return m_state; }
-    /// Takes the state from the motion; false if nothing differs.
+    /// Updates state(); false if nothing has changed.
     bool refresh();
 
+    /// World's handle.
     BodyHandle handle() const { return m_handle; }
+    /// Clamped to the limits.
     const MassProperties& mass() const { return m_mass; }
-    /// Half the smallest side of the collider's bounds, metres.
+    /// Half the smallest side of the collider's bounds, metres: the radius of the inscribed sphere that may tunnel.
     double minHalfExtent() const { return m_minHalfExtent; }
-    /// The body's frame in that of the motion.
+    /// World's frame of the body in the frame of `motion`.
     const Pose& bodyInCenter() const { return m_bodyInCenter; }
+    /// Of the centre of mass, world.
     Pose pose() const { return {motion.position, motion.rotation}; }
-    /// Of World's frame of the body.
+    /// Of World's frame of the body, world.
     Pose bodyPose() const { return pose() * m_bodyInCenter; }
-    /// The collision object follows the motion.
+    /// Moves the collision object to pose().
     void setPose() { object.setPose(pose()); }
+    /// impulse in N s at a position, both world.
     void applyImpulse(glm::dvec3 impulse, glm::dvec3 position);
 
     CollisionObject object;
     SolverBody motion;
     SleepTimer sleepTimer;
-    double slowSeconds = 0.0;           ///< how long it has been slow: the longer, the more drift counts as restTime
-    bool newlyAwake = true;             ///< has not moved noticeably since it woke
-    glm::dvec3 secondaryVelocity{0.0};  ///< m/s that fast hits may add within this step
-    std::vector<uint32_t>
-        sleepersTouched;      ///< slots of sleeping bodies that it has touched since it last moved noticeably
-    bool touching = false;    ///< had a contact in the last step
-    bool inWater = false;     ///< was in water in the last step
-    bool isDebris = false;    ///< counts in the budget of what moves
-    bool settled = false;     ///< a touch does not wake it
-    bool wantsSleep = false;  ///< it is restTime, but what it is jointed to may not be
-    bool known = false;       ///< its pairs of this step have been found
+    double slowSeconds = 0.0;               ///< how long it has been slow: the longer, the more drift counts as rest
+    bool newlyAwake = true;                 ///< has not moved noticeably since it woke
+    glm::dvec3 secondaryVelocity{0.0};      ///< m/s that fast hits may add within this step
+    std::vector<uint32_t> sleepersTouched;  ///< slots of sleeping bodies touched since it last moved noticeably
+    bool touching = false;                  ///< had a contact in the last step
+    bool inWater = false;                   ///< was in water in the last step
+    bool isDebris = false;                  ///< counts in the budget of awake debris
+    bool settled = false;                   ///< contact does not wake it
+    bool wantsSleep = false;                ///< has rested long enough, but what it is jointed to may not have
+    int solverIndex = 0;                    ///< in the solver's list of bodies, if it is awake
+    bool pairsFound = false;                ///< of this step
 
 private:
-    /// Mass, frame and motion from World; the collider's parts are placed about the centre.
+    /// Takes mass, frame and motion from World and moves the collider's parts to the new centre of mass.
     void takeState(const World& world);
 
     BodyHandle m_handle;
     std::vector<ShapeHandle> m_shapes;  ///< of the collider's parts
     MassProperties m_mass;
     Pose m_bodyInCenter;
-    bool m_hasOddMass = false;  ///< World's is beyond the envelope
+    bool m_hasClampedMass = false;  ///< and it was not counted yet
     BodyPose m_state;
     double m_minHalfExtent = 0.0;
     bool m_asleep = false;
     bool m_quarantined = false;
 };
+
+/// The velocity of an object at a point, world, m/s; 0 for what is static or asleep.
+glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point);
 
 }  // namespace rubble

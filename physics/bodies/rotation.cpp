@@ -1,23 +1,35 @@
 #include <glm/glm.hpp>
 
-#include "physics/solver/contact_solver.h"
+#include "physics/bodies/solver_body.h"
+
+// Free rotation of a rigid body by splitting.
+//
+// In principal axes, Euler's equations dL/dt = L x (L / I) have the energy H = Lx^2 / 2Ix + Ly^2 / 2Iy + Lz^2 / 2Iz.
+// Each term alone moves L by a rotation about its axis, at the rate L_i / I_i, which has a closed form. Splitting H
+// into such terms and composing their exact flows symmetrically gives an integrator that is symplectic and
+// time-reversible, and keeps |L| exactly (Dullweber, Leimkuhler and McLachlan, "Symplectic splitting methods for rigid
+// body molecular dynamics", J. Chem. Phys. 107, 1997). Here |L|^2 / 2Iz is split off first: its flow is the rotation
+// about L itself, which commutes with the others and is applied once at the end. Two terms are left, with the rates Lx
+// (1/Ix - 1/Iz) and Ly (1/Iy - 1/Iz). With x the axis of the most different moment, a symmetric top needs only the
+// first, so its motion is exact for every step. Three Strang steps of the lengths kOuter, kInner and kOuter make the
+// whole of fourth order (Yoshida, "Construction of higher order symplectic integrators", 1990).
 
 namespace rubble {
 namespace {
 
-/// tan(h) / h of half an angle h, x = h^2, to fifth order: no library's tangent decides a bit.
+/// tan(h) / h for x = h^2, as a polynomial of fifth order in h: the same bits on every machine.
 double tanOverX(double x) {
     return 1.0 + x * (1.0 / 3.0 + x * (2.0 / 15.0));
 }
 
-/// The rotation by `angle` radians about its axis, by Cayley's map corrected to fifth order; not of length 1.
-glm::dquat rotationVector(glm::dvec3 angle) {
+/// The rotation by the rotation vector `angle`, radians: (1, tan(|angle| / 2) axis), which is not of length 1.
+glm::dquat rotationOf(glm::dvec3 angle) {
     const glm::dvec3 half = angle * 0.5;
     const double tangent = tanOverX(glm::dot(half, half));
     return {1.0, half.x * tangent, half.y * tangent, half.z * tangent};
 }
 
-/// The principal axis whose moment is the farthest from the other two.
+/// The principal axis whose moment differs the most from the other two.
 int uniqueAxis(glm::dvec3 inertia) {
     int least = 0, most = 2;
     for (int i = 0; i < 3; ++i) {
@@ -29,15 +41,15 @@ int uniqueAxis(glm::dvec3 inertia) {
     return inertia[least] * inertia[most] < middle * middle ? least : most;
 }
 
-/// A rotation, as a quaternion of any length, and the angular momentum in the frame that it turns.
+/// A rotation, as a quaternion of any length, and the angular momentum in the rotated frame.
 struct Spin {
     double w, x, y, z;
     glm::dvec3 momentum;
 };
 
-/// Turns about the frame's axis i, and the momentum back by the same angle: its parts along j and k, the axes that
-/// updateCachedContacts.
-void turnAbout(double angle, double& w, double& i, double& j, double& k, double& momentumJ, double& momentumK) {
+/// Rotates the frame about its axis i, and the momentum in it back by the same angle. j and k are the axes that follow
+/// i.
+void rotateAbout(double angle, double& w, double& i, double& j, double& k, double& momentumJ, double& momentumK) {
     const double half = 0.5 * angle, t = half * tanOverX(half * half);
     const double scale = 1.0 / (1.0 + t * t), cosine = (1.0 - t * t) * scale, sine = 2.0 * t * scale;
     const double w0 = w, j0 = j, along = momentumJ;
@@ -47,44 +59,41 @@ void turnAbout(double angle, double& w, double& i, double& j, double& k, double&
     momentumK = cosine * momentumK - sine * along;
 }
 
-/// A symmetric top turns about its momentum and about its own axis at constant rates, so those two turns are its exact
-/// motion however long it is. What differs between the other two axes is a turn about one of them. All three commute
-/// with the turn about the momentum, which is one turn at the end; the other two alternate, in three times half before
-/// and half after, so weighted that it is of fourth order (Yoshida 1990).
+/// The splitting of the file's opening comment; a, b and c are its axes x, y and z.
 void rotateTorqueFree(SolverBody& body, double seconds) {
     constexpr double kOuter = 1.3512071919596578, kInner = 1.0 - 2.0 * kOuter;  // 1 / (2 - 2^(1/3))
-    const int a = uniqueAxis(body.inertia), b = (a + 1) % 3, c = (a + 2) % 3;   // x, y and z in the following
+    const int a = uniqueAxis(body.inertia), b = (a + 1) % 3, c = (a + 2) % 3;
     const glm::dvec3 inverse = 1.0 / body.inertia,
                      momentum = body.inertia * (glm::conjugate(body.rotation) * body.angularVelocity);
     const glm::dvec3 axes(body.rotation.x, body.rotation.y, body.rotation.z);
     const double rateX = (inverse[a] - inverse[c]) * seconds, rateY = (inverse[b] - inverse[c]) * seconds;
     Spin s{body.rotation.w, axes[a], axes[b], axes[c], {momentum[a], momentum[b], momentum[c]}};
-    const auto turnX = [&](double share) {
-        turnAbout(rateX * share * s.momentum.x, s.w, s.x, s.y, s.z, s.momentum.y, s.momentum.z);
+    const auto rotateX = [&](double share) {
+        rotateAbout(rateX * share * s.momentum.x, s.w, s.x, s.y, s.z, s.momentum.y, s.momentum.z);
     };
-    const auto turnY = [&](double share) {
-        turnAbout(rateY * share * s.momentum.y, s.w, s.y, s.z, s.x, s.momentum.z, s.momentum.x);
+    const auto rotateY = [&](double share) {
+        rotateAbout(rateY * share * s.momentum.y, s.w, s.y, s.z, s.x, s.momentum.z, s.momentum.x);
     };
-    turnY(0.5 * kOuter);
-    turnX(kOuter);
-    turnY(0.5 * (kOuter + kInner));
-    turnX(kInner);
-    turnY(0.5 * (kInner + kOuter));
-    turnX(kOuter);
-    turnY(0.5 * kOuter);
-    glm::dvec3 left, turned;
-    left[a] = s.momentum.x, left[b] = s.momentum.y, left[c] = s.momentum.z;
-    turned[a] = s.x, turned[b] = s.y, turned[c] = s.z;
-    body.rotation =
-        glm::normalize(glm::dquat(s.w, turned.x, turned.y, turned.z) * rotationVector(left * (inverse[c] * seconds)));
-    body.angularVelocity = body.rotation * (left * inverse);
+    rotateY(0.5 * kOuter);
+    rotateX(kOuter);
+    rotateY(0.5 * (kOuter + kInner));
+    rotateX(kInner);
+    rotateY(0.5 * (kInner + kOuter));
+    rotateX(kOuter);
+    rotateY(0.5 * kOuter);
+    glm::dvec3 newMomentum, rotated;
+    newMomentum[a] = s.momentum.x, newMomentum[b] = s.momentum.y, newMomentum[c] = s.momentum.z;
+    rotated[a] = s.x, rotated[b] = s.y, rotated[c] = s.z;
+    body.rotation = glm::normalize(glm::dquat(s.w, rotated.x, rotated.y, rotated.z) *
+                                   rotationOf(newMomentum * (inverse[c] * seconds)));
+    body.angularVelocity = body.rotation * (newMomentum * inverse);
 }
 
 }  // namespace
 
 void rotateBody(SolverBody& body, double seconds) {
     if (body.conservesMomentum) return rotateTorqueFree(body, seconds);
-    body.rotation = glm::normalize(rotationVector(body.angularVelocity * seconds) * body.rotation);
+    body.rotation = glm::normalize(rotationOf(body.angularVelocity * seconds) * body.rotation);
 }
 
 glm::dmat3 worldInverseInertia(const SolverBody& body) {

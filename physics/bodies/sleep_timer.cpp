@@ -5,10 +5,10 @@
 namespace rubble {
 namespace {
 
-/// Of rotations a few hundredths of a radian apart: the chord between unit quaternions is 2 sin(angle / 4).
+/// For small angles: the distance of two unit quaternions is 2 sin(angle / 4), about angle / 2.
 bool within(const Pose& a, const Pose& b, double radius, double angle) {
-    const glm::dvec3 displacement = a.position - b.position;
-    if (glm::dot(displacement, displacement) > radius * radius) return false;
+    const glm::dvec3 offset = a.position - b.position;
+    if (glm::dot(offset, offset) > radius * radius) return false;
     const double cosine = std::abs(glm::dot(a.rotation, b.rotation));
     return 2.0 - 2.0 * cosine <= 0.25 * angle * angle;
 }

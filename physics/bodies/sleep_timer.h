@@ -3,18 +3,17 @@
 
 namespace rubble {
 
-/// How far a body has moved since some earlier moment: decides when it is restTime enough to sleep, and when it has
-/// moved enough for what lies on it to be woken. Positions, not velocities: a jittering contact keeps its place.
+/// Decides when a body has rested long enough to sleep, and when it has moved enough to wake what touches it. It
+/// compares positions, not velocities: a contact that jitters stays in its place.
 class SleepTimer {
 public:
+    /// Starts both measurements from here.
     void restart(const Pose& now);
-    /// Counts `seconds` of restTime if the body stays within `radius` metres and `angle` radians of where the restTime
-    /// began; else restTime begins anew. Returns the restTime so far.
+    /// Adds `seconds` to the rest time if the body is still within `radius` metres and `angle` radians of where the
+    /// rest began; else the rest begins here. Returns the rest time, s.
     double restTime(const Pose& now, double radius, double angle, double seconds);
-    /// True, and the count starts again, if the body has moved by more than `radius` or `angle` since the last true.
+    /// Whether the body is more than `radius` metres or `angle` radians from where this was last true.
     bool hasMoved(const Pose& now, double radius, double angle);
-    /// Where the body was at the last true of hasMoved().
-    const Pose& movedPose() const { return m_movedPose; }
 
 private:
     Pose m_restPose;

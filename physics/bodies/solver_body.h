@@ -4,34 +4,35 @@
 
 namespace rubble {
 
-/// A body as the solver moves it. Its frame is its principal axes about the centre of mass.
+/// A body as the solver moves it, in double. Its frame is the centre of mass in principal axes.
 struct SolverBody {
     glm::dvec3 position{0.0};  ///< world, metres
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
-    glm::dvec3 velocity{0.0}, angularVelocity{0.0};
-    glm::dvec3 inertia{1.0};  ///< kg m2
-    double inverseMass = 0.0;
-    double minHalfExtent = 0.0;      ///< metres: half its smallest side
-    bool conservesMomentum = false;  ///< its rotation keeps angular momentum: for uneven bodies that spin fast
+    glm::dvec3 velocity{0.0}, angularVelocity{0.0};  ///< world, m/s and rad/s
+    glm::dvec3 inertia{1.0};                         ///< principal moments, kg m2
+    double inverseMass = 0.0;                        ///< 1/kg; 0: it does not move
+    double minHalfExtent = 0.0;                      ///< half its smallest side, metres
+    bool conservesMomentum = false;                  ///< free rotation keeps angular momentum: see rotateBody()
 };
 
-/// A body within the step.
+/// A body within the step, in float: movements since the step began are small.
 struct SolverState {
-    glm::vec3 v{0.0f}, w{0.0f};
+    glm::vec3 v{0.0f}, w{0.0f};  ///< linear and angular velocity, world
     float inverseMass = 0.0f, minHalfExtent = 0.0f;
     glm::vec3 deltaPosition{0.0f};   ///< since the step began
     glm::mat3 deltaRotation{0.0f};   ///< rotation since the step began, less the identity
     glm::mat3 inverseInertia{0.0f};  ///< world
-    bool isConstrained = false, isLoadBearing = false;
-    bool inertiaRotates = false;  ///< within the step
+    bool isConstrained = false;      ///< by a contact or joint; if not, it stays in double
+    bool isLoadBearing = false;      ///< something much heavier lies on it
+    bool inertiaRotates = false;     ///< inverseInertia changes within the step
     bool isJointed = false;
-    bool isHitByFast = false;  ///< so fast that its core counts
+    bool isHitByFast = false;  ///< by a body that moves by more than its own thickness in the step
 };
 
-/// One substep of a body's rotation. Bodies that conserve hold their angular momentum (see rotation.cpp for how); the
-/// others keep their angular velocity.
+/// Rotates a body through one substep without torque. With conservesMomentum its angular momentum is constant, else its
+/// angular velocity, which is cheaper and right for bodies that are even or slow.
 void rotateBody(SolverBody& body, double seconds);
-/// World tensor of a body's inverse inertia.
+/// The inverse of the inertia tensor in world axes.
 glm::dmat3 worldInverseInertia(const SolverBody& body);
 
 }  // namespace rubble

@@ -8,23 +8,11 @@
 namespace rubble {
 namespace {
 
-constexpr btScalar kFatMargin =
-    0.05f;  ///< metres that a moving object's leaf is max4 than it: small moves do not touch the tree
-constexpr double kRounding = 1e-4;  ///< metres that bounds are wider than their toFloat4 say
+/// Metres by which the leaf of a moving object is larger than its bounds, so that small moves do not change the tree.
+constexpr btScalar kFatMargin = 0.05f;
+constexpr double kRounding = 1e-4;  ///< metres added to bounds against the rounding of their floats
 
 }  // namespace
-
-void CollisionObject::setPose(const Pose& at) {
-    pose = at;
-    m_cellTransforms.clear();
-    filter = {0, 0};
-    for (const auto& part : collider.parts) {
-        const glm::dmat3 axes = glm::mat3_cast(at.rotation * part->frame().rotation) * part->voxelSize();
-        filter.layer |= part->filter().layer;
-        filter.mask |= part->filter().mask;
-        m_cellTransforms.push_back({axes, at.rotation * part->frame().position});
-    }
-}
 
 bool Broadphase::overlap(const CollisionObject& a, const CollisionObject& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
@@ -38,7 +26,7 @@ void Broadphase::sortPairs(std::vector<ObjectPair>& pairs, size_t from) {
     });
 }
 
-/// Of what moves by its hull, of what rests by boxes, which are there already.
+/// A moving object is bounded by its parts' hulls, one at rest by their boxes, whose computation touches no voxels.
 void Broadphase::setBounds(CollisionObject& object, glm::dvec3 displacement, double margin) const {
     glm::dvec3 low(1e30), high(-1e30);
     for (size_t i = 0; i < object.m_cellTransforms.size(); ++i) {

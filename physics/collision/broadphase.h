@@ -2,63 +2,37 @@
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 
 #include <span>
-#include <utility>
 #include <vector>
 
-#include "physics/collision/voxel_contacts.h"
+#include "physics/bodies/collision_object.h"
 
 namespace rubble {
 
-class DynamicBody;
-
-inline constexpr uint32_t kStaticObject = 0x80000000u;  ///< in the number of an object that stands still for good
-
-/// What can be touched: the voxels of a body, or one shape of a static body, at their setPose.
-struct CollisionObject {
-    VoxelCollider collider;
-    Pose pose;            ///< collider's frame -> world
-    double radius = 0.0;  ///< of the collider about its frame's origin, metres
-    uint32_t body = 0;    ///< slot
-    uint32_t number = 0;  ///< unique; the order of pairs: a body's slot, or a static shape's with kStaticObject
-    DynamicBody* dynamic = nullptr;  ///< null: static
-    bool isNew = true;  ///< has another mass or form than in the last step: its contacts inheritImpulses no impulses
-    CollisionFilter filter;          ///< of all parts together, as of the last setPose()
-    glm::dvec3 low{0.0}, high{0.0};  ///< world bounds, with what it sweeps in the step
-    uint32_t version = 0;            ///< another one after it was added anew or its voxels changed
-
-    /// Puts it at a setPose; the broadphase is told with Broadphase::move().
-    void setPose(const Pose& at);
-    std::span<const CellTransform> cellTransforms() const { return m_cellTransforms; }
-
-private:
-    friend class Broadphase;
-    std::vector<CellTransform> m_cellTransforms;  ///< of the collider's parts
-    btDbvtNode* m_leaf = nullptr;
-    bool m_moves = false;
-};
-
-using ObjectPair = std::pair<CollisionObject*, CollisionObject*>;
-
-/// Which objects are near each other: two of Bullet's dynamic trees of bounds, one of what moves and one of what rests.
-/// Nothing is kept about pairs, so what rests costs nothing and removing it costs the depth of a tree.
+/// Finds which objects are near each other with two of Bullet's dynamic bounding volume trees: one of objects that
+/// move, one of objects at rest. No pairs are kept from step to step, so what rests costs nothing, and removing it
+/// costs the depth of a tree. [main-thread]
 class Broadphase {
 public:
-    /// World position of Bullet's zero: it counts in toFloat4.
+    /// The world position of Bullet's origin. Bullet's bounds are floats, so choose it near the level's middle; before
+    /// the first add().
     void setOrigin(glm::dvec3 origin) { m_origin = origin; }
+    /// See setOrigin().
     glm::dvec3 origin() const { return m_origin; }
 
+    /// Adds an object at its pose; it must stay at its address until it is removed. moves: it is awake.
     void add(CollisionObject& object, bool moves);
+    /// Does nothing if the object is not in a tree.
     void remove(CollisionObject& object);
-    /// Its voxels have changed where it is.
+    /// Notes that the object's voxels or filter have changed: cached contacts are dropped.
     void touch(CollisionObject& object) { object.version = ++m_versions; }
-    /// The object has moved: its bounds are those of its pose, widened by `margin` and by its displacement (metres,
-    /// world).
+    /// Computes the bounds of a moving object at its pose, widened by `margin` on all sides and by its displacement in
+    /// the step (metres, world axes).
     void move(CollisionObject& object, glm::dvec3 displacement, double margin);
 
-    /// Objects whose bounds may overlap a box, in no order.
+    /// Appends the objects whose bounds may overlap a box (world, metres), in no particular order.
     void find(glm::dvec3 low, glm::dvec3 high, std::vector<CollisionObject*>& out);
-    /// Pairs of these objects, which move, with others and each other, each pair once, the one with the lower number
-    /// first; sorted. Pairs with what moves and `isKnown` are left out.
+    /// Appends the overlapping pairs of the `moving` objects with each other and with all others: each pair once,
+    /// sorted by numbers. isKnown: called for other moving objects; pairs with those for which it is true are left out.
     template <class IsKnown>
     void findPairs(std::span<CollisionObject* const> moving, IsKnown&& isKnown, std::vector<ObjectPair>& out) {
         const size_t from = out.size();

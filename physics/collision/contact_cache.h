@@ -4,21 +4,26 @@
 #include "physics/collision/manifold.h"
 #include "runtime/core/pose.h"
 
+// While two bodies hardly move relative to each other, their contacts are not computed again but carried along: each
+// keeps its anchor on the first body and its normal in the second, and its separation changes by the anchor's movement
+// along the normal.
+
 namespace rubble {
 
-/// Where one body is in the frame of another: while that hardly changes, their contacts do not either and are only
-/// moved along.
+/// The pose of one body in the frame of another.
 struct RelativePose {
     glm::dvec3 position{0.0};
     glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
 };
+/// The pose of the first in the frame of the second.
 RelativePose relativePose(const Pose& first, const Pose& second);
-/// The farthest that a point within `radius` metres of the first's origin may have moved against the second.
+/// An upper bound, in metres, of how far a point within `radius` metres of the first's origin has moved relative to the
+/// second.
 double maxPointDisplacement(const RelativePose& then, const RelativePose& now, double radius);
 
-/// Notes where the manifold's points are on the two bodies.
+/// Stores in each point where it is on the two bodies; call it when the contacts have been found.
 void cacheContacts(Manifold& manifold, const Pose& first, const Pose& second);
-/// Where the points of a manifold that was found at `then` are now.
+/// Moves points that were found at the relative pose `then` to where they are now.
 void updateCachedContacts(Manifold& manifold, const RelativePose& then, const RelativePose& now, const Pose& first,
                           const Pose& second);
 

@@ -6,12 +6,13 @@
 namespace rubble {
 namespace {
 
-constexpr float kMaxDetour =
-    0.15f;  ///< cells by which a displacement out may be longer than one that a feature does not accept
-constexpr int kMaxDepth = 4;  ///< cells below a surface that a displacement out is looked for
+/// Cells by which the exit may be longer than through a face that the feature does not accept.
+constexpr float kMaxDetour = 0.15f;
+constexpr int kMaxDepth = 4;  ///< cells below a surface to which an exit is searched
 
-/// A point in a notch: its cell has no exposed face, but a cell over an edge or a corner is empty. Of the planes that
-/// meet there it is behind all: the one that it is deepest behind, of the closest such cell.
+/// The exit of a point in a notch: its cell has no exposed face, but a cell across an edge or a corner is empty. The
+/// point is behind all the planes that meet at that edge or corner, so it leaves through the plane that it is deepest
+/// behind, of the closest such cell.
 Face nearestExitFaceOfNotch(Occupancy& occupancy, Cell cell, const glm::vec3& p, const FeatureQuery& query) {
     Face best;
     float closest = 1e9f;
@@ -22,9 +23,9 @@ Face nearestExitFaceOfNotch(Occupancy& occupancy, Cell cell, const glm::vec3& p,
         int axis = -1;
         for (int k = 0; k < 3; ++k) {
             if (!d[k]) continue;
-            const float displacement = distanceToSide(cell, p, k, d[k]);
-            distance += displacement * displacement;
-            if (displacement > deepest && query.accepts(k, float(d[k]))) deepest = displacement, axis = k;
+            const float depth = distanceToSide(cell, p, k, d[k]);
+            distance += depth * depth;
+            if (depth > deepest && query.accepts(k, float(d[k]))) deepest = depth, axis = k;
         }
         if (axis < 0 || distance >= closest || occupancy.solid(cell + d)) continue;
         closest = distance;
@@ -33,8 +34,8 @@ Face nearestExitFaceOfNotch(Occupancy& occupancy, Cell cell, const glm::vec3& p,
     return best;
 }
 
-/// Amanatides and Woo's walk through the cells on a displacement: `next` is where, in shares of the displacement, it
-/// leaves the cell by each axis.
+/// Visits the cells along a line (Amanatides and Woo, "A Fast Voxel Traversal Algorithm", 1987). `next` is the fraction
+/// of the displacement at which the line leaves the cell across each axis.
 struct CellWalk {
     Cell cell, step;
     glm::vec3 next, delta;
@@ -46,6 +47,7 @@ struct CellWalk {
             next[axis] = displacement[axis] != 0.0f ? distanceToSide(cell, p, axis, step[axis]) * delta[axis] : 1e30f;
         }
     }
+    /// Across which the line leaves the cell.
     int axis() const { return next.x < next.y ? (next.x < next.z ? 0 : 2) : (next.y < next.z ? 1 : 2); }
     void cross(int side) {
         cell[side] += step[side];
@@ -58,7 +60,7 @@ struct CellWalk {
 Face nearestExitFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const FeatureQuery& query) {
     Face best;
     best.separation = -1e9f;
-    float shortestExit = -1e9f;  // of all faces, whatever the feature accepts
+    float shortestExit = -1e9f;  // separation of the closest face, whether the feature accepts it or not
     for (int crossed = 0; crossed < kMaxDepth; ++crossed) {
         for (int axis = 0; axis < 3; ++axis)
             for (const int sign : {-1, 1}) {
@@ -138,11 +140,12 @@ bool findSolidInterval(Occupancy& occupancy, const FeatureQuery& query, float& f
         if (now && !any) from = t;
         if (!now) {
             to = t;
-            break;  // the first stretch is enough
+            break;  // the first interval is enough
         }
         inside = any = true;
     }
     from -= 0.5f, to -= 0.5f;
     return any && !all;
 }
+
 }  // namespace rubble

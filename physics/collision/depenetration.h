@@ -4,24 +4,30 @@
 
 namespace rubble {
 
-inline constexpr float kMaxSideCosine = 0.1f;  ///< how far a normal may point along a side that a feature sticks out on
-inline constexpr float kMaxEdgeCosine = 0.6f;  ///< how far a normal may point along an edge
+/// Cosine up to which a normal may point along a direction in which a feature sticks out.
+inline constexpr float kMaxSideCosine = 0.1f;
+/// Cosine up to which a normal may point along an edge.
+inline constexpr float kMaxEdgeCosine = 0.6f;
 
-/// A feature of one shape in the cells of the other.
+/// A feature (corner or edge) of one shape, in the cells of the other.
 struct FeatureQuery {
     const FeatureKind* kind;
-    glm::vec3 point;     ///< where it is
-    glm::vec3 sides[3];  ///< unit vectors that it sticks out along
+    glm::vec3 point;     ///< the corner, or the middle of the edge
+    glm::vec3 sides[3];  ///< unit vectors along which it sticks out
     int sideCount;
-    glm::vec3 along;  ///< of an edge, unit
+    glm::vec3 along;  ///< unit vector along an edge
     float length;     ///< of an edge, cells
+    /// Else it is a corner.
     bool isEdge() const { return kind->edgeAxis >= 0; }
 
+    /// Whether the feature can rest on a surface of this normal: it must stick out against the normal, and an edge must
+    /// lie roughly across it.
     bool accepts(const glm::vec3& normal) const {
         for (int i = 0; i < sideCount; ++i)
             if (glm::dot(normal, sides[i]) > kMaxSideCosine) return false;
         return !isEdge() || std::abs(glm::dot(normal, along)) < kMaxEdgeCosine;
     }
+    /// The same for the normal sign * (unit vector of the axis).
     bool accepts(int axis, float sign) const {
         for (int i = 0; i < sideCount; ++i)
             if (sides[i][axis] * sign > kMaxSideCosine) return false;
@@ -29,32 +35,33 @@ struct FeatureQuery {
     }
 };
 
-/// A face that a feature may rest on.
+/// A face of a cell that a feature may rest on.
 struct Face {
-    int axis = -1;  ///< none
-    float sign = 0.0f;
-    float separation = 0.0f;  ///< cells
+    int axis = -1;            ///< of the normal; -1: there is none
+    float sign = 0.0f;        ///< of the normal
+    float separation = 0.0f;  ///< of the queried point along the normal, cells; negative inside the solid
     Cell cell{0};             ///< that it belongs to
 };
 
-/// How far a point is from the side of its cell.
+/// The distance of a point from the side (sign * axis) of its cell, in cells, 0 to 1.
 inline float distanceToSide(Cell cell, const glm::vec3& p, int axis, int sign) {
     return sign > 0 ? float(cell[axis] + 1) - p[axis] : p[axis] - float(cell[axis]);
 }
 
-/// The face through which a point inside the solid gets out the shortestExit: of its own cell, else of a notch that it
-/// is in, else straight on. None if it would get out much sooner through a face that the feature does not stick out
-/// against: then another feature is in the displacement.
+/// The face through which a point p in a solid cell gets out the soonest: a face of its cell, else one of a notch that
+/// it is in, else one straight on within a few cells. None if the point is much closer to a face that the feature does
+/// not accept: then the contact belongs to another feature.
 Face nearestExitFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const FeatureQuery& query);
-/// How deep a point of a solid cell is behind the nearest exposed side of it; 1.5: none is.
+/// The depth of a point in a solid cell below the nearest exposed side of the cell, in cells; 1.5 if none is exposed.
 float depthBelowSurface(Occupancy& occupancy, Cell cell, const glm::vec3& p);
-/// The closest face within the margin of a point outside the solid.
+/// The closest face within `margin` cells of a point p in an empty cell.
 Face closestFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, float margin, const FeatureQuery& query);
-/// The first face through which a point on its displacement comes into the solid: seams inside of it are none.
+/// The first face through which a point that moves from p by `displacement` (cells) goes from an empty cell into a
+/// solid one. None if it meets none, or one that the feature does not accept.
 Face sweepToFace(Occupancy& occupancy, Cell cell, const glm::vec3& p, const glm::vec3& displacement,
                  const FeatureQuery& query);
-/// The stretch of an edge that is in the solid, in shares of its length from its middle. False: it is outside, or
-/// inside as a whole.
+/// The first interval of an edge that is inside the solid, in fractions of its length from its middle, -0.5 to 0.5.
+/// False: the edge is all outside or all inside.
 bool findSolidInterval(Occupancy& occupancy, const FeatureQuery& query, float& from, float& to);
 
 }  // namespace rubble

@@ -6,15 +6,6 @@
 #include "physics/bodies/dynamic_body.h"
 
 namespace rubble {
-namespace {
-
-glm::dvec3 velocityAt(const CollisionObject& object, const glm::dvec3& point) {
-    if (!object.dynamic || object.dynamic->asleep()) return glm::dvec3(0.0);
-    const SolverBody& motion = object.dynamic->motion;
-    return motion.velocity + glm::cross(motion.angularVelocity, point - motion.position);
-}
-
-}  // namespace
 
 glm::dvec3 approachVelocity(const Manifold& manifold, double seconds) {
     double fastest = 0.0;
@@ -53,7 +44,7 @@ void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double t
     }
     std::stable_sort(hits.begin(), hits.end(),
                      [](const Hit& a, const Hit& b) { return std::tie(a.body, a.other) < std::tie(b.body, b.other); });
-    for (size_t i = 0; i < hits.size();) {  // several shapes of one static body are one hit
+    for (size_t i = 0; i < hits.size();) {  // the shapes of one static body make one impact
         Hit sum = hits[i++];
         for (; i < hits.size() && hits[i].body == sum.body && hits[i].other == sum.other; ++i)
             sum.position += hits[i].position, sum.normal += hits[i].normal, sum.impulse += hits[i].impulse,

@@ -7,15 +7,16 @@
 
 namespace rubble {
 
-/// The fastest, m/s, that the first nears the second along a normal of points that they reach within the step: away
-/// from the second. Zero: they reach none.
+/// The velocity, m/s, of the fastest approach of the two bodies along a normal, among the points that they reach within
+/// `seconds`; it points away from the second. Zero: they reach none.
 glm::dvec3 approachVelocity(const Manifold& manifold, double seconds);
+/// The length of approachVelocity().
 inline double approachSpeed(const Manifold& manifold, double seconds) {
     return glm::length(approachVelocity(manifold, seconds));
 }
 
-/// The hits of a step: contacts that were approached faster than minSpeed and took more than `threshold` N s, added up
-/// for each pair of bodies, in the order of pairs. handles: by body slot.
+/// Appends the impacts of the last solve: one for each pair of bodies, in the order of pairs, whose contacts closed
+/// faster than minSpeed (m/s) and took more than `threshold` (N s) in all. handles: by body slot.
 void findImpacts(std::span<Manifold* const> manifolds, double minSpeed, double threshold,
                  const std::vector<BodyHandle>& handles, std::vector<Impact>& out);
 

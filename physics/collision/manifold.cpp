@@ -8,13 +8,13 @@ namespace {
 
 constexpr float kSameDirection = 0.8f;  ///< cosine between normals that count as one direction
 constexpr int kMaxPointsPerDirection = 4;
-constexpr float kMinLineDistance =
-    0.02f;  ///< distance from a line, in lengths of it, below which a point adds nothing to its ends
-constexpr float kKeptDepthBonus = 0.001f;  ///< metres deeper that it counts as
-constexpr float kMinInitialPenetration =
-    0.02f;  ///< metres inside the static world from which on that is no error of stepping
-constexpr float kKeptDistanceFactor =
-    2.0f;  ///< a point that was kept in the last step counts as this much farther out: choices do not flicker
+/// Distance from a line, in units of its length, below which a point adds nothing to the line's ends.
+constexpr float kMinLineDistance = 0.02f;
+// Points that were kept in the last step are preferred, so that the choice does not flicker:
+constexpr float kKeptDepthBonus = 0.001f;    ///< metres by which they count as deeper
+constexpr float kKeptDistanceFactor = 2.0f;  ///< by which they count as farther out
+/// Metres inside the static world above which a penetration is no error of stepping.
+constexpr float kMinInitialPenetration = 0.02f;
 
 bool wasKept(const Manifold* before, uint64_t feature) {
     if (before)
@@ -23,8 +23,8 @@ bool wasKept(const Manifold* before, uint64_t feature) {
     return false;
 }
 
-/// Moves float4 of contacts[from, to) to the front: the deepest, the one farthest from it, the one farthest from their
-/// line, and the one farthest from that on the other side, as far as there are. Returns how many.
+/// Moves up to four of contacts[from, to) to the front: the deepest, which is there already, the one farthest from it,
+/// the one farthest from their line, and the one farthest from the line on the other side. Returns how many.
 size_t chooseWidestPoints(std::vector<ContactPoint>& contacts, size_t from, size_t to, const Manifold* before) {
     if (to - from <= kMaxPointsPerDirection) return to - from;
     const auto best = [&](size_t first, auto&& score) {
@@ -42,15 +42,15 @@ size_t chooseWidestPoints(std::vector<ContactPoint>& contacts, size_t from, size
     best(from + 1, [&](const ContactPoint& c) { return glm::dot(c.position - deepest, c.position - deepest); });
     const glm::vec3 side = glm::cross(contacts[from + 1].position - deepest, normal);
     const auto across = [&](const ContactPoint& c) { return glm::dot(side, c.position - deepest); };
-    const float inLine =
-        kMinLineDistance * glm::dot(side, side);  // or which of many points in line is taken changes from step to step
+    // Of many points in one line, another would be chosen in every step.
+    const float inLine = kMinLineDistance * glm::dot(side, side);
     if (best(from + 2, [&](const ContactPoint& c) { return std::abs(across(c)); }) < inLine) return 2;
     const float sign = across(contacts[from + 2]) > 0 ? -1.0f : 1.0f;
     return best(from + 3, [&](const ContactPoint& c) { return sign * across(c); }) < inLine ? 3 : 4;
 }
 
-/// Points that were there before start with the impulses they had; what points that are gone bore is shared by the new
-/// ones of their direction.
+/// Warm start: points that were there before get the impulses they had. The impulses of points that are gone are shared
+/// equally among the new points of their direction.
 void inheritImpulses(const Manifold& before, Manifold& now) {
     std::array<bool, kMaxManifoldPoints> taken{}, known{};
     for (int i = 0; i < now.count; ++i)

@@ -8,19 +8,20 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kPairsPerBatch = 32;  ///< pairs
-constexpr float kUnlimited = 1e9f;
-constexpr double kMaxCachedMotion =
-    0.05;  ///< margins that two may move against each other before their contacts are found anew
+constexpr size_t kPairsPerBatch = 32;
+constexpr float kUnlimited = 1e9f;  ///< metres
+/// Contact margins by which two bodies may move relative to each other before their contacts are computed again.
+constexpr double kMaxCachedMotion = 0.05;
 
 template <class T>
 bool isBefore(const T& a, const T& b) {
     return std::tie(a.first, a.second) < std::tie(b.first, b.second);
 }
-bool isListedBefore(const Manifold* a, const Manifold* b) {
+bool isPointedBefore(const Manifold* a, const Manifold* b) {
     return isBefore(*a, *b);
 }
 
+/// What sleeps does not move.
 Motion motionOf(const CollisionObject& object) {
     Motion motion{.pose = object.pose, .cellTransforms = object.cellTransforms(), .radius = object.radius};
     if (!object.dynamic || object.dynamic->asleep()) return motion;
@@ -39,23 +40,24 @@ void Narrowphase::begin() {
     set.usedBatches = 0;
 }
 
+/// before: the pair in the step before; null: it is new. pair: what is remembered of it.
 void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettings& settings, const Pair* before,
                               Batch& batch, Pair& pair) {
     const auto [first, second] = objects;
     const Motion firstMotion = motionOf(*first), secondMotion = motionOf(*second);
     const bool isKnown = before && before->firstVersion == first->version && before->secondVersion == second->version;
     const bool isSlow = maxRelativeDisplacement(firstMotion, secondMotion, settings.seconds) <= settings.margin;
-    const RelativePose place = relativePose(first->pose, second->pose);
+    const RelativePose pose = relativePose(first->pose, second->pose);
     const auto makeManifold = [&]() -> Manifold& {
         Manifold& manifold = batch.manifolds[batch.used++];
         pair.manifold = &manifold;
         return manifold;
     };
     if (isKnown && isSlow && before->isCacheable &&
-        maxPointDisplacement(before->place, place, first->radius) < kMaxCachedMotion * settings.margin) {
+        maxPointDisplacement(before->pose, pose, first->radius) < kMaxCachedMotion * settings.margin) {
         pair = *before;
         if (before->manifold)
-            updateCachedContacts(makeManifold() = *before->manifold, before->place, place, first->pose, second->pose);
+            updateCachedContacts(makeManifold() = *before->manifold, before->pose, pose, first->pose, second->pose);
         return;
     }
     pair = {first->number, second->number, first->version, second->version};
@@ -64,7 +66,7 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
     pair.isCacheable = findContacts(first->collider, firstMotion, second->collider, secondMotion, settings, pair.axis,
                                     batch.contacts) &&
                        isSlow;
-    pair.place = place;
+    pair.pose = pose;
     if (batch.contacts.empty()) return;
     Manifold& manifold = makeManifold();
     manifold.first = first->number;
@@ -81,6 +83,7 @@ void Narrowphase::collidePair(const ObjectPair& objects, const NarrowphaseSettin
                                                               : 0.0f);
 }
 
+/// Merges the sorted pairs with those of the step before.
 void Narrowphase::collideBatch(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings, Batch& batch,
                                std::span<Pair> out) const {
     const std::vector<Pair>& known = m_sets[m_now ^ 1].pairs;
@@ -113,7 +116,7 @@ void Narrowphase::collide(std::span<const ObjectPair> pairs, const NarrowphaseSe
     for (size_t i = firstBatch; i < set.usedBatches; ++i)
         for (size_t m = 0; m < set.batches[i]->used; ++m) set.list.push_back(&set.batches[i]->manifolds[m]);
     if (!firstBatch) return;
-    std::sort(set.list.begin(), set.list.end(), isListedBefore);
+    std::sort(set.list.begin(), set.list.end(), isPointedBefore);
     std::sort(set.pairs.begin(), set.pairs.end(), isBefore<Pair>);
 }
 
@@ -138,7 +141,7 @@ void Narrowphase::collideAgain(std::span<const ObjectPair> pairs, const Narrowph
             set.pairs.push_back(pair);
     }
     for (size_t m = 0; m < batch.used; ++m) set.list.push_back(&batch.manifolds[m]);
-    std::sort(set.list.begin(), set.list.end(), isListedBefore);
+    std::sort(set.list.begin(), set.list.end(), isPointedBefore);
     std::sort(set.pairs.begin(), set.pairs.end(), isBefore<Pair>);
 }
 

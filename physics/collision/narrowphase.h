@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,28 +11,29 @@
 
 namespace rubble {
 
-/// Contacts of all pairs of a step, in batches that may run side by side; the result does not depend on how many do.
+/// Computes the contacts of all pairs of a step, in batches that may run in parallel; the result does not depend on the
+/// number of threads. It remembers the pairs of the step before, for cached contacts, warm starts and separating axes.
 class Narrowphase {
 public:
-    /// Begins a step: what is known becomes what was.
+    /// Begins a step: the current pairs become those of the step before.
     void begin();
-    /// Adds the manifolds of these sorted pairs that touch.
+    /// Adds the manifolds of these pairs, which must be sorted.
     void collide(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings,
                  const ParallelFor& parallelFor);
-    /// The same for pairs of which some may have been looked at in this step: those without contacts are looked at
-    /// again.
+    /// Adds the manifolds of pairs of which some may have been tested in this step: those without contacts are tested
+    /// again. Serial.
     void collideAgain(std::span<const ObjectPair> pairs, const NarrowphaseSettings& settings);
-    /// Of this step, sorted by first and second, valid until the next begin().
+    /// Of this step, sorted by first and second; valid until the next begin().
     std::span<Manifold* const> manifolds() const { return m_sets[m_now].list; }
 
 private:
-    /// What is known of two whose bounds overlap.
+    /// What is remembered of a pair whose bounds overlap.
     struct Pair {
         uint32_t first = 0, second = 0, firstVersion = 0, secondVersion = 0;
         glm::vec3 axis{0.0f};                ///< see findContacts()
-        bool isCacheable = false;            ///< they were near each other and slow
-        RelativePose place;                  ///< at which contacts were found
-        const Manifold* manifold = nullptr;  ///< none: they do not touch
+        bool isCacheable = false;            ///< near each other, and slow
+        RelativePose pose;                   ///< at which the contacts were found
+        const Manifold* manifold = nullptr;  ///< null: no contacts
     };
     struct Batch {
         std::vector<Manifold> manifolds;
@@ -49,7 +51,7 @@ private:
     static void collidePair(const ObjectPair& objects, const NarrowphaseSettings& settings, const Pair* before,
                             Batch& batch, Pair& pair);
 
-    std::array<Set, 2> m_sets;
+    std::array<Set, 2> m_sets;  ///< of this step and of the one before
     size_t m_now = 0;
 };
 

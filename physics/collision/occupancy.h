@@ -8,26 +8,30 @@ namespace rubble {
 
 using Cell = glm::ivec3;
 
-/// Rounds down; without SSE 4.1, std::floor is a call.
+/// Rounds down. Without SSE 4.1, std::floor is a call.
 inline int floorOf(float v) {
     const int i = int(v);
     return i - (float(i) > v);
 }
+/// The cell that a point in cells is in.
 inline Cell cellOf(const glm::vec3& p) {
     return {floorOf(p.x), floorOf(p.y), floorOf(p.z)};
 }
 
-/// Which cells of a part are solid; remembers the last brick of a large one.
+/// Looks up which cells of a part are solid, and remembers the last brick. One per thread and part.
 class Occupancy {
 public:
+    /// The part must outlive it.
     explicit Occupancy(const VoxelPart& part)
         : m_part(part), m_grid(part.grid()), m_whole(part.whole() ? &part.whole()->rows : nullptr) {}
 
-    /// False if no cell of a box, both ends included, is solid; in a large part, large boxes are not looked at closely.
+    /// Conservative: false only if no cell from low to high, both included, is solid. Exact for small parts, and in
+    /// large ones for boxes of about one brick; true for larger boxes.
     bool mayContainSolid(Int4 low, Int4 high) {
         return m_whole ? m_whole->any(low, high) : mayContainSolidNear(low, high);
     }
-    /// False if no brick that a box of cells reaches into holds anything; large boxes are not looked at closely.
+    /// Conservative, and cheaper for large parts: false only if every brick that the cells from..to touch is empty.
+    /// True for boxes of more than four bricks on a side.
     bool mayContainBrick(Int4 from, Int4 to) const {
         if (m_whole) return m_whole->any(from, to);
         Cell low(from[0], from[1], from[2]), high(to[0], to[1], to[2]);
@@ -39,11 +43,12 @@ public:
                     if (m_grid.brickAt({x, y, z})) return true;
         return false;
     }
+    /// False outside the grid.
     bool solid(Cell c) {
         if (m_whole) return m_whole->solid(c);
         if (!m_grid.contains(c)) return false;
         const Cell brick = c >> 3;
-        if (brick != m_at) m_at = brick, m_brick = m_grid.brickAt(brick);
+        if (brick != m_brickAt) m_brickAt = brick, m_brick = m_grid.brickAt(brick);
         return m_brick && m_brick->solid(voxelIndex(c & 7));
     }
 
@@ -56,16 +61,16 @@ private:
             glm::any(glm::lessThan(high, last - (kBrickSize + 2 * SolidRows::kPadding - 1))))
             return false;
         if (glm::any(glm::greaterThan(high, last))) return true;
-        if (brick != m_nearAt) m_nearAt = brick, m_near = &m_part.rows(brick);
-        return m_near->any(from, to);
+        if (brick != m_rowsAt) m_rowsAt = brick, m_rows = &m_part.rows(brick);
+        return m_rows->any(from, to);
     }
 
     const VoxelPart& m_part;
     const VoxelGrid& m_grid;
-    const SolidRows* m_whole;
-    Cell m_at{-1}, m_nearAt{-1};
+    const SolidRows* m_whole;  ///< null: a large part
+    Cell m_brickAt{-1}, m_rowsAt{-1};
     const Brick* m_brick = nullptr;
-    const SolidRows* m_near = nullptr;
+    const SolidRows* m_rows = nullptr;
 };
 
 }  // namespace rubble

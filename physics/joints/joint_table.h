@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "physics/collision/broadphase.h"
-#include "physics/solver/joint_solver.h"
+#include "physics/bodies/collision_object.h"
+#include "physics/solver/joint_rows.h"
 
 namespace rubble {
 
@@ -14,13 +14,13 @@ namespace rubble {
 struct JointProxy {
     JointHandle handle;
     Joint joint;
-    std::array<BodyHandle, 2> bodies;                     ///< empty: what stands still
+    std::array<BodyHandle, 2> bodies;                     ///< dynamic ones; empty: something static
     std::array<Pose, 2> frames;                           ///< in the bodies' frames, or in the world
     std::array<uint32_t, 2> objects{kNothing, kNothing};  ///< numbers of the collision objects that it joins
     int restSteps = 0;                                    ///< steps in which a rope has hardly moved
     JointConstraint constraint;                           ///< with the impulses of the last step
 
-    /// A motor that is to turn does not let anything sleep.
+    /// Its motor turns: nothing that it joins may sleep.
     bool isMotorDriven() const {
         return joint.motor.mode == MotorMode::Speed && joint.motor.target != 0.0 && joint.motor.maxForce > 0.0;
     }
@@ -28,26 +28,31 @@ struct JointProxy {
     static constexpr uint32_t kNothing = ~0u;
 };
 
-/// All joints by slot, and those of each body. Without joints it holds nothing.
+/// All joints by slot, and those of each body. It allocates nothing while there are no joints.
 class JointTable {
 public:
+    /// There is no joint.
     bool empty() const { return m_count == 0; }
+    /// Null: there is no joint in the slot.
     JointProxy* at(uint32_t slot) const { return slot < m_joints.size() ? m_joints[slot].get() : nullptr; }
     /// Slots of the joints of a body, ascending.
     std::span<const uint32_t> of(uint32_t body) const {
         return body < m_ofBody.size() ? std::span<const uint32_t>(m_ofBody[body]) : std::span<const uint32_t>();
     }
+    /// Puts a joint into its slot, which must be empty.
     JointProxy& add(std::unique_ptr<JointProxy> joint);
+    /// Takes a joint out; null: there was none.
     std::unique_ptr<JointProxy> remove(uint32_t slot);
+    /// Slots of the joints that are ropes, ascending.
     std::span<const uint32_t> ropes() const { return m_ropes; }
-    /// Leaves out the pairs that joints keep from touching.
+    /// Removes the pairs of objects that a joint keeps from colliding.
     void removeNonColliding(std::vector<ObjectPair>& pairs) const;
 
 private:
     std::vector<std::unique_ptr<JointProxy>> m_joints;
     std::vector<std::vector<uint32_t>> m_ofBody;
-    std::vector<std::pair<uint32_t, uint32_t>> m_nonColliding;  ///< sorted; once for each joint
-    std::vector<uint32_t> m_ropes;                              ///< slots, ascending
+    std::vector<std::pair<uint32_t, uint32_t>> m_nonColliding;  ///< sorted object numbers; once for each joint
+    std::vector<uint32_t> m_ropes;
     size_t m_count = 0;
 };
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/collision/broadphase.h"
+#include "physics/bodies/collision_object.h"
 #include "runtime/world/objects/joint.h"
 
 namespace rubble {
@@ -12,16 +12,16 @@ namespace rubble {
 /// What moves the points of a rope in a step.
 struct RopeStep {
     double length = 0.0, radius = 0.0;              ///< metres
-    std::array<std::optional<glm::dvec3>, 2> ends;  ///< where the ends are now, world; none: loose
-    glm::dvec3 gravity{0.0};
+    std::array<std::optional<glm::dvec3>, 2> ends;  ///< where the held ends are after the step, world; none: free
+    glm::dvec3 gravity{0.0};                        ///< m/s2
     double seconds = 1.0 / 60.0;
-    std::span<CollisionObject* const> near;  ///< what the rope may touch
+    std::span<CollisionObject* const> nearby;  ///< what the rope may touch
 };
 
-/// Moves the points of a rope by position-based dynamics (Mueller et al. 2007): its segments only keep from getting
-/// longer, and places along it are pushed out of voxels. The points updateCachedContacts the bodies at its ends and do
-/// not pull them: JointSolver does that, with one constraint along the displacement from end to end. touching: the
-/// places at which it lies on something, in order. Returns the fastest speed of a point, m/s.
-double moveRope(std::span<RopePoint> points, const RopeStep& step, std::vector<glm::dvec3>& touching);
+/// Moves the points of a rope through a step; see rope.cpp for the method. The points follow the bodies at the rope's
+/// ends and do not pull them: that is JointSolver's, with one constraint along the path from end to end. bendPoints:
+/// replaced by the places at which the rope lies on something, from end 0 to end 1, world. Returns the largest speed of
+/// a point, m/s.
+double moveRope(std::span<RopePoint> points, const RopeStep& step, std::vector<glm::dvec3>& bendPoints);
 
 }  // namespace rubble

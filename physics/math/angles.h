@@ -2,12 +2,15 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
+#include "runtime/core/constants.h"
+
+// Trigonometry whose results are the same bits on every machine. It uses only + - * / and sqrt, which IEEE 754 rounds
+// exactly; the functions of the C library differ between versions.
+
 namespace rubble {
 
-// Angles from + - * / and sqrt alone, whose results are the same everywhere: the C library's functions are not.
-
-/// atan of 0 <= z <= 1: halved three times by atan z = 2 atan(z / (1 + sqrt(1 + z z))), then Gregory's series; good to
-/// 1e-14.
+/// atan(z) for 0 <= z <= 1, radians, with an error below 1e-14. The argument is halved three times by
+/// atan z = 2 atan(z / (1 + sqrt(1 + z^2))); Gregory's series does the rest.
 inline double atanOfUnit(double z) {
     for (int i = 0; i < 3; ++i) z = z / (1.0 + std::sqrt(1.0 + z * z));
     const double s = z * z;
@@ -15,9 +18,8 @@ inline double atanOfUnit(double z) {
            (1.0 - s * (1.0 / 3.0 - s * (1.0 / 5.0 - s * (1.0 / 7.0 - s * (1.0 / 9.0 - s * (1.0 / 11.0 - s / 13.0))))));
 }
 
-/// The angle of a direction, -pi to pi; 0 for no direction.
+/// std::atan2 in radians, -pi to pi. It is 0 if both arguments are 0.
 inline double deterministicAtan2(double y, double x) {
-    constexpr double kPi = 3.14159265358979323846;
     const double ay = std::abs(y), ax = std::abs(x);
     if (!(ax > 0.0) && !(ay > 0.0)) return 0.0;
     double angle = ay <= ax ? atanOfUnit(ay / ax) : 0.5 * kPi - atanOfUnit(ax / ay);
@@ -25,12 +27,13 @@ inline double deterministicAtan2(double y, double x) {
     return y < 0.0 ? -angle : angle;
 }
 
-/// How far a rotation turns about the x axis, -pi to pi.
+/// The angle of a rotation about the x axis (its twist), radians, -pi to pi.
 inline double twistAboutX(const glm::dquat& q) {
     return q.w < 0.0 ? 2.0 * deterministicAtan2(-q.x, -q.w) : 2.0 * deterministicAtan2(q.x, q.w);
 }
 
-/// Cosine and sine for |angle| <= pi, by the half angle's tangent from their series (to the 17th power of a quarter).
+/// Cosine and sine of |angle| <= pi, radians: Taylor series of a quarter of the angle, then the double-angle formulas
+/// twice.
 inline void deterministicCosSin(double angle, double& cosine, double& sine) {
     const double q = 0.25 * angle, s = q * q;
     const double sq =

@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-/// Where rows of cell corners along x begin or end, for those that touch a solid cell: one for each y and z.
+/// For each line of cell corners along x (one for each y and z): the first or last corner of a solid cell on it.
 struct RowEnds {
     RowEnds(const SolidRows& rows, bool last)
         : ny(rows.box().high.y - rows.box().low.y + 1), nz(rows.box().high.z - rows.box().low.z + 1) {
@@ -20,13 +20,14 @@ struct RowEnds {
                     !row ? kNone : (last ? 64 - std::countl_zero(row) : std::countr_zero(row)) - SolidRows::kPadding);
             }
     }
-    static constexpr int kNone = -100;
+    static constexpr int kNone = -100;  ///< no cell around the line is solid
     int& at(int y, int z) { return ends[size_t(z * ny + y)]; }
     int ny, nz;
     std::vector<int> ends;
 };
 
-/// Takes out of a line of ends, which rise by one in t, those that are no corners of its convex hull towards +sign x.
+/// Keeps of the points (at(t), t), t = 0 .. count - 1, the corners of their convex hull on the side of sign * x, and
+/// sets the others to kNone. This is Andrew's monotone chain (1979).
 template <class At>
 void keepHullCorners(int count, int sign, At&& at) {
     std::array<int, SolidRows::kMaxLength + 1> kept{};
@@ -49,8 +50,8 @@ HullPoints::HullPoints(const CellBox& bounds) {
              i & 4 ? bounds.high.z : bounds.low.z});
 }
 
-/// A corner of the hull is one in every plane through it: those of constant z are gone through, then those of constant
-/// y.
+/// A corner of the hull is a corner of every planar section through it. So points that are no corners of their section
+/// of constant z are dropped, then those that are none of their section of constant y; few others are left.
 HullPoints::HullPoints(const SolidRows& rows) {
     for (const int sign : {-1, 1}) {
         RowEnds ends(rows, sign > 0);

@@ -8,20 +8,22 @@
 
 namespace rubble {
 
-/// Corners of cells whose convex hull holds all of a shape: those of its own hull and few more, or those of its bounds.
-/// They say how far the shape reaches in any direction.
+/// A set of points, in cells of the grid, with the same convex hull as the solid cells (or as their bounds). It answers
+/// support queries: how far the shape extends in a direction.
 class HullPoints {
 public:
-    /// Of the solid cells in the box.
+    /// The hull of the solid cells of the rows' box, and few points more.
     explicit HullPoints(const SolidRows& rows);
+    /// The eight corners of a box.
     explicit HullPoints(const CellBox& bounds);
 
+    /// The number of points.
     size_t size() const { return m_count; }
-    /// The support dot product of a point with a direction.
+    /// The support function: the largest dot product of a point with the direction, which need not have length 1.
     float support(const glm::vec3& direction) const;
-    /// The point that has it.
+    /// The first point at which the support function takes its value.
     glm::vec3 supportPoint(const glm::vec3& direction) const;
-    /// Bounds of the points after axes * point.
+    /// The bounding box of axes * point over all points.
     void bounds(const glm::mat3& axes, glm::vec3& low, glm::vec3& high) const;
 
 private:
@@ -30,7 +32,7 @@ private:
     };
     void add(glm::ivec3 corner);
 
-    std::vector<Points> m_points;  ///< float4 at a time, filled up with the last
+    std::vector<Points> m_points;  ///< the last four are filled up by repeating the last point
     size_t m_count = 0;
 };
 

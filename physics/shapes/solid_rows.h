@@ -9,27 +9,30 @@
 
 namespace rubble {
 
-/// Which cells of a box, and of two more around it, are solid: a word a row along x, so that many are looked up at
-/// once.
+/// The occupancy of a box of cells and of two cells around it, one 64-bit word for each row along x: a whole row is
+/// tested or combined with its neighbours at once. Cells are those of the grid.
 class SolidRows {
 public:
     static constexpr int kPadding = 2, kMaxLength = 64 - 2 * kPadding;
-    /// The box is at most kMaxLength cells long.
+    /// box: at most kMaxLength cells long in x; it may stick out of the grid, where nothing is solid.
     SolidRows(const VoxelGrid& grid, const CellBox& box);
 
+    /// The box without its padding.
     const CellBox& box() const { return m_box; }
-    /// Bit x + 2; y and z count from the box's low corner, -2 to its size + 1.
+    /// The row at y and z, counted from the box's low corner, -2 to its size + 1. Bit i is the cell at x = i -
+    /// kPadding.
     uint64_t row(int y, int z) const { return m_rows[size_t(y + kPadding + m_ny * (z + kPadding))]; }
+    /// Whether the cell is in the box or its padding.
     bool covers(glm::ivec3 cell) const {
         const glm::ivec3 c = cell - m_low;
         return unsigned(c.x) < unsigned(m_nx) && unsigned(c.y) < unsigned(m_ny) && unsigned(c.z) < unsigned(m_nz);
     }
-    /// False for what is not covered.
+    /// False for cells that are not covered.
     bool solid(glm::ivec3 cell) const {
         const glm::ivec3 c = cell - m_low;
         return covers(cell) && m_rows[size_t(c.y + m_ny * c.z)] >> c.x & 1;
     }
-    /// Whether a covered cell of a box, both ends included, is solid.
+    /// Whether any covered cell from low to high, both included, is solid.
     bool any(Int4 low, Int4 high) const {
         const Int4 corner = {m_low.x, m_low.y, m_low.z, 0};
         low = max4(low - corner, Int4{0, 0, 0, 0}), high = min4(high - corner, Int4{m_nx - 1, m_ny - 1, m_nz - 1, 0});
@@ -42,8 +45,8 @@ public:
 
 private:
     CellBox m_box;
-    glm::ivec3 m_low;  ///< of what is covered
-    int m_nx, m_ny, m_nz;
+    glm::ivec3 m_low;      ///< low corner of the padding
+    int m_nx, m_ny, m_nz;  ///< size with the padding
     std::vector<uint64_t> m_rows;
 };
 

@@ -10,13 +10,13 @@ namespace {
 
 constexpr int kClusterSize = 4;  ///< cells on a side
 
-/// Which cells of a row have a feature of each kind: those around which everything on its outer side is empty.
+/// For each kind of feature, the cells of a row that have it: all cells on its outer side are empty. Bits as in the
+/// row.
 std::array<uint64_t, kFeatureKinds> featuresInRow(const SolidRows& rows, int y, int z) {
     std::array<uint64_t, kFeatureKinds> found{};
     const uint64_t own = rows.row(y, z);
-    const auto neighbour = [](uint64_t row, size_t high) {
-        return high ? row >> 1 : row << 1;
-    };  // seen from the cell itself
+    // At the bit of each cell, its neighbour on the high or low side.
+    const auto neighbour = [](uint64_t row, size_t high) { return high ? row >> 1 : row << 1; };
     for (size_t hz = 0; hz < 2; ++hz)
         for (size_t hy = 0; hy < 2; ++hy) {
             const int dy = hy ? 1 : -1, dz = hz ? 1 : -1;
@@ -41,6 +41,7 @@ glm::ivec3 halfCellOffset(uint8_t kind) {
     return glm::ivec3(featureKinds()[kind].offset * 2.0f);
 }
 
+/// Appends a cluster; number: of clusters before it.
 void addCluster(FeatureList& list, size_t number, std::span<const Feature> features) {
     if (number % 4 == 0) {
         FeatureList::ClusterPack& none = list.clusters.emplace_back();
@@ -64,7 +65,7 @@ void addCluster(FeatureList& list, size_t number, std::span<const Feature> featu
         clusters.low[size_t(axis)][lane] = uint8_t(low[axis]), clusters.high[size_t(axis)][lane] = uint8_t(high[axis]);
 }
 
-/// The features of rows [z, z + kClusterSize), by clusters.
+/// The features of layers z0 to z0 + kClusterSize, by cluster.
 void findInSlab(const SolidRows& rows, int z0, std::vector<std::vector<Feature>>& found) {
     const glm::ivec3 size = rows.box().high - rows.box().low;
     const int across = (size.x + kClusterSize - 1) / kClusterSize;

@@ -11,39 +11,41 @@ namespace rubble {
 /// Where two bodies of voxels can touch first: the convex corners and edges of their voxels. Faces need no points of
 /// their own: two faces meet where the corners or edges of one lie on the other.
 ///
-/// Kinds 0..7 are corners; bit i: at the high side of axis i. Kinds 8..19 are edges of one voxel's length: 8 + 4 axis +
-/// sides, the two bits being the sides along the next two axes in cyclic order.
+/// Kinds 0..7 are corners; bit i is set if it is on the high side of axis i. Kinds 8..19 are edges of one voxel's
+/// length: 8 + 4 axis + sides, where the two bits of `sides` are the sides along the next two axes in cyclic order.
 inline constexpr int kFeatureKinds = 20;
 
 struct FeatureKind {
-    glm::vec3 offset;   ///< in the voxel, its low corner being 0: the corner, or the edge's middle
-    glm::vec3 outward;  ///< +-1 along each axis that the feature sticks out on, 0 along an edge
+    glm::vec3 offset;   ///< of the corner, or of the edge's middle, from the voxel's low corner, in cells
+    glm::vec3 outward;  ///< +-1 along each axis on which the feature sticks out, 0 along an edge
     int edgeAxis;       ///< -1: a corner
 };
+/// All kinds by number.
 const std::array<FeatureKind, kFeatureKinds>& featureKinds();
 
-/// Features of a region of at most 120 cells a side, from its low corner, in clusters of 4 x 4 x 4 cells. What is gone
-/// through lies side by side, pack at a time and packed: landing pieces are bound by how much of it must be fetched.
+/// The features of a region of at most 120 cells on a side, in half cells from its low corner. They lie in clusters of
+/// 4 x 4 x 4 cells, and side by side in packs of four for SIMD: landing pieces are bound by how much of this memory
+/// must be fetched.
 struct FeatureList {
     struct Pack {
-        std::array<uint8_t, 4> x, y, z;  ///< where they are, in half cells
-        std::array<uint8_t, 4> kind;     ///< kNoFeature: filled up
+        std::array<uint8_t, 4> x, y, z;  ///< half cells
+        std::array<uint8_t, 4> kind;     ///< kNoFeature: an unused lane
     };
     struct ClusterPack {
-        std::array<std::array<uint8_t, 4>, 3> low,
-            high;                          ///< bounds of the features, in half cells, by axis; of none low > high
-        std::array<uint32_t, 4> from, to;  ///< in `packs`
+        std::array<std::array<uint8_t, 4>, 3> low;   ///< bounds of the features by axis, half cells
+        std::array<std::array<uint8_t, 4>, 3> high;  ///< below `low` in unused lanes
+        std::array<uint32_t, 4> from, to;            ///< in `packs`
     };
     static constexpr uint8_t kNoFeature = 255;
-    /// The cell that a feature of a pack belongs to.
+    /// The cell that feature i of a pack belongs to, from the region's low corner.
     static glm::ivec3 cellOf(const Pack& pack, size_t i);
     std::vector<Pack> packs;
     std::vector<ClusterPack> clusters;
-    size_t count = 0;
+    size_t count = 0;  ///< of features
 };
 
-/// The features of the voxels of the rows' box. A corner is convex if all seven cells around it but its own are empty,
-/// an edge if all three are.
+/// The features of the solid cells of the rows' box. A corner is convex if the seven cells that share it with its own
+/// are empty, an edge if the three are.
 FeatureList findFeatures(const SolidRows& rows);
 
 }  // namespace rubble

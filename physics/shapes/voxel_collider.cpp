@@ -7,9 +7,9 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kMaxTightBricks = 512;  ///< grids of more bricks get their bounds by bricks
+constexpr size_t kMaxTightBricks = 512;  ///< grids of more bricks get bounds of whole directory nodes
 
-/// The brick without voxels of unphysical entries; null if nothing is left.
+/// The brick without voxels of unphysical materials; null if nothing is left.
 BrickRef withoutUnphysical(const BrickRef& brick, const ContactMaterials& contactMaterials) {
     if (!brick || (!brick->indices && contactMaterials.solid[brick->uniform])) return brick;
     BrickBits keep = brick->occupancy;
@@ -19,6 +19,7 @@ BrickRef withoutUnphysical(const BrickRef& brick, const ContactMaterials& contac
     return keep == brick->occupancy ? brick : maskBrick(*brick, keep);
 }
 
+/// Grows the box to hold the brick's solid cells.
 void includeBrick(glm::ivec3 position, const Brick& brick, CellBox& box) {
     uint64_t flat = 0;
     int low = 8, high = -1;

@@ -13,15 +13,17 @@
 
 namespace rubble {
 
-/// How a palette's entries rub and bounce.
+/// Friction and restitution of a palette's entries.
 struct ContactMaterials {
     std::array<float, 256> friction{}, restitution{};
     std::array<bool, 256> solid{};  ///< false: unphysical, seen but not touched
+    /// Looks up each entry's material in the table.
     ContactMaterials(const Palette& palette, const MaterialTable& materials);
 };
 
-/// What narrowphase wants to know of a small part.
+/// What narrowphase looks up in a part that is small enough to be kept in one piece.
 struct PartSurface {
+    /// box: the bounds of the solid cells.
     explicit PartSurface(const VoxelGrid& grid, const CellBox& box)
         : rows(grid, box), features(findFeatures(rows)), hull(rows) {}
     SolidRows rows;
@@ -29,38 +31,49 @@ struct PartSurface {
     HullPoints hull;
 };
 
-/// Who isConstrained whom: each one's layer must be in the other's mask. Bits.
+/// Two things collide if the layer of each is in the mask of the other. Bits.
 struct CollisionFilter {
     uint8_t layer = 1, mask = 255;
+    /// Whether the two collide; symmetric.
     bool meets(CollisionFilter other) const { return (layer & other.mask) && (other.layer & mask); }
 };
 
-/// One shape as physics sees it: its bricks, shared with World, and the features of those that something came near.
-/// A cut changes bricks and nothing else. Written by the main thread; narrowphase threads read it together.
+/// One shape as physics sees it. It shares the bricks of World, and a cut replaces only those that it changed.
+/// Features, rows and hulls are computed for the bricks that something came near, when they are first asked for. The
+/// main thread writes it; narrowphase threads read it together.
 class VoxelPart {
 public:
-    static constexpr int kMaxWholeSize = 32;
-    /// frame: grid corner -> the collider's frame.
+    static constexpr int kMaxWholeSize = 32;  ///< cells on a side up to which a part has a PartSurface
+    /// frame: from the grid's corner to the collider's frame.
     VoxelPart(const Shape& shape, const Pose& frame, const MaterialTable& materials);
 
+    /// The cells that can be touched: the shape's without those of unphysical materials.
     const VoxelGrid& grid() const { return m_grid; }
+    /// From the grid's corner, metres, to the collider's frame.
     const Pose& frame() const { return m_frame; }
+    /// Moves the part within the collider.
     void setFrame(const Pose& frame) { m_frame = frame; }
+    /// Metres.
     double voxelSize() const { return m_voxelSize; }
-    /// Cells that hold all solid ones; tight for small grids, by bricks for large ones.
+    /// A box of cells that holds all solid ones: tight for small grids, rounded to directory nodes for large ones.
     const CellBox& bounds() const { return m_bounds; }
+    /// By palette entry.
     const ContactMaterials& contactMaterials() const { return *m_contactMaterials; }
+    /// Which other parts it collides with.
     CollisionFilter filter() const { return m_filter; }
+    /// Takes effect when the collision object gets its next pose.
     void setFilter(CollisionFilter filter) { m_filter = filter; }
-    /// Of all of it if its bounds are at most kMaxWholeSize cells on a side, else null. Like the others, found when
-    /// first asked for.
+    /// The surface of the whole part; null if its bounds are longer than kMaxWholeSize. [any thread]
     const PartSurface* whole() const;
+    /// The hull of the cells, or of the bounds of a large part. [any thread]
     const HullPoints& hull() const;
-    /// Of one brick.
+    /// The features of one brick's cells. [any thread]
     const FeatureList& features(glm::ivec3 brick) const;
+    /// The rows of one brick. [any thread]
     const SolidRows& rows(glm::ivec3 brick) const;
 
-    /// The shape's voxels have changed in these bricks; its size has not. Costs those bricks and the directory.
+    /// Takes over a change of the shape's voxels in these bricks; its size must be the same. The cost is that of these
+    /// bricks and of copying the directory.
     void update(const Shape& shape, const std::vector<glm::ivec3>& bricks, const MaterialTable& materials);
 
 private:
@@ -69,7 +82,7 @@ private:
         mutable std::array<Lazy<SolidRows>, 64> rows;
     };
     const NodeSurface& node(glm::ivec3 brick) const;
-    /// All of it, or what has changed in these bricks.
+    /// bricks: those that changed; null: all.
     void takeGrid(const VoxelGrid& grid, const std::vector<glm::ivec3>* bricks);
     void findBounds();
     size_t nodeNumber(glm::ivec3 node) const {
@@ -84,22 +97,23 @@ private:
     CellBox m_bounds;
     bool m_hasUnphysical = false;  ///< the shape has voxels that are not in m_grid
     std::shared_ptr<const ContactMaterials> m_contactMaterials;
-    std::unique_ptr<Lazy<NodeSurface>[]> m_nodes;  ///< of large parts
+    std::unique_ptr<Lazy<NodeSurface>[]> m_nodes;  ///< by directory node
     mutable Lazy<PartSurface> m_whole;
     mutable Lazy<HullPoints> m_hull;
 };
 
-/// The bricks of a shape that the journal names.
+/// The bricks of a shape that changed in this step; replaces `out`.
 void changedBricks(const FrameChanges& changes, ShapeHandle shape, std::vector<glm::ivec3>& out);
 
-/// All shapes of a body, or one of a static body.
+/// The shapes that move as one: all of a dynamic body, or one of a static body.
 struct VoxelCollider {
     std::vector<std::unique_ptr<VoxelPart>> parts;
 
+    /// Whether no part has a solid cell.
     bool empty() const;
-    /// Box of the collider's frame that holds all parts.
+    /// The box that holds all parts, in the collider's frame, metres.
     void bounds(glm::dvec3& low, glm::dvec3& high) const;
-    /// The farthest that any of it is from the frame's origin, metres.
+    /// The largest distance of a part's bounds from the frame's origin, metres.
     double radius() const;
 };
 

@@ -9,17 +9,18 @@ namespace {
 
 constexpr uint32_t kColors = 4;
 
-/// The axis along which these are the farthest from their middle.
-int widestAxis(std::span<const SolverBody> bodies, std::span<const std::pair<double, uint32_t>> touching) {
+/// The axis along which the bodies have the largest mean distance from their centroid.
+int widestAxis(std::span<const SolverBody> bodies, std::span<const std::pair<double, uint32_t>> constrained) {
     glm::dvec3 sum(0.0), spread(0.0);
-    for (const auto& [place, body] : touching) sum += bodies[body].position;
-    const glm::dvec3 middle = sum / double(touching.size());
-    for (const auto& [place, body] : touching) spread += glm::abs(bodies[body].position - middle);
+    for (const auto& [coordinate, body] : constrained) sum += bodies[body].position;
+    const glm::dvec3 centroid = sum / double(constrained.size());
+    for (const auto& [coordinate, body] : constrained) spread += glm::abs(bodies[body].position - centroid);
     return spread.x >= spread.z ? (spread.x >= spread.y ? 0 : 1) : (spread.z >= spread.y ? 2 : 1);
 }
 
 }  // namespace
 
+/// Sorts the constrained bodies along the widest axis and divides them into strips.
 void ConstraintColoring::assignStrips(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> pairs,
                                       size_t strips) {
     m_strip.assign(bodies.size(), 0);
@@ -29,7 +30,7 @@ void ConstraintColoring::assignStrips(std::span<const SolverBody> bodies, std::s
         if (m_strip[i]) m_sortedBodies.emplace_back(0.0, uint32_t(i));
     if (m_sortedBodies.empty()) return;
     const int axis = widestAxis(bodies, m_sortedBodies);
-    for (auto& [place, body] : m_sortedBodies) place = bodies[body].position[axis];
+    for (auto& [coordinate, body] : m_sortedBodies) coordinate = bodies[body].position[axis];
     std::sort(m_sortedBodies.begin(), m_sortedBodies.end());
     for (size_t i = 0; i < m_sortedBodies.size(); ++i)
         m_strip[m_sortedBodies[i].second] = uint32_t(i * strips / m_sortedBodies.size());
@@ -39,7 +40,7 @@ void ConstraintColoring::build(std::span<const SolverBody> bodies, std::span<con
     m_order.resize(pairs.size());
     std::iota(m_order.begin(), m_order.end(), 0u);
     m_colors.resize(kColors);
-    for (std::vector<Task>& stage : m_colors) stage.clear();
+    for (std::vector<Task>& color : m_colors) color.clear();
     const size_t strips = std::min(pairs.size() / kPairsPerStrip, kMaxStrips);
     if (strips < 2) {
         if (!pairs.empty()) m_colors[0].push_back({0, pairs.size()});
@@ -62,12 +63,12 @@ void ConstraintColoring::build(std::span<const SolverBody> bodies, std::span<con
 }
 
 void ConstraintColoring::run(const ParallelFor* parallelFor, const std::function<void(size_t, size_t)>& body) const {
-    for (const std::vector<Task>& stage : m_colors) {
-        const auto runTask = [&stage, &body](size_t i) { body(stage[i].from, stage[i].to); };
-        if (parallelFor && stage.size() > 1)
-            (*parallelFor)(stage.size(), runTask);
+    for (const std::vector<Task>& color : m_colors) {
+        const auto runTask = [&color, &body](size_t i) { body(color[i].from, color[i].to); };
+        if (parallelFor && color.size() > 1)
+            (*parallelFor)(color.size(), runTask);
         else
-            serialFor(stage.size(), runTask);
+            serialFor(color.size(), runTask);
     }
 }
 

@@ -10,21 +10,22 @@
 
 namespace rubble {
 
-/// Which pairs of bodies may be solved side by side. Bodies that touch something stand in strips across the axis along
-/// which they spread the most, as many in each; pairs within strips come first, then those between a strip and the
-/// next, every other one at a time, then the few that minHalfExtent farther. What follows depends on the bodies, not on
-/// the number of threads.
+/// Orders pairs of bodies into four colors, each a list of tasks that share no body, so that Gauss-Seidel can run the
+/// tasks of a color in parallel. The colors come from space instead of a graph: the constrained bodies are divided into
+/// strips of equal numbers, across the axis along which they spread the most. Color 0 has the pairs within a strip,
+/// colors 1 and 2 those between a strip and the next (even and odd strips), color 3 the few that reach farther, as one
+/// task. The order depends on the bodies alone, not on the number of threads.
 class ConstraintColoring {
 public:
-    static constexpr size_t kPairsPerStrip = 128;  ///< fewer than two strips of them stay in their order
+    static constexpr size_t kPairsPerStrip = 128;  ///< fewer than two strips of them keep their order, in one task
     static constexpr size_t kMaxStrips = 8;
 
-    /// pairs: of bodies; 0, the world, is in no strip.
+    /// pairs: indices of bodies; 0 is the world, which tasks may share.
     void build(std::span<const SolverBody> bodies, std::span<const std::pair<int, int>> pairs);
-    /// The pairs' numbers, one task after the other.
+    /// Indices of pairs, in the order in which they are solved.
     std::span<const uint32_t> order() const { return m_order; }
-    /// Goes through all pairs: calls body(from, to) for stretches of order(), stage after stage; stretches of a stage
-    /// share no body. parallelFor may be null.
+    /// Calls body(from, to) for each task, a range of order(), color after color; the tasks of a color run in parallel.
+    /// parallelFor: null: serial.
     void run(const ParallelFor* parallelFor, const std::function<void(size_t, size_t)>& body) const;
 
 private:
@@ -35,9 +36,9 @@ private:
 
     std::vector<uint32_t> m_order;
     std::vector<std::vector<Task>> m_colors;
-    std::vector<uint32_t> m_strip;                            ///< of bodies
-    std::vector<std::pair<double, uint32_t>> m_sortedBodies;  ///< of bodies, by their place along the axis
-    std::vector<uint32_t> m_key;                              ///< of pairs: stage and task
+    std::vector<uint32_t> m_strip;                            ///< by body
+    std::vector<std::pair<double, uint32_t>> m_sortedBodies;  ///< coordinate along the axis, and body
+    std::vector<uint32_t> m_key;                              ///< by pair: color and task
 };
 
 }  // namespace rubble

@@ -9,23 +9,24 @@
 
 namespace rubble {
 
-/// Contacts may take energy and hand it on, but give none: bodies that hang together by contacts, some of them with the
-/// world, end a step with no more energy, weight included, than they began it with. What a solver adds anyway, where a
-/// cut has left bodies inside what stands, is taken from the speeds of those that gained, in the shares in which they
-/// did; height that is left then stays. Not held: what joints drive, and what isConstrained no world, whose momentum
-/// would suffer.
+/// Keeps contacts from creating energy. Contacts may dissipate energy or pass it on, so an island of bodies in contact
+/// must not end a step with more kinetic and potential energy than it had before. Where a cut has left bodies inside
+/// each other the solver adds energy all the same; it is taken from the speeds of the bodies that gained, in proportion
+/// to their gains. Height that was gained stays. Two kinds of islands are exempt: those with joints, which may be
+/// driven, and those that do not touch the world, whose momentum would change.
 class EnergyBound {
 public:
-    /// Before contacts are solved.
-    void note(std::span<const SolverBody> bodies);
-    /// After. pairs: bodies that have contacts; body 0 is the world. gravity: m/s2.
-    void hold(std::span<SolverBody> bodies, std::span<const std::pair<int, int>> pairs,
-              std::span<JointConstraint* const> joints, const glm::dvec3& gravity);
+    /// Call before the solve. bodies[0] is the world.
+    void record(std::span<const SolverBody> bodies);
+    /// Call after the solve. pairs: indices of bodies in contact. gravity: m/s2.
+    void enforce(std::span<SolverBody> bodies, std::span<const std::pair<int, int>> pairs,
+                 std::span<JointConstraint* const> joints, const glm::dvec3& gravity);
 
 private:
     struct Island {
-        double gain = 0.0, gains = 0.0;  ///< joules: of all together, and of those alone that gained
-        bool touchesWorld = false, isDriven = false;
+        double gain = 0.0;           ///< joules, of all its bodies
+        double positiveGains = 0.0;  ///< joules, of the bodies that gained
+        bool touchesWorld = false, hasJoints = false;
     };
     struct Before {
         double kinetic = 0.0;
@@ -33,7 +34,7 @@ private:
     };
     std::vector<Before> m_before;   ///< by body
     std::vector<double> m_gains;    ///< joules, by body
-    std::vector<Island> m_islands;  ///< by lowest body
+    std::vector<Island> m_islands;  ///< by the island's root body
 };
 
 }  // namespace rubble

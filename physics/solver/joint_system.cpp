@@ -1,49 +1,70 @@
+#include "physics/solver/joint_system.h"
+
 #include <algorithm>
 
-#include "physics/solver/joint_solver.h"
+// All rigid joints at once.
+//
+// Let J be the Jacobian of all locked rows and b the change of velocity that they need. The impulses x that make it
+// solve (J M^-1 J^T) x = b. Gauss-Seidel needs as many iterations as a chain has links to carry a load from end to end;
+// a direct method needs none. The matrix is sparse: two joints are coupled only if they share a body. Numbered breadth
+// first along the bodies (Cuthill and McKee, "Reducing the bandwidth of sparse symmetric matrices", 1969), its entries
+// lie near the diagonal, so it is stored as a skyline, each row from its first nonzero column. L D L^T keeps that
+// profile, and costs a chain time linear in its length (compare Baraff, "Linear-Time Dynamics using Lagrange
+// Multipliers", SIGGRAPH 1996, which needs trees; here loops are exact too). A pivot that vanishes belongs to a row
+// that others already hold: it gets no impulse.
 
 namespace rubble {
 namespace {
 
-constexpr size_t kMaxMatrixEntries = 200'000;  ///< of the matrix; with more, all joints are solved one after the other
-constexpr double kRedundantPivot = 1e-9;       ///< share of a direction's own mass below which others already hold it
+constexpr size_t kMaxMatrixEntries = 200'000;  ///< with more, joints are solved one after the other
+constexpr double kRedundantPivot = 1e-9;       ///< fraction of a row's diagonal below which its pivot counts as 0
 
 }  // namespace
 
-/// Orders the rigid joints so that those which share a body are near each other, and lays out the matrix of their
-/// directions by rows, each from the first joint that it is coupled with: for a chain that is linear in its length,
-/// with loops too it is exact.
-void JointSolver::buildSystem() {
-    m_order.clear();
-    m_pairs.clear();
-    std::vector<std::pair<int, int>> ofBody;  // body and joint
-    std::vector<int> position(m_joints.size(), -1);
-    for (size_t i = 0; i < m_joints.size(); ++i) {
-        if (!m_joints[i].isInSystem) continue;
-        for (const int body : m_joints[i].c->bodies)
-            if (body) ofBody.emplace_back(body, int(i));
+template <class F>
+void JointSystem::forEachNeighbour(const JointRows& joint, int number, F&& f) const {
+    for (const int body : joint.c->bodies) {
+        if (!body) continue;
+        for (auto at = std::lower_bound(m_ofBody.begin(), m_ofBody.end(), std::pair(body, 0));
+             at != m_ofBody.end() && at->first == body; ++at)
+            if (at->second != number) f(at->second);
     }
-    std::sort(ofBody.begin(), ofBody.end());
-    const auto forEachNeighbour = [&](int joint, auto&& f) {
-        for (const int body : m_joints[size_t(joint)].c->bodies) {
-            if (!body) continue;
-            for (auto at = std::lower_bound(ofBody.begin(), ofBody.end(), std::pair(body, 0));
-                 at != ofBody.end() && at->first == body; ++at)
-                if (at->second != joint) f(at->second);
-        }
-    };
-    for (size_t first = 0; first < m_joints.size(); ++first) {  // breadth first through all that hangs together
-        if (!m_joints[first].isInSystem || position[first] >= 0) continue;
+}
+
+void JointSystem::build(std::span<const JointRows> joints) {
+    order(joints);
+    layOutMatrix(joints);
+}
+
+/// Breadth first through each group of joints that share bodies.
+void JointSystem::order(std::span<const JointRows> joints) {
+    m_order.clear();
+    m_ofBody.clear();
+    m_position.assign(joints.size(), -1);
+    for (size_t i = 0; i < joints.size(); ++i) {
+        if (!joints[i].isInSystem) continue;
+        for (const int body : joints[i].c->bodies)
+            if (body) m_ofBody.emplace_back(body, int(i));
+    }
+    std::sort(m_ofBody.begin(), m_ofBody.end());
+    for (size_t first = 0; first < joints.size(); ++first) {
+        if (!joints[first].isInSystem || m_position[first] >= 0) continue;
         size_t next = m_order.size();
-        position[first] = int(next);
+        m_position[first] = int(next);
         m_order.push_back(int(first));
-        for (; next < m_order.size(); ++next)
-            forEachNeighbour(m_order[next], [&](int other) {
-                if (position[size_t(other)] >= 0) return;
-                position[size_t(other)] = int(m_order.size());
+        for (; next < m_order.size(); ++next) {
+            const int number = m_order[next];
+            forEachNeighbour(joints[size_t(number)], number, [&](int other) {
+                if (m_position[size_t(other)] >= 0) return;
+                m_position[size_t(other)] = int(m_order.size());
                 m_order.push_back(other);
             });
+        }
     }
+}
+
+void JointSystem::layOutMatrix(std::span<const JointRows> joints) {
+    m_pairs.clear();
     m_rowStart.clear();
     m_rowFirst.clear();
     m_offset.clear();
@@ -51,14 +72,14 @@ void JointSolver::buildSystem() {
     for (size_t p = 0; p < m_order.size(); ++p) {
         m_offset.push_back(int(m_rowFirst.size()));
         int first = int(p);
-        forEachNeighbour(m_order[p], [&](int other) {
-            const int q = position[size_t(other)];
+        const JointRows& joint = joints[size_t(m_order[p])];
+        forEachNeighbour(joint, m_order[p], [&](int other) {
+            const int q = m_position[size_t(other)];
             if (q >= int(p)) return;
             first = std::min(first, q);
             m_pairs.emplace_back(int(p), q);
         });
-        const Entry& e = m_joints[size_t(m_order[p])];
-        for (int r = 0; r < e.rows; ++r) {
+        for (int r = 0; r < joint.rows; ++r) {
             m_rowFirst.push_back(m_offset[size_t(first)]);
             m_rowStart.push_back(entries);
             entries += size_t(m_offset[p] + r - m_offset[size_t(first)] + 1);
@@ -71,81 +92,81 @@ void JointSolver::buildSystem() {
     m_solution.resize(m_rowFirst.size());
 }
 
-/// The matrix J M^-1 J^T, and its L D L^T in its place.
-void JointSolver::factorizeSystem(std::span<const SolverState> states) {
+void JointSystem::factorize(std::span<const JointRows> joints, std::span<const SolverState> states) {
     if (m_order.empty()) return;
     std::fill(m_matrix.begin(), m_matrix.end(), 0.0);
-    const auto at = [&](int i, int j) -> double& {
-        return m_matrix[m_rowStart[size_t(i)] + size_t(j - m_rowFirst[size_t(i)])];
-    };
-    const auto couple = [&](int p, int q) {
-        const Entry &e = m_joints[size_t(m_order[size_t(p)])], &f = m_joints[size_t(m_order[size_t(q)])];
-        for (size_t side = 0; side < 2; ++side)
-            for (size_t other = 0; other < 2; ++other) {
-                const int body = e.c->bodies[side];
-                if (!body || body != f.c->bodies[other]) continue;
-                const SolverState& state = states[size_t(body)];
-                const glm::dmat3 inertia(state.inverseInertia);
-                const double sign = side == other ? 1.0 : -1.0, mass = sign * double(state.inverseMass);
-                for (int r = 0; r < e.rows; ++r) {
-                    const Row& row = e.row[size_t(r)];
-                    const glm::dvec3 turn = (inertia * (side ? row.angularB : row.angularA)) * sign;
-                    const glm::dvec3 push = (side ? row.linearB : row.linearA) * mass;
-                    for (int s = 0; s < (p == q ? r + 1 : f.rows); ++s) {
-                        const Row& with = f.row[size_t(s)];
-                        at(m_offset[size_t(p)] + r, m_offset[size_t(q)] + s) +=
-                            glm::dot(push, other ? with.linearB : with.linearA) +
-                            glm::dot(turn, other ? with.angularB : with.angularA);
-                    }
-                }
-            }
-    };
-    for (int p = 0; p < int(m_order.size()); ++p) couple(p, p);
-    for (const auto& [p, q] : m_pairs) couple(p, q);
-
-    for (int i = 0; i < int(m_rowFirst.size()); ++i) {
-        double* row = &m_matrix[m_rowStart[size_t(i)]] - m_rowFirst[size_t(i)];
-        const double own = row[i];
-        for (int j = m_rowFirst[size_t(i)]; j < i; ++j) {  // row[j] becomes L D
-            const double* above = &m_matrix[m_rowStart[size_t(j)]] - m_rowFirst[size_t(j)];
-            double sum = row[j];
-            for (int k = std::max(m_rowFirst[size_t(i)], m_rowFirst[size_t(j)]); k < j; ++k) sum -= row[k] * above[k];
-            row[j] = sum;
-        }
-        for (int j = m_rowFirst[size_t(i)]; j < i; ++j) {
-            const double d = at(j, j), l = d > 0.0 ? row[j] / d : 0.0;
-            row[i] -= row[j] * l;
-            row[j] = l;
-        }
-        if (!(row[i] > kRedundantPivot * own)) row[i] = 0.0;
-    }
+    for (int p = 0; p < int(m_order.size()); ++p) addCoupling(joints, states, p, p);
+    for (const auto& [p, q] : m_pairs) addCoupling(joints, states, p, q);
+    for (int i = 0; i < int(m_rowFirst.size()); ++i) factorizeRow(i);
 }
 
-void JointSolver::solveSystem(std::span<SolverState> states, bool useBias) {
+/// Adds to J M^-1 J^T what the joints at two positions have in common: the bodies that both join.
+void JointSystem::addCoupling(std::span<const JointRows> joints, std::span<const SolverState> states, int p, int q) {
+    const JointRows &e = joints[size_t(m_order[size_t(p)])], &f = joints[size_t(m_order[size_t(q)])];
+    for (size_t side = 0; side < 2; ++side)
+        for (size_t otherSide = 0; otherSide < 2; ++otherSide) {
+            const int body = e.c->bodies[side];
+            if (!body || body != f.c->bodies[otherSide]) continue;
+            const SolverState& state = states[size_t(body)];
+            const glm::dmat3 inertia(state.inverseInertia);
+            const double sign = side == otherSide ? 1.0 : -1.0, mass = sign * double(state.inverseMass);
+            for (int r = 0; r < e.rows; ++r) {
+                const JointRow& own = e.row[size_t(r)];
+                const glm::dvec3 angular = (inertia * (side ? own.angularB : own.angularA)) * sign;
+                const glm::dvec3 linear = (side ? own.linearB : own.linearA) * mass;
+                double* entries = row(m_offset[size_t(p)] + r) + m_offset[size_t(q)];
+                for (int s = 0; s < (p == q ? r + 1 : f.rows); ++s) {
+                    const JointRow& other = f.row[size_t(s)];
+                    entries[s] += glm::dot(linear, otherSide ? other.linearB : other.linearA) +
+                                  glm::dot(angular, otherSide ? other.angularB : other.angularA);
+                }
+            }
+        }
+}
+
+void JointSystem::factorizeRow(int i) {
+    double* own = row(i);
+    const int first = m_rowFirst[size_t(i)];
+    const double diagonal = own[i];
+    for (int j = first; j < i; ++j) {  // own[j] becomes L D
+        const double* above = row(j);
+        double sum = own[j];
+        for (int k = std::max(first, m_rowFirst[size_t(j)]); k < j; ++k) sum -= own[k] * above[k];
+        own[j] = sum;
+    }
+    for (int j = first; j < i; ++j) {
+        const double d = row(j)[j], l = d > 0.0 ? own[j] / d : 0.0;
+        own[i] -= own[j] * l;
+        own[j] = l;
+    }
+    if (!(own[i] > kRedundantPivot * diagonal)) own[i] = 0.0;
+}
+
+void JointSystem::solve(std::span<JointRows> joints, std::span<SolverState> states, bool useBias) {
+    if (m_order.empty()) return;
     for (size_t p = 0; p < m_order.size(); ++p) {
-        const Entry& e = m_joints[size_t(m_order[p])];
-        const SolverState &A = states[size_t(e.c->bodies[0])], &B = states[size_t(e.c->bodies[1])];
-        for (int r = 0; r < e.rows; ++r) m_solution[size_t(m_offset[p] + r)] = velocityError(e, r, A, B, useBias);
+        const JointRows& e = joints[size_t(m_order[p])];
+        for (int r = 0; r < e.rows; ++r)
+            m_solution[size_t(m_offset[p] + r)] = velocityError(e, r, e.stateA(states), e.stateB(states), useBias);
     }
     const int rows = int(m_rowFirst.size());
     for (int i = 0; i < rows; ++i) {
-        const double* row = &m_matrix[m_rowStart[size_t(i)]] - m_rowFirst[size_t(i)];
-        for (int k = m_rowFirst[size_t(i)]; k < i; ++k) m_solution[size_t(i)] -= row[k] * m_solution[size_t(k)];
+        const double* own = row(i);
+        for (int k = m_rowFirst[size_t(i)]; k < i; ++k) m_solution[size_t(i)] -= own[k] * m_solution[size_t(k)];
     }
     for (int i = 0; i < rows; ++i) {
-        const double d = m_matrix[m_rowStart[size_t(i)] + size_t(i - m_rowFirst[size_t(i)])];
+        const double d = row(i)[i];
         m_solution[size_t(i)] = d > 0.0 ? m_solution[size_t(i)] / d : 0.0;
     }
     for (int i = rows; i-- > 0;) {
-        const double* row = &m_matrix[m_rowStart[size_t(i)]] - m_rowFirst[size_t(i)];
-        for (int k = m_rowFirst[size_t(i)]; k < i; ++k) m_solution[size_t(k)] -= row[k] * m_solution[size_t(i)];
+        const double* own = row(i);
+        for (int k = m_rowFirst[size_t(i)]; k < i; ++k) m_solution[size_t(k)] -= own[k] * m_solution[size_t(i)];
     }
     for (size_t p = 0; p < m_order.size(); ++p) {
-        Entry& e = m_joints[size_t(m_order[p])];
-        SolverState &A = states[size_t(e.c->bodies[0])], &B = states[size_t(e.c->bodies[1])];
+        const JointRows& e = joints[size_t(m_order[p])];
         for (int r = 0; r < e.rows; ++r) {
             const double impulse = m_solution[size_t(m_offset[p] + r)];
-            push(e.row[size_t(r)], A, B, impulse);
+            e.row[size_t(r)].apply(e.stateA(states), e.stateB(states), impulse);
             e.c->lockedImpulse[size_t(r)] += impulse;
         }
     }

@@ -1,0 +1,17 @@
+#include "physics/bodies/collision_object.h"
+
+namespace rubble {
+
+void CollisionObject::setPose(const Pose& newPose) {
+    pose = newPose;
+    m_cellTransforms.clear();
+    filter = {0, 0};
+    for (const auto& part : collider.parts) {
+        const glm::dmat3 axes = glm::mat3_cast(pose.rotation * part->frame().rotation) * part->voxelSize();
+        filter.layer |= part->filter().layer;
+        filter.mask |= part->filter().mask;
+        m_cellTransforms.push_back({axes, pose.rotation * part->frame().position});
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,46 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "physics/shapes/cell_transform.h"
+#include "physics/shapes/voxel_collider.h"
+
+struct btDbvtNode;
+
+namespace rubble {
+
+class DynamicBody;
+
+inline constexpr uint32_t kStaticObject = 0x80000000u;  ///< bit in the number of a static object
+
+/// What can be touched, at its pose: all voxels of a dynamic body, or one shape of a static body.
+struct CollisionObject {
+    VoxelCollider collider;
+    Pose pose;                       ///< collider's frame -> world
+    double radius = 0.0;             ///< of the collider about its frame's origin, metres
+    uint32_t body = 0;               ///< slot
+    uint32_t number = 0;             ///< unique: a body's slot, or a static shape's slot with kStaticObject
+    DynamicBody* dynamic = nullptr;  ///< null: static
+    bool isNew = true;               ///< no warm start: its mass or shape has changed since the last step
+    CollisionFilter filter;          ///< of all parts together, as of the last setPose()
+    glm::dvec3 low{0.0}, high{0.0};  ///< world bounds, with what it sweeps in the step
+    uint32_t version = 0;            ///< changes when it is added again or its voxels change
+
+    /// Sets the pose and what follows from it but the bounds: those are Broadphase::move()'s.
+    void setPose(const Pose& newPose);
+    /// Of the collider's parts, about `pose`.
+    std::span<const CellTransform> cellTransforms() const { return m_cellTransforms; }
+
+private:
+    friend class Broadphase;
+    std::vector<CellTransform> m_cellTransforms;
+    btDbvtNode* m_leaf = nullptr;
+    bool m_moves = false;
+};
+
+/// The one with the lower number first. Numbers give the order in which everything about pairs is done.
+using ObjectPair = std::pair<CollisionObject*, CollisionObject*>;
+
+}  // namespace rubble

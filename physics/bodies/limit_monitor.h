@@ -1,0 +1,25 @@
+#pragma once
+#include "physics/bodies/dynamic_body.h"
+#include "physics/bodies/limits.h"
+
+namespace rubble {
+
+/// Keeps bodies within the limits, counts what was beyond them, and logs a warning for the first of each kind.
+class LimitMonitor {
+public:
+    /// How often each limit was exceeded.
+    const LimitCounts& counts() const { return m_counts; }
+    /// Goes on from the counts of another; nothing is warned of twice.
+    void setCounts(const LimitCounts& counts) { m_counts = counts; }
+    /// Whether the body is more than kMaxDistance from the origin.
+    bool isOutOfRange(const DynamicBody& body, glm::dvec3 origin);
+    /// Clamps the body's speed, spin and mass.
+    void clamp(DynamicBody& body);
+
+private:
+    void warn(const LimitCounts& before) const;
+
+    LimitCounts m_counts{};
+};
+
+}  // namespace rubble

@@ -1,0 +1,305 @@
+#include "physics/collision/feature_collider.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/math/rotated_box.h"
+
+namespace rubble {
+namespace {
+
+/// Cells of its own by which a feature is looked up inside its own solid, so that edges that line up still meet.
+constexpr float kInset = 0.05f;
+constexpr float kRounding = 1e-3f;     ///< cells added to bounds against rounding
+constexpr float kMinEdgeSine = 0.15f;  ///< between two edges below which they count as parallel
+
+}  // namespace
+
+FeatureCollider::FeatureCollider(const VoxelPart& from, const CellTransform& fromCells, const VoxelPart& into,
+                                 const CellTransform& intoCells)
+    : m_from(from), m_into(into), m_occupancy(into), m_intoCells(intoCells), m_margin(0) {
+    const double size = into.voxelSize();
+    const glm::dmat3 toInto = metresToCells(intoCells, size);
+    m_axes = glm::mat3(toInto * fromCells.axes);
+    m_corner = glm::vec3(toInto * (fromCells.corner - intoCells.corner));
+    m_scale = float(from.voxelSize() / size);
+    for (int i = 0; i < 3; ++i) m_unit[i] = m_axes[i] / m_scale;
+}
+
+void FeatureCollider::setMotion(glm::dvec3 velocity, glm::dvec3 spin, const NarrowphaseSettings& settings,
+                                double maxDisplacement) {
+    const double size = m_into.voxelSize();
+    m_margin = std::min(float(settings.margin / size), 0.4f);
+    m_sweeps = maxDisplacement > settings.sweepThreshold;
+    m_searchDistance = m_margin + (m_sweeps ? float(maxDisplacement / size) : 0.0f);
+    if (!m_sweeps) return;
+    const glm::dmat3 toInto = metresToCells(m_intoCells, size);
+    m_velocity = glm::vec3(toInto * velocity) * float(settings.seconds);
+    m_spin = glm::vec3(glm::transpose(m_intoCells.axes) * spin / size) * float(settings.seconds);
+    m_about = glm::vec3(toInto * -m_intoCells.corner);
+}
+
+void FeatureCollider::setLimit(const glm::vec3& direction, float limit, const CellTransform& fromCells) {
+    m_direction = direction * glm::mat3(fromCells.axes);
+    m_limit = limit - glm::dot(direction, glm::vec3(fromCells.corner)) +
+              0.5f * std::max({std::abs(m_direction.x), std::abs(m_direction.y), std::abs(m_direction.z)});
+}
+
+bool FeatureCollider::collide(bool isFirst, uint64_t partKey, std::vector<ContactPoint>& out) {
+    m_isFirst = isFirst;
+    m_key = partKey;
+    m_low = glm::vec3(m_into.bounds().low) - m_searchDistance;
+    m_high = glm::vec3(m_into.bounds().high) + m_searchDistance;
+    CellBox near;
+    if (!findOverlap(near)) return false;
+    setSearchExtents();
+    if (m_sweeps) boundSweep();
+    if (!boxMayTouchSolid(glm::vec3(near.low), glm::vec3(near.high))) return false;
+    if (const PartSurface* surface = m_from.whole()) {
+        collideFeatures(surface->features, surface->rows.box().low, near, out);
+        return true;
+    }
+    const Cell low = near.low >> 3, high = (near.high - 1) >> 3;
+    for (int z = low.z; z <= high.z; ++z)
+        for (int y = low.y; y <= high.y; ++y)
+            for (int x = low.x; x <= high.x; ++x) {
+                const Cell brick(x, y, z), corner = brick * kBrickSize;
+                if (m_from.grid().brickAt(brick) &&
+                    boxMayTouchSolid(glm::vec3(glm::max(near.low - 1, corner)),
+                                     glm::vec3(glm::min(near.high + 1, corner + kBrickSize))))
+                    collideFeatures(m_from.features(brick), corner, near, out);
+            }
+    return true;
+}
+
+/// Conservative: whether features in a box of cells of `from` may touch a solid cell of `into` within the step.
+bool FeatureCollider::boxMayTouchSolid(const glm::vec3& low, const glm::vec3& high) {
+    const glm::vec3 c = m_corner + m_axes * ((low + high) * 0.5f), h = (high - low) * 0.5f;
+    const glm::vec3 r = rotatedHalfExtent(m_axes, h) + m_maxSearchExtent;
+    return m_occupancy.mayContainBrick(floorOf(float4(c - r + m_displacementLow)),
+                                       floorOf(float4(c + r + m_displacementHigh)));
+}
+
+/// The cells of `from` within the search box of `into`; false: none.
+bool FeatureCollider::findOverlap(CellBox& near) const {
+    const glm::mat3 back = glm::transpose(m_axes) / (m_scale * m_scale);
+    const glm::vec3 center = back * ((m_low + m_high) * 0.5f - m_corner), half = (m_high - m_low) * 0.5f;
+    const glm::vec3 extent = rotatedHalfExtent(back, half);
+    const CellBox& own = m_from.bounds();
+    const glm::vec3 low = glm::max(glm::floor(center - extent), glm::vec3(own.low)),
+                    high = glm::min(glm::ceil(center + extent), glm::vec3(own.high));
+    if (!glm::all(glm::lessThan(low, high))) return false;
+    near = {Cell(low), Cell(high)};
+    // The same test with the roles exchanged: the bounds of rotated boxes overlap more often than the boxes do.
+    const glm::vec3 c = m_corner + m_axes * (glm::vec3(near.low + near.high) * 0.5f),
+                    h = glm::vec3(near.high - near.low) * 0.5f;
+    const glm::vec3 r = rotatedHalfExtent(m_axes, h);
+    return glm::all(glm::lessThan(c - r, m_high)) && glm::all(glm::greaterThan(c + r, m_low));
+}
+
+/// How far around a corner, and around the middle of an edge along each axis, solid cells matter.
+void FeatureCollider::setSearchExtents() {
+    m_readyKinds = 0;
+    glm::vec3 inset = (glm::abs(m_axes[0]) + glm::abs(m_axes[1]) + glm::abs(m_axes[2])) * kInset;
+    if (m_sweeps) inset += (std::abs(m_spin.x) + std::abs(m_spin.y) + std::abs(m_spin.z)) * glm::length(inset);
+    const glm::vec3 around = inset + (m_margin + kInset * m_scale + kRounding);
+    m_searchExtents[0] = float4(around);
+    m_maxSearchExtent = around;
+    for (int axis = 0; axis < 3; ++axis) {
+        const glm::vec3 extent = glm::max(around, glm::abs(m_axes[axis]) * 0.5f + kRounding);
+        m_searchExtents[size_t(axis + 1)] = float4(extent);
+        m_maxSearchExtent = glm::max(m_maxSearchExtent, extent);
+    }
+    m_velocity4 = float4(m_velocity), m_spin4 = float4(m_spin), m_about4 = float4(m_about);
+}
+
+/// Bounds the displacements of the features that may meet something, and narrows the search box to the side that they
+/// come from.
+void FeatureCollider::boundSweep() {
+    const CellBox& own = m_from.bounds();
+    const glm::vec3 c = m_corner + m_axes * (glm::vec3(own.low + own.high) * 0.5f),
+                    h = glm::vec3(own.high - own.low) * 0.5f;
+    const glm::vec3 r = rotatedHalfExtent(m_axes, h) + kRounding;
+    const glm::vec3 low = glm::max(c - r, m_low) - m_about, high = glm::min(c + r, m_high) - m_about;
+    const glm::vec3 displacement = m_velocity + glm::cross(m_spin, (low + high) * 0.5f),
+                    half = glm::max((high - low) * 0.5f, 0.0f), s = glm::abs(m_spin);
+    const glm::vec3 around(s.y * half.z + s.z * half.y, s.z * half.x + s.x * half.z, s.x * half.y + s.y * half.x);
+    m_displacementLow = glm::min(displacement - around, 0.0f) - kRounding;
+    m_displacementHigh = glm::max(displacement + around, 0.0f) + kRounding;
+    m_low = glm::max(m_low, glm::vec3(m_into.bounds().low) - m_maxSearchExtent - m_displacementHigh);
+    m_high = glm::min(m_high, glm::vec3(m_into.bounds().high) + m_maxSearchExtent - m_displacementLow);
+}
+
+/// The query of a kind at a point. All but the point is computed once.
+const FeatureQuery& FeatureCollider::queryFor(uint8_t kind, const glm::vec3& point) {
+    FeatureQuery& query = m_queries[kind];
+    query.point = point;
+    if (m_readyKinds >> kind & 1) return query;
+    m_readyKinds |= 1u << kind;
+    const FeatureKind& k = featureKinds()[kind];
+    query.kind = &k;
+    query.sideCount = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        if (k.outward[axis] != 0.0f) query.sides[query.sideCount++] = m_unit[axis] * k.outward[axis];
+    query.along = k.edgeAxis >= 0 ? m_unit[k.edgeAxis] : glm::vec3(0.0f);
+    query.length = m_scale;
+    m_insets[kind] = m_axes * (k.outward * -kInset);
+    return query;
+}
+
+/// Conservative: whether the feature at a point may touch a solid cell within the step.
+bool FeatureCollider::mayTouchSolid(Float4 point, uint8_t kind) {
+    const Float4 extent = m_searchExtents[kind < 8 ? 0 : size_t(kind - 4) / 4];
+    Float4 low = point - extent, high = point + extent;
+    if (m_sweeps) {
+        const Float4 displacement = m_velocity4 + cross(m_spin4, point - m_about4);
+        low += min4(displacement, float4(0.0f)), high += max4(displacement, float4(0.0f));
+    }
+    return m_occupancy.mayContainSolid(floorOf(low), floorOf(high));
+}
+
+/// The features of a region of `from`, four clusters at a time. corner: of the region.
+void FeatureCollider::collideFeatures(const FeatureList& features, Cell corner, const CellBox& near,
+                                      std::vector<ContactPoint>& out) {
+    const glm::vec3 base = m_corner + m_axes * glm::vec3(corner), from(near.low - corner), to(near.high - corner);
+    const float limit = m_limit - glm::dot(m_direction, glm::vec3(corner));
+    std::array<bool, 3> rises{};
+    for (int axis = 0; axis < 3; ++axis) rises[size_t(axis)] = m_direction[axis] > 0.0f;
+    for (const FeatureList::ClusterPack& clusters : features.clusters) {
+        Float4 nearest = float4(0.0f);
+        Bool4 inside = {-1, -1, -1, -1};
+        for (size_t axis = 0; axis < 3; ++axis) {
+            const Float4 low = toFloat4(load(clusters.low[axis])) * float4(0.5f),
+                         high = toFloat4(load(clusters.high[axis])) * float4(0.5f);
+            nearest += (rises[axis] ? low : high) * float4(m_direction[int(axis)]);
+            inside &= (low <= float4(to[int(axis)] + kRounding)) & (high >= float4(from[int(axis)] - kRounding));
+        }
+        inside &= nearest <= float4(limit);
+        if (!any(inside)) continue;
+        for (size_t k = 0; k < 4; ++k) {
+            if (!inside[k]) continue;
+            const glm::vec3 low(clusters.low[0][k], clusters.low[1][k], clusters.low[2][k]);
+            const glm::vec3 high(clusters.high[0][k], clusters.high[1][k], clusters.high[2][k]);
+            if (boxMayTouchSolid(low * 0.5f + glm::vec3(corner), high * 0.5f + glm::vec3(corner)))
+                collideCluster({features.packs.data() + clusters.from[k], features.packs.data() + clusters.to[k]},
+                               corner, base, limit, out);
+        }
+    }
+}
+
+/// The features of a cluster, four at a time.
+void FeatureCollider::collideCluster(std::span<const FeatureList::Pack> packs, Cell corner, const glm::vec3& base,
+                                     float limit, std::vector<ContactPoint>& out) {
+    Float4 origin[3], axes[3][3], from[3], to[3], along[3];  // in registers; features are in half cells
+    for (int axis = 0; axis < 3; ++axis) {
+        origin[axis] = float4(base[axis]), from[axis] = float4(m_low[axis]), to[axis] = float4(m_high[axis]);
+        along[axis] = float4(m_direction[axis] * 0.5f);
+        for (int k = 0; k < 3; ++k) axes[k][axis] = float4(m_axes[k][axis] * 0.5f);
+    }
+    for (const FeatureList::Pack& features : packs) {
+        const Float4 x = toFloat4(load(features.x)), y = toFloat4(load(features.y)), z = toFloat4(load(features.z));
+        Bool4 inside = along[0] * x + along[1] * y + along[2] * z <= float4(limit);
+        if (!any(inside)) continue;
+        inside &= load(features.kind) < kFeatureKinds;
+        Float4 p[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            p[axis] = origin[axis] + axes[0][axis] * x + axes[1][axis] * y + axes[2][axis] * z;
+            inside &= (p[axis] > from[axis]) & (p[axis] < to[axis]);
+        }
+        if (!any(inside)) continue;
+        for (size_t k = 0; k < 4; ++k) {
+            if (!inside[k]) continue;
+            const uint8_t kind = features.kind[k];
+            const Float4 point = {p[0][k], p[1][k], p[2][k], 0.0f};
+            if (mayTouchSolid(point, kind))
+                collideFeature(queryFor(kind, vec3(point)), kind, corner + FeatureList::cellOf(features, k), out);
+        }
+    }
+}
+
+/// One feature. own: the cell of `from` that it belongs to.
+void FeatureCollider::collideFeature(const FeatureQuery& query, uint8_t kind, Cell own,
+                                     std::vector<ContactPoint>& out) {
+    if (query.isEdge()) {
+        float from, to;
+        if (findSolidInterval(m_occupancy, query, from, to) && collideEdgeCrossing(query, from, to, kind, own, out))
+            return;
+    }
+    const glm::vec3 inset = query.point + m_insets[kind];
+    const Cell cell = cellOf(inset);
+    Face face = m_occupancy.solid(cell) ? nearestExitFace(m_occupancy, cell, inset, query)
+                                        : closestFace(m_occupancy, cell, inset, m_margin + kInset * m_scale, query);
+    if (face.axis < 0) {
+        if (m_occupancy.solid(cell)) m_stuckDepth = std::max(m_stuckDepth, depthBelowSurface(m_occupancy, cell, inset));
+        if (!m_sweeps) return;
+        const glm::vec3 displacement = m_velocity + glm::cross(m_spin, inset - m_about);
+        if (glm::dot(displacement, displacement) > m_margin * m_margin)
+            face = sweepToFace(m_occupancy, cell, inset, displacement, query);
+        if (face.axis < 0) return;
+    }
+    float extra = 0.0f;  // insets by which the feature itself is deeper than the point that was looked up
+    for (int i = 0; i < query.sideCount; ++i) extra += std::max(0.0f, -query.sides[i][face.axis] * face.sign);
+    glm::vec3 normal(0.0f);
+    normal[face.axis] = face.sign;
+    add(query.point, normal, face.separation - extra * kInset * m_scale, kind, own, face.cell, out);
+}
+
+/// Edge against edge: an edge that is inside the solid from `from` to `to` crosses an exposed edge of it, and leaving
+/// across that edge is the shortest exit. The normal is the cross product of the two edges. False if it is not so.
+bool FeatureCollider::collideEdgeCrossing(const FeatureQuery& query, float from, float to, uint8_t kind, Cell own,
+                                          std::vector<ContactPoint>& out) {
+    const glm::vec3 q = query.point + query.along * ((from + to) * 0.5f * query.length);
+    const glm::vec3 halfInterval = glm::abs(query.along * ((to - from) * 0.5f * query.length));
+    const Cell cell = cellOf(q);
+    if (!m_occupancy.solid(cell)) return false;  // an edge that lies in a surface goes in and out by rounding
+    // The two exposed faces of q's cell that are closest, if they share an edge that is exposed too.
+    Cell signs(0);
+    glm::vec3 depth(2.0f);
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int sign : {-1, 1}) {
+            Cell next = cell;
+            next[axis] += sign;
+            const float d = distanceToSide(cell, q, axis, sign);
+            if (d < depth[axis] && !m_occupancy.solid(next)) depth[axis] = d, signs[axis] = sign;
+        }
+    const int w = depth.x > depth.y ? (depth.x > depth.z ? 0 : 2) : (depth.y > depth.z ? 1 : 2);
+    const int u = (w + 1) % 3, v = (w + 2) % 3;
+    if (!signs[u] || !signs[v]) return false;
+    Cell diagonal = cell;
+    diagonal[u] += signs[u];
+    diagonal[v] += signs[v];
+    glm::vec3 edge(0.0f);
+    edge[w] = 1.0f;
+    glm::vec3 normal = glm::cross(query.along, edge);
+    const float length = glm::length(normal);
+    if (length < kMinEdgeSine || m_occupancy.solid(diagonal)) return false;
+    normal /= length;
+    float alongU = normal[u] * float(signs[u]), alongV = normal[v] * float(signs[v]);
+    if (alongU + alongV < 0) normal = -normal, alongU = -alongU, alongV = -alongV;
+    if (alongU < -kMaxSideCosine || alongV < -kMaxSideCosine || !query.accepts(normal)) return false;
+    // The exit through one face is shorter if neither end of the interval is deep behind it.
+    const float exitDepth = depth[u] * alongU + depth[v] * alongV;
+    if (exitDepth > std::min(depth[u] + halfInterval[u], depth[v] + halfInterval[v])) return false;
+    add(q, normal, -exitDepth, kind, own, cell, out);
+    return true;
+}
+
+/// Appends a contact. point and normal are in cells of `into`; the contact lies midway between the two surfaces.
+void FeatureCollider::add(const glm::vec3& point, const glm::vec3& normal, float separation, uint8_t kind, Cell own,
+                          Cell other, std::vector<ContactPoint>& out) {
+    ContactPoint contact;
+    const float size = float(m_into.voxelSize());
+    const glm::vec3 middle = point - normal * (separation * 0.5f);
+    contact.position = glm::vec3(m_intoCells.axes * glm::dvec3(middle) + m_intoCells.corner);
+    contact.normal = glm::vec3(m_intoCells.axes * glm::dvec3(normal)) / (m_isFirst ? size : -size);
+    contact.separation = separation * size;
+    const uint8_t a = m_from.grid().at(own), b = m_into.grid().at(other);
+    const ContactMaterials &fromMaterials = m_from.contactMaterials(), &intoMaterials = m_into.contactMaterials();
+    contact.friction = std::sqrt(fromMaterials.friction[a] * intoMaterials.friction[b]);
+    contact.restitution = std::sqrt(fromMaterials.restitution[a] * intoMaterials.restitution[b]);
+    contact.feature = m_key | uint64_t(uint32_t(own.x)) << 41 | uint64_t(uint32_t(own.y)) << 29 |
+                      uint64_t(uint32_t(own.z)) << 17 | uint64_t(kind) << 12;
+    out.push_back(contact);
+}
+
+}  // namespace rubble

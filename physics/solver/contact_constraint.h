@@ -1,0 +1,115 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "physics/bodies/solver_body.h"
+#include "physics/collision/manifold.h"
+#include "physics/math/simd4.h"
+
+namespace rubble {
+
+/// One contact point between the bodies A and B as the solver iterates it. Vectors are in world axes.
+struct ContactConstraint {
+    Float4 normal;              ///< from B to A
+    Float4 tangent1, tangent2;  ///< the directions of friction
+    Float4 rA, rB;              ///< from the centre of mass to the point, at the start of the step
+    Float4 angularA, angularB;  ///< r x normal: the angular part of the Jacobian
+    Float4 angularChangeA;      ///< of A's angular velocity for an impulse of 1 along the normal
+    Float4 angularChangeB;
+    float separation;  ///< at the start of the step, metres
+    float normalMass, tangentMass1, tangentMass2;
+    float friction, restitution;
+    float approach;  ///< normal velocity before the solve, m/s; negative: closing
+    float normalImpulse, tangentImpulse1, tangentImpulse2;
+    float totalImpulse, maxImpulse;  ///< of the substeps so far, along the normal
+    float bounceImpulse;
+    bool isStatic;  ///< one body does not move
+    bool isStiff;   ///< a body is load-bearing
+    bool isInscribedSphere;
+    ManifoldPoint* point;  ///< that gets the result; of an inscribed sphere, the one that its impulse is added to
+};
+
+/// The constraints of a manifold.
+struct PairConstraints {
+    int a, b;         ///< the bodies, as indices of states; 0: the world
+    size_t from, to;  ///< in the list of constraints
+    int passes;       ///< over the normals in each iteration
+    Manifold* manifold;
+    /// The manifold's points.
+    std::span<ManifoldPoint> points() const { return manifold->all(); }
+    /// Whether there is one constraint more than points.
+    bool hasInscribedSphere() const { return to - from > points().size(); }
+};
+
+/// The velocities of two bodies while their contacts are solved, in registers.
+struct VelocityPair {
+    /// Reads the states.
+    VelocityPair(const SolverState& A, const SolverState& B)
+        : vA(float4(A.v)),
+          wA(float4(A.w)),
+          vB(float4(B.v)),
+          wB(float4(B.w)),
+          massA(A.inverseMass),
+          massB(B.inverseMass),
+          inertiaA(A.inverseInertia),
+          inertiaB(B.inverseInertia) {}
+    /// Writes the velocities back. The world's state is not written: several threads read it.
+    void store(SolverState& A, SolverState& B) const {
+        if (massA != 0.0f) A.v = vec3(vA), A.w = vec3(wA);
+        if (massB != 0.0f) B.v = vec3(vB), B.w = vec3(wB);
+    }
+
+    /// The relative velocity along the normal, m/s; negative: closing.
+    float normalVelocity(const ContactConstraint& c) const {
+        const Float4 parts = c.normal * (vA - vB) + c.angularA * wA - c.angularB * wB;
+        return parts[0] + parts[1] + parts[2];
+    }
+    /// The velocity of A at the point relative to B.
+    Float4 relativeVelocity(const ContactConstraint& c) const { return vA + cross(wA, c.rA) - vB - cross(wB, c.rB); }
+    /// N s along the normal, on A, and its reaction on B.
+    void applyNormalImpulse(const ContactConstraint& c, float impulse) {
+        vA += c.normal * float4(impulse * massA);
+        wA += c.angularChangeA * float4(impulse);
+        vB -= c.normal * float4(impulse * massB);
+        wB -= c.angularChangeB * float4(impulse);
+    }
+    /// N s along the two tangents.
+    void applyFrictionImpulse(const ContactConstraint& c, float impulse1, float impulse2) {
+        const Float4 impulse = c.tangent1 * float4(impulse1) + c.tangent2 * float4(impulse2);
+        vA += impulse * float4(massA);
+        wA += inertiaA * cross(c.rA, impulse);
+        vB -= impulse * float4(massB);
+        wB -= inertiaB * cross(c.rB, impulse);
+    }
+
+    Float4 vA, wA, vB, wB;
+    float massA, massB;           ///< inverse
+    SimdMat3 inertiaA, inertiaB;  ///< inverse
+};
+
+/// How two bodies have moved since the step began.
+struct DeltaPair {
+    /// Reads the states.
+    DeltaPair(const SolverState& A, const SolverState& B)
+        : position(float4(A.deltaPosition - B.deltaPosition)), rotationA(A.deltaRotation), rotationB(B.deltaRotation) {}
+    Float4 position;  ///< of A relative to B
+    SimdMat3 rotationA, rotationB;
+};
+
+/// What the contact solver iterates over.
+struct ContactSet {
+    std::vector<SolverState> states;     ///< by body; 0: the world
+    std::vector<PairConstraints> pairs;  ///< in the order in which they are solved
+    std::vector<ContactConstraint> constraints;
+
+    /// The constraints of a pair.
+    std::span<ContactConstraint> of(const PairConstraints& pair) {
+        return {constraints.data() + pair.from, pair.to - pair.from};
+    }
+    /// The state of a pair's first body.
+    SolverState& stateA(const PairConstraints& pair) { return states[size_t(pair.a)]; }
+    /// The state of a pair's second body.
+    SolverState& stateB(const PairConstraints& pair) { return states[size_t(pair.b)]; }
+};
+
+}  // namespace rubble

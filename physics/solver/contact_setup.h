@@ -1,0 +1,42 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "physics/solver/contact_constraint.h"
+
+// What the contact solver does once a step, before its substeps.
+
+namespace rubble {
+
+/// The states of the bodies at the start of the step.
+void prepareStates(ContactSet& set, std::span<const SolverBody> bodies);
+/// Fills in the constraints of a pair, whose range has room for its points and an inscribed sphere. Reads bodies and
+/// states, writes only what belongs to the pair. up: unit vector against gravity, or 0. seconds: of the step.
+/// [any thread]
+void preparePair(ContactSet& set, PairConstraints& pair, std::span<const SolverBody> bodies, const glm::vec3& up,
+                 float seconds);
+/// Bodies hit by something fast are pushed against the world within the step and may tunnel too: gives their contacts
+/// with the world inscribed spheres.
+void addInscribedSpheresOfHit(ContactSet& set);
+
+/// Sets the impulses of contacts to 0 that would throw a body. No warm start after the loss of a support: what a
+/// contact that is gone held back is missing in the balance of impulses.
+class WarmStartFilter {
+public:
+    /// states must know which bodies are jointed: these are left alone.
+    void reject(ContactSet& set);
+
+private:
+    /// The sum of the warm start impulses on a body.
+    struct Sum {
+        Float4 impulse{}, angularImpulse{};
+        bool isRejected = false;
+    };
+    std::vector<Sum> m_sums;  ///< by body
+};
+
+/// Marks the load-bearing bodies, those under something `ratio` times as heavy and those under these in turn, and makes
+/// their contacts stiff. pairs: indices of the pairs of such bodies.
+void findLoadBearing(ContactSet& set, const glm::vec3& up, float ratio, std::vector<size_t>& pairs);
+
+}  // namespace rubble

@@ -1,0 +1,214 @@
+#include "physics/solver/joint_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/math/angles.h"
+
+namespace rubble {
+namespace {
+
+constexpr double kMaxCorrectionSpeed = 10.0;  ///< m/s or rad/s at which errors of position are corrected
+
+/// Fills in the rows of one joint. The frames of its ends have their axis along x.
+class RowBuilder {
+public:
+    RowBuilder(JointRows& rows, std::span<const SolverBody> bodies) : m_rows(rows), m_joint(*rows.c->joint) {
+        for (size_t i = 0; i < 2; ++i) {
+            const SolverBody& body = bodies[size_t(rows.c->bodies[i])];
+            m_end[i] = Pose{body.position, body.rotation} * rows.c->frames[i];
+            m_arm[i] = m_end[i].position - body.position;
+        }
+        m_offset = m_end[1].position - m_end[0].position;
+        m_x = m_end[0].rotation * glm::dvec3(1.0, 0.0, 0.0);
+        m_y = m_end[0].rotation * glm::dvec3(0.0, 1.0, 0.0);
+        m_z = m_end[0].rotation * glm::dvec3(0.0, 0.0, 1.0);
+        m_otherX = m_end[1].rotation * glm::dvec3(1.0, 0.0, 0.0);
+        m_rotation = glm::conjugate(m_end[0].rotation) * m_end[1].rotation;
+        if (m_rotation.w < 0.0) m_rotation = -m_rotation;
+        m_rows.rows = 0;
+    }
+
+    void build() {
+        switch (m_joint.kind) {
+            case JointKind::Ball:
+            case JointKind::Cone:
+                return buildBall();
+            case JointKind::Hinge:
+                return buildHinge();
+            case JointKind::Fixed:
+                lockPoint();
+                return lockRotation();
+            case JointKind::Prismatic:
+                return buildPrismatic();
+            case JointKind::Wheel:
+                return buildWheel();
+            case JointKind::Rope:
+                return buildRope();
+        }
+    }
+
+private:
+    void lock(const JointRow& row, double error) {
+        m_rows.error[size_t(m_rows.rows)] = error;
+        m_rows.row[size_t(m_rows.rows++)] = row;
+    }
+    /// The velocity of end 1 relative to end 0 along an axis that is fixed to the first body.
+    JointRow slidingRow(const glm::dvec3& axis) const {
+        return {axis, glm::cross(m_arm[0] + m_offset, axis), axis, glm::cross(m_arm[1], axis)};
+    }
+    static JointRow rotationRow(const glm::dvec3& axis) { return {{}, axis, {}, axis}; }
+    void lockSliding(const glm::dvec3& axis) { lock(slidingRow(axis), glm::dot(m_offset, axis)); }
+    /// The two ends coincide.
+    void lockPoint() {
+        for (int i = 0; i < 3; ++i) {
+            glm::dvec3 axis(0.0);
+            axis[i] = 1.0;
+            lock({axis, glm::cross(m_arm[0], axis), axis, glm::cross(m_arm[1], axis)}, m_offset[i]);
+        }
+    }
+    /// End 1's x axis lies along `axis`; side1 and side2 are across it.
+    void lockAxis(const glm::dvec3& axis, const glm::dvec3& side1, const glm::dvec3& side2) {
+        const glm::dvec3 tilt = glm::cross(axis, m_otherX);
+        lock(rotationRow(side1), glm::dot(tilt, side1));
+        lock(rotationRow(side2), glm::dot(tilt, side2));
+    }
+    /// The ends have the same rotation. For small errors the rotation vector is twice the quaternion's vector part.
+    void lockRotation() {
+        const glm::dvec3 error = m_end[0].rotation * (2.0 * glm::dvec3(m_rotation.x, m_rotation.y, m_rotation.z));
+        for (int i = 0; i < 3; ++i) {
+            glm::dvec3 axis(0.0);
+            axis[i] = 1.0;
+            lock(rotationRow(axis), error[i]);
+        }
+    }
+
+    /// The free coordinate is the angle between the ends' x axes.
+    void buildBall() {
+        lockPoint();
+        if (!hasOnlyUpperLimit(m_joint)) return;
+        const glm::dvec3 axis = glm::cross(m_x, m_otherX);
+        const double sine = glm::length(axis);
+        m_rows.freeAxis.row = rotationRow(sine > 1e-9 ? axis / sine : glm::dvec3(0.0));
+        m_rows.freeAxis.value = deterministicAtan2(sine, glm::dot(m_x, m_otherX));
+    }
+    void buildHinge() {
+        lockPoint();
+        lockAxis(m_x, m_y, m_z);
+        m_rows.freeAxis.row = rotationRow(m_x);
+        m_rows.freeAxis.value = twistAboutX(m_rotation);
+    }
+    void buildPrismatic() {
+        lockSliding(m_y);
+        lockSliding(m_z);
+        lockRotation();
+        m_rows.freeAxis.row = slidingRow(m_x);
+        m_rows.freeAxis.value = glm::dot(m_offset, m_x);
+    }
+    /// The free axis is the suspension along y; the motor's is the axle, which steering turns about y.
+    void buildWheel() {
+        lockSliding(m_x);
+        lockSliding(m_z);
+        double cosine, sine;
+        deterministicCosSin(m_joint.steer, cosine, sine);
+        const glm::dvec3 axle = m_x * cosine - m_z * sine;
+        lockAxis(axle, m_y, glm::cross(axle, m_y));
+        m_rows.freeAxis.row = slidingRow(m_y);
+        m_rows.freeAxis.value = glm::dot(m_offset, m_y);
+        m_rows.motorAxis.row = rotationRow(axle);
+    }
+    /// The free coordinate is the length of the path from end to end over what the rope lies on; its row pulls each
+    /// body along the rope's last segment.
+    void buildRope() {
+        const std::vector<glm::dvec3>& bends = m_rows.c->bendPoints;
+        const glm::dvec3 first = m_end[0].position - (bends.empty() ? m_end[1].position : bends.front());
+        const glm::dvec3 last = m_end[1].position - (bends.empty() ? m_end[0].position : bends.back());
+        const double firstLength = glm::length(first), lastLength = glm::length(last);
+        const glm::dvec3 pullA = firstLength > 1e-6 ? first / firstLength : glm::dvec3(0.0, 1.0, 0.0);
+        const glm::dvec3 pullB = lastLength > 1e-6 ? last / lastLength : glm::dvec3(0.0, -1.0, 0.0);
+        FreeAxis& length = m_rows.freeAxis;
+        length.row = {-pullA, glm::cross(m_arm[0], -pullA), pullB, glm::cross(m_arm[1], pullB)};
+        length.value = bends.empty() ? firstLength : firstLength + lastLength;
+        for (size_t i = 1; i < bends.size(); ++i) length.value += glm::length(bends[i] - bends[i - 1]);
+    }
+
+    JointRows& m_rows;
+    const Joint& m_joint;
+    std::array<Pose, 2> m_end;  ///< the joint's frames, world
+    std::array<glm::dvec3, 2> m_arm;
+    glm::dvec3 m_offset;                ///< from end 0 to end 1
+    glm::dvec3 m_x, m_y, m_z;           ///< axes of end 0
+    glm::dvec3 m_otherX;                ///< of end 1
+    glm::dquat m_rotation{1, 0, 0, 0};  ///< of end 1 relative to end 0
+};
+
+}  // namespace
+
+double JointRow::velocity(const SolverState& A, const SolverState& B) const {
+    return glm::dot(linearB, glm::dvec3(B.v)) + glm::dot(angularB, glm::dvec3(B.w)) -
+           glm::dot(linearA, glm::dvec3(A.v)) - glm::dot(angularA, glm::dvec3(A.w));
+}
+
+void JointRow::apply(SolverState& A, SolverState& B, double impulse) const {
+    A.v -= glm::vec3(linearA * (impulse * A.inverseMass));
+    A.w -= A.inverseInertia * glm::vec3(angularA * impulse);
+    B.v += glm::vec3(linearB * (impulse * B.inverseMass));
+    B.w += B.inverseInertia * glm::vec3(angularB * impulse);
+}
+
+double JointRow::effectiveMass(const SolverState& A, const SolverState& B) const {
+    const double k = double(A.inverseMass) * glm::dot(linearA, linearA) +
+                     double(B.inverseMass) * glm::dot(linearB, linearB) +
+                     glm::dot(angularA, glm::dmat3(A.inverseInertia) * angularA) +
+                     glm::dot(angularB, glm::dmat3(B.inverseInertia) * angularB);
+    return k > 0.0 ? 1.0 / k : 0.0;
+}
+
+void computeRows(JointRows& rows, std::span<const SolverBody> bodies) {
+    RowBuilder(rows, bodies).build();
+}
+
+void factorize(JointRows& e, const SolverState& A, const SolverState& B) {
+    const double massA = double(A.inverseMass), massB = double(B.inverseMass);
+    const glm::dmat3 inertiaA(A.inverseInertia), inertiaB(B.inverseInertia);
+    double k[6][6];
+    for (int j = 0; j < e.rows; ++j) {
+        const JointRow& row = e.row[size_t(j)];
+        const glm::dvec3 a = inertiaA * row.angularA, b = inertiaB * row.angularB;
+        for (int i = j; i < e.rows; ++i) {
+            const JointRow& other = e.row[size_t(i)];
+            k[i][j] = massA * glm::dot(row.linearA, other.linearA) + massB * glm::dot(row.linearB, other.linearB) +
+                      glm::dot(a, other.angularA) + glm::dot(b, other.angularB);
+        }
+    }
+    for (int j = 0; j < e.rows; ++j) {
+        double d = k[j][j];
+        for (int m = 0; m < j; ++m)
+            d -= e.lower[size_t(j)][size_t(m)] * e.lower[size_t(j)][size_t(m)] * e.diagonal[size_t(m)];
+        const bool moves = d > 1e-12 * k[j][j] && d > 0.0;
+        e.diagonal[size_t(j)] = moves ? d : 0.0;
+        for (int i = j + 1; i < e.rows; ++i) {
+            double l = k[i][j];
+            for (int m = 0; m < j; ++m)
+                l -= e.lower[size_t(i)][size_t(m)] * e.lower[size_t(j)][size_t(m)] * e.diagonal[size_t(m)];
+            e.lower[size_t(i)][size_t(j)] = moves ? l / d : 0.0;
+        }
+    }
+}
+
+void solveBlock(const JointRows& e, std::array<double, 6>& x) {
+    for (int i = 0; i < e.rows; ++i)
+        for (int m = 0; m < i; ++m) x[size_t(i)] -= e.lower[size_t(i)][size_t(m)] * x[size_t(m)];
+    for (int i = 0; i < e.rows; ++i)
+        x[size_t(i)] = e.diagonal[size_t(i)] > 0.0 ? x[size_t(i)] / e.diagonal[size_t(i)] : 0.0;
+    for (int i = e.rows - 1; i >= 0; --i)
+        for (int m = i + 1; m < e.rows; ++m) x[size_t(i)] -= e.lower[size_t(m)][size_t(i)] * x[size_t(m)];
+}
+
+double velocityError(const JointRows& e, int row, const SolverState& A, const SolverState& B, bool useBias) {
+    const double correction = e.locked.biasRate * e.error[size_t(row)];
+    const double bias = useBias ? std::max(-kMaxCorrectionSpeed, std::min(correction, kMaxCorrectionSpeed)) : 0.0;
+    return -e.row[size_t(row)].velocity(A, B) - bias;
+}
+
+}  // namespace rubble

@@ -1,0 +1,85 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "physics/bodies/solver_body.h"
+#include "physics/math/soft_constraint.h"
+#include "runtime/world/objects/joint.h"
+
+namespace rubble {
+
+/// A joint between two of the solver's bodies. The impulses are those of a substep, N s or N m s: the next step starts
+/// with them.
+struct JointConstraint {
+    const Joint* joint = nullptr;
+    JointHandle handle;
+    std::array<int, 2> bodies{};            ///< of the solver; 0: the world
+    std::array<Pose, 2> frames;             ///< of the joint's ends, in the bodies or in the world
+    std::array<double, 6> lockedImpulse{};  ///< along the locked rows
+    std::array<double, 2> limitImpulse{};   ///< of the low and the high limit
+    double springImpulse = 0.0, motorImpulse = 0.0, frictionImpulse = 0.0;
+    glm::dvec3 ballFriction{0.0};        ///< friction impulse of a ball or cone
+    std::vector<glm::dvec3> bendPoints;  ///< where a rope lies on something, from end 0 to end 1, world
+    glm::dvec3 force{0.0}, torque{0.0};  ///< N and N m that it exerted in the last step, on average
+};
+
+/// A row of the Jacobian of a joint. Its velocity is
+/// linearB . vB + angularB . wB - linearA . vA - angularA . wA.
+struct JointRow {
+    glm::dvec3 linearA{0.0}, angularA{0.0}, linearB{0.0}, angularB{0.0};
+
+    /// m/s or rad/s.
+    double velocity(const SolverState& A, const SolverState& B) const;
+    /// Applies an impulse along the row to both bodies, N s or N m s.
+    void apply(SolverState& A, SolverState& B, double impulse) const;
+    /// 1 / (J M^-1 J^T); 0 if neither body can move along the row.
+    double effectiveMass(const SolverState& A, const SolverState& B) const;
+};
+
+/// The axis along or about which a joint is free but for limits, spring, motor and friction.
+struct FreeAxis {
+    JointRow row;
+    double value = 0.0;  ///< of the joint's coordinate: radians or metres
+    double mass = 0.0;   ///< effective
+};
+
+/// A joint while it is solved.
+struct JointRows {
+    JointConstraint* c = nullptr;
+    int rows = 0;  ///< that are locked
+    std::array<JointRow, 6> row;
+    std::array<double, 6> error{};                 ///< of position, by row
+    std::array<std::array<double, 6>, 6> lower{};  ///< L of the L D L^T of J M^-1 J^T
+    std::array<double, 6> diagonal{};              ///< D; 0: nothing can move along the row
+    Softness<double> locked, limit, spring;
+    FreeAxis freeAxis;
+    FreeAxis motorAxis;                ///< the free axis; of a wheel its spin, where the free axis is its suspension
+    glm::dmat3 ballFrictionMass{0.0};  ///< effective mass of a ball's rotation
+    bool isInSystem = false;           ///< its locked rows are solved by JointSystem
+    bool isSoft = false;               ///< the locked rows, or a rope's limit, are a spring
+    bool hasSpring = false;            ///< on the free axis
+    bool hasBallFriction = false;
+
+    /// The state of the joint's first body.
+    SolverState& stateA(std::span<SolverState> states) const { return states[size_t(c->bodies[0])]; }
+    /// The state of the joint's second body.
+    SolverState& stateB(std::span<SolverState> states) const { return states[size_t(c->bodies[1])]; }
+};
+
+/// Whether the free coordinate is limited above only: the angle of a cone or ball, the length of a rope.
+inline bool hasOnlyUpperLimit(const Joint& joint) {
+    return joint.kind == JointKind::Rope || joint.kind == JointKind::Cone ||
+           (joint.kind == JointKind::Ball && joint.limits.on);
+}
+
+/// Computes rows, errors and the free axis where the bodies are now.
+void computeRows(JointRows& rows, std::span<const SolverBody> bodies);
+/// Factorizes J M^-1 J^T of the joint's own locked rows into lower and diagonal.
+void factorize(JointRows& rows, const SolverState& A, const SolverState& B);
+/// Replaces x, a change of velocity by row, by the impulses that make it. Needs factorize().
+void solveBlock(const JointRows& rows, std::array<double, 6>& x);
+/// The change of velocity that a locked row needs. useBias: errors of position are corrected too.
+double velocityError(const JointRows& rows, int row, const SolverState& A, const SolverState& B, bool useBias);
+
+}  // namespace rubble

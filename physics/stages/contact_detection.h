@@ -1,0 +1,32 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "physics/collision/narrowphase.h"
+#include "physics/joints/joint_table.h"
+#include "physics/stages/physics_bodies.h"
+#include "physics/stages/physics_settings.h"
+
+namespace rubble {
+
+/// The contacts of a step: broadphase, narrowphase, and the sleeping bodies that are woken by a hit.
+class ContactDetection {
+public:
+    /// Finds the contacts of all awake bodies, and wakes what they hit hard.
+    void find(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings);
+    /// Notes in the bodies which are touching, and which sleeping bodies each touches.
+    void recordTouching(PhysicsBodies& bodies) const;
+    /// Of this step, sorted by numbers of the objects.
+    std::span<Manifold* const> manifolds() const { return m_narrowphase.manifolds(); }
+
+private:
+    bool wakeHit(PhysicsBodies& bodies, double stepSeconds) const;
+    void sweepSecondary(PhysicsBodies& bodies, const JointTable& joints, const PhysicsSettings& settings,
+                        const NarrowphaseSettings& narrow);
+
+    Narrowphase m_narrowphase;
+    std::vector<CollisionObject*> m_moving;  ///< whose pairs are searched
+    std::vector<ObjectPair> m_pairs;
+};
+
+}  // namespace rubble

@@ -1,0 +1,87 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "physics/bodies/dynamic_body.h"
+#include "physics/bodies/limit_monitor.h"
+#include "physics/collision/broadphase.h"
+#include "physics/stages/awake_bodies.h"
+#include "runtime/world/world.h"
+
+namespace rubble {
+
+/// The bodies of a World as physics has them: dynamic ones by body slot, the shapes of static ones by shape slot; who
+/// is awake; and the broadphase. [main-thread]
+class PhysicsBodies {
+public:
+    /// Creates the object of a static body's shape, or replaces it.
+    void createStatic(const World& world, ShapeHandle handle);
+    /// Does nothing if there is none.
+    void destroyStatic(uint32_t shapeSlot);
+    /// Takes over a cut of a static shape, and wakes what touched the changed bricks.
+    void updateStatic(const World& world, ShapeHandle handle, const FrameChanges& changes);
+    /// Creates a dynamic body, or replaces it. One whose numbers are invalid is quarantined, with a warning.
+    void createDynamic(const World& world, BodyHandle handle, bool asleep);
+    /// Wakes what touched it. Does nothing if the handle is not the slot's.
+    void destroyDynamic(BodyHandle handle);
+    /// Takes over a change of a dynamic body, or creates it, and wakes what touched it before. onlyCarved: nothing but
+    /// its voxels has changed.
+    void updateDynamic(const World& world, BodyHandle handle, const FrameChanges& changes, bool onlyCarved);
+    /// Takes over a shape's new collision filter, and wakes what may touch it now or no longer.
+    void updateFilter(const World& world, ShapeHandle handle);
+
+    /// Null: there is no dynamic body in the slot.
+    DynamicBody* dynamicAt(uint32_t slot) const { return slot < m_dynamics.size() ? m_dynamics[slot].get() : nullptr; }
+    /// Null: the handle is empty, or not the slot's any more.
+    DynamicBody* find(BodyHandle handle) const;
+    /// By shape slot, the body that its shape belongs to, or last belonged to; empty if there never was one.
+    const std::vector<BodyHandle>& owners() const { return m_owners; }
+    /// Of all bodies, by slot.
+    const std::vector<BodyHandle>& handles() const { return m_handles; }
+    /// Objects whose bounds overlap a box, by number; valid until the next call.
+    const std::vector<CollisionObject*>& objectsIn(glm::dvec3 low, glm::dvec3 high);
+
+    /// Slots of awake bodies, ascending. Waking inserts into this list.
+    const std::vector<uint32_t>& awake() const { return m_awake.slots(); }
+    /// An awake body by its slot.
+    DynamicBody& at(uint32_t slot) const { return *m_dynamics[slot]; }
+    /// Does nothing if it is awake or quarantined.
+    void wake(DynamicBody& body);
+    /// Wakes a body, or lets it wait until the budget of awake debris has a place for it.
+    void wakeOrWait(DynamicBody& body);
+    /// Wakes bodies that wait, as far as the budget allows.
+    void wakeWaiting();
+    /// Wakes, or lets wait, all bodies whose bounds touch a box, in slot order.
+    void wakeTouching(glm::dvec3 low, glm::dvec3 high);
+    /// Puts a body to sleep. It stays in awake() until removeEnded().
+    void putToSleep(DynamicBody& body);
+    /// Removes from awake() the bodies that fell asleep or were quarantined.
+    void removeEnded();
+    /// Freezes awake bodies whose numbers are invalid or that are too far away, where they last were valid; clamps the
+    /// others.
+    void quarantineInvalid();
+    /// Ends a step: appends the state of each body that moved, woke or fell asleep, in slot order.
+    void reportPoses(std::vector<BodyPose>& out);
+
+    /// The budget of awake debris.
+    AwakeBodies& budget() { return m_awake; }
+    /// What was beyond the limits.
+    LimitMonitor& limits() { return m_limits; }
+    /// For its origin and for finding pairs.
+    Broadphase& broadphase() { return m_broadphase; }
+
+private:
+    bool insert(const World& world, DynamicBody& body, bool asleep);
+
+    Broadphase m_broadphase;
+    LimitMonitor m_limits;
+    std::vector<std::unique_ptr<DynamicBody>> m_dynamics;     ///< by body slot
+    std::vector<std::unique_ptr<CollisionObject>> m_statics;  ///< by shape slot
+    std::vector<BodyHandle> m_owners;                         ///< by shape slot
+    std::vector<BodyHandle> m_handles;                        ///< by body slot
+    AwakeBodies m_awake;
+    std::vector<uint32_t> m_ended;  ///< slots that fell asleep or were quarantined in this step
+    std::vector<CollisionObject*> m_found;
+};
+
+}  // namespace rubble

@@ -1,0 +1,30 @@
+#pragma once
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "physics/character/character.h"
+#include "physics/stages/physics_bodies.h"
+
+namespace rubble {
+
+/// The characters of a World as physics moves them, after the bodies. [main-thread]
+class PhysicsCharacters {
+public:
+    /// Replaces all characters by those of World.
+    void load(const World& world);
+    /// Begins a step: clears what the last one reported.
+    void begin() { m_moves.clear(); }
+    /// Moves all characters, in the order of slots, and applies their pushes to the bodies. waters: null: none.
+    /// gravity: m/s2.
+    void move(PhysicsBodies& bodies, const WaterVolumes* waters, glm::dvec3 gravity, double seconds);
+    /// The characters that moved or changed in this step, in the order of slots.
+    std::span<const CharacterMove> moves() const { return m_moves; }
+
+private:
+    std::vector<std::pair<CharacterHandle, Character>> m_characters;  ///< by slot
+    std::vector<CharacterPush> m_pushes;
+    std::vector<CharacterMove> m_moves;
+};
+
+}  // namespace rubble

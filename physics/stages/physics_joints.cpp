@@ -1,0 +1,188 @@
+#include "physics/stages/physics_joints.h"
+
+#include <algorithm>
+
+#include "physics/joints/rope.h"
+#include "runtime/core/union_find.h"
+
+namespace rubble {
+namespace {
+
+constexpr int kRopeRestSteps = 60;    ///< of hardly moving, after which a rope is not simulated
+constexpr double kRopeSlow = 0.05;    ///< m/s that count as hardly moving
+constexpr double kRopeMargin = 0.25;  ///< metres around a rope in which it may touch something
+
+/// The box that the points of a rope stay in during the step.
+void boundsOf(std::span<const RopePoint> points, double seconds, glm::dvec3& low, glm::dvec3& high) {
+    low = glm::dvec3(1e300), high = glm::dvec3(-1e300);
+    for (const RopePoint& point : points) {
+        const glm::dvec3 next = point.position + point.velocity * seconds;
+        low = glm::min(low, glm::min(point.position, next));
+        high = glm::max(high, glm::max(point.position, next));
+    }
+}
+
+}  // namespace
+
+void PhysicsJoints::destroy(uint32_t slot, PhysicsBodies& bodies) {
+    const std::unique_ptr<JointProxy> proxy = m_table.remove(slot);
+    if (!proxy) return;
+    for (const BodyHandle handle : proxy->bodies)
+        if (DynamicBody* body = bodies.find(handle)) bodies.wake(*body);
+}
+
+void PhysicsJoints::create(const World& world, JointHandle handle, PhysicsBodies& bodies) {
+    const Joint* joint = world.joints().find(handle);
+    if (!joint) return;
+    const bool isRope = joint->kind == JointKind::Rope;
+    auto proxy = std::make_unique<JointProxy>();
+    proxy->handle = handle;
+    proxy->joint = *joint;
+    for (size_t i = 0; i < 2; ++i) {
+        const JointEnd& end = joint->ends[i];
+        proxy->frames[i] = world.jointToWorld(end);
+        const Shape* shape = world.shapes().find(end.shape);
+        if (!shape) continue;
+        const bool isStatic = world.bodies().at(shape->body).isStatic;
+        if (!isRope) proxy->objects[i] = isStatic ? kStaticObject | end.shape.slot() : shape->body.slot();
+        if (isStatic) continue;
+        proxy->bodies[i] = shape->body;
+        proxy->frames[i] = shape->local * end.frame;
+    }
+    if (proxy->bodies[0] == proxy->bodies[1] && !isRope) return;  // it joins nothing: one body, or two static ones
+    proxy->constraint.joint = &proxy->joint;
+    proxy->constraint.handle = handle;
+    const JointProxy& added = m_table.add(std::move(proxy));
+    for (const BodyHandle body : added.bodies)
+        if (DynamicBody* dynamic = body && added.isMotorDriven() ? bodies.dynamicAt(body.slot()) : nullptr)
+            bodies.wake(*dynamic);
+}
+
+void PhysicsJoints::recreate(const World& world, JointHandle handle, PhysicsBodies& bodies) {
+    destroy(handle.slot(), bodies);
+    create(world, handle, bodies);
+    const JointProxy* proxy = m_table.at(handle.slot());
+    if (!proxy) return;
+    for (const BodyHandle body : proxy->bodies)
+        if (DynamicBody* dynamic = body ? bodies.dynamicAt(body.slot()) : nullptr) bodies.wake(*dynamic);
+}
+
+void PhysicsJoints::apply(const FrameChanges& changes, const World& world, PhysicsBodies& bodies) {
+    for (const JointBroken& broken : changes.jointsBroken) destroy(broken.joint.slot(), bodies);
+    for (const JointHandle handle : changes.jointsCreated) recreate(world, handle, bodies);
+    for (const JointMoved& moved : changes.jointsMoved) recreate(world, moved.joint, bodies);
+    for (const JointHandle handle : changes.jointsChanged) recreate(world, handle, bodies);
+    if (!changes.carved.empty() || !changes.shapesDestroyed.empty())
+        for (const uint32_t rope : m_table.ropes()) m_table.at(rope)->restSteps = 0;
+}
+
+void PhysicsJoints::begin() {
+    m_broken.clear();
+    m_ropeMotions.clear();
+}
+
+void PhysicsJoints::wakeJointed(PhysicsBodies& bodies) const {
+    if (m_table.empty()) return;
+    std::vector<uint32_t> open(bodies.awake());
+    while (!open.empty()) {
+        const uint32_t slot = open.back();
+        open.pop_back();
+        for (const uint32_t joint : m_table.of(slot))
+            for (const BodyHandle other : m_table.at(joint)->bodies) {
+                DynamicBody* body = other ? bodies.dynamicAt(other.slot()) : nullptr;
+                if (!body || !body->asleep() || body->quarantined()) continue;
+                bodies.wake(*body);
+                open.push_back(other.slot());
+            }
+    }
+}
+
+std::span<JointConstraint* const> PhysicsJoints::gather(const PhysicsBodies& bodies) {
+    m_active.clear();
+    if (m_table.empty()) return m_active;
+    std::vector<uint32_t> slots;
+    for (const uint32_t body : bodies.awake())
+        for (const uint32_t joint : m_table.of(body)) slots.push_back(joint);
+    std::sort(slots.begin(), slots.end());
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    for (const uint32_t slot : slots) {
+        JointProxy& proxy = *m_table.at(slot);
+        JointConstraint& c = proxy.constraint;
+        bool isValid = !proxy.joint.ends[0].isFree && !proxy.joint.ends[1].isFree;
+        for (size_t i = 0; i < 2; ++i) {
+            c.bodies[i] = 0;
+            c.frames[i] = proxy.frames[i];
+            if (!proxy.bodies[i]) continue;
+            const DynamicBody* body = bodies.find(proxy.bodies[i]);
+            isValid = isValid && body && !body->quarantined();
+            if (!isValid) break;
+            if (body->asleep()) {  // it does not move in this step
+                c.frames[i] = body->pose() * body->bodyInCenter() * proxy.frames[i];
+                continue;
+            }
+            c.bodies[i] = body->solverIndex;
+            c.frames[i] = body->bodyInCenter() * proxy.frames[i];
+        }
+        if (isValid) m_active.push_back(&c);
+    }
+    return m_active;
+}
+
+void PhysicsJoints::findBroken() {
+    for (const JointConstraint* c : m_active) {
+        const Joint& joint = *c->joint;
+        const bool isTooMuch =
+            (joint.breakForce > 0.0 && glm::length(c->force) > joint.breakForce) ||
+            (joint.breakTorque > 0.0 && glm::length(c->torque) > joint.breakTorque) ||
+            (joint.kind == JointKind::Rope && joint.rope.strength > 0.0 && glm::length(c->force) > joint.rope.strength);
+        if (isTooMuch) m_broken.push_back(c->handle);
+    }
+}
+
+void PhysicsJoints::putToSleep(PhysicsBodies& bodies, size_t solverBodies) const {
+    if (m_active.empty()) return;
+    UnionFind<> groups(solverBodies);
+    std::vector<bool> isAwake(solverBodies, false);  // by a group's root
+    for (const JointConstraint* c : m_active) {
+        const auto [a, b] = c->bodies;
+        if (a && b) groups.unite(uint32_t(a), uint32_t(b));
+    }
+    const auto rootOf = [&](int body) { return groups.root(uint32_t(body)); };
+    for (const JointConstraint* c : m_active)
+        if (m_table.at(c->handle.slot())->isMotorDriven()) isAwake[rootOf(std::max(c->bodies[0], c->bodies[1]))] = true;
+    for (const uint32_t slot : bodies.awake())
+        if (!bodies.at(slot).wantsSleep) isAwake[rootOf(bodies.at(slot).solverIndex)] = true;
+    for (const uint32_t slot : bodies.awake()) {
+        DynamicBody& body = bodies.at(slot);
+        if (body.asleep() || !body.wantsSleep || m_table.of(slot).empty() || isAwake[rootOf(body.solverIndex)])
+            continue;
+        bodies.putToSleep(body);
+    }
+}
+
+void PhysicsJoints::moveRopes(PhysicsBodies& bodies, glm::dvec3 gravity, double seconds) {
+    for (const uint32_t slot : m_table.ropes()) {
+        JointProxy& proxy = *m_table.at(slot);
+        RopeStep step{.length = proxy.joint.rope.length,
+                      .radius = proxy.joint.rope.radius,
+                      .gravity = gravity,
+                      .seconds = seconds};
+        bool isCarried = false;
+        for (size_t i = 0; i < 2; ++i) {
+            const DynamicBody* body = proxy.bodies[i] ? bodies.dynamicAt(proxy.bodies[i].slot()) : nullptr;
+            isCarried = isCarried || (body && !body->asleep());
+            if (proxy.joint.ends[i].isFree) continue;
+            const Pose end = body ? body->pose() * body->bodyInCenter() * proxy.frames[i] : proxy.frames[i];
+            step.ends[i] = end.position;
+        }
+        if (!isCarried && proxy.restSteps >= kRopeRestSteps) continue;
+        glm::dvec3 low, high;
+        boundsOf(proxy.joint.points, seconds, low, high);
+        step.nearby = bodies.objectsIn(low - kRopeMargin, high + kRopeMargin);
+        const double fastest = moveRope(proxy.joint.points, step, proxy.constraint.bendPoints);
+        proxy.restSteps = fastest < kRopeSlow ? proxy.restSteps + 1 : 0;
+        m_ropeMotions.push_back({proxy.handle, proxy.joint.points});
+    }
+}
+
+}  // namespace rubble

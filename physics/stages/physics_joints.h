@@ -1,0 +1,48 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "physics/joints/joint_table.h"
+#include "physics/stages/physics_bodies.h"
+
+namespace rubble {
+
+/// The joints of a World as physics has them, and ropes. [main-thread]
+class PhysicsJoints {
+public:
+    /// All joints.
+    const JointTable& table() const { return m_table; }
+    /// Creates a joint as World has it, without a warm start.
+    void create(const World& world, JointHandle handle, PhysicsBodies& bodies);
+    /// Takes over the joints that were created, changed or broken, and wakes what they join.
+    void apply(const FrameChanges& changes, const World& world, PhysicsBodies& bodies);
+    /// Begins a step: clears what the last one reported.
+    void begin();
+    /// Wakes whatever is jointed to an awake body.
+    void wakeJointed(PhysicsBodies& bodies) const;
+    /// The constraints of awake bodies, in the order of slots; valid until the next call. Bodies must know their solver
+    /// index.
+    std::span<JointConstraint* const> gather(const PhysicsBodies& bodies);
+    /// Notes the joints whose force or torque in the last solve was more than they can stand.
+    void findBroken();
+    /// Puts groups of jointed bodies to sleep, each when all its bodies want to sleep and no motor runs. solverBodies:
+    /// the number of bodies in the solver.
+    void putToSleep(PhysicsBodies& bodies, size_t solverBodies) const;
+    /// Moves the points of ropes, after the bodies.
+    void moveRopes(PhysicsBodies& bodies, glm::dvec3 gravity, double seconds);
+    /// Of this step, in the order of slots.
+    std::span<const JointHandle> broken() const { return m_broken; }
+    /// The ropes that moved in this step, in the order of slots.
+    std::span<const RopeMotion> ropeMotions() const { return m_ropeMotions; }
+
+private:
+    void destroy(uint32_t slot, PhysicsBodies& bodies);
+    void recreate(const World& world, JointHandle handle, PhysicsBodies& bodies);
+
+    JointTable m_table;
+    std::vector<JointConstraint*> m_active;  ///< of the last gather()
+    std::vector<JointHandle> m_broken;
+    std::vector<RopeMotion> m_ropeMotions;
+};
+
+}  // namespace rubble

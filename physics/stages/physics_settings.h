@@ -1,0 +1,47 @@
+#pragma once
+#include <cstdint>
+
+#include "runtime/core/parallel_for.h"
+
+namespace rubble {
+
+/// Which bodies keep their angular momentum in free rotation; the others keep their angular velocity.
+enum class RotationRule : uint8_t { Never, WhereNeeded, Always };
+
+struct PhysicsSettings {
+    int substeps = 6;                 ///< of a step, in which contacts are solved; they are found once a step
+    int iterations = 1;               ///< over the contacts in each half of a substep
+    double stepSeconds = 1.0 / 60.0;  ///< of a step; the frame loop relies on this value
+    double contactHertz = 90.0;       ///< stiffness of contacts, at most a quarter of the rate of substeps
+    double loadBearingRatio = 30.0;   ///< of masses above which a light body under a heavy one gets stiffer contacts
+    int loadBearingPasses = 8;        ///< more over such contacts; 0: none is stiffer
+    double contactMargin = 0.02;      ///< metres apart up to which bodies have contacts
+    bool continuous = true;           ///< fast bodies are swept, so that they do not tunnel
+    double sweepThreshold = 0.02;     ///< metres of motion in a step above which a body is swept
+    RotationRule rotation = RotationRule::WhereNeeded;
+    double sleepVelocity = 0.02;  ///< m/s of drift, averaged over sleepTime, below which a touching body falls asleep
+    double sleepAngularVelocity = 0.04;  ///< rad/s, the same
+    double sleepTime = 0.5;              ///< s of rest before it does
+    /// Fraction of its velocities that a touching body below 0.3 m/s loses in a step, and as much again for each second
+    /// that it has been so slow.
+    double slowDamping = 0.01;
+    double impactThreshold = 50.0;  ///< N s below which an impact is not reported
+    double impactSpeed = 0.5;       ///< closing speed, m/s, below which it counts as resting and is not reported
+    ParallelFor parallelFor;        ///< none: one thread; results do not depend on it
+};
+
+/// Presets: settings to start from; each can be changed alone. Their limits are measured by the scenes of
+/// tests/physics/scenes: towers of half-metre cubes that stand 30 s, awake and with sleep; and how many times as heavy
+/// a cube may be as the one that it lies on and sinks by less than 1 cm.
+///
+///     preset     tower awake   with sleep   mass ratio   free rotation
+///     fast                16           20          100   keeps its angular velocity
+///     balanced            25           60        1,000   keeps its angular momentum and energy
+///     accurate            30           60        3,000   the same; slow bodies are not damped
+PhysicsSettings fastPhysics();
+/// The default: see fastPhysics().
+PhysicsSettings balancedPhysics();
+/// See fastPhysics().
+PhysicsSettings accuratePhysics();
+
+}  // namespace rubble

@@ -1,0 +1,15 @@
+#pragma once
+#include "physics/stages/physics_bodies.h"
+#include "physics/stages/physics_joints.h"
+#include "physics/stages/physics_settings.h"
+
+namespace rubble {
+
+/// Puts bodies to sleep that have rested long enough, jointed ones in groups. See sleep.cpp for the rule. solverBodies:
+/// the number of bodies in the solver.
+void putToSleep(PhysicsBodies& bodies, const PhysicsJoints& joints, const PhysicsSettings& settings, glm::dvec3 gravity,
+                size_t solverBodies);
+/// Wakes the sleeping bodies that touch a body which has moved.
+void wakeTouched(PhysicsBodies& bodies);
+
+}  // namespace rubble
