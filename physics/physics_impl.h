@@ -8,6 +8,7 @@
 #include "physics/stages/physics_joints.h"
 #include "physics/stages/step_solver.h"
 #include "physics/water/water.h"
+#include "runtime/world/impacts/impact.h"
 
 namespace rubble {
 

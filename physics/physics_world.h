@@ -5,6 +5,7 @@
 #include "physics/bodies/limits.h"
 #include "physics/stages/physics_settings.h"
 #include "runtime/world/history/frame_changes.h"
+#include "runtime/world/impacts/impact.h"
 #include "runtime/world/world.h"
 
 namespace rubble {

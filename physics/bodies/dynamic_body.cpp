@@ -39,7 +39,7 @@ DynamicBody::DynamicBody(const World& world, BodyHandle handle)
 
 void DynamicBody::takeState(const World& world) {
     const Body& body = world.bodies().at(m_handle);
-    m_mass = world.bodyMass(m_handle);
+    m_mass = bodyMass(world, m_handle);
     if (!(m_mass.mass > 0.0)) {  // all its materials are weightless, but only a mass can be moved
         m_mass = MassProperties{};
         m_mass.mass = 1.0;

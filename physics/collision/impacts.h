@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "physics/collision/manifold.h"
+#include "runtime/world/impacts/impact.h"
 #include "runtime/world/world.h"
 
 namespace rubble {

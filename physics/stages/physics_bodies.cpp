@@ -27,7 +27,7 @@ void PhysicsBodies::createStatic(const World& world, ShapeHandle handle) {
     auto object = std::make_unique<CollisionObject>();
     object->collider.parts.push_back(std::make_unique<VoxelPart>(shape, Pose{}, world.materials()));
     if (object->collider.empty()) return;
-    object->setPose(world.shapeToWorld(handle));
+    object->setPose(shapeToWorld(world, handle));
     object->body = shape.body.slot();
     object->number = kStaticObject | handle.slot();
     m_broadphase.add(*object, false);
@@ -79,7 +79,7 @@ bool PhysicsBodies::insert(const World& world, DynamicBody& body, bool asleep) {
         return false;
     m_limits.clamp(body);
     body.setAsleep(asleep);
-    body.isDebris = world.debris().contains(body.handle());
+    body.isDebris = world.data().debris.contains(body.handle());
     body.settled = asleep && world.bodies().at(body.handle()).settled;
     m_broadphase.add(body.object, !asleep);
     if (!asleep) m_awake.add(body);

@@ -40,7 +40,7 @@ void PhysicsJoints::create(const World& world, JointHandle handle, PhysicsBodies
     proxy->joint = *joint;
     for (size_t i = 0; i < 2; ++i) {
         const JointEnd& end = joint->ends[i];
-        proxy->frames[i] = world.jointToWorld(end);
+        proxy->frames[i] = jointToWorld(world, end);
         const Shape* shape = world.shapes().find(end.shape);
         if (!shape) continue;
         const bool isStatic = world.bodies().at(shape->body).isStatic;

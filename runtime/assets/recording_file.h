@@ -8,6 +8,7 @@
 
 #include "runtime/assets/save_file.h"
 #include "runtime/assets/step_delta.h"
+#include "runtime/world/edits/edit.h"
 
 namespace rubble {
 

@@ -9,6 +9,7 @@
 #include "runtime/assets/file_bytes.h"
 #include "runtime/assets/level_validation.h"
 #include "runtime/assets/state_fields.h"
+#include "runtime/world/world.h"
 
 namespace rubble {
 namespace {
@@ -172,7 +173,7 @@ Result<Done> validateState(const WorldState& state, uint8_t number, uint64_t has
     if (Result<Done> checked = validateHandles(state); !checked) return checked;
     World world(number);
     world.setState(state);
-    if (Result<Done> checked = validateLevel(world.toLevel()); !checked) return checked;
+    if (Result<Done> checked = validateLevel(toLevel(world)); !checked) return checked;
     if (world.hash() != hash) return Error{"byte 16: expected the hash of the world, found another"};
     return Done{};
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/core/result.h"
+#include "runtime/world/edits/edit.h"
 #include "runtime/world/state/world_state.h"
 
 namespace rubble {

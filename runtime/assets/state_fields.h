@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "runtime/assets/level_fields.h"
+#include "runtime/world/edits/edit.h"
 #include "runtime/world/state/world_state.h"
 
 // What saved games and recordings hold beside what levels do (see fields.h). A shape's voxels and their mass properties

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/vector_relational.hpp>
 #include <optional>
+#include <type_traits>
 
 #include "runtime/assets/binary_archive.h"
 #include "runtime/assets/level_bytes.h"
@@ -91,6 +92,11 @@ void putValues(BinaryOutputArchive& out, const SlotValues<Handle, T>& before, co
     }
 }
 
+/// Whether a container of SlotValues holds the objects that `Handle` names. In forEachKind(): shapes are written brick by
+/// brick instead, and light groups are made by levels alone, so their free slots never change.
+template <class Handle, class Values>
+constexpr bool kIsOf = std::is_same_v<typename std::decay_t<Values>::mapped_type::first_type, Handle>;
+
 /// Reads one step against the World that it starts from.
 class StepReader {
 public:
@@ -101,24 +107,20 @@ public:
         WorldDelta delta;
         m_in.get(delta.imported);
         m_in.get(delta.removed);
-        readValues(delta.bodies);
-        readValues(delta.lights);
-        readValues(delta.groups);
-        readValues(delta.waters);
-        readValues(delta.triggers);
-        readValues(delta.characters);
-        readValues(delta.joints);
+        forEachKind(
+            [&](auto& values) {
+                if constexpr (!kIsOf<ShapeHandle, decltype(values)>) readValues(values);
+            },
+            delta);
         bool hasEnvironment = false;
         m_in.get(hasEnvironment);
         if (hasEnvironment) m_in.get(delta.environment.emplace());
         for (uint32_t i = m_reader.readCount(5, "shapes"); i-- > 0 && !m_reader.failed();) readShape(delta);
-        m_in.get(delta.freeBodies);
-        m_in.get(delta.freeShapes);
-        m_in.get(delta.freeLights);
-        m_in.get(delta.freeWaters);
-        m_in.get(delta.freeTriggers);
-        m_in.get(delta.freeCharacters);
-        m_in.get(delta.freeJoints);
+        forEachKind(
+            [&](auto& values, auto& free) {
+                if constexpr (!kIsOf<LightGroupHandle, decltype(values)>) m_in.get(free);
+            },
+            delta, delta.freeSlots);
         return delta;
     }
 
@@ -227,7 +229,7 @@ bool fits(const WorldDelta& delta, const World& world) {
     for (const auto& [slot, value] : delta.shapes) {
         const ShapeHandle was = world.shapes().handleAt(slot);
         if (!was || was == value.first) continue;
-        for (const JointHandle joint : world.jointsOf(was)) good = good && delta.joints.contains(joint.slot());
+        for (const JointHandle joint : world.data().jointIndex.of(was)) good = good && delta.joints.contains(joint.slot());
     }
     for (const auto& [slot, value] : delta.shapes) {
         if (value.first) good = good && isHome(value.first, *value.second);
@@ -257,25 +259,21 @@ std::vector<uint8_t> stepDeltaToBytes(const WorldDelta& before, const FrameChang
     const size_t known = palettes.palettes().size();
     std::vector<uint8_t> delta;
     BinaryOutputArchive out(delta, palettes);
-    out.put(after.imported()), out.put(after.removed());
-    putValues(out, before.bodies, after.bodies());
-    putValues(out, before.lights, after.lights());
-    putValues(out, before.groups, after.lightGroups());
-    putValues(out, before.waters, after.waters());
-    putValues(out, before.triggers, after.triggers());
-    putValues(out, before.characters, after.characters());
-    putValues(out, before.joints, after.joints());
+    out.put(after.data().imported), out.put(after.data().removed);
+    forEachKind(
+        [&](const auto& was, const auto& now) {
+            if constexpr (!kIsOf<ShapeHandle, decltype(was)>) putValues(out, was, now);
+        },
+        before, after.data());
     out.put(before.environment.has_value());
     if (before.environment) out.put(after.environment());
     out.put(uint32_t(before.shapes.size()));
     for (const auto& [slot, was] : before.shapes) putShape(out, delta, slot, before, changes, after);
-    out.put(after.bodies().freeSlots());
-    out.put(after.shapes().freeSlots());
-    out.put(after.lights().freeSlots());
-    out.put(after.waters().freeSlots());
-    out.put(after.triggers().freeSlots());
-    out.put(after.characters().freeSlots());
-    out.put(after.joints().freeSlots());
+    forEachKind(
+        [&](const auto& was, const auto& now) {
+            if constexpr (!kIsOf<LightGroupHandle, decltype(was)>) out.put(now.freeSlots());
+        },
+        before, after.data());
     std::vector<uint8_t> bytes =
         palettesToBytes({palettes.palettes().begin() + std::ptrdiff_t(known), palettes.palettes().end()});
     bytes.insert(bytes.end(), delta.begin(), delta.end());

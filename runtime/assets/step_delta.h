@@ -7,6 +7,7 @@
 #include "runtime/assets/palette_list.h"
 #include "runtime/core/result.h"
 #include "runtime/world/history/world_delta.h"
+#include "runtime/world/world.h"
 
 namespace rubble {
 

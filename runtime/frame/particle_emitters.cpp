@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "runtime/frame/particles.h"
+#include "runtime/world/queries/query.h"
 
 namespace rubble {
 namespace {
@@ -65,7 +66,7 @@ double Particles::floorBelow(glm::dvec3 position, const World& world) {
     // What moves is no floor: it will have gone on by the time that something lands.
     glm::dvec3 from = position;
     for (int i = 0; i < kMaxStackedBodies; ++i) {
-        const WorldHit hit = world.raycast(from, {0, -1, 0}, kFloorSearchDepth);
+        const WorldHit hit = castRay(world, {from, {0, -1, 0}, kFloorSearchDepth});
         if (!hit.hit) break;
         if (world.bodies().at(world.shapes().at(hit.shape).body).isStatic) {
             m_floorFound = hit.position.y;

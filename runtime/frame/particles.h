@@ -6,6 +6,9 @@
 
 #include "runtime/core/random.h"
 #include "runtime/frame/frame_snapshot.h"
+#include "runtime/world/history/frame_changes.h"
+#include "runtime/world/impacts/impact.h"
+#include "runtime/world/state/fires.h"
 #include "runtime/world/world.h"
 
 namespace rubble {

@@ -33,7 +33,7 @@ void Ripples::step(std::span<const BodyPose> moved, const World& world) {
             const Body* body = world.bodies().find(pose.body);
             if (!body || glm::length(pose.velocity - water.flow) < kMinSpeed) continue;
             for (const ShapeHandle shape : body->shapes)
-                disturb(water, boundsOf(world.shapes().at(shape), world.shapeToWorld(shape)), pose.velocity,
+                disturb(water, boundsOf(world.shapes().at(shape), shapeToWorld(world, shape)), pose.velocity,
                         pose.body.bits);
         }
         world.characters().forEach([&](CharacterHandle handle, const Character& c) {

@@ -103,7 +103,7 @@ void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> m
     if (changes.levelReplaced) m_ripples.clear();
     addRipples(moved, world, out);
     if (changes.levelReplaced) m_ropes.clear();
-    if (!m_ropes.empty() || !world.jointIndex().ropes().empty()) addRopes(world, out);
+    if (!m_ropes.empty() || !world.data().jointIndex.ropes().empty()) addRopes(world, out);
     if (changes.levelReplaced || !changes.waters.empty()) {
         out.watersChanged = true;
         world.waters().forEach([&](WaterHandle, const Water& water) { out.waters.push_back(water); });
@@ -120,7 +120,7 @@ void Snapshots::enqueue(const FrameChanges& changes, std::span<const BodyPose> m
 void Snapshots::addCreated(const FrameChanges& changes, const World& world, FrameSnapshot& out) {
     const auto add = [&](ShapeHandle handle, const Shape& shape) {
         if (m_lastPoses.size() <= handle.slot()) m_lastPoses.resize(world.shapes().slotCount());
-        m_lastPoses[handle.slot()] = {handle, world.shapeToWorld(handle), 0};
+        m_lastPoses[handle.slot()] = {handle, shapeToWorld(world, handle), 0};
         out.created.push_back(describeShape(handle, shape));
     };
     if (changes.levelReplaced) return world.shapes().forEach(add);
@@ -154,7 +154,7 @@ void Snapshots::addPose(ShapeHandle shape, const World& world, FrameSnapshot& ou
     LastPose& placed = m_lastPoses[shape.slot()];
     if (placed.listedIn == m_count) return;
     placed.listedIn = m_count;
-    const Pose current = world.shapeToWorld(shape);
+    const Pose current = shapeToWorld(world, shape);
     out.poses.push_back({shape, placed.pose, current});
     if (placed.pose != current) m_moved.push_back(shape);
     placed.pose = current;
@@ -205,7 +205,7 @@ void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose>
         if (const Shape* shape = world.shapes().find(light.shape)) m_lightBodies.push_back(shape->body);
         const LightGroup* group = world.lightGroups().find(light.group);
         if (!light.enabled || (group && (group->out || group->dark))) return;
-        const Pose pose = world.lightToWorld(light);
+        const Pose pose = lightToWorld(world, light);
         const glm::vec3 direction(pose.rotation * glm::dvec3(0.0, 0.0, -1.0));
         const glm::vec3 right(pose.rotation * glm::dvec3(1.0, 0.0, 0.0));
         out.lights.push_back({light.kind, pose.position, direction, light.color, light.radius, light.reach,
@@ -219,8 +219,8 @@ void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose>
 /// All ropes, if one has moved, come or gone, or moved in the step before.
 void Snapshots::addRopes(const World& world, FrameSnapshot& out) {
     std::vector<SnapshotRope> ropes;
-    bool changed = world.jointIndex().ropes().size() != m_ropes.size();
-    for (const JointHandle handle : world.jointIndex().ropes()) {
+    bool changed = world.data().jointIndex.ropes().size() != m_ropes.size();
+    for (const JointHandle handle : world.data().jointIndex.ropes()) {
         const Joint& joint = world.joints().at(handle);
         SnapshotRope& rope = ropes.emplace_back();
         rope.rope = handle;
@@ -241,7 +241,7 @@ void Snapshots::addRopes(const World& world, FrameSnapshot& out) {
 
 /// Flames as data, and lights that flicker over the biggest of them.
 void Snapshots::addFires(const FrameChanges& changes, const World& world, FrameSnapshot& out) const {
-    const std::vector<Fire> fires = world.fires();
+    const std::vector<Fire> fires = findFires(world);
     out.firesChanged = changes.firesChanged || changes.levelReplaced;
     for (const Fire& fire : fires)
         out.fires.push_back(

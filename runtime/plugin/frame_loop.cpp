@@ -5,6 +5,7 @@
 
 #include "runtime/core/log.h"
 #include "runtime/world/impacts/break_through.h"
+#include "runtime/world/impacts/impact_damage.h"
 
 namespace rubble {
 
@@ -100,7 +101,7 @@ void FrameLoop::stepPhysics() {
 /// What impacts and forces break is carried out in the next step: no stage runs twice in one.
 void FrameLoop::collectDamage() {
     const ScopedTimer timer(m_times[Stage::Impacts]);
-    m_pending = m_world.damageFrom(m_physics.impacts());
+    m_pending = impactDamage(m_world, m_physics.impacts());
     addBreakThroughImpulses(m_world, m_physics.impacts(), m_pending);
     for (const JointHandle joint : m_physics.jointBreaks())
         m_pending.emplace_back(RemoveJointEdit{joint, JointBreak::Force});

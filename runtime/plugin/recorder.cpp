@@ -17,8 +17,8 @@ void Recorder::recordMotion(std::span<const BodyPose> poses, std::span<const Cha
     m_step.poses.assign(poses.begin(), poses.end());
     m_step.characters.assign(characters.begin(), characters.end());
     m_step.hash = world.hash();
-    m_step.resolvedHash = world.resolvedHash();
-    m_step.voxelHash = world.voxelHash();
+    m_step.resolvedHash = resolvedHash(world);
+    m_step.voxelHash = voxelHash(world);
     m_writer.add(m_step);
 }
 

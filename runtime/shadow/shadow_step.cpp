@@ -7,7 +7,7 @@ ShadowStep makeShadowStep(const FrameChanges& changes, std::span<const BodyPose>
     out.version = changes.step;
     out.replacesAll = changes.levelReplaced;
     const auto create = [&](ShapeHandle handle, const Shape& shape) {
-        out.created.push_back({handle, shape.grid, shape.palette, double(shape.voxelSize), world.shapeToWorld(handle)});
+        out.created.push_back({handle, shape.grid, shape.palette, double(shape.voxelSize), shapeToWorld(world, handle)});
     };
     if (changes.levelReplaced) {
         world.shapes().forEach(create);
@@ -22,7 +22,7 @@ ShadowStep makeShadowStep(const FrameChanges& changes, std::span<const BodyPose>
     for (const BodyPose& pose : moved)
         if (const Body* body = world.bodies().find(pose.body))
             for (const ShapeHandle shape : body->shapes)
-                out.poses.push_back({shape, world.shapeToWorld(shape), pose.asleep});
+                out.poses.push_back({shape, shapeToWorld(world, shape), pose.asleep});
     return out;
 }
 

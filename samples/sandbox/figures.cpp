@@ -45,7 +45,7 @@ void Figures::addStep(FrameLoop& loop, uint64_t allocations) {
     m_painted += changes.paintedVoxels;
     m_groupsOut += changes.groupsOut.size();
     m_hashes.push_back(loop.world().hash());
-    m_accounting = loop.world().voxelAccounting();
+    m_accounting = voxelAccounting(loop.world());
 }
 
 void Figures::addFrame(const FrameLoop& loop, const Renderer& renderer) {

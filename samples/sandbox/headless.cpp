@@ -192,7 +192,7 @@ public:
             if (*kept) progress.advance(m_schedule.frameAt(step) + 1);
         }
         if (const Result<Done> written = writeResults(); !written) return logError(written.error()), 1;
-        return m_loop.world().voxelAccounting().balances() ? 0 : 1;
+        return voxelAccounting(m_loop.world()).balances() ? 0 : 1;
     }
 
 private:

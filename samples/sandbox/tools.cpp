@@ -1,5 +1,7 @@
 #include "samples/sandbox/tools.h"
 
+#include "runtime/world/queries/query.h"
+
 namespace rubble {
 namespace {
 
@@ -16,7 +18,7 @@ Edits useTool(HandTool tool, const World& world, glm::dvec3 originWorld, glm::dv
     const double maxDistance = tool == HandTool::Hammer     ? kHammerDistance
                                : tool == HandTool::SprayCan ? kSprayDistance
                                                             : kExplosiveDistance;
-    const WorldHit hit = world.raycast(originWorld, directionWorld, maxDistance);
+    const WorldHit hit = castRay(world, {originWorld, directionWorld, maxDistance});
     if (!hit.hit) return {};
     switch (tool) {
         case HandTool::Hammer: {

@@ -9,6 +9,7 @@
 
 #include "runtime/core/log.h"
 #include "runtime/plugin/frame_loop.h"
+#include "runtime/world/queries/query.h"
 #include "samples/sandbox/player.h"
 #include "samples/sandbox/stage.h"
 #include "samples/sandbox/tools.h"
@@ -121,7 +122,7 @@ private:
             return;
         }
         if (!m_held) {
-            const WorldHit hit = m_loop.world().raycast(eye, ahead, kGrabDistance);
+            const WorldHit hit = castRay(m_loop.world(), {eye, ahead, kGrabDistance});
             if (!hit.hit) return;
             m_held = m_loop.world().shapes().at(hit.shape).body;
             m_heldDistance = hit.distance;

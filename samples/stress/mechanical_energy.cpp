@@ -16,7 +16,7 @@ void MechanicalEnergy::reset(const World& world) {
     m_bodies.clear();
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
         if (body.isStatic) return;
-        const MassProperties mass = world.bodyMass(handle);
+        const MassProperties mass = bodyMass(world, handle);
         m_bodies.push_back({handle, mass, energyOf(world, body, mass), !body.asleep});
     });
     m_hasBaseline = true;

@@ -21,7 +21,7 @@ glm::dvec3 randomPosition(const World& world, ShapeHandle handle, Random& random
     const Shape& shape = world.shapes().at(handle);
     const glm::ivec3 size = shape.grid.size();
     const int x = random.between(0, size.x - 1), y = random.between(0, size.y - 1), z = random.between(0, size.z - 1);
-    return world.shapeToWorld(handle).transformPoint(glm::dvec3(x, y, z) * double(shape.voxelSize));
+    return shapeToWorld(world, handle).transformPoint(glm::dvec3(x, y, z) * double(shape.voxelSize));
 }
 
 ShapeHandle randomShape(const World& world, Random& random) {
@@ -114,7 +114,7 @@ Edits randomEdits(const World& world, Random& random) {
         case 8:
         case 9: {
             const BodyHandle body = world.shapes().at(shape).body;
-            const double mass = world.bodyMass(body).mass, speed = 10.0 * double(random.unit());
+            const double mass = bodyMass(world, body).mass, speed = 10.0 * double(random.unit());
             return {ImpulseEdit{body, place, randomDirection(random) * (mass * speed)}};
         }
         case 10:

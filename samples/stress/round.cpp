@@ -47,7 +47,7 @@ double processorMs() {
 /// The first invariant that does not hold; "" if all do.
 std::string brokenInvariant(const World& world) {
     std::string error;
-    if (!world.voxelAccounting().balances()) error = "the voxel accounting does not balance";
+    if (!voxelAccounting(world).balances()) error = "the voxel accounting does not balance";
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
         const double sum = body.pose.position.x + body.pose.position.y + body.pose.position.z +
                            glm::length(body.velocity) + glm::length(body.angularVelocity) + body.pose.rotation.w;

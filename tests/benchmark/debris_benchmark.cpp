@@ -9,6 +9,7 @@
 #include "runtime/core/random.h"
 #include "runtime/frame/snapshots.h"
 #include "runtime/shadow/shadow_worker.h"
+#include "runtime/world/impacts/impact_damage.h"
 #include "runtime/world/world.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/grids.h"
@@ -50,7 +51,7 @@ struct Loop {
             physics.step();
         }
         world.setPoses(physics.poses());
-        queue.push(world.damageFrom(physics.impacts()));
+        queue.push(impactDamage(world, physics.impacts()));
         shadow.submit(changes, physics.poses(), world);
         snapshots.publish(changes, physics.poses(), world, shadow.takePatches());
         return changes;
@@ -91,7 +92,7 @@ void quietStep(benchmark::State& state) {
     const size_t before = allocationCount();
     for (auto _ : state) loop.step();
     state.counters["allocations"] = double(allocationCount() - before);
-    const VoxelAccounting accounting = loop.world.voxelAccounting();
+    const VoxelAccounting accounting = voxelAccounting(loop.world);
     state.counters["voxels"] = double(accounting.standing + accounting.inPieces);
 }
 BENCHMARK(quietStep)->Name("destruction/debris/quietStep")->Unit(benchmark::kMicrosecond);
@@ -150,7 +151,7 @@ void blastAndCuts(benchmark::State& state) {
         }
         state.SetIterationTime(editsMs * 1e-3);
         pieces = changes.bodiesCreated.size();
-        balances = balances && world.voxelAccounting().balances() && world.voxelAccounting().imported == 512000;
+        balances = balances && voxelAccounting(world).balances() && voxelAccounting(world).imported == 512000;
         const ScopedTimer timer(bodiesMs);
         physics.apply(changes, world);
     }
@@ -190,9 +191,9 @@ void tenThousandPieces(benchmark::State& state) {
             worstEditsMs = std::max(worstEditsMs, loop.editsMs - before);
             pieces += changes.bodiesCreated.size();
             for (const DustCloud& cloud : changes.dust) dusty += cloud.count;
-            maxAwake = std::max({maxAwake, loop.world.debris().awakeCount(), size_t(loop.physics.stats().awake)});
-            stepsOver += loop.world.debris().awakeCount() > loop.world.settings().debris.awakeBodies;
-            const VoxelAccounting accounting = loop.world.voxelAccounting();
+            maxAwake = std::max({maxAwake, loop.world.data().debris.awakeCount(), size_t(loop.physics.stats().awake)});
+            stepsOver += loop.world.data().debris.awakeCount() > loop.world.settings().debris.awakeBodies;
+            const VoxelAccounting accounting = voxelAccounting(loop.world);
             balances = balances && accounting.balances() && accounting.removed == dusty;
         }
         state.counters["pieces"] = double(pieces);
@@ -200,7 +201,7 @@ void tenThousandPieces(benchmark::State& state) {
         state.counters["steps_over_budget"] = double(stepsOver);
         state.counters["accounting_exact"] = balances;
         state.counters["dust_share"] =
-            double(dusty) / double(loop.world.voxelAccounting().imported - loop.world.voxelAccounting().standing);
+            double(dusty) / double(voxelAccounting(loop.world).imported - voxelAccounting(loop.world).standing);
         state.counters["edits_ms_worst"] = worstEditsMs;
         state.counters["edits_ms"] = loop.editsMs / 300.0;
         state.counters["bodies_ms"] = loop.bodiesMs / 300.0;

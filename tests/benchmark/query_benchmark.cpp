@@ -5,6 +5,7 @@
 
 #include "runtime/core/random.h"
 #include "runtime/world/queries/query.h"
+#include "runtime/world/world.h"
 #include "tests/support/grids.h"
 
 namespace rubble {

@@ -220,7 +220,7 @@ void cutInTwo(benchmark::State& state, bench::Solid solid, bool isCold) {
         VoxelGrid grid = world.shapes().at(handle).grid;
         auto start = Clock::now();
         CarveResult carved;
-        carve(grid, resolveBrush(cut, world.shapeToWorld(handle), world.shapes().at(handle).voxelSize), stone(),
+        carve(grid, resolveBrush(cut, shapeToWorld(world, handle), world.shapes().at(handle).voxelSize), stone(),
               defaultMaterials(), carved);
         carves.push_back(msSince(start));
         grid = {};

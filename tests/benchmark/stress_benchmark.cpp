@@ -52,7 +52,7 @@ void towerStep(benchmark::State& state) {
         world.applyEdits({});
         times.push_back(threadMs() - start);
         state.SetIterationTime(times.back() * 1e-3);
-        if (world.stress()->isBusy()) continue;
+        if (world.data().stress->isBusy()) continue;
         CarveEdit hole{.position = glm::dvec3(offset + 4 + cuts % 9 * 4, offset + 8 + cuts / 9 * 6, offset + 2) * 0.1};
         hole.radii = {0.15, 0.15, 0.15};
         const double cutStart = threadMs();
@@ -65,7 +65,7 @@ void towerStep(benchmark::State& state) {
     state.counters["max_ms"] = times.back();
     state.counters["p99_ms"] = times[times.size() * 99 / 100];
     state.counters["steps_per_cut"] = cuts ? double(times.size()) / cuts : 0.0;
-    state.counters["voxels"] = double(world.voxelAccounting().standing);
+    state.counters["voxels"] = double(voxelAccounting(world).standing);
 }
 
 /// The same tower as a free body, hit too weakly to break: cost of that analysis.
@@ -78,7 +78,7 @@ void fracturePiece(benchmark::State& state) {
     ShapeHandle shape;
     world.shapes().forEach([&](ShapeHandle handle, const Shape&) { shape = handle; });
     for (auto _ : state) world.applyEdits({ImpactLoadEdit{shape, {2.0, 16.0, 0.05}, {0.0, 0.0, 1000.0}}});
-    state.counters["voxels"] = double(world.voxelAccounting().standing + world.voxelAccounting().inPieces);
+    state.counters["voxels"] = double(voxelAccounting(world).standing + voxelAccounting(world).inPieces);
 }
 
 BENCHMARK(fracturePiece)->Name("destruction/stress/impact_on_piece")->Unit(benchmark::kMillisecond);

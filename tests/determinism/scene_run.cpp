@@ -132,10 +132,10 @@ Result<Hashes> replay(const SceneRun& options, const std::string& path) {
         loop->replay(step);
         const Result<FrameChanges> applied = applyStepDelta(step.delta, path, follower, palettes);
         if (!applied) return Error{applied.error()};
-        if (follower.voxelHash() != step.voxelHash)
+        if (voxelHash(follower) != step.voxelHash)
             return Error{fmt::format("step {}: the resolved edits give other voxels than were recorded", step.step)};
         follower.setPoses(step.poses);
-        if (follower.resolvedHash() != step.resolvedHash)
+        if (resolvedHash(follower) != step.resolvedHash)
             return Error{
                 fmt::format("step {}: the resolved edits and poses give another world than was recorded", step.step)};
         if (loop->world().hash() != step.hash)

@@ -111,8 +111,8 @@ rubble_joint_state jointState(const World& world, JointHandle handle, const Join
     state.rope_point_count = uint32_t(joint.points.size());
     state.rope_length = joint.rope.length;
     for (size_t i = 0; i < 2; ++i) state.shapes[i] = joint.ends[i].shape.bits;
-    writeVector(state.first_anchor, world.jointToWorld(joint.ends[0]).position);
-    writeVector(state.second_anchor, world.jointToWorld(joint.ends[1]).position);
+    writeVector(state.first_anchor, jointToWorld(world, joint.ends[0]).position);
+    writeVector(state.second_anchor, jointToWorld(world, joint.ends[1]).position);
     return state;
 }
 

@@ -71,7 +71,7 @@ rubble_result castOneRay(rubble_world world, const double origin[3], const doubl
         const glm::dvec3 along = readDirection(reinterpret_cast<const double(&)[3]>(*direction), "direction");
         const double distance = readDistance(maxDistance);
         const World& inside = hosted->loop.world();
-        requireNotNull(out, "out") = hitRow(inside, inside.raycast(from, along, distance));
+        requireNotNull(out, "out") = hitRow(inside, castRay(inside, {from, along, distance}));
     });
 }
 

@@ -22,7 +22,7 @@ rubble_body_state bodyState(BodyHandle handle, const Body& body) {
 }
 
 rubble_shape_state shapeState(const World& world, ShapeHandle handle, const Shape& shape) {
-    const Pose pose = world.shapeToWorld(handle);
+    const Pose pose = shapeToWorld(world, handle);
     rubble_shape_state state = {};
     state.shape = handle.bits;
     state.body = shape.body.bits;
@@ -74,7 +74,7 @@ rubble_result getShapeStates(rubble_world world, rubble_body body, rubble_shape_
 
 rubble_result getVoxelAccounting(rubble_world world, rubble_voxel_accounting* out) {
     return guarded("get_voxel_accounting", [&] {
-        const VoxelAccounting all = Registry::instance().world(world)->loop.world().voxelAccounting();
+        const VoxelAccounting all = voxelAccounting(Registry::instance().world(world)->loop.world());
         rubble_voxel_accounting row = {};
         row.imported = all.imported;
         row.standing = all.standing;

@@ -3,12 +3,6 @@
 
 namespace rubble {
 
-class World;
-
-/// A joint between two shapes, or an empty handle for the world, from where they are now: `frame` is in the world, and
-/// its x axis is the joint's.
-Joint jointAt(const World& world, JointKind kind, ShapeHandle first, ShapeHandle second, const Pose& frame);
-
 /// Makes a joint; FrameChanges::jointsCreated names it. Refused, with a line in the log, where an end has no voxel to
 /// hold on to.
 struct AddJointEdit {

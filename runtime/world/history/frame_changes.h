@@ -8,7 +8,7 @@
 #include "runtime/voxel/brick.h"
 #include "runtime/voxel/palette.h"
 #include "runtime/world/objects/joint.h"
-#include "runtime/world/level/level.h"
+#include "runtime/world/objects/trigger.h"
 
 namespace rubble {
 

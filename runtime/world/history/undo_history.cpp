@@ -6,21 +6,9 @@
 namespace rubble {
 namespace {
 
-template <class Handle, class T>
-void addMissing(SlotValues<Handle, T>& into, SlotValues<Handle, T> from) {
-    into.merge(from);
-}
-
 /// Objects of an earlier moment over those of a later one.
 void addMissing(WorldDelta& into, WorldDelta from) {
-    addMissing(into.bodies, std::move(from.bodies));
-    addMissing(into.shapes, std::move(from.shapes));
-    addMissing(into.lights, std::move(from.lights));
-    addMissing(into.groups, std::move(from.groups));
-    addMissing(into.waters, std::move(from.waters));
-    addMissing(into.triggers, std::move(from.triggers));
-    addMissing(into.characters, std::move(from.characters));
-    addMissing(into.joints, std::move(from.joints));
+    forEachKind([](auto& values, auto& earlier) { values.merge(earlier); }, into, from);
     if (!into.environment) into.environment = from.environment;
 }
 
@@ -38,7 +26,7 @@ SlotValues<Handle, T> selectSlots(const SlotValues<Handle, T>& slots, const Slot
 
 }  // namespace
 
-UndoHistory::UndoHistory(const World& world) : m_baseline(world), m_current(m_baseline.emptyDelta()) {}
+UndoHistory::UndoHistory(const WorldData& world) : m_baseline(world), m_current(m_baseline.emptyDelta()) {}
 
 void UndoHistory::mark(size_t limit) {
     if (m_onlyMotionSinceUndo) {  // what moved since the undo belongs to the mark before it
@@ -54,21 +42,16 @@ void UndoHistory::mark(size_t limit) {
 
 /// Puts the entry's objects into the World, and what moved since back; returns those of its slots as they were before
 /// that.
-WorldDelta UndoHistory::swapEntry(World& world, WorldDelta entry, FrameChanges& changes) {
+WorldDelta UndoHistory::swapEntry(WorldData& world, WorldDelta entry, FrameChanges& changes) {
     const WorldDelta slots = entry;
     const WorldDelta drift = m_onlyMotionSinceUndo ? std::move(m_current) : WorldDelta{};
     addMissing(entry, drift);
-    WorldDelta was = world.swap(std::move(entry), changes);
+    WorldDelta was = swapObjects(world, std::move(entry), changes);
     m_baseline.update(world, changes);
     WorldDelta out = m_onlyMotionSinceUndo ? drift : was;
-    out.bodies = selectSlots(slots.bodies, drift.bodies, was.bodies);
-    out.shapes = selectSlots(slots.shapes, drift.shapes, was.shapes);
-    out.lights = selectSlots(slots.lights, drift.lights, was.lights);
-    out.groups = selectSlots(slots.groups, drift.groups, was.groups);
-    out.waters = selectSlots(slots.waters, drift.waters, was.waters);
-    out.triggers = selectSlots(slots.triggers, drift.triggers, was.triggers);
-    out.characters = selectSlots(slots.characters, drift.characters, was.characters);
-    out.joints = selectSlots(slots.joints, drift.joints, was.joints);
+    forEachKind([](auto& values, const auto& wanted, const auto& moved,
+                   auto& swapped) { values = selectSlots(wanted, moved, swapped); },
+                out, slots, drift, was);
     out.environment.reset();
     if (slots.environment) out.environment = drift.environment ? drift.environment : was.environment;
     m_current = m_baseline.emptyDelta();
@@ -76,7 +59,7 @@ WorldDelta UndoHistory::swapEntry(World& world, WorldDelta entry, FrameChanges& 
     return out;
 }
 
-bool UndoHistory::undo(World& world, FrameChanges& changes) {
+bool UndoHistory::undo(WorldData& world, FrameChanges& changes) {
     if (!m_onlyMotionSinceUndo && !m_current.empty())
         m_marks.push_back(std::move(m_current)), m_current = m_baseline.emptyDelta();
     if (m_marks.empty()) return false;
@@ -86,7 +69,7 @@ bool UndoHistory::undo(World& world, FrameChanges& changes) {
     return true;
 }
 
-bool UndoHistory::redo(World& world, FrameChanges& changes) {
+bool UndoHistory::redo(WorldData& world, FrameChanges& changes) {
     if (m_redo.empty()) return false;
     WorldDelta entry = std::move(m_redo.back());
     m_redo.pop_back();
@@ -94,7 +77,7 @@ bool UndoHistory::redo(World& world, FrameChanges& changes) {
     return true;
 }
 
-void UndoHistory::recordStep(const World& world, const FrameChanges& changes, bool wasUndoOrRedo) {
+void UndoHistory::recordStep(const WorldData& world, const FrameChanges& changes, bool wasUndoOrRedo) {
     if (changes.empty()) return;
     addMissing(m_current, m_baseline.update(world, changes));
     if (wasUndoOrRedo) return;
@@ -102,15 +85,15 @@ void UndoHistory::recordStep(const World& world, const FrameChanges& changes, bo
     m_redo.clear();
 }
 
-void UndoHistory::recordMoves(const World& world, std::span<const RopeMotion> ropes) {
+void UndoHistory::recordMoves(const WorldData& world, std::span<const RopeMotion> ropes) {
     m_baseline.move(world, ropes, m_current.joints);
 }
 
-void UndoHistory::recordMoves(const World& world, std::span<const BodyPose> poses) {
+void UndoHistory::recordMoves(const WorldData& world, std::span<const BodyPose> poses) {
     m_baseline.move(world, poses, m_current.bodies);
 }
 
-void UndoHistory::recordMoves(const World& world, std::span<const CharacterMove> moves) {
+void UndoHistory::recordMoves(const WorldData& world, std::span<const CharacterMove> moves) {
     m_baseline.move(world, moves, m_current.characters);
 }
 

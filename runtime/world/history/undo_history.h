@@ -12,23 +12,23 @@ namespace rubble {
 /// it had there. Redo brings back the moment of the undo, unless something changed since.
 class UndoHistory {
 public:
-    explicit UndoHistory(const World& world);
+    explicit UndoHistory(const WorldData& world);
 
     /// Begins what the next undo takes back; of more than `limit` marks the oldest is forgotten.
     void mark(size_t limit);
     /// Changes the World and adds to its journal; false if there is nothing to undo.
-    bool undo(World& world, FrameChanges& changes);
-    bool redo(World& world, FrameChanges& changes);
+    bool undo(WorldData& world, FrameChanges& changes);
+    bool redo(WorldData& world, FrameChanges& changes);
 
     /// A step has made these changes. If it went back or forth itself, they do not end the redo.
-    void recordStep(const World& world, const FrameChanges& changes, bool wasUndoOrRedo);
+    void recordStep(const WorldData& world, const FrameChanges& changes, bool wasUndoOrRedo);
     /// World::setPoses() has moved these.
-    void recordMoves(const World& world, std::span<const RopeMotion> ropes);
-    void recordMoves(const World& world, std::span<const BodyPose> poses);
-    void recordMoves(const World& world, std::span<const CharacterMove> moves);
+    void recordMoves(const WorldData& world, std::span<const RopeMotion> ropes);
+    void recordMoves(const WorldData& world, std::span<const BodyPose> poses);
+    void recordMoves(const WorldData& world, std::span<const CharacterMove> moves);
 
 private:
-    WorldDelta swapEntry(World& world, WorldDelta entry, FrameChanges& changes);
+    WorldDelta swapEntry(WorldData& world, WorldDelta entry, FrameChanges& changes);
 
     WorldBaseline m_baseline;
     std::deque<WorldDelta> m_marks;      ///< what was editState between each mark and the next, as it was at the mark

@@ -32,87 +32,67 @@ void forEachShapeIn(const FrameChanges& changes, F&& f) {
 
 }  // namespace
 
-WorldBaseline::WorldBaseline(const World& world)
-    : m_last(world.state()),
-      m_freeBodies(world.bodies().freeSlots()),
-      m_freeShapes(world.shapes().freeSlots()),
-      m_freeLights(world.lights().freeSlots()),
-      m_freeWaters(world.waters().freeSlots()),
-      m_freeTriggers(world.triggers().freeSlots()),
-      m_freeCharacters(world.characters().freeSlots()),
-      m_freeJoints(world.joints().freeSlots()) {}
+WorldBaseline::WorldBaseline(const WorldData& world) : m_last(world), m_freeSlots(freeSlotsOf(world)) {}
 
 WorldDelta WorldBaseline::emptyDelta() const {
     WorldDelta delta;
     delta.imported = m_last.imported;
     delta.removed = m_last.removed;
     delta.fire = m_last.fire;
-    delta.freeBodies = m_freeBodies;
-    delta.freeShapes = m_freeShapes;
-    delta.freeLights = m_freeLights;
-    delta.freeWaters = m_freeWaters;
-    delta.freeTriggers = m_freeTriggers;
-    delta.freeCharacters = m_freeCharacters;
-    delta.freeJoints = m_freeJoints;
+    delta.freeSlots = m_freeSlots;
     return delta;
 }
 
-WorldDelta WorldBaseline::update(const World& world, const FrameChanges& changes) {
+WorldDelta WorldBaseline::update(const WorldData& world, const FrameChanges& changes) {
     WorldDelta before;
     if (changes.empty()) return before;
-    const auto body = [&](BodyHandle handle) { updateSlot(world.bodies(), m_last.bodies, handle, before.bodies); };
+    const auto body = [&](BodyHandle handle) { updateSlot(world.bodies, m_last.bodies, handle, before.bodies); };
     forEachShapeIn(changes, [&](ShapeHandle handle) {
         if (before.shapes.contains(handle.slot())) return;
         if (const Shape* was = m_last.shapes.find(m_last.shapes.handleAt(handle.slot()))) body(was->body);
-        if (const Shape* is = world.shapes().find(world.shapes().handleAt(handle.slot()))) body(is->body);
-        updateSlot(world.shapes(), m_last.shapes, handle, before.shapes);
+        if (const Shape* is = world.shapes.find(world.shapes.handleAt(handle.slot()))) body(is->body);
+        updateSlot(world.shapes, m_last.shapes, handle, before.shapes);
     });
     for (const auto* list : {&changes.bodiesDestroyed, &changes.bodiesCreated, &changes.teleported, &changes.settled,
                              &changes.unsettled, &changes.broken})
         for (const BodyHandle handle : *list) body(handle);
     for (const ImpulseApplied& impulse : changes.impulses) body(impulse.body);
-    for (const LightHandle handle : changes.lights) updateSlot(world.lights(), m_last.lights, handle, before.lights);
-    for (const LightGroupHandle handle : changes.groups)
-        updateSlot(world.lightGroups(), m_last.groups, handle, before.groups);
-    for (const WaterHandle handle : changes.waters) updateSlot(world.waters(), m_last.waters, handle, before.waters);
+    for (const LightHandle handle : changes.lights) updateSlot(world.lights, m_last.lights, handle, before.lights);
+    for (const LightGroupHandle handle : changes.groups) updateSlot(world.groups, m_last.groups, handle, before.groups);
+    for (const WaterHandle handle : changes.waters) updateSlot(world.waters, m_last.waters, handle, before.waters);
     for (const TriggerHandle handle : changes.triggers)
-        updateSlot(world.triggers(), m_last.triggers, handle, before.triggers);
+        updateSlot(world.triggers, m_last.triggers, handle, before.triggers);
     for (const CharacterHandle handle : changes.characters)
-        updateSlot(world.characters(), m_last.characters, handle, before.characters);
-    const auto joint = [&](JointHandle handle) { updateSlot(world.joints(), m_last.joints, handle, before.joints); };
+        updateSlot(world.characters, m_last.characters, handle, before.characters);
+    const auto joint = [&](JointHandle handle) { updateSlot(world.joints, m_last.joints, handle, before.joints); };
     for (const auto* list : {&changes.jointsCreated, &changes.jointsChanged})
         for (const JointHandle handle : *list) joint(handle);
     for (const JointMoved& moved : changes.jointsMoved) joint(moved.joint);
     for (const JointBroken& broken : changes.jointsBroken) joint(broken.joint);
-    if (changes.environmentChanged) before.environment = std::exchange(m_last.environment, world.environment());
-    m_last.imported = world.m_imported;
-    m_last.removed = world.m_removed;
-    if (world.m_fire.isActive() || m_last.fire.isActive()) m_last.fire = world.m_fire;
-    m_freeBodies = world.bodies().freeSlots();
-    m_freeShapes = world.shapes().freeSlots();
-    m_freeLights = world.lights().freeSlots();
-    m_freeWaters = world.waters().freeSlots();
-    m_freeTriggers = world.triggers().freeSlots();
-    m_freeCharacters = world.characters().freeSlots();
-    m_freeJoints = world.joints().freeSlots();
+    if (changes.environmentChanged) before.environment = std::exchange(m_last.environment, world.environment);
+    m_last.imported = world.imported;
+    m_last.removed = world.removed;
+    if (world.fire.isActive() || m_last.fire.isActive()) m_last.fire = world.fire;
+    m_freeSlots = freeSlotsOf(world);
     return before;
 }
 
-void WorldBaseline::move(const World& world, std::span<const RopeMotion> ropes,
+void WorldBaseline::move(const WorldData& world, std::span<const RopeMotion> ropes,
                          SlotValues<JointHandle, Joint>& before) {
     for (const RopeMotion& rope : ropes) {
         Joint* last = m_last.joints.find(rope.rope);
-        const Joint* now = world.joints().find(rope.rope);
+        const Joint* now = world.joints.find(rope.rope);
         if (!last || !now) continue;
         before.try_emplace(rope.rope.slot(), std::pair(rope.rope, *last));
         *last = *now;
     }
 }
 
-void WorldBaseline::move(const World& world, std::span<const BodyPose> poses, SlotValues<BodyHandle, Body>& before) {
+void WorldBaseline::move(const WorldData& world, std::span<const BodyPose> poses,
+                         SlotValues<BodyHandle, Body>& before) {
     for (const BodyPose& pose : poses) {
         Body* last = m_last.bodies.find(pose.body);
-        const Body* now = world.bodies().find(pose.body);
+        const Body* now = world.bodies.find(pose.body);
         if (!last || !now) continue;
         const uint32_t slot = pose.body.slot();
         const auto place = before.lower_bound(slot);
@@ -122,11 +102,11 @@ void WorldBaseline::move(const World& world, std::span<const BodyPose> poses, Sl
     }
 }
 
-void WorldBaseline::move(const World& world, std::span<const CharacterMove> moves,
+void WorldBaseline::move(const WorldData& world, std::span<const CharacterMove> moves,
                          SlotValues<CharacterHandle, Character>& before) {
     for (const CharacterMove& move : moves) {
         Character* last = m_last.characters.find(move.character);
-        const Character* now = world.characters().find(move.character);
+        const Character* now = world.characters.find(move.character);
         if (!last || !now) continue;
         before.try_emplace(move.character.slot(), move.character, *last);
         *last = *now;

@@ -1,7 +1,5 @@
 #include "runtime/world/history/world_delta.h"
 
-#include <algorithm>
-
 namespace rubble {
 namespace {
 
@@ -27,7 +25,7 @@ SlotValues<Handle, T> swapSlots(Map& map, SlotValues<Handle, T>&& target) {
     return before;
 }
 
-/// What was in the slots, if it is no more, and what is.
+/// Lists what was in the slots and is gone, and what is in them now.
 template <class Map, class Handle, class T>
 void journalSlots(const SlotValues<Handle, T>& before, const Map& now, std::vector<Handle>& out) {
     for (const auto& [slot, was] : before) {
@@ -64,87 +62,96 @@ void journalShape(ShapeHandle was, const std::optional<Shape>& before, ShapeHand
     if (is) changes.shapesCreated.push_back(is);
 }
 
-}  // namespace
-
-WorldDelta World::swap(WorldDelta target, FrameChanges& changes) {
-    WorldDelta before;
-    before.imported = std::exchange(m_imported, target.imported);
-    before.removed = std::exchange(m_removed, target.removed);
-    before.fire = std::exchange(m_fire, std::move(target.fire));
-    changes.firesChanged = before.fire.isActive() || m_fire.isActive();
-    if (target.environment) {
-        before.environment = swapEnvironment(*target.environment);
-        changes.environmentChanged = true;
-    }
-    before.freeBodies = m_bodies.freeSlots();
-    before.freeShapes = m_shapes.freeSlots();
-    before.freeLights = m_lights.freeSlots();
-    before.freeWaters = m_waters.freeSlots();
-    before.freeTriggers = m_triggers.freeSlots();
-    before.freeCharacters = m_characters.freeSlots();
-    before.bodies = swapSlots(m_bodies, std::move(target.bodies));
-    before.shapes = swapSlots(m_shapes, std::move(target.shapes));
-    before.lights = swapSlots(m_lights, std::move(target.lights));
-    before.groups = swapSlots(m_groups, std::move(target.groups));
-    before.waters = swapSlots(m_waters, std::move(target.waters));
-    before.triggers = swapSlots(m_triggers, std::move(target.triggers));
-    before.characters = swapSlots(m_characters, std::move(target.characters));
-    before.freeJoints = m_joints.freeSlots();
-    before.joints = swapSlots(m_joints, std::move(target.joints));
-    m_joints.setFreeSlots(target.freeJoints);
-    m_bodies.setFreeSlots(target.freeBodies);
-    m_shapes.setFreeSlots(target.freeShapes);
-    m_lights.setFreeSlots(target.freeLights);
-    m_waters.setFreeSlots(target.freeWaters);
-    m_triggers.setFreeSlots(target.freeTriggers);
-    m_characters.setFreeSlots(target.freeCharacters);
-
-    for (const auto& [slot, was] : before.shapes) {
-        if (was.first && was.first != m_shapes.handleAt(slot)) removeShapeBounds(was.first);
-        if (m_shapes.handleAt(slot)) updateShapeBounds(m_shapes.handleAt(slot));
-    }
-    for (const auto& [slot, was] : before.bodies) {
-        const BodyHandle is = m_bodies.handleAt(slot);
-        if (was.first && was.first != is) changes.bodiesDestroyed.push_back(was.first);
-        if (is && was.first != is) changes.bodiesCreated.push_back(is);
-        if (is && was.first == is && !sameMotion(*was.second, m_bodies.at(is))) changes.teleported.push_back(is);
-        updateDebris(was.first);
-        if (!is) continue;
-        updateDebris(is);
-        for (const ShapeHandle shape : m_bodies.at(is).shapes) updateShapeBounds(shape);
+/// Joints that changed, and those that hold on to a shape that changed.
+void journalJoints(const WorldDelta& before, WorldData& world, FrameChanges& changes) {
+    for (const auto& [slot, was] : before.joints)
+        if (was.first) world.jointIndex.remove(was.first, *was.second);
+    for (const auto& [slot, was] : before.joints) {
+        const JointHandle is = world.joints.handleAt(slot);
+        if (is) world.jointIndex.add(is, world.joints.at(is));
+        if (was.first && was.first != is) changes.jointsBroken.push_back({was.first, JointBreak::Removed, {}});
+        if (is) (was.first == is ? changes.jointsChanged : changes.jointsCreated).push_back(is);
     }
     for (const auto& [slot, was] : before.shapes) {
-        const ShapeHandle is = m_shapes.handleAt(slot);
-        journalShape(was.first, was.second, is, m_shapes.find(is), changes);
-    }
-    journalJoints(before, changes);
-    journalSlots(before.lights, m_lights, changes.lights);
-    for (const auto& [slot, was] : before.groups) {
-        const LightGroupHandle is = m_groups.handleAt(slot);
+        const ShapeHandle is = world.shapes.handleAt(slot);
         if (!is) continue;
-        changes.groups.push_back(is);
-        m_flickeringGroups +=
-            uint32_t(m_groups.at(is).failingSince != 0) - uint32_t(was.second && was.second->failingSince != 0);
-        if (m_groups.at(is).out && !(was.second && was.second->out)) changes.groupsOut.push_back(is);
+        for (const JointHandle joint : world.jointIndex.of(is))
+            if (!before.joints.contains(joint.slot())) changes.jointsChanged.push_back(joint);
     }
-    journalSlots(before.waters, m_waters, changes.waters);
-    for (const auto& [slot, was] : before.triggers) {
-        m_triggerBounds.remove(slot);
-        if (const TriggerHandle is = m_triggers.handleAt(slot))
-            m_triggerBounds.update(slot, m_triggers.at(is).bounds());
-    }
-    journalSlots(before.triggers, m_triggers, changes.triggers);
-    journalSlots(before.characters, m_characters, changes.characters);
-    return before;
 }
 
-FrameChanges World::applyDelta(std::optional<WorldDelta> delta) {
-    FrameChanges changes;
-    changes.step = ++m_step;
-    changes.levelReplaced = std::exchange(m_levelReplaced, false);
-    changes.unsettled = std::exchange(m_revived, {});
-    if (delta) swap(std::move(*delta), changes);
-    return changes;
+void journalBodiesAndShapes(const WorldDelta& before, WorldData& world, FrameChanges& changes) {
+    for (const auto& [slot, was] : before.shapes) {
+        const ShapeHandle is = world.shapes.handleAt(slot);
+        if (was.first && was.first != is) world.removeShapeBounds(was.first);
+        if (is) world.updateShapeBounds(is);
+    }
+    for (const auto& [slot, was] : before.bodies) {
+        const BodyHandle is = world.bodies.handleAt(slot);
+        if (was.first && was.first != is) changes.bodiesDestroyed.push_back(was.first);
+        if (is && was.first != is) changes.bodiesCreated.push_back(is);
+        if (is && was.first == is && !sameMotion(*was.second, world.bodies.at(is))) changes.teleported.push_back(is);
+        world.updateDebris(was.first);
+        if (!is) continue;
+        world.updateDebris(is);
+        for (const ShapeHandle shape : world.bodies.at(is).shapes) world.updateShapeBounds(shape);
+    }
+    for (const auto& [slot, was] : before.shapes) {
+        const ShapeHandle is = world.shapes.handleAt(slot);
+        journalShape(was.first, was.second, is, world.shapes.find(is), changes);
+    }
+}
+
+void journalGroups(const WorldDelta& before, WorldData& world, FrameChanges& changes) {
+    for (const auto& [slot, was] : before.groups) {
+        const LightGroupHandle is = world.groups.handleAt(slot);
+        if (!is) continue;
+        changes.groups.push_back(is);
+        world.flickeringGroups +=
+            uint32_t(world.groups.at(is).failingSince != 0) - uint32_t(was.second && was.second->failingSince != 0);
+        if (world.groups.at(is).out && !(was.second && was.second->out)) changes.groupsOut.push_back(is);
+    }
+}
+
+void journalTriggers(const WorldDelta& before, WorldData& world, FrameChanges& changes) {
+    for (const auto& [slot, was] : before.triggers) {
+        world.triggerBounds.remove(slot);
+        if (const TriggerHandle is = world.triggers.handleAt(slot))
+            world.triggerBounds.update(slot, world.triggers.at(is).bounds());
+    }
+    journalSlots(before.triggers, world.triggers, changes.triggers);
+}
+
+}  // namespace
+
+bool WorldDelta::empty() const {
+    bool isEmpty = !environment;
+    forEachKind([&](const auto& values) { isEmpty = isEmpty && values.empty(); }, *this);
+    return isEmpty;
+}
+
+WorldDelta swapObjects(WorldData& world, WorldDelta target, FrameChanges& changes) {
+    WorldDelta before;
+    before.imported = std::exchange(world.imported, target.imported);
+    before.removed = std::exchange(world.removed, target.removed);
+    before.fire = std::exchange(world.fire, std::move(target.fire));
+    changes.firesChanged = before.fire.isActive() || world.fire.isActive();
+    if (target.environment) {
+        before.environment = world.swapEnvironment(*target.environment);
+        changes.environmentChanged = true;
+    }
+    before.freeSlots = freeSlotsOf(world);
+    forEachKind([](auto& map, auto& wanted, auto& was) { was = swapSlots(map, std::move(wanted)); }, world, target,
+                before);
+    forEachKind([](auto& map, const auto& free) { map.setFreeSlots(free); }, world, target.freeSlots);
+    journalBodiesAndShapes(before, world, changes);
+    journalJoints(before, world, changes);
+    journalSlots(before.lights, world.lights, changes.lights);
+    journalGroups(before, world, changes);
+    journalSlots(before.waters, world.waters, changes.waters);
+    journalTriggers(before, world, changes);
+    journalSlots(before.characters, world.characters, changes.characters);
+    return before;
 }
 
 }  // namespace rubble

@@ -3,9 +3,9 @@
 #include <map>
 #include <optional>
 #include <utility>
-#include <vector>
 
-#include "runtime/world/world.h"
+#include "runtime/world/history/frame_changes.h"
+#include "runtime/world/state/world_data.h"
 
 namespace rubble {
 
@@ -13,26 +13,19 @@ namespace rubble {
 template <class Handle, class T>
 using SlotValues = std::map<uint32_t, std::pair<Handle, std::optional<T>>>;
 
-/// Some objects of a World as they were, or are to be. Bricks, directories and palettes are shared.
-struct WorldDelta {
-    SlotValues<BodyHandle, Body> bodies;
-    SlotValues<ShapeHandle, Shape> shapes;
-    SlotValues<LightHandle, Light> lights;
-    SlotValues<LightGroupHandle, LightGroup> groups;
-    SlotValues<WaterHandle, Water> waters;
-    SlotValues<TriggerHandle, Trigger> triggers;
-    SlotValues<CharacterHandle, Character> characters;
+/// Some objects of a World as they were, or as they are to be, and the numbers that belong to no object. Bricks,
+/// directories and palettes are shared.
+struct WorldDelta : ObjectKinds<SlotValues> {
+    ObjectKinds<FreeSlots> freeSlots;  ///< that are used next; light groups are made by levels alone and need none
     uint64_t imported = 0, removed = 0;
     FireState fire;
     std::optional<Environment> environment;  ///< none: it has not changed
-    SlotValues<JointHandle, Joint> joints;
-    std::vector<uint32_t> freeBodies, freeShapes, freeLights, freeWaters, freeTriggers, freeCharacters,
-        freeJoints;  ///< slots that are used next
 
-    bool empty() const {
-        return bodies.empty() && shapes.empty() && lights.empty() && groups.empty() && waters.empty() &&
-               triggers.empty() && characters.empty() && joints.empty() && !environment;
-    }
+    /// Whether it holds no object and no environment.
+    bool empty() const;
 };
+
+/// Puts the delta's objects in their slots, adds that to the journal, and returns what was there before.
+WorldDelta swapObjects(WorldData& world, WorldDelta target, FrameChanges& changes);
 
 }  // namespace rubble

@@ -5,7 +5,8 @@
 #include <glm/common.hpp>
 
 #include "runtime/destruction/fragment_style.h"
-#include "runtime/world/world.h"
+#include "runtime/world/objects/body_mass.h"
+#include "runtime/world/objects/transforms.h"
 
 namespace rubble {
 namespace {
@@ -13,21 +14,21 @@ namespace {
 constexpr double kContactTolerance = 0.2;  ///< metres: how far from the contact that physics reports the surface may be
 constexpr double kSampleSpacingCells = 0.5;
 
-/// What a hole meets on its direction, seen in columns a voxel apart columns the disc that it is.
+/// What stands in a hole's path.
 struct HoleResistance {
-    const Material* wall = nullptr;  ///< the toughest of it near the middle; null if something stays there, or nothing
-                                     ///< was in the direction
-    double meanToughness = 0.0;      ///< over the disc: a pipe in the open stops less than a wall of pipes
+    const Material* wall = nullptr;  ///< the toughest near the axis; null: something stays there, or nothing was there
+    double meanToughness = 0.0;      ///< over the disc: a single pipe stops less than a wall of pipes
 };
 
+/// Samples the cylinder that a hole cuts, in columns a voxel apart over its disc.
 class HoleSampler {
 public:
-    HoleSampler(const World& world, const BreakEdit& hole, glm::dvec3 direction)
+    HoleSampler(const WorldData& world, const BreakEdit& hole, glm::dvec3 direction)
         : m_world(world),
           m_hole(hole),
           m_direction(direction),
-          m_shape(world.shapes().at(hole.shape)),
-          m_pose(world.shapeToWorld(hole.shape)) {}
+          m_shape(world.shapes.at(hole.shape)),
+          m_pose(shapeToWorld(world, hole.shape)) {}
 
     HoleResistance resistance() {
         const double voxel = double(m_shape.voxelSize);
@@ -73,10 +74,10 @@ private:
     const Material* materialAt(glm::dvec3 point) const {
         const uint8_t entry =
             m_shape.grid.at(glm::ivec3(glm::floor(m_pose.inversePoint(point) / double(m_shape.voxelSize))));
-        return entry ? &m_world.materials()[(*m_shape.palette)[entry].material] : nullptr;
+        return entry ? &m_world.materials[(*m_shape.palette)[entry].material] : nullptr;
     }
 
-    const World& m_world;
+    const WorldData& m_world;
     const BreakEdit& m_hole;
     glm::dvec3 m_direction;
     const Shape& m_shape;
@@ -86,8 +87,8 @@ private:
     bool m_isBlocked = false;
 };
 
-/// N s that a hole takes: the broken area grows with the impulse, as in World::addImpactDamage(). A pane takes no more
-/// than what it breaks at, wherever its cracks end.
+/// N s that breaking a hole takes. The broken area grows with the impulse, as in impactDamage(). A pane takes no more
+/// than its breaking impulse, wherever its cracks end.
 double impulseOf(const BreakEdit& hole, const HoleResistance& resistance, const WorldSettings& settings) {
     if (fragmentStyle(resistance.wall->fragments).wholePane)
         return settings.impactThreshold * impactToughness(*resistance.wall);
@@ -97,28 +98,28 @@ double impulseOf(const BreakEdit& hole, const HoleResistance& resistance, const 
 
 }  // namespace
 
-void addBreakThroughImpulses(const World& world, std::span<const Impact> impacts, Edits& damage) {
+void addBreakThroughImpulses(const WorldData& world, std::span<const Impact> impacts, Edits& damage) {
     const size_t breaks = damage.size();
     for (size_t i = 0; i < breaks; ++i) {
         const auto* edit = std::get_if<BreakEdit>(&damage[i]);
-        const Shape* shape = edit ? world.shapes().find(edit->shape) : nullptr;
-        if (!shape || !world.bodies().at(shape->body).isStatic) continue;
+        const Shape* shape = edit ? world.shapes.find(edit->shape) : nullptr;
+        if (!shape || !world.bodies.at(shape->body).isStatic) continue;
         const BreakEdit hole = *edit;  // the list grows
         for (const Impact& impact : impacts) {
             if (impact.position != hole.position || (impact.body != shape->body && impact.other != shape->body))
                 continue;
             const bool hitterIsFirst = impact.other == shape->body;
             const BodyHandle hitter = hitterIsFirst ? impact.body : impact.other;
-            const Body* body = world.bodies().find(hitter);
+            const Body* body = world.bodies.find(hitter);
             if (!body || body->isStatic) break;
             const glm::dvec3 direction = hitterIsFirst ? -impact.normal : impact.normal;
             const HoleResistance resistance = HoleSampler(world, hole, direction).resistance();
             if (!resistance.wall) break;
-            // No more than it arrivingMomentum with: what something else presses through the wall is not thrown ahead
-            // of that.
-            const double arrivingMomentum = world.bodyMass(hitter).mass * impact.speed;
+            // At most the momentum it arrived with: what another body presses through the wall is not thrown ahead of
+            // it.
+            const double arrivingMomentum = bodyMass(world, hitter).mass * impact.speed;
             const double remaining =
-                std::min(impact.impulse - impulseOf(hole, resistance, world.settings()), arrivingMomentum);
+                std::min(impact.impulse - impulseOf(hole, resistance, world.settings), arrivingMomentum);
             if (remaining > 0.0) damage.emplace_back(ImpulseEdit{hitter, impact.position, direction * remaining});
             break;
         }

@@ -1,16 +1,13 @@
 #pragma once
 #include <span>
 
-#include "runtime/world/edits/edit.h"
+#include "runtime/world/impacts/impact_damage.h"
 
 namespace rubble {
 
-class World;
-struct Impact;
-
-/// What breaks a pane of a static body, or a hole right through a wall, is stopped by no more than that takes: gives it
-/// the rest of its momentum back. What is too large for the hole hits its rim next. `damage`: what World::damageFrom()
-/// made of the impacts; the impulses go to its end.
-void addBreakThroughImpulses(const World& world, std::span<const Impact> impacts, Edits& damage);
+/// Gives bodies that break through something the rest of their momentum back. A pane of a static body, or a wall that a
+/// hole goes right through, takes no more impulse than its breaking needs. What is too large for the hole hits its rim
+/// in the next step. `damage`: what impactDamage() made of the impacts; impulses are appended to it.
+void addBreakThroughImpulses(const WorldData& world, std::span<const Impact> impacts, Edits& damage);
 
 }  // namespace rubble

@@ -1,69 +1,61 @@
+#include "runtime/world/impacts/impact_damage.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <limits>
 
 #include "runtime/core/random.h"
 #include "runtime/destruction/fragment_style.h"
-#include "runtime/world/world.h"
+#include "runtime/voxel/nearest_voxel.h"
+#include "runtime/world/objects/body_mass.h"
+#include "runtime/world/objects/transforms.h"
+#include "runtime/world/queries/query.h"
 
 namespace rubble {
 namespace {
 
 constexpr int kContactCells = 2;  ///< how far from the contact that physics reports the voxel that was hit may be
 
-/// The material of the voxel nearest to a point in cells; 0 if there is none near.
-uint8_t materialAt(const Shape& shape, glm::dvec3 pointCells) {
+/// The material of the voxel nearest to a world point on a shape; 0 if none is within kContactCells.
+uint8_t materialAt(const WorldData& world, ShapeHandle handle, glm::dvec3 point) {
+    const Shape& shape = world.shapes.at(handle);
+    const glm::dvec3 pointCells = shapeToWorld(world, handle).inversePoint(point) / double(shape.voxelSize);
     const glm::ivec3 middle(glm::floor(pointCells));
-    double nearest2 = std::numeric_limits<double>::infinity();
-    uint8_t found = 0;
-    for (int z = -kContactCells; z <= kContactCells; ++z)
-        for (int y = -kContactCells; y <= kContactCells; ++y)
-            for (int x = -kContactCells; x <= kContactCells; ++x) {
-                const glm::ivec3 cell = middle + glm::ivec3(x, y, z);
-                const uint8_t entry = shape.grid.at(cell);
-                const glm::dvec3 offset = glm::dvec3(cell) + 0.5 - pointCells;
-                if (!entry || !(glm::dot(offset, offset) < nearest2)) continue;
-                nearest2 = glm::dot(offset, offset);
-                found = (*shape.palette)[entry].material;
-            }
-    return found;
+    const auto cell = nearestVoxel(shape.grid, pointCells, {middle - kContactCells, middle + kContactCells + 1});
+    return cell ? (*shape.palette)[shape.grid.at(*cell)].material : uint8_t(0);
 }
 
-}  // namespace
-
 /// What an impact breaks of one of its two bodies: the broken area grows with the impulse, so the radius with its root.
-void World::addImpactDamage(const Impact& impact, BodyHandle body, Edits& out) const {
-    for (const ShapeHandle handle : shapesNear(impact.position, 0.3)) {
-        const Shape& shape = m_shapes.at(handle);
+void addImpactDamage(const WorldData& world, const Impact& impact, BodyHandle body, Edits& out) {
+    for (const ShapeHandle handle : shapesNear(world, impact.position, 0.3)) {
+        const Shape& shape = world.shapes.at(handle);
         if (shape.body != body) continue;
-        const Material& material = m_materials[materialAt(
-            shape, shapeToWorld(handle).inversePoint(impact.position) / double(shape.voxelSize))];
+        const Material& material = world.materials[materialAt(world, handle, impact.position)];
         if (material.hardness > Hardness::Hard) continue;
         const size_t hardness = size_t(material.hardness);
-        const double force = impact.impulse / (m_settings.impactThreshold * impactToughness(material));
+        const double force = impact.impulse / (world.settings.impactThreshold * impactToughness(material));
         if (!(force >= 1.0)) continue;
         BreakEdit edit{.position = impact.position,
-                       .seed = hashCell(int(m_step), int(body.slot()), int(handle.slot())),
+                       .seed = hashCell(int(world.step), int(body.slot()), int(handle.slot())),
                        .shape = handle};
-        const double radius = std::min(m_settings.impactRadiusLimit, m_settings.impactRadius * std::sqrt(force));
+        const double radius =
+            std::min(world.settings.impactRadiusLimit, world.settings.impactRadius * std::sqrt(force));
         std::fill_n(edit.radii.begin(), hardness + 1, radius);
         out.push_back(edit);
     }
 }
 
 /// What an impact loads beyond the place that it hits. It comes after what it breaks there.
-void World::addImpactLoad(const Impact& impact, BodyHandle body, Edits& out) const {
-    const Body* struck = m_bodies.find(body);
-    if (!m_stress || !struck || !(impact.impulse >= m_settings.stress.minImpulse)) return;
+void addImpactLoad(const WorldData& world, const Impact& impact, BodyHandle body, Edits& out) {
+    const Body* struck = world.bodies.find(body);
+    if (!world.stress || !struck || !(impact.impulse >= world.settings.stress.minImpulse)) return;
     if (!struck->isStatic && struck->shapes.size() != 1) return;
-    for (const ShapeHandle handle : shapesNear(impact.position, 0.3)) {
-        const Shape& shape = m_shapes.at(handle);
+    for (const ShapeHandle handle : shapesNear(world, impact.position, 0.3)) {
+        const Shape& shape = world.shapes.at(handle);
         if (shape.body != body || !shape.loadBearing) continue;
-        if (!struck->isStatic && shape.grid.voxelCount() < m_settings.stress.minStruckVoxels) continue;
-        const uint8_t material =
-            materialAt(shape, shapeToWorld(handle).inversePoint(impact.position) / double(shape.voxelSize));
-        if (!material || (struck->isStatic && m_materials[material].hardness > Hardness::Hard))
+        if (!struck->isStatic && shape.grid.voxelCount() < world.settings.stress.minStruckVoxels) continue;
+        const uint8_t material = materialAt(world, handle, impact.position);
+        if (!material || (struck->isStatic && world.materials[material].hardness > Hardness::Hard))
             continue;  // what falls on rock loads nothing
         out.push_back(ImpactLoadEdit{handle, impact.position,
                                      impact.normal * (body == impact.body ? impact.impulse : -impact.impulse)});
@@ -71,27 +63,29 @@ void World::addImpactLoad(const Impact& impact, BodyHandle body, Edits& out) con
     }
 }
 
-Edits World::damageFrom(std::span<const Impact> impacts) const {
+}  // namespace
+
+Edits impactDamage(const WorldData& world, std::span<const Impact> impacts) {
     Edits edits;
     if (impacts.empty()) return edits;
     std::vector<const Impact*> hardest;
     for (const Impact& impact : impacts) {
         double heavier = 0.0;
         for (const BodyHandle handle : {impact.body, impact.other})
-            if (const Body* body = m_bodies.find(handle); body && !body->isStatic)
-                heavier = std::max(heavier, bodyMass(handle).mass);
-        if (impact.impulse >= m_settings.impactSpeed * heavier && impact.impulse > 0.0) hardest.push_back(&impact);
+            if (const Body* body = world.bodies.find(handle); body && !body->isStatic)
+                heavier = std::max(heavier, bodyMass(world, handle).mass);
+        if (impact.impulse >= world.settings.impactSpeed * heavier && impact.impulse > 0.0) hardest.push_back(&impact);
     }
     std::stable_sort(hardest.begin(), hardest.end(),
                      [](const Impact* a, const Impact* b) { return a->impulse > b->impulse; });
     size_t broken = 0;
     for (const Impact* impact : hardest) {
         const size_t before = edits.size();
-        addImpactDamage(*impact, impact->body, edits);
-        addImpactDamage(*impact, impact->other, edits);
-        addImpactLoad(*impact, impact->body, edits);
-        addImpactLoad(*impact, impact->other, edits);
-        if (edits.size() > before && ++broken == m_settings.impactsPerStep) break;
+        addImpactDamage(world, *impact, impact->body, edits);
+        addImpactDamage(world, *impact, impact->other, edits);
+        addImpactLoad(world, *impact, impact->body, edits);
+        addImpactLoad(world, *impact, impact->other, edits);
+        if (edits.size() > before && ++broken == world.settings.impactsPerStep) break;
     }
     return edits;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
+#include "runtime/core/constants.h"
 #include "runtime/core/log.h"
 #include "runtime/voxel/brick_parts.h"
 #include "runtime/voxel/mass_properties.h"
@@ -14,7 +15,6 @@ namespace {
 constexpr double kRodRatio = 2.5;        ///< longest to middle side of what counts as a rod
 constexpr double kPlateRatio = 2.5;      ///< middle to thinnest side of what counts as a plate
 constexpr double kMinIrradiance = 0.02;  ///< irradiance at which a light's reach ends
-constexpr double kPi = 3.14159265358979323846;
 
 /// The grid with the voxels of one entry alone.
 VoxelGrid onlyEntry(const VoxelGrid& grid, size_t entry) {

@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "runtime/core/constants.h"
+
 namespace rubble {
 namespace {
 
@@ -63,7 +65,7 @@ Colors clearColors(double sine) {
 
 /// Clouds spread the light: no sun, and a grey sky a little brighter overhead than around.
 void addClouds(Colors& colors, double cover, double sine) {
-    const glm::dvec3 falling = colors.sun * std::max(sine, 0.0) / 3.14159265 + 0.7 * colors.sky + 0.3 * colors.horizon;
+    const glm::dvec3 falling = colors.sun * std::max(sine, 0.0) / kPi + 0.7 * colors.sky + 0.3 * colors.horizon;
     const double light = 0.34 * (0.25 * falling.r + 0.6 * falling.g + 0.15 * falling.b);
     const glm::dvec3 grey = glm::dvec3(0.92, 0.98, 1.08) * light;
     colors.sun *= (1.0 - cover) * (1.0 - cover);

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -96,6 +97,12 @@ struct Joint {
     uint32_t hand = 0;  ///< not 0: a grab, by hand - 1; see GrabEdit
     RopeSettings rope;
     std::vector<RopePoint> points;  ///< of a rope, from end 0 to end 1
+};
+
+/// Where a rope's points are, as physics hands them over.
+struct RopeMotion {
+    JointHandle rope;
+    std::span<const RopePoint> points;
 };
 
 inline constexpr uint32_t kMaxRopePoints = 256;

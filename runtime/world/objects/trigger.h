@@ -5,8 +5,8 @@
 
 #include "runtime/core/handle.h"
 #include "runtime/core/pose.h"
-#include "runtime/world/state/bounds_tree.h"
 #include "runtime/world/objects/ground_polygon.h"
+#include "runtime/world/objects/world_box.h"
 
 namespace rubble {
 

@@ -4,6 +4,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "runtime/voxel/ray_walk.h"
+#include "runtime/world/objects/transforms.h"
 
 namespace rubble {
 namespace {
@@ -29,13 +30,13 @@ bool intersects(const WorldBox& box, glm::dvec3 halfExtent, glm::dvec3 origin, g
 /// The filter as it bears on one shape.
 class ShapeFilter {
 public:
-    ShapeFilter(const World& world, const QueryFilter& filter)
+    ShapeFilter(const WorldData& world, const QueryFilter& filter)
         : m_world(world), m_filter(filter), m_filtersEntries(filter.rejectTransparent || filter.rejectUnphysical) {}
 
     bool accepts(ShapeHandle handle, const Shape& shape) const {
         if (!(shape.collisionLayer & m_filter.layers)) return false;
         if (!m_filter.includeStatic || !m_filter.includeDynamic) {
-            const bool isStatic = m_world.bodies().at(shape.body).isStatic;
+            const bool isStatic = m_world.bodies.at(shape.body).isStatic;
             if (isStatic ? !m_filter.includeStatic : !m_filter.includeDynamic) return false;
         }
         return !has(m_filter.rejectedShapes, handle) && !has(m_filter.rejectedBodies, shape.body);
@@ -47,7 +48,7 @@ public:
         m_palette = shape.palette.get();
         for (size_t i = 0; i < 256; ++i) {
             const PaletteEntry& entry = (*m_palette)[i];
-            const bool isUnphysical = m_world.materials()[entry.material].hardness == Hardness::Unphysical;
+            const bool isUnphysical = m_world.materials[entry.material].hardness == Hardness::Unphysical;
             m_entries[i] =
                 !(m_filter.rejectTransparent && entry.opacity < 255) && !(m_filter.rejectUnphysical && isUnphysical);
         }
@@ -60,7 +61,7 @@ private:
     static bool has(const std::vector<Handle>& list, Handle handle) {
         return std::find(list.begin(), list.end(), handle) != list.end();
     }
-    const World& m_world;
+    const WorldData& m_world;
     const QueryFilter& m_filter;
     bool m_filtersEntries, m_all = true;
     const Palette* m_palette = nullptr;
@@ -69,10 +70,10 @@ private:
 
 /// f(handle, shape) for the accepted shapes whose bounds, a little widened, satisfy isNear(box); in no order.
 template <class IsNear, class F>
-void forEachShape(const World& world, const ShapeFilter& filter, IsNear&& isNear, F&& f) {
-    world.shapeBounds().find(isNear, [&](uint32_t slot) {
-        const ShapeHandle handle = world.shapes().handleAt(slot);
-        const Shape& shape = world.shapes().at(handle);
+void forEachShape(const WorldData& world, const ShapeFilter& filter, IsNear&& isNear, F&& f) {
+    world.shapeBounds.find(isNear, [&](uint32_t slot) {
+        const ShapeHandle handle = world.shapes.handleAt(slot);
+        const Shape& shape = world.shapes.at(handle);
         if (filter.accepts(handle, shape)) f(handle, shape);
     });
 }
@@ -83,14 +84,14 @@ bool isBetter(double distance, uint32_t slot, const WorldHit& best) {
     return distance < best.distance || (distance == best.distance && slot < best.shape.slot());
 }
 
-WorldHit castRayWith(const World& world, const RayQuery& ray, ShapeFilter& filter) {
+WorldHit castRayWith(const WorldData& world, const RayQuery& ray, ShapeFilter& filter) {
     WorldHit best;
     const double length = glm::length(ray.direction);
     if (!(length > 0.0) || !(ray.maxDistance > 0.0)) return best;
     const glm::dvec3 direction = ray.direction / length;
     best.distance = ray.maxDistance;
     const auto visit = [&](ShapeHandle handle, const Shape& shape) {
-        const Pose pose = world.shapeToWorld(handle);
+        const Pose pose = shapeToWorld(world, handle);
         const double cellsPerMetre = 1.0 / shape.voxelSize;
         const CellRay cells{pose.inversePoint(ray.origin) * cellsPerMetre, glm::conjugate(pose.rotation) * direction,
                             best.distance * cellsPerMetre};
@@ -114,7 +115,7 @@ WorldHit castRayWith(const World& world, const RayQuery& ray, ShapeFilter& filte
     return best;
 }
 
-WorldHit castShapeWith(const World& world, const CastQuery& cast, ShapeFilter& filter) {
+WorldHit castShapeWith(const WorldData& world, const CastQuery& cast, ShapeFilter& filter) {
     WorldHit best;
     const double length = glm::length(cast.direction);
     if (!(cast.maxDistance >= 0.0) || !(length > 0.0 || cast.maxDistance == 0.0)) return best;
@@ -123,7 +124,7 @@ WorldHit castShapeWith(const World& world, const CastQuery& cast, ShapeFilter& f
     const WorldBox bounds = cast.shape.bounds();
     const glm::dvec3 middle = (bounds.low + bounds.high) * 0.5, halfExtent = (bounds.high - bounds.low) * 0.5;
     const auto visit = [&](ShapeHandle handle, const Shape& shape) {
-        const Pose pose = world.shapeToWorld(handle);
+        const Pose pose = shapeToWorld(world, handle);
         const double size = shape.voxelSize;
         const CellContact touch =
             castShape(shape.grid, cast.shape.inCells(pose, size), glm::conjugate(pose.rotation) * direction,
@@ -159,9 +160,9 @@ void sortUnique(std::vector<Handle>& list) {
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-std::vector<BodyHandle> bodiesOf(const World& world, const std::vector<ShapeHandle>& shapes) {
+std::vector<BodyHandle> bodiesOf(const WorldData& world, const std::vector<ShapeHandle>& shapes) {
     std::vector<BodyHandle> bodies;
-    for (const ShapeHandle shape : shapes) bodies.push_back(world.shapes().at(shape).body);
+    for (const ShapeHandle shape : shapes) bodies.push_back(world.shapes.at(shape).body);
     sortUnique(bodies);
     return bodies;
 }
@@ -186,10 +187,7 @@ CellBox solidBox(const VoxelGrid& grid) {
 WorldBox QueryShape::bounds() const {
     if (kind == QueryShapeKind::Sphere) return {position - radius, position + radius};
     if (kind == QueryShapeKind::Capsule) return {glm::min(position, end) - radius, glm::max(position, end) + radius};
-    const glm::dmat3 axes = glm::mat3_cast(rotation);
-    const glm::dvec3 halfExtent =
-        glm::abs(axes[0]) * halfSize.x + glm::abs(axes[1]) * halfSize.y + glm::abs(axes[2]) * halfSize.z;
-    return {position - halfExtent, position + halfExtent};
+    return boundsOfBox(position, halfSize, rotation);
 }
 
 CellShape QueryShape::inCells(const Pose& gridToWorld, double voxelSize) const {
@@ -204,15 +202,15 @@ CellShape QueryShape::inCells(const Pose& gridToWorld, double voxelSize) const {
     return out;
 }
 
-WorldHit castRay(const World& world, const RayQuery& ray, const QueryFilter& filter) {
+WorldHit castRay(const WorldData& world, const RayQuery& ray, const QueryFilter& filter) {
     ShapeFilter shapes(world, filter);
     if (!(ray.radius > 0.0)) return castRayWith(world, ray, shapes);
     return castShapeWith(world, {{.position = ray.origin, .radius = ray.radius}, ray.direction, ray.maxDistance},
                          shapes);
 }
 
-void castRays(const World& world, std::span<const RayQuery> rays, std::span<WorldHit> out, const QueryFilter& filter,
-              const ParallelFor& parallelFor) {
+void castRays(const WorldData& world, std::span<const RayQuery> rays, std::span<WorldHit> out,
+              const QueryFilter& filter, const ParallelFor& parallelFor) {
     inBatches(rays, out, parallelFor, [&](std::span<const RayQuery> queries, std::span<WorldHit> hits) {
         ShapeFilter shapes(world, filter);
         for (size_t i = 0; i < queries.size(); ++i) {
@@ -226,12 +224,12 @@ void castRays(const World& world, std::span<const RayQuery> rays, std::span<Worl
     });
 }
 
-WorldHit castShape(const World& world, const CastQuery& cast, const QueryFilter& filter) {
+WorldHit castShape(const WorldData& world, const CastQuery& cast, const QueryFilter& filter) {
     ShapeFilter shapes(world, filter);
     return castShapeWith(world, cast, shapes);
 }
 
-void castShapes(const World& world, std::span<const CastQuery> casts, std::span<WorldHit> out,
+void castShapes(const WorldData& world, std::span<const CastQuery> casts, std::span<WorldHit> out,
                 const QueryFilter& filter, const ParallelFor& parallelFor) {
     inBatches(casts, out, parallelFor, [&](std::span<const CastQuery> queries, std::span<WorldHit> hits) {
         ShapeFilter shapes(world, filter);
@@ -239,58 +237,69 @@ void castShapes(const World& world, std::span<const CastQuery> casts, std::span<
     });
 }
 
-std::vector<ShapeHandle> overlappingShapes(const World& world, const QueryShape& region, const QueryFilter& filter) {
+std::vector<ShapeHandle> overlappingShapes(const WorldData& world, const QueryShape& region,
+                                           const QueryFilter& filter) {
     ShapeFilter shapes(world, filter);
     const WorldBox bounds = region.bounds();
     std::vector<ShapeHandle> out;
     forEachShape(
         world, shapes, [&](const WorldBox& box) { return box.overlaps(bounds); },
         [&](ShapeHandle handle, const Shape& shape) {
-            const CellShape cells = region.inCells(world.shapeToWorld(handle), shape.voxelSize);
+            const CellShape cells = region.inCells(shapeToWorld(world, handle), shape.voxelSize);
             if (findOverlap(shape.grid, cells, shapes.entries(shape))) out.push_back(handle);
         });
     sortUnique(out);
     return out;
 }
 
-std::vector<BodyHandle> overlappingBodies(const World& world, const QueryShape& region, const QueryFilter& filter) {
+std::vector<BodyHandle> overlappingBodies(const WorldData& world, const QueryShape& region, const QueryFilter& filter) {
     return bodiesOf(world, overlappingShapes(world, region, filter));
 }
 
-bool overlapsBody(const World& world, BodyHandle body, const QueryShape& region, const QueryFilter& filter) {
+bool overlapsBody(const WorldData& world, BodyHandle body, const QueryShape& region, const QueryFilter& filter) {
     ShapeFilter shapes(world, filter);
-    for (const ShapeHandle handle : world.bodies().at(body).shapes) {
-        const Shape& shape = world.shapes().at(handle);
+    for (const ShapeHandle handle : world.bodies.at(body).shapes) {
+        const Shape& shape = world.shapes.at(handle);
         if (!shapes.accepts(handle, shape)) continue;
-        if (findOverlap(shape.grid, region.inCells(world.shapeToWorld(handle), shape.voxelSize), shapes.entries(shape)))
+        if (findOverlap(shape.grid, region.inCells(shapeToWorld(world, handle), shape.voxelSize),
+                        shapes.entries(shape)))
             return true;
     }
     return false;
 }
 
-std::vector<ShapeHandle> shapesInBox(const World& world, const WorldBox& box, const QueryFilter& filter) {
+std::vector<ShapeHandle> shapesInBox(const WorldData& world, const WorldBox& box, const QueryFilter& filter) {
     const ShapeFilter shapes(world, filter);
     std::vector<ShapeHandle> out;
     forEachShape(
         world, shapes, [&](const WorldBox& bounds) { return bounds.overlaps(box); },
-        [&](ShapeHandle handle, const Shape& shape) {
-            const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
-            const Pose pose = world.shapeToWorld(handle);
-            const QueryShape all{.kind = QueryShapeKind::Box,
-                                 .position = pose.transformPoint(half),
-                                 .halfSize = half,
-                                 .rotation = pose.rotation};
-            if (all.bounds().overlaps(box)) out.push_back(handle);
+        [&](ShapeHandle handle, const Shape&) {
+            if (gridBounds(world, handle).overlaps(box)) out.push_back(handle);
         });
     sortUnique(out);
     return out;
 }
 
-std::vector<BodyHandle> bodiesInBox(const World& world, const WorldBox& box, const QueryFilter& filter) {
+std::vector<BodyHandle> bodiesInBox(const WorldData& world, const WorldBox& box, const QueryFilter& filter) {
     return bodiesOf(world, shapesInBox(world, box, filter));
 }
 
-WorldHit closestPoint(const World& world, glm::dvec3 point, double maxDistance, const QueryFilter& filter) {
+// The tree's margins depend on how a shape came to where it is, so its bounds are tested again: nothing that happens
+// next may depend on past motion.
+std::vector<ShapeHandle> shapesNear(const WorldData& world, glm::dvec3 point, double radius) {
+    std::vector<ShapeHandle> out;
+    if (!(radius >= 0.0)) return out;
+    const WorldBox around{point - radius, point + radius};
+    const auto visit = [&](uint32_t slot) {
+        const ShapeHandle handle = world.shapes.handleAt(slot);
+        if (gridBounds(world, handle).overlaps(around)) out.push_back(handle);
+    };
+    world.shapeBounds.find([&](const WorldBox& box) { return box.overlaps(around); }, visit);
+    sortUnique(out);
+    return out;
+}
+
+WorldHit closestPoint(const WorldData& world, glm::dvec3 point, double maxDistance, const QueryFilter& filter) {
     ShapeFilter shapes(world, filter);
     WorldHit best;
     if (!(maxDistance >= 0.0)) return best;
@@ -299,7 +308,7 @@ WorldHit closestPoint(const World& world, glm::dvec3 point, double maxDistance, 
         return glm::length(point - glm::clamp(point, box.low, box.high)) <= best.distance;
     };
     forEachShape(world, shapes, isNear, [&](ShapeHandle handle, const Shape& shape) {
-        const Pose pose = world.shapeToWorld(handle);
+        const Pose pose = shapeToWorld(world, handle);
         const double size = shape.voxelSize;
         const ClosestVoxel closest =
             findClosest(shape.grid, pose.inversePoint(point) / size, best.distance / size, shapes.entries(shape));
@@ -318,13 +327,13 @@ WorldHit closestPoint(const World& world, glm::dvec3 point, double maxDistance, 
     return best;
 }
 
-WorldBox bodyBounds(const World& world, BodyHandle body) {
+WorldBox bodyBounds(const WorldData& world, BodyHandle body) {
     WorldBox bounds{glm::dvec3(1e300), glm::dvec3(-1e300)};
-    for (const ShapeHandle handle : world.bodies().at(body).shapes) {
-        const Shape& shape = world.shapes().at(handle);
+    for (const ShapeHandle handle : world.bodies.at(body).shapes) {
+        const Shape& shape = world.shapes.at(handle);
         if (shape.grid.empty()) continue;
         const CellBox cells = solidBox(shape.grid);
-        const Pose pose = world.shapeToWorld(handle);
+        const Pose pose = shapeToWorld(world, handle);
         const double half = 0.5 * shape.voxelSize;
         const QueryShape box{.kind = QueryShapeKind::Box,
                              .position = pose.transformPoint(glm::dvec3(cells.low + cells.high) * half),
@@ -333,10 +342,6 @@ WorldBox bodyBounds(const World& world, BodyHandle body) {
         bounds = bounds.merged(box.bounds());
     }
     return bounds;
-}
-
-WorldHit World::raycast(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const {
-    return castRay(*this, {origin, direction, maxDistance});
 }
 
 }  // namespace rubble

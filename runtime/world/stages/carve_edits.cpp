@@ -1,69 +1,95 @@
-#include <cmath>
+#include "runtime/world/stages/carve_edits.h"
+
+#include <algorithm>
 
 #include "runtime/core/log.h"
-#include "runtime/world/stages/edit_step.h"
+#include "runtime/world/edits/resolve_brush.h"
+#include "runtime/world/objects/transforms.h"
+#include "runtime/world/queries/query.h"
+#include "runtime/world/stages/paint_edits.h"
+#include "runtime/world/stages/rope_stage.h"
 
 namespace rubble {
+namespace {
 
-void EditStep::apply(const CarveEdit& edit) {
+void carveShape(EditContext& context, ShapeHandle handle, const CarveEdit& edit) {
+    Shape& shape = context.world.shapes.at(handle);
+    const Brush brush = resolveBrush(edit, shapeToWorld(context.world, handle), shape.voxelSize);
+    if (brushBricks(brush, shape.grid.sizeInBricks()).empty()) return;
+    context.recordMotion(shape.body);
+    CarveResult carved;
+    carve(shape.grid, brush, *shape.palette, context.world.materials, carved, edit.tool);
+    if (carved.voxels) context.recordCarved(handle, carved);
+}
+
+/// A light group loses what breaks off as if it were removed.
+void countLightVoxels(EditContext& context, const VoxelGrid& grid, const Palette& palette) {
+    if (context.removedByGroup.empty()) return;
+    grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+        forEachVoxel(brick->occupancy, [&](int i) {
+            const uint32_t group = palette[brick->at(i)].lightGroup;
+            if (group && group <= context.removedByGroup.size()) ++context.removedByGroup[group - 1];
+        });
+    });
+}
+
+void breakShape(EditContext& context, ShapeHandle handle, const BreakEdit& edit) {
+    Shape& shape = context.world.shapes.at(handle);
+    const CarveEdit sphere{.position = edit.position, .radii = edit.radii};
+    const Brush brush = resolveBrush(sphere, shapeToWorld(context.world, handle), shape.voxelSize);
+    if (brushBricks(brush, shape.grid.sizeInBricks()).empty()) return;
+    context.recordMotion(shape.body);
+    const WorldSettings& settings = context.world.settings;
+    FracturePlan plan{.tool = edit.tool, .seed = edit.seed};
+    plan.unitsPerMetre = std::max<int64_t>(int64_t(double(kBrushUnit) / double(shape.voxelSize) + 0.5), 1);
+    plan.maxFragments = settings.debris.fragmentsPerBreak;
+    plan.minVoxels = settings.minPieceVoxels;
+    FractureResult broken = fracture(shape.grid, brush, *shape.palette, context.world.materials, plan);
+    if (broken.dust.bricks.empty()) return;
+    context.recordCarved(handle, broken.dust);
+    for (Fragment& fragment : broken.fragments) {
+        shape.moments -= fragment.moments;
+        countLightVoxels(context, fragment.piece.grid, *shape.palette);
+        context.editState(handle).fragments.push_back({std::move(fragment), shape.palette, shape.paintColors});
+    }
+}
+
+}  // namespace
+
+void apply(EditContext& context, const CarveEdit& edit) {
     if (!edit.shape) {
-        cutRopes(edit);
+        cutRopes(context, edit);
         const BoundingSphere bounds = boundingSphere(edit);
-        for (const ShapeHandle handle : m_world.shapesNear(bounds.center, bounds.radius)) carveShape(handle, edit);
+        for (const ShapeHandle handle : shapesNear(context.world, bounds.center, bounds.radius))
+            carveShape(context, handle, edit);
         return;
     }
-    if (m_world.m_shapes.find(edit.shape))
-        carveShape(edit.shape, edit);
+    if (context.world.shapes.find(edit.shape))
+        carveShape(context, edit.shape, edit);
     else
         logWarning("CarveEdit: the handle of its shape is stale; nothing was carved");
 }
 
-void EditStep::carveShape(ShapeHandle handle, const CarveEdit& edit) {
-    Shape& shape = m_world.m_shapes.at(handle);
-    const Brush brush = resolveBrush(edit, m_world.shapeToWorld(handle), shape.voxelSize);
-    if (brushBricks(brush, shape.grid.sizeInBricks()).empty()) return;
-    recordMotion(shape.body);
-    CarveResult carved;
-    carve(shape.grid, brush, *shape.palette, m_world.m_materials, carved, edit.tool);
-    if (carved.voxels) recordCarved(handle, carved);
-}
-
-void EditStep::recordCarved(ShapeHandle handle, const CarveResult& carved) {
-    Shape& shape = m_world.m_shapes.at(handle);
-    shape.moments -= carved.moments;
-    recordRemoved(handle, carved);
-    ShapeEditState& each = editState(handle);
-    each.lost = joined(each.lost, carved.cells);
-    for (const glm::ivec3 brick : carved.bricks) each.carved.insert(brick);
-}
-
-void EditStep::recordRemoved(ShapeHandle handle, const CarveResult& carved) {
-    if (carved.voxels == 0) return;
-    const Shape& shape = m_world.m_shapes.at(handle);
-    const glm::dvec3 center =
-        m_world.shapeToWorld(handle).transformPoint(massProperties(carved.moments, shape.voxelSize).center);
-    const double radius = 0.5 * shape.voxelSize * std::cbrt(double(carved.voxels));
-    recordRemoved(handle, carved.removed, {center, radius, m_world.m_bodies.at(shape.body).velocity});
-}
-
-void EditStep::recordRemoved(ShapeHandle handle, const std::array<uint64_t, 256>& removed, const DustSource& place) {
-    const Palette& palette = *m_world.m_shapes.at(handle).palette;
-    for (size_t i = 1; i < 256; ++i) {
-        if (!removed[i]) continue;
-        const PaletteEntry& entry = palette[i];
-        m_changes.removed.push_back(
-            {handle, uint8_t(i), entry.material, {entry.red, entry.green, entry.blue}, removed[i]});
-        m_changes.dust.push_back({place.position,
-                                  place.radius,
-                                  place.velocity,
-                                  {entry.red, entry.green, entry.blue},
-                                  entry.material,
-                                  removed[i]});
-        m_world.m_removed += removed[i];
-        if (entry.material && entry.material == m_world.m_wire) m_cutWires.insert(handle.slot());
-        if (entry.lightGroup && entry.lightGroup <= m_removedByGroup.size())
-            m_removedByGroup[entry.lightGroup - 1] += removed[i];
+void apply(EditContext& context, const BreakEdit& edit) {
+    if (!edit.shape) {
+        cutRopes(context, {.position = edit.position, .radii = edit.radii});
+        for (const ShapeHandle handle : shapesNear(context.world, edit.position, edit.radii[0]))
+            breakShape(context, handle, edit);
+        return;
     }
+    if (context.world.shapes.find(edit.shape))
+        breakShape(context, edit.shape, edit);
+    else
+        logWarning("BreakEdit: the handle of its shape is stale; nothing was broken");
+}
+
+void apply(EditContext& context, const ExplodeEdit& edit) {
+    const uint32_t seed = uint32_t(context.changes.step);
+    apply(context, BreakEdit{edit.position, {edit.size, 0.7 * edit.size, 0.4 * edit.size}, Tool::Explosive, seed, {}});
+    context.changes.blasts.push_back({edit.position, edit.size});
+    constexpr std::array<uint8_t, 3> kSoot = {24, 21, 18};
+    apply(context, PaintEdit{edit.position, 1.45 * edit.size, kSoot, 190, 20, seed});
+    context.impulses.emplace_back(edit);
 }
 
 }  // namespace rubble

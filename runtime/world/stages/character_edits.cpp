@@ -1,8 +1,9 @@
-#include <cmath>
+#include "runtime/world/stages/character_edits.h"
+
+#include <utility>
 
 #include "runtime/core/log.h"
 #include "runtime/core/number_range.h"
-#include "runtime/world/stages/edit_step.h"
 
 namespace rubble {
 namespace {
@@ -18,35 +19,35 @@ bool isSane(const Character& c) {
 
 }  // namespace
 
-void EditStep::apply(const AddCharacterEdit& edit) {
+void apply(EditContext& context, const AddCharacterEdit& edit) {
     if (!isSane(edit.character))
         return logWarning(
             "AddCharacterEdit: expected a radius of 0.02 m or more, a height of two radii or more and finite numbers; "
             "no one came");
     Character character = edit.character;
     character.ground = {};
-    m_changes.characters.push_back(m_world.m_characters.insert(std::move(character)));
+    context.changes.characters.push_back(context.world.characters.insert(std::move(character)));
 }
 
-void EditStep::apply(const RemoveCharacterEdit& edit) {
-    if (!m_world.m_characters.erase(edit.character))
+void apply(EditContext& context, const RemoveCharacterEdit& edit) {
+    if (!context.world.characters.erase(edit.character))
         return logWarning("RemoveCharacterEdit: the handle is stale; no one was removed");
-    m_changes.characters.push_back(edit.character);
+    context.changes.characters.push_back(edit.character);
 }
 
-void EditStep::apply(const MoveCharacterEdit& edit) {
-    Character* character = m_world.m_characters.find(edit.character);
+void apply(EditContext& context, const MoveCharacterEdit& edit) {
+    Character* character = context.world.characters.find(edit.character);
     if (!character || !isWithin(edit.wish, 1e3))
         return logWarning(
             "MoveCharacterEdit: expected a character that is there and a wish below 1 km/s; no one moves");
     character->wish = edit.wish;
     character->wantsJump = edit.jump;
     character->wantsCrouch = edit.crouch;
-    m_changes.characters.push_back(edit.character);
+    context.changes.characters.push_back(edit.character);
 }
 
-void EditStep::apply(const PlaceCharacterEdit& edit) {
-    Character* character = m_world.m_characters.find(edit.character);
+void apply(EditContext& context, const PlaceCharacterEdit& edit) {
+    Character* character = context.world.characters.find(edit.character);
     if (!character || !isWithin(edit.position, 1e9) || !isWithin(edit.velocity, 1e3))
         return logWarning(
             "PlaceCharacterEdit: expected a character that is there and finite numbers; no one was placed");
@@ -54,7 +55,7 @@ void EditStep::apply(const PlaceCharacterEdit& edit) {
     character->velocity = edit.velocity;
     character->grounded = false;
     character->ground = {};
-    m_changes.characters.push_back(edit.character);
+    context.changes.characters.push_back(edit.character);
 }
 
 }  // namespace rubble

@@ -1,78 +1,52 @@
-#include <algorithm>
+#include "runtime/world/stages/debris_stage.h"
 
-#include "runtime/world/stages/edit_step.h"
+#include <algorithm>
+#include <vector>
+
+#include "runtime/world/objects/transforms.h"
+#include "runtime/world/stages/entry_counts.h"
+#include "runtime/world/stages/shape_lifecycle.h"
 
 namespace rubble {
+namespace {
 
-/// Settles what has slept long enough, then makes room for what this step has made.
-void EditStep::enforceDebrisBudgets() {
-    const DebrisSettings& settings = m_world.m_settings.debris;
-    for (auto& [slot, each] : m_editStates)
-        if (const Shape* shape = m_world.m_shapes.find(each.shape); shape && !each.carved.empty()) wake(shape->body);
-    const DebrisQueue& debris = m_world.m_debris;
-    const uint64_t step = m_changes.step;
-    while (step >= settings.settleSteps) {
-        const std::optional<BodyHandle> body = debris.asleepSince(step - settings.settleSteps);
-        if (!body) break;
-        m_world.m_bodies.at(*body).settled = true;
-        m_world.updateDebris(*body);
-        m_changes.settled.push_back(*body);
-    }
-    const size_t before = m_changes.bodiesDestroyed.size();
-    while (debris.awakeCount() > settings.awakeBodies) despawn(debris.firstAwake());
-    while (debris.count() > settings.bodies || debris.voxels() > settings.voxels) despawn(debris.first());
-    if (m_changes.bodiesDestroyed.size() > before) dropTransient();
-}
-
-/// Physics will wake it too: by an impulse, or because its shape is another one now.
-void EditStep::wake(BodyHandle handle) {
-    Body& body = m_world.m_bodies.at(handle);
-    body.asleep = false;
-    body.restingSince = 0;
-    if (std::exchange(body.settled, false)) m_changes.unsettled.push_back(handle);
-    m_world.updateDebris(handle);
-}
-
-void EditStep::despawn(BodyHandle handle) {
-    const Body& body = m_world.m_bodies.at(handle);
+void despawn(EditContext& context, BodyHandle handle) {
+    const Body& body = context.world.bodies.at(handle);
     const ShapeHandle shapeHandle = body.shapes.front();
-    const Shape& shape = m_world.m_shapes.at(shapeHandle);
-    std::array<uint64_t, 256> removed{};
-    shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
-        forEachVoxel(brick->occupancy, [&](int i) { ++removed[brick->at(i)]; });
-    });
+    const Shape& shape = context.world.shapes.at(shapeHandle);
     const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
-    recordRemoved(shapeHandle, removed,
-                  {m_world.shapeToWorld(shapeHandle).transformPoint(half), glm::length(half), body.velocity});
-    destroyShape(shapeHandle);
+    context.recordRemoved(
+        shapeHandle, countEntries(shape.grid),
+        {shapeToWorld(context.world, shapeHandle).transformPoint(half), glm::length(half), body.velocity});
+    destroyShape(context, shapeHandle);
 }
 
-/// Pieces that were born and became dust in one step: nobody else needs to have heard of them.
-void EditStep::dropTransient() {
-    const auto removeCommon = [](auto& created, auto& destroyed, const auto& living) {
-        const auto lives = [&](auto handle) {
-            return living.find(handle) != nullptr;
-        };  // undo may make it anew under its handle
-        auto born = created;
-        std::erase_if(born, lives);
-        std::sort(born.begin(), born.end());
-        const auto wasBorn = [&](auto handle) { return std::binary_search(born.begin(), born.end(), handle); };
-        auto gone = destroyed;
-        std::erase_if(gone, lives);
-        std::erase_if(destroyed, wasBorn);
-        std::sort(gone.begin(), gone.end());
-        std::erase_if(created, [&](auto handle) { return std::binary_search(gone.begin(), gone.end(), handle); });
-    };
-    removeCommon(m_changes.bodiesCreated, m_changes.bodiesDestroyed, m_world.m_bodies);
-    removeCommon(m_changes.shapesCreated, m_changes.shapesDestroyed, m_world.m_shapes);
-    std::erase_if(m_changes.impulses, [&](const ImpulseApplied& each) { return !m_world.m_bodies.find(each.body); });
-    for (std::vector<BodyHandle>* list : {&m_changes.settled, &m_changes.unsettled})
-        std::erase_if(*list, [&](BodyHandle body) { return !m_world.m_bodies.find(body); });
-    std::erase_if(m_changes.unanchored, [&](ShapeHandle shape) { return !m_world.m_shapes.find(shape); });
-    for (ShapeSplit& split : m_changes.splits) {
+/// Takes what was created and destroyed in the same step, and does not live again by an undo, off both lists.
+template <class Handle, class Map>
+void removeTransient(std::vector<Handle>& created, std::vector<Handle>& destroyed, const Map& living) {
+    const auto lives = [&](Handle handle) { return living.find(handle) != nullptr; };
+    std::vector<Handle> born = created, gone = destroyed;
+    std::erase_if(born, lives);
+    std::sort(born.begin(), born.end());
+    std::erase_if(gone, lives);
+    std::sort(gone.begin(), gone.end());
+    std::erase_if(destroyed, [&](Handle handle) { return std::binary_search(born.begin(), born.end(), handle); });
+    std::erase_if(created, [&](Handle handle) { return std::binary_search(gone.begin(), gone.end(), handle); });
+}
+
+/// Takes pieces that were made and despawned in this step out of the journal: nobody needs to hear of them.
+void dropTransient(EditContext& context) {
+    removeTransient(context.changes.bodiesCreated, context.changes.bodiesDestroyed, context.world.bodies);
+    removeTransient(context.changes.shapesCreated, context.changes.shapesDestroyed, context.world.shapes);
+    std::erase_if(context.changes.impulses,
+                  [&](const ImpulseApplied& each) { return !context.world.bodies.find(each.body); });
+    for (std::vector<BodyHandle>* list : {&context.changes.settled, &context.changes.unsettled})
+        std::erase_if(*list, [&](BodyHandle body) { return !context.world.bodies.find(body); });
+    std::erase_if(context.changes.unanchored, [&](ShapeHandle shape) { return !context.world.shapes.find(shape); });
+    for (ShapeSplit& split : context.changes.splits) {
         size_t kept = 0;
         for (size_t i = 0; i < split.children.size(); ++i) {
-            if (!m_world.m_shapes.find(split.children[i])) continue;
+            if (!context.world.shapes.find(split.children[i])) continue;
             split.children[kept] = split.children[i];
             split.parentOffset[kept] = split.parentOffset[i];
             split.motions[kept++] = split.motions[i];
@@ -81,7 +55,29 @@ void EditStep::dropTransient() {
         split.parentOffset.resize(kept);
         split.motions.resize(kept);
     }
-    std::erase_if(m_changes.splits, [](const ShapeSplit& split) { return split.children.empty(); });
+    std::erase_if(context.changes.splits, [](const ShapeSplit& split) { return split.children.empty(); });
+}
+
+}  // namespace
+
+void enforceDebrisBudgets(EditContext& context) {
+    const DebrisSettings& settings = context.world.settings.debris;
+    for (auto& [slot, each] : context.editStates)
+        if (const Shape* shape = context.world.shapes.find(each.shape); shape && !each.carved.empty())
+            context.wakeBody(shape->body);
+    const DebrisQueue& debris = context.world.debris;
+    const uint64_t step = context.changes.step;
+    while (step >= settings.settleSteps) {
+        const std::optional<BodyHandle> body = debris.asleepSince(step - settings.settleSteps);
+        if (!body) break;
+        context.world.bodies.at(*body).settled = true;
+        context.world.updateDebris(*body);
+        context.changes.settled.push_back(*body);
+    }
+    const size_t before = context.changes.bodiesDestroyed.size();
+    while (debris.awakeCount() > settings.awakeBodies) despawn(context, debris.firstAwake());
+    while (debris.count() > settings.bodies || debris.voxels() > settings.voxels) despawn(context, debris.first());
+    if (context.changes.bodiesDestroyed.size() > before) dropTransient(context);
 }
 
 }  // namespace rubble

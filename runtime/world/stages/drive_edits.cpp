@@ -1,16 +1,17 @@
+#include "runtime/world/stages/drive_edits.h"
+
 #include <algorithm>
+#include <cmath>
 
 #include "runtime/core/log.h"
-#include "runtime/world/stages/edit_step.h"
 
 namespace rubble {
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;
-constexpr double kReverseSpeedShare = 0.5;  ///< of the top speed, backward
-constexpr double kRollingResistance =
-    0.01;  ///< of a wheel's torques, that hold against its rolling when nothing drives or brakes it
-constexpr double kMinThrottle = 0.004;  ///< throttle below which the motor is out of gear
+constexpr double kStep = 1.0 / 60.0;         ///< s
+constexpr double kReverseSpeedShare = 0.5;   ///< top speed backward, as a share of that forward
+constexpr double kRollingResistance = 0.01;  ///< share of a wheel's larger torque that always holds against rolling
+constexpr double kMinThrottle = 0.004;       ///< below this the motor is out of gear
 
 bool isWithinUnit(double value, double low) {
     return value >= low && value <= 1.0;
@@ -34,14 +35,15 @@ Joint drivenWheel(const Joint& wheel, const DriveEdit& drive) {
 
 }  // namespace
 
-void EditStep::apply(const DriveEdit& edit) {
-    const Body* body = m_world.m_bodies.find(edit.body);
-    if (!body) return logWarning("DriveEdit: the handle of its body is stale; nothing was drivenWheel");
+void apply(EditContext& context, const DriveEdit& edit) {
+    const Body* body = context.world.bodies.find(edit.body);
+    if (!body) return logWarning("DriveEdit: the handle of its body is stale; nothing was driven");
     if (!isWithinUnit(edit.throttle, -1.0) || !isWithinUnit(edit.steer, -1.0) || !isWithinUnit(edit.brake, 0.0))
-        return logWarning("DriveEdit: throttle and steer go from -1 to 1, brake from 0 to 1; nothing was drivenWheel");
+        return logWarning(
+            "DriveEdit: expected throttle and steer from -1 to 1 and brake from 0 to 1; nothing was driven");
     for (const ShapeHandle shape : body->shapes)
-        for (const JointHandle handle : m_world.jointsOf(shape)) {
-            Joint& joint = m_world.m_joints.at(handle);
+        for (const JointHandle handle : context.world.jointIndex.of(shape)) {
+            Joint& joint = context.world.joints.at(handle);
             if (joint.kind != JointKind::Wheel || joint.ends[0].shape != shape) continue;
             Joint wheel = drivenWheel(joint, edit);
             const bool isSame = wheel.motor.mode == joint.motor.mode && wheel.motor.target == joint.motor.target &&
@@ -49,7 +51,7 @@ void EditStep::apply(const DriveEdit& edit) {
                                 wheel.steer == joint.steer;
             if (isSame) continue;
             joint = std::move(wheel);
-            m_changes.jointsChanged.push_back(handle);
+            context.changes.jointsChanged.push_back(handle);
         }
 }
 

@@ -1,125 +1,87 @@
-#include <algorithm>
+#include "runtime/world/stages/edit_step.h"
+
 #include <bit>
 #include <utility>
 
-#include "runtime/core/log.h"
-#include "runtime/world/stages/edit_step.h"
-#include "runtime/world/history/undo_history.h"
+#include "runtime/world/stages/carve_edits.h"
+#include "runtime/world/stages/character_edits.h"
+#include "runtime/world/stages/debris_stage.h"
+#include "runtime/world/stages/drive_edits.h"
+#include "runtime/world/stages/grab_edits.h"
+#include "runtime/world/stages/impulse_stage.h"
+#include "runtime/world/stages/joint_stage.h"
+#include "runtime/world/stages/light_group_stage.h"
+#include "runtime/world/stages/light_stage.h"
+#include "runtime/world/stages/paint_edits.h"
+#include "runtime/world/stages/region_edits.h"
+#include "runtime/world/stages/rope_stage.h"
+#include "runtime/world/stages/shape_edits.h"
+#include "runtime/world/stages/split_stage.h"
+#include "runtime/world/stages/stress_stage.h"
+#include "runtime/world/stages/trigger_stage.h"
 
 namespace rubble {
+namespace {
 
-FrameChanges World::applyEdits(const Edits& edits) {
-    FrameChanges changes;
-    changes.step = ++m_step;
-    changes.levelReplaced = std::exchange(m_levelReplaced, false);
-    if (m_settings.undoMarks == 0)
-        m_undo.clear();
-    else if (m_undo.empty())
-        m_undo.emplace_back(*this);
-    const bool isUndoOrRedo = runHistory(edits, changes);
-    if (isUndoOrRedo) restartStress();
-    const bool isBusy = hasDebrisWork() || m_flickeringGroups || m_fire.isActive() ||
-                        (m_stress && m_stress->isBusy()) || !m_movedBodies.empty() || !m_pendingSplits.empty() ||
-                        hasActiveWinch();
-    if (!edits.empty() || isBusy) EditStep(*this, changes).run(edits);
-    for (UndoHistory& undo : m_undo) undo.recordStep(*this, changes, isUndoOrRedo);
-    return changes;
-}
+/// Calls the first of some functions that takes the argument.
+template <class... F>
+struct Overloaded : F... {
+    using F::operator()...;
+};
 
-/// Marks, undo and redo, before all other edits of the step. True if the World went back or forth in time.
-bool World::runHistory(const Edits& edits, FrameChanges& changes) {
-    bool isUndoOrRedo = false;
-    for (const Edit& edit : edits) {
-        const auto* history = std::get_if<HistoryEdit>(&edit);
-        if (!history) continue;
-        if (m_undo.empty())
-            logWarning("HistoryEdit: nothing is remembered; set WorldSettings::undoMarks");
-        else if (isUndoOrRedo)
-            logWarning("HistoryEdit: one undo or redo a step; this one is left out");
-        else if (history->action == HistoryAction::Mark)
-            m_undo[0].mark(m_settings.undoMarks);
-        else
-            isUndoOrRedo = history->action == HistoryAction::Undo ? m_undo[0].undo(*this, changes)
-                                                                  : m_undo[0].redo(*this, changes);
-        if (isUndoOrRedo && m_settings.split.partsPerStep) resetSearches(changes);
-    }
-    return isUndoOrRedo;
-}
-
-/// What shapes look like now has nothing to do with what waiting searches have seen; a piece may hang that was waited
-/// for.
-void World::resetSearches(const FrameChanges& changes) {
-    for (PendingSplit& pending : m_pendingSplits) pending.search.reset();
-    for (const auto* list : {&changes.carved, &changes.shapesCreated})
-        for (const ShapeHandle handle : *list)
-            if (Shape* shape = m_shapes.find(handle)) shape->knownConnected = false;
-}
-
-void World::resetCaches() {
-    restartStress();
-    for (const PendingSplit& pending : m_pendingSplits)
-        if (Shape* shape = m_shapes.find(pending.shape)) shape->knownConnected = false;
-    m_pendingSplits.clear();
-}
-
-EditStep::EditStep(World& world, FrameChanges& changes)
-    : m_world(world), m_changes(changes), m_removedByGroup(world.m_groups.slotCount()) {}
+}  // namespace
 
 void EditStep::run(const Edits& edits) {
-    m_changes.unsettled = std::exchange(m_world.m_revived, {});
-    if (m_world.m_stress) openCracks();
-    for (const Edit& edit : edits) std::visit([&](const auto& each) { apply(each); }, edit);
-    updateWinches();
-    updateFires();
-    splitShapes();
-    releaseUnheldJoints();
-    updateVelocities();
-    for (const DeferredImpulse& each : m_deferredImpulses)
-        std::visit([&](const auto& edit) { applyImpulse(edit); }, each);
-    enforceDebrisBudgets();
-    redistributeHeat();
-    updateLightGroups();
-    if (m_world.m_stress) runStressAnalysis();
+    m_context.changes.unsettled = std::exchange(m_context.world.unsettled, {});
+    if (m_context.world.stress) openCracks(m_context);
+    for (const Edit& edit : edits) applyEdit(edit);
+    updateWinches(m_context);
+    m_fire.update();
+    splitShapes(m_context);
+    releaseUnheldJoints(m_context);
+    updateVelocities(m_context);
+    applyImpulses(m_context);
+    enforceDebrisBudgets(m_context);
+    redistributeHeat(m_context);
+    updateLightGroups(m_context);
+    if (m_context.world.stress) runStressAnalysis(m_context);
     listChangedBricks();
-    if (m_world.m_triggers.size()) updateTriggers();
+    if (m_context.world.triggers.size()) updateTriggers(m_context);
 }
 
-void EditStep::apply(const SettingsEdit& edit) {
-    m_world.setSettings(edit.settings);
+void EditStep::applyEdit(const Edit& edit) {
+    std::visit(Overloaded{[&](const HeatEdit& each) { m_fire.apply(each); },
+                          [&](const ExtinguishEdit& each) { m_fire.apply(each); },
+                          [&](const RemoveFiresEdit& each) { m_fire.apply(each); },
+                          [&](const ImpactLoadEdit& each) { m_impactLoads.apply(each); },
+                          [&](const SettingsEdit& each) { m_context.world.setSettings(each.settings); },
+                          [](const HistoryEdit&) {},  // World::applyEdits() has done it
+                          [&](const auto& each) { apply(m_context, each); }},
+               edit);
 }
 
-EditStep::ShapeEditState& EditStep::editState(ShapeHandle shape) {
-    ShapeEditState& out = m_editStates[shape.slot()];
-    out.shape = shape;
-    return out;
-}
-
+/// Completes the journal by what the edit states hold: bricks, carved shapes, broken bodies.
 void EditStep::listChangedBricks() {
-    std::erase_if(m_changes.palettes, [&](ShapeHandle shape) { return !m_world.m_shapes.find(shape); });
-    size_t count = m_changes.bricks.size();
-    for (auto& [slot, each] : m_editStates) {
-        const Shape* shape = m_world.m_shapes.find(each.shape);
+    std::erase_if(m_context.changes.palettes, [&](ShapeHandle shape) { return !m_context.world.shapes.find(shape); });
+    size_t count = m_context.changes.bricks.size();
+    for (auto& [slot, each] : m_context.editStates) {
+        const Shape* shape = m_context.world.shapes.find(each.shape);
         if (!shape) continue;
         if (!each.carved.empty()) {
-            m_changes.carved.push_back(each.shape);
-            markBroken(shape->body);
+            m_context.changes.carved.push_back(each.shape);
+            m_context.markBroken(shape->body);
         }
         each.carved.insert(each.painted);
         each.carved.forEachNode([&](glm::ivec3, BrickMask bricks) { count += size_t(std::popcount(bricks)); });
     }
-    m_changes.bricks.reserve(count);
-    for (const auto& [slot, each] : m_editStates) {
-        const Shape* shape = m_world.m_shapes.find(each.shape);
+    m_context.changes.bricks.reserve(count);
+    for (const auto& [slot, each] : m_context.editStates) {
+        const Shape* shape = m_context.world.shapes.find(each.shape);
         if (!shape) continue;
         each.carved.forEach([&, handle = each.shape](glm::ivec3 brick) {
-            m_changes.bricks.push_back({handle, brick, shape->grid.shareBrick(brick)});
+            m_context.changes.bricks.push_back({handle, brick, shape->grid.shareBrick(brick)});
         });
     }
-}
-
-void EditStep::markBroken(BodyHandle handle) {
-    Body& body = m_world.m_bodies.at(handle);
-    if (!std::exchange(body.broken, true)) m_changes.broken.push_back(handle);
 }
 
 }  // namespace rubble

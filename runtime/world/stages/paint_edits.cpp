@@ -1,13 +1,45 @@
+#include "runtime/world/stages/paint_edits.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "runtime/core/log.h"
-#include "runtime/destruction/paint.h"
-#include "runtime/world/stages/edit_step.h"
+#include "runtime/world/edits/resolve_brush.h"
+#include "runtime/world/objects/transforms.h"
+#include "runtime/world/queries/query.h"
 
 namespace rubble {
+namespace {
 
-void EditStep::apply(const PaintEdit& edit) {
+/// Takes over what painting changed besides the bricks, and adds it to the journal.
+void commitPaint(EditContext& context, ShapeHandle handle, const PaintResult& painted) {
+    Shape& shape = context.world.shapes.at(handle);
+    context.changes.paintedVoxels += painted.voxels;
+    context.changes.paintMerges += painted.merges;
+    if (painted.palette) shape.palette = painted.palette;
+    if (painted.colors) shape.paintColors = painted.colors;
+    std::vector<ShapeHandle>& palettes = context.changes.palettes;
+    if ((painted.palette || painted.colors) && std::find(palettes.begin(), palettes.end(), handle) == palettes.end())
+        palettes.push_back(handle);
+    if (painted.bricks.empty()) return;
+    BrickSet& bricks = context.editState(handle).painted;
+    for (const glm::ivec3 brick : painted.bricks) bricks.insert(brick);
+}
+
+void paintShape(EditContext& context, ShapeHandle handle, const PaintEdit& edit, const CarveEdit& area) {
+    Shape& shape = context.world.shapes.at(handle);
+    const Brush brush = resolveBrush(area, shapeToWorld(context.world, handle), shape.voxelSize);
+    if (brushBricks(brush, shape.grid.sizeInBricks()).empty()) return;
+    const Paint paint{edit.color, edit.strength, edit.probability, edit.seed, edit.falloff};
+    const PaintMode mode = edit.mode == PaintMode::Default ? context.world.settings.paint.mode : edit.mode;
+    commitPaint(context, handle,
+                mode == PaintMode::Layer ? paintLayer(shape.grid, shape.paintColors, brush, paint)
+                                         : paintPalette(shape.grid, shape.palette, brush, paint));
+}
+
+}  // namespace
+
+void apply(EditContext& context, const PaintEdit& edit) {
     CarveEdit area{.kind = edit.kind == BrushKind::Capsule ? BrushKind::Capsule : BrushKind::Sphere,
                    .position = edit.position,
                    .end = edit.end};
@@ -16,43 +48,20 @@ void EditStep::apply(const PaintEdit& edit) {
     if (!(bounds.radius >= 0.0) || !std::isfinite(bounds.radius))
         return logWarning("PaintEdit: a position or radius is not a number; nothing was painted");
     if (edit.shape) {
-        if (!m_world.m_shapes.find(edit.shape))
+        if (!context.world.shapes.find(edit.shape))
             return logWarning("PaintEdit: the handle of its shape is stale; nothing was painted");
-        return paintShape(edit.shape, edit, area);
+        return paintShape(context, edit.shape, edit, area);
     }
-    for (const ShapeHandle handle : m_world.shapesNear(bounds.center, bounds.radius)) paintShape(handle, edit, area);
+    for (const ShapeHandle handle : shapesNear(context.world, bounds.center, bounds.radius))
+        paintShape(context, handle, edit, area);
 }
 
-void EditStep::paintShape(ShapeHandle handle, const PaintEdit& edit, const CarveEdit& area) {
-    Shape& shape = m_world.m_shapes.at(handle);
-    const Brush brush = resolveBrush(area, m_world.shapeToWorld(handle), shape.voxelSize);
-    if (brushBricks(brush, shape.grid.sizeInBricks()).empty()) return;
-    const Paint paint{edit.color, edit.strength, edit.probability, edit.seed, edit.falloff};
-    const PaintMode mode = edit.mode == PaintMode::Default ? m_world.m_settings.paint.mode : edit.mode;
-    commitPaint(handle, mode == PaintMode::Layer ? paintLayer(shape.grid, shape.paintColors, brush, paint)
-                                                 : paintPalette(shape.grid, shape.palette, brush, paint));
-}
-
-void EditStep::paintCells(ShapeHandle handle, std::span<const BrickSubset> cells, const Paint& paint) {
-    Shape& shape = m_world.m_shapes.at(handle);
-    commitPaint(handle, m_world.m_settings.paint.mode == PaintMode::Layer
-                            ? paintLayer(shape.grid, shape.paintColors, cells, paint)
-                            : paintPalette(shape.grid, shape.palette, cells, paint));
-}
-
-/// Takes over what painting has changed besides the bricks, and into the journal.
-void EditStep::commitPaint(ShapeHandle handle, const PaintResult& painted) {
-    Shape& shape = m_world.m_shapes.at(handle);
-    m_changes.paintedVoxels += painted.voxels;
-    m_changes.paintMerges += painted.merges;
-    if (painted.palette) shape.palette = painted.palette;
-    if (painted.colors) shape.paintColors = painted.colors;
-    std::vector<ShapeHandle>& palettes = m_changes.palettes;
-    if ((painted.palette || painted.colors) && std::find(palettes.begin(), palettes.end(), handle) == palettes.end())
-        palettes.push_back(handle);
-    if (painted.bricks.empty()) return;
-    BrickSet& bricks = editState(handle).painted;
-    for (const glm::ivec3 brick : painted.bricks) bricks.insert(brick);
+void paintCells(EditContext& context, ShapeHandle handle, std::span<const BrickSubset> cells, const Paint& paint) {
+    Shape& shape = context.world.shapes.at(handle);
+    commitPaint(context, handle,
+                context.world.settings.paint.mode == PaintMode::Layer
+                    ? paintLayer(shape.grid, shape.paintColors, cells, paint)
+                    : paintPalette(shape.grid, shape.palette, cells, paint));
 }
 
 }  // namespace rubble

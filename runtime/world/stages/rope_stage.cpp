@@ -1,18 +1,19 @@
+#include "runtime/world/stages/rope_stage.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "runtime/world/stages/edit_step.h"
+#include <span>
 
 namespace rubble {
 namespace {
 
-constexpr double kSampleSpacing = 0.05;  ///< metres between the places of a rope that are looked at for a cut
+constexpr double kSampleSpacing = 0.05;  ///< metres between the places of a rope that are tested for a cut
 constexpr double kMinRopeLength = 0.3;   ///< metres to which a winch can wind a rope
-constexpr double kWinchSpeed = 1.0;      ///< m/s on the segment to a length
-constexpr double kMinPartLength = 0.02;  ///< of a cut rope, metres: less vanishes
+constexpr double kWinchSpeed = 1.0;      ///< m/s while it winds to a target length
+constexpr double kMinPartLength = 0.02;  ///< metres: a shorter part of a cut rope vanishes
 
-/// Whether a place is within what an edit takes out of soft materials.
-bool isWithin(const CarveEdit& volume, glm::dvec3 place) {
+/// Whether a place is inside the volume that an edit takes out of soft materials.
+bool isInside(const CarveEdit& volume, glm::dvec3 place) {
     const double radius = std::max({volume.radii[0], volume.radii[1], volume.radii[2]});
     glm::dvec3 away = place - volume.position;
     if (volume.kind == BrushKind::Box) {
@@ -30,12 +31,11 @@ bool isWithin(const CarveEdit& volume, glm::dvec3 place) {
 
 }  // namespace
 
-/// Cuts every rope that a volume meets, in the middle of where it first does.
-void EditStep::cutRopes(const CarveEdit& volume) {
-    const std::span<const JointHandle> ropes = m_world.m_jointIndex.ropes();
+void cutRopes(EditContext& context, const CarveEdit& volume) {
+    const std::span<const JointHandle> ropes = context.world.jointIndex.ropes();
     if (ropes.empty()) return;
     for (const JointHandle handle : std::vector<JointHandle>(ropes.begin(), ropes.end())) {
-        const Joint& rope = m_world.m_joints.at(handle);
+        const Joint& rope = context.world.joints.at(handle);
         double first = -1.0, last = -1.0;
         bool isPast = false;
         for (size_t i = 0; i + 1 < rope.points.size() && !isPast; ++i) {
@@ -43,20 +43,18 @@ void EditStep::cutRopes(const CarveEdit& volume) {
             const int samples = int(std::clamp(std::ceil(glm::length(segment) / kSampleSpacing), 1.0, 1000.0));
             for (int k = 0; k < samples && !isPast; ++k) {
                 const double along = double(k) / samples;
-                const bool isInside = isWithin(volume, from + segment * along);
-                if (isInside && first < 0.0) first = double(i) + along;
-                if (isInside) last = double(i) + along;
-                isPast = first >= 0.0 && !isInside;
+                const bool isCut = isInside(volume, from + segment * along);
+                if (isCut && first < 0.0) first = double(i) + along;
+                if (isCut) last = double(i) + along;
+                isPast = first >= 0.0 && !isCut;
             }
         }
-        if (first >= 0.0) cutRope(handle, 0.5 * (first + last), JointBreak::Cut);
+        if (first >= 0.0) cutRope(context, handle, 0.5 * (first + last), JointBreak::Cut);
     }
 }
 
-/// Parts a rope between two of its points: the first part keeps the handle, or the second if nothing is left of the
-/// first. False: nothing is left at all, and nothing was done.
-bool EditStep::cutRope(JointHandle handle, double place, JointBreak reason) {
-    const Joint rope = m_world.m_joints.at(handle);
+bool cutRope(EditContext& context, JointHandle handle, double place, JointBreak reason) {
+    const Joint rope = context.world.joints.at(handle);
     const size_t last = rope.points.size() - 1;
     const size_t before = std::min(size_t(std::max(place, 0.0)), last - 1);
     const double along = std::clamp(place - double(before), 0.0, 1.0), spacing = rope.rope.length / double(last);
@@ -79,19 +77,18 @@ bool EditStep::cutRope(JointHandle handle, double place, JointBreak reason) {
         if (hangs && part->rope.length >= kMinPartLength) parts.push_back(std::move(*part));
     }
     if (parts.empty()) return false;
-    m_changes.jointsBroken.push_back({handle, reason, cut.position});
-    m_world.m_jointIndex.remove(handle, rope);
-    m_world.m_joints.at(handle) = std::move(parts[0]);
-    m_world.m_jointIndex.add(handle, m_world.m_joints.at(handle));
-    m_changes.jointsChanged.push_back(handle);
-    if (parts.size() > 1) m_changes.jointsCreated.push_back(m_world.addJoint(std::move(parts[1])));
+    context.changes.jointsBroken.push_back({handle, reason, cut.position});
+    context.world.jointIndex.remove(handle, rope);
+    context.world.joints.at(handle) = std::move(parts[0]);
+    context.world.jointIndex.add(handle, context.world.joints.at(handle));
+    context.changes.jointsChanged.push_back(handle);
+    if (parts.size() > 1) context.changes.jointsCreated.push_back(context.world.addJoint(std::move(parts[1])));
     return true;
 }
 
-/// Winches change the length of their ropes.
-void EditStep::updateWinches() {
-    for (const JointHandle handle : m_world.m_jointIndex.ropes()) {
-        Joint& rope = m_world.m_joints.at(handle);
+void updateWinches(EditContext& context) {
+    for (const JointHandle handle : context.world.jointIndex.ropes()) {
+        Joint& rope = context.world.joints.at(handle);
         if (rope.motor.mode == MotorMode::Off) continue;
         const double maxChange = kWinchSpeed / 60.0;
         const double change = rope.motor.mode == MotorMode::Speed
@@ -100,7 +97,7 @@ void EditStep::updateWinches() {
         const double length = std::clamp(rope.rope.length + change, std::min(kMinRopeLength, rope.rope.length), 1e4);
         if (length == rope.rope.length) continue;
         rope.rope.length = length;
-        m_changes.jointsChanged.push_back(handle);
+        context.changes.jointsChanged.push_back(handle);
     }
 }
 

@@ -1,64 +1,86 @@
+#include "runtime/world/stages/stress_stage.h"
+
 #include <algorithm>
 #include <utility>
 
 #include "runtime/core/log.h"
 #include "runtime/destruction/crack_cells.h"
-#include "runtime/world/stages/edit_step.h"
+#include "runtime/world/objects/transforms.h"
 
 namespace rubble {
+namespace {
 
-/// What the last step found too weak opens now, like any other cut.
-void EditStep::openCracks() {
-    for (const ShapeHandle handle : m_world.m_stress->busy()) {
-        WorldStress::Entry& entry = *m_world.m_stress->find(handle);
+void runShapeAnalysis(EditContext& context, WorldStress::Entry& entry, int64_t& work) {
+    const Shape& shape = context.world.shapes.at(entry.shape);
+    if (entry.palette != shape.palette) {
+        entry.palette = shape.palette;
+        entry.entries = makeStrengthTable(*shape.palette, context.world.materials);
+    }
+    const StressSettings& settings = context.world.settings.stress;
+    const glm::dvec3 gravity = glm::conjugate(shapeToWorld(context.world, entry.shape).rotation) *
+                               glm::dvec3(context.world.environment.gravity);
+    const StressedShape stressed{shape.grid, shape.anchors,   entry.entries,
+                                 gravity,    shape.voxelSize, settings.strengthScale * shape.strength,
+                                 entry.weak};
+    entry.analysis.run(stressed, work, settings.cracksPerStep, entry.cracks);
+    if (!entry.analysis.isIdle()) return;
+    if (!entry.analysis.hasConverged())
+        logWarning("stress: the forces in shape \"" + shape.name +
+                   "\" could not be found, the solver did not converge; it does not break under this load");
+    if (entry.cracks.empty()) context.world.stress->sleep(entry.shape);
+}
+
+}  // namespace
+
+void openCracks(EditContext& context) {
+    for (const ShapeHandle handle : context.world.stress->busy()) {
+        WorldStress::Entry& entry = *context.world.stress->find(handle);
         for (const StressCrack& crack : std::exchange(entry.cracks, {}))
-            if (m_world.m_shapes.find(handle)) openCrack(handle, entry.entries, crack);
+            if (context.world.shapes.find(handle)) openCrack(context, handle, entry.entries, crack);
     }
 }
 
-void EditStep::openCrack(ShapeHandle handle, const StrengthTable& entries, const StressCrack& crack) {
-    Shape& shape = m_world.m_shapes.at(handle);
-    const Densities densities(*shape.palette, m_world.m_materials);
+void openCrack(EditContext& context, ShapeHandle handle, const StrengthTable& entries, const StressCrack& crack) {
+    Shape& shape = context.world.shapes.at(handle);
+    const Densities densities(*shape.palette, context.world.materials);
     CarveResult carved;
     for (const BrickSubset& subset : crackCells(shape.grid, shape.anchors, entries, crack.section))
         removeCells(shape.grid, subset, densities, carved);
     if (carved.voxels == 0) return;
     glm::dvec3 normal(0.0);
     normal[crack.section.axis] = 1.0;
-    const Pose pose = m_world.shapeToWorld(handle);
+    const Pose pose = shapeToWorld(context.world, handle);
     const glm::dvec3 center = pose.transformPoint(sectionShape(crack.section).centroid * double(shape.voxelSize));
     const size_t mainEntry =
         size_t(std::max_element(carved.removed.begin(), carved.removed.end()) - carved.removed.begin());
-    m_changes.cracks.push_back(
+    context.changes.cracks.push_back(
         {handle, center, pose.rotation * normal, (*shape.palette)[mainEntry].material, crack.cause, carved.voxels});
-    recordCarved(handle, carved);
+    context.recordCarved(handle, carved);
 }
 
-/// Tells the analyses what changed and lets them work.
-void EditStep::runStressAnalysis() {
-    WorldStress& stress = *m_world.m_stress;
-    for (const ShapeHandle handle : m_changes.shapesDestroyed) stress.remove(handle);
-    for (const ShapeHandle handle : m_changes.unanchored) stress.remove(handle);
-    for (const ShapeHandle handle : m_changes.shapesCreated)
-        if (m_world.m_shapes.find(handle)) m_world.addStress(handle);
-    for (const auto& [slot, each] : m_editStates)
+void runStressAnalysis(EditContext& context) {
+    WorldStress& stress = *context.world.stress;
+    for (const ShapeHandle handle : context.changes.shapesDestroyed) stress.remove(handle);
+    for (const ShapeHandle handle : context.changes.unanchored) stress.remove(handle);
+    for (const ShapeHandle handle : context.changes.shapesCreated)
+        if (context.world.shapes.find(handle)) context.world.addStress(handle);
+    for (const auto& [slot, each] : context.editStates)
         if (WorldStress::Entry* entry = stress.find(each.shape); entry && !each.carved.empty()) {
             std::vector<glm::ivec3> bricks;
             each.carved.forEach([&](glm::ivec3 brick) { bricks.push_back(brick); });
             entry->analysis.markChanged(bricks);
             stress.wake(each.shape);
         }
-    int64_t work = m_world.m_settings.stress.workPerStep;
+    int64_t work = context.world.settings.stress.workPerStep;
     for (const ShapeHandle handle : stress.busy()) {
         if (work <= 0) break;
-        runShapeAnalysis(*stress.find(handle), work);
+        runShapeAnalysis(context, *stress.find(handle), work);
         stress.served(handle);
     }
 }
 
-/// Told of by steps of a sixteenth, so that a fire does not have a shape weighed for every spark.
-void EditStep::weaken(ShapeHandle handle, glm::ivec3 brick, int left) {
-    WorldStress::Entry* entry = m_world.m_stress->find(handle);
+void weakenBrick(EditContext& context, ShapeHandle handle, glm::ivec3 brick, int left) {
+    WorldStress::Entry* entry = context.world.stress->find(handle);
     if (!entry) return;
     left = (left + 15) / 16 * 16;
     const auto place = std::lower_bound(entry->weak.begin(), entry->weak.end(), brick,
@@ -70,26 +92,7 @@ void EditStep::weaken(ShapeHandle handle, glm::ivec3 brick, int left) {
     else
         entry->weak.insert(place, {brick, left});
     entry->analysis.restart();
-    m_world.m_stress->wake(handle);
-}
-
-void EditStep::runShapeAnalysis(WorldStress::Entry& entry, int64_t& work) {
-    const Shape& shape = m_world.m_shapes.at(entry.shape);
-    if (entry.palette != shape.palette) {
-        entry.palette = shape.palette;
-        entry.entries = makeStrengthTable(*shape.palette, m_world.m_materials);
-    }
-    const StressSettings& settings = m_world.m_settings.stress;
-    const glm::dvec3 gravity =
-        glm::conjugate(m_world.shapeToWorld(entry.shape).rotation) * glm::dvec3(m_world.m_environment.gravity);
-    const StressedShape stressed{shape.grid, shape.anchors,   entry.entries,
-                                 gravity,    shape.voxelSize, settings.strengthScale * shape.strength,
-                                 entry.weak};
-    entry.analysis.run(stressed, work, settings.cracksPerStep, entry.cracks);
-    if (!entry.analysis.isIdle()) return;
-    if (!entry.analysis.hasConverged())
-        logWarning("stress: the forces in a shape could not be found; it bears whatever comes");
-    if (entry.cracks.empty()) m_world.m_stress->sleep(entry.shape);
+    context.world.stress->wake(handle);
 }
 
 }  // namespace rubble

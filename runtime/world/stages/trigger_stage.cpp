@@ -1,36 +1,30 @@
+#include "runtime/world/stages/trigger_stage.h"
+
 #include <algorithm>
 #include <glm/mat3x3.hpp>
 #include <set>
+#include <utility>
 
-#include "runtime/world/stages/edit_step.h"
+#include "runtime/world/objects/transforms.h"
 #include "runtime/world/queries/query.h"
 
 namespace rubble {
 namespace {
 
-/// Of the grids of a body's shapes.
-WorldBox gridBounds(const World& world, const Body& body) {
+/// Around the grids of all shapes of a body.
+WorldBox bodyGridBounds(const WorldData& world, const Body& body) {
     WorldBox bounds{glm::dvec3(1e300), glm::dvec3(-1e300)};
-    for (const ShapeHandle handle : body.shapes) {
-        const Shape& shape = world.shapes().at(handle);
-        const Pose pose = world.shapeToWorld(handle);
-        const glm::dvec3 half = glm::dvec3(shape.grid.size()) * (0.5 * shape.voxelSize);
-        bounds = bounds.merged(QueryShape{.kind = QueryShapeKind::Box,
-                                          .position = pose.transformPoint(half),
-                                          .halfSize = half,
-                                          .rotation = pose.rotation}
-                                   .bounds());
-    }
+    for (const ShapeHandle handle : body.shapes) bounds = bounds.merged(gridBounds(world, handle));
     return bounds;
 }
 
-/// Whether a voxel of a body has its middle above a polygon, within its height.
-bool containsVoxelCenter(const World& world, const Body& body, const Trigger& trigger) {
+/// Whether the centre of a voxel of a body lies above the trigger's polygon, within its height.
+bool containsVoxelCenter(const WorldData& world, const Body& body, const Trigger& trigger) {
     const WorldBox bounds = trigger.bounds();
     for (const ShapeHandle handle : body.shapes) {
-        const Shape& shape = world.shapes().at(handle);
+        const Shape& shape = world.shapes.at(handle);
         if (!(shape.collisionLayer & trigger.layers)) continue;
-        const Pose pose = world.shapeToWorld(handle);
+        const Pose pose = shapeToWorld(world, handle);
         const glm::dmat3 axes = glm::mat3_cast(pose.rotation) * double(shape.voxelSize);
         const glm::dvec3 halfExtent = (glm::abs(axes[0]) + glm::abs(axes[1]) + glm::abs(axes[2])) * (0.5 * kBrickSize);
         bool found = false;
@@ -50,8 +44,8 @@ bool containsVoxelCenter(const World& world, const Body& body, const Trigger& tr
     return false;
 }
 
-bool isInside(const World& world, BodyHandle handle, const Trigger& trigger) {
-    const Body* body = world.bodies().find(handle);
+bool isInside(const WorldData& world, BodyHandle handle, const Trigger& trigger) {
+    const Body* body = world.bodies.find(handle);
     if (!body || body->isStatic) return false;
     if (trigger.kind == TriggerKind::Polygon) return containsVoxelCenter(world, *body, trigger);
     const QueryShape region{.kind = trigger.kind == TriggerKind::Sphere ? QueryShapeKind::Sphere : QueryShapeKind::Box,
@@ -67,54 +61,49 @@ bool bySlot(Handle a, Handle b) {
     return a.slot() < b.slot();
 }
 
-}  // namespace
-
-void EditStep::initTriggers(World& world) {
-    if (!world.m_triggers.size()) return;
-    world.m_triggers.forEach([&](TriggerHandle handle, const Trigger& trigger) {
-        world.m_triggerBounds.update(handle.slot(), trigger.bounds());
-    });
-    world.m_bodies.forEach([&](BodyHandle handle, const Body& body) {
-        if (!body.isStatic) world.m_movedBodies.push_back(handle);
-    });
-}
-
-/// Bodies that physics has moved or this step has editState, by slot.
-std::vector<BodyHandle> EditStep::movedBodies() {
-    std::vector<BodyHandle> bodies = std::exchange(m_world.m_movedBodies, {});
-    for (const auto* list : {&m_changes.bodiesCreated, &m_changes.bodiesDestroyed, &m_changes.teleported})
+/// Bodies that physics has moved or this step has changed, by slot.
+std::vector<BodyHandle> takeMovedBodies(EditContext& context) {
+    std::vector<BodyHandle> bodies = std::exchange(context.world.movedBodies, {});
+    for (const auto* list :
+         {&context.changes.bodiesCreated, &context.changes.bodiesDestroyed, &context.changes.teleported})
         bodies.insert(bodies.end(), list->begin(), list->end());
-    for (const auto* list : {&m_changes.carved, &m_changes.shapesCreated, &m_changes.filters})
+    for (const auto* list : {&context.changes.carved, &context.changes.shapesCreated, &context.changes.filters})
         for (const ShapeHandle handle : *list)
-            if (const Shape* shape = m_world.m_shapes.find(handle)) bodies.push_back(shape->body);
+            if (const Shape* shape = context.world.shapes.find(handle)) bodies.push_back(shape->body);
     std::sort(bodies.begin(), bodies.end(), [](BodyHandle a, BodyHandle b) { return a < b; });
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     return bodies;
 }
 
-/// Who has come into which trigger, and who has left: bodies that moved against triggers near them and triggers that
-/// they were in, and everything near a trigger that is new.
-void EditStep::updateTriggers() {
-    const std::vector<BodyHandle> moved = movedBodies();
-    std::set<std::pair<TriggerHandle, BodyHandle>> pairs;  // all of one world: ordered by slot but for generations
+/// Pairs of a trigger and a body for which being inside may have changed.
+std::set<std::pair<TriggerHandle, BodyHandle>> findPairs(EditContext& context) {
+    const std::vector<BodyHandle> moved = takeMovedBodies(context);
+    std::set<std::pair<TriggerHandle, BodyHandle>> pairs;  // of one world, so ordered by slot
     for (const BodyHandle handle : moved) {
-        const Body* body = m_world.m_bodies.find(handle);
+        const Body* body = context.world.bodies.find(handle);
         if (!body || body->isStatic) continue;
-        const WorldBox bounds = gridBounds(m_world, *body);
-        m_world.m_triggerBounds.find([&](const WorldBox& box) { return box.overlaps(bounds); },
-                                     [&](uint32_t slot) { pairs.emplace(m_world.m_triggers.handleAt(slot), handle); });
+        const WorldBox bounds = bodyGridBounds(context.world, *body);
+        context.world.triggerBounds.find(
+            [&](const WorldBox& box) { return box.overlaps(bounds); },
+            [&](uint32_t slot) { pairs.emplace(context.world.triggers.handleAt(slot), handle); });
     }
-    m_world.m_triggers.forEach([&](TriggerHandle handle, const Trigger& trigger) {
+    context.world.triggers.forEach([&](TriggerHandle handle, const Trigger& trigger) {
         for (const BodyHandle body : trigger.inside)
             if (std::binary_search(moved.begin(), moved.end(), body)) pairs.emplace(handle, body);
     });
-    for (const TriggerHandle handle : m_changes.triggers)
-        if (const Trigger* trigger = m_world.m_triggers.find(handle))
-            for (const BodyHandle body : bodiesInBox(m_world, trigger->bounds(), {.includeStatic = false}))
+    for (const TriggerHandle handle : context.changes.triggers)
+        if (const Trigger* trigger = context.world.triggers.find(handle))
+            for (const BodyHandle body : bodiesInBox(context.world, trigger->bounds(), {.includeStatic = false}))
                 pairs.emplace(handle, body);
-    for (const auto& [handle, body] : pairs) {
-        Trigger& trigger = m_world.m_triggers.at(handle);
-        const bool is = isInside(m_world, body, trigger);
+    return pairs;
+}
+
+}  // namespace
+
+void updateTriggers(EditContext& context) {
+    for (const auto& [handle, body] : findPairs(context)) {
+        Trigger& trigger = context.world.triggers.at(handle);
+        const bool is = isInside(context.world, body, trigger);
         const auto at = std::find(trigger.inside.begin(), trigger.inside.end(), body);
         if (is == (at != trigger.inside.end())) continue;
         if (is)
@@ -122,11 +111,12 @@ void EditStep::updateTriggers() {
                 std::upper_bound(trigger.inside.begin(), trigger.inside.end(), body, bySlot<BodyHandle>), body);
         else
             trigger.inside.erase(at);
-        m_changes.triggerEvents.push_back({handle, body, is});
-        if (std::find(m_changes.triggers.begin(), m_changes.triggers.end(), handle) == m_changes.triggers.end())
-            m_changes.triggers.push_back(handle);
+        context.changes.triggerEvents.push_back({handle, body, is});
+        if (std::find(context.changes.triggers.begin(), context.changes.triggers.end(), handle) ==
+            context.changes.triggers.end())
+            context.changes.triggers.push_back(handle);
     }
-    std::stable_sort(m_changes.triggerEvents.begin(), m_changes.triggerEvents.end(),
+    std::stable_sort(context.changes.triggerEvents.begin(), context.changes.triggerEvents.end(),
                      [](const TriggerEvent& a, const TriggerEvent& b) {
                          return a.trigger.slot() != b.trigger.slot() ? a.trigger.slot() < b.trigger.slot()
                                                                      : a.body.slot() < b.body.slot();

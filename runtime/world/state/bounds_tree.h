@@ -1,30 +1,11 @@
 #pragma once
 #include <cstdint>
-#include <glm/common.hpp>
-#include <glm/vec3.hpp>
 #include <utility>
 #include <vector>
 
+#include "runtime/world/objects/world_box.h"
+
 namespace rubble {
-
-/// A box in the world, along its axes, metres.
-struct WorldBox {
-    glm::dvec3 low{0.0}, high{0.0};
-
-    bool overlaps(const WorldBox& o) const {
-        return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y && low.z <= o.high.z &&
-               o.low.z <= high.z;
-    }
-    bool contains(const WorldBox& o) const {
-        return low.x <= o.low.x && low.y <= o.low.y && low.z <= o.low.z && o.high.x <= high.x && o.high.y <= high.y &&
-               o.high.z <= high.z;
-    }
-    WorldBox merged(const WorldBox& o) const { return {glm::min(low, o.low), glm::max(high, o.high)}; }
-    double area() const {
-        const glm::dvec3 d = high - low;
-        return d.x * d.y + d.y * d.z + d.z * d.x;
-    }
-};
 
 /// Numbered boxes, found by place: a binary tree of bounds kept good by rotations (Catto, "Dynamic Bounding Volume
 /// Hierarchies", GDC 2019). Placing, moving and finding cost the depth of the tree, whatever it holds.

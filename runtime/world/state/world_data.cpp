@@ -1,44 +1,136 @@
-#include "runtime/world/state/world_state.h"
+#include "runtime/world/state/world_data.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <utility>
 
-#include "runtime/world/stages/edit_step.h"
-#include "runtime/world/history/undo_history.h"
+#include "runtime/core/log.h"
+#include "runtime/world/objects/transforms.h"
+#include "runtime/world/state/fires.h"
 
 namespace rubble {
 
-WorldState World::state() const {
-    return {m_name,      m_step,   m_imported, m_removed,   m_bodies,      m_shapes,
-            m_lights,    m_groups, m_revived,  m_materials, m_environment, m_settings,
-            m_locations, m_fire,   m_waters,   m_triggers,  m_characters,  m_joints};
+WorldData::WorldData(uint8_t worldId) : id(worldId) {
+    forEachKind([worldId](auto& map) { map = std::decay_t<decltype(map)>(worldId); }, *this);
+    materials = defaultMaterials();
 }
 
-void World::setState(WorldState state) {
-    clear();
-    m_name = std::move(state.name);
-    m_step = state.step;
-    m_imported = state.imported;
-    m_removed = state.removed;
-    m_bodies = std::move(state.bodies);
-    m_shapes = std::move(state.shapes);
-    m_lights = std::move(state.lights);
-    m_groups = std::move(state.groups);
-    m_revived = std::move(state.unsettled);
-    m_materials = std::move(state.materials);
-    m_wire = m_materials.find("wire");
-    m_groups.forEach([&](LightGroupHandle, const LightGroup& group) { m_flickeringGroups += group.failingSince != 0; });
-    m_environment = state.environment;
-    m_locations = std::move(state.locations);
-    m_fire = std::move(state.fire);
-    m_waters = std::move(state.waters);
-    m_triggers = std::move(state.triggers);
-    m_characters = std::move(state.characters);
-    m_joints = std::move(state.joints);
-    rebuildJointIndex();
-    setSettings(state.settings);
-    m_shapes.forEach([&](ShapeHandle handle, const Shape&) { updateShapeBounds(handle); });
-    EditStep::initTriggers(*this);
+void WorldData::clear() {
+    forEachKind([](auto& map) { map.clear(); }, *this);
+    stress.reset();
+    jointIndex.clear();
+    fire = {};
+    shapeBounds.clear();
+    triggerBounds.clear();
+    movedBodies.clear();
+    debris.clear();
+    unsettled.clear();
+    pendingSplits.clear();
+    step = imported = removed = 0;
+    flickeringGroups = 0;
+    levelReplaced = true;
+}
+
+void WorldData::rebuildIndexes() {
+    wire = materials.find("wire");
+    joints.forEach([&](JointHandle handle, const Joint& joint) { jointIndex.add(handle, joint); });
+    shapes.forEach([&](ShapeHandle handle, const Shape&) { updateShapeBounds(handle); });
+    bodies.forEach([&](BodyHandle handle, const Body&) { updateDebris(handle); });
+    indexTriggers();
     restartStress();
+}
+
+/// Bodies inside triggers are looked at in the next step; what `inside` holds stays if nothing has changed.
+void WorldData::indexTriggers() {
+    if (!triggers.size()) return;
+    triggers.forEach(
+        [&](TriggerHandle handle, const Trigger& trigger) { triggerBounds.update(handle.slot(), trigger.bounds()); });
+    bodies.forEach([&](BodyHandle handle, const Body& body) {
+        if (!body.isStatic) movedBodies.push_back(handle);
+    });
+}
+
+void WorldData::setSettings(const WorldSettings& to) {
+    const bool stressChanged = !(to.stress == settings.stress);
+    settings = to;
+    if (stressChanged) restartStress();
+    bodies.forEach([&](BodyHandle handle, const Body&) { updateDebris(handle); });
+}
+
+void WorldData::setEnvironment(Environment to) {
+    const float length = glm::length(to.sunDirection);
+    to.sunDirection = length > 0.0f ? to.sunDirection / length : glm::vec3(0.0f, 1.0f, 0.0f);
+    swapEnvironment(to);
+}
+
+Environment WorldData::swapEnvironment(const Environment& to) {
+    if (stress && to.gravity != environment.gravity) stress->restartAll();
+    return std::exchange(environment, to);
+}
+
+void WorldData::updateShapeBounds(ShapeHandle handle) {
+    shapeBounds.update(handle.slot(), gridBounds(*this, handle));
+}
+
+void WorldData::updateDebris(BodyHandle handle) {
+    const Body* body = bodies.find(handle);
+    const Shape* shape = body && !body->isStatic && body->shapes.size() == 1 ? shapes.find(body->shapes[0]) : nullptr;
+    if (!shape || !shape->isPiece || shape->grid.voxelCount() > settings.debris.largestPiece)
+        return debris.remove(handle.slot());
+    const RestState rest = body->settled ? RestState::Settled : body->asleep ? RestState::Asleep : RestState::Awake;
+    debris.set({handle, rest, shape->grid.voxelCount(), body->createdStep, body->restingSince});
+}
+
+JointHandle WorldData::addJoint(Joint joint) {
+    const JointHandle handle = joints.insert(std::move(joint));
+    jointIndex.add(handle, joints.at(handle));
+    return handle;
+}
+
+void WorldData::restartStress() {
+    stress.reset();
+    if (!settings.stress.on) return;
+    stress.emplace();
+    shapes.forEach([&](ShapeHandle handle, const Shape&) { addStress(handle); });
+}
+
+void WorldData::addStress(ShapeHandle handle) {
+    const Shape& shape = shapes.at(handle);
+    if (!shape.loadBearing || !bodies.at(shape.body).isStatic) return;
+    if (shape.grid.brickCount() > settings.stress.largestShape) {
+        logWarning("stress: shape \"" + shape.name + "\" has " + std::to_string(shape.grid.brickCount()) +
+                   " bricks and is not analysed: it never breaks under its load. To include it, raise "
+                   "StressSettings::largestShape, which is " +
+                   std::to_string(settings.stress.largestShape));
+        return;
+    }
+    std::vector<glm::ivec3> bricks;
+    shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef&) { bricks.push_back(brick); });
+    WorldStress::Entry& entry = stress->add(handle);
+    entry.analysis.markChanged(bricks);
+    for (const HeatField& field : fire.fields) {
+        if (field.shape != handle) continue;
+        for (const HotBrick& hot : field.bricks)  // in the sixteenths of weakenBrick()
+            entry.weak.push_back(
+                {hot.brick, (int(256.0 * remainingStrength(*this, handle, hot.brick)) + 15) / 16 * 16});
+    }
+}
+
+bool WorldData::isBusy() const {
+    return hasDebrisWork() || flickeringGroups || fire.isActive() || (stress && stress->isBusy()) ||
+           !movedBodies.empty() || !pendingSplits.empty() || hasActiveWinch();
+}
+
+bool WorldData::hasDebrisWork() const {
+    const DebrisSettings& limits = settings.debris;
+    return !unsettled.empty() || debris.awakeCount() > limits.awakeBodies || debris.count() > limits.bodies ||
+           debris.voxels() > limits.voxels ||
+           (step >= limits.settleSteps && debris.asleepSince(step - limits.settleSteps));
+}
+
+bool WorldData::hasActiveWinch() const {
+    const auto winds = [&](JointHandle rope) { return joints.at(rope).motor.mode != MotorMode::Off; };
+    return std::any_of(jointIndex.ropes().begin(), jointIndex.ropes().end(), winds);
 }
 
 }  // namespace rubble

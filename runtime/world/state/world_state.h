@@ -1,32 +1,30 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "runtime/core/slot_map.h"
-#include "runtime/world/world.h"
+#include "runtime/core/pose.h"
+#include "runtime/voxel/material.h"
+#include "runtime/world/objects/world_objects.h"
+#include "runtime/world/settings/world_settings.h"
+#include "runtime/world/state/fire_state.h"
 
 namespace rubble {
 
-/// Everything of a World that decides what happens next, as a value, with slots and generations. Bricks, directories
-/// and palettes are shared: it costs the number of objects, not of voxels. What a save file holds.
-struct WorldState {
+/// Everything of a World that decides what happens next, as a value, with slots and generations: what a save file
+/// holds. Bricks, directories and palettes are shared: a copy costs the number of objects, not of voxels.
+struct WorldState : WorldObjects {
     std::string name;
-    uint64_t step = 0, imported = 0, removed = 0;
-    SlotMap<BodyHandle, Body> bodies;
-    SlotMap<ShapeHandle, Shape> shapes;
-    SlotMap<LightHandle, Light> lights;
-    SlotMap<LightGroupHandle, LightGroup> groups;
-    std::vector<BodyHandle> unsettled;  ///< settled bodies that have woken since the last step
+    uint64_t step = 0;                  ///< steps done since the level was loaded
+    uint64_t imported = 0;              ///< voxels that the level brought
+    uint64_t removed = 0;               ///< voxels that are gone
+    std::vector<BodyHandle> unsettled;  ///< settled bodies that physics has woken since the last step
     MaterialTable materials;
     Environment environment;
     WorldSettings settings;
-    std::vector<std::pair<std::string, Pose>> locations;
+    std::vector<std::pair<std::string, Pose>> locations;  ///< named places of the level
     FireState fire;
-    SlotMap<WaterHandle, Water> waters;
-    SlotMap<TriggerHandle, Trigger> triggers;
-    SlotMap<CharacterHandle, Character> characters;
-    SlotMap<JointHandle, Joint> joints;
 };
 
 }  // namespace rubble

@@ -160,7 +160,7 @@ std::vector<Part> partsOf(const World& world, const Body& body, size_t index) {
     for (const ShapeHandle shapeHandle : body.shapes) {
         const Shape& shape = world.shapes().at(shapeHandle);
         Part part{
-            &shape.grid, shape.voxelSize, world.shapeToWorld(shapeHandle), glm::dvec3(1e30), glm::dvec3(-1e30), {},
+            &shape.grid, shape.voxelSize, shapeToWorld(world, shapeHandle), glm::dvec3(1e30), glm::dvec3(-1e30), {},
             index};
         const glm::dvec3 size = glm::dvec3(shape.grid.size()) * part.size;
         for (int k = 0; k < 8; ++k) {
@@ -183,7 +183,7 @@ std::vector<BodyHandle> findUnsupported(const World& world) {
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
         if (!body.isStatic && !body.asleep) return;
         Item item{.handle = handle, .isStatic = body.isStatic, .held = true};
-        if (!body.isStatic) item.center = body.pose.transformPoint(world.bodyMass(handle).center);
+        if (!body.isStatic) item.center = body.pose.transformPoint(bodyMass(world, handle).center);
         for (Part& part : partsOf(world, body, items.size())) {
             item.radius = std::max(0.1, 0.25 * glm::length(part.high - part.low));
             parts.push_back(std::move(part));

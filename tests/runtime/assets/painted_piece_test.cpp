@@ -12,7 +12,7 @@ namespace {
 std::map<std::array<int64_t, 3>, std::array<int, 4>> voxelLooks(const World& world) {
     std::map<std::array<int64_t, 3>, std::array<int, 4>> out;
     world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
-        const Pose pose = world.shapeToWorld(handle);
+        const Pose pose = shapeToWorld(world, handle);
         shape.grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
             forEachVoxel(brick->occupancy, [&](int i) {
                 const glm::dvec3 cell = glm::dvec3(position * kBrickSize + voxelInBrick(i)) + 0.5;
@@ -59,7 +59,7 @@ TEST(PaintedPiece, KeepsItsPaintThroughSplitSaveAndLoad) {
     EXPECT_GT(after.size(), before.size() * 9 / 10);
     for (const auto& [position, look] : after) ASSERT_EQ(before.at(position), look) << "a piece keeps its paint";
 
-    const std::vector<uint8_t> bytes = levelToRubble(world.toLevel());
+    const std::vector<uint8_t> bytes = levelToRubble(toLevel(world));
     const Result<Level> back = levelFromRubble(bytes, "painted.rubble");
     ASSERT_TRUE(back) << back.error();
     World loaded;

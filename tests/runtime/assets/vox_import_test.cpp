@@ -144,7 +144,7 @@ TEST(VoxImport, LayersHiddenFlagsNamesAndFrames) {
     World world;  // files keep hidden shapes, a World leaves them out
     world.load(level);
     EXPECT_EQ(world.bodies().size(), 2u);
-    EXPECT_EQ(world.voxelAccounting().imported, 2u);
+    EXPECT_EQ(voxelAccounting(world).imported, 2u);
 }
 
 TEST(VoxImport, OneBodyHoldsAllObjects) {

@@ -30,7 +30,7 @@ protected:
     WorldBox cubeBox() {
         WorldBox box{glm::dvec3(1e30), glm::dvec3(-1e30)};
         for (const ShapeHandle shape : world.bodies().at(cube({}).body).shapes) {
-            const glm::dvec3 low = world.shapeToWorld(shape).position;
+            const glm::dvec3 low = shapeToWorld(world, shape).position;
             const Shape& s = world.shapes().at(shape);
             box = box.merged({low, low + glm::dvec3(s.grid.size()) * double(s.voxelSize)});
         }

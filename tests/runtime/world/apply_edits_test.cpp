@@ -4,6 +4,7 @@
 
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
@@ -13,14 +14,8 @@ using test::sphereCarve;
 
 /// A mast of 4x40x4 on a foot of 16x4x16 cells of 0.1 m.
 VoxelGrid mast() {
-    VoxelGrid grid({16, 44, 16});
-    GridWriter writer(grid);
-    for (int z = 0; z < 16; ++z)
-        for (int x = 0; x < 16; ++x)
-            for (int y = 0; y < 44; ++y)
-                if (y < 4 || (x >= 6 && x < 10 && z >= 6 && z < 10)) writer.set({x, y, z}, 1);
-    writer.flush();
-    return grid;
+    return gridOf({16, 44, 16},
+                  [](glm::ivec3 c) { return uint8_t(c.y < 4 || (c.x >= 6 && c.x < 10 && c.z >= 6 && c.z < 10)); });
 }
 
 TEST(ApplyEdits, AStepWithoutEditsAllocatesNothing) {
@@ -55,12 +50,12 @@ TEST(ApplyEdits, DetachedPiecesBecomeBodies) {
     EXPECT_FALSE(world.bodies().at(piece.body).isStatic);
     // The child's cells lie where they were.
     EXPECT_EQ(changes.splits[0].parentOffset[0] % 8, glm::ivec3(0));
-    const glm::dvec3 corner = world.shapeToWorld(child).position - world.shapeToWorld(parent).position;
+    const glm::dvec3 corner = shapeToWorld(world, child).position - shapeToWorld(world, parent).position;
     EXPECT_LT(glm::length(corner - glm::dvec3(changes.splits[0].parentOffset[0]) * 0.1), 1e-6);
     uint64_t removed = 0;
     for (const RemovedVoxels& each : changes.removed) removed += each.count;
     EXPECT_EQ(before, world.shapes().at(parent).grid.voxelCount() + piece.grid.voxelCount() + removed);
-    const VoxelAccounting accounting = world.voxelAccounting();
+    const VoxelAccounting accounting = voxelAccounting(world);
     EXPECT_TRUE(accounting.balances());
     EXPECT_EQ(accounting.inPieces, piece.grid.voxelCount());
     EXPECT_EQ(accounting.removed, removed);
@@ -153,8 +148,8 @@ TEST(ApplyEdits, AStaticShapeWithoutAnchorsIsDetached) {
     ASSERT_EQ(changes.bodiesCreated.size(), 1u);
     EXPECT_EQ(world.shapes().at(shape).body, changes.bodiesCreated[0]);
     EXPECT_FALSE(world.bodies().at(changes.bodiesCreated[0]).isStatic);
-    EXPECT_TRUE(world.voxelAccounting().balances());
-    EXPECT_EQ(world.voxelAccounting().standing, 0u);
+    EXPECT_TRUE(voxelAccounting(world).balances());
+    EXPECT_EQ(voxelAccounting(world).standing, 0u);
 }
 
 TEST(ApplyEdits, AShapeCarvedAwayWhollyIsDestroyed) {
@@ -170,7 +165,7 @@ TEST(ApplyEdits, AShapeCarvedAwayWhollyIsDestroyed) {
     EXPECT_TRUE(changes.bricks.empty());
     EXPECT_EQ(changes.lights.size(), 1u);
     world.lights().forEach([&](LightHandle, const Light& light) { EXPECT_FALSE(light.enabled); });
-    EXPECT_TRUE(world.voxelAccounting().balances());
+    EXPECT_TRUE(voxelAccounting(world).balances());
 }
 
 TEST(ApplyEdits, PiecesBelowMinPieceVoxelsAreRemoved) {
@@ -181,7 +176,7 @@ TEST(ApplyEdits, PiecesBelowMinPieceVoxelsAreRemoved) {
     const FrameChanges changes = world.applyEdits({sphereCarve({0.8, 2.0, 0.8}, 0.4)});
     EXPECT_TRUE(changes.splits.empty());
     EXPECT_EQ(world.shapes().size(), 1u);
-    const VoxelAccounting accounting = world.voxelAccounting();
+    const VoxelAccounting accounting = voxelAccounting(world);
     EXPECT_TRUE(accounting.balances());
     EXPECT_EQ(accounting.inPieces, 0u);
     EXPECT_GT(accounting.removed, 350u);  // the mast above the cut went too
@@ -203,12 +198,12 @@ TEST(ApplyEdits, NotANumberChangesNothing) {
     world.load(oneShapeLevel(mast(), true));
     world.applyEdits({});
     const double nan = std::nan("");
-    const uint64_t voxels = world.voxelAccounting().standing;
+    const uint64_t voxels = voxelAccounting(world).standing;
     CarveEdit box{.kind = BrushKind::Box, .position = {0.8, nan, 0.8}, .halfSize = {1, 1, 1}};
     world.applyEdits({sphereCarve({nan, 0, 0}, 1.0), sphereCarve({0.8, 2.0, 0.8}, nan), box,
                       PaintEdit{.position = {nan, 0, 0}}, ExplodeEdit{{nan, 0, 0}, 1.0},
                       sphereCarve({1e300, 0, 0}, 1.0)});
-    EXPECT_EQ(world.voxelAccounting().standing, voxels);
+    EXPECT_EQ(voxelAccounting(world).standing, voxels);
 }
 
 TEST(ApplyEdits, ExplosionsPushFragmentsAndPaintSoot) {
@@ -220,17 +215,17 @@ TEST(ApplyEdits, ExplosionsPushFragmentsAndPaintSoot) {
     EXPECT_EQ(changes.impulses.size(), changes.bodiesCreated.size());
     for (const ImpulseApplied& each : changes.impulses) {
         const Body& body = world.bodies().at(each.body);
-        const glm::dvec3 center = body.pose.transformPoint(world.bodyMass(each.body).center);
+        const glm::dvec3 center = body.pose.transformPoint(bodyMass(world, each.body).center);
         EXPECT_GT(glm::dot(each.impulse, center - glm::dvec3(0.8, 2.0, 0.8)), 0.0);
     }
-    EXPECT_TRUE(world.voxelAccounting().balances());
+    EXPECT_TRUE(voxelAccounting(world).balances());
     EXPECT_GT(changes.paintedVoxels, 0u);
 }
 
 TEST(ApplyEdits, TheSameEditsGiveTheSameHash) {
     const auto run = [] {
         World world;
-        world.load(oneShapeLevel(test::towerGrid({64, 60, 48}), true));
+        world.load(oneShapeLevel(towerGrid({64, 60, 48}), true));
         std::vector<uint64_t> hashes;
         Random random(11);
         for (int step = 0; step < 30; ++step) {
@@ -244,7 +239,7 @@ TEST(ApplyEdits, TheSameEditsGiveTheSameHash) {
                     .kind = BrushKind::Capsule, .position = {x, y, z}, .end = {z, x, y}, .radii = {0.2, 0.2, 0.2}}});
             hashes.push_back(world.hash());
         }
-        EXPECT_TRUE(world.voxelAccounting().balances());
+        EXPECT_TRUE(voxelAccounting(world).balances());
         EXPECT_GT(world.shapes().size(), 3u);
         return hashes;
     };

@@ -19,13 +19,13 @@ struct Throw {
             body.shapes.push_back({.name = "shape", .grid = std::move(grid), .palette = palette});
             level.bodies.push_back(std::move(body));
         };
-        add(test::solidGrid(glm::ivec3(side), 1), {0.8, 0.8, 0.1}, false);
-        add(test::solidGrid({20, 20, thickness}, 2), {0, 0, -0.1 * (thickness - 1)}, true);
+        add(solidGrid(glm::ivec3(side), 1), {0.8, 0.8, 0.1}, false);
+        add(solidGrid({20, 20, thickness}, 2), {0, 0, -0.1 * (thickness - 1)}, true);
         world.load(level);
         world.bodies().forEach([&](BodyHandle handle, const Body& body) { (body.isStatic ? wall : block) = handle; });
     }
     Edits damage(Impact impact) const {
-        Edits edits = world.damageFrom({&impact, 1});
+        Edits edits = impactDamage(world, {&impact, 1});
         addBreakThroughImpulses(world, {&impact, 1}, edits);
         return edits;
     }

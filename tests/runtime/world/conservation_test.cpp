@@ -41,8 +41,7 @@ public:
         const double w = m_random.unit(), x = m_random.unit(), y = m_random.unit(), z = m_random.unit();
         const Pose pose{{50.0 * x, -30.0 * y, 20.0 * z},
                         glm::normalize(glm::dquat(w + 0.1, x - 0.5, y - 0.5, z - 0.5))};
-        Level level =
-            test::oneShapeLevel(isNoise ? test::noiseGrid(size, 45, seed) : test::towerGrid(size, 2, 6), false, pose);
+        Level level = test::oneShapeLevel(isNoise ? noiseGrid(size, 45, seed) : towerGrid(size, 2, 6), false, pose);
         level.bodies[0].velocity = {3.0 * x, -2.0, 5.0 * z};
         level.bodies[0].angularVelocity = {4.0 * z, 7.0 * w, -3.0 * y};
         m_world.load(level);
@@ -62,14 +61,14 @@ public:
         const Shape shape = m_world.shapes().at(handle);
         const Body body = m_world.bodies().at(shape.body);
         const CarveEdit edit = randomCut(handle, shape);
-        const MassProperties whole = m_world.bodyMass(shape.body);
+        const MassProperties whole = bodyMass(m_world, shape.body);
         VoxelGrid grid = shape.grid;
         CarveResult carved;
-        carve(grid, resolveBrush(edit, m_world.shapeToWorld(handle), shape.voxelSize), *shape.palette,
+        carve(grid, resolveBrush(edit, shapeToWorld(m_world, handle), shape.voxelSize), *shape.palette,
               m_world.materials(), carved);
         const MassMoments expected = gridMoments(grid, *shape.palette, m_world.materials());
         const FrameChanges changes = m_world.applyEdits({edit});
-        ASSERT_TRUE(m_world.voxelAccounting().balances());
+        ASSERT_TRUE(voxelAccounting(m_world).balances());
 
         const MassProperties rest = massProperties(expected, shape.voxelSize);
         const Pose pose = body.pose * shape.local;
@@ -85,7 +84,7 @@ public:
             ASSERT_EQ(left->moments, gridMoments(left->grid, *left->palette, m_world.materials()));
             sum += left->moments.shifted(offset);
             const Body& owner = m_world.bodies().at(left->body);
-            after.add(massProperties(left->moments, left->voxelSize), m_world.shapeToWorld(part), owner.velocity,
+            after.add(massProperties(left->moments, left->voxelSize), shapeToWorld(m_world, part), owner.velocity,
                       owner.angularVelocity, pivot);
         };
         count(handle, glm::ivec3(0));
@@ -107,7 +106,7 @@ private:
         return m_world.shapes().at(a).grid.voxelCount() >= m_world.shapes().at(b).grid.voxelCount() ? a : b;
     }
     CarveEdit randomCut(ShapeHandle handle, const Shape& shape) {
-        const Pose pose = m_world.shapeToWorld(handle);
+        const Pose pose = shapeToWorld(m_world, handle);
         const glm::dvec3 size = glm::dvec3(shape.grid.size()) * double(shape.voxelSize);
         const double x = m_random.unit(), y = m_random.unit(), z = m_random.unit(), kind = m_random.unit();
         const Vector position = pose.transformPoint(size * Vector(x, y, z));

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "tests/runtime/world/worlds.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
@@ -12,14 +13,10 @@ constexpr int kPillars = 12;  ///< on a side
 
 /// A slab of 0.4 m with pillars of 2x6x2 cells, 4 cells apart; column x is two cells lower if `uneven`.
 VoxelGrid pillars(bool uneven = false) {
-    VoxelGrid grid({4 * kPillars, 10, 4 * kPillars});
-    GridWriter writer(grid);
-    for (int z = 0; z < grid.size().z; ++z)
-        for (int x = 0; x < grid.size().x; ++x)
-            for (int y = 0; y < 10; ++y)
-                if (y < 4 || (x % 4 < 2 && z % 4 < 2 && (!uneven || x < 4 || y < 8))) writer.set({x, y, z}, 1);
-    writer.flush();
-    return grid;
+    return gridOf({4 * kPillars, 10, 4 * kPillars}, [=](glm::ivec3 c) {
+        const bool isPillar = c.x % 4 < 2 && c.z % 4 < 2 && (!uneven || c.x < 4 || c.y < 8);
+        return uint8_t(c.y < 4 || isPillar);
+    });
 }
 
 /// Takes one layer of cells from columns [from, to) of pillars, which come off.
@@ -77,21 +74,21 @@ void expectNoStaleHandles(const World& world, const FrameChanges& changes) {
 TEST(Debris, PiecesOverTheBodyBudgetBecomeDustAtOnce) {
     DebrisWorld world(withBudgets(1000, 100, 1000000));
     const FrameChanges changes = world.applyEdits({cutColumns(0, kPillars)});
-    EXPECT_EQ(world.debris().count(), 100u);
+    EXPECT_EQ(world.data().debris.count(), 100u);
     EXPECT_EQ(changes.bodiesCreated.size(), 100u);
     EXPECT_TRUE(changes.bodiesDestroyed.empty()) << "nobody has heard of them";
     expectNoStaleHandles(world, changes);
     EXPECT_EQ(dustOf(changes), removedOf(changes));
     EXPECT_EQ(removedOf(changes), 144u * 4 + 44u * 20);
-    EXPECT_TRUE(world.voxelAccounting().balances());
-    EXPECT_EQ(world.voxelAccounting().inPieces, 100u * 20);
+    EXPECT_TRUE(voxelAccounting(world).balances());
+    EXPECT_EQ(voxelAccounting(world).inPieces, 100u * 20);
 }
 
 TEST(Debris, BudgetOfVoxels) {
     DebrisWorld world(withBudgets(1000, 1000, 1999));
     world.applyEdits({cutColumns(0, kPillars)});
-    EXPECT_EQ(world.debris().voxels(), 99u * 20);
-    EXPECT_TRUE(world.voxelAccounting().balances());
+    EXPECT_EQ(world.data().debris.voxels(), 99u * 20);
+    EXPECT_TRUE(voxelAccounting(world).balances());
 }
 
 TEST(Debris, SmallSettledAndOldPiecesAreRemovedFirst) {
@@ -113,31 +110,31 @@ TEST(Debris, SmallSettledAndOldPiecesAreRemovedFirst) {
     EXPECT_EQ(shrinkTo(34), std::vector{large[3]}) << "settled";
     EXPECT_EQ(shrinkTo(33), std::vector{younger[0]}) << "asleep";
     EXPECT_EQ(shrinkTo(32), std::vector{small[0]}) << "small, and the oldest such";
-    EXPECT_TRUE(world.voxelAccounting().balances());
+    EXPECT_TRUE(voxelAccounting(world).balances());
 }
 
 TEST(Debris, AwakePiecesHaveTheirOwnBudget) {
     DebrisWorld world(withBudgets(50, 1000, 1000000));
     world.applyEdits({cutColumns(0, 4)});
-    EXPECT_EQ(world.debris().awakeCount(), 48u);
+    EXPECT_EQ(world.data().debris.awakeCount(), 48u);
     world.applyEdits({cutColumns(4, 6)});
-    EXPECT_EQ(world.debris().awakeCount(), 50u);
-    EXPECT_EQ(world.debris().count(), 50u) << "none sleeps yet: 22 are dust";
+    EXPECT_EQ(world.data().debris.awakeCount(), 50u);
+    EXPECT_EQ(world.data().debris.count(), 50u) << "none sleeps yet: 22 are dust";
     std::vector<BodyHandle> all;
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
         if (!body.isStatic) all.push_back(handle);
     });
     world.sleep(all);
-    EXPECT_EQ(world.debris().awakeCount(), 0u);
+    EXPECT_EQ(world.data().debris.awakeCount(), 0u);
     world.applyEdits({cutColumns(8, 12)});
-    EXPECT_EQ(world.debris().awakeCount(), 48u);
-    EXPECT_EQ(world.debris().count(), 98u);
+    EXPECT_EQ(world.data().debris.awakeCount(), 48u);
+    EXPECT_EQ(world.data().debris.count(), 98u);
     // Those that an explosion wakes need places too.
     const FrameChanges blast = world.applyEdits({ExplodeEdit{.position = {1.2, 1.4, 2.4}, .size = 0.5}});
-    EXPECT_LE(world.debris().awakeCount(), 50u);
+    EXPECT_LE(world.data().debris.awakeCount(), 50u);
     for (const ImpulseApplied& impulse : blast.impulses) EXPECT_TRUE(world.bodies().find(impulse.body));
     expectNoStaleHandles(world, blast);
-    EXPECT_TRUE(world.voxelAccounting().balances());
+    EXPECT_TRUE(voxelAccounting(world).balances());
 }
 
 TEST(Debris, SettlesAfterItsTimeAndReportsIt) {
@@ -164,7 +161,7 @@ TEST(Debris, LargePiecesAndLevelBodiesAreNotDebris) {
     DebrisWorld world(settings);
     const FrameChanges changes = world.applyEdits({cutColumns(0, kPillars)});
     EXPECT_EQ(changes.bodiesCreated.size(), 144u);
-    EXPECT_EQ(world.debris().count(), 0u);
+    EXPECT_EQ(world.data().debris.count(), 0u);
 }
 
 TEST(Debris, VoxelAccountingBalancesEveryStep) {
@@ -176,12 +173,12 @@ TEST(Debris, VoxelAccountingBalancesEveryStep) {
         const FrameChanges changes = world.applyEdits({test::sphereCarve({4.8 * x, 0.5, 4.8 * z}, 0.3)});
         removed += removedOf(changes);
         EXPECT_EQ(dustOf(changes), removedOf(changes));
-        EXPECT_LE(world.debris().awakeCount(), 40u);
-        EXPECT_LE(world.debris().count(), 60u);
-        EXPECT_LE(world.debris().voxels(), 900u);
-        EXPECT_EQ(world.voxelAccounting().removed, removed);
-        EXPECT_TRUE(world.voxelAccounting().balances());
-        EXPECT_EQ(world.voxelAccounting().inPieces, world.debris().voxels());
+        EXPECT_LE(world.data().debris.awakeCount(), 40u);
+        EXPECT_LE(world.data().debris.count(), 60u);
+        EXPECT_LE(world.data().debris.voxels(), 900u);
+        EXPECT_EQ(voxelAccounting(world).removed, removed);
+        EXPECT_TRUE(voxelAccounting(world).balances());
+        EXPECT_EQ(voxelAccounting(world).inPieces, world.data().debris.voxels());
         expectNoStaleHandles(world, changes);
         if (i % 7 == 0 && !changes.bodiesCreated.empty()) world.sleep({changes.bodiesCreated[0]});
     }
@@ -203,7 +200,7 @@ TEST(Debris, SplitsReportInitialMotions) {
     for (size_t i = 0; i < changes.splits[0].children.size(); ++i) {
         const PieceMotion& motion = changes.splits[0].motions[i];
         const BodyHandle body = world.shapes().at(changes.splits[0].children[i]).body;
-        const MassProperties mass = world.bodyMass(body);
+        const MassProperties mass = bodyMass(world, body);
         EXPECT_NEAR(motion.mass, mass.mass, 1e-9);
         EXPECT_LT(glm::length(motion.center - world.bodies().at(body).pose.transformPoint(mass.center)), 1e-12);
     }

@@ -1,27 +1,19 @@
 #include <gtest/gtest.h>
 
 #include "tests/runtime/world/worlds.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
 
 using namespace test;
 
-VoxelGrid block(glm::ivec3 size) {
-    VoxelGrid grid(size);
-    GridWriter writer(grid);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) writer.set({x, y, z}, 1);
-    return grid;
-}
-
 /// A chassis of 20 x 2 x 4 cells with a wheel below each end; the front one, at +x, drives and steers, both brake.
 Level cart() {
-    Level level = oneShapeLevel(block({20, 2, 4}), false, {{0.0, 1.0, 0.0}});
+    Level level = oneShapeLevel(solidGrid({20, 2, 4}), false, {{0.0, 1.0, 0.0}});
     for (int i = 0; i < 2; ++i) {
         LevelBody wheel{.name = "wheel", .isStatic = false};
-        wheel.shapes.push_back(levelShape(i ? "front" : "back", block({2, 2, 2})));
+        wheel.shapes.push_back(levelShape(i ? "front" : "back", solidGrid({2, 2, 2})));
         wheel.pose.position = {i ? 1.7 : 0.1, 0.75, 0.1};
         level.bodies.push_back(wheel);
         LevelJoint joint{{.name = "axle", .kind = JointKind::Wheel}, {"shape", i ? "front" : "back"}};

@@ -1,11 +1,12 @@
-#include "runtime/world/state/fire_state.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "runtime/world/state/fire_state.h"
+#include "runtime/world/state/fires.h"
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
@@ -28,7 +29,7 @@ LevelBody bodyOf(VoxelGrid grid, glm::dvec3 position) {
 }
 
 VoxelGrid wall(glm::ivec3 size, uint8_t entry = kWood) {
-    return test::solidGrid(size, entry);
+    return solidGrid(size, entry);
 }
 
 /// Runs steps without edits; what happened in all of them.
@@ -43,12 +44,12 @@ Happened run(World& world, int steps, const Edits& first = {}) {
         out.out += changes.firesOut.size();
         out.refused += changes.firesRefused;
         for (const RemovedVoxels& each : changes.removed) out.removed += each.count;
-        out.maxSteps = std::max<uint64_t>(out.maxSteps, world.fires().size());
-        if (!world.fires().empty() || !changes.firesOut.empty()) {
+        out.maxSteps = std::max<uint64_t>(out.maxSteps, findFires(world).size());
+        if (!findFires(world).empty() || !changes.firesOut.empty()) {
             EXPECT_TRUE(changes.firesChanged);
         }
     }
-    EXPECT_TRUE(world.voxelAccounting().balances());
+    EXPECT_TRUE(voxelAccounting(world).balances());
     return out;
 }
 
@@ -66,8 +67,8 @@ TEST(Fire, AWoodenWallBurnsDownAndABrickOneDoesNot) {
         }
         EXPECT_GE(burned.lit, 9u) << "of twelve bricks; what falls apart may stay behind";
         EXPECT_GT(burned.removed, 32u * 24 * 3 * 2 / 3);
-        EXPECT_EQ(world.voxelAccounting().removed, burned.removed);
-        EXPECT_FALSE(world.fire().isActive()) << "and then nothing is left to be hot";
+        EXPECT_EQ(voxelAccounting(world).removed, burned.removed);
+        EXPECT_FALSE(world.data().fire.isActive()) << "and then nothing is left to be hot";
     }
 }
 
@@ -79,7 +80,7 @@ TEST(Fire, ClimbsFasterThanItSpreadsSideways) {
     const Happened burned = run(world, 60 * 12, {spawnFire({5.2, 5.2, 0.15})});
     ASSERT_GT(burned.lit, 5u);
     glm::dvec3 low(1e9), high(-1e9);
-    for (const Fire& fire : world.fires()) low = glm::min(low, fire.position), high = glm::max(high, fire.position);
+    for (const Fire& fire : findFires(world)) low = glm::min(low, fire.position), high = glm::max(high, fire.position);
     EXPECT_GT(high.y - 5.2, 1.3 * (high.x - 5.2)) << "up against aside";
     EXPECT_GT(high.x - 5.2, 0.7);
     EXPECT_GT(high.y - 5.2, 2.0 * (5.2 - low.y)) << "up against down";
@@ -106,7 +107,7 @@ TEST(Fire, CharsBeforeItConsumesVoxels) {
         });
         EXPECT_GT(mode == PaintMode::Layer ? painted : dark, 50);
         EXPECT_EQ(mode == PaintMode::Layer ? dark : painted, 0);
-        EXPECT_LT(world.remainingStrength(test::firstShape(world), {0, 0, 0}), 0.9) << "char is weak";
+        EXPECT_LT(remainingStrength(world, test::firstShape(world), {0, 0, 0}), 0.9) << "char is weak";
     }
 }
 
@@ -120,7 +121,7 @@ TEST(Fire, SpreadsToNearShapesOnly) {
     bool nearIsHot = false;
     for (int second = 0; second < 40; ++second) {
         run(world, 60, second ? Edits{} : Edits{spawnFire({1.2, 0.2, 0.15})});
-        for (const Fire& fire : world.fires()) {
+        for (const Fire& fire : findFires(world)) {
             nearIsHot |= fire.position.z > 0.6;
             EXPECT_LT(fire.position.z, 2.0);
         }
@@ -134,16 +135,16 @@ TEST(Fire, WaterStopsAndPreventsFire) {
     World world;
     world.load(level);
     run(world, 120, {spawnFire({1.6, 0.2, 0.15})});
-    ASSERT_FALSE(world.fires().empty());
+    ASSERT_FALSE(findFires(world).empty());
     const Happened after = run(world, 60, {pourWater({1.6, 1.2, 0.15}, 3.0)});
     EXPECT_GT(after.out, 0u);
-    EXPECT_TRUE(world.fires().empty());
+    EXPECT_TRUE(findFires(world).empty());
     EXPECT_EQ(run(world, 60, {spawnFire({1.6, 0.2, 0.15})}).lit, 0u) << "it is wet";
     run(world, 60 * 20);
-    EXPECT_FALSE(world.fire().isActive()) << "dry again";
+    EXPECT_FALSE(world.data().fire.isActive()) << "dry again";
     EXPECT_GT(run(world, 60, {spawnFire({1.6, 0.2, 0.15})}).lit, 0u);
     EXPECT_GT(run(world, 60, {RemoveFiresEdit{{-1, -1, -1}, {9, 9, 9}}}).out, 0u);
-    EXPECT_TRUE(world.fires().empty());
+    EXPECT_TRUE(findFires(world).empty());
 }
 
 TEST(Fire, FollowsItsPiece) {
@@ -152,11 +153,11 @@ TEST(Fire, FollowsItsPiece) {
     World world;
     world.load(level);
     run(world, 300, {spawnFire({0.8, 4.6, 0.8}, 0.4)});
-    ASSERT_FALSE(world.fires().empty());
+    ASSERT_FALSE(findFires(world).empty());
     CarveEdit cut{.kind = BrushKind::Box, .position = {0.8, 2.0, 0.4}, .halfSize = {2, 0.1, 2}};
     const FrameChanges changes = world.applyEdits({cut});
     ASSERT_EQ(changes.splits.size(), 1u);
-    const std::vector<Fire> fires = world.fires();
+    const std::vector<Fire> fires = findFires(world);
     ASSERT_FALSE(fires.empty());
     for (const Fire& fire : fires) {
         EXPECT_EQ(fire.shape, changes.splits[0].children[0]) << "the upper part burns";
@@ -177,8 +178,8 @@ TEST(Fire, BudgetsHold) {
     const Happened burned = run(world, 60 * 40, {spawnFire({3.2, 3.2, 0.15}, 2.0)});
     EXPECT_EQ(burned.maxSteps, 5u);
     EXPECT_GT(burned.refused, 0u);
-    EXPECT_LE(world.fire().hotBricks, 20u);
-    EXPECT_LE(fireLights(world.fires(), world.step(), 2).size(), 2u);
+    EXPECT_LE(world.data().fire.hotBricks, 20u);
+    EXPECT_LE(fireLights(findFires(world), world.step(), 2).size(), 2u);
 }
 
 TEST(Fire, IsTheSameEveryTimeAndGoesOnFromItsState) {
@@ -193,7 +194,9 @@ TEST(Fire, IsTheSameEveryTimeAndGoesOnFromItsState) {
         a.applyEdits(step ? Edits{} : first), b.applyEdits(step ? Edits{} : first);
         ASSERT_EQ(a.hash(), b.hash()) << step;
         if (step == 50) {
-            b.setFire(FireState(a.fire()));
+            WorldState state = b.state();
+            state.fire = a.data().fire;
+            b.setState(std::move(state));
             ASSERT_EQ(a.hash(), b.hash());
         }
     }
@@ -201,10 +204,11 @@ TEST(Fire, IsTheSameEveryTimeAndGoesOnFromItsState) {
     cold.load(level);
     cold.applyEdits({});
     const uint64_t before = cold.hash();
-    FireState fire = a.fire();
-    for (HeatField& field : fire.fields) field.shape = test::firstShape(cold);
-    fire.fields.resize(1);
-    cold.setFire(fire);
+    WorldState state = cold.state();
+    state.fire = a.data().fire;
+    for (HeatField& field : state.fire.fields) field.shape = test::firstShape(cold);
+    state.fire.fields.resize(1);
+    cold.setState(std::move(state));
     EXPECT_NE(cold.hash(), before) << "heat is part of the state";
 }
 
@@ -219,7 +223,7 @@ TEST(Fire, InvalidInputIsRefused) {
                       ExtinguishEdit{.position = {0, nan, 0}},
                       ExtinguishEdit{.position = {0, 0, 0}, .radius = 1, .wetSeconds = -4},
                       RemoveFiresEdit{{nan, 0, 0}, {1, 1, 1}}});
-    EXPECT_FALSE(world.fire().isActive());
+    EXPECT_FALSE(world.data().fire.isActive());
 }
 
 TEST(Fire, NoncombustiblesCostNothing) {
@@ -232,7 +236,7 @@ TEST(Fire, NoncombustiblesCostNothing) {
     const uint64_t before = allocationCount();
     for (int i = 0; i < 100; ++i) world.applyEdits(none);
     EXPECT_EQ(allocationCount(), before);
-    EXPECT_EQ(world.fire().fields.capacity(), 0u);
+    EXPECT_EQ(world.data().fire.fields.capacity(), 0u);
 }
 
 }  // namespace

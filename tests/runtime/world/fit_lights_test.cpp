@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/core/constants.h"
 #include "tests/runtime/world/worlds.h"
 
 namespace rubble {
@@ -9,7 +10,7 @@ namespace {
 
 /// A wall with glowing voxels in three places: a tube, a panel and a bulb, all of one palette entry.
 Level glowingWall() {
-    VoxelGrid grid = test::solidGrid({80, 60, 4});
+    VoxelGrid grid = solidGrid({80, 60, 4});
     {
         GridWriter writer(grid);
         for (int x = 10; x < 50; ++x)
@@ -47,7 +48,7 @@ TEST(FitLights, OneGroupAndLightPerConnectedGlow) {
     EXPECT_NEAR(std::abs((lights[1].local.rotation * glm::dvec3(1, 0, 0)).x), 1.0, 1e-6)
         << "a tube lies along its longest";
     // A cube of 3 cells shows a quarter of its 54 faces on average.
-    EXPECT_NEAR(lights[2].radius, std::sqrt(0.25 * 54 * 0.01 / 3.14159265), 0.02);
+    EXPECT_NEAR(lights[2].radius, std::sqrt(0.25 * 54 * 0.01 / kPi), 0.02);
     EXPECT_GT(lights[0].color.x, lights[0].color.z);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "runtime/world/impacts/impact_damage.h"
 #include "tests/runtime/world/worlds.h"
 
 namespace rubble {
@@ -18,8 +19,8 @@ Level blockOnGround(const char* material, glm::ivec3 size, const char* ground = 
         body.shapes.push_back({.name = "shape", .grid = std::move(grid), .palette = palette});
         level.bodies.push_back(std::move(body));
     };
-    add(test::solidGrid(size, 1), {0, 0, 0}, false);
-    add(test::solidGrid({40, 4, 40}, 2), {-1.0, -0.4, -1.0}, true);
+    add(solidGrid(size, 1), {0, 0, 0}, false);
+    add(solidGrid({40, 4, 40}, 2), {-1.0, -0.4, -1.0}, true);
     return level;
 }
 
@@ -29,11 +30,11 @@ struct Hit {
         std::vector<BodyHandle> bodies;
         world.bodies().forEach([&](BodyHandle handle, const Body&) { bodies.push_back(handle); });
         impact = {.body = bodies[0], .other = bodies[1], .position = {0.5, 0.0, 0.5}};
-        mass = world.bodyMass(bodies[0]).mass;
+        mass = bodyMass(world, bodies[0]).mass;
     }
     Edits with(double impulse) {
         impact.impulse = impulse;
-        return world.damageFrom({&impact, 1});
+        return impactDamage(world, {&impact, 1});
     }
     /// N s at which it begins to break.
     double threshold() {
@@ -53,9 +54,9 @@ TEST(ImpactDamage, ImpactsBreakRestingWeightDoesNot) {
     ASSERT_EQ(edits.size(), 1u) << "the block breaks, rock does not";
     const FrameChanges changes = hit.world.applyEdits(edits);
     EXPECT_FALSE(changes.splits.empty());
-    EXPECT_GT(hit.world.voxelAccounting().inPieces, 0u);
-    EXPECT_TRUE(hit.world.voxelAccounting().balances());
-    EXPECT_EQ(hit.world.voxelAccounting().imported, 8000u + 6400u);
+    EXPECT_GT(voxelAccounting(hit.world).inPieces, 0u);
+    EXPECT_TRUE(voxelAccounting(hit.world).balances());
+    EXPECT_EQ(voxelAccounting(hit.world).imported, 8000u + 6400u);
 }
 
 TEST(ImpactDamage, DamageDependsOnTheMaterial) {
@@ -81,11 +82,11 @@ TEST(ImpactDamage, OnlyTheHardestImpactsCount) {
     for (size_t i = 0; i < impacts.size(); ++i) impacts[i].impulse = 1500.0 + 100.0 * double(i);
     impacts[3].impulse = std::nan("");
     impacts[39].position = {0.1, 0.0, 0.1};
-    const Edits edits = hit.world.damageFrom(impacts);
+    const Edits edits = impactDamage(hit.world, impacts);
     ASSERT_EQ(edits.size(), hit.world.settings().impactsPerStep);
     EXPECT_EQ(std::get<BreakEdit>(edits[0]).position.x, 0.1);
     for (Impact& impact : impacts) impact.impulse = 20.0;
-    EXPECT_TRUE(hit.world.damageFrom(impacts).empty());
+    EXPECT_TRUE(impactDamage(hit.world, impacts).empty());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "runtime/world/impacts/impact_damage.h"
 #include "tests/runtime/world/stress_structures.h"
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/allocation_count.h"
@@ -29,8 +30,8 @@ Outcome applyBlow(World& world, const Level& level, glm::dvec3 position, glm::dv
     Outcome out;
     step(world, out, {ImpactLoadEdit{firstShape(world), position, impulse}});
     for (int i = 0; i < 60; ++i) step(world, out);
-    EXPECT_TRUE(world.voxelAccounting().balances());
-    EXPECT_FALSE(world.stress()->isBusy());
+    EXPECT_TRUE(voxelAccounting(world).balances());
+    EXPECT_FALSE(world.data().stress->isBusy());
     return out;
 }
 
@@ -96,7 +97,7 @@ TEST(ImpactLoad, AFreeBeamBreaksInTheMiddleByInertia) {
         if (out.isBroken()) {
             EXPECT_NEAR(out.cracks[0].position.x, 4.8, 0.21);
         }
-        EXPECT_TRUE(world.voxelAccounting().balances());
+        EXPECT_TRUE(voxelAccounting(world).balances());
     }
 }
 
@@ -110,7 +111,7 @@ TEST(ImpactLoad, ABeamUnderFourTimesItsLoadBreaksIntoThree) {
     Outcome out;
     step(world, out, {ImpactLoadEdit{firstShape(world), {4.85, 0.0, 0.4}, {0.0, 4.5 * force * kContact, 0.0}}});
     EXPECT_EQ(out.pieces, 2u);
-    EXPECT_TRUE(world.voxelAccounting().balances());
+    EXPECT_TRUE(voxelAccounting(world).balances());
 }
 
 /// A slender column and what hits it.
@@ -140,7 +141,7 @@ struct Collision {
 TEST(ImpactLoad, SoftImpactsCanBreakSlenderColumns) {
     Collision with(true);
     for (int i = 0; i < 30; ++i) with.world.applyEdits({});
-    const Edits edits = with.world.damageFrom({&with.impact, 1});
+    const Edits edits = impactDamage(with.world, {&with.impact, 1});
     ASSERT_EQ(edits.size(), 1u) << "it crushes nothing";
     const ImpactLoadEdit& strike = std::get<ImpactLoadEdit>(edits[0]);
     EXPECT_EQ(strike.shape, firstShape(with.world));
@@ -149,14 +150,14 @@ TEST(ImpactLoad, SoftImpactsCanBreakSlenderColumns) {
     step(with.world, out, edits);
     for (int i = 0; i < 60; ++i) step(with.world, out);
     EXPECT_EQ(out.pieces, 1u);
-    EXPECT_TRUE(with.world.voxelAccounting().balances());
+    EXPECT_TRUE(voxelAccounting(with.world).balances());
 }
 
 TEST(ImpactLoad, CostsNothingWhenOff) {
     Collision without(false);
     without.world.applyEdits({});
-    EXPECT_TRUE(without.world.damageFrom({&without.impact, 1}).empty());
-    EXPECT_EQ(without.world.stress(), nullptr);
+    EXPECT_TRUE(impactDamage(without.world, {&without.impact, 1}).empty());
+    EXPECT_FALSE(without.world.data().stress);
     // A strike that a host sends all the same costs no more than an edit that finds nothing.
     const Edits nothing{CarveEdit{.position = {500.0, 0.0, 0.0}, .radii = {0.1, 0.1, 0.1}}};
     const Edits strike{ImpactLoadEdit{firstShape(without.world), {1.0, 5.0, 1.0}, {1e6, 0.0, 0.0}}};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/world/history/world_baseline.h"
+#include "runtime/world/queries/joint_queries.h"
 #include "tests/runtime/world/worlds.h"
 
 namespace rubble {
@@ -43,12 +44,12 @@ TEST(Joint, ComesWithTheLevelAndHoldsOnToVoxels) {
     const Joint& joint = world.joints().at(firstJoint(world));
     EXPECT_EQ(joint.ends[0].cell, glm::ivec3(29, 0, 0));
     EXPECT_EQ(joint.ends[1].cell, glm::ivec3(0, 10, 0));
-    EXPECT_NEAR(glm::length(world.jointToWorld(joint.ends[0]).position - world.jointToWorld(joint.ends[1]).position),
+    EXPECT_NEAR(glm::length(jointToWorld(world, joint.ends[0]).position - jointToWorld(world, joint.ends[1]).position),
                 0.0, 1e-6);
-    EXPECT_EQ(world.jointsOf(joint.ends[0].shape).size(), 1u);
-    EXPECT_TRUE(world.isJointedToStatic(world.shapes().at(joint.ends[0].shape).body));
+    EXPECT_EQ(world.data().jointIndex.of(joint.ends[0].shape).size(), 1u);
+    EXPECT_TRUE(isJointedToStatic(world, world.shapes().at(joint.ends[0].shape).body));
     World again;
-    again.load(world.toLevel());
+    again.load(toLevel(world));
     again.applyEdits({});
     world.applyEdits({});
     EXPECT_EQ(again.hash(), world.hash());
@@ -59,7 +60,7 @@ TEST(Joint, FollowsItsVoxelIntoAPiece) {
     world.load(beamAndPost());
     const JointHandle joint = firstJoint(world);
     const ShapeHandle beam = world.joints().at(joint).ends[0].shape;
-    const glm::dvec3 before = world.jointToWorld(world.joints().at(joint).ends[0]).position;
+    const glm::dvec3 before = jointToWorld(world, world.joints().at(joint).ends[0]).position;
     const FrameChanges changes =
         world.applyEdits({sphereCarve({2.05, 1.05, 0.05}, 0.2)});  // the end with the joint is the smaller part
     ASSERT_EQ(changes.jointsMoved.size(), 1u);
@@ -69,9 +70,9 @@ TEST(Joint, FollowsItsVoxelIntoAPiece) {
     EXPECT_EQ(end.shape, changes.jointsMoved[0].to);
     EXPECT_NE(end.shape, beam);
     EXPECT_TRUE(world.shapes().at(end.shape).grid.at(end.cell));
-    EXPECT_NEAR(glm::length(world.jointToWorld(end).position - before), 0.0, 1e-6);
-    EXPECT_TRUE(world.jointsOf(beam).empty());
-    EXPECT_EQ(world.jointsOf(end.shape).size(), 1u);
+    EXPECT_NEAR(glm::length(jointToWorld(world, end).position - before), 0.0, 1e-6);
+    EXPECT_TRUE(world.data().jointIndex.of(beam).empty());
+    EXPECT_EQ(world.data().jointIndex.of(end.shape).size(), 1u);
     EXPECT_TRUE(changes.jointsBroken.empty());
 }
 
@@ -86,7 +87,7 @@ TEST(Joint, BreaksWithItsVoxelAndWithItsShape) {
         EXPECT_EQ(changes.jointsBroken[0].joint, joint);
         EXPECT_EQ(changes.jointsBroken[0].reason, JointBreak::VoxelGone);
         EXPECT_FALSE(world.joints().find(joint));
-        EXPECT_FALSE(world.isJointedToStatic(world.bodies().handleAt(0)));
+        EXPECT_FALSE(isJointedToStatic(world, world.bodies().handleAt(0)));
     }
 }
 
@@ -103,12 +104,12 @@ TEST(Joint, EditsCreateRemoveAndDriveJoints) {
     const JointHandle made = changes.jointsCreated[0];
     EXPECT_EQ(world.joints().at(made).ends[0].cell, glm::ivec3(0));
 
-    const uint64_t before = world.resolvedHash();
+    const uint64_t before = resolvedHash(world);
     changes = world.applyEdits({SetJointMotorEdit{made, {MotorMode::Speed, 2.0, 100.0}, 5.0},
                                 SetJointMotorEdit{made, {MotorMode::Speed, 1e300, 0.0}}});
     EXPECT_EQ(changes.jointsChanged, std::vector<JointHandle>{made});
     EXPECT_EQ(world.joints().at(made).motor.target, 2.0);
-    EXPECT_NE(world.resolvedHash(), before);
+    EXPECT_NE(resolvedHash(world), before);
 
     changes = world.applyEdits(
         {RemoveJointEdit{made, JointBreak::Force}, RemoveJointEdit{made}, DetachJointEdit{made, beam}});
@@ -162,16 +163,16 @@ TEST(Joint, UndoRestoresBrokenAndMovedJoints) {
     settings.undoMarks = 4;
     world.applyEdits({SettingsEdit{settings}});
     world.applyEdits({HistoryEdit{}});
-    const uint64_t before = world.resolvedHash();
+    const uint64_t before = resolvedHash(world);
     for (const double x : {3.0, 2.05}) {
         world.applyEdits({sphereCarve({x, 1.05, 0.05}, 0.06)});
-        EXPECT_NE(world.resolvedHash(), before);
+        EXPECT_NE(resolvedHash(world), before);
         const FrameChanges changes = world.applyEdits({HistoryEdit{HistoryAction::Undo}});
-        EXPECT_EQ(world.resolvedHash(), before);
+        EXPECT_EQ(resolvedHash(world), before);
         EXPECT_FALSE(changes.jointsCreated.empty() && changes.jointsChanged.empty());
         const JointHandle joint = firstJoint(world);
         ASSERT_TRUE(world.joints().find(joint));
-        EXPECT_EQ(world.jointsOf(world.joints().at(joint).ends[0].shape).size(), 1u);
+        EXPECT_EQ(world.data().jointIndex.of(world.joints().at(joint).ends[0].shape).size(), 1u);
         world.applyEdits({HistoryEdit{}});
     }
 }

@@ -80,7 +80,7 @@ public:
         const CarveEdit edit = randomCarve();
         const World before = m_world;
         const FrameChanges changes = m_world.applyEdits({edit});
-        ASSERT_TRUE(m_world.voxelAccounting().balances());
+        ASSERT_TRUE(voxelAccounting(m_world).balances());
         std::vector<ShapeHandle> cut = changes.carved;
         cut.insert(cut.end(), changes.shapesDestroyed.begin(), changes.shapesDestroyed.end());
         for (const ShapeHandle handle : cut) ASSERT_NO_FATAL_FAILURE(checkShape(before, edit, handle, changes));
@@ -108,7 +108,7 @@ private:
         shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef&) { bricks.push_back(brick); });
         const glm::ivec3 brick = bricks[m_random.below(uint32_t(bricks.size()))];
         const int x = m_random.between(0, 7), y = m_random.between(0, 7), z = m_random.between(0, 7);
-        const Vector middle = m_world.shapeToWorld(target).transformPoint(
+        const Vector middle = shapeToWorld(m_world, target).transformPoint(
             (Vector(brick * 8 + glm::ivec3(x, y, z)) + 0.3) * double(shape.voxelSize));
         const double radius = shape.voxelSize * (1.0 + 9.0 * m_random.unit());
         CarveEdit edit = test::sphereCarve(middle, radius);
@@ -129,7 +129,7 @@ private:
         const Shape& shape = before.shapes().at(handle);
         grid = shape.grid;
         CarveResult carved;
-        carve(grid, resolveBrush(edit, before.shapeToWorld(handle), shape.voxelSize), *shape.palette,
+        carve(grid, resolveBrush(edit, shapeToWorld(before, handle), shape.voxelSize), *shape.palette,
               before.materials(), carved);
         return carved;
     }
@@ -179,7 +179,7 @@ private:
         Momentum expected, actual;
         before.bodies().forEach([&](BodyHandle handle, const Body& body) {
             if (body.isStatic) return;
-            const Vector center = body.pose.transformPoint(before.bodyMass(handle).center);
+            const Vector center = body.pose.transformPoint(bodyMass(before, handle).center);
             for (const ShapeHandle shapeHandle : body.shapes) {
                 const Shape& shape = before.shapes().at(shapeHandle);
                 const bool isCut =
@@ -190,7 +190,7 @@ private:
                 VoxelGrid grid;
                 if (isCut) moments -= carvedCopy(before, edit, shapeHandle, grid).moments;
                 const MassProperties part = massProperties(moments, shape.voxelSize);
-                const Pose pose = before.shapeToWorld(shapeHandle);
+                const Pose pose = shapeToWorld(before, shapeHandle);
                 expected.add(
                     pose, part,
                     body.velocity + glm::cross(body.angularVelocity, pose.transformPoint(part.center) - center),
@@ -200,7 +200,7 @@ private:
         m_world.bodies().forEach([&](BodyHandle handle, const Body& body) {
             const bool wasStatic = body.velocity == Vector(0.0) && body.angularVelocity == Vector(0.0);
             if (!body.isStatic && !wasStatic)
-                actual.add(body.pose, m_world.bodyMass(handle), body.velocity, body.angularVelocity);
+                actual.add(body.pose, bodyMass(m_world, handle), body.velocity, body.angularVelocity);
         });
         EXPECT_LE(glm::length(actual.linear - expected.linear), 1e-6 * expected.scale);
         EXPECT_LE(glm::length(actual.angular - expected.angular), 1e-6 * expected.scale);

@@ -7,7 +7,7 @@ namespace {
 
 World paintedWorld(PaintMode mode, size_t undoMarks = 0) {
     World world;
-    world.load(test::oneShapeLevel(test::solidGrid({40, 24, 16}), true));
+    world.load(test::oneShapeLevel(solidGrid({40, 24, 16}), true));
     WorldSettings settings;
     settings.paint.mode = mode;
     settings.undoMarks = undoMarks;

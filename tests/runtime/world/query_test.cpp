@@ -73,7 +73,7 @@ Scene randomScene(uint64_t seed) {
     Scene scene;
     scene.world.load(level);
     scene.world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
-        const Pose pose = scene.world.shapeToWorld(handle);
+        const Pose pose = shapeToWorld(scene.world, handle);
         for (int z = 0; z < shape.grid.size().z; ++z)
             for (int y = 0; y < shape.grid.size().y; ++y)
                 for (int x = 0; x < shape.grid.size().x; ++x)

@@ -12,7 +12,7 @@ namespace {
 std::map<std::array<int, 3>, uint8_t> worldCells(const World& world) {
     std::map<std::array<int, 3>, uint8_t> out;
     world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
-        const glm::dvec3 corner = glm::round(world.shapeToWorld(handle).position / double(shape.voxelSize));
+        const glm::dvec3 corner = glm::round(shapeToWorld(world, handle).position / double(shape.voxelSize));
         shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef& content) {
             forEachVoxel(content->occupancy, [&](int i) {
                 const glm::ivec3 c = glm::ivec3(corner) + brick * kBrickSize + voxelInBrick(i);
@@ -55,7 +55,7 @@ TEST(ShapeEdits, SplitKeepsEveryVoxelInItsPlaceAndOnTheBody) {
         EXPECT_EQ(changes.splits[0].children.size(), 2u);
         EXPECT_EQ(world.bodies().size(), 1u);
         EXPECT_EQ(worldCells(world), before);
-        EXPECT_TRUE(world.voxelAccounting().balances());
+        EXPECT_TRUE(voxelAccounting(world).balances());
     }
 }
 
@@ -63,8 +63,8 @@ TEST(ShapeEdits, SplitRemovesTheResidual) {
     World world = worldOf(twoBlocks(), false);
     world.applyEdits({SplitShapeEdit{test::firstShape(world), true}});
     EXPECT_EQ(world.shapes().size(), 2u);
-    EXPECT_EQ(world.voxelAccounting().removed, 1u);
-    EXPECT_TRUE(world.voxelAccounting().balances());
+    EXPECT_EQ(voxelAccounting(world).removed, 1u);
+    EXPECT_TRUE(voxelAccounting(world).balances());
 }
 
 TEST(ShapeEdits, TrimAndResizeLeaveVoxelsWhereTheyAre) {
@@ -92,8 +92,8 @@ TEST(ShapeEdits, ResizingRemovesVoxelsAndSplitsTheRest) {
     const ShapeHandle shape = test::firstShape(world);
     world.applyEdits({ResizeShapeEdit{shape, {{0, 1, 0}, {30, 10, 10}}}});
     EXPECT_EQ(world.shapes().size(), 2u);
-    EXPECT_EQ(world.voxelAccounting().removed, 30u);
-    EXPECT_TRUE(world.voxelAccounting().balances());
+    EXPECT_EQ(voxelAccounting(world).removed, 30u);
+    EXPECT_TRUE(voxelAccounting(world).balances());
 }
 
 TEST(ShapeEdits, MergeUndoesASplit) {
@@ -102,7 +102,7 @@ TEST(ShapeEdits, MergeUndoesASplit) {
     World world = worldOf(grid, false);
     const ShapeHandle shape = test::firstShape(world);
     // A second shape on the same body that touches the first one's block at x = 14.
-    Level level = world.toLevel();
+    Level level = toLevel(world);
     VoxelGrid peg({9, 3, 3});
     {
         GridWriter writer(peg);
@@ -119,7 +119,7 @@ TEST(ShapeEdits, MergeUndoesASplit) {
     EXPECT_EQ(world.shapes().size(), 1u);
     EXPECT_FALSE(world.shapes().find(pegShape));
     EXPECT_EQ(worldCells(world), before);
-    EXPECT_TRUE(world.voxelAccounting().balances());
+    EXPECT_TRUE(voxelAccounting(world).balances());
     EXPECT_FALSE(world.shapes().find(shape)) << "its handle is from before the load";
     world.applyEdits({MergeShapeEdit{first, {}}});  // nothing left to merge with: refused
     EXPECT_EQ(worldCells(world), before);
@@ -128,17 +128,17 @@ TEST(ShapeEdits, MergeUndoesASplit) {
 TEST(ShapeEdits, InvalidInputIsRefused) {
     World world = worldOf(twoBlocks(), false);
     const ShapeHandle shape = test::firstShape(world);
-    const uint64_t hash = world.voxelHash();
+    const uint64_t hash = voxelHash(world);
     world.applyEdits({ResizeShapeEdit{shape, {{0, 0, 0}, {0, 5, 5}}},
                       ResizeShapeEdit{shape, {{0, 0, 0}, {1 << 30, 5, 5}}},
                       ResizeShapeEdit{shape, {{INT32_MIN, 0, 0}, {INT32_MAX, 5, 5}}}, TrimShapeEdit{{}},
                       SplitShapeEdit{{}}, MergeShapeEdit{shape, shape}});
-    EXPECT_EQ(world.voxelHash(), hash);
+    EXPECT_EQ(voxelHash(world), hash);
 }
 
 TEST(SlicedSplits, ConserveVoxelsAndEndLikeImmediateSplits) {
     const auto run = [](size_t partsPerStep, int* hanging) {
-        World world = worldOf(test::towerGrid({100, 120, 90}, 3, 12), true);
+        World world = worldOf(towerGrid({100, 120, 90}, 3, 12), true);
         WorldSettings settings = world.settings();
         settings.split.partsPerStep = partsPerStep;
         world.setSettings(settings);
@@ -156,7 +156,7 @@ TEST(SlicedSplits, ConserveVoxelsAndEndLikeImmediateSplits) {
                 }
             const uint64_t before = world.hash();
             world.applyEdits(edits);
-            EXPECT_TRUE(world.voxelAccounting().balances());
+            EXPECT_TRUE(voxelAccounting(world).balances());
             EXPECT_NE(world.hash(), before);
             if (hanging && edits.empty() && count() != last) ++*hanging;
             last = count();
@@ -167,8 +167,8 @@ TEST(SlicedSplits, ConserveVoxelsAndEndLikeImmediateSplits) {
     const World immediate = run(0, nullptr), sliced = run(2, &hanging), again = run(2, nullptr);
     EXPECT_GT(hanging, 0) << "some piece came off in a later step than its cut";
     EXPECT_EQ(sliced.hash(), again.hash());
-    EXPECT_EQ(sliced.voxelAccounting().removed + sliced.voxelAccounting().standing + sliced.voxelAccounting().inPieces,
-              immediate.voxelAccounting().imported);
+    EXPECT_EQ(voxelAccounting(sliced).removed + voxelAccounting(sliced).standing + voxelAccounting(sliced).inPieces,
+              voxelAccounting(immediate).imported);
     sliced.shapes().forEach([&](ShapeHandle, const Shape& shape) {
         if (shape.isPiece) {
             EXPECT_EQ(findComponents(shape.grid).size(), 1u);

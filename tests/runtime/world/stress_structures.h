@@ -1,5 +1,6 @@
 #pragma once
 #include "runtime/world/world.h"
+#include "tests/support/grids.h"
 
 namespace rubble::test {
 
@@ -13,12 +14,7 @@ struct Structure {
     double voxelSize = 0.1;
 
     explicit Structure(glm::ivec3 size) : grid(size) {}
-    void fill(CellBox box, uint8_t entry = 1) {
-        GridWriter writer(grid);
-        for (int z = box.low.z; z < box.high.z; ++z)
-            for (int y = box.low.y; y < box.high.y; ++y)
-                for (int x = box.low.x; x < box.high.x; ++x) writer.set({x, y, z}, entry);
-    }
+    void fill(CellBox box, uint8_t entry = 1) { fillBox(grid, box, entry); }
     void anchor(CellBox box, uint8_t entry = 1) {
         fill(box, entry);
         anchors.push_back(box);

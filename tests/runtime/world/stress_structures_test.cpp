@@ -21,8 +21,8 @@ constexpr double kTenth[] = {0.9, 1.1};  // of the load that breaks it
 std::vector<CrackOpened> cracksUnder(double overload, World& world, const Structure& structure, double strengthScale) {
     const Outcome out = stand(world, structure.level(), strengthScale / overload, kSteps);
     EXPECT_EQ(out.isBroken(), overload > 1.0);
-    EXPECT_FALSE(world.stress()->isBusy());
-    EXPECT_TRUE(world.voxelAccounting().balances());
+    EXPECT_FALSE(world.data().stress->isBusy());
+    EXPECT_TRUE(voxelAccounting(world).balances());
     EXPECT_TRUE(world.bodies().at(world.shapes().at(firstShape(world)).body).isStatic) << "what is anchored stands";
     return out.cracks;
 }
@@ -115,7 +115,7 @@ TEST(StressStructures, ANeckBreaksUnderItsHeadAndTheBaseStands) {
                 EXPECT_NEAR(cracks[0].position.y, 0.1 * (waist.y + 1), 0.11);
                 EXPECT_EQ(cracks[0].cause, FailureMode::Compression);
                 // All that is gone or came off is the neck and the head.
-                const VoxelAccounting accounting = world.voxelAccounting();
+                const VoxelAccounting accounting = voxelAccounting(world);
                 EXPECT_GE(accounting.standing, uint64_t(below * width * width - neck * neck));
                 EXPECT_LE(accounting.removed, uint64_t(4 * neck * neck));
                 EXPECT_GE(accounting.inPieces, uint64_t(above * width * width - 3 * neck * neck));
@@ -142,13 +142,13 @@ Stood untilItBreaks(bool burns, int maxSteps) {
     world.setSettings(stressOn(weight / 0.64 / 21e6 * 1.25));
     world.load(post().level("wood"));
     for (int step = 0; step < maxSteps; ++step) {
-        const uint64_t removed = world.voxelAccounting().removed;
+        const uint64_t removed = voxelAccounting(world).removed;
         Edits edits;
         if (burns && step == 30) edits.push_back(spawnFire({1.2, 1.2, 1.2}, 1.0));
         if (!world.applyEdits(edits).cracks.empty()) return {step, removed};
-        EXPECT_TRUE(world.voxelAccounting().balances());
+        EXPECT_TRUE(voxelAccounting(world).balances());
     }
-    return {maxSteps, world.voxelAccounting().removed};
+    return {maxSteps, voxelAccounting(world).removed};
 }
 
 TEST(StressStructures, ABurningPostFailsBeforeItIsConsumed) {

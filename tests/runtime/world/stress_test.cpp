@@ -2,25 +2,19 @@
 
 #include "tests/runtime/world/worlds.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
 
 /// A beam of concrete from a wall at x < 4.
 Level cantilever(int length, int depth, float voxelSize = 0.1f) {
-    VoxelGrid grid({4 + length, depth, depth});
-    {
-        GridWriter writer(grid);
-        for (int z = 0; z < depth; ++z)
-            for (int y = 0; y < depth; ++y)
-                for (int x = 0; x < 4 + length; ++x) writer.set({x, y, z}, 1);
-    }
     Level level;
     Palette palette{};
     palette[1].material = level.materials.find("concrete");
     LevelShape shape{.name = "beam",
                      .voxelSize = voxelSize,
-                     .grid = std::move(grid),
+                     .grid = solidGrid({4 + length, depth, depth}),
                      .palette = std::make_shared<const Palette>(palette)};
     shape.anchors = {{{0, 0, 0}, {4, depth, depth}}};
     LevelBody body{.name = "wall", .isStatic = true};
@@ -61,7 +55,7 @@ TEST(Stress, CantileverSnapsAtTheWall) {
                 EXPECT_NEAR(cracks[0].position.x, 4 * voxelSize, 1e-6);
                 EXPECT_EQ(cracks[0].cause, FailureMode::Tension);
             }
-            EXPECT_TRUE(world.voxelAccounting().balances());
+            EXPECT_TRUE(voxelAccounting(world).balances());
         }
     }
 }
@@ -70,7 +64,7 @@ TEST(Stress, CostsNothingWhenOff) {
     World world;
     world.load(cantilever(80, 8));
     world.applyEdits({});
-    EXPECT_EQ(world.stress(), nullptr);
+    EXPECT_FALSE(world.data().stress);
     const size_t before = allocationCount();
     for (int step = 0; step < 100; ++step) world.applyEdits({});
     EXPECT_EQ(allocationCount(), before);
@@ -81,8 +75,8 @@ TEST(Stress, AtRestItCostsNoAllocation) {
     world.setSettings(stressOn(1.0));
     world.load(cantilever(80, 8));
     for (int step = 0; step < 60; ++step) world.applyEdits({});
-    ASSERT_NE(world.stress(), nullptr);
-    EXPECT_FALSE(world.stress()->isBusy());
+    ASSERT_TRUE(world.data().stress);
+    EXPECT_FALSE(world.data().stress->isBusy());
     const size_t before = allocationCount();
     for (int step = 0; step < 100; ++step) world.applyEdits({});
     EXPECT_EQ(allocationCount(), before);
@@ -140,13 +134,13 @@ TEST(Stress, ResetCachesMatchesASavedAndLoadedWorld) {
     running.resetCaches();
     World loaded;
     loaded.setSettings(settings);
-    loaded.load(running.toLevel());
+    loaded.load(toLevel(running));
     for (int step = 0; step < 60; ++step) {
         running.applyEdits({});
         loaded.applyEdits({});
-        ASSERT_EQ(running.voxelAccounting().standing, loaded.voxelAccounting().standing) << step;
+        ASSERT_EQ(voxelAccounting(running).standing, voxelAccounting(loaded).standing) << step;
     }
-    EXPECT_GT(running.voxelAccounting().removed, 0u);
+    EXPECT_GT(voxelAccounting(running).removed, 0u);
 }
 
 }  // namespace

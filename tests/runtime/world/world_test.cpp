@@ -1,3 +1,4 @@
+#include "runtime/world/queries/query.h"
 #include "runtime/world/world.h"
 
 #include <gtest/gtest.h>
@@ -25,13 +26,13 @@ TEST(World, ShapesNearDoesNotDependOnPastMotion) {
     const BodyHandle handle = moved.bodies().handleAt(0);
     for (int i = 1; i <= 40; ++i) moved.setPoses(std::vector<BodyPose>{{handle, {{0.01 * i, 0, 0}, {1, 0, 0, 0}}}});
     World loaded;
-    loaded.load(moved.toLevel());
+    loaded.load(toLevel(moved));
     for (int i = -30; i <= 120; ++i)
         for (const double reach : {0.0, 0.1}) {
             const glm::dvec3 point(0.01 * i + 0.005, 0.2, 0.2);
-            EXPECT_EQ(moved.shapesNear(point, reach).size(), loaded.shapesNear(point, reach).size())
+            EXPECT_EQ(shapesNear(moved, point, reach).size(), shapesNear(loaded, point, reach).size())
                 << point.x << " " << reach;
-            EXPECT_EQ(moved.shapesNear(point, reach).size(), size_t(point.x + reach >= 0.4 && point.x - reach <= 0.8))
+            EXPECT_EQ(shapesNear(moved, point, reach).size(), size_t(point.x + reach >= 0.4 && point.x - reach <= 0.8))
                 << point.x << " " << reach;
         }
 }

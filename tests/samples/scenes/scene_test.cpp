@@ -1,3 +1,4 @@
+#include "runtime/world/queries/query.h"
 #include "samples/scenes/scene.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +58,7 @@ TEST_P(EveryScene, BreaksSomethingAndLosesNothing) {
     }
     EXPECT_TRUE(removed > 0 || movesFromTheStart(level))
         << "expected edits that remove voxels, or a body that moves from the start";
-    EXPECT_TRUE(first.voxelAccounting().balances());
+    EXPECT_TRUE(voxelAccounting(first).balances());
     EXPECT_EQ(first.hash(), second.hash());
 }
 
@@ -73,7 +74,7 @@ TEST_P(EveryScene, IsSeenByItsCamera) {
         int seen = 0;
         for (int i = 0; i < 9; ++i) {
             const glm::dvec3 direction(0.25 * (i % 3 - 1), 0.15 * (i / 3 - 1), -1.0);
-            const WorldHit hit = world.raycast(eye.position, eye.rotation * direction, 100.0);
+            const WorldHit hit = castRay(world, {eye.position, eye.rotation * direction, 100.0});
             seen += hit.hit;
             EXPECT_TRUE(!hit.hit || hit.distance > 2.0)
                 << "expected nothing within 2 m of the camera, found a hit at " << hit.distance;

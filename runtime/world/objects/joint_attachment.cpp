@@ -1,0 +1,78 @@
+#include "runtime/world/objects/joint_attachment.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <optional>
+
+#include "runtime/voxel/nearest_voxel.h"
+#include "runtime/world/objects/transforms.h"
+
+namespace rubble {
+namespace {
+
+constexpr double kRopeSpacing = 0.4;  ///< metres between a rope's points, if it does not say
+constexpr int kMaxSearchCells = 32;   ///< cells around an end in which its voxel is looked for
+
+/// The cell that holds a joint's end: the nearest voxel within `radius`, both in cells.
+std::optional<glm::ivec3> findHeldCell(const VoxelGrid& grid, glm::dvec3 point, double radius) {
+    const glm::dvec3 inside =
+        glm::clamp(point, glm::dvec3(-kMaxSearchCells), glm::dvec3(grid.size() + kMaxSearchCells));
+    const glm::ivec3 middle = glm::ivec3(glm::floor(inside));
+    const int r = int(std::min(std::ceil(radius), double(kMaxSearchCells)));
+    const double limit = radius + 0.9;  // half the diagonal of a cell more: a surface's own voxels count
+    return nearestVoxel(grid, point, {middle - r, middle + r + 1}, limit * limit);
+}
+
+/// A straight line of points from end to end: what is longer sags by itself.
+void initRopePoints(Joint& joint, glm::dvec3 from, glm::dvec3 to) {
+    RopeSettings& rope = joint.rope;
+    if (rope.length == 0.0) rope.length = glm::length(to - from) + rope.slack;
+    rope.length = std::max(rope.length, 0.01);
+    if (rope.points == 0)
+        rope.points = uint32_t(std::clamp(std::round(rope.length / kRopeSpacing) + 1.0, 3.0, double(kMaxRopePoints)));
+    if (joint.points.size() == rope.points) return;
+    joint.points.resize(rope.points);
+    for (uint32_t i = 0; i < rope.points; ++i)
+        joint.points[i].position = from + (to - from) * (double(i) / double(rope.points - 1));
+}
+
+}  // namespace
+
+std::string attachJoint(const WorldObjects& objects, Joint& joint) {
+    if (std::string error = jointError(joint); !error.empty()) return error;
+    if (joint.kind != JointKind::Rope && !joint.ends[0].shape && !joint.ends[1].shape)
+        return "neither end is on a shape";
+    for (JointEnd& end : joint.ends) {
+        end.frame.rotation = glm::normalize(end.frame.rotation);
+        if (!end.shape) continue;
+        const Shape* shape = objects.shapes.find(end.shape);
+        if (!shape) return "the handle of a shape is stale";
+        if (end.cell.x >= 0 && shape->grid.at(end.cell)) continue;
+        const double cells = 1.0 / double(shape->voxelSize);
+        const std::optional<glm::ivec3> cell =
+            findHeldCell(shape->grid, end.frame.position * cells, end.radius * cells);
+        if (!cell) return "no voxel to hold on to within the radius of an end";
+        end.cell = *cell;
+    }
+    if (joint.kind == JointKind::Rope)
+        initRopePoints(joint, jointToWorld(objects, joint.ends[0]).position,
+                       jointToWorld(objects, joint.ends[1]).position);
+    return "";
+}
+
+Joint jointAt(const WorldObjects& objects, JointKind kind, ShapeHandle first, ShapeHandle second, const Pose& frame) {
+    Joint joint{.kind = kind};
+    const std::array<ShapeHandle, 2> shapes = {first, second};
+    for (size_t i = 0; i < 2; ++i) {
+        joint.ends[i].shape = shapes[i];
+        joint.ends[i].frame = frame;
+        if (!objects.shapes.find(shapes[i])) continue;
+        const Pose pose = shapeToWorld(objects, shapes[i]);
+        joint.ends[i].frame = {pose.inversePoint(frame.position), glm::conjugate(pose.rotation) * frame.rotation};
+    }
+    return joint;
+}
+
+}  // namespace rubble

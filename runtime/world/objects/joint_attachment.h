@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+
+#include "runtime/world/objects/world_objects.h"
+
+namespace rubble {
+
+/// Fills in what a joint leaves open before it is inserted: for each end on a shape the voxel that holds it, the
+/// nearest one to the end's frame within JointEnd::radius unless JointEnd::cell names a voxel; for a rope its length
+/// and its points, on a straight line. Rotations are normalised. Returns what is wrong; empty: nothing.
+std::string attachJoint(const WorldObjects& objects, Joint& joint);
+
+/// A joint between two shapes, or a shape and the world (an empty handle), as they are placed now. `frame` is in the
+/// world, and its x axis is the joint's.
+Joint jointAt(const WorldObjects& objects, JointKind kind, ShapeHandle first, ShapeHandle second, const Pose& frame);
+
+}  // namespace rubble

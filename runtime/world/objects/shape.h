@@ -1,0 +1,36 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/core/handle.h"
+#include "runtime/core/pose.h"
+#include "runtime/voxel/cell_box.h"
+#include "runtime/voxel/mass_properties.h"
+#include "runtime/voxel/paint_colors.h"
+#include "runtime/voxel/palette.h"
+#include "runtime/voxel/voxel_grid.h"
+
+namespace rubble {
+
+/// A voxel grid on a body.
+struct Shape {
+    std::string name;
+    BodyHandle body;
+    Pose local;              ///< in its body; the grid's corner is the origin
+    float voxelSize = 0.1f;  ///< metres
+    VoxelGrid grid;
+    PaletteRef palette;
+    PaintColorsRef paintColors;    ///< null: nothing is painted
+    MassMoments moments;           ///< of the grid, always up to date
+    std::vector<CellBox> anchors;  ///< cells that hold a static shape to the world
+    std::vector<std::string> tags;
+    bool isPiece = false;         ///< came off another shape, or lost its last anchor
+    bool knownConnected = false;  ///< connected since its last split: only the surroundings of a cut need a test
+    bool loadBearing = true;      ///< false: left out of the stress analysis
+    float strength = 1.0f;        ///< multiple of its materials' strengths
+    uint8_t collisionLayer = 1;   ///< bits; two shapes touch if each one's layer is in the other's mask
+    uint8_t collisionMask = 255;
+};
+
+}  // namespace rubble

@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "runtime/core/slot_map.h"
+#include "runtime/world/objects/body.h"
+#include "runtime/world/objects/character.h"
+#include "runtime/world/objects/joint.h"
+#include "runtime/world/objects/lights.h"
+#include "runtime/world/objects/shape.h"
+#include "runtime/world/objects/trigger.h"
+#include "runtime/world/objects/water.h"
+
+namespace rubble {
+
+/// The one list of the kinds of objects that a world has, each in a container of its own: slot maps in a world, values
+/// by slot in a delta, lists of free slots. A new kind needs a line here and one in forEachKind().
+template <template <class Handle, class T> class Container>
+struct ObjectKinds {
+    Container<BodyHandle, Body> bodies;
+    Container<ShapeHandle, Shape> shapes;
+    Container<LightHandle, Light> lights;
+    Container<LightGroupHandle, LightGroup> groups;
+    Container<WaterHandle, Water> waters;
+    Container<TriggerHandle, Trigger> triggers;
+    Container<CharacterHandle, Character> characters;
+    Container<JointHandle, Joint> joints;
+};
+
+/// Calls f with the containers of each kind in turn, one from every set: f(a.bodies, b.bodies), f(a.shapes,
+/// b.shapes)...
+template <class F, class... Sets>
+void forEachKind(F&& f, Sets&&... sets) {
+    f(sets.bodies...);
+    f(sets.shapes...);
+    f(sets.lights...);
+    f(sets.groups...);
+    f(sets.waters...);
+    f(sets.triggers...);
+    f(sets.characters...);
+    f(sets.joints...);
+}
+
+/// All objects of a world, by handle.
+using WorldObjects = ObjectKinds<SlotMap>;
+
+/// The slots of one kind that are used next, the last first.
+template <class Handle, class T>
+using FreeSlots = std::vector<uint32_t>;
+
+/// What freeSlots() of each slot map gives.
+ObjectKinds<FreeSlots> freeSlotsOf(const WorldObjects& objects);
+
+}  // namespace rubble

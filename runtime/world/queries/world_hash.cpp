@@ -1,0 +1,97 @@
+#include "runtime/world/queries/world_hash.h"
+
+#include "runtime/core/hash.h"
+
+namespace rubble {
+namespace {
+
+/// Chains field after field into one hash.
+struct Hasher {
+    uint64_t state = 0;
+    void add(uint64_t value) { state = hashValue(value, state); }
+    void add(const glm::dvec3& v) { state = hashBytes(&v, sizeof v, state); }
+    void add(const glm::dquat& q) { state = hashBytes(&q, sizeof q, state); }
+    void add(const Pose& pose) {
+        add(pose.position);
+        add(pose.rotation);
+    }
+};
+
+}  // namespace
+
+uint64_t stateHash(const WorldData& world) {
+    uint64_t hash = hashValue(world.step, resolvedHash(world));
+    if (world.fire.isActive()) hash = hashValue(world.fire.hash(), hash);
+    for (const JointHandle rope : world.jointIndex.ropes()) hash = hashRopePoints(world.joints.at(rope), hash);
+    for (const PendingSplit& pending : world.pendingSplits) {
+        hash = hashValue(pending.shape.slot(), hashValue(pending.search ? pending.search->visitedParts() : 0, hash));
+        pending.cut.forEachNode([&](glm::ivec3 node, BrickMask bricks) {
+            hash = hashValue(uint64_t(node.x) | uint64_t(node.y) << 20 | uint64_t(node.z) << 40, hash);
+            hash = hashValue(bricks, hash);
+        });
+    }
+    return world.stress ? hashValue(world.stress->hash(), hash) : hash;
+}
+
+uint64_t voxelHash(const WorldState& world) {
+    Hasher hasher;
+    world.shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
+        hasher.add(handle.slot());
+        hasher.add(shape.grid.contentHash());
+        hasher.add(hashPalette(*shape.palette));
+        if (shape.paintColors) hasher.add(hashBytes(shape.paintColors.get(), sizeof(PaintColors)));
+    });
+    world.groups.forEach(
+        [&](LightGroupHandle, const LightGroup& group) { hasher.add(group.removedVoxels << 1 | uint64_t(group.out)); });
+    return hasher.state;
+}
+
+uint64_t resolvedHash(const WorldState& world) {
+    Hasher hasher;
+    world.bodies.forEach([&](BodyHandle handle, const Body& body) {
+        hasher.add(handle.slot());
+        hasher.add(body.pose);
+        hasher.add(body.velocity);
+        hasher.add(body.angularVelocity);
+        hasher.add(uint64_t(body.settled) << 2 | uint64_t(body.isStatic) << 1 | uint64_t(body.asleep));
+        hasher.add(body.createdStep);
+        hasher.add(body.restingSince);
+    });
+    const Palette* lastPalette = nullptr;
+    uint64_t paletteHash = 0;
+    world.shapes.forEach([&](ShapeHandle handle, const Shape& shape) {
+        if (shape.palette.get() != lastPalette) {
+            lastPalette = shape.palette.get();
+            paletteHash = hashPalette(*shape.palette);
+        }
+        hasher.add(handle.slot());
+        hasher.add(shape.body.slot());
+        hasher.add(shape.local);
+        hasher.add(shape.grid.contentHash());
+        hasher.add(paletteHash);
+        hasher.add(uint64_t(shape.collisionLayer) << 8 | shape.collisionMask);
+        if (shape.paintColors) hasher.add(hashBytes(shape.paintColors.get(), sizeof(PaintColors)));
+    });
+    world.groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
+        hasher.add(handle.slot());
+        hasher.add(group.removedVoxels << 1 | uint64_t(group.out));
+        hasher.add(group.failingSince << 1 | uint64_t(group.dark));
+    });
+    const auto addAll = [&](const auto& map) {
+        map.forEach([&](auto handle, const auto& value) {
+            hasher.add(handle.slot());
+            hasher.add(value.hash());
+        });
+    };
+    addAll(world.lights);
+    addAll(world.waters);
+    addAll(world.triggers);
+    addAll(world.characters);
+    hasher.add(world.environment.hash());
+    world.joints.forEach([&](JointHandle handle, const Joint& joint) {
+        hasher.state = hashJoint(joint, hashValue(handle.slot(), hasher.state));
+    });
+    return hasher.state;
+}
+
+}  // namespace rubble

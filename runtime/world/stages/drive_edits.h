@@ -1,0 +1,9 @@
+#pragma once
+#include "runtime/world/stages/edit_context.h"
+
+namespace rubble {
+
+/// Drives the wheels of a body: motor, brake and steering, each within its WheelSettings.
+void apply(EditContext& context, const DriveEdit& edit);
+
+}  // namespace rubble

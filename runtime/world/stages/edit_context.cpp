@@ -1,0 +1,71 @@
+#include "runtime/world/stages/edit_context.h"
+
+#include <cmath>
+#include <utility>
+
+#include "runtime/world/objects/body_mass.h"
+#include "runtime/world/objects/transforms.h"
+
+namespace rubble {
+
+EditContext::EditContext(WorldData& data, FrameChanges& journal)
+    : world(data), changes(journal), removedByGroup(data.groups.slotCount()) {}
+
+ShapeEditState& EditContext::editState(ShapeHandle shape) {
+    ShapeEditState& out = editStates[shape.slot()];
+    out.shape = shape;
+    return out;
+}
+
+void EditContext::recordMotion(BodyHandle handle) {
+    const Body& body = world.bodies.at(handle);
+    if (body.isStatic || motions.contains(handle.slot())) return;
+    const glm::dvec3 center = body.pose.transformPoint(bodyMass(world, handle).center);
+    motions[handle.slot()] = {handle, center, body.velocity, body.angularVelocity};
+}
+
+void EditContext::recordCarved(ShapeHandle handle, const CarveResult& carved) {
+    Shape& shape = world.shapes.at(handle);
+    shape.moments -= carved.moments;
+    if (carved.voxels) {
+        const glm::dvec3 center = massProperties(carved.moments, shape.voxelSize).center;
+        const double radius = 0.5 * shape.voxelSize * std::cbrt(double(carved.voxels));
+        recordRemoved(
+            handle, carved.removed,
+            {shapeToWorld(world, handle).transformPoint(center), radius, world.bodies.at(shape.body).velocity});
+    }
+    ShapeEditState& each = editState(handle);
+    each.lost = joined(each.lost, carved.cells);
+    for (const glm::ivec3 brick : carved.bricks) each.carved.insert(brick);
+}
+
+void EditContext::recordRemoved(ShapeHandle handle, const std::array<uint64_t, 256>& removed,
+                                const DustSource& source) {
+    const Palette& palette = *world.shapes.at(handle).palette;
+    for (size_t i = 1; i < 256; ++i) {
+        if (!removed[i]) continue;
+        const PaletteEntry& entry = palette[i];
+        const std::array<uint8_t, 3> color = {entry.red, entry.green, entry.blue};
+        changes.removed.push_back({handle, uint8_t(i), entry.material, color, removed[i]});
+        changes.dust.push_back({source.position, source.radius, source.velocity, color, entry.material, removed[i]});
+        world.removed += removed[i];
+        if (entry.material && entry.material == world.wire) cutWires.insert(handle.slot());
+        if (entry.lightGroup && entry.lightGroup <= removedByGroup.size())
+            removedByGroup[entry.lightGroup - 1] += removed[i];
+    }
+}
+
+void EditContext::wakeBody(BodyHandle handle) {
+    Body& body = world.bodies.at(handle);
+    body.asleep = false;
+    body.restingSince = 0;
+    if (std::exchange(body.settled, false)) changes.unsettled.push_back(handle);
+    world.updateDebris(handle);
+}
+
+void EditContext::markBroken(BodyHandle handle) {
+    Body& body = world.bodies.at(handle);
+    if (!std::exchange(body.broken, true)) changes.broken.push_back(handle);
+}
+
+}  // namespace rubble

@@ -1,0 +1,77 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <map>
+#include <set>
+#include <variant>
+#include <vector>
+
+#include "runtime/destruction/carve.h"
+#include "runtime/destruction/fragments.h"
+#include "runtime/world/edits/edit.h"
+#include "runtime/world/history/frame_changes.h"
+#include "runtime/world/state/world_data.h"
+
+namespace rubble {
+
+/// A fragment, and what its entries and paint mean: its shape may be painted again before the fragment is a body.
+struct DetachedFragment {
+    Fragment fragment;
+    PaletteRef palette;
+    PaintColorsRef paintColors;
+};
+
+/// What happened to a shape in this step, besides what the journal already holds.
+struct ShapeEditState {
+    ShapeHandle shape;
+    BrickSet carved;
+    CellBox lost;  ///< cells that held all voxels that are gone
+    BrickSet painted;
+    std::vector<DetachedFragment> fragments;  ///< no longer in the grid; bodies of their own after the edits
+    bool lostVoxels = false;  ///< and has a new frame of cells: its connectivity test looks at all of it
+};
+
+/// How a free body moved before anything was taken from it.
+struct BodyMotion {
+    BodyHandle body;
+    glm::dvec3 center;                     ///< of mass, world
+    glm::dvec3 velocity, angularVelocity;  ///< m/s of the centre; rad/s, world axes
+    /// Velocity of the body's point at a world position: v + w x r.
+    glm::dvec3 velocityAt(glm::dvec3 point) const { return velocity + glm::cross(angularVelocity, point - center); }
+};
+
+/// Where removed voxels were, for their dust.
+struct DustSource {
+    glm::dvec3 position;  ///< world
+    double radius;        ///< metres
+    glm::vec3 velocity;   ///< m/s
+};
+
+/// What the stages of one step share: the world, the journal, and what the step has done so far. Lives for one step.
+struct EditContext {
+    EditContext(WorldData& world, FrameChanges& changes);
+
+    WorldData& world;
+    FrameChanges& changes;
+    std::map<uint32_t, ShapeEditState> editStates;                 ///< by slot of the shape
+    std::map<uint32_t, BodyMotion> motions;                        ///< by slot of the body
+    std::vector<std::variant<ExplodeEdit, ImpulseEdit>> impulses;  ///< wait until the pieces exist
+    std::set<uint32_t> cutWires;                                   ///< slots of shapes that lost wire, or pieces
+    std::vector<uint64_t> removedByGroup;                          ///< voxels, by slot of the light group
+
+    /// The shape's entry in editStates, a new one if it has none.
+    ShapeEditState& editState(ShapeHandle shape);
+    /// Keeps how a body moves, before the first voxel is taken from it in this step; see updateVelocities().
+    void recordMotion(BodyHandle body);
+    /// Takes over what was carved out of a shape's grid: mass, counts, bricks for the journal.
+    void recordCarved(ShapeHandle shape, const CarveResult& carved);
+    /// Counts voxels that are gone, by entry of the shape's palette, and makes their dust.
+    void recordRemoved(ShapeHandle shape, const std::array<uint64_t, 256>& removed, const DustSource& source);
+    /// Wakes a body. Physics will wake its own too: by an impulse, or because its shape changed.
+    void wakeBody(BodyHandle body);
+    /// Sets Body::broken; the journal lists the first time.
+    void markBroken(BodyHandle body);
+};
+
+}  // namespace rubble

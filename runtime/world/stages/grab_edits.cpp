@@ -1,0 +1,73 @@
+#include "runtime/world/stages/grab_edits.h"
+
+#include <string>
+
+#include "runtime/core/log.h"
+#include "runtime/core/number_range.h"
+#include "runtime/world/objects/joint_attachment.h"
+#include "runtime/world/objects/transforms.h"
+#include "runtime/world/stages/joint_stage.h"
+
+namespace rubble {
+namespace {
+
+/// Moves what a hand holds already.
+void updateGrab(EditContext& context, JointHandle handle, const GrabEdit& edit) {
+    Joint& grab = context.world.joints.at(handle);
+    if (grab.ends[1].frame.position == edit.target && grab.maxForce == edit.maxForce && grab.spring.hertz == edit.hertz)
+        return;
+    Joint moved = grab;
+    moved.ends[1].frame.position = edit.target;
+    moved.maxForce = edit.maxForce;
+    moved.spring.hertz = edit.hertz;
+    if (!jointError(moved).empty()) return logWarning("GrabEdit: " + jointError(moved) + "; the grab stays as it was");
+    grab = std::move(moved);
+    context.changes.jointsChanged.push_back(handle);
+}
+
+}  // namespace
+
+void apply(EditContext& context, const GrabEdit& edit) {
+    const Body* body = context.world.bodies.find(edit.body);
+    if (!body || body->isStatic)
+        return logWarning(
+            "GrabEdit: expected the handle of a free body, found one that is stale or static; nothing was grabbed");
+    if (!isWithin(edit.point, 1e12) || !isWithin(edit.target, 1e12))
+        return logWarning("GrabEdit: expected places below 1e12 m, found others; nothing was grabbed");
+    for (const JointHandle handle : copyOf(context.world.jointIndex.grabs())) {
+        const Joint& grab = context.world.joints.at(handle);
+        if (grab.hand != edit.hand + 1) continue;
+        if (context.world.shapes.at(grab.ends[0].shape).body != edit.body) {
+            breakJoint(context, handle, JointBreak::Removed, edit.point);
+            continue;
+        }
+        return updateGrab(context, handle, edit);
+    }
+    for (const ShapeHandle shape : body->shapes) {
+        Joint grab = jointAt(context.world, JointKind::Ball, shape, {}, {edit.point});
+        grab.name = "grab";
+        grab.ends[1].frame.position = edit.target;
+        grab.collides = true;
+        grab.spring = {edit.hertz, 1.0};
+        grab.maxForce = edit.maxForce;
+        grab.friction = 0.1 * edit.maxForce;
+        grab.hand = edit.hand + 1;
+        if (!attachJoint(context.world, grab).empty()) continue;
+        context.changes.jointsCreated.push_back(context.world.addJoint(std::move(grab)));
+        return;
+    }
+    logWarning("GrabEdit: expected a voxel of the body near the point, found none; nothing was grabbed");
+}
+
+void apply(EditContext& context, const ReleaseEdit& edit) {
+    for (const JointHandle handle : copyOf(context.world.jointIndex.grabs())) {
+        const Joint& grab = context.world.joints.at(handle);
+        if (grab.hand != edit.hand + 1) continue;
+        const glm::dvec3 place = jointToWorld(context.world, grab.ends[0]).position;
+        const BodyHandle body = context.world.shapes.at(grab.ends[0].shape).body;
+        breakJoint(context, handle, JointBreak::Removed, place);
+        if (edit.impulse != glm::dvec3(0.0)) context.impulses.emplace_back(ImpulseEdit{body, place, edit.impulse});
+    }
+}
+
+}  // namespace rubble

@@ -1,0 +1,89 @@
+#include "runtime/world/stages/light_group_stage.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/core/random.h"
+#include "runtime/world/state/power_supply.h"
+
+namespace rubble {
+namespace {
+
+/// The palette with the entries of one group dark; null if they are dark already.
+PaletteRef darkened(const Palette& palette, uint32_t group) {
+    const auto shines = [&](const PaletteEntry& entry) { return entry.lightGroup == group && entry.emission > 0.0f; };
+    if (std::none_of(palette.begin(), palette.end(), shines)) return nullptr;
+    auto out = std::make_shared<Palette>(palette);
+    for (PaletteEntry& entry : *out)
+        if (shines(entry)) entry.emission = 0.0f;
+    return out;
+}
+
+/// Follows the wire only if the supply's shape lost wire or a piece in this step.
+bool lostPower(const EditContext& context, LightGroupHandle handle, const LightGroup& group) {
+    return group.supply && context.cutWires.contains(group.supply.slot()) && !isPowered(context.world, handle, group);
+}
+
+void darkenGroup(EditContext& context, LightGroupHandle group) {
+    context.world.lights.forEach([&](LightHandle handle, Light& light) {
+        if (light.group != group || !light.enabled) return;
+        light.enabled = false;
+        std::vector<LightHandle>& lights = context.changes.lights;
+        if (std::find(lights.begin(), lights.end(), handle) == lights.end()) lights.push_back(handle);
+    });
+    std::vector<std::pair<PaletteRef, PaletteRef>> seen;  // shapes go on sharing what they shared
+    context.world.shapes.forEach([&](ShapeHandle handle, Shape& shape) {
+        auto known =
+            std::find_if(seen.begin(), seen.end(), [&](const auto& pair) { return pair.first == shape.palette; });
+        if (known == seen.end())
+            known = seen.insert(seen.end(), {shape.palette, darkened(*shape.palette, group.slot() + 1)});
+        if (!known->second) return;
+        shape.palette = known->second;
+        std::vector<ShapeHandle>& palettes = context.changes.palettes;
+        if (std::find(palettes.begin(), palettes.end(), handle) == palettes.end()) palettes.push_back(handle);
+    });
+}
+
+void turnOff(EditContext& context, LightGroupHandle handle, LightGroup& group) {
+    --context.world.flickeringGroups;
+    group.failingSince = 0;
+    group.dark = false;
+    group.out = true;
+    context.changes.groups.push_back(handle);
+    context.changes.groupsOut.push_back(handle);
+    darkenGroup(context, handle);
+}
+
+void updateFlicker(EditContext& context, LightGroupHandle handle, LightGroup& group) {
+    constexpr uint64_t kSteps = 3;  ///< that a state lasts
+    const bool isDark = hashCell(int(handle.slot()), int(context.changes.step / kSteps), 0) & 1;
+    context.changes.groups.push_back(handle);
+    if (std::exchange(group.dark, isDark) == isDark) return;
+    context.world.lights.forEach([&](LightHandle light, const Light& each) {
+        if (each.group == handle) context.changes.lights.push_back(light);
+    });
+}
+
+}  // namespace
+
+void updateLightGroups(EditContext& context) {
+    context.world.groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
+        const uint64_t removed =
+            handle.slot() < context.removedByGroup.size() ? context.removedByGroup[handle.slot()] : 0;
+        group.removedVoxels += removed;
+        if (removed) context.changes.groups.push_back(handle);
+        if (group.out) return;
+        const bool isBroken =
+            removed && double(group.removedVoxels) >= double(group.threshold) * double(group.initialVoxels);
+        if (!group.failingSince && (isBroken || lostPower(context, handle, group))) {
+            group.failingSince = context.changes.step;
+            ++context.world.flickeringGroups;
+        }
+        if (group.failingSince && context.changes.step >= group.failingSince + group.flickerSteps)
+            turnOff(context, handle, group);
+        else if (group.failingSince)
+            updateFlicker(context, handle, group);
+    });
+}
+
+}  // namespace rubble

@@ -1,0 +1,134 @@
+#include "runtime/world/stages/shape_lifecycle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "runtime/world/objects/transforms.h"
+#include "runtime/world/stages/joint_stage.h"
+#include "runtime/world/stages/light_stage.h"
+
+namespace rubble {
+
+std::vector<CellBox> translatedBoxes(const std::vector<CellBox>& boxes, glm::ivec3 low, glm::ivec3 size) {
+    std::vector<CellBox> out;
+    for (const CellBox& box : boxes) {
+        const CellBox moved{glm::max(box.low - low, 0), glm::min(box.high - low, size)};
+        if (!moved.empty()) out.push_back(moved);
+    }
+    return out;
+}
+
+ShapeHandle createPiece(EditContext& context, ShapeHandle parentHandle, Piece piece, const MassMoments& moments,
+                        PieceMotion& started) {
+    const Shape& parent = context.world.shapes.at(parentHandle);
+    const Body& from = context.world.bodies.at(parent.body);
+    Body body{.name = parent.name};
+    body.isStatic = false;
+    body.pose = shapeToWorld(context.world, parentHandle) * Pose{glm::dvec3(piece.offset) * double(parent.voxelSize)};
+    body.createdStep = context.changes.step;
+    const MassProperties mass = massProperties(moments.shifted(-piece.offset), parent.voxelSize);
+    started = {.center = body.pose.transformPoint(mass.center), .mass = mass.mass};
+    if (!from.isStatic) {
+        const BodyMotion& motion = context.motions.at(parent.body.slot());
+        started.velocity = body.velocity = motion.velocityAt(started.center);
+        started.angularVelocity = body.angularVelocity = motion.angularVelocity;
+    }
+    Shape shape{.name = parent.name, .voxelSize = parent.voxelSize};
+    shape.grid = std::move(piece.grid);
+    shape.palette = parent.palette;
+    shape.paintColors = parent.paintColors;
+    shape.moments = moments.shifted(-piece.offset);
+    shape.tags = parent.tags;
+    shape.loadBearing = parent.loadBearing;
+    shape.strength = parent.strength;
+    shape.collisionLayer = parent.collisionLayer;
+    shape.collisionMask = parent.collisionMask;
+    shape.isPiece = true;
+    shape.knownConnected = true;
+    const BodyHandle bodyHandle = context.world.bodies.insert(std::move(body));
+    shape.body = bodyHandle;
+    const ShapeHandle handle = context.world.shapes.insert(std::move(shape));
+    context.world.bodies.at(bodyHandle).shapes.push_back(handle);
+    context.world.updateShapeBounds(handle);
+    context.world.updateDebris(bodyHandle);
+    context.changes.bodiesCreated.push_back(bodyHandle);
+    context.changes.shapesCreated.push_back(handle);
+    return handle;
+}
+
+ShapeHandle createSplitShape(EditContext& context, ShapeHandle handle, Piece piece, const MassMoments& moments) {
+    const Shape& from = context.world.shapes.at(handle);
+    Shape shape = from;
+    shape.local = from.local * Pose{glm::dvec3(piece.offset) * double(from.voxelSize)};
+    shape.anchors = translatedBoxes(from.anchors, piece.offset, piece.grid.size());
+    shape.grid = std::move(piece.grid);
+    shape.moments = moments.shifted(-piece.offset);
+    shape.knownConnected = true;
+    const BodyHandle body = shape.body;
+    const ShapeHandle sibling = context.world.shapes.insert(std::move(shape));
+    context.world.bodies.at(body).shapes.push_back(sibling);
+    context.world.updateShapeBounds(sibling);
+    context.world.updateDebris(body);
+    context.changes.shapesCreated.push_back(sibling);
+    return sibling;
+}
+
+void detachToNewBody(EditContext& context, ShapeHandle handle) {
+    Body body{.name = context.world.shapes.at(handle).name};
+    body.isStatic = false;
+    body.pose = shapeToWorld(context.world, handle);
+    body.shapes = {handle};
+    body.createdStep = context.changes.step;
+    const BodyHandle newBody = context.world.bodies.insert(std::move(body));
+    Shape& shape = context.world.shapes.at(handle);
+    const BodyHandle oldBody = shape.body;
+    std::vector<ShapeHandle>& left = context.world.bodies.at(oldBody).shapes;
+    std::erase(left, handle);
+    if (left.empty()) {
+        context.world.bodies.erase(oldBody);
+        context.changes.bodiesDestroyed.push_back(oldBody);
+    }
+    shape.body = newBody;
+    shape.local = {};
+    shape.anchors.clear();
+    shape.isPiece = true;
+    context.changes.bodiesCreated.push_back(newBody);
+    context.changes.unanchored.push_back(handle);
+    for (const JointHandle joint : context.world.jointIndex.of(handle)) context.changes.jointsChanged.push_back(joint);
+    context.world.lights.forEach([&](LightHandle light, const Light& rider) {
+        if (rider.shape == handle) context.changes.lights.push_back(light);
+    });
+}
+
+void discardPiece(EditContext& context, ShapeHandle parent, const Component& component) {
+    Shape& shape = context.world.shapes.at(parent);
+    std::array<uint64_t, 256> removed{};
+    forEachSubset(shape.grid, component, [&](glm::ivec3, const Brick& brick, const BrickBits& voxels) {
+        forEachVoxel(voxels, [&](int i) { ++removed[brick.at(i)]; });
+    });
+    const Densities densities(*shape.palette, context.world.materials);
+    const MassProperties mass = massProperties(componentMoments(shape.grid, component, densities), shape.voxelSize);
+    takePiece(shape.grid, component);
+    const double radius = 0.5 * shape.voxelSize * std::cbrt(double(component.voxels));
+    context.recordRemoved(parent, removed,
+                          {shapeToWorld(context.world, parent).transformPoint(mass.center), radius,
+                           context.world.bodies.at(shape.body).velocity});
+}
+
+void destroyShape(EditContext& context, ShapeHandle handle) {
+    turnOffLightsOf(context, handle);
+    releaseJointsOf(context, handle);
+    const BodyHandle body = context.world.shapes.at(handle).body;
+    context.world.removeShapeBounds(handle);
+    context.world.shapes.erase(handle);
+    context.changes.shapesDestroyed.push_back(handle);
+    std::vector<ShapeHandle>& left = context.world.bodies.at(body).shapes;
+    std::erase(left, handle);
+    if (!left.empty()) return;
+    context.world.bodies.erase(body);
+    context.world.updateDebris(body);
+    context.changes.bodiesDestroyed.push_back(body);
+}
+
+}  // namespace rubble

@@ -1,0 +1,213 @@
+#include "runtime/world/state/load_level.h"
+
+#include <algorithm>
+#include <string>
+#include <unordered_map>
+
+#include "runtime/core/log.h"
+#include "runtime/world/level/fit_lights.h"
+#include "runtime/world/objects/joint_attachment.h"
+#include "runtime/world/state/power_supply.h"
+
+namespace rubble {
+namespace {
+
+using ShapeNames = std::unordered_map<std::string, ShapeHandle>;  ///< of two shapes of a name, the first
+
+/// The lowest layer of cells that holds anything, as a box over the whole grid.
+CellBox bottomLayer(const VoxelGrid& grid) {
+    int lowest = grid.size().y;
+    grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
+        if (position.y * kBrickSize >= lowest) return;
+        forEachVoxel(brick->occupancy,
+                     [&](int i) { lowest = std::min(lowest, position.y * kBrickSize + voxelInBrick(i).y); });
+    });
+    return {{0, lowest, 0}, {grid.size().x, lowest + 1, grid.size().z}};
+}
+
+/// Empty for an empty name and for one that no shape has.
+ShapeHandle findByName(const ShapeNames& names, const std::string& name) {
+    const auto shape = names.find(name);
+    return name.empty() || shape == names.end() ? ShapeHandle{} : shape->second;
+}
+
+ShapeHandle loadShape(WorldData& world, BodyHandle body, bool isStatic, const LevelShape& from) {
+    Shape shape{.name = from.name, .body = body, .local = from.local, .voxelSize = from.voxelSize, .grid = from.grid};
+    shape.palette = from.palette ? from.palette : std::make_shared<const Palette>();
+    shape.paintColors = from.paintColors;
+    shape.anchors = from.anchors;
+    shape.tags = from.tags;
+    shape.strength = from.strength;
+    shape.loadBearing = from.loadBearing;
+    shape.collisionLayer = from.collisionLayer;
+    shape.collisionMask = from.collisionMask;
+    if (isStatic && shape.anchors.empty()) shape.anchors = {bottomLayer(shape.grid)};
+    shape.moments = gridMoments(shape.grid, *shape.palette, world.materials);
+    world.imported += shape.grid.voxelCount();
+    const ShapeHandle handle = world.shapes.insert(std::move(shape));
+    world.bodies.at(body).shapes.push_back(handle);
+    return handle;
+}
+
+/// Hidden shapes are kept in files and are no part of the world; a body of nothing else is none either.
+ShapeNames loadBodies(WorldData& world, const Level& level) {
+    ShapeNames names;
+    const auto isHidden = [](const LevelShape& shape) { return shape.hidden; };
+    for (const LevelBody& source : level.bodies) {
+        if (!source.shapes.empty() && std::all_of(source.shapes.begin(), source.shapes.end(), isHidden)) continue;
+        Body body{.name = source.name, .pose = source.pose, .isStatic = source.isStatic, .tags = source.tags};
+        body.velocity = source.velocity;
+        body.angularVelocity = source.angularVelocity;
+        body.asleep =
+            !source.isStatic && source.velocity == glm::vec3(0.0f) && source.angularVelocity == glm::vec3(0.0f);
+        const BodyHandle handle = world.bodies.insert(std::move(body));
+        for (const LevelShape& shape : source.shapes)
+            if (!isHidden(shape)) names.emplace(shape.name, loadShape(world, handle, source.isStatic, shape));
+    }
+    return names;
+}
+
+/// Fills in initialVoxels of groups that do not bring it.
+void countGroupVoxels(WorldData& world) {
+    if (world.groups.size() == 0) return;
+    std::vector<uint64_t> counts(world.groups.slotCount());
+    world.shapes.forEach([&](ShapeHandle, const Shape& shape) {
+        const Palette& palette = *shape.palette;
+        if (std::none_of(palette.begin(), palette.end(),
+                         [](const PaletteEntry& entry) { return entry.lightGroup != 0; }))
+            return;
+        shape.grid.forEachBrick([&](glm::ivec3, const BrickRef& brick) {
+            forEachVoxel(brick->occupancy, [&](int i) {
+                const uint32_t group = palette[brick->at(i)].lightGroup;
+                if (group && group <= counts.size()) ++counts[group - 1];
+            });
+        });
+    });
+    world.groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
+        if (group.initialVoxels == 0) group.initialVoxels = counts[handle.slot()];
+    });
+}
+
+/// A group whose supply leads nowhere from the start needs none.
+void connectPowerSupplies(WorldData& world, const ShapeNames& names) {
+    world.groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
+        group.supply = findByName(names, group.supplyShape);
+        if (!group.supply && group.supplyShape.empty()) return;
+        if (!group.out && isPowered(world, handle, group)) return;
+        if (!group.out)
+            logWarning("light group '" + group.name +
+                       "': expected wire from its supply to its voxels, found none: it needs no supply");
+        group.supply = {};
+    });
+}
+
+void loadLights(WorldData& world, const Level& level, const ShapeNames& names) {
+    for (const LevelLight& source : level.lights) {
+        Light light = source.light;
+        light.shape = findByName(names, source.shapeName);
+        world.groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
+            if (!source.groupName.empty() && group.name == source.groupName) light.group = handle;
+        });
+        world.lights.insert(std::move(light));
+    }
+}
+
+void loadJoints(WorldData& world, const Level& level, const ShapeNames& names) {
+    for (const LevelJoint& source : level.joints) {
+        Joint joint = source.joint;
+        std::string error;
+        for (size_t i = 0; i < 2; ++i) {
+            joint.ends[i].shape = findByName(names, source.shapeNames[i]);
+            if (!source.shapeNames[i].empty() && !joint.ends[i].shape)
+                error = "there is no shape '" + source.shapeNames[i] + "'";
+        }
+        if (error.empty()) error = attachJoint(world, joint);
+        if (error.empty())
+            world.joints.insert(std::move(joint));
+        else
+            logWarning("joint '" + source.joint.name + "': " + error + "; it is left out");
+    }
+}
+
+}  // namespace
+
+void loadLevel(WorldData& world, const Level& level) {
+    if (level.autoLightGroups) {
+        Level fitted = level;
+        fitLights(fitted);
+        fitted.autoLightGroups = 0;
+        return loadLevel(world, fitted);
+    }
+    world.clear();
+    world.name = level.name;
+    world.materials = level.materials;
+    world.wire = world.materials.find("wire");
+    world.locations = level.locations;
+    world.setEnvironment(level.environment);
+    for (const LightGroup& group : level.lightGroups) world.groups.insert(group);
+    const ShapeNames names = loadBodies(world, level);
+    countGroupVoxels(world);
+    connectPowerSupplies(world, names);
+    loadLights(world, level, names);
+    for (const Water& water : level.waters) world.waters.insert(water);
+    for (Trigger trigger : level.triggers) {
+        trigger.inside.clear();
+        world.triggers.insert(std::move(trigger));
+    }
+    for (Character character : level.characters) {
+        character.ground = {};
+        world.characters.insert(std::move(character));
+    }
+    loadJoints(world, level, names);
+    world.rebuildIndexes();
+}
+
+Level toLevel(const WorldState& world) {
+    Level level;
+    level.name = world.name;
+    level.materials = world.materials;
+    level.environment = world.environment;
+    level.locations = world.locations;
+    std::vector<std::string> shapeNames(world.shapes.slotCount());
+    world.bodies.forEach([&](BodyHandle, const Body& body) {
+        LevelBody out{body.name, body.pose, body.isStatic, body.velocity, body.angularVelocity, {}, body.tags};
+        for (const ShapeHandle handle : body.shapes) {
+            const Shape& shape = world.shapes.at(handle);
+            out.shapes.push_back({shape.name, shape.local, shape.voxelSize, shape.grid, shape.palette, shape.anchors,
+                                  shape.tags, false, shape.paintColors, shape.strength, shape.loadBearing,
+                                  shape.collisionLayer, shape.collisionMask});
+            shapeNames[handle.slot()] = shape.name;
+        }
+        level.bodies.push_back(std::move(out));
+    });
+    std::vector<std::string> groupNames(world.groups.slotCount());
+    world.groups.forEach([&](LightGroupHandle handle, const LightGroup& group) {
+        groupNames[handle.slot()] = group.name;
+        level.lightGroups.push_back(group);
+    });
+    world.lights.forEach([&](LightHandle, const Light& light) {
+        LevelLight out{light, world.shapes.find(light.shape) ? shapeNames[light.shape.slot()] : "",
+                       world.groups.find(light.group) ? groupNames[light.group.slot()] : ""};
+        out.light.shape = {};
+        out.light.group = {};
+        level.lights.push_back(std::move(out));
+    });
+    world.waters.forEach([&](WaterHandle, const Water& water) { level.waters.push_back(water); });
+    world.triggers.forEach([&](TriggerHandle, const Trigger& trigger) {
+        level.triggers.push_back(trigger), level.triggers.back().inside.clear();
+    });
+    world.characters.forEach([&](CharacterHandle, const Character& each) {
+        level.characters.push_back(each), level.characters.back().ground = {};
+    });
+    world.joints.forEach([&](JointHandle, const Joint& joint) {
+        LevelJoint out{joint, {}};
+        for (size_t i = 0; i < 2; ++i) {
+            if (joint.ends[i].shape) out.shapeNames[i] = shapeNames[joint.ends[i].shape.slot()];
+            out.joint.ends[i].shape = {};
+        }
+        level.joints.push_back(std::move(out));
+    });
+    return level;
+}
+
+}  // namespace rubble

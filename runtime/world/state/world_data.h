@@ -1,0 +1,70 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "runtime/world/state/bounds_tree.h"
+#include "runtime/world/state/debris_queue.h"
+#include "runtime/world/state/joint_index.h"
+#include "runtime/world/state/pending_split.h"
+#include "runtime/world/state/world_state.h"
+#include "runtime/world/state/world_stress.h"
+
+namespace rubble {
+
+/// A world as the stages of a step see it: its state, and indexes over that. The indexes say nothing that the state
+/// does not say, but pending splits and stress analyses, which are work begun. Who changes an object calls the function
+/// below that keeps its index up to date. Hosts see all of this only as const, through World::data().
+struct WorldData : WorldState {
+    /// An empty world with the default materials; `id` is in all its handles.
+    explicit WorldData(uint8_t id);
+
+    uint8_t id;
+    bool levelReplaced = false;           ///< since the last step
+    uint8_t wire = 0;                     ///< the material of wire; 0: none
+    uint32_t flickeringGroups = 0;        ///< light groups that are about to go out
+    BoundsTree shapeBounds;               ///< by slot of the shape
+    BoundsTree triggerBounds;             ///< by slot of the trigger
+    std::vector<BodyHandle> movedBodies;  ///< since triggers were last updated; empty if there are no triggers
+    JointIndex jointIndex;
+    DebrisQueue debris;  ///< the pieces under the budgets of DebrisSettings
+    std::vector<PendingSplit> pendingSplits;
+    std::optional<WorldStress> stress;  ///< none: StressSettings are off
+
+    /// Erases all objects and forgets all work; handles from before go stale. Materials, environment, settings, name
+    /// and locations stay.
+    void clear();
+    /// Builds the indexes of objects that were put in place all at once, after clear().
+    void rebuildIndexes();
+
+    /// Takes over settings: what counts as debris may change, and stress analyses start again if theirs do.
+    void setSettings(const WorldSettings& settings);
+    /// Takes over an environment and makes the sun's direction a unit vector; up if it is zero.
+    void setEnvironment(Environment environment);
+    /// Takes over an environment exactly as it is; returns the one before. Another gravity restarts stress analyses.
+    Environment swapEnvironment(const Environment& environment);
+
+    /// To be called when a shape is made, resized or moved.
+    void updateShapeBounds(ShapeHandle shape);
+    /// To be called before a shape is erased.
+    void removeShapeBounds(ShapeHandle shape) { shapeBounds.remove(shape.slot()); }
+    /// To be called when a body or its shapes changed; the body may be gone or be no debris.
+    void updateDebris(BodyHandle body);
+    /// Inserts a joint, whose ends must be attached (attachJoint()), and lists it in the index.
+    JointHandle addJoint(Joint joint);
+
+    /// Starts the stress analysis of every standing shape again, or ends all of them if they are off.
+    void restartStress();
+    /// Starts the analysis of one shape if it is static, load-bearing and not too large; stress must be on.
+    void addStress(ShapeHandle shape);
+
+    /// Whether a step without edits has something to do.
+    bool isBusy() const;
+
+private:
+    bool hasDebrisWork() const;
+    bool hasActiveWinch() const;
+    void indexTriggers();
+};
+
+}  // namespace rubble
