@@ -44,6 +44,22 @@ Layout readLayout(int instance) {
                   ivec3(texelFetch(uLayouts, instance * 4 + 2).xyz), ivec3(texelFetch(uLayouts, instance * 4 + 3).xyz));
 }
 
+/// The node that holds a cell.
+uvec4 nodeAt(Layout body, ivec3 cell) {
+    ivec3 node = cell >> 5;
+    return fetchNode(body.node + node.x + body.sizeInNodes.x * (node.y + body.sizeInNodes.y * node.z));
+}
+
+/// Number of a cell's word in its brick.
+int wordOf(ivec3 cell) { return (cell.x >> 2 & 1) + (cell.y >> 2 & 1) * 2 + (cell.z >> 2 & 1) * 4; }
+
+/// Which of the 128 texels of its brick holds a voxel's byte, and the byte.
+int texelOf(ivec3 cell) {
+    ivec3 c = cell & 7;
+    return (c.x >> 2) + c.y * 2 + c.z * 16;
+}
+uint byteOf(uint texel, ivec3 cell) { return (texel >> uint((cell.x & 3) * 8)) & 255u; }
+
 /// A palette entry: the material of a voxel.
 struct Entry {
     vec3 color;  // sRGB

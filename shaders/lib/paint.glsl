@@ -9,9 +9,7 @@ vec3 paintedColor(int body, Layout shape, int slot, ivec3 cell, vec3 color) {
     if ((shape.flags & kHasPaint) == 0u) return color;
     uint brick = texelFetch(uPaintSlots, slot).r;
     if (brick == 0u) return color;
-    ivec3 c = cell & 7;
-    uint paint =
-        (texelFetch(uPaint, int(brick - 1u) * 128 + (c.x >> 2) + c.y * 2 + c.z * 16).r >> uint((c.x & 3) * 8)) & 255u;
+    uint paint = byteOf(texelFetch(uPaint, int(brick - 1u) * 128 + texelOf(cell)).r, cell);
     if (paint == 0u) return color;
     uint table = texelFetch(uPaintColors, body * 16 + int(paint >> 4)).r;
     vec3 over = vec3((uvec3(table) >> uvec3(0u, 8u, 16u)) & 255u) / 255.0;

@@ -20,10 +20,8 @@ uint firstBodyAt(vec3 world, int level) {
 
 /// Whether a body has a voxel in a cell. slot: of the voxel's brick.
 bool solidAt(Layout body, ivec3 cell, out int slot) {
-    ivec3 node = cell >> 5;
-    uvec4 n = fetchNode(body.node + node.x + body.sizeInNodes.x * (node.y + body.sizeInNodes.y * node.z));
-    int brick = childOf(cell >> 3), word = (cell.x >> 2 & 1) + (cell.y >> 2 & 1) * 2 + (cell.z >> 2 & 1) * 4,
-        child = childOf(cell);
+    uvec4 n = nodeAt(body, cell);
+    int brick = childOf(cell >> 3), word = wordOf(cell), child = childOf(cell);
     bool filled = ((brick < 32 ? n.x : n.y) >> uint(brick & 31) & 1u) != 0u;
     uint entry = filled ? fetchTable(int(n.z) * 64 + brick) : 0u;
     slot = int(entry >> 8);

@@ -23,21 +23,17 @@ struct VoxelHit {
 };
 
 /// Palette index of a voxel. slot: of its brick.
-int indexAt(int slot, ivec3 cell) {
-    ivec3 c = cell & 7;
-    return int((fetchIndices(slot * 128 + (c.x >> 2) + c.y * 2 + c.z * 16) >> uint((c.x & 3) * 8)) & 255u);
-}
+int indexAt(int slot, ivec3 cell) { return int(byteOf(fetchIndices(slot * 128 + texelOf(cell)), cell)); }
 
 /// Side of the empty block that holds a cell; 0 if the cell is solid. slot: of a solid cell's brick.
 int emptySizeAt(Layout body, ivec3 cell, out int slot) {
     slot = 0;
-    ivec3 node = cell >> 5;
-    uvec4 n = fetchNode(body.node + node.x + body.sizeInNodes.x * (node.y + body.sizeInNodes.y * node.z));
+    uvec4 n = nodeAt(body, cell);
     if ((n.x | n.y) == 0u) return 32;
     int empty = emptyChildren(n.xy, cell >> 3);
     if (empty != 0) return empty * 8;
     uint entry = fetchTable(int(n.z) * 64 + childOf(cell >> 3));
-    int word = (cell.x >> 2 & 1) + (cell.y >> 2 & 1) * 2 + (cell.z >> 2 & 1) * 4;
+    int word = wordOf(cell);
     if ((entry >> uint(word) & 1u) == 0u) return 4;
     slot = int(entry >> 8);
     return emptyChildren(fetchWord(slot * 8 + word), cell);

@@ -1,6 +1,7 @@
 // Composites a water surface over a copy of the image. It is a horizontal plane within a polygon, with a normal from
-// sums of sines and of rings. What is below is refracted (displaced by the slope) and absorbed: left^(path / clarity),
-// Beer- Lambert. Fresnel's reflectance (f0 = 0.02) mixes it with the reflection of one ray, the sun's glint and foam.
+// sums of sines and of rings. What is below is refracted (displaced by the slope) and absorbed: by
+// color^(path / clarity) (Beer-Lambert). Fresnel's reflectance (f0 = 0.02) mixes it with the reflection of one ray, the
+// sun's glint and foam.
 #include "lib/constants.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/frame.glsl"

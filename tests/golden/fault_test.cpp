@@ -38,7 +38,7 @@ constexpr Fault kFaults[] = {
      "there.y == centre.y ? planeWeight(plane, vec2(p - pixel), there.x) : 0.0", "1.0"},
     {"history counts for nothing", "passes/accumulate.frag", "mix(history.light, now, blend)", "now"},
     {"empty blocks are too large", "lib/cell_walk.glsl", "return 2;", "return 4;"},
-    {"palette indices from the wrong row", "lib/voxel_walk.glsl", "(c.x >> 2) + c.y * 2", "(c.x >> 2) + c.y * 4"},
+    {"palette indices from the wrong row", "lib/bodies.glsl", "(c.x >> 2) + c.y * 2", "(c.x >> 2) + c.y * 4"},
     {"mirror rays go inward", "passes/reflections.frag", "reflect(-m.view", "reflect(m.view"},
     {"what rays hit reflects too much", "lib/bounce.glsl", "vec3 diffuse = albedo", "vec3 diffuse = 5.0 * albedo"},
     {"the eye does not adapt", "passes/exposure.frag", "kAdaptationStrength = 0.45", "kAdaptationStrength = 0.0"},

@@ -2,19 +2,10 @@
 
 #include <cmath>
 
+#include "tests/support/grids.h"
+
 namespace rubble {
 namespace {
-
-VoxelGrid makeGrid(glm::ivec3 size, const std::function<uint8_t(glm::ivec3)>& entryAt) {
-    VoxelGrid grid(size);
-    GridWriter writer(grid);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x)
-                if (const uint8_t entry = entryAt({x, y, z})) writer.set({x, y, z}, entry);
-    writer.flush();
-    return grid;
-}
 
 std::vector<BrickChange> bricksOf(ShapeHandle shape, const VoxelGrid& grid) {
     std::vector<BrickChange> bricks;
@@ -30,7 +21,7 @@ bool isEmpty(const BrickRef& brick) {
 
 ShapeHandle LitScene::add(glm::ivec3 size, Pose pose, const std::function<uint8_t(glm::ivec3)>& entryAt) {
     const ShapeHandle handle = ShapeHandle::make(1, 1, uint32_t(m_shapes.size()));
-    m_shapes.push_back({handle, makeGrid(size, entryAt), pose, pose, {}});
+    m_shapes.push_back({handle, gridOf(size, entryAt), pose, pose, {}});
     return handle;
 }
 
@@ -41,7 +32,7 @@ void LitScene::move(ShapeHandle shape, Pose pose) {
 void LitScene::edit(ShapeHandle shape, const std::function<uint8_t(glm::ivec3)>& entryAt) {
     Shape& s = m_shapes[shape.slot()];
     const VoxelGrid before = s.grid;
-    s.grid = makeGrid(before.size(), entryAt);
+    s.grid = gridOf(before.size(), entryAt);
     const glm::ivec3 bricks = before.sizeInBricks();
     for (int i = 0; i < bricks.x * bricks.y * bricks.z; ++i) {
         const glm::ivec3 brick(i % bricks.x, i / bricks.x % bricks.y, i / bricks.x / bricks.y);

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     using namespace rubble;
     bench::Options options;
     std::string subject, gl = "osmesa", size = "640x360";
-    CLI::App app{"What a imageFolder costs", "bench_render"};
+    CLI::App app{"The cost of a frame", "bench_render"};
     app.add_option("subject", subject, "frame, city or primary")
         ->required()
         ->check(CLI::IsMember({"frame", "city", "primary"}));
