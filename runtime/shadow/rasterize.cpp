@@ -16,9 +16,10 @@ void copyShifted(const VoxelGrid& grid, const ShadowCellTransform& cellTransform
     glm::ivec3 shift;  // cell - voxel
     for (int a = 0; a < 3; ++a) shift[a] = cellTransform.base[a] - int(cellTransform.origin[size_t(a)] >> 32);
     const glm::ivec3 low = brick * kSide - shift;
-    for (int bz = low.z >> 3; bz <= (low.z + kSide - 1) >> 3; ++bz)
-        for (int by = low.y >> 3; by <= (low.y + kSide - 1) >> 3; ++by)
-            for (int bx = low.x >> 3; bx <= (low.x + kSide - 1) >> 3; ++bx) {
+    const glm::ivec3 first = brickOfCell(low), last = brickOfCell(low + (kSide - 1));
+    for (int bz = first.z; bz <= last.z; ++bz)
+        for (int by = first.y; by <= last.y; ++by)
+            for (int bx = first.x; bx <= last.x; ++bx) {
                 const Brick* from = grid.brickAt({bx, by, bz});
                 if (!from) continue;
                 const glm::ivec3 at = glm::ivec3(bx, by, bz) * kBrickSize - low;
@@ -35,18 +36,19 @@ class BrickSource {
 public:
     explicit BrickSource(const VoxelGrid& grid) : m_grid(grid) {}
     uint64_t solid(int x, int y, int z) {
-        if (((x >> 3) ^ m_place.x) | ((y >> 3) ^ m_place.y) | ((z >> 3) ^ m_place.z)) {
+        const glm::ivec3 brickPosition = brickOfCell(glm::ivec3(x, y, z));
+        if ((brickPosition.x ^ m_position.x) | (brickPosition.y ^ m_position.y) | (brickPosition.z ^ m_position.z)) {
             static constexpr std::array<uint64_t, 8> kNothing{};
-            m_place = {x >> 3, y >> 3, z >> 3};
-            const Brick* brick = m_grid.brickAt(m_place);
+            m_position = brickPosition;
+            const Brick* brick = m_grid.brickAt(m_position);
             m_occupancy = (brick ? brick->occupancy : kNothing).data();
         }
-        return m_occupancy[z & 7] >> ((x & 7) | (y & 7) << 3) & 1;
+        return m_occupancy[cellInBrick(z)] >> (cellInBrick(x) + kBrickSize * cellInBrick(y)) & 1;
     }
 
 private:
     const VoxelGrid& m_grid;
-    glm::ivec3 m_place{-1};
+    glm::ivec3 m_position{-1};  ///< of the last brick
     const uint64_t* m_occupancy = nullptr;
 };
 

@@ -26,7 +26,7 @@ BrickRef withoutTranslucent(const BrickRef& brick, const std::array<bool, 256>& 
     if (!brick->indices) return entries[brick->uniform] ? brick : nullptr;
     std::array<uint64_t, 8> keep = brick->occupancy;
     forEachVoxel(brick->occupancy, [&](int i) {
-        if (!entries[(*brick->indices)[size_t(i)]]) keep[size_t(i >> 6)] &= ~(uint64_t(1) << (i & 63));
+        if (!entries[(*brick->indices)[size_t(i)]]) clearVoxel(keep, i);
     });
     return keep == brick->occupancy ? brick : maskBrick(*brick, keep);
 }

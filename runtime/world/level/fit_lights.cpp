@@ -22,7 +22,7 @@ VoxelGrid onlyEntry(const VoxelGrid& grid, size_t entry) {
     grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
         BrickBits keep{};
         forEachVoxel(brick->occupancy, [&](int i) {
-            if (brick->at(i) == entry) keep[size_t(i >> 6)] |= uint64_t(1) << (i & 63);
+            if (brick->at(i) == entry) setVoxel(keep, i);
         });
         out.setBrick(position, maskBrick(*brick, keep));
     });
