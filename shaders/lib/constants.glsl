@@ -1,8 +1,8 @@
 // Constants of the shaders alone; those that C++ knows too are in shared/constants.h.
 #include "shared/constants.h"
 
-const float kPi = 3.14159265;
 const float kTwoPi = 6.2831853;
+const float kPi = 0.5 * kTwoPi;
 const float kInversePi = 0.3183;
 
 const float kShadowCellsPerMetre = 10.0;
