@@ -1,5 +1,4 @@
-// Indirect light: the mean radiance from sky and surfaces over the cosine-weighted hemisphere, which is irradiance /
-// pi:
+// Indirect light from sky and surfaces: irradiance / pi, the mean radiance over the cosine-weighted hemisphere.
 //   E / pi = integral L(d) cos / pi dd  ~  1 / n sum L(d_i),   d_i drawn with the density cos / pi
 // Rays that leave see the sky; rays that hit bring the radiance of lib/bounce.glsl. `hitProximity` is the mean of
 // 1 / (1 + t / 1 m) over the rays, with 0 for those that leave: an ambient obscurance (Zhukov et al. 1998) which guides
