@@ -21,18 +21,17 @@ struct Stages {
 const std::vector<Stages>& stages() {
     static const std::vector<Stages> all{
         {"joints and ropes",
-         {"PhysicsWorld::Impl::applyJoints", "PhysicsWorld::Impl::wakeJointed", "PhysicsWorld::Impl::gatherJoints",
-          "PhysicsWorld::Impl::breakJoints", "PhysicsWorld::Impl::settleJointed", "PhysicsWorld::Impl::moveRopes",
-          "World::setRopes", "EditStep::checkJoints", "EditStep::windRopes"}},
-        {"water", {"PhysicsWorld::Impl::applyWater", "PhysicsWorld::Impl::refreshWaters"}},
-        {"characters",
-         {"PhysicsWorld::Impl::moveCharacters", "PhysicsWorld::Impl::refreshCharacters", "World::setCharacters"}},
-        {"triggers", {"EditStep::updateTriggers"}},
-        {"layers", {"PhysicsWorld::Impl::refreshFilters"}},
-        {"stress", {"EditStep::openCracks", "EditStep::runStressAnalysis"}},
-        {"fire and heat", {"EditStep::burn", "EditStep::moveHeat"}},
-        {"light groups", {"EditStep::updateLightGroups"}},
-        {"debris budget", {"EditStep::limitDebris"}},
+         {"PhysicsJoints::apply", "PhysicsJoints::begin", "PhysicsJoints::wakeJointed", "PhysicsJoints::gather",
+          "PhysicsJoints::findBroken", "PhysicsJoints::putToSleep", "PhysicsJoints::moveRopes", "World::setRopes",
+          "releaseUnheldJoints", "updateWinches"}},
+        {"water", {"WaterVolumes::applyForces", "WaterVolumes::set"}},
+        {"characters", {"PhysicsCharacters::move", "World::setCharacters"}},
+        {"triggers", {"updateTriggers"}},
+        {"collision filters", {"PhysicsBodies::updateFilter"}},
+        {"stress", {"openCracks", "runStressAnalysis"}},
+        {"fire and heat", {"FireStage::update", "redistributeHeat"}},
+        {"light groups", {"updateLightGroups"}},
+        {"debris budget", {"enforceDebrisBudgets"}},
     };
     return all;
 }
@@ -43,7 +42,7 @@ void runWithoutFeatures() {
     PhysicsScene scene;
     scene.addFloor();
     for (int i = 0; i < 64; ++i)
-        scene.add(blockGrid({5, 5, 5}, 7), {i % 4 * 0.8, 0.5 * (i / 16) + 0.1, i / 4 % 4 * 0.8}, false);
+        scene.add(solidGrid({5, 5, 5}, 7), {i % 4 * 0.8, 0.5 * (i / 16) + 0.1, i / 4 % 4 * 0.8}, false);
     for (LevelBody& body : scene.level.bodies)
         body.velocity = body.isStatic ? glm::vec3(0.0f) : glm::vec3(0.0f, -0.1f, 0.0f);
     FrameLoopSettings settings;
@@ -60,12 +59,12 @@ Table unusedFeatureTradeoff(const Options& options) {
                 fmt::format("cost of features that a scene does not use: instructions of their stages in {} steps of "
                             "64 standing cubes, and bytes",
                             kSteps),
-                {"feature", "instructions per step", "share of all %", "bytes", "stages inlined into their callers"},
+                {"feature", "instructions per step", "share of all %", "bytes", "stages without a count"},
                 {}};
     table.note =
         "Instructions: counted by valgrind's callgrind, each stage with all functions that it calls: the same on every "
         "run. Bytes: all that the stages ever allocated, loading included, counted by valgrind's dhat (without "
-        "allocations in tail calls). Stages that the compiler inlined are named; they have no count of their own.";
+        "allocations in tail calls). Stages that were inlined or never called are named; they have no count.";
     const std::map<std::string, double> counts = instructionsByFunction("nothing used");
     const auto whole = counts.find("rubble::FrameLoop::step");
     if (whole == counts.end()) {
@@ -78,7 +77,7 @@ Table unusedFeatureTradeoff(const Options& options) {
     std::string costliest;
     for (const Stages& each : stages()) {
         double count = 0.0, held = 0.0;
-        std::string inlined;
+        std::string uncounted;
         for (const char* function : each.functions) {
             const std::string name = std::string("rubble::") + function;
             if (const auto at = bytes.find(name); at != bytes.end()) held += at->second;
@@ -86,14 +85,14 @@ Table unusedFeatureTradeoff(const Options& options) {
             if (at != counts.end())
                 count += at->second;
             else
-                inlined += std::string(inlined.empty() ? "" : " ") + function;
+                uncounted += std::string(uncounted.empty() ? "" : " ") + function;
         }
         const double share = count / whole->second;
         if (share >= most) most = share, costliest = each.feature;
         sum += share;
         allBytes += held;
         table.add({each.feature, fmt::format("{:.0f}", count / kSteps), fmt::format("{:.4f}", share * 100.0),
-                   fmt::format("{:.0f}", held), inlined.empty() ? "-" : inlined});
+                   fmt::format("{:.0f}", held), uncounted.empty() ? "-" : uncounted});
         bars.push_back({each.feature, "unused", {share * 100.0, share * 100.0, share * 100.0}});
     }
     table.failed = most > kNegligible || !bytes.contains("rubble::FrameLoop::FrameLoop") || allBytes > 0.0;
