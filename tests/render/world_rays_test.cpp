@@ -109,10 +109,10 @@ TEST_F(WorldRaysTest, AreExactWhileTheWorldBreaksAndBodiesMove) {
     const auto building = [](glm::ivec3 c) {
         return uint8_t(c.y < 3 || c.y % 30 == 20 || c.x % 70 == 9 || c.z % 90 == 5);
     };
-    bodies.push_back(makeBody(makeGrid({160, 90, 140}, building), {{-5.0, -1.0, -3.0}}, true));
+    bodies.push_back(makeBody(gridOf({160, 90, 140}, building), {{-5.0, -1.0, -3.0}}, true));
     for (int i = 0; i < 30; ++i) {
         const int side = random.between(3, 20);
-        bodies.push_back(makeBody(makeGrid(glm::ivec3(side), [](glm::ivec3) { return uint8_t(1); }),
+        bodies.push_back(makeBody(gridOf(glm::ivec3(side), [](glm::ivec3) { return uint8_t(1); }),
                                   {drawPoint(random, -3.0, 9.0), drawRotation(random)}, false));
     }
     World world = worldOf(std::move(bodies));
@@ -140,7 +140,7 @@ TEST_F(WorldRaysTest, AreExactInAWorldTwoKilometresWide) {
     Random random(22);
     std::vector<LevelBody> bodies;
     const VoxelGrid frameGrid =
-        makeGrid({60, 60, 60}, [](glm::ivec3 c) { return uint8_t(c.x % 20 == 3 || c.y % 25 == 3); });
+        gridOf({60, 60, 60}, [](glm::ivec3 c) { return uint8_t(c.x % 20 == 3 || c.y % 25 == 3); });
     for (const glm::dvec3 place : {glm::dvec3(0.0), glm::dvec3(2000.0, 0.0, 0.0), glm::dvec3(0.0, 10.0, 2000.0),
                                    glm::dvec3(2000.0, 0.0, 2000.0)})
         bodies.push_back(makeBody(frameGrid, {place}, true));

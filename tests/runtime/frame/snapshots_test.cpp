@@ -4,19 +4,10 @@
 
 #include "runtime/shadow/shadow_worker.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 namespace {
-
-VoxelGrid solid(glm::ivec3 size) {
-    VoxelGrid grid(size);
-    GridWriter writer(grid);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) writer.set({x, y, z}, 1);
-    writer.flush();
-    return grid;
-}
 
 LevelBody makeBody(const char* name, glm::dvec3 position, glm::ivec3 size, bool isStatic) {
     LevelBody body;
@@ -26,7 +17,7 @@ LevelBody makeBody(const char* name, glm::dvec3 position, glm::ivec3 size, bool 
     (*palette)[1].material = defaultMaterials().find("wood");
     LevelShape shape;
     shape.name = name;
-    shape.grid = solid(size);
+    shape.grid = solidGrid(size);
     shape.palette = palette;
     body.shapes.push_back(std::move(shape));
     return body;

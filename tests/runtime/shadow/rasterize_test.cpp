@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "runtime/core/constants.h"
 #include "tests/runtime/shadow/received_volume.h"
 
 namespace rubble {
@@ -20,7 +21,7 @@ TEST(Rasterize, AlignedShapesAreCopiedBitForBit) {
     Random random(1);
     for (const glm::ivec3 offset : {glm::ivec3(0), glm::ivec3(-3, 5, 129), glm::ivec3(1000, -1001, 16)}) {
         const glm::ivec3 size(37, 20, 18);
-        const VoxelGrid grid = makeGrid(size, [&](glm::ivec3) { return uint8_t(random.below(2)); });
+        const VoxelGrid grid = gridOf(size, [&](glm::ivec3) { return uint8_t(random.below(2)); });
         const Volume volume = rebuild(worldOf({makeBody(grid, {glm::dvec3(offset) * 0.1}, true)}));
         size_t wrong = 0;
         for (int z = -2; z < size.z + 2; ++z)
@@ -34,13 +35,13 @@ TEST(Rasterize, AlignedShapesAreCopiedBitForBit) {
 
 TEST(Rasterize, QuarterTurnsKeepEveryVoxel) {
     Random random(2);
-    const VoxelGrid grid = makeGrid({20, 9, 13}, [&](glm::ivec3) { return uint8_t(random.below(2)); });
+    const VoxelGrid grid = gridOf({20, 9, 13}, [&](glm::ivec3) { return uint8_t(random.below(2)); });
     for (int turn = 0; turn < 64; ++turn) {
         glm::dquat rotation(1, 0, 0, 0);
         for (int a = 0; a < 3; ++a) {
             glm::dvec3 axis(0.0);
             axis[a] = 1.0;
-            rotation = rotation * glm::angleAxis(double(turn >> (2 * a) & 3) * std::acos(-1.0) / 2.0, axis);
+            rotation = rotation * glm::angleAxis(double(turn >> (2 * a) & 3) * kPi / 2.0, axis);
         }
         const Volume volume = rebuild(worldOf({makeBody(grid, {{0.5, -1.3, 2.0}, rotation}, true)}));
         EXPECT_EQ(volume.cellCount(), grid.voxelCount()) << turn;
@@ -53,7 +54,7 @@ TEST(Rasterize, RotatedShapesFollowTheSamplingRule) {
     for (int round = 0; round < 8; ++round) {
         const float voxelSize = round % 4 == 3 ? 0.05f : round % 4 == 2 ? 0.17f : 0.1f;
         const glm::ivec3 size(random.between(1, 20), random.between(1, 20), random.between(1, 20));
-        const VoxelGrid grid = makeGrid(size, [&](glm::ivec3) { return uint8_t(random.below(3) == 0); });
+        const VoxelGrid grid = gridOf(size, [&](glm::ivec3) { return uint8_t(random.below(3) == 0); });
         const Pose pose{drawPoint(random, -3.0, 3.0), drawRotation(random)};
         const Volume volume = rebuild(worldOf({makeBody(grid, pose, true, voxelSize)}));
         const int samples = voxelSize < 0.1f ? 2 : 1;
@@ -81,8 +82,8 @@ TEST(Rasterize, RotatedShapesFollowTheSamplingRule) {
 }
 
 TEST(Rasterize, GlassLetsLightThrough) {
-    const VoxelGrid grid = makeGrid(
-        {16, 16, 1}, [](glm::ivec3 c) { return uint8_t(c.x >= 4 && c.x < 12 && c.y >= 4 && c.y < 12 ? 2 : 1); });
+    const VoxelGrid grid =
+        gridOf({16, 16, 1}, [](glm::ivec3 c) { return uint8_t(c.x >= 4 && c.x < 12 && c.y >= 4 && c.y < 12 ? 2 : 1); });
     const Volume volume = rebuild(worldOf({makeBody(grid, {}, true)}));
     EXPECT_EQ(volume.cellCount(), 16u * 16 - 64);
     EXPECT_FALSE(volume.occluded({0.8, 0.8, -1.0}, {0, 0, 1}, 3.0));
@@ -96,11 +97,10 @@ TEST(Rasterize, AClosedRoomIsDark) {
     for (int round = 0; round < 48; ++round) {
         const float voxelSize = round % 3 == 0 ? 0.1f : round % 3 == 1 ? 0.06f : 0.2f;
         const glm::ivec3 size(24, 20, 28);
-        const VoxelGrid grid = makeGrid(size, [&](glm::ivec3 c) { return uint8_t(isShell(c, size)); });
+        const VoxelGrid grid = gridOf(size, [&](glm::ivec3 c) { return uint8_t(isShell(c, size)); });
         glm::dquat rotation = drawRotation(random);
         if (round < 3) rotation = glm::dquat(1, 0, 0, 0);
-        if (round >= 3 && round < 9)
-            rotation = glm::angleAxis(std::acos(-1.0) / 4.0, glm::dvec3(round % 2, 1 - round % 2, 0));
+        if (round >= 3 && round < 9) rotation = glm::angleAxis(kPi / 4.0, glm::dvec3(round % 2, 1 - round % 2, 0));
         const Pose pose{drawPoint(random, -3.0, 3.0), rotation};
         const Volume volume = rebuild(worldOf({makeBody(grid, pose, true, voxelSize)}));
         for (int i = 0; i < 2000; ++i) {
@@ -118,7 +118,7 @@ TEST(Rasterize, AClosedRoomIsDark) {
 /// A lone cube, falling and turning: from half a cell's extent above its faces, the sun is seen.
 TEST(Rasterize, ASingleCubeDoesNotShadowItself) {
     Random random(5);
-    const VoxelGrid grid = makeGrid({12, 12, 12}, [](glm::ivec3) { return uint8_t(1); });
+    const VoxelGrid grid = gridOf({12, 12, 12}, [](glm::ivec3) { return uint8_t(1); });
     const glm::dvec3 sun = glm::normalize(glm::dvec3(-0.6, 0.36, 0.5));
     int lit = 0, points = 0;
     for (int turn = 0; turn < 16; ++turn) {
@@ -141,7 +141,7 @@ TEST(Rasterize, ASingleCubeDoesNotShadowItself) {
 }
 
 TEST(Rasterize, UnusablePosesCastNothing) {
-    const VoxelGrid grid = makeGrid({8, 8, 8}, [](glm::ivec3) { return uint8_t(1); });
+    const VoxelGrid grid = gridOf({8, 8, 8}, [](glm::ivec3) { return uint8_t(1); });
     const double nan = std::nan("");
     for (const Pose& pose : {Pose{{nan, 0, 0}}, Pose{{1e30, 0, 0}}, Pose{{0, 0, 0}, {nan, 0, 0, 0}}})
         EXPECT_TRUE(rebuild(worldOf({makeBody(grid, pose, false)})).empty());

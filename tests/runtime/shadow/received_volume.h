@@ -6,6 +6,7 @@
 #include "runtime/shadow/shadow_replica.h"
 #include "runtime/shadow/shadow_worker.h"
 #include "runtime/voxel/cell_walk.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 
@@ -114,18 +115,6 @@ inline PaletteRef stoneAndGlass() {
     (*palette)[2].material = defaultMaterials().find("glass");
     (*palette)[2].opacity = 60;
     return palette;
-}
-
-template <class F>
-VoxelGrid makeGrid(glm::ivec3 size, F&& entryAt) {
-    VoxelGrid grid(size);
-    GridWriter writer(grid);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x)
-                if (const uint8_t entry = entryAt(glm::ivec3(x, y, z))) writer.set({x, y, z}, entry);
-    writer.flush();
-    return grid;
 }
 
 inline LevelBody makeBody(VoxelGrid grid, const Pose& pose, bool isStatic, float voxelSize = 0.1f) {

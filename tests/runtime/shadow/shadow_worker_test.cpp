@@ -22,14 +22,14 @@ public:
         const auto building = [](glm::ivec3 c) {
             return uint8_t(c.y < 6 ? 1 : c.y % 30 < 2 || c.x % 40 < 2 ? 1 : c.z % 50 < 1 ? 2 : 0);
         };
-        bodies.push_back(makeBody(makeGrid({128, 128, 128}, building), {}, true));
-        bodies.push_back(makeBody(makeGrid({20, 60, 3}, [](glm::ivec3) { return uint8_t(1); }),
+        bodies.push_back(makeBody(gridOf({128, 128, 128}, building), {}, true));
+        bodies.push_back(makeBody(gridOf({20, 60, 3}, [](glm::ivec3) { return uint8_t(1); }),
                                   {{3, 1, 9}, glm::angleAxis(0.6, glm::dvec3(0, 1, 0))}, true));
         for (int i = 0; i < 50; ++i) {
             const int size = m_random.between(2, 14);
             const uint8_t entry = uint8_t(1 + m_random.below(8) / 7);
             const Pose pose{drawPoint(m_random, 0.0, 12.0), drawRotation(m_random)};
-            bodies.push_back(makeBody(makeGrid(glm::ivec3(size), [&](glm::ivec3) { return entry; }), pose, false));
+            bodies.push_back(makeBody(gridOf(glm::ivec3(size), [&](glm::ivec3) { return entry; }), pose, false));
         }
         m_world = worldOf(std::move(bodies));
     }
@@ -154,7 +154,7 @@ TEST(ShadowWorker, AStepInWhichNothingHappensIsFree) {
 }
 
 TEST(ShadowWorker, SleepingBodiesCostNothing) {
-    const VoxelGrid cube = makeGrid(glm::ivec3(8), [](glm::ivec3) { return uint8_t(1); });
+    const VoxelGrid cube = gridOf(glm::ivec3(8), [](glm::ivec3) { return uint8_t(1); });
     World world = worldOf({makeBody(cube, {{1, 1, 1}, glm::angleAxis(0.4, glm::dvec3(0, 1, 0))}, false),
                            makeBody(cube, {{5, 1, 1}}, false)});
     ShadowWorker worker(ShadowWorker::Mode::Inline);

@@ -33,7 +33,7 @@ Piece drawPiece(Random& random) {
     const uint32_t kind = random.below(4);
     const int corner = random.between(1, 40);
     Piece piece;
-    piece.grid = makeGrid(size, [&](glm::ivec3 c) {
+    piece.grid = gridOf(size, [&](glm::ivec3 c) {
         const glm::ivec3 far = size - 1 - c;
         if (kind == 0) return uint8_t(1);
         if (kind == 1) return uint8_t(c.x + c.y + c.z >= corner);
@@ -107,7 +107,7 @@ TEST(ShapeRaster, TheSolidBoxIsSolidAndLarge) {
 }
 
 TEST(ShapeRaster, FailsWhenTheBoundsAreTooWide) {
-    const VoxelGrid grid = makeGrid({64, 2, 2}, [](glm::ivec3) { return uint8_t(1); });
+    const VoxelGrid grid = gridOf({64, 2, 2}, [](glm::ivec3) { return uint8_t(1); });
     ShadowCellTransform cellTransform;
     ASSERT_TRUE(cellTransform.place({}, 0.1));
     RasterSource source;

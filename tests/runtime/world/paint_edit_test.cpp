@@ -75,7 +75,7 @@ TEST(PaintEdit, CapsulesPaintStrokes) {
     EXPECT_NEAR(double(changes.paintedVoxels), std::sqrt(30.0 * 30 + 9 * 9) * 3 + 7, 20);
     for (const double x : {0.5, 2.0, 3.4}) {
         const glm::ivec3 cell(int(x * 10), 23, int((0.3 + (x - 0.5) * 0.3) * 10));
-        EXPECT_NE(onlyShape(world).grid.brickAt(cell >> 3)->paintAt(voxelIndex(cell & 7)), 0) << x;
+        EXPECT_NE(onlyShape(world).grid.brickAt(brickOfCell(cell))->paintAt(voxelIndex(cellInBrick(cell))), 0) << x;
     }
 }
 
