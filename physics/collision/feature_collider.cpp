@@ -59,7 +59,7 @@ bool FeatureCollider::collide(bool isFirst, uint64_t partKey, std::vector<Contac
         collideFeatures(surface->features, surface->rows.box().low, near, out);
         return true;
     }
-    const Cell low = near.low >> 3, high = (near.high - 1) >> 3;
+    const Cell low = brickOfCell(near.low), high = brickOfCell(near.high - 1);
     for (int z = low.z; z <= high.z; ++z)
         for (int y = low.y; y <= high.y; ++y)
             for (int x = low.x; x <= high.x; ++x) {

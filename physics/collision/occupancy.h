@@ -35,7 +35,7 @@ public:
     bool mayContainBrick(Int4 from, Int4 to) const {
         if (m_whole) return m_whole->any(from, to);
         Cell low(from[0], from[1], from[2]), high(to[0], to[1], to[2]);
-        low = glm::max(low, Cell(0)) >> 3, high = glm::min(high, m_grid.size() - 1) >> 3;
+        low = brickOfCell(glm::max(low, Cell(0))), high = brickOfCell(glm::min(high, m_grid.size() - 1));
         if (std::max({high.x - low.x, high.y - low.y, high.z - low.z}) > 3) return true;
         for (int z = low.z; z <= high.z; ++z)
             for (int y = low.y; y <= high.y; ++y)
@@ -47,15 +47,15 @@ public:
     bool solid(Cell c) {
         if (m_whole) return m_whole->solid(c);
         if (!m_grid.contains(c)) return false;
-        const Cell brick = c >> 3;
+        const Cell brick = brickOfCell(c);
         if (brick != m_brickAt) m_brickAt = brick, m_brick = m_grid.brickAt(brick);
-        return m_brick && m_brick->solid(voxelIndex(c & 7));
+        return m_brick && m_brick->solid(voxelIndex(cellInBrick(c)));
     }
 
 private:
     bool mayContainSolidNear(Int4 from, Int4 to) {
         const Cell low(from[0], from[1], from[2]), high(to[0], to[1], to[2]);
-        const Cell brick = glm::clamp(low, Cell(0), m_grid.size() - 1) >> 3,
+        const Cell brick = brickOfCell(glm::clamp(low, Cell(0), m_grid.size() - 1)),
                    last = brick * kBrickSize + kBrickSize + SolidRows::kPadding - 1;
         if (glm::any(glm::greaterThan(low, last)) ||
             glm::any(glm::lessThan(high, last - (kBrickSize + 2 * SolidRows::kPadding - 1))))

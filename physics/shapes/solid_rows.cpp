@@ -10,7 +10,8 @@ SolidRows::SolidRows(const VoxelGrid& grid, const CellBox& box) : m_box(box), m_
     assert(size.x <= 64);
     m_nx = size.x, m_ny = size.y, m_nz = size.z;
     m_rows.resize(size_t(m_ny) * size_t(m_nz));
-    const glm::ivec3 first = glm::max(m_low, glm::ivec3(0)) >> 3, last = glm::min((m_low + size - 1) >> 3, bricks - 1);
+    const glm::ivec3 first = brickOfCell(glm::max(m_low, glm::ivec3(0)));
+    const glm::ivec3 last = glm::min(brickOfCell(m_low + size - 1), bricks - 1);
     const uint64_t mask = ~uint64_t(0) >> (64 - m_nx);
     for (int bz = first.z; bz <= last.z; ++bz)
         for (int by = first.y; by <= last.y; ++by)

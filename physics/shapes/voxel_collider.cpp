@@ -14,7 +14,7 @@ BrickRef withoutUnphysical(const BrickRef& brick, const ContactMaterials& contac
     if (!brick || (!brick->indices && contactMaterials.solid[brick->uniform])) return brick;
     BrickBits keep = brick->occupancy;
     forEachVoxel(brick->occupancy, [&](int i) {
-        if (!contactMaterials.solid[brick->at(i)]) keep[size_t(i >> 6)] &= ~(uint64_t(1) << (i & 63));
+        if (!contactMaterials.solid[brick->at(i)]) clearVoxel(keep, i);
     });
     return keep == brick->occupancy ? brick : maskBrick(*brick, keep);
 }
@@ -96,9 +96,9 @@ void VoxelPart::update(const Shape& shape, const std::vector<glm::ivec3>& bricks
         for (int i = 0; i < 27; ++i) {
             const glm::ivec3 near = brick + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1;
             if (near.x < 0 || near.y < 0 || near.z < 0 ||
-                glm::any(glm::greaterThanEqual(near >> 2, m_grid.sizeInNodes())))
+                glm::any(glm::greaterThanEqual(nodeOfBrick(near), m_grid.sizeInNodes())))
                 continue;
-            if (const NodeSurface* known = m_nodes[nodeNumber(near >> 2)].find()) {
+            if (const NodeSurface* known = m_nodes[nodeNumber(nodeOfBrick(near))].find()) {
                 known->features[size_t(childIndex(near))].forget();
                 known->rows[size_t(childIndex(near))].forget();
             }
@@ -106,7 +106,7 @@ void VoxelPart::update(const Shape& shape, const std::vector<glm::ivec3>& bricks
 }
 
 const VoxelPart::NodeSurface& VoxelPart::node(glm::ivec3 brick) const {
-    Lazy<NodeSurface>& lazy = m_nodes[nodeNumber(brick >> 2)];
+    Lazy<NodeSurface>& lazy = m_nodes[nodeNumber(nodeOfBrick(brick))];
     const NodeSurface* known = lazy.find();
     return known ? *known : lazy.keep(std::make_unique<NodeSurface>());
 }
