@@ -54,7 +54,8 @@ struct MassSum {
         const glm::dvec3 c = center();
         const glm::dvec3 s = square - weight * c * c;
         const glm::dvec3 m = mixed - weight * glm::dvec3(c.y * c.z, c.z * c.x, c.x * c.y);
-        const glm::dvec3 own = glm::dvec3(s.y + s.z, s.x + s.z, s.x + s.y) + weight / 6.0;  // that of each voxel
+        const glm::dvec3 own =
+            glm::dvec3(s.y + s.z, s.x + s.z, s.x + s.y) + weight / 6.0;  // each voxel is a cube of its weight
         return {own.x, -m.z, -m.y, -m.z, own.y, -m.x, -m.y, -m.x, own.z};
     }
 };
@@ -72,7 +73,7 @@ double widthOf(const std::vector<Section>& sections) {
             const glm::ivec3 cell = section.cellBelow(std::countr_zero(left));
             low = glm::min(low, cell), high = glm::max(high, cell + 1);
         }
-    const glm::dvec3 size(high - low);  // one cell along its normal
+    const glm::dvec3 size(high - low);  // one cell along the normal of the plane
     return std::sqrt(size.x * size.y * size.z);
 }
 

@@ -93,7 +93,7 @@ HeatOutcome updateHeat(HotBrick& brick, const HeatSkin& skin) {
     out.emitted = skin.power * std::min<int>(brick.burningFor, kGrowthUpdates) / kGrowthUpdates;
     out.chars = brick.charred < kCharRounds && brick.burningFor % kCharEvery == 0;
     brick.charred = uint8_t(brick.charred + out.chars);
-    if (brick.charred < kCharRounds / 2) return out;  // what burns away is black before
+    if (brick.charred < kCharRounds / 2) return out;  // voxels turn black before they burn away
     const int64_t burned = brick.burned + skin.burnRate;
     out.consumed = int(std::min<int64_t>(kBrickVoxels, burned / kWholeVoxel));
     brick.burned = uint32_t(burned % kWholeVoxel);

@@ -37,7 +37,7 @@ struct PaintResult {
 /// takes a whole step.
 PaintResult paintPalette(VoxelGrid& grid, const PaletteRef& palette, const Brush& brush, const Paint& paint);
 
-/// The same in the paint layer (paint_colors.h): blend weights in sixteenths, and the palette does not matter. A voxel
+/// The same in the paint layer (paint_colors.h): blend weights in sixteenths, for any palette. A voxel
 /// with the colour of another paint changes to this one with a probability equal to the strength, so areas blend by
 /// dithering. `colors`: the shape's; may be null. Where all 15 colours are in use, the nearest stands in.
 PaintResult paintLayer(VoxelGrid& grid, const PaintColorsRef& colors, const Brush& brush, const Paint& paint);

@@ -27,7 +27,7 @@ uint32_t choose(uint64_t bit, uint32_t a, uint32_t b) {
 
 }  // namespace
 
-// The row after the two planes stays empty: it stands for the rows outside of the volume.
+// The row after the two planes stays empty: it is the neighbour of rows at the border of the volume.
 RunLabels::RunLabels(glm::ivec3 size, bool keepsRuns)
     : m_length(size_t(size.x)),
       m_rowsPerPlane(size_t(size.y)),

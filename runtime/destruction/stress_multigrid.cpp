@@ -193,7 +193,7 @@ void StressMultigrid::factor(const BlockMatrix& a) {
             for (size_t k = 0; k < j; ++k) sum -= m_factor[i * n + k] * m_factor[j * n + k];
             m_factor[i * n + j] = i != j      ? sum / m_factor[j * n + j]
                                   : sum > 0.0 ? std::sqrt(sum)
-                                              : 1e150;  // a zero pivot stays at rest
+                                              : 1e150;  // a node without stiffness does not move
         }
 }
 

@@ -189,7 +189,7 @@ MassProperties massProperties(const MassMoments& moments, double voxelSize) {
     for (size_t i = 0; i < 3; ++i) {
         const size_t j = (i + 1) % 3;
         out.center[int(i)] = double(moments.first[i]) / weight * half;
-        // S - F F / W in integers where it matters: W S - F F is exact, then one division.
+        // S - F F / W about the centre: W S - F F is exact in integers, so only the division rounds.
         const Int128 squares = Int128(moments.weight) * moments.second[i] - Int128(moments.first[i]) * moments.first[i];
         const Int128 products =
             Int128(moments.weight) * moments.second[i + 3] - Int128(moments.first[i]) * moments.first[j];

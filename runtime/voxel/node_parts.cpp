@@ -92,7 +92,7 @@ std::span<const BrickPart> BrickPartCache::operator[](int child) {
     const BrickMask bit = BrickMask(1) << child;
     if (m_known & bit) return parts;
     m_known |= bit;
-    if (m_node.full & bit) return parts = fullBrickParts();  // without a look at the brick itself
+    if (m_node.full & bit) return parts = fullBrickParts();  // without reading the brick
     parts = brickParts(*m_node.bricks[size_t(child)], m_scratch);
     if (parts.data() == m_scratch.data()) parts = m_kept.emplace_back(std::move(m_scratch));
     return parts;

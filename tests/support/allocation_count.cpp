@@ -13,7 +13,7 @@ void* operator new(size_t size) {
     if (void* memory = std::malloc(size ? size : 1)) return memory;
     throw std::bad_alloc();
 }
-// std::stable_sort asks for its buffer this way; under a sanitizer the default would not come from here.
+// std::stable_sort allocates its buffer with this operator. Under a sanitizer the default one would not be ours.
 void* operator new(size_t size, const std::nothrow_t&) noexcept {
     ++g_allocations;
     return std::malloc(size ? size : 1);
