@@ -177,9 +177,9 @@ glm::dvec3 normalOf(const Pose& pose, const CellHit& hit, glm::dvec3 direction) 
 }  // namespace
 
 glm::vec3 Scene::colorAt(const Shape& shape, const PaletteTable& table, glm::ivec3 cell) const {
-    const Brick* brick = shape.grid.brickAt(cell >> 3);
-    const int index = brick->at(cell & 7);
-    const uint8_t paint = shape.paint ? brick->paintAt(voxelIndex(cell & 7)) : uint8_t(0);
+    const Brick* brick = shape.grid.brickAt(brickOfCell(cell));
+    const int index = brick->at(cellInBrick(cell));
+    const uint8_t paint = shape.paint ? brick->paintAt(voxelIndex(cellInBrick(cell))) : uint8_t(0);
     if (!paint) return table.entries[size_t(index)].albedo;
     const PaletteEntry& e = (*table.key)[size_t(index)];
     return linear(paintedSrgb(glm::vec3(e.red, e.green, e.blue) / 255.0f, shape.paint, paint));
