@@ -49,7 +49,7 @@ Level coarser(Level level, Shapes shapes) {
         for (const CellBox& box : mergeGrid(shape.grid, solid))
             all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
         shape.local.position += glm::dvec3(all.low) * double(shape.voxelSize);
-        shape.grid = blockGrid(all.high - all.low, 1);
+        shape.grid = solidGrid(all.high - all.low, 1);
     }
     return level;
 }
@@ -73,7 +73,7 @@ Level apart(const Level& pit) {
     LevelShape shape;
     shape.name = "floor";
     shape.palette = pit.bodies[0].shapes[0].palette;
-    shape.grid = blockGrid({20 * side + 20, 10, 20 * side + 20}, 7);
+    shape.grid = solidGrid({20 * side + 20, 10, 20 * side + 20}, 7);
     floor.shapes.push_back(std::move(shape));
     level.bodies.push_back(std::move(floor));
     return level;

@@ -55,7 +55,7 @@ Spinner spinnerOf(const std::string& name, VoxelGrid grid, bool flips) {
     PhysicsScene scene;
     scene.add(std::move(grid), {0, 0, 0}, false);
     scene.load();
-    const glm::dvec3 inertia = scene.world.bodyMass(scene.handle(0)).principalInertia;
+    const glm::dvec3 inertia = bodyMass(scene.world, scene.handle(0)).principalInertia;
     if (!flips) return {name, inertia, glm::normalize(glm::dvec3(1, 0.9, 0.3))};
     glm::dvec3 axis(0.01 / 6.0);
     for (int i = 0; i < 3; ++i)
@@ -93,12 +93,12 @@ struct Worst {
 };
 
 std::vector<Spinner> spinnersOf(const Options& options) {
-    std::vector<Spinner> spinners{spinnerOf("rod 1:16", blockGrid({16, 1, 1}, 7), false),
+    std::vector<Spinner> spinners{spinnerOf("rod 1:16", solidGrid({16, 1, 1}, 7), false),
                                   spinnerOf("T-handle", tHandle(), true)};
     if (!options.full) return spinners;
     for (const int length : {4, 64, 256})
-        spinners.push_back(spinnerOf(fmt::format("rod 1:{}", length), blockGrid({length, 1, 1}, 7), false));
-    spinners.push_back(spinnerOf("plank 24x5x2", blockGrid({24, 5, 2}, 7), false));
+        spinners.push_back(spinnerOf(fmt::format("rod 1:{}", length), solidGrid({length, 1, 1}, 7), false));
+    spinners.push_back(spinnerOf("plank 24x5x2", solidGrid({24, 5, 2}, 7), false));
     return spinners;
 }
 

@@ -58,7 +58,7 @@ Level yard() {
         LevelShape shape;
         shape.name = body.name;
         shape.palette = level.bodies[0].shapes[0].palette;
-        shape.grid = blockGrid(size, entry);
+        shape.grid = solidGrid(size, entry);
         body.shapes.push_back(std::move(shape));
         body.isStatic = false;
         level.bodies.push_back(std::move(body));
@@ -81,18 +81,18 @@ void runYard(const PhysicsSettings& settings, int steps) {
 void runMixed(const PhysicsSettings& settings, int steps) {
     PhysicsScene scene(sleepless(settings));
     const uint8_t light = setMaterial(scene, 7, 0.6f, 0.0f, 20), heavy = setMaterial(scene, 8, 0.6f, 0.0f, 2000);
-    scene.add(blockGrid({200, 80, 200}, 7), {-10, -8, -10},
+    scene.add(solidGrid({200, 80, 200}, 7), {-10, -8, -10},
               true);  // so thick that shots stay in it in every state
     const auto addCube = [&](glm::dvec3 corner, uint8_t entry) {
-        scene.add(blockGrid({5, 5, 5}, entry), corner, false);
+        scene.add(solidGrid({5, 5, 5}, entry), corner, false);
     };
     for (int i = 0; i < 64; ++i) addCube({i % 4 * 0.8, 0.5 * (i / 16), i / 4 % 4 * 0.8}, light);
     addCube({-2, 0, 0}, light);
     addCube({-2, 0.5, 0}, heavy);
     for (int i = 0; i < 2; ++i) {
-        LevelBody& plank = scene.add(blockGrid({24, 5, 2}, light), {6.0, 2.0, 4.0 * i}, false);
+        LevelBody& plank = scene.add(solidGrid({24, 5, 2}, light), {6.0, 2.0, 4.0 * i}, false);
         plank.velocity = {0, 8, 0}, plank.angularVelocity = {6, 9, 5};
-        scene.add(blockGrid({2, 2, 2}, light), {-5, 20.0, 4.0 * i}, false).velocity = {0, -60, 0};
+        scene.add(solidGrid({2, 2, 2}, light), {-5, 20.0, 4.0 * i}, false).velocity = {0, -60, 0};
     }
     scene.load();
     scene.step(steps);
@@ -103,7 +103,7 @@ void runTowers(const PhysicsSettings& settings, int steps) {
     PhysicsScene scene(sleepless(settings));
     scene.addFloor();
     for (int i = 0; i < 64; ++i)
-        scene.add(blockGrid({5, 5, 5}, 7), {i % 4 * 0.8, 0.5 * (i / 16), i / 4 % 4 * 0.8}, false);
+        scene.add(solidGrid({5, 5, 5}, 7), {i % 4 * 0.8, 0.5 * (i / 16), i / 4 % 4 * 0.8}, false);
     scene.load();
     scene.step(steps);
 }
@@ -132,7 +132,7 @@ struct Purpose {
 constexpr Purpose kPurposes[] = {
     {"conserving rotation", "direction of a plank's momentum after 20 s, rad",
      [](const PhysicsSettings& s, uint64_t) {
-         return spinFreely(s, blockGrid({24, 5, 2}, 7), {6, 9, 5}, 20.0).direction;
+         return spinFreely(s, solidGrid({24, 5, 2}, 7), {6, 9, 5}, 20.0).direction;
      }},
     {"continuous collision", "shots of up to 300 m/s through a wall, %",
      [](const PhysicsSettings& s, uint64_t seed) {

@@ -45,7 +45,7 @@ std::vector<std::string> namesOf(const std::vector<double>& values, const char* 
 
 Judged judgeSpin(double spin, size_t row, bool full) {
     const int lengths[] = {1, 4, 16, 64};
-    const FreeSpin free = spinFreely({}, blockGrid({lengths[row], 1, 1}, 7),
+    const FreeSpin free = spinFreely({}, solidGrid({lengths[row], 1, 1}, 7),
                                      glm::normalize(glm::dvec3(1, 0.9, 0.3)) * spin, full ? 60.0 : 10.0);
     return judge(std::max(free.energy, free.momentum * 100.0), 1e-3, 0.1,
                  fmt::format("E {:.0e}\nL {:.0e}", free.energy, free.momentum));
