@@ -13,15 +13,18 @@
 namespace rubble {
 namespace {
 
+/// Removed; with a grid from here on; or the grid before with some bricks changed.
 enum class ShapeKind : uint8_t { Gone, New, Changed };
+/// Empty; the brick of the source; that brick masked to fewer voxels; or new content.
 enum class BrickKind : uint8_t { Empty, Whole, Masked, Full };
 constexpr uint32_t kNoSource = ~0u;
 
-/// The grid whose bricks a shape's bricks are masks of: its own before the step, or that of what it came off.
+/// The grid that a shape's bricks are taken from: its own before the step, or that of the shape which it came off.
 struct Source {
     uint32_t slot = kNoSource;
-    glm::ivec3 offset{0};  ///< in bricks, from the shape's to the source's
+    glm::ivec3 offset{0};  ///< in bricks: a position in the source minus that in the shape
     const VoxelGrid* grid = nullptr;
+    /// The source's brick for a position in the shape; null outside and where there is none.
     BrickRef brick(glm::ivec3 position) const {
         position += offset;
         const bool isInside = grid && glm::all(glm::greaterThanEqual(position, glm::ivec3(0))) &&
@@ -30,6 +33,7 @@ struct Source {
     }
 };
 
+/// Where the bricks of a new shape come from, by the splits of the step; none if it came off nothing.
 Source findSource(ShapeHandle shape, const WorldDelta& before, const FrameChanges& changes) {
     for (const ShapeSplit& split : changes.splits)
         for (size_t i = 0; i < split.children.size(); ++i) {
@@ -41,6 +45,7 @@ Source findSource(ShapeHandle shape, const WorldDelta& before, const FrameChange
     return {};
 }
 
+/// Writes a brick in the fewest bytes: as its source, as a mask of it, or in full.
 void putBrick(BinaryOutputArchive& out, std::vector<uint8_t>& bytes, glm::ivec3 position, const Brick* brick,
               const BrickRef& source) {
     if (brick && source) {
@@ -92,12 +97,12 @@ void putValues(BinaryOutputArchive& out, const SlotValues<Handle, T>& before, co
     }
 }
 
-/// Whether a container of SlotValues holds the objects that `Handle` names. In forEachKind(): shapes are written brick by
-/// brick instead, and light groups are made by levels alone, so their free slots never change.
+/// Whether a container of SlotValues holds the objects that `Handle` names. Two kinds differ in forEachKind(): shapes
+/// are written brick by brick, and light groups come from levels alone, so that their free slots never change.
 template <class Handle, class Values>
 constexpr bool kIsOf = std::is_same_v<typename std::decay_t<Values>::mapped_type::first_type, Handle>;
 
-/// Reads one step against the World that it starts from.
+/// Reads a delta for the World that it starts from.
 class StepReader {
 public:
     StepReader(ByteReader& reader, const std::vector<PaletteRef>& palettes, const World& world)
@@ -136,7 +141,7 @@ private:
             const uint32_t slot = readSlot();
             auto& value = out[slot];
             m_in.get(value.first);
-            if (value.first && value.first.slot() != slot) m_reader.fail("a handle of its slot", "another");
+            if (value.first && value.first.slot() != slot) m_reader.fail("a handle of its own slot", "another");
             if (value.first) m_in.get(value.second.emplace());
         }
     }
@@ -158,7 +163,7 @@ private:
             (source.slot != kNoSource && !from) ||
             (isChanged &&
              (source.slot != slot || source.offset != glm::ivec3(0) || from->grid.size() != shape.grid.size())))
-            return m_reader.fail("a shape that fits to the world before", "another");
+            return m_reader.fail("a shape that fits the world before the step", "another");
         if (isChanged) shape.grid = from->grid;
         if (!shape.palette) shape.palette = std::make_shared<const Palette>();
         for (uint32_t i = m_reader.readCount(7, "bricks"); i-- > 0 && !m_reader.failed();)
@@ -177,18 +182,18 @@ private:
         const bool fits = position.x < bricks.x && position.y < bricks.y && position.z < bricks.z &&
                           (kind == BrickKind::Empty || from);
         if (m_reader.failed() || kind > BrickKind::Full || !fits)
-            return m_reader.fail("a brick of the world before", "none there");
+            return m_reader.fail("a brick that the source has", "none there");
         if (kind == BrickKind::Empty) return grid.setBrick(position, nullptr);
         const BrickRef brick = kind == BrickKind::Whole ? from : maskBrick(*from, m_reader.read<BrickBits>());
-        const glm::ivec3 room = grid.size() - position * kBrickSize;
+        const glm::ivec3 remaining = grid.size() - position * kBrickSize;
         bool isInside = true;
-        if (brick && (room.x < 8 || room.y < 8 || room.z < 8))
+        if (brick && glm::any(glm::lessThan(remaining, glm::ivec3(kBrickSize))))
             forEachVoxel(brick->occupancy,
-                         [&](int i) { isInside = isInside && glm::all(glm::lessThan(voxelInBrick(i), room)); });
-        if (!isInside) return m_reader.fail("a brick inside the grid", "one that is not");
+                         [&](int i) { isInside = isInside && glm::all(glm::lessThan(voxelInBrick(i), remaining)); });
+        if (!isInside) return m_reader.fail("a brick inside the grid", "one with voxels outside");
         grid.setBrick(position, brick);
     }
-    /// readBrick() wants an empty place.
+    /// New content replaces the brick that is there, which readBrick() alone refuses.
     void readFull(VoxelGrid& grid) {
         ByteReader ahead = m_reader;
         glm::ivec3 position;
@@ -201,55 +206,83 @@ private:
     const World& m_world;
 };
 
-/// Whether every shape will be on one body that knows it, which a World asserts, and what shines has numbers that can
-/// be.
-bool fits(const WorldDelta& delta, const World& world) {
-    const auto shapeAfter = [&](ShapeHandle handle) {
-        const auto found = delta.shapes.find(handle.slot());
-        if (found == delta.shapes.end()) return world.shapes().find(handle);
+/// Checks what a World takes for granted of a delta from outside. Looks at objects as they will be after it: in the
+/// delta if their slot changes, else in the World.
+class DeltaCheck {
+public:
+    DeltaCheck(const WorldDelta& delta, const World& world) : m_delta(delta), m_world(world) {}
+
+    bool isValid() const {
+        return hasValidValues() && changesJointsOfRemovedShapes() && shapesAreOnTheirBodies() &&
+               bodiesHaveTheirShapes();
+    }
+
+private:
+    const Shape* shapeAfter(ShapeHandle handle) const {
+        const auto found = m_delta.shapes.find(handle.slot());
+        if (found == m_delta.shapes.end()) return m_world.shapes().find(handle);
         return found->second.first == handle ? &*found->second.second : nullptr;
-    };
-    const auto bodyAfter = [&](BodyHandle handle) {
-        const auto found = delta.bodies.find(handle.slot());
-        if (found == delta.bodies.end()) return world.bodies().find(handle);
+    }
+    const Body* bodyAfter(BodyHandle handle) const {
+        const auto found = m_delta.bodies.find(handle.slot());
+        if (found == m_delta.bodies.end()) return m_world.bodies().find(handle);
         return found->second.first == handle ? &*found->second.second : nullptr;
-    };
-    const auto isHome = [&](ShapeHandle handle, const Shape& shape) {
+    }
+    /// Whether the shape's body lists it exactly once.
+    bool isListed(ShapeHandle handle, const Shape& shape) const {
         const Body* body = bodyAfter(shape.body);
         return body && std::count(body->shapes.begin(), body->shapes.end(), handle) == 1;
-    };
-    bool good = !delta.environment || environmentError(*delta.environment).empty();
-    for (const auto& [slot, value] : delta.lights) good = good && (!value.first || lightError(*value.second).empty());
-    for (const auto& [slot, value] : delta.joints) {
-        if (!value.first) continue;
-        for (const JointEnd& end : value.second->ends) good = good && (!end.shape || shapeAfter(end.shape));
-        good = good && jointError(*value.second).empty() &&
-               value.second->points.size() == (value.second->kind == JointKind::Rope ? value.second->rope.points : 0);
     }
-    for (const auto& [slot, value] : delta.shapes) {
-        const ShapeHandle was = world.shapes().handleAt(slot);
-        if (!was || was == value.first) continue;
-        for (const JointHandle joint : world.data().jointIndex.of(was)) good = good && delta.joints.contains(joint.slot());
+    bool isValidJoint(const Joint& joint) const {
+        for (const JointEnd& end : joint.ends)
+            if (end.shape && !shapeAfter(end.shape)) return false;
+        return jointError(joint).empty() &&
+               joint.points.size() == (joint.kind == JointKind::Rope ? joint.rope.points : 0);
     }
-    for (const auto& [slot, value] : delta.shapes) {
-        if (value.first) good = good && isHome(value.first, *value.second);
-        const Shape* was = world.shapes().find(world.shapes().handleAt(slot));
-        if (was && !value.first) good = good && delta.bodies.contains(was->body.slot());
+    bool hasValidValues() const {
+        if (m_delta.environment && !environmentError(*m_delta.environment).empty()) return false;
+        for (const auto& [slot, value] : m_delta.lights)
+            if (value.first && !lightError(*value.second).empty()) return false;
+        for (const auto& [slot, value] : m_delta.joints)
+            if (value.first && !isValidJoint(*value.second)) return false;
+        return true;
     }
-    for (const auto& [slot, value] : delta.bodies) {
-        if (value.first)
-            for (const ShapeHandle shape : value.second->shapes) {
-                const Shape* after = shapeAfter(shape);
-                good = good && after && after->body == value.first;
-            }
-        if (const Body* was = world.bodies().find(world.bodies().handleAt(slot)))
-            for (const ShapeHandle shape : was->shapes) {
-                const Shape* after = shapeAfter(shape);
-                good = good && (!after || isHome(shape, *after));
-            }
+    bool changesJointsOfRemovedShapes() const {
+        for (const auto& [slot, value] : m_delta.shapes) {
+            const ShapeHandle was = m_world.shapes().handleAt(slot);
+            if (!was || was == value.first) continue;
+            for (const JointHandle joint : m_world.data().jointIndex.of(was))
+                if (!m_delta.joints.contains(joint.slot())) return false;
+        }
+        return true;
     }
-    return good;
-}
+    bool shapesAreOnTheirBodies() const {
+        for (const auto& [slot, value] : m_delta.shapes) {
+            if (value.first && !isListed(value.first, *value.second)) return false;
+            const Shape* was = m_world.shapes().find(m_world.shapes().handleAt(slot));
+            if (was && !value.first && !m_delta.bodies.contains(was->body.slot())) return false;
+        }
+        return true;
+    }
+    bool bodiesHaveTheirShapes() const {
+        for (const auto& [slot, value] : m_delta.bodies) {
+            if (value.first)
+                for (const ShapeHandle shape : value.second->shapes) {
+                    const Shape* after = shapeAfter(shape);
+                    if (!after || after->body != value.first) return false;
+                }
+            if (const Body* was = m_world.bodies().find(m_world.bodies().handleAt(slot)))
+                for (const ShapeHandle shape : was->shapes) {
+                    const Shape* after = shapeAfter(shape);
+                    if (after && !isListed(shape, *after)) return false;
+                }
+        }
+        return true;
+    }
+
+    const WorldDelta& m_delta;
+    const World& m_world;
+};
 
 }  // namespace
 
@@ -286,10 +319,9 @@ Result<FrameChanges> applyStepDelta(std::span<const uint8_t> bytes, const std::s
     ByteReader in(bytes, "step");
     for (PaletteRef& palette : palettesFromBytes(in)) palettes.push_back(std::move(palette));
     WorldDelta delta = StepReader(in, palettes, world).read();
-    if (!in.failed() && in.remaining() > 0)
-        in.fail("the end of the step", fmt::format("{} more bytes", in.remaining()));
-    if (!in.failed() && !fits(delta, world))
-        in.fail("shapes and bodies that name each other, and lights and weather within their ranges", "others");
+    in.expectEnd("step");
+    if (!in.failed() && !DeltaCheck(delta, world).isValid())
+        in.fail("shapes and bodies that name each other, and joints, lights and weather within their ranges", "others");
     if (in.failed()) return Error{name + ": " + in.error()};
     return world.applyDelta(std::move(delta));
 }

@@ -92,9 +92,7 @@ void FrameLoop::stepPhysics() {
         m_physics.step();
     }
     const ScopedTimer timer(m_times[Stage::Poses]);
-    m_world.setPoses(m_physics.poses());
-    m_world.setRopes(m_physics.ropes());
-    m_world.setCharacters(m_physics.characters());
+    copyMotion(m_physics, m_world);
     if (m_recorder) m_recorder->recordMotion(m_physics.poses(), m_physics.characters(), m_world);
 }
 
