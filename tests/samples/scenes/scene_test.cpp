@@ -1,4 +1,3 @@
-#include "runtime/world/queries/query.h"
 #include "samples/scenes/scene.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +5,8 @@
 #include <algorithm>
 #include <ostream>
 #include <set>
+
+#include "runtime/world/queries/query.h"
 
 namespace rubble {
 
