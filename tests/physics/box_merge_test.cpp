@@ -37,7 +37,7 @@ VoxelGrid ragged(glm::ivec3 size, uint64_t seed) {
     return grid;
 }
 
-/// Every solid cell in exactly one box, every empty cell in none.
+/// Every solid cell is in exactly one box, and no empty cell is in one.
 void expectExactCover(const VoxelGrid& grid, const SolidEntries& solid, const std::vector<CellBox>& boxes) {
     const glm::ivec3 size = grid.size();
     std::vector<uint8_t> covered(size_t(size.x) * size.y * size.z);

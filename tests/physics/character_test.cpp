@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "runtime/core/constants.h"
 #include "runtime/core/random.h"
 #include "runtime/world/queries/query.h"
 #include "runtime/world/state/world_state.h"
@@ -12,7 +13,7 @@
 namespace rubble {
 namespace {
 
-/// A scene with one who walks.
+/// A scene with one character.
 struct Walk : PhysicsScene {
     explicit Walk(glm::dvec3 feet = {0.0, 0.01, 0.0}) {
         level.characters.emplace_back();
@@ -22,12 +23,7 @@ struct Walk : PhysicsScene {
         edits.push_back(MoveCharacterEdit{who(), velocity, jump, crouch});
     }
     void walk(int steps) {
-        for (int i = 0; i < steps; ++i) {
-            physics.apply(world.applyEdits(std::exchange(edits, {})), world);
-            physics.step();
-            world.setPoses(physics.poses());
-            world.setCharacters(physics.characters());
-        }
+        for (int i = 0; i < steps; ++i) stepWith(std::exchange(edits, {}));
     }
     /// Walks toward a velocity for a time and returns how far it came.
     glm::dvec3 go(glm::dvec3 velocity, double time) {
@@ -59,14 +55,14 @@ TEST(Character, WalksOnTheGroundAtItsSpeedAndStops) {
     EXPECT_NEAR(scene.me().position.y, 0.0, 0.02);
     const glm::dvec3 distance = scene.go({2.0, 0.0, 0.0}, 1.0);
     EXPECT_NEAR(distance.x, 2.0, 0.01);
-    EXPECT_NEAR(scene.go({0.0, 0.0, 30.0}, 1.0).z, 4.0, 0.05) << "not faster than it can";
+    EXPECT_NEAR(scene.go({0.0, 0.0, 30.0}, 1.0).z, 4.0, 0.05) << "no faster than its walking speed";
     EXPECT_NEAR(glm::length(scene.go({}, 1.0)), 0.0, 1e-6);
 }
 
 TEST(Character, SlidesAlongAWall) {
     Walk scene;
     scene.addFloor();
-    scene.add(blockGrid({2, 30, 100}, 7), {1.0, 0.0, -5.0}, true);
+    scene.add(solidGrid({2, 30, 100}, 7), {1.0, 0.0, -5.0}, true);
     scene.load();
     scene.walk(10);
     const glm::dvec3 distance = scene.go({2.0, 0.0, 2.0}, 1.5);
@@ -79,7 +75,7 @@ TEST(Character, ClimbsStepsUpToItsStepHeightAndNoHigher) {
     for (const int rise : {1, 2, 3, 4, 5, 8}) {
         Walk scene;
         scene.addFloor();
-        for (int i = 0; i < 5; ++i) scene.add(blockGrid({6, rise * (i + 1), 30}, 7), {1.0 + 0.6 * i, 0.0, -1.5}, true);
+        for (int i = 0; i < 5; ++i) scene.add(solidGrid({6, rise * (i + 1), 30}, 7), {1.0 + 0.6 * i, 0.0, -1.5}, true);
         scene.load();
         scene.walk(10);
         scene.go({2.0, 0.0, 0.0}, 1.8);
@@ -90,7 +86,7 @@ TEST(Character, ClimbsStepsUpToItsStepHeightAndNoHigher) {
         }
         EXPECT_NEAR(scene.me().position.y, 0.1 * rise * 5, 0.1 * rise + 0.02) << rise;
         EXPECT_GT(scene.me().position.x, 3.0) << rise;
-        scene.go({-2.0, 0.0, 0.0}, 2.5);  // and down again, without a leap
+        scene.go({-2.0, 0.0, 0.0}, 2.5);  // down again, without losing the ground
         EXPECT_NEAR(scene.me().position.y, 0.0, 0.02) << rise;
     }
 }
@@ -99,8 +95,8 @@ TEST(Character, WalksUpSlopesThatItCanStandOn) {
     for (const auto& [degrees, climbs] : {std::pair(20.0, true), std::pair(40.0, true), std::pair(55.0, false)}) {
         Walk scene;
         scene.addFloor();
-        const double angle = degrees * 3.14159265 / 180.0;
-        scene.add(blockGrid({60, 4, 30}, 7), {1.0 + 0.4 * std::sin(angle), -0.4 * std::cos(angle), -1.5}, true,
+        const double angle = degrees * kPi / 180.0;
+        scene.add(solidGrid({60, 4, 30}, 7), {1.0 + 0.4 * std::sin(angle), -0.4 * std::cos(angle), -1.5}, true,
                   glm::angleAxis(angle, glm::dvec3(0, 0, 1)));
         scene.load();
         scene.walk(10);
@@ -165,7 +161,7 @@ TEST(Character, JumpsAsHighAsItsSpeedAndFalls) {
 TEST(Character, CrouchesUnderThingsAndStandsUpOnlyWhereThereIsSpace) {
     Walk scene;
     scene.addFloor();
-    scene.add(blockGrid({20, 5, 40}, 7), {1.0, 1.3, -2.0}, true);
+    scene.add(solidGrid({20, 5, 40}, 7), {1.0, 1.3, -2.0}, true);
     scene.load();
     scene.walk(10);
     scene.go({2.0, 0.0, 0.0}, 1.0);
@@ -176,16 +172,16 @@ TEST(Character, CrouchesUnderThingsAndStandsUpOnlyWhereThereIsSpace) {
     EXPECT_TRUE(scene.me().crouched);
     scene.wish({});
     scene.walk(10);
-    EXPECT_TRUE(scene.me().crouched) << "no room";
+    EXPECT_TRUE(scene.me().crouched) << "the ceiling is too low";
     scene.go({2.0, 0.0, 0.0}, 2.5);
     EXPECT_GT(scene.me().position.x, 3.3);
     EXPECT_FALSE(scene.me().crouched);
     EXPECT_FALSE(scene.isInside());
 }
 
-TEST(Character, FallsIntoAHoleBlownUnderIt) {
+TEST(Character, FallsIntoAHoleThatIsBlastedUnderIt) {
     Walk scene;
-    scene.add(blockGrid({100, 5, 100}, 5), {-5.0, -0.5, -5.0}, true);
+    scene.add(solidGrid({100, 5, 100}, 5), {-5.0, -0.5, -5.0}, true);
     scene.addFloor(7, {0.0, -3.0, 0.0});
     scene.load();
     scene.walk(20);
@@ -200,8 +196,8 @@ TEST(Character, FallsIntoAHoleBlownUnderIt) {
 
 TEST(Character, IsCarriedByWhatItStandsOnAndTurnsWithIt) {
     Walk scene({1.5, 1.21, 0.0});
-    scene.level.environment.gravity = {};  // or both would fly their own ways
-    LevelBody& plate = scene.add(blockGrid({60, 2, 60}, 13), {-3.0, 1.0, -3.0}, false);
+    scene.level.environment.gravity = {};  // else character and platform would fall differently
+    LevelBody& plate = scene.add(solidGrid({60, 2, 60}, 13), {-3.0, 1.0, -3.0}, false);
     plate.velocity = {1.0f, 0.0f, 0.0f};
     plate.angularVelocity = {0.0f, 0.5f, 0.0f};
     scene.load();
@@ -215,8 +211,8 @@ TEST(Character, IsCarriedByWhatItStandsOnAndTurnsWithIt) {
 TEST(Character, PushesWhatIsLightAndIsStoppedByWhatIsHeavy) {
     Walk scene;
     scene.addFloor();
-    scene.add(blockGrid({4, 6, 4}, 5), {1.0, 0.0, -0.2}, false);  // too high to step on
-    scene.add(blockGrid({12, 12, 12}, 13), {-2.6, 0.0, -0.6}, false);
+    scene.add(solidGrid({4, 6, 4}, 5), {1.0, 0.0, -0.2}, false);  // higher than its step height
+    scene.add(solidGrid({12, 12, 12}, 13), {-2.6, 0.0, -0.6}, false);
     scene.load();
     scene.walk(30);
     scene.go({2.0, 0.0, 0.0}, 2.0);
@@ -230,9 +226,9 @@ TEST(Character, PushesWhatIsLightAndIsStoppedByWhatIsHeavy) {
 TEST(Character, IsPushedByWhatIsHeavyAndNeverThroughTheFloor) {
     Walk scene;
     scene.addFloor();
-    LevelBody& block = scene.add(blockGrid({15, 15, 15}, 13), {-4.0, 0.01, -0.75}, false);
+    LevelBody& block = scene.add(solidGrid({15, 15, 15}, 13), {-4.0, 0.01, -0.75}, false);
     block.velocity = {8.0f, 0.0f, 0.0f};
-    scene.add(blockGrid({10, 10, 10}, 13), {1.2, 3.0, -0.5}, false);
+    scene.add(solidGrid({10, 10, 10}, 13), {1.2, 3.0, -0.5}, false);
     scene.load();
     for (int i = 0; i < 120; ++i) {
         scene.walk(1);
@@ -245,7 +241,7 @@ TEST(Character, IsPushedByWhatIsHeavyAndNeverThroughTheFloor) {
 TEST(Character, SwimsAndClimbsOut) {
     Walk scene({0.0, -2.5, 0.0});
     scene.addFloor(7, {0.0, -3.0, 0.0});
-    scene.add(blockGrid({30, 30, 60}, 7), {2.0, -3.0, -3.0}, true);  // a bank as high as the water
+    scene.add(solidGrid({30, 30, 60}, 7), {2.0, -3.0, -3.0}, true);  // a bank as high as the water
     scene.level.waters.push_back(
         {.name = "pool", .outline = {{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, .surface = -0.2, .depth = 2.8});
     scene.load();
@@ -260,7 +256,7 @@ TEST(Character, SwimsAndClimbsOut) {
     EXPECT_NEAR(scene.me().position.y, 0.0, 0.03);
 }
 
-/// Blocks, gaps, slanted plates and loose pieces.
+/// Blocks, gaps, slanted plates and dynamic pieces.
 void addRuin(Walk& scene, uint64_t seed) {
     Random random(seed);
     scene.addFloor();
@@ -268,12 +264,12 @@ void addRuin(Walk& scene, uint64_t seed) {
         const int x = int(random.below(80)), z = int(random.below(80)), w = 2 + int(random.below(12)),
                   h = 1 + int(random.below(14)), d = 2 + int(random.below(12));
         const double tilt = i % 3 ? 0.0 : double(random.unit()) - 0.5;
-        scene.add(blockGrid({w, h, d}, 7), {0.1 * x - 4.0, i % 4 == 1 ? 1.2 : 0.0, 0.1 * z - 4.0}, true,
+        scene.add(solidGrid({w, h, d}, 7), {0.1 * x - 4.0, i % 4 == 1 ? 1.2 : 0.0, 0.1 * z - 4.0}, true,
                   glm::angleAxis(tilt, glm::dvec3(0.6, 0.0, 0.8)));
     }
     for (int i = 0; i < 12; ++i) {
         const int x = int(random.below(80)), z = int(random.below(80));
-        scene.add(blockGrid({3 + i % 4, 4, 3}, 4), {0.1 * x - 4.0, 2.0, 0.1 * z - 4.0}, false);
+        scene.add(solidGrid({3 + i % 4, 4, 3}, 4), {0.1 * x - 4.0, 2.0, 0.1 * z - 4.0}, false);
     }
 }
 

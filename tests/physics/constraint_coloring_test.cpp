@@ -14,7 +14,7 @@ struct Scene {
     std::vector<std::pair<int, int>> pairs;
 };
 
-/// Neighbours in a heap 20 m wide, each other one on the world too, and two that are far apart.
+/// Neighbours in a heap 20 m wide; every second one also touches the world; and one pair that is far apart.
 Scene heap(int count) {
     Scene scene;
     Random random(7);

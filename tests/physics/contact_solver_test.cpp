@@ -28,7 +28,7 @@ ManifoldPoint contact(glm::vec3 position, glm::vec3 normal) {
 
 TEST(ContactSolver, NoWarmStartWhenTheSupportOfASqueezedBodyIsGone) {
     std::vector<SolverBody> bodies = {{}, body(17e3, glm::dvec3(2e4)), body(1.5, glm::dvec3(0.01))};
-    Manifold manifold;  // the chip first; what held it from the other side is gone since the last step
+    Manifold manifold;  // the light body comes first; its contact on the other side is gone since the last step
     for (const float y : {-0.05f, 0.05f}) {
         ManifoldPoint point = contact({-0.05f, y, 0.0f}, {1, 0, 0});
         point.normalImpulse = 1000.0f;
@@ -38,7 +38,7 @@ TEST(ContactSolver, NoWarmStartWhenTheSupportOfASqueezedBodyIsGone) {
     Manifold* const manifolds[] = {&manifold};
     const std::pair<int, int> bodyOf[] = {{2, 1}};
     SolverSettings settings;
-    settings.iterations = 0;  // nothing but what it starts with
+    settings.iterations = 0;  // the warm start alone
     ContactSolver().solve(bodies, manifolds, bodyOf, {0, 0, 0}, settings);
     EXPECT_LT(glm::length(bodies[2].velocity), 0.5);
     EXPECT_LT(glm::length(bodies[2].angularVelocity), 5.0);
@@ -54,12 +54,12 @@ TEST(ContactSolver, ALoadedContactWarmStarts) {
     Manifold* const manifolds[] = {&manifold};
     const std::pair<int, int> bodyOf[] = {{1, 0}};
     SolverSettings settings;
-    settings.iterations = 0;  // nothing but what it starts with
+    settings.iterations = 0;  // the warm start alone
     ContactSolver().solve(bodies, manifolds, bodyOf, {0, -10, 0}, settings);
     EXPECT_LT(glm::length(bodies[1].velocity), 1e-4);
 }
 
-TEST(ContactSolver, ImpulsesAreHandedOnOnce) {
+TEST(ContactSolver, EachImpulseIsInheritedOnce) {
     Manifold before;
     before.points[size_t(before.count++)] = contact({0, 0, 0}, {0, 1, 0});
     before.points[0].feature = 7;
@@ -72,10 +72,10 @@ TEST(ContactSolver, ImpulsesAreHandedOnOnce) {
     float up = 0.0f, aside = 0.0f;
     for (const ManifoldPoint& point : now.all()) (point.normal.y > 0.5f ? up : aside) += point.normalImpulse;
     EXPECT_EQ(up, 10.0f);
-    EXPECT_EQ(aside, 0.0f) << "what pushed up says nothing of what pushes aside";
+    EXPECT_EQ(aside, 0.0f) << "an impulse is not inherited by a contact of another direction";
 }
 
-TEST(ContactSolver, ARodThatTurnsUnderItsContactsGainsNoEnergy) {
+TEST(ContactSolver, ARotatingRodGainsNoEnergyFromItsContacts) {
     for (const double spin : {30.0, 90.0, 200.0}) {
         std::vector<SolverBody> bodies = {{}, body(2.0, {0.0283, 0.0283, 0.0013})};
         SolverBody& rod = bodies[1];

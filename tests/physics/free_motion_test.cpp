@@ -26,7 +26,7 @@ TEST(FreeMotion, THandleFlipsAsTheReferenceDoes) {
     PhysicsScene probe;
     probe.add(tHandle(), {0, 0, 0}, false);
     probe.load();
-    const MassProperties mass = probe.world.bodyMass(probe.handle(0));
+    const MassProperties mass = bodyMass(probe.world, probe.handle(0));
     const glm::dvec3& i = mass.principalInertia;
     int middle = 0;
     for (int k = 0; k < 3; ++k)
@@ -49,9 +49,10 @@ TEST(FreeMotion, THandleFlipsAsTheReferenceDoes) {
 TEST(FreeMotion, SymmetricTopPrecessesAtTheRateOfItsMomentum) {
     PhysicsScene scene(sleepless({}));
     scene.level.environment.gravity = {0, 0, 0};
-    scene.add(blockGrid({9, 1, 9}, 7), {0, 0, 0}, false).angularVelocity = {4, 15, 0};
+    scene.add(solidGrid({9, 1, 9}, 7), {0, 0, 0}, false).angularVelocity = {4, 15, 0};
     scene.load();
-    // About the fixed momentum, the axis goes round at |L| / I, I being the moment across it (Goldstein, 5.6).
+    // The axis precesses about the constant momentum L at |L| / I, where I is the moment across the axis (Goldstein,
+    // "Classical Mechanics", 5.6).
     const double across = (0.9 * 0.9 + 0.1 * 0.1) / 12.0, along = 2.0 * 0.9 * 0.9 / 12.0;
     const glm::dvec3 momentum(4.0 * across, 15.0 * along, 0.0);
     const double seconds = 20.0, rate = glm::length(momentum) / across;
@@ -65,12 +66,12 @@ TEST(FreeMotion, RodsKeepMomentumAndEnergy) {
     for (const int length : {1, 4, 16, 64})
         for (const double speed : {1.0, 30.0}) {
             const glm::dvec3 spin = glm::normalize(glm::dvec3(1, 0.9, 0.3)) * speed;
-            const FreeSpin rod = spinFreely({}, blockGrid({length, 1, 1}, 7), spin, 60.0);
+            const FreeSpin rod = spinFreely({}, solidGrid({length, 1, 1}, 7), spin, 60.0);
             EXPECT_LT(rod.momentum, 1e-5) << length << " at " << speed;
             EXPECT_LT(rod.direction, 1e-5) << length << " at " << speed;
             EXPECT_LT(rod.energy, 1e-3) << length << " at " << speed;
         }
-    const FreeSpin plank = spinFreely({}, blockGrid({24, 5, 2}, 7), {12, 17, 9}, 60.0);  // three moments that differ
+    const FreeSpin plank = spinFreely({}, solidGrid({24, 5, 2}, 7), {12, 17, 9}, 60.0);  // three different moments
     EXPECT_LT(plank.momentum, 1e-5);
     EXPECT_LT(plank.energy, 1e-3);
 }

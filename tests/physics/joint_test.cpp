@@ -4,14 +4,13 @@
 #include <thread>
 
 #include "physics/math/angles.h"
+#include "runtime/core/constants.h"
 #include "tests/physics/scenes/joint_scenes.h"
 
 namespace rubble {
 namespace {
 
 using namespace known;
-
-constexpr double kPi = 3.14159265358979323846;
 
 TEST(Angles, AgreeWithTheLibrary) {
     double worst = 0.0, worstSine = 0.0;
@@ -76,7 +75,7 @@ void addMobile(PhysicsScene& scene) {
         joint.joint.ends[1].frame.position = at;
         scene.level.joints.push_back(joint);
     };
-    for (int i = 0; i < 4; ++i) scene.add(blockGrid({4, 4, 4}, 7), {1.0 * i, 3.0, 0.0}, false);
+    for (int i = 0; i < 4; ++i) scene.add(solidGrid({4, 4, 4}, 7), {1.0 * i, 3.0, 0.0}, false);
     hang(JointKind::Hinge, "", "body 1", {0.0, 3.4, 0.2}, {0.0, 0.4, 0.2});
     hang(JointKind::Rope, "", "body 2", {0.0, 5.0, 0.2}, {0.2, 0.4, 0.2});
     hang(JointKind::Ball, "body 3", "body 4", {0.4, 0.2, 0.2}, {-0.6, 0.2, 0.2});
@@ -107,7 +106,7 @@ TEST(Joint, TheSameBitsWithAnyNumberOfThreads) {
     EXPECT_EQ(hashes[0], hashes[2]);
 }
 
-TEST(Joint, ARebuildFromTheWorldGoesOnTheSame) {
+TEST(Joint, ARebuildFromTheWorldContinuesWithTheSameBits) {
     PhysicsScene first;
     addMobile(first);
     first.load();
@@ -125,7 +124,7 @@ TEST(Joint, ARebuildFromTheWorldGoesOnTheSame) {
     }
 }
 
-TEST(Joint, WhatHangsTogetherSleepsTogetherAndWakesTogether) {
+TEST(Joint, JointedBodiesSleepAndWakeTogether) {
     PhysicsScene scene;
     addMobile(scene);
     scene.load();
@@ -139,12 +138,12 @@ TEST(Joint, WhatHangsTogetherSleepsTogetherAndWakesTogether) {
     EXPECT_FALSE(scene.body(4).asleep);
 }
 
-TEST(Joint, WhatItJoinsDoesNotTouchUnlessItShould) {
+TEST(Joint, JointedBodiesDoNotCollideUnlessToldTo) {
     for (const bool collides : {false, true}) {
         PhysicsScene scene;
         scene.level.environment.gravity = {0, 0, 0};
-        scene.add(blockGrid({4, 4, 4}, 7), {0.0, 0.0, 0.0}, true);
-        scene.add(blockGrid({4, 4, 4}, 7), {0.35, 0.13, 0.07}, false);  // within the other by half a cell
+        scene.add(solidGrid({4, 4, 4}, 7), {0.0, 0.0, 0.0}, true);
+        scene.add(solidGrid({4, 4, 4}, 7), {0.35, 0.13, 0.07}, false);  // overlaps the other by half a cell
         LevelJoint slide{{.kind = JointKind::Prismatic, .collides = collides}, {"body 0", "body 1"}};
         slide.joint.ends[0].frame.position = {0.35, 0.33, 0.27};
         slide.joint.ends[1].frame.position = {0.0, 0.2, 0.2};

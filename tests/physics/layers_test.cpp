@@ -11,18 +11,18 @@ struct Drop : PhysicsScene {
         addFloor();
         LevelShape& floor = level.bodies[0].shapes[0];
         floor.collisionLayer = floorLayer, floor.collisionMask = floorMask;
-        LevelShape& crate = add(blockGrid({4, 4, 4}, 5), {0.0, 0.1, 0.0}, false).shapes[0];
+        LevelShape& crate = add(solidGrid({4, 4, 4}, 5), {0.0, 0.1, 0.0}, false).shapes[0];
         crate.collisionLayer = layer, crate.collisionMask = mask;
     }
     void load() {
         PhysicsScene::load();
-        world.applyEdits({});  // its journal says that the level is new
+        world.applyEdits({});  // takes out the change that loaded the level
     }
     double height() const { return body(1).pose.position.y; }
     void edit(const Edits& edits) { physics.apply(world.applyEdits(edits), world); }
 };
 
-TEST(Layers, TwoTouchOnlyIfEachWantsToTouchTheOther) {
+TEST(Layers, TwoCollideOnlyIfEachMaskHasTheOthersLayer) {
     struct Case {
         uint8_t layer, mask, floorLayer, floorMask;
         bool touches;
@@ -39,8 +39,8 @@ TEST(Layers, TwoTouchOnlyIfEachWantsToTouchTheOther) {
     }
 }
 
-TEST(Layers, EachShapeOfABodyHasItsOwn) {
-    Drop scene(2, 2);  // falls through the floor; what it carries, a metre higher up, does not
+TEST(Layers, EachShapeOfABodyHasItsOwnFilter) {
+    Drop scene(2, 2);  // it falls through the floor, but its second shape, a metre higher, does not
     LevelShape top = scene.level.bodies[1].shapes[0];
     top.local.position = {0.0, 1.0, 0.0};
     top.collisionLayer = 1, top.collisionMask = 255;
@@ -50,7 +50,7 @@ TEST(Layers, EachShapeOfABodyHasItsOwn) {
     EXPECT_NEAR(scene.body(1).pose.position.y, -1.0, 0.1);
 }
 
-TEST(Layers, AnEditTakesHoldAtOnceAndWakesWhatLay) {
+TEST(Layers, AnEditTakesEffectAtOnceAndWakesSleepers) {
     Drop scene(1, 255);
     scene.load();
     scene.seconds(3.0);
@@ -66,10 +66,10 @@ TEST(Layers, AnEditTakesHoldAtOnceAndWakesWhatLay) {
     ASSERT_TRUE(other.body(1).asleep);
     other.edit({SetCollisionEdit{other.body(0).shapes[0], 4, 4}});
     other.seconds(1.0);
-    EXPECT_LT(other.height(), -2.0) << "the floor was changed, and what lay on it falls";
+    EXPECT_LT(other.height(), -2.0) << "a changed filter of the floor lets the crate fall";
 }
 
-TEST(Layers, PiecesInheritThem) {
+TEST(Layers, PiecesInheritTheFilter) {
     Drop scene(2, 2, 4, 4);
     scene.load();
     const glm::dvec3 middle = scene.center(1);

@@ -16,8 +16,8 @@ std::string row(const char* what, double least, double most) {
     return text;
 }
 
-/// OPERATING_ENVELOPE.md is written by ./rubble tradeoff physics --publish; what of it does not take minutes is held to
-/// the code.
+/// OPERATING_ENVELOPE.md is written by ./rubble tradeoff physics --publish, which takes minutes. This compares its
+/// limits with the code.
 TEST(LimitsDocument, SaysWhatTheCodeClamps) {
     std::ifstream file(RUBBLE_SOURCE_DIR "/OPERATING_ENVELOPE.md");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -29,7 +29,7 @@ TEST(LimitsDocument, SaysWhatTheCodeClamps) {
         EXPECT_NE(text.find(line), std::string::npos) << line << "\nrun ./rubble tradeoff physics --publish";
     int maps = 0;
     for (size_t at = text.find("| holds |"); at != std::string::npos; at = text.find("| holds |", at + 1)) ++maps;
-    EXPECT_GE(maps, 11) << "published from a part of the maps only";
+    EXPECT_GE(maps, 11) << "only a part of the maps was published";
 }
 
 }  // namespace

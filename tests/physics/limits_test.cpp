@@ -10,7 +10,7 @@ namespace {
 
 using namespace known;
 
-/// Keeps the library's warnings while it lives.
+/// Collects the library's warnings while it exists.
 struct Warnings {
     Warnings() {
         setLogSink([](void* user, LogLevel,
@@ -29,8 +29,8 @@ TEST(PhysicsLimits, SpeedAndSpinAreClampedCountedAndWarnedOfOnce) {
     Warnings warnings;
     PhysicsScene scene(sleepless({}));
     scene.level.environment.gravity = {0, 0, 0};
-    scene.add(blockGrid({3, 3, 3}, 7), {0, 0, 0}, false).velocity = {0, 1e6, 0};
-    LevelBody& spinning = scene.add(blockGrid({3, 3, 3}, 7), {10, 0, 0}, false);
+    scene.add(solidGrid({3, 3, 3}, 7), {0, 0, 0}, false).velocity = {0, 1e6, 0};
+    LevelBody& spinning = scene.add(solidGrid({3, 3, 3}, 7), {10, 0, 0}, false);
     spinning.angularVelocity = {0, 0, 1e6};
     scene.load();
     scene.step();
@@ -38,7 +38,7 @@ TEST(PhysicsLimits, SpeedAndSpinAreClampedCountedAndWarnedOfOnce) {
     EXPECT_NEAR(scene.body(1).angularVelocity.z, limits::kMaxAngularSpeed, 1e-6);
     EXPECT_EQ(countOf(scene, LimitKind::Speed), 1u);
     EXPECT_EQ(countOf(scene, LimitKind::Spin), 1u);
-    FrameChanges push;  // and by an edit
+    FrameChanges push;  // the same by an impulse
     push.impulses.push_back({scene.handle(0), scene.center(0), {0, 1e6, 0}});
     scene.physics.apply(push, scene.world);
     scene.step(3);
@@ -47,9 +47,9 @@ TEST(PhysicsLimits, SpeedAndSpinAreClampedCountedAndWarnedOfOnce) {
     EXPECT_EQ(warnings.list.size(), 2u);
 }
 
-TEST(PhysicsLimits, AMassBeyondItIsClamped) {
+TEST(PhysicsLimits, AMassBeyondTheLimitIsClamped) {
     PhysicsScene scene(sleepless({}));
-    LevelBody& speck = scene.add(blockGrid({1, 1, 1}, setMaterial(scene, 7, 0.5f, 0.0f, 1)), {0, 0, 0}, false);
+    LevelBody& speck = scene.add(solidGrid({1, 1, 1}, setMaterial(scene, 7, 0.5f, 0.0f, 1)), {0, 0, 0}, false);
     speck.shapes[0].voxelSize = 1e-4f;
     scene.load();
     EXPECT_EQ(countOf(scene, LimitKind::Mass), 1u);
@@ -58,13 +58,14 @@ TEST(PhysicsLimits, AMassBeyondItIsClamped) {
     EXPECT_EQ(countOf(scene, LimitKind::Mass), 1u);
 }
 
-TEST(PhysicsLimits, WhatLeavesItStaysThere) {
+TEST(PhysicsLimits, ABodyThatGetsTooFarIsFrozen) {
     Warnings warnings;
     PhysicsScene scene(sleepless({}));
     scene.level.environment.gravity = {0, 0, 0};
-    scene.add(blockGrid({1, 1, 1}, 7), {0, 0, 0}, true);
-    scene.add(blockGrid({3, 3, 3}, 7), {limits::kMaxDistance - 100.0, 0, 0}, false).velocity = {4000, 0, 0};
-    scene.add(blockGrid({3, 3, 3}, 7), {-limits::kMaxDistance + 100.0, 0, 0}, false);  // the middle stays in the middle
+    scene.add(solidGrid({1, 1, 1}, 7), {0, 0, 0}, true);
+    scene.add(solidGrid({3, 3, 3}, 7), {limits::kMaxDistance - 100.0, 0, 0}, false).velocity = {4000, 0, 0};
+    scene.add(solidGrid({3, 3, 3}, 7), {-limits::kMaxDistance + 100.0, 0, 0},
+              false);  // keeps the middle of the level at 0
     scene.load();
     scene.step(10);
     EXPECT_EQ(countOf(scene, LimitKind::Distance), 1u);
@@ -73,10 +74,10 @@ TEST(PhysicsLimits, WhatLeavesItStaysThere) {
     EXPECT_TRUE(scene.body(1).asleep);
 }
 
-TEST(PhysicsLimits, WithinItNothingIsCounted) {
+TEST(PhysicsLimits, NothingIsCountedWithinTheLimits) {
     PhysicsScene scene;
     scene.addFloor();
-    for (int i = 0; i < 5; ++i) scene.add(blockGrid({5, 5, 5}, 7), {0.1 * i, 0.7 * i, 0}, false);
+    for (int i = 0; i < 5; ++i) scene.add(solidGrid({5, 5, 5}, 7), {0.1 * i, 0.7 * i, 0}, false);
     scene.load();
     scene.seconds(2.0);
     EXPECT_EQ(scene.physics.stats().clamped, LimitCounts{});

@@ -6,16 +6,15 @@
 namespace rubble {
 namespace {
 
-/// Cubes that begin well inside each other, aligned or turned a little: corners deep inside have no way out that they
-/// accept.
+/// Cubes that begin deep inside each other, aligned or slightly rotated: their corners accept no exit face.
 TEST(OverlapRecovery, CubesComeApartSlowly) {
     for (const double turn : {0.0, 0.03, 0.1, 0.2, 0.4, 0.7}) {
         PhysicsSettings settings;
         settings.sleepTime = 1e9;
         PhysicsScene scene(settings);
         scene.addFloor();
-        scene.add(blockGrid({10, 10, 10}, 7), {0.0, 0.0, 0.0}, false);
-        scene.add(blockGrid({10, 10, 10}, 7), {0.7, 0.005, 0.01}, false, glm::angleAxis(turn, glm::dvec3(0, 1, 0)));
+        scene.add(solidGrid({10, 10, 10}, 7), {0.0, 0.0, 0.0}, false);
+        scene.add(solidGrid({10, 10, 10}, 7), {0.7, 0.005, 0.01}, false, glm::angleAxis(turn, glm::dvec3(0, 1, 0)));
         scene.load();
         double fastest = 0.0;
         for (int i = 0; i < 180; ++i) {
@@ -30,14 +29,14 @@ TEST(OverlapRecovery, CubesComeApartSlowly) {
     }
 }
 
-/// A tree of 25 tonnes whose foot stands in the ground, as it comes loose: it stays where it is, and is not lifted out.
-/// Pulled out, it lies on the ground like anything.
-TEST(OverlapRecovery, WhatStandsInTheGroundIsNotLiftedOut) {
+/// A tree of 25 tonnes whose foot is in the ground comes loose: it stays where it is and is not lifted out. Once it has
+/// been pulled out, it lies on the ground as anything does.
+TEST(OverlapRecovery, ABodyInTheGroundIsNotLiftedOut) {
     PhysicsScene scene;
-    scene.add(blockGrid({200, 20, 200}, 7), {-10, -2, -10}, true);
-    scene.add(blockGrid({20, 60, 20}, 7), {-1.0, -0.5, -1.0}, false);
+    scene.add(solidGrid({200, 20, 200}, 7), {-10, -2, -10}, true);
+    scene.add(solidGrid({20, 60, 20}, 7), {-1.0, -0.5, -1.0}, false);
     scene.load();
-    const double height = scene.center(1).y, mass = scene.world.bodyMass(scene.handle(1)).mass;
+    const double height = scene.center(1).y, mass = bodyMass(scene.world, scene.handle(1)).mass;
     double highest = height;
     for (int i = 0; i < 240; ++i) {
         scene.step();
@@ -54,13 +53,13 @@ TEST(OverlapRecovery, WhatStandsInTheGroundIsNotLiftedOut) {
     EXPECT_GT(scene.center(1).y, height + 0.49);
 }
 
-/// A plate of 133 tonnes on posts that reach a little into the walls of its holes, on all sides: once it is lifted out
-/// of the deepest, no step gives it more energy than a millimetre of height.
-TEST(OverlapRecovery, WhatIsWedgedGainsNoEnergy) {
+/// A plate of 133 tonnes on posts that overlap the walls of its holes a little on all sides. After the deepest overlap
+/// is gone, no step gives it more energy than a millimetre of height is worth.
+TEST(OverlapRecovery, AWedgedBodyGainsNoEnergy) {
     PhysicsSettings settings;
     settings.sleepTime = 1e9;
     PhysicsScene scene(settings);
-    VoxelGrid posts({60, 30, 60}), plate = blockGrid({60, 20, 60}, 7);
+    VoxelGrid posts({60, 30, 60}), plate = solidGrid({60, 20, 60}, 7);
     GridWriter post(posts), hole(plate);
     for (const int x : {10, 45})
         for (const int z : {10, 45})
@@ -73,14 +72,14 @@ TEST(OverlapRecovery, WhatIsWedgedGainsNoEnergy) {
     scene.add(posts, {0, 0, 0}, true);
     scene.add(plate, {0.2, 0.8, 0.04}, false, glm::angleAxis(0.05, glm::normalize(glm::dvec3(0.3, 1.0, 0.2))));
     scene.load();
-    const MassProperties mass = scene.world.bodyMass(scene.handle(1));
+    const MassProperties mass = bodyMass(scene.world, scene.handle(1));
     const auto energy = [&] {
         const Body& body = scene.body(1);
         const glm::dvec3 w = glm::conjugate(body.pose.rotation * mass.principalAxes) * glm::dvec3(body.angularVelocity);
         return 0.5 * (mass.mass * glm::dot(body.velocity, body.velocity) + glm::dot(w, mass.principalInertia * w)) +
                mass.mass * 9.81 * scene.center(1).y;
     };
-    scene.step();  // lifts it by eight
+    scene.step();  // lifts it by eight millimetres
     double most = 0.0;
     for (int i = 1; i < 240; ++i) {
         const double before = energy();
@@ -90,14 +89,14 @@ TEST(OverlapRecovery, WhatIsWedgedGainsNoEnergy) {
     EXPECT_LT(most, mass.mass * 9.81 * 1e-3) << "joules";
 }
 
-/// What stops a very fast body is in the impact, also where its core stops it.
+/// The impact of a very fast body has all of its impulse, including that of the inscribed sphere.
 TEST(Impact, OfAFastBodyIsItsChangeOfMomentum) {
     PhysicsScene scene;
-    scene.add(blockGrid({60, 60, 10}, 7), {-3.0, -3.0, 0.0}, true);
-    scene.add(blockGrid({3, 3, 3}, 7), {0.0, 0.0, 3.0}, false,
+    scene.add(solidGrid({60, 60, 10}, 7), {-3.0, -3.0, 0.0}, true);
+    scene.add(solidGrid({3, 3, 3}, 7), {0.0, 0.0, 3.0}, false,
               glm::angleAxis(0.3, glm::normalize(glm::dvec3(1, 1, 0))));
     scene.load();
-    const double mass = scene.world.bodyMass(scene.handle(1)).mass;
+    const double mass = bodyMass(scene.world, scene.handle(1)).mass;
     scene.physics.apply({}, scene.world);
     FrameChanges shot;
     shot.impulses.push_back({scene.handle(1), scene.center(1), glm::dvec3(0.0, 0.0, -200.0 * mass)});

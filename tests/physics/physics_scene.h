@@ -1,9 +1,12 @@
 #pragma once
 #include <cmath>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "physics/physics_world.h"
 #include "runtime/world/world.h"
+#include "tests/support/grids.h"
 
 namespace rubble {
 
@@ -14,20 +17,13 @@ inline PaletteRef materialPalette() {
     return palette;
 }
 
-inline VoxelGrid blockGrid(glm::ivec3 size, uint8_t entry) {
-    VoxelGrid grid(size);
-    GridWriter writer(grid);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) writer.set({x, y, z}, entry);
-    return grid;
-}
-
-/// A level made of grids, a World and its physics, stepped together as the frame loop does.
+/// A level made of grids, a World and its physics, stepped as the frame loop does.
 struct PhysicsScene {
+    /// An empty level.
     explicit PhysicsScene(const PhysicsSettings& settings = {})
         : stepSeconds(settings.stepSeconds), physics(settings) {}
 
+    /// Adds a body of one shape to the level. corner: of its grid, world, metres.
     LevelBody& add(VoxelGrid grid, glm::dvec3 corner, bool isStatic, glm::dquat rotation = {1, 0, 0, 0}) {
         LevelBody body;
         body.name = "body " + std::to_string(level.bodies.size());
@@ -43,36 +39,47 @@ struct PhysicsScene {
     }
     /// A floor of 20 x 20 m whose top is at y = 0 around `middle`.
     void addFloor(uint8_t entry = 7, glm::dvec3 middle = {0, 0, 0}) {
-        add(blockGrid({200, 10, 200}, entry), middle + glm::dvec3(-10, -1, -10), true);
+        add(solidGrid({200, 10, 200}, entry), middle + glm::dvec3(-10, -1, -10), true);
     }
 
+    /// Loads the level into World and physics. wakeAll: dynamic bodies of a level start asleep; wake them.
     void load(bool wakeAll = true) {
         world.load(level);
         FrameChanges changes;
         changes.levelReplaced = true;
         physics.apply(changes, world);
         if (!wakeAll) return;
-        FrameChanges nudge;  // dynamic bodies of a level start asleep
+        FrameChanges nudge;
         world.bodies().forEach([&](BodyHandle handle, const Body& body) {
             if (!body.isStatic) nudge.impulses.push_back({handle, body.pose.position, glm::dvec3(0.0)});
         });
         physics.apply(nudge, world);
     }
-    /// The level as it is now in a new World of the same handles: what edits would have made of it.
+    /// Loads the level as it is now into a new World with the same handles: what edits would have made of it.
     void replaceWorld() {
         world = World();
         world.load(level);
     }
+    /// Steps without edits.
     void step(int count = 1) {
         for (int i = 0; i < count; ++i) {
             physics.step();
-            world.setPoses(physics.poses());
-            world.setRopes(physics.ropes());
+            copyMotion(physics, world);
         }
     }
+    /// One step with edits. Returns what they changed.
+    FrameChanges stepWith(const Edits& edits) {
+        FrameChanges changes = world.applyEdits(edits);
+        physics.apply(changes, world);
+        step();
+        return changes;
+    }
+    /// The number of steps in a time, rounded.
     int stepsIn(double seconds) const { return int(std::lround(seconds / stepSeconds)); }
+    /// Steps through a time.
     void seconds(double time) { step(stepsIn(time)); }
 
+    /// The handle of the body with this index in the World's order.
     BodyHandle handle(int index) const {
         BodyHandle found;
         int i = 0;
@@ -81,8 +88,10 @@ struct PhysicsScene {
         });
         return found;
     }
+    /// By index, as handle().
     const Body& body(int index) const { return world.bodies().at(handle(index)); }
-    glm::dvec3 center(int index) const { return body(index).pose.transformPoint(world.bodyMass(handle(index)).center); }
+    /// The centre of mass of a body, world, metres.
+    glm::dvec3 center(int index) const { return body(index).pose.transformPoint(bodyMass(world, handle(index)).center); }
 
     PaletteRef palette = materialPalette();
     Level level;

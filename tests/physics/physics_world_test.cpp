@@ -27,7 +27,7 @@ VoxelGrid lump(Random& random, int count, uint8_t entry) {
 
 TEST(PhysicsWorld, FreeFallFollowsTheDiscreteFormula) {
     PhysicsScene scene;
-    scene.add(blockGrid({3, 4, 5}, kMasonry), {0, 100, 0}, false);
+    scene.add(solidGrid({3, 4, 5}, kMasonry), {0, 100, 0}, false);
     scene.load();
     const glm::dvec3 start = scene.center(0);
     scene.step(120);
@@ -41,7 +41,7 @@ TEST(PhysicsWorld, FreeFallFollowsTheDiscreteFormula) {
 TEST(PhysicsWorld, SpinKeepsTheCentreWhereItIs) {
     PhysicsScene scene;
     scene.level.environment.gravity = {0, 0, 0};
-    VoxelGrid grid = blockGrid({12, 2, 2}, kMasonry);  // an L: its centre is nowhere near its corner
+    VoxelGrid grid = solidGrid({12, 2, 2}, kMasonry);  // an L: the centre of mass is far from the corner
     {
         VoxelGrid tall({12, 9, 2});
         GridWriter writer(tall);
@@ -61,12 +61,12 @@ TEST(PhysicsWorld, SpinKeepsTheCentreWhereItIs) {
     EXPECT_GT(glm::length(scene.body(0).angularVelocity), 1.0);
 }
 
-TEST(PhysicsWorld, ImpulseGivesTheMomentumOfTheTrueMass) {
+TEST(PhysicsWorld, AnImpulseChangesTheMomentumOfTheWholeMass) {
     PhysicsScene scene;
     scene.level.environment.gravity = {0, 0, 0};
-    scene.add(blockGrid({4, 2, 6}, kMasonry), {0, 0, 0}, false);
+    scene.add(solidGrid({4, 2, 6}, kMasonry), {0, 0, 0}, false);
     scene.load(false);
-    const MassProperties mass = scene.world.bodyMass(scene.handle(0));
+    const MassProperties mass = bodyMass(scene.world, scene.handle(0));
     const double density = defaultMaterials()[kMasonry].density;
     ASSERT_NEAR(mass.mass, 48 * 1e-3 * density, 1e-4);
     FrameChanges changes;
@@ -82,7 +82,7 @@ TEST(PhysicsWorld, ImpulseGivesTheMomentumOfTheTrueMass) {
 TEST(PhysicsWorld, CubeComesToRestOnTheFloor) {
     PhysicsScene scene;
     scene.addFloor();
-    scene.add(blockGrid({5, 5, 5}, kMasonry), {0.03, 1, 0.02}, false);
+    scene.add(solidGrid({5, 5, 5}, kMasonry), {0.03, 1, 0.02}, false);
     scene.load();
     scene.seconds(4.0);
     EXPECT_NEAR(scene.center(1).y, 0.25, 0.005);
@@ -93,7 +93,7 @@ TEST(PhysicsWorld, CubeComesToRestOnTheFloor) {
 TEST(PhysicsWorld, SingleVoxelComesToRest) {
     PhysicsScene scene;
     scene.addFloor();
-    scene.add(blockGrid({1, 1, 1}, kMasonry), {0.53, 2, 0.32}, false);
+    scene.add(solidGrid({1, 1, 1}, kMasonry), {0.53, 2, 0.32}, false);
     scene.load();
     scene.seconds(4.0);
     EXPECT_NEAR(scene.center(1).y, 0.05, 0.005);
@@ -103,7 +103,7 @@ TEST(PhysicsWorld, SingleVoxelComesToRest) {
 TEST(PhysicsWorld, TowerOfFiveStands) {
     PhysicsScene scene;
     scene.addFloor();
-    for (int i = 0; i < 5; ++i) scene.add(blockGrid({5, 5, 5}, kMasonry), {0, 0.5 * i, 0}, false);
+    for (int i = 0; i < 5; ++i) scene.add(solidGrid({5, 5, 5}, kMasonry), {0, 0.5 * i, 0}, false);
     scene.load();
     scene.seconds(10.0);
     for (int i = 0; i < 5; ++i) {
@@ -120,8 +120,8 @@ double slide(double degrees) {
     table.materials[kMasonry].friction = 0.6f;
     table.materials[kMasonry].restitution = 0.0f;
     const glm::dquat tilt = glm::angleAxis(glm::radians(degrees), glm::dvec3(0, 0, 1));
-    scene.add(blockGrid({200, 5, 40}, kMasonry), {0, 0, 0}, true, tilt);
-    scene.add(blockGrid({10, 3, 10}, kMasonry), tilt * glm::dvec3(15, 0.5, 1.5), false, tilt);
+    scene.add(solidGrid({200, 5, 40}, kMasonry), {0, 0, 0}, true, tilt);
+    scene.add(solidGrid({10, 3, 10}, kMasonry), tilt * glm::dvec3(15, 0.5, 1.5), false, tilt);
     scene.load();
     scene.seconds(0.5);
     const glm::dvec3 from = scene.center(1);
@@ -141,15 +141,15 @@ TEST(PhysicsWorld, InclineSticksBelowAndSlidesAboveItsFriction) {
 TEST(PhysicsWorld, LevelBodiesSleepUntilHit) {
     PhysicsScene scene;
     scene.addFloor();
-    scene.add(blockGrid({5, 5, 5}, kMasonry), {0, 0, 0}, false);
-    LevelBody& ball = scene.add(blockGrid({3, 3, 3}, kMasonry), {-2, 0.1, 0.1}, false);
+    scene.add(solidGrid({5, 5, 5}, kMasonry), {0, 0, 0}, false);
+    LevelBody& ball = scene.add(solidGrid({3, 3, 3}, kMasonry), {-2, 0.1, 0.1}, false);
     ball.velocity = {8, 0, 0};
     scene.load(false);
     EXPECT_EQ(scene.physics.stats().awake, 1);
     scene.step(5);
     EXPECT_LT(glm::length(scene.center(1) - glm::dvec3(0.25)), 1e-6);
     scene.seconds(0.5);
-    EXPECT_GT(scene.center(1).x, 0.3);  // and it took the ball's momentum, not that of a wall
+    EXPECT_GT(scene.center(1).x, 0.3);  // it has the ball's momentum, and was not hit as by a wall
     scene.seconds(8.0);
     EXPECT_EQ(scene.physics.stats().awake, 0);
 }
@@ -157,9 +157,9 @@ TEST(PhysicsWorld, LevelBodiesSleepUntilHit) {
 TEST(PhysicsWorld, ImpactIsReportedWithItsImpulse) {
     PhysicsScene scene;
     scene.addFloor();
-    scene.add(blockGrid({5, 5, 5}, kMasonry), {0, 2, 0}, false);
+    scene.add(solidGrid({5, 5, 5}, kMasonry), {0, 2, 0}, false);
     scene.load();
-    const double mass = scene.world.bodyMass(scene.handle(1)).mass;
+    const double mass = bodyMass(scene.world, scene.handle(1)).mass;
     double sum = 0.0;
     for (int i = 0; i < 60; ++i) {
         scene.step();
@@ -178,12 +178,12 @@ TEST(PhysicsWorld, ImpactIsReportedWithItsImpulse) {
     EXPECT_TRUE(scene.physics.impacts().empty());
 }
 
-TEST(PhysicsWorld, CarvedWallWakesWhatItHeldUp) {
+TEST(PhysicsWorld, ACarvedWallWakesWhatItSupported) {
     PhysicsScene scene;
     scene.addFloor();
-    VoxelGrid wall = blockGrid({40, 40, 2}, kMasonry);
+    VoxelGrid wall = solidGrid({40, 40, 2}, kMasonry);
     scene.add(wall, {0, 0, 0}, true);
-    scene.add(blockGrid({4, 4, 4}, kMasonry), {1.8, 4.0, -0.1}, false);
+    scene.add(solidGrid({4, 4, 4}, kMasonry), {1.8, 4.0, -0.1}, false);
     scene.load(false);
     scene.step(30);
     ASSERT_EQ(scene.physics.stats().awake, 0);
@@ -211,7 +211,7 @@ TEST(PhysicsWorld, CarvedWallWakesWhatItHeldUp) {
 TEST(PhysicsWorld, RemovedSupportWakesInOneStep) {
     PhysicsScene scene;
     scene.addFloor();
-    for (int i = 0; i < 3; ++i) scene.add(blockGrid({5, 5, 5}, kMasonry), {0, 0.5 * i, 0}, false);
+    for (int i = 0; i < 3; ++i) scene.add(solidGrid({5, 5, 5}, kMasonry), {0, 0.5 * i, 0}, false);
     scene.load(false);
     FrameChanges changes;
     changes.bodiesDestroyed = {scene.handle(1)};
@@ -220,24 +220,24 @@ TEST(PhysicsWorld, RemovedSupportWakesInOneStep) {
     EXPECT_FALSE(scene.body(2).asleep);
     scene.seconds(4.0);
     EXPECT_NEAR(scene.center(2).y, 0.25, 0.01);
-    EXPECT_NEAR(scene.center(3).y, 0.75, 0.01);  // woken by the one below, that moved
+    EXPECT_NEAR(scene.center(3).y, 0.75, 0.01);  // woken by the one below, which moved
 }
 
 TEST(PhysicsWorld, PieceInheritsTheMotionThatWorldGivesIt) {
     PhysicsScene scene;
     scene.level.environment.gravity = {0, 0, 0};
-    LevelBody& body = scene.add(blockGrid({20, 4, 4}, kMasonry), {0, 0, 0}, false);
+    LevelBody& body = scene.add(solidGrid({20, 4, 4}, kMasonry), {0, 0, 0}, false);
     const glm::dvec3 v(1, 2, 0), w(0, 0, 2);
     body.velocity = v;
     body.angularVelocity = w;
     scene.load();
     // Cut in two, as World does it: the parent keeps its handle and the left half, the piece is a new body.
     const glm::dvec3 center = scene.center(0);
-    scene.level.bodies[0].shapes[0].grid = blockGrid({10, 4, 4}, kMasonry);
+    scene.level.bodies[0].shapes[0].grid = solidGrid({10, 4, 4}, kMasonry);
     const auto velocityAt = [&](glm::dvec3 point) { return v + glm::cross(w, point - center); };
     const glm::dvec3 leftCenter(0.5, 0.2, 0.2), rightCenter(1.5, 0.2, 0.2);
     scene.level.bodies[0].velocity = velocityAt(leftCenter);
-    LevelBody& piece = scene.add(blockGrid({10, 4, 4}, kMasonry), {1, 0, 0}, false);
+    LevelBody& piece = scene.add(solidGrid({10, 4, 4}, kMasonry), {1, 0, 0}, false);
     piece.velocity = velocityAt(rightCenter);
     piece.angularVelocity = w;
     scene.replaceWorld();
@@ -257,9 +257,9 @@ TEST(PhysicsWorld, PieceInheritsTheMotionThatWorldGivesIt) {
 TEST(PhysicsWorld, EditsOfWorldMakePiecesThatFall) {
     PhysicsScene scene;
     scene.addFloor();
-    scene.add(blockGrid({4, 30, 4}, kMasonry), {0, 0, 0}, true);
+    scene.add(solidGrid({4, 30, 4}, kMasonry), {0, 0, 0}, true);
     scene.load();
-    scene.world.applyEdits({});  // the level itself: already there
+    scene.world.applyEdits({});  // takes out the change that loaded the level: physics has it already
     CarveEdit cut;
     cut.position = {0.2, 1.0, 0.2};
     cut.radii = {0.5, 0.5, 0.5};
@@ -273,7 +273,7 @@ TEST(PhysicsWorld, EditsOfWorldMakePiecesThatFall) {
     EXPECT_NEAR(scene.world.bodies().at(piece).pose.position.y, start - 9.81 * 0.25 * 0.25 / 2, 0.02);
     scene.seconds(8.0);
     EXPECT_TRUE(scene.world.bodies().at(piece).asleep);
-    EXPECT_TRUE(scene.world.voxelAccounting().balances());
+    EXPECT_TRUE(voxelAccounting(scene.world).balances());
 }
 
 /// 200 random lumps dropped in a heap.
@@ -308,8 +308,8 @@ TEST(PhysicsWorld, FastPiecesDoNotGoThroughAThinWall) {
     for (const double speed : {10.0, 40.0, 150.0, 600.0}) {
         PhysicsScene scene;
         scene.level.environment.gravity = {0, 0, 0};
-        scene.add(blockGrid({1, 60, 60}, kMasonry), {0, 0, 0}, true);
-        LevelBody& cube = scene.add(blockGrid({1, 1, 1}, kMasonry), {-2.03, 3, 3}, false);
+        scene.add(solidGrid({1, 60, 60}, kMasonry), {0, 0, 0}, true);
+        LevelBody& cube = scene.add(solidGrid({1, 1, 1}, kMasonry), {-2.03, 3, 3}, false);
         cube.velocity = {float(speed), 0, 0};
         VoxelGrid corner({3, 3, 3});  // not a plain box
         {
@@ -329,10 +329,10 @@ TEST(PhysicsWorld, FastPiecesDoNotGoThroughAThinWall) {
     }
 }
 
-TEST(PhysicsWorld, StepInWhichNothingHappensAllocatesNothing) {
+TEST(PhysicsWorld, AnIdleStepAllocatesNothing) {
     PhysicsScene scene;
     scene.addFloor();
-    for (int i = 0; i < 5; ++i) scene.add(blockGrid({5, 5, 5}, kMasonry), {1.1 * i, 0.2, 0}, false);
+    for (int i = 0; i < 5; ++i) scene.add(solidGrid({5, 5, 5}, kMasonry), {1.1 * i, 0.2, 0}, false);
     scene.load();
     scene.seconds(4.0);
     ASSERT_EQ(scene.physics.stats().awake, 0);
@@ -343,7 +343,7 @@ TEST(PhysicsWorld, StepInWhichNothingHappensAllocatesNothing) {
         scene.physics.step();
     }
     EXPECT_EQ(allocationCount(),
-              before);  // Bullet allocates past operator new, but a step without awake bodies does not reach it
+              before);  // Bullet does not use operator new, but a step without awake bodies does not call Bullet
 }
 
 TEST(PhysicsWorld, SameScenesGiveSameBits) {
@@ -357,23 +357,23 @@ TEST(PhysicsWorld, SameScenesGiveSameBits) {
     EXPECT_EQ(run(), run());
 }
 
-TEST(PhysicsWorld, FarFromTheOriginIsAsGood) {
+TEST(PhysicsWorld, FarFromTheOriginIsAsAccurate) {
     PhysicsScene scene;
     const glm::dvec3 far(10000.5, 30, -10000.25);
     scene.addFloor(kMasonry, far);
-    for (int i = 0; i < 5; ++i) scene.add(blockGrid({5, 5, 5}, kMasonry), far + glm::dvec3(0, 0.5 * i, 0), false);
+    for (int i = 0; i < 5; ++i) scene.add(solidGrid({5, 5, 5}, kMasonry), far + glm::dvec3(0, 0.5 * i, 0), false);
     scene.load();
     scene.seconds(5.0);
     for (int i = 0; i < 5; ++i) EXPECT_NEAR(scene.center(1 + i).y, 30 + 0.25 + 0.5 * i, 0.02);
     EXPECT_EQ(scene.physics.stats().awake, 0);
 }
 
-TEST(PhysicsWorld, NotANumberIsQuarantinedAndOthersDoNotNotice) {
+TEST(PhysicsWorld, ABodyWithNaNIsQuarantinedAndOthersAreUnchanged) {
     const auto run = [](bool poison) {
         PhysicsScene scene;
         scene.addFloor();
-        for (int i = 0; i < 4; ++i) scene.add(blockGrid({5, 5, 5}, kMasonry), {1.2 * i, 1, 0}, false);
-        scene.add(blockGrid({5, 5, 5}, kMasonry), {0, 1, 5}, false);
+        for (int i = 0; i < 4; ++i) scene.add(solidGrid({5, 5, 5}, kMasonry), {1.2 * i, 1, 0}, false);
+        scene.add(solidGrid({5, 5, 5}, kMasonry), {0, 1, 5}, false);
         scene.load();
         FrameChanges changes;
         if (poison) changes.impulses.push_back({scene.handle(5), {0, 0, 0}, glm::dvec3(NAN, 1e30, INFINITY)});

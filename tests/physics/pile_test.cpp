@@ -11,17 +11,11 @@
 namespace rubble {
 namespace {
 
-/// Edits go in and physics follows, as in the frame loop.
-void stepWith(PhysicsScene& scene, const Edits& edits) {
-    scene.physics.apply(scene.world.applyEdits(edits), scene.world);
-    scene.step();
-}
-
 struct PitScene : PhysicsScene {
     explicit PitScene(int pieces, int pit = 8, const PhysicsSettings& settings = {}) : PhysicsScene(settings) {
         level = voronoiPit(pieces, 1, pit);
         load();
-        world.applyEdits({});  // the level itself: already there
+        world.applyEdits({});  // takes out the change that loaded the level: physics has it already
     }
     int awake() const { return physics.stats().awake; }
 };
@@ -34,30 +28,30 @@ TEST(Pile, SleepsSoonAndNothingFloatsBeforeOrAfterItsFloorGoes) {
     int steps = 0;
     while (steps < limit && scene.awake() * 100 > pieces) scene.step(), ++steps;
     EXPECT_LE(scene.awake() * 100, pieces) << "after " << steps << " steps";
-    for (int i = 0; i < limit && scene.awake(); ++i) scene.step();  // what leans on something awake is not held yet
+    for (int i = 0; i < limit && scene.awake(); ++i) scene.step();  // a body on something awake is not supported yet
     EXPECT_TRUE(findUnsupported(scene.world).empty());
 
-    // A hole in the pit's floor, 3 m wide: what lay on it is awake within a step, and what then sleeps rests on
-    // something.
+    // After a hole of 3 m in the pit's floor, the bodies above are awake within a step; those that sleep later are
+    // supported again.
     const glm::dvec3 low(0.5 * side - 1.5, -0.85, 0.5 * side - 1.5), high(0.5 * side + 1.5, 0.0, 0.5 * side + 1.5);
     const std::vector<BodyHandle> held = findTouching(scene.world, low, high);
     EXPECT_GT(held.size(), 3u);
     CarveEdit hole{.kind = BrushKind::Box, .position = 0.5 * (low + high), .halfSize = 0.5 * (high - low)};
     hole.shape = scene.body(0).shapes[0];
-    stepWith(scene, {hole});
+    scene.stepWith({hole});
     for (const BodyHandle body : held) EXPECT_FALSE(scene.world.bodies().at(body).asleep) << body.slot();
-    for (int i = 0; i < limit && scene.awake(); ++i) scene.step();  // what lies on something awake may fall yet
+    for (int i = 0; i < limit && scene.awake(); ++i) scene.step();  // a body on something awake may still fall
     EXPECT_TRUE(findUnsupported(scene.world).empty());
 }
 
 TEST(Pile, TheCheckKnowsWhatFloats) {
     PhysicsScene scene;
     scene.addFloor();
-    const VoxelGrid cube = blockGrid({4, 4, 4}, 7), plank = blockGrid({20, 2, 4}, 7);
+    const VoxelGrid cube = solidGrid({4, 4, 4}, 7), plank = solidGrid({20, 2, 4}, 7);
     scene.add(cube, {0, 0, 0}, false);
     scene.add(cube, {0, 0.41, 0}, false);      // on the first
     scene.add(cube, {3, 0.1, 0}, false);       // 10 cm above the floor
-    scene.add(plank, {0.13, 0.82, 0}, false);  // its centre is out over the edge
+    scene.add(plank, {0.13, 0.82, 0}, false);  // its centre of mass is beyond the edge
     scene.add(cube, {0, 5, 0}, false);         // two that touch each other only
     scene.add(cube, {0, 5.4, 0}, false);
     scene.load(false);
@@ -90,28 +84,29 @@ TEST(Pile, TheSameOnAnyNumberOfThreads) {
     }
 }
 
-/// So many touch that the solver goes through them in strips.
+/// There are enough contacts for the solver to use several colors.
 TEST(Pile, TheSameInAnyOrderWhenColored) {
     int pairs = 0;
     const std::vector<double> one = trace({}, 200, 100, &pairs);
     ASSERT_GE(size_t(pairs), 2 * ConstraintColoring::kPairsPerStrip);
     PhysicsSettings settings;
-    settings.parallelFor = [](size_t count, const std::function<void(size_t)>& f) {  // as threads might take them
+    settings.parallelFor = [](size_t count,
+                              const std::function<void(size_t)>& f) {  // in another order, as threads might
         for (size_t i = count; i-- > 0;) f(i);
     };
     EXPECT_EQ(trace(settings, 200, 100), one);
 }
 
-/// A cut while it falls changes a body in place: it moves on as one that is made rebuild from the World does.
+/// A cut changes a falling body in place. It then moves like a body that is created from the World again.
 TEST(Pile, ACutBodyMovesLikeARebuiltOne) {
     const auto fall = [](bool rebuild) {
         PhysicsScene scene;
         scene.addFloor();
-        VoxelGrid block = blockGrid({40, 40, 40}, 7);
+        VoxelGrid block = solidGrid({40, 40, 40}, 7);
         scene.add(block, {-2, 0.5, -2}, false, glm::normalize(glm::dquat(1, 0.1, 0.2, 0.05)));
         scene.load();
-        scene.world.applyEdits({});  // the level itself: already there
-        scene.step(20);              // in the air
+        scene.world.applyEdits({});  // takes out the change that loaded the level: physics has it already
+        scene.step(20);              // it is still in the air
         const ShapeHandle shape = scene.body(1).shapes[0];
         std::vector<double> all;
         for (int i = 0; i < 120; ++i) {

@@ -25,9 +25,9 @@ TEST(Sliding, SticksATenthOfADegreeBelowAndSlidesAsFarAbove) {
         EXPECT_LT(slideDown({}, kCritical - 0.1, turn, kFriction, 2.0).distance, 1e-4) << heading;
         EXPECT_GT(slideDown({}, kCritical + 0.1, turn, kFriction, 2.0).distance, 5e-3) << heading;
     }
-    // Undamped, also so close to the threshold it is Coulomb's law that decides how far.
+    // Without damping, Coulomb's law gives the distance even this close to the threshold.
     const double angle = glm::radians(kCritical + 0.1);
-    const double expected = 9.81 * (std::sin(angle) - kFriction * std::cos(angle)) * 1.5;  // the second second
+    const double expected = 9.81 * (std::sin(angle) - kFriction * std::cos(angle)) * 1.5;  // in the second second
     EXPECT_NEAR(slideDown(accuratePhysics(), kCritical + 0.1, 0.05, kFriction, 2.0).distance, expected,
                 0.05 * expected);
 }

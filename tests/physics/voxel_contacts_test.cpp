@@ -31,7 +31,7 @@ void put(CollisionObject& object, const LevelBody& body, const MaterialTable& ma
     object.setPose(at);
 }
 
-/// All solid cells' corners of a part.
+/// The corners of all solid cells of a part.
 std::vector<glm::vec3> cornersOf(const VoxelPart& part) {
     std::vector<glm::vec3> corners;
     part.grid().forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
@@ -65,7 +65,7 @@ TEST(VoxelContacts, HullAndVoxelsHaveTheSameExtent) {
     }
 }
 
-/// Corners and edges as defined, cell by cell.
+/// Compares with a search cell by cell.
 TEST(VoxelContacts, FeaturesAreTheConvexCornersAndEdges) {
     const Level level = voronoiPit(8);
     for (size_t i = 1; i < level.bodies.size(); ++i) {
@@ -99,7 +99,7 @@ TEST(VoxelContacts, FeaturesAreTheConvexCornersAndEdges) {
     }
 }
 
-/// What is stuck is pushed the way that its other contacts push it, or not at all. Such a push alone does not rub.
+/// The contact of a stuck pair acts along the mean normal of its other contacts, or there is none. It has no friction.
 TEST(VoxelContacts, TheStuckContactOpposesNoOtherContact) {
     const Level level = voronoiPit(40);
     Random random(5);
@@ -123,7 +123,7 @@ TEST(VoxelContacts, TheStuckContactOpposesNoOtherContact) {
     EXPECT_GT(pushes, 10);
 }
 
-/// Whatever direction the search for a gap begins with, what it leaves out could not touch.
+/// Whatever axis the search for a separation begins with, it drops no contact.
 TEST(VoxelContacts, DoNotDependOnTheInitialSeparatingAxis) {
     const Level level = voronoiPit(40);
     Random random(3);

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "runtime/core/constants.h"
 #include "runtime/core/random.h"
+#include "runtime/world/state/fires.h"
 #include "tests/physics/physics_scene.h"
 
 namespace rubble {
@@ -23,27 +25,27 @@ struct Lake : PhysicsScene {
     }
     void load() {
         PhysicsScene::load();
-        world.applyEdits({});  // its journal says that the level is new
+        world.applyEdits({});  // takes out the change that loaded the level
     }
     double speed(int index) const { return glm::length(body(index).velocity); }
 };
 
-TEST(Water, CubesFloatAsDeepAsTheyAreDense) {
+TEST(Water, TheDraughtOfACubeIsItsRelativeDensity) {
     for (const auto& [density, share] : {std::pair(500u, 0.5), std::pair(250u, 0.25), std::pair(900u, 0.9)}) {
         Lake scene(density);
-        scene.add(blockGrid({10, 10, 10}, 1), {0.0, -0.4, 0.0}, false);
+        scene.add(solidGrid({10, 10, 10}, 1), {0.0, -0.4, 0.0}, false);
         scene.load();
         scene.seconds(20.0);
         const double under = 0.5 - scene.center(0).y;
-        EXPECT_NEAR(under, share, 0.03) << density;  // it may fall asleep in its last bob
-        EXPECT_TRUE(scene.body(0).asleep) << "calm water lets things rest";
+        EXPECT_NEAR(under, share, 0.03) << density;  // it may fall asleep at any phase of its last oscillation
+        EXPECT_TRUE(scene.body(0).asleep) << "a body in still water sleeps";
     }
 }
 
-TEST(Water, ATurnedCubeUnderWaterIsLiftedByAllOfItsVolume) {
+TEST(Water, TheBuoyancyOfARotatedCubeUnderWaterIsThatOfItsVolume) {
     Lake scene(500);
     Random random(3);
-    scene.add(blockGrid({7, 9, 5}, 1), {0.0, 0.0, 0.0}, false);
+    scene.add(solidGrid({7, 9, 5}, 1), {0.0, 0.0, 0.0}, false);
     scene.load();
     const Shape& shape = scene.world.shapes().at(scene.body(0).shapes[0]);
     const VoxelPart part(shape, Pose{}, scene.world.materials());
@@ -56,7 +58,7 @@ TEST(Water, ATurnedCubeUnderWaterIsLiftedByAllOfItsVolume) {
         const CellTransform lattice{axes * 0.1, {0.2, -0.7 + h, 0.1}};
         Submersion sum;
         addSubmersion(part, lattice, {}, scene.world.waters().at(scene.world.waters().handleAt(0)), sum);
-        double volume = 0.0;  // by points, 4 x 4 x 4 a voxel
+        double volume = 0.0;  // by 4 x 4 x 4 samples in each voxel
         glm::dvec3 moment(0.0);
         const int n = 4;
         const double piece = 1e-3 / (n * n * n);
@@ -74,9 +76,9 @@ TEST(Water, ATurnedCubeUnderWaterIsLiftedByAllOfItsVolume) {
 
 TEST(Water, ACubeBobsWithThePeriodOfItsBuoyancy) {
     Lake scene(500, 0.02);
-    scene.add(blockGrid({10, 10, 10}, 1), {0.0, -0.3, 0.0}, false);
+    scene.add(solidGrid({10, 10, 10}, 1), {0.0, -0.3, 0.0}, false);
     scene.load();
-    std::vector<double> rises;  // times at which it passes its rest upward
+    std::vector<double> rises;  // times at which it passes its equilibrium upward
     double before = scene.center(0).y;
     for (int i = 0; i < 1200 && rises.size() < 6; ++i) {
         scene.step();
@@ -86,14 +88,14 @@ TEST(Water, ACubeBobsWithThePeriodOfItsBuoyancy) {
     }
     ASSERT_EQ(rises.size(), 6u);
     const double period = (rises.back() - rises.front()) / 5.0,
-                 expected = 2.0 * 3.14159265 * std::sqrt(500.0 / (1000.0 * 9.81));
+                 expected = 2.0 * kPi * std::sqrt(500.0 / (1000.0 * 9.81));
     EXPECT_NEAR(period, expected, 0.03 * expected);
 }
 
-TEST(Water, NothingRisesHigherThanItFellFrom) {
+TEST(Water, ABodyRisesNoHigherThanItFellFrom) {
     for (const double drag : {0.0, 0.1, 1.5, 1000.0}) {
         Lake scene(400, drag);
-        scene.add(blockGrid({5, 5, 5}, 1), {0.0, 1.0, 0.0}, false);
+        scene.add(solidGrid({5, 5, 5}, 1), {0.0, 1.0, 0.0}, false);
         scene.load();
         double before = 1.25;
         for (int window = 0; window < 15; ++window) {
@@ -108,9 +110,9 @@ TEST(Water, NothingRisesHigherThanItFellFrom) {
     }
 }
 
-TEST(Water, ALogComesToLieFlat) {
+TEST(Water, AnUprightLogTipsOverAndFloatsFlat) {
     Lake scene(600);
-    scene.add(blockGrid({4, 40, 4}, 1), {0.0, -3.0, 0.0}, false, glm::angleAxis(0.02, glm::dvec3(0, 0, 1)));
+    scene.add(solidGrid({4, 40, 4}, 1), {0.0, -3.0, 0.0}, false, glm::angleAxis(0.02, glm::dvec3(0, 0, 1)));
     scene.load();
     scene.seconds(25.0);
     const glm::dvec3 axis = scene.body(0).pose.rotation * glm::dvec3(0, 1, 0);
@@ -118,9 +120,9 @@ TEST(Water, ALogComesToLieFlat) {
     EXPECT_NEAR(scene.center(0).y, 0.0, 0.15);
 }
 
-TEST(Water, WhatIsDenserSinksAtItsTerminalVelocity) {
+TEST(Water, ADenseBodySinksAtItsTerminalVelocity) {
     Lake scene(2000, 3.0);
-    scene.add(blockGrid({6, 6, 6}, 1), {0.0, -2.0, 0.0}, false);
+    scene.add(solidGrid({6, 6, 6}, 1), {0.0, -2.0, 0.0}, false);
     scene.load();
     scene.seconds(4.0);
     // m g = rho V g + drag rho V v
@@ -128,10 +130,10 @@ TEST(Water, WhatIsDenserSinksAtItsTerminalVelocity) {
     EXPECT_NEAR(-scene.body(0).velocity.y, expected, 0.01 * expected);
 }
 
-TEST(Water, TheLightestDoesNotJitter) {
+TEST(Water, AVeryLightBodyDoesNotJitter) {
     Lake scene(30);
-    scene.add(blockGrid({8, 1, 8}, 1), {0.0, 0.3, 0.0}, false);
-    scene.add(blockGrid({1, 1, 1}, 1), {5.0, 0.3, 0.0}, false);
+    scene.add(solidGrid({8, 1, 8}, 1), {0.0, 0.3, 0.0}, false);
+    scene.add(solidGrid({1, 1, 1}, 1), {5.0, 0.3, 0.0}, false);
     scene.load();
     scene.seconds(5.0);
     for (int i = 0; i < 120; ++i) {
@@ -141,21 +143,21 @@ TEST(Water, TheLightestDoesNotJitter) {
     }
 }
 
-TEST(Water, AFlowTakesThingsAlongAndItsEndLetsThemFall) {
+TEST(Water, AFlowCarriesABodyAndLetsItFallAtItsEnd) {
     Lake scene(500);
     scene.level.waters[0].flow = {0.8, 0.0, 0.0};
     scene.level.waters[0].depth = 2.0;
-    scene.add(blockGrid({5, 5, 5}, 1), {40.0, -0.25, 0.0}, false);
+    scene.add(solidGrid({5, 5, 5}, 1), {40.0, -0.25, 0.0}, false);
     scene.load();
     scene.seconds(5.0);
     EXPECT_NEAR(scene.body(0).velocity.x, 0.8, 0.05);
     scene.seconds(15.0);
-    EXPECT_LT(scene.center(0).y, -2.0) << "the water ends at x = 50, and there is no ground";
+    EXPECT_LT(scene.center(0).y, -2.0) << "beyond x = 50 there is neither water nor ground";
 }
 
-TEST(Water, WhatFloatedFallsWhenTheWaterGoes) {
+TEST(Water, AFloatingBodyFallsWhenTheWaterIsRemoved) {
     Lake scene(500);
-    scene.add(blockGrid({5, 5, 5}, 1), {0.0, -0.25, 0.0}, false);
+    scene.add(solidGrid({5, 5, 5}, 1), {0.0, -0.25, 0.0}, false);
     scene.load();
     scene.seconds(10.0);
     ASSERT_TRUE(scene.body(0).asleep);
@@ -164,15 +166,15 @@ TEST(Water, WhatFloatedFallsWhenTheWaterGoes) {
     EXPECT_LT(scene.center(0).y, -2.0);
 }
 
-TEST(Water, FiresInItGoOut) {
+TEST(Water, FiresInWaterGoOut) {
     Lake scene(500);
     scene.addFloor(7, {0.0, -1.0, 0.0});
-    scene.add(blockGrid({10, 10, 10}, 5), {0.0, -0.5, 0.0}, true);
+    scene.add(solidGrid({10, 10, 10}, 5), {0.0, -0.5, 0.0}, true);
     scene.load();
     scene.physics.apply(scene.world.applyEdits({spawnFire({0.5, 0.5, 0.5}, 1.0), spawnFire({0.5, -0.5, 0.5}, 1.0)}),
                         scene.world);
     for (int i = 0; i < 30; ++i) scene.world.applyEdits({});
-    const std::vector<Fire> fires = scene.world.fires();
+    const std::vector<Fire> fires = findFires(scene.world);
     EXPECT_FALSE(fires.empty());
     for (const Fire& fire : fires) EXPECT_GT(fire.position.y, 0.0);
 }

@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-/// The solid cells of a region: bit x of row (y, z).
+/// The solid cells of a region, as bit x of row (y, z).
 struct RegionBits {
     uint32_t rows[kRegionSize][kRegionSize] = {};  ///< [z][y]
 };
@@ -18,7 +18,7 @@ std::array<uint64_t, 8> solidOccupancy(const Brick& brick, const SolidEntries& s
     std::array<uint64_t, 8> out = brick.occupancy;
     if ((solid | SolidEntries(1)).all()) return out;
     forEachVoxel(brick.occupancy, [&](int i) {
-        if (!solid[(*brick.indices)[size_t(i)]]) out[size_t(i >> 6)] &= ~(uint64_t(1) << (i & 63));
+        if (!solid[(*brick.indices)[size_t(i)]]) clearVoxel(out, i);
     });
     return out;
 }
@@ -38,7 +38,7 @@ bool readRegion(const VoxelGrid& grid, glm::ivec3 region, const SolidEntries& so
     return any;
 }
 
-/// Takes the largest box that starts with the run of the row's lowest bit out of the bits.
+/// Removes from the bits the largest box that starts with the run at the row's lowest bit, and returns it.
 CellBox takeBox(RegionBits& bits, int y, int z) {
     const uint32_t row = bits.rows[z][y];
     const int x = std::countr_zero(row);

@@ -9,10 +9,11 @@
 
 namespace rubble {
 
-inline constexpr int kRegionSize = 32;  ///< cells on a side of what is merged, and rebuilt after a carve, as one
+inline constexpr int kRegionSize = 32;  ///< cells on a side of a region, whose boxes are merged together
 
 /// The palette entries that bodies collide with: all but those of unphysical materials.
 using SolidEntries = std::bitset<256>;
+/// By the materials of the table.
 SolidEntries solidEntries(const Palette& palette, const MaterialTable& materials);
 
 /// Disjoint boxes that cover exactly the solid cells of one region (region * 32 to region * 32 + 32), appended to

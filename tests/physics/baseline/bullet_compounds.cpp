@@ -67,7 +67,7 @@ struct BulletCompounds::World {
             body.isStatic ? btVector3(0, 0, 0) : toBullet(mass.principalInertia));
         info.m_startWorldTransform = toBullet(body.pose * center);
         const Material& material = materials[(*shape.palette)[shape.grid.at(firstCell(shape.grid))].material];
-        info.m_friction = std::sqrt(material.friction);  // Bullet multiplies: a pair gets the geometric mean
+        info.m_friction = std::sqrt(material.friction);  // Bullet multiplies the two, which gives the geometric mean
         info.m_restitution = std::sqrt(material.restitution);
         item->body = std::make_unique<btRigidBody>(info);
         item->body->setLinearVelocity(toBullet(body.velocity));
@@ -129,7 +129,8 @@ Pose BulletCompounds::pose(size_t body) const {
 }
 
 int BulletCompounds::pairs() const {
-    std::set<std::pair<const btCollisionObject*, const btCollisionObject*>> touching;  // a manifold is of two boxes
+    std::set<std::pair<const btCollisionObject*, const btCollisionObject*>>
+        touching;  // Bullet has a manifold for each pair of boxes
     for (int i = 0; i < m_world->dispatcher.getNumManifolds(); ++i) {
         const btPersistentManifold* manifold = m_world->dispatcher.getManifoldByIndexInternal(i);
         if (manifold->getNumContacts() > 0) touching.emplace(std::minmax(manifold->getBody0(), manifold->getBody1()));

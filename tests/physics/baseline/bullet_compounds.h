@@ -7,27 +7,29 @@
 
 namespace rubble {
 
-/// What Rubble's physics is measured against: Bullet as it comes, with every body a compound (with its tree) of the
+/// The baseline that Rubble's physics is compared with: Bullet, with every body a compound shape (with its tree) of the
 /// boxes that its voxels merge to. Sleeping is off.
 class BulletCompounds {
 public:
-    enum class Detail { OneBox, MergedBoxes, EveryVoxel };  ///< of what moves; what stands is merged boxes
+    /// The shape of dynamic bodies; static ones are always merged boxes.
+    enum class Detail { OneBox, MergedBoxes, EveryVoxel };
     struct Settings {
         int substeps = 1;  ///< of 1/60 s
         int iterations = 10;
-        int frictionDirections =
-            2;  ///< 1, Bullet's default, lets piles slide apart: friction acts along one line a contact
+        /// 1, Bullet's default, lets piles slide apart: friction acts along one line at each contact.
+        int frictionDirections = 2;
         Detail detail = Detail::MergedBoxes;
     };
-    /// Bodies of the level in order; one shape each. Materials' friction and restitution as in Rubble.
+    /// The level's bodies must have one shape each. Friction and restitution are those of Rubble.
     BulletCompounds(const Level& level, const Settings& settings);
     ~BulletCompounds();
-    /// 1/60 s.
+    /// Moves everything by 1/60 s.
     void step();
-    /// Of the body's frame (its grid's frame in the level), world.
+    /// Of the body with this index in the level, world.
     Pose pose(size_t body) const;
+    /// The number of boxes of all bodies.
     size_t boxes() const;
-    /// Pairs of bodies that touch.
+    /// The number of pairs of bodies that touch.
     int pairs() const;
 
 private:

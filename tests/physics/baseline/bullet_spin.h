@@ -4,11 +4,10 @@
 
 namespace rubble {
 
-/// How Bullet can turn a body on which nothing acts.
+/// Bullet's methods of free rotation.
 enum class BulletGyroscopy { None, Explicit, ImplicitInBody };
 
-/// Takes the rotation and angular velocity (both in principal axes) of a rigid body of Bullet 1/60 s further in
-/// substeps, each time the function is called.
+/// A function that rotates a rigid body by Bullet through 1/60 s. Rotation and angular velocity are in principal axes.
 std::function<void(glm::dquat&, glm::dvec3&)> bulletSpin(BulletGyroscopy mode, glm::dvec3 inertia, int substeps);
 
 }  // namespace rubble

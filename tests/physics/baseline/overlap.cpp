@@ -47,7 +47,7 @@ bool anySolid(const VoxelGrid& grid, const glm::dvec3& p, double radius) {
     return false;
 }
 
-/// Cells to the nearest empty one; 0: outside.
+/// The distance to the nearest empty cell, in cells; 0: the point is outside.
 double depthAt(const VoxelGrid& grid, const glm::dvec3& p) {
     const glm::ivec3 cell(glm::floor(p));
     if (!grid.at(cell)) return 0.0;

@@ -10,10 +10,10 @@ namespace rubble {
 namespace {
 
 constexpr double kNear = 0.02;      ///< metres
-constexpr double kLeftOver = 0.05;  ///< share of the weight that may stay unbalanced: gaps of 2 cm change levers
+constexpr double kLeftOver = 0.05;  ///< fraction of the weight that may stay unbalanced: gaps of 2 cm change lever arms
 constexpr int kSweeps = 2000;
 
-using Wrench = std::array<double, 6>;  ///< force, and torque about the centre over the body's size
+using Wrench = std::array<double, 6>;  ///< force, and torque about the centre divided by the body's size
 
 double dot(const Wrench& a, const Wrench& b) {
     double sum = 0.0;
@@ -21,7 +21,7 @@ double dot(const Wrench& a, const Wrench& b) {
     return sum;
 }
 
-/// One shape; each body has one here for each.
+/// One shape of a body.
 struct Part {
     const VoxelGrid* grid;
     double size;
@@ -67,7 +67,7 @@ std::vector<glm::dvec3> edgePoints(const VoxelGrid& grid, double size) {
     return points;
 }
 
-/// Where a point (in cells) within `radius` cells of the solid is pushed to; false if it is farther.
+/// The direction in which a point (in cells) is pushed out of the solid; false if it is more than `radius` cells away.
 bool nearestExit(const VoxelGrid& grid, const glm::dvec3& p, double radius, glm::dvec3& out) {
     const glm::ivec3 own(glm::floor(p)), low(glm::floor(p - radius)), high(glm::floor(p + radius));
     double nearest = 1e9;
@@ -92,7 +92,7 @@ bool nearestExit(const VoxelGrid& grid, const glm::dvec3& p, double radius, glm:
     return nearest <= radius && out != glm::dvec3(0.0);
 }
 
-/// Adds what `from`'s points feel of `into`: four forces about each normal, on both bodies.
+/// Adds the forces between `from`'s points and `into`, on both bodies: four about each normal, on the friction cone.
 void touch(const Part& from, const Part& into, std::vector<Item>& items) {
     Item &a = items[from.body], &b = items[into.body];
     bool any = false;
@@ -122,7 +122,8 @@ void touch(const Part& from, const Part& into, std::vector<Item>& items) {
     b.touched.push_back(from.body);
 }
 
-/// Whether pushes (none of which pulls) by what is held add up to the weight: coordinate descent on the squared rest.
+/// Whether nonnegative multiples of the forces from supported bodies add up to the weight, by coordinate descent on the
+/// squared residual.
 bool balanced(const Item& item, const std::vector<Item>& items) {
     std::vector<const Wrench*> pushes;
     for (const auto& [by, wrench] : item.pushes)
@@ -140,7 +141,7 @@ bool balanced(const Item& item, const std::vector<Item>& items) {
     return false;
 }
 
-/// Only what a chain of touching held bodies joins to something static stays held.
+/// Keeps only bodies that a chain of supported bodies connects with something static.
 void keepJoined(std::vector<Item>& items) {
     std::vector<size_t> open;
     std::vector<bool> reached(items.size());
@@ -200,7 +201,7 @@ std::vector<BodyHandle> findUnsupported(const World& world) {
             touch(a, b, items);
             touch(b, a, items);
         }
-    for (bool changed = true; changed;) {  // what leans on something that is not held is not held either
+    for (bool changed = true; changed;) {  // a body on an unsupported one is unsupported too
         changed = false;
         keepJoined(items);
         for (Item& item : items) {

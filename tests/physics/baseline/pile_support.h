@@ -5,12 +5,12 @@
 
 namespace rubble {
 
-/// The sleeping bodies that nothing holds up, found from the voxels alone, not from what physics thinks touches. Held
-/// up is what forces on its surface can balance: at points within 2 cm of something that is static or held up itself,
-/// pushing along the nearest distance out, with the friction of 45 degrees; and what a chain of such bodies joins to
-/// something static.
+/// The sleeping bodies without support, found from the voxels alone, independently of physics' contacts. A body is
+/// supported if forces on its surface can balance its weight. They act at points within 2 cm of something static or
+/// supported, along the shortest exit, with a friction angle of 45 degrees. A chain of supported bodies must connect it
+/// with something static.
 std::vector<BodyHandle> findUnsupported(const World& world);
-/// The movable bodies with an edge of a voxel within 2 cm of a box of the world.
+/// The dynamic bodies with an edge of a voxel within 2 cm of a box, world.
 std::vector<BodyHandle> findTouching(const World& world, glm::dvec3 low, glm::dvec3 high);
 
 }  // namespace rubble

@@ -1,18 +1,17 @@
 #include "tests/physics/scenes/joint_scenes.h"
 
+#include "runtime/core/constants.h"
 #include "tests/physics/scenes/known_scenes.h"
 
 namespace rubble::known {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
-/// A frame whose x axis is the world's z: of hinges that swing in the plane of x and y.
+/// A frame whose x axis is the world's z, for hinges that swing in the plane of x and y.
 Pose hingeAt(glm::dvec3 place) {
     return {place, glm::angleAxis(-0.5 * kPi, glm::dvec3(0, 1, 0))};
 }
 
-/// Adds a joint between bodies of a level that stand as they are there; -1: the world.
+/// Adds a joint between two bodies of a level at their poses; -1: the world.
 LevelJoint& addJoint(Level& level, JointKind kind, int first, int second, const Pose& frame) {
     LevelJoint joint{{.kind = kind}, {}};
     const std::array<int, 2> bodies = {first, second};
@@ -31,13 +30,13 @@ LevelJoint& addJoint(Level& level, JointKind kind, int first, int second, const 
 double apart(const World& world) {
     double most = 0.0;
     world.joints().forEach([&](JointHandle, const Joint& joint) {
-        most = std::max(
-            most, glm::length(world.jointToWorld(joint.ends[0]).position - world.jointToWorld(joint.ends[1]).position));
+        most = std::max(most, glm::length(jointToWorld(world, joint.ends[0]).position -
+                                          jointToWorld(world, joint.ends[1]).position));
     });
     return most;
 }
 
-/// Of a body that hangs in the plane of x and y, from straight down, radians.
+/// The angle of a body that hangs in the plane of x and y from straight down, radians.
 double angleOf(const Body& body) {
     const glm::dvec3 down = body.pose.rotation * glm::dvec3(0.0, -1.0, 0.0);
     return std::atan2(down.x, -down.y);
@@ -45,7 +44,7 @@ double angleOf(const Body& body) {
 
 void addBar(PhysicsScene& scene, double angle) {
     const glm::dquat turned = glm::angleAxis(angle, glm::dvec3(0, 0, 1));
-    scene.add(blockGrid({1, 10, 1}, 7), turned * glm::dvec3(-0.05, -1.0, -0.05), false, turned);
+    scene.add(solidGrid({1, 10, 1}, 7), turned * glm::dvec3(-0.05, -1.0, -0.05), false, turned);
     addJoint(scene.level, JointKind::Hinge, -1, 0, hingeAt({0, 0, 0}));
 }
 
@@ -56,7 +55,7 @@ Pendulum swing(const PhysicsSettings& settings, double degrees) {
     const double amplitude = degrees * kPi / 180.0;
     addBar(scene, amplitude);
     scene.load();
-    const MassProperties mass = scene.world.bodyMass(scene.handle(0));
+    const MassProperties mass = bodyMass(scene.world, scene.handle(0));
     const double d = glm::length(scene.center(0));
     Pendulum result;
     const double moment = mass.inertia[2] + mass.mass * d * d;
@@ -101,12 +100,12 @@ double hitLimit(const PhysicsSettings& settings, double limit) {
 
 Motor turn(const PhysicsSettings& settings) {
     PhysicsScene scene(settings);
-    scene.add(blockGrid({11, 1, 1}, 7), {-0.55, -0.05, -0.05}, false);
+    scene.add(solidGrid({11, 1, 1}, 7), {-0.55, -0.05, -0.05}, false);
     LevelJoint& hinge = addJoint(scene.level, JointKind::Hinge, -1, 0, hingeAt({0, 0, 0}));
     hinge.joint.motor = {MotorMode::Speed, 5.0, 20.0};
     scene.load();
     Motor result;
-    const double moment = scene.world.bodyMass(scene.handle(0)).inertia[2];
+    const double moment = bodyMass(scene.world, scene.handle(0)).inertia[2];
     result.expected = 20.0 / moment;
     const int steps = std::max(2, int(0.5 * 60.0 * 5.0 / result.expected));
     scene.step(steps);
@@ -119,10 +118,10 @@ Motor turn(const PhysicsSettings& settings) {
 double springPeriod(const PhysicsSettings& settings, double hertz) {
     PhysicsScene scene(sleepless(settings));
     scene.level.environment.gravity = {0, 0, 0};
-    scene.add(blockGrid({3, 3, 3}, 7), {-0.15, -0.15, -0.15}, false);
+    scene.add(solidGrid({3, 3, 3}, 7), {-0.15, -0.15, -0.15}, false);
     LevelJoint& slide = addJoint(scene.level, JointKind::Prismatic, -1, 0, {});
     slide.joint.spring = {hertz, 0.0};
-    slide.joint.ends[0].frame.position.x = 0.3;  // where it comes to rest
+    slide.joint.ends[0].frame.position.x = 0.3;  // its equilibrium
     scene.load();
     std::vector<double> crossings;
     double last = scene.center(0).x - 0.3;
@@ -137,11 +136,11 @@ double springPeriod(const PhysicsSettings& settings, double hertz) {
 
 double breakFixed(const PhysicsSettings& settings, double force) {
     PhysicsScene scene(settings);
-    scene.add(blockGrid({4, 4, 4}, 7), {0.0, 0.0, 0.0}, false);
+    scene.add(solidGrid({4, 4, 4}, 7), {0.0, 0.0, 0.0}, false);
     LevelJoint& joint = addJoint(scene.level, JointKind::Fixed, -1, 0, {{0.2, 0.4, 0.2}});
     joint.joint.breakForce = force;
     scene.load();
-    const double weight = scene.world.bodyMass(scene.handle(0)).mass * 9.81;
+    const double weight = bodyMass(scene.world, scene.handle(0)).mass * 9.81;
     scene.seconds(1.0);
     for (int i = 0; i < 2000; ++i) {
         const double pull = force * i / 1000.0;
@@ -157,7 +156,7 @@ double breakFixed(const PhysicsSettings& settings, double force) {
 Chain swingChain(const PhysicsSettings& settings, int links, double seconds) {
     PhysicsScene scene(settings);
     for (int i = 0; i < links; ++i) {
-        scene.add(blockGrid({4, 1, 1}, 7), {0.4 * i, -0.05, -0.05}, false);
+        scene.add(solidGrid({4, 1, 1}, 7), {0.4 * i, -0.05, -0.05}, false);
         addJoint(scene.level, JointKind::Ball, i - 1, i, {{0.4 * i, 0.0, 0.0}});
     }
     scene.load();
@@ -173,13 +172,13 @@ Chain swingChain(const PhysicsSettings& settings, int links, double seconds) {
 double hangHeavy(const PhysicsSettings& settings, int links, double ratio) {
     PhysicsScene scene(sleepless(settings));
     for (int i = 0; i < links; ++i) {
-        scene.add(blockGrid({1, 4, 1}, 7), {-0.05, -0.4 * (i + 1), -0.05}, false);
+        scene.add(solidGrid({1, 4, 1}, 7), {-0.05, -0.4 * (i + 1), -0.05}, false);
         addJoint(scene.level, JointKind::Ball, i - 1, i, {{0.0, -0.4 * i, 0.0}});
     }
     const uint32_t light = scene.level.materials.materials[7].density;
     const int side = 10;
     const uint8_t heavy = setMaterial(scene, 8, 0.5f, 0.0f, uint32_t(light * ratio * 4.0 / (side * side * side)));
-    scene.add(blockGrid({side, side, side}, heavy), {-0.5, -0.4 * links - 1.0, -0.5}, false);
+    scene.add(solidGrid({side, side, side}, heavy), {-0.5, -0.4 * links - 1.0, -0.5}, false);
     addJoint(scene.level, JointKind::Ball, links - 1, links, {{0.0, -0.4 * links, 0.0}});
     scene.load();
     scene.seconds(10.0);
@@ -192,7 +191,7 @@ RopeSwing swingOnRope(const PhysicsSettings& settings, double ratio) {
     const uint8_t heavy = setMaterial(scene, 8, 0.5f, 0.0f, uint32_t(massOfPoint * ratio / 0.125));
     const double angle = 0.2;
     const glm::dvec3 low = {5.0 * std::sin(angle), 10.0 - 5.0 * std::cos(angle), 0.0};
-    scene.add(blockGrid({5, 5, 5}, heavy), low - glm::dvec3(0.25, 0.5, 0.25), false);
+    scene.add(solidGrid({5, 5, 5}, heavy), low - glm::dvec3(0.25, 0.5, 0.25), false);
     LevelJoint& rope = addJoint(scene.level, JointKind::Rope, -1, 0, {low});
     rope.joint.ends[0].frame = {{0.0, 10.0, 0.0}};
     rope.joint.rope.points = 13;
@@ -215,17 +214,17 @@ RopeSwing swingOnRope(const PhysicsSettings& settings, double ratio) {
     }
     result.period =
         crossings.size() < 3 ? 0.0 : (crossings.back() - crossings.front()) / (0.5 * double(crossings.size() - 1));
-    // Two links: the rope, and the block below it, which turns with it but for its own moment of inertia; and the
-    // amplitude's correction.
+    // A double pendulum of the rope and the block below it, with the block's moment of inertia and the correction for
+    // the amplitude.
     result.expected = 2.0 * kPi * std::sqrt((length + 0.25) / 9.81) * (1.0 + angle * angle / 16.0);
     return result;
 }
 
 Pulley hangOver(const PhysicsSettings& settings) {
     PhysicsScene scene(sleepless(settings));
-    scene.add(blockGrid({2, 2, 20}, 7), {-0.1, 5.0, -1.0}, true);
-    scene.add(blockGrid({4, 4, 4}, 7), {-0.55, 2.0, -0.2}, false);
-    scene.add(blockGrid({4, 16, 4}, 7), {0.15, 2.0, -0.2}, false);
+    scene.add(solidGrid({2, 2, 20}, 7), {-0.1, 5.0, -1.0}, true);
+    scene.add(solidGrid({4, 4, 4}, 7), {-0.55, 2.0, -0.2}, false);
+    scene.add(solidGrid({4, 16, 4}, 7), {0.15, 2.0, -0.2}, false);
     LevelJoint& rope = addJoint(scene.level, JointKind::Rope, 1, 2, {});
     rope.joint.ends[0].frame = {{0.2, 0.4, 0.2}};
     rope.joint.ends[1].frame = {{0.2, 1.6, 0.2}};
@@ -244,7 +243,7 @@ Pulley hangOver(const PhysicsSettings& settings) {
     for (int i = 0; i < 90; ++i) {
         scene.step();
         result.risen = scene.center(1).y - from;
-        if (result.risen > 2.0) break;  // soon it is pulled over the beam
+        if (result.risen > 2.0) break;  // before it is pulled over the beam
         for (const RopePoint& point : scene.world.joints().at(scene.world.joints().handleAt(0)).points)
             if (std::abs(point.position.z) < 1.0)
                 result.sunk = std::max(result.sunk, std::min({0.1 - std::abs(point.position.x), 5.2 - point.position.y,

@@ -1,57 +1,55 @@
 #pragma once
 #include "tests/physics/physics_scene.h"
 
-/// Scenes of joints with known answers (ACCURACY: P07).
+/// Scenes of joints with known answers.
 namespace rubble::known {
 
-/// A bar of 1 m on a hinge at its upper end, let go at an angle.
 struct Pendulum {
-    double period = 0.0;    ///< s, over ten swings to and fro or fewer
+    double period = 0.0;    ///< s, over at most ten swings
     double expected = 0.0;  ///< of a rigid body of that moment of inertia and amplitude
-    double kept = 0.0;      ///< share of the amplitude after them
+    double kept = 0.0;      ///< fraction of the amplitude after them
 };
+/// A bar of 1 m on a hinge at its upper end, released at an angle.
 Pendulum swing(const PhysicsSettings& settings, double degrees);
 
-/// A bar that swings on a hinge against a limit: how far beyond it was at most, radians.
+/// A bar that swings on a hinge against a limit (radians): how far it went beyond at most, radians.
 double hitLimit(const PhysicsSettings& settings, double limit);
 
-/// A bar turned about its middle by a motor that is to reach 5 rad/s with 20 N m.
 struct Motor {
     double acceleration = 0.0, expected = 0.0;  ///< rad/s2, over the first half second
-    double speed = 0.0;                         ///< at the end
+    double speed = 0.0;                         ///< rad/s, at the end
 };
+/// A bar rotated about its middle by a motor with a target of 5 rad/s and a torque of 20 N m.
 Motor turn(const PhysicsSettings& settings);
 
-/// A block on a prismatic spring without damping, s.
+/// The period of a block on an undamped prismatic spring, s.
 double springPeriod(const PhysicsSettings& settings, double hertz);
 
-/// The force at which a fixed joint broke that bears any less, as a share of what it was to bear.
+/// The force at which a fixed joint of this break force (N) breaks, as a fraction of it.
 double breakFixed(const PhysicsSettings& settings, double force);
 
-/// A chain of links, let go level; the farthest that the ends of a joint are apart after some seconds, and within them,
-/// metres.
 struct Chain {
-    double apart = 0.0, worst = 0.0;
+    double apart = 0.0, worst = 0.0;  ///< metres between the ends of a joint, at the end and at most
 };
+/// A chain that is released horizontally and swings for a time.
 Chain swingChain(const PhysicsSettings& settings, int links, double seconds);
 
-/// A block that hangs from a link `ratio` times as light: how far the joints are apart at rest, metres.
+/// A block that hangs from a chain of links, each `ratio` times as light: how far the joints are apart at rest, metres.
 double hangHeavy(const PhysicsSettings& settings, int links, double ratio);
 
-/// A block that swings on a rope of 5 m, `ratio` times as heavy as one of its points: how much longer than that the way
-/// from end to end was at most, metres; and the period of its swing.
 struct RopeSwing {
-    double stretched = 0.0;
-    double longest = 0.0;  ///< of the chain of points, beyond its length, metres
-    double period = 0.0, expected = 0.0;
+    double stretched = 0.0;               ///< path from end to end beyond the rope's length, at most, metres
+    double longest = 0.0;                 ///< length of the chain of points beyond the rope's, at most, metres
+    double period = 0.0, expected = 0.0;  ///< s
 };
+/// A block that swings on a rope of 5 m, `ratio` times as heavy as one of the rope's points.
 RopeSwing swingOnRope(const PhysicsSettings& settings, double ratio);
 
-/// A rope over a beam with a block on each end, one four times as heavy: how far the light one has risen in 1.5 s, and
-/// how far the rope's points are inside the beam at most, metres.
 struct Pulley {
-    double risen = 0.0, sunk = 0.0;
+    double risen = 0.0;  ///< metres by which the light block has risen in 1.5 s
+    double sunk = 0.0;   ///< depth of the rope's points inside the beam, at most, metres
 };
+/// A rope over a beam with a block on each end, one four times as heavy.
 Pulley hangOver(const PhysicsSettings& settings);
 
 }  // namespace rubble::known

@@ -64,7 +64,7 @@ FreeSpin spinFreely(const PhysicsSettings& settings, VoxelGrid grid, glm::dvec3 
     scene.level.environment.gravity = {0, 0, 0};
     scene.add(std::move(grid), {0, 0, 0}, false).angularVelocity = angularVelocity;
     scene.load();
-    const MassProperties mass = scene.world.bodyMass(scene.handle(0));
+    const MassProperties mass = bodyMass(scene.world, scene.handle(0));
     FreeSpin result;
     SpinWatch watch(mass.principalInertia, result);
     for (int i = 0; i <= int(seconds * 60.0); ++i) {
@@ -111,13 +111,13 @@ Slide slideDown(const PhysicsSettings& settings, double degrees, double heading,
     PhysicsScene scene(sleepless(settings));
     const uint8_t entry = setMaterial(scene, 7, float(friction), 0.0f);
     const glm::dvec3 up(0, 1, 0);
-    // The plane is turned under the block, so that its cells lie askew to the slope too.
+    // The plane is rotated under the block, so that its cells are not aligned with the slope either.
     const glm::dquat tilt = glm::angleAxis(glm::radians(degrees), glm::dvec3(0, 0, 1)),
                      turn = glm::angleAxis(heading, up);
     const glm::dquat plane = tilt * glm::angleAxis(0.37 * heading, up), block = tilt * turn;
-    static const VoxelGrid ground = blockGrid({600, 5, 600}, 7);
+    static const VoxelGrid ground = solidGrid({600, 5, 600}, 7);
     scene.add(ground, plane * glm::dvec3(-30, -0.5, -30), true, plane);
-    scene.add(blockGrid({10, 3, 8}, entry), tilt * glm::dvec3(20, 0, 0) + block * glm::dvec3(-0.5, 0, -0.4), false,
+    scene.add(solidGrid({10, 3, 8}, entry), tilt * glm::dvec3(20, 0, 0) + block * glm::dvec3(-0.5, 0, -0.4), false,
               block);
     scene.load();
     std::vector<glm::dvec3> at;
@@ -132,7 +132,7 @@ Slide slideDown(const PhysicsSettings& settings, double degrees, double heading,
 Tower stack(const PhysicsSettings& settings, int cubes, double seconds) {
     PhysicsScene scene(settings);
     scene.addFloor();
-    for (int i = 0; i < cubes; ++i) scene.add(blockGrid({5, 5, 5}, 7), {0, 0.5 * i, 0}, false);
+    for (int i = 0; i < cubes; ++i) scene.add(solidGrid({5, 5, 5}, 7), {0, 0.5 * i, 0}, false);
     scene.load();
     scene.seconds(seconds);
     Tower tower;
@@ -151,8 +151,8 @@ double sink(const PhysicsSettings& settings, double ratio) {
     const uint8_t light = setMaterial(scene, 7, 0.6f, 0.0f, 10),
                   heavy = setMaterial(scene, 8, 0.6f, 0.0f, uint32_t(10.0 * ratio));
     scene.addFloor(light);
-    scene.add(blockGrid({5, 5, 5}, light), {0, 0, 0}, false);
-    scene.add(blockGrid({5, 5, 5}, heavy), {0, 0.5, 0}, false);
+    scene.add(solidGrid({5, 5, 5}, light), {0, 0, 0}, false);
+    scene.add(solidGrid({5, 5, 5}, heavy), {0, 0.5, 0}, false);
     scene.load();
     double deepest = 0.0;
     for (int i = scene.stepsIn(10.0); i > 0; --i) {
@@ -166,21 +166,21 @@ double unrest(const PhysicsSettings& settings, double voxelSize, glm::ivec3 size
     PhysicsScene scene(sleepless(settings));
     scene.level.environment.gravity = {0.0f, -float(gravity), 0.0f};
     scene.addFloor();
-    if (voxelSize > 0.1) {  // large things want a large floor
+    if (voxelSize > 0.1) {  // large bodies need a large floor
         scene.level.bodies[0].pose.position *= voxelSize / 0.1;
         scene.level.bodies[0].shapes[0].voxelSize = float(voxelSize);
     }
     const int longest = std::max(size.x, size.z);
     for (int i = 0; i < 9; ++i) {
         LevelBody& body =
-            scene.add(blockGrid(size, 7),
+            scene.add(solidGrid(size, 7),
                       {(i % 3 - 1.5) * voxelSize * (longest + 2.3), voxelSize * (0.5 + 0.06 * longest),
                        (i / 3 - 1.5) * voxelSize * (longest + 2.7)},
                       false, glm::angleAxis(0.1 * i, glm::normalize(glm::dvec3(0.1 * (i % 2), 1, 0.05 * (i % 3)))));
         body.shapes[0].voxelSize = float(voxelSize);
     }
     scene.load();
-    scene.seconds(6.0 * std::max(1.0, std::sqrt(voxelSize * 9.81 / gravity)));  // large things fall slowly
+    scene.seconds(6.0 * std::max(1.0, std::sqrt(voxelSize * 9.81 / gravity)));  // large bodies take longer
     double fastest = 0.0;
     for (int i = 0; i < 60; ++i) {
         scene.step();
@@ -195,7 +195,7 @@ Shots shoot(const PhysicsSettings& settings, int count, uint64_t seed, double fa
     const auto uniform = [&](double low, double high) {
         return low + (high - low) * (double(random.below(1u << 30)) / double(1u << 30));
     };
-    const VoxelGrid wall = blockGrid({28, thickness, 28}, 7);
+    const VoxelGrid wall = solidGrid({28, thickness, 28}, 7);
     for (; shots.fired < count; ++shots.fired) {
         PhysicsScene scene(sleepless(settings));
         scene.level.environment.gravity = {0, 0, 0};
@@ -208,7 +208,7 @@ Shots shoot(const PhysicsSettings& settings, int count, uint64_t seed, double fa
         const glm::dquat turn = glm::normalize(glm::dquat(uniform(-1, 1), x, y, z));
         const glm::dvec3 start = from * std::max(distance, 0.5 / from.y);
         LevelBody& shot =
-            scene.add(blockGrid(glm::ivec3(size), 7), start - turn * glm::dvec3(0.05 * size), false, turn);
+            scene.add(solidGrid(glm::ivec3(size), 7), start - turn * glm::dvec3(0.05 * size), false, turn);
         shot.velocity = from * -speed;
         const double wx = uniform(-30, 30), wy = uniform(-30, 30), wz = uniform(-30, 30);
         shot.angularVelocity = {wx, wy, wz};
@@ -225,7 +225,7 @@ Shots shootPairs(const PhysicsSettings& settings, int count, uint64_t seed, doub
     const auto uniform = [&](double low, double high) {
         return low + (high - low) * (double(random.below(1u << 30)) / double(1u << 30));
     };
-    const VoxelGrid wall = blockGrid({64, 1, 64}, 7);
+    const VoxelGrid wall = solidGrid({64, 1, 64}, 7);
     for (; shots.fired < count; ++shots.fired) {
         PhysicsScene scene(sleepless(settings));
         scene.level.environment.gravity = {0, 0, 0};
@@ -240,7 +240,7 @@ Shots shootPairs(const PhysicsSettings& settings, int count, uint64_t seed, doub
             const glm::dquat turn = glm::normalize(glm::dquat(uniform(-1, 1), x, y, z));
             const glm::dvec3 start = from * std::max(speed * (soon + (i ? uniform(0.0, late) : 0.0)), 0.5 / from.y);
             LevelBody& shot =
-                scene.add(blockGrid(glm::ivec3(size), 7), start - turn * glm::dvec3(0.05 * size), false, turn);
+                scene.add(solidGrid(glm::ivec3(size), 7), start - turn * glm::dvec3(0.05 * size), false, turn);
             shot.velocity = from * -speed;
             const double wx = uniform(-30, 30), wy = uniform(-30, 30), wz = uniform(-30, 30);
             shot.angularVelocity = {wx, wy, wz};
@@ -254,7 +254,7 @@ Shots shootPairs(const PhysicsSettings& settings, int count, uint64_t seed, doub
                 const glm::dvec3 a = before[size_t(i)], b = scene.center(i + 1);
                 if (!(a.y > 0.0 && b.y <= 0.0)) continue;
                 const glm::dvec3 at = a + (b - a) * (a.y / (a.y - b.y));
-                through = through || std::max(std::abs(at.x), std::abs(at.z)) < 2.8;  // not round its edge
+                through = through || std::max(std::abs(at.x), std::abs(at.z)) < 2.8;  // not around its edge
             }
         }
         shots.through += through;
@@ -266,8 +266,8 @@ SeamRide rideOverSeams(const PhysicsSettings& settings, int voxels, int shapes) 
     PhysicsScene scene(sleepless(settings));
     const uint8_t entry = setMaterial(scene, 7, 0.0f, 0.0f);
     const int each = (voxels + 40) / shapes;
-    for (int i = 0; i < shapes; ++i) scene.add(blockGrid({each, 4, 30}, entry), {i * each * 0.1, -0.4, 0}, true);
-    scene.add(blockGrid({7, 3, 7}, entry), {0.5, 0, 1.13}, false).velocity = {5, 0, 0};
+    for (int i = 0; i < shapes; ++i) scene.add(solidGrid({each, 4, 30}, entry), {i * each * 0.1, -0.4, 0}, true);
+    scene.add(solidGrid({7, 3, 7}, entry), {0.5, 0, 1.13}, false).velocity = {5, 0, 0};
     scene.load();
     SeamRide ride;
     const int steps = int(voxels * 0.1 / 5.0 * 60.0);
@@ -287,10 +287,10 @@ Collision collide(const PhysicsSettings& settings, double restitution) {
     scene.level.environment.gravity = {0, 0, 0};
     const uint8_t light = setMaterial(scene, 7, 0.5f, float(restitution), 1000),
                   heavy = setMaterial(scene, 8, 0.5f, float(restitution), 2000);
-    scene.add(blockGrid({5, 5, 5}, light), {-1.013, 0, 0}, false).velocity = {3, 0, 0};
-    scene.add(blockGrid({5, 5, 5}, heavy), {1.0, 0, 0}, false).velocity = {-1, 0, 0};
+    scene.add(solidGrid({5, 5, 5}, light), {-1.013, 0, 0}, false).velocity = {3, 0, 0};
+    scene.add(solidGrid({5, 5, 5}, heavy), {1.0, 0, 0}, false).velocity = {-1, 0, 0};
     scene.load();
-    const double m1 = scene.world.bodyMass(scene.handle(0)).mass, m2 = scene.world.bodyMass(scene.handle(1)).mass;
+    const double m1 = bodyMass(scene.world, scene.handle(0)).mass, m2 = bodyMass(scene.world, scene.handle(1)).mass;
     scene.seconds(1.0);
     const double v1 = scene.body(0).velocity.x, v2 = scene.body(1).velocity.x, before = m1 * 3 - m2;
     return {(m1 * v1 + m2 * v2 - before) / (m1 * 3 + m2), (v2 - v1) / 4.0};
@@ -299,15 +299,15 @@ Collision collide(const PhysicsSettings& settings, double restitution) {
 Container fillContainer(const PhysicsSettings& settings, int count, double seconds) {
     PhysicsScene scene(sleepless(settings));
     const int inside = 6 * count + 2;  // cells
-    scene.add(blockGrid({inside + 4, 2, inside + 4}, 7), {-0.2, -0.2, -0.2}, true);
+    scene.add(solidGrid({inside + 4, 2, inside + 4}, 7), {-0.2, -0.2, -0.2}, true);
     for (const int side : {0, 1}) {
         const double at = side ? inside * 0.1 : -0.2;
-        scene.add(blockGrid({2, 12 * count, inside + 4}, 7), {at, 0, -0.2}, true);
-        scene.add(blockGrid({inside + 4, 12 * count, 2}, 7), {-0.2, 0, at}, true);
+        scene.add(solidGrid({2, 12 * count, inside + 4}, 7), {at, 0, -0.2}, true);
+        scene.add(solidGrid({inside + 4, 12 * count, 2}, 7), {-0.2, 0, at}, true);
     }
     for (int i = 0; i < count * count * count; ++i) {
         const glm::dvec3 cell(i % count, i / (count * count), i / count % count);
-        scene.add(blockGrid({5, 5, 5}, 7), cell * 0.6 + glm::dvec3(0.1 + 0.02 * (i % 3), 0.05, 0.1 + 0.02 * (i % 5)),
+        scene.add(solidGrid({5, 5, 5}, 7), cell * 0.6 + glm::dvec3(0.1 + 0.02 * (i % 3), 0.05, 0.1 + 0.02 * (i % 5)),
                   false, glm::angleAxis(0.01 * (i % 7), glm::dvec3(0, 1, 0)));
     }
     scene.load();
@@ -332,8 +332,8 @@ Container fillContainer(const PhysicsSettings& settings, int count, double secon
 Recovery partOverlapping(const PhysicsSettings& settings, double share) {
     PhysicsScene scene(sleepless(settings));
     scene.addFloor();
-    scene.add(blockGrid({5, 5, 5}, 7), {0, 0, 0}, false);
-    scene.add(blockGrid({5, 5, 5}, 7), {0.02, 0.5 * (1.0 - share), 0.03}, false);
+    scene.add(solidGrid({5, 5, 5}, 7), {0, 0, 0}, false);
+    scene.add(solidGrid({5, 5, 5}, 7), {0.02, 0.5 * (1.0 - share), 0.03}, false);
     scene.load();
     Recovery recovery;
     for (int i = 0; i < 180; ++i) {
@@ -350,8 +350,8 @@ Recovery partOverlapping(const PhysicsSettings& settings, double share) {
 Level tumblingLevel(glm::dvec3 middle) {
     PhysicsScene scene;
     scene.addFloor(7, middle);
-    for (int i = 0; i < 4; ++i) scene.add(blockGrid({5, 5, 5}, 7), middle + glm::dvec3(0.05 * i, 0.5 * i, 0), false);
-    scene.add(blockGrid({9, 2, 3}, 7), middle + glm::dvec3(-3, 1.5, 1), false, glm::angleAxis(0.5, glm::dvec3(0, 0, 1)))
+    for (int i = 0; i < 4; ++i) scene.add(solidGrid({5, 5, 5}, 7), middle + glm::dvec3(0.05 * i, 0.5 * i, 0), false);
+    scene.add(solidGrid({9, 2, 3}, 7), middle + glm::dvec3(-3, 1.5, 1), false, glm::angleAxis(0.5, glm::dvec3(0, 0, 1)))
         .angularVelocity = {1, 2, 5};
     scene.add(tHandle(), middle + glm::dvec3(2, 2, -2), false).velocity = {-1, 0, 2};
     return scene.level;
