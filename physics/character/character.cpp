@@ -12,12 +12,15 @@
 // Sliding: sweep the capsule along the wished displacement d. At a contact with the normal n, stop a skin's width
 // before it and remove the part of the rest of d that goes into it: d -= n min(0, d . n). Sweep again, a few times. If
 // d then goes into an earlier wall with the normal m, it may only follow the corner: d becomes its part along m x n.
-// What is steeper than the character can climb is a vertical wall: n loses its y. Stepping: when sliding along the
-// ground was stopped, try again lifted by the step height, then sweep down. The step counts if it leads farther and
-// onto a face that can be stood on, with room ahead. The order of a step: move with the ground; push out of what came
-// into the capsule (dynamic bodies first, static ones have the last word); choose the velocity from the wish (ground,
-// air or water); move; look for ground. Since every sweep ends a skin's width short, the capsule is never inside
-// something static. Bodies get impulses, as from a mass that pushes with a limited force.
+// What is steeper than the character can climb is a vertical wall: n loses its y.
+//
+// Stepping: when sliding along the ground was stopped, try again lifted by the step height, then sweep down. The step
+// counts if it leads farther and onto a face that can be stood on, with free space ahead.
+//
+// The order of a step: move with the ground; push out of what came into the capsule, of dynamic bodies first and of
+// static ones last; choose the velocity from the wish (ground, air or water); move; look for ground. Since every sweep
+// ends a skin's width short, the capsule is never inside something static. Bodies get impulses, as from a mass that
+// pushes with a limited force.
 
 namespace rubble {
 namespace {

@@ -1,13 +1,13 @@
 #pragma once
 
-// Soft constraints, the one way in which contacts and joints correct errors of position.
+// Soft constraints, with which contacts and joints correct errors of position.
 //
 // Derivation (Catto, "Soft Constraints", GDC 2011; "Solver2D", 2024). Let a constraint of effective mass m have the
 // error C and the velocity v = dC/dt. A spring of natural frequency w = 2 pi hertz and damping ratio z gives it the
 // force
 //     f = -m w^2 C - 2 m z w v.
-// Implicit Euler over h seconds takes C and v at the end of the step, C' = C + h v', and the impulse h f changes v by h
-// f / m:
+// Implicit Euler over h seconds takes C and v at the end of the step, with C' = C + h v'. The velocity changes by
+// h f / m, so
 //     v' (1 + 2 z h w + h^2 w^2) = v - h w^2 C.
 // With a1 = 2 z + h w, a2 = h w a1 and a3 = 1 / (1 + a2) a solver reaches the same v' by iterating the impulse
 //     lambda = -m massScale (v + biasRate C) - impulseScale (sum of lambda so far)

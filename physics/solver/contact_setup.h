@@ -10,7 +10,7 @@ namespace rubble {
 
 /// The states of the bodies at the start of the step.
 void prepareStates(ContactSet& set, std::span<const SolverBody> bodies);
-/// Fills in the constraints of a pair, whose range has room for its points and an inscribed sphere. Reads bodies and
+/// Fills in the constraints of a pair, whose range must hold its points and one inscribed sphere. Reads bodies and
 /// states, writes only what belongs to the pair. up: unit vector against gravity, or 0. seconds: of the step.
 /// [any thread]
 void preparePair(ContactSet& set, PairConstraints& pair, std::span<const SolverBody> bodies, const glm::vec3& up,

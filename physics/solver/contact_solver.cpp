@@ -78,7 +78,7 @@ void ContactSolver::prepare(std::span<const SolverBody> bodies, std::span<Manifo
         const auto [a, b] = bodyOf[m];
         m_set.states[size_t(a)].isConstrained = m_set.states[size_t(b)].isConstrained = true;
         m_set.pairs.push_back({a, b, count, count + manifolds[m]->all().size(), 1, manifolds[m]});
-        count = m_set.pairs.back().to + 1;  // room for an inscribed sphere
+        count = m_set.pairs.back().to + 1;  // one more for an inscribed sphere
     }
     m_set.constraints.resize(count);
     forEachBlockwise(m_parallelFor, m_set.pairs.size(),
