@@ -30,7 +30,9 @@ public:
     /// An empty world. `id`, 1 to 255, is in all its handles: those of another world are stale here.
     explicit World(uint8_t id = 1);
     ~World();
+    /// A copy with the same id: handles of one are valid in the other. Costs the number of objects, not of voxels.
     World(const World&);
+    /// Leaves the other one empty.
     World(World&&) noexcept;
     World& operator=(const World&);
     World& operator=(World&&) noexcept;
@@ -64,8 +66,7 @@ public:
 
     /// State and indexes, to read.
     const WorldData& data() const { return m_data; }
-    operator const WorldData&() const { return m_data; }
-    /// The world's number, which is in all its handles.
+    /// The number that all handles of this world carry.
     uint8_t id() const { return m_data.id; }
     /// Steps done since the level was loaded.
     uint64_t step() const { return m_data.step; }
@@ -94,6 +95,8 @@ public:
     const MaterialTable& materials() const { return m_data.materials; }
     /// Sky, sun, air, exposure and gravity.
     const Environment& environment() const { return m_data.environment; }
+
+    operator const WorldData&() const { return m_data; }
 
 private:
     bool runHistory(const Edits& edits, FrameChanges& changes);

@@ -20,43 +20,43 @@
 
 namespace rubble {
 
-/// Removes what is inside, class by class. World space, metres. Touches every shape its bounds meet, or only `shape`.
+/// Removes the voxels inside a sphere, box or capsule, with a radius for each hardness class. World space, metres.
 struct CarveEdit {
     BrushKind kind = BrushKind::Sphere;
-    glm::dvec3 position{0.0};         ///< sphere and box: centre; capsule: one end
-    glm::dvec3 end{0.0};              ///< capsule: other end
-    glm::dvec3 halfSize{0.0};         ///< box
-    glm::dquat rotation{1, 0, 0, 0};  ///< box
-    std::array<double, 3> radii{};  ///< soft, medium, hard (MakeHole's r0 >= r1 >= r2); box: unused, hardnessLimit says
-    Hardness hardnessLimit = Hardness::Hard;  ///< box: the hardest class it removes
-    ShapeHandle shape;                        ///< empty: all
-    Tool tool = Tool::Any;                    ///< removes only what this tool breaks
+    glm::dvec3 position{0.0};                 ///< sphere and box: centre; capsule: one end
+    glm::dvec3 end{0.0};                      ///< capsule: other end
+    glm::dvec3 halfSize{0.0};                 ///< box
+    glm::dquat rotation{1, 0, 0, 0};          ///< box
+    std::array<double, 3> radii{};            ///< soft, medium, hard, falling (MakeHole's r0, r1, r2); box: unused
+    Hardness hardnessLimit = Hardness::Hard;  ///< box: the hardest class that it removes
+    ShapeHandle shape;                        ///< empty: all in reach
+    Tool tool = Tool::Any;                    ///< removes only materials that this tool breaks
 };
 
-/// Breaks what is inside a sphere out of its shapes, as fragments and dust in the style of each material. Glass goes by
-/// the whole pane.
+/// Breaks the voxels inside a sphere out of their shapes, as fragments and dust in the style of each material. Glass
+/// breaks by the whole pane.
 struct BreakEdit {
     glm::dvec3 position{0.0};
     std::array<double, 3> radii{};  ///< metres, for soft, medium and hard materials
     Tool tool = Tool::Any;
-    uint32_t seed = 0;  ///< of where the cracks run
-    ShapeHandle shape;  ///< empty: all
+    uint32_t seed = 0;  ///< decides where the cracks run
+    ShapeHandle shape;  ///< empty: all in reach
 };
 
-/// Breaks, scorches and pushes: bodies in reach get an impulse away from the centre.
+/// Breaks, paints soot, and pushes bodies away from the centre.
 struct ExplodeEdit {
     glm::dvec3 position{0.0};
-    double size = 1.0;     ///< 0.5 to 4, as in the reference game: radii 1.0, 0.7 and 0.4 of it, in metres
-    double impulse = 0.0;  ///< N s on a body at the centre; 0: size decides
+    double size = 1.0;     ///< 0.5 to 4, as in Teardown: radii are 1.0, 0.7 and 0.4 of it, in metres
+    double impulse = 0.0;  ///< N s on a body at the centre; 0: by size
 };
 
-/// Blends the colours of voxels at the surface toward a paint, a step a call: sprays, soot, skid marks.
+/// Blends the colours of voxels at the surface toward a paint colour, a little each time: sprays, soot, skid marks.
 struct PaintEdit {
     glm::dvec3 position{0.0};
     double radius = 0.5;                      ///< metres
     std::array<uint8_t, 3> color{255, 0, 0};  ///< sRGB
-    uint8_t strength = 64;                    ///< share of the way to the paint in one step, of 255
-    uint8_t probability = 255;  ///< share of voxels editState at the rim, of 255; the centre is always editState
+    uint8_t strength = 64;                    ///< weight of the paint in the blend, of 255
+    uint8_t probability = 255;                ///< share of voxels painted at the rim, of 255; at the centre all are
     uint32_t seed = 0;
     uint8_t falloff = 255;                ///< share of the strength that is left at the rim, of 255
     PaintMode mode = PaintMode::Default;  ///< blend or layer
@@ -65,51 +65,52 @@ struct PaintEdit {
     ShapeHandle shape;                    ///< empty: all
 };
 
-/// A blow to a shape as a whole, while StressSettings are on: it breaks where it is weakest, not only where it is hit.
-/// What stands carries the blow to its anchors, what flies carries it to its own mass.
+/// Loads a shape as a whole by an impact, while StressSettings are on: it breaks where it is weakest, not only where it
+/// is hit. Standing shapes carry the load to their anchors; pieces balance it by their inertia.
 struct ImpactLoadEdit {
     ShapeHandle shape;
     glm::dvec3 position{0.0};
     glm::dvec3 impulse{0.0};  ///< N s, on the shape
 };
 
+/// Pushes a free body at a point, after the other edits of the step have split what they split.
 struct ImpulseEdit {
     BodyHandle body;
     glm::dvec3 position{0.0};
     glm::dvec3 impulse{0.0};  ///< N s
 };
 
-/// Replaces the world's settings, so that a change of a budget is part of the log.
+/// Replaces the world's settings, so that a change of them is part of a recording.
 struct SettingsEdit {
     WorldSettings settings;
 };
 
-/// Undo and redo; see UndoHistory. They happen before the other edits of their step.
 enum class HistoryAction : uint8_t { Mark, Undo, Redo };
+/// Undo and redo; see UndoHistory. They happen before the other edits of their step.
 struct HistoryEdit {
     HistoryAction action = HistoryAction::Mark;
 };
 
-/// Heats what is within a sphere: each brick by its share of the surface there. What gets hot enough burns by itself.
+/// Heats the bricks in a sphere, each by its share of the surface there. What gets hot enough ignites by itself.
 struct HeatEdit {
     glm::dvec3 position{0.0};
     double radius = 0.5;  ///< metres
-    double joules = 0.0;  ///< in all; a square metre of wood wants about 200 kJ
-    bool ignite = false;  ///< lights what can updateFires at once
+    double joules = 0.0;  ///< in all; a square metre of wood needs about 200 kJ to ignite
+    bool ignite = false;  ///< ignites what can burn at once
     ShapeHandle shape;    ///< empty: all
 };
-/// A fire at a place, if something there burns.
+/// Ignites what can burn within `radius` metres of a place.
 inline HeatEdit spawnFire(glm::dvec3 position, double radius = 0.25) {
     return {.position = position, .radius = radius, .ignite = true};
 }
 
-/// Puts fires out and wets what is there: neither heat nor fire get at it for a while.
+/// Puts fires out and wets the bricks there: wet bricks take no heat.
 struct ExtinguishEdit {
     glm::dvec3 position{0.0};
     double radius = 1.0;      ///< metres
     double wetSeconds = 0.0;  ///< 0: nothing gets wet, as with carbon dioxide
 };
-/// What a hose or a bucket does.
+/// A hose or a bucket of water: puts fires out and wets for 20 s.
 inline ExtinguishEdit pourWater(glm::dvec3 position, double radius) {
     return {.position = position, .radius = radius, .wetSeconds = 20.0};
 }
@@ -119,44 +120,51 @@ struct RemoveFiresEdit {
     glm::dvec3 low{0.0}, high{0.0};
 };
 
-/// Gives a shape another collision layer and mask: two shapes touch if each one's layer is in the other's mask.
+/// Gives a shape another collision layer and mask: two shapes collide if each one's layer is in the other's mask.
 struct SetCollisionEdit {
     ShapeHandle shape;
     uint8_t layer = 1, mask = 255;  ///< bits
 };
 
+/// Adds a body of water; FrameChanges::waters names it.
 struct AddWaterEdit {
     Water water;
 };
+/// Erases a body of water.
 struct RemoveWaterEdit {
     WaterHandle water;
 };
-/// Who is inside is found in the same step.
+/// Adds a trigger; FrameChanges::triggers names it. Bodies inside are found in the same step.
 struct AddTriggerEdit {
     Trigger trigger;
 };
+/// Erases a trigger.
 struct RemoveTriggerEdit {
     TriggerHandle trigger;
 };
+/// Adds a character; FrameChanges::characters names it.
 struct AddCharacterEdit {
     Character character;
 };
+/// Erases a character.
 struct RemoveCharacterEdit {
     CharacterHandle character;
 };
-/// What a character wants from now on.
+/// Sets what a character wants from now on.
 struct MoveCharacterEdit {
     CharacterHandle character;
-    glm::dvec3 wish{0.0};  ///< m/s, world; the vertical part counts in water only
+    glm::dvec3 wish{0.0};  ///< velocity wished for, m/s, world; the vertical part counts in water only
     bool jump = false;     ///< in this step, if it stands or swims
     bool crouch = false;
 };
 /// Puts a character somewhere else.
 struct PlaceCharacterEdit {
     CharacterHandle character;
-    glm::dvec3 position{0.0}, velocity{0.0};  ///< of the feet
+    glm::dvec3 position{0.0};  ///< of the feet, metres, world
+    glm::dvec3 velocity{0.0};  ///< m/s
 };
 
+/// The kinds of edits.
 using AnyEdit =
     std::variant<CarveEdit, ExplodeEdit, PaintEdit, ImpulseEdit, SettingsEdit, HistoryEdit, HeatEdit, ExtinguishEdit,
                  RemoveFiresEdit, BreakEdit, SplitShapeEdit, MergeShapeEdit, TrimShapeEdit, ResizeShapeEdit,
@@ -169,9 +177,9 @@ using AnyEdit =
 /// held.
 struct Edit : AnyEdit {
     using AnyEdit::AnyEdit;
-    Edit();  ///< an empty carve, for containers and readers
-    Edit(const Edit&);
-    Edit(Edit&&) noexcept;
+    Edit();                 ///< an empty carve, for containers and readers
+    Edit(const Edit&);      ///< compiled once
+    Edit(Edit&&) noexcept;  ///< compiled once
     Edit& operator=(const Edit&);
     Edit& operator=(Edit&&) noexcept;
     ~Edit();
@@ -179,17 +187,21 @@ struct Edit : AnyEdit {
 /// Edits in the order in which the step applies them.
 using Edits = std::vector<Edit>;
 
-/// Where a host leaves edits for the next step. [main-thread]
+/// Collects edits for the next step. Owned by the main thread.
 class EditQueue {
 public:
+    /// Adds an edit behind the others.
     void push(Edit edit) { m_edits.push_back(std::move(edit)); }
+    /// Adds edits behind the others, in their order.
     void push(Edits edits) {
         if (m_edits.empty())
             m_edits = std::move(edits);
         else
             m_edits.insert(m_edits.end(), edits.begin(), edits.end());
     }
+    /// Hands over all edits and forgets them.
     Edits take() { return std::exchange(m_edits, {}); }
+    /// Whether no edit waits.
     bool empty() const { return m_edits.empty(); }
 
 private:

@@ -6,30 +6,31 @@
 
 namespace rubble {
 
-// Edits of a shape as a whole. A shape that changes its frame of cells keeps its handle and its place in the world; the
-// journal lists it as destroyed and, after that, as created.
+// Edits of a shape as a whole. A shape whose grid gets another box of cells keeps its handle and its place in the
+// world; the journal lists it as destroyed and then as created.
 
-/// Makes a shape of each component; all stay on the body. The one with an anchor, else the largest, keeps the handle.
-/// What has no anchor on a static body stays until it is cut.
+/// Makes a shape of each connected component; all stay on the body. The one with an anchor, else the largest, keeps the
+/// handle. Unanchored shapes of a static body stay in place until they are cut.
 struct SplitShapeEdit {
     ShapeHandle shape;
-    bool removeResidual = false;  ///< components below `residualVoxels` vanish: they count as removed
+    bool removeResidual = false;  ///< components below `residualVoxels` are removed
     uint64_t residualVoxels = 64;
 };
 
-/// Adds a shape to another of the same body, voxel size and rotation that it touches face to face. Where both have a
-/// voxel, `into` keeps its own. Refused, with a log line, if they do not match or the palettes do not fit into one.
+/// Adds a shape to another one of the same body, voxel size and rotation that it touches face to face. Where both have
+/// a voxel, `into` keeps its own. Refused, and logged, if their cells do not line up or their palettes need more than
+/// 255 entries.
 struct MergeShapeEdit {
     ShapeHandle shape;
-    ShapeHandle into;  ///< empty: the first that matches
+    ShapeHandle into;  ///< empty: the first shape of the body that fits
 };
 
-/// Takes the empty margins off a shape's grid.
+/// Shrinks a shape's grid to its voxels.
 struct TrimShapeEdit {
     ShapeHandle shape;
 };
 
-/// Gives a shape's grid another box of cells, in those it has now; voxels outside are removed.
+/// Gives a shape's grid another box of cells, in coordinates of its present cells; voxels outside are removed.
 struct ResizeShapeEdit {
     ShapeHandle shape;
     CellBox box;

@@ -12,7 +12,7 @@
 
 namespace rubble {
 
-/// One brick of a shape after the step; null = now empty.
+/// One brick of a shape after the step; null: it is empty now.
 struct BrickChange {
     ShapeHandle shape;
     glm::ivec3 brick;
@@ -28,123 +28,125 @@ struct RemovedVoxels {
     uint64_t count;
 };
 
-/// Where voxels went that are no more: particles. Every removed voxel is in exactly one cloud.
+/// Removed voxels, for particles. Every removed voxel is in exactly one cloud.
 struct DustCloud {
-    glm::dvec3 position;  ///< its middle, world
+    glm::dvec3 position;  ///< centre, world
     double radius;        ///< metres
-    glm::vec3 velocity;   ///< of what they were part of, m/s
+    glm::vec3 velocity;   ///< of the body that they were part of, m/s
     std::array<uint8_t, 3> color;
     uint8_t material;
     uint64_t count;  ///< voxels
 };
 
-/// A charge went off.
+/// An explosion.
 struct Blast {
     glm::dvec3 position;  ///< world
     double size;          ///< as in ExplodeEdit
 };
 
-/// How a piece set out.
+/// How a piece moves when it comes off.
 struct PieceMotion {
     glm::dvec3 center{0.0};  ///< of mass, world
     glm::dvec3 velocity{0.0}, angularVelocity{0.0};
     double mass = 0.0;  ///< kg
 };
 
-/// A shape came apart: what broke out of it, or, in a record of its own, what it no longer held. The parent handle
-/// lives on in the anchored, largest or lowest piece; children are new shapes, each on a body of its own.
-/// parentOffset[i]: the cell of the parent at which child i's cell 0 lies.
+/// Pieces that came off a shape. Fragments of a break and pieces that lost their connection are in records of their
+/// own. The parent's handle stays with the anchored component, else the largest; children are new shapes, each on a
+/// body of its own, but for those of a SplitShapeEdit. parentOffset[i]: the cell of the parent at which child i's cell
+/// 0 lies.
 struct ShapeSplit {
     ShapeHandle parent;
     std::vector<ShapeHandle> children;
     std::vector<glm::ivec3> parentOffset;
-    std::vector<PieceMotion> motions;  ///< of the children, before anything pushes them
+    std::vector<PieceMotion> motions;  ///< of the children, before impulses
 };
 
+/// An impulse on a free body; physics applies it.
 struct ImpulseApplied {
     BodyHandle body;
-    glm::dvec3 position;
-    glm::dvec3 impulse;
+    glm::dvec3 position;  ///< world
+    glm::dvec3 impulse;   ///< N s
 };
 
-/// A section of a standing shape that gave way under its load.
+/// A section of a shape that broke under its load or an impact.
 struct CrackOpened {
     ShapeHandle shape;
     glm::dvec3 position;  ///< world, metres
     glm::dvec3 normal;    ///< of the section, world
     uint8_t material;
     FailureMode cause;
-    uint64_t voxels;  ///< that it took
+    uint64_t voxels;  ///< that were removed
 };
 
-/// A brick that caught fire, or went out.
+/// A brick that ignited or went out.
 struct FireEvent {
     ShapeHandle shape;
     glm::ivec3 brick;
     glm::dvec3 position;  ///< world, metres
 };
 
-/// An end of a joint went with its voxel into another shape.
+/// An end of a joint that followed its voxel into another shape.
 struct JointMoved {
     JointHandle joint;
     ShapeHandle from, to;
 };
 
-/// A joint that is no more, but for the two parts of a rope that was cut: the first keeps the handle.
+/// A joint that is gone. Of a rope that was cut the first part keeps the handle.
 struct JointBroken {
     JointHandle joint;
     JointBreak reason;
     glm::dvec3 position;  ///< world
 };
 
-/// Everything that one step of edits changed: the one journal that physics, shadow, renderer, recording and undo read.
-/// Handles refer to the World after the edits, except in the destroyed lists. Each list is in the order it happened;
-/// a step in which nothing happens allocates nothing.
+/// The journal: everything that one step changed. Physics, shadow volume, renderer, recordings and undo read it and
+/// nothing else. Handles refer to the World after the step, except in the destroyed lists. Each list is in the order of
+/// events. A step in which nothing happens allocates nothing.
 struct FrameChanges {
     uint64_t step = 0;
-    bool levelReplaced = false;  ///< everything before is gone: start from the World
+    bool levelReplaced = false;  ///< everything before is gone: read all from the World
     std::vector<BodyHandle> bodiesCreated;
     std::vector<BodyHandle> bodiesDestroyed;
-    std::vector<ShapeHandle> shapesCreated;  ///< read their grid from the World: their bricks are not in `bricks`
-    std::vector<ShapeHandle>
-        shapesDestroyed;  ///< comes before shapesCreated: a shape with a new frame of cells is in both
+    std::vector<ShapeHandle> shapesCreated;    ///< read their grid from the World: their bricks are not in `bricks`
+    std::vector<ShapeHandle> shapesDestroyed;  ///< before shapesCreated: a shape whose grid got another box is in both
     std::vector<ShapeSplit> splits;
-    std::vector<BrickChange> bricks;    ///< carved or painted, each brick once, of shapes that were there before
-    std::vector<ShapeHandle> carved;    ///< shapes whose occupancy (so mass and collider) changed, each once
-    std::vector<ShapeHandle> palettes;  ///< shapes whose palette or colours of paint changed
-    std::vector<ShapeHandle>
-        unanchored;  ///< shapes that lost their last anchor: now on a new body of their own, in bodiesCreated
-    std::vector<RemovedVoxels> removed;  ///< a record for each edit, shape and entry
+    std::vector<BrickChange> bricks;    ///< carved or painted, each brick once, of shapes that existed before
+    std::vector<ShapeHandle> carved;    ///< shapes whose occupancy changed, so mass and collider too, each once
+    std::vector<ShapeHandle> palettes;  ///< shapes whose palette or paint colours changed
+    /// Shapes that lost their last anchor: each is now on a body of its own, which is in bodiesCreated.
+    std::vector<ShapeHandle> unanchored;
+    std::vector<RemovedVoxels> removed;  ///< one for each edit, shape and entry
     std::vector<LightHandle> lights;  ///< lights created, changed, moved to another shape or body, switched or removed
     std::vector<LightGroupHandle> groupsOut;
     std::vector<ImpulseApplied> impulses;
-    std::vector<DustCloud> dust;           ///< all that is in `removed`, with its place
-    std::vector<Blast> blasts;             ///< charges that went off, in order
+    std::vector<DustCloud> dust;           ///< all voxels of `removed`, with their places
+    std::vector<Blast> blasts;             ///< explosions
     std::vector<BodyHandle> broken;        ///< bodies that lost voxels for the first time
-    std::vector<BodyHandle> settled;       ///< pieces that have come to rest for good
-    std::vector<BodyHandle> unsettled;     ///< settled pieces that something has woken
+    std::vector<BodyHandle> settled;       ///< pieces that settled
+    std::vector<BodyHandle> unsettled;     ///< settled pieces that woke
     std::vector<LightGroupHandle> groups;  ///< light groups that lost voxels, went out or came back
-    std::vector<BodyHandle> teleported;    ///< bodies that were put somewhere or given another motion: undo and replay
+    std::vector<BodyHandle> teleported;    ///< bodies that undo or replay gave another pose or motion
     uint64_t paintedVoxels = 0;
-    uint64_t paintMerges = 0;  ///< colours that found no free entry and took the nearest
+    uint64_t paintMerges = 0;  ///< colours that took the nearest entry because none was free
     std::vector<FireEvent> firesLit;
-    std::vector<FireEvent> firesOut;          ///< a shape that is destroyed takes its fires along without a word
-    bool firesChanged = false;                ///< something burns, or did until this step
-    uint64_t firesRefused = 0;                ///< bricks hot enough to updateFires, beyond FireSettings::maxFires
-    uint64_t heatLost = 0;                    ///< deposits of heat beyond FireSettings::maxHot
+    std::vector<FireEvent> firesOut;          ///< without those of destroyed shapes
+    bool firesChanged = false;                ///< whether anything burns, or did until this step
+    uint64_t firesRefused = 0;                ///< bricks that did not ignite because of FireSettings::maxFires
+    uint64_t heatLost = 0;                    ///< deposits of heat that FireSettings::maxHot refused
     std::vector<CrackOpened> cracks;          ///< their voxels are in `removed` too
     std::vector<ShapeHandle> filters;         ///< shapes with another collision layer or mask
     std::vector<WaterHandle> waters;          ///< created, changed or removed
-    std::vector<TriggerHandle> triggers;      ///< created, removed, or holding other bodies
-    std::vector<CharacterHandle> characters;  ///< created, removed, placed, or wishing something else
+    std::vector<TriggerHandle> triggers;      ///< created, removed, or with other bodies inside
+    std::vector<CharacterHandle> characters;  ///< created, removed, placed, or with another wish
     std::vector<TriggerEvent> triggerEvents;  ///< by trigger, then body, in slot order
-    std::vector<JointHandle> jointsCreated;   ///< by edits, and the second parts of ropes that were cut
-    std::vector<JointMoved> jointsMoved;      ///< to another shape, in a split or merge
+    std::vector<JointHandle> jointsCreated;   ///< by edits, and second parts of ropes that were cut
+    std::vector<JointMoved> jointsMoved;      ///< by splits and merges
     std::vector<JointBroken> jointsBroken;
-    std::vector<JointHandle> jointsChanged;  ///< motor, place of an end or length: read it from the World
-    std::vector<LightHandle> lightsAdded;    ///< one for each AddLightEdit, in order; an empty handle: it was refused
+    std::vector<JointHandle> jointsChanged;  ///< motor, place of an end, length: read them from the World
+    std::vector<LightHandle> lightsAdded;    ///< one for each AddLightEdit; an empty handle: refused
     bool environmentChanged = false;         ///< read it from the World
 
+    /// Whether nothing changed that physics, renderer, undo or recordings have to follow.
     bool empty() const {
         return !levelReplaced && !environmentChanged && bodiesCreated.empty() && bodiesDestroyed.empty() &&
                shapesCreated.empty() && shapesDestroyed.empty() && bricks.empty() && palettes.empty() &&

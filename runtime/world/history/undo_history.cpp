@@ -6,13 +6,13 @@
 namespace rubble {
 namespace {
 
-/// Objects of an earlier moment over those of a later one.
+/// Adds the objects of a later delta to those of an earlier one, which stay.
 void addMissing(WorldDelta& into, WorldDelta from) {
     forEachKind([](auto& values, auto& earlier) { values.merge(earlier); }, into, from);
     if (!into.environment) into.environment = from.environment;
 }
 
-/// For each slot of `slots`: its value in `first`, else in `second`.
+/// For each slot of `slots`: its value in `first`, or else in `second`.
 template <class Handle, class T>
 SlotValues<Handle, T> selectSlots(const SlotValues<Handle, T>& slots, const SlotValues<Handle, T>& first,
                                   SlotValues<Handle, T>& second) {
@@ -40,8 +40,8 @@ void UndoHistory::mark(size_t limit) {
     while (m_marks.size() + 1 > limit && !m_marks.empty()) m_marks.pop_front();
 }
 
-/// Puts the entry's objects into the World, and what moved since back; returns those of its slots as they were before
-/// that.
+/// Swaps the entry's objects into the World, and undoes what moved since; returns the objects of the entry's slots as
+/// they were before that.
 WorldDelta UndoHistory::swapEntry(WorldData& world, WorldDelta entry, FrameChanges& changes) {
     const WorldDelta slots = entry;
     const WorldDelta drift = m_onlyMotionSinceUndo ? std::move(m_current) : WorldDelta{};

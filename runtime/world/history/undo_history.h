@@ -7,34 +7,39 @@
 
 namespace rubble {
 
-/// Exact undo and redo. Marks divide time; each keeps what was editState after it as it was at the mark, so undo costs
-/// what changed. It takes back everything since the mark, what physics moved too: the World has the resolvedHash() that
-/// it had there. Redo brings back the moment of the undo, unless something changed since.
+/// Exact undo and redo. Marks divide time. For each interval between marks it keeps the objects that changed there, as
+/// they were at its beginning, so undo costs what changed. Undo restores the World of the last mark, what physics moved
+/// included: resolvedHash() is what it was. Redo restores the moment of the undo, unless something else changed since;
+/// motion alone does not count.
 class UndoHistory {
 public:
+    /// Begins with the World as it is; costs a copy of its objects.
     explicit UndoHistory(const WorldData& world);
 
-    /// Begins what the next undo takes back; of more than `limit` marks the oldest is forgotten.
+    /// Sets a mark, to which the next undo returns. Of more than `limit` marks the oldest is dropped.
     void mark(size_t limit);
-    /// Changes the World and adds to its journal; false if there is nothing to undo.
+    /// Restores the World of the last mark and adds to the journal; false if there is nothing to undo.
     bool undo(WorldData& world, FrameChanges& changes);
+    /// Restores the World as it was before the last undo; false if there is nothing to redo.
     bool redo(WorldData& world, FrameChanges& changes);
 
-    /// A step has made these changes. If it went back or forth itself, they do not end the redo.
+    /// Takes over what a step changed. Unless the step was an undo or redo itself, redo is no longer possible.
     void recordStep(const WorldData& world, const FrameChanges& changes, bool wasUndoOrRedo);
-    /// World::setPoses() has moved these.
+    /// Takes over that World::setRopes() moved these.
     void recordMoves(const WorldData& world, std::span<const RopeMotion> ropes);
+    /// Takes over that World::setPoses() moved these.
     void recordMoves(const WorldData& world, std::span<const BodyPose> poses);
+    /// Takes over that World::setCharacters() moved these.
     void recordMoves(const WorldData& world, std::span<const CharacterMove> moves);
 
 private:
     WorldDelta swapEntry(WorldData& world, WorldDelta entry, FrameChanges& changes);
 
     WorldBaseline m_baseline;
-    std::deque<WorldDelta> m_marks;      ///< what was editState between each mark and the next, as it was at the mark
-    WorldDelta m_current;                ///< the same since the last of them, or, drifting, since the last undo or redo
-    bool m_onlyMotionSinceUndo = false;  ///< nothing but motion since an undo or redo
-    std::vector<WorldDelta> m_redo;      ///< what was undone, as it was at the undo; the last comes back first
+    std::deque<WorldDelta> m_marks;      ///< for each mark: what changed until the next one, as it was at the mark
+    WorldDelta m_current;                ///< the same since the last mark, undo or redo
+    bool m_onlyMotionSinceUndo = false;  ///< since an undo or redo
+    std::vector<WorldDelta> m_redo;      ///< what each undo replaced; the last is redone first
 };
 
 }  // namespace rubble

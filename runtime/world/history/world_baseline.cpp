@@ -5,7 +5,7 @@
 namespace rubble {
 namespace {
 
-/// Keeps what the last state has in the slot of `handle`, and brings it up to date there.
+/// Brings the slot of `handle` up to date in `last`; keeps what it held in `before`, unless that has the slot.
 template <class Map, class Handle, class T>
 void updateSlot(const Map& now, Map& last, Handle handle, SlotValues<Handle, T>& before) {
     if (!handle || before.contains(handle.slot())) return;

@@ -6,23 +6,25 @@
 
 namespace rubble {
 
-/// A World as it was when last looked at: what undo and recording compare with. It costs one copy of the World's
-/// objects (not of their voxels) when it is made; after that, what changes.
+/// The last known state of a World, which deltas are made against: undo and recordings have one. Making it costs a copy
+/// of the World's objects, not of their voxels; updating it costs what changed.
 class WorldBaseline {
 public:
+    /// Begins with the World as it is.
     explicit WorldBaseline(const WorldData& world);
 
-    /// Of no object, with the numbers that belong to none.
+    /// A delta without objects, with the numbers that belong to no object.
     WorldDelta emptyDelta() const;
-    /// The objects that a step's journal names, as they were before it. The mirror is then up to date.
+    /// Brings the baseline up to date after a step; returns the objects that its journal names as they were before.
     WorldDelta update(const WorldData& world, const FrameChanges& changes);
-    /// Adds bodies that World::setPoses() has moved, as they were, where `before` does not have them.
+    /// Brings bodies up to date that World::setPoses() moved; adds them to `before` as they were, unless it has them.
     void move(const WorldData& world, std::span<const BodyPose> poses, SlotValues<BodyHandle, Body>& before);
-    /// The same for characters that World::setCharacters() has moved.
+    /// The same for characters that World::setCharacters() moved.
     void move(const WorldData& world, std::span<const CharacterMove> moves,
               SlotValues<CharacterHandle, Character>& before);
-    /// The same for ropes, which World::setRopes() has moved.
+    /// The same for ropes that World::setRopes() moved.
     void move(const WorldData& world, std::span<const RopeMotion> ropes, SlotValues<JointHandle, Joint>& before);
+    /// The baseline itself.
     const WorldState& last() const { return m_last; }
 
 private:

@@ -3,7 +3,7 @@
 namespace rubble {
 namespace {
 
-/// Puts what `target` says into the slots; returns what was there.
+/// Puts the values of `target` into their slots; returns what was there.
 template <class Map, class Handle, class T>
 SlotValues<Handle, T> swapSlots(Map& map, SlotValues<Handle, T>&& target) {
     SlotValues<Handle, T> before;

@@ -25,7 +25,8 @@ uint8_t materialAt(const WorldData& world, ShapeHandle handle, glm::dvec3 point)
     return cell ? (*shape.palette)[shape.grid.at(*cell)].material : uint8_t(0);
 }
 
-/// What an impact breaks of one of its two bodies: the broken area grows with the impulse, so the radius with its root.
+/// What an impact breaks of one of its two bodies: the broken area is proportional to the impulse, so the radius grows
+/// with its root.
 void addImpactDamage(const WorldData& world, const Impact& impact, BodyHandle body, Edits& out) {
     for (const ShapeHandle handle : shapesNear(world, impact.position, 0.3)) {
         const Shape& shape = world.shapes.at(handle);
@@ -45,7 +46,7 @@ void addImpactDamage(const WorldData& world, const Impact& impact, BodyHandle bo
     }
 }
 
-/// What an impact loads beyond the place that it hits. It comes after what it breaks there.
+/// How an impact loads one of its two bodies as a whole, in addition to what it breaks where it hits.
 void addImpactLoad(const WorldData& world, const Impact& impact, BodyHandle body, Edits& out) {
     const Body* struck = world.bodies.find(body);
     if (!world.stress || !struck || !(impact.impulse >= world.settings.stress.minImpulse)) return;

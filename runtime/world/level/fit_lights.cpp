@@ -12,8 +12,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kRodRatio = 2.5;        ///< longest to middle side of what counts as a rod
-constexpr double kPlateRatio = 2.5;      ///< middle to thinnest side of what counts as a plate
+constexpr double kRodRatio = 2.5;        ///< longest to middle side from which on a component is a rod
+constexpr double kPlateRatio = 2.5;      ///< middle to thinnest side from which on it is a plate
 constexpr double kMinIrradiance = 0.02;  ///< irradiance at which a light's reach ends
 
 /// The grid with the voxels of one entry alone.
@@ -29,7 +29,7 @@ VoxelGrid onlyEntry(const VoxelGrid& grid, size_t entry) {
     return out;
 }
 
-/// Faces between voxels of the set and others, each a square of a cell.
+/// Number of faces between voxels of the component and other cells.
 uint64_t countFaces(const VoxelGrid& only, const Component& voxels) {
     uint64_t faces = 0;
     forEachSubset(only, voxels, [&](glm::ivec3 position, const Brick&, const BrickBits& bits) {
@@ -51,7 +51,7 @@ void recolour(VoxelGrid& grid, const VoxelGrid& only, const Component& voxels, u
     });
 }
 
-/// An entry that nothing uses; 0 if all are taken.
+/// The last entry without a material; 0 if there is none.
 uint8_t freeEntry(const Palette& palette) {
     for (size_t i = 255; i > 0; --i)
         if (palette[i].material == 0) return uint8_t(i);
@@ -106,7 +106,7 @@ Light fitLight(const LevelShape& shape, const VoxelGrid& only, const Component& 
         light.kind = LightKind::Capsule;
     else if (breadth > kPlateRatio * thickness)
         light.kind = LightKind::Area, light.twoSided = true;
-    // A convex body shows a quarter of its countFaces on average (Cauchy).
+    // The mean projected area of a convex body is a quarter of its surface (Cauchy).
     const double projectedArea =
         0.25 * double(countFaces(only, voxels)) * double(shape.voxelSize) * double(shape.voxelSize);
     light.radius = float(std::sqrt(projectedArea / kPi));
@@ -118,8 +118,8 @@ Light fitLight(const LevelShape& shape, const VoxelGrid& only, const Component& 
     }
     if (light.kind == LightKind::Area) {
         light.width = float(length), light.height = float(breadth);
-        light.radius = float(0.5 * thickness) + 0.07f;  // what it clears: its own voxels
-        light.color *= 2.0f;                            // straight ahead it shows twice its mean over all directions
+        light.radius = float(0.5 * thickness) + 0.07f;  // clear of its own voxels
+        light.color *= 2.0f;                            // along -z it shows twice its mean over all directions
     }
     const double brightest = std::max({light.color.x, light.color.y, light.color.z});
     light.reach = float(std::clamp(std::sqrt(brightest / kMinIrradiance), 1.0, 15.0));

@@ -24,16 +24,17 @@ struct LevelShape {
     float voxelSize = 0.1f;  ///< metres
     VoxelGrid grid;
     PaletteRef palette;
-    std::vector<CellBox> anchors;  ///< cells of a static shape that hold to the world; empty: its bottom layer of cells
+    std::vector<CellBox> anchors;  ///< cells that hold a static shape to the world; empty: its lowest layer of voxels
     std::vector<std::string> tags;
-    bool hidden = false;
+    bool hidden = false;         ///< kept in files, not part of a World
     PaintColorsRef paintColors;  ///< null: no voxel has a paint layer
     float strength = 1.0f;       ///< multiple of its materials' strengths
-    bool loadBearing = true;     ///< false: it never breaks under its load
+    bool loadBearing = true;     ///< false: left out of the stress analysis
     uint8_t collisionLayer = 1;  ///< bits; two shapes touch if each one's layer is in the other's mask
     uint8_t collisionMask = 255;
 };
 
+/// A body as data, with its shapes.
 struct LevelBody {
     std::string name;
     Pose pose;
@@ -44,14 +45,14 @@ struct LevelBody {
     std::vector<std::string> tags;
 };
 
-/// Light::shape and Light::group are not set in a level: the names below stand for them.
+/// A light as data. Names stand for Light::shape and Light::group, which are not set.
 struct LevelLight {
     Light light;
     std::string shapeName;  ///< "" = fixed in the world
     std::string groupName;  ///< "" = none
 };
 
-/// JointEnd::shape is not set in a level: the names stand for them.
+/// A joint as data. Names stand for JointEnd::shape, which is not set.
 struct LevelJoint {
     Joint joint;
     std::array<std::string, 2> shapeNames;  ///< "" = fixed in the world
@@ -64,8 +65,7 @@ struct Level {
     std::vector<LevelBody> bodies;
     std::vector<LevelLight> lights;
     std::vector<LightGroup> lightGroups;
-    uint32_t autoLightGroups =
-        0;  ///< at most this many groups are made from glowing voxels that have none; see fitLights()
+    uint32_t autoLightGroups = 0;  ///< the most groups that fitLights() makes from glowing voxels that have none
     Environment environment;
     std::vector<std::pair<std::string, Pose>> locations;  ///< named places: spawn points, cameras
     std::vector<Water> waters;

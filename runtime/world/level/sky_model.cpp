@@ -10,23 +10,26 @@
 namespace rubble {
 namespace {
 
-// Red, green and blue of a clear sky straight up, fitted so that an afternoon's sun looks as scenes have it.
-constexpr glm::dvec3 kSolarIrradiance{17.2, 15.7,
-                                      15.4};            ///< irradiance outside the sunAirMass, in the renderer's units
-constexpr glm::dvec3 kOpticalDepth{0.15, 0.22, 0.37};   ///< optical depth of the whole sunAirMass: molecules and dust
-constexpr glm::dvec3 kRayleighDepth{0.05, 0.11, 0.25};  ///< the molecules' part, which makes the sky blue
-constexpr glm::dvec3 kOzoneTwilight{0.012, 0.040, 0.120};  ///< what ozone leaves of the twilight overhead
+// A clear sky as a single-scattering fit: light that crosses an optical depth d of air is multiplied by exp(-d), and
+// the depth is that of the whole atmosphere, straight up, times the air mass of the direction. Molecules scatter blue
+// most (Rayleigh), which colours the sky and reddens a low sun. Constants are for red, green and blue, fitted so that
+// an afternoon looks as the scenes set it by hand.
+constexpr glm::dvec3 kSolarIrradiance{17.2, 15.7, 15.4};   ///< above the atmosphere, in the renderer's units
+constexpr glm::dvec3 kOpticalDepth{0.15, 0.22, 0.37};      ///< of the whole atmosphere: molecules and dust
+constexpr glm::dvec3 kRayleighDepth{0.05, 0.11, 0.25};     ///< of its molecules
+constexpr glm::dvec3 kOzoneTwilight{0.012, 0.040, 0.120};  ///< radiance overhead at twilight, after absorption by ozone
 constexpr glm::vec3 kMoonDirection{-0.55f, 0.52f, 0.40f};
-constexpr glm::dvec3 kMoonIrradiance{0.15, 0.19, 0.28};  ///< irradiance: brighter than true, as films have it
+constexpr glm::dvec3 kMoonIrradiance{0.15, 0.19, 0.28};  ///< brighter than the real moon, as in films
 constexpr glm::dvec3 kNightSky{0.010, 0.017, 0.040}, kNightHorizon{0.026, 0.030, 0.046};
 
-/// exp(-x) by multiplications alone: (1 - x / 4096)^4096.
+/// exp(-x) by multiplications alone: (1 - x / 4096)^4096, the same on every machine.
 double expDecay(double x) {
     double power = std::max(1.0 - x / 4096.0, 0.0);
     for (int i = 0; i < 12; ++i) power *= power;
     return power;
 }
 
+/// Share of light that is left after a multiple of the vertical atmosphere.
 glm::dvec3 transmittance(double amount) {
     return {expDecay(kOpticalDepth.r * amount), expDecay(kOpticalDepth.g * amount), expDecay(kOpticalDepth.b * amount)};
 }
@@ -36,7 +39,8 @@ double smoothStep(double low, double high, double x) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-/// How much sunAirMass lies on the way of light lightDirection a height (its sine), in vertical ones (Rozenberg 1966).
+/// Air along a direction as a multiple of that straight up, from the sine of its elevation (Rozenberg 1966):
+/// 1 / (s + 0.025 exp(-11 s)).
 double airMass(double sine) {
     const double up = std::max(sine, 0.0);
     return 1.0 / (up + 0.025 * expDecay(11.0 * up));
@@ -47,10 +51,9 @@ struct Colors {
 };
 
 Colors clearColors(double sine) {
-    // The sky is lit lightDirection above, where a low sun's light comes transmittance less sunAirMass than where we
-    // stand.
+    // The sky overhead is lit high up, where the light of a low sun has crossed less air than at the ground.
     const double sunAirMass = airMass(sine), skyAirMass = std::min(sunAirMass, 7.0);
-    // The sun is gone at 1.5 degrees below the horizon, its light in the sunAirMass at 9.
+    // The disc is gone at 1.5 degrees below the horizon, twilight at 9.
     const double day = smoothStep(-0.16, 0.20, sine), sunVisible = smoothStep(-0.026, 0.02, sine);
     Colors colors;
     colors.sun = kSolarIrradiance * transmittance(sunAirMass) * sunVisible;
@@ -63,7 +66,7 @@ Colors clearColors(double sine) {
     return colors;
 }
 
-/// Clouds spread the light: no sun, and a grey sky a little brighter overhead than around.
+/// Clouds scatter the light: the sun fades, and the sky turns grey, a little brighter overhead than around.
 void addClouds(Colors& colors, double cover, double sine) {
     const glm::dvec3 falling = colors.sun * std::max(sine, 0.0) / kPi + 0.7 * colors.sky + 0.3 * colors.horizon;
     const double light = 0.34 * (0.25 * falling.r + 0.6 * falling.g + 0.15 * falling.b);

@@ -3,10 +3,10 @@
 
 namespace rubble {
 
-/// Sets the colours of sun, sky, haze and ground light, and the stars, from where the sun stands: redder the more air
-/// its light has come through, twilight after it has set, and below that a night whose light is the moon's. `clouds` of
-/// the environment (over 0.5) takes the sun away and greys the sky. Other fields stay. sunDirection: world, y up, any
-/// length; below the horizon too. The same on every machine.
+/// Sets direction and colour of the sun, colours of sky, haze and ground, and the stars from the direction to the sun:
+/// redder the more air its light crosses, twilight after it has set, and then a night lit by the moon. Cloud cover over
+/// 0.5 hides the sun and greys the sky. Other fields stay. sunDirection: world, y up, any length, also below the
+/// horizon. Only additions and multiplications: the same on every machine.
 void applySkyModel(Environment& environment, glm::vec3 sunDirection);
 
 }  // namespace rubble

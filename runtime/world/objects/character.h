@@ -7,37 +7,38 @@
 
 namespace rubble {
 
-/// One who walks: an upright capsule that is moved through the voxel world. Physics moves it; hosts say where it wants
-/// to.
+/// A walking character: an upright capsule. Hosts set what it wants; physics moves it through the voxel world.
 struct Character {
     std::string name;
-    // what it is
+    // What it is
     double radius = 0.3;          ///< metres
     double height = 1.8;          ///< metres, feet to crown
     double crouchedHeight = 1.1;  ///< metres
     double stepHeight = 0.45;     ///< metres that it climbs without a jump
-    double steepest = 1.0;        ///< slope that it can stand on, rise over run
+    double steepest = 1.0;        ///< largest slope that it can stand on, rise over run
     double mass = 80.0;           ///< kg
-    double walkSpeed = 4.0;       ///< m/s: wishes for more get this
+    double walkSpeed = 4.0;       ///< m/s; faster wishes are clamped
     double crouchSpeed = 1.8;     ///< m/s
     double jumpSpeed = 4.5;       ///< m/s
     double swimSpeed = 2.0;       ///< m/s
-    double pushForce = 400.0;     ///< N, at most, on bodies in its way
-    uint8_t collisionLayer = 1;   ///< as of a shape
+    double pushForce = 400.0;     ///< N, the most that it pushes bodies with
+    uint8_t collisionLayer = 1;   ///< as Shape::collisionLayer
     uint8_t collisionMask = 255;
-    // what it wants: the last MoveCharacterEdit
-    glm::dvec3 wish{0.0};    ///< m/s; the vertical part counts in water only
-    bool wantsJump = false;  ///< once: until it has jumped, or a step has passed
+    // What it wants: the last MoveCharacterEdit
+    glm::dvec3 wish{0.0};    ///< velocity, m/s; the vertical part counts in water only
+    bool wantsJump = false;  ///< until it has jumped, or a step has passed
     bool wantsCrouch = false;
-    // where it is
+    // Where it is
     glm::dvec3 position{0.0};  ///< of the feet, metres, world
     glm::dvec3 velocity{0.0};  ///< m/s
     bool grounded = false;
     bool crouched = false;
     bool swimming = false;
-    BodyHandle ground;  ///< what it stands on, also what is static; empty in the air and in a level
+    BodyHandle ground;  ///< what it stands on, static or not; empty in the air and in a level
 
+    /// Of all that decides what happens.
     uint64_t hash() const;
+    /// Height of the capsule now, metres.
     double currentHeight() const { return crouched ? crouchedHeight : height; }
     friend bool operator==(const Character&, const Character&) = default;
 };

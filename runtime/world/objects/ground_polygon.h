@@ -4,16 +4,16 @@
 
 namespace rubble {
 
-/// A place in the ground plane, metres, world.
+/// A point of the ground plane, metres, world.
 struct GroundPoint {
     double x = 0.0, z = 0.0;
     friend bool operator==(const GroundPoint&, const GroundPoint&) = default;
 };
 
-/// The corners of a simple polygon in the ground plane, in either sense; the last is joined to the first.
+/// The corners of a simple polygon in the ground plane, clockwise or not; the last is joined to the first.
 using GroundPolygon = std::vector<GroundPoint>;
 
-/// Whether a point is inside: a line from it crosses an odd number of sides.
+/// Whether a point is inside, by the even-odd rule: a ray from it along +x crosses an odd number of sides.
 inline bool contains(const GroundPolygon& area, double x, double z) {
     bool inside = false;
     for (size_t i = 0, j = area.size() - 1; i < area.size(); j = i++) {

@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kMaxNumber = 1e12;  ///< of any number of a joint
+constexpr double kMaxNumber = 1e12;  ///< of all numbers of a joint
 
 uint64_t hashPose(const Pose& pose, uint64_t seed) {
     return hashBytes(&pose.rotation, sizeof pose.rotation, hashBytes(&pose.position, sizeof pose.position, seed));

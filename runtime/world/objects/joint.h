@@ -11,30 +11,29 @@
 
 namespace rubble {
 
-/// How two bodies hang together. The axis of a joint is the x axis of its ends' frames.
+/// What motion a joint leaves free. Its axis is the x axis of its ends' frames.
 enum class JointKind : uint8_t {
-    Ball,       ///< one point in common
-    Hinge,      ///< one axis in common: they turn about it
-    Prismatic,  ///< slides along the axis and does not turn
-    Cone,       ///< one point in common, and the axes at most limits.high radians apart
-    Fixed,      ///< as if one
+    Ball,       ///< rotates about a common point
+    Hinge,      ///< rotates about the common axis
+    Prismatic,  ///< slides along the axis
+    Cone,       ///< a ball joint whose axes stay within limits.high radians of each other
+    Fixed,      ///< none
     Rope,       ///< a chain of points between the ends
-    Wheel,  ///< end 0: a chassis, end 1: a wheel. It travels along y of end 0's frame, up, and spins about its own x,
-            ///< which points left: then spinning forward drives forward and steering by a positive angle turns left
+    Wheel,  ///< end 0: the chassis, end 1: the wheel. It travels up and down along y of end 0's frame and spins about
+            ///< its own x, which points left: positive spin drives forward, a positive steering angle turns left
 };
 
-/// What a joint is fixed to: a voxel of a shape, or the world. It goes with that voxel into whatever piece has it.
+/// What a joint is fixed to: a voxel of a shape, or the world. It follows that voxel into whatever piece gets it.
 struct JointEnd {
-    ShapeHandle shape;  ///< empty: the world
-    Pose frame;         ///< in the shape's space, whose origin is the corner of its grid; metres
-    glm::ivec3 cell{
-        -1};  ///< of the voxel that holds it; negative: the nearest one is looked for when the joint is made
+    ShapeHandle shape;    ///< empty: the world
+    Pose frame;           ///< in the shape's space, whose origin is the corner of its grid; metres
+    glm::ivec3 cell{-1};  ///< of the voxel that holds it; negative: the nearest one, when the joint is made
     double radius = 0.2;  ///< metres from the frame's origin within which that voxel must be
-    bool isFree = false;  ///< of a rope: nothing holds this end
+    bool isFree = false;  ///< of a rope: nothing holds this end, it hangs free
 };
 
-/// Of the free motion: a hinge's angle, at most pi either way, a prismatic joint's or a wheel's travel in metres; of a
-/// ball or cone joint, `high` is the largest angle between the axes.
+/// Limits of the free motion: a hinge's angle, within -pi and pi radians; a prismatic joint's or a wheel's travel in
+/// metres; of a ball or cone joint, `high` is the largest angle between the axes.
 struct JointLimits {
     bool on = false;
     double low = 0.0, high = 0.0;
@@ -42,36 +41,37 @@ struct JointLimits {
 
 enum class MotorMode : uint8_t { Off, Speed, Position };
 
-/// Drives the free motion: a hinge's or wheel's turning (radians), a prismatic joint's way (metres). A rope's motor is
-/// a winch: it changes its length.
+/// Drives the free motion: a hinge's or wheel's angle (radians), a prismatic joint's displacement (metres). A rope's
+/// motor is a winch: it changes the rope's length.
 struct JointMotor {
     MotorMode mode = MotorMode::Off;
-    double target = 0.0;    ///< rad/s or m/s; or radians or metres
-    double maxForce = 0.0;  ///< N m or N that it has; a winch has any
+    double target = 0.0;    ///< of a speed motor: rad/s or m/s; of a position motor: radians or metres
+    double maxForce = 0.0;  ///< N m or N; a winch has no limit
 };
 
-/// Of a hinge, prismatic joint or wheel: pulls the free motion to 0. Of the others: lets what they hold give.
+/// A damped spring. On a hinge, prismatic joint or wheel it pulls the free motion to 0; it makes the other kinds soft.
 struct JointSpring {
-    double hertz = 0.0;  ///< of what hangs on it; 0: rigid, or no spring where the motion is free
+    double hertz = 0.0;  ///< natural frequency; 0: rigid, or no spring where the motion is free
     double dampingRatio = 1.0;
 };
 
-/// What a wheel can do for the vehicle that it is on: see DriveEdit.
+/// What a wheel can do for its vehicle: see DriveEdit.
 struct WheelSettings {
     double driveTorque = 0.0;  ///< N m; 0: it only rolls
-    double topSpin = 60.0;     ///< rad/s, forward; backward half of it
+    double topSpin = 60.0;     ///< rad/s at full throttle forward; backward half of it
     double brakeTorque = 0.0;  ///< N m
     double steerAngle = 0.0;   ///< radians either way; 0: it does not steer
-    double steerRate = 2.0;    ///< rad/s at which it turns there
+    double steerRate = 2.0;    ///< rad/s
 };
 
+/// Of a rope: a chain of points with distance constraints.
 struct RopeSettings {
-    double length = 0.0;                       ///< metres; 0: from end to end when it is made, and `slack` more
+    double length = 0.0;                       ///< metres; 0: the distance of the ends when it is made, plus `slack`
     double slack = 0.0;                        ///< metres
-    uint32_t points = 0;                       ///< of the chain, ends included; 0: one every 0.4 m, at least 3
+    uint32_t points = 0;                       ///< ends included; 0: one every 0.4 m, at least 3
     double radius = 0.03;                      ///< metres
     double massPerMetre = 1.0;                 ///< kg
-    double stretch = 0.0;                      ///< share of its length that it gives under 10 kN
+    double stretch = 0.0;                      ///< share of its length by which 10 kN stretch it
     double strength = 0.0;                     ///< N at which it breaks; 0: never
     std::array<uint8_t, 3> color{60, 56, 52};  ///< sRGB
 };
@@ -81,17 +81,18 @@ struct RopePoint {
     glm::dvec3 velocity{0.0};  ///< m/s
 };
 
+/// A constraint between two shapes, or a shape and the world.
 struct Joint {
     std::string name;
     JointKind kind = JointKind::Ball;
     std::array<JointEnd, 2> ends;
-    bool collides = false;  ///< whether what it joins touches each other
+    bool collides = false;  ///< whether the joined bodies collide with each other
     JointLimits limits;
     JointMotor motor;
     JointSpring spring;
-    double friction = 0.0;  ///< N m, of a prismatic joint N, that holds against the free motion: a wheel's brake
-    double maxForce = 0.0;  ///< N that it pulls with, and no more; 0: any
-    double breakForce = 0.0, breakTorque = 0.0;  ///< N and N m over a step at which it breaks; 0: never
+    double friction = 0.0;  ///< N m, of a prismatic joint N, against the free motion; of a wheel: its brake
+    double maxForce = 0.0;  ///< N that it pulls with at most; 0: no limit
+    double breakForce = 0.0, breakTorque = 0.0;  ///< N and N m, mean of a step, at which it breaks; 0: never
     double steer = 0.0;                          ///< of a wheel: radians about y
     WheelSettings wheel;
     uint32_t hand = 0;  ///< not 0: a grab, by hand - 1; see GrabEdit
@@ -107,12 +108,14 @@ struct RopeMotion {
 
 inline constexpr uint32_t kMaxRopePoints = 256;
 
+/// Why a joint is gone.
 enum class JointBreak : uint8_t { VoxelGone, Force, Removed, Cut };
 
-/// What is wrong with the numbers of a joint; empty: nothing.
+/// What is wrong with the numbers of a joint, what was expected; empty: nothing. Handles are not looked at.
 std::string jointError(const Joint& joint);
-/// Of all but a rope's points.
+/// Chains all of a joint but a rope's points into a hash.
 uint64_t hashJoint(const Joint& joint, uint64_t seed);
+/// Chains the positions and velocities of a rope's points into a hash; other joints leave it as it is.
 uint64_t hashRopePoints(const Joint& joint, uint64_t seed);
 
 }  // namespace rubble

@@ -12,8 +12,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kRopeSpacing = 0.4;  ///< metres between a rope's points, if it does not say
-constexpr int kMaxSearchCells = 32;   ///< cells around an end in which its voxel is looked for
+constexpr double kRopeSpacing = 0.4;  ///< metres between a rope's points, unless it sets their number
+constexpr int kMaxSearchCells = 32;   ///< around an end, in which its voxel is searched
 
 /// The cell that holds a joint's end: the nearest voxel within `radius`, both in cells.
 std::optional<glm::ivec3> findHeldCell(const VoxelGrid& grid, glm::dvec3 point, double radius) {
@@ -25,7 +25,7 @@ std::optional<glm::ivec3> findHeldCell(const VoxelGrid& grid, glm::dvec3 point, 
     return nearestVoxel(grid, point, {middle - r, middle + r + 1}, limit * limit);
 }
 
-/// A straight line of points from end to end: what is longer sags by itself.
+/// Points on a straight line from end to end. A longer rope sags by itself.
 void initRopePoints(Joint& joint, glm::dvec3 from, glm::dvec3 to) {
     RopeSettings& rope = joint.rope;
     if (rope.length == 0.0) rope.length = glm::length(to - from) + rope.slack;

@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-/// A number, or three, of a T and what they may be.
+/// The valid range of a number, or of three, of a T.
 template <class T, class Value>
 struct NumberRange {
     const char* name;  ///< as in files and in rubble.h
@@ -55,7 +55,7 @@ std::string numberError(const std::string& name, double value, double low, doubl
     return name + text;
 }
 
-/// Of the first number that is out of its range.
+/// About the first number that is out of its range; empty: none.
 template <class T, size_t kNumbers, size_t kVectors>
 std::string rangeError(const T& value, const NumberRange<T, float> (&numbers)[kNumbers],
                        const NumberRange<T, glm::vec3> (&vectors)[kVectors]) {

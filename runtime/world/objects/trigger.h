@@ -12,20 +12,22 @@ namespace rubble {
 
 enum class TriggerKind : uint8_t { Sphere, Box, Polygon };
 
-/// A region that reports which bodies enter and leave it. It touches nothing. Static bodies do not count.
+/// A region that reports which bodies enter and leave it. Nothing collides with it. Static bodies do not count.
 struct Trigger {
     std::string name;
     TriggerKind kind = TriggerKind::Box;
-    Pose pose;                 ///< world; sphere and box: of their middle; polygon: its origin, which does not turn it
+    Pose pose;                 ///< world; sphere and box: of their centre; polygon: its origin, without rotation
     double radius = 1.0;       ///< sphere, metres
     glm::dvec3 halfSize{1.0};  ///< box, metres
-    GroundPolygon outline;     ///< polygon: from the pose's position
+    GroundPolygon outline;     ///< polygon: relative to the pose's position
     double height = 1.0;       ///< polygon: upward from the pose's position, metres
     uint8_t layers = 255;      ///< only shapes with a collision layer in this mask count
     std::vector<std::string> tags;
-    std::vector<BodyHandle> inside;  ///< with a voxel in it, in slot order; empty in a level
+    std::vector<BodyHandle> inside;  ///< bodies with a voxel in it, in slot order; empty in a level
 
+    /// The smallest world box around it.
     WorldBox bounds() const;
+    /// Of all that decides what happens.
     uint64_t hash() const;
 };
 

@@ -11,7 +11,8 @@ namespace {
 
 constexpr size_t kBatch = 64;  ///< queries
 
-/// Whether a ray (unit direction) meets a box within a distance (slabs: Kay & Kajiya 1986).
+/// Whether a ray of unit direction meets a box, grown by `halfExtent`, within a distance. The slab method: the ray's
+/// interval inside a box is the intersection of its intervals between the three pairs of planes (Kay & Kajiya 1986).
 bool intersects(const WorldBox& box, glm::dvec3 halfExtent, glm::dvec3 origin, glm::dvec3 direction, double distance) {
     double enter = 0.0, leave = distance;
     for (int a = 0; a < 3; ++a) {
@@ -27,7 +28,7 @@ bool intersects(const WorldBox& box, glm::dvec3 halfExtent, glm::dvec3 origin, g
     return enter <= leave;
 }
 
-/// The filter as it bears on one shape.
+/// A filter applied to shapes, with the accepted palette entries of the last one.
 class ShapeFilter {
 public:
     ShapeFilter(const WorldData& world, const QueryFilter& filter)
@@ -41,7 +42,7 @@ public:
         }
         return !has(m_filter.rejectedShapes, handle) && !has(m_filter.rejectedBodies, shape.body);
     }
-    /// Entries of the shape's palette that count; null: all.
+    /// Entries of the shape's palette that the query sees; null: all.
     EntryFilter entries(const Shape& shape) {
         if (!m_filtersEntries) return nullptr;
         if (m_palette == shape.palette.get()) return m_all ? nullptr : &m_entries;
@@ -68,7 +69,7 @@ private:
     std::array<bool, 256> m_entries{};
 };
 
-/// f(handle, shape) for the accepted shapes whose bounds, a little widened, satisfy isNear(box); in no order.
+/// Calls f(handle, shape) for the accepted shapes whose bounds, with a margin, satisfy isNear(box); in no order.
 template <class IsNear, class F>
 void forEachShape(const WorldData& world, const ShapeFilter& filter, IsNear&& isNear, F&& f) {
     world.shapeBounds.find(isNear, [&](uint32_t slot) {
@@ -78,7 +79,7 @@ void forEachShape(const WorldData& world, const ShapeFilter& filter, IsNear&& is
     });
 }
 
-/// Whether something at a distance takes the place of the best so far.
+/// Whether a hit at a distance is better than the best so far: nearer, or as near in a lower slot.
 bool isBetter(double distance, uint32_t slot, const WorldHit& best) {
     if (!best.hit) return distance <= best.distance;
     return distance < best.distance || (distance == best.distance && slot < best.shape.slot());
@@ -167,7 +168,7 @@ std::vector<BodyHandle> bodiesOf(const WorldData& world, const std::vector<Shape
     return bodies;
 }
 
-/// Cells that hold all solid ones.
+/// The smallest box around all solid cells.
 CellBox solidBox(const VoxelGrid& grid) {
     CellBox box{grid.size(), glm::ivec3(0)};
     grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {

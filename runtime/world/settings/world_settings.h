@@ -10,15 +10,15 @@
 
 namespace rubble {
 
-/// How a world breaks.
+/// How a world breaks, burns and remembers. Budgets count work, never time: results are the same on every machine.
 struct WorldSettings {
-    uint64_t minPieceVoxels = 1;      ///< smaller pieces vanish: they count as removed
+    uint64_t minPieceVoxels = 1;      ///< smaller pieces are removed
     double impactThreshold = 2000.0;  ///< N s below which an impact breaks nothing
-    double impactSpeed = 0.8;         ///< m/s that an impact must cost the heavier body: weight at rest breaks nothing
-    double impactRadius = 0.25;       ///< metres that an impact at the threshold takes out of soft materials
-    double impactRadiusLimit = 0.6;   ///< metres
-    size_t impactsPerStep = 8;        ///< how many impacts break something in one step, the hardest first
-    size_t undoMarks = 0;             ///< how many marks can be undone; 0: nothing is remembered, and nothing paid
+    double impactSpeed = 0.8;    ///< m/s that an impact must change the heavier body by: weight at rest breaks nothing
+    double impactRadius = 0.25;  ///< metres of a hole at the threshold; grows with the root of the impulse
+    double impactRadiusLimit = 0.6;  ///< metres, the largest such hole
+    size_t impactsPerStep = 8;       ///< impacts that break something in one step, the hardest first
+    size_t undoMarks = 0;            ///< marks that can be undone; 0: no history, at no cost
     DebrisSettings debris;
     PaintSettings paint;
     FireSettings fire;

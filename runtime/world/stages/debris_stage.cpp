@@ -21,7 +21,7 @@ void despawn(EditContext& context, BodyHandle handle) {
     destroyShape(context, shapeHandle);
 }
 
-/// Takes what was created and destroyed in the same step, and does not live again by an undo, off both lists.
+/// Removes from both lists what was created and destroyed in the same step; what an undo brought back stays.
 template <class Handle, class Map>
 void removeTransient(std::vector<Handle>& created, std::vector<Handle>& destroyed, const Map& living) {
     const auto lives = [&](Handle handle) { return living.find(handle) != nullptr; };
@@ -34,7 +34,7 @@ void removeTransient(std::vector<Handle>& created, std::vector<Handle>& destroye
     std::erase_if(created, [&](Handle handle) { return std::binary_search(gone.begin(), gone.end(), handle); });
 }
 
-/// Takes pieces that were made and despawned in this step out of the journal: nobody needs to hear of them.
+/// Removes pieces that were made and despawned in this step from the journal.
 void dropTransient(EditContext& context) {
     removeTransient(context.changes.bodiesCreated, context.changes.bodiesDestroyed, context.world.bodies);
     removeTransient(context.changes.shapesCreated, context.changes.shapesDestroyed, context.world.shapes);

@@ -17,7 +17,7 @@ bool isWithinUnit(double value, double low) {
     return value >= low && value <= 1.0;
 }
 
-/// What a wheel does in this step.
+/// The wheel with motor, brake and steering as the edit sets them for this step.
 Joint drivenWheel(const Joint& wheel, const DriveEdit& drive) {
     Joint out = wheel;
     const WheelSettings& settings = wheel.wheel;

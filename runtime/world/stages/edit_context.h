@@ -50,6 +50,7 @@ struct DustSource {
 
 /// What the stages of one step share: the world, the journal, and what the step has done so far. Lives for one step.
 struct EditContext {
+    /// For one step on a world, with the journal to complete.
     EditContext(WorldData& world, FrameChanges& changes);
 
     WorldData& world;

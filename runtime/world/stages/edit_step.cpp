@@ -23,7 +23,7 @@
 namespace rubble {
 namespace {
 
-/// Calls the first of some functions that takes the argument.
+/// Overloads of a visitor.
 template <class... F>
 struct Overloaded : F... {
     using F::operator()...;
@@ -60,7 +60,7 @@ void EditStep::applyEdit(const Edit& edit) {
                edit);
 }
 
-/// Completes the journal by what the edit states hold: bricks, carved shapes, broken bodies.
+/// Adds to the journal what the edit states hold: bricks, carved shapes, broken bodies.
 void EditStep::listChangedBricks() {
     std::erase_if(m_context.changes.palettes, [&](ShapeHandle shape) { return !m_context.world.shapes.find(shape); });
     size_t count = m_context.changes.bricks.size();

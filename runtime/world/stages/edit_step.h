@@ -9,6 +9,7 @@ namespace rubble {
 /// step.
 class EditStep {
 public:
+    /// For one step on a world, with the journal to complete.
     EditStep(WorldData& world, FrameChanges& changes)
         : m_context(world, changes), m_fire(m_context), m_impactLoads(m_context) {}
 

@@ -19,7 +19,7 @@ namespace rubble {
 namespace {
 
 constexpr Srgb kCharColor = {22, 19, 17};
-constexpr uint8_t kCharStrength = 44;     ///< of 255, a round
+constexpr uint8_t kCharStrength = 44;     ///< of 255, for each update that chars
 constexpr int kRadiationInterval = 5;     ///< updates of a brick between two radiations to other shapes
 constexpr double kRadiationRadius = 1.1;  ///< metres
 constexpr double kRadiatedShare = 0.12;   ///< of the heat that a fire emits

@@ -10,6 +10,7 @@ namespace rubble {
 /// on every machine. A step updates the bricks whose turn it is, each every kHeatInterval steps.
 class FireStage {
 public:
+    /// For the step of the context.
     explicit FireStage(EditContext& context) : m_context(context) {}
 
     /// Heats the bricks in a sphere, each by its share of the exposed surface there.

@@ -11,7 +11,7 @@
 namespace rubble {
 namespace {
 
-/// Moves what a hand holds already.
+/// Gives a grab another target or strength.
 void updateGrab(EditContext& context, JointHandle handle, const GrabEdit& edit) {
     Joint& grab = context.world.joints.at(handle);
     if (grab.ends[1].frame.position == edit.target && grab.maxForce == edit.maxForce && grab.spring.hertz == edit.hertz)

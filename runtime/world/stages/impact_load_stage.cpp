@@ -13,7 +13,7 @@
 namespace rubble {
 namespace {
 
-constexpr int kMaxSearchCells = 8;      ///< from the place of an impact: the voxels there may just have been crushed
+constexpr int kMaxSearchCells = 8;      ///< around an impact, whose own voxels may just have been removed
 constexpr double kMaxMagnitude = 1e12;  ///< metres, N s
 
 bool isSane(glm::dvec3 v) {

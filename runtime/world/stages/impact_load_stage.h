@@ -11,6 +11,7 @@ namespace rubble {
 /// when its analysis has found where. Lives for one step: a piece is tested once in it.
 class ImpactLoadStage {
 public:
+    /// For the step of the context.
     explicit ImpactLoadStage(EditContext& context) : m_context(context) {}
 
     /// Loads the edit's shape with the force impulse / StressSettings::contactTime at its voxel nearest to the

@@ -12,11 +12,11 @@ namespace rubble {
 namespace {
 
 constexpr double kBlastRadiusRatio = 2.5;  ///< radius of the push as a multiple of the explosion's size
-constexpr double kBlastImpulse = 1500.0;   ///< N s at the centre for size 1, if the edit does not say
+constexpr double kBlastImpulse = 1500.0;   ///< N s at the centre for size 1, unless the edit sets it
 constexpr double kMaxBlastSpeed = 9.0;     ///< m/s from a blast of size 1: light pieces do not become bullets
 constexpr double kImpactOffset = 0.2;  ///< share of a body's mean radius from its centre to where it is hit: it tumbles
 
-/// A point of the unit cube around zero, the same for a body at every run.
+/// A point of the cube from -1 to 1, the same for a body in every run.
 glm::dvec3 randomOffset(BodyHandle body, uint64_t step) {
     Random random(body.slot(), step);
     const float x = random.unit();

@@ -31,7 +31,7 @@ void darkenGroup(EditContext& context, LightGroupHandle group) {
         std::vector<LightHandle>& lights = context.changes.lights;
         if (std::find(lights.begin(), lights.end(), handle) == lights.end()) lights.push_back(handle);
     });
-    std::vector<std::pair<PaletteRef, PaletteRef>> seen;  // shapes go on sharing what they shared
+    std::vector<std::pair<PaletteRef, PaletteRef>> seen;  // shapes that share a palette share the dark one
     context.world.shapes.forEach([&](ShapeHandle handle, Shape& shape) {
         auto known =
             std::find_if(seen.begin(), seen.end(), [&](const auto& pair) { return pair.first == shape.palette; });
@@ -55,7 +55,7 @@ void turnOff(EditContext& context, LightGroupHandle handle, LightGroup& group) {
 }
 
 void updateFlicker(EditContext& context, LightGroupHandle handle, LightGroup& group) {
-    constexpr uint64_t kSteps = 3;  ///< that a state lasts
+    constexpr uint64_t kSteps = 3;  ///< for which it stays on or off
     const bool isDark = hashCell(int(handle.slot()), int(context.changes.step / kSteps), 0) & 1;
     context.changes.groups.push_back(handle);
     if (std::exchange(group.dark, isDark) == isDark) return;

@@ -40,7 +40,7 @@ bool reframeShape(EditContext& context, ShapeHandle handle, const CellBox& box) 
     reframeJoints(context, handle, box.low);
     if (isLess)
         context.recordRemoved(handle, removed, {shapeToWorld(context.world, handle).transformPoint({}), 0.0, {}});
-    for (PendingSplit& pending : context.world.pendingSplits)  // its cut is in the old cells
+    for (PendingSplit& pending : context.world.pendingSplits)  // their cuts are in the old cells
         if (pending.shape == handle) pending.cut.clear(), pending.search.reset(), shape.knownConnected = false;
     std::erase_if(context.world.fire.fields, [&](const HeatField& field) { return field.shape == handle; });
     context.world.fire.compact();

@@ -46,7 +46,7 @@ bool sharesFace(const VoxelGrid& into, const VoxelGrid& shape, glm::ivec3 offset
 }
 
 Shape* shapeToEdit(EditContext& context, ShapeHandle handle, const char* edit) {
-    releaseFragments(context);  // they are in the cells of the shape as it is now
+    releaseFragments(context);  // their cells are those of the shape as it is now
     Shape* shape = context.world.shapes.find(handle);
     if (!shape) logWarning(std::string(edit) + ": the handle of its shape is stale; nothing was done");
     return shape;
@@ -135,7 +135,7 @@ void apply(EditContext& context, const SplitShapeEdit& edit) {
                                  body.angularVelocity, mass.mass});
         split.parentOffset.push_back(piece.offset);
         split.children.push_back(createSplitShape(context, edit.shape, std::move(piece), moments));
-        shape = &context.world.shapes.at(edit.shape);  // the new shape may have moved the others
+        shape = &context.world.shapes.at(edit.shape);  // inserting a shape may have moved the others
     }
     shape->knownConnected = true;
     if (split.children.empty()) return;

@@ -40,7 +40,7 @@ void splitShape(EditContext& context, ShapeHandle parent, const Detached& detach
         Piece piece = takePiece(shape->grid, component);
         split.parentOffset.push_back(piece.offset);
         split.children.push_back(createPiece(context, parent, std::move(piece), moments, split.motions.emplace_back()));
-        shape = &context.world.shapes.at(parent);  // the new shape may have moved the others
+        shape = &context.world.shapes.at(parent);  // inserting a shape may have moved the others
     }
     const bool isFree = detached.isUnanchored || !isAnchored;
     if (isFree && shape->grid.voxelCount() < smallest)

@@ -11,7 +11,7 @@
 namespace rubble {
 namespace {
 
-/// Around the grids of all shapes of a body.
+/// The box around the grids of all shapes of a body.
 WorldBox bodyGridBounds(const WorldData& world, const Body& body) {
     WorldBox bounds{glm::dvec3(1e300), glm::dvec3(-1e300)};
     for (const ShapeHandle handle : body.shapes) bounds = bounds.merged(gridBounds(world, handle));
@@ -61,7 +61,7 @@ bool bySlot(Handle a, Handle b) {
     return a.slot() < b.slot();
 }
 
-/// Bodies that physics has moved or this step has changed, by slot.
+/// Bodies that physics has moved since the last step or this step has changed, in slot order.
 std::vector<BodyHandle> takeMovedBodies(EditContext& context) {
     std::vector<BodyHandle> bodies = std::exchange(context.world.movedBodies, {});
     for (const auto* list :

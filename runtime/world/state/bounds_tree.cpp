@@ -5,7 +5,7 @@
 namespace rubble {
 namespace {
 
-constexpr double kMargin = 0.2;  ///< metres: a falling body is moved in the tree every few steps
+constexpr double kMargin = 0.2;  ///< metres: a falling body changes the tree every few steps only
 
 bool isNumber(const WorldBox& box) {
     return box.low.x <= box.high.x && box.low.y <= box.high.y && box.low.z <= box.high.z;

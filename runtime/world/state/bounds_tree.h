@@ -7,19 +7,23 @@
 
 namespace rubble {
 
-/// Numbered boxes, found by place: a binary tree of bounds kept good by rotations (Catto, "Dynamic Bounding Volume
-/// Hierarchies", GDC 2019). Placing, moving and finding cost the depth of the tree, whatever it holds.
-/// A box is kept with a margin, so that small moves cost a comparison: what is found is near, not exact, and in no
-/// order.
+/// A dynamic tree of axis-aligned boxes (Catto, "Dynamic Bounding Volume Hierarchies", GDC 2019). A leaf is an item's
+/// box; an inner node is the box around its two children. A new leaf becomes the sibling of the node that makes the
+/// total area grow least, and on the path back to the root rotations swap a node with its sibling's child where that
+/// shrinks a box: the area heuristic, by which a node is visited with a probability proportional to its surface area.
+/// Insertion, moves and searches cost the depth of the tree. Boxes are kept with a margin, so that a small move costs a
+/// comparison: what is found is near, not exact, in no order.
 class BoundsTree {
 public:
-    /// Inserts the item, or moves it. A box with a NaN is nowhere.
+    /// Inserts an item or moves it. An item whose box has a NaN is removed.
     void update(uint32_t item, const WorldBox& box);
+    /// Removes an item, if it is there.
     void remove(uint32_t item);
+    /// Removes all items.
     void clear() { *this = {}; }
 
-    /// f(item) for every item whose box may satisfy isNear(box), which must hold for a box if it holds for a part of
-    /// it.
+    /// Calls f(item) for every item whose box, margin included, satisfies isNear(box). isNear must be true for a box if
+    /// it is true for a part of it.
     template <class IsNear, class F>
     void find(IsNear&& isNear, F&& f) const {
         if (m_root == kNone) return;
@@ -34,6 +38,7 @@ public:
                 open.insert(open.end(), {node.left, node.right});
         }
     }
+    /// Nodes on the longest path from the root.
     int depth() const;
 
 private:
@@ -41,6 +46,7 @@ private:
     struct Node {
         WorldBox box;
         uint32_t parent = kNone, left = kNone, right = kNone, item = kNone;
+        /// Whether it holds an item.
         bool isLeaf() const { return left == kNone; }
     };
     uint32_t allocate();
@@ -48,10 +54,10 @@ private:
     void insertLeaf(uint32_t leaf);
     void removeLeaf(uint32_t leaf);
     void replaceChild(uint32_t parent, uint32_t old, uint32_t by);
-    /// Brings the boxes from here to the root up to date and rotates where that makes them smaller.
+    /// Updates the boxes from here to the root, with a rotation at each node that has a good one.
     void refit(uint32_t node);
     void rotate(uint32_t node);
-    /// What the area of `child` shrinks by if its sibling's place is taken by one of its children.
+    /// Tests the rotations that swap `sibling` with a child of `child`; keeps the one that saves the most area.
     void trySwap(uint32_t child, uint32_t& sibling, double& best, std::pair<uint32_t*, uint32_t*>& swap);
 
     std::vector<Node> m_nodes;

@@ -33,7 +33,7 @@ HotBrick* FireState::findOrAdd(ShapeHandle shape, glm::ivec3 brick, uint32_t lim
     if (hotBricks >= limit) return nullptr;
     auto field = findField(fields, shape);
     if (field == fields.end() || field->shape.slot() != shape.slot()) field = fields.insert(field, {shape, {}});
-    if (field->shape != shape) *field = {shape, {}};  // of a shape that is gone
+    if (field->shape != shape) *field = {shape, {}};  // the old field is of a shape that is gone
     ++hotBricks;
     return &*field->bricks.insert(findBrick(field->bricks, brick), HotBrick{.brick = brick});
 }

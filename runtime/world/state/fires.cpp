@@ -10,11 +10,11 @@
 namespace rubble {
 namespace {
 
-constexpr double kLightCellSize = 1.6;  // metres: fires in the same cube of this size share a light
-constexpr int kFlickerSteps = 5;        // between two of the values that a flicker runs through
-constexpr float kFlickerDepth = 0.35f;
+constexpr double kLightCellSize = 1.6;  ///< metres: fires in the same cube of a grid share a light
+constexpr int kFlickerSteps = 5;        ///< between two random values of a flicker
+constexpr float kFlickerDepth = 0.35f;  ///< share of the intensity
 
-/// The mean of a brick's solid cells, in the shape's cells, and their number.
+/// The centroid of a brick's solid cells, in the shape's cells, and their number.
 std::pair<glm::dvec3, int> brickCentroid(const Brick& brick, glm::ivec3 position) {
     glm::ivec3 sum(0);
     int count = 0;
@@ -22,7 +22,7 @@ std::pair<glm::dvec3, int> brickCentroid(const Brick& brick, glm::ivec3 position
     return {glm::dvec3(position * kBrickSize) + glm::dvec3(sum) / double(std::max(count, 1)) + 0.5, count};
 }
 
-/// 1 - kFlickerDepth to 1, smooth over steps.
+/// 1 - kFlickerDepth to 1: random values at intervals, interpolated between.
 float flicker(uint32_t seed, uint64_t step) {
     const auto value = [&](uint64_t n) { return float(hashCell(int(n), 0, 0, seed) & 255) / 255.0f; };
     const uint64_t n = step / kFlickerSteps;

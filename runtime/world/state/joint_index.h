@@ -7,16 +7,20 @@
 
 namespace rubble {
 
-/// Which joints hold on to a shape, and which are ropes or grabs: a split costs its own joints, not the world's.
+/// Finds the joints of a shape, the ropes and the grabs: a split costs its own joints, not all of the world.
 class JointIndex {
 public:
+    /// Adds a joint under the shapes of its ends.
     void add(JointHandle handle, const Joint& joint);
-    /// As it was added.
+    /// Removes a joint; its ends, kind and hand must be as when it was added.
     void remove(JointHandle handle, const Joint& joint);
+    /// Removes all joints.
     void clear();
-    /// In slot order.
+    /// Joints with an end on a shape, in slot order.
     std::span<const JointHandle> of(ShapeHandle shape) const;
+    /// All ropes, in slot order.
     std::span<const JointHandle> ropes() const { return m_ropes; }
+    /// All grabs, in slot order.
     std::span<const JointHandle> grabs() const { return m_grabs; }
 
 private:

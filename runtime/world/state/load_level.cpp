@@ -12,9 +12,9 @@
 namespace rubble {
 namespace {
 
-using ShapeNames = std::unordered_map<std::string, ShapeHandle>;  ///< of two shapes of a name, the first
+using ShapeNames = std::unordered_map<std::string, ShapeHandle>;  ///< of several shapes of a name the first
 
-/// The lowest layer of cells that holds anything, as a box over the whole grid.
+/// The lowest layer of cells with a voxel, as a box over the whole grid.
 CellBox bottomLayer(const VoxelGrid& grid) {
     int lowest = grid.size().y;
     grid.forEachBrick([&](glm::ivec3 position, const BrickRef& brick) {
@@ -25,7 +25,7 @@ CellBox bottomLayer(const VoxelGrid& grid) {
     return {{0, lowest, 0}, {grid.size().x, lowest + 1, grid.size().z}};
 }
 
-/// Empty for an empty name and for one that no shape has.
+/// Empty for an empty name and for a name that no shape has.
 ShapeHandle findByName(const ShapeNames& names, const std::string& name) {
     const auto shape = names.find(name);
     return name.empty() || shape == names.end() ? ShapeHandle{} : shape->second;
@@ -49,7 +49,7 @@ ShapeHandle loadShape(WorldData& world, BodyHandle body, bool isStatic, const Le
     return handle;
 }
 
-/// Hidden shapes are kept in files and are no part of the world; a body of nothing else is none either.
+/// Leaves out hidden shapes, and bodies of hidden shapes only.
 ShapeNames loadBodies(WorldData& world, const Level& level) {
     ShapeNames names;
     const auto isHidden = [](const LevelShape& shape) { return shape.hidden; };
@@ -67,7 +67,7 @@ ShapeNames loadBodies(WorldData& world, const Level& level) {
     return names;
 }
 
-/// Fills in initialVoxels of groups that do not bring it.
+/// Fills in LightGroup::initialVoxels where the level does not set it.
 void countGroupVoxels(WorldData& world) {
     if (world.groups.size() == 0) return;
     std::vector<uint64_t> counts(world.groups.slotCount());
@@ -88,7 +88,7 @@ void countGroupVoxels(WorldData& world) {
     });
 }
 
-/// A group whose supply leads nowhere from the start needs none.
+/// A group whose supply is not connected in the level needs none.
 void connectPowerSupplies(WorldData& world, const ShapeNames& names) {
     world.groups.forEach([&](LightGroupHandle handle, LightGroup& group) {
         group.supply = findByName(names, group.supplyShape);

@@ -6,12 +6,12 @@
 
 namespace rubble {
 
-/// A shape that was cut and waits for its split; see SplitSettings. First come, first served; cut again, it keeps its
-/// place and is searched from the start.
+/// A shape that was cut and waits for its connectivity test; see SplitSettings. First come, first served. A shape that
+/// is cut again keeps its place in the line, and its test starts again.
 struct PendingSplit {
     ShapeHandle shape;
-    BrickSet cut;
-    std::optional<AttachmentSearch> search;
+    BrickSet cut;                            ///< bricks that lost voxels
+    std::optional<AttachmentSearch> search;  ///< the test, once it has begun
 };
 
 }  // namespace rubble

@@ -40,7 +40,7 @@ void WorldData::rebuildIndexes() {
     restartStress();
 }
 
-/// Bodies inside triggers are looked at in the next step; what `inside` holds stays if nothing has changed.
+/// All free bodies are tested against triggers in the next step.
 void WorldData::indexTriggers() {
     if (!triggers.size()) return;
     triggers.forEach(

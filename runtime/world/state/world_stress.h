@@ -1,38 +1,46 @@
 #pragma once
+#include <cstdint>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "runtime/core/handle.h"
 #include "runtime/destruction/stress_analysis.h"
 
 namespace rubble {
 
-/// The stress analyses of a world's standing shapes, and the cracks that wait for the next step. There is none in a
-/// world whose StressSettings are off. What it holds decides what breaks when, so it is part of World::hash(); saving
-/// drops it, in the running game too (World::resetCaches()).
+/// The stress analyses of a world's standing shapes, and the cracks that open in the next step. It decides what breaks
+/// when, so it is part of World::hash(). Saving drops it, in the running game too (World::resetCaches()).
 class WorldStress {
 public:
     struct Entry {
         ShapeHandle shape;
         StressAnalysis analysis;
-        PaletteRef palette;  ///< that `entries` were made from
-        StrengthTable entries;
-        std::vector<StressCrack> cracks;
-        std::vector<WeakBrick> weak;  ///< by cellBefore()
+        PaletteRef palette;               ///< that `entries` were made from
+        StrengthTable entries;            ///< strengths by palette entry
+        std::vector<StressCrack> cracks;  ///< open in the next step
+        std::vector<WeakBrick> weak;      ///< bricks that fire has weakened, by cellBefore()
     };
 
+    /// Starts the analysis of a shape.
     Entry& add(ShapeHandle shape);
+    /// Ends the analysis of a shape, if there is one.
     void remove(ShapeHandle shape);
+    /// The analysis of a shape; null if there is none. Stays where it is until it is removed.
     Entry* find(ShapeHandle shape);
-    /// Makes an entry take its turn until it is idle and its cracks are open.
+    /// Gives an analysis work until it is idle and its cracks are open.
     void wake(ShapeHandle shape) { m_busy.insert(shape.slot()); }
+    /// Ends the work of an analysis.
     void sleep(ShapeHandle shape) { m_busy.erase(shape.slot()); }
+    /// Whether any analysis has work to do.
     bool isBusy() const { return !m_busy.empty(); }
-    /// Those that have something to do, in slot order, beginning after the one that was served last.
+    /// Analyses with work to do, in slot order, beginning after the one that was served last.
     std::vector<ShapeHandle> busy() const;
+    /// Notes that an analysis had its turn.
     void served(ShapeHandle shape) { m_lastServed = shape.slot(); }
-    /// For another gravity or other settings.
+    /// Starts all analyses again, for another gravity.
     void restartAll();
+    /// Of all that decides what breaks when.
     uint64_t hash() const;
 
 private:

@@ -48,7 +48,7 @@ TEST(ApplyEdits, DetachedPiecesBecomeBodies) {
     EXPECT_TRUE(piece.isPiece);
     EXPECT_EQ(changes.bodiesCreated, std::vector{piece.body});
     EXPECT_FALSE(world.bodies().at(piece.body).isStatic);
-    // The child's cells lie where they were.
+    // The child's cells are where they were in the world.
     EXPECT_EQ(changes.splits[0].parentOffset[0] % 8, glm::ivec3(0));
     const glm::dvec3 corner = shapeToWorld(world, child).position - shapeToWorld(world, parent).position;
     EXPECT_LT(glm::length(corner - glm::dvec3(changes.splits[0].parentOffset[0]) * 0.1), 1e-6);
@@ -91,7 +91,7 @@ TEST(ApplyEdits, AFreeShapeKeepsItsLargestPiece) {
     EXPECT_TRUE(changes.unanchored.empty());
 }
 
-/// Cuts of one step are judged together, small and close by as they are; so are they over steps.
+/// Two small cuts close to each other are tested together, in one step and over steps.
 TEST(ApplyEdits, TwoHalfCutsSplitTogether) {
     VoxelGrid bar({60, 6, 6});
     {
@@ -106,8 +106,8 @@ TEST(ApplyEdits, TwoHalfCutsSplitTogether) {
         World world;
         world.load(oneShapeLevel(bar, false));
         world.applyEdits({});
-        EXPECT_TRUE(
-            world.applyEdits({sphereCarve({5.0, 0.3, 0.3}, 0.1)}).splits.empty());  // a first cut looks at all of it
+        EXPECT_TRUE(world.applyEdits({sphereCarve({5.0, 0.3, 0.3}, 0.1)})
+                        .splits.empty());  // the first test looks at the whole shape
         if (!isOneStep) {
             EXPECT_TRUE(world.applyEdits({half(0.15)}).splits.empty());
         }
@@ -118,7 +118,7 @@ TEST(ApplyEdits, TwoHalfCutsSplitTogether) {
     }
 }
 
-/// What is broken out as fragments is looked at for what it held, as what is carved.
+/// Voxels that break out as fragments count as lost in the connectivity test, as carved ones do.
 TEST(ApplyEdits, ABreakThatDividesAShapeSplitsIt) {
     VoxelGrid bar({60, 6, 6});
     {
@@ -179,7 +179,7 @@ TEST(ApplyEdits, PiecesBelowMinPieceVoxelsAreRemoved) {
     const VoxelAccounting accounting = voxelAccounting(world);
     EXPECT_TRUE(accounting.balances());
     EXPECT_EQ(accounting.inPieces, 0u);
-    EXPECT_GT(accounting.removed, 350u);  // the mast above the cut went too
+    EXPECT_GT(accounting.removed, 350u);  // the mast above the cut is removed too
 }
 
 TEST(ApplyEdits, StaleHandlesChangeNothing) {

@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-/// A block of steel has hit a fixed sheet of a material from the side of +z with 5,000 N s.
+/// A block of steel hits a fixed sheet of a material from +z with 5,000 N s.
 struct Throw {
     explicit Throw(const char* sheet, int thickness = 1, int side = 4) {
         auto palette = std::make_shared<Palette>();
@@ -35,7 +35,7 @@ struct Throw {
 
 TEST(BreakThrough, APaneTakesOnlyItsBreakingImpulse) {
     const Throw thrown("glass");
-    // Physics may list the two bodies either way round; its normal is the way in which it pushed the first.
+    // Physics lists the two bodies in any order; the normal is the direction in which it pushed the first.
     for (const bool blockFirst : {true, false}) {
         Impact impact{thrown.block, thrown.wall, {1, 1, 0.1}, {0, 0, 1}, 5000.0, 10.0};
         if (!blockFirst) impact = {thrown.wall, thrown.block, {1, 1, 0.1}, {0, 0, -1}, 5000.0, 10.0};

@@ -1,5 +1,5 @@
-// P17 and P18 of the accuracy scenes: what a split conserves, over very many random cuts (RUBBLE_LONG=1: a hundred
-// thousand).
+// What a split conserves (scenes P17 and P18 of the accuracy tests), over very many random cuts: a hundred thousand
+// with RUBBLE_LONG=1.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -46,7 +46,7 @@ public:
         level.bodies[0].angularVelocity = {4.0 * z, 7.0 * w, -3.0 * y};
         m_world.load(level);
         WorldSettings settings = m_world.settings();
-        settings.debris.awakeBodies = settings.debris.bodies = 1'000'000;  // none of it becomes dust
+        settings.debris.awakeBodies = settings.debris.bodies = 1'000'000;  // nothing despawns
         m_world.setSettings(settings);
         m_world.applyEdits({});
     }
@@ -111,7 +111,7 @@ private:
         const double x = m_random.unit(), y = m_random.unit(), z = m_random.unit(), kind = m_random.unit();
         const Vector position = pose.transformPoint(size * Vector(x, y, z));
         CarveEdit edit = test::sphereCarve(position, shape.voxelSize * (0.6 + 2.5 * kind));
-        if (kind < 0.4) {  // a slab across the whole of it, aslant
+        if (kind < 0.4) {  // an oblique slab across the whole shape
             edit.kind = BrushKind::Box;
             edit.halfSize = Vector(10.0, 0.8 * shape.voxelSize, 10.0);
             edit.rotation = glm::normalize(glm::dquat(1.0, x - 0.5, 3.0 * (y - 0.5), z - 0.5));

@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr int kPillars = 12;  ///< on a side
+constexpr int kPillars = 12;  ///< on each side of the square
 
 /// A slab of 0.4 m with pillars of 2x6x2 cells, 4 cells apart; column x is two cells lower if `uneven`.
 VoxelGrid pillars(bool uneven = false) {
@@ -19,7 +19,7 @@ VoxelGrid pillars(bool uneven = false) {
     });
 }
 
-/// Takes one layer of cells from columns [from, to) of pillars, which come off.
+/// Carves one layer of cells out of the pillars of columns [from, to), whose upper parts come off.
 CarveEdit cutColumns(int from, int to) {
     CarveEdit edit{.kind = BrushKind::Box};
     edit.position = {0.1 * (from + to) * 2.0, 0.45, 2.4};
@@ -129,7 +129,7 @@ TEST(Debris, AwakePiecesHaveTheirOwnBudget) {
     world.applyEdits({cutColumns(8, 12)});
     EXPECT_EQ(world.data().debris.awakeCount(), 48u);
     EXPECT_EQ(world.data().debris.count(), 98u);
-    // Those that an explosion wakes need places too.
+    // Pieces that an explosion wakes count as awake too.
     const FrameChanges blast = world.applyEdits({ExplodeEdit{.position = {1.2, 1.4, 2.4}, .size = 0.5}});
     EXPECT_LE(world.data().debris.awakeCount(), 50u);
     for (const ImpulseApplied& impulse : blast.impulses) EXPECT_TRUE(world.bodies().find(impulse.body));
@@ -148,7 +148,7 @@ TEST(Debris, SettlesAfterItsTimeAndReportsIt) {
     EXPECT_EQ(changes.settled, (std::vector{pieces[0], pieces[7]}));
     EXPECT_FALSE(changes.empty());
     EXPECT_TRUE(world.applyEdits({}).empty());
-    world.sleep({pieces[7]}, false);  // physics has woken it
+    world.sleep({pieces[7]}, false);  // physics wakes it
     EXPECT_FALSE(world.bodies().at(pieces[7]).settled);
     EXPECT_EQ(world.applyEdits({}).unsettled, std::vector{pieces[7]});
     EXPECT_EQ(world.applyEdits({ImpulseEdit{pieces[0], {}, {0, 1, 0}}}).unsettled, std::vector{pieces[0]});

@@ -8,7 +8,7 @@ namespace {
 
 using namespace test;
 
-/// A chassis of 20 x 2 x 4 cells with a wheel below each end; the front one, at +x, drives and steers, both brake.
+/// A chassis of 20 x 2 x 4 cells with a wheel below each end. The front one, at +x, drives and steers; both brake.
 Level cart() {
     Level level = oneShapeLevel(solidGrid({20, 2, 4}), false, {{0.0, 1.0, 0.0}});
     for (int i = 0; i < 2; ++i) {

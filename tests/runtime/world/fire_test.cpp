@@ -32,7 +32,7 @@ VoxelGrid wall(glm::ivec3 size, uint8_t entry = kWood) {
     return solidGrid(size, entry);
 }
 
-/// Runs steps without edits; what happened in all of them.
+/// Sums of what happened in some steps without edits.
 struct Happened {
     uint64_t lit = 0, out = 0, removed = 0, refused = 0, maxSteps = 0;
 };
@@ -65,10 +65,10 @@ TEST(Fire, AWoodenWallBurnsDownAndABrickOneDoesNot) {
             EXPECT_EQ(burned.removed, 0u);
             continue;
         }
-        EXPECT_GE(burned.lit, 9u) << "of twelve bricks; what falls apart may stay behind";
+        EXPECT_GE(burned.lit, 9u) << "of twelve bricks; parts that come off may not burn";
         EXPECT_GT(burned.removed, 32u * 24 * 3 * 2 / 3);
         EXPECT_EQ(voxelAccounting(world).removed, burned.removed);
-        EXPECT_FALSE(world.data().fire.isActive()) << "and then nothing is left to be hot";
+        EXPECT_FALSE(world.data().fire.isActive()) << "nothing is left to be hot";
     }
 }
 

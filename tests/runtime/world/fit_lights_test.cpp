@@ -47,7 +47,7 @@ TEST(FitLights, OneGroupAndLightPerConnectedGlow) {
         << "a panel faces along its thinnest axis";
     EXPECT_NEAR(std::abs((lights[1].local.rotation * glm::dvec3(1, 0, 0)).x), 1.0, 1e-6)
         << "a tube lies along its longest";
-    // A cube of 3 cells shows a quarter of its 54 faces on average.
+    // The mean projected area of a cube of 3 cells is a quarter of its 54 faces.
     EXPECT_NEAR(lights[2].radius, std::sqrt(0.25 * 54 * 0.01 / kPi), 0.02);
     EXPECT_GT(lights[0].color.x, lights[0].color.z);
 }

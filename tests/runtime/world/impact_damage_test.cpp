@@ -1,8 +1,9 @@
+#include "runtime/world/impacts/impact_damage.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "runtime/world/impacts/impact_damage.h"
 #include "tests/runtime/world/worlds.h"
 
 namespace rubble {
@@ -32,11 +33,12 @@ struct Hit {
         impact = {.body = bodies[0], .other = bodies[1], .position = {0.5, 0.0, 0.5}};
         mass = bodyMass(world, bodies[0]).mass;
     }
+    /// Edits that an impact of this impulse, N s, causes.
     Edits with(double impulse) {
         impact.impulse = impulse;
         return impactDamage(world, {&impact, 1});
     }
-    /// N s at which it begins to break.
+    /// The impulse, N s, from which on it breaks something.
     double threshold() {
         double low = 0.0, high = 1e9;
         while (high - low > 1e-3) (with(0.5 * (low + high)).empty() ? low : high) = 0.5 * (low + high);

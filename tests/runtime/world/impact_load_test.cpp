@@ -14,7 +14,7 @@ using namespace test;
 
 constexpr double kContact = StressSettings{}.contactTime;
 
-/// A square column on its foot, its corner at (8, 0, 8).
+/// A square column with an anchored foot; its corner is at cell (8, 0, 8).
 Structure column(int side, int height) {
     Structure out({16 + side, height + 1, 16 + side});
     out.anchor({{8, 0, 8}, {8 + side, 1, 8 + side}});
@@ -22,7 +22,7 @@ Structure column(int side, int height) {
     return out;
 }
 
-/// A blow in an otherwise quiet world of full strength.
+/// What an impact does in a world at rest.
 Outcome applyBlow(World& world, const Level& level, glm::dvec3 position, glm::dvec3 impulse,
                   double strengthScale = 1.0) {
     Outcome before = stand(world, level, strengthScale, 30);
@@ -114,7 +114,7 @@ TEST(ImpactLoad, ABeamUnderFourTimesItsLoadBreaksIntoThree) {
     EXPECT_TRUE(voxelAccounting(world).balances());
 }
 
-/// A slender column and what hits it.
+/// A slender column and a ball that hits it.
 struct Collision {
     explicit Collision(bool stressIsOn) {
         Level level = column(4, 60).level();
@@ -158,7 +158,7 @@ TEST(ImpactLoad, CostsNothingWhenOff) {
     without.world.applyEdits({});
     EXPECT_TRUE(impactDamage(without.world, {&without.impact, 1}).empty());
     EXPECT_FALSE(without.world.data().stress);
-    // A strike that a host sends all the same costs no more than an edit that finds nothing.
+    // An edit by the host costs no more than one that finds nothing.
     const Edits nothing{CarveEdit{.position = {500.0, 0.0, 0.0}, .radii = {0.1, 0.1, 0.1}}};
     const Edits strike{ImpactLoadEdit{firstShape(without.world), {1.0, 5.0, 1.0}, {1e6, 0.0, 0.0}}};
     const size_t start = allocationCount();
@@ -182,7 +182,7 @@ TEST(ImpactLoad, BadNumbersAreRefused) {
           ImpactLoadEdit{shape, {500.0, 0.0, 0.0}, {1e9, 0.0, 0.0}}});
     for (int i = 0; i < 10; ++i) step(world, out);
     EXPECT_FALSE(out.isBroken());
-    // A blow beyond all numbers breaks nothing, and the next one is looked at as ever.
+    // An impact whose force overflows breaks nothing, and the next one works as usual.
     WorldSettings settings = world.settings();
     settings.stress.contactTime = 1e-300;
     world.setSettings(settings);

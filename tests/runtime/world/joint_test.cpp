@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-/// A beam of 30 x 1 x 1 cells along x, free, and a post that stands beside its end.
+/// A free beam of 30 x 1 x 1 cells along x, and a static post beside its end.
 Level beamAndPost() {
     Level level = oneShapeLevel(VoxelGrid({30, 1, 1}), false, {{0.0, 1.0, 0.0}});
     {
@@ -62,7 +62,7 @@ TEST(Joint, FollowsItsVoxelIntoAPiece) {
     const ShapeHandle beam = world.joints().at(joint).ends[0].shape;
     const glm::dvec3 before = jointToWorld(world, world.joints().at(joint).ends[0]).position;
     const FrameChanges changes =
-        world.applyEdits({sphereCarve({2.05, 1.05, 0.05}, 0.2)});  // the end with the joint is the smaller part
+        world.applyEdits({sphereCarve({2.05, 1.05, 0.05}, 0.2)});  // the part with the joint is the smaller one
     ASSERT_EQ(changes.jointsMoved.size(), 1u);
     EXPECT_EQ(changes.jointsMoved[0].joint, joint);
     EXPECT_EQ(changes.jointsMoved[0].from, beam);
@@ -77,7 +77,7 @@ TEST(Joint, FollowsItsVoxelIntoAPiece) {
 }
 
 TEST(Joint, BreaksWithItsVoxelAndWithItsShape) {
-    for (const double x : {3.0, 0.3}) {  // one end of the beam, and then all of it
+    for (const double x : {3.0, 0.3}) {  // one end of the beam, then all of it
         World world;
         world.load(beamAndPost());
         const JointHandle joint = firstJoint(world);
@@ -148,7 +148,7 @@ TEST(Joint, RopesSpanTheirEndsAndSurviveLosingOne) {
     EXPECT_NEAR(world.joints().at(rope).rope.length, 1.953, 0.01);
     EXPECT_EQ(world.joints().at(rope).points.size(), 6u);
     CarveEdit carve = sphereCarve({3.0, 1.05, 0.05}, 0.06);
-    carve.shape = world.joints().at(rope).ends[0].shape;  // and not the rope
+    carve.shape = world.joints().at(rope).ends[0].shape;  // this does not cut the rope
     const FrameChanges changes = world.applyEdits({carve});
     EXPECT_TRUE(changes.jointsBroken.empty());
     EXPECT_EQ(changes.jointsChanged, std::vector<JointHandle>{rope});

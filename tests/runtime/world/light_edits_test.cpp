@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-/// A lamp post of entry 1 with a head of entry 6 that glows, and a light inside the head; at 1 m per 10 cells.
+/// A post of entry 1 with a glowing head of entry 6 and a light inside the head; 10 cells are 1 m.
 Level lightPost() {
     VoxelGrid grid({8, 40, 8});
     {
@@ -58,7 +58,7 @@ TEST(LightEdits, ALightFollowsItsPiece) {
 TEST(LightEdits, AGroupGoesOutWhenEnoughOfItIsGone) {
     World world;
     world.load(lightPost());
-    // Half a head is more than the threshold; a corner of it is less.
+    // Half of the head is above the threshold, a corner of it is below.
     const FrameChanges corner = world.applyEdits({test::sphereCarve({0.2, 4.0, 0.2}, 0.15)});
     EXPECT_TRUE(corner.groupsOut.empty());
     EXPECT_TRUE(anyGlow(world));
@@ -76,7 +76,7 @@ TEST(LightEdits, AGroupGoesOutWhenEnoughOfItIsGone) {
 TEST(LightEdits, PiecesGoDarkWithTheirGroup) {
     World world;
     world.load(lightPost());
-    // The head is cut off in two pieces, then half of it is destroyed in another place.
+    // Two cuts make three shapes; then a third removes more of the head.
     world.applyEdits({test::sphereCarve({0.4, 1.5, 0.4}, 0.4)});
     world.applyEdits({CarveEdit{.kind = BrushKind::Box, .position = {0.4, 3.65, 0.4}, .halfSize = {1.0, 0.06, 1.0}}});
     EXPECT_EQ(world.shapes().size(), 3u);
@@ -112,7 +112,7 @@ TEST(LightEdits, PaintSurvivesASplit) {
     EXPECT_EQ(blueVoxels(), painted);
 }
 
-/// A wall with a lamp at the top and a wire that winds up to it from a socket at the bottom.
+/// A wall with a light at the top, and a wire that leads up to it from a supply at the bottom.
 Level wiredLight(uint32_t flickerSteps) {
     VoxelGrid grid = solidGrid({24, 40, 6});
     {
@@ -152,7 +152,7 @@ TEST(LightEdits, CuttingTheWireTurnsTheLightOff) {
 TEST(LightEdits, ALightCutOffItsWireGoesOut) {
     World world;
     world.load(wiredLight(0));
-    // Cuts the top off the wall, wire and all, but leaves wire at both sides of the cut.
+    // Cuts off the top of the wall with the light; wire is left on both sides of the cut.
     CarveEdit saw{.kind = BrushKind::Box, .position = {1.2, 3.0, 0.3}, .halfSize = {2.0, 0.05, 1.0}};
     const FrameChanges cut = world.applyEdits({saw});
     EXPECT_EQ(cut.splits.size(), 1u);
@@ -175,7 +175,7 @@ TEST(LightEdits, ItFlickersTheSameEveryTimeBeforeItIsOut) {
             EXPECT_FALSE(switched && changes.lights.empty());
         }
         EXPECT_EQ(steps, 31);
-        EXPECT_TRUE(world.applyEdits({}).empty()) << "and then it is quiet";
+        EXPECT_TRUE(world.applyEdits({}).empty()) << "nothing more happens";
         EXPECT_GE(std::count(dark.begin(), dark.end(), true), 3);
         if (run == 0) first = dark;
         EXPECT_EQ(dark, first);
@@ -197,12 +197,12 @@ LightHandle firstHandle(const World& world) {
     return first;
 }
 
-/// One on the post, above its head.
+/// A light on the post, above its head.
 Light torch(const World& world) {
     return {.name = "torch", .shape = test::firstShape(world), .local = {{0.4, 3.9, 0.4}}, .color = {9.0f, 5.0f, 2.0f}};
 }
 
-/// What the log says while a step is done.
+/// What a step writes to the log.
 std::string warningOf(World& world, const Edits& edits) {
     testing::internal::CaptureStderr();
     world.applyEdits(edits);
@@ -368,7 +368,7 @@ TEST(LightEdits, InvalidEnvironmentsChangeNothing) {
     EXPECT_NE(warningOf(world, {sky}).find("fog_forward is 1, expected -0.9 to 0.9"), std::string::npos);
     EXPECT_NE(warningOf(world, {still}).find("sun_direction is zero"), std::string::npos);
     EXPECT_EQ(world.environment(), before);
-    EXPECT_FALSE(world.applyEdits({SetEnvironmentEdit{before}}).environmentChanged) << "it is as it was";
+    EXPECT_FALSE(world.applyEdits({SetEnvironmentEdit{before}}).environmentChanged) << "nothing changed";
 }
 
 TEST(LightEdits, TheEnvironmentCanBeEdited) {

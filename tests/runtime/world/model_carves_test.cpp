@@ -1,4 +1,4 @@
-// A thousand random carves of real models, each checked against slow and obvious versions of itself.
+// A thousand random carves of real models, each compared with a slow and simple reference.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -34,7 +34,7 @@ struct Momentum {
     }
 };
 
-/// The sets that leave the shape, in the order of their first cell.
+/// The components that come off, in the order of their first cell.
 CellSets expectedPieces(const test::PlainGrid& grid, const Shape& shape, bool isStatic) {
     CellSets sets = test::floodFill(grid);
     const auto isHeld = [&](const std::vector<size_t>& set) {
@@ -59,7 +59,7 @@ public:
         Result<Level> level = importVox(file, {});
         EXPECT_TRUE(level) << (level ? "" : level.error());
         if (!level) return;
-        for (size_t i = seed % 2; i < level->bodies.size(); i += 2) {  // every other one flies and turns
+        for (size_t i = seed % 2; i < level->bodies.size(); i += 2) {  // every other body is free and spins
             LevelBody& body = level->bodies[i];
             const float x = m_random.unit(), y = m_random.unit(), z = m_random.unit();
             body.isStatic = false;
@@ -68,7 +68,7 @@ public:
             body.pose.rotation = glm::normalize(glm::dquat(1.0, x, y, z) * body.pose.rotation);
         }
         WorldSettings settings = m_world.settings();
-        settings.debris.awakeBodies = 1'000'000;  // nothing falls asleep here
+        settings.debris.awakeBodies = 1'000'000;  // nothing despawns
         m_world.setSettings(settings);
         m_world.load(*level);
         m_world.applyEdits({});
@@ -96,7 +96,7 @@ private:
     CarveEdit randomCarve() {
         std::vector<ShapeHandle> handles;
         m_world.shapes().forEach([&](ShapeHandle handle, const Shape&) { handles.push_back(handle); });
-        // Of three shapes the largest: pieces of pieces are cut too, but crumbs seldom.
+        // The largest of three shapes: pieces are cut too, but seldom small ones.
         ShapeHandle target = handles[m_random.below(uint32_t(handles.size()))];
         for (int i = 0; i < 2; ++i) {
             const ShapeHandle other = handles[m_random.below(uint32_t(handles.size()))];
@@ -108,8 +108,9 @@ private:
         shape.grid.forEachBrick([&](glm::ivec3 brick, const BrickRef&) { bricks.push_back(brick); });
         const glm::ivec3 brick = bricks[m_random.below(uint32_t(bricks.size()))];
         const int x = m_random.between(0, 7), y = m_random.between(0, 7), z = m_random.between(0, 7);
-        const Vector middle = shapeToWorld(m_world, target).transformPoint(
-            (Vector(brick * 8 + glm::ivec3(x, y, z)) + 0.3) * double(shape.voxelSize));
+        const Vector middle =
+            shapeToWorld(m_world, target)
+                .transformPoint((Vector(brick * 8 + glm::ivec3(x, y, z)) + 0.3) * double(shape.voxelSize));
         const double radius = shape.voxelSize * (1.0 + 9.0 * m_random.unit());
         CarveEdit edit = test::sphereCarve(middle, radius);
         edit.radii = {radius, 0.8 * radius, 0.6 * radius};
@@ -174,7 +175,7 @@ private:
         return cells;
     }
 
-    /// Sums over all free bodies: what the carve left moves on as the bodies did, whatever it is divided into.
+    /// Sums over all free bodies: the carved bodies move as before, however a split divides them.
     void checkMomentum(const World& before, const CarveEdit& edit, const FrameChanges& changes) {
         Momentum expected, actual;
         before.bodies().forEach([&](BodyHandle handle, const Body& body) {

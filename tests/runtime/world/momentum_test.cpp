@@ -11,7 +11,7 @@ namespace {
 
 using Vector = glm::dvec3;
 
-/// A rigid body in world axes: what P17 of the accuracy scenes adds up.
+/// A rigid body in world axes, for sums of momenta (scene P17 of the accuracy tests).
 struct Rigid {
     double mass;
     Vector center, velocity, angularVelocity;
@@ -29,7 +29,7 @@ Rigid rigidOf(const Body& body, const MassProperties& mass) {
             rotation * inertia * glm::transpose(rotation)};
 }
 
-/// A level with one tumbling tower, and the edits that cut it.
+/// A level with one tumbling tower.
 struct Scene {
     Level level;
     explicit Scene(uint64_t seed) {
@@ -53,7 +53,7 @@ TEST(Momentum, SplitsConserveMomentum) {
         const BodyHandle bodyHandle = world.shapes().at(shape).body;
         const float x = random.unit(), y = random.unit(), z = random.unit();
         const Pose pose = shapeToWorld(world, shape);
-        // A slab across the whole tower, a little aslant.
+        // A slightly oblique slab across the whole tower.
         const glm::dquat aslant = glm::normalize(glm::dquat(1.0, 0.3 * x, 0.3 * y, 0.3 * z));
         const CarveEdit cut{.kind = BrushKind::Box,
                             .position = pose.transformPoint({2.0, 1.5 + 3.0 * y, 1.6}),

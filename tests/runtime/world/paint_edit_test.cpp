@@ -79,7 +79,7 @@ TEST(PaintEdit, CapsulesPaintStrokes) {
     }
 }
 
-/// Soot takes palette slots that nothing in its shape uses any more; fragments of the same blast still do.
+/// Soot takes palette entries that the shape no longer uses; fragments of the same explosion may still use them.
 TEST(PaintEdit, FragmentsKeepTheirMaterialsWhenTheirPaletteIsFull) {
     Level level = test::oneShapeLevel(VoxelGrid({24, 24, 12}), true);
     level.materials = defaultMaterials();

@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-/// A voxel as a turned cube in the world: the reference knows no grids.
+/// A voxel as a rotated cube in the world, for a reference without grids.
 struct Cube {
     glm::dvec3 middle;
     glm::dmat3 axes;
@@ -60,7 +60,7 @@ Scene randomScene(uint64_t seed) {
                 const int x = int(random.below(14)), y = int(random.below(uint32_t(9 + i))), z = int(random.below(11));
                 writer.set({x, y, z}, uint8_t(1 + random.below(4)));
             }
-            if (i % 2)  // something with an inside
+            if (i % 2)  // a solid block
                 for (int v = 0; v < 4 * 5 * 4; ++v) writer.set({2 + v % 4, 2 + v / 4 % 5, 3 + v / 20}, 2);
         }
         LevelBody body{.name = "body", .pose = {pointIn(random, 1.6), turn(random)}, .isStatic = i % 3 != 0};
@@ -88,7 +88,7 @@ Scene randomScene(uint64_t seed) {
     return scene;
 }
 
-/// Distance from a segment to a cube: the distance is convex along the segment.
+/// Distance from a segment to a cube, by ternary search: the distance is convex along the segment.
 double segmentDistance(const Cube& cube, glm::dvec3 a, glm::dvec3 b) {
     double low = 0.0, high = 1.0;
     for (int i = 0; i < 60; ++i) {
@@ -101,7 +101,8 @@ double segmentDistance(const Cube& cube, glm::dvec3 a, glm::dvec3 b) {
     return cube.distance(a + (b - a) * (0.5 * (low + high)));
 }
 
-/// Whether two boxes meet: a face of one, clipped by the planes of the other, is left, or one holds the other's middle.
+/// Whether two boxes overlap: part of a face of one is left after clipping by the planes of the other, or one contains
+/// the other's centre.
 bool boxesMeet(const Cube& cube, const QueryShape& box) {
     const glm::dmat3 axes = glm::mat3_cast(box.rotation);
     const auto inBox = [&](glm::dvec3 p) { return glm::transpose(axes) * (p - box.position); };
@@ -147,7 +148,7 @@ double distanceTo(const Cube& cube, const QueryShape& shape, glm::dvec3 moved) {
            shape.radius;
 }
 
-/// The first time of impact by stepping as far as nothing can be met. Infinite: none.
+/// The first time of contact, by conservative advancement: steps of the distance to the nearest cube. Infinite: none.
 double firstTouch(const Scene& scene, const QueryShape& shape, glm::dvec3 direction, double maxDistance,
                   double accuracy) {
     const WorldBox bounds = shape.bounds();
@@ -223,14 +224,14 @@ void checkCasts(QueryShapeKind kind, int casts, double accuracy) {
             const double expected = firstTouch(scene, shape, direction, maxDistance, accuracy);
             const WorldHit hit = castShape(scene.world, {shape, direction, maxDistance});
             if (hit.hit && hit.distance > maxDistance - 10 * accuracy) continue;
-            if (!hit.hit) {  // the reference may count a near miss
+            if (!hit.hit) {  // within the reference's accuracy a near miss may count
                 ASSERT_GT(firstTouch(scene, shape, direction, maxDistance - accuracy, 1e-10), maxDistance - 0.05)
                     << seed << " " << i;
                 continue;
             }
             ++hits;
             if (std::abs(hit.distance - expected) >
-                20 * accuracy) {  // a graze: the cube must be touched there all the same, and not before
+                20 * accuracy) {  // a grazing contact: there must be one there, and none before
                 ASSERT_LT(expected, hit.distance) << seed << " " << i;
                 ASSERT_GT(firstTouch(scene, shape, direction, hit.distance - 1e-3, -1e-7), hit.distance - 1e-3)
                     << seed << " " << i;

@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-/// Every solid cell of a world with what it is, in whole cells of the world: shapes here are not rotated.
+/// Every solid cell of a world by its position in whole cells; shapes are not rotated here.
 std::map<std::array<int, 3>, uint8_t> worldCells(const World& world) {
     std::map<std::array<int, 3>, uint8_t> out;
     world.shapes().forEach([&](ShapeHandle handle, const Shape& shape) {
@@ -101,7 +101,7 @@ TEST(ShapeEdits, MergeUndoesASplit) {
     GridWriter(grid).set({13, 8, 12}, 1);
     World world = worldOf(grid, false);
     const ShapeHandle shape = test::firstShape(world);
-    // A second shape on the same body that touches the first one's block at x = 14.
+    // A second shape on the same body, which touches the first one at x = 14.
     Level level = toLevel(world);
     VoxelGrid peg({9, 3, 3});
     {

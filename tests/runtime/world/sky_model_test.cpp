@@ -51,7 +51,7 @@ TEST(SkyModel, SunsetIsContinuous) {
         EXPECT_LT(glm::length(air.sunColor - before.sunColor), 0.6f) << degrees;
         before = air;
     }
-    // The sun's light is gone before the moon takes its place.
+    // Sunlight fades to nothing before moonlight replaces it.
     EXPECT_LT(glm::length(under(-2.8).sunColor), 1e-3f);
     EXPECT_LT(glm::length(under(-2.9).sunColor), 1e-3f);
 }

@@ -1,5 +1,4 @@
-// Structures of beam theory in a World: a tenth below what breaks them they stand, a tenth above they break where they
-// should.
+// Structures of beam theory in a World: at 0.9 of their breaking load they stand, at 1.1 they break where theory says.
 #include "tests/runtime/world/stress_structures.h"
 
 #include <gtest/gtest.h>
@@ -15,9 +14,10 @@ namespace {
 using namespace test;
 
 constexpr int kSteps = 300;
-constexpr double kTenth[] = {0.9, 1.1};  // of the load that breaks it
+constexpr double kTenth[] = {0.9, 1.1};  ///< multiples of the breaking load
 
-/// The first crack of a structure whose `strengthScale` is just what bears it, at more or less load; none if it stands.
+/// The cracks of a structure at a multiple of its breaking load; none if it stands. `strengthScale`: at which it just
+/// stands.
 std::vector<CrackOpened> cracksUnder(double overload, World& world, const Structure& structure, double strengthScale) {
     const Outcome out = stand(world, structure.level(), strengthScale / overload, kSteps);
     EXPECT_EQ(out.isBroken(), overload > 1.0);
@@ -35,7 +35,7 @@ TEST(StressStructures, SimplySupportedBeamBreaksInTheMiddle) {
             const glm::ivec3 low(11), high = low + glm::ivec3(length, depth, depth), middle = low + depth / 2;
             beam.fill({low, high});
             for (const int x : {low.x, high.x - 1}) beam.fill({{x, low.y, low.z}, {x + 1, high.y, high.z}}, 2);
-            for (const int x : {low.x - 1, high.x})  // a pin: one face of a cell that never breaks
+            for (const int x : {low.x - 1, high.x})  // a pinned support: one face of a cell that never breaks
                 beam.anchor({{x, middle.y, middle.z}, {x + 1, middle.y + 1, middle.z + 1}}, 2);
             const double l = length * 0.1, d = depth * 0.1;
             World world;
@@ -73,8 +73,8 @@ TEST(StressStructures, PortalFrameBreaksWhereItsMomentIsLargest) {
                     frame.fill({{x, foot, low}, {x + depth, top, low + depth}});
                 }
                 frame.fill({{low, top - depth, low}, {low + width, top, low + depth}});
-                // Kleinlogel's formulas, at the faces of the joints: tension in the beam's middle, at its end, on top
-                // of a column.
+                // Kleinlogel's formulas for portal frames, at the faces of the joints: tension in the beam's middle, at
+                // its end, and on top of a column.
                 const double l = span * 0.1, h = rise * 0.1, d = depth * 0.1, load = kConcreteWeight * d * d,
                              modulus = d * d * d / 6.0;
                 const double corner = load * l * l / (6.0 * (h / l + 2.0)), thrust = 1.5 * corner / h;
@@ -114,7 +114,7 @@ TEST(StressStructures, ANeckBreaksUnderItsHeadAndTheBaseStands) {
                 if (cracks.empty()) continue;
                 EXPECT_NEAR(cracks[0].position.y, 0.1 * (waist.y + 1), 0.11);
                 EXPECT_EQ(cracks[0].cause, FailureMode::Compression);
-                // All that is gone or came off is the neck and the head.
+                // Only the neck and the head are gone or came off.
                 const VoxelAccounting accounting = voxelAccounting(world);
                 EXPECT_GE(accounting.standing, uint64_t(below * width * width - neck * neck));
                 EXPECT_LE(accounting.removed, uint64_t(4 * neck * neck));
@@ -122,7 +122,7 @@ TEST(StressStructures, ANeckBreaksUnderItsHeadAndTheBaseStands) {
             }
 }
 
-/// A wooden post that bears a block of metal with a quarter of its strength to spare.
+/// A wooden post under a block of metal, with a quarter of its strength in reserve.
 Structure post() {
     Structure out({24, 48, 24});
     out.anchor({{8, 0, 8}, {16, 1, 16}});
@@ -156,7 +156,7 @@ TEST(StressStructures, ABurningPostFailsBeforeItIsConsumed) {
     const Stood burning = untilItBreaks(true, 600);
     EXPECT_GT(burning.steps, 60);
     EXPECT_LT(burning.steps, 400);
-    EXPECT_EQ(burning.removed, 0u) << "char has weakened it, no voxel is gone yet";
+    EXPECT_EQ(burning.removed, 0u) << "char has weakened it before any voxel is gone";
 }
 
 }  // namespace

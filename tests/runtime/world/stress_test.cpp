@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-/// A beam of concrete from a wall at x < 4.
+/// A beam of concrete clamped in a wall at x < 4.
 Level cantilever(int length, int depth, float voxelSize = 0.1f) {
     Level level;
     Palette palette{};
@@ -96,11 +96,12 @@ TEST(Stress, CutsTriggerANewAnalysis) {
     world.setSettings(stressOn(1.5 * shareAtWall(80, 8, 0.1, 1.0)));
     world.load(cantilever(80, 8));
     for (int step = 0; step < 60; ++step) EXPECT_TRUE(world.applyEdits({}).cracks.empty());
-    // Three of the eight layers sawn through in the middle: W falls to (5/8)^2, M there is a quarter of the wall's.
+    // Cuts three of eight layers in the middle: the section modulus falls to (5/8)^2, the moment is a quarter of that
+    // at the wall.
     CarveEdit saw{.kind = BrushKind::Box, .position = {4.4, 0.65, 0.4}, .halfSize = {0.1, 0.15, 0.5}};
     world.applyEdits({saw});
     for (int step = 0; step < 60; ++step) EXPECT_TRUE(world.applyEdits({}).cracks.empty()) << step;
-    // The same at the wall: 1.5 times the strength is less than (8/5)^2 = 2.6 times the stress.
+    // The same at the wall: a strength reserve of 1.5 is less than the rise of stress by (8/5)^2 = 2.6.
     saw.position.x = 0.6;
     world.applyEdits({saw});
     std::vector<CrackOpened> cracks;

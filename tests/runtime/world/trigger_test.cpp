@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-/// Some loose cubes of half a metre in a row along x, one static one, and triggers.
+/// Free cubes of half a metre in a row along x, a static one, and triggers.
 struct Region {
     Region() {
         level = oneShapeLevel(VoxelGrid({1, 1, 1}), true);
@@ -77,7 +77,7 @@ TEST(Trigger, PolygonsHaveAHeight) {
     region.level.triggers.push_back(
         {.kind = TriggerKind::Polygon,
          .pose = {{2.0, 0.0, 0.0}},
-         .outline = {{-1.0, -1.0}, {3.0, -1.0}, {-1.0, 3.0}},  // a triangle: the cube at 4 m is out
+         .outline = {{-1.0, -1.0}, {3.0, -1.0}, {-1.0, 3.0}},  // a triangle: the cube at 4 m is outside
          .height = 1.0});
     region.world.load(region.level);
     EXPECT_EQ(region.events(), "0+1 ");

@@ -13,7 +13,7 @@ using namespace test;
 
 constexpr HistoryEdit kMark{HistoryAction::Mark}, kUndo{HistoryAction::Undo}, kRedo{HistoryAction::Redo};
 
-/// A wall, a lamp post that glows at its top, and a crate that flies.
+/// A wall, a post that glows at its top, and a flying crate.
 World smallWorld() {
     Level level = oneShapeLevel(solidGrid({40, 24, 6}, 1), true);
     level.lightGroups.push_back({"light", 0.3f});
@@ -42,7 +42,7 @@ World smallWorld() {
     return world;
 }
 
-/// Every free body drifts a little: what physics would do.
+/// Moves every free body a little, in place of physics.
 void move(World& world, double metres) {
     std::vector<BodyPose> poses;
     world.bodies().forEach([&](BodyHandle handle, const Body& body) {
@@ -59,7 +59,7 @@ LightHandle anyLight(const World& world, Random& random) {
     return world.lights().handleAt(random.below(uint32_t(world.lights().slotCount())));
 }
 
-/// Lights that come, change and go, and weather.
+/// Edits that add, change and remove lights, and change the weather.
 void addRandomLights(const World& world, Random& random, Edits& edits) {
     const auto anyHeight = [&] { return Pose{{0.1, random.unit() * 3.0, 0.1}}; };
     if (random.below(2))
@@ -94,7 +94,7 @@ Edits randomEdits(const World& world, Random& random) {
     return edits;
 }
 
-/// A world that knows only what the journals said.
+/// The hash of a world that knows only what the journals said.
 uint64_t baselineHash(const WorldBaseline& baseline) {
     World world;
     world.setState(baseline.last());
@@ -142,7 +142,7 @@ TEST(UndoHistory, UndoAndRedoReachEveryMark) {
             step({kUndo});
             EXPECT_EQ(resolvedHash(world), atMark[i]) << "seed " << seed << ", undo of " << i;
             expectSound(world);
-            settle(0.003);  // what moves in between is forgotten by the next undo or redo
+            settle(0.003);  // motion between two undos is undone too
         }
         EXPECT_TRUE(world.applyEdits({kUndo}).empty());
         for (size_t i = 0; i < atEnd.size(); ++i) {
@@ -156,12 +156,12 @@ TEST(UndoHistory, UndoAndRedoReachEveryMark) {
 
 TEST(UndoHistory, TheSameEditsAfterUndoGiveTheSameSlots) {
     World world = smallWorld();
-    // No explosion: the noise of its soot is seeded by the step.
+    // Without explosions: the step is the seed of their soot.
     const Edits cut = {kMark, sphereCarve({2.0, 1.2, 0.3}, 0.5), sphereCarve({6.1, 1.5, 0.1}, 0.4),
                        sphereCarve({0.6, 4.6, 0.6}, 0.5)};
     world.applyEdits({sphereCarve({3.0, 1.2, 0.3}, 0.5), sphereCarve({6.1, 0.5, 0.1}, 0.3)});
     world.applyEdits(cut);
-    const uint64_t once = voxelHash(world);  // of voxels by slot: pieces also know the step of their birth
+    const uint64_t once = voxelHash(world);  // of voxels alone: pieces also have the step in which they were made
     ASSERT_GT(world.data().debris.count(), 1u);
     world.applyEdits({kUndo});
     world.applyEdits(cut);
@@ -181,7 +181,7 @@ TEST(UndoHistory, UndoAndRedoCoverLightsAndEnvironment) {
     std::vector<uint64_t> hashes = {resolvedHash(world)};
     const std::vector<Edits> changes = {
         {SetEnvironmentEdit{rain}}, {SetLightEdit{bulb, dim}}, {AddLightEdit{dim}}, {RemoveLightEdit{bulb}}};
-    for (const Edits& each : changes) {  // a mark after each: none rides on what another one has changed
+    for (const Edits& each : changes) {  // a mark after each, so that none hides a change of another
         Edits edits = each;
         edits.insert(edits.begin(), kMark);
         world.applyEdits(edits);
@@ -211,7 +211,7 @@ TEST(UndoHistory, EnvironmentChangesAfterAnUndoAreUndone) {
     Environment rain = world.environment(), storm = rain;
     rain.wetness = 0.25f, storm.wetness = 0.75f;
     world.applyEdits({kMark, SetEnvironmentEdit{rain}});
-    world.applyEdits({kUndo, SetEnvironmentEdit{storm}});  // in the same step
+    world.applyEdits({kUndo, SetEnvironmentEdit{storm}});  // both in one step
     EXPECT_EQ(world.environment(), storm);
     world.applyEdits({kRedo});
     EXPECT_EQ(world.environment(), rain);

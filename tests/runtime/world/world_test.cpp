@@ -1,14 +1,14 @@
-#include "runtime/world/queries/query.h"
 #include "runtime/world/world.h"
 
 #include <gtest/gtest.h>
 
+#include "runtime/world/queries/query.h"
 #include "tests/runtime/world/worlds.h"
 
 namespace rubble {
 namespace {
 
-/// What is near decides what burns and breaks, so it may depend on where a shape is, but not on how it came there.
+/// What is near decides what burns and breaks, so it must depend on where a shape is and not on how it came there.
 TEST(World, ShapesNearDoesNotDependOnPastMotion) {
     Level level;
     LevelBody body;
