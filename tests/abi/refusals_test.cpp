@@ -38,7 +38,7 @@ TEST_F(Abi, NullPointersAreRefused) {
     expectRefused(api()->carve(m_world, nullptr), RUBBLE_ERROR_NULL, "carve");
     expectRefused(api()->explode(m_world, nullptr), RUBBLE_ERROR_NULL, "explode");
     expectRefused(api()->paint(m_world, nullptr), RUBBLE_ERROR_NULL, "paint");
-    expectRefused(api()->apply_impulse(m_world, nullptr), RUBBLE_ERROR_NULL, "push");
+    expectRefused(api()->apply_impulse(m_world, nullptr), RUBBLE_ERROR_NULL, "apply_impulse");
     expectRefused(api()->get_events(m_world, nullptr), RUBBLE_ERROR_NULL, "out");
     expectRefused(api()->get_body_states(m_world, nullptr, 0, nullptr), RUBBLE_ERROR_NULL, "count");
     uint32_t count = 0;

@@ -107,7 +107,7 @@ TEST_F(AbiRenderer, AnAddedLightShowsAndARemovedOneDoesNot) {
     const rubble_renderer_settings given = settings();
     rubble_renderer renderer = 0;
     ASSERT_EQ(m_api->create_renderer(m_world, &given, &renderer), RUBBLE_OK) << m_api->get_last_error();
-    ASSERT_EQ(m_api->set_debug_view(renderer, "light"), RUBBLE_OK);
+    ASSERT_EQ(m_api->set_debug_view(renderer, "denoisedLight"), RUBBLE_OK);
     const Offscreen target({kWidth, kHeight});
     auto view = sized<rubble_view>();
     view.framebuffer = target.framebuffer();
