@@ -115,7 +115,7 @@ constexpr auto lightTable(Of of, Shape shape, Group group) {
         Field{"width", of(&Light::width)},
         Field{"height", of(&Light::height)},
         Field{"two_sided", of(&Light::twoSided)},
-        Field{"picture", of(&Light::image)},
+        Field{"image", of(&Light::image)},
         Field{"enabled", of(&Light::enabled)},
     };
 }
