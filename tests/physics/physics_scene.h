@@ -91,7 +91,9 @@ struct PhysicsScene {
     /// By index, as handle().
     const Body& body(int index) const { return world.bodies().at(handle(index)); }
     /// The centre of mass of a body, world, metres.
-    glm::dvec3 center(int index) const { return body(index).pose.transformPoint(bodyMass(world, handle(index)).center); }
+    glm::dvec3 center(int index) const {
+        return body(index).pose.transformPoint(bodyMass(world, handle(index)).center);
+    }
 
     PaletteRef palette = materialPalette();
     Level level;
