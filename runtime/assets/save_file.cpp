@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/vector_relational.hpp>
 #include <new>
+#include <type_traits>
 
 #include "runtime/assets/binary_archive.h"
 #include "runtime/assets/chunk_file.h"
@@ -43,19 +44,21 @@ void getSlots(ByteReader& reader, BinaryInputArchive& in, uint8_t world, SlotMap
     map = {world, std::move(slots), free};
 }
 
+/// Joints are behind the other fields of the chunk, all other kinds of objects before them.
+template <class Map>
+constexpr bool kIsJoints = std::is_same_v<std::decay_t<Map>, SlotMap<JointHandle, Joint>>;
+
 std::vector<uint8_t> stateToBytes(const SavedGame& game, PaletteList& palettes) {
     std::vector<uint8_t> bytes;
     BinaryOutputArchive out(bytes, palettes);
     const WorldState& world = game.world;
     out.put(world.name);
     out.put(world.step), out.put(world.imported), out.put(world.removed);
-    putSlots(out, world.bodies);
-    putSlots(out, world.shapes);
-    putSlots(out, world.lights);
-    putSlots(out, world.groups);
-    putSlots(out, world.waters);
-    putSlots(out, world.triggers);
-    putSlots(out, world.characters);
+    forEachKind(
+        [&](const auto& map) {
+            if constexpr (!kIsJoints<decltype(map)>) putSlots(out, map);
+        },
+        world);
     out.put(world.unsettled);
     out.put(world.materials.materials);
     out.put(world.environment);
@@ -73,13 +76,11 @@ SavedGame stateFromBytes(ByteReader& reader, const std::vector<PaletteRef>& pale
     WorldState& world = game.world;
     in.get(world.name);
     in.get(world.step), in.get(world.imported), in.get(world.removed);
-    getSlots(reader, in, number, world.bodies);
-    getSlots(reader, in, number, world.shapes);
-    getSlots(reader, in, number, world.lights);
-    getSlots(reader, in, number, world.groups);
-    getSlots(reader, in, number, world.waters);
-    getSlots(reader, in, number, world.triggers);
-    getSlots(reader, in, number, world.characters);
+    forEachKind(
+        [&](auto& map) {
+            if constexpr (!kIsJoints<decltype(map)>) getSlots(reader, in, number, map);
+        },
+        world);
     in.get(world.unsettled);
     in.get(world.materials.materials);
     in.get(world.environment);
