@@ -108,19 +108,19 @@ void addBreakThroughImpulses(const WorldData& world, std::span<const Impact> imp
         for (const Impact& impact : impacts) {
             if (impact.position != hole.position || (impact.body != shape->body && impact.other != shape->body))
                 continue;
-            const bool hitterIsFirst = impact.other == shape->body;
-            const BodyHandle hitter = hitterIsFirst ? impact.body : impact.other;
-            const Body* body = world.bodies.find(hitter);
+            const bool strikerIsFirst = impact.other == shape->body;
+            const BodyHandle striker = strikerIsFirst ? impact.body : impact.other;
+            const Body* body = world.bodies.find(striker);
             if (!body || body->isStatic) break;
-            const glm::dvec3 direction = hitterIsFirst ? -impact.normal : impact.normal;
+            const glm::dvec3 direction = strikerIsFirst ? -impact.normal : impact.normal;
             const HoleResistance resistance = HoleSampler(world, hole, direction).resistance();
             if (!resistance.wall) break;
             // At most the momentum it arrived with: what another body presses through the wall is not thrown ahead of
             // it.
-            const double arrivingMomentum = bodyMass(world, hitter).mass * impact.speed;
+            const double arrivingMomentum = bodyMass(world, striker).mass * impact.speed;
             const double remaining =
                 std::min(impact.impulse - impulseOf(hole, resistance, world.settings), arrivingMomentum);
-            if (remaining > 0.0) damage.emplace_back(ImpulseEdit{hitter, impact.position, direction * remaining});
+            if (remaining > 0.0) damage.emplace_back(ImpulseEdit{striker, impact.position, direction * remaining});
             break;
         }
     }

@@ -23,15 +23,17 @@ void despawn(EditContext& context, BodyHandle handle) {
 
 /// Removes from both lists what was created and destroyed in the same step; what an undo brought back stays.
 template <class Handle, class Map>
-void removeTransient(std::vector<Handle>& created, std::vector<Handle>& destroyed, const Map& living) {
-    const auto lives = [&](Handle handle) { return living.find(handle) != nullptr; };
-    std::vector<Handle> born = created, gone = destroyed;
-    std::erase_if(born, lives);
-    std::sort(born.begin(), born.end());
-    std::erase_if(gone, lives);
-    std::sort(gone.begin(), gone.end());
-    std::erase_if(destroyed, [&](Handle handle) { return std::binary_search(born.begin(), born.end(), handle); });
-    std::erase_if(created, [&](Handle handle) { return std::binary_search(gone.begin(), gone.end(), handle); });
+void removeTransient(std::vector<Handle>& created, std::vector<Handle>& destroyed, const Map& alive) {
+    const auto isAlive = [&](Handle handle) { return alive.find(handle) != nullptr; };
+    std::vector<Handle> deadCreated = created, deadDestroyed = destroyed;
+    std::erase_if(deadCreated, isAlive);
+    std::sort(deadCreated.begin(), deadCreated.end());
+    std::erase_if(deadDestroyed, isAlive);
+    std::sort(deadDestroyed.begin(), deadDestroyed.end());
+    std::erase_if(destroyed,
+                  [&](Handle handle) { return std::binary_search(deadCreated.begin(), deadCreated.end(), handle); });
+    std::erase_if(
+        created, [&](Handle handle) { return std::binary_search(deadDestroyed.begin(), deadDestroyed.end(), handle); });
 }
 
 /// Removes pieces that were made and despawned in this step from the journal.

@@ -70,15 +70,15 @@ void moveLights(EditContext& context, const ShapeSplit& split) {
         const glm::dvec3 pointCells = light.local.position / double(parent.voxelSize);
         double best = nearestVoxelSquared(parent.grid, pointCells);
         const size_t kParent = split.children.size();
-        size_t host = kParent;
+        size_t target = kParent;
         for (size_t i = 0; i < split.children.size(); ++i) {
             const double distance = nearestVoxelSquared(context.world.shapes.at(split.children[i]).grid,
                                                         pointCells - glm::dvec3(split.parentOffset[i]));
-            if (distance < best) best = distance, host = i;
+            if (distance < best) best = distance, target = i;
         }
-        if (host == kParent) return;
-        light.shape = split.children[host];
-        light.local.position -= glm::dvec3(split.parentOffset[host]) * double(parent.voxelSize);
+        if (target == kParent) return;
+        light.shape = split.children[target];
+        light.local.position -= glm::dvec3(split.parentOffset[target]) * double(parent.voxelSize);
         context.changes.lights.push_back(handle);
     });
 }

@@ -32,9 +32,9 @@ bool reframeShape(EditContext& context, ShapeHandle handle, const CellBox& box) 
     shape.anchors = translatedBoxes(shape.anchors, box.low, shape.grid.size());
     shape.moments = gridMoments(shape.grid, *shape.palette, context.world.materials);
     shape.knownConnected = shape.knownConnected && !isLess;
-    context.world.lights.forEach([&](LightHandle light, Light& rider) {
-        if (rider.shape != handle) return;
-        rider.local.position -= glm::dvec3(box.low) * double(shape.voxelSize);
+    context.world.lights.forEach([&](LightHandle light, Light& attached) {
+        if (attached.shape != handle) return;
+        attached.local.position -= glm::dvec3(box.low) * double(shape.voxelSize);
         context.changes.lights.push_back(light);
     });
     reframeJoints(context, handle, box.low);

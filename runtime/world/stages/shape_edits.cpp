@@ -88,10 +88,10 @@ EntryCounts mergeVoxels(Shape& into, const Shape& from, const std::array<uint8_t
 
 /// Lights and joints of a shape that is merged into another go with it.
 void moveAttached(EditContext& context, ShapeHandle from, ShapeHandle into, glm::ivec3 at) {
-    context.world.lights.forEach([&](LightHandle light, Light& rider) {
-        if (rider.shape != from) return;
-        rider.shape = into;
-        rider.local.position += glm::dvec3(at) * double(context.world.shapes.at(into).voxelSize);
+    context.world.lights.forEach([&](LightHandle light, Light& attached) {
+        if (attached.shape != from) return;
+        attached.shape = into;
+        attached.local.position += glm::dvec3(at) * double(context.world.shapes.at(into).voxelSize);
         context.changes.lights.push_back(light);
     });
     const std::span<const JointHandle> held = context.world.jointIndex.of(from);

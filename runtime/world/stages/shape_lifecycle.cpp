@@ -20,7 +20,7 @@ std::vector<CellBox> translatedBoxes(const std::vector<CellBox>& boxes, glm::ive
 }
 
 ShapeHandle createPiece(EditContext& context, ShapeHandle parentHandle, Piece piece, const MassMoments& moments,
-                        PieceMotion& started) {
+                        PieceMotion& motion) {
     const Shape& parent = context.world.shapes.at(parentHandle);
     const Body& from = context.world.bodies.at(parent.body);
     Body body{.name = parent.name};
@@ -28,11 +28,11 @@ ShapeHandle createPiece(EditContext& context, ShapeHandle parentHandle, Piece pi
     body.pose = shapeToWorld(context.world, parentHandle) * Pose{glm::dvec3(piece.offset) * double(parent.voxelSize)};
     body.createdStep = context.changes.step;
     const MassProperties mass = massProperties(moments.shifted(-piece.offset), parent.voxelSize);
-    started = {.center = body.pose.transformPoint(mass.center), .mass = mass.mass};
+    motion = {.center = body.pose.transformPoint(mass.center), .mass = mass.mass};
     if (!from.isStatic) {
-        const BodyMotion& motion = context.motions.at(parent.body.slot());
-        started.velocity = body.velocity = motion.velocityAt(started.center);
-        started.angularVelocity = body.angularVelocity = motion.angularVelocity;
+        const BodyMotion& before = context.motions.at(parent.body.slot());
+        motion.velocity = body.velocity = before.velocityAt(motion.center);
+        motion.angularVelocity = body.angularVelocity = before.angularVelocity;
     }
     Shape shape{.name = parent.name, .voxelSize = parent.voxelSize};
     shape.grid = std::move(piece.grid);
@@ -96,8 +96,8 @@ void detachToNewBody(EditContext& context, ShapeHandle handle) {
     context.changes.bodiesCreated.push_back(newBody);
     context.changes.unanchored.push_back(handle);
     for (const JointHandle joint : context.world.jointIndex.of(handle)) context.changes.jointsChanged.push_back(joint);
-    context.world.lights.forEach([&](LightHandle light, const Light& rider) {
-        if (rider.shape == handle) context.changes.lights.push_back(light);
+    context.world.lights.forEach([&](LightHandle light, const Light& attached) {
+        if (attached.shape == handle) context.changes.lights.push_back(light);
     });
 }
 
