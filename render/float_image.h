@@ -5,14 +5,17 @@
 
 namespace rubble {
 
-/// A picture in linear numbers of any range: rgba, rows from the bottom.
+/// An image of linear values of any range: rgba, rows from the bottom.
 struct FloatImage {
     glm::ivec2 size{0};
     std::vector<glm::vec4> pixels;
 
     FloatImage() = default;
+    /// All zero. In pixels.
     explicit FloatImage(glm::ivec2 given) : size(given), pixels(size_t(given.x) * size_t(given.y), glm::vec4(0.0f)) {}
+    /// The pixel at column x of row y.
     glm::vec4& at(int x, int y) { return pixels[size_t(y) * size_t(size.x) + size_t(x)]; }
+    /// The same.
     const glm::vec4& at(int x, int y) const { return pixels[size_t(y) * size_t(size.x) + size_t(x)]; }
 };
 

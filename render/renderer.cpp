@@ -38,41 +38,14 @@
 namespace rubble {
 namespace {
 
-/// The intermediate targets that can be shown, and how.
-struct TargetView {
-    const char* name;
-    const char* target;
-    ShowPass::Mode mode;
-};
-using enum ShowPass::Mode;
-constexpr TargetView kTargetViews[] = {
-    {"final", "final", Color},
-    {"albedo", "albedo", Color},
-    {"normal", "normal", Signed},
-    {"emission", "normal", Alpha},
-    {"material", "material", Color},
-    {"motion", "motion", Motion},
-    {"depth", "depth", Distance},
-    {"glassTint", "glassTint", Color},
-    {"glassSurface", "glassSurface", Signed},
-    {"noisySun", "noisyLight", Alpha},
-    {"noisySky", "noisyLight", Linear},
-    {"hitProximity", "hitProximity", Color},
-    {"sun", "denoisedLight", Alpha},
-    {"denoisedLight", "denoisedLight", Linear},
-    {"history", "surface", History},
-    {"reflection", "reflection", Linear},
-    {"radiance", "radiance", Linear},
-    {"resolved", "resolved", Linear},
-    {"bloom", "bloom0", Linear},
-};
-
-/// What a context can do, and what is worth while on it: on llvmpipe passes take 0.97 to 3.4 times as long by compute,
-/// the whole frame 1.24 to 1.34 times, so software renderers do not even build it.
-Fullscreen possible(Fullscreen wanted) {
+/// What is drawn by, for what the settings want. On llvmpipe passes take 0.97 to 3.4 times as long by compute, the
+/// whole frame 1.24 to 1.34 times, so for software renderers compute programs are not even built.
+Fullscreen supported(Fullscreen wanted) {
     if (wanted == Fullscreen::Auto) return hasCompute() && !isSoftwareGl() ? Fullscreen::Fastest : Fullscreen::Fragment;
     if (wanted == Fullscreen::Fragment || hasCompute()) return wanted;
-    logWarning("RenderSettings::fullscreen: compute programs need GL 4.3 or newer, found older: fragments draw");
+    logWarning(
+        "RenderSettings::fullscreen: expected GL 4.3 or newer for compute programs, found an older context; "
+        "full-screen passes are drawn by fragments");
     return Fullscreen::Fragment;
 }
 
@@ -97,34 +70,14 @@ struct Renderer::Impl {
         blueNoise.upload(makeBlueNoise().data());
     }
 
-    /// The frame: each pass reads what those above it have drawn.
-    void drawPasses(const FrameContext& frame) {
-        run("gbuffer", [&] { gbuffer.draw(frame); });
-        if (!scene.ropes().empty()) run("ropes", [&] { drawLazily(ropes, frame, stepAlpha); });
-        if (scene.environment().wetness > 0.0f) run("wetness", [&] { drawLazily(wetness, frame); });
-        if (scene.hasGlass()) run("glass", [&] { glass.draw(frame, gbuffer.tiles()); });
-        if (isGlassSunlit()) run("glass shadow", [&] { drawLazily(glassShadow, frame); });
-        clearNoisyLight(frame);
-        if (settings.sun && block.sunDirection.y > 0.0f) run("sun", [&] { sun.draw(frame); });
-        if (settings.sky) run("sky", [&] { sky.draw(frame); });
-        if (LocalLightsPass::needed(frame)) run("local lights", [&] { drawLazily(localLights, frame); });
-        run("accumulate", [&] { accumulate.draw(frame); });
-        run("filter", [&] { filter.draw(frame); });
-        if (ReflectionsPass::needed(frame)) run("reflections", [&] { reflections.draw(frame); });
-        run("composite", [&] { composite.draw(frame, isGlassSunlit() ? &*glassShadow : nullptr); });
-        if (!scene.waters().empty()) run("water", [&] { drawLazily(water, frame); });
-        if (scene.hasGlass()) run("glass composite", [&] { glass.drawOver(frame, gbuffer.tiles()); });
-        if (FogPass::needed(frame)) run("fog", [&] { drawLazily(fog, frame); });
-        if (!scene.particles().empty()) run("particles", [&] { drawLazily(particles, frame, stepAlpha); });
-        if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty())
-            run("glare", [&] { drawLazily(glare, frame); });
-        run("taa", [&] { taa.draw(frame); });
-        if (settings.bloom > 0.0f) run("bloom", [&] { bloom.draw(frame); });
-        run("exposure", [&] { exposure.draw(frame); });
-        run("tonemap", [&] { tonemap.draw(frame); });
-    }
+    /// The frame. Each line: the pass, the targets that it reads, those that it writes. The target pool asserts that
+    /// passes use no others.
+    void drawPasses(const FrameContext& frame);
+    void drawGeometry(const FrameContext& frame);
+    void drawLight(const FrameContext& frame);
+    void drawImage(const FrameContext& frame);
 
-    /// Passes of what most scenes never have: made with the first frame that needs them.
+    /// For passes of what most scenes never have: builds the pass with the first frame that needs it.
     template <class Pass, class... Rest>
     void drawLazily(std::optional<Pass>& pass, const FrameContext& frame, Rest... rest) {
         if (!pass) pass.emplace(shaders);
@@ -133,18 +86,20 @@ struct Renderer::Impl {
 
     bool isGlassSunlit() const { return settings.sun && block.sunDirection.y > 0.0f && scene.hasGlass(); }
 
-    /// Passes add to it, each in its own channels.
+    /// The passes of sun, sky and local lights write or add to different channels of it.
     void clearNoisyLight(const FrameContext& frame) {
-        frame.targets.framebuffer({&frame.targets.target("noisyLight", GL_RGBA16F)}).begin();
+        frame.targets.framebuffer({&frame.targets.target(Target::NoisyLight)}).begin();
         const float none[4] = {0, 0, 0, 0};
         glClearBufferfv(GL_COLOR, 0, none);
     }
 
     template <class F>
-    void run(const char* name, F&& draw) {
+    void run(const char* name, TargetSet reads, TargetSet writes, F&& draw) {
         timer.begin(name);
         choice.beginPass(name);
+        targets.beginPass(reads, writes);
         draw();
+        targets.endPass();
         timer.end(figures.passMs);
         if (choice.hasDrawnByCompute()) figures.computePasses.push_back(name);
     }
@@ -152,18 +107,17 @@ struct Renderer::Impl {
     void draw(const View& view, float alpha);
     void drawOnce(const View& view);
     void drawSmallerOnFailure(const View& view);
-    glm::vec4 dot() const;
-    void fillBlock(const View& view, glm::ivec2 traced);
-    const Texture* find(std::string_view target) const;
+    glm::vec4 statusDot() const;
+    void fillBlock(const View& view, glm::ivec2 renderSize);
     void uploadBlock();
     const LightGrid* updateLightGrid();
 
     RenderSettings settings;
-    Fullscreen fullscreen = possible(settings.fullscreen);
+    Fullscreen fullscreen = supported(settings.fullscreen);
     ShaderLibrary shaders;
     FullscreenChoice choice = initialChoice(fullscreen);
     Scene scene;
-    TargetPool targets, pictures;  ///< as in FrameContext
+    TargetPool targets;
     FrameCamera camera;
     FrameBlock block{};
     GlName<BufferKind> blockBuffer = GlName<BufferKind>::make();
@@ -172,9 +126,9 @@ struct Renderer::Impl {
     PassTimer timer{isSoftwareGl(), settings.processorTime};
     RenderFigures figures;
     bool hasDrawn = false;
-    float stepAlpha = 1.0f;  ///< of the frame being drawn
-    const TargetView* shown = &kTargetViews[0];
-    int downscale = 0;  ///< of the view's size, where the GL cannot do more
+    float stepAlpha = 1.0f;  ///< of this frame: 0 to 1 between the last two steps
+    const ShowPass::TargetView* shown = &ShowPass::views()[0];
+    int downscale = 0;  ///< how often the view's size is halved, because the GL has no room for more
     std::string lastError;
     std::chrono::steady_clock::time_point reloaded{};
 
@@ -202,8 +156,68 @@ struct Renderer::Impl {
     ShowPass show{shaders};
 };
 
-void Renderer::Impl::fillBlock(const View& view, glm::ivec2 traced) {
-    camera.begin(view, traced, settings.temporal, scene.origin(), block);
+void Renderer::Impl::drawPasses(const FrameContext& frame) {
+    drawGeometry(frame);
+    drawLight(frame);
+    drawImage(frame);
+}
+
+void Renderer::Impl::drawGeometry(const FrameContext& frame) {
+    using enum Target;
+    run("gbuffer", {}, kGBuffer | GlassMask, [&] { gbuffer.draw(frame); });
+    if (!scene.ropes().empty()) run("ropes", {}, kGBuffer, [&] { drawLazily(ropes, frame, stepAlpha); });
+    if (scene.environment().wetness > 0.0f)
+        run("wetness", kGBuffer, Albedo | Material | DryAlbedo | DryMaterial, [&] { drawLazily(wetness, frame); });
+    if (scene.hasGlass())
+        run("glass", Depth | GlassMask, GlassTint | GlassSurface | GlassDepth,
+            [&] { glass.draw(frame, gbuffer.tiles()); });
+    if (isGlassSunlit()) run("glass shadow", {}, {}, [&] { drawLazily(glassShadow, frame); });
+}
+
+void Renderer::Impl::drawLight(const FrameContext& frame) {
+    using enum Target;
+    clearNoisyLight(frame);
+    if (settings.sun && block.sunDirection.y > 0.0f) run("sun", kGBuffer, NoisyLight, [&] { sun.draw(frame); });
+    if (settings.sky)
+        run("sky", kGBuffer | kBounceHistory | previous(AccumulatedLight), NoisyLight | HitProximity,
+            [&] { sky.draw(frame); });
+    if (LocalLightsPass::needed(frame))
+        run("local lights", kGBuffer | previous(Specular | Surface), NoisyLight | Specular,
+            [&] { drawLazily(localLights, frame); });
+    run("accumulate", kGBuffer | NoisyLight | HitProximity | previous(AccumulatedLight | Surface | FastHistory),
+        AccumulatedLight | Surface | FastHistory | HistoryConfidence, [&] { accumulate.draw(frame); });
+    run("filter", DepthBuffer | AccumulatedLight | Surface, DenoisedLight | DenoisedLightScratch,
+        [&] { filter.draw(frame); });
+    if (ReflectionsPass::needed(frame))
+        run("reflections", kGBuffer | GlassSurface | DenoisedLight | kBounceHistory, Reflection | ReflectionMask,
+            [&] { reflections.draw(frame); });
+}
+
+void Renderer::Impl::drawImage(const FrameContext& frame) {
+    using enum Target;
+    run("composite", kGBuffer | GlassSurface | DenoisedLight | Specular | Surface | Reflection,
+        Radiance | DiffuseFraction, [&] { composite.draw(frame, isGlassSunlit() ? &*glassShadow : nullptr); });
+    if (!scene.waters().empty())
+        run("water", Depth | kBounceHistory, Radiance | BehindWater, [&] { drawLazily(water, frame); });
+    if (scene.hasGlass())
+        run("glass composite", Depth | GlassTint | GlassSurface | GlassDepth | Reflection, Radiance | BehindGlass,
+            [&] { glass.drawOver(frame, gbuffer.tiles()); });
+    if (FogPass::needed(frame))
+        run("fog", Depth | previous(FogLight), FogLight | Fog | Radiance, [&] { drawLazily(fog, frame); });
+    if (!scene.particles().empty())
+        run("particles", Depth | DepthBuffer, Radiance, [&] { drawLazily(particles, frame, stepAlpha); });
+    if (settings.glare && LocalLightsPass::needed(frame) && !lightGrid->empty())
+        run("glare", {}, Radiance, [&] { drawLazily(glare, frame); });
+    run("taa", Radiance | Motion | Surface | GlassSurface | HistoryConfidence | previous(Resolved), Resolved,
+        [&] { taa.draw(frame); });
+    if (settings.bloom > 0.0f)
+        run("bloom", Resolved, Bloom0 | Bloom1 | Bloom2 | Bloom3 | Bloom4, [&] { bloom.draw(frame); });
+    run("exposure", Resolved | previous(Exposure), Exposure, [&] { exposure.draw(frame); });
+    run("tonemap", Resolved | Exposure | Bloom0, Final, [&] { tonemap.draw(frame); });
+}
+
+void Renderer::Impl::fillBlock(const View& view, glm::ivec2 renderSize) {
+    camera.begin(view, renderSize, settings.temporal, scene.origin(), block);
     const Environment& e = scene.environment();
     block.counters.z = int(scene.lights().size());
     block.counters.w = settings.noise == Noise::White;
@@ -236,14 +250,15 @@ void Renderer::Impl::uploadBlock() {
 
 constexpr int kMaxDownscale = 6;
 
-/// How often a size must be halved to fit what the GL can draw into.
+/// How often a view's size must be halved for the GL to draw into it.
 int downscaleFor(glm::ivec2 size) {
     GLint side = 0, viewport[2] = {0, 0};
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
-    const glm::ivec2 most(std::min(side, viewport[0]), std::min(side, viewport[1]));
+    const glm::ivec2 largest(std::min(side, viewport[0]), std::min(side, viewport[1]));
     int downscale = 0;
-    while (downscale < kMaxDownscale && ((size.x >> downscale) > most.x || (size.y >> downscale) > most.y)) ++downscale;
+    while (downscale < kMaxDownscale && ((size.x >> downscale) > largest.x || (size.y >> downscale) > largest.y))
+        ++downscale;
     return downscale;
 }
 
@@ -251,7 +266,8 @@ void Renderer::Impl::draw(const View& view, float alpha) {
     if (view.size.x <= 0 || view.size.y <= 0) return;
     if (isContextLost()) {
         if (lastError.empty())
-            logError(lastError = "the GL context was lost: destroy this renderer, make a context and a new one");
+            logError(lastError =
+                         "the GL context was lost: destroy this renderer, then make a new context and renderer");
         return;
     }
     lastError.clear();
@@ -259,17 +275,17 @@ void Renderer::Impl::draw(const View& view, float alpha) {
     downscale = std::max(downscale, downscaleFor(view.size));
     figures.uploadBytes = scene.beginFrame(alpha, view.position);
     stepAlpha = alpha;
-    const bool fresh = view.cut || !hasDrawn;
+    const bool isFirst = view.cut || !hasDrawn;
     hasDrawn = true;
     View each = view;
-    for (int i = fresh ? settings.warmUpFrames : 0; i >= 0; --i) {
+    for (int i = isFirst ? settings.warmUpFrames : 0; i >= 0; --i) {
         drawOnce(each);
         each.cut = false;
     }
     drawSmallerOnFailure(view);
     scene.endFrame();
-    figures.textureBytes = targets.bytes() + pictures.bytes() + scene.bytes() + gbuffer.bytes() + blueNoise.bytes() +
-                           (lightGrid ? lightGrid->bytes() : 0);
+    figures.textureBytes =
+        targets.bytes() + scene.bytes() + gbuffer.bytes() + blueNoise.bytes() + (lightGrid ? lightGrid->bytes() : 0);
     figures.computePrograms = shaders.computePrograms();
     figures.waitingBytes = scene.bodies().waitingBytes();
     figures.shapes = scene.bodies().shapes();
@@ -277,45 +293,40 @@ void Renderer::Impl::draw(const View& view, float alpha) {
 }
 
 void Renderer::Impl::drawSmallerOnFailure(const View& view) {
-    while (targets.allocationFailed() || pictures.allocationFailed()) {
+    while (targets.allocationFailed()) {
         if (downscale == kMaxDownscale) {
-            logError(lastError = "the GL refuses every size of targets to draw into: is it out of memory?");
+            logError(lastError = "the GL could not make render targets of any size: it is probably out of memory");
             return;
         }
         ++downscale;
-        logWarning("the GL refuses targets for a view of " + std::to_string(view.size.x) + "x" +
-                   std::to_string(view.size.y) + ": drawn at 1/" + std::to_string(1 << downscale) + " of it");
+        logWarning("the GL could not make render targets for a view of " + std::to_string(view.size.x) + "x" +
+                   std::to_string(view.size.y) + "; it is drawn at 1/" + std::to_string(1 << downscale) +
+                   " of that size and scaled up");
         targets.clear();
-        pictures.clear();
         drawOnce(view);
     }
 }
 
 /// Red while shaders do not build, green for a second after they were reloaded.
-glm::vec4 Renderer::Impl::dot() const {
+glm::vec4 Renderer::Impl::statusDot() const {
     if (!shaders.errors().empty()) return {0.9f, 0.1f, 0.05f, 1.0f};
     const bool justNow = std::chrono::steady_clock::now() - reloaded < std::chrono::seconds(1);
     return justNow ? glm::vec4(0.1f, 0.8f, 0.2f, 1.0f) : glm::vec4(0.0f);
 }
 
-const Texture* Renderer::Impl::find(std::string_view target) const {
-    const Texture* found = targets.find(target);
-    return found ? found : pictures.find(target);
-}
-
-/// A scale that is none counts as 1.
-glm::ivec2 tracedSize(glm::ivec2 view, float scale) {
+/// A scale outside [0.1, 1) counts as 1.
+glm::ivec2 scaledSize(glm::ivec2 view, float scale) {
     if (!(scale >= 0.1f && scale < 1.0f)) return view;
     return glm::max(glm::ivec2(glm::round(glm::vec2(view) * scale)), glm::ivec2(1));
 }
 
-/// Starts the times of a frame; those of the last one are told to the choice among fragments and compute.
+/// Starts the times of a frame, and gives those of the last one to the choice between fragments and compute.
 void Renderer::Impl::beginTimes() {
     if (timer.isImmediate()) choice.addPassTimes(figures.passMs);
     timer.beginFrame(figures.passMs);
     if (!timer.isImmediate()) choice.addPassTimes(figures.passMs);
-    if (const std::string news = choice.takeDecisions(); !news.empty())
-        logInfo("full-screen passes are drawn by what was faster: " + news);
+    if (const std::string decisions = choice.takeDecisions(); !decisions.empty())
+        logInfo("full-screen passes are drawn by the faster method: " + decisions);
 }
 
 void Renderer::Impl::drawOnce(const View& wanted) {
@@ -324,40 +335,14 @@ void Renderer::Impl::drawOnce(const View& wanted) {
     beginTimes();
     figures.drawCalls = figures.bodyDraws = 0;
     figures.computePasses.clear();
-    const glm::ivec2 traced = tracedSize(view.size, settings.resolutionScale);
-    targets.beginFrame(traced, view.cut);
-    pictures.beginFrame(view.size, view.cut);
-    fillBlock(view, traced);
+    const glm::ivec2 renderSize = scaledSize(view.size, settings.resolutionScale);
+    targets.beginFrame(renderSize, view.size, view.cut);
+    fillBlock(view, renderSize);
     uploadBlock();
-    const FrameContext frame{
-        block, settings, scene, targets, pictures, blueNoise, figures, emptyVertexArray, updateLightGrid(), &choice};
+    const FrameContext frame{block,  settings, scene, targets, blueNoise, figures, emptyVertexArray, updateLightGrid(),
+                             &choice};
     drawPasses(frame);
-    const Texture* target = find(shown->target);
-    run("show", [&] { show.draw(frame, target ? *target : blueNoise, shown->mode, wanted, dot()); });
-}
-
-RenderSettings RenderSettings::preset(std::string_view name) {
-    RenderSettings settings;
-    if (name == "fast") {
-        settings.resolutionScale = 0.75f;
-        settings.skyDistance = 12.0f;
-        settings.skyExactDistance = 1.6f;
-        settings.bounceColors = false;
-        settings.bounces = 1;
-        settings.filterPasses = 2;
-    }
-    if (name == "accurate") {
-        settings.skyRays = 8;
-        settings.sunRays = 4;
-        settings.filterPasses = 5;
-        settings.bounces = 3;
-    }
-    return settings;
-}
-
-Fullscreen RenderSettings::fullscreenFromName(std::string_view name) {
-    if (name == "fastest") return Fullscreen::Fastest;
-    return name == "compute" ? Fullscreen::Compute : name == "fragment" ? Fullscreen::Fragment : Fullscreen::Auto;
+    run("show", shown->target, {}, [&] { show.draw(frame, *shown, wanted, statusDot()); });
 }
 
 Result<std::unique_ptr<Renderer>> Renderer::create(GlLoader loader, const std::string& shaderFolder,
@@ -395,9 +380,9 @@ std::vector<std::string> Renderer::shaderErrors() const {
 }
 
 bool Renderer::showPass(std::string_view name) {
-    for (const TargetView& shown : kTargetViews)
-        if (shown.name == name) {
-            m_impl->shown = &shown;
+    for (const ShowPass::TargetView& view : ShowPass::views())
+        if (view.name == name) {
+            m_impl->shown = &view;
             return true;
         }
     return false;
@@ -405,15 +390,19 @@ bool Renderer::showPass(std::string_view name) {
 
 std::vector<std::string> Renderer::passNames() const {
     std::vector<std::string> names;
-    for (const TargetView& shown : kTargetViews) names.emplace_back(shown.name);
+    for (const ShowPass::TargetView& view : ShowPass::views()) names.emplace_back(view.name);
     return names;
 }
 
 Result<FloatImage> Renderer::readTarget(std::string_view name) const {
-    const Texture* texture = m_impl->find(name);
-    if (!texture) return Error{"no pass has drawn a target \"" + std::string(name) + "\""};
+    const auto declared = std::find_if(kTargets.begin(), kTargets.end(),
+                                       [&](const TargetDeclaration& each) { return each.name == name; });
+    const std::string text = "target \"" + std::string(name) + "\": ";
+    if (declared == kTargets.end()) return Error{text + "expected a name of render/frame/targets.h"};
+    const Texture* texture = m_impl->targets.find(declared->id);
+    if (!texture) return Error{text + "no pass has drawn it; call draw() with the settings that need it"};
     if (pixelFormat(texture->internalFormat()).format == GL_DEPTH_COMPONENT)
-        return Error{"target \"" + std::string(name) + "\" holds no colours"};
+        return Error{text + "expected colours, found a depth buffer"};
     const GlStateGuard hostState;
     FloatImage image(texture->size());
     m_impl->targets.framebuffer({texture}).begin();

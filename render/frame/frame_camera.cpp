@@ -7,10 +7,12 @@ namespace rubble {
 namespace {
 
 constexpr float kNear = 0.05f, kFar = 2000.0f;
-constexpr float kBaseJitterPeriod =
-    16.0f;  // where a pixel of the picture is one that is traced; else longer, to reach every part of it
+// Frames until jitter repeats, where display and render size are the same. With fewer traced pixels it takes as many
+// more frames until every part of a displayed pixel has been sampled.
+constexpr float kBaseJitterPeriod = 16.0f;
 
-/// Sobol's first two dimensions: of each aligned power of two of points, every row and every column holds one.
+/// The first two dimensions of Sobol's sequence (Sobol 1967). Of any aligned power of two of its points, each row and
+/// each column of a grid of as many cells holds exactly one.
 glm::vec2 sobolPoint(uint32_t index) {
     uint32_t x = 0, y = 0;
     for (uint32_t inX = 1u << 31, inY = 1u << 31; index; index >>= 1, inX >>= 1, inY ^= inY >> 1)
@@ -21,19 +23,20 @@ glm::vec2 sobolPoint(uint32_t index) {
 glm::mat4 projection(const View& view, glm::vec2 jitterUv) {
     const float aspect = float(view.size.x) / float(view.size.y);
     glm::mat4 p = glm::perspective(view.verticalFov, aspect, kNear, kFar);
-    p[2][0] +=
-        jitterUv.x * 2.0f;  // shifts clip space by -2 jitter: what lies at pixel centre + jitter comes to the centre
+    // Shifts clip space by -2 jitter: what lies at pixel centre + jitter comes to the centre.
+    p[2][0] += jitterUv.x * 2.0f;
     p[2][1] += jitterUv.y * 2.0f;
     return p;
 }
 
 }  // namespace
 
-void FrameCamera::begin(const View& view, glm::ivec2 traced, bool jittered, glm::dvec3 originWorld, FrameBlock& block) {
-    const bool cut = view.cut || m_frame == 0 || traced != m_lastSize || originWorld != m_lastOrigin;
-    if (view.cut) m_frame = 0;  // the same noise after each cut: a still picture does not depend on what came before
-    const glm::vec2 size(traced), picture(view.size);
-    const int period = int(kBaseJitterPeriod * picture.x * picture.y / (size.x * size.y));
+void FrameCamera::begin(const View& view, glm::ivec2 renderSize, bool jittered, glm::dvec3 originWorld,
+                        FrameBlock& block) {
+    const bool cut = view.cut || m_frame == 0 || renderSize != m_lastSize || originWorld != m_lastOrigin;
+    if (view.cut) m_frame = 0;  // the same noise after each cut: a still does not depend on earlier frames
+    const glm::vec2 size(renderSize), display(view.size);
+    const int period = int(kBaseJitterPeriod * display.x * display.y / (size.x * size.y));
     const glm::vec2 jitter =
         jittered ? (sobolPoint(uint32_t(m_frame % period)) + 0.5f / float(period) - 0.5f) / size : glm::vec2(0.0f);
 
@@ -48,13 +51,13 @@ void FrameCamera::begin(const View& view, glm::ivec2 traced, bool jittered, glm:
     block.previousViewProjection = cut ? plain : m_lastViewProjection;
     block.cameraPosition = glm::vec4(position, kNear);
     block.previousCameraPosition = cut ? glm::vec4(position, 0.0f) : m_lastPosition;
-    block.cameraRight = glm::vec4(axes[0], tanY * picture.x / picture.y);
+    block.cameraRight = glm::vec4(axes[0], tanY * display.x / display.y);
     block.cameraUp = glm::vec4(axes[1], tanY);
     block.cameraForward = glm::vec4(-axes[2], kFar);
     block.targetSize = glm::vec4(size, 1.0f / size);
-    block.displaySize = glm::vec4(picture, 1.0f / picture);
+    block.displaySize = glm::vec4(display, 1.0f / display);
     block.jitter = glm::vec4(jitter, cut ? jitter : m_lastJitter);
-    // Roberts' R1 and R2 sequences, extremelearning.com.au/unreasonable-effectiveness-of-quasirandom-sequences.
+    // Roberts' R1 and R2 sequences: extremelearning.com.au/unreasonable-effectiveness-of-quasirandom-sequences.
     const float n = float(m_frame % 4096);
     block.noiseOffset = glm::fract(n * glm::vec4(0.7548776662f, 0.5698402910f, 0.6180339887f, 0.8191725134f));
     block.counters = glm::ivec4(m_frame, cut ? 0 : 1, 0, 0);
@@ -62,7 +65,7 @@ void FrameCamera::begin(const View& view, glm::ivec2 traced, bool jittered, glm:
     m_lastViewProjection = plain;
     m_lastPosition = glm::vec4(position, 0.0f);
     m_lastJitter = jitter;
-    m_lastSize = traced;
+    m_lastSize = renderSize;
     m_lastOrigin = originWorld;
     ++m_frame;
 }

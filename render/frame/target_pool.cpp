@@ -4,73 +4,107 @@
 #include <glm/common.hpp>
 
 namespace rubble {
+namespace {
 
-void TargetPool::beginFrame(glm::ivec2 size, bool cut) {
-    if (size != m_size) {
-        clear();
-        m_size = size;
+constexpr Resolution kResolutions[] = {Resolution::Render, Resolution::Display};
+
+const TargetDeclaration& declarationOf(Target id) {
+    return kTargets[size_t(id)];
+}
+
+}  // namespace
+
+void TargetPool::beginFrame(glm::ivec2 renderSize, glm::ivec2 displaySize, bool cut) {
+    ++m_frame;
+    setSize(Resolution::Render, renderSize, cut);
+    setSize(Resolution::Display, displaySize, cut);
+    for (const TargetDeclaration& target : kTargets)
+        if (target.hasHistory) m_slots[size_t(target.id)].current ^= 1;
+}
+
+void TargetPool::setSize(Resolution resolution, glm::ivec2 size, bool cut) {
+    Group& group = m_groups[size_t(resolution)];
+    if (size != group.size) {
+        clear(resolution);
+        group.size = size;
         cut = true;
     }
-    ++m_frame;
-    if (cut) m_cutFrame = m_frame;
-    for (auto& [name, slot] : m_slots)
-        if (slot.isHistory) slot.current ^= 1;
+    if (cut) group.cutFrame = m_frame;
+}
+
+void TargetPool::beginPass(TargetSet reads, TargetSet writes) {
+    m_reads = reads;
+    m_writes = writes;
+    m_isInPass = true;
+}
+
+void TargetPool::clear(Resolution resolution) {
+    // All framebuffers: the GL may give the names of freed textures to new ones.
+    m_framebuffers.clear();
+    m_framebufferFailed = false;
+    for (const TargetDeclaration& target : kTargets)
+        if (target.resolution == resolution) m_slots[size_t(target.id)] = Slot();
+    m_groups[size_t(resolution)].allocationFailed = false;
 }
 
 void TargetPool::clear() {
-    m_framebuffers.clear();
-    m_slots.clear();
-    m_allocationFailed = false;
+    for (const Resolution resolution : kResolutions) clear(resolution);
 }
 
-TargetPool::Slot& TargetPool::slot(std::string_view name, GLenum internalFormat, int divisor, Filter filter,
-                                   bool isHistory) {
-    auto found = m_slots.find(name);
-    if (found == m_slots.end()) {
-        const glm::ivec2 size = glm::max((m_size + divisor - 1) / divisor, glm::ivec2(1));
-        found = m_slots.try_emplace(std::string(name)).first;
-        found->second.isHistory = isHistory;
-        while (glGetError() != GL_NO_ERROR) {  // whoever made these: they are not about what comes now
+TargetPool::Slot& TargetPool::slot(Target id) {
+    const TargetDeclaration& declared = declarationOf(id);
+    Slot& slot = m_slots[size_t(id)];
+    if (!slot.textures[0]) {
+        Group& group = m_groups[size_t(declared.resolution)];
+        const glm::ivec2 size = glm::max((group.size + declared.divisor - 1) / declared.divisor, glm::ivec2(1));
+        while (glGetError() != GL_NO_ERROR) {  // errors of earlier calls, perhaps of the host's
         }
-        for (int i = 0; i <= int(isHistory); ++i) found->second.textures[i] = Texture(internalFormat, size, filter);
-        m_allocationFailed |= glGetError() != GL_NO_ERROR;
+        for (int i = 0; i <= int(declared.hasHistory); ++i)
+            slot.textures[i] = Texture(declared.format, size, declared.filter);
+        group.allocationFailed |= glGetError() != GL_NO_ERROR;
     }
-    Slot& slot = found->second;
-    assert(slot.isHistory == isHistory && slot.textures[0].internalFormat() == internalFormat &&
-           "one name, two kinds of target");
     slot.drawn[slot.current] = m_frame;
     return slot;
 }
 
-const Texture& TargetPool::target(std::string_view name, GLenum internalFormat, int divisor, Filter filter) {
-    return slot(name, internalFormat, divisor, filter, false).textures[0];
+const Texture& TargetPool::target(Target id) {
+    assert(mayWrite(id) && "a pass draws into a target that it has not declared: see Renderer::Impl::drawPasses()");
+    assert(!declarationOf(id).hasHistory && "a target with history is asked for by history()");
+    return slot(id).textures[0];
 }
 
-History TargetPool::history(std::string_view name, GLenum internalFormat, int divisor, Filter filter) {
-    const Slot& found = slot(name, internalFormat, divisor, filter, true);
+History TargetPool::history(Target id) {
+    assert((mayRead(id) || mayReadPrevious(id)) &&
+           "a pass uses a target that it has not declared: see Renderer::Impl::drawPasses()");
+    assert(declarationOf(id).hasHistory && "a target without history is asked for by target()");
+    const Slot& found = slot(id);
     const int previous = found.current ^ 1;
-    return {found.textures[found.current], found.textures[previous],
-            found.drawn[previous] + 1 == m_frame && m_cutFrame != m_frame};
+    const bool isCut = m_groups[size_t(declarationOf(id).resolution)].cutFrame == m_frame;
+    return {found.textures[found.current], found.textures[previous], found.drawn[previous] + 1 == m_frame && !isCut};
 }
 
-const Texture& TargetPool::copy(const Texture& source, std::string_view name) {
-    const Texture& made = target(name, source.internalFormat());
-    const Framebuffer& from = framebuffer({&source});
+const Texture& TargetPool::copy(Target source, Target into) {
+    assert(declarationOf(source).format == declarationOf(into).format && "a copy has the format of its source");
+    const Texture& original = at(source);
+    const Texture& made = target(into);
+    const Framebuffer& from = framebuffer({&original});
     const Framebuffer& to = framebuffer({&made});
-    const glm::ivec2 size = source.size();
+    const glm::ivec2 size = original.size();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.name());
     glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     return made;
 }
 
-const Texture* TargetPool::find(std::string_view name) const {
-    const auto found = m_slots.find(name);
-    return found == m_slots.end() ? nullptr : &found->second.textures[found->second.current];
+const Texture* TargetPool::find(Target id) const {
+    assert(mayRead(id) && "a pass reads a target that it has not declared: see Renderer::Impl::drawPasses()");
+    const Slot& slot = m_slots[size_t(id)];
+    const Texture& found = slot.textures[slot.current];
+    return found ? &found : nullptr;
 }
 
-const Texture& TargetPool::at(std::string_view name) const {
-    const Texture* found = find(name);
+const Texture& TargetPool::at(Target id) const {
+    const Texture* found = find(id);
     assert(found && "a pass reads a target that no earlier pass has drawn");
     return *found;
 }
@@ -81,16 +115,22 @@ const Framebuffer& TargetPool::framebuffer(const std::vector<const Texture*>& co
     const auto found = m_framebuffers.find(key);
     if (found != m_framebuffers.end()) return found->second;
     const Framebuffer& made = m_framebuffers.emplace(std::move(key), Framebuffer(colors, depth)).first->second;
-    m_allocationFailed |= !made.isComplete();
+    m_framebufferFailed |= !made.isComplete();
     return made;
 }
 
 uint64_t TargetPool::bytes() const {
     uint64_t sum = 0;
-    for (const auto& [name, slot] : m_slots)
+    for (const Slot& slot : m_slots)
         for (const Texture& texture : slot.textures)
             if (texture) sum += texture.bytes();
     return sum;
+}
+
+bool TargetPool::allocationFailed() const {
+    bool failed = m_framebufferFailed;
+    for (const Group& group : m_groups) failed |= group.allocationFailed;
+    return failed;
 }
 
 }  // namespace rubble

@@ -1,46 +1,52 @@
 #pragma once
+#include <array>
 #include <map>
-#include <memory>
-#include <string>
 #include <string_view>
 #include <vector>
 
+#include "render/frame/targets.h"
 #include "render/gl/framebuffer.h"
 
 namespace rubble {
 
-/// This frame's target and last frame's, which keep changing places.
+/// A target with history: this frame's texture and last frame's.
 struct History {
     const Texture& current;
     const Texture& previous;
-    bool valid;  ///< previous holds the frame before this one; false at the start, after a cut, a resize or a skipped
-                 ///< frame
+    /// Whether `previous` holds the frame before this one: not at the start, after a cut, a resize or a skipped frame.
+    bool valid;
 };
 
-/// The textures that passes draw into, by name: made when first asked for, at the frame's size divided by `divisor`,
-/// freed when that size changes. The pass viewer finds them here.
+/// Owns the textures of all targets. One is made when a pass first asks for it, and freed when its resolution changes.
+/// While a pass runs, what it may use is what it has declared: anything else fails an assert. [render-thread]
 class TargetPool {
 public:
-    /// Starts a frame: histories change places. cut: what histories hold is not to be used.
-    void beginFrame(glm::ivec2 size, bool cut);
+    /// Starts a frame: the two textures of each history change places. Sizes in pixels. cut: what the frame before left
+    /// is not valid.
+    void beginFrame(glm::ivec2 renderSize, glm::ivec2 displaySize, bool cut);
+    /// From here to endPass() only these may be used.
+    void beginPass(TargetSet reads, TargetSet writes);
+    /// After it any target may be used: by tests, tools and what is drawn between passes.
+    void endPass() { m_isInPass = false; }
 
-    const Texture& target(std::string_view name, GLenum internalFormat, int divisor = 1,
-                          Filter filter = Filter::Nearest);
-    /// A target whose last frame is kept. Ask once a frame in each pass that draws it; others read it with find().
-    History history(std::string_view name, GLenum internalFormat, int divisor = 1, Filter filter = Filter::Linear);
-    /// What a target shows now, in another one of that name: for a pass that reads what it draws into.
-    const Texture& copy(const Texture& source, std::string_view name);
-    /// The current texture of that name, or nullptr if no pass has asked for it.
-    const Texture* find(std::string_view name) const;
-    /// Like find(), for a pass that needs what an earlier pass has drawn in this frame.
-    const Texture& at(std::string_view name) const;
+    /// A target without history, to draw into.
+    const Texture& target(Target id);
+    /// A target with history, to draw into or to read last frame's.
+    History history(Target id);
+    /// Copies a target into another one of the same format, for a pass that reads what it draws over.
+    const Texture& copy(Target source, Target into);
+    /// This frame's texture, or nullptr if nothing has drawn it yet.
+    const Texture* find(Target id) const;
+    /// This frame's texture, which must have been drawn.
+    const Texture& at(Target id) const;
 
-    /// Framebuffers are made once for each combination.
+    /// The framebuffer of these colour attachments and depth buffer. Made once for each combination.
     const Framebuffer& framebuffer(const std::vector<const Texture*>& colors, const Texture* depth = nullptr);
 
+    /// GPU memory of all targets.
     uint64_t bytes() const;
-    /// The GL would not make a target or a combination of them since the last clear(): what was drawn is worth nothing.
-    bool allocationFailed() const { return m_allocationFailed; }
+    /// Whether the GL failed to make a target or a framebuffer since the last clear(): what was drawn is not valid.
+    bool allocationFailed() const;
     /// Frees everything.
     void clear();
 
@@ -48,17 +54,27 @@ private:
     struct Slot {
         Texture textures[2];
         int current = 0;
-        uint64_t drawn[2] = {0, 0};  ///< number of the frame each was last asked for
-        bool isHistory = false;
+        uint64_t drawn[2] = {0, 0};  ///< the frame in which each was last asked for
     };
-    Slot& slot(std::string_view name, GLenum internalFormat, int divisor, Filter filter, bool isHistory);
+    struct Group {  ///< the targets of one resolution
+        glm::ivec2 size{0};
+        uint64_t cutFrame = 0;
+        bool allocationFailed = false;
+    };
+    void setSize(Resolution resolution, glm::ivec2 size, bool cut);
+    void clear(Resolution resolution);
+    Slot& slot(Target id);
+    bool mayRead(Target id) const { return !m_isInPass || m_reads.contains(id) || m_writes.contains(id); }
+    bool mayReadPrevious(Target id) const { return !m_isInPass || m_reads.containsPrevious(id); }
+    bool mayWrite(Target id) const { return !m_isInPass || m_writes.contains(id); }
 
-    std::map<std::string, Slot, std::less<>> m_slots;
+    std::array<Slot, kTargetCount> m_slots;
+    std::array<Group, 2> m_groups;  ///< by Resolution
     std::map<std::vector<GLuint>, Framebuffer> m_framebuffers;
-    glm::ivec2 m_size{0};
+    bool m_framebufferFailed = false;
     uint64_t m_frame = 0;
-    uint64_t m_cutFrame = 0;
-    bool m_allocationFailed = false;
+    TargetSet m_reads, m_writes;  ///< of the pass that runs
+    bool m_isInPass = false;
 };
 
 }  // namespace rubble

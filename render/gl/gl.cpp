@@ -19,7 +19,7 @@ bool offers(std::string_view extension) {
     return false;
 }
 
-/// GL 4.5, KHR_robustness or ARB_robustness.
+/// The function that tells of lost contexts: of GL 4.5, KHR_robustness or ARB_robustness; null: there is none.
 const char* resetStatusName(int version) {
     if (version >= GLAD_MAKE_VERSION(4, 5)) return "glGetGraphicsResetStatus";
     if (offers("GL_KHR_robustness")) return "glGetGraphicsResetStatusKHR";
@@ -39,7 +39,7 @@ Result<Done> loadGl(void* (*loader)(const char* name)) {
     GLint major = 0, minor = 0;
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
-    const int context = GLAD_MAKE_VERSION(major, minor);  // `version` is the newest that glad knows of
+    const int context = GLAD_MAKE_VERSION(major, minor);  // `version` is the newest one that glad knows
     g_hasCompute = context >= GLAD_MAKE_VERSION(4, 3) && glDispatchCompute && glBindImageTexture && glMemoryBarrier;
     const char* name = resetStatusName(context);
     g_resetStatus = name ? reinterpret_cast<ResetStatus>(loader(name)) : nullptr;

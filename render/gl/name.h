@@ -5,16 +5,18 @@
 
 namespace rubble {
 
-/// Owns one GL object and deletes it in the context that is current. Kind says how to make and delete one.
+/// Owns one GL object. The destructor deletes it in the context that is current then. `Kind` makes and deletes one.
 template <class Kind>
 class GlName {
 public:
     GlName() = default;
+    /// A new object of the current context.
     static GlName make() {
         GlName name;
         name.m_name = Kind::create();
         return name;
     }
+    /// Takes the object over.
     GlName(GlName&& other) noexcept : m_name(std::exchange(other.m_name, 0)) {}
     GlName& operator=(GlName&& other) noexcept {
         std::swap(m_name, other.m_name);
@@ -23,6 +25,7 @@ public:
     ~GlName() {
         if (m_name) Kind::destroy(m_name);
     }
+    /// The GL's name of it; 0: none.
     GLuint get() const { return m_name; }
     explicit operator bool() const { return m_name != 0; }
 
@@ -30,49 +33,50 @@ private:
     GLuint m_name = 0;
 };
 
+/// How the GL makes and deletes each kind of object, for GlName.
 struct TextureKind {
-    static GLuint create() {
+    static GLuint create() {  ///< a new name
         GLuint name;
         glGenTextures(1, &name);
         return name;
     }
-    static void destroy(GLuint name) { glDeleteTextures(1, &name); }
+    static void destroy(GLuint name) { glDeleteTextures(1, &name); }  ///< frees the object
 };
 struct BufferKind {
-    static GLuint create() {
+    static GLuint create() {  ///< a new name
         GLuint name;
         glGenBuffers(1, &name);
         return name;
     }
-    static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
+    static void destroy(GLuint name) { glDeleteBuffers(1, &name); }  ///< frees the object
 };
 struct FramebufferKind {
-    static GLuint create() {
+    static GLuint create() {  ///< a new name
         GLuint name;
         glGenFramebuffers(1, &name);
         return name;
     }
-    static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
+    static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }  ///< frees the object
 };
 struct VertexArrayKind {
-    static GLuint create() {
+    static GLuint create() {  ///< a new name
         GLuint name;
         glGenVertexArrays(1, &name);
         return name;
     }
-    static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
+    static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }  ///< frees the object
 };
 struct QueryKind {
-    static GLuint create() {
+    static GLuint create() {  ///< a new name
         GLuint name;
         glGenQueries(1, &name);
         return name;
     }
-    static void destroy(GLuint name) { glDeleteQueries(1, &name); }
+    static void destroy(GLuint name) { glDeleteQueries(1, &name); }  ///< frees the object
 };
 struct ProgramKind {
-    static GLuint create() { return glCreateProgram(); }
-    static void destroy(GLuint name) { glDeleteProgram(name); }
+    static GLuint create() { return glCreateProgram(); }         ///< a new name
+    static void destroy(GLuint name) { glDeleteProgram(name); }  ///< frees the object
 };
 
 using VertexArray = GlName<VertexArrayKind>;

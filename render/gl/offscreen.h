@@ -6,13 +6,16 @@
 
 namespace rubble {
 
-/// A framebuffer of its own to draw a view into when there is no window, and the way back to main memory.
+/// A framebuffer to draw a view into where there is no window. [render-thread]
 class Offscreen {
 public:
+    /// In pixels.
     explicit Offscreen(glm::ivec2 size);
+    /// For View::framebuffer.
     unsigned framebuffer() const { return m_framebuffer.name(); }
+    /// In pixels.
     glm::ivec2 size() const { return m_color.size(); }
-    /// 8-bit RGB, rows from the top.
+    /// Its image as 8-bit RGB, rows from the top. Waits for the GL.
     std::vector<uint8_t> readRgb() const;
 
 private:

@@ -10,7 +10,7 @@ double PassTimer::nowMs() const {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-void PassTimer::beginFrame(std::vector<std::pair<const char*, double>>& out) {
+void PassTimer::beginFrame(Times& out) {
     out.clear();
     for (size_t i = 0; i < m_count; ++i) {
         GLuint64 nanoseconds = 0;
@@ -32,7 +32,7 @@ void PassTimer::begin(const char* name) {
     glBeginQuery(GL_TIME_ELAPSED, m_running[m_count].query.get());
 }
 
-void PassTimer::end(std::vector<std::pair<const char*, double>>& out) {
+void PassTimer::end(Times& out) {
     if (!m_software) {
         glEndQuery(GL_TIME_ELAPSED);
         ++m_count;

@@ -6,19 +6,23 @@
 
 namespace rubble {
 
-/// Times the passes of a frame: by GL_TIME_ELAPSED, read one frame later, on a GPU; after glFinish on a software
-/// renderer, whose queries do not see the work.
+/// Times the passes of a frame. On a GPU by GL_TIME_ELAPSED queries, which are read one frame later, so that nothing
+/// waits; on a software renderer by the clock after glFinish, because queries do not see its work.
 class PassTimer {
 public:
-    /// processorTime: on a software renderer, the milliseconds that all threads of this process worked, not those on
-    /// the wall.
+    using Times = std::vector<std::pair<const char*, double>>;  ///< milliseconds by pass, in the order drawn
+
+    /// processorTime: on a software renderer, the milliseconds that all threads of this process worked, instead of the
+    /// elapsed ones.
     PassTimer(bool software, bool processorTime) : m_software(software), m_processorTime(processorTime) {}
-    /// True if a pass's time is known when it ends; else it comes with the next frame.
+    /// Whether a pass's time is known when it ends; else it comes with the next frame.
     bool isImmediate() const { return m_software; }
-    /// Collects the frame before and starts a new one. `out` gets the times in the order drawn.
-    void beginFrame(std::vector<std::pair<const char*, double>>& out);
+    /// Starts a frame. `out` gets the times of the frame before, if they are not immediate.
+    void beginFrame(Times& out);
+    /// Starts a pass. `name` must outlive the next beginFrame().
     void begin(const char* name);
-    void end(std::vector<std::pair<const char*, double>>& out);
+    /// Ends the pass; appends its time to `out`, if that is immediate.
+    void end(Times& out);
 
 private:
     struct Timed {

@@ -57,7 +57,7 @@ Program::Program(const std::string& computeSource, std::string& log) {
     if (const GLuint shader = compile(GL_COMPUTE_SHADER, computeSource, log)) link({shader}, log);
 }
 
-/// Takes the shaders over.
+/// Links the shaders and deletes them, whether that succeeds or not.
 void Program::link(std::initializer_list<GLuint> shaders, std::string& log) {
     auto program = GlName<ProgramKind>::make();
     for (const GLuint shader : shaders) {
@@ -90,7 +90,7 @@ void Program::listUniforms() {
         GLenum type = 0;
         glGetActiveUniform(name(), GLuint(i), sizeof text, &length, &size, &type, text);
         const GLint location = glGetUniformLocation(name(), text);
-        if (location < 0) continue;  // a member of a block
+        if (location < 0) continue;  // a member of a uniform block
         int unit = -1;
         if (isSampler(type)) {
             unit = units++;

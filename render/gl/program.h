@@ -13,37 +13,41 @@
 
 namespace rubble {
 
-/// A linked program. Its samplers get texture units when it is linked, in the order the GL lists them.
-/// Setting a uniform that the shader does not use is ignored.
+/// A linked program. Its samplers get texture units when it is linked, in the order in which the GL lists them.
 class Program {
 public:
     Program() = default;
-    /// Vertex and fragment source as the GL gets them. On failure `log` holds the GL's words and the program is empty.
+    /// From vertex and fragment source as the GL gets them. On failure the program is empty, `log` holds the GL's
+    /// message and `vertexFailed` says which of the two it is about.
     Program(const std::string& vertexSource, const std::string& fragmentSource, std::string& log, bool& vertexFailed);
-    /// A compute program, where hasCompute().
+    /// A compute program, where hasCompute(). On failure the program is empty and `log` holds the GL's message.
     Program(const std::string& computeSource, std::string& log);
 
     explicit operator bool() const { return bool(m_name); }
+    /// The GL's name of it; 0: empty.
     GLuint name() const { return m_name.get(); }
+    /// Makes it the current program.
     void use() const { glUseProgram(name()); }
 
-    int samplers() const;  ///< texture units that it takes
+    /// Number of texture units that it uses.
+    int samplers() const;
 
-    // The program must be in use.
+    /// Sets a uniform; one that the shader does not use is ignored. The program must be in use for all of these.
     void set(std::string_view uniform, int value) const;
-    void set(std::string_view uniform, float value) const;
-    void set(std::string_view uniform, glm::vec2 value) const;
-    void set(std::string_view uniform, glm::vec3 value) const;
-    void set(std::string_view uniform, glm::vec4 value) const;
-    void set(std::string_view uniform, glm::ivec2 value) const;
-    void set(std::string_view uniform, glm::ivec3 value) const;
-    void set(std::string_view uniform, const glm::mat4& value) const;
-    /// The first elements of an array; its name ends in [0].
+    void set(std::string_view uniform, float value) const;             ///< the same
+    void set(std::string_view uniform, glm::vec2 value) const;         ///< the same
+    void set(std::string_view uniform, glm::vec3 value) const;         ///< the same
+    void set(std::string_view uniform, glm::vec4 value) const;         ///< the same
+    void set(std::string_view uniform, glm::ivec2 value) const;        ///< the same
+    void set(std::string_view uniform, glm::ivec3 value) const;        ///< the same
+    void set(std::string_view uniform, const glm::mat4& value) const;  ///< the same
+    /// Sets the first elements of an array, whose name ends in [0].
     void set(std::string_view uniform, std::span<const glm::vec4> values) const;
     /// Binds a texture to the sampler's unit.
     void set(std::string_view sampler, const Texture& texture) const {
         bind(sampler, texture.target(), texture.name());
     }
+    /// Binds a buffer texture to the sampler's unit.
     void set(std::string_view sampler, const BufferTexture& texture) const {
         bind(sampler, texture.target(), texture.name());
     }

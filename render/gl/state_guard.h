@@ -5,10 +5,11 @@
 
 namespace rubble {
 
-/// Remembers the GL state that the renderer touches and puts it back at the end of its scope: a host's context is as it
-/// was.
+/// Saves the GL state that the renderer changes, sets what the renderer expects (no blending, no culling, no tests),
+/// and restores the host's state at the end of its scope.
 class GlStateGuard {
 public:
+    /// Of the context that is current.
     GlStateGuard();
     ~GlStateGuard();
     GlStateGuard(const GlStateGuard&) = delete;

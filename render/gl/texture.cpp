@@ -7,8 +7,7 @@
 namespace rubble {
 namespace {
 
-/// Binds for making and filling, on the last unit that GlStateGuard restores: the units of a program that is being set
-/// up keep what they hold.
+/// Binds a texture to the last unit that GlStateGuard restores, so that the units of the program in use keep theirs.
 void bindForUpload(GLenum target, GLuint texture) {
     glActiveTexture(GLenum(GL_TEXTURE0 + kTextureUnits - 1));
     glBindTexture(target, texture);
@@ -24,18 +23,12 @@ PixelFormat pixelFormat(GLenum internalFormat) {
             return {GL_RG, GL_UNSIGNED_BYTE, 2};
         case GL_RGBA8:
             return {GL_RGBA, GL_UNSIGNED_BYTE, 4};
-        case GL_R16F:
-            return {GL_RED, GL_HALF_FLOAT, 2};
         case GL_RG16F:
             return {GL_RG, GL_HALF_FLOAT, 4};
         case GL_RGBA16F:
             return {GL_RGBA, GL_HALF_FLOAT, 8};
-        case GL_R11F_G11F_B10F:
-            return {GL_RGB, GL_UNSIGNED_INT_10F_11F_11F_REV, 4};
         case GL_R32F:
             return {GL_RED, GL_FLOAT, 4};
-        case GL_RG32F:
-            return {GL_RG, GL_FLOAT, 8};
         case GL_RGBA32F:
             return {GL_RGBA, GL_FLOAT, 16};
         case GL_R8UI:
@@ -48,8 +41,6 @@ PixelFormat pixelFormat(GLenum internalFormat) {
             return {GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16};
         case GL_RGBA32I:
             return {GL_RGBA_INTEGER, GL_INT, 16};
-        case GL_DEPTH_COMPONENT24:
-            return {GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4};
         case GL_DEPTH_COMPONENT32F:
             return {GL_DEPTH_COMPONENT, GL_FLOAT, 4};
     }
@@ -72,14 +63,10 @@ Texture::Texture(GLenum internalFormat, glm::ivec2 size, Filter filter, Wrap wra
 }
 
 void Texture::upload(const void* pixels) {
-    uploadRows(0, m_size.y, pixels);
-}
-
-void Texture::uploadRows(int firstRow, int rows, const void* pixels) {
     const PixelFormat pixel = pixelFormat(m_internalFormat);
     bindForUpload(GL_TEXTURE_2D, name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, firstRow, m_size.x, rows, pixel.format, pixel.type, pixels);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, m_size.x, m_size.y, pixel.format, pixel.type, pixels);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
@@ -96,7 +83,7 @@ bool BufferTexture::reserve(uint64_t bytes) {
     if (bytes > most) return false;
     constexpr uint64_t kStep = 4096;
     const uint64_t grown =
-        std::max(bytes, m_capacity + m_capacity / 16);  // what grows by a little each time is not copied each time
+        std::max(bytes, m_capacity + m_capacity / 16);  // many small growths must not copy the buffer each time
     const uint64_t capacity = std::min(most, (grown + kStep - 1) / kStep * kStep);
 
     auto buffer = GlName<BufferKind>::make();
@@ -116,7 +103,7 @@ bool BufferTexture::reserve(uint64_t bytes) {
 }
 
 void BufferTexture::upload(uint64_t offset, std::span<const std::byte> data) {
-    assert(offset + data.size() <= m_capacity && "reserve() first");
+    assert(offset + data.size() <= m_capacity && "an upload past the capacity: call reserve() before");
     glBindBuffer(GL_COPY_WRITE_BUFFER, m_buffer.get());
     glBufferSubData(GL_COPY_WRITE_BUFFER, GLintptr(offset), GLsizeiptr(data.size()), data.data());
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);

@@ -1,5 +1,6 @@
 #include "render/passes/accumulate_pass.h"
 
+#include "render/frame/shader_constants.h"
 #include "render/passes/fullscreen.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/scene.h"
@@ -7,10 +8,11 @@
 namespace rubble {
 namespace {
 
-constexpr double kBrickMetres = 1.6;  // of the shadow volume
-constexpr int kTile = 4;              // pixels: passes/light_change.frag
+constexpr double kBrickMetres = 1.6;  ///< side of a brick of the shadow volume
+static_assert(kTargets[size_t(Target::HistoryConfidence)].divisor == shared::kConfidenceTile);
+static_assert(kTargets[size_t(Target::FastHistory)].divisor == shared::kConfidenceTile);
 
-/// Where what casts shadows has changed, for passes/light_change.frag.
+/// The regions in which shadow casters have changed, for passes/light_change.frag.
 void setDirtyRegions(const Program& program, const Scene& scene) {
     std::vector<glm::vec4> corners;
     for (const DirtyRegions::Box& box : scene.dirtyRegions().boxes())
@@ -28,41 +30,42 @@ AccumulatePass::AccumulatePass(ShaderLibrary& shaders)
 
 const Texture& AccumulatePass::findChanges(const FrameContext& frame, const History& light,
                                            const History& surface) const {
-    const History pulse = frame.targets.history("fastHistory", GL_RGBA16F, kTile);
-    const Texture& trusted = frame.targets.target("historyConfidence", GL_RG8, kTile, Filter::Linear);
-    drawFullscreen(frame, m_change, {frame.targets, {&pulse.current, &trusted}}, [&](const Program& program) {
-        program.set("uLight", frame.targets.at("noisyLight"));
-        program.set("uMotion", frame.targets.at("motion"));
+    const History fast = frame.targets.history(Target::FastHistory);
+    const Texture& confidence = frame.targets.target(Target::HistoryConfidence);
+    drawFullscreen(frame, m_change, {{&fast.current, &confidence}}, [&](const Program& program) {
+        program.set("uLight", frame.targets.at(Target::NoisyLight));
+        program.set("uMotion", frame.targets.at(Target::Motion));
         program.set("uLightHistory", light.previous);
         program.set("uSurfaceHistory", surface.previous);
-        program.set("uFastHistory", pulse.previous);
-        program.set("uHistoryValid", int(light.valid && surface.valid && pulse.valid));
-        program.set("uDepth", frame.targets.at("depth"));
+        program.set("uFastHistory", fast.previous);
+        program.set("uHistoryValid", int(light.valid && surface.valid && fast.valid));
+        program.set("uDepth", frame.targets.at(Target::Depth));
         setDirtyRegions(program, frame.scene);
     });
-    return trusted;
+    return confidence;
 }
 
 void AccumulatePass::draw(const FrameContext& frame) const {
     if (!m_change || !m_program) return;
-    const History light = frame.targets.history("accumulatedLight", GL_RGBA16F);
-    const History surface = frame.targets.history("surface", GL_RGBA32F);
-    const bool remembers = frame.settings.temporal && light.valid && surface.valid;
-    const bool forgets = remembers && frame.settings.rejectStaleHistory;
-    const Texture& trusted = forgets ? findChanges(frame, light, surface) : frame.blueNoise;  // else not looked at
-    const glm::vec4 none(0.0f), sky(GBufferPass::kSkyDepth, -1, 0, 0);
+    const History light = frame.targets.history(Target::AccumulatedLight);
+    const History surface = frame.targets.history(Target::Surface);
+    const bool hasHistory = frame.settings.temporal && light.valid && surface.valid;
+    const bool hasConfidence = hasHistory && frame.settings.rejectStaleHistory;
+    // Without confidence the shader does not read the texture: any one will do.
+    const Texture& confidence = hasConfidence ? findChanges(frame, light, surface) : frame.blueNoise;
+    const glm::vec4 none(0.0f), sky(shared::kSkyDepth, -1, 0, 0);
     const FullscreenTargets into{
-        frame.targets, {&light.current, &surface.current}, &frame.targets.at("depthBuffer"), {none, sky}};
+        {&light.current, &surface.current}, &frame.targets.at(Target::DepthBuffer), {none, sky}};
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         GBufferPass::bind(program, frame.targets);
-        program.set("uLight", frame.targets.at("noisyLight"));
+        program.set("uLight", frame.targets.at(Target::NoisyLight));
         program.set("uHasHitProximity", int(frame.settings.sky));
-        if (frame.settings.sky) program.set("uHitProximity", frame.targets.at("hitProximity"));
+        if (frame.settings.sky) program.set("uHitProximity", frame.targets.at(Target::HitProximity));
         program.set("uLightHistory", light.previous);
         program.set("uSurfaceHistory", surface.previous);
-        program.set("uHistoryConfidence", trusted);
-        program.set("uHasConfidence", int(forgets));
-        program.set("uHistoryValid", int(remembers));
+        program.set("uHistoryConfidence", confidence);
+        program.set("uHasConfidence", int(hasConfidence));
+        program.set("uHistoryValid", int(hasHistory));
         program.set("uMaxHistory", float(frame.settings.historyFrames));
     });
 }

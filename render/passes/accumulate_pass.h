@@ -3,14 +3,17 @@
 
 namespace rubble {
 
-/// Mixes "noisyLight" with what earlier pictures saw there, into the histories "accumulatedLight" and "surface".
+/// Temporal accumulation: blends the noisy light of this frame with the reprojected history. Derivation:
+/// shaders/passes/accumulate.frag.
 class AccumulatePass {
 public:
+    /// Builds its programs.
     explicit AccumulatePass(ShaderLibrary& shaders);
+    /// Fills AccumulatedLight and Surface.
     void draw(const FrameContext& frame) const;
 
 private:
-    /// Compares "noisyLight" with memory in tiles of 4x4 pixels: returns what of it may be trusted.
+    /// Compares the noisy light with the history in tiles of kConfidenceTile pixels. Returns the history confidence.
     const Texture& findChanges(const FrameContext& frame, const History& light, const History& surface) const;
 
     FullscreenProgram& m_change;

@@ -2,17 +2,20 @@
 
 #include <glm/geometric.hpp>
 
+#include "render/frame/shader_constants.h"
+
 namespace rubble {
 namespace {
 
-constexpr int kTileShift = 4;
-constexpr float kMaxHillSlope = 0.16f;  // as in lib/sky.glsl
+constexpr int kTileShift = 4;  ///< tiles of 16x16 pixels
 
-/// What a direction can show. Each set but Both is a convex cone: what the four corners of a tile are, the tile is.
+/// What a direction can show. The directions of Sky, and those of Fields, are a convex cone: a tile whose four corners
+/// are in it is all in it.
 BackgroundTiles::Band bandOf(glm::vec3 direction, float eyeHeight) {
     if (direction.y < 0.0f && eyeHeight > 0.0f) return BackgroundTiles::Fields;
-    return direction.y > kMaxHillSlope * glm::length(glm::vec2(direction.x, direction.z)) ? BackgroundTiles::Sky
-                                                                                          : BackgroundTiles::Both;
+    return direction.y > shared::kMaxHillSlope * glm::length(glm::vec2(direction.x, direction.z))
+               ? BackgroundTiles::Sky
+               : BackgroundTiles::Both;
 }
 
 }  // namespace

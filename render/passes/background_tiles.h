@@ -6,15 +6,15 @@
 
 namespace rubble {
 
-/// Squares of the screen by what of the background they can show, so that each is drawn by a shader that does only
-/// that.
+/// Sorts the tiles of the view by what background they can show, so that each is drawn by a shader that does only that.
 class BackgroundTiles {
 public:
     enum Band { Sky, Fields, Both, kBands };
-    /// eyeHeight: over the plane of the fields.
+    /// Sorts the tiles for a camera. eyeHeight: metres over the plane of the fields.
     void update(const FrameBlock& block, float eyeHeight);
+    /// Whether a band has no tiles.
     bool empty(Band band) const { return m_tiles[band].empty(); }
-    /// Draws a band's tiles with the program that is in use, whose vertex shader is passes/tiles.vert.
+    /// Draws a band's tiles with the program in use, whose vertex shader must be passes/tiles.vert.
     void draw(const Program& program, Band band, const FrameContext& frame) const;
 
 private:

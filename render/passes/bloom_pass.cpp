@@ -8,8 +8,8 @@
 namespace rubble {
 namespace {
 
-constexpr std::array kLevels = {"bloom0", "bloom1", "bloom2", "bloom3", "bloom4"};
-constexpr float kThreshold = 3.0f;  // in units of what exposure 1 shows just below white
+constexpr std::array kLevels = {Target::Bloom0, Target::Bloom1, Target::Bloom2, Target::Bloom3, Target::Bloom4};
+constexpr float kThreshold = 3.0f;  ///< radiance that blooms, at exposure 1: three times white
 
 glm::vec2 texel(const Texture& texture) {
     return 1.0f / glm::vec2(texture.size());
@@ -24,11 +24,10 @@ BloomPass::BloomPass(ShaderLibrary& shaders)
 void BloomPass::draw(const FrameContext& frame) const {
     if (!m_down || !m_up) return;
     std::array<const Texture*, kLevels.size()> levels;
-    for (size_t i = 0; i < kLevels.size(); ++i)
-        levels[i] = &frame.pictures.target(kLevels[i], GL_RGBA16F, 2 << i, Filter::Linear);
-    const Texture* source = &frame.pictures.at("resolved");
+    for (size_t i = 0; i < kLevels.size(); ++i) levels[i] = &frame.targets.target(kLevels[i]);
+    const Texture* source = &frame.targets.at(Target::Resolved);
     for (size_t i = 0; i < kLevels.size(); ++i) {
-        drawFullscreen(frame, m_down, {frame.pictures, {levels[i]}}, [&](const Program& program) {
+        drawFullscreen(frame, m_down, {{levels[i]}}, [&](const Program& program) {
             program.set("uSource", *source);
             program.set("uTexel", texel(*source));
             program.set("uThreshold", i == 0 ? kThreshold / std::max(frame.block.exposure.x, 1e-3f) : 0.0f);
@@ -36,7 +35,7 @@ void BloomPass::draw(const FrameContext& frame) const {
         source = levels[i];
     }
     for (size_t i = kLevels.size() - 1; i > 0; --i)
-        drawFullscreen(frame, m_up, {frame.pictures, {levels[i - 1]}}, [&](const Program& program) {
+        drawFullscreen(frame, m_up, {{levels[i - 1]}}, [&](const Program& program) {
             program.set("uSource", *levels[i]);
             program.set("uTexel", texel(*levels[i]));
         });

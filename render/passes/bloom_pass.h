@@ -3,10 +3,12 @@
 
 namespace rubble {
 
-/// The glow around what outshines the picture, in "bloom0" (half size): five downscale and back.
+/// Bloom: the part of the image that outshines white, blurred by downsampling to five levels and back up.
 class BloomPass {
 public:
+    /// Builds its programs.
     explicit BloomPass(ShaderLibrary& shaders);
+    /// Fills Bloom0 (half size) to Bloom4 from Resolved.
     void draw(const FrameContext& frame) const;
 
 private:

@@ -9,27 +9,27 @@
 namespace rubble {
 namespace {
 
-constexpr int kMaxBounces = 16;  ///< a white room would keep its light for ever
+constexpr int kMaxBounces = 16;  ///< paths between white walls must end
 
 }  // namespace
 
 void bindBounce(const Program& program, const FrameContext& frame, BounceRays rays) {
-    const bool gathered = rays == BounceRays::Gathered, detailed = !gathered || frame.settings.bounceColors;
-    const History radiance = frame.targets.history("radiance", GL_RGBA16F);
-    const History surface = frame.targets.history("surface", GL_RGBA32F);
+    const bool isDiffuse = rays == BounceRays::Diffuse, isDetailed = !isDiffuse || frame.settings.bounceColors;
+    const History radiance = frame.targets.history(Target::Radiance);
+    const History surface = frame.targets.history(Target::Surface);
     program.set("uRadianceHistory", radiance.previous);
     program.set("uSurfaceHistory", surface.previous);
     program.set("uHistoryValid", int(radiance.valid && surface.valid));
     program.set("uBounce", int(frame.settings.bounce));
-    program.set("uMaxBounces", gathered ? std::clamp(frame.settings.bounces, 1, kMaxBounces) : 1);
+    program.set("uMaxBounces", isDiffuse ? std::clamp(frame.settings.bounces, 1, kMaxBounces) : 1);
     program.set("uMaxDistance", frame.settings.skyDistance);
-    program.set("uDiffuseFractionHistory", frame.targets.history("diffuseFraction", GL_R8).previous);
-    program.set("uDiffuseOnly", int(gathered));
-    const bool hasLocalLights = detailed && LocalLightsPass::needed(frame) && !frame.lightGrid->empty();
+    program.set("uDiffuseFractionHistory", frame.targets.history(Target::DiffuseFraction).previous);
+    program.set("uDiffuseOnly", int(isDiffuse));
+    const bool hasLocalLights = isDetailed && LocalLightsPass::needed(frame) && !frame.lightGrid->empty();
     program.set("uBounceLights", int(hasLocalLights));
     if (hasLocalLights) frame.lightGrid->bind(program);
-    program.set("uBodyLevels", 0);  // no voxels to look up
-    if (detailed) frame.scene.bindVoxelsAt(program);
+    program.set("uBodyLevels", 0);  // without bindVoxelsAt() no voxels are looked up
+    if (isDetailed) frame.scene.bindVoxelsAt(program);
     program.set("uSunUp", int(frame.block.sunDirection.y > 0.0f));
 }
 

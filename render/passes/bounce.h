@@ -3,10 +3,12 @@
 
 namespace rubble {
 
-/// What rays are for. Gathered ones are averaged over the hemisphere and over time: RenderSettings says how far their
-/// paths go and in what detail, and places that the picture shows shine alike to all sides. Mirrored ones see their
-/// highlights too, and paths end where they meet something.
-enum class BounceRays { Gathered, Mirrored };
+/// What rays through lib/bounce.glsl are for.
+enum class BounceRays {
+    Diffuse,  ///< averaged over the hemisphere and over time: RenderSettings says how long and how detailed their paths
+              ///< are, and what the last frame shows counts by its diffuse part
+    Mirrored,  ///< single rays of reflections: they see highlights, and paths end at the first hit
+};
 
 /// Sets the samplers and uniforms of lib/bounce.glsl. The program must be in use.
 void bindBounce(const Program& program, const FrameContext& frame, BounceRays rays);

@@ -11,14 +11,15 @@
 namespace rubble {
 namespace {
 
-constexpr double kPlaneHeight = -0.05;  // of the fields around a level, whose ground ends at 0
+/// World height of the plane of fields around a level, in metres: a little below the ground of levels, which is at 0.
+constexpr double kPlaneHeight = -0.05;
 
 void bindReflections(const Program& program, const FrameContext& frame) {
     const bool reflections = ReflectionsPass::needed(frame), glass = frame.scene.hasGlass();
     program.set("uHasReflections", int(reflections));
-    if (reflections) program.set("uReflection", frame.targets.at("reflection"));
+    if (reflections) program.set("uReflection", frame.targets.at(Target::Reflection));
     program.set("uHasGlass", int(glass));
-    if (glass) program.set("uGlassSurface", frame.targets.at("glassSurface"));
+    if (glass) program.set("uGlassSurface", frame.targets.at(Target::GlassSurface));
 }
 
 }  // namespace
@@ -32,18 +33,17 @@ CompositePass::CompositePass(ShaderLibrary& shaders)
 
 void CompositePass::draw(const FrameContext& frame, const GlassShadowPass* glassShadow) {
     if (!m_surfaces) return;
-    const Texture& radiance = frame.targets.history("radiance", GL_RGBA16F).current;
-    const FullscreenTargets into{frame.targets,
-                                 {&radiance, &frame.targets.history("diffuseFraction", GL_R8).current},
-                                 &frame.targets.at("depthBuffer")};
+    const Texture& radiance = frame.targets.history(Target::Radiance).current;
+    const FullscreenTargets into{{&radiance, &frame.targets.history(Target::DiffuseFraction).current},
+                                 &frame.targets.at(Target::DepthBuffer)};
     drawFullscreen(frame, m_surfaces, into, [&](const Program& program) {
         GBufferPass::bind(program, frame.targets);
         bindReflections(program, frame);
-        program.set("uLight", frame.targets.at("denoisedLight"));
+        program.set("uLight", frame.targets.at(Target::DenoisedLight));
         program.set("uHasLocalLights", int(LocalLightsPass::needed(frame)));
         if (LocalLightsPass::needed(frame)) {
-            program.set("uSpecular", frame.targets.at("specular"));
-            program.set("uSurface", frame.targets.history("surface", GL_RGBA32F).current);
+            program.set("uSpecular", frame.targets.at(Target::Specular));
+            program.set("uSurface", frame.targets.history(Target::Surface).current);
         }
         program.set("uBevel", int(frame.settings.bevel));
         program.set("uDetail", int(GBufferPass::hasDetail(frame)));

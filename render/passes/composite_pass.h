@@ -7,11 +7,13 @@ namespace rubble {
 
 class GlassShadowPass;
 
-/// Light x albedo, highlights, reflections, emission, air; sky and fields behind: into the history "radiance".
+/// Shades the surfaces (light times albedo, highlights, reflections, emission, haze) and draws sky and fields behind
+/// them.
 class CompositePass {
 public:
+    /// Builds its programs.
     explicit CompositePass(ShaderLibrary& shaders);
-    /// glassShadow: null where no sun comes through glass.
+    /// Fills Radiance and DiffuseFraction. glassShadow: null where no sunlight comes through glass.
     void draw(const FrameContext& frame, const GlassShadowPass* glassShadow);
 
 private:

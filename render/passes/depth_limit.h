@@ -3,11 +3,13 @@
 
 namespace rubble {
 
-/// While it lives, triangles at the far plane touch only the pixels that show a surface, or only those of the sky. The
-/// framebuffer must have the G-buffer's depth buffer. Much cheaper than a branch where branches do not skip work.
+/// While it lives, triangles at the far plane cover only the pixels that show a surface, or only those of the sky. The
+/// framebuffer must have the G-buffer's depth buffer. The depth test skips a pixel before its shader runs; a branch in
+/// the shader would not, on a software renderer.
 class DepthLimit {
 public:
     enum class To { Surfaces, Sky };
+    /// Sets the depth test.
     explicit DepthLimit(To to) {
         glEnable(GL_DEPTH_TEST);
         glDepthMask(GL_FALSE);

@@ -3,10 +3,12 @@
 
 namespace rubble {
 
-/// Adapts the exposure to "resolved": one texel, the history "exposure".
+/// Adapts the exposure to the brightness of the image over time. Derivation: shaders/passes/exposure.frag.
 class ExposurePass {
 public:
+    /// Builds its program.
     explicit ExposurePass(ShaderLibrary& shaders);
+    /// Fills the one texel of Exposure from Resolved.
     void draw(const FrameContext& frame) const;
 
 private:

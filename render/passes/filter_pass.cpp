@@ -11,18 +11,18 @@ FilterPass::FilterPass(ShaderLibrary& shaders)
 
 void FilterPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
-    const Texture* source = &frame.targets.at("accumulatedLight");
+    const Texture* source = &frame.targets.at(Target::AccumulatedLight);
     const int steps = std::max(frame.settings.filterPasses, 1);
     for (int step = 0; step < steps; ++step) {
-        // The last step ends in "denoisedLight", whatever their number.
+        // The two targets alternate; the last step writes DenoisedLight.
         const Texture& target =
-            frame.targets.target((steps - step) % 2 ? "denoisedLight" : "denoisedLightScratch", GL_RGBA16F);
-        const FullscreenTargets into{frame.targets, {&target}, &frame.targets.at("depthBuffer"), {glm::vec4(0.0f)}};
+            frame.targets.target((steps - step) % 2 ? Target::DenoisedLight : Target::DenoisedLightScratch);
+        const FullscreenTargets into{{&target}, &frame.targets.at(Target::DepthBuffer), {glm::vec4(0.0f)}};
         drawFullscreen(frame, m_program, into, [&](const Program& program) {
-            program.set("uSurface", frame.targets.at("surface"));
+            program.set("uSurface", frame.targets.at(Target::Surface));
             program.set("uSunRays", float(frame.settings.sunRays));
             program.set("uLight", *source);
-            // Without filter passes the one step looks at the pixel alone.
+            // Without filter passes one step of stride 0 copies each pixel.
             program.set("uStride", frame.settings.filterPasses ? 1 << step : 0);
             program.set("uDiagonal", step % 2);
         });

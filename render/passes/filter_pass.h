@@ -3,11 +3,13 @@
 
 namespace rubble {
 
-/// Smooths "accumulatedLight" along surfaces into "denoisedLight", in RenderSettings::filterPasses steps of growing
-/// stride.
+/// Spatial denoising: an edge-stopping a-trous filter of RenderSettings::filterPasses iterations of growing stride.
+/// Derivation: shaders/passes/filter.frag.
 class FilterPass {
 public:
+    /// Builds its program.
     explicit FilterPass(ShaderLibrary& shaders);
+    /// Fills DenoisedLight from AccumulatedLight.
     void draw(const FrameContext& frame) const;
 
 private:

@@ -11,7 +11,7 @@
 namespace rubble {
 namespace {
 
-constexpr int kMaxHistory = 12;  // frames that are averaged: as many as a wall that opens may take to be seen
+constexpr int kMaxHistory = 12;  ///< frames: how long the light of a wall that opens may take to appear in the fog
 
 }  // namespace
 
@@ -27,13 +27,13 @@ bool FogPass::needed(const FrameContext& frame) {
 }
 
 void FogPass::drawLight(const FrameContext& frame) const {
-    const History light = frame.targets.history("fogLight", GL_RGBA16F, 2);
+    const History light = frame.targets.history(Target::FogLight);
     const bool lights = LocalLightsPass::needed(frame) && !frame.lightGrid->empty();
-    drawFullscreen(frame, m_light, {frame.targets, {&light.current}}, [&](const Program& program) {
+    drawFullscreen(frame, m_light, {{&light.current}}, [&](const Program& program) {
         frame.scene.bindShadow(program);
         if (lights) frame.lightGrid->bind(program);
         program.set("uHasLocalLights", int(lights));
-        program.set("uDepth", frame.targets.at("depth"));
+        program.set("uDepth", frame.targets.at(Target::Depth));
         program.set("uBlueNoise", frame.blueNoise);
         program.set("uHistory", light.previous);
         program.set("uHistoryValid", int(frame.settings.temporal && light.valid));
@@ -45,17 +45,17 @@ void FogPass::drawLight(const FrameContext& frame) const {
 }
 
 void FogPass::drawFilter(const FrameContext& frame) const {
-    const Texture& fog = frame.targets.target("fog", GL_RGBA16F, 2, Filter::Linear);
-    drawFullscreen(frame, m_filter, {frame.targets, {&fog}}, [&](const Program& program) {
-        program.set("uLight", frame.targets.at("fogLight"));
-        program.set("uDepth", frame.targets.at("depth"));
+    const Texture& fog = frame.targets.target(Target::Fog);
+    drawFullscreen(frame, m_filter, {{&fog}}, [&](const Program& program) {
+        program.set("uLight", frame.targets.at(Target::FogLight));
+        program.set("uDepth", frame.targets.at(Target::Depth));
     });
 }
 
 void FogPass::drawOver(const FrameContext& frame) const {
-    drawFullscreen(frame, m_over, {frame.targets, {&frame.targets.at("radiance")}}, [&](const Program& program) {
-        program.set("uLight", frame.targets.at("fog"));
-        program.set("uDepth", frame.targets.at("depth"));
+    drawFullscreen(frame, m_over, {{&frame.targets.at(Target::Radiance)}}, [&](const Program& program) {
+        program.set("uLight", frame.targets.at(Target::Fog));
+        program.set("uDepth", frame.targets.at(Target::Depth));
     });
 }
 

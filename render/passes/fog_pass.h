@@ -3,12 +3,15 @@
 
 namespace rubble {
 
-/// Fog with shafts of light in it: its light at half the size, smoothed, then laid over "radiance".
+/// Fog with light shafts: in-scattered light at half the size, denoised, then blended over the radiance. Derivation:
+/// shaders/passes/fog_light.frag.
 class FogPass {
 public:
+    /// Builds its programs.
     explicit FogPass(ShaderLibrary& shaders);
+    /// Fills FogLight and Fog, and blends the fog over Radiance.
     void draw(const FrameContext& frame) const;
-    /// The environment has fog.
+    /// Whether the environment has fog and the settings want it.
     static bool needed(const FrameContext& frame);
 
 private:

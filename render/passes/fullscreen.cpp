@@ -10,19 +10,19 @@
 namespace rubble {
 namespace {
 
-constexpr FullscreenMethod otherMethod(FullscreenMethod by) {
-    return by == FullscreenMethod::Fragment ? FullscreenMethod::Compute : FullscreenMethod::Fragment;
+constexpr FullscreenMethod otherMethod(FullscreenMethod method) {
+    return method == FullscreenMethod::Fragment ? FullscreenMethod::Compute : FullscreenMethod::Fragment;
 }
 
-/// By what this draws; what is not needed any more is freed.
+/// The method that draws this program. Frees the other one once the pass has decided.
 FullscreenMethod chooseFor(const FrameContext& frame, FullscreenProgram& program) {
-    const FullscreenMethod wanted = frame.choice ? frame.choice->by() : FullscreenMethod::Fragment;
+    const FullscreenMethod wanted = frame.choice ? frame.choice->method() : FullscreenMethod::Fragment;
     if (!program.has(wanted)) return otherMethod(wanted);
     if (frame.choice && frame.choice->isDecided()) program.release(otherMethod(wanted));
     return wanted;
 }
 
-/// While it lives, fixed function merges what fragments write with what the targets hold.
+/// While it lives, blending and colour masks combine what fragments write with what the targets hold.
 class MergeState {
 public:
     explicit MergeState(const FullscreenKind& kind) : m_targets(GLuint(kind.merge.size())) {
@@ -50,20 +50,20 @@ private:
 }  // namespace
 
 FullscreenDraw::FullscreenDraw(const FrameContext& frame, FullscreenProgram& program, const FullscreenTargets& into)
-    : m_frame(frame), m_into(into), m_by(chooseFor(frame, program)), m_program(program) {
+    : m_frame(frame), m_into(into), m_method(chooseFor(frame, program)), m_program(program) {
     assert(program.kind().limited == (into.depth != nullptr) &&
            "a limited program needs a depth buffer, the others have none");
-    if (m_by == FullscreenMethod::Fragment || !into.clear.empty())
-        into.pool.framebuffer(into.colors, into.depth).begin();
+    if (m_method == FullscreenMethod::Fragment || !into.clear.empty())
+        frame.targets.framebuffer(into.colors, into.depth).begin();
     for (size_t i = 0; i < into.clear.size(); ++i) glClearBufferfv(GL_COLOR, GLint(i), glm::value_ptr(into.clear[i]));
     this->program().use();
     this->program().set("uTexelSize", 1.0f / glm::vec2(into.colors[0]->size()));
 }
 
 void FullscreenDraw::run() const {
-    m_by == FullscreenMethod::Fragment ? rasterize() : dispatch();
+    m_method == FullscreenMethod::Fragment ? rasterize() : dispatch();
     ++m_frame.figures.drawCalls;
-    if (m_frame.choice) m_frame.choice->recordDraw(m_by);
+    if (m_frame.choice) m_frame.choice->recordDraw(m_method);
 }
 
 void FullscreenDraw::rasterize() const {
@@ -81,11 +81,12 @@ void FullscreenDraw::dispatch() const {
     for (size_t i = 0; i < m_into.colors.size(); ++i) {
         const Texture& target = *m_into.colors[i];
         const Merge merge = m_program.kind().mergeOf(i);
-        assert((merge == Merge::Replace || target.internalFormat() == GL_RGBA16F) && "see Merge");
+        assert((merge == Merge::Replace || target.internalFormat() == GL_RGBA16F) &&
+               "a merge of images in another format than RGBA16F: see Merge");
         glBindImageTexture(GLuint(i), target.name(), 0, GL_FALSE, 0,
                            merge == Merge::Replace ? GL_WRITE_ONLY : GL_READ_WRITE, target.internalFormat());
     }
-    // Before: nothing is overwritten that an earlier pass still reads. After: whoever comes next sees it.
+    // The first barrier: no image is overwritten that an earlier pass still reads. The second: later passes see it.
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     glDispatchCompute(GLuint(size.x + kGroupWidth - 1) / kGroupWidth, GLuint(size.y + kGroupHeight - 1) / kGroupHeight,
                       1);

@@ -7,19 +7,21 @@ namespace rubble {
 
 /// What a full-screen draw writes into.
 struct FullscreenTargets {
-    TargetPool& pool;                    ///< whose the targets are
     std::vector<const Texture*> colors;  ///< by output of the shader
     const Texture* depth = nullptr;      ///< of limited programs: the depth buffer that shows where there is a surface
-    std::vector<glm::vec4> clear = {};   ///< what the colours hold where nothing is drawn; empty: what they held
-    int tiles = 0;  ///< squares that a vertex shader of the pass's own draws, instead of the triangle
+    std::vector<glm::vec4> clear = {};   ///< values of the colours before the draw; empty: they are not cleared
+    int tiles = 0;                       ///< squares that the pass's own vertex shader draws, instead of the triangle
 };
 
-/// One draw of a program over all of its targets, by triangles or by compute: the same numbers. Its targets are bound
-/// and its program is in use from the constructor on.
+/// One draw of a program over all of its targets, by triangles or by compute, with the same result. From the
+/// constructor to run() its targets are bound and its program is in use.
 class FullscreenDraw {
 public:
+    /// `into` must outlive it.
     FullscreenDraw(const FrameContext& frame, FullscreenProgram& program, const FullscreenTargets& into);
-    const Program& program() const { return m_program.program(m_by); }
+    /// The program that draws, to set uniforms.
+    const Program& program() const { return m_program.program(m_method); }
+    /// Draws.
     void run() const;
 
 private:
@@ -28,11 +30,11 @@ private:
 
     const FrameContext& m_frame;
     const FullscreenTargets& m_into;
-    FullscreenMethod m_by;
+    FullscreenMethod m_method;
     FullscreenProgram& m_program;
 };
 
-/// setUniforms gets the program, in use.
+/// Draws a program over all of its targets. setUniforms(program) is called with the program in use.
 template <class SetUniforms>
 void drawFullscreen(const FrameContext& frame, FullscreenProgram& program, const FullscreenTargets& into,
                     SetUniforms&& setUniforms) {

@@ -9,18 +9,17 @@ GBufferPass::GBufferPass(ShaderLibrary& shaders)
 
 void GBufferPass::draw(const FrameContext& frame) {
     TargetPool& targets = frame.targets;
-    const Texture& albedo = targets.target("albedo", GL_RGBA8);
-    const Texture& normal = targets.target("normal", GL_RGBA16F);
-    const Texture& material = targets.target("material", GL_RGBA8);
-    const Texture& motion = targets.target("motion", GL_RG16F);
-    const Texture& depth = targets.target("depth", GL_R32F);
-    const Texture& depthBuffer = targets.target("depthBuffer", GL_DEPTH_COMPONENT32F);
+    const Texture& albedo = targets.target(Target::Albedo);
+    const Texture& normal = targets.target(Target::Normal);
+    const Texture& material = targets.target(Target::Material);
+    const Texture& motion = targets.target(Target::Motion);
+    const Texture& depth = targets.target(Target::Depth);
+    const Texture& depthBuffer = targets.target(Target::DepthBuffer);
     const bool hasGlass = frame.scene.hasGlass();
     const Framebuffer& gbuffer =
-        hasGlass
-            ? targets.framebuffer({&albedo, &normal, &material, &motion, &depth, &targets.target("glassMask", GL_R8)},
-                                  &depthBuffer)
-            : targets.framebuffer({&albedo, &normal, &material, &motion, &depth}, &depthBuffer);
+        hasGlass ? targets.framebuffer(
+                       {&albedo, &normal, &material, &motion, &depth, &targets.target(Target::GlassMask)}, &depthBuffer)
+                 : targets.framebuffer({&albedo, &normal, &material, &motion, &depth}, &depthBuffer);
     const float zero[4] = {0, 0, 0, 0}, sky[4] = {kSkyDepth, 0, 0, 0};
     gbuffer.begin();
     for (int i = 0; i < 4; ++i) glClearBufferfv(GL_COLOR, i, zero);
@@ -53,11 +52,11 @@ bool GBufferPass::hasDetail(const FrameContext& frame) {
 }
 
 void GBufferPass::bind(const Program& program, const TargetPool& targets) {
-    program.set("uAlbedo", targets.at("albedo"));
-    program.set("uNormal", targets.at("normal"));
-    program.set("uMaterial", targets.at("material"));
-    program.set("uMotion", targets.at("motion"));
-    program.set("uDepth", targets.at("depth"));
+    program.set("uAlbedo", targets.at(Target::Albedo));
+    program.set("uNormal", targets.at(Target::Normal));
+    program.set("uMaterial", targets.at(Target::Material));
+    program.set("uMotion", targets.at(Target::Motion));
+    program.set("uDepth", targets.at(Target::Depth));
 }
 
 }  // namespace rubble

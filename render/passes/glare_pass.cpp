@@ -12,7 +12,7 @@ GlarePass::GlarePass(ShaderLibrary& shaders) : m_program(shaders.load("passes/gl
 
 void GlarePass::draw(const FrameContext& frame) const {
     if (!m_program) return;
-    frame.targets.framebuffer({&frame.targets.at("radiance")}).begin();
+    frame.targets.framebuffer({&frame.targets.at(Target::Radiance)}).begin();
     m_program.use();
     frame.scene.bindShadow(m_program);
     frame.lightGrid->bind(m_program);

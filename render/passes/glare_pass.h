@@ -3,11 +3,13 @@
 
 namespace rubble {
 
-/// Adds a glare around each lamp to "radiance". Whether its middle is hidden is asked of the shadow volume, in the
-/// vertex shader.
+/// Glare: a glow on the lens around each local light that the camera sees. The vertex shader asks the shadow volume
+/// whether the light's centre is hidden.
 class GlarePass {
 public:
+    /// Builds its program.
     explicit GlarePass(ShaderLibrary& shaders);
+    /// Adds to Radiance.
     void draw(const FrameContext& frame) const;
 
 private:

@@ -11,9 +11,9 @@ GlassPass::GlassPass(ShaderLibrary& shaders)
       m_over(shaders.load("passes/glass_composite.frag", "passes/tiles.vert")) {}
 
 void GlassPass::draw(const FrameContext& frame, const BodyTiles& tiles) const {
-    const Texture& tint = frame.targets.target("glassTint", GL_RGBA8);
-    const Texture& surface = frame.targets.target("glassSurface", GL_RGBA16F);
-    frame.targets.framebuffer({&tint, &surface}, &frame.targets.target("glassDepth", GL_DEPTH_COMPONENT32F)).begin();
+    const Texture& tint = frame.targets.target(Target::GlassTint);
+    const Texture& surface = frame.targets.target(Target::GlassSurface);
+    frame.targets.framebuffer({&tint, &surface}, &frame.targets.target(Target::GlassDepth)).begin();
     const float clear[4] = {1, 1, 1, 1}, none[4] = {0, 0, 0, 0};
     glClearBufferfv(GL_COLOR, 0, clear);
     glClearBufferfv(GL_COLOR, 1, none);
@@ -21,12 +21,12 @@ void GlassPass::draw(const FrameContext& frame, const BodyTiles& tiles) const {
     if (!m_program || !m_mask || tiles.empty(BodyTiles::Which::Glass)) return;
     glEnable(GL_DEPTH_TEST);
     drawMask(frame, tiles);
-    // What is not marked is rejected before its shader runs, where a branch in the shader would be walked through.
+    // The depth test rejects unmarked pixels before their shader runs; a branch in the shader would not.
     glDepthFunc(GL_EQUAL);
     m_program.use();
     frame.scene.bodies().bind(m_program);
     tiles.bind(m_program, BodyTiles::Which::Glass);
-    m_program.set("uDepth", frame.targets.at("depth"));
+    m_program.set("uDepth", frame.targets.at(Target::Depth));
     tiles.drawTiles(m_program, BodyTiles::Which::Glass, frame.emptyVertexArray);
     frame.figures.drawCalls += 2;
     frame.figures.bodyDraws += 2;
@@ -34,10 +34,11 @@ void GlassPass::draw(const FrameContext& frame, const BodyTiles& tiles) const {
     glDisable(GL_DEPTH_TEST);
 }
 
+/// Marks in the depth buffer the pixels that the G-buffer pass saw through glass.
 void GlassPass::drawMask(const FrameContext& frame, const BodyTiles& tiles) const {
     m_mask.use();
     tiles.bind(m_mask, BodyTiles::Which::Glass);
-    m_mask.set("uGlassMask", frame.targets.at("glassMask"));
+    m_mask.set("uGlassMask", frame.targets.at(Target::GlassMask));
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthFunc(GL_ALWAYS);
     tiles.drawTiles(m_mask, BodyTiles::Which::Glass, frame.emptyVertexArray);
@@ -46,21 +47,20 @@ void GlassPass::drawMask(const FrameContext& frame, const BodyTiles& tiles) cons
 
 void GlassPass::drawOver(const FrameContext& frame, const BodyTiles& tiles) const {
     if (!m_over || tiles.empty(BodyTiles::Which::Glass)) return;
-    const Texture& picture = frame.targets.at("radiance");
-    const Texture& behind = frame.targets.copy(picture, "behindGlass");
-    frame.targets.framebuffer({&picture}, &frame.targets.at("glassDepth")).begin();
+    const Texture& behind = frame.targets.copy(Target::Radiance, Target::BehindGlass);
+    frame.targets.framebuffer({&frame.targets.at(Target::Radiance)}, &frame.targets.at(Target::GlassDepth)).begin();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_EQUAL);
     m_over.use();
     tiles.bind(m_over, BodyTiles::Which::Glass);
     const bool reflections = ReflectionsPass::needed(frame);
     m_over.set("uHasReflections", int(reflections));
-    if (reflections) m_over.set("uReflection", frame.targets.at("reflection"));
+    if (reflections) m_over.set("uReflection", frame.targets.at(Target::Reflection));
     m_over.set("uRefraction", int(frame.settings.refraction));
     m_over.set("uBackground", behind);
-    m_over.set("uDepth", frame.targets.at("depth"));
-    m_over.set("uGlassTint", frame.targets.at("glassTint"));
-    m_over.set("uGlassSurface", frame.targets.at("glassSurface"));
+    m_over.set("uDepth", frame.targets.at(Target::Depth));
+    m_over.set("uGlassTint", frame.targets.at(Target::GlassTint));
+    m_over.set("uGlassSurface", frame.targets.at(Target::GlassSurface));
     tiles.drawTiles(m_over, BodyTiles::Which::Glass, frame.emptyVertexArray);
     ++frame.figures.drawCalls;
     glDepthFunc(GL_LESS);

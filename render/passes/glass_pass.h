@@ -4,18 +4,18 @@
 
 namespace rubble {
 
-/// Draws the panes before the G-buffer's surfaces into glassTint and glassSurface (lib/gbuffer.glsl says what they
-/// hold), and later over the picture of what is behind them. Only for scenes with glass.
+/// Panes of glass: finds those in front of the G-buffer's surfaces, and later draws them over the radiance of what is
+/// behind them. Only for scenes with glass. lib/gbuffer.glsl says what its targets hold.
 class GlassPass {
 public:
+    /// Builds its programs.
     explicit GlassPass(ShaderLibrary& shaders);
-    /// tiles: of this frame's G-buffer.
+    /// Fills GlassTint, GlassSurface and GlassDepth. tiles: of this frame's G-buffer.
     void draw(const FrameContext& frame, const BodyTiles& tiles) const;
-    /// Panes over the picture "radiance".
+    /// Blends the panes over Radiance: refraction, tint and reflections. tiles: of this frame's G-buffer.
     void drawOver(const FrameContext& frame, const BodyTiles& tiles) const;
 
 private:
-    /// Marks the pixels that the G-buffer saw through glass.
     void drawMask(const FrameContext& frame, const BodyTiles& tiles) const;
 
     const Program& m_mask;

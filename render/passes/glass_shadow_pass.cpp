@@ -9,10 +9,10 @@
 namespace rubble {
 namespace {
 
-constexpr int kSide = 512;
-constexpr float kCell = 0.1f;    ///< metres a texel
-constexpr float kStep = 4.0f;    ///< metres that the map moves by as the camera goes on
-constexpr float kHigh = 200.0f;  ///< metres over the middle, toward the sun: nothing stands higher
+constexpr int kSide = 512;         ///< texels
+constexpr float kCell = 0.1f;      ///< metres per texel
+constexpr float kStep = 4.0f;      ///< metres by which the map moves with the camera
+constexpr float kHeight = 200.0f;  ///< metres toward the sun from the map's centre: no glass stands farther
 
 }  // namespace
 
@@ -28,7 +28,7 @@ GlassShadowPass::GlassShadowPass(ShaderLibrary& shaders)
     glBindVertexArray(0);
 }
 
-/// In front of the camera, in steps, so that texels stay where they are.
+/// Places the map in front of the camera, in steps of kStep, so that it needs no redraw at every frame.
 void GlassShadowPass::fitMap(const FrameContext& frame) {
     m_sun = glm::vec3(frame.block.sunDirection);
     m_right = glm::normalize(glm::cross(std::abs(m_sun.y) < 0.99f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0), m_sun));
@@ -40,7 +40,7 @@ void GlassShadowPass::fitMap(const FrameContext& frame) {
     m_center = m_right * place.x + m_up * place.y + m_sun * place.z;
 }
 
-/// Those with glass that the map covers.
+/// Lists the bodies with glass that the map covers.
 void GlassShadowPass::listBodies(const FrameContext& frame) {
     m_bodies.clear();
     const auto& instances = frame.scene.bodies().instances();
@@ -49,8 +49,8 @@ void GlassShadowPass::listBodies(const FrameContext& frame) {
         if (body.empty() || !body.glass) continue;
         const glm::vec3 low = glm::vec3(body.low) * body.voxelSize, high = glm::vec3(body.high) * body.voxelSize;
         const glm::vec3 offset = body.position + body.rotation * ((low + high) * 0.5f) - m_center;
-        const float reach = 0.5f * (kSide * kCell + glm::length(high - low));
-        if (std::abs(glm::dot(offset, m_right)) < reach && std::abs(glm::dot(offset, m_up)) < reach)
+        const float extent = 0.5f * (kSide * kCell + glm::length(high - low));
+        if (std::abs(glm::dot(offset, m_right)) < extent && std::abs(glm::dot(offset, m_up)) < extent)
             m_bodies.push_back(int(i));
     }
 }
@@ -58,11 +58,11 @@ void GlassShadowPass::listBodies(const FrameContext& frame) {
 void GlassShadowPass::draw(const FrameContext& frame) {
     const glm::vec3 before = m_center;
     fitMap(frame);
-    if (!m_program || (m_drawn == frame.scene.glassChanges() && before == m_center)) return;
-    m_drawn = frame.scene.glassChanges();
+    if (!m_program || (m_drawnChanges == frame.scene.glassChanges() && before == m_center)) return;
+    m_drawnChanges = frame.scene.glassChanges();
     listBodies(frame);
     m_framebuffer.begin();
-    const float clear[4] = {1, 1, 1, 1e4f};
+    const float clear[4] = {1, 1, 1, 1e4f};  // no tint, no pane
     glClearBufferfv(GL_COLOR, 0, clear);
     if (m_bodies.empty()) return;
     m_program.use();
@@ -71,10 +71,10 @@ void GlassShadowPass::draw(const FrameContext& frame) {
     constexpr float kScale = 1.0f / (kSide * kCell);
     m_program.set("uRight", glm::vec4(m_right * kScale, 0.5f - glm::dot(m_right, m_center) * kScale));
     m_program.set("uUp", glm::vec4(m_up * kScale, 0.5f - glm::dot(m_up, m_center) * kScale));
-    m_program.set("uMapCorner", m_center + m_sun * kHigh - (m_right + m_up) * (0.5f * kSide * kCell));
+    m_program.set("uMapCorner", m_center + m_sun * kHeight - (m_right + m_up) * (0.5f * kSide * kCell));
     m_program.set("uTexelRight", m_right * kCell);
     m_program.set("uTexelUp", m_up * kCell);
-    m_program.set("uMapHeight", kHigh);
+    m_program.set("uMapHeight", kHeight);
     glBindVertexArray(m_vertexArray.get());
     glBindBuffer(GL_ARRAY_BUFFER, m_orderBuffer.get());
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(m_bodies.size() * sizeof(int)), m_bodies.data(), GL_STREAM_DRAW);

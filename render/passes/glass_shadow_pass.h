@@ -5,12 +5,14 @@
 
 namespace rubble {
 
-/// What the sun's light becomes in glass: a map as the sun sees it, of the tints of all panes that it reaches, around
-/// the camera. Light passes take glass for nothing; composite looks here what colour the sun has where it arrives.
-/// Drawn anew when glass has changed or the camera has gone on; made with the first glass in sunlight.
+/// The sun's light through glass: a map along the sun's rays, around the camera, with the product of the tints of all
+/// panes that light reaches. Rays treat glass as empty; the composite pass multiplies the sun's light by this map.
+/// Drawn again when glass has changed or the camera has moved on.
 class GlassShadowPass {
 public:
+    /// Builds its program and makes the map.
     explicit GlassShadowPass(ShaderLibrary& shaders);
+    /// Draws the map, if it is not up to date.
     void draw(const FrameContext& frame);
     /// Sets the uniforms of lib/glass_shadow.glsl. The program must be in use.
     void bind(const Program& program) const;
@@ -20,13 +22,14 @@ private:
     void listBodies(const FrameContext& frame);
 
     const Program& m_program;
-    Texture m_map;
+    Texture m_map;  ///< rgb tint, a depth along the sun's rays of the last pane
     Framebuffer m_framebuffer;
     GlName<BufferKind> m_orderBuffer = GlName<BufferKind>::make();
     VertexArray m_vertexArray = VertexArray::make();
-    std::vector<int> m_bodies;
-    glm::vec3 m_right{1, 0, 0}, m_up{0, 1, 0}, m_sun{0, 0, 1}, m_center{0};  ///< of the map, from the render origin
-    uint64_t m_drawn = ~0ull;                                                ///< Scene::glassChanges() at that time
+    std::vector<int> m_bodies;  ///< instances with glass that it covers
+    glm::vec3 m_right{1, 0, 0}, m_up{0, 1, 0}, m_sun{0, 0, 1},
+        m_center{0};                  ///< the map's frame, from the render origin
+    uint64_t m_drawnChanges = ~0ull;  ///< Scene::glassChanges() when it was drawn
 };
 
 }  // namespace rubble

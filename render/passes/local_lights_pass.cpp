@@ -12,15 +12,14 @@
 namespace rubble {
 namespace {
 
-constexpr float kFullRayRadiance = 0.01f;  // radiance of a white surface at exposure 1: fainter light gets fewer rays
+constexpr float kFullRayRadiance = 0.01f;  ///< of a white surface at exposure 1: fainter light gets fewer rays
+constexpr int kMaxHistory = LightGrid::kMaxChangeFrames;  ///< frames over which highlights are averaged
 
-constexpr int kMaxHistory = LightGrid::kMaxChangeFrames;  // frames that highlights are averaged over
-
-/// Where lights have come or gone out.
+/// The lights that have appeared or gone out, for the histories around them.
 void setChanges(const Program& program, const FrameContext& frame) {
     std::vector<glm::vec4> changes;
     for (const LightGrid::Change& change : frame.lightGrid->changes()) {
-        changes.emplace_back(glm::vec3(change.place - frame.scene.origin()), change.reach);
+        changes.emplace_back(glm::vec3(change.position - frame.scene.origin()), change.range);
         changes.emplace_back(float(change.frames + 1));
     }
     program.set("uLightChangeCount", int(changes.size()));
@@ -41,15 +40,14 @@ bool LocalLightsPass::needed(const FrameContext& frame) {
 }
 
 void LocalLightsPass::draw(const FrameContext& frame) const {
-    const History specular = frame.targets.history("specular", GL_RGBA16F);
-    const History surface = frame.targets.history("surface", GL_RGBA32F);
+    const History specular = frame.targets.history(Target::Specular);
+    const History surface = frame.targets.history(Target::Surface);
     frame.targets.framebuffer({&specular.current}).begin();
     const float none[4] = {0, 0, 0, 0};
     glClearBufferfv(GL_COLOR, 0, none);
     if (!m_program || frame.lightGrid->empty()) return;
-    const FullscreenTargets into{.pool = frame.targets,
-                                 .colors = {&frame.targets.target("noisyLight", GL_RGBA16F), &specular.current},
-                                 .depth = &frame.targets.at("depthBuffer"),
+    const FullscreenTargets into{.colors = {&frame.targets.target(Target::NoisyLight), &specular.current},
+                                 .depth = &frame.targets.at(Target::DepthBuffer),
                                  .tiles = frame.lightGrid->tiles()};
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         GBufferPass::bind(program, frame.targets);

@@ -3,13 +3,16 @@
 
 namespace rubble {
 
-/// Adds local lights to the colour of "noisyLight", and what smooth surfaces show of them as "specular", in one draw
-/// over the tiles of the view that any of them reaches.
+/// Light of spheres, capsules, cones, areas and screens, by resampled importance sampling: one ray per pixel to one
+/// light, for any number of lights. One draw over the tiles of the view that a light reaches. Derivation:
+/// shaders/passes/local_lights.frag.
 class LocalLightsPass {
 public:
+    /// Builds its program.
     explicit LocalLightsPass(ShaderLibrary& shaders);
+    /// Adds to the colour of NoisyLight and fills Specular.
     void draw(const FrameContext& frame) const;
-    /// The settings want local lights and the scene has some.
+    /// Whether the settings want local lights and the scene has some.
     static bool needed(const FrameContext& frame);
 
 private:

@@ -15,9 +15,9 @@ namespace {
 constexpr const char* kVertexShader = "passes/particles.vert";
 constexpr int kNoiseSize = 128;
 constexpr float kStepSeconds = 1.0f / 60.0f;
-constexpr int kLights = 4;  ///< local lights that reach particles: the strongest where these are
+constexpr int kLights = 4;  ///< local lights that light particles: the strongest at the particles' mean position
 
-/// Four octaves of value noise that tiles.
+/// Tileable value noise of 4 octaves, in [0, 1].
 float puffNoise(int x, int y) {
     float sum = 0.0f, weight = 0.5f;
     for (int period = 4; period <= 32; period *= 2, weight *= 0.5f) {
@@ -34,7 +34,7 @@ float puffNoise(int x, int y) {
     return std::clamp(sum / 0.9375f, 0.0f, 1.0f);
 }
 
-/// What makes a disc a cloud: r noise, gb its slope along x and y around one half.
+/// The texture that makes a disc look like a puff: r noise, gb its slope along x and y plus one half.
 std::vector<uint8_t> makePuffTexture() {
     std::vector<uint8_t> out;
     out.reserve(size_t(kNoiseSize) * kNoiseSize * 4);
@@ -49,6 +49,7 @@ std::vector<uint8_t> makePuffTexture() {
     return out;
 }
 
+/// A random number in [0, 1) from ten bits of a seed.
 float fraction(uint32_t seed, int shift) {
     return float(seed >> shift & 1023u) / 1024.0f;
 }
@@ -120,7 +121,7 @@ void ParticlesPass::drawRange(const FrameContext& frame, const Program& program,
     program.use();
     frame.scene.bindShadow(program);
     frame.scene.bindSmoke(program);
-    program.set("uDepth", frame.targets.at("depth"));
+    program.set("uDepth", frame.targets.at(Target::Depth));
     program.set("uPuffNoise", m_noise);
     program.set("uBlueNoise", frame.blueNoise);
     setLights(frame, program);
@@ -134,13 +135,13 @@ void ParticlesPass::drawRange(const FrameContext& frame, const Program& program,
 void ParticlesPass::draw(const FrameContext& frame, float alpha) {
     sortInstances(frame, alpha);
     if (m_instances.empty()) return;
-    frame.targets.framebuffer({&frame.targets.at("radiance")}, &frame.targets.at("depthBuffer")).begin();
+    frame.targets.framebuffer({&frame.targets.at(Target::Radiance)}, &frame.targets.at(Target::DepthBuffer)).begin();
     glBindVertexArray(m_vertexArray.get());
     glBindBuffer(GL_ARRAY_BUFFER, m_buffer.get());
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(m_instances.size() * sizeof(Instance)), m_instances.data(),
                  GL_STREAM_DRAW);
-    // The depth buffer only spares work: quads stand at the near side of what they show, and fade softly behind
-    // surfaces.
+    // The depth test only saves work: quads stand at the near side of their particle, and the shader fades them out
+    // where they go behind a surface.
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);

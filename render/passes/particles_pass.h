@@ -5,12 +5,14 @@
 
 namespace rubble {
 
-/// Draws what hangs and flies in the air over the radiance: crumbs and splinters, then all that is soft or glows, each
-/// farthest first. In the alpha of `radiance` it leaves the share of what is behind that still shows, so that the
-/// temporal pass trusts its past less there. Made when the first particle is drawn.
+/// Draws particles over the radiance: solid ones first, then soft and glowing ones, each sorted back to front. In the
+/// alpha of Radiance it leaves the share of the background that still shows, so that temporal anti-aliasing trusts its
+/// history less there.
 class ParticlesPass {
 public:
+    /// Builds its programs and the noise texture.
     explicit ParticlesPass(ShaderLibrary& shaders);
+    /// Blends over Radiance. alpha: 0 to 1 between the last two steps.
     void draw(const FrameContext& frame, float alpha);
 
 private:
@@ -19,7 +21,7 @@ private:
         glm::vec4 place;   ///< xyz from the render origin, w radius
         glm::vec4 color;   ///< rgb linear, a opacity
         glm::vec4 motion;  ///< xyz velocity, w kind
-        glm::vec4 state;   ///< x age, yzw numbers of its own in [0, 1)
+        glm::vec4 state;   ///< x age as a share of its life, yzw random numbers of its own in [0, 1)
     };
     void sortInstances(const FrameContext& frame, float alpha);
     void setLights(const FrameContext& frame, const Program& program) const;
@@ -29,8 +31,8 @@ private:
     Texture m_noise;
     GlName<BufferKind> m_buffer = GlName<BufferKind>::make();
     VertexArray m_vertexArray = VertexArray::make();
-    std::vector<std::pair<float, int>> m_solidOrder, m_softOrder;  ///< -depth and number
-    std::vector<Instance> m_instances;
+    std::vector<std::pair<float, int>> m_solidOrder, m_softOrder;  ///< -depth, index
+    std::vector<Instance> m_instances;                             ///< solid ones first
 };
 
 }  // namespace rubble

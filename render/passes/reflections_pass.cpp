@@ -11,7 +11,7 @@ namespace {
 /// Sets the samplers of lib/mirror.glsl and of the G-buffer.
 void bindMirror(const Program& program, const FrameContext& frame) {
     GBufferPass::bind(program, frame.targets);
-    const Texture* pane = frame.targets.find("glassSurface");
+    const Texture* pane = frame.targets.find(Target::GlassSurface);
     const bool glass = pane && frame.scene.hasGlass();
     program.set("uHasGlass", int(glass));
     if (glass) program.set("uGlassSurface", *pane);
@@ -30,24 +30,23 @@ bool ReflectionsPass::needed(const FrameContext& frame) {
 
 void ReflectionsPass::draw(const FrameContext& frame) const {
     if (!m_mask || !m_program) return;
-    const Texture& mask = frame.targets.target("reflectionMask", GL_DEPTH_COMPONENT32F);
+    const Texture& mask = frame.targets.target(Target::ReflectionMask);
     frame.targets.framebuffer({}, &mask).begin();
     const float farthest = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);  // the triangle lies at one half: marked pixels come nearer than the far plane
+    glDepthFunc(GL_LESS);  // the triangle lies at depth one half, before the far plane
     m_mask.use();
     bindMirror(m_mask, frame);
     frame.drawFullscreen();
     glDisable(GL_DEPTH_TEST);
 
-    const FullscreenTargets into{
-        frame.targets, {&frame.targets.target("reflection", GL_RGBA16F)}, &mask, {glm::vec4(0.0f)}};
+    const FullscreenTargets into{{&frame.targets.target(Target::Reflection)}, &mask, {glm::vec4(0.0f)}};
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         bindMirror(program, frame);
         frame.scene.bindShadow(program);
         bindBounce(program, frame, BounceRays::Mirrored);
-        program.set("uLight", frame.targets.at("denoisedLight"));
+        program.set("uLight", frame.targets.at(Target::DenoisedLight));
         program.set("uBlueNoise", frame.blueNoise);
     });
 }

@@ -3,12 +3,15 @@
 
 namespace rubble {
 
-/// What smooth surfaces and panes mirror, into "reflection".
+/// Reflections: one ray per pixel whose surface or pane reflects enough light, through the shadow volume. A first draw
+/// marks these pixels, so that the others cost nothing.
 class ReflectionsPass {
 public:
+    /// Builds its programs.
     explicit ReflectionsPass(ShaderLibrary& shaders);
+    /// Fills Reflection; ReflectionMask marks the pixels that have one.
     void draw(const FrameContext& frame) const;
-    /// Whether any material of the scene could mirror something: else there is neither pass nor target.
+    /// Whether the settings want reflections and the scene has surfaces that reflect: smooth, of glass, or wet.
     static bool needed(const FrameContext& frame);
 
 private:

@@ -7,8 +7,9 @@
 namespace rubble {
 namespace {
 
-constexpr int kBits = 4;  ///< that a segment between two points is drawn as, along a Catmull-Rom spline
+constexpr int kSegments = 4;  ///< drawn between two points of a rope
 
+/// The Catmull-Rom spline between points i and i + 1; t in [0, 1].
 glm::dvec3 spline(const std::vector<glm::dvec3>& points, size_t i, double t) {
     const glm::dvec3 &b = points[i], &c = points[i + 1];
     const glm::dvec3 a = i > 0 ? points[i - 1] : b * 2.0 - c, d = i + 2 < points.size() ? points[i + 2] : c * 2.0 - b;
@@ -39,9 +40,9 @@ void RopesPass::fillInstances(const FrameContext& frame, float alpha) {
             points.push_back(glm::mix(rope.previous[i], rope.current[i], double(alpha)));
         double along = 0.0;
         for (size_t i = 0; i + 1 < points.size(); ++i)
-            for (int k = 0; k < kBits; ++k) {
-                const glm::dvec3 from = spline(points, i, double(k) / kBits),
-                                 to = spline(points, i, double(k + 1) / kBits);
+            for (int k = 0; k < kSegments; ++k) {
+                const glm::dvec3 from = spline(points, i, double(k) / kSegments),
+                                 to = spline(points, i, double(k + 1) / kSegments);
                 m_places.push_back(from);
                 m_places.push_back(to);
                 const double next = along + glm::length(to - from);
@@ -52,7 +53,7 @@ void RopesPass::fillInstances(const FrameContext& frame, float alpha) {
                 along = next;
             }
     }
-    if (m_lastPlaces.size() != m_places.size()) return;  // others than before: they did not move
+    if (m_lastPlaces.size() != m_places.size()) return;  // other ropes than in the last frame: they have no motion
     for (size_t i = 0; i < m_instances.size(); ++i) {
         Instance& instance = m_instances[i];
         instance.lastFrom = glm::vec4(glm::vec3(m_lastPlaces[2 * i] - frame.scene.origin()), instance.lastFrom.w);
@@ -65,9 +66,9 @@ void RopesPass::draw(const FrameContext& frame, float alpha) {
     if (m_instances.empty() || !m_program) return;
     TargetPool& targets = frame.targets;
     targets
-        .framebuffer({&targets.at("albedo"), &targets.at("normal"), &targets.at("material"), &targets.at("motion"),
-                      &targets.at("depth")},
-                     &targets.at("depthBuffer"))
+        .framebuffer({&targets.at(Target::Albedo), &targets.at(Target::Normal), &targets.at(Target::Material),
+                      &targets.at(Target::Motion), &targets.at(Target::Depth)},
+                     &targets.at(Target::DepthBuffer))
         .begin();
     m_program.use();
     glBindVertexArray(m_vertexArray.get());

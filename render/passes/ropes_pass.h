@@ -5,15 +5,17 @@
 
 namespace rubble {
 
-/// Draws all ropes into the G-buffer in one call: strips turned to the camera that look round, after the bodies. Made
-/// when the first rope is drawn.
+/// Draws all ropes into the G-buffer in one call, after the bodies: strips that face the camera and are shaded as
+/// round.
 class RopesPass {
 public:
+    /// Builds its program.
     explicit RopesPass(ShaderLibrary& shaders);
+    /// Adds to the G-buffer. alpha: 0 to 1 between the last two steps.
     void draw(const FrameContext& frame, float alpha);
 
 private:
-    /// A straight bit of a rope, as the vertex shader reads it.
+    /// A straight segment of a rope, as the vertex shader reads it.
     struct Instance {
         glm::vec4 from, to;          ///< xyz from the render origin, w metres along the rope
         glm::vec4 lastFrom, lastTo;  ///< where they were in the last frame; w of the first: radius
@@ -25,7 +27,7 @@ private:
     GlName<BufferKind> m_buffer = GlName<BufferKind>::make();
     VertexArray m_vertexArray = VertexArray::make();
     std::vector<Instance> m_instances;
-    std::vector<glm::dvec3> m_places, m_lastPlaces;  ///< of all bits' ends, world
+    std::vector<glm::dvec3> m_places, m_lastPlaces;  ///< ends of all segments, world
 };
 
 }  // namespace rubble

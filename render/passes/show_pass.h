@@ -1,19 +1,29 @@
 #pragma once
-#include <string_view>
+#include <span>
 
 #include "render/frame/frame_context.h"
 
 namespace rubble {
 
-/// Draws one target to the view's framebuffer, scaled to what an eye can see.
+/// Draws one target to the view's framebuffer, mapped to visible colours.
 class ShowPass {
 public:
     /// How a target's values become a colour; the numbers are those of passes/show.frag.
     enum class Mode { Color = 0, Linear = 1, Signed = 2, Distance = 3, Motion = 4, Alpha = 5, Red = 6, History = 7 };
+    /// A target that can be shown, and how.
+    struct TargetView {
+        const char* name;  ///< for Renderer::showPass()
+        Target target;
+        Mode mode;
+    };
+    /// All of them; the first one is the final image.
+    static std::span<const TargetView> views();
 
+    /// Builds its program.
     explicit ShowPass(ShaderLibrary& shaders);
-    /// dot: a coloured one in the corner, if its alpha is 1.
-    void draw(const FrameContext& frame, const Texture& target, Mode mode, const View& view, glm::vec4 dot) const;
+    /// Shows the blue noise where no pass has drawn the target. statusDot: colour of a dot in the corner, if its alpha
+    /// is 1.
+    void draw(const FrameContext& frame, const TargetView& shown, const View& view, glm::vec4 statusDot) const;
 
 private:
     const Program& m_program;

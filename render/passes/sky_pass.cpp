@@ -13,15 +13,14 @@ SkyPass::SkyPass(ShaderLibrary& shaders)
 void SkyPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
     TargetPool& targets = frame.targets;
-    const FullscreenTargets into{targets,
-                                 {&targets.target("noisyLight", GL_RGBA16F), &targets.target("hitProximity", GL_R8)},
-                                 &targets.at("depthBuffer")};
+    const FullscreenTargets into{{&targets.target(Target::NoisyLight), &targets.target(Target::HitProximity)},
+                                 &targets.at(Target::DepthBuffer)};
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         GBufferPass::bind(program, targets);
         frame.scene.bindShadow(program);
-        bindBounce(program, frame, BounceRays::Gathered);
+        bindBounce(program, frame, BounceRays::Diffuse);
         program.set("uBlueNoise", frame.blueNoise);
-        program.set("uLightHistory", targets.history("accumulatedLight", GL_RGBA16F).previous);
+        program.set("uLightHistory", targets.history(Target::AccumulatedLight).previous);
         program.set("uRayCount", frame.settings.skyRays);
         program.set("uExactDistance", frame.settings.skyExactDistance);
     });

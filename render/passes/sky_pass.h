@@ -3,11 +3,13 @@
 
 namespace rubble {
 
-/// Writes the colour of "noisyLight": mean radiance from the sky and from what hides it; and "hitProximity", how near
-/// that is.
+/// Light of the sky and of what hides it: cosine-weighted rays over the hemisphere with a path behind each hit.
+/// Derivation: shaders/passes/sky.frag.
 class SkyPass {
 public:
+    /// Builds its program.
     explicit SkyPass(ShaderLibrary& shaders);
+    /// Fills the colour of NoisyLight (mean radiance) and HitProximity.
     void draw(const FrameContext& frame) const;
 
 private:

@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-constexpr float kMaxDistance = 200.0f;  // metres: beyond it nothing throws a shadow that is seen
+constexpr float kMaxDistance = 200.0f;  ///< metres: shadows of what is farther are not visible
 
 }  // namespace
 
@@ -17,7 +17,7 @@ SunPass::SunPass(ShaderLibrary& shaders)
 void SunPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
     TargetPool& targets = frame.targets;
-    drawFullscreen(frame, m_program, {targets, {&targets.target("noisyLight", GL_RGBA16F)}, &targets.at("depthBuffer")},
+    drawFullscreen(frame, m_program, {{&targets.target(Target::NoisyLight)}, &targets.at(Target::DepthBuffer)},
                    [&](const Program& program) {
                        GBufferPass::bind(program, targets);
                        frame.scene.bindShadow(program);

@@ -3,10 +3,12 @@
 
 namespace rubble {
 
-/// Writes the alpha of "noisyLight": the share of the sun's disc that each pixel sees.
+/// Sunlight: rays to random points of the sun's disc, so that shadows have penumbras.
 class SunPass {
 public:
+    /// Builds its program.
     explicit SunPass(ShaderLibrary& shaders);
+    /// Fills the alpha of NoisyLight: the share of the disc that a pixel sees.
     void draw(const FrameContext& frame) const;
 
 private:

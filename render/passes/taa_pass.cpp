@@ -9,18 +9,19 @@ TaaPass::TaaPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen("pas
 
 void TaaPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
-    const History resolved = frame.pictures.history("resolved", GL_RGBA16F, 1, Filter::Linear);
-    const Texture* trusted = frame.settings.rejectStaleHistory ? frame.targets.find("historyConfidence") : nullptr;
-    drawFullscreen(frame, m_program, {frame.pictures, {&resolved.current}}, [&](const Program& program) {
-        program.set("uColor", frame.targets.at("radiance"));
+    const History resolved = frame.targets.history(Target::Resolved);
+    const Texture* confidence =
+        frame.settings.rejectStaleHistory ? frame.targets.find(Target::HistoryConfidence) : nullptr;
+    drawFullscreen(frame, m_program, {{&resolved.current}}, [&](const Program& program) {
+        program.set("uColor", frame.targets.at(Target::Radiance));
         program.set("uHistory", resolved.previous);
         program.set("uHistoryValid", int(frame.settings.temporal && resolved.valid));
-        program.set("uHasConfidence", int(trusted != nullptr));
-        if (trusted) program.set("uHistoryConfidence", *trusted);
-        program.set("uSurface", frame.targets.at("surface"));
-        program.set("uMotion", frame.targets.at("motion"));
+        program.set("uHasConfidence", int(confidence != nullptr));
+        if (confidence) program.set("uHistoryConfidence", *confidence);
+        program.set("uSurface", frame.targets.at(Target::Surface));
+        program.set("uMotion", frame.targets.at(Target::Motion));
         program.set("uHasGlass", int(frame.scene.hasGlass()));
-        if (frame.scene.hasGlass()) program.set("uGlassSurface", frame.targets.at("glassSurface"));
+        if (frame.scene.hasGlass()) program.set("uGlassSurface", frame.targets.at(Target::GlassSurface));
     });
 }
 

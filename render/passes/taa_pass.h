@@ -3,10 +3,13 @@
 
 namespace rubble {
 
-/// Anti-aliases "radiance" over time into the history "resolved".
+/// Temporal anti-aliasing, and upsampling from the render size to the display size. Derivation:
+/// shaders/passes/taa.frag.
 class TaaPass {
 public:
+    /// Builds its program.
     explicit TaaPass(ShaderLibrary& shaders);
+    /// Fills Resolved from Radiance.
     void draw(const FrameContext& frame) const;
 
 private:

@@ -8,16 +8,15 @@ TonemapPass::TonemapPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscr
 
 void TonemapPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
-    drawFullscreen(frame, m_program, {frame.pictures, {&frame.pictures.target("final", GL_RGBA8)}},
-                   [&](const Program& program) {
-                       program.set("uColor", frame.pictures.at("resolved"));
-                       program.set("uExposure", frame.pictures.at("exposure"));
-                       program.set("uBlueNoise", frame.blueNoise);
-                       program.set("uBloomShare", frame.settings.bloom);
-                       if (frame.settings.bloom > 0.0f) program.set("uBloom", frame.pictures.at("bloom0"));
-                       // TAA softens; without it the picture is as sharp as it gets.
-                       program.set("uSharpen", frame.settings.temporal ? 0.35f : 0.0f);
-                   });
+    drawFullscreen(frame, m_program, {{&frame.targets.target(Target::Final)}}, [&](const Program& program) {
+        program.set("uColor", frame.targets.at(Target::Resolved));
+        program.set("uExposure", frame.targets.at(Target::Exposure));
+        program.set("uBlueNoise", frame.blueNoise);
+        program.set("uBloomShare", frame.settings.bloom);
+        if (frame.settings.bloom > 0.0f) program.set("uBloom", frame.targets.at(Target::Bloom0));
+        // TAA blurs a little; without it the image is as sharp as it gets.
+        program.set("uSharpen", frame.settings.temporal ? 0.35f : 0.0f);
+    });
 }
 
 }  // namespace rubble

@@ -3,10 +3,12 @@
 
 namespace rubble {
 
-/// Turns "resolved" into "final": exposure, bloom, film curve, vignette, dither.
+/// Turns radiance into the displayed image: exposure, bloom, film curve, vignette, dither.
 class TonemapPass {
 public:
+    /// Builds its program.
     explicit TonemapPass(ShaderLibrary& shaders);
+    /// Fills Final from Resolved.
     void draw(const FrameContext& frame) const;
 
 private:

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/mat4x4.hpp>
 
+#include "render/frame/shader_constants.h"
 #include "render/passes/bounce.h"
 #include "render/passes/fullscreen.h"
 #include "render/scene/scene.h"
@@ -14,7 +15,6 @@ namespace rubble {
 namespace {
 
 constexpr size_t kMaxCorners = 32;
-constexpr size_t kMaxRipples = 64;
 constexpr float kRingSpeed = 0.9f;                                                      // m/s
 constexpr std::array kOutlines = {"uOutline0", "uOutline1", "uOutline2", "uOutline3"};  // 8 corners each
 
@@ -36,13 +36,13 @@ void setWater(const Program& program, const Scene& scene, const Water& water) {
     program.set("uSeconds", float(scene.seconds()));
 }
 
-/// The rings on this water, as the shader reads them: where the crest is and how high it still stands.
+/// The rings on this water, as the shader reads them: centre, radius of the crest, and its height now.
 void setRipples(const Program& program, const Scene& scene, const Water& water) {
     const glm::dvec3 origin = scene.origin();
-    std::array<glm::vec4, kMaxRipples> rings;
+    std::array<glm::vec4, shared::kMaxRipples> rings;
     int count = 0;
     for (const SnapshotRipple& ripple : scene.ripples()) {
-        if (ripple.surface != water.surface || size_t(count) == kMaxRipples) continue;
+        if (ripple.surface != water.surface || size_t(count) == shared::kMaxRipples) continue;
         const float radius = ripple.radius + kRingSpeed * ripple.age;
         const float fade = std::exp(-1.2f * ripple.age) * std::min(ripple.age * 8.0f, 1.0f) *
                            std::sqrt((ripple.radius + 0.3f) / (radius + 0.3f));
@@ -61,11 +61,10 @@ WaterPass::WaterPass(ShaderLibrary& shaders) : m_program(shaders.loadFullscreen(
 
 void WaterPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
-    const Texture& picture = frame.targets.at("radiance");
     for (const Water& water : frame.scene.waters()) {
-        const Texture& behind = frame.targets.copy(picture, "behindWater");
-        drawFullscreen(frame, m_program, {frame.targets, {&picture}}, [&](const Program& program) {
-            program.set("uDepth", frame.targets.at("depth"));
+        const Texture& behind = frame.targets.copy(Target::Radiance, Target::BehindWater);
+        drawFullscreen(frame, m_program, {{&frame.targets.at(Target::Radiance)}}, [&](const Program& program) {
+            program.set("uDepth", frame.targets.at(Target::Depth));
             program.set("uBackground", behind);
             program.set("uBlueNoise", frame.blueNoise);
             frame.scene.bindShadow(program);

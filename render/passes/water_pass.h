@@ -3,12 +3,14 @@
 
 namespace rubble {
 
-/// Draws the surfaces of waters over "radiance": what is below is bent by the waves and tinted by the way through the
-/// water, what is around is mirrored by rays, foam lies where the water ends. Seen from above only; of an outline the
-/// first 32 corners count.
+/// Draws water surfaces over the radiance: what is below is refracted by the waves and absorbed along its path through
+/// the water, what is around is reflected by rays, and foam lies where the water ends. Only from above; of an outline
+/// the first 32 corners count.
 class WaterPass {
 public:
+    /// Builds its program.
     explicit WaterPass(ShaderLibrary& shaders);
+    /// Draws over Radiance.
     void draw(const FrameContext& frame) const;
 
 private:

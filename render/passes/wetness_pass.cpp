@@ -8,7 +8,7 @@
 namespace rubble {
 namespace {
 
-constexpr float kRoofDistance = 60.0f;  // metres
+constexpr float kRoofDistance = 60.0f;  ///< metres up to which something overhead keeps a surface dry
 
 }  // namespace
 
@@ -20,10 +20,11 @@ WetnessPass::WetnessPass(ShaderLibrary& shaders)
 void WetnessPass::draw(const FrameContext& frame) const {
     if (!m_program) return;
     TargetPool& targets = frame.targets;
-    // What it writes it does not read: that comes from copies.
-    const Texture &albedo = targets.at("albedo"), &material = targets.at("material");
-    const Texture &dryAlbedo = targets.copy(albedo, "dryAlbedo"), &dryMaterial = targets.copy(material, "dryMaterial");
-    const FullscreenTargets into{targets, {&albedo, &material}, &targets.at("depthBuffer")};
+    // It cannot read the targets that it writes, so it reads copies.
+    const Texture &albedo = targets.at(Target::Albedo), &material = targets.at(Target::Material);
+    const Texture &dryAlbedo = targets.copy(Target::Albedo, Target::DryAlbedo),
+                  &dryMaterial = targets.copy(Target::Material, Target::DryMaterial);
+    const FullscreenTargets into{{&albedo, &material}, &targets.at(Target::DepthBuffer)};
     drawFullscreen(frame, m_program, into, [&](const Program& program) {
         GBufferPass::bind(program, targets);
         program.set("uAlbedo", dryAlbedo);

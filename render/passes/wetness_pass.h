@@ -3,11 +3,13 @@
 
 namespace rubble {
 
-/// Makes what lies open to the sky wet: draws over the G-buffer's albedo and material, so that light and reflections
-/// need to know nothing of it. Made for the first level with Environment::wetness > 0.
+/// Makes surfaces that lie open to the sky wet by changing albedo and material, so that light and reflections need to
+/// know nothing of it. For levels with Environment::wetness > 0.
 class WetnessPass {
 public:
+    /// Builds its program.
     explicit WetnessPass(ShaderLibrary& shaders);
+    /// Changes Albedo and Material.
     void draw(const FrameContext& frame) const;
 
 private:

@@ -5,20 +5,19 @@
 #include <glm/common.hpp>
 #include <utility>
 
+#include "runtime/voxel/brick_node.h"
+
 namespace rubble {
 namespace {
 
 constexpr uint32_t kNoBrickTable = ~0u;
-constexpr uint32_t kHasGlass = 1, kHasPaint = 2;  // as in lib/bodies.glsl
+using shared::kHasGlass;
+using shared::kHasPaint;
 
 glm::vec4 packed(glm::quat q) {
     return {q.x, q.y, q.z, q.w};
 }
-int childOf(glm::ivec3 brick) {
-    return (brick.x & 3) + (brick.y & 3) * 4 + (brick.z & 3) * 16;
-}
-
-/// An entry that lib/mirror.glsl would send a ray from: smoother than its limit.
+/// Whether an entry is smooth enough for reflection rays: lib/mirror.glsl sends none at roughness 0.6 and above.
 bool hasMirrorEntry(const Palette& palette) {
     return std::any_of(palette.begin() + 1, palette.end(),
                        [](const PaletteEntry& e) { return e.material && e.opacity == 255 && e.roughness < 153; });
@@ -61,7 +60,7 @@ void Bodies::create(const SnapshotShape& given) {
     shape->voxelSize = given.voxelSize;
     const uint32_t nodes = uint32_t(shape->sizeInNodes.x * shape->sizeInNodes.y * shape->sizeInNodes.z);
     shape->bricks.resize(nodes);
-    shape->firstNode = m_nodeRanges.take(nodes);
+    shape->firstNode = m_nodeRanges.allocate(nodes);
     m_nodes.resize(std::max<size_t>(m_nodes.size(), m_nodeRanges.end()));
     for (uint32_t n = 0; n < nodes; ++n) m_nodes.change(shape->firstNode + n) = Node{{0, 0}, kNoBrickTable, 0};
 
@@ -94,9 +93,9 @@ void Bodies::release(Shape& shape, uint32_t slot) {
         if (!shape.bricks[n]) continue;
         for (const BrickRef& brick : *shape.bricks[n])
             if (brick) m_atlas.release(brick.get());
-        m_tableSlots.give(m_nodes[shape.firstNode + n].table);
+        m_tableSlots.free(m_nodes[shape.firstNode + n].table);
     }
-    m_nodeRanges.give(shape.firstNode, uint32_t(shape.bricks.size()));
+    m_nodeRanges.free(shape.firstNode, uint32_t(shape.bricks.size()));
     m_glassShapes -= m_instances[slot].glass;
     m_mirrorShapes -= m_instances[slot].mirror;
     if (shape.palette) releaseGpuPalette(shape.palette.get());
@@ -117,18 +116,18 @@ void Bodies::setBrick(const BrickChange& change) {
 }
 
 void Bodies::putBrick(Shape& shape, glm::ivec3 brick, const BrickRef& content) {
-    const glm::ivec3 node = brick >> 2;
+    const glm::ivec3 node = nodeOfBrick(brick);
     const size_t n =
         (size_t(node.z) * size_t(shape.sizeInNodes.y) + size_t(node.y)) * size_t(shape.sizeInNodes.x) + size_t(node.x);
     if (!shape.bricks[n] && !content) return;
     Node& gpuNode = m_nodes.change(shape.firstNode + n);
     if (!shape.bricks[n]) {
         shape.bricks[n] = std::make_unique<std::array<BrickRef, 64>>();
-        gpuNode.table = m_tableSlots.take();
+        gpuNode.table = m_tableSlots.allocate();
         m_tables.resize(std::max<size_t>(m_tables.size(), m_tableSlots.end()));
         m_tables.change(gpuNode.table) = Table{};
     }
-    const int child = childOf(brick);
+    const int child = childIndex(brick);
     BrickRef& held = (*shape.bricks[n])[size_t(child)];
     const uint32_t entry = content ? m_atlas.acquire(content) << 8 | BrickAtlas::occupiedWords(*content) : 0;
     if (held) m_atlas.release(held.get());
@@ -148,9 +147,9 @@ void Bodies::updateBounds(uint32_t slot) {
         const glm::ivec3 base = glm::ivec3(i % nx, i / nx % ny, i / nx / ny) * 4;
         for (uint64_t mask = node.mask[0] | uint64_t(node.mask[1]) << 32; mask; mask &= mask - 1) {
             const int child = std::countr_zero(mask);
-            const glm::ivec3 brick = base + glm::ivec3(child & 3, child >> 2 & 3, child >> 4);
-            low = glm::min(low, brick * 8);
-            high = glm::max(high, brick * 8 + 8);
+            const glm::ivec3 brick = base + childPosition(child);
+            low = glm::min(low, brick * kBrickSize);
+            high = glm::max(high, (brick + 1) * kBrickSize);
         }
     }
     high = glm::min(high, shape.size);
@@ -164,7 +163,7 @@ uint32_t Bodies::acquireGpuPalette(const PaletteRef& palette) {
     PaletteUse& use = m_paletteUses[palette.get()];
     if (use.references++) return use.slot;
     use.palette = palette;
-    use.slot = m_paletteSlots.take();
+    use.slot = m_paletteSlots.allocate();
     m_palettes.resize(std::max<size_t>(m_palettes.size(), m_paletteSlots.end()));
     GpuPalette& gpuPalette = m_palettes.change(use.slot);
     for (size_t i = 0; i < 256; ++i) {
@@ -184,7 +183,7 @@ uint32_t Bodies::acquireGpuPalette(const PaletteRef& palette) {
 void Bodies::releaseGpuPalette(const Palette* palette) {
     const auto found = m_paletteUses.find(palette);
     if (--found->second.references) return;
-    m_paletteSlots.give(found->second.slot);
+    m_paletteSlots.free(found->second.slot);
     m_detailPalettes -= int(found->second.detail);
     m_paletteUses.erase(found);
 }
@@ -262,7 +261,7 @@ uint64_t Bodies::newBytes(const FrameSnapshot& snapshot) const {
     return bytes;
 }
 
-uint64_t Bodies::hold(const FrameSnapshot& snapshot) {
+uint64_t Bodies::retainBricks(const FrameSnapshot& snapshot) {
     forEachBrick(snapshot, [&](const BrickRef& brick) { m_atlas.acquire(brick); });
     return m_atlas.queued();
 }

@@ -1,7 +1,12 @@
 #pragma once
+#include <array>
 #include <memory>
+#include <span>
+#include <string>
+#include <unordered_map>
 #include <vector>
 
+#include "render/frame/shader_constants.h"
 #include "render/gl/program.h"
 #include "render/scene/brick_atlas.h"
 #include "render/scene/detail_maps.h"
@@ -10,70 +15,86 @@
 
 namespace rubble {
 
-/// All shapes on the GPU: bricks in one atlas, a two-level directory each, palettes, and an instance each. The layout
-/// of the buffers is that of lib/bodies.glsl.
+/// All shapes on the GPU: bricks in one atlas, and for each shape a two-level directory (nodes of 4x4x4 bricks, a table
+/// of bricks each), a palette and a transform. Layout of the buffers: lib/bodies.glsl. [render-thread]
 class Bodies {
 public:
-    /// What draws one shape.
+    /// One shape, as it is drawn.
     struct Instance {
-        glm::ivec3 low{0}, high{0};  ///< cells that hold something, in bricks' steps
+        glm::ivec3 low{0}, high{0};  ///< box of the cells in use, rounded to bricks; high excluded
         glm::vec3 position{0};       ///< drawn now, from the render origin
         glm::quat rotation{1, 0, 0, 0};
         float voxelSize = 0.1f;
         bool glass = false;   ///< its palette has entries of opacity < 255
         bool mirror = false;  ///< its palette has entries smooth enough for reflection rays
+        /// Whether it has no voxels, or the slot no shape.
         bool empty() const { return low.x >= high.x; }
     };
 
-    /// How a shape's bricks are found: its texels in lib/bodies.glsl.
+    /// Where the directory of a shape lies: its texels in lib/bodies.glsl.
     struct Layout {
         uint32_t node = 0, palette = 0, flags = 0, unused = 0;
         glm::ivec4 sizeInNodes{0}, low{0}, high{0};
     };
 
-    /// Names by index, of palettes that come from now on; none: of the default table.
+    /// Names of materials by index, for palettes that come from now on. None: those of the default table.
     void setMaterials(std::span<const std::string> names) { m_detailMaps = DetailMaps::mapsOf(names); }
+    /// Adds a shape with its bricks.
     void create(const SnapshotShape& shape);
+    /// Removes a shape; one that is not there is ignored, here and below.
     void destroy(ShapeHandle shape);
+    /// Removes all shapes.
     void clear();
+    /// Replaces a brick of a shape.
     void setBrick(const BrickChange& change);
+    /// Replaces palette and paint colours of a shape.
     void setPalette(const SnapshotPalette& given);
+    /// Moves a shape.
     void setPose(const SnapshotPose& pose);
 
-    /// Sends bricks, in the order they came, at most so many bytes. Returns the bytes sent.
+    /// Sends bricks in the order in which they came, at most so many bytes. Returns the bytes sent.
     uint64_t sendBricks(uint64_t budgetBytes) { return m_atlas.upload(budgetBytes); }
-    /// Places what moves between its last two poses and sends what changed, bricks aside. Returns the bytes sent.
+    /// Interpolates the poses of what moves (alpha: 0 to 1) and sends what changed, except bricks. originWorld: the
+    /// point that GPU coordinates are relative to. Returns the bytes sent.
     uint64_t beginFrame(float alpha, glm::dvec3 originWorld);
 
-    /// Bytes of a snapshot's bricks that the atlas does not have.
+    /// Bytes of those bricks of a snapshot that the atlas does not have.
     uint64_t newBytes(const FrameSnapshot& snapshot) const;
-    /// Has a snapshot's bricks sent before the snapshot is applied. Returns what bricksSent() must have come to.
-    uint64_t hold(const FrameSnapshot& snapshot);
-    /// After the snapshot was applied.
+    /// Queues the bricks of a snapshot that is applied later. They have been sent once bricksSent() is the number that
+    /// this returns.
+    uint64_t retainBricks(const FrameSnapshot& snapshot);
+    /// Ends retainBricks(), after the snapshot was applied.
     void releaseBricks(const FrameSnapshot& snapshot);
+    /// Number of bricks sent so far.
     uint64_t bricksSent() const { return m_atlas.sent(); }
+    /// Bytes of bricks that are queued and not sent.
     uint64_t waitingBytes() const { return (m_atlas.queued() - m_atlas.sent()) * BrickAtlas::kBrickBytes; }
     /// Sets the samplers of lib/bodies.glsl. The program must be in use.
     void bind(const Program& program) const;
 
-    /// IndexAllocator of the instances that the last beginFrame() placed, gave other bounds, or found gone.
+    /// Slots of the instances that the last beginFrame() moved, resized or found removed.
     const std::vector<uint32_t>& touched() const { return m_touched; }
-    /// By slot; those with nothing in them are empty().
+    /// By slot; slots without a shape are empty().
     const std::vector<Instance>& instances() const { return m_instances; }
-    /// Of the shape in a slot of instances().
+    /// Of the shape in a slot.
     const Layout& layout(size_t slot) const { return m_layouts[slot]; }
+    /// Whether any shape has glass.
     bool hasGlass() const { return m_glassShapes > 0; }
+    /// Whether any shape has surfaces smooth enough for reflection rays.
     bool hasMirrors() const { return m_mirrorShapes > 0; }
-    /// Any palette has an entry of a material with a detail map.
+    /// Whether any palette has a material with a detail map.
     bool hasDetail() const { return m_detailPalettes > 0; }
+    /// Number of shapes.
     int shapes() const { return m_shapeCount; }
+    /// Number of different bricks.
     int bricks() const { return m_atlas.bricks(); }
+    /// GPU memory.
     uint64_t bytes() const;
 
 private:
-    /// On the GPU, lib/bodies.glsl reads these as texels.
+    // What lib/bodies.glsl reads as texels.
     struct Node {
-        uint32_t mask[2] = {0, 0};  ///< which of its 4x4x4 bricks are there
+        uint32_t mask[2] = {0, 0};  ///< which of its 4x4x4 bricks exist
         uint32_t table = 0;         ///< first entry in m_tables
         uint32_t unused = 0;
     };

@@ -9,7 +9,7 @@ namespace rubble {
 namespace {
 
 constexpr uint32_t kMinBuckets = 256;
-constexpr int kMaxCellsPerAxis = 4;  ///< of a body's box, and one more where it lies across
+constexpr int kMaxCellsPerAxis = 4;  ///< of a body's box, not counting the one more that it may touch
 
 float cellSize(int level) {
     return BodyGrid::kFinestCell * float(1 << (2 * level));
@@ -34,7 +34,7 @@ BodyGrid::Cells BodyGrid::cellsOf(const Bodies::Instance& body) {
     return cells;
 }
 
-/// As in lib/voxel_at.glsl.
+/// The hash of firstBodyAt() in lib/voxel_at.glsl.
 uint32_t BodyGrid::bucketOf(glm::ivec3 cell, int level) const {
     const glm::uvec3 c(cell);
     uint32_t hash = c.x * 0x8da6b343u ^ c.y * 0xd8163841u ^ c.z * 0xcb1ab31fu ^ uint32_t(level) * 0x9e3779b9u;
@@ -51,7 +51,7 @@ void BodyGrid::forEachBucket(const Cells& cells, F&& f) const {
 
 void BodyGrid::link(uint32_t slot) {
     forEachBucket(m_cellsOfBody[slot], [&](uint32_t bucket) {
-        const uint32_t number = m_slots.take();
+        const uint32_t number = m_slots.allocate();
         m_entries.resize(std::max<size_t>(m_entries.size(), m_slots.end()));
         m_entries.change(number) = {slot, m_bucketHeads[bucket]};
         m_bucketHeads.change(bucket) = number + 1;
@@ -66,11 +66,11 @@ void BodyGrid::unlink(uint32_t slot) {
             at = m_entries[at - 1].next;
         }
         (before ? m_entries.change(before - 1).next : m_bucketHeads.change(bucket)) = m_entries[at - 1].next;
-        m_slots.give(at - 1);
+        m_slots.free(at - 1);
     });
 }
 
-/// Twice the buckets, and all bodies entered anew.
+/// Doubles the number of buckets and enters all bodies again.
 void BodyGrid::grow() {
     const size_t buckets = std::max<size_t>(kMinBuckets, 2 * m_bucketHeads.size());
     m_bucketHeads.resize(0);

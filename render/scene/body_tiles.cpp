@@ -10,21 +10,21 @@
 namespace rubble {
 namespace {
 
-constexpr int kMinTileShift = 3;  // 8x8 pixels
+constexpr int kMinTileShift = 3;  ///< tiles of 8x8 pixels; larger ones for views of more than kMaxTiles
 constexpr int kMaxTiles = 4096;
 
-/// Planes through the camera, pointing inwards: left, right, bottom, top.
+/// Normals of the planes of the view frustum through the camera, pointing inwards: left, right, bottom, top.
 std::array<glm::vec3, 4> sidePlanes(const FrameBlock& b) {
     const glm::vec3 forward(b.cameraForward), right(b.cameraRight), up(b.cameraUp);
     return {glm::normalize(right + forward * b.cameraRight.w), glm::normalize(-right + forward * b.cameraRight.w),
             glm::normalize(up + forward * b.cameraUp.w), glm::normalize(-up + forward * b.cameraUp.w)};
 }
 
-/// The edges of a box on the screen, in pixels.
+/// The edges of a projected box, in pixels.
 struct ScreenBox {
     std::array<std::pair<glm::vec2, glm::vec2>, 12> edges;
     int count = 0;
-    bool cut = false;  ///< by the near plane: there is an outline that is not among the edges
+    bool cut = false;  ///< by the near plane: its outline has parts that are not among the edges
 
     void add(glm::vec4 a, glm::vec4 b, float near, glm::vec2 halfSize) {
         if (a.w < near && b.w < near) return void(cut = true);
@@ -35,8 +35,8 @@ struct ScreenBox {
         }
         edges[size_t(count++)] = {(glm::vec2(a) / a.w + 1.0f) * halfSize, (glm::vec2(b) / b.w + 1.0f) * halfSize};
     }
-    /// Least and greatest x between two heights; empty if low > high.
-    glm::vec2 across(float y0, float y1) const {
+    /// The smallest and the largest x between two heights; none if they come in the wrong order.
+    glm::vec2 rangeX(float y0, float y1) const {
         glm::vec2 range(1e30f, -1e30f);
         for (int i = 0; i < count; ++i) {
             auto [a, b] = edges[size_t(i)];
@@ -76,11 +76,11 @@ void BodyTiles::update(const Bodies& bodies, const FrameBlock& block) {
     const glm::vec3 across = glm::vec3(block.cameraRight) * block.cameraRight.w,
                     up = glm::vec3(block.cameraUp) * block.cameraUp.w;
     const glm::vec2 corner = glm::vec2(block.jitter) * 2.0f - 1.0f;  // as viewRay() in lib/frame.glsl
-    for (const auto& [nearest, slot] : m_sorted) {
+    for (const auto& [minDepth, slot] : m_sorted) {
         const Bodies::Instance& body = bodies.instances()[size_t(slot)];
         const Bodies::Layout& layout = bodies.layout(size_t(slot));
         const glm::mat3 toCells = glm::mat3_cast(glm::conjugate(body.rotation)) * (1.0f / body.voxelSize);
-        m_views.push_back({toCells * (glm::vec3(block.cameraPosition) - body.position), nearest,
+        m_views.push_back({toCells * (glm::vec3(block.cameraPosition) - body.position), minDepth,
                            toCells * (glm::vec3(block.cameraForward) + across * corner.x + up * corner.y), slot,
                            toCells * across * (2.0f * block.targetSize.z), layout.node,
                            toCells * up * (2.0f * block.targetSize.w), layout.palette << 8 | layout.flags,
@@ -117,7 +117,7 @@ void BodyTiles::sort(const Bodies& bodies, const FrameBlock& block) {
     for (const auto& [distance, body] : m_sorted) m_order.push_back(body);
 }
 
-void BodyTiles::cover(const Bodies::Instance& body, const FrameBlock& block, uint32_t number,
+void BodyTiles::cover(const Bodies::Instance& body, const FrameBlock& block, uint32_t view,
                       std::vector<Span>& spans) const {
     const glm::vec2 halfSize = glm::vec2(block.targetSize) * 0.5f;
     std::array<glm::vec4, 8> corners;
@@ -138,50 +138,51 @@ void BodyTiles::cover(const Bodies::Instance& body, const FrameBlock& block, uin
         low = glm::min(low, glm::min(a, b));
         high = glm::max(high, glm::max(a, b));
     }
-    if (box.count == 0) low = glm::vec2(0.0f), high = halfSize * 2.0f;  // the camera is in it and so is the near plane
-    const auto tileOf = [&](float pixel, int most) {
-        return int(std::clamp(pixel, 0.0f, float(most) - 1.0f)) >> m_tileShift;
+    if (box.count == 0)
+        low = glm::vec2(0.0f), high = halfSize * 2.0f;  // the box holds the camera and the whole near plane
+    const auto tileOf = [&](float pixel, int size) {
+        return int(std::clamp(pixel, 0.0f, float(size) - 1.0f)) >> m_tileShift;
     };
     const int width = int(block.targetSize.x), height = int(block.targetSize.y);
     if (high.x < 0.0f || high.y < 0.0f || low.x > float(width) || low.y > float(height)) return;
     for (int row = tileOf(low.y - 1.0f, height); row <= tileOf(high.y + 1.0f, height); ++row) {
         glm::vec2 range(low.x, high.x);
-        if (!box.cut) range = box.across(float(row << m_tileShift) - 1.0f, float((row + 1) << m_tileShift) + 1.0f);
+        if (!box.cut) range = box.rangeX(float(row << m_tileShift) - 1.0f, float((row + 1) << m_tileShift) + 1.0f);
         if (range.x > float(width) || range.y < 0.0f || range.x > range.y) continue;
-        spans.push_back({number, row, tileOf(range.x - 1.0f, width), tileOf(range.y + 1.0f, width)});
+        spans.push_back({view, row, tileOf(range.x - 1.0f, width), tileOf(range.y + 1.0f, width)});
     }
 }
 
-/// A counting sort: bodies come in order, so each tile's list is in order.
+/// Builds the lists by a counting sort: spans come in order of depth, so each tile's list is sorted.
 void BodyTiles::fill(Lists& lists, const std::vector<Span>& spans) const {
     lists.tiles.clear();
     lists.entries.clear();
     if (spans.empty()) return;
-    auto& firsts = lists.firsts;
-    firsts.assign(size_t(m_tiles.x * m_tiles.y) + 1, 0);
+    auto& offsets = lists.offsets;
+    offsets.assign(size_t(m_tiles.x * m_tiles.y) + 1, 0);
     const auto forEachTile = [&](auto&& f) {
         for (const Span& span : spans)
-            for (int x = span.first; x <= span.last; ++x) f(firsts[size_t(span.row * m_tiles.x + x)], span.body);
+            for (int x = span.first; x <= span.last; ++x) f(offsets[size_t(span.row * m_tiles.x + x)], span.body);
     };
     forEachTile([](uint32_t& count, uint32_t) { ++count; });
     uint32_t sum = 0;
-    for (size_t tile = 0; tile < firsts.size(); ++tile) {
-        if (firsts[tile]) lists.tiles.push_back(uint32_t(tile));
-        sum += std::exchange(firsts[tile], sum);
+    for (size_t tile = 0; tile < offsets.size(); ++tile) {
+        if (offsets[tile]) lists.tiles.push_back(uint32_t(tile));
+        sum += std::exchange(offsets[tile], sum);
     }
     lists.entries.resize(sum);
     forEachTile([&](uint32_t& next, uint32_t body) { lists.entries[next++] = body; });
-    std::rotate(firsts.begin(), firsts.end() - 1,
-                firsts.end());  // each has moved to its tile's end, which is the next one's first
-    firsts[0] = 0;
-    send(lists.firstTexture, firsts);
+    // Filling moved each offset to the end of its tile's entries, where the next tile's begin.
+    std::rotate(offsets.begin(), offsets.end() - 1, offsets.end());
+    offsets[0] = 0;
+    send(lists.offsetTexture, offsets);
     send(lists.entryTexture, lists.entries);
     send(lists.tileTexture, lists.tiles);
 }
 
 void BodyTiles::bind(const Program& program, Which which) const {
     program.set("uBodyViews", m_viewTexture);
-    program.set("uTileOffsets", list(which).firstTexture);
+    program.set("uTileOffsets", list(which).offsetTexture);
     program.set("uTileBodies", list(which).entryTexture);
     program.set("uTileGrid", glm::ivec2(m_tiles.x, m_tileShift));
 }

@@ -32,7 +32,7 @@ uint32_t BrickAtlas::acquire(const BrickRef& brick) {
     const auto [found, isNew] = m_entries.try_emplace(brick.get());
     Entry& entry = found->second;
     if (isNew) {
-        entry = {brick, m_slots.take(), 0};
+        entry = {brick, m_slots.allocate(), 0};
         m_bySlot.resize(std::max<size_t>(m_bySlot.size(), entry.slot + 1));
         m_bySlot[entry.slot] = brick.get();
         m_pending.push_back(entry.slot);
@@ -48,7 +48,7 @@ void BrickAtlas::release(const Brick* brick) {
     assert(found != m_entries.end() && "a brick released more often than acquired");
     if (--found->second.references) return;
     m_bySlot[found->second.slot] = nullptr;
-    m_slots.give(found->second.slot);
+    m_slots.free(found->second.slot);
     if (m_paint) m_paint->remove(found->second.slot);
     m_entries.erase(found);
 }
@@ -73,7 +73,7 @@ uint64_t BrickAtlas::uploadBricks(uint64_t budgetBytes) {
     if (!m_words.reserve(m_slots.end() * kWordBytes) || !m_indices.reserve(m_slots.end() * kIndexBytes)) {
         if (!m_full)
             logError("brick atlas: full at " + std::to_string(bytes()) +
-                     " bytes, the largest buffer texture of this GL");
+                     " bytes, the largest buffer texture of this GL; further bricks are not drawn");
         m_full = true;
         const uint64_t room = std::min(m_words.bytes() / kWordBytes, m_indices.bytes() / kIndexBytes);
         std::erase_if(slots, [&](uint32_t slot) { return slot >= room; });
@@ -82,7 +82,7 @@ uint64_t BrickAtlas::uploadBricks(uint64_t budgetBytes) {
     return slots.size() * kBrickBytes;
 }
 
-/// Ascending slots, neighbours together.
+/// Sends ascending slots; neighbours in one call.
 void BrickAtlas::send(const std::vector<uint32_t>& slots) {
     std::vector<uint64_t> words;
     std::vector<uint8_t> indices;

@@ -10,38 +10,47 @@
 
 namespace rubble {
 
-/// The bricks of all shapes on the GPU, each once however many shapes share it: occupancy as eight 4x4x4 words, and a
-/// palette index a voxel. Paint is kept aside, where there is some. Layouts: lib/bodies.glsl.
+/// The bricks of all shapes on the GPU, each once however many shapes share it: occupancy as eight words of 4x4x4
+/// cells, and a palette index per voxel. Paint is kept apart, because few bricks have any. Layouts: lib/bodies.glsl.
 class BrickAtlas {
 public:
-    /// The slot of a brick; uploads it with the next upload() if it is new. Each acquire wants a release.
+    /// The slot of a brick, which the next upload() sends if it is new. Each call needs a release().
     uint32_t acquire(const BrickRef& brick);
+    /// Ends one acquire().
     void release(const Brick* brick);
-    /// Which of a brick's eight 4x4x4 words hold anything: bit x + 2 y + 4 z.
+    /// Which of a brick's eight words hold anything: bit x + 2 y + 4 z.
     static uint32_t occupiedWords(const Brick& brick);
 
+    /// Whether a brick has a slot.
     bool has(const Brick* brick) const { return m_entries.count(brick) > 0; }
     /// Sends new bricks in the order acquired, at most so many bytes of them, and all new paint. Returns the bytes
     /// sent.
     uint64_t upload(uint64_t budgetBytes = ~uint64_t(0));
-    static constexpr uint64_t kBrickBytes = 64 + kBrickVoxels;  ///< of occupancy and indices
-    /// Bricks ever acquired anew, and how many of these have been sent (or were given up before).
+    static constexpr uint64_t kBrickBytes = 64 + kBrickVoxels;  ///< occupancy and indices
+    /// Number of bricks that were ever new.
     uint64_t queued() const { return m_queued; }
+    /// How many of those have been sent, or were released before.
     uint64_t sent() const { return m_queued - m_pending.size(); }
+    /// Number of bricks held.
     int bricks() const { return int(m_slots.used()); }
+    /// GPU memory.
     uint64_t bytes() const { return m_words.bytes() + m_indices.bytes() + (m_paint ? m_paint->bytes() : 0); }
     /// Null until a brick with paint has come.
     PaintAtlas* paint() { return m_paint.get(); }
+    /// The same.
     const PaintAtlas* paint() const { return m_paint.get(); }
+    /// Makes it, if there is none.
     PaintAtlas& ensurePaint();
+    /// Occupancy, 8 texels per slot.
     const BufferTexture& words() const { return m_words; }
+    /// Palette indices, 128 texels per slot.
     const BufferTexture& indices() const { return m_indices; }
 
 private:
     uint64_t uploadBricks(uint64_t budgetBytes);
     void send(const std::vector<uint32_t>& slots);
     struct Entry {
-        BrickRef brick;  ///< held, so that its address means this brick
+        BrickRef brick;  ///< kept alive, so that its address stays unique
         uint32_t slot;
         uint32_t references;
     };

@@ -10,15 +10,15 @@
 namespace rubble {
 namespace {
 
-/// What a material's faces look like close by. Shares of 1.
+/// How the faces of a material vary. All numbers but `streak` are shares of 1.
 struct Grain {
     const char* material;
-    float speckle;    ///< how far each voxel differs from the next
-    float blotch;     ///< how far patches of some voxels differ
-    float tilt;       ///< of faces, of kMaxTilt
-    float roughness;  ///< how far it varies
-    int streak = 1;   ///< voxels along the tile's first axis that share their speckle: grain of wood, brushing of metal
-    float pores = 0.0f;  ///< share of voxels that are dark holes
+    float speckle;       ///< colour variation from voxel to voxel
+    float blotch;        ///< colour variation over patches of several voxels
+    float tilt;          ///< of faces, as a share of kMaxTilt
+    float roughness;     ///< variation of roughness
+    int streak = 1;      ///< voxels along the map's first axis that share their speckle: grain of wood, brushed metal
+    float pores = 0.0f;  ///< share of voxels that are dark pores
 };
 constexpr Grain kGrains[] = {
     {"brick", 0.10f, 0.10f, 0.45f, 0.10f},
@@ -33,34 +33,37 @@ constexpr Grain kGrains[] = {
     {"snow", 0.02f, 0.04f, 0.35f, 0.04f},
 };
 
-/// In [-1, 1).
-float dice(int x, int y, int which, int map) {
+/// A random number in [-1, 1) for a texel of a map; `which` tells several apart.
+float randomAt(int x, int y, int which, int map) {
     return float(hashCell(x, y, map, 900 + which) >> 8) * 0x1p-23f - 1.0f;
 }
 
-/// Value noise that tiles, of this many cells along a side.
-float patches(int x, int y, int cells, int which, int map) {
+/// Tileable value noise with this many cells along a side, in [-1, 1).
+float valueNoise(int x, int y, int cells, int which, int map) {
     const int step = DetailMaps::kSide / cells;
     const auto smooth = [](float t) { return t * t * (3.0f - 2.0f * t); };
     const float fx = smooth(float(x % step) / float(step)), fy = smooth(float(y % step) / float(step));
-    const auto at = [&](int dx, int dy) { return dice((x / step + dx) % cells, (y / step + dy) % cells, which, map); };
+    const auto at = [&](int dx, int dy) {
+        return randomAt((x / step + dx) % cells, (y / step + dy) % cells, which, map);
+    };
     const float low = at(0, 0) + (at(1, 0) - at(0, 0)) * fx, high = at(0, 1) + (at(1, 1) - at(0, 1)) * fx;
     return low + (high - low) * fy;
 }
 
+/// From [-1, 1] to a byte around 128.
 uint8_t byteOf(float value) {
     return uint8_t(std::clamp(128.0f + 127.0f * value, 0.0f, 255.0f));
 }
 
 std::array<uint8_t, 4> texelOf(const Grain& grain, int map, int x, int y) {
-    // Streaks begin elsewhere in each row.
+    // In each row the streaks begin at another place.
     const int shifted = (x + int(hashCell(y, map, 0, 910) % uint32_t(DetailMaps::kSide))) % DetailMaps::kSide;
-    const float own = dice(grain.streak > 1 ? shifted / grain.streak : x, y, 0, map);
-    const float patch = 0.6f * patches(x, y, 4, 1, map) + 0.4f * patches(x, y, 8, 2, map);
-    const bool pore = dice(x, y, 3, map) < 2.0f * grain.pores - 1.0f;
+    const float own = randomAt(grain.streak > 1 ? shifted / grain.streak : x, y, 0, map);
+    const float patch = 0.6f * valueNoise(x, y, 4, 1, map) + 0.4f * valueNoise(x, y, 8, 2, map);
+    const bool pore = randomAt(x, y, 3, map) < 2.0f * grain.pores - 1.0f;
     const float color = 2.0f * (grain.speckle * own + grain.blotch * patch) - (pore ? 0.30f : 0.0f);
     return {byteOf(color), byteOf(2.0f * grain.roughness * (0.6f * own + 0.4f * patch)),
-            byteOf(grain.tilt * dice(x, y, 4, map)), byteOf(grain.tilt * dice(x, y, 5, map))};
+            byteOf(grain.tilt * randomAt(x, y, 4, map)), byteOf(grain.tilt * randomAt(x, y, 5, map))};
 }
 
 }  // namespace

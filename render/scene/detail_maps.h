@@ -5,26 +5,30 @@
 #include <string>
 #include <vector>
 
+#include "render/frame/shader_constants.h"
 #include "render/gl/texture.h"
 
 namespace rubble {
 
-/// Detail maps: tiles of kSide x kSide texels, one texel a voxel's face, for materials that have a grain. Below each
-/// other in one texture. A texel: r colour (128 = as it is, 255 = half as bright again), g roughness likewise, ba how
-/// far the face is tilted along the tile's axes (128 = not; 127 more is kMaxTilt).
+/// Detail maps: tileable maps of kSide x kSide texels, one texel per voxel face, for materials with grain, joints or
+/// pores, below each other in one texture. A texel: r colour (128: unchanged, 255: brighter by half), g roughness
+/// likewise, ba tilt of the face along the map's axes (128: none, 127 more: kMaxTilt).
 class DetailMaps {
 public:
     static constexpr int kSide = 32;
-    static constexpr float kMaxTilt = 0.3f;  ///< tangent of the angle
+    static constexpr float kMaxTilt = shared::kMaxTilt;  ///< tangent of the angle
 
-    /// Numbers of materials' maps, from 1 on, by their names; 0 = it has none. Without names: for the default material
+    /// The map of each material, from 1 on, by the material's name; 0: it has none. Without names: of the default
     /// table.
     static std::array<uint8_t, 256> mapsOf(std::span<const std::string> materials);
     /// All maps, RGBA, rows from the first map on. Always the same.
     static std::vector<uint8_t> make();
+    /// Number of maps.
     static int count();
 
+    /// Makes the texture.
     DetailMaps();
+    /// All maps, the first one at the bottom.
     const Texture& texture() const { return m_texture; }
 
 private:

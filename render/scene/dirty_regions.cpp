@@ -7,20 +7,21 @@
 namespace rubble {
 namespace {
 
-/// Bricks between a brick and a box: 0 if they touch.
+/// Bricks between a brick and a box along the axis where they are farthest apart; 0 if they touch.
 int chebyshevDistance(const DirtyRegions::Box& box, glm::ivec3 brick) {
-    const glm::ivec3 away = glm::max(glm::max(box.low - brick - 1, brick - box.high), glm::ivec3(0));
-    return std::max(away.x, std::max(away.y, away.z));
+    const glm::ivec3 gap = glm::max(glm::max(box.low - brick - 1, brick - box.high), glm::ivec3(0));
+    return std::max(gap.x, std::max(gap.y, gap.z));
 }
 
 }  // namespace
 
 void DirtyRegions::add(glm::ivec3 brick) {
     Box* nearest = nullptr;
-    int least = std::numeric_limits<int>::max();
+    int smallest = std::numeric_limits<int>::max();
     for (Box& box : m_boxes)
-        if (const int distance = chebyshevDistance(box, brick); distance < least) least = distance, nearest = &box;
-    if (!nearest || (least > 0 && m_boxes.size() < kMaxRegions)) {
+        if (const int distance = chebyshevDistance(box, brick); distance < smallest)
+            smallest = distance, nearest = &box;
+    if (!nearest || (smallest > 0 && m_boxes.size() < kMaxRegions)) {
         m_boxes.push_back({brick, brick + 1});
         return;
     }

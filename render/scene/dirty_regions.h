@@ -2,21 +2,25 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "render/frame/shader_constants.h"
 #include "runtime/shadow/shadow_volume.h"
 
 namespace rubble {
 
-/// Where what casts shadows has changed since the last picture, as a few boxes: light around there is looked at anew.
+/// Where shadow casters have changed since the last frame, as a few boxes: light histories around there are dropped
+/// (passes/light_change.frag).
 class DirtyRegions {
 public:
-    static constexpr size_t kMaxRegions =
-        8;  ///< boxes; what is over is joined to the nearest: passes/light_change.frag
+    static constexpr size_t kMaxRegions = shared::kMaxDirtyRegions;
     struct Box {
         glm::ivec3 low, high;  ///< bricks of the shadow volume, high excluded
     };
 
+    /// Adds the bricks of these patches. A brick next to a box joins it; at kMaxRegions it joins the nearest one.
     void add(const std::vector<ShadowPatch>& patches);
+    /// No region is dirty.
     void clear() { m_boxes.clear(); }
+    /// At most kMaxRegions.
     const std::vector<Box>& boxes() const { return m_boxes; }
 
 private:

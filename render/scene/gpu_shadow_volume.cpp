@@ -34,8 +34,8 @@ void GpuShadowVolume::apply(const std::vector<ShadowPatch>& patches, bool replac
     updateSkips();
 }
 
-/// Makes the directory's box hold all that stands in these patches. A box that was there grows by a quarter and more,
-/// so that what flies away does not move it at every step.
+/// Makes the directory's box contain the bricks of these patches. A box that grows does so by at least a quarter, so
+/// that a body that flies away does not cause a new directory at each step.
 void GpuShadowVolume::growTo(const std::vector<ShadowPatch>& patches) {
     glm::ivec3 low = m_low, high = m_low + m_count;
     bool isNew = m_count.x == 0;
@@ -69,9 +69,9 @@ void GpuShadowVolume::growTo(const std::vector<ShadowPatch>& patches) {
         if (isEmpty(old[i])) continue;
         const int n = int(i);
         const glm::ivec3 at(n % oldBricks.x, n / oldBricks.x % oldBricks.y, n / oldBricks.x / oldBricks.y);
-        const glm::ivec3 place = oldLow + at - m_low * kSectorBricks;
-        m_directory.change(m_skips.indexOf(place)) = old[i];
-        m_skips.set(place, true);
+        const glm::ivec3 position = oldLow + at - m_low * kSectorBricks;
+        m_directory.change(m_skips.indexOf(position)) = old[i];
+        m_skips.set(position, true);
     }
 }
 
@@ -79,28 +79,28 @@ void GpuShadowVolume::put(const ShadowPatch& patch) {
     if (!holds(patch.brick)) {
         if (patch.content && !m_fullLogged)
             logError("shadow directory: full at " + std::to_string(kMaxBricks) +
-                     " bricks (GpuShadowVolume::kMaxBricks); what is farther out casts no shadow");
+                     " bricks (GpuShadowVolume::kMaxBricks); what lies beyond casts no shadow");
         m_fullLogged = m_fullLogged || patch.content;
         return;
     }
-    const glm::ivec3 place = patch.brick - m_low * kSectorBricks;
-    const size_t index = m_skips.indexOf(place);
-    m_skips.set(place, bool(patch.content));
+    const glm::ivec3 position = patch.brick - m_low * kSectorBricks;
+    const size_t index = m_skips.indexOf(position);
+    m_skips.set(position, bool(patch.content));
     const Entry old = m_directory[index];
     if (!patch.content) {
         if (isEmpty(old)) return;
-        m_slots.give(old.x >> 4);
-        m_directory.change(index) = Entry(~0u, 0, 0, 0);  // until the cubes are known
+        m_slots.free(old.x >> 4);
+        m_directory.change(index) = Entry(~0u, 0, 0, 0);  // until updateSkips()
         return;
     }
     growOccupied(patch);
-    const uint32_t slot = isEmpty(old) ? m_slots.take() : old.x >> 4;
+    const uint32_t slot = isEmpty(old) ? m_slots.allocate() : old.x >> 4;
     m_waiting.push_back({slot, patch.content});
     const Entry entry(slot << 4, uint32_t(patch.content->occupied), uint32_t(patch.content->occupied >> 32), 0);
     if (entry != old) m_directory.change(index) = entry;
 }
 
-/// By the layers of the brick's words that hold anything.
+/// Extends the occupied box by those layers of the brick's words that hold anything.
 void GpuShadowVolume::growOccupied(const ShadowPatch& patch) {
     constexpr uint64_t kLayer[] = {0x1111111111111111, 0x000f000f000f000f, 0x000000000000ffff};
     glm::ivec3 low = patch.brick * kBrickWords, high = low + kBrickWords;
@@ -131,12 +131,12 @@ uint64_t GpuShadowVolume::upload() {
     return m_directory.upload() + uploadTexels();
 }
 
-/// Neighbours in one go; of what came twice for a slot, the later.
+/// Sends waiting texels, neighbours in one call. Of several for one slot the last one counts.
 uint64_t GpuShadowVolume::uploadTexels() {
     constexpr uint64_t kBytes = sizeof(ShadowWords);
     if (!m_texels.reserve(m_slots.end() * kBytes) && !m_fullLogged) {
         logError("shadow bricks: full at " + std::to_string(m_texels.bytes()) +
-                 " bytes, the largest buffer texture of this GL");
+                 " bytes, the largest buffer texture of this GL; further bricks cast no shadow");
         m_fullLogged = true;
     }
     std::stable_sort(m_waiting.begin(), m_waiting.end(),

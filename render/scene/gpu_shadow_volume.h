@@ -10,28 +10,33 @@
 
 namespace rubble {
 
-/// The world's shadow volume on the GPU: a directory of bricks (16^3 cells) over its extent, dense at 16 bytes a brick,
+/// The world's shadow volume on the GPU: a dense directory of bricks (16^3 cells) over its extent, 16 bytes per brick,
 /// and the texels of each brick that holds something. Sends only what a patch changed. Layouts: lib/shadow_trace.glsl.
+/// [render-thread]
 class GpuShadowVolume {
 public:
-    static constexpr int kSectorBricks = 4;  ///< the directory's box is whole sectors
-    /// What the directory can span: 2 x 2 km, 32 m high, or the same in another shape. Beyond it nothing casts a
+    static constexpr int kSectorBricks = 4;  ///< side of a sector; the directory's box is whole sectors
+    /// What the directory can span: 2 x 2 km, 32 m high, or as many bricks in another shape. What lies beyond casts no
     /// shadow.
     static constexpr int64_t kMaxBricks = int64_t(1) << 25;
 
+    /// Applies the bricks of a publication. replacesAll: removes all bricks before.
     void apply(const std::vector<ShadowPatch>& patches, bool replacesAll);
-    /// Returns the bytes sent.
+    /// Sends what changed. Returns the bytes sent.
     uint64_t upload();
     /// Sets the samplers of lib/shadow_trace.glsl. The program must be in use.
     void bind(const Program& program) const;
 
-    /// The directory's box, in sectors of the world.
+    /// Low corner of the directory's box, in sectors of the world.
     glm::ivec3 sectorLow() const { return m_low; }
+    /// Size of the directory's box, in sectors.
     glm::ivec3 sectorCount() const { return m_count; }
-    /// The box that holds all cells that are occupied or have been, in cells from the directory's low corner: rays end
-    /// where they leave it.
+    /// Low corner of a box around all cells that are or have been occupied, in cells from the directory's low corner.
+    /// Rays end where they leave it.
     glm::ivec3 occupiedLow() const { return m_occupiedLow * kWordCells - m_low * kSectorBricks * kShadowBrickCells; }
+    /// Its high corner, excluded.
     glm::ivec3 occupiedHigh() const { return m_occupiedHigh * kWordCells - m_low * kSectorBricks * kShadowBrickCells; }
+    /// GPU memory.
     uint64_t bytes() const { return m_directory.texture().bytes() + m_texels.bytes(); }
 
 private:
@@ -46,8 +51,8 @@ private:
     bool holds(glm::ivec3 brick) const;
     glm::ivec3 bricks() const { return m_count * kSectorBricks; }
 
-    glm::ivec3 m_low{0}, m_count{0};                 ///< sectors
-    glm::ivec3 m_occupiedLow{0}, m_occupiedHigh{0};  ///< words of the world
+    glm::ivec3 m_low{0}, m_count{0};                 ///< in sectors
+    glm::ivec3 m_occupiedLow{0}, m_occupiedHigh{0};  ///< in words of the world
     SkipDistances m_skips;
     StagedBuffer<Entry> m_directory{GL_RGBA32UI, "shadow directory"};
     BufferTexture m_texels{GL_RG32UI};
@@ -56,7 +61,7 @@ private:
         uint32_t slot;
         ShadowBrickRef content;
     };
-    std::vector<Waiting> m_waiting;  ///< to be uploaded: no texels are kept here
+    std::vector<Waiting> m_waiting;  ///< texels to upload; they are not kept afterwards
     bool m_fullLogged = false;
 };
 

@@ -5,18 +5,21 @@
 
 namespace rubble {
 
-/// Hands out numbers, lowest unused first among those never used, last freed first otherwise.
+/// Allocates indices: the one that was freed last, or else the lowest that was never used.
 class IndexAllocator {
 public:
-    uint32_t take() {
+    /// An index that is not in use.
+    uint32_t allocate() {
         if (m_free.empty()) return m_end++;
-        const uint32_t slot = m_free.back();
+        const uint32_t index = m_free.back();
         m_free.pop_back();
-        return slot;
+        return index;
     }
-    void give(uint32_t slot) { m_free.push_back(slot); }
-    /// One more than the highest number ever handed out.
+    /// Gives an allocated index back.
+    void free(uint32_t index) { m_free.push_back(index); }
+    /// One more than the highest index ever allocated.
     uint32_t end() const { return m_end; }
+    /// Number of indices in use.
     uint32_t used() const { return m_end - uint32_t(m_free.size()); }
 
 private:
@@ -24,10 +27,12 @@ private:
     uint32_t m_end = 0;
 };
 
-/// Hands out ranges of numbers: the first gap that is long enough.
+/// Allocates ranges of indices: the first free range that is long enough, or else one at the end. Freed neighbours
+/// merge.
 class RangeAllocator {
 public:
-    uint32_t take(uint32_t count) {
+    /// The first index of `count` that are not in use.
+    uint32_t allocate(uint32_t count) {
         for (auto gap = m_gaps.begin(); gap != m_gaps.end(); ++gap) {
             if (gap->second < count) continue;
             const auto [start, length] = *gap;
@@ -39,7 +44,8 @@ public:
         m_end += count;
         return start;
     }
-    void give(uint32_t start, uint32_t count) {
+    /// Gives an allocated range back.
+    void free(uint32_t start, uint32_t count) {
         auto after = m_gaps.upper_bound(start);
         if (after != m_gaps.end() && after->first == start + count) {
             count += after->second;
@@ -54,6 +60,7 @@ public:
         }
         m_gaps[start] = count;
     }
+    /// One more than the highest index ever allocated.
     uint32_t end() const { return m_end; }
 
 private:

@@ -15,16 +15,16 @@
 namespace rubble {
 namespace {
 
-constexpr int kTilePixels = 32;  // these three as in lib/local_lights.glsl
-constexpr int kAlwaysWeighed = 12;
-constexpr int kTexelsPerLight = 7;
-constexpr int kSlices = 12;  // two each time the depth doubles, from 1 m: the last one goes on for ever
+using shared::kAlwaysWeighed;
+using shared::kTexelsPerLight;
+using shared::kTilePixels;
+constexpr int kSlices = 12;  ///< of depth: two per doubling from 1 m on; the last one has no end
 
 int sliceAt(float depth) {
     return std::clamp(int(std::floor(2.0f * std::log2(std::max(depth, 1.0f)))), 0, kSlices - 1);
 }
 
-/// Distance from a light's place within which all of it lies.
+/// Radius around a light's position within which all of it lies.
 float extentOf(const SnapshotLight& light) {
     if (light.kind == LightKind::Capsule) return 0.5f * light.width + light.radius;
     if (light.kind == LightKind::Area || light.kind == LightKind::Screen)
@@ -32,6 +32,7 @@ float extentOf(const SnapshotLight& light) {
     return light.radius;
 }
 
+/// Luminance of its colour.
 float brightness(const SnapshotLight& light) {
     return glm::dot(light.color, glm::vec3(0.2126f, 0.7152f, 0.0722f));
 }
@@ -87,31 +88,31 @@ void LightGrid::listVisibleLights(std::span<const SnapshotLight> lights, const F
     });
 }
 
-/// Whether the sphere meets the box around a cell.
-bool LightGrid::touches(const VisibleLight& reach, glm::ivec3 cell, const FrameBlock& block) const {
+/// Whether the light's sphere meets the bounding box of a cell.
+bool LightGrid::reaches(const VisibleLight& light, glm::ivec3 cell, const FrameBlock& block) const {
     const float nearest = cell.z == 0 ? 0.0f : std::exp2(0.5f * float(cell.z));
     const float farthest = cell.z + 1 == kSlices ? block.cameraForward.w : std::exp2(0.5f * float(cell.z + 1));
     const auto aside = [&](int axis, float tangent) {
         const float low = (float(cell[axis] * kTilePixels) / block.targetSize[axis] * 2.0f - 1.0f) * tangent;
         const float high = (float((cell[axis] + 1) * kTilePixels) / block.targetSize[axis] * 2.0f - 1.0f) * tangent;
         const float first = low * (low > 0.0f ? nearest : farthest), last = high * (high > 0.0f ? farthest : nearest);
-        return reach.sphere[axis] - std::clamp(reach.sphere[axis], first, last);
+        return light.sphere[axis] - std::clamp(light.sphere[axis], first, last);
     };
     const glm::vec3 away(aside(0, block.cameraRight.w), aside(1, block.cameraUp.w),
-                         reach.sphere.z - std::clamp(reach.sphere.z, nearest, farthest));
-    return glm::dot(away, away) <= reach.sphere.w * reach.sphere.w;
+                         light.sphere.z - std::clamp(light.sphere.z, nearest, farthest));
+    return glm::dot(away, away) <= light.sphere.w * light.sphere.w;
 }
 
 void LightGrid::fillCells(const FrameBlock& block) {
     m_pairs.clear();
     const auto cellAt = [&](int x, int y, int slice) { return uint32_t(x + m_size.x * (y + m_size.y * slice)); };
     for (size_t i = 0; i < m_visible.size(); ++i) {
-        const VisibleLight& reach = m_visible[i];
-        for (int y = reach.low.y; y <= reach.high.y; ++y)
-            for (int x = reach.low.x; x <= reach.high.x; ++x) {
+        const VisibleLight& light = m_visible[i];
+        for (int y = light.low.y; y <= light.high.y; ++y)
+            for (int x = light.low.x; x <= light.high.x; ++x) {
                 const size_t before = m_pairs.size();
-                for (int slice = reach.low.z; slice <= reach.high.z; ++slice)
-                    if (touches(reach, {x, y, slice}, block)) m_pairs.emplace_back(cellAt(x, y, slice), uint32_t(i));
+                for (int slice = light.low.z; slice <= light.high.z; ++slice)
+                    if (reaches(light, {x, y, slice}, block)) m_pairs.emplace_back(cellAt(x, y, slice), uint32_t(i));
                 if (m_pairs.size() > before) m_pairs.emplace_back(cellAt(x, y, kSlices), uint32_t(i));
             }
     }
@@ -126,7 +127,7 @@ void LightGrid::fillCells(const FrameBlock& block) {
     for (const auto& [cell, light] : m_pairs) m_list[m_cells[cell].x + m_cells[cell].y++] = light;
 }
 
-/// In cells of more lights than a pixel looks at, those that are strongest at the cell's middle come first.
+/// In cells of more lights than a pixel weighs, puts those first that are strongest at the cell's centre.
 void LightGrid::moveStrongestFirst(const FrameBlock& block) {
     std::vector<std::pair<float, uint32_t>> byStrength;
     for (size_t i = 0; i < m_cells.size(); ++i) {
@@ -163,7 +164,7 @@ void LightGrid::fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 ori
                           : light.kind == LightKind::Area    ? 2
                           : light.kind == LightKind::Capsule ? 1
                                                              : 0;
-        const bool picture = shape == 3 && light.image.height() > 0;
+        const bool hasImage = shape == 3 && light.image.height() > 0;
         // About how it falls off from its axis: cosine times the first, plus the second, clamped to 0 and 1.
         const float scale = 1.0f / std::max(inner - outer, 1e-3f);
         const bool facesOneWay = shape >= 2 && !light.twoSided;
@@ -177,9 +178,9 @@ void LightGrid::fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 ori
         m_texels.emplace_back(light.direction, outer);
         m_texels.emplace_back(light.right, 0.5f * light.width);
         m_texels.emplace_back(scale, float(m_imageTexels.size()),
-                              picture ? float(light.image.width + (light.image.height() << 8)) : 0.0f,
+                              hasImage ? float(light.image.width + (light.image.height() << 8)) : 0.0f,
                               float(light.twoSided));
-        if (!picture) continue;
+        if (!hasImage) continue;
         for (const uint32_t texel : light.image.texels)
             m_imageTexels.emplace_back(srgbToLinear(uint8_t(texel >> 16)), srgbToLinear(uint8_t(texel >> 8)),
                                        srgbToLinear(uint8_t(texel)), 1.0f);
@@ -206,47 +207,45 @@ uint64_t LightGrid::upload() {
     return sent;
 }
 
-/// Those that are not among the lights now. Fires have no names: if there are fewer or more of them, all may be others.
-std::vector<LightGrid::PreviousLight> LightGrid::removedFrom(const std::vector<PreviousLight>& before,
-                                                             const std::vector<PreviousLight>& now) {
-    const auto isFire = [](const PreviousLight& each) { return each.light == LightHandle(); };
+/// The lights of `before` that are not in `now`. Fires have no handles: if their number has changed, all of them count.
+std::vector<LightGrid::LastLight> LightGrid::removedFrom(const std::vector<LastLight>& before,
+                                                         const std::vector<LastLight>& now) {
+    const auto isFire = [](const LastLight& each) { return each.light == LightHandle(); };
     const bool firesChanged =
         std::count_if(before.begin(), before.end(), isFire) != std::count_if(now.begin(), now.end(), isFire);
-    std::vector<uint64_t> there;
-    for (const PreviousLight& each : now) there.push_back(each.light.bits);
-    std::sort(there.begin(), there.end());
-    std::vector<PreviousLight> gone;
-    for (const PreviousLight& each : before)
-        if (isFire(each) ? firesChanged : !std::binary_search(there.begin(), there.end(), each.light.bits))
+    std::vector<uint64_t> present;
+    for (const LastLight& each : now) present.push_back(each.light.bits);
+    std::sort(present.begin(), present.end());
+    std::vector<LastLight> gone;
+    for (const LastLight& each : before)
+        if (isFire(each) ? firesChanged : !std::binary_search(present.begin(), present.end(), each.light.bits))
             gone.push_back(each);
     return gone;
 }
 
-void LightGrid::addChange(const PreviousLight& changed) {
+void LightGrid::addChange(const LastLight& changed) {
     if (m_changes.size() < kMaxChanges)
-        m_changes.push_back({changed.place, changed.reach, 0});
+        m_changes.push_back({changed.position, changed.range, 0});
     else
-        m_changes.back() = {changed.place, std::numeric_limits<float>::infinity(), 0};
+        m_changes.back() = {changed.position, std::numeric_limits<float>::infinity(), 0};
 }
 
 void LightGrid::recordChanges(std::span<const SnapshotLight> lights) {
     for (Change& change : m_changes) ++change.frames;
     std::erase_if(m_changes, [](const Change& change) { return change.frames >= kMaxChangeFrames; });
-    const auto lastOf = [](const SnapshotLight& light) {
-        return PreviousLight{light.light, light.position, light.reach};
-    };
+    const auto lastOf = [](const SnapshotLight& light) { return LastLight{light.light, light.position, light.reach}; };
     m_framesSinceChange = std::min(m_framesSinceChange + 1, 1000);
-    const auto isSame = [](const SnapshotLight& light, const PreviousLight& last) { return light.light == last.light; };
-    if (std::equal(lights.begin(), lights.end(), m_previousLights.begin(), m_previousLights.end(), isSame)) {
-        std::transform(lights.begin(), lights.end(), m_previousLights.begin(), lastOf);
+    const auto isSame = [](const SnapshotLight& light, const LastLight& last) { return light.light == last.light; };
+    if (std::equal(lights.begin(), lights.end(), m_lastLights.begin(), m_lastLights.end(), isSame)) {
+        std::transform(lights.begin(), lights.end(), m_lastLights.begin(), lastOf);
         return;
     }
     m_framesSinceChange = 0;
-    std::vector<PreviousLight> now;
+    std::vector<LastLight> now;
     std::transform(lights.begin(), lights.end(), std::back_inserter(now), lastOf);
-    for (const PreviousLight& gone : removedFrom(m_previousLights, now)) addChange(gone);
-    for (const PreviousLight& come : removedFrom(now, m_previousLights)) addChange(come);
-    m_previousLights = std::move(now);
+    for (const LastLight& gone : removedFrom(m_lastLights, now)) addChange(gone);
+    for (const LastLight& added : removedFrom(now, m_lastLights)) addChange(added);
+    m_lastLights = std::move(now);
 }
 
 uint64_t LightGrid::update(std::span<const SnapshotLight> lights, const FrameBlock& block, glm::dvec3 origin) {

@@ -12,7 +12,7 @@ void PaintAtlas::growTo(uint32_t slots) {
 void PaintAtlas::put(uint32_t slot, const Brick& brick) {
     if (!brick.paint) return;
     growTo(slot + 1);
-    const uint32_t number = m_free.take();
+    const uint32_t number = m_free.allocate();
     m_paint.resize(std::max<size_t>(m_paint.size(), m_free.end()));
     m_paint.change(number) = *brick.paint;
     m_numbers.change(slot) = number + 1;
@@ -20,7 +20,7 @@ void PaintAtlas::put(uint32_t slot, const Brick& brick) {
 
 void PaintAtlas::remove(uint32_t slot) {
     if (slot >= m_numbers.size() || m_numbers[slot] == 0) return;
-    m_free.give(m_numbers[slot] - 1);
+    m_free.free(m_numbers[slot] - 1);
     m_numbers.change(slot) = 0;
 }
 

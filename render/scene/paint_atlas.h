@@ -9,18 +9,22 @@
 
 namespace rubble {
 
-/// The paint layer on the GPU: bytes of painted bricks, found by the brick's slot in the BrickAtlas, and colours by the
-/// shape's slot. Exists only while a shape has paint. Layouts: lib/paint.glsl.
+/// The paint layer on the GPU: paint bytes of painted bricks, found by the brick's slot in the BrickAtlas, and paint
+/// colours by the shape's slot. Exists only while a shape has paint. Layouts: lib/paint.glsl.
 class PaintAtlas {
 public:
-    /// A new brick in a slot of the BrickAtlas; nothing is kept of one without paint.
+    /// A new brick in a slot of the BrickAtlas; ignored if it has no paint.
     void put(uint32_t slot, const Brick& brick);
+    /// The slot of the BrickAtlas is free.
     void remove(uint32_t slot);
+    /// The colours of a shape's paint.
     void setColors(uint32_t shapeSlot, const PaintColors& colors);
 
-    /// `slots`: how many the BrickAtlas has. Returns the bytes sent.
+    /// Sends what changed. slots: how many the BrickAtlas has. Returns the bytes sent.
     uint64_t upload(uint32_t slots);
+    /// Sets the samplers of lib/paint.glsl. The program must be in use.
     void bind(const Program& program) const;
+    /// GPU memory.
     uint64_t bytes() const {
         return m_numbers.texture().bytes() + m_paint.texture().bytes() + m_colors.texture().bytes();
     }

@@ -9,8 +9,8 @@
 namespace rubble {
 namespace {
 
-constexpr double kSector = 6.4;             // metres: 64 shadow cells
-constexpr double kRebaseDistance = 1024.0;  // floats are still good to 0.06 mm there
+constexpr double kSector = 6.4;             ///< metres: side of a sector, 64 shadow cells
+constexpr double kRebaseDistance = 1024.0;  ///< metres from the origin, where a float is still exact to 0.06 mm
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void Scene::apply(FrameSnapshot&& snapshot) {
     }
     if (m_deferred.empty() && (m_sendAll || m_bodies.waitingBytes() + m_bodies.newBytes(snapshot) <= m_uploadBudget))
         return applyNow(snapshot);
-    const uint64_t bricks = m_bodies.hold(snapshot);
+    const uint64_t bricks = m_bodies.retainBricks(snapshot);
     m_deferred.push_back({std::move(snapshot), bricks});
 }
 
@@ -39,7 +39,7 @@ void Scene::applyDeferred() {
 }
 
 void Scene::applyNow(FrameSnapshot& snapshot) {
-    bool glassChanged = snapshot.environmentChanged || touchesGlass(snapshot);  // what goes
+    bool glassChanged = snapshot.environmentChanged || touchesGlass(snapshot);  // the glass that it removes
     if (snapshot.replacesAll) {
         m_bodies.clear();
         m_bodies.setMaterials(snapshot.materials);
@@ -49,7 +49,7 @@ void Scene::applyNow(FrameSnapshot& snapshot) {
     for (const BrickChange& change : snapshot.bricks) m_bodies.setBrick(change);
     for (const SnapshotPalette& palette : snapshot.palettes) m_bodies.setPalette(palette);
     for (const SnapshotPose& pose : snapshot.poses) m_bodies.setPose(pose);
-    glassChanged |= touchesGlass(snapshot);  // what comes
+    glassChanged |= touchesGlass(snapshot);  // the glass that it adds
     m_glassChanges += uint64_t(glassChanged);
     m_shadow.apply(snapshot.shadow, snapshot.shadowReplacesAll);
     if (!snapshot.shadowReplacesAll) m_dirtyRegions.add(snapshot.shadow);

@@ -15,49 +15,60 @@ namespace rubble {
 
 struct FrameBlock;
 
-/// The renderer's mirror of the world, fed by snapshots: bodies, shadow volume, lights and environment. [render-thread]
+/// The renderer's copy of the world, fed by snapshots: bodies, shadow volume, lights and environment. [render-thread]
 class Scene {
 public:
-    /// At once, unless its new bricks are more than the budget: then it waits, with all that comes after it, until they
-    /// have been sent, and what is drawn meanwhile is the world before it. A level that replaces all never waits.
+    /// Applies a snapshot at once, unless its new bricks are more than the upload budget. Then it is deferred, with all
+    /// that come after it, until its bricks have been sent; meanwhile the world before it is drawn. A level that
+    /// replaces all is never deferred.
     void apply(FrameSnapshot&& snapshot);
-    /// Bytes of changed bricks to send a frame.
+    /// Bytes of changed bricks to send per frame.
     void setUploadBudget(uint64_t bytes) { m_uploadBudget = bytes; }
-    /// Places what moves and sends what changed to the GPU. Returns the bytes sent.
+    /// Whether indirect light looks up the colours of voxels: see bindVoxelsAt().
+    void setBounceColors(bool wanted) { m_bounceColors = wanted; }
+    /// Interpolates poses (alpha: 0 to 1 between the last two steps) and sends what changed. Returns the bytes sent.
     uint64_t beginFrame(float alpha, glm::dvec3 cameraWorld);
+    /// Forgets the dirty regions: the frame has used them.
+    void endFrame() { m_dirtyRegions.clear(); }
 
+    /// All shapes.
     const Bodies& bodies() const { return m_bodies; }
+    /// All enabled lights, those of fires included.
     const std::vector<SnapshotLight>& lights() const { return m_lights; }
+    /// All particles.
     const std::vector<SnapshotParticle>& particles() const { return m_particles; }
+    /// All ropes.
     const std::vector<SnapshotRope>& ropes() const { return m_ropes; }
+    /// Sun, sky, fog and weather.
     const Environment& environment() const { return m_environment; }
+    /// All waters.
     const std::vector<Water>& waters() const { return m_waters; }
+    /// Rings on all waters.
     const std::vector<SnapshotRipple>& ripples() const { return m_ripples; }
-    /// Of game time, at the step that is drawn.
+    /// Game time of the step that is drawn, in seconds.
     double seconds() const { return m_seconds; }
-    /// Sets the samplers that lib/shadow_trace.glsl reads. The program must be in use.
+    /// Sets the samplers of lib/shadow_trace.glsl. The program must be in use.
     void bindShadow(const Program& program) const { m_shadow.bind(program); }
-    /// Sets the samplers of lib/bodies.glsl and lib/voxel_at.glsl, which are there while the scene mirrors anything.
-    /// The program must be in use.
+    /// Sets the samplers of lib/bodies.glsl and lib/voxel_at.glsl. No voxel is found in a scene in which nothing needs
+    /// them: no reflections, no colours of indirect light. The program must be in use.
     void bindVoxelsAt(const Program& program) const;
     /// Sets the uniforms of lib/smoke_shadow.glsl. The program must be in use.
     void bindSmoke(const Program& program) const { m_smoke.bind(program); }
+    /// The GPU's copy of the shadow volume.
     const GpuShadowVolume& shadow() const { return m_shadow; }
-    /// Its place and extent, for lib/shadow_trace.glsl.
+    /// Sets position and extent of the shadow volume, for lib/shadow_trace.glsl.
     void describeShadow(FrameBlock& block) const;
-    /// Where what casts shadows has changed since endFrame().
+    /// Where shadow casters have changed since endFrame().
     const DirtyRegions& dirtyRegions() const { return m_dirtyRegions; }
-    void endFrame() { m_dirtyRegions.clear(); }
-    /// Any shape with a palette entry of opacity < 255.
+    /// Whether any shape has a palette entry of opacity < 255.
     bool hasGlass() const { return m_bodies.hasGlass(); }
-    /// How often shapes with glass have changed or moved, or the sun has.
+    /// A number that grows when shapes with glass, or the sun, have changed or moved.
     uint64_t glassChanges() const { return m_glassChanges; }
-    /// Any shape with a palette entry smooth enough to mirror.
-    /// Voxels can be looked up for bounced light, not only for mirrors: see bindVoxelsAt().
-    void setBounceColors(bool wanted) { m_bounceColors = wanted; }
+    /// Whether any shape has a palette entry smooth enough for reflection rays.
     bool hasMirrors() const { return m_bodies.hasMirrors(); }
-    /// World position that the GPU's coordinates are relative to: a corner of the shadow volume's sectors.
+    /// The point of the world that GPU coordinates are relative to: a corner of the shadow volume's sectors.
     glm::dvec3 origin() const { return m_origin; }
+    /// GPU memory.
     uint64_t bytes() const {
         return m_bodies.bytes() + m_shadow.bytes() + m_smoke.bytes() + (m_grid ? m_grid->bytes() : 0);
     }
@@ -67,19 +78,19 @@ private:
     bool touchesGlass(const FrameSnapshot& snapshot) const;
     struct Deferred {
         FrameSnapshot snapshot;
-        uint64_t bricksSent;  ///< when it can be applied
+        uint64_t bricksSent;  ///< Bodies::bricksSent() from which on it can be applied
     };
-    /// Leaves the lists of bricks as they are.
+    /// Keeps the snapshot's lists of bricks.
     void applyNow(FrameSnapshot& snapshot);
     void applyDeferred();
     uint64_t updateGrid();
 
     Bodies m_bodies;
-    std::optional<BodyGrid> m_grid;  ///< while anything mirrors, or bounced light has colours
+    std::optional<BodyGrid> m_grid;  ///< while anything needs bindVoxelsAt()
     bool m_bounceColors = false;
     std::deque<Deferred> m_deferred;  ///< oldest first
     uint64_t m_uploadBudget = ~uint64_t(0);
-    bool m_sendAll = false;  ///< a level was loaded
+    bool m_sendAll = false;  ///< a level was loaded: the next frame ignores the budget
     GpuShadowVolume m_shadow;
     DirtyRegions m_dirtyRegions;
     SmokeShadow m_smoke;

@@ -7,8 +7,8 @@
 namespace rubble {
 namespace {
 
-constexpr int kBlock = 32;              ///< bricks: changes closer than that are looked at together
-constexpr int64_t kSmallBox = 1 << 18;  ///< bricks: as one box
+constexpr int kBlock = 32;              ///< bricks: changes within a block of this side are swept as one box
+constexpr int64_t kSmallBox = 1 << 18;  ///< bricks: all changes within a box of this volume are swept as one box
 
 int64_t volume(glm::ivec3 size) {
     return int64_t(size.x) * size.y * size.z;
@@ -54,7 +54,7 @@ std::vector<SkipDistances::Box> SkipDistances::dirtyBoxes() {
     return boxes;
 }
 
-/// A cube is one larger than the smallest of the seven that begin one brick on: far ones first.
+/// Solves the recurrence around a box of changed bricks for one octant, from far bricks to near ones.
 void SkipDistances::sweep(const Box& dirty, int octant) {
     glm::ivec3 low = dirty.low, high = dirty.high, step;
     for (int a = 0; a < 3; ++a) {
@@ -77,7 +77,8 @@ void SkipDistances::sweep(const Box& dirty, int octant) {
             uint8_t* side = &sides[row];
             const uint8_t* occupied = &m_occupied[row];
             size_t index = indexOf(brick);
-            // The four columns beside this one, as a minimum that goes along.
+            // Of the seven cubes one on, three begin beside this brick and four one step along x: their minimum is the
+            // last step's, because this row is walked along x.
             const auto beside = [&](const uint8_t* at) { return std::min(std::min(at[y], at[z]), at[y + z]); };
             uint8_t behind = std::min(side[x], beside(side + x));
             for (int i = 0; i < count.x; ++i, side -= x, occupied -= x, index -= size_t(x)) {

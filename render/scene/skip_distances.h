@@ -6,24 +6,30 @@
 
 namespace rubble {
 
-/// For each brick of a box and each octant of directions (bit a of its number set: down axis a) the side of the largest
-/// empty cube that has this brick in its corner and lies ahead. Exact after every update, which costs what changed and
-/// its neighbourhood.
+/// How far rays may skip over empty bricks. For each brick of a box and each octant of directions (bit a of its number:
+/// down axis a) this is the side of the largest empty cube that has the brick in its corner and lies ahead.
+///
+/// Derivation. Let s(p) be that side for the octant of +x, +y, +z; 0 if brick p is occupied. A cube of side n + 1 at p
+/// is p itself and the seven cubes of side n that begin one brick on along any of the axes, which overlap but leave
+/// nothing out. So s(p) = 1 + min over those seven of s, the recurrence of the largest-square problem in three
+/// dimensions, and one sweep against the octant's direction solves it. A changed brick can change s only behind it, up
+/// to kMaxDistance - 1 bricks away along each axis: an update sweeps that neighbourhood and is exact.
 class SkipDistances {
 public:
-    static constexpr int kMaxDistance = 15;  ///< bricks: no cube is larger
+    static constexpr int kMaxDistance = 15;  ///< bricks: larger cubes count as this one, which fits 4 bits
 
-    /// All empty. What lies outside the box always is.
+    /// A box of this size with all bricks empty. Bricks outside the box are always empty.
     void reset(glm::ivec3 size);
+    /// Marks a brick; the distances follow with update().
     void set(glm::ivec3 brick, bool occupied);
-    /// Works out what the calls of set() since the last one changed: the indices of the bricks whose cubes are others
-    /// now.
+    /// Brings the distances up to date. Returns the indices of the bricks whose distances changed, ascending.
     const std::vector<size_t>& update();
 
+    /// The index of a brick, x fastest.
     size_t indexOf(glm::ivec3 brick) const {
         return (size_t(brick.z) * size_t(m_size.y) + size_t(brick.y)) * size_t(m_size.x) + size_t(brick.x);
     }
-    /// Four bits for each octant from the lowest on; 0 if the brick is occupied.
+    /// The distances of a brick: 4 bits for each octant, the first one lowest; 0 if the brick is occupied.
     uint32_t at(size_t index) const { return m_skips[index]; }
 
 private:
@@ -39,9 +45,9 @@ private:
 
     glm::ivec3 m_size{0};
     std::vector<uint8_t> m_occupied;              ///< with a border of one brick, as m_sides
-    std::array<std::vector<uint8_t>, 8> m_sides;  ///< by octant
-    std::vector<uint32_t> m_skips;                ///< the same, packed
-    std::vector<glm::ivec3> m_touched;            ///< by set()
+    std::array<std::vector<uint8_t>, 8> m_sides;  ///< distances by octant
+    std::vector<uint32_t> m_skips;                ///< the same, packed, without the border
+    std::vector<glm::ivec3> m_touched;            ///< bricks changed by set() since the last update()
     std::vector<size_t> m_changed;
 };
 

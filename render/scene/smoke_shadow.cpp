@@ -8,9 +8,9 @@
 namespace rubble {
 namespace {
 
-constexpr int kSide = 64;
-constexpr float kMinCell = 0.0625f;
-constexpr float kThickness = 1.8f;  ///< optical depth of an opaque puff through its middle
+constexpr int kSide = 64;            ///< texels
+constexpr float kMinCell = 0.0625f;  ///< metres per texel
+constexpr float kThickness = 1.8f;   ///< optical depth of an opaque puff through its centre
 
 }  // namespace
 
@@ -39,12 +39,12 @@ void SmokeShadow::listPuffs(std::span<const SnapshotParticle> particles, glm::dv
     }
 }
 
-/// Fits the map around the gas in steps, so that its texels stay where they are from frame to frame.
+/// Fits the map around the gas, at multiples of its texel size, so that texels keep their positions between frames.
 void SmokeShadow::fitMap() {
     glm::vec2 low(1e30f), high(-1e30f);
     for (const Puff& puff : m_puffs) {
-        low = glm::min(low, glm::vec2(puff.place) - puff.radius);
-        high = glm::max(high, glm::vec2(puff.place) + puff.radius);
+        low = glm::min(low, glm::vec2(puff.position) - puff.radius);
+        high = glm::max(high, glm::vec2(puff.position) + puff.radius);
     }
     const float extent = std::max(high.x - low.x, high.y - low.y);
     m_cell = kMinCell;
@@ -53,9 +53,9 @@ void SmokeShadow::fitMap() {
 }
 
 void SmokeShadow::splat(const Puff& puff) {
-    const glm::vec2 middle = (glm::vec2(puff.place) - m_corner) / m_cell - 0.5f;
+    const glm::vec2 middle = (glm::vec2(puff.position) - m_corner) / m_cell - 0.5f;
     const float radius = std::max(puff.radius / m_cell, 0.75f), inverse = 1.0f / (radius * radius);
-    // What is smaller than a texel takes less from all of it.
+    // A puff smaller than a texel is spread over it.
     const float thickness =
         puff.thickness * std::min(1.0f, puff.radius * puff.radius / (m_cell * m_cell * radius * radius));
     const glm::ivec2 low = glm::max(glm::ivec2(glm::ceil(middle - radius)), 0),
@@ -65,7 +65,7 @@ void SmokeShadow::splat(const Puff& puff) {
             const float dx = float(x) - middle.x, dy = float(y) - middle.y,
                         inside = 1.0f - (dx * dx + dy * dy) * inverse;
             if (inside <= 0.0f) continue;
-            const float depth = thickness * inside * inside, along = puff.place.z;
+            const float depth = thickness * inside * inside, along = puff.position.z;
             m_texels[size_t(y) * kSide + size_t(x)] += glm::vec4(depth, depth * along, depth * along * along, 0.0f);
         }
 }

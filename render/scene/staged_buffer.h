@@ -1,5 +1,7 @@
 #pragma once
 #include <algorithm>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "render/gl/texture.h"
@@ -7,19 +9,22 @@
 
 namespace rubble {
 
-/// An array in main memory with a copy that shaders read. Writing marks a page; upload() sends the marked pages only.
+/// An array in main memory with a copy that shaders read. Writing marks a page; upload() sends only marked pages.
 template <class T>
 class StagedBuffer {
 public:
+    /// name: for messages; must outlive it.
     StagedBuffer(GLenum texelFormat, const char* name) : m_texture(texelFormat), m_name(name) {}
 
+    /// Number of elements.
     size_t size() const { return m_data.size(); }
+    /// New elements are sent only when they are changed.
     void resize(size_t count) {
         m_data.resize(count);
         m_pageDirty.resize((count + kPage - 1) / kPage, 0);
     }
     const T& operator[](size_t i) const { return m_data[i]; }
-    /// For writing: element i will be uploaded.
+    /// Element i for writing; the next upload() sends it.
     T& change(size_t i) {
         const size_t page = i / kPage;
         if (!m_pageDirty[page]) m_dirty.push_back(page);
@@ -27,12 +32,13 @@ public:
         return m_data[i];
     }
 
-    /// Returns the bytes sent. What the GL has no room for is logged and stays out of the picture.
+    /// Sends what has changed. Returns the bytes sent. What the GL has no room for is dropped, with an error in the
+    /// log.
     uint64_t upload() {
         if (m_dirty.empty()) return 0;
         if (!m_texture.reserve(m_data.size() * sizeof(T))) {
             logError(std::string(m_name) + ": full at " + std::to_string(m_texture.bytes()) +
-                     " bytes, the largest buffer texture of this GL");
+                     " bytes, the largest buffer texture of this GL; what is beyond is not drawn");
             m_data.resize(m_texture.bytes() / sizeof(T));
         }
         std::sort(m_dirty.begin(), m_dirty.end());
@@ -51,6 +57,7 @@ public:
         m_dirty.clear();
         return sent;
     }
+    /// The copy that shaders read.
     const BufferTexture& texture() const { return m_texture; }
 
 private:

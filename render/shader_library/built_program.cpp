@@ -10,10 +10,10 @@ BuiltProgram::BuiltProgram(std::string fragmentFile, std::string vertexFile)
       m_vertexFile(std::move(vertexFile)),
       m_files{m_vertexFile, m_fragmentFile} {}
 
-BuiltProgram::BuiltProgram(std::string fragmentFile, FullscreenKind kind, FullscreenMethod by)
-    : BuiltProgram(std::move(fragmentFile), by == FullscreenMethod::Fragment ? kind.vertexFile : "") {
+BuiltProgram::BuiltProgram(std::string fragmentFile, FullscreenKind kind, FullscreenMethod method)
+    : BuiltProgram(std::move(fragmentFile), method == FullscreenMethod::Fragment ? kind.vertexFile : "") {
     m_kind = std::move(kind);
-    m_by = by;
+    m_method = method;
 }
 
 bool BuiltProgram::build(const std::filesystem::path& folder, const ShaderBuild& how) {
@@ -24,8 +24,8 @@ bool BuiltProgram::build(const std::filesystem::path& folder, const ShaderBuild&
         m_error = vertex ? read.error() : vertex.error();
         return false;
     }
-    ShaderSource main = m_by ? asFullscreen(*read, m_kind, *m_by) : *read, place = *vertex;
-    if (m_by == FullscreenMethod::Fragment && how.uniformsAsVaryings) passUniformsAsVaryings(place, main);
+    ShaderSource main = m_method ? asFullscreen(*read, m_kind, *m_method) : *read, place = *vertex;
+    if (m_method == FullscreenMethod::Fragment && how.uniformsAsVaryings) passUniformsAsVaryings(place, main);
     m_files = vertex->files;
     m_files.insert(m_files.end(), main.files.begin(), main.files.end());
     m_newest = newest(folder);

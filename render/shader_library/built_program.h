@@ -9,36 +9,39 @@
 
 namespace rubble {
 
-/// How a GL wants its shaders.
+/// What the context asks of shader sources.
 struct ShaderBuild {
     std::string defines;              ///< see readShader()
-    bool uniformsAsVaryings = false;  ///< full-screen fragment programs: see passUniformsAsVaryings()
+    bool uniformsAsVaryings = false;  ///< of full-screen fragment programs: see passUniformsAsVaryings()
 };
 
-/// A program, the files that it is built from, and what is wrong with them as they are now.
+/// A program, the files that it is built from, and the error in them, if they do not build as they are now.
 class BuiltProgram {
 public:
-    /// Nothing is built yet.
+    /// A program of a fragment and a vertex shader, not built yet. Files are relative to the shader folder.
     BuiltProgram(std::string fragmentFile, std::string vertexFile);
-    /// Of a shader that covers its targets.
-    BuiltProgram(std::string fragmentFile, FullscreenKind kind, FullscreenMethod by);
+    /// A full-screen program, not built yet.
+    BuiltProgram(std::string fragmentFile, FullscreenKind kind, FullscreenMethod method);
 
-    /// From what the files hold now. False on an error; the last good program stays.
+    /// Builds it from what the files hold now. False on an error: the last good program stays.
     bool build(const std::filesystem::path& folder, const ShaderBuild& how = {});
+    /// Whether one of its files is newer than at the last build().
     bool hasChanged(const std::filesystem::path& folder) const { return newest(folder) > m_newest; }
+    /// Whether it is the plain program of these two files.
     bool isOf(const std::string& fragmentFile, const std::string& vertexFile) const {
-        return !m_by && m_fragmentFile == fragmentFile && m_vertexFile == vertexFile;
+        return !m_method && m_fragmentFile == fragmentFile && m_vertexFile == vertexFile;
     }
+    /// The last one that was built without an error; empty: none.
     const Program& program() const { return m_program; }
-    /// With file and line; empty: none.
+    /// What the last build() failed with, with file and line; empty: it did not fail.
     const std::string& error() const { return m_error; }
 
 private:
     std::filesystem::file_time_type newest(const std::filesystem::path& folder) const;
 
-    std::string m_fragmentFile, m_vertexFile;  ///< no vertex file: a compute program
+    std::string m_fragmentFile, m_vertexFile;  ///< without a vertex file: a compute program
     FullscreenKind m_kind;
-    std::optional<FullscreenMethod> m_by;  ///< none: a plain program
+    std::optional<FullscreenMethod> m_method;  ///< none: a plain program
     std::vector<std::string> m_files;
     std::filesystem::file_time_type m_newest{};
     Program m_program;

@@ -17,7 +17,7 @@ void FullscreenChoice::beginPass(const char* name) {
     m_hasDrawnByCompute = false;
     if (!m_measures) return;
     m_now = &m_passes[name];
-    if (!m_now->isDecided) m_now->by = m_now->frames++ % 2 ? FullscreenMethod::Compute : FullscreenMethod::Fragment;
+    if (!m_now->isDecided) m_now->method = m_now->frames++ % 2 ? FullscreenMethod::Compute : FullscreenMethod::Fragment;
 }
 
 double FullscreenChoice::median(std::vector<double> values) {
@@ -26,7 +26,7 @@ double FullscreenChoice::median(std::vector<double> values) {
     return *middle;
 }
 
-void FullscreenChoice::addPassTimes(const Times& passMs) {
+void FullscreenChoice::addPassTimes(const PassTimer::Times& passMs) {
     if (!m_measures) return;
     for (const auto& [name, ms] : passMs) {
         const auto found = m_passes.find(std::string_view(name));
@@ -34,10 +34,10 @@ void FullscreenChoice::addPassTimes(const Times& passMs) {
         Pass& pass = found->second;
         std::vector<double>& fragment = pass.ms[size_t(FullscreenMethod::Fragment)];
         std::vector<double>& compute = pass.ms[size_t(FullscreenMethod::Compute)];
-        pass.ms[size_t(pass.by)].push_back(ms);
+        pass.ms[size_t(pass.method)].push_back(ms);
         if (fragment.size() < kWarmUpFrames + kTimedFrames || compute.size() < kWarmUpFrames + kTimedFrames) continue;
         for (auto* times : {&fragment, &compute}) *times = {median({times->begin() + kWarmUpFrames, times->end()})};
-        pass.by = compute[0] < fragment[0] ? FullscreenMethod::Compute : FullscreenMethod::Fragment;
+        pass.method = compute[0] < fragment[0] ? FullscreenMethod::Compute : FullscreenMethod::Fragment;
         pass.isDecided = pass.isUnreported = true;
     }
 }
@@ -45,15 +45,15 @@ void FullscreenChoice::addPassTimes(const Times& passMs) {
 std::string FullscreenChoice::takeDecisions() {
     const auto isMeasured = [](const auto& each) { return each.second.isUsed && !each.second.isDecided; };
     if (std::any_of(m_passes.begin(), m_passes.end(), isMeasured)) return {};
-    std::ostringstream news;
+    std::ostringstream decisions;
     for (auto& [name, pass] : m_passes) {
         if (!std::exchange(pass.isUnreported, false)) continue;
-        const bool byCompute = pass.by == FullscreenMethod::Compute;
-        news << (news.tellp() > 0 ? ", " : "") << name << (byCompute ? " by compute (" : " by fragments (")
-             << std::fixed << std::setprecision(3) << pass.ms[size_t(pass.by)][0] << " ms, the other way "
-             << pass.ms[byCompute ? 0 : 1][0] << ")";
+        const bool byCompute = pass.method == FullscreenMethod::Compute;
+        decisions << (decisions.tellp() > 0 ? ", " : "") << name << (byCompute ? " by compute (" : " by fragments (")
+                  << std::fixed << std::setprecision(3) << pass.ms[size_t(pass.method)][0] << " ms instead of "
+                  << pass.ms[byCompute ? 0 : 1][0] << ")";
     }
-    return news.str();
+    return decisions.str();
 }
 
 }  // namespace rubble

@@ -1,50 +1,51 @@
 #pragma once
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "render/gl/pass_timer.h"
 #include "render/shader_library/fullscreen_source.h"
 
 namespace rubble {
 
-/// By what each pass draws its full-screen programs. Where it is to be found out, a pass draws its first frames by
-/// turns both ways, the same picture, and stays with what was faster.
+/// Decides for each pass by which method its full-screen programs are drawn: always by one, or by the faster one. To
+/// find that out a pass alternates between both in its first frames, which gives the same image, and keeps the one with
+/// the smaller median time.
 class FullscreenChoice {
 public:
-    using Times = std::vector<std::pair<const char*, double>>;  ///< milliseconds by pass, as in RenderFigures
-    static constexpr int kWarmUpFrames = 2,
-                         kTimedFrames = 7;  ///< frames each way: drivers finish programs in their first
+    static constexpr int kWarmUpFrames =
+        2;                                  ///< of each method, not timed: drivers finish programs in their first draws
+    static constexpr int kTimedFrames = 7;  ///< of each method
 
-    /// Of all passes.
+    /// Always this method, for all passes.
     explicit FullscreenChoice(FullscreenMethod always) : m_always(always), m_measures(false) {}
-    /// For each pass what is faster.
+    /// The faster method for each pass.
     static FullscreenChoice fastest();
 
-    /// This pass draws from here on.
+    /// What follows is drawn by this pass.
     void beginPass(const char* name);
-    /// By what.
-    FullscreenMethod by() const { return m_now ? m_now->by : m_always; }
-    /// By what from now on: nothing else is needed any more.
+    /// The method of the current pass.
+    FullscreenMethod method() const { return m_now ? m_now->method : m_always; }
+    /// Whether the current pass keeps its method: programs of the other one can be freed.
     bool isDecided() const { return !m_measures || (m_now && m_now->isDecided); }
-    /// The pass has drawn a full-screen program, by that.
-    void recordDraw(FullscreenMethod by) {
+    /// The current pass has drawn a full-screen program by this method.
+    void recordDraw(FullscreenMethod method) {
         if (m_now) m_now->isUsed = true;
-        m_hasDrawnByCompute |= by == FullscreenMethod::Compute;
+        m_hasDrawnByCompute |= method == FullscreenMethod::Compute;
     }
-    /// Since beginPass(), any of its programs by compute.
+    /// Whether the current pass has drawn by compute since beginPass().
     bool hasDrawnByCompute() const { return m_hasDrawnByCompute; }
-    /// What the last frame's passes took.
-    void addPassTimes(const Times& passMs);
-    /// The passes that have been decided since it was last asked, in words; empty: none, or some are still measured.
+    /// The times of the last frame's passes.
+    void addPassTimes(const PassTimer::Times& passMs);
+    /// What has been decided since the last call, for a log; empty while any pass is still measured.
     std::string takeDecisions();
 
 private:
     struct Pass {
-        FullscreenMethod by = FullscreenMethod::Fragment;
+        FullscreenMethod method = FullscreenMethod::Fragment;
         bool isUsed = false, isDecided = false, isUnreported = false;
         int frames = 0;
-        std::vector<double> ms[2];
+        std::vector<double> ms[2];  ///< by method; its median alone, once decided
     };
     static double median(std::vector<double> values);
 

@@ -8,14 +8,14 @@
 namespace rubble {
 namespace {
 
-/// The parts of a shader that depend on what draws it.
+/// A shader, taken apart for the main() that is put around it.
 struct Parts {
-    std::string body;                  ///< main() is drawPixel(), `uv` a variable
-    std::vector<std::string> outputs;  ///< by location
+    std::string body;                  ///< main() is renamed drawPixel(), `uv` is a variable
+    std::vector<std::string> outputs;  ///< names by location
     bool readsUv = false, discards = false;
 };
 
-Parts partsOf(const ShaderSource& source, FullscreenMethod by) {
+Parts partsOf(const ShaderSource& source, FullscreenMethod method) {
     static const std::regex main(R"(^\s*void\s+main\s*\(\s*\))"), uv(R"(^\s*in\s+vec2\s+uv\s*;)"),
         fragCoord(R"(\bgl_FragCoord\b)");
     static const std::regex output(R"(^\s*(?:layout\s*\(\s*location\s*=\s*(\d+)\s*\)\s*)?out\s+vec4\s+(\w+)\s*;)"),
@@ -30,7 +30,7 @@ Parts partsOf(const ShaderSource& source, FullscreenMethod by) {
             line = std::regex_replace(line, uv, "vec2 uv;");
             parts.readsUv = true;
         }
-        if (by == FullscreenMethod::Compute) {
+        if (method == FullscreenMethod::Compute) {
             if (std::regex_search(line, match, output)) {
                 const size_t location = match[1].matched ? size_t(std::stoul(match[1].str())) : 0;
                 parts.outputs.resize(std::max(parts.outputs.size(), location + 1));
@@ -54,6 +54,7 @@ std::string fragmentMain(const Parts& parts) {
            "    drawPixel();\n}\n";
 }
 
+/// The expression that is stored into an image, as blending would.
 std::string merged(Merge merge, const std::string& now, const std::string& image) {
     const std::string old = "imageLoad(" + image + ", pixel)";
     switch (merge) {
@@ -96,10 +97,10 @@ std::string computeMain(const Parts& parts, const FullscreenKind& kind) {
 
 }  // namespace
 
-ShaderSource asFullscreen(ShaderSource source, const FullscreenKind& kind, FullscreenMethod by) {
-    const Parts parts = partsOf(source, by);
+ShaderSource asFullscreen(ShaderSource source, const FullscreenKind& kind, FullscreenMethod method) {
+    const Parts parts = partsOf(source, method);
     source.text = parts.body;
-    if (by == FullscreenMethod::Fragment) {
+    if (method == FullscreenMethod::Fragment) {
         source.text += fragmentMain(parts);
         return source;
     }

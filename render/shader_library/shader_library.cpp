@@ -26,7 +26,7 @@ FullscreenProgram& ShaderLibrary::loadFullscreen(const std::string& file, const 
     if (m_fullscreen != Fullscreen::Compute) program->make(FullscreenMethod::Fragment).build(m_folder, m_build);
     if (m_fullscreen != Fullscreen::Fragment && !program->make(FullscreenMethod::Compute).build(m_folder, m_build) &&
         m_fullscreen == Fullscreen::Both) {
-        logWarning("fragments draw what does not build as a compute program: " +
+        logWarning("a compute program does not build, so fragments draw it: " +
                    program->built(FullscreenMethod::Compute)->error());
         program->release(FullscreenMethod::Compute);
     }
@@ -38,8 +38,8 @@ template <class F>
 void ShaderLibrary::forEach(F&& visit) const {
     for (const auto& built : m_programs) visit(*built);
     for (const auto& program : m_fullscreenPrograms)
-        for (const FullscreenMethod by : {FullscreenMethod::Fragment, FullscreenMethod::Compute})
-            if (auto& built = program->built(by)) visit(*built);
+        for (const FullscreenMethod method : {FullscreenMethod::Fragment, FullscreenMethod::Compute})
+            if (auto& built = program->built(method)) visit(*built);
 }
 
 bool ShaderLibrary::reloadChanged() {

@@ -8,30 +8,32 @@
 
 namespace rubble {
 
-/// Every program of the renderer, built from the files of shaders/. A program that fails is empty (its pass is skipped)
-/// and its error, with file and line, is in errors(). [render-thread]
+/// Owns every program of the renderer, built from the files of shaders/. A program that fails to build is empty, so its
+/// pass is skipped, and errors() says why. [render-thread]
 class ShaderLibrary {
 public:
-    /// What shaders that cover their targets are built as.
+    /// As what full-screen shaders are built.
     enum class Fullscreen {
         Fragment,
         Compute,
-        Both,  ///< a compute program that does not build is none: the fragment program draws
+        Both,  ///< the fragment program alone, where the compute program does not build
     };
-    /// textureUnits: that a program may use, 0: what the GL has. Below kTextureUnits shaders do without what asks for
-    /// many (FEW_TEXTURE_UNITS).
+    /// textureUnits: how many a program may use; 0: as many as the GL has. With fewer than kTextureUnits shaders leave
+    /// out what needs many (FEW_TEXTURE_UNITS).
     explicit ShaderLibrary(std::filesystem::path folder, Fullscreen fullscreen = Fullscreen::Fragment,
                            int textureUnits = 0);
 
-    /// Files under the shader folder. The reference stays valid; a reload puts a new program into it.
+    /// The program of these files, relative to the shader folder, built at the first call. The reference stays valid; a
+    /// reload puts a new program into it.
     const Program& load(const std::string& fragmentFile, const std::string& vertexFile = "lib/fullscreen.vert");
-    /// A shader that covers its targets. The reference stays valid.
+    /// A full-screen shader, built at the first call. The reference stays valid.
     FullscreenProgram& loadFullscreen(const std::string& file, const FullscreenKind& kind = {});
-    /// Rebuilds what uses a file that changed on disk; on an error the last good program stays. True if any was
+    /// Rebuilds the programs whose files changed on disk; on an error the last good program stays. True if any was
     /// rebuilt.
     bool reloadChanged();
-    /// Of the programs whose files do not build as they are now, with file and line.
+    /// The errors of the programs that do not build as they are now, with file and line.
     std::vector<std::string> errors() const;
+    /// Number of compute programs held.
     int computePrograms() const;
 
 private:

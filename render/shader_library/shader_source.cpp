@@ -18,7 +18,7 @@ std::optional<std::string> includedFile(const std::string& line) {
     return match[1].str();
 }
 
-/// Appends a file to the source; returns what went wrong, or nothing.
+/// Appends a file, with its includes, to the source. Returns an error or an empty text. from: where it is included.
 std::string append(const std::filesystem::path& folder, const std::string& file, const std::string& from,
                    ShaderSource& source) {
     if (std::find(source.files.begin(), source.files.end(), file) != source.files.end()) return {};
@@ -42,7 +42,7 @@ std::string append(const std::filesystem::path& folder, const std::string& file,
 }  // namespace
 
 std::string ShaderSource::explain(const std::string& log) const {
-    // Mesa "0:12(5): error", NVIDIA "0(12) : error", ANGLE "ERROR: 0:12: ...".
+    // Mesa writes "0:12(5): error", NVIDIA "0(12) : error", ANGLE "ERROR: 0:12: ...".
     static const std::regex pattern(R"(\b0(?::(\d+)(\(\d+\))?|\((\d+)\)))");
     std::istringstream in(log);
     std::string line, out;

@@ -7,8 +7,8 @@
 
 namespace rubble {
 
-/// One shader file with its #includes put in place, and where each of its lines came from: Mesa ignores the source
-/// number of #line, so error messages are translated with this table instead.
+/// A shader file with its #includes expanded, and where each line came from. Error messages are translated by this
+/// table, because Mesa ignores the source number of #line.
 struct ShaderSource {
     struct Line {
         int file;  ///< index into files
@@ -18,12 +18,13 @@ struct ShaderSource {
     std::vector<Line> lines;         ///< of text, in order
     std::vector<std::string> files;  ///< relative to the shader folder; the first is the shader itself
 
-    /// A GL's log with its line numbers replaced by file:line.
+    /// The GL's log with its line numbers replaced by file:line.
     std::string explain(const std::string& log) const;
 };
 
-/// Reads `file` under `folder`; `#include "x"` is looked for under folder too and put in once. Puts `#version 330 core`
-/// first. defines: lines of preprocessor that come before the file.
+/// Reads `file` under `folder`, behind `#version 330 core` and `defines` (whole lines). `#include "x"` is looked for
+/// under `folder` too; each file is included once. An error names the file that is missing and the line that asks for
+/// it.
 Result<ShaderSource> readShader(const std::filesystem::path& folder, const std::string& file,
                                 const std::string& defines = {});
 

@@ -13,6 +13,7 @@ constexpr std::string_view kBlockBegin = "layout(std140) uniform FrameBlock {", 
 
 using TypeByName = std::map<std::string, std::string, std::less<>>;
 
+/// The types and names that a pattern with two groups finds.
 TypeByName declarations(const std::string& text, const std::regex& declaration) {
     TypeByName found;
     for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at)
@@ -20,26 +21,26 @@ TypeByName declarations(const std::string& text, const std::regex& declaration) 
     return found;
 }
 
-/// From the block's first line to its end; empty if there is none.
+/// The declaration of the block `frame`; empty if there is none.
 std::string_view frameBlock(std::string_view text) {
     const size_t begin = text.find(kBlockBegin);
     if (begin == std::string_view::npos) return {};
     return text.substr(begin, text.find(kBlockEnd, begin) + kBlockEnd.size() - begin);
 }
 
-bool isOfWord(char c) {
+bool isIdentifierChar(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-/// Calls visit(word, what follows it) for each identifier; what it returns takes the place of the word and, where it
-/// says so, of what follows.
+/// Replaces each identifier by what visit(word, rest, taken) returns. `rest` is the text behind the word; visit may
+/// raise `taken`, the number of characters that are replaced, which starts as the word's length.
 template <class Visit>
 std::string replaceWords(std::string_view text, Visit&& visit) {
     std::string out;
     out.reserve(text.size() + text.size() / 8);
     for (size_t i = 0; i < text.size();) {
         size_t end = i;
-        while (end < text.size() && isOfWord(text[end])) ++end;
+        while (end < text.size() && isIdentifierChar(text[end])) ++end;
         if (end == i) {
             out += text[i++];
             continue;
@@ -53,7 +54,7 @@ std::string replaceWords(std::string_view text, Visit&& visit) {
 
 std::string_view firstWord(std::string_view text) {
     size_t end = 0;
-    while (end < text.size() && isOfWord(text[end])) ++end;
+    while (end < text.size() && isIdentifierChar(text[end])) ++end;
     return text.substr(0, end);
 }
 
@@ -64,8 +65,8 @@ void passUniformsAsVaryings(ShaderSource& vertex, ShaderSource& fragment) {
         member(R"(\b([iu]?vec4|mat4)\s+(\w+)\s*;)");
     const std::string block(frameBlock(fragment.text));
     const TypeByName uniforms = declarations(fragment.text, uniform), members = declarations(block, member);
-    TypeByName flat;  // by what they are called in the fragment program
-    std::string copies;
+    TypeByName flat;     // the flat inputs, by their names in the fragment program
+    std::string copies;  // assignments that end the vertex program
     const auto pass = [&](const std::string& name, const std::string& type, const std::string& from) {
         if (flat.emplace(name, type).second) copies += "    " + name + " = " + from + ";\n";
         return name;
@@ -83,6 +84,7 @@ void passUniformsAsVaryings(ShaderSource& vertex, ShaderSource& fragment) {
                 return pass("flat_" + found->first, found->second, found->first);
             return std::string(word);
         });
+    // A uniform's declaration becomes that of its input; inputs for members of `frame` go before the block.
     std::string inputs, outputs;
     for (const auto& [name, type] : flat) {
         outputs += "flat out " + type + " " + name + ";\n";
@@ -91,6 +93,7 @@ void passUniformsAsVaryings(ShaderSource& vertex, ShaderSource& fragment) {
     fragment.text = std::regex_replace(fragment.text, uniform, "flat in $1 $2;");
     if (const size_t at = fragment.text.find(kBlockBegin); at != std::string::npos) fragment.text.insert(at, inputs);
 
+    // The vertex program declares what the fragment program read, calls its own main() and writes the outputs.
     const TypeByName already = declarations(vertex.text, uniform);
     std::string& text = vertex.text;
     text = std::regex_replace(text, std::regex(R"(\bvoid\s+main\s*\()"), "void place(");

@@ -3,10 +3,10 @@
 
 namespace rubble {
 
-/// Lets a fragment program read its uniforms, and the members of `frame`, as flat inputs that its vertex program
-/// writes: the same numbers. llvmpipe reads a component of a uniform by eight loads, some thirty instructions for eight
-/// pixels, and one of a flat input by one. For programs of a few large triangles, on software renderers; on a GPU a
-/// uniform is the cheaper one. Arrays and bools stay uniforms. Lines keep their places, for explain().
+/// Makes a fragment program read its uniforms, and the members of `frame`, as flat inputs that its vertex program
+/// writes. The values are the same. llvmpipe reads a component of a uniform by eight loads, about thirty instructions
+/// for eight pixels, but a flat input by one. This is for programs of a few large triangles on software renderers; on a
+/// GPU uniforms are cheaper. Arrays and bools stay uniforms. Lines keep their numbers, for ShaderSource::explain().
 void passUniformsAsVaryings(ShaderSource& vertex, ShaderSource& fragment);
 
 }  // namespace rubble

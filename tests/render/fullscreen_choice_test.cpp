@@ -14,12 +14,13 @@ struct Cost {
     bool isFullscreen = true;
 };
 void drawFrame(FullscreenChoice& choice, std::initializer_list<Cost> costs, double disturbance = 0.0) {
-    FullscreenChoice::Times times;
+    PassTimer::Times times;
     for (const Cost& cost : costs) {
         choice.beginPass(cost.pass);
-        const FullscreenMethod by = choice.by();
-        if (cost.isFullscreen) choice.recordDraw(by);
-        times.emplace_back(cost.pass, (by == FullscreenMethod::Compute ? cost.compute : cost.fragment) + disturbance);
+        const FullscreenMethod method = choice.method();
+        if (cost.isFullscreen) choice.recordDraw(method);
+        const double milliseconds = method == FullscreenMethod::Compute ? cost.compute : cost.fragment;
+        times.emplace_back(cost.pass, milliseconds + disturbance);
     }
     choice.addPassTimes(times);
 }
@@ -27,14 +28,14 @@ void drawFrame(FullscreenChoice& choice, std::initializer_list<Cost> costs, doub
 FullscreenMethod chosen(FullscreenChoice& choice, const char* pass) {
     choice.beginPass(pass);
     EXPECT_TRUE(choice.isDecided()) << pass;
-    return choice.by();
+    return choice.method();
 }
 
 TEST(FullscreenChoice, IsTheRequestedMethod) {
-    for (const FullscreenMethod by : {FullscreenMethod::Fragment, FullscreenMethod::Compute}) {
-        FullscreenChoice choice(by);
+    for (const FullscreenMethod method : {FullscreenMethod::Fragment, FullscreenMethod::Compute}) {
+        FullscreenChoice choice(method);
         drawFrame(choice, {{"sun", 1.0, 9.0}});
-        EXPECT_EQ(choice.by(), by);
+        EXPECT_EQ(choice.method(), method);
         EXPECT_TRUE(choice.isDecided());
         EXPECT_EQ(choice.takeDecisions(), "");
     }
@@ -46,7 +47,7 @@ TEST(FullscreenChoice, EachPassKeepsTheFasterMethod) {
         EXPECT_EQ(choice.takeDecisions(), "") << "in frame " << frame;
         const bool isFirst = frame < 2 * FullscreenChoice::kWarmUpFrames,
                    isDisturbed = frame == 2 * FullscreenChoice::kWarmUpFrames;
-        // What the first frames say is the opposite; one later frame is far off.
+        // The first frames suggest the opposite, and one later frame is an outlier.
         if (isFirst)
             drawFrame(choice, {{"sun", 0.1, 9.0}, {"sky", 9.0, 0.1}, {"gbuffer", 1.0, 1.0, false}});
         else
@@ -56,8 +57,8 @@ TEST(FullscreenChoice, EachPassKeepsTheFasterMethod) {
     EXPECT_EQ(chosen(choice, "sun"), FullscreenMethod::Compute);
     EXPECT_EQ(chosen(choice, "sky"), FullscreenMethod::Fragment);
     EXPECT_EQ(choice.takeDecisions(),
-              "sky by fragments (2.000 ms, the other way 3.000), sun by compute (2.000 ms, the other way 3.000)");
-    EXPECT_EQ(choice.takeDecisions(), "") << "it is said once";
+              "sky by fragments (2.000 ms instead of 3.000), sun by compute (2.000 ms instead of 3.000)");
+    EXPECT_EQ(choice.takeDecisions(), "") << "a decision is reported once";
 }
 
 TEST(FullscreenChoice, ALaterPassIsMeasuredWhenItStarts) {
@@ -68,8 +69,8 @@ TEST(FullscreenChoice, ALaterPassIsMeasuredWhenItStarts) {
         EXPECT_EQ(choice.takeDecisions(), "");
         drawFrame(choice, {{"sun", 1.0, 9.0}, {"fog", 5.0, 4.0}});
     }
-    EXPECT_EQ(choice.takeDecisions(), "fog by compute (4.000 ms, the other way 5.000)");
-    EXPECT_EQ(chosen(choice, "sun"), FullscreenMethod::Compute) << "what is decided stays";
+    EXPECT_EQ(choice.takeDecisions(), "fog by compute (4.000 ms instead of 5.000)");
+    EXPECT_EQ(chosen(choice, "sun"), FullscreenMethod::Compute) << "a decision stays";
 }
 
 TEST(FullscreenChoice, FragmentsDrawOnATie) {

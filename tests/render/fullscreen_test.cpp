@@ -22,7 +22,7 @@ protected:
         std::filesystem::create_directories(folder.path() / "lib");
         std::filesystem::copy_file(shaderFolder() + "/lib/fullscreen_far.vert",
                                    folder.path() / "lib/fullscreen_far.vert");
-        targets.beginFrame(kSize, false);
+        targets.beginFrame(kSize, kSize, false);
     }
     FullscreenProgram& load(const std::string& file, const std::string& text, const FullscreenKind& kind) {
         std::ofstream(folder.path() / file) << text;
@@ -49,26 +49,26 @@ TEST_P(FullscreenDrawTest, EachMergeModeBlendsAsDeclared) {
                                                     {Merge::Alpha, {0.5f, 0.25f, 0.125f, 0.5f}},
                                                     {Merge::Add, kNew + kOld},
                                                     {Merge::Over, kNew + 0.5f * kOld}};
-    const Texture& target = targets.target("merged", GL_RGBA16F);
+    const Texture target(GL_RGBA16F, kSize);
     for (const auto& [merge, result] : expected) {
         const std::string number = std::to_string(int(merge));
         FullscreenProgram& program =
             load("merge" + number + ".frag", "out vec4 color;\nvoid main() { color = vec4(1.0, 2.0, 3.0, 0.5); }\n",
                  {.merge = {merge}});
-        draw(program, {targets, {&target}, nullptr, {kOld}});
+        draw(program, {{&target}, nullptr, {kOld}});
         for (const glm::vec4& pixel : read(target)) EXPECT_EQ(pixel, result) << "merge " << number;
     }
 }
 
 TEST_P(FullscreenDrawTest, OutputsMatchLocationsAndDiscardKeepsPixels) {
-    const Texture &first = targets.target("first", GL_RGBA32F), &second = targets.target("second", GL_RG8);
+    const Texture first(GL_RGBA32F, kSize), second(GL_RG8, kSize);
     FullscreenProgram& program =
         load("two.frag",
              "layout(location = 1) out vec4 second;\nlayout(location = 0) out vec4 first;\nin vec2 uv;\n"
              "void main() {\n    if (gl_FragCoord.x > 3.0) discard;\n    second = vec4(1.0);\n"
              "    first = vec4(uv, gl_FragCoord.xy);\n}\n",
              {});
-    draw(program, {targets, {&first, &second}, nullptr, {kOld, glm::vec4(0.0f)}});
+    draw(program, {{&first, &second}, nullptr, {kOld, glm::vec4(0.0f)}});
     const std::vector<glm::vec4> place = read(first), flag = read(second);
     for (int i = 0; i < kSize.x * kSize.y; ++i) {
         const glm::vec2 middle(float(i % kSize.x) + 0.5f, float(i / kSize.x) + 0.5f);
@@ -80,8 +80,7 @@ TEST_P(FullscreenDrawTest, OutputsMatchLocationsAndDiscardKeepsPixels) {
 }
 
 TEST_P(FullscreenDrawTest, LimitedProgramsDrawOnlyOnSurfaces) {
-    const Texture &target = targets.target("limited", GL_RGBA16F),
-                  &depth = targets.target("depth", GL_DEPTH_COMPONENT32F);
+    const Texture target(GL_RGBA16F, kSize), depth(GL_DEPTH_COMPONENT32F, kSize);
     targets.framebuffer({}, &depth).begin();
     const float farthest = 1.0f, surface = 0.999f;
     glClearBufferfv(GL_DEPTH, 0, &farthest);
@@ -91,7 +90,7 @@ TEST_P(FullscreenDrawTest, LimitedProgramsDrawOnlyOnSurfaces) {
     glDisable(GL_SCISSOR_TEST);
     FullscreenProgram& program =
         load("limited.frag", "out vec4 color;\nvoid main() { color = vec4(1.0, 2.0, 3.0, 0.5); }\n", {.limited = true});
-    draw(program, {targets, {&target}, &depth, {kOld}});
+    draw(program, {{&target}, &depth, {kOld}});
     const std::vector<glm::vec4> pixels = read(target);
     for (int i = 0; i < kSize.x * kSize.y; ++i)
         EXPECT_EQ(pixels[size_t(i)], i % kSize.x == 2 && i / kSize.x >= 1 ? kNew : kOld) << i;

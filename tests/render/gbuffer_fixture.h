@@ -1,4 +1,7 @@
 #pragma once
+#include <memory>
+#include <vector>
+
 #include "render/frame/frame_camera.h"
 #include "render/passes/gbuffer_pass.h"
 #include "render/scene/scene.h"
@@ -22,7 +25,7 @@ protected:
     }
     void draw(Scene& scene, const View& view, float alpha = 1.0f, bool jittered = false) {
         uploaded = scene.beginFrame(alpha, view.position);
-        targets.beginFrame(view.size, view.cut);
+        targets.beginFrame(view.size, view.size, view.cut);
         camera.begin(view, view.size, jittered, scene.origin(), block);
         scene.describeShadow(block);
         glBindBuffer(GL_UNIFORM_BUFFER, blockBuffer.get());
@@ -32,9 +35,9 @@ protected:
         pass->draw(context(scene));
     }
     FrameContext context(const Scene& scene) {
-        return {block, settings, scene, targets, pictures, noise, figures, emptyVertexArray};
+        return {block, settings, scene, targets, noise, figures, emptyVertexArray};
     }
-    /// Four floats a pixel, rows from the bottom.
+    /// Its pixels, rows from the bottom.
     std::vector<glm::vec4> read(const Texture& texture) {
         std::vector<glm::vec4> out(size_t(texture.size().x) * size_t(texture.size().y));
         glBindTexture(GL_TEXTURE_2D, texture.name());
@@ -44,7 +47,7 @@ protected:
 
     std::unique_ptr<ShaderLibrary> shaders;
     std::unique_ptr<GBufferPass> pass;
-    TargetPool targets, pictures;
+    TargetPool targets;
     FrameCamera camera;
     FrameBlock block{};
     RenderSettings settings;

@@ -90,8 +90,8 @@ TEST_F(GBufferTest, MatchesTheDoublePrecisionWalk) {
     eye.lookAt({-1, 0.4, -1});
     const View view = eye.view({480, 270}, 0);
     draw(scene, view);
-    const auto albedo = read(targets.at("albedo")), normal = read(targets.at("normal")),
-               depth = read(targets.at("depth"));
+    const auto albedo = read(targets.at(Target::Albedo)), normal = read(targets.at(Target::Normal)),
+               depth = read(targets.at(Target::Depth));
 
     int differ = 0, hits = 0;
     for (int y = 0; y < view.size.y; ++y)
@@ -128,11 +128,11 @@ TEST_F(GBufferTest, MovingBodyLeavesItsPathInTheMotionTarget) {
     draw(scene, view, 1.0f, true);
     const size_t middle = 45 * 160 + 80;
     const double depth = 3.0, moved = 0.5 / (2 * depth * std::tan(view.verticalFov / 2.0) * 160 / 90);
-    EXPECT_NEAR(read(targets.at("motion"))[middle].x, moved, moved * 0.01);
-    EXPECT_NEAR(read(targets.at("motion"))[middle].y, 0.0, 1e-4);
-    EXPECT_EQ(read(targets.at("material"))[middle].w, 1.0f);
+    EXPECT_NEAR(read(targets.at(Target::Motion))[middle].x, moved, moved * 0.01);
+    EXPECT_NEAR(read(targets.at(Target::Motion))[middle].y, 0.0, 1e-4);
+    EXPECT_EQ(read(targets.at(Target::Material))[middle].w, 1.0f);
     draw(scene, view, 1.0f, true);
-    EXPECT_NEAR(read(targets.at("motion"))[middle].x, 0.0, 1e-4) << "it has come to rest";
+    EXPECT_NEAR(read(targets.at(Target::Motion))[middle].x, 0.0, 1e-4) << "it has come to rest";
 }
 
 TEST_F(GBufferTest, CameraInsideABoxAndInsideAVoxel) {
@@ -148,11 +148,11 @@ TEST_F(GBufferTest, CameraInsideABoxAndInsideAVoxel) {
     View view;
     view.size = {120, 90};
     draw(scene, view);
-    for (const glm::vec4& pixel : read(targets.at("albedo")))
+    for (const glm::vec4& pixel : read(targets.at(Target::Albedo)))
         ASSERT_GT(pixel.w, 0.0f) << "a closed room without a hole";
     view.position = {1.15, 1.15, 1.15};  // in the voxels of entry 9
     draw(scene, view);
-    for (const glm::vec4& pixel : read(targets.at("albedo"))) ASSERT_EQ(std::lround(pixel.w * 255), 9);
+    for (const glm::vec4& pixel : read(targets.at(Target::Albedo))) ASSERT_EQ(std::lround(pixel.w * 255), 9);
 }
 
 TEST_F(GBufferTest, OneDrawForAnyNumberOfBodies) {
@@ -206,12 +206,12 @@ TEST_F(GBufferTest, GlassIsSeenThrough) {
     ASSERT_TRUE(shaders->errors().empty()) << shaders->errors().front();
     glass.draw(context(scene), pass->tiles());
     const size_t middle = 18 * 64 + 32;
-    EXPECT_EQ(std::lround(read(targets.at("albedo"))[middle].w * 255), 9) << "the wall behind the panes";
-    EXPECT_NEAR(read(targets.at("depth"))[middle].x, 4.8, 1e-3);
+    EXPECT_EQ(std::lround(read(targets.at(Target::Albedo))[middle].w * 255), 9) << "the wall behind the panes";
+    EXPECT_NEAR(read(targets.at(Target::Depth))[middle].x, 4.8, 1e-3);
     const double pane = 1.0 - 64.0 / 255;
-    EXPECT_NEAR(read(targets.at("glassTint"))[middle].y, pane * pane, 0.01) << "two panes, however thick";
-    EXPECT_NEAR(read(targets.at("glassSurface"))[middle].z, 1.0, 1e-3);
-    EXPECT_NEAR(read(targets.at("glassSurface"))[middle].w, 2.8, 0.005) << "the nearer pane";
+    EXPECT_NEAR(read(targets.at(Target::GlassTint))[middle].y, pane * pane, 0.01) << "two panes, however thick";
+    EXPECT_NEAR(read(targets.at(Target::GlassSurface))[middle].z, 1.0, 1e-3);
+    EXPECT_NEAR(read(targets.at(Target::GlassSurface))[middle].w, 2.8, 0.005) << "the nearer pane";
 }
 
 TEST_F(GBufferTest, UploadsFollowTheChange) {
@@ -263,7 +263,7 @@ TEST_F(GBufferTest, ChangesOverTheUploadBudgetAreDeferred) {
     const auto entries = [&] {
         draw(scene, view);
         std::vector<int> row;
-        for (const glm::vec4& pixel : read(targets.at("albedo"))) row.push_back(int(std::lround(pixel.w * 255)));
+        for (const glm::vec4& pixel : read(targets.at(Target::Albedo))) row.push_back(int(std::lround(pixel.w * 255)));
         return row;
     };
     const std::vector<int> before = entries();
@@ -305,11 +305,11 @@ TEST_F(GBufferTest, AtlasGrowsAndKeepsWhatItHeld) {
         scene.apply(made.take());
         draw(scene, view);
     }
-    const auto grown = read(targets.at("depth"));
+    const auto grown = read(targets.at(Target::Depth));
     Scene atOnce;
     fill(atOnce, bodies);
     draw(atOnce, view);
-    const auto fresh = read(targets.at("depth"));
+    const auto fresh = read(targets.at(Target::Depth));
     for (size_t i = 0; i < fresh.size(); ++i) ASSERT_EQ(grown[i].x, fresh[i].x);
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <string>
 
 #include "render/gl/gl.h"
 #include "samples/support/gl_context.h"

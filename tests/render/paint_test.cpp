@@ -55,7 +55,7 @@ glm::ivec3 expectedColor(const std::vector<Painted>& bodies, const View& view, i
         if (!hit.hit || hit.t >= nearest) continue;
         nearest = hit.t;
         const PaletteEntry& entry = (*body.palette)[body.grid.at(hit.cell)];
-        const uint8_t paint = body.grid.brickAt(hit.cell >> 3)->paintAt(voxelIndex(hit.cell & 7));
+        const uint8_t paint = body.grid.brickAt(brickOfCell(hit.cell))->paintAt(voxelIndex(cellInBrick(hit.cell)));
         const Srgb own{entry.red, entry.green, entry.blue};
         const Srgb shown =
             paint ? paintOver(own, body.colors->colors[size_t(paintColor(paint) - 1)], paintSteps(paint)) : own;
@@ -78,7 +78,7 @@ TEST_F(GBufferTest, DrawsPaint) {
     View view;
     view.size = {320, 180};
     draw(scene, view);
-    const auto albedo = read(targets.at("albedo"));
+    const auto albedo = read(targets.at(Target::Albedo));
     int painted = 0, differ = 0;
     for (int y = 0; y < view.size.y; ++y)
         for (int x = 0; x < view.size.x; ++x) {
@@ -100,7 +100,7 @@ TEST_F(GBufferTest, DrawsPaint) {
     scene.apply(made.take());
     draw(scene, view);
     int changed = 0;
-    const auto plain = read(targets.at("albedo"));
+    const auto plain = read(targets.at(Target::Albedo));
     for (size_t i = 0; i < plain.size(); ++i) changed += glm::distance(plain[i], albedo[i]) > 0.01f;
     EXPECT_GT(changed, painted * 9 / 10) << "without colours a shape shows its own";
 }

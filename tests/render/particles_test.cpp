@@ -55,7 +55,7 @@ protected:
         Camera camera;
         camera.position = {0, 0, 0};
         View view = camera.view(kSize, target->framebuffer());
-        view.cut = true;  // the same noise in every picture
+        view.cut = true;  // the same noise in every frame
         renderer->draw(view, 1.0f);
         return target->readRgb();
     }

@@ -74,7 +74,7 @@ TEST_F(RendererTest, DrawsACornerInAFewDraws) {
     renderer->draw(view, 1.0f);
     EXPECT_EQ(renderer->figures().uploadBytes, 0u) << "nothing changed";
     const std::vector<uint8_t> pixels = target.readRgb();
-    EXPECT_GT(std::set<uint8_t>(pixels.begin(), pixels.end()).size(), 50u) << "an empty picture";
+    EXPECT_GT(std::set<uint8_t>(pixels.begin(), pixels.end()).size(), 50u) << "an empty image";
 }
 
 TEST_F(RendererTest, TargetsAreReadAsNumbers) {
@@ -89,7 +89,7 @@ TEST_F(RendererTest, TargetsAreReadAsNumbers) {
     ASSERT_TRUE(depth) << depth.error();
     ASSERT_TRUE(normal) << normal.error();
     EXPECT_EQ(depth->size, target.size());
-    // The lowest row shows the floor, nearer than the middle of the picture does.
+    // The lowest row shows the floor, nearer than the middle of the image.
     EXPECT_NEAR(normal->at(32, 0).y, 1.0f, 0.01f);
     EXPECT_LT(depth->at(32, 0).x, depth->at(32, 16).x);
     EXPECT_FALSE(renderer->readTarget("depthBuffer"));

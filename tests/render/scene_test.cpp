@@ -1,4 +1,4 @@
-// The parts of the scene's mirror that need no picture.
+// The parts of the GPU scene that need no image.
 #include <map>
 #include <set>
 
@@ -19,19 +19,19 @@ TEST(RangeAllocator, NeverOverlapAndMergeWhenFreed) {
     for (int i = 0; i < 5000; ++i) {
         if (held.empty() || random.below(2)) {
             const uint32_t count = 1 + random.below(20);
-            const uint32_t start = ranges.take(count);
+            const uint32_t start = ranges.allocate(count);
             const auto after = held.lower_bound(start);
             ASSERT_TRUE(after == held.end() || start + count <= after->first);
             ASSERT_TRUE(after == held.begin() || std::prev(after)->first + std::prev(after)->second <= start);
             held[start] = count;
         } else {
             const auto one = std::next(held.begin(), int(random.below(uint32_t(held.size()))));
-            ranges.give(one->first, one->second);
+            ranges.free(one->first, one->second);
             held.erase(one);
         }
     }
-    for (const auto& [start, count] : held) ranges.give(start, count);
-    EXPECT_EQ(ranges.take(ranges.end()), 0u) << "all gaps have become one";
+    for (const auto& [start, count] : held) ranges.free(start, count);
+    EXPECT_EQ(ranges.allocate(ranges.end()), 0u) << "all gaps have become one";
 }
 
 TEST(BlueNoise, IsUniformAndWithoutClumps) {

@@ -21,8 +21,9 @@ protected:
         glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
         const Program& program = shaders->load("../tests/render/shaders/sunlit.frag");
         EXPECT_TRUE(program) << shaders->errors().front();
-        const Texture& out = targets.target("sunlit", GL_RGBA32F);
-        targets.framebuffer({&out}).begin();
+        const Texture out(GL_RGBA32F, targets.at(Target::Depth).size());
+        const Framebuffer framebuffer({&out});
+        framebuffer.begin();
         program.use();
         GBufferPass::bind(program, targets);
         scene.bindShadow(program);

@@ -1,4 +1,7 @@
 #pragma once
+#include <memory>
+#include <utility>
+
 #include "runtime/frame/frame_snapshot.h"
 
 namespace rubble {
@@ -6,6 +9,7 @@ namespace rubble {
 /// Snapshots made by hand: what World and Snapshots would publish for a few shapes.
 class TestScene {
 public:
+    /// A shape at rest: `pose` from its grid to the world, metres.
     ShapeHandle add(const VoxelGrid& grid, const Pose& pose, const PaletteRef& palette, float voxelSize = 0.1f) {
         const ShapeHandle handle = ShapeHandle::make(1, 1, m_next++);
         SnapshotShape shape{handle, grid.size(), voxelSize, palette, {}};
@@ -16,7 +20,9 @@ public:
         m_snapshot.poses.push_back({handle, pose, pose});
         return handle;
     }
+    /// What has been added since take(), to be changed by the test.
     FrameSnapshot& snapshot() { return m_snapshot; }
+    /// Hands it over, with sky and lights marked as changed.
     FrameSnapshot take() {
         m_snapshot.environmentChanged = m_snapshot.lightsChanged = true;
         return std::exchange(m_snapshot, {});
@@ -27,6 +33,7 @@ private:
     uint32_t m_next = 0;
 };
 
+/// 255 entries of different colours, all of material 1.
 inline PaletteRef testPalette() {
     auto palette = std::make_shared<Palette>();
     for (int i = 1; i < 256; ++i) {

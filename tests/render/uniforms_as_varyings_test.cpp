@@ -43,7 +43,8 @@ uniform vec4 uRipples[4];
 flat in float flat_uUnused;
 out vec4 color;
 void main() {
-    color = vec4(flat_uTint, 1.0) * frame_sunColor + texelFetch(uImage, ivec2(0), 0) + (uOn ? uRipples[0] : frame_sunColor);
+    color = vec4(flat_uTint, 1.0) * frame_sunColor + texelFetch(uImage, ivec2(0), 0))"
+                             R"( + (uOn ? uRipples[0] : frame_sunColor);
 }
 )");
     EXPECT_EQ(vertex.text, R"(#version 330 core
@@ -74,7 +75,7 @@ TEST(UniformsAsVaryings, VertexUniformsAreNotDeclaredTwice) {
     EXPECT_EQ(text.find(declaration), text.rfind(declaration));
 }
 
-/// That pictures are the same to the bit: tests/golden/fullscreen_test.cpp, as compute programs keep their uniforms.
+/// That images are the same to the bit: tests/golden/fullscreen_test.cpp, as compute programs keep their uniforms.
 class UniformsAsVaryingsGlTest : public GBufferTest {};
 
 TEST_F(UniformsAsVaryingsGlTest, EveryPassBuilds) {
@@ -86,7 +87,7 @@ TEST_F(UniformsAsVaryingsGlTest, EveryPassBuilds) {
         if (source->text.find("in vec2 uv") == std::string::npos) continue;  // not full-screen
         ShaderSource vertex = *readShader(shaderFolder(), "lib/fullscreen.vert"), fragment = *source;
         passUniformsAsVaryings(vertex, fragment);
-        EXPECT_FALSE(std::regex_search(fragment.text, std::regex(R"(\bframe\.(?!glsl))"))) << file.path();
+        EXPECT_FALSE(std::regex_search(fragment.text, std::regex(R"(\bframe\.(?!glsl)[a-z])"))) << file.path();
         EXPECT_EQ(std::count(fragment.text.begin(), fragment.text.end(), '\n'),
                   std::count(source->text.begin(), source->text.end(), '\n'));
         std::string log;

@@ -1,5 +1,4 @@
-// Two thousand bodies in view: our G-buffer against the reference game's whole method, the same imageFolder, in one
-// process.
+// Two thousand bodies in view: our G-buffer against Teardown's method, for the same image, in one process.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +15,7 @@ namespace {
 
 constexpr int kBodies = 2000;
 
-/// A lump of debris: a sphere with bites taken out.
+/// A lump of debris: an ellipsoid with holes.
 VoxelGrid lump(Random& random) {
     const glm::ivec3 size(random.between(6, 24), random.between(6, 24), random.between(6, 24));
     VoxelGrid grid(size);
@@ -41,7 +40,7 @@ glm::dquat turned(Random& random) {
     return glm::normalize(q);
 }
 
-/// Depth of the first voxel that a ray meets, walked in double body by body; infinite: none.
+/// Depth of the first voxel on a ray, by an exact walk in double through each body; infinite if there is none.
 double exactDepth(const std::vector<VoxelGrid>& grids, const std::vector<Pose>& poses, const PixelRay& ray) {
     constexpr double kVoxelSize = 0.1f;
     double nearest = INFINITY;
@@ -54,7 +53,7 @@ double exactDepth(const std::vector<VoxelGrid>& grids, const std::vector<Pose>& 
     return nearest;
 }
 
-/// Pixels of which the depths differ.
+/// Pixels where the depths differ.
 Differences differences(const std::vector<glm::vec4>& ours, const std::vector<glm::vec4>& teardown, int width,
                         const FrameBlock& block, const std::vector<VoxelGrid>& grids, const std::vector<Pose>& poses) {
     Differences count;
@@ -105,17 +104,18 @@ bool benchBodies(const Options& options) {
     view.size = options.size;
     rig.beginFrame(view);
     const double ours = medianMs(options.frames, [&] { rig.gbuffer.draw(rig.context()); });
-    const auto depthOurs = read(rig.targets.at("depth")), albedoOurs = read(rig.targets.at("albedo"));
+    const auto depthOurs = read(rig.targets.at(Target::Depth)), albedoOurs = read(rig.targets.at(Target::Albedo));
     const std::vector<int> order = rig.gbuffer.tiles().order();
     const double teardown = medianMs(options.frames, [&] { reference.draw(rig.context(), order); });
-    const auto depthTeardown = read(rig.targets.at("depth")), albedoTeardown = read(rig.targets.at("albedo"));
+    const auto depthTeardown = read(rig.targets.at(Target::Depth)),
+               albedoTeardown = read(rig.targets.at(Target::Albedo));
     const auto seen =
         std::count_if(albedoOurs.begin(), albedoOurs.end(), [](const glm::vec4& albedo) { return albedo.w > 0.0f; });
     const Differences differ = differences(depthOurs, depthTeardown, options.size.x, rig.block, grids, poses);
     fmt::print(
-        "\n{} bodies in view, on {} of {} pixels\n  ours {:.1f} ms, the reference's method {:.1f} ms: {:.2f}x (wanted "
+        "\n{} bodies in view, on {} of {} pixels\n  ours {:.1f} ms, Teardown's method {:.1f} ms: {:.2f}x (wanted "
         "3); {} pixels differ; wrong: "
-        "ours {}, teardown {}\n",
+        "ours {}, Teardown's {}\n",
         order.size(), seen, depthOurs.size(), ours, teardown, teardown / ours, differ.all, differ.firstWrong,
         differ.secondWrong);
     return true;

@@ -1,5 +1,7 @@
 #pragma once
 #include <ctime>
+#include <string>
+#include <vector>
 
 #include "render/frame/frame_camera.h"
 #include "render/passes/gbuffer_pass.h"
@@ -9,30 +11,31 @@
 
 namespace rubble::bench {
 
-/// Milliseconds that all threads of this process have worked: steady on a busy machine.
+/// Processor time of all threads of this process, milliseconds: little disturbed by other work on the machine.
 inline double processMs() {
     return double(std::clock()) * 1e3 / CLOCKS_PER_SEC;
 }
 
-/// Scene, camera and the passes of primary visibility, without the rest of a frame.
+/// Scene, camera and the passes of primary visibility alone.
 class GBufferRig {
 public:
+    /// Builds the shaders and loads a complete snapshot. Needs a current GL context.
     GBufferRig(const std::string& shaderFolder, FrameSnapshot&& snapshot)
         : shaders(shaderFolder), gbuffer(shaders), glass(shaders) {
         scene.apply(std::move(snapshot));
     }
+    /// Camera, targets and uniforms for a view; call it before context().
     void beginFrame(const View& view) {
         scene.beginFrame(1.0f, view.position);
-        targets.beginFrame(view.size, view.cut);
+        targets.beginFrame(view.size, view.size, view.cut);
         camera.begin(view, view.size, false, scene.origin(), block);
         glBindBuffer(GL_UNIFORM_BUFFER, m_blockBuffer.get());
         glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_STREAM_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, m_blockBuffer.get());
         figures = {};
     }
-    FrameContext context() {
-        return {block, m_settings, scene, targets, m_outputTargets, m_noise, figures, m_emptyVertexArray};
-    }
+    /// What passes draw with.
+    FrameContext context() { return {block, m_settings, scene, targets, m_noise, figures, m_emptyVertexArray}; }
 
     ShaderLibrary shaders;
     GBufferPass gbuffer;
@@ -45,13 +48,12 @@ public:
 
 private:
     RenderSettings m_settings;
-    TargetPool m_outputTargets;
     Texture m_noise;
     GlName<BufferKind> m_blockBuffer = GlName<BufferKind>::make();
     VertexArray m_emptyVertexArray = VertexArray::make();
 };
 
-/// Median processor milliseconds of what `draw` asks the GL for.
+/// Median processor milliseconds of draw() and the GL work that it starts. One more call before is not counted.
 template <class F>
 double medianMs(int frames, F&& draw) {
     std::vector<double> ms;

@@ -10,16 +10,16 @@ TeardownBodies::TeardownBodies(ShaderLibrary& shaders)
 
 void TeardownBodies::draw(const FrameContext& frame, const std::vector<int>& order) {
     TargetPool& targets = frame.targets;
-    const Texture& albedo = targets.target("albedo", GL_RGBA8);
-    const Texture& normal = targets.target("normal", GL_RGBA16F);
-    const Texture& material = targets.target("material", GL_RGBA8);
-    const Texture& motion = targets.target("motion", GL_RG16F);
-    const Texture& depth = targets.target("depth", GL_R32F);
-    const Texture& depthSoFar = targets.target("depthSoFar", GL_R32F);
-    const Texture& depthBuffer = targets.target("depthBuffer", GL_DEPTH_COMPONENT32F);
+    const Texture& albedo = targets.target(Target::Albedo);
+    const Texture& normal = targets.target(Target::Normal);
+    const Texture& material = targets.target(Target::Material);
+    const Texture& motion = targets.target(Target::Motion);
+    const Texture& depth = targets.target(Target::Depth);
+    if (m_depthSoFar.size() != depth.size()) m_depthSoFar = Texture(GL_R32F, depth.size());
+    const Texture& depthBuffer = targets.target(Target::DepthBuffer);
     const Framebuffer& gbuffer = targets.framebuffer({&albedo, &normal, &material, &motion, &depth}, &depthBuffer);
     const float zero[4] = {0, 0, 0, 0}, sky[4] = {GBufferPass::kSkyDepth, 0, 0, 0}, farthest = 1.0f;
-    targets.framebuffer({&depthSoFar}).begin();
+    targets.framebuffer({&m_depthSoFar}).begin();
     glClearBufferfv(GL_COLOR, 0, sky);
     gbuffer.begin();
     for (int i = 0; i < 4; ++i) glClearBufferfv(GL_COLOR, i, zero);
@@ -28,7 +28,7 @@ void TeardownBodies::draw(const FrameContext& frame, const std::vector<int>& ord
 
     m_program.use();
     frame.scene.bodies().bind(m_program);
-    m_program.set("uDepthSoFar", depthSoFar);
+    m_program.set("uDepthSoFar", m_depthSoFar);
     glBindVertexArray(frame.emptyVertexArray.get());
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
@@ -43,7 +43,7 @@ void TeardownBodies::draw(const FrameContext& frame, const std::vector<int>& ord
         ++frame.figures.drawCalls;
         if (i % batch != batch - 1) continue;
         glBindFramebuffer(GL_READ_FRAMEBUFFER, targets.framebuffer({&depth}).name());
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, targets.framebuffer({&depthSoFar}).name());
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, targets.framebuffer({&m_depthSoFar}).name());
         glBlitFramebuffer(0, 0, depth.size().x, depth.size().y, 0, 0, depth.size().x, depth.size().y,
                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
         gbuffer.begin();

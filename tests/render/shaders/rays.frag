@@ -7,7 +7,8 @@ layout(location = 1) out vec4 outNormalT;  // xyz normal, w t
 
 void main() {
     vec4 origin = texelFetch(uOrigins, ivec2(gl_FragCoord.xy), 0);
-    VoxelHit hit = walkVoxels(readLayout(0), origin.xyz, texelFetch(uDirections, ivec2(gl_FragCoord.xy), 0).xyz, 0.0, origin.w, kStopAtSolid);
+    vec3 direction = texelFetch(uDirections, ivec2(gl_FragCoord.xy), 0).xyz;
+    VoxelHit hit = walkVoxels(readLayout(0), origin.xyz, direction, 0.0, origin.w, kStopAtSolid);
     outCell = ivec4(hit.cell, hit.hit ? hit.steps : 0);
     outNormalT = vec4(hit.normal, hit.t);
 }

@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace rubble {
+
+/// What the last frame cost.
+struct RenderFigures {
+    int drawCalls = 0;
+    int bodyDraws = 0;          ///< of those, the ones that draw voxel bodies
+    uint64_t uploadBytes = 0;   ///< sent to the GL for this frame
+    uint64_t waitingBytes = 0;  ///< changed bricks over the upload budget: their changes are not drawn yet
+    uint64_t textureBytes = 0;  ///< held now
+    int shapes = 0;
+    int bricks = 0;
+    /// Milliseconds of each pass, in the order drawn: by GL_TIME_ELAPSED on a GPU, after glFinish on a software
+    /// renderer.
+    std::vector<std::pair<const char*, double>> passMs;
+    std::vector<const char*> computePasses;  ///< passes that drew full-screen programs by compute
+    int computePrograms = 0;                 ///< held now
+};
+
+}  // namespace rubble

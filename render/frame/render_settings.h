@@ -1,0 +1,69 @@
+#pragma once
+#include <cstdint>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <string_view>
+
+namespace rubble {
+
+/// A camera, the size of its image and the framebuffer that the image goes to.
+struct View {
+    glm::dvec3 position{0.0};         ///< world, metres
+    glm::dquat rotation{1, 0, 0, 0};  ///< looks along -z, y up
+    float verticalFov = 1.05f;        ///< radians
+    glm::ivec2 size{1280, 720};       ///< pixels
+    unsigned framebuffer = 0;         ///< GL name
+    bool cut = false;                 ///< the camera jumped: histories of frames before this one are not used
+};
+
+/// How the random numbers of rays are spread over pixels and frames. White noise is for tests of estimators, which need
+/// independent samples.
+enum class Noise { Blue, White };
+
+/// How full-screen passes are drawn. All give the same image. Compute needs GL 4.3; without it fragments draw, with a
+/// warning where Compute was asked for.
+enum class Fullscreen {
+    Auto,      ///< Fastest on a GPU, Fragment on a software renderer
+    Fragment,  ///< triangles
+    Compute,   ///< compute programs
+    Fastest,   ///< each pass alternates between both in its first frames and keeps the faster one
+};
+
+/// Quality against speed.
+struct RenderSettings {
+    int skyRays = 1;            ///< cosine-weighted rays per pixel
+    int sunRays = 1;            ///< rays per pixel to random points of the sun's disc
+    float skyDistance = 64.0f;  ///< metres: length of sky rays
+    /// Metres from the start of a sky ray beyond which any block of 4^3 cells that holds something stops it: a tenth
+    /// less to trace, no false light, some false shadow. All other rays are exact.
+    float skyExactDistance = 1e30f;
+    /// Share of each side of the view that is traced, lit and filtered. Below 1 the temporal pass upsamples; a still
+    /// image is as sharp after some frames, a moving one less so. 0.5 takes about a quarter of the time.
+    float resolutionScale = 1.0f;
+    int filterPasses = 4;            ///< iterations of the spatial filter
+    bool temporal = true;            ///< temporal accumulation and anti-aliasing
+    int historyFrames = 32;          ///< longest history of the accumulation
+    bool rejectStaleHistory = true;  ///< history is dropped where the light has changed; off: the change fades in
+    int warmUpFrames = 0;            ///< frames drawn unseen before the first one and after each cut: clean stills
+    bool sun = true, sky = true, localLights = true, reflections = true, fog = true, glare = true;
+    bool bounce = true;  ///< indirect light from what sky and reflection rays hit; off: that is black
+    int bounces = 2;     ///< of a sky ray at faces that the last frame does not show, at least 1; the rest is estimated
+    bool bounceColors =
+        true;  ///< such faces have their voxel's colour and local lights; off: one colour, half the cost
+    Noise noise = Noise::Blue;  ///< of all light rays
+    bool bevel = true;          ///< rounds the edges of near voxels in their shading
+    bool refraction = true;     ///< panes shift what is behind them
+    Fullscreen fullscreen = Fullscreen::Auto;
+    bool detail = true;               ///< grain, joints and pores on the faces of near voxels, by material
+    float bloom = 0.04f;              ///< share of the blurred image
+    uint64_t uploadBudget = 4 << 20;  ///< bytes of changed bricks per frame; a level that is loaded is sent at once
+    bool processorTime = false;       ///< pass times are those of all threads of this process: for a busy machine
+
+    /// "fast", "balanced" or "accurate"; any other name gives the defaults, which are "balanced".
+    static RenderSettings preset(std::string_view name);
+    /// "fragment", "compute" or "fastest"; Auto for any other text.
+    static Fullscreen fullscreenFromName(std::string_view name);
+};
+
+}  // namespace rubble
