@@ -23,15 +23,17 @@ struct ParticleSettings {
 /// does its hash. Owned by Snapshots. [main-thread]
 class Particles {
 public:
+    /// Nothing is in the air yet.
     explicit Particles(const ParticleSettings& settings) : m_settings(settings) {}
 
     /// Moves what is there by 1/60 s and adds what the step has thrown up. Costs nothing while nothing is in the air.
     void step(const FrameChanges& changes, std::span<const Impact> impacts, std::span<const SnapshotFire> fires,
               const World& world);
+    /// Removes all, as a new level does.
     void clear() { m_alive.clear(); }
     /// As they are to be drawn.
     std::vector<SnapshotParticle> snapshot() const;
-    bool empty() const { return m_alive.empty(); }
+    bool empty() const { return m_alive.empty(); }  ///< nothing is in the air
 
 private:
     struct Particle {

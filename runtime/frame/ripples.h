@@ -7,8 +7,9 @@
 
 namespace rubble {
 
-/// Rings on water around what moves through its surface: bodies and characters. At maxAlive kMaxRipples; a new one
-/// takes the oldest's place. For eyes only: the World knows nothing of them. Owned by Snapshots. [main-thread]
+/// Rings on water around what moves through its surface: bodies and characters. There are at most
+/// kMaxRipples; a new one replaces the oldest. For eyes only: the World knows nothing of them. Owned by Snapshots.
+/// [main-thread]
 class Ripples {
 public:
     static constexpr size_t kMaxRipples = 64;
@@ -17,9 +18,10 @@ public:
     /// Ages what is there by 1/60 s and adds what the bodies that moved in this step make. Looks at them only where
     /// there is water.
     void step(std::span<const BodyPose> moved, const World& world);
+    /// Removes all, as a new level does.
     void clear() { m_alive.clear(); }
-    bool empty() const { return m_alive.empty(); }
-    std::vector<SnapshotRipple> snapshot() const;
+    bool empty() const { return m_alive.empty(); }  ///< no water is disturbed
+    std::vector<SnapshotRipple> snapshot() const;   ///< as they are to be drawn
 
 private:
     struct Ripple {

@@ -16,7 +16,9 @@ namespace rubble {
 /// step and is then posted together with the volume's patches: what is drawn is one version of the world throughout.
 class Snapshots {
 public:
+    /// Without particles.
     Snapshots() : Snapshots(ParticleSettings{.maxAlive = 0}) {}
+    /// With particles as set.
     explicit Snapshots(const ParticleSettings& particles) : m_particles(particles) {}
 
     /// [main-thread] `moved` are the poses that physics has just handed over and `impacts` its hard contacts; `patches`

@@ -138,7 +138,7 @@ ShadowWords packRows(const CellRows& rows) {
             const uint16_t* row = &rows[size_t(y + z * kSide)];
             uint64_t v = uint64_t(row[0]) | uint64_t(row[1]) << 16 | uint64_t(row[2]) << 32 | uint64_t(row[3]) << 48;
             if (!v) continue;
-            // Four rows of four times four cells, transposed: then 16 bits go to each of four words.
+            // 4 rows of 4 x 4 cells, transposed: then 16 bits go to each of four words.
             uint64_t swap = (v ^ v >> 12) & 0x0000f0f00000f0f0u;
             v ^= swap ^ swap << 12;
             swap = (v ^ v >> 24) & 0x00000000ff00ff00u;

@@ -10,11 +10,12 @@
 namespace rubble {
 
 /// Cuts rows of samples along the world's x axis to a box of a shape's voxels, which leaves one interval of each.
-/// In doubles, which hold the cellTransform's fixed-point numbers exactly.
+/// In doubles, which hold the fixed-point numbers of the cell transform exactly.
 class RowClip {
 public:
     using Exact = std::array<double, 3>;
     static constexpr int kBatch = 32;  ///< rows at a time
+    /// Rows of `count` samples, cut to `box` (voxels, high end excluded).
     RowClip(const CellBox& box, const ShadowCellTransform& cellTransform, int count) : m_end(count - 0.5) {
         const FixedPoint& step = cellTransform.step[0];
         for (size_t k = 0; k < 3; ++k) {

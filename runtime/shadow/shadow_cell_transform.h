@@ -40,6 +40,7 @@ struct ShadowCellTransform {
     /// Position in metres, voxelSize in metres. False if the pose holds a NaN or lies beyond 1e8 m: such a shape casts
     /// no shadow.
     bool place(const Pose& shapeToWorld, double voxelSize);
+    /// The first sample of a shadow cell, in voxels of the shape (32.32 fixed point).
     FixedPoint sample(glm::ivec3 cell) const {
         FixedPoint p = origin;
         for (size_t a = 0; a < 3; ++a)

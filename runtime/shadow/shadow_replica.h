@@ -14,7 +14,7 @@
 namespace rubble {
 
 /// The shadow worker's own copy of all shapes, and the volume made from them. A brick of the volume that anything
-/// touches is made anew from all shapes that overlap it, so the volume always equals one built from nothing. Owned by
+/// touches is rebuilt from all shapes that overlap it, so the volume always equals one built from nothing. Owned by
 /// one thread.
 class ShadowReplica {
 public:
@@ -59,6 +59,7 @@ private:
         bool moving = false;
         bool isQueued = false;             ///< to be placed by the next update
         std::vector<BrickEntry*> covered;  ///< the bricks whose lists it is in, in the order of isBefore
+        /// What casts shadows: all voxels, or the opaque ones where some are translucent.
         const VoxelGrid& casterGrid() const { return hasTranslucent ? opaque : grid; }
     };
     Shape* find(ShapeHandle handle);
@@ -83,7 +84,7 @@ private:
     std::vector<std::unique_ptr<Shape>> m_shapes;  ///< by slot
     BrickMap m_brickStates;
     std::vector<ShapeHandle> m_waiting;      ///< shapes to be placed: once an update, however many steps it shows
-    std::vector<BrickEntry*> m_touched;      ///< bricks to be made anew
+    std::vector<BrickEntry*> m_touched;      ///< bricks to be rebuilt
     std::vector<glm::ivec3> m_bricks;        ///< scratch of place()
     std::vector<BrickEntry*> m_nextCovered;  ///< scratch of place()
     ShapeRaster m_nextRaster;                ///< scratch of place()

@@ -7,7 +7,8 @@ ShadowStep makeShadowStep(const FrameChanges& changes, std::span<const BodyPose>
     out.version = changes.step;
     out.replacesAll = changes.levelReplaced;
     const auto create = [&](ShapeHandle handle, const Shape& shape) {
-        out.created.push_back({handle, shape.grid, shape.palette, double(shape.voxelSize), shapeToWorld(world, handle)});
+        const Pose toWorld = shapeToWorld(world, handle);
+        out.created.push_back({handle, shape.grid, shape.palette, double(shape.voxelSize), toWorld});
     };
     if (changes.levelReplaced) {
         world.shapes().forEach(create);

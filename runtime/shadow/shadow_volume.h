@@ -19,6 +19,7 @@ using ShadowWords = std::array<uint64_t, 64>;
 struct ShadowBrick {
     ShadowWords texels{};
     uint64_t occupied = 0;  ///< which words hold anything
+    /// The cells of a word by its number, x + 4 y + 16 z; 0 if it is empty.
     uint64_t cells(int word) const { return occupied >> word & 1 ? texels[size_t(word)] : 0; }
 };
 using ShadowBrickRef = std::shared_ptr<const ShadowBrick>;
@@ -26,6 +27,7 @@ using ShadowBrickRef = std::shared_ptr<const ShadowBrick>;
 /// Null if all words are empty.
 /// isTransient: what is in it moves on at once, so its boxes are made quickly, and some are smaller than they could be.
 ShadowBrickRef makeShadowBrick(const ShadowWords& cells, bool isTransient = false);
+/// Whether a brick holds just these cells.
 bool sameCells(const ShadowBrick& brick, const ShadowWords& cells);
 /// The empty box of an empty word in an octant, in words.
 inline glm::ivec3 emptyBox(const ShadowBrick& brick, int word, int octant) {

@@ -22,17 +22,18 @@ inline bool changesShadow(const FrameChanges& changes, std::span<const BodyPose>
 class ShadowWorker {
 public:
     enum class Mode { Thread, Inline };
+    /// Inline: submit() does the work itself, as tests and single-threaded hosts want it.
     explicit ShadowWorker(Mode mode);
     ~ShadowWorker();  ///< stops at once, whatever is queued
     ShadowWorker(const ShadowWorker&) = delete;
     ShadowWorker& operator=(const ShadowWorker&) = delete;
 
     /// Copies out what this step changed (bricks by reference, poses of the bodies in `moved`) and queues it. Never
-    /// isQueued.
+    /// waits.
     void submit(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world);
     /// What has been published since the last call, oldest first; each publication is one version.
     std::vector<ShadowPatches> takePatches();
-    /// Waits until `version` is published: for tests, benchmarks and pictures that must not depend on timing.
+    /// Waits until `version` is published: for tests, benchmarks and images that must not depend on timing.
     void waitFor(uint64_t version);
     /// Step of the newest publication.
     uint64_t publishedVersion() const;

@@ -36,7 +36,7 @@ std::vector<uint64_t> eroded(const std::vector<uint64_t>& rows, glm::ivec3 size)
     return any ? out : std::vector<uint64_t>();
 }
 
-/// Four layers of cells, whole words of them: rows along x, and how to take them apart.
+/// 4 layers of cells, whole words of them: rows along x, and how to take them apart.
 struct Slab {
     static constexpr int kRows = 64;
     std::array<std::array<uint64_t, kRows>, 4> layers{};

@@ -6,13 +6,14 @@
 
 namespace rubble {
 
-/// The voxels of a small shape as rasters read them; made anew when they change.
+/// The voxels of a small shape as rasters read them; rebuilt when they change.
 class RasterSource {
 public:
     static constexpr int kMaxSize = 64;  ///< voxels on a side
+    /// From a grid of at most kMaxSize voxels on a side.
     void make(const VoxelGrid& grid);
-    bool isMade() const { return !m_rows.empty(); }
-    void clear() { m_rows.clear(); }
+    bool isMade() const { return !m_rows.empty(); }  ///< and not cleared since
+    void clear() { m_rows.clear(); }                 ///< when voxels have changed
     /// Bit x of the row at y and z.
     const uint64_t* rows() const { return m_rows.data(); }
     int height() const { return m_height; }                 ///< rows from one z to the next
@@ -32,8 +33,8 @@ class ShapeRaster {
 public:
     /// `bounds` holds all cells that the shape can set. False, and nothing is made, if they are too wide.
     bool make(const RasterSource& source, const ShadowCellTransform& cellTransform, const CellBox& bounds);
-    bool isMade() const { return !m_brickSlots.empty(); }
-    void clear();
+    bool isMade() const { return !m_brickSlots.empty(); }  ///< and not cleared since
+    void clear();                                          ///< when the pose or the voxels have changed
     /// Null if it sets no cells there.
     const ShadowWords* find(glm::ivec3 brick) const;
     /// f(brick, words) for each brick in which it sets cells, by z, then y, then x.

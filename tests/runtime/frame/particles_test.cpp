@@ -50,7 +50,7 @@ TEST_F(ParticlesTest, MaterialsEmitTheirOwnParticles) {
 }
 
 TEST_F(ParticlesTest, BudgetHoldsAndLateEventsStillShow) {
-    Particles particles({.most = 300});
+    Particles particles({.maxAlive = 300});
     for (int i = 0; i < 60; ++i) {
         particles.step(breaks("brick", 5000), {}, {}, world);
         ASSERT_LE(particles.snapshot().size(), 300u);
@@ -80,7 +80,7 @@ TEST_F(ParticlesTest, TheSameStepsGiveTheSameParticles) {
 }
 
 TEST_F(ParticlesTest, CostsNothingWithoutParticles) {
-    Particles particles({}), off({.most = 0});
+    Particles particles({}), off({.maxAlive = 0});
     const FrameChanges nothing, much = breaks("concrete", 900);
     const size_t before = allocationCount();
     for (int i = 0; i < 100; ++i) {

@@ -1,6 +1,10 @@
 #pragma once
+#include <atomic>
+#include <bit>
 #include <map>
+#include <memory>
 #include <tuple>
+#include <vector>
 
 #include "runtime/core/random.h"
 #include "runtime/shadow/shadow_replica.h"
@@ -14,6 +18,7 @@ namespace rubble {
 class Volume {
 public:
     using Key = std::tuple<int, int, int>;
+    /// Takes over what the worker published.
     void apply(const ShadowPatches& publication) {
         if (publication.replacesAll) m_bricks.clear();
         for (const ShadowPatch& patch : publication.patches) {
@@ -26,6 +31,7 @@ public:
             if (++m_received % 32 == 0) m_wrongBoxes += wrongBoxes(*patch.content);
         }
     }
+    /// Whether a shadow cell is solid.
     bool at(glm::ivec3 cell) const {
         const auto brick = m_bricks.find({cell.x >> 4, cell.y >> 4, cell.z >> 4});
         if (brick == m_bricks.end()) return false;
@@ -44,14 +50,15 @@ public:
             if (at(low + walk.cell())) return true;
         return false;
     }
+    /// How many cells are solid.
     size_t cellCount() const {
         size_t count = 0;
         for (const auto& [key, brick] : m_bricks)
             for (const uint64_t word : brick) count += size_t(std::popcount(word));
         return count;
     }
-    bool empty() const { return m_bricks.empty(); }
-    /// Of every 32nd brick that came: empty boxes that hold something or maxDistance out.
+    bool empty() const { return m_bricks.empty(); }  ///< no brick is there
+    /// Of every 32nd brick that came: boxes said to be empty that hold something or reach out of the brick.
     size_t wrongBoxes() const { return m_wrongBoxes; }
     friend bool operator==(const Volume& a, const Volume& b) { return a.m_bricks == b.m_bricks; }
 
@@ -92,6 +99,7 @@ inline Volume rebuild(const World& world) {
     return out;
 }
 
+/// Uniform over all rotations: normalised points of the unit ball.
 inline glm::dquat drawRotation(Random& random) {
     for (;;) {
         double q[4];
@@ -102,6 +110,7 @@ inline glm::dquat drawRotation(Random& random) {
     }
 }
 
+/// Uniform in a cube, in the unit of its bounds.
 inline glm::dvec3 drawPoint(Random& random, double low, double high) {
     glm::dvec3 p;
     for (int a = 0; a < 3; ++a) p[a] = low + (high - low) * double(random.unit());
@@ -117,6 +126,7 @@ inline PaletteRef stoneAndGlass() {
     return palette;
 }
 
+/// A body with one shape of stone and glass.
 inline LevelBody makeBody(VoxelGrid grid, const Pose& pose, bool isStatic, float voxelSize = 0.1f) {
     LevelBody body;
     body.pose = pose;
@@ -130,6 +140,7 @@ inline LevelBody makeBody(VoxelGrid grid, const Pose& pose, bool isStatic, float
     return body;
 }
 
+/// A world of these bodies alone.
 inline World worldOf(std::vector<LevelBody> bodies) {
     Level level;
     level.bodies = std::move(bodies);
