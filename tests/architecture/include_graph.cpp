@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <regex>
 #include <set>
@@ -13,73 +14,52 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A room and what its files may include, both as beginnings of paths. The longest matching room counts.
-struct Room {
-    std::string_view path;
-    std::vector<std::string_view> mayInclude;
-};
-
-// The arrows of the house, in one table. A room is listed in its own row too.
-const std::vector<Room>& rooms() {
-    static const std::vector<Room> table = {
-        {"runtime/core/", {"runtime/core/"}},
-        {"runtime/voxel/", {"runtime/core/", "runtime/voxel/"}},
-        {"runtime/destruction/", {"runtime/core/", "runtime/voxel/", "runtime/destruction/"}},
-        {"runtime/world/", {"runtime/core/", "runtime/voxel/", "runtime/destruction/", "runtime/world/"}},
-        {"runtime/assets/", {"runtime/core/", "runtime/voxel/", "runtime/destruction/", "runtime/world/", "runtime/assets/"}},
-        {"runtime/script/", {"runtime/core/", "runtime/voxel/", "runtime/destruction/", "runtime/world/", "runtime/script/"}},
-        {"runtime/shadow/", {"runtime/core/", "runtime/voxel/", "runtime/destruction/", "runtime/world/", "runtime/shadow/"}},
-        {"runtime/frame/", {"runtime/core/", "runtime/voxel/", "runtime/destruction/", "runtime/world/", "runtime/shadow/", "runtime/frame/"}},
-        {"runtime/plugin/include/", {}},
-        {"runtime/plugin/", {"runtime/", "physics/", "render/renderer.h"}},
-        {"physics/", {"runtime/core/", "runtime/voxel/", "runtime/destruction/", "runtime/world/", "physics/"}},
-        {"render/",
-         {"runtime/core/", "runtime/voxel/", "runtime/world/lights.h", "runtime/world/frame_changes.h", "runtime/shadow/shadow_volume.h",
-          "runtime/frame/frame_snapshot.h", "render/", "shaders/shared/"}},
-        {"shaders/shared/", {"shared/", "shaders/shared/"}},  // GLSL names its files from shaders/
-        {"shaders/lib/", {"shared/", "lib/"}},
-        {"shaders/passes/", {"shared/", "lib/"}},
-        {"samples/hello/", {"rubble/rubble.h"}},
-        {"samples/hosts/", {"rubble/rubble.h", "samples/hosts/"}},
-        {"samples/scenes/", {"runtime/core/", "runtime/voxel/", "runtime/destruction/", "runtime/world/", "runtime/assets/", "samples/scenes/"}},
-        {"samples/support/", {"runtime/core/", "runtime/voxel/", "runtime/world/", "render/renderer.h", "samples/support/"}},
-        {"samples/", {"runtime/", "physics/physics_world.h", "render/renderer.h", "render/gl/offscreen.h", "samples/"}},
-        {"editor/", {"runtime/", "physics/physics_world.h", "render/renderer.h", "samples/support/", "editor/"}},
-        {"tests/", {""}},
-    };
-    return table;
-}
-
-/// A library, by the beginnings of its headers, and the rooms behind whose wall it stays.
-struct Wall {
+/// A library, by the beginnings of its headers, and the folders that may include it.
+struct Library {
     std::string_view name;
-    std::vector<std::string_view> headers;
-    std::vector<std::string_view> rooms;
+    std::vector<std::string> headers;
+    std::vector<std::string> folders;
 };
 
-const std::vector<Wall>& walls() {
-    static const std::vector<Wall> table = {
+const std::vector<Library>& libraries() {
+    static const std::vector<Library> table = {
         {"Bullet", {"bt", "Bullet", "LinearMath/"}, {"physics/", "tests/physics/"}},
         {"OpenVDB",
          {"openvdb/", "nanovdb/", "tbb/", "OpenEXR/", "Imath/"},
          {"runtime/assets/vdb/", "tests/runtime/assets/vdb/", "tests/benchmark/openvdb/"}},
         {"OpenGL", {"GL/", "GLES", "glad/", "KHR/"}, {"render/", "samples/support/", "tests/"}},
-        {"a window or a GL context", {"GLFW/", "EGL/", "GL/osmesa", "X11/"}, {"samples/support/", "samples/sandbox/window.cpp", "editor/"}},
+        {"a window or a GL context",
+         {"GLFW/", "EGL/", "GL/osmesa", "X11/"},
+         {"samples/support/", "samples/sandbox/window.cpp", "editor/"}},
         {"Lua", {"lua"}, {"runtime/script/"}},
         {"Dear ImGui", {"imgui"}, {"editor/"}},
     };
     return table;
 }
 
-bool startsWithAny(std::string_view text, const std::vector<std::string_view>& beginnings) {
-    return std::any_of(beginnings.begin(), beginnings.end(), [&](std::string_view beginning) { return text.starts_with(beginning); });
+bool startsWithAny(std::string_view text, const std::vector<std::string>& beginnings) {
+    return std::any_of(beginnings.begin(), beginnings.end(),
+                       [&](const std::string& beginning) { return text.starts_with(beginning); });
 }
 
-const Room* roomOf(std::string_view file) {
-    const Room* best = nullptr;
-    for (const Room& room : rooms())
-        if (file.starts_with(room.path) && (!best || room.path.size() > best->path.size())) best = &room;
+/// The row of the table for a file: the one with the longest matching folder, or null.
+const Module* moduleOf(std::string_view file, const std::vector<Module>& modules) {
+    const Module* best = nullptr;
+    for (const Module& module : modules)
+        if (file.starts_with(module.folder) && (!best || module.folder.size() > best->folder.size())) best = &module;
     return best;
+}
+
+/// What stands between backticks in a cell of a Markdown table.
+std::vector<std::string> quotedNames(const std::string& cell) {
+    std::vector<std::string> names;
+    for (size_t open = cell.find('`'); open != std::string::npos;) {
+        const size_t close = cell.find('`', open + 1);
+        if (close == std::string::npos) break;
+        names.push_back(cell.substr(open + 1, close - open - 1));
+        open = cell.find('`', close + 1);
+    }
+    return names;
 }
 
 constexpr std::array<std::string_view, 6> kFolders = {"runtime", "physics", "render", "shaders", "editor", "samples"};
@@ -99,13 +79,20 @@ std::vector<std::string> sourceFiles(const fs::path& root, bool withTests) {
     return files;
 }
 
-void checkWalls(const Include& include, std::vector<Violation>& found) {
-    for (const Wall& wall : walls())
-        if (startsWithAny(include.target, wall.headers) && !startsWithAny(include.file, wall.rooms)) {
-            std::string text = "<" + include.target + "> is " + std::string(wall.name) + ", which only these may include:";
-            for (std::string_view room : wall.rooms) text += " " + std::string(room);
+void checkLibraries(const Include& include, std::vector<Violation>& found) {
+    for (const Library& library : libraries())
+        if (startsWithAny(include.target, library.headers) && !startsWithAny(include.file, library.folders)) {
+            std::string text =
+                "<" + include.target + "> is " + std::string(library.name) + ", which only these may include:";
+            for (const std::string& folder : library.folders) text += " " + folder;
             found.push_back({include.file, include.line, text});
         }
+}
+
+/// GLSL names its files from shaders/ on.
+std::string folderOf(const std::string& file) {
+    const std::string folder = fs::path(file).parent_path().generic_string();
+    return folder == "lib" || folder == "passes" || folder == "shared" ? "shaders/" + folder : folder;
 }
 
 }  // namespace
@@ -125,23 +112,68 @@ std::vector<Include> readIncludes(const fs::path& root) {
     return includes;
 }
 
-std::vector<Violation> checkArrows(const std::vector<Include>& includes) {
+std::vector<Module> readModules(const fs::path& root) {
+    std::vector<Module> modules;
+    std::ifstream stream(root / "ARCHITECTURE.md");
+    for (std::string line; std::getline(stream, line);) {
+        if (!line.starts_with("| `")) continue;
+        const size_t second = line.find('|', 1);
+        const size_t third = second == std::string::npos ? second : line.find('|', second + 1);
+        if (third == std::string::npos) continue;
+        const std::vector<std::string> folder = quotedNames(line.substr(0, second));
+        if (folder.size() != 1 || !folder[0].ends_with('/')) continue;
+        modules.push_back({folder[0], quotedNames(line.substr(second, third - second))});
+        modules.back().mayInclude.push_back(folder[0]);
+    }
+    return modules;
+}
+
+std::vector<Violation> checkModules(const std::vector<Include>& includes, const std::vector<Module>& modules) {
     std::vector<Violation> found;
     for (const Include& include : includes) {
-        checkWalls(include, found);
-        const Room* room = roomOf(include.file);
-        if (!room) {
-            found.push_back({include.file, include.line, "no room for this file in the table of arrows"});
-        } else if (include.quoted && !startsWithAny(include.target, room->mayInclude)) {
-            std::string text = "\"" + include.target + "\": " + std::string(room->path) + " may include only:";
-            for (std::string_view allowed : room->mayInclude) text += " " + std::string(allowed);
+        checkLibraries(include, found);
+        if (include.file.starts_with("tests/")) continue;
+        const Module* module = moduleOf(include.file, modules);
+        if (!module) {
+            found.push_back({include.file, include.line, "ARCHITECTURE.md has no row for this file's folder"});
+        } else if (include.quoted && !startsWithAny(include.target, module->mayInclude)) {
+            std::string text =
+                "\"" + include.target + "\": by ARCHITECTURE.md, " + module->folder + " may include only:";
+            for (const std::string& allowed : module->mayInclude) text += " " + allowed;
             found.push_back({include.file, include.line, text});
         }
     }
     return found;
 }
 
-std::vector<Violation> checkNeverReaches(const std::vector<Include>& includes, const std::string& from, const std::string& to) {
+std::vector<Violation> checkFolderCycles(const std::vector<Include>& includes) {
+    std::map<std::string, std::map<std::string, const Include*>> edges;  // from folder to folder: the first such line
+    for (const Include& include : includes) {
+        const std::string from = folderOf(include.file), to = folderOf(include.target);
+        if (include.quoted && from != to && !from.starts_with("tests")) edges[from].emplace(to, &include);
+    }
+    std::vector<Violation> found;
+    std::map<std::string, int> state;  // 1: on the path, 2: done
+    const std::function<void(const std::string&)> visit = [&](const std::string& folder) {
+        state[folder] = 1;
+        for (const auto& [next, include] : edges[folder]) {
+            if (state[next] == 1)
+                found.push_back(
+                    {include->file, include->line, "closes a cycle of folders: " + next + " already needs " + folder});
+            else if (state[next] == 0)
+                visit(next);
+        }
+        state[folder] = 2;
+    };
+    std::vector<std::string> folders;
+    for (const auto& [folder, targets] : edges) folders.push_back(folder);
+    for (const std::string& folder : folders)
+        if (state[folder] == 0) visit(folder);
+    return found;
+}
+
+std::vector<Violation> checkNeverReaches(const std::vector<Include>& includes, const std::string& from,
+                                         const std::string& to) {
     std::multimap<std::string, const Include*> byFile;
     for (const Include& include : includes)
         if (include.quoted) byFile.emplace(include.file, &include);
@@ -155,7 +187,8 @@ std::vector<Violation> checkNeverReaches(const std::vector<Include>& includes, c
             open.pop_back();
             if (file == to) found.push_back({start.file, start.line, "reaches " + to + ": " + chain});
             if (!seen.insert(file).second) continue;
-            for (auto [it, end] = byFile.equal_range(file); it != end; ++it) open.push_back({it->second->target, chain + " > " + it->second->target});
+            for (auto [it, end] = byFile.equal_range(file); it != end; ++it)
+                open.push_back({it->second->target, chain + " > " + it->second->target});
         }
     }
     return found;
@@ -171,19 +204,22 @@ std::vector<Violation> checkOwnHeaderFirst(const fs::path& root, const std::vect
         if (own.extension() != ".cpp") continue;
         own.replace_extension(".h");
         if (fs::exists(root / own) && include.target != own.generic_string())
-            found.push_back({include.file, include.line, "its own header \"" + own.generic_string() + "\" must be its first include"});
+            found.push_back({include.file, include.line,
+                             "its own header \"" + own.generic_string() + "\" must be its first include"});
     }
     return found;
 }
 
 std::vector<Violation> checkNames(const fs::path& root) {
-    static const std::set<std::string> top = {"runtime", "physics", "render", "shaders", "editor", "samples", "tests", "build", "out"};
+    static const std::set<std::string> top = {"runtime", "physics", "render", "shaders", "editor",
+                                              "samples", "tests",   "docs",   "build",   "out"};
     static const std::set<std::string> vague = {"utils", "util", "common", "misc", "helpers"};
     static const std::regex vagueClass(R"(\b(class|struct)\s+\w*(Manager|Helper)\b)");
     std::vector<Violation> found;
     for (const auto& entry : fs::directory_iterator(root)) {
         const std::string name = entry.path().filename().string();
-        if (entry.is_directory() && name[0] != '.' && !top.count(name)) found.push_back({name, 0, "the house has no such folder at the top"});
+        if (entry.is_directory() && name[0] != '.' && !top.count(name))
+            found.push_back({name, 0, "ARCHITECTURE.md knows no such folder at the top"});
     }
     std::set<std::string> reported;
     for (const std::string& file : sourceFiles(root, true)) {

@@ -5,7 +5,7 @@
 
 namespace rubble::architecture {
 
-/// A line that breaks a rule of the house.
+/// A line that breaks a rule of the source tree.
 struct Violation {
     std::string file;  ///< from the root of the tree
     int line;          ///< 0: the file or folder itself
@@ -20,13 +20,25 @@ struct Include {
     bool quoted;  ///< "x.h", not <x.h>
 };
 
-/// Every #include of every source file in the folders of the house, sorted by file.
+/// A row of the table of folders in ARCHITECTURE.md: what its files may include, as beginnings of paths, itself among
+/// them.
+struct Module {
+    std::string folder;  ///< with a slash at its end
+    std::vector<std::string> mayInclude;
+};
+
+/// Every #include of every source file in the folders of the tree, sorted by file.
 std::vector<Include> readIncludes(const std::filesystem::path& root);
 
-/// Includes against the arrows of the house, and libraries outside their wall.
-std::vector<Violation> checkArrows(const std::vector<Include>& includes);
+/// The table of folders of ROOT/ARCHITECTURE.md; empty if there is none.
+std::vector<Module> readModules(const std::filesystem::path& root);
+/// Includes against the table, and libraries outside the folders that may include them.
+std::vector<Violation> checkModules(const std::vector<Include>& includes, const std::vector<Module>& modules);
+/// Folders that need each other, directly or through others.
+std::vector<Violation> checkFolderCycles(const std::vector<Include>& includes);
 /// Files of `from` that reach the file `to` through any chain of includes; the text shows the chain.
-std::vector<Violation> checkNeverReaches(const std::vector<Include>& includes, const std::string& from, const std::string& to);
+std::vector<Violation> checkNeverReaches(const std::vector<Include>& includes, const std::string& from,
+                                         const std::string& to);
 /// x.cpp includes its own x.h first, so that the header compiles alone.
 std::vector<Violation> checkOwnHeaderFirst(const std::filesystem::path& root, const std::vector<Include>& includes);
 /// Folders at the top, names of folders and names of classes.
