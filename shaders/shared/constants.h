@@ -9,9 +9,9 @@ SHARED_CONSTANT float kSkyDepth = 65000.0;  // linear depth of pixels without a 
 SHARED_CONSTANT float kShadowCell = 0.1;    // metres: side of a cell of the shadow volume
 SHARED_CONSTANT uint kHasGlass = 1u;        // flags of a shape's layout (lib/bodies.glsl)
 SHARED_CONSTANT uint kHasPaint = 2u;
-SHARED_CONSTANT float kMaxTilt = 0.3;  // tangent of the largest tilt of a face with a detail map
+SHARED_CONSTANT float kMaxTilt = 0.3;         // tangent of the largest tilt of a face with a detail map
 SHARED_CONSTANT float kFinestBodyCell = 1.6;  // side of a body grid cell at level 0, metres; then four times as large
-SHARED_CONSTANT float kMaxHillSlope = 0.16;  // tangent of the elevation below which hills can hide the sky
+SHARED_CONSTANT float kMaxHillSlope = 0.16;   // tangent of the elevation below which hills can hide the sky
 
 // The light grid (lib/local_lights.glsl).
 SHARED_CONSTANT int kTilePixels = 32;     // side of a tile of the view
