@@ -11,9 +11,9 @@ namespace {
 
 constexpr int kSide = kShadowBrickCells;
 
-/// Voxels are cells, shifted: whole rows of 8 at once.
+/// For shapes whose voxels are cells, shifted: copies rows of 8 voxels.
 void copyShifted(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, glm::ivec3 brick, CellRows& rows) {
-    glm::ivec3 shift;  // cell - voxel
+    glm::ivec3 shift;  // coordinates of a cell minus those of its voxel
     for (int a = 0; a < 3; ++a) shift[a] = cellTransform.base[a] - int(cellTransform.origin[size_t(a)] >> 32);
     const glm::ivec3 low = brick * kSide - shift;
     const glm::ivec3 first = brickOfCell(low), last = brickOfCell(low + (kSide - 1));
@@ -31,7 +31,7 @@ void copyShifted(const VoxelGrid& grid, const ShadowCellTransform& cellTransform
             }
 }
 
-/// Voxels straight from the bricks, remembering the last one.
+/// Reads voxels from the grid's bricks and keeps the last brick.
 class BrickSource {
 public:
     explicit BrickSource(const VoxelGrid& grid) : m_grid(grid) {}
@@ -52,20 +52,20 @@ private:
     const uint64_t* m_occupancy = nullptr;
 };
 
-/// Bit i set for every sample i in [low, high) that lies in a solid voxel.
+/// A row of samples: bit i is set for every sample i in [low, high) that lies in a solid voxel.
 template <class Source>
 uint64_t sampleRow(Source& source, const FixedPoint& first, const FixedPoint& step, int low, int high) {
     uint64_t bits = 0;
     const int64_t last = high - 1;
     int64_t x = first[0] + last * step[0], y = first[1] + last * step[1], z = first[2] + last * step[2];
-    for (int i = low; i < high; ++i) {  // from the last one down: each makes room for the one before it
+    for (int i = low; i < high; ++i) {  // from the last one down, so that each shifts the bits behind it
         bits = bits + bits + source.solid(int(x >> 32), int(y >> 32), int(z >> 32));
         x -= step[0], y -= step[1], z -= step[2];
     }
     return bits << low;
 }
 
-/// The same with several samples a cell: bit i / samples.
+/// The same with several samples per cell: bit i / samples.
 template <class Source>
 uint64_t sampleFineRow(Source& source, const FixedPoint& first, const FixedPoint& step, int low, int high,
                        int samples) {
@@ -78,21 +78,22 @@ uint64_t sampleFineRow(Source& source, const FixedPoint& first, const FixedPoint
     return bits;
 }
 
-/// False if no sample of a box of cells can lie in the grid: its centre is too far out along one of the grid's axes.
+/// False if no sample of a box of cells can lie in the grid: along one of the grid's axes they are too far apart.
 bool canMeet(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, glm::ivec3 low, glm::ivec3 high) {
     const FixedPoint first = cellTransform.sample(low),
-                     last = cellTransform.sample(high);  // the last is one beyond: to be safe
+                     last = cellTransform.sample(high);  // one beyond the last cell, which is safe
     for (size_t k = 0; k < 3; ++k) {
-        int64_t reach = 0;  // twice
+        int64_t extent = 0;  // of the box along axis k, twice
         for (size_t a = 0; a < 3; ++a)
-            reach += std::abs(cellTransform.step[a][k]) * (high[int(a)] - low[int(a)]) * cellTransform.samples;
+            extent += std::abs(cellTransform.step[a][k]) * (high[int(a)] - low[int(a)]) * cellTransform.samples;
         const int64_t size = int64_t(grid.size()[int(k)]) << 32;
-        if (std::abs(first[k] + last[k] - size) > reach + size) return false;
+        if (std::abs(first[k] + last[k] - size) > extent + size) return false;
     }
     return true;
 }
 
-/// The cells of a box at most 64 wide: row(y, z) gets them from its low end on, rows without any are left out.
+/// Samples a box of cells that is at most 64 wide. Calls row(y, z, bits) for rows with set cells; y, z and bits count
+/// from the box's low corner.
 template <class Source, class Row>
 void rasterizeBox(const VoxelGrid& grid, Source source, const ShadowCellTransform& cellTransform, const CellBox& box,
                   Row&& row) {
@@ -138,7 +139,7 @@ ShadowWords packRows(const CellRows& rows) {
             const uint16_t* row = &rows[size_t(y + z * kSide)];
             uint64_t v = uint64_t(row[0]) | uint64_t(row[1]) << 16 | uint64_t(row[2]) << 32 | uint64_t(row[3]) << 48;
             if (!v) continue;
-            // 4 rows of 4 x 4 cells, transposed: then 16 bits go to each of four words.
+            // 4 rows of 16 cells are a 4x4 matrix of nibbles: its transpose has 16 bits for each of 4 words.
             uint64_t swap = (v ^ v >> 12) & 0x0000f0f00000f0f0u;
             v ^= swap ^ swap << 12;
             swap = (v ^ v >> 24) & 0x00000000ff00ff00u;

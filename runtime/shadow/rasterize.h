@@ -12,12 +12,12 @@ namespace rubble {
 /// The cells of one shadow brick as rows along x: row y + 16 z, bit x.
 using CellRows = std::array<uint16_t, kShadowBrickCells * kShadowBrickCells>;
 
-/// Sets the cells of shadow brick `brick` that the grid's voxels occupy, by the cellTransform's rule. `bounds` holds
-/// all cells that the grid can set.
+/// Adds to `rows` the cells of shadow brick `brick` that the grid's voxels set (ShadowCellTransform says which).
+/// bounds: a box that contains all cells that the grid can set.
 void rasterize(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, const CellBox& bounds, glm::ivec3 brick,
                CellRows& rows);
 
-/// The cells as words.
+/// The same cells as words of 4x4x4.
 ShadowWords packRows(const CellRows& rows);
 
 }  // namespace rubble

@@ -9,13 +9,14 @@
 
 namespace rubble {
 
-/// Cuts rows of samples along the world's x axis to a box of a shape's voxels, which leaves one interval of each.
-/// In doubles, which hold the fixed-point numbers of the cell transform exactly.
+/// Clips rows of samples along the world's x axis to a box of a shape's cells: the slab test (Kay and Kajiya 1986). It
+/// computes in doubles, which hold the fixed-point coordinates exactly. An estimated end of an interval may be off by a
+/// rounding error; where it is that close to a sample, the sample's exact position decides.
 class RowClip {
 public:
     using Exact = std::array<double, 3>;
     static constexpr int kBatch = 32;  ///< rows at a time
-    /// Rows of `count` samples, cut to `box` (voxels, high end excluded).
+    /// For rows of `count` samples and a box of voxels, high end excluded.
     RowClip(const CellBox& box, const ShadowCellTransform& cellTransform, int count) : m_end(count - 0.5) {
         const FixedPoint& step = cellTransform.step[0];
         for (size_t k = 0; k < 3; ++k) {
@@ -25,19 +26,19 @@ public:
             m_rowStep[k] = double(cellTransform.step[1][k]);
             m_enter[k] = step[k] < 0 ? m_high[k] : m_low[k];
             m_leave[k] = step[k] < 0 ? m_low[k] : m_high[k];
-            m_inverse[k] = step[k] ? 1.0 / m_step[k] : 1e100;  // from outside it never enters
+            m_inverse[k] = step[k] ? 1.0 / m_step[k] : 1e100;  // a row outside the slab never enters
         }
         findSlopes(cellTransform.step[1]);
     }
     struct Interval {
-        int low, high;
+        int low, high;  ///< high excluded
     };
-    /// The samples of [0, count) that lie inside, of `rows` rows (kBatch at most) from row `row` on of the plane whose
-    /// first sample is given.
+    /// The samples that lie in the box, for `rows` rows (at most kBatch) from row `row` on. plane: the first sample of
+    /// row 0.
     void intervals(const Exact& plane, int row, int rows, Interval* out) const {
-        constexpr double kTolerance = 1e-6;  // more than the estimate errs; where that matters the exact place decides
+        constexpr double kTolerance = 1e-6;  // samples: more than the rounding errors of from and to
         std::array<double, kBatch> from, to;
-        for (int i = 0; i < rows; ++i) {  // without a branch: for several rows at once
+        for (int i = 0; i < rows; ++i) {  // without a branch, so that the compiler vectorizes it
             const Exact first = rowAt(plane, row + i);
             from[size_t(i)] = std::max(std::max(enters(first, 0), 0.0), std::max(enters(first, 1), enters(first, 2)));
             to[size_t(i)] = std::min(std::min(leaves(first, 0), m_end), std::min(leaves(first, 1), leaves(first, 2)));
@@ -51,7 +52,7 @@ public:
                 out[i] = trim(out[i], rowAt(plane, row + i));
         }
     }
-    /// f(row, interval) for all rows of [0, count) that have samples inside.
+    /// Calls f(row, interval) for all rows of [0, count) that have samples in the box.
     template <class F>
     void forEachRow(const Exact& plane, int count, F&& f) const {
         const auto [low, high] = rows(plane, count);
@@ -63,10 +64,10 @@ public:
                 if (batch[size_t(i)].low < batch[size_t(i)].high) f(row + i, batch[size_t(i)]);
         }
     }
-    /// All rows of [0, count) that have samples inside, and perhaps a few more, of the plane whose first sample is
-    /// given: a row enters by each face before it leaves by any other, and both move steadily from row to row.
+    /// The rows of [0, count) that can have samples in the box. In such a row the entry into each slab lies before the
+    /// exit from every other one; both are linear in the row, so each pair bounds the rows on one side.
     Interval rows(const Exact& plane, int count) const {
-        constexpr double kMargin = 0.01;  // more than the estimate errs
+        constexpr double kMargin = 0.01;  // rows: more than the rounding errors of low and high
         const std::array<double, 4> enter = {enters(plane, 0), enters(plane, 1), enters(plane, 2), 0.0};
         const std::array<double, 4> leave = {leaves(plane, 0), leaves(plane, 1), leaves(plane, 2), m_end};
         double low = 0.0, high = count - 1.0;
@@ -83,14 +84,15 @@ public:
     }
 
 private:
-    /// By how much a row enters later than it leaves grows from row to row; 3 is the row's own ends.
+    /// A pair of slabs, and the inverse of the change of (entry into one - exit from the other) from row to row. Slab 3
+    /// is the row itself.
     struct Slope {
         uint8_t enter, leave;
         double inverse;
     };
     void findSlopes(const FixedPoint& rowStep) {
-        constexpr double kMinStep = 0x1p20,
-                         kMinSlope = 1e-4;  // what hardly changes along a row, or from row to row, says little
+        // Slabs nearly parallel to the rows, and pairs that hardly change from row to row, give no useful bound.
+        constexpr double kMinStep = 0x1p20, kMinSlope = 1e-4;
         std::array<double, 4> change{};
         for (size_t k = 0; k < 3; ++k) change[k] = -double(rowStep[k]) * m_inverse[k];
         const auto counts = [&](size_t k) { return k == 3 || std::abs(m_step[k]) >= kMinStep; };

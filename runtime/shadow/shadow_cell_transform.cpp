@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kCell = double(kShadowCell);
 constexpr double kFixedOne = 0x1p32;
-constexpr double kMaxPosition = 1e8;  // metres: cells stay in 32 bits
-constexpr int kMaxSamples = 8;        // voxels under 0.0125 m are sampled sparsely
+constexpr double kMaxPosition = 1e8;  ///< metres: cell coordinates stay within 32 bits
+constexpr int kMaxSamples = 8;        ///< voxels under 0.0125 m have samples farther apart than they are wide
 
 FixedPoint toFixed(glm::dvec3 v) {
     FixedPoint out;
@@ -53,7 +53,7 @@ bool ShadowCellTransform::isShift() const {
 }
 
 CellBox shadowBounds(const Pose& shapeToWorld, double voxelSize, const CellBox& boxLocal) {
-    constexpr double kMargin = 1e-3;  // cells: more than all roundings together
+    constexpr double kMargin = 1e-3;  // cells: more than all rounding errors together
     glm::dvec3 low(1e300), high(-1e300);
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 local(corner & 1 ? boxLocal.high.x : boxLocal.low.x,

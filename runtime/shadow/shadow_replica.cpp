@@ -39,9 +39,9 @@ VoxelGrid withoutTranslucent(const VoxelGrid& grid, const std::array<bool, 256>&
     return out;
 }
 
-/// The bricks of the volume that a grid's voxels can reach, in the order of isBefore.
+/// Lists the bricks of the volume in which a grid's voxels can set cells, in the order of isBefore().
 void listBricks(const VoxelGrid& grid, const Pose& pose, double voxelSize, std::vector<glm::ivec3>& bricks) {
-    constexpr size_t kFewBricks = 64;  // whose whole box is looked at, as that is cheaper than each for itself
+    constexpr size_t kFewBricks = 64;  // up to these the box around all of them is cheaper than each for itself
     const auto add = [&](glm::ivec3 brick) { bricks.push_back(brick); };
     bricks.clear();
     if (grid.brickCount() == 0) return;
@@ -156,7 +156,7 @@ void ShadowReplica::queuePlacement(Shape& shape) {
     m_waiting.push_back(shape.handle);
 }
 
-/// Makes the next raster of a shape, empty if it rests or is large, and lists the bricks that it is in.
+/// Builds m_nextRaster of a shape, empty if it rests or is large, and lists in m_bricks the bricks that it is in.
 void ShadowReplica::rasterizeMoving(Shape& shape) {
     const VoxelGrid& grid = shape.casterGrid();
     const glm::ivec3 size = grid.size();
@@ -179,7 +179,7 @@ void ShadowReplica::place(Shape& shape) {
         const ShadowWords *before = shape.raster.find(brick), *after = m_nextRaster.find(brick);
         return !before || !after || *before != *after;
     };
-    // Most bricks are in the old list and the new one: theirs stay as they are.
+    // Walks the old list of bricks and the new one together; most bricks are in both.
     m_nextCovered.clear();
     auto old = shape.covered.begin();
     const auto oldEnd = shape.covered.end();
@@ -211,10 +211,10 @@ void ShadowReplica::leaveAll(Shape& shape) {
 }
 
 void ShadowReplica::touch(const Shape& shape, BrickEntry& entry) {
-    BrickState& place = entry.second;
-    if (!shape.moving) place.isRestCurrent = false;
-    if (place.touched) return;
-    place.touched = true;
+    BrickState& state = entry.second;
+    if (!shape.moving) state.isRestCurrent = false;
+    if (state.touched) return;
+    state.touched = true;
     m_touched.push_back(&entry);
 }
 
@@ -228,27 +228,27 @@ void ShadowReplica::touchVoxelBrick(Shape& shape, glm::ivec3 voxelBrick) {
     });
 }
 
-ShadowBrickRef ShadowReplica::buildResting(const BrickState& place, glm::ivec3 brick) const {
-    if (place.resting.empty()) return nullptr;
+ShadowBrickRef ShadowReplica::buildResting(const BrickState& state, glm::ivec3 brick) const {
+    if (state.resting.empty()) return nullptr;
     CellRows rows{};
-    for (const uint32_t slot : place.resting) {
+    for (const uint32_t slot : state.resting) {
         const Shape& shape = *m_shapes[slot];
         rasterize(shape.casterGrid(), shape.cellTransform, shape.bounds, brick, rows);
     }
     const ShadowWords cells = packRows(rows);
-    return place.published && !place.isTransient && sameCells(*place.published, cells) ? place.published
+    return state.published && !state.isTransient && sameCells(*state.published, cells) ? state.published
                                                                                        : makeShadowBrick(cells);
 }
 
-/// The cells of all shapes, those that rest as they are known.
-ShadowWords ShadowReplica::cellsOf(const BrickState& place, glm::ivec3 brick) const {
+/// The cells of all shapes; those of resting ones from `rest`.
+ShadowWords ShadowReplica::cellsOf(const BrickState& state, glm::ivec3 brick) const {
     ShadowWords cells{};
-    if (place.rest)
-        for (int i = 0; i < 64; ++i) cells[size_t(i)] = place.rest->cells(i);
+    if (state.rest)
+        for (int i = 0; i < 64; ++i) cells[size_t(i)] = state.rest->cells(i);
     const auto add = [&](const ShadowWords& others) {
         for (size_t i = 0; i < cells.size(); ++i) cells[i] |= others[i];
     };
-    for (const uint32_t slot : place.moving) {
+    for (const uint32_t slot : state.moving) {
         const Shape& shape = *m_shapes[slot];
         if (const ShadowWords* words = shape.raster.find(brick)) {
             add(*words);
@@ -261,22 +261,22 @@ ShadowWords ShadowReplica::cellsOf(const BrickState& place, glm::ivec3 brick) co
     return cells;
 }
 
-/// What a brick is to hold now; the published one where that is the same.
-ShadowBrickRef ShadowReplica::currentContent(BrickState& place, glm::ivec3 brick) const {
-    if (!place.isRestCurrent) place.rest = buildResting(place, brick);
-    place.isRestCurrent = true;
-    if (place.moving.empty()) return place.rest;  // its boxes are better ones, too
-    const ShadowWords cells = cellsOf(place, brick);
-    return place.published && sameCells(*place.published, cells) ? place.published : makeShadowBrick(cells, true);
+/// The present content of a brick: the published object where that holds the same cells.
+ShadowBrickRef ShadowReplica::currentContent(BrickState& state, glm::ivec3 brick) const {
+    if (!state.isRestCurrent) state.rest = buildResting(state, brick);
+    state.isRestCurrent = true;
+    if (state.moving.empty()) return state.rest;  // without moving shapes; its empty boxes are larger
+    const ShadowWords cells = cellsOf(state, brick);
+    return state.published && sameCells(*state.published, cells) ? state.published : makeShadowBrick(cells, true);
 }
 
 void ShadowReplica::rebuildBrick(BrickEntry& entry, ShadowPatches& out) {
-    auto& [brick, place] = entry;
-    ShadowBrickRef content = currentContent(place, brick);
-    place.isTransient = !place.moving.empty();
-    if (content == place.published) return;
-    place.published = std::move(content);
-    out.patches.push_back({brick, place.published});
+    auto& [brick, state] = entry;
+    ShadowBrickRef content = currentContent(state, brick);
+    state.isTransient = !state.moving.empty();
+    if (content == state.published) return;
+    state.published = std::move(content);
+    out.patches.push_back({brick, state.published});
 }
 
 bool ShadowReplica::update(ShadowPatches& out, const std::atomic<bool>& stop) {

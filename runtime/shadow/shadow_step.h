@@ -11,7 +11,7 @@
 
 namespace rubble {
 
-/// What one step changed for the shadow volume, as values: bricks are shared, nothing else is.
+/// What one step changed for the shadow volume. Values only; bricks are shared by reference.
 struct ShadowStep {
     struct NewShape {
         ShapeHandle shape;
@@ -30,7 +30,7 @@ struct ShadowStep {
         bool asleep;
     };
     uint64_t version = 0;
-    uint64_t epoch = 0;  ///< how many levels were loaded before it
+    uint64_t epoch = 0;  ///< number of levels loaded before it
     bool replacesAll = false;
     std::vector<ShapeHandle> destroyed;
     std::vector<NewShape> created;

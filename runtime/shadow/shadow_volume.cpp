@@ -9,13 +9,13 @@
 namespace rubble {
 namespace {
 
-using Set = uint64_t;  ///< of a brick's words
+using Set = uint64_t;  ///< a set of a brick's words: bit x + 4 y + 16 z
 
-/// The words in the lowest layer across each axis, and how far apart layers are.
+/// The words in the lowest layer of each axis, and the distance in bits from one layer to the next.
 constexpr std::array<Set, 3> kLowestLayer = {0x1111111111111111u, 0x000f000f000f000fu, 0x000000000000ffffu};
 constexpr std::array<int, 3> kPitch = {1, 4, 16};
 
-/// The words whose neighbour, one on in the octant, is in the set. Beyond the brick all are.
+/// The words whose neighbour, one on along an axis in the octant's direction, is in the set. Beyond the brick all are.
 Set neighborsAhead(Set set, int axis, int octant) {
     const size_t a = size_t(axis);
     return octant >> axis & 1
@@ -23,7 +23,8 @@ Set neighborsAhead(Set set, int axis, int octant) {
                : (set >> kPitch[a] & ~(kLowestLayer[a] << (3 * kPitch[a]))) | kLowestLayer[a] << (3 * kPitch[a]);
 }
 
-/// The 63 sizes of boxes above one word, less one in two bits each (x, y, z from the lowest), the largest first.
+/// The 63 sizes of boxes of more than one word, each as size - 1 in two bits for x, y, z, in order of preference: by
+/// volume plus a bonus for the shortest side, because rays leave flat boxes soon.
 constexpr std::array<uint8_t, 63> kSizes = [] {
     std::array<uint8_t, 63> out{};
     for (int i = 0; i < 63; ++i) out[size_t(i)] = uint8_t(i + 1);
@@ -41,7 +42,8 @@ constexpr std::array<uint8_t, 63> kSizes = [] {
     return out;
 }();
 
-/// For each size the words that begin an empty box of it; what is beyond the brick counts as empty.
+/// For each size the words that begin an empty box of it. What lies beyond the brick counts as empty. A box is two
+/// boxes: its first layer and the rest of it, one on.
 void listBoxes(Set empty, int octant, std::array<Set, 64>& boxes) {
     boxes[0] = empty;
     for (int axis = 0; axis < 3; ++axis) {
@@ -52,10 +54,10 @@ void listBoxes(Set empty, int octant, std::array<Set, 64>& boxes) {
     }
 }
 
-/// Sizes as planes of bits: bit 0 and bit 1 for each axis.
+/// The sizes (less one) of all words as planes of bits: bit 0 and bit 1 for each axis.
 using Planes = std::array<std::array<Set, 2>, 3>;
 
-/// Cuts boxes off where the brick ends.
+/// Shortens the boxes that leave the brick.
 void endInBrick(Planes& planes, int octant) {
     for (size_t a = 0; a < 3; ++a) {
         const bool down = octant >> a & 1;
@@ -88,13 +90,13 @@ Planes chooseBoxes(Set empty, int octant) {
     return planes;
 }
 
-/// The largest empty cube instead: nearly as far, in a tenth of the work.
+/// The largest empty cubes instead of boxes: rays skip nearly as far, for a tenth of the work.
 Planes chooseCubes(Set empty, int octant) {
     std::array<Set, 3> cubes;  // of 2, 3 and 4 words
     Set begins = empty;
     for (Set& ofSize : cubes) {
         for (int axis = 0; axis < 3; ++axis)
-            begins &= neighborsAhead(begins, axis, octant);  // of one less, at all eight corners
+            begins &= neighborsAhead(begins, axis, octant);  // cubes one smaller, at all eight corners
         ofSize = begins;
     }
     Planes planes;
@@ -103,10 +105,11 @@ Planes chooseCubes(Set empty, int octant) {
     return planes;
 }
 
-/// The planes of all octants in the order of a texel's bits: 16 x, 16 y, 16 z, and nothing.
+/// The planes of all octants in the order of a texel's bits: 16 for x, 16 for y, 16 for z, and 16 unused.
 using PlaneRows = std::array<std::array<Set, 4>, 16>;
 
-/// Within each 16 bits: bit i of row k becomes bit k of row i (after Warren, "Hacker's Delight", 7-3).
+/// One step of a transposition: in the end, within each 16 bits, bit i of row k is bit k of row i (Warren, "Hacker's
+/// Delight", 7-3).
 template <size_t kHalf>
 void swapHalves(PlaneRows& rows, Set mask) {
     for (size_t base = 0; base < 16; base += 2 * kHalf)
@@ -119,7 +122,7 @@ void swapHalves(PlaneRows& rows, Set mask) {
             }
 }
 
-/// Row k of each axis holds 16 bits of words k, 16 + k, 32 + k and 48 + k now.
+/// After the transposition row k of each axis holds 16 bits of the words k, 16 + k, 32 + k and 48 + k.
 void storeTexels(const PlaneRows& rows, ShadowWords& texels) {
 #if defined(__SSE2__)
     for (size_t k = 0; k < 16; ++k) {

@@ -7,29 +7,29 @@
 
 namespace rubble {
 
-/// The cells of one word: 4x4x4, bit (x + 4 y + 16 z). A brick's words: 4x4x4, word (x + 4 y + 16 z).
+/// The cells of a brick: 4x4x4 words, word (x + 4 y + 16 z), of 4x4x4 cells, bit (x + 4 y + 16 z).
 using ShadowWords = std::array<uint64_t, 64>;
 
-/// 16x16x16 shadow cells (voxels of 0.1 m on the world's axes) as rays read them.
+/// 16x16x16 shadow cells (of 0.1 m, along the world's axes) as rays read them.
 ///
-/// The texel of a word that holds anything is its cells. The texel of an empty word says how far a ray may leap: for
-/// each of the eight octants of directions (bit a of its number set: down axis a) the sizes in words of a box that
-/// begins with this word, ends within the brick and is empty. Size - 1 in two bits: x at bit 2 octant, y at 16 + 2
-/// octant, z at 32 + 2 octant.
+/// The texel of a word that holds cells is the word itself. The texel of an empty word says how far a ray may skip: for
+/// each octant of directions (bit a of its number: down axis a) the size in words of an empty box that begins with this
+/// word and ends within the brick. Size - 1 takes two bits: x at bit 2 * octant, y at 16 + 2 * octant, z at 32 + 2 *
+/// octant.
 struct ShadowBrick {
     ShadowWords texels{};
-    uint64_t occupied = 0;  ///< which words hold anything
+    uint64_t occupied = 0;  ///< which words hold cells
     /// The cells of a word by its number, x + 4 y + 16 z; 0 if it is empty.
     uint64_t cells(int word) const { return occupied >> word & 1 ? texels[size_t(word)] : 0; }
 };
 using ShadowBrickRef = std::shared_ptr<const ShadowBrick>;
 
-/// Null if all words are empty.
-/// isTransient: what is in it moves on at once, so its boxes are made quickly, and some are smaller than they could be.
+/// A brick of these cells; null if there are none. isTransient: shapes move through it, so it will soon be replaced;
+/// its empty boxes are found faster and some are smaller.
 ShadowBrickRef makeShadowBrick(const ShadowWords& cells, bool isTransient = false);
-/// Whether a brick holds just these cells.
+/// Whether a brick has exactly these cells.
 bool sameCells(const ShadowBrick& brick, const ShadowWords& cells);
-/// The empty box of an empty word in an octant, in words.
+/// The size in words of the empty box of an empty word in an octant.
 inline glm::ivec3 emptyBox(const ShadowBrick& brick, int word, int octant) {
     const uint64_t texel = brick.texels[size_t(word)] >> (2 * octant);
     return glm::ivec3(int(texel & 3), int(texel >> 16 & 3), int(texel >> 32 & 3)) + 1;
@@ -38,16 +38,16 @@ inline glm::ivec3 emptyBox(const ShadowBrick& brick, int word, int octant) {
 inline constexpr float kShadowCell = 0.1f;  ///< metres
 inline constexpr int kShadowBrickCells = 16;
 
-/// One brick of the world's shadow volume after an update; null content = empty now. Coordinates in bricks, any sign.
+/// A brick of the world's shadow volume that an update changed. Coordinates in bricks, of any sign. Null: empty now.
 struct ShadowPatch {
     glm::ivec3 brick;
     ShadowBrickRef content;
 };
 
-/// What the worker publishes: the bricks that differ from its last publication, and which step they show.
+/// A publication of the worker: the bricks that differ from the one before.
 struct ShadowPatches {
-    uint64_t version = 0;      ///< the step whose snapshot this volume equals, bit for bit; only grows
-    bool replacesAll = false;  ///< a level was loaded: forget every brick before these
+    uint64_t version = 0;      ///< the step whose world this volume equals exactly; increases
+    bool replacesAll = false;  ///< a level was loaded: all earlier bricks are gone
     std::vector<ShadowPatch> patches;
 };
 

@@ -13,17 +13,17 @@
 namespace rubble {
 
 struct ShadowWorker::Impl {
-    /// What both threads see, under the mutex.
+    /// State of both threads, under the mutex.
     struct Shared {
         std::vector<ShadowPatches> published;  ///< not yet taken
         uint64_t publishedVersion = 0;
-        uint64_t queuedVersion = 0;     ///< of the newest step that the worker has to deal with
+        uint64_t queuedVersion = 0;     ///< the newest step in the queue
         uint64_t submittedVersion = 0;  ///< steps after queuedVersion change nothing
         uint64_t epoch = 0;
         uint64_t version() const { return publishedVersion == queuedVersion ? submittedVersion : publishedVersion; }
     };
 
-    /// [worker] One publication for this step and all others that wait.
+    /// [worker] Makes one publication for this step and all others in the queue.
     void work(ShadowStep&& first) {
         ShadowPatches publication;
         std::optional<ShadowStep> step = std::move(first);
@@ -37,7 +37,7 @@ struct ShadowWorker::Impl {
         }
         if (stop || !replica.update(publication, stop)) return;
         const std::lock_guard lock(mutex);
-        if (epoch != shared.epoch) return;  // of a level that is gone: the next publication replaces all
+        if (epoch != shared.epoch) return;  // another level was loaded meanwhile: the next publication replaces all
         shared.publishedVersion = publication.version;
         shared.published.push_back(std::move(publication));
         changed.notify_all();

@@ -10,32 +10,31 @@
 
 namespace rubble {
 
-/// Whether a step can change the shadow volume. A version is published for each step that can (or for a later one that
-/// includes it), and for no other.
+/// Whether a step can change the shadow volume. A version is published for each step that can, or for a later one that
+/// includes it, and for no other.
 inline bool changesShadow(const FrameChanges& changes, std::span<const BodyPose> moved) {
     return changes.levelReplaced || !changes.shapesCreated.empty() || !changes.shapesDestroyed.empty() ||
            !changes.bricks.empty() || !changes.palettes.empty() || !moved.empty();
 }
 
-/// Keeps the shadow volume up to date, on a thread of its own or inline, from a replica of the world's shapes that
-/// shares their bricks. [main-thread] calls only; the worker sees values.
+/// Keeps the shadow volume up to date, on its own thread or inline, from a copy of the world's shapes that shares their
+/// bricks. [main-thread] All calls.
 class ShadowWorker {
 public:
     enum class Mode { Thread, Inline };
-    /// Inline: submit() does the work itself, as tests and single-threaded hosts want it.
+    /// Thread: starts a thread. Inline: submit() does the work itself, for tests and single-threaded hosts.
     explicit ShadowWorker(Mode mode);
-    ~ShadowWorker();  ///< stops at once, whatever is queued
+    ~ShadowWorker();  ///< does not wait for queued steps
     ShadowWorker(const ShadowWorker&) = delete;
     ShadowWorker& operator=(const ShadowWorker&) = delete;
 
-    /// Copies out what this step changed (bricks by reference, poses of the bodies in `moved`) and queues it. Never
-    /// waits.
+    /// Queues what this step changed: bricks by reference, the poses of the bodies in `moved`. Never waits.
     void submit(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world);
-    /// What has been published since the last call, oldest first; each publication is one version.
+    /// What was published since the last call, oldest first; each publication is one version.
     std::vector<ShadowPatches> takePatches();
     /// Waits until `version` is published: for tests, benchmarks and images that must not depend on timing.
     void waitFor(uint64_t version);
-    /// Step of the newest publication.
+    /// The step of the newest publication.
     uint64_t publishedVersion() const;
 
 private:

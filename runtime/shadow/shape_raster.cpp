@@ -8,9 +8,10 @@ namespace rubble {
 namespace {
 
 constexpr int kSide = kShadowBrickCells;
-constexpr int kMaxCells = 60;  ///< of bounds: with what is left of the first word they fit a row of 64
+constexpr int kMaxCells =
+    60;  ///< along an axis: with up to 3 cells of the first word before them they fit a row of 64 bits
 
-/// Bits [low, high).
+/// A mask of the bits [low, high).
 uint64_t bitsOf(int low, int high) {
     return low < high ? ~uint64_t(0) >> (64 - (high - low)) << low : 0;
 }
@@ -23,7 +24,7 @@ bool isSolid(const uint64_t* rows, int height, const CellBox& box) {
     return true;
 }
 
-/// What is left of rows of voxels without those that have an empty neighbour. Empty if nothing is.
+/// The voxels without those that have an empty neighbour (erosion). Empty if none is left.
 std::vector<uint64_t> eroded(const std::vector<uint64_t>& rows, glm::ivec3 size) {
     std::vector<uint64_t> out(rows.size(), 0);
     uint64_t any = 0;
@@ -36,12 +37,13 @@ std::vector<uint64_t> eroded(const std::vector<uint64_t>& rows, glm::ivec3 size)
     return any ? out : std::vector<uint64_t>();
 }
 
-/// 4 layers of cells, whole words of them: rows along x, and how to take them apart.
+/// 4 layers of cells, as rows along x, and their conversion to words.
 struct Slab {
     static constexpr int kRows = 64;
     std::array<std::array<uint64_t, kRows>, 4> layers{};
 
-    /// The words of 4 rows in each of the 4 layers, from row `y` on: word i holds bits 4 i to 4 i + 3 of each.
+    /// Moves 4 rows of each layer, from row `y` on, into words[shift] and behind; word i holds bits 4 i to 4 i + 3 of
+    /// each. False if they hold no cells.
     bool takeWords(int y, std::array<uint64_t, 20>& words, int shift) {
         std::array<uint64_t, 16> rows;
         uint64_t any = 0;
@@ -77,7 +79,7 @@ private:
     }
 };
 
-/// Rows of samples of a shape as rows of cells.
+/// Samples a shape along rows of shadow cells. What lies in the solid box needs no look-up.
 class RowSampler {
 public:
     RowSampler(const RasterSource& source, const ShadowCellTransform& cellTransform, int count)
@@ -90,8 +92,8 @@ public:
           m_solidBox(source.solidBox(), cellTransform, count),
           m_isBox(m_samples == 1 && source.solidBox() == source.used()),
           m_hasSolidBox(m_samples == 1 && !m_isBox && !source.solidBox().empty()) {}
-    /// row(y, bits) for all rows of a plane that set cells; bit i / samples of `bits` is set for every sample i in a
-    /// solid voxel.
+    /// Calls row(y, bits) for the rows of a plane that can set cells; bit i / samples of `bits` is set for every sample
+    /// i in a solid voxel.
     template <class Row>
     void forEachRow(const FixedPoint& plane, int count, Row&& row) const {
         const RowClip::Exact at = toDoubles(plane);
@@ -124,7 +126,7 @@ private:
         uint64_t bits = 0;
         const int64_t last = high - 1;
         int64_t x = first[0] + last * m_step[0], y = first[1] + last * m_step[1], z = first[2] + last * m_step[2];
-        for (int i = low; i < high; ++i) {  // from the last one down: each makes room for the one before it
+        for (int i = low; i < high; ++i) {  // from the last one down, so that each shifts the bits behind it
             bits = bits + bits + solid(x, y, z);
             x -= m_step[0], y -= m_step[1], z -= m_step[2];
         }
@@ -175,7 +177,7 @@ void RasterSource::findOccupiedBox(glm::ivec3 size) {
         }
 }
 
-/// A large solid box: peels the shape until nothing is left, and grows a box round a voxel that went last.
+/// Finds a large solid box: erodes the shape until nothing is left and grows a box around a voxel that vanished last.
 void RasterSource::findSolidBox(glm::ivec3 size) {
     m_solidBox = {};
     if (m_used.empty()) return;

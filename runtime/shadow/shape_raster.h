@@ -6,19 +6,21 @@
 
 namespace rubble {
 
-/// The voxels of a small shape as rasters read them; rebuilt when they change.
+/// The voxels of a small shape as rows of bits, for ShapeRaster. Built again when they change.
 class RasterSource {
 public:
     static constexpr int kMaxSize = 64;  ///< voxels on a side
-    /// From a grid of at most kMaxSize voxels on a side.
+    /// Builds it. No side of the grid may be longer than kMaxSize.
     void make(const VoxelGrid& grid);
-    bool isMade() const { return !m_rows.empty(); }  ///< and not cleared since
-    void clear() { m_rows.clear(); }                 ///< when voxels have changed
-    /// Bit x of the row at y and z.
+    /// Whether it has been built and not cleared.
+    bool isMade() const { return !m_rows.empty(); }
+    /// Forgets the voxels.
+    void clear() { m_rows.clear(); }
+    /// The rows, at index y + z * height(): bit x is a voxel.
     const uint64_t* rows() const { return m_rows.data(); }
-    int height() const { return m_height; }                 ///< rows from one z to the next
-    const CellBox& used() const { return m_used; }          ///< what lies outside is empty
-    const CellBox& solidBox() const { return m_solidBox; }  ///< what lies in it is solid; none if its height is 0
+    int height() const { return m_height; }                 ///< number of rows per z
+    const CellBox& used() const { return m_used; }          ///< box around all voxels
+    const CellBox& solidBox() const { return m_solidBox; }  ///< a large box that is solid throughout; may be empty
 
 private:
     void findOccupiedBox(glm::ivec3 size);
@@ -28,16 +30,19 @@ private:
     CellBox m_used, m_solidBox;
 };
 
-/// All cells of a small shape, made once a pose: the words of each brick that it sets any in.
+/// All shadow cells of a small shape in one pose, as words by brick.
 class ShapeRaster {
 public:
-    /// `bounds` holds all cells that the shape can set. False, and nothing is made, if they are too wide.
+    /// Builds it. bounds: a box that contains all cells that the shape can set. False, and it is empty, if they are
+    /// more than 60 cells along an axis.
     bool make(const RasterSource& source, const ShadowCellTransform& cellTransform, const CellBox& bounds);
-    bool isMade() const { return !m_brickSlots.empty(); }  ///< and not cleared since
-    void clear();                                          ///< when the pose or the voxels have changed
-    /// Null if it sets no cells there.
+    /// Whether it has been built and not cleared.
+    bool isMade() const { return !m_brickSlots.empty(); }
+    /// Forgets all cells.
+    void clear();
+    /// The cells of a brick; null if the shape sets none there.
     const ShadowWords* find(glm::ivec3 brick) const;
-    /// f(brick, words) for each brick in which it sets cells, by z, then y, then x.
+    /// Calls f(brick, words) for each brick with cells, in the order of z, then y, then x.
     template <class F>
     void forEach(F&& f) const {
         for (size_t i = 0; i < m_brickSlots.size(); ++i)
