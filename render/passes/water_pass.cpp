@@ -46,7 +46,7 @@ void setRipples(const Program& program, const Scene& scene, const Water& water) 
         const float radius = ripple.radius + kRingSpeed * ripple.age;
         const float fade = std::exp(-1.2f * ripple.age) * std::min(ripple.age * 8.0f, 1.0f) *
                            std::sqrt((ripple.radius + 0.3f) / (radius + 0.3f));
-        rings[size_t(count++)] = {float(ripple.place.x - origin.x), float(ripple.place.y - origin.z), radius,
+        rings[size_t(count++)] = {float(ripple.center.x - origin.x), float(ripple.center.y - origin.z), radius,
                                   ripple.strength * fade};
     }
     program.set("uRippleCount", count);

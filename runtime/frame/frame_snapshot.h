@@ -28,14 +28,14 @@ struct SnapshotShape {
     PaintColorsRef paintColors;       ///< null: nothing is painted
 };
 
-/// A shape's new palette or colours of paint: both are given.
+/// A shape whose palette or paint colours have changed; both are given.
 struct SnapshotPalette {
     ShapeHandle shape;
     PaletteRef palette;
     PaintColorsRef paintColors;
 };
 
-/// Where a shape (its grid's corner) was at the previous step and is at this one.
+/// The pose of a shape (of its grid's corner) at the previous step and at this one.
 struct SnapshotPose {
     ShapeHandle shape;
     Pose previous;
@@ -53,12 +53,12 @@ struct SnapshotLight {
     float width = 0.0f, height = 0.0f;  ///< metres
     bool twoSided = false;
     LightImage image = {};   ///< of a screen
-    LightHandle light = {};  ///< empty: of a fire
+    LightHandle light = {};  ///< null: of a fire
 };
 
 /// A burning brick, as flames and smoke are drawn.
 struct SnapshotFire {
-    glm::dvec3 position;  ///< world: the middle of what burns
+    glm::dvec3 position;  ///< world: centre of the burning brick
     float radius;         ///< metres
     float intensity;      ///< 0 to 1: rises when lit, falls with the fuel
     float smoke;          ///< 0 to 1
@@ -67,12 +67,12 @@ struct SnapshotFire {
 
 enum class ParticleKind : uint8_t { Dust, Smoke, Flame, Spark, Crumb, Glint, Ember };
 
-/// Something small in the air at a step, as it is drawn.
+/// A particle at a step, as it is drawn.
 struct SnapshotParticle {
     ParticleKind kind;
     glm::dvec3 position;  ///< world
-    glm::vec3 velocity;   ///< m/s: where it was between steps
-    glm::vec3 color;      ///< linear albedo; of sparks: what they glow like
+    glm::vec3 velocity;   ///< m/s: gives its position between steps
+    glm::vec3 color;      ///< linear albedo; of sparks: colour of their glow
     float radius;         ///< metres
     float opacity;        ///< 0 to 1
     float age;            ///< share of its life
@@ -82,32 +82,32 @@ struct SnapshotParticle {
 /// A rope's points at the previous step and at this one.
 struct SnapshotRope {
     JointHandle rope;
-    std::vector<glm::dvec3> previous, current;  ///< world, as many in both
+    std::vector<glm::dvec3> previous, current;  ///< world; both have the same length
     float radius;                               ///< metres
     glm::vec3 color;                            ///< sRGB, 0 to 1
 };
 
-/// A ring that runs over a water's surface from where something moved in it.
+/// A ring on a water surface that spreads from where something has moved through it.
 struct SnapshotRipple {
-    glm::dvec2 place;  ///< world x and z
-    double surface;    ///< height of the water
-    float radius;      ///< metres, at its birth
-    float strength;    ///< metres, crest above calm at its birth
-    float age;         ///< seconds
+    glm::dvec2 center;  ///< world x and z
+    double surface;     ///< height of the water
+    float radius;       ///< metres, at its birth
+    float strength;     ///< metres: height of the crest at its birth
+    float age;          ///< seconds
 };
 
-/// What one frame hands to the renderer: values only, and only what changed since the snapshot before. All of it shows
-/// the step `version`, the shadow volume too, so light and bodies agree.
+/// What changed for the renderer since the snapshot before. Values only. All of it shows the step `version`, also the
+/// shadow volume, so that light and bodies agree.
 struct FrameSnapshot {
     uint64_t version = 0;
-    uint64_t newestStep = 0;             ///< newestStep - version = age of what is drawn, in steps
-    bool replacesAll = false;            ///< a level was loaded: forget everything before
+    uint64_t newestStep = 0;             ///< the last step simulated: newestStep - version is the age of what is drawn
+    bool replacesAll = false;            ///< a level was loaded: all earlier objects are gone
     std::vector<std::string> materials;  ///< names by index, if replacesAll; none: those of the default table
     std::vector<ShapeHandle> destroyed;  ///< applied first
     std::vector<SnapshotShape> created;
     std::vector<BrickChange> bricks;
     std::vector<SnapshotPalette> palettes;
-    std::vector<SnapshotPose> poses;  ///< shapes that moved in this step, or came to rest in it (previous == current)
+    std::vector<SnapshotPose> poses;  ///< of shapes that moved in this step, or came to rest (previous == current)
     bool lightsChanged = false;
     std::vector<SnapshotLight> lights;  ///< all enabled lights and those of the biggest fires, if lightsChanged
     bool firesChanged = false;

@@ -57,7 +57,8 @@ void mergeByKey(std::vector<T>& into, std::vector<T>&& later) {
 using ShapeHash = std::hash<ShapeHandle>;
 using ShapePlaces = std::unordered_map<ShapeHandle, size_t>;
 
-/// Forgets what the destroyed shapes had. One that the receiver has not seen yet goes without a word.
+/// Drops all that concerns destroyed shapes. Those that `into` was to create are not listed as destroyed either: the
+/// receiver has never seen them.
 void mergeDestroyed(FrameSnapshot& into, const std::vector<ShapeHandle>& destroyed) {
     if (destroyed.empty()) return;
     ShapePlaces gone;
@@ -73,7 +74,7 @@ void mergeDestroyed(FrameSnapshot& into, const std::vector<ShapeHandle>& destroy
         if (!unseen.contains(shape)) into.destroyed.push_back(shape);
 }
 
-/// Bricks and palettes of shapes that `into` creates change what it creates; the others stay in `later`.
+/// Moves bricks and palettes of `later` into the shapes that `into` creates; those of other shapes stay in `later`.
 void mergeIntoCreated(FrameSnapshot& into, FrameSnapshot& later) {
     if (into.created.empty() || (later.bricks.empty() && later.palettes.empty())) return;
     ShapePlaces created;

@@ -8,25 +8,25 @@
 namespace rubble {
 namespace {
 
-constexpr double kFloorSearchDepth = 60.0;  ///< metres below which ground is looked for
-constexpr int kMaxStackedBodies = 12;       ///< how many loose ones may lie over each other there
-constexpr double kMinBodyThickness = 0.15;  ///< metres: how thick each is at least
-constexpr double kFloorCacheRadius = 0.4;   ///< metres: events this near share one look
+constexpr double kFloorSearchDepth = 60.0;  ///< metres: how far below a place ground is searched
+constexpr int kMaxStackedBodies = 12;       ///< free bodies that the search passes through
+constexpr double kMinBodyThickness = 0.15;  ///< metres: how far below its top the search goes on
+constexpr double kFloorCacheRadius = 0.4;   ///< metres: events this near each other share one search
 constexpr int kFlamesPerStep = 30;          ///< of all fires together
 constexpr int kSmokePerStep = 4;
 constexpr int kEmbersPerStep = 5;
-constexpr float kBlazeFires = 90.0f;         ///< fires from which on flames are as tall as they get
-constexpr double kSolidShare = 0.6;          ///< of the budget: beyond it there is only room for gas and fire
-constexpr double kImpactPuff = 1500;         ///< N s from which a hit raises dust
-constexpr double kMaxImpactStrength = 10.0;  ///< of roots of 4 kN s: beyond it no more dust
-constexpr double kMaxDustHeight = 1.5;       ///< metres over the ground up to which it does
-constexpr double kMinLevelNormal = 0.5;      ///< of a normal: dust lies on what is more level than that
+constexpr float kBlazeFires = 90.0f;         ///< number of fires from which on flames have their full height
+constexpr double kSolidShare = 0.6;          ///< of the budget, for solid particles: the rest is for gas and fire
+constexpr double kImpactPuff = 1500;         ///< N s above which an impact raises dust
+constexpr double kMaxImpactStrength = 10.0;  ///< of sqrt(impulse / 4 kN s): above it the dust does not grow
+constexpr double kMaxDustHeight = 1.5;       ///< metres over the ground, above which it raises none
+constexpr double kMinLevelNormal = 0.5;      ///< y of the normal of a face that is level enough for dust
 
-/// What a material emission up for each voxel: how much of it hangs in the air, and what flies.
+/// What each voxel of a material throws up: how much of it becomes dust, and which solid particles fly.
 struct Emission {
     float dust = 0.6f;
     ParticleKind solid = ParticleKind::Crumb;
-    float solids = 0.5f;  ///< a voxel, before the budget
+    float solids = 0.5f;  ///< for each voxel, before the budget
 };
 Emission emissionOf(const Material& material) {
     if (material.fragments == "pane") return {0.03f, ParticleKind::Glint, 1.6f};
@@ -43,7 +43,7 @@ glm::vec3 linear(std::array<uint8_t, 3> color) {
 }  // namespace
 
 glm::vec3 Particles::anyDirection() {
-    // The cube's corners are a little favoured: nobody sees it.
+    // Directions to the cube's corners are a little more likely, which does not show.
     const float x = m_random.unit() * 2.0f - 1.0f;
     const float y = m_random.unit() * 2.0f - 1.0f;
     const float z = m_random.unit() * 2.0f - 1.0f;
@@ -63,7 +63,7 @@ double Particles::floorBelow(glm::dvec3 position, const World& world) {
     if (glm::distance(position, m_floorQuery) < kFloorCacheRadius) return m_floorFound;
     m_floorQuery = position;
     m_floorFound = position.y - kFloorSearchDepth;
-    // What moves is no floor: it will have gone on by the time that something lands.
+    // Free bodies do not count: they may have moved on before something lands.
     glm::dvec3 from = position;
     for (int i = 0; i < kMaxStackedBodies; ++i) {
         const WorldHit hit = castRay(world, {from, {0, -1, 0}, kFloorSearchDepth});
@@ -154,8 +154,8 @@ void Particles::addImpact(const Impact& impact, const World& world) {
         glm::vec3 direction = anyDirection();
         direction.y = std::abs(direction.y) * 0.5f;
         Particle p{ParticleKind::Dust};
-        // A long thing lands along its length, but a pair of bodies has one contact: the heavier, the farther around
-        // it.
+        // A long body lands along its length, but physics reports one contact for a pair of bodies. So the dust of a
+        // stronger impact is spread farther around it.
         const double spread = 0.1 + 0.05 * strength * strength * double(m_random.unit());
         p.position = {impact.position.x + double(direction.x) * spread, impact.position.y + 0.2 * double(direction.y),
                       impact.position.z + double(direction.z) * spread};

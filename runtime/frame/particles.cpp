@@ -11,8 +11,8 @@ constexpr float kStep = 1.0f / 60.0f;
 constexpr float kGravity = 9.81f;
 constexpr float kBounce = 0.35f;
 
-/// How a kind moves: share of its velocity that the air takes in a second, lift against gravity (1 = floats), eddies in
-/// m/s2.
+/// How a kind of particle moves: drag as a share of its velocity per second, weight as a share of gravity, buoyancy and
+/// eddies in m/s2.
 struct Motion {
     float drag, weight, rise, eddies;
 };
@@ -36,7 +36,7 @@ Motion motionOf(ParticleKind kind) {
     return {};
 }
 
-/// A slow swirl: a divergence-free field of sines, so that plumes curl and do not spread apart.
+/// Slow turbulence: a divergence-free field of sines, so that plumes curl and keep their volume.
 glm::vec3 eddy(glm::dvec3 at, float time) {
     const float x = float(std::fmod(at.x, 1000.0)), y = float(std::fmod(at.y, 1000.0)),
                 z = float(std::fmod(at.z, 1000.0));
@@ -48,8 +48,8 @@ bool isSolid(ParticleKind kind) {
     return kind == ParticleKind::Crumb || kind == ParticleKind::Glint || kind == ParticleKind::Spark;
 }
 
-/// Share of its opacity at a share of its life: quickly there, slowly gone. Solid things shrink at the very end
-/// instead.
+/// Opacity at a share of the particle's life: it fades in fast and out slowly. Of solid particles: size, which shrinks
+/// at the very end.
 float presence(ParticleKind kind, float share) {
     if (isSolid(kind)) return std::min(1.0f, (1.0f - share) * 5.0f);
     const float in = kind == ParticleKind::Dust ? 0.03f : 0.12f;
@@ -62,7 +62,7 @@ void Particles::move(Particle& p) const {
     const Motion motion = motionOf(p.kind);
     p.age += kStep;
     if (p.kind != ParticleKind::Spark) {
-        // Growing takes up speed: a puff that spreads slows down.
+        // Drag slows a puff down while it grows.
         p.velocity -=
             (p.velocity - (isSolid(p.kind) ? glm::vec3(0.0f) : m_settings.wind)) * std::min(1.0f, motion.drag * kStep);
         if (motion.eddies > 0.0f) p.velocity += eddy(p.position, p.age + float(p.seed % 64)) * (motion.eddies * kStep);
@@ -82,7 +82,7 @@ void Particles::step(const FrameChanges& changes, std::span<const Impact> impact
     if (changes.levelReplaced) clear();
     for (Particle& particle : m_alive) move(particle);
     std::erase_if(m_alive, [](const Particle& particle) { return particle.age >= particle.life; });
-    m_floorQuery = glm::dvec3(1e30);  // the world is another one than a step ago
+    m_floorQuery = glm::dvec3(1e30);  // the world has changed since the last step
     for (const Blast& blast : changes.blasts) addBlast(blast, world);
     for (const DustCloud& cloud : changes.dust) addDust(cloud, world);
     for (const Impact& impact : impacts) addImpact(impact, world);

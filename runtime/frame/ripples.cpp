@@ -6,12 +6,12 @@
 namespace rubble {
 namespace {
 
-constexpr double kMinSpeed = 0.25;        // m/s through the water that still makes a ring
-constexpr float kMinInterval = 0.15f;     // seconds between two rings of one thing
-constexpr double kMaxHeight = 0.10;       // metres
-constexpr double kHeightPerSpeed = 0.02;  // metres for each m/s of something a metre wide
+constexpr double kMinSpeed = 0.25;        ///< m/s through the water below which nothing makes a ring
+constexpr float kMinInterval = 0.15f;     ///< seconds between two rings of one source
+constexpr double kMaxHeight = 0.10;       ///< metres
+constexpr double kHeightPerSpeed = 0.02;  ///< metres per m/s, of a source one metre wide
 
-/// Box around a shape as it lies in the world.
+/// The world-space bounds of a shape.
 WorldBox boundsOf(const Shape& shape, const Pose& pose) {
     WorldBox box{glm::dvec3(1e30), glm::dvec3(-1e30)};
     const glm::dvec3 size = glm::dvec3(shape.grid.size()) * double(shape.voxelSize);

@@ -9,7 +9,7 @@
 namespace rubble {
 namespace {
 
-constexpr size_t kMaxPosted = 16;  ///< snapshots that may pile up before the main thread merges them
+constexpr size_t kMaxPosted = 16;  ///< snapshots in the queue before the main thread merges them
 
 SnapshotShape describeShape(ShapeHandle handle, const Shape& shape) {
     SnapshotShape out{handle, shape.grid.size(), shape.voxelSize, shape.palette, {}, shape.paintColors};
@@ -73,7 +73,7 @@ void Snapshots::releaseOldest(std::optional<FrameSnapshot>& out) {
 void Snapshots::post(std::optional<FrameSnapshot> snapshot, uint64_t newestStep) {
     if (!snapshot) return;
     snapshot->newestStep = newestStep;
-    // Nobody draws: what is posted must not grow with time.
+    // While nobody draws, snapshots are merged, so that the queue stays short.
     if (m_posted.size() >= kMaxPosted)
         if (auto all = take()) {
             merge(*all, std::move(*snapshot));
@@ -126,7 +126,7 @@ void Snapshots::addCreated(const FrameChanges& changes, const World& world, Fram
     if (changes.levelReplaced) return world.shapes().forEach(add);
     for (const ShapeHandle handle : changes.shapesCreated)
         if (const Shape* shape = world.shapes().find(handle)) add(handle, *shape);
-    // A piece was where its parent was, so that it does not jump in its first step.
+    // The previous pose of a piece is that of its parent, so that it does not jump in its first step.
     for (const ShapeSplit& split : changes.splits)
         for (size_t i = 0; i < split.children.size(); ++i) {
             const Shape* child = world.shapes().find(split.children[i]);
@@ -166,7 +166,7 @@ void Snapshots::addPoses(std::span<const BodyPose> moved, const World& world, Fr
     for (const BodyPose& pose : moved)
         if (const Body* body = world.bodies().find(pose.body))
             for (const ShapeHandle shape : body->shapes) addPose(shape, world, out);
-    // What moved in the step before and not in this one has come to rest: said once.
+    // Shapes that moved in the step before and not in this one have come to rest: their pose is listed once more.
     for (const ShapeHandle shape : m_moving)
         if (world.shapes().find(shape)) addPose(shape, world, out);
     std::swap(m_moving, m_moved);
@@ -216,7 +216,7 @@ void Snapshots::addLights(const FrameChanges& changes, std::span<const BodyPose>
     addFires(changes, world, out);
 }
 
-/// All ropes, if one has moved, come or gone, or moved in the step before.
+/// Adds all ropes, if any of them moved in this step or the one before, or was created or removed.
 void Snapshots::addRopes(const World& world, FrameSnapshot& out) {
     std::vector<SnapshotRope> ropes;
     bool changed = world.data().jointIndex.ropes().size() != m_ropes.size();
@@ -239,7 +239,7 @@ void Snapshots::addRopes(const World& world, FrameSnapshot& out) {
     m_ropes = std::move(ropes);
 }
 
-/// Flames as data, and lights that flicker over the biggest of them.
+/// Adds all fires, and flickering lights over the biggest ones.
 void Snapshots::addFires(const FrameChanges& changes, const World& world, FrameSnapshot& out) const {
     const std::vector<Fire> fires = findFires(world);
     out.firesChanged = changes.firesChanged || changes.levelReplaced;

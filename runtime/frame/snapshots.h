@@ -41,14 +41,14 @@ private:
     struct LastPose {
         ShapeHandle shape;
         Pose pose;
-        uint64_t listedIn = 0;  ///< the m_count of the last snapshot that holds its pose
+        uint64_t listedIn = 0;  ///< m_count of the last snapshot that holds its pose
     };
     void enqueue(const FrameChanges& changes, std::span<const BodyPose> moved, const World& world,
                  std::span<const Impact> impacts);
     void addCreated(const FrameChanges& changes, const World& world, FrameSnapshot& out);
     void addChanged(const FrameChanges& changes, const World& world, FrameSnapshot& out) const;
     void addPoses(std::span<const BodyPose> moved, const World& world, FrameSnapshot& out);
-    /// Nothing if the snapshot already holds it.
+    /// Adds a shape's pose, unless the snapshot holds it already.
     void addPose(ShapeHandle shape, const World& world, FrameSnapshot& out);
     void addParticles(const FrameChanges& changes, std::span<const Impact> impacts, const World& world,
                       FrameSnapshot& out);
@@ -64,7 +64,7 @@ private:
     std::deque<Waiting> m_waiting;  ///< oldest first
     Mailbox<FrameSnapshot> m_posted;
     std::vector<LastPose> m_lastPoses;
-    uint64_t m_count = 0;                   ///< of calls of publish
+    uint64_t m_count = 0;                   ///< of calls of enqueue()
     std::vector<ShapeHandle> m_moving;      ///< shapes that the newest snapshot shows moving
     std::vector<ShapeHandle> m_moved;       ///< the same while it is being made
     std::vector<BodyHandle> m_lightBodies;  ///< that carry a light, ascending
