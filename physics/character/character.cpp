@@ -124,7 +124,7 @@ private:
         const double length = glm::length(normal);
         return length > 1e-6 ? normal / length : horizontal(-wished) / std::max(glm::length(horizontal(wished)), 1e-9);
     }
-    /// The part of a displacement along the corner of two walls; upright walls have none that can be followed.
+    /// The part of a displacement along the line in which two walls meet; zero for upright walls, as it is vertical.
     static glm::dvec3 alongCorner(glm::dvec3 displacement, glm::dvec3 wall, glm::dvec3 normal, bool upright) {
         const glm::dvec3 corner = glm::cross(wall, normal);
         const double length = glm::length(corner);
@@ -147,7 +147,8 @@ private:
         else
             m_c.position = slid;
     }
-    /// before: metres that it got along the ground without a step. False if the step is none.
+    /// Tries the way again, lifted by the step height. before: metres that it got without that. False if there is no
+    /// step, or if it leads no farther.
     bool climbStep(glm::dvec3 displacement, glm::dvec3 start, double before) {
         const glm::dvec3 forward = displacement / glm::length(displacement);
         advance(kUp * m_c.stepHeight);

@@ -21,8 +21,6 @@ public:
         : m_bytes(bytes), m_context(std::move(context)), m_fileOffset(fileOffset) {}
 
     /// The next value, or zero.
-    /// The next value, or zero.
-    /// The next value, or zero.
     template <class T>
     T read() {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -43,16 +41,12 @@ public:
         return 0;
     }
     /// A count of 32 bits and as many bytes of text.
-    /// A count of 32 bits and as many bytes of text.
-    /// A count of 32 bits and as many bytes of text.
     std::string readString() {
         const uint32_t length = readCount(1, "characters");
         std::string text(reinterpret_cast<const char*>(m_bytes.data()) + m_position, length);
         m_position += length;
         return text;
     }
-    /// The next `count` bytes, in place; empty if there are fewer.
-    /// The next `count` bytes, in place; empty if there are fewer.
     /// The next `count` bytes, in place; empty if there are fewer.
     std::span<const uint8_t> readBytes(size_t count) {
         if (!need(count, "a block")) return {};
@@ -66,19 +60,11 @@ public:
     }
 
     /// Bytes to the end; 0 after a failure.
-    /// Bytes to the end; 0 after a failure.
-    /// Bytes to the end; 0 after a failure.
     size_t remaining() const { return failed() ? 0 : m_bytes.size() - m_position; }
-    /// Where the next byte lies in the file.
-    /// Where the next byte lies in the file.
     /// Where the next byte lies in the file.
     size_t offset() const { return m_fileOffset + m_position; }
     /// Whether anything has failed so far.
-    /// Whether anything has failed so far.
-    /// Whether anything has failed so far.
     bool failed() const { return !m_error.empty(); }
-    /// The first failure as "byte N, context: expected ..., found ..."; empty if there is none.
-    /// The first failure as "byte N, context: expected ..., found ..."; empty if there is none.
     /// The first failure as "byte N, context: expected ..., found ..."; empty if there is none.
     const std::string& error() const { return m_error; }
     /// Records a failure, unless one is recorded. `offset`: where it is in the file; SIZE_MAX: at offset().

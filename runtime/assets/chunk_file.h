@@ -16,12 +16,9 @@ namespace rubble {
 
 inline constexpr std::array<char, 8> kFileMagic = {'R', 'U', 'B', 'B', 'L', 'E', '\r', '\n'};
 inline constexpr uint32_t kFileVersion = 5;
-inline constexpr uint64_t kMaxFileBytes =
-    uint64_t(8) << 30;  ///< larger files are refused  ///< larger files are refused  ///< larger files are refused
-inline constexpr size_t kGridChunkBytes = 8u << 20;  ///< a GRID chunk ends once it holds this much
+inline constexpr uint64_t kMaxFileBytes = uint64_t(8) << 30;  ///< larger files are refused
+inline constexpr size_t kGridChunkBytes = 8u << 20;           ///< a GRID chunk ends once it holds this much
 
-/// The first 32 bytes of a file.
-/// The first 32 bytes of a file.
 /// The first 32 bytes of a file.
 struct FileHeader {
     std::array<char, 8> magic = kFileMagic;
@@ -30,8 +27,6 @@ struct FileHeader {
     uint64_t contentHash = 0;  ///< of what the file describes: hashLevel(), World::hash()
     uint64_t headerHash = 0;   ///< of the bytes before it
 };
-/// The 32 bytes before the stored bytes of a chunk.
-/// The 32 bytes before the stored bytes of a chunk.
 /// The 32 bytes before the stored bytes of a chunk.
 struct ChunkHeader {
     std::array<char, 4> kind{};
@@ -43,25 +38,17 @@ struct ChunkHeader {
 static_assert(sizeof(FileHeader) == 32 && sizeof(ChunkHeader) == 32);
 
 /// A header with its hash.
-/// A header with its hash.
-/// A header with its hash.
 FileHeader makeFileHeader(uint32_t chunks, uint64_t contentHash);
 
 /// Packs chunks one after the other.
 class ChunkWriter {
 public:
     /// Adds a chunk of raw bytes, packed with LZ4 if that makes them fewer.
-    /// Adds a chunk of raw bytes, packed with LZ4 if that makes them fewer.
-    /// Adds a chunk of raw bytes, packed with LZ4 if that makes them fewer.
     void add(std::array<char, 4> kind, const std::vector<uint8_t>& raw);
     /// A whole file: a header and the chunks.
     std::vector<uint8_t> file(uint64_t contentHash) const;
     /// The chunks alone.
-    /// The chunks alone.
-    /// The chunks alone.
     const std::vector<uint8_t>& bytes() const { return m_bytes; }
-    /// How many chunks there are.
-    /// How many chunks there are.
     /// How many chunks there are.
     uint32_t count() const { return m_count; }
 
@@ -75,11 +62,7 @@ private:
 class GridChunkWriter {
 public:
     /// `out` must outlive it.
-    /// `out` must outlive it.
-    /// `out` must outlive it.
     explicit GridChunkWriter(ChunkWriter& out) : m_out(out) {}
-    /// Adds one chunk or more; none for an empty grid.
-    /// Adds one chunk or more; none for an empty grid.
     /// Adds one chunk or more; none for an empty grid.
     void addGrid(uint32_t shape, const VoxelGrid& grid);
 

@@ -15,11 +15,7 @@ std::vector<uint8_t> levelToBytes(const Level& level, PaletteList& palettes);
 Level levelFromBytes(ByteReader& in, const std::vector<PaletteRef>& palettes);
 
 /// The bytes of palettes: their number, then 256 entries each.
-/// The bytes of palettes: their number, then 256 entries each.
-/// The bytes of palettes: their number, then 256 entries each.
 std::vector<uint8_t> palettesToBytes(const std::vector<PaletteRef>& palettes);
-/// Reads such bytes. Fails in the reader.
-/// Reads such bytes. Fails in the reader.
 /// Reads such bytes. Fails in the reader.
 std::vector<PaletteRef> palettesFromBytes(ByteReader& in);
 

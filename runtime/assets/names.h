@@ -9,15 +9,11 @@ namespace rubble {
 /// empty one.
 std::string printableName(const std::string& name);
 /// Whether a text is well-formed UTF-8 (Unicode 15, table 3-7).
-/// Whether a text is well-formed UTF-8 (Unicode 15, table 3-7).
-/// Whether a text is well-formed UTF-8 (Unicode 15, table 3-7).
 bool isUtf8(const std::string& text);
 
 /// Makes names unique by numbering them: "door", "door 2", "door 3".
 class UniqueNames {
 public:
-    /// The name, or the name and the lowest number from 2 on that makes it a new one.
-    /// The name, or the name and the lowest number from 2 on that makes it a new one.
     /// The name, or the name and the lowest number from 2 on that makes it a new one.
     std::string unique(const std::string& name);
 

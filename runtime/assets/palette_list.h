@@ -12,11 +12,7 @@ public:
     /// The number of the palette with this content, which is added if it is new. Null means the default palette.
     uint32_t add(const PaletteRef& palette);
     /// All palettes by number.
-    /// All palettes by number.
-    /// All palettes by number.
     std::vector<PaletteRef>& palettes() { return m_palettes; }
-    /// All palettes by number.
-    /// All palettes by number.
     /// All palettes by number.
     const std::vector<PaletteRef>& palettes() const { return m_palettes; }
 

@@ -30,11 +30,9 @@ struct RecordedStep {
 class RecordingWriter {
 public:
     /// Opens the file and writes the saved game.
-    /// Opens the file and writes the saved game.
     static Result<RecordingWriter> open(const std::string& path, const SavedGame& start);
     /// Appends a step. close() reports what could not be written.
     void add(const RecordedStep& step);
-    /// Completes the file and gives it its name, or removes it and says why it could not be written.
     /// Completes the file and gives it its name, or removes it and says why it could not be written.
     Result<Done> close();
 
@@ -60,13 +58,10 @@ struct Recording {
 /// The content of a STEP chunk. A network host can send it to a client that joins late.
 std::vector<uint8_t> recordedStepToBytes(const RecordedStep& step);
 /// Reads it. `world`: number of the World whose handles the handles become.
-/// Reads it. `world`: number of the World whose handles the handles become.
 Result<RecordedStep> recordedStepFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world);
 
 /// Reads a whole recording. Steps must follow each other without a gap. `name`: of the file, for messages.
-/// Reads a whole recording. Steps must follow each other without a gap. `name`: of the file, for messages.
 Result<Recording> recordingFromBytes(std::span<const uint8_t> bytes, const std::string& name, uint8_t world);
-/// Reads a recording from a file; see recordingFromBytes().
 /// Reads a recording from a file; see recordingFromBytes().
 Result<Recording> readRecording(const std::string& path, uint8_t world);
 

@@ -12,7 +12,6 @@ namespace rubble {
 /// LEVL, everything but voxels; GRID, bricks of one shape, several for large shapes.
 std::vector<uint8_t> levelToRubble(const Level& level);
 /// Reads a baked level. `name`: of the file, for messages. Any bytes give a valid level or an error.
-/// Reads a baked level. `name`: of the file, for messages. Any bytes give a valid level or an error.
 Result<Level> levelFromRubble(std::span<const uint8_t> bytes, const std::string& name);
 
 }  // namespace rubble

@@ -26,7 +26,6 @@ Result<SavedGame> gameFromBytes(std::span<const uint8_t> bytes, const std::strin
 /// Writes a saved game, whole or not at all.
 Result<Done> writeSave(const std::string& path, const SavedGame& game);
 /// Reads a saved game from a file; see gameFromBytes().
-/// Reads a saved game from a file; see gameFromBytes().
 Result<SavedGame> readSave(const std::string& path, uint8_t world);
 
 }  // namespace rubble

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFloorSearchDepth = 60.0;  ///< metres: how far below a place ground is searched
 constexpr int kMaxStackedBodies = 12;       ///< free bodies that the search passes through
-constexpr double kMinBodyThickness = 0.15;  ///< metres: how far below its top the search goes on
+constexpr double kMinBodyThickness = 0.15;  ///< metres below the top of each from which the search goes on
 constexpr double kFloorCacheRadius = 0.4;   ///< metres: events this near each other share one search
 constexpr int kFlamesPerStep = 30;          ///< of all fires together
 constexpr int kSmokePerStep = 4;

@@ -14,7 +14,7 @@
 namespace rubble {
 
 struct ParticleSettings {
-    uint32_t maxAlive = 4096;            ///< beyond it none are made. 0: no particles, at no cost
+    uint32_t maxAlive = 4096;            ///< particles at once; 0: none, at no cost
     glm::vec3 wind{0.9f, 0.0f, -0.25f};  ///< m/s, carries dust and smoke
 };
 

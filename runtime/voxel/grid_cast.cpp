@@ -11,8 +11,7 @@
 // Bricks are visited in the order in which the shape's bounding box first meets them, in intervals of the path that are
 // as long as a directory node, so a cast that hits early looks at few bricks. Against one voxel, a closed unit cube:
 //   * A box moves without turning, so the separating axis theorem gives the exact time of contact (S. Gottschalk, M.
-//   Lin
-//     and D. Manocha, "OBBTree", SIGGRAPH 1996). Along each of the 15 axes the two projections overlap during an
+//     Lin and D. Manocha, "OBBTree", SIGGRAPH 1996). Along each of the 15 axes the two projections overlap during an
 //     interval of t; the contact begins at the latest beginning, and its axis is the normal.
 //   * The distance d(t) between a moving segment and a cube is a convex function of t, as both are convex. A sphere or
 //     capsule touches where d(t) = radius. Newton's method, started before that zero, approaches it from one side and

@@ -1,4 +1,4 @@
-// The uniforms of a frame: the members of `struct FrameBlock` in C++ (render/frame/frame_context.h) and of the uniform
+// The uniforms of a frame: the members of `struct FrameBlock` in C++ (render/frame/frame_block.h) and of the uniform
 // block in GLSL (lib/frame.glsl). Only vec4, ivec4 and mat4, so that std140 and C++ agree on the layout. World
 // positions are metres from the render origin; the previous frame's are from the same origin.
 mat4 viewProjection;          // world -> clip, with jitter: what the G-buffer is drawn with

@@ -1,4 +1,4 @@
-// // rubble-vdb: converts .vdb files to baked .rubble levels and back. The runtime starts it as a child process,
+// rubble-vdb: converts .vdb files to baked .rubble levels and back. The runtime starts it as a child process,
 // because OpenVDB may crash on a damaged file.
 #include <sys/resource.h>
 

@@ -27,7 +27,7 @@ struct CarveEdit {
     glm::dvec3 end{0.0};                      ///< capsule: other end
     glm::dvec3 halfSize{0.0};                 ///< box
     glm::dquat rotation{1, 0, 0, 0};          ///< box
-    std::array<double, 3> radii{};            ///< soft, medium, hard, falling (MakeHole's r0, r1, r2); box: unused
+    std::array<double, 3> radii{};            ///< for soft, medium, hard voxels, none above the one before; box: unused
     Hardness hardnessLimit = Hardness::Hard;  ///< box: the hardest class that it removes
     ShapeHandle shape;                        ///< empty: all in reach
     Tool tool = Tool::Any;                    ///< removes only materials that this tool breaks

@@ -10,7 +10,7 @@
 namespace rubble {
 
 /// Emitters of constant radiance, cut off smoothly at a distance: the window (1 - (d / reach)^4)^2 of the distance d
-/// from the lit place to the point of the light multiplies it. Exact otherwise (tests/render/local_lights_test.cpp):
+/// from the lit place to the point of the light multiplies it. Exact otherwise (tests/golden/local_lights_test.cpp):
 /// * Sphere: a sphere of radiance color / (pi radius^2).
 /// * Cone: a Sphere times e^2; e goes from 0 at the outer half angle to 1 at the inner one, by the cosine to -z at the
 ///   sphere's centre.

@@ -29,7 +29,7 @@ struct ShapeEditState {
     CellBox lost;  ///< cells that held all voxels that are gone
     BrickSet painted;
     std::vector<DetachedFragment> fragments;  ///< no longer in the grid; bodies of their own after the edits
-    bool lostVoxels = false;  ///< and has a new frame of cells: its connectivity test looks at all of it
+    bool lostVoxels = false;  ///< before its frame of cells changed: all of it is tested for connectivity
 };
 
 /// How a free body moved before anything was taken from it.
