@@ -37,7 +37,8 @@ float brightness(const SnapshotLight& light) {
     return glm::dot(light.color, glm::vec3(0.2126f, 0.7152f, 0.0722f));
 }
 
-/// The sphere that a light's reach fits into: for cones narrower than a right angle less than all around.
+/// A bounding sphere of what a light reaches. For a cone narrower than a right angle it is smaller than the light's
+/// whole reach.
 glm::vec4 boundingSphere(const SnapshotLight& light, glm::dvec3 origin) {
     const glm::vec3 place(light.position - origin);
     const float all = light.reach + extentOf(light);
@@ -46,16 +47,18 @@ glm::vec4 boundingSphere(const SnapshotLight& light, glm::dvec3 origin) {
     return {place + light.direction * half, half + light.radius};
 }
 
-/// Tiles along one axis of the screen that a sphere can touch. `along`, `depth`: its centre in the camera's frame;
-/// tangent: of half the view's angle. Between two planes through the eye each, so exact but for the ends.
+/// The first and the last tile along one axis of the screen that a sphere can touch. along, depth: the sphere's centre
+/// in view space; tangent: of half the view's angle. Each tile lies between two planes through the eye, so the test is
+/// exact except near the sphere's silhouette.
 std::optional<glm::ivec2> tilesAlong(float along, float depth, float radius, float tangent, float pixels) {
     const int count = int(std::ceil(pixels / kTilePixels));
     int low = count, high = -1;
     for (int tile = 0; tile < count; ++tile) {
-        const auto beyond = [&](int edge) {  // signed distance from the plane through this edge, positive to the right
-            const float slope = (std::min(float(edge * kTilePixels), pixels) / pixels * 2.0f - 1.0f) * tangent;
-            return (along - slope * depth) / std::sqrt(1.0f + slope * slope);
-        };
+        const auto beyond =
+            [&](int edge) {  // signed distance from the plane through this tile edge, positive on the right
+                const float slope = (std::min(float(edge * kTilePixels), pixels) / pixels * 2.0f - 1.0f) * tangent;
+                return (along - slope * depth) / std::sqrt(1.0f + slope * slope);
+            };
         if (beyond(tile) < -radius || beyond(tile + 1) > radius) continue;
         low = std::min(low, tile);
         high = std::max(high, tile);
@@ -158,14 +161,14 @@ void LightGrid::fillTexels(std::span<const SnapshotLight> lights, glm::dvec3 ori
     for (const VisibleLight& reach : m_visible) {
         const SnapshotLight& light = lights[size_t(reach.light)];
         const bool cone = light.kind == LightKind::Cone;
-        // Without a cone its edge lies beyond all directions.
+        // A light without a cone has an edge that lies beyond all directions.
         const float outer = cone ? std::cos(light.coneOuter) : -3.0f, inner = cone ? std::cos(light.coneInner) : -2.0f;
         const int shape = light.kind == LightKind::Screen    ? 3
                           : light.kind == LightKind::Area    ? 2
                           : light.kind == LightKind::Capsule ? 1
                                                              : 0;
         const bool hasImage = shape == 3 && light.image.height() > 0;
-        // About how it falls off from its axis: cosine times the first, plus the second, clamped to 0 and 1.
+        // Approximate angular falloff: clamp(cosine * x + y, 0, 1).
         const float scale = 1.0f / std::max(inner - outer, 1e-3f);
         const bool facesOneWay = shape >= 2 && !light.twoSided;
         const glm::vec2 edge = cone          ? glm::vec2(scale, -outer * scale)

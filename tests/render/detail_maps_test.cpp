@@ -25,7 +25,7 @@ TEST(DetailMaps, KeepTheMeanColourAndVary) {
         EXPECT_GT(deviation, 0.008) << "map " << map;
         EXPECT_LT(deviation, 0.12) << "map " << map << " is noisy";
     }
-    EXPECT_EQ(texels, DetailMaps::make()) << "chance";
+    EXPECT_EQ(texels, DetailMaps::make()) << "the maps are not deterministic";
 }
 
 TEST(DetailMaps, ExistOnlyForMaterialsWithGrain) {

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kFramesEachWay = FullscreenChoice::kWarmUpFrames + FullscreenChoice::kTimedFrames;
 
-/// A frame of passes that cost so much by fragments and by compute.
+/// A frame of passes, with their milliseconds by fragments and by compute.
 struct Cost {
     const char* pass;
     double fragment, compute;

@@ -57,7 +57,7 @@ glm::dquat randomRotation(Random& random) {
     return glm::normalize(q);
 }
 
-/// A floor around the camera, sparse and dense bodies, some of them turned and of other voxel sizes.
+/// A floor around the camera, sparse and dense bodies, some of them rotated or of other voxel sizes.
 std::vector<Body> bodiesFor(uint64_t seed) {
     Random random(seed);
     std::vector<Body> bodies;
@@ -269,8 +269,7 @@ TEST_F(GBufferTest, ChangesOverTheUploadBudgetAreDeferred) {
     const std::vector<int> before = entries();
     EXPECT_EQ(scene.bodies().waitingBytes(), 0u) << "a level that is loaded does not wait";
 
-    for (int step = 0; step < 2;
-         ++step) {  // both ends of the bar change in the first, nothing of it may be seen before all of it
+    for (int step = 0; step < 2; ++step) {  // a change is seen whole or not at all
         for (int brick = 0; brick < 10; ++brick) {
             BrickIndices indices;
             indices.fill(uint8_t(20 + 20 * step + brick));
@@ -286,10 +285,10 @@ TEST_F(GBufferTest, ChangesOverTheUploadBudgetAreDeferred) {
         EXPECT_LE(uploaded, 3 * BrickAtlas::kBrickBytes + 8192) << "the budget, and the directory";
         ++frames;
     } while (seen == before && frames < 100);
-    EXPECT_EQ(frames, 4) << "ten bricks, three a frame";
-    for (int entry : seen) EXPECT_TRUE(entry == 0 || (entry >= 20 && entry < 30)) << "the first change, whole";
+    EXPECT_EQ(frames, 4) << "ten bricks, three per frame";
+    for (int entry : seen) EXPECT_TRUE(entry == 0 || (entry >= 20 && entry < 30)) << "the whole first change";
     while (scene.bodies().waitingBytes() > 0) seen = entries();
-    for (int entry : seen) EXPECT_TRUE(entry == 0 || (entry >= 40 && entry < 50)) << "the second";
+    for (int entry : seen) EXPECT_TRUE(entry == 0 || (entry >= 40 && entry < 50)) << "the whole second change";
 }
 
 TEST_F(GBufferTest, AtlasGrowsAndKeepsWhatItHeld) {
@@ -300,7 +299,7 @@ TEST_F(GBufferTest, AtlasGrowsAndKeepsWhatItHeld) {
     view.size = {160, 90};
     TestScene made;
     const PaletteRef palette = testPalette();
-    for (const Body& body : bodies) {  // one a frame: every buffer grows several times
+    for (const Body& body : bodies) {  // one per frame, so that every buffer grows several times
         made.add(body.grid, body.pose, palette, body.voxelSize);
         scene.apply(made.take());
         draw(scene, view);

@@ -37,7 +37,7 @@ protected:
     }
 };
 
-/// The one thing that must never happen: a place that a light reaches and whose list does not have it.
+/// A list may hold too many lights, but no light that reaches a place may be missing in its list.
 TEST_F(LightGridTest, EveryLightIsListedInItsRange) {
     Random random{7, 3};
     LightGrid grid;
@@ -74,7 +74,7 @@ TEST_F(LightGridTest, EveryLightIsListedInItsRange) {
         }
     }
     EXPECT_GT(reached, 1000);
-    EXPECT_LT(listed, 6 * reached) << "and not everywhere else too";
+    EXPECT_LT(listed, 6 * reached) << "lights are listed where they do not reach";
 }
 
 TEST_F(LightGridTest, LightsBehindTheCameraOrDarkCostNothing) {

@@ -87,7 +87,7 @@ TEST_F(ParticlesTest, CostNothingUntilThereAreSome) {
     EXPECT_TRUE(passRan());
     EXPECT_GT(countGlObjects().programs, without.programs);
     draw({});
-    EXPECT_FALSE(passRan()) << "and nothing once they are gone";
+    EXPECT_FALSE(passRan()) << "the pass still runs without particles";
 }
 
 TEST_F(ParticlesTest, EachKindShows) {
@@ -100,7 +100,7 @@ TEST_F(ParticlesTest, EachKindShows) {
 TEST_F(ParticlesTest, AreHiddenBehindSurfacesAndFadeIntoThem) {
     const auto clear = draw({});
     EXPECT_EQ(differing(draw({at(ParticleKind::Dust, -9, 0.8f), at(ParticleKind::Crumb, -9, 0.3f)}), clear), 0);
-    // Half of the puff is in the wall: it shows, and nowhere harder than a puff in the open does.
+    // Half of the puff is in the wall: it shows, and its edges are as soft as those of a puff in the open.
     const auto half = draw({at(ParticleKind::Dust, -5.8, 0.8f)}), open = draw({at(ParticleKind::Dust, -5.0, 0.8f)});
     EXPECT_GT(differing(half, clear), 20);
     EXPECT_LT(differing(half, clear), differing(open, clear));
@@ -125,7 +125,7 @@ TEST_F(ParticlesTest, SmokeThrowsAShadow) {
     EXPECT_GT(darker, 60);
     cloud.position = {0.0, 0.0, -9.0};
     EXPECT_EQ(differing(draw(std::vector<SnapshotParticle>(6, cloud)), clear), 0)
-        << "beyond the wall it shades nothing";
+        << "smoke behind the wall must not shade it";
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST_F(BrickAtlasTest, SharedBricksAreSentOnceAndFreedWithTheirLastUser) {
     EXPECT_EQ(atlas.bricks(), 1);
     atlas.release(one.get());
     EXPECT_EQ(atlas.bricks(), 0);
-    EXPECT_EQ(one.use_count(), 1) << "the atlas lets go of it";
+    EXPECT_EQ(one.use_count(), 1) << "the atlas released it";
 }
 
 class StateGuardTest : public GlTest {};

@@ -57,7 +57,7 @@ TEST_F(ShadowLightTest, SingleCubeIsLitInSixteenRotations) {
             fillBox(writer, {0, 0, 0}, {10, 10, 10}, 4);
         }
         const glm::dquat rotation = glm::angleAxis(0.39 * i, glm::normalize(glm::dvec3(1.0, 0.4 * i, 0.3)));
-        const glm::dvec3 center(0.013 * i, 3.0 - 0.037 * i, 0.0);  // falling: at no place of the lattice in particular
+        const glm::dvec3 center(0.013 * i, 3.0 - 0.037 * i, 0.0);  // falling: not aligned with the cells
         Level level;
         level.bodies.push_back(bodyOf(cube, {center - rotation * glm::dvec3(0.5), rotation}));
         Scene scene;
@@ -100,7 +100,7 @@ TEST_F(ShadowLightTest, ClosedRoomIsDarkInside) {
     }
 }
 
-/// The reference keeps a byte for 2x2x2 cells of the whole box, and two smaller copies of that.
+/// Teardown keeps a byte for 2x2x2 cells of the whole box, and two smaller copies of that.
 TEST_F(ShadowLightTest, TownTakesAQuarterOfADenseVolume) {
     FrameSnapshot town = levelSnapshot(makeTown(1));
     glm::ivec3 low(1 << 20), high(-(1 << 20));

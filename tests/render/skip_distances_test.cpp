@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-/// By the definition: the largest side whose cube holds nothing that is occupied.
+/// The definition: the side of the largest cube without an occupied brick.
 int sideAt(const std::vector<uint8_t>& occupied, glm::ivec3 size, glm::ivec3 brick, int octant) {
     const auto isOccupied = [&](glm::ivec3 p) {
         for (int a = 0; a < 3; ++a)
@@ -59,7 +59,7 @@ TEST(SkipDistances, CostFollowsTheChange) {
     cubes.reset({600, 10, 600});
     cubes.set({20, 3, 20}, true);
     cubes.set({590, 3, 580}, true);
-    EXPECT_LE(cubes.update().size(), size_t(2 * 29 * 29 * 29)) << "two places far apart";
+    EXPECT_LE(cubes.update().size(), size_t(2 * 29 * 29 * 29)) << "two changes far apart";
     cubes.set({20, 3, 20}, true);
     EXPECT_TRUE(cubes.update().empty()) << "nothing new";
 }

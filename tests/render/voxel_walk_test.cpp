@@ -16,12 +16,12 @@ int gridsPerClass() {
     return std::getenv("RUBBLE_LONG") ? 2000 : 20;
 }
 
-/// The ray that the shader gets: floats, which the exact answer then is asked for.
+/// The ray as the shader gets it, in floats. The exact answer is for these floats.
 CellRay inFloat(const CellRay& ray) {
     return {glm::dvec3(glm::vec3(ray.origin)), glm::dvec3(glm::vec3(ray.direction)), double(float(ray.tMax))};
 }
 
-/// Rays go in by two textures and come back in others.
+/// The textures that rays are read from and hits are written to.
 class RayTextures {
 public:
     explicit RayTextures(int count)
@@ -80,7 +80,7 @@ protected:
     Texture cells{GL_RGBA32I, rays.size()}, normals{GL_RGBA32F, rays.size()};
 };
 
-/// Floats hold a place to 2^-24 of its distance; crossing and place each round a few times.
+/// A float holds a position to 2^-24 of its distance; crossings and positions are rounded a few times.
 void checkHit(const VoxelGrid& grid, const CellRay& ray, const ShaderHit& hit) {
     if (!isFinite(ray)) {
         ASSERT_EQ(hit.cell.w, 0) << "a hit from a NaN or an infinity";
@@ -230,7 +230,7 @@ TEST_F(ShadowTraceTest, PatchesChangeOnlyTheirBricks) {
     third.shadow.push_back({{1, 1, 1}, nullptr});
     scene.apply(std::move(third));
     EXPECT_EQ(traceShadow(scene, list)[0].y, 0.0f);
-    EXPECT_LT(uploaded, 29u * 29 * 29 * 16) << "one brick went: its neighbourhood";
+    EXPECT_LT(uploaded, 29u * 29 * 29 * 16) << "one brick was removed: its neighbourhood";
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ protected:
         for (const glm::vec4& hit : read(hits)) out.push_back({hit.y > 0.5f, hit.z > 0.5f, hit.x, hit.w});
         return out;
     }
-    /// The ray's answer in doubles does not change when it moves by a hair.
+    /// Whether the exact answer stays the same when the ray moves by a rounding error.
     bool isSure(const MetreRay& ray, bool hit) const {
         for (int i = 0; i < 8; ++i) {
             const glm::dvec3 moved =
@@ -87,7 +87,7 @@ protected:
             hits += expected;
             wrong += found[i].exact != expected && isSure(rays[i], expected);
             coarse += found[i].coarse;
-            // The coarse one stops wherever the exact one does or before, and only far away before.
+            // The coarse ray stops where the exact one does, or earlier, but only beyond its exact distance.
             coarseWrong += found[i].exact && (!found[i].coarse || found[i].coarseT > found[i].t);
             coarseWrong +=
                 found[i].coarse && found[i].coarseT < kExactFor && (!found[i].exact || found[i].coarseT != found[i].t);
@@ -146,10 +146,10 @@ TEST_F(WorldRaysTest, AreExactInAWorldTwoKilometresWide) {
         bodies.push_back(makeBody(frameGrid, {place}, true));
     World world = worldOf(std::move(bodies));
     submit(world.applyEdits({}), {}, world);
-    EXPECT_LT(scene.shadow().bytes(), uint64_t(600) << 20) << "a texel a brick";
+    EXPECT_LT(scene.shadow().bytes(), uint64_t(600) << 20) << "one texel per brick";
     expectExact(random, {-2.0, -1.0, -2.0}, {8.0, 8.0, 8.0}, "at the origin");
 
-    CarveEdit carve;  // far from where the camera is, a change costs its neighbourhood
+    CarveEdit carve;  // a change costs its neighbourhood, also far from the camera
     carve.position = {2003.0, 3.0, 2003.0};
     carve.radii = {1.0, 1.0, 1.0};
     const FrameChanges changes = world.applyEdits({carve});

@@ -60,7 +60,8 @@ struct Receiver {
     }
 };
 
-/// Draws snapshots that a world could have made: shapes live and die, and only living ones change.
+/// Makes random snapshots that a world could have made: shapes are created and destroyed, and only existing ones
+/// change.
 class Story {
 public:
     explicit Story(uint64_t seed) : m_random(seed) {}
@@ -117,7 +118,7 @@ private:
     std::vector<ShapeHandle> m_living;
 };
 
-/// Copies: a snapshot is applied alone and merged.
+/// Copies of snapshots: each is applied on its own and merged.
 FrameSnapshot copyOf(const FrameSnapshot& s) {
     return s;
 }

@@ -37,7 +37,7 @@ TEST_F(ParticlesTest, WhatBreaksRaisesDustThatSettles) {
         particles.step({}, {}, {}, world);
         for (const SnapshotParticle& p : particles.snapshot()) ASSERT_GT(p.position.y, -0.01) << "through the floor";
     }
-    EXPECT_TRUE(particles.empty()) << "nothing hangs in the air for ever";
+    EXPECT_TRUE(particles.empty()) << "every particle ends";
 }
 
 TEST_F(ParticlesTest, MaterialsEmitTheirOwnParticles) {
@@ -102,7 +102,7 @@ TEST_F(ParticlesTest, SnapshotsCarryParticlesUntilTheLastHasGone) {
         snapshots.publishWithoutShadow(world.applyEdits({}), {}, world);
         if (const auto snapshot = snapshots.take()) emptied = snapshot->particlesChanged && snapshot->particles.empty();
     }
-    EXPECT_TRUE(emptied) << "the renderer must hear that the air is clear";
+    EXPECT_TRUE(emptied) << "no snapshot said that all particles are gone";
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-/// A lone cube of half a metre, and water whose surface cuts through it.
+/// A single cube of half a metre, and water whose surface cuts through it.
 class RipplesTest : public testing::Test {
 protected:
     void SetUp() override { world.load(makeSingleCube(2, 0.5)); }
@@ -44,10 +44,10 @@ TEST_F(RipplesTest, MovingBodiesMakeRingsThatFade) {
     Ripples ripples;
     const BodyPose moving = cube({2.0, 0.0, 0.0}), resting = cube(glm::dvec3(0.0));
     ripples.step({&resting, 1}, world);
-    EXPECT_TRUE(ripples.empty()) << "what rests makes none";
+    EXPECT_TRUE(ripples.empty()) << "a body at rest makes none";
     ripples.step({&moving, 1}, world);
     ripples.step({&moving, 1}, world);
-    ASSERT_EQ(ripples.snapshot().size(), 1u) << "not one a step";
+    ASSERT_EQ(ripples.snapshot().size(), 1u) << "one ring, not one per step";
     EXPECT_GT(ripples.snapshot()[0].strength, 0.005f);
     EXPECT_LE(ripples.snapshot()[0].strength, 0.1f);
     for (int i = 0; i < int(Ripples::kLife * 60) + 2; ++i) ripples.step({}, world);

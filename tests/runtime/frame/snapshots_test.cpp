@@ -161,13 +161,13 @@ TEST(Snapshots, AStepWaitsForItsShadow) {
         return patches;
     };
     publish({}, {});
-    EXPECT_FALSE(snapshots.take()) << "its shadow is not there";
+    EXPECT_FALSE(snapshots.take()) << "its shadow volume is not published yet";
     publish({moveTo(world, 1, 8.0)}, reached(1));
     auto first = snapshots.take();
     ASSERT_TRUE(first);
     EXPECT_EQ(first->version, 1u);
     EXPECT_EQ(first->newestStep, 2u);
-    EXPECT_EQ(first->poses.at(1).current.position.y, 9.0) << "drawn where the volume has it";
+    EXPECT_EQ(first->poses.at(1).current.position.y, 9.0) << "drawn at the pose that the shadow volume shows";
     EXPECT_EQ(first->shadow.size(), 1u);
     publish({moveTo(world, 1, 7.0)}, {});
     EXPECT_FALSE(snapshots.take());
@@ -180,7 +180,7 @@ TEST(Snapshots, AStepWaitsForItsShadow) {
     publish({}, reached(4));
     const auto rest = snapshots.take();
     ASSERT_TRUE(rest);
-    EXPECT_EQ(rest->version, 5u) << "coming to rest needs no shadow";
+    EXPECT_EQ(rest->version, 5u) << "coming to rest does not change the shadow volume";
     EXPECT_EQ(rest->poses.at(0).previous.position.y, 6.0);
 }
 

@@ -48,7 +48,7 @@ TEST(Rasterize, QuarterTurnsKeepEveryVoxel) {
     }
 }
 
-/// The rule, cell by cell, in floating point.
+/// The sampling rule, cell by cell, in floating point.
 TEST(Rasterize, RotatedShapesFollowTheSamplingRule) {
     Random random(3);
     for (int round = 0; round < 8; ++round) {
@@ -115,7 +115,7 @@ TEST(Rasterize, AClosedRoomIsDark) {
     EXPECT_EQ(leaks, 0);
 }
 
-/// A lone cube, falling and turning: from half a cell's extent above its faces, the sun is seen.
+/// A single cube, falling and rotating: points half a cell's extent above its faces see the sun.
 TEST(Rasterize, ASingleCubeDoesNotShadowItself) {
     Random random(5);
     const VoxelGrid grid = gridOf({12, 12, 12}, [](glm::ivec3) { return uint8_t(1); });

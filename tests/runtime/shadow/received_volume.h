@@ -14,7 +14,7 @@
 
 namespace rubble {
 
-/// A volume as its receiver has it: every patch applied.
+/// A shadow volume as its receiver has it: with every patch applied.
 class Volume {
 public:
     using Key = std::tuple<int, int, int>;

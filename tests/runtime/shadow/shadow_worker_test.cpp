@@ -84,7 +84,7 @@ void expectRebuildAtEveryPublish(ShadowWorker::Mode mode, int edits) {
     ShadowWorker worker(mode);
     Random random(12);
     Volume volume;
-    std::map<uint64_t, Volume> expected;  // of the steps that are not published yet
+    std::map<uint64_t, Volume> expected;  // by steps that are not published yet
     uint64_t version = 0;
     int publications = 0;
     for (int i = 0; i < edits; ++i) {
@@ -94,7 +94,7 @@ void expectRebuildAtEveryPublish(ShadowWorker::Mode mode, int edits) {
         expected[step] = rebuild(demolition.world());
         if (i + 1 == edits || !random.below(3)) worker.waitFor(step);
         for (const ShadowPatches& publication : worker.takePatches()) {
-            ASSERT_GT(publication.version, version) << "versions only grow";
+            ASSERT_GT(publication.version, version) << "versions increase";
             version = publication.version;
             volume.apply(publication);
             ASSERT_TRUE(volume == expected.at(version)) << "at version " << version;

@@ -7,7 +7,7 @@
 namespace rubble {
 namespace {
 
-/// The cellTransform's rule as it is written, one sample at a time, in integers.
+/// The sampling rule of ShadowCellTransform, one sample at a time, in integers.
 bool isSet(const VoxelGrid& grid, const ShadowCellTransform& cellTransform, glm::ivec3 cell) {
     const int n = cellTransform.samples;
     for (int s = 0; s < n * n * n; ++s) {
@@ -26,10 +26,10 @@ struct Piece {
     double voxelSize = 0.1;
 };
 
-/// Full, with a corner off, hollow, or of noise.
+/// A random shape: full, without a corner, hollow, or of noise.
 Piece drawPiece(Random& random) {
     const glm::ivec3 size(random.between(1, 19), random.between(1, 19),
-                          random.between(1, 19));  // with the largest voxels still small enough
+                          random.between(1, 19));  // small enough with the largest voxels
     const uint32_t kind = random.below(4);
     const int corner = random.between(1, 40);
     Piece piece;
