@@ -34,12 +34,13 @@
  *  - The function table may grow at its end: function f exists if api->struct_size > offsetof(rubble_api, f).
  *  - Handles are 64-bit values, not pointers. 0 names nothing. A handle of something that was destroyed is
  *    recognised and answered with RUBBLE_ERROR_STALE; it is never followed.
- *  - Errors: every result other than RUBBLE_OK means that the call had no effect. get_last_error() says in words
- *    what was expected and what was found. Numbers that are not finite or out of range are RUBBLE_ERROR_ARGUMENT;
- *    the errors named at a function come on top of RUBBLE_ERROR_NULL, _STRUCT_SIZE, _STALE, _ARGUMENT and _MEMORY,
- *    which most functions can give.
+ *  - Errors: a result other than RUBBLE_OK means that the call had no effect, but for lists that are longer than the
+ *    array (see below) and where a function says otherwise. get_last_error() says in words what was expected and what
+ *    was found. Numbers that are not finite or out of range are RUBBLE_ERROR_ARGUMENT; the errors named at a function
+ *    come on top of RUBBLE_ERROR_NULL, _STRUCT_SIZE, _STALE, _ARGUMENT and _MEMORY, which most functions can give.
  *  - Edits are commands: the call checks them and puts them into the world's queue. The next step() carries them out
- *    in the order of the calls. An edit whose object is destroyed before its turn does nothing.
+ *    in the order of the calls. An edit whose object is destroyed before its turn does nothing, and what only
+ *    step() can find out (a joint without a voxel to hold on to, an undo where no marks are kept) is logged.
  *  - Reads copy into the host's memory, except get_events(): its arrays live until the next step(), load_level(),
  *    load_game(), play_recording() or destroy_world() of that world.
  *  - Lists are read with an array, its capacity and a count: the function writes the first `capacity` rows and
@@ -246,7 +247,9 @@ typedef struct rubble_joint_settings {
     uint32_t flags;         /* RUBBLE_JOINT_COLLIDES ... */
     uint32_t motor;         /* RUBBLE_MOTOR_...; rope: a winch that changes its length */
     double motor_target;    /* rad/s or m/s; RUBBLE_MOTOR_POSITION: radians or metres */
-    double motor_max_force; /* N m for turning, N for sliding */
+    /* N m for turning, N for sliding; a winch does not read it. 0: RUBBLE_MOTOR_SPEED does nothing,
+     * RUBBLE_MOTOR_POSITION has no limit */
+    double motor_max_force;
     /* hinge: radians, -pi to pi; prismatic and wheel: metres; cone: upper_limit, radians */
     double lower_limit, upper_limit;
     /* hinge, prismatic, wheel: pulls the free motion back to 0; others: makes the joint give. Frequency 0: no spring,
@@ -709,8 +712,8 @@ typedef struct rubble_api {
     rubble_result (*destroy_world)(rubble_world world);
     /* [main-thread] Replaces the whole world by a level: a .rubble, .vdb or .vox file, told apart by the ending
      * of the UTF-8 path. vdb_tool: path of the program rubble-vdb, which is run as a child process for .vdb
-     * files; may be null for others. Stops a recording. RUBBLE_ERROR_FILE says what is wrong with the file and
-     * where; the world is then unchanged. */
+     * files; may be null for others. Drops the edits that wait in the queue, and stops a recording.
+     * RUBBLE_ERROR_FILE says what is wrong with the file and where; the world is then unchanged. */
     rubble_result (*load_level)(rubble_world world, const char* path, const char* vdb_tool);
     /* [main-thread] Advances the world by exactly 1/60 s: queued edits, then physics. The host decides how many
      * steps a frame needs and draws between them with rubble_view.alpha. */
@@ -876,8 +879,9 @@ typedef struct rubble_api {
      * the queue. The next step of the running game begins with physics rebuilt from the world, as a loaded game
      * does, so that playing on and loading give the same result. RUBBLE_ERROR_FILE: the file cannot be written. */
     rubble_result (*save_game)(rubble_world world, const char* path);
-    /* [main-thread] Replaces the whole world by a saved game and stops a recording. Each object has the handle that it
-     * had when it was saved, as a handle of this world. RUBBLE_ERROR_FILE: the world is unchanged. */
+    /* [main-thread] Replaces the whole world and its queue of edits by those of a saved game, and stops a recording.
+     * Each object has the handle that it had when it was saved, as a handle of this world. RUBBLE_ERROR_FILE: the
+     * world is unchanged. */
     rubble_result (*load_game)(rubble_world world, const char* path);
     /* [main-thread] Records every step from here on, beginning with a saved game. The file has its name after
      * stop_recording(); a recording that is running is stopped first. RUBBLE_ERROR_FILE: the file cannot be
