@@ -74,7 +74,7 @@ public:
     bool touching = false;                  ///< had a contact in the last step
     bool inWater = false;                   ///< was in water in the last step
     bool isDebris = false;                  ///< counts in the budget of awake debris
-    bool settled = false;                   ///< contact does not wake it
+    bool settled = false;                   ///< only a hard hit wakes it
     bool wantsSleep = false;                ///< has rested long enough, but what it is jointed to may not have
     int solverIndex = 0;                    ///< in the solver's list of bodies, if it is awake
     bool pairsFound = false;                ///< of this step

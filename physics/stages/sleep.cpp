@@ -5,13 +5,15 @@
 // When a body sleeps, and when it wakes.
 //
 // A body falls asleep when it has stayed within a small displacement of one pose for sleepTime seconds while touching
-// something (or in water, or without gravity). Poses are compared, not velocities as is usual: contacts of many voxels
-// jitter, and the velocity of a body that goes nowhere may be large. The allowed displacement is sleepVelocity *
-// sleepTime; it grows with the seconds for which the body has been slow ("patience"), up to four times, and so does a
-// slight damping: a pile that settles ever more slowly comes to rest in the end. There are no islands of contacts: each
-// body sleeps alone. Groups of jointed bodies sleep together.
-// A sleeping body wakes when it is hit harder than a threshold (contact_detection.cpp), when something that touches it
-// has moved by more than kWakeDistance, or when what it touched is cut, moved or removed (physics_bodies.cpp).
+// something (or in water, or jointed, or without gravity). Poses are compared, not velocities as is usual: contacts of
+// many voxels jitter, and the velocity of a body that goes nowhere may be large. The allowed displacement is
+// sleepVelocity * sleepTime; it grows with the seconds for which the body has been slow ("patience"), up to four times,
+// and so does a slight damping: a pile that settles ever more slowly comes to rest in the end. There are no islands of
+// contacts: each body sleeps alone. Groups of jointed bodies sleep together, and not while a motor of theirs turns. A
+// sleeping body wakes when it is hit harder than a threshold (contact_detection.cpp), when something that touches it
+// has moved by more than kWakeDistance, by an impulse, a character's push or a change of gravity, water, joints or
+// collision filters, or when what it touched is cut, moved or removed (physics_bodies.cpp). Settled bodies want a
+// harder hit, and debris waits until fewer than DebrisSettings::awakeBodies are awake.
 
 namespace rubble {
 namespace {

@@ -84,7 +84,7 @@ struct LightGroup {
 struct Environment {
     glm::vec3 sunDirection{-0.6f, 0.36f, 0.5f};  ///< unit vector to the sun; a level may bring any length
     glm::vec3 sunColor{9.0f, 7.6f, 5.8f};        ///< irradiance on a surface that faces it
-    float sunAngle = 0.0047f;                    ///< angular radius, radians
+    float sunAngle = 0.0047f;                    ///< angular radius, radians; larger: softer shadows
     glm::vec3 skyColor{0.55f, 0.70f, 1.00f};     ///< radiance overhead
     glm::vec3 horizonColor{0.85f, 0.80f, 0.75f};
     glm::vec3 groundColor{0.25f, 0.22f, 0.20f};  ///< radiance from below the horizon
