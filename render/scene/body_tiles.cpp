@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "render/frame/frame_context.h"
+#include "render/frame/frame_block.h"
 
 namespace rubble {
 namespace {

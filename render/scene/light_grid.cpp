@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "render/frame/frame_context.h"
+#include "render/frame/frame_block.h"
 #include "runtime/core/log.h"
 
 namespace rubble {

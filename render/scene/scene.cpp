@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/frame/frame_context.h"
+#include "render/frame/frame_block.h"
 
 namespace rubble {
 namespace {
