@@ -13,7 +13,7 @@ else
     exit 0
 fi
 ((${#files[@]})) || exit 0
-# A change of half the tree is sampled, so that CI stays short; --all takes an hour.
+# A large change is sampled, so that CI stays short; --all looks at every file.
 max=40
 if [[ $base != --all && ${#files[@]} -gt $max ]]; then
     echo "tidy: $max of ${#files[@]} changed files" >&2
