@@ -1,3 +1,6 @@
+#include <array>
+#include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -72,15 +75,25 @@ LitScene closeUp() {
 }
 
 /// Each fault must be visible in at least one of three images, by the measure that golden images are compared with.
+/// One renderer draws all of them and reloads what a fault changes.
 class FaultTest : public Drawing {
 protected:
     static constexpr glm::ivec2 kSize{160, 90};
-    static constexpr int kImageCount = 3;
-    using Images = std::array<Image, kImageCount>;
+    static constexpr size_t kImageCount = 3;
 
-    Image drawImage(int which) {
-        renderer->apply(which < 2 ? streetScene().snapshot() : closeUp().snapshot());
-        Camera camera = streetCamera(2 * which);
+    void SetUp() override {
+        fs::copy(shaderFolder(), m_folder.path() / "shaders", fs::copy_options::recursive);
+        RenderSettings settings;
+        settings.warmUpFrames = 3;
+        auto made = Renderer::create(testContext().loader(), m_folder / "shaders", settings);
+        ASSERT_TRUE(made) << made.error();
+        renderer = std::move(made).value();
+        target = std::make_unique<Offscreen>(kSize);
+    }
+    /// Draws from a cut on. Reads the target rather than the view, in whose corner a dot tells of a reload.
+    Image drawImage(size_t which) {
+        renderer->apply(m_scenes[which / 2].snapshot());
+        Camera camera = streetCamera(2 * int(which));
         if (which == 2) {
             camera.position = {0.3, 0.7, 2.4};
             camera.lookAt({-0.2, 0.5, -0.6});
@@ -88,57 +101,68 @@ protected:
         View view = camera.view(kSize, target->framebuffer());
         view.cut = true;
         renderer->draw(view, 1.0f);
+        const FloatImage drawn = read("final");
         Image image(kSize.x, kSize.y);
-        image.rgb = target->readRgb();
+        for (size_t i = 0; i < drawn.pixels.size(); ++i)
+            for (int k = 0; k < 3; ++k)
+                image.rgb[3 * i + size_t(k)] =
+                    uint8_t(std::lround(255.0f * glm::clamp(drawn.pixels[i][k], 0.0f, 1.0f)));
         return image;
     }
-    Images drawImages(const std::string& shaders) {
-        RenderSettings settings;
-        settings.warmUpFrames = 3;
-        auto made = Renderer::create(testContext().loader(), shaders, settings);
-        EXPECT_TRUE(made) << made.error();
-        if (!made) return {};
-        renderer = std::move(made).value();
-        target = std::make_unique<Offscreen>(kSize);
-        Images all;
-        for (int i = 0; i < kImageCount; ++i) all[size_t(i)] = drawImage(i);
-        return all;
+    /// The text of a shader as it is now.
+    std::string readShader(const char* file) const {
+        std::ifstream in(shaderPath(file));
+        return {std::istreambuf_iterator<char>(in), {}};
     }
+    /// Replaces a shader. Its time differs from all earlier ones, however coarse the clock of the file system is.
+    void writeShader(const char* file, const std::string& text) {
+        std::ofstream(shaderPath(file)) << text;
+        fs::last_write_time(shaderPath(file), fs::file_time_type::clock::now() + std::chrono::seconds(++m_writes));
+    }
+    void reload() {
+        EXPECT_TRUE(renderer->reloadShaders());
+        for (const std::string& error : renderer->shaderErrors()) ADD_FAILURE() << error;
+    }
+
+private:
+    fs::path shaderPath(const char* file) const { return m_folder.path() / "shaders" / file; }
+
+    const TempFolder m_folder;
+    const std::array<LitScene, 2> m_scenes{streetScene(), closeUp()};
+    int m_writes = 0;
 };
 
 TEST_F(FaultTest, ImagesRejectEachOfTwentyFaults) {
-    const Images good = drawImages(shaderFolder());
-    const Images again = drawImages(shaderFolder());
-    for (size_t i = 0; i < good.size(); ++i)
-        ASSERT_TRUE(looksAlike(compare(again[i], good[i]))) << "the same shaders draw another image";
-    for (size_t i = 0; i < good.size(); ++i) {
+    std::array<Image, kImageCount> good;
+    for (size_t i = 0; i < kImageCount; ++i) good[i] = drawImage(i);
+    for (size_t i = 0; i < kImageCount; ++i) {
+        EXPECT_TRUE(looksAlike(compare(drawImage(i), good[i]))) << "image " << i << " depends on those drawn before";
         for (size_t k = 0; k < i; ++k)
             EXPECT_FALSE(looksAlike(compare(good[i], good[k])))
                 << "images " << i << " and " << k << " look alike: each must show something of its own";
     }
 
-    const TempFolder made;
-    const fs::path folder = made.path() / "shaders";
     for (const Fault& fault : kFaults) {
-        fs::remove_all(folder);
-        fs::copy(shaderFolder(), folder, fs::copy_options::recursive);
-        std::ifstream in(folder / fault.file);
-        std::string text((std::istreambuf_iterator<char>(in)), {});
+        const std::string text = readShader(fault.file);
         const size_t place = text.find(fault.good);
         ASSERT_NE(place, std::string::npos) << fault.name << ": expected \"" << fault.good << "\" in " << fault.file
                                             << ", found none: adapt the fault to the shader";
-        std::ofstream(folder / fault.file) << text.replace(place, std::string(fault.good).size(), fault.bad);
-        const Images bad = drawImages(folder.string());
+        writeShader(fault.file, std::string(text).replace(place, std::string(fault.good).size(), fault.bad));
+        reload();
         std::string seen;
         bool alike = true;
-        for (size_t i = 0; i < good.size(); ++i) {
-            const Difference difference = compare(bad[i], good[i]);
-            alike = alike && looksAlike(difference);
+        for (size_t i = 0; i < kImageCount && alike; ++i) {
+            const Difference difference = compare(drawImage(i), good[i]);
+            alike = looksAlike(difference);
             seen += " " + std::to_string(difference.share * 100) + " % clearly, " + std::to_string(difference.mean) +
                     " of 255 on average;";
         }
         EXPECT_FALSE(alike) << fault.name << " is not visible:" << seen;
+        writeShader(fault.file, text);  // reloaded together with the next fault
     }
+    reload();
+    for (size_t i = 0; i < kImageCount; ++i)
+        EXPECT_TRUE(looksAlike(compare(drawImage(i), good[i]))) << "image " << i << " after all faults are mended";
 }
 
 }  // namespace
