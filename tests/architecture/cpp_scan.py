@@ -8,10 +8,13 @@ import re
 from dataclasses import dataclass
 
 _COMMENT_OR_STRING = re.compile(
-    r'//[^\n]*|/\*.*?\*/|R"([^()\s]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])+\'', re.S)
+    r'//(?:\\\n|[^\n])*|/\*.*?\*/|R"([^()\s]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?:(?<=u8)|(?<![0-9a-fA-F]))\'(?:\\.|[^\'\\\n])+\'',
+    re.S)
 _PREPROCESSOR = re.compile(r'^[ \t]*#(?:[^\n]*\\\n)*[^\n]*', re.M)
 _TOKEN = re.compile(r'[{};]|\b(?:public|private|protected)\s*:(?!:)')
-_CLASS = re.compile(r'\b(?:class|struct|union)\s+(?:\[\[[^\]]*\]\]\s*)?(?:\w+\s+)?(\w[\w:<>, ]*?)\s*(?:final\s*)?(?::(?!:).*)?$', re.S)
+_CLASS = re.compile(r'\b(?:class|struct|union)\s+(?:\[\[[^\]]*\]\]\s*)?(?:\w+\s+)?(?!final\b)(\w[\w:<>, ]*?)\s*(?:\bfinal\s*)?(?::(?!:).*)?$', re.S)
+_ALIGNAS = re.compile(r'\balignas\s*\((?:[^()]|\([^()]*\))*\)\s*')
+_LAMBDA = re.compile(r'(\w+)\s*=\s*\[[^\]]*\]\s*(?:\(.*\))?[^=()]*$', re.S)
 _NOT_FUNCTIONS = re.compile(r'^(?:using|typedef|static_assert|friend|return|if|for|while|switch|do|else|case|default|goto|throw|'
                             r'layout|precision|public|private|protected)\b')
 _POINTER_MEMBER = re.compile(r'\(\s*\*\s*(\w+)\s*\)\s*\(')
@@ -39,10 +42,36 @@ class Class:
 
 
 def blank(text):
-    """The text with comments, strings and preprocessor lines as spaces; every other character keeps its place."""
+    """The text with comments, strings and preprocessor lines as spaces; every other character keeps its place. Of branches
+    of #if that open different braces, and of #if 0, only what is compiled by default is left."""
     def spaces(match):
         return re.sub(r'[^\n]', ' ', match.group(0))
-    return _PREPROCESSOR.sub(spaces, _COMMENT_OR_STRING.sub(spaces, text))
+    return _PREPROCESSOR.sub(spaces, _one_branch(blank_comments(text)))
+
+
+def blank_comments(text):
+    """The text with comments and strings as spaces."""
+    return _COMMENT_OR_STRING.sub(lambda match: re.sub(r'[^\n]', ' ', match.group(0)), text)
+
+
+def _one_branch(text):
+    """Blanks #if 0, and the later branches of an #if whose first one leaves braces open, so that braces match."""
+    lines, stack = text.split('\n'), []  # for each #if: braces opened so far in its first branch, whether lines are dropped
+    for i, line in enumerate(lines):
+        directive = re.match(r'\s*#\s*(ifdef|ifndef|if|else|elif|endif)\b\s*(\w*)', line)
+        if not directive:
+            if any(dropped for _, dropped in stack):
+                lines[i] = ' ' * len(line)
+            elif stack:
+                for level in stack:
+                    level[0] += line.count('{') - line.count('}')
+        elif directive.group(1).startswith('if'):
+            stack.append([0, directive.group(1) == 'if' and directive.group(2) == '0'])
+        elif directive.group(1) == 'endif':
+            stack = stack[:-1]
+        elif stack:
+            stack[-1][1] = stack[-1][0] != 0
+    return '\n'.join(lines)
 
 
 def _strip_template(statement):
@@ -78,7 +107,8 @@ def _function_name(statement):
     name = match.group(1)
     before = statement[:match.start()].strip()
     if re.match(r'^(?:decltype|alignas|sizeof|noexcept|__attribute__|explicit|requires)$', name):
-        return _function_name(re.sub(r'\b' + name + r'\s*\([^()]*(?:\([^()]*\)[^()]*)*\)', '', statement, 1))
+        instead = 'T' if name == 'decltype' else ''  # a type, or nothing
+        return _function_name(re.sub(r'\b' + name + r'\s*\([^()]*(?:\([^()]*\)[^()]*)*\)', instead, statement, count=1))
     return name if before or name[0].isupper() or name.startswith('~') or name.startswith('operator') else None
 
 
@@ -132,12 +162,12 @@ def scan(text):
         entered = ('block', None, False)
         if kind in ('namespace', 'class'):
             name = _function_name(stripped)
-            bare = _strip_template(stripped)
+            bare = _ALIGNAS.sub('', _strip_template(stripped))
             if symbol == '{' and re.match(r'^(?:inline\s+)?namespace\b|^extern\s*$', bare):
                 entered = ('namespace', None, True)
             elif symbol == '{' and re.search(r'\benum\b', bare) and '(' not in bare:
                 entered = ('value', None, False)
-            elif symbol == '{' and _CLASS.search(bare) and not (name and '(' in bare.split(':')[0] and 'alignas' not in bare):
+            elif symbol == '{' and _CLASS.search(bare) and not (name and '(' in bare.split(':')[0]):
                 made = Class(_CLASS.search(bare).group(1).strip(), line_of(begin + len(statement) - len(statement.lstrip())) + 1)
                 classes.append(made)
                 entered = ('class', made, not re.search(r'\bclass\b', bare))
@@ -154,6 +184,11 @@ def scan(text):
                 is_special = name == class_name or name.startswith(('~', 'operator')) or _POINTER_MEMBER.search(stripped)
                 if kind == 'class' and is_public and not is_special:
                     owner.public_methods += 1
+                entered = ('function', made, False)
+            elif symbol == '{' and kind == 'namespace' and _LAMBDA.search(bare):
+                first = line_of(begin + len(statement) - len(statement.lstrip()))
+                made = Function(_LAMBDA.search(bare).group(1), '', first + 1, first + 1, True, False, False, True)
+                functions.append(made)
                 entered = ('function', made, False)
             elif symbol == '{':
                 entered = ('value', None, False)

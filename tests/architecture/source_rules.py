@@ -20,7 +20,9 @@ MAX_FILE_LINES = 500
 MAX_PUBLIC_METHODS = 25
 MAX_DECISION_WORDS = 100
 LONG_FILES = {'runtime/plugin/include/rubble/rubble.h'}  # one page for hosts
-SOURCES = ('.h', '.cpp', '.c', '.glsl', '.frag', '.vert', '.comp')
+HEADERS = ('.h', '.hh', '.hpp', '.hxx', '.inl', '.ipp')
+SHADERS = ('.glsl', '.frag', '.vert', '.comp', '.geom', '.tesc', '.tese')
+SOURCES = HEADERS + SHADERS + ('.c', '.cc', '.cpp', '.cxx')
 TEXTS = SOURCES + ('.md', '.txt', '.py', '.sh', '.json', '.cmake', '.in')
 
 # Words that are not the field's, each with what to write instead. A letter in brackets keeps a pattern from matching itself.
@@ -33,11 +35,7 @@ REFUSED = {
     r'(?i:\ba[n]ew\b)': 'again, rebuild',
     r'(?i:reference g[a]me)': 'Teardown',
     r'(?i:w[a]ys?_?out)': 'depenetration, exit face',
-    r'\bF[o]ur\b': 'Float4',
     r'\bw[i]denGap\b': 'refineSeparatingAxis',
-    r'\bP[r]obe[r]?\b': 'FeatureQuery, FeatureCollider',
-    r'\bL[a]ttice\b': 'CellTransform',
-    r'\bS[e]ttling\b': 'SleepTimer',
     r'\bf[i]ndKnocked\b': 'secondary sweep',
     r'\bcontact_r[e]use\b|\bContactR[e]use\b': 'contact_cache',
     r'\bs[o]lver_strips\b|\bS[o]lverStrips\b': 'island partition',
@@ -67,7 +65,14 @@ REFUSED = {
     r'\bflat_u[n]iforms\b|\bFlatU[n]iforms\b': 'uniforms as varyings',
     r'\bt[r]ouble\(\)': 'lastError()',
     r'(?i:h[a]lvings)': 'downscale',
-    r'3\.1415\d*': 'kPi of runtime/core/constants.h',
+    r'(?<![\d.])3\.1415\d*': 'kPi of runtime/core/constants.h',
+}
+# Words that are good English in a sentence, but no names in code.
+REFUSED_NAMES = {
+    r'\bF[o]ur\b': 'Float4',
+    r'\bP[r]obe[r]?\b': 'FeatureQuery, FeatureCollider',
+    r'\bL[a]ttice\b': 'CellTransform',
+    r'\bS[e]ttling\b': 'SleepTimer',
 }
 # Precompiled headers would hide that a header includes too little, so these names want their own include.
 STANDARD = {
@@ -78,13 +83,13 @@ STANDARD = {
     'unordered_map': 'unordered_map', 'variant': 'variant visit get_if', 'vector': 'vector',
 }
 _HEADER_OF = {name: header for header, names in STANDARD.items() for name in names.split()}
-_REFUSED = re.compile('|'.join(f'(?P<w{i}>{pattern})' for i, pattern in enumerate(REFUSED)))
 
 
-def check_words(name, lines):
+def check_words(name, lines, refused):
+    pattern = re.compile('|'.join(f'(?P<w{i}>{word})' for i, word in enumerate(refused)))
     for number, line in enumerate(lines, 1):
-        for match in _REFUSED.finditer(line):
-            advice = list(REFUSED.values())[int(match.lastgroup[1:])]
+        for match in pattern.finditer(line):
+            advice = list(refused.values())[int(match.lastgroup[1:])]
             yield name, number, 'word', f'"{match.group(0)}" is not a word of ours or the field\'s: write {advice}'
 
 
@@ -97,14 +102,17 @@ def check_layout(name, lines):
 
 
 def check_includes(name, text):
-    """A header includes the standard header of each name of STANDARD that it uses."""
-    included = set(re.findall(r'#include <([\w/.]+)>', text))
+    """A header includes the standard header of each name of STANDARD that it uses, and opens no namespace for its users."""
+    included = set(re.findall(r'^[ \t]*#[ \t]*include[ \t]*<([\w/.]+)>', cpp_scan.blank_comments(text), re.M))
     plain, seen = cpp_scan.blank(text), set()
-    for match in re.finditer(r'\bstd::(\w+)', plain):
+    for match in re.finditer(r'\bstd::(\w+)|\busing\s+namespace\b', plain):
+        line = plain.count('\n', 0, match.start()) + 1
         header = _HEADER_OF.get(match.group(1))
-        if header and header not in included and header not in seen:
+        if not match.group(1):
+            yield name, line, 'include', 'a header uses no namespace for all who include it'
+        elif header and header not in included and header not in seen:
             seen.add(header)
-            yield name, plain.count('\n', 0, match.start()) + 1, 'include', f'std::{match.group(1)} wants #include <{header}>'
+            yield name, line, 'include', f'std::{match.group(1)} wants #include <{header}>'
 
 
 def check_code(name, text, long_functions, counts):
@@ -115,7 +123,7 @@ def check_code(name, text, long_functions, counts):
         counts['functions'] += function.is_definition
         if function.is_definition and length > MAX_FUNCTION_LINES:
             long_functions.append((name, function.first_line, 'function', f'{function.name} has {length} lines'))
-        if name.endswith('.h') and function.is_public and not function.is_exempt:
+        if name.endswith(HEADERS) and function.is_public and not function.is_exempt:
             counts['public functions in headers'] += 1
             if not function.is_documented:
                 owner = function.owner + '::' if function.owner else ''
@@ -138,10 +146,10 @@ def check_decisions(name, lines):
 
 
 def tracked_files(root):
-    listed = subprocess.run(['git', 'ls-files', '--cached', '--others', '--exclude-standard'], cwd=root, capture_output=True,
-                            text=True, check=False)
+    listed = subprocess.run(['git', 'ls-files', '-z', '--cached', '--others', '--exclude-standard'], cwd=root,
+                            capture_output=True, text=True, check=False)
     if listed.returncode == 0:
-        names = listed.stdout.split('\n')
+        names = listed.stdout.split('\0')
     else:  # not a checkout: all but what builds and runs leave behind
         names = [str(path.relative_to(root)) for path in root.rglob('*') if path.is_file()]
         names = [name for name in names if name.split('/')[0] not in ('build', 'out')]
@@ -152,7 +160,7 @@ def check(root, paths=()):
     """All that breaks a rule under `root`, as (file, line, kind, text), and counts of what was looked at."""
     found, long_functions, counts = [], [], Counter()
     for name in tracked_files(root):
-        if paths and not any(name == path or name.startswith(path.rstrip('/') + '/') for path in paths):
+        if paths and not any(name == path or name.startswith(path + '/') for path in paths):
             continue
         if not (name.endswith(TEXTS) or '.' not in Path(name).name or name.startswith('.ci/')):
             continue
@@ -160,11 +168,13 @@ def check(root, paths=()):
         lines = text.removesuffix('\n').split('\n')
         counts['files'] += 1
         if name != 'CHANGELOG.md':
-            found += check_words(name, [name] + lines) if _REFUSED.search(name) else check_words(name, lines)
+            found += check_words(name, [name], REFUSED)
+            found += check_words(name, lines, REFUSED)
         if name.endswith(SOURCES):
             found += check_layout(name, lines)
+            found += check_words(name, cpp_scan.blank(text).split('\n'), REFUSED_NAMES)
             found += check_code(name, text, long_functions, counts)
-        if name.endswith('.h'):
+        if name.endswith(HEADERS):
             found += check_includes(name, text)
         if name.startswith('docs/decisions/'):
             found += check_decisions(name, lines)
@@ -178,9 +188,18 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--root', type=Path, default=Path(__file__).resolve().parents[2])
     parser.add_argument('--summary', action='store_true')
-    parser.add_argument('paths', nargs='*')
+    parser.add_argument('paths', nargs='*', type=Path)
     options = parser.parse_args()
-    found, counts = check(options.root, options.paths)
+    root = options.root.resolve()
+    if not root.is_dir():
+        parser.error(f'--root {options.root}: expected a folder, found none')
+    paths = []
+    for path in options.paths:  # from here, or from the root
+        full = next((full for full in (path.resolve(), root / path) if full.exists() and full.is_relative_to(root)), None)
+        if not full:
+            parser.error(f'{path}: expected a file or folder under {root}, found none')
+        paths.append(full.relative_to(root).as_posix())
+    found, counts = check(root, [] if '.' in paths else paths)
     if not options.summary:
         for name, line, _, text in found:
             print(f'{name}:{line}: {text}')

@@ -54,6 +54,14 @@ class SourceRules(unittest.TestCase):
         self.assertEqual(self.faults('a.h', '#pragma once\n#include <vector>\nstruct A { std::vector<int> a; std::span<int> b; };\n'),
                          [(3, 'include')])
 
+        commented = '#pragma once\n// #include <vector>\nstruct A { std::vector<int> a; };\n'
+        self.assertEqual(self.faults('a.hpp', commented), [(3, 'include')])
+        self.assertEqual(self.faults('a.hpp', commented.replace('// #', '#  ')), [])
+        self.assertEqual(self.faults('a.h', '#pragma once\nusing namespace std;\n'), [(2, 'include')])
+
+    def test_a_file_with_any_name(self):
+        self.assertEqual(self.faults('ünï "cöde".hh', '#pragma once\nfloat lengthOf(float x);\n'), [(2, 'docstring')])
+
     def test_a_long_line(self):
         self.assertEqual(self.faults('a.frag', 'void main() {}\n// ' + 'x' * 118 + '\n'), [(2, 'column')])
 
@@ -61,12 +69,26 @@ class SourceRules(unittest.TestCase):
         for word in ('p' + 'icture', 'kM' + 'ostBodies', 'the tr' + 'uth', 'BodiesA' + 'Step', 'l' + 'amps', '3.14' + '159'):
             self.assertEqual(self.faults('notes.md', f'One line.\nThis is {word} here.\n'), [(2, 'word')], word)
             self.assertEqual(self.faults('CHANGELOG.md', f'This is {word} here.\n'), [], word)
-        self.assertEqual(self.faults('notes.md', 'a clamped stamp, the clamp of a caption\n'), [])
+        self.assertEqual(self.faults('notes.md', 'a clamped stamp, the clamp of a caption, 23.14159\n'), [])
+
+    def test_a_name_that_is_good_english(self):
+        self.assertEqual(self.faults('a.cpp', '// F' + 'our bodies fall.\n'), [])
+        self.assertEqual(self.faults('a.cpp', 'F' + 'our sum;\n'), [(1, 'word')])
 
     def test_a_long_function_is_counted_from_its_first_line(self):
         body = 'int f(int x) {\n' + '    ++x;\n' * 58 + '    return x;\n}\n'
         self.assertEqual(self.faults('a.cpp', body), [(1, 'function')])
         self.assertEqual(self.faults('a.cpp', body.replace('    ++x;\n', '', 1)), [])
+
+        for head in ('auto f = [](int x) {\n', 'decltype(auto) f(int x) {\n'):
+            end = '};\n' if '=' in head else '}\n'
+            self.assertEqual(self.faults('a.cpp', head + '    ++x;\n' * 59 + end), [(1, 'function')])
+
+    def test_what_follows_odd_braces_is_still_looked_at(self):
+        for odd in ("constexpr char8_t c = u8'{';", '// goes on \\\n{', '#if 0\n{\n#endif',
+                    '#ifdef A\ninline void f(int) {  ///< one\n#else\ninline void f(long) {  ///< other\n#endif\n}'):
+            lines = odd.count('\n') + 1
+            self.assertEqual(self.faults('a.h', f'{odd}\nfloat lengthOf(float x);\n'), [(lines + 1, 'docstring')], odd)
 
     def test_a_long_file(self):
         self.assertEqual(self.faults('a.cpp', 'int x;\n' * 501), [(501, 'file')])
@@ -74,6 +96,9 @@ class SourceRules(unittest.TestCase):
     def test_a_class_with_too_many_public_methods(self):
         methods = '\n    '.join(f'int f{i}();  ///< one of many' for i in range(26))
         self.assertEqual(self.faults('a.h', HEADER.format(method=methods)), [(4, 'class')])
+        for head in ('alignas(16) World', 'World final'):
+            text = HEADER.format(method=methods).replace('class World', 'class ' + head)
+            self.assertEqual(self.faults('a.h', text), [(4, 'class')], head)
 
     def test_a_long_decision(self):
         text = '# Light\n\n### Rays are exact\n\n' + 'word ' * 101 + '\n### Another\n\nshort\n'

@@ -23,7 +23,7 @@ std::vector<Row> rowsOf(const std::string& subject) {
         return {{"T4", debrisTradeoff},        {"T5", connectivityTradeoff}, {"T12", featureTradeoff},
                 {"T13-stress", stressMap},     {"T13-pieces", piecesMap},    {"T13-split", splitMap},
                 {"T13-fragments", fragmentMap}};
-    if (subject == "noisyLight")
+    if (subject == "light")
         return {{"T6", shadowCellTradeoff},
                 {"T7", walkTradeoff},
                 {"T8", rayTradeoff},
@@ -61,7 +61,7 @@ std::string envelopeWith(const std::string& subject, const std::string& path, co
     std::ifstream file(path);
     const std::string before{std::istreambuf_iterator<char>(file), {}};
     const size_t light = before.find("\n# The light\n");
-    if (subject == "noisyLight") return before.substr(0, light) + part;
+    if (subject == "light") return before.substr(0, light) + part;
     return part + (light == std::string::npos ? "" : before.substr(light));
 }
 
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
     CLI::App app{"Measures what accuracy costs and where the engine's limits are", "tradeoff"};
     app.add_option("subject", subject, "destruction, physics or light")
         ->required()
-        ->check(CLI::IsMember({"destruction", "physics", "noisyLight"}));
+        ->check(CLI::IsMember({"destruction", "physics", "light"}));
     app.add_flag("--full", options.full, "every combination: minutes instead of seconds");
     app.add_option("--out", options.out, "folder for tables and plots")->capture_default_str();
     app.add_option("--only", only, "only the table of this name, or those whose names begin with it, such as T12");
@@ -110,13 +110,13 @@ int main(int argc, char** argv) {
         const Table table = makeTable(row, options, written);
         report += markdown(table);
         holds &= !table.failed;
-        if (!table.envelope.empty() || subject == "noisyLight") maps.push_back(table);
+        if (!table.envelope.empty() || subject == "light") maps.push_back(table);
     }
     written &= writeText(options.out + "/" + subject + ".md", report);
     if (publish) {
         const std::string path = RUBBLE_SOURCE_DIR "/OPERATING_ENVELOPE.md";
         written &= writeText(path, envelopeWith(subject, path,
-                                                subject == "noisyLight" ? lightEnvelope(options, maps)
+                                                subject == "light" ? lightEnvelope(options, maps)
                                                                         : operatingEnvelope(options, maps)));
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
